@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: MIT
+# moivre_module(<name> <source>...): one static library a module, linked as cmake/layers.cmake says.
+
+function(moivre_module name)
+  set(sources ${ARGN})
+  if(sources)
+    add_library(moivre_${name} ${sources})
+    set(scope PUBLIC)
+    set(private PRIVATE)
+  else()
+    add_library(moivre_${name} INTERFACE)
+    set(scope INTERFACE)
+    set(private INTERFACE)
+  endif()
+  add_library(moivre::${name} ALIAS moivre_${name})
+  set_target_properties(moivre_${name} PROPERTIES EXPORT_NAME ${name})
+  target_compile_features(moivre_${name} ${scope} cxx_std_20)
+  target_include_directories(moivre_${name} ${scope}
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include>)
+  foreach(used IN LISTS MOIVRE_USES_${name})
+    target_link_libraries(moivre_${name} ${scope} moivre::${used})
+  endforeach()
+  # numeric's packages are vocabulary of the public headers; every other package stays inside.
+  if(name STREQUAL "numeric")
+    set(private ${scope})
+  endif()
+  target_link_libraries(moivre_${name} ${private} ${MOIVRE_THIRD_PARTY_${name}})
+  if(sources)
+    target_link_libraries(moivre_${name} PRIVATE $<BUILD_INTERFACE:moivre_warnings>)
+  endif()
+endfunction()

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// Where in a file did it go wrong, and what is to be done? Positions, diagnostics and the error that carries them.
+//
+// A reader collects every fault as a Diagnostic and throws one ParseError with all of them.
+#pragma once
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace moivre {
+
+/// Line and column count from 1; column counts bytes; offset is in bytes from the file's start.
+struct SourcePosition {
+  std::size_t offset = 0;
+  std::size_t line = 1;
+  std::size_t column = 1;
+
+  friend bool operator==(const SourcePosition&, const SourcePosition&) = default;
+};
+
+struct Diagnostic {
+  SourcePosition at;
+  std::string message;
+};
+
+/// Text of a file (or of a string) under the name that messages use.
+struct Source {
+  std::string name;
+  std::string text;
+};
+
+/// Reads the whole file. Throws std::invalid_argument with the reason when it cannot be read.
+Source read_source(const std::string& path);
+
+/// "file:line:column: error: message", the line (a window of it, when it is long) and a caret below the fault.
+std::string to_text(const Diagnostic& diagnostic, const Source& source);
+
+/// Every fault of one input; what() is all their texts, one after another.
+class ParseError : public std::invalid_argument {
+ public:
+  ParseError(const Source& source, std::vector<Diagnostic> faults);
+  const std::vector<Diagnostic>& diagnostics() const noexcept { return diagnostics_; }
+
+ private:
+  std::vector<Diagnostic> diagnostics_;
+};
+
+}  // namespace moivre

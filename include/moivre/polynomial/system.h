@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// What is the system? Sparse polynomials in named variables, with coefficients exactly as read.
+//
+//   F = (F_1, ..., F_m), F_i = sum_k c_ik * x^e_ik,  x = (x_1, ..., x_n),  c_ik a Gaussian rational.
+//
+// Polynomials are canonical: terms sorted (graded, then lexicographic, highest first), distinct, none zero.
+// A System is a value; nothing rounds a coefficient before a scalar type asks for it (polynomial/tape.h).
+// The zero polynomial has no terms and degree 0. Not supported: negative exponents.
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "moivre/numeric/rational.h"
+
+namespace moivre {
+
+/// variable^exponent, exponent >= 1; `variable` counts from 0.
+struct Power {
+  std::uint32_t variable = 0;
+  std::uint32_t exponent = 1;
+
+  friend auto operator<=>(const Power&, const Power&) = default;
+};
+
+/// Product of powers, sorted by variable; the empty monomial is 1.
+using Monomial = std::vector<Power>;
+
+/// Sum of the exponents.
+std::uint64_t degree(const Monomial& m);
+/// a*b. Throws std::overflow_error when an exponent leaves 32 bits.
+Monomial product(const Monomial& a, const Monomial& b);
+/// Graded lexicographic, highest first: the order of the terms of a polynomial.
+bool precedes(const Monomial& a, const Monomial& b);
+
+struct MonomialOrder {
+  bool operator()(const Monomial& a, const Monomial& b) const { return precedes(a, b); }
+};
+
+struct Term {
+  Coefficient coefficient;
+  Monomial monomial;
+
+  friend bool operator==(const Term&, const Term&) = default;
+};
+
+struct Polynomial {
+  std::vector<Term> terms;
+
+  friend bool operator==(const Polynomial&, const Polynomial&) = default;
+};
+
+/// Monomial -> coefficient while a polynomial is put together; zero sums are dropped by `to_polynomial`.
+using TermMap = std::map<Monomial, Coefficient, MonomialOrder>;
+Polynomial to_polynomial(const TermMap& terms);
+
+std::uint64_t degree(const Polynomial& p);
+bool is_real(const Polynomial& p);
+/// All terms of one degree (the zero polynomial counts as homogeneous).
+bool is_homogeneous(const Polynomial& p);
+Polynomial operator+(const Polynomial& a, const Polynomial& b);
+Polynomial operator*(const Polynomial& a, const Polynomial& b);
+Polynomial operator*(const Coefficient& c, const Polynomial& p);
+
+struct System {
+  std::vector<std::string> variables;
+  std::vector<Polynomial> polynomials;
+
+  friend bool operator==(const System&, const System&) = default;
+};
+
+std::vector<std::uint64_t> degrees(const System& f);
+/// Bezout number: the product of the degrees; nullopt when it leaves 64 bits.
+std::optional<std::uint64_t> total_degree(const std::vector<std::uint64_t>& degrees);
+bool is_real(const System& f);
+std::size_t term_count(const System& f);
+
+}  // namespace moivre

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// How is a system written down again? PHCpack's and Bertini's text; reading it back gives the same System.
+#pragma once
+
+#include <string>
+
+#include "moivre/polynomial/read.h"
+
+namespace moivre {
+
+std::string to_text(const System& f, PolynomialFormat format);
+
+}  // namespace moivre
