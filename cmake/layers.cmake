@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Which module may use which: the architecture, as one list. The build links by it; tests/layers checks the includes by it.
+# Which module may use which: the architecture, as one list. The build links by it, the installed package resolves its
+# components by it, and tests/layers checks every include by it. It only sets variables, so that `cmake -P` can read it too.
 # A module may use what its line names and what those use (one way only).
 
 set(MOIVRE_MODULES numeric expression polynomial homotopy tracker tracker_cvode endgame start solver
@@ -25,3 +26,41 @@ set(MOIVRE_THIRD_PARTY_tracker_cvode SUNDIALS::cvode)
 set(MOIVRE_THIRD_PARTY_solver TBB::tbb)
 set(MOIVRE_THIRD_PARTY_report nlohmann_json::nlohmann_json)
 set(MOIVRE_THIRD_PARTY_cli CLI11::CLI11)
+
+# What is known of each package: the arguments of find_package, and how its headers begin (a regular expression).
+# A package in MOIVRE_HEADER_ONLY leaves nothing to link: a consumer of the installed library needs it only where it is
+# vocabulary of the public headers (MOIVRE_VOCABULARY).
+set(MOIVRE_FIND_Eigen3::Eigen Eigen3 3.4)
+set(MOIVRE_FIND_Boost::headers Boost 1.74)
+set(MOIVRE_FIND_taocpp::pegtl pegtl 3.2)
+set(MOIVRE_FIND_SUNDIALS::cvode SUNDIALS 6.4)
+set(MOIVRE_FIND_TBB::tbb TBB 2021.8)
+set(MOIVRE_FIND_nlohmann_json::nlohmann_json nlohmann_json 3.11)
+set(MOIVRE_FIND_CLI11::CLI11 CLI11 2.1)
+
+set(MOIVRE_HEADERS_Eigen3::Eigen "(Eigen|unsupported/Eigen)/")
+set(MOIVRE_HEADERS_Boost::headers "boost/")
+set(MOIVRE_HEADERS_taocpp::pegtl "tao/pegtl")
+set(MOIVRE_HEADERS_SUNDIALS::cvode "(cvode|sundials|nvector|sunmatrix|sunlinsol|sunnonlinsol)/")
+set(MOIVRE_HEADERS_TBB::tbb "(tbb|oneapi)/")
+set(MOIVRE_HEADERS_nlohmann_json::nlohmann_json "nlohmann/")
+set(MOIVRE_HEADERS_CLI11::CLI11 "CLI/")
+
+set(MOIVRE_VOCABULARY Eigen3::Eigen Boost::headers)
+set(MOIVRE_HEADER_ONLY Eigen3::Eigen Boost::headers taocpp::pegtl nlohmann_json::nlohmann_json
+    CLI11::CLI11)
+
+# moivre_closure(<variable> <module>...): the modules and everything they use, in the order of MOIVRE_MODULES.
+function(moivre_closure variable)
+  set(wanted ${ARGN})
+  set(reversed ${MOIVRE_MODULES})
+  list(REVERSE reversed)
+  set(closure "")
+  foreach(module IN LISTS reversed)
+    if(module IN_LIST wanted)
+      list(APPEND wanted ${MOIVRE_USES_${module}})
+      list(PREPEND closure ${module})
+    endif()
+  endforeach()
+  set(${variable} ${closure} PARENT_SCOPE)
+endfunction()

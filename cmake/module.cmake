@@ -1,31 +1,42 @@
 # SPDX-License-Identifier: MIT
-# moivre_module(<name> <source>...): one static library a module, linked as cmake/layers.cmake says.
+# moivre_module(<name> <source>...): one static library a module, linked and installed as cmake/layers.cmake says.
 
 function(moivre_module name)
   set(sources ${ARGN})
   if(sources)
     add_library(moivre_${name} ${sources})
     set(scope PUBLIC)
-    set(private PRIVATE)
+    target_link_libraries(moivre_${name} PRIVATE $<BUILD_INTERFACE:moivre_warnings>)
   else()
     add_library(moivre_${name} INTERFACE)
     set(scope INTERFACE)
-    set(private INTERFACE)
   endif()
   add_library(moivre::${name} ALIAS moivre_${name})
   set_target_properties(moivre_${name} PROPERTIES EXPORT_NAME ${name})
   target_compile_features(moivre_${name} ${scope} cxx_std_20)
-  target_include_directories(moivre_${name} ${scope}
-    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include>)
   foreach(used IN LISTS MOIVRE_USES_${name})
     target_link_libraries(moivre_${name} ${scope} moivre::${used})
   endforeach()
-  # numeric's packages are vocabulary of the public headers; every other package stays inside.
-  if(name STREQUAL "numeric")
-    set(private ${scope})
-  endif()
-  target_link_libraries(moivre_${name} ${private} ${MOIVRE_THIRD_PARTY_${name}})
-  if(sources)
-    target_link_libraries(moivre_${name} PRIVATE $<BUILD_INTERFACE:moivre_warnings>)
-  endif()
+  moivre_link_packages(${name} ${scope})
+  moivre_module_headers(${name} ${scope})
+endfunction()
+
+# Vocabulary is passed on to those who link the module; what is header-only stays behind when the module is installed.
+function(moivre_link_packages name scope)
+  foreach(package IN LISTS MOIVRE_THIRD_PARTY_${name})
+    if(package IN_LIST MOIVRE_VOCABULARY OR scope STREQUAL "INTERFACE")
+      target_link_libraries(moivre_${name} ${scope} ${package})
+    elseif(package IN_LIST MOIVRE_HEADER_ONLY)
+      target_link_libraries(moivre_${name} PRIVATE $<BUILD_INTERFACE:${package}>)
+    else()
+      target_link_libraries(moivre_${name} PRIVATE ${package})
+    endif()
+  endforeach()
+endfunction()
+
+# The public headers of a module are the files of include/moivre/<name>: the folder is the list.
+function(moivre_module_headers name scope)
+  set(base ${PROJECT_SOURCE_DIR}/include)
+  file(GLOB headers CONFIGURE_DEPENDS ${base}/moivre/${name}/*.h)
+  target_sources(moivre_${name} ${scope} FILE_SET HEADERS BASE_DIRS ${base} FILES ${headers})
 endfunction()

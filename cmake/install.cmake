@@ -1,0 +1,23 @@
+# SPDX-License-Identifier: MIT
+# What `cmake --install` lays down: each module's library and headers, the command, and a package for find_package(moivre).
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/moivre)
+
+# One export a module, so that a consumer meets the packages of the components it asked for and no others.
+foreach(module IN LISTS MOIVRE_BUILT_MODULES)
+  install(TARGETS moivre_${module} EXPORT moivre_${module} FILE_SET HEADERS)
+  install(EXPORT moivre_${module} DESTINATION ${package_dir} NAMESPACE moivre::
+          FILE moivre_${module}.cmake)
+endforeach()
+if(TARGET moivre)
+  install(TARGETS moivre)
+endif()
+
+configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/moivreConfig.cmake.in
+  ${PROJECT_BINARY_DIR}/moivreConfig.cmake INSTALL_DESTINATION ${package_dir})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/moivreConfigVersion.cmake
+  COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/moivreConfig.cmake ${PROJECT_BINARY_DIR}/moivreConfigVersion.cmake
+  ${CMAKE_CURRENT_LIST_DIR}/layers.cmake DESTINATION ${package_dir})

@@ -1,0 +1,19 @@
+# SPDX-License-Identifier: MIT
+# Which modules are built, and the packages that these need: nothing is looked for that no module asks for.
+
+if(MOIVRE_COMPONENTS STREQUAL "all")
+  set(MOIVRE_BUILT_MODULES ${MOIVRE_MODULES})
+else()
+  foreach(module IN LISTS MOIVRE_COMPONENTS)
+    if(NOT module IN_LIST MOIVRE_MODULES)
+      message(FATAL_ERROR "MOIVRE_COMPONENTS: no module '${module}'; the modules are ${MOIVRE_MODULES}")
+    endif()
+  endforeach()
+  moivre_closure(MOIVRE_BUILT_MODULES ${MOIVRE_COMPONENTS})
+endif()
+
+foreach(module IN LISTS MOIVRE_BUILT_MODULES)
+  foreach(package IN LISTS MOIVRE_THIRD_PARTY_${module})
+    find_package(${MOIVRE_FIND_${package}} REQUIRED GLOBAL)
+  endforeach()
+endforeach()
