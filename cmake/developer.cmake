@@ -4,8 +4,21 @@
 if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Debug, Release, RelWithDebInfo or MinSizeRel" FORCE)
 endif()
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
 
-find_program(MOIVRE_CCACHE ccache DOC "Compiler cache; used when it is there")
-if(MOIVRE_CCACHE AND NOT DEFINED CMAKE_CXX_COMPILER_LAUNCHER)
+# A compiler cache is used where there is one that works: it fails for a user who cannot write to the home folder.
+find_program(MOIVRE_CCACHE ccache DOC "Compiler cache")
+if(MOIVRE_CCACHE AND NOT DEFINED MOIVRE_CCACHE_WORKS)
+  file(WRITE ${PROJECT_BINARY_DIR}/ccache_probe.cpp "int probe;\n")
+  execute_process(
+    COMMAND ${MOIVRE_CCACHE} ${CMAKE_CXX_COMPILER} -c ccache_probe.cpp -o ccache_probe.o
+    WORKING_DIRECTORY ${PROJECT_BINARY_DIR} RESULT_VARIABLE probe OUTPUT_QUIET ERROR_QUIET)
+  if(probe EQUAL 0)
+    set(MOIVRE_CCACHE_WORKS TRUE CACHE INTERNAL "ccache compiled a file for this user")
+  else()
+    set(MOIVRE_CCACHE_WORKS FALSE CACHE INTERNAL "ccache compiled a file for this user")
+  endif()
+endif()
+if(MOIVRE_CCACHE_WORKS AND NOT DEFINED CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${MOIVRE_CCACHE})
 endif()
