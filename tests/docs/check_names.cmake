@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: MIT
+# Do the files, types, functions and options that the prose names in `backticks` exist in the tree?
+#
+# Judged by its form: a path (with a slash), a function (name()), a type (CamelCase, a member behind ::), a name with an
+# underscore, an option (--name). Anything else in backticks is left alone.
+include(${CMAKE_CURRENT_LIST_DIR}/text.cmake)
+
+set(code "")
+foreach(file IN LISTS code_files cmake_files script_files)
+  read_text(text ${file})
+  string(APPEND code "\n${text}\n")
+endforeach()
+
+# expect_word(<file> <word>): the word occurs in the code as a whole.
+macro(expect_word file word)
+  if(NOT code MATCHES "[^A-Za-z0-9_]${word}[^A-Za-z0-9_]")
+    fault(${file} "`${word}` does not occur in the code")
+  endif()
+endmacro()
+
+foreach(file ${ROOT}/README.md ${ROOT}/CONTRIBUTING.md ${ROOT}/docs/walkthrough.md)
+  read_text(text ${file})
+  string(REGEX REPLACE "\n```[^`]*\n```" "" text "${text}")
+  string(REGEX MATCHALL "`[^`\n]+`" names "${text}")
+  list(REMOVE_DUPLICATES names)
+  foreach(name IN LISTS names)
+    string(REPLACE "`" "" name "${name}")
+    if(name MATCHES "^build/|^<")
+      continue()
+    elseif(name MATCHES "^[A-Za-z0-9_.-]*/[A-Za-z0-9_./-]*$")
+      if(NOT EXISTS ${ROOT}/${name} AND NOT EXISTS ${ROOT}/include/${name})
+        fault(${file} "no file or folder `${name}`")
+      endif()
+    elseif(name MATCHES "^(moivre::)?(([A-Za-z0-9_]+)::)?([A-Za-z0-9_]+)\\(\\)$")
+      expect_word(${file} "${CMAKE_MATCH_4}")
+    elseif(name MATCHES "^([A-Z][a-z][A-Za-z]+)(::([a-z_]+))?$")
+      set(member "${CMAKE_MATCH_3}")
+      expect_word(${file} "${CMAKE_MATCH_1}")
+      if(member)
+        expect_word(${file} "${member}")
+      endif()
+    elseif(name MATCHES "^([A-Za-z0-9]+_[A-Za-z0-9_]+)$")
+      expect_word(${file} "${name}")
+    elseif(name MATCHES "^--([a-z-]+)$")
+      if(NOT code MATCHES "${name}")
+        fault(${file} "no option `${name}`")
+      endif()
+    endif()
+  endforeach()
+endforeach()
+finish()
