@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// Twice the digits of double: a number as an unevaluated sum hi + lo of two doubles (106 bits).
+//
+//   |lo| <= ulp(hi)/2;  sums and products by error-free transformations [Dekker71], [Knuth98];
+//   relative error of one operation at most 2^-102. The exponent range is double's: values below 1e-292 lose digits.
+// DoubleDouble is a real scalar of a tape; ComplexDoubleDouble the complex one. Not supported: square roots,
+// transcendental functions, NaN payloads.
+#pragma once
+
+#include <cmath>
+
+#include "moivre/numeric/complex.h"
+#include "moivre/numeric/rational.h"
+
+namespace moivre {
+
+struct DoubleDouble {
+  double hi = 0;
+  double lo = 0;
+
+  constexpr DoubleDouble() = default;
+  constexpr DoubleDouble(double value) : hi(value) {}
+  constexpr DoubleDouble(double high, double low) : hi(high), lo(low) {}
+};
+
+namespace detail {
+
+/// a + b = sum + error exactly.
+inline DoubleDouble two_sum(double a, double b) {
+  const double sum = a + b;
+  const double part = sum - a;
+  return {sum, (a - (sum - part)) + (b - part)};
+}
+/// As two_sum, for |a| >= |b|.
+inline DoubleDouble quick_two_sum(double a, double b) {
+  const double sum = a + b;
+  return {sum, b - (sum - a)};
+}
+/// a * b = product + error exactly (fused multiply-add).
+inline DoubleDouble two_product(double a, double b) {
+  const double p = a * b;
+  return {p, std::fma(a, b, -p)};
+}
+
+}  // namespace detail
+
+inline DoubleDouble operator+(DoubleDouble a, DoubleDouble b) {
+  DoubleDouble s = detail::two_sum(a.hi, b.hi);
+  const DoubleDouble t = detail::two_sum(a.lo, b.lo);
+  s = detail::quick_two_sum(s.hi, s.lo + t.hi);
+  return detail::quick_two_sum(s.hi, s.lo + t.lo);
+}
+inline DoubleDouble operator-(DoubleDouble a) { return {-a.hi, -a.lo}; }
+inline DoubleDouble operator-(DoubleDouble a, DoubleDouble b) { return a + (-b); }
+inline DoubleDouble operator*(DoubleDouble a, DoubleDouble b) {
+  const DoubleDouble p = detail::two_product(a.hi, b.hi);
+  return detail::quick_two_sum(p.hi, p.lo + (a.hi * b.lo + a.lo * b.hi));
+}
+inline DoubleDouble& operator+=(DoubleDouble& a, DoubleDouble b) { return a = a + b; }
+inline DoubleDouble product(DoubleDouble a, DoubleDouble b) { return a * b; }
+inline double to_double(DoubleDouble a) { return a.hi + a.lo; }
+
+/// The double-double nearest to r (up to its last bit).
+inline DoubleDouble to_double_double(const Rational& r) {
+  const double hi = to_double(r);
+  if (!std::isfinite(hi)) return {hi, 0};
+  return {hi, to_double(Rational(r - Rational(hi)))};
+}
+
+struct ComplexDoubleDouble {
+  DoubleDouble re;
+  DoubleDouble im;
+
+  constexpr ComplexDoubleDouble() = default;
+  constexpr ComplexDoubleDouble(double value) : re(value) {}
+  constexpr ComplexDoubleDouble(DoubleDouble real, DoubleDouble imaginary)
+      : re(real), im(imaginary) {}
+  ComplexDoubleDouble(const Complex& value) : re(value.real()), im(value.imag()) {}
+};
+
+inline ComplexDoubleDouble operator+(const ComplexDoubleDouble& a, const ComplexDoubleDouble& b) {
+  return {a.re + b.re, a.im + b.im};
+}
+inline ComplexDoubleDouble operator-(const ComplexDoubleDouble& a, const ComplexDoubleDouble& b) {
+  return {a.re - b.re, a.im - b.im};
+}
+inline ComplexDoubleDouble& operator+=(ComplexDoubleDouble& a, const ComplexDoubleDouble& b) {
+  return a = a + b;
+}
+inline ComplexDoubleDouble product(const ComplexDoubleDouble& a, const ComplexDoubleDouble& b) {
+  return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
+}
+inline ComplexDoubleDouble product(DoubleDouble a, const ComplexDoubleDouble& b) {
+  return {a * b.re, a * b.im};
+}
+inline Complex to_complex(const ComplexDoubleDouble& a) {
+  return {to_double(a.re), to_double(a.im)};
+}
+inline ComplexDoubleDouble to_complex_double_double(const Coefficient& c) {
+  return {to_double_double(c.re), to_double_double(c.im)};
+}
+
+}  // namespace moivre

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Random numbers that depend on nothing but (seed, stream, index): the same on every machine and thread.
+//
+// A counter is hashed by SplitMix64's finaliser; there is no state to share, so the k-th number of path i
+// is the same whoever asks for it and when.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+
+#include "moivre/numeric/complex.h"
+
+namespace moivre {
+
+/// What a stream of random numbers is for; each purpose has numbers of its own.
+enum class RandomStream : std::uint64_t { start_system = 1, slice = 2, test = 3 };
+
+/// 64 bits from (seed, stream, index).
+inline std::uint64_t random_bits(std::uint64_t seed, RandomStream stream, std::uint64_t index) {
+  constexpr std::uint64_t kGoldenGamma = 0x9E3779B97F4A7C15;
+  std::uint64_t z = seed * kGoldenGamma + static_cast<std::uint64_t>(stream);
+  for (const std::uint64_t word : {index, index >> 32}) {
+    z += kGoldenGamma * (word + 1);
+    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9;
+    z = (z ^ (z >> 27)) * 0x94D049BB133111EB;
+    z ^= z >> 31;
+  }
+  return z;
+}
+
+/// Uniform in [0, 1).
+inline double random_unit(std::uint64_t seed, RandomStream stream, std::uint64_t index) {
+  return static_cast<double>(random_bits(seed, stream, index) >> 11) * 0x1p-53;
+}
+
+/// Uniform on the unit circle.
+inline Complex random_phase(std::uint64_t seed, RandomStream stream, std::uint64_t index) {
+  return std::polar(1.0, 2 * std::numbers::pi * random_unit(seed, stream, index));
+}
+
+}  // namespace moivre

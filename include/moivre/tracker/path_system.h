@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// What does the path look like near (x, t)? Newton corrections, tangent and condition from one factorization.
+//
+// The homotopy has n equations in N = n + 1 homogeneous coordinates; the last row is the natural patch of the point
+// itself, x^H (.) = 0, so corrections and tangents are the shortest ones and |x| hardly changes:
+//
+//   J = [ H_x ]     J dx = [ -H ]    Newton correction         J x' = [ -H_t dt/ds ]   tangent
+//       [ x^H ]            [  0 ]                                     [      0     ]
+//
+// J: N x N, rows scaled (numeric/lu.h). Corrections are measured by |dx|_w = max_i |dx_i| / w_i,
+// w_i = max(|x_i|, kRelativeFloor |x|_inf): relative in each coordinate, with a floor.
+// Source: [ShubSmale93] for the patch, [Timme21, sec. 2] for the norm.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "moivre/homotopy/homotopy.h"
+#include "moivre/numeric/lu.h"
+
+namespace moivre {
+
+/// Coordinates smaller than this fraction of the largest one count as being of that size.
+inline constexpr double kRelativeFloor = 1e-5;
+
+/// max_i |v_i| / max(|x_i|, kRelativeFloor |x|_inf); NaN where v or x is.
+double weighted_norm(std::span<const Complex> v, std::span<const Complex> x);
+
+/// What was evaluated and factored.
+struct WorkCount {
+  std::uint64_t values = 0;         ///< H alone
+  std::uint64_t linearizations = 0; ///< H, H_x, H_t
+  std::uint64_t factorizations = 0;
+
+  WorkCount& operator+=(const WorkCount& other);
+};
+
+struct NewtonOptions {
+  double tolerance = 1e-9;           ///< |dx|_w at which the point counts as on the path
+  double largest_correction = 0.1;   ///< |dx|_w of the first correction above which the point is refused
+  double largest_contraction = 0.25; ///< |dx_k+1|_w / |dx_k|_w above which Newton is refused
+  int maximum_iterations = 6;
+};
+
+struct Correction {
+  bool converged = false;
+  double first = 0;  ///< |dx_1|_w, how far the point was from the path
+  double last = 0;   ///< |dx_k|_w of the last correction
+  double residual = 0;  ///< max_i |H_i| before the first correction
+};
+
+class PathSystem {
+ public:
+  explicit PathSystem(const Homotopy& homotopy);
+
+  std::size_t coordinates() const { return n_ + 1; }
+
+  /// Evaluates H, H_x, H_t at (x, t) and factors J. False when J is singular or something is not finite.
+  bool linearize(std::span<const Complex> x, Complex t) noexcept;
+
+  /// dx <- J^{-1} [-H_t dt; 0] with the factors of the last linearize().
+  void tangent(Complex dt, std::span<Complex> dx) noexcept;
+
+  /// Newton from x at fixed t, x replaced. Simplified: the factors of the last linearize() serve as long as they contract;
+  /// they are renewed once when they do not, and at the start when `fresh`.
+  Correction correct(std::span<Complex> x, Complex t, const NewtonOptions& options,
+                     bool fresh) noexcept;
+
+  /// Condition number of J with its rows scaled, from the last linearize().
+  double condition() noexcept { return lu_.condition(); }
+
+  /// |x_i| of J's last residual evaluation: max_i |H_i|.
+  double residual() const noexcept;
+
+  const WorkCount& work() const noexcept { return work_; }
+
+ private:
+  bool newton_step(std::span<Complex> x, double& size) noexcept;
+
+  std::size_t n_;
+  HomotopyEvaluator<Complex> homotopy_;
+  Lu lu_;
+  std::vector<Complex> h_;
+  std::vector<Complex> ht_;
+  std::vector<Complex> dx_;
+  WorkCount work_;
+};
+
+}  // namespace moivre

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Multiplies every term up to the degree of its equation with powers of the homogenizing coordinate.
+#include "moivre/polynomial/homogenize.h"
+
+#include <limits>
+#include <stdexcept>
+
+namespace moivre {
+
+System homogenize(const System& f, const std::vector<std::uint64_t>& degrees) {
+  const auto n = static_cast<std::uint32_t>(f.variables.size());
+  System result;
+  result.variables = f.variables;
+  result.variables.push_back("homogenizing coordinate");
+  for (std::size_t i = 0; i < f.polynomials.size(); ++i) {
+    TermMap terms;
+    for (const Term& term : f.polynomials[i].terms) {
+      const std::uint64_t own = degree(term.monomial);
+      if (own > degrees[i] || degrees[i] > std::numeric_limits<std::uint32_t>::max()) {
+        throw std::invalid_argument("equation " + std::to_string(i + 1) +
+                                    " cannot be homogenized to degree " +
+                                    std::to_string(degrees[i]));
+      }
+      Monomial m = term.monomial;
+      if (own < degrees[i]) m.push_back({n, static_cast<std::uint32_t>(degrees[i] - own)});
+      terms[std::move(m)] = term.coefficient;
+    }
+    result.polynomials.push_back(to_polynomial(terms));
+  }
+  return result;
+}
+
+}  // namespace moivre

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+// The bordered system of a path: evaluation, factorization, Newton's method on the natural patch.
+#include "moivre/tracker/path_system.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace moivre {
+
+double weighted_norm(std::span<const Complex> v, std::span<const Complex> x) {
+  double largest_squared = 0;
+  for (const Complex& xi : x) largest_squared = std::max(largest_squared, std::norm(xi));
+  const double floor_squared = kRelativeFloor * kRelativeFloor * largest_squared;
+  double result = 0;
+  for (std::size_t i = 0; i < v.size(); ++i) {
+    const double ratio = std::norm(v[i]) / std::max(std::norm(x[i]), floor_squared);
+    if (std::isnan(ratio)) return std::numeric_limits<double>::quiet_NaN();
+    result = std::max(result, ratio);
+  }
+  return std::sqrt(result);
+}
+
+WorkCount& WorkCount::operator+=(const WorkCount& other) {
+  values += other.values;
+  linearizations += other.linearizations;
+  factorizations += other.factorizations;
+  return *this;
+}
+
+PathSystem::PathSystem(const Homotopy& homotopy)
+    : n_(homotopy.equations()),
+      homotopy_(homotopy),
+      lu_(n_ + 1),
+      h_(n_),
+      ht_(n_),
+      dx_(n_ + 1) {}
+
+bool PathSystem::linearize(std::span<const Complex> x, Complex t) noexcept {
+  const std::span<Complex> j = lu_.matrix();
+  homotopy_.linearization(x, t, h_, j, ht_);
+  for (std::size_t k = 0; k <= n_; ++k) j[n_ * (n_ + 1) + k] = std::conj(x[k]);
+  ++work_.linearizations;
+  ++work_.factorizations;
+  return lu_.factor();
+}
+
+void PathSystem::tangent(Complex dt, std::span<Complex> dx) noexcept {
+  for (std::size_t i = 0; i < n_; ++i) dx[i] = -product(ht_[i], dt);
+  dx[n_] = 0;
+  lu_.solve(dx);
+}
+
+bool PathSystem::newton_step(std::span<Complex> x, double& size) noexcept {
+  for (std::size_t i = 0; i < n_; ++i) dx_[i] = -h_[i];
+  dx_[n_] = 0;
+  lu_.solve(dx_);
+  size = weighted_norm(dx_, x);
+  if (!std::isfinite(size)) return false;
+  for (std::size_t i = 0; i <= n_; ++i) x[i] += dx_[i];
+  return true;
+}
+
+Correction PathSystem::correct(std::span<Complex> x, Complex t, const NewtonOptions& options,
+                               bool fresh) noexcept {
+  Correction result;
+  bool renewed = fresh;
+  double previous = 0;
+  for (int k = 0; k < options.maximum_iterations; ++k) {
+    if (fresh) {
+      if (!linearize(x, t)) return result;
+    } else {
+      homotopy_.value(x, t, h_);
+      ++work_.values;
+    }
+    fresh = false;
+    if (k == 0) result.residual = residual();
+    if (!newton_step(x, result.last)) return result;
+    if (k == 0) {
+      result.first = result.last;
+      if (result.first > options.largest_correction) return result;
+    } else if (result.last > options.largest_contraction * previous &&
+               result.last > options.tolerance) {
+      if (renewed) return result;
+      renewed = fresh = true;
+    }
+    if (result.last <= options.tolerance) {
+      result.converged = true;
+      return result;
+    }
+    previous = result.last;
+  }
+  return result;
+}
+
+double PathSystem::residual() const noexcept {
+  double largest = 0;
+  for (const Complex& hi : h_) largest = std::max(largest, std::abs(hi));
+  return largest;
+}
+
+}  // namespace moivre
