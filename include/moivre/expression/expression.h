@@ -1,14 +1,26 @@
 // SPDX-License-Identifier: MIT
-// What was typed? A mathematical expression as a tree of plain nodes that remember their place in the file.
+// What was typed? A mathematical expression as a tree of plain nodes that remember their place in
+// the file.
 //
 // Sums and products are n-ary, so that a line of a million terms is a wide tree, not a deep one.
 // The reader limits the depth to kMaximumDepth; recursion over a tree is therefore safe.
-// Numbers are exact (decimal and scientific notation become rationals). `x - y` is sum(x, negate(y)),
-// `x / y` is product(x, reciprocal(y)). What a name stands for (an unknown, a constant, the
-// imaginary unit) is the caller's to say.
+// Numbers are exact (decimal and scientific notation become rationals). `x - y` is sum(x,
+// negate(y)), `x / y` is product(x, reciprocal(y)). What a name stands for (an unknown, a constant,
+// the imaginary unit) is the caller's to say.
+//
+//   sum      = [+|-] product { (+|-) [-] product }
+//   product  = power { (*|/) [-] power }
+//   power    = operand [ (^|**) [-] power ]             -x^2 is -(x^2), x^2^3 is x^(2^3)
+//   operand  = number | name | name ( sum {, sum} ) | ( sum )
+//   number   = digits [. digits] [(e|E) [+|-] digits], also .5
+//   name     = letter or _, then letters, digits, _, [ and ]
+//
+// Not supported: a product without its `*` (2x, x y), signs in a row (++, +-+), relations,
+// comments.
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "moivre/expression/source.h"
@@ -16,6 +28,7 @@
 
 namespace moivre {
 
+/// Parentheses, calls and exponents inside one another.
 inline constexpr int kMaximumDepth = 256;
 
 struct Expression {
@@ -37,10 +50,19 @@ struct Expression {
   std::vector<Expression> operands;
 };
 
-/// Parses all of `text` (a piece of `source` that begins at `begin`) as one expression:
-///   + - * / ^ ** parentheses, numbers, names, calls f(a, b); ^ binds tighter than unary minus and to the right.
-/// Every fault is appended to `faults`; when there was one the result is of no use.
+/// Parses all of `text` (a piece of a source that begins at `begin`) as one expression.
+/// Appended to `faults`: the first fault of the grammar, and before it every number that is out of
+/// double's range (nonzero ones that round to 0 too) or has more than 5000 digits. When there was
+/// a fault the result is of no use.
 Expression parse_expression(std::string_view text, SourcePosition begin,
                             std::vector<Diagnostic>& faults);
+
+struct NamePlace {
+  std::string_view name;
+  SourcePosition at;
+};
+
+/// Every name in `text` in its order, those before a `(` (calls) left out; the text need not parse.
+std::vector<NamePlace> names_in(std::string_view text, SourcePosition begin);
 
 }  // namespace moivre

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where in a file did it go wrong, and what is to be done? Positions, diagnostics and the error that carries them.
+// Where in a file did it go wrong, and what is to be done? Positions, diagnostics and the error
+// that carries them.
 //
 // A reader collects every fault as a Diagnostic and throws one ParseError with all of them.
 #pragma once
@@ -21,6 +22,9 @@ struct SourcePosition {
   friend bool operator==(const SourcePosition&, const SourcePosition&) = default;
 };
 
+/// Where `text`, which begins at `begin`, ends.
+SourcePosition after(SourcePosition begin, std::string_view text);
+
 struct Diagnostic {
   SourcePosition at;
   std::string message;
@@ -32,10 +36,12 @@ struct Source {
   std::string text;
 };
 
-/// Reads the whole file. Throws std::invalid_argument with the reason when it cannot be read.
+/// Reads the whole file, without a UTF-8 byte order mark. Throws std::invalid_argument with the
+/// reason when it cannot be read (a directory, no permission, not there).
 Source read_source(const std::string& path);
 
-/// "file:line:column: error: message", the line (a window of it, when it is long) and a caret below the fault.
+/// "file:line:column: error: message", the line (a window of it, when it is long) and a caret below
+/// the fault.
 std::string to_text(const Diagnostic& diagnostic, const Source& source);
 
 /// Every fault of one input; what() is all their texts, one after another.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Exact numbers: how a coefficient is kept as it was read, and rounded once, to the scalar that asks.
+// Exact numbers: how a coefficient is kept as it was read, and rounded once, to the scalar that
+// asks.
 //
 // A decimal such as 3.1 is the rational 31/10; rounding it to double before arithmetic would change
 // the problem. Boost's cpp_rational carries the arithmetic.
@@ -10,8 +11,11 @@
 
 namespace moivre {
 
-using Integer = boost::multiprecision::cpp_int;
-using Rational = boost::multiprecision::cpp_rational;
+// Without expression templates: `auto c = a * b` is a number, not a formula that refers to a and b.
+using Integer = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>,
+                                              boost::multiprecision::et_off>;
+using Rational = boost::multiprecision::number<boost::multiprecision::cpp_rational_backend,
+                                               boost::multiprecision::et_off>;
 
 /// Gaussian rational re + i*im: the exact complex coefficient.
 struct Coefficient {

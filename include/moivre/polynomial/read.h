@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Which system does this file hold? Readers of PHCpack's and Bertini's text, told apart by content.
 //
-// PHCpack: an optional count line `n` or `n m`, polynomials ended by `;`, `i`/`I` the imaginary unit, `^` or `**`,
-// text behind the last polynomial (TITLE, THE SOLUTIONS, ...) ignored. The format declares no variables: they are
-// the names in order of first appearance.
-// Bertini: CONFIG/INPUT sections, `variable_group`, `function`, `constant`, subfunctions, `%` comments.
-// Every fault is named in one ParseError (expression/source.h). Not supported: Bertini's hom_variable_group,
-// pathvariable and parameters (refused with the reason), negative exponents.
+// PHCpack: an optional count line `n` or `n m`, polynomials ended by `;`, `i`/`I` the imaginary
+// unit, `^` or `**`, text behind the last polynomial (TITLE, THE SOLUTIONS, ...) ignored. The
+// format declares no variables: they are the names in order of first appearance. Bertini:
+// CONFIG/INPUT sections, `variable_group`, `function`, `constant`, subfunctions, `%` comments.
+// Every fault is named in one ParseError (expression/source.h). Not supported: Bertini's
+// hom_variable_group, pathvariable and parameters (refused with the reason), negative exponents.
 #pragma once
 
 #include <string>
@@ -22,7 +22,7 @@ enum class PolynomialFormat { phcpack, bertini };
 PolynomialFormat detect_format(const std::string& text);
 
 /// Throws ParseError with every fault. The system may have more or fewer polynomials than variables
-/// where the file says so (`m n` count line); whether it can be solved is the caller's to decide.
+/// where the file says so (`n m` count line); whether it can be solved is the caller's to decide.
 System read_system(const Source& source);
 System read_system(const Source& source, PolynomialFormat format);
 

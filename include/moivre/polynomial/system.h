@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 // What is the system? Sparse polynomials in named variables, with coefficients exactly as read.
 //
-//   F = (F_1, ..., F_m), F_i = sum_k c_ik * x^e_ik,  x = (x_1, ..., x_n),  c_ik a Gaussian rational.
+//   F = (F_1, ..., F_m), F_i = sum_k c_ik * x^e_ik,  x = (x_1, ..., x_n),  c_ik a Gaussian
+//   rational.
 //
-// Polynomials are canonical: terms sorted (graded, then lexicographic, highest first), distinct, none zero.
-// A System is a value; nothing rounds a coefficient before a scalar type asks for it (polynomial/tape.h).
-// The zero polynomial has no terms and degree 0. Not supported: negative exponents.
+// Polynomials are canonical: terms sorted (graded, then lexicographic, highest first), distinct,
+// none zero. A System is a value; nothing rounds a coefficient before a scalar type asks for it
+// (polynomial/tape.h). The zero polynomial has no terms and degree 0. Not supported: negative
+// exponents.
 #pragma once
 
 #include <compare>
@@ -54,15 +56,20 @@ struct Polynomial {
   friend bool operator==(const Polynomial&, const Polynomial&) = default;
 };
 
-/// Monomial -> coefficient while a polynomial is put together; zero sums are dropped by `to_polynomial`.
+/// Monomial -> coefficient while a polynomial is put together; zero sums are dropped by
+/// `to_polynomial`.
 using TermMap = std::map<Monomial, Coefficient, MonomialOrder>;
-Polynomial to_polynomial(const TermMap& terms);
+Polynomial to_polynomial(TermMap terms);
+/// The polynomial x_index, and the polynomial c.
+Polynomial unknown(std::uint32_t index);
+Polynomial constant(const Coefficient& c);
 
 std::uint64_t degree(const Polynomial& p);
 bool is_real(const Polynomial& p);
 /// All terms of one degree (the zero polynomial counts as homogeneous).
 bool is_homogeneous(const Polynomial& p);
 Polynomial operator+(const Polynomial& a, const Polynomial& b);
+/// Throws std::overflow_error when an exponent leaves 32 bits.
 Polynomial operator*(const Polynomial& a, const Polynomial& b);
 Polynomial operator*(const Coefficient& c, const Polynomial& p);
 

@@ -1,0 +1,369 @@
+// SPDX-License-Identifier: MIT
+// The grammar of expression.h in PEGTL's words, and how its matches build the tree.
+#include "moivre/expression/expression.h"
+
+#include <iterator>
+#include <tao/pegtl.hpp>
+#include <utility>
+
+#include "number.h"
+
+namespace moivre {
+
+namespace {
+
+namespace pegtl = tao::pegtl;
+
+// Every rule that must follow another is wrapped in must<>, so nothing is matched twice and the
+// first fault is final. What was expected where it failed is `expected<Rule>` below.
+namespace grammar {
+using namespace tao::pegtl;  // NOLINT(google-build-using-namespace): the grammar's vocabulary
+
+struct gap : star<space> {};
+struct digits : plus<digit> {};
+struct fraction : seq<one<'.'>, star<digit>> {};
+struct exponent : seq<one<'e', 'E'>, opt<one<'+', '-'>>, digits> {};
+struct number : seq<sor<seq<digits, opt<fraction>>, seq<one<'.'>, digits>>, opt<exponent>> {};
+struct name : seq<sor<alpha, one<'_'>>, star<sor<alnum, one<'_', '[', ']'>>>> {};
+
+struct sum;
+struct opening : one<'('> {};
+struct closing : one<')'> {};
+struct group : if_must<opening, gap, sum, closing> {};
+struct arguments : if_must<opening, gap, sum, star<if_must<one<','>, gap, sum>>, closing> {};
+struct called_or_name : seq<name, gap, opt<arguments>> {};
+struct operand : sor<number, called_or_name, group> {};
+
+struct begin_exponent : success {};
+struct end_exponent : success {};
+struct signed_power;
+struct raised
+    : if_must<sor<one<'^'>, string<'*', '*'>>, gap, begin_exponent, signed_power, end_exponent> {};
+struct power : seq<must<operand>, gap, opt<raised>> {};
+struct negated_power : if_must<one<'-'>, gap, power> {};
+struct signed_power : sor<negated_power, power> {};
+
+struct begin_product : success {};
+struct end_product : success {};
+struct multiplied : if_must<seq<one<'*'>, not_at<one<'*'>>>, gap, signed_power> {};
+struct divided : if_must<one<'/'>, gap, signed_power> {};
+struct product : seq<begin_product, power, star<sor<multiplied, divided>>, end_product> {};
+
+struct begin_sum : success {};
+struct end_sum : success {};
+struct negated : if_must<one<'-'>, gap, product> {};
+struct signed_product : sor<negated, product> {};
+struct added : if_must<one<'+'>, gap, signed_product> {};
+struct subtracted : if_must<one<'-'>, gap, signed_product> {};
+struct first_product : sor<negated, if_must<one<'+'>, gap, product>, product> {};
+struct sum : seq<begin_sum, first_product, star<sor<added, subtracted>>, end_sum> {};
+
+struct end_of_text : eof {};
+struct expression : must<gap, sum, end_of_text> {};
+}  // namespace grammar
+
+using Input = pegtl::memory_input<pegtl::tracking_mode::eager, pegtl::eol::lf_crlf, const char*>;
+
+Input input_of(std::string_view text, const SourcePosition& begin) {
+  return Input(text.data(), text.data() + text.size(), "", begin.offset, begin.line, begin.column);
+}
+
+template <class AnyInput>
+SourcePosition position_of(const AnyInput& in) {
+  const auto& at = in.iterator();
+  return {.offset = at.byte, .line = at.line, .column = at.column};
+}
+
+struct SyntaxFault {
+  Diagnostic diagnostic;
+};
+
+/// The tree under construction: finished operands on a stack, and where the unfinished nodes begin
+/// on it.
+struct Builder {
+  std::string_view text;
+  SourcePosition begin;
+  std::vector<Diagnostic>& faults;
+  std::vector<Expression> stack = {};
+  std::vector<std::size_t> unfinished = {};
+  struct Opening {
+    SourcePosition at;
+    std::size_t operands;  // height of the stack at the `(`
+  };
+  std::vector<Opening> openings = {};
+  int exponents = 0;
+
+  void check_depth(const SourcePosition& at) const {
+    if (openings.size() + static_cast<std::size_t>(exponents) <= kMaximumDepth) return;
+    throw SyntaxFault{{at, "parentheses, calls and exponents stand more than " +
+                               std::to_string(kMaximumDepth) + " deep in one another"}};
+  }
+
+  /// The top of the stack becomes the operand of a new node.
+  void wrap(Expression::Kind kind, const SourcePosition& at) {
+    Expression node{.kind = kind, .at = at, .number = {}, .name = {}, .operands = {}};
+    node.operands.push_back(std::move(stack.back()));
+    stack.back() = std::move(node);
+  }
+
+  /// The stack from `height` up becomes the operands of `node`.
+  void gather(Expression& node, std::size_t height) {
+    const auto first = stack.begin() + static_cast<std::ptrdiff_t>(height);
+    node.operands.assign(std::make_move_iterator(first), std::make_move_iterator(stack.end()));
+    stack.erase(first, stack.end());
+  }
+
+  /// Closes a sum or product; one operand alone needs no node.
+  void finish(Expression::Kind kind) {
+    const std::size_t height = unfinished.back();
+    unfinished.pop_back();
+    if (stack.size() - height == 1) return;
+    Expression node{.kind = kind, .at = stack[height].at, .number = {}, .name = {}, .operands = {}};
+    gather(node, height);
+    stack.push_back(std::move(node));
+  }
+};
+
+template <class Rule>
+struct Action : pegtl::nothing<Rule> {};
+
+template <>
+struct Action<grammar::number> {
+  template <class Match>
+  static void apply(const Match& in, Builder& b) {
+    ParsedNumber parsed = parse_number(in.string_view());
+    if (!parsed.refusal.empty()) b.faults.push_back({position_of(in), parsed.refusal});
+    b.stack.push_back({.kind = Expression::Kind::number,
+                       .at = position_of(in),
+                       .number = std::move(parsed.value),
+                       .name = {},
+                       .operands = {}});
+  }
+};
+
+template <>
+struct Action<grammar::name> {
+  template <class Match>
+  static void apply(const Match& in, Builder& b) {
+    b.stack.push_back({.kind = Expression::Kind::name,
+                       .at = position_of(in),
+                       .number = {},
+                       .name = in.string(),
+                       .operands = {}});
+  }
+};
+
+template <>
+struct Action<grammar::opening> {
+  template <class Match>
+  static void apply(const Match& in, Builder& b) {
+    b.openings.push_back({position_of(in), b.stack.size()});
+    b.check_depth(b.openings.back().at);
+  }
+};
+
+template <>
+struct Action<grammar::group> {
+  static void apply0(Builder& b) { b.openings.pop_back(); }
+};
+
+template <>
+struct Action<grammar::arguments> {
+  static void apply0(Builder& b) {
+    const std::size_t height = b.openings.back().operands;
+    b.openings.pop_back();
+    Expression& call = b.stack[height - 1];
+    call.kind = Expression::Kind::call;
+    b.gather(call, height);
+  }
+};
+
+template <>
+struct Action<grammar::begin_exponent> {
+  template <class Match>
+  static void apply(const Match& in, Builder& b) {
+    ++b.exponents;
+    b.check_depth(position_of(in));
+  }
+};
+
+template <>
+struct Action<grammar::end_exponent> {
+  static void apply0(Builder& b) { --b.exponents; }
+};
+
+template <>
+struct Action<grammar::raised> {
+  static void apply0(Builder& b) {
+    const std::size_t height = b.stack.size() - 2;
+    Expression node{.kind = Expression::Kind::power,
+                    .at = b.stack[height].at,
+                    .number = {},
+                    .name = {},
+                    .operands = {}};
+    b.gather(node, height);
+    b.stack.push_back(std::move(node));
+  }
+};
+
+template <Expression::Kind kind>
+struct Wrap {
+  template <class Match>
+  static void apply(const Match& in, Builder& b) {
+    b.wrap(kind, position_of(in));
+  }
+};
+template <>
+struct Action<grammar::negated_power> : Wrap<Expression::Kind::negate> {};
+template <>
+struct Action<grammar::negated> : Wrap<Expression::Kind::negate> {};
+template <>
+struct Action<grammar::subtracted> : Wrap<Expression::Kind::negate> {};
+template <>
+struct Action<grammar::divided> : Wrap<Expression::Kind::reciprocal> {};
+
+struct Begin {
+  static void apply0(Builder& b) { b.unfinished.push_back(b.stack.size()); }
+};
+template <>
+struct Action<grammar::begin_sum> : Begin {};
+template <>
+struct Action<grammar::begin_product> : Begin {};
+
+template <Expression::Kind kind>
+struct Finish {
+  static void apply0(Builder& b) { b.finish(kind); }
+};
+template <>
+struct Action<grammar::end_sum> : Finish<Expression::Kind::sum> {};
+template <>
+struct Action<grammar::end_product> : Finish<Expression::Kind::product> {};
+
+enum class Expected { operand, closing, end };
+template <class Rule>
+inline constexpr Expected expected = Expected::operand;
+template <>
+inline constexpr Expected expected<grammar::closing> = Expected::closing;
+template <>
+inline constexpr Expected expected<grammar::end_of_text> = Expected::end;
+
+bool is_blank(char c) { return std::string_view(" \t\n\v\f\r").find(c) != std::string_view::npos; }
+
+bool is_name_character(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+         c == '[' || c == ']';
+}
+
+/// A character as a message quotes it.
+std::string quoted(char c) {
+  const auto byte = static_cast<unsigned char>(c);
+  if (byte > 0x20 && byte < 0x7F) return std::string("`") + c + '`';
+  constexpr const char* kHex = "0123456789ABCDEF";
+  return std::string("the byte 0x") + kHex[byte >> 4U] + kHex[byte & 0xFU];
+}
+
+/// The number, name or single character that begins `text`, as a message quotes it.
+std::string first_word(std::string_view text) {
+  constexpr std::size_t kQuoted = 40;
+  std::size_t end = 0;
+  while (end < text.size() && end < kQuoted && (is_name_character(text[end]) || text[end] == '.')) {
+    ++end;
+  }
+  return end == 0 ? quoted(text.front()) : '`' + std::string(text.substr(0, end)) + '`';
+}
+
+/// Two operands side by side; across a line end the sign of a lost end of the expression.
+std::string juxtaposition(std::string_view text, std::size_t at, std::size_t line) {
+  std::string message = "an operator is missing before " + first_word(text.substr(at));
+  std::size_t end = at;
+  std::size_t breaks = 0;
+  while (end > 0 && is_blank(text[end - 1])) {
+    if (text[--end] == '\n') ++breaks;
+  }
+  if (breaks > 0) {
+    message += "; or is a `;` missing at the end of line " + std::to_string(line - breaks) + '?';
+  } else {
+    message += " (a product is written with `*`)";
+  }
+  return message;
+}
+
+/// Why the expression does not go on with text[at].
+std::string unexpected(std::string_view text, std::size_t at, std::size_t line) {
+  const char c = text[at];
+  if (c == ')') return "unbalanced parenthesis: this `)` closes nothing";
+  if (c == '(' || c == '.' || is_name_character(c)) return juxtaposition(text, at, line);
+  if (c == '=')
+    return "`=` has no place in an expression; write the left side minus the right side";
+  return "unexpected character: " + quoted(c);
+}
+
+std::string missing_operand(std::string_view text, std::size_t at) {
+  const std::string wanted = "expected a number, a name or `(`";
+  if (at == text.size()) return wanted + ", but the expression ends here";
+  const char c = text[at];
+  const bool is_operator = std::string_view("+-*/^").find(c) != std::string_view::npos;
+  return wanted + ", found " + (is_operator ? "the operator " : "") + quoted(c);
+}
+
+SyntaxFault fault_at(const SourcePosition& at, Expected what, const Builder& b) {
+  const std::size_t index = at.offset - b.begin.offset;
+  if (what == Expected::operand) return {{at, missing_operand(b.text, index)}};
+  if (index == b.text.size()) {
+    return {{b.openings.back().at, "unbalanced parenthesis: this `(` is never closed"}};
+  }
+  return {{at, unexpected(b.text, index, at.line)}};
+}
+
+template <class Rule>
+struct Control : pegtl::normal<Rule> {
+  template <class AnyInput>
+  [[noreturn]] static void raise(const AnyInput& in, Builder& b) {
+    throw fault_at(position_of(in), expected<Rule>, b);
+  }
+};
+
+namespace grammar {
+struct skipped : any {};
+struct words : star<sor<number, name, skipped>> {};
+}  // namespace grammar
+
+template <class Rule>
+struct NameAction : pegtl::nothing<Rule> {};
+template <>
+struct NameAction<grammar::name> {
+  template <class Match>
+  static void apply(const Match& in, std::vector<NamePlace>& names) {
+    names.push_back({in.string_view(), position_of(in)});
+  }
+};
+
+}  // namespace
+
+Expression parse_expression(std::string_view text, SourcePosition begin,
+                            std::vector<Diagnostic>& faults) {
+  Builder builder{.text = text, .begin = begin, .faults = faults};
+  Input input = input_of(text, begin);
+  try {
+    pegtl::parse<grammar::expression, Action, Control>(input, builder);
+    return std::move(builder.stack.back());
+  } catch (const SyntaxFault& fault) {
+    faults.push_back(fault.diagnostic);
+    return {};
+  }
+}
+
+std::vector<NamePlace> names_in(std::string_view text, SourcePosition begin) {
+  std::vector<NamePlace> names;
+  Input input = input_of(text, begin);
+  pegtl::parse<grammar::words, NameAction>(input, names);
+  const auto is_called = [&](const NamePlace& place) {
+    std::size_t next = place.at.offset - begin.offset + place.name.size();
+    while (next < text.size() && is_blank(text[next])) ++next;
+    return next < text.size() && text[next] == '(';
+  };
+  std::erase_if(names, is_called);
+  return names;
+}
+
+}  // namespace moivre

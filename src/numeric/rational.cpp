@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// How do Gaussian rationals add and multiply, and which double is nearest to a rational?
+#include "moivre/numeric/rational.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace moivre {
+
+namespace {
+
+using Double = std::numeric_limits<double>;
+static_assert(Double::is_iec559 && Double::digits == 53, "to_double rounds to IEEE binary64");
+
+/// ulp of the smallest normal binade and of every denormal: 2^-1074.
+constexpr long kLeastUlpExponent = Double::min_exponent - Double::digits;
+
+long floor_log2_of_quotient(const Integer& n, const Integer& d) {
+  const long e = static_cast<long>(msb(n)) - static_cast<long>(msb(d));
+  const bool reaches =
+      e >= 0 ? n >= (d << static_cast<unsigned>(e)) : (n << static_cast<unsigned>(-e)) >= d;
+  return reaches ? e : e - 1;
+}
+
+/// n/d for positive n and d, rounded to the nearest multiple of 2^exponent, ties to even, over
+/// 2^exponent.
+Integer rounded_quotient(Integer n, Integer d, long exponent) {
+  if (exponent < 0) {
+    n <<= static_cast<unsigned>(-exponent);
+  } else {
+    d <<= static_cast<unsigned>(exponent);
+  }
+  Integer quotient;
+  Integer remainder;
+  divide_qr(n, d, quotient, remainder);
+  remainder <<= 1;
+  const bool up = remainder > d || (remainder == d && bit_test(quotient, 0));
+  return up ? Integer(quotient + 1) : quotient;
+}
+
+double positive_quotient_to_double(const Integer& n, const Integer& d) {
+  const long magnitude = floor_log2_of_quotient(n, d);
+  if (magnitude >= Double::max_exponent) return Double::infinity();
+  if (magnitude < kLeastUlpExponent - 1) return 0.0;
+  const long ulp_exponent = std::max(magnitude - (Double::digits - 1), kLeastUlpExponent);
+  const Integer multiple = rounded_quotient(n, d, ulp_exponent);
+  return std::ldexp(static_cast<double>(static_cast<std::uint64_t>(multiple)),
+                    static_cast<int>(ulp_exponent));
+}
+
+}  // namespace
+
+Coefficient operator+(const Coefficient& a, const Coefficient& b) {
+  return {a.re + b.re, a.im + b.im};
+}
+
+Coefficient operator-(const Coefficient& a, const Coefficient& b) {
+  return {a.re - b.re, a.im - b.im};
+}
+
+Coefficient operator-(const Coefficient& a) { return {-a.re, -a.im}; }
+
+Coefficient operator*(const Coefficient& a, const Coefficient& b) {
+  if (is_real(a) && is_real(b)) return {a.re * b.re, 0};
+  return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
+}
+
+Coefficient operator/(const Coefficient& a, const Coefficient& b) {
+  if (is_zero(b)) throw std::invalid_argument("division of an exact number by zero");
+  if (is_real(b)) return {a.re / b.re, a.im / b.re};
+  const Rational squared_modulus = b.re * b.re + b.im * b.im;
+  return {(a.re * b.re + a.im * b.im) / squared_modulus,
+          (a.im * b.re - a.re * b.im) / squared_modulus};
+}
+
+bool is_zero(const Coefficient& a) { return a.re.is_zero() && a.im.is_zero(); }
+
+bool is_real(const Coefficient& a) { return a.im.is_zero(); }
+
+double to_double(const Rational& r) {
+  if (r.is_zero()) return 0.0;
+  const Integer n = numerator(r);
+  const double magnitude = positive_quotient_to_double(abs(n), denominator(r));
+  return n < 0 ? -magnitude : magnitude;
+}
+
+std::complex<double> to_complex(const Coefficient& a) { return {to_double(a.re), to_double(a.im)}; }
+
+}  // namespace moivre

@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: MIT
+// The arithmetic of expand.h: every step is charged before it can cost more memory or time than
+// allowed.
+#include "expand.h"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+namespace moivre {
+
+namespace {
+
+/// A limit was passed; what() says which.
+struct Excess : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+std::size_t bits(const Integer& n) { return n.is_zero() ? 0 : msb(abs(n)) + 1; }
+
+std::size_t bits(const Rational& r) {
+  return r.is_zero() ? 0 : std::max(bits(numerator(r)), bits(denominator(r)));
+}
+
+std::size_t bits(const Coefficient& c) { return std::max(bits(c.re), bits(c.im)); }
+
+/// Counts the work of a file against kMaximumWork.
+class Account {
+ public:
+  explicit Account(std::uint64_t& work) : work_(work) {}
+
+  /// Reducing a fraction of L limbs takes about L^2 / 4 times a small fraction's time.
+  void charge(const Coefficient& c) {
+    constexpr std::size_t kLimb = 64;
+    const std::size_t size = bits(c);
+    if (size > kMaximumBits) {
+      throw Excess("a coefficient of the expansion has more than " + std::to_string(kMaximumBits) +
+                   " bits");
+    }
+    const std::size_t limbs = size / kLimb;
+    charge(1 + limbs * limbs / 4);
+  }
+
+  void charge(std::uint64_t work) {
+    work_ += work;
+    if (work_ > kMaximumWork) {
+      throw Excess("the expansion takes more than " + std::to_string(kMaximumWork) +
+                   " products of terms (with all before it in this file)");
+    }
+  }
+
+ private:
+  std::uint64_t& work_;
+};
+
+void add(TermMap& sum, Monomial monomial, const Coefficient& c, Account& account) {
+  account.charge(c);
+  const auto [place, is_new] = sum.try_emplace(std::move(monomial), c);
+  if (is_new) {
+    if (sum.size() > kMaximumTerms) {
+      throw Excess("the expansion has more than " + std::to_string(kMaximumTerms) + " terms");
+    }
+    return;
+  }
+  place->second = place->second + c;
+  account.charge(place->second);
+  if (is_zero(place->second)) sum.erase(place);
+}
+
+/// A term times a polynomial keeps the order of the terms, so nothing is sorted.
+Polynomial times(const Term& factor, Polynomial p, Account& account) {
+  for (Term& term : p.terms) {
+    term.monomial = product(factor.monomial, term.monomial);
+    term.coefficient = factor.coefficient * term.coefficient;
+    account.charge(term.coefficient);
+  }
+  return p;
+}
+
+Polynomial times(Polynomial a, Polynomial b, Account& account) {
+  if (a.terms.size() == 1) return times(a.terms.front(), std::move(b), account);
+  if (b.terms.size() == 1) return times(b.terms.front(), std::move(a), account);
+  TermMap terms;
+  for (const Term& s : a.terms) {
+    for (const Term& t : b.terms) {
+      add(terms, product(s.monomial, t.monomial), s.coefficient * t.coefficient, account);
+    }
+  }
+  return to_polynomial(std::move(terms));
+}
+
+/// c^k by repeated squaring; refused before it is computed when it would be too long.
+Coefficient raised(Coefficient c, std::uint64_t k, Account& account) {
+  Coefficient result{1, 0};
+  for (; k > 0; k /= 2) {
+    if (k % 2 == 1) {
+      result = result * c;
+      account.charge(result);
+    }
+    if (k > 1) {
+      c = c * c;
+      account.charge(c);
+    }
+  }
+  return result;
+}
+
+Monomial raised(Monomial m, std::uint64_t k) {
+  for (Power& p : m) {
+    const std::uint64_t exponent = p.exponent * k;
+    if (exponent > std::numeric_limits<std::uint32_t>::max()) {
+      throw std::overflow_error("an exponent leaves 32 bits");
+    }
+    p.exponent = static_cast<std::uint32_t>(exponent);
+  }
+  return m;
+}
+
+/// p^k, multiplied by p again and again: for sparse p that costs less than squaring.
+Polynomial raised(const Polynomial& p, std::uint64_t k, Account& account) {
+  if (k == 0) return constant({1, 0});
+  if (p.terms.empty()) return p;
+  if (p.terms.size() == 1) {
+    const Term& term = p.terms.front();
+    return {{{raised(term.coefficient, k, account), raised(term.monomial, k)}}};
+  }
+  Polynomial result = p;
+  for (std::uint64_t j = 1; j < k; ++j) result = times(p, std::move(result), account);
+  return result;
+}
+
+bool is_constant(const Polynomial& p) {
+  return p.terms.empty() || (p.terms.size() == 1 && p.terms.front().monomial.empty());
+}
+
+Coefficient constant_of(const Polynomial& p) {
+  return p.terms.empty() ? Coefficient{} : p.terms.front().coefficient;
+}
+
+constexpr std::int64_t kMaximumExponent = std::numeric_limits<std::uint32_t>::max();
+
+std::string quoted(const Integer& n) {
+  constexpr std::size_t kQuotedBits = 200;
+  return bits(n) > kQuotedBits ? std::string() : ' ' + n.str();
+}
+
+}  // namespace
+
+template <class Operation>
+Expander::Value Expander::within_limits(const SourcePosition& at, Operation operation) {
+  const bool exhausted = work_ > kMaximumWork;
+  try {
+    Account account(work_);
+    return operation(account);
+  } catch (const Excess& excess) {
+    if (exhausted) return std::nullopt;  // said already, where it happened
+    return refuse(at, excess.what());
+  } catch (const std::overflow_error&) {
+    return refuse(at, "an exponent is beyond " + std::to_string(kMaximumExponent));
+  }
+}
+
+Expander::Value Expander::refuse(const SourcePosition& at, const std::string& message) {
+  faults_.push_back({at, message});
+  return std::nullopt;
+}
+
+std::optional<Polynomial> Expander::expand(const Expression& e, const Environment& names) {
+  switch (e.kind) {
+    case Expression::Kind::number:
+      return constant({e.number, 0});
+    case Expression::Kind::name:
+      return named(e, names);
+    case Expression::Kind::sum:
+      return sum(e, names);
+    case Expression::Kind::product:
+      return product(e, names);
+    case Expression::Kind::negate: {
+      const Value value = expand(e.operands.front(), names);
+      if (!value) return value;
+      return Coefficient{-1, 0} * *value;
+    }
+    case Expression::Kind::reciprocal:
+      return reciprocal(e, names);
+    case Expression::Kind::power:
+      return power(e, names);
+    case Expression::Kind::call:
+      break;
+  }
+  if (names.count(e.name) > 0) {
+    return refuse(e.at, "`" + e.name + "(`: an operator is missing behind `" + e.name +
+                            "` (a product is written with `*`)");
+  }
+  return refuse(e.at, "`" + e.name + "(`: function calls are not polynomials");
+}
+
+Expander::Value Expander::named(const Expression& e, const Environment& names) {
+  const auto meaning = names.find(e.name);
+  if (meaning == names.end()) return refuse(e.at, "the name `" + e.name + "` is not declared");
+  if (!meaning->second) return std::nullopt;
+  return within_limits(e.at, [&](Account& account) {
+    account.charge(meaning->second->terms.size());
+    return *meaning->second;
+  });
+}
+
+Expander::Value Expander::sum(const Expression& e, const Environment& names) {
+  TermMap terms;
+  bool is_sound = true;
+  for (const Expression& operand : e.operands) {
+    Value value = expand(operand, names);
+    is_sound = is_sound && value;
+    if (!is_sound) continue;
+    const Value added = within_limits(operand.at, [&](Account& account) {
+      for (Term& term : value->terms) {
+        add(terms, std::move(term.monomial), term.coefficient, account);
+      }
+      return Polynomial{};
+    });
+    is_sound = added.has_value();
+  }
+  if (!is_sound) return std::nullopt;
+  return to_polynomial(std::move(terms));
+}
+
+Expander::Value Expander::product(const Expression& e, const Environment& names) {
+  Value result = expand(e.operands.front(), names);
+  for (std::size_t k = 1; k < e.operands.size(); ++k) {
+    Value factor = expand(e.operands[k], names);
+    if (!result || !factor) {
+      result.reset();
+      continue;
+    }
+    result = within_limits(e.operands[k].at, [&](Account& account) {
+      return times(std::move(*result), std::move(*factor), account);
+    });
+  }
+  return result;
+}
+
+Expander::Value Expander::reciprocal(const Expression& e, const Environment& names) {
+  const Value value = expand(e.operands.front(), names);
+  if (!value) return std::nullopt;
+  if (!is_constant(*value)) {
+    return refuse(e.at, "division by a variable: only a number may stand behind `/`");
+  }
+  if (value->terms.empty()) return refuse(e.at, "division by zero");
+  return constant(Coefficient{1, 0} / constant_of(*value));
+}
+
+std::optional<std::int64_t> Expander::exponent(const Expression& e, const Environment& names) {
+  const Value value = expand(e, names);
+  if (!value) return std::nullopt;
+  if (!is_constant(*value)) {
+    refuse(e.at, "the exponent is not a number");
+    return std::nullopt;
+  }
+  const Coefficient c = constant_of(*value);
+  if (!is_real(c) || denominator(c.re) != 1) {
+    refuse(e.at, "the exponent is not an integer");
+    return std::nullopt;
+  }
+  const Integer n = numerator(c.re);
+  if (abs(n) > kMaximumExponent) {
+    refuse(e.at, "the exponent" + quoted(n) + " is beyond " + std::to_string(kMaximumExponent));
+    return std::nullopt;
+  }
+  return static_cast<std::int64_t>(n);
+}
+
+Expander::Value Expander::power(const Expression& e, const Environment& names) {
+  Value base = expand(e.operands[0], names);
+  const std::optional<std::int64_t> k = exponent(e.operands[1], names);
+  if (!base || !k) return std::nullopt;
+  if (*k < 0) {
+    if (!is_constant(*base)) {
+      return refuse(e.operands[1].at,
+                    "negative exponent " + std::to_string(*k) + ": that divides by a variable");
+    }
+    if (base->terms.empty()) return refuse(e.at, "division by zero");
+    base = constant(Coefficient{1, 0} / constant_of(*base));
+  }
+  return within_limits(e.operands[1].at, [&](Account& account) {
+    return raised(*base, static_cast<std::uint64_t>(*k < 0 ? -*k : *k), account);
+  });
+}
+
+}  // namespace moivre

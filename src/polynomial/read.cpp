@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+// Telling the formats apart, and what holds for both: text it must be, and every fault is thrown at
+// once.
+#include "moivre/polynomial/read.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "read_formats.h"
+#include "statements.h"
+
+namespace moivre {
+
+namespace {
+
+bool is_control(char c) {
+  const auto byte = static_cast<unsigned char>(c);
+  return (byte < 0x20 && !is_blank(c)) || byte == 0x7F;
+}
+
+std::string_view first_word(std::string_view text) {
+  const auto end = std::find_if(text.begin(), text.end(), [](char c) {
+    return !((c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_');
+  });
+  return text.substr(0, static_cast<std::size_t>(end - text.begin()));
+}
+
+/// True when `text` goes on like a name behind a keyword, not like a product or a sum.
+bool leads_to_name(std::string_view text) {
+  if (text.empty() || !is_blank(text.front())) return false;
+  const std::string_view next = trimmed(text);
+  return next.empty() || std::string_view("+-*/^;,)=").find(next.front()) == std::string_view::npos;
+}
+
+bool is_out_of_range(const Rational& r) {
+  const double rounded = to_double(r);
+  return std::isinf(rounded) || (rounded == 0.0 && !r.is_zero());
+}
+
+void check_is_text(const Source& source, std::vector<Diagnostic>& faults) {
+  const std::string& text = source.text;
+  const auto control = std::find_if(text.begin(), text.end(), is_control);
+  if (control != text.end()) {
+    const std::string_view before(text.data(), static_cast<std::size_t>(control - text.begin()));
+    faults.push_back({after({}, before), "the file is not text: it holds the control character " +
+                                             std::to_string(static_cast<int>(*control))});
+  } else if (trimmed(text).empty()) {
+    faults.push_back({{}, "the file is empty"});
+  }
+}
+
+}  // namespace
+
+void check_range(const Polynomial& p, const SourcePosition& at, std::vector<Diagnostic>& faults) {
+  const auto is_fault = [](const Term& term) {
+    return is_out_of_range(term.coefficient.re) || is_out_of_range(term.coefficient.im);
+  };
+  if (std::any_of(p.terms.begin(), p.terms.end(), is_fault)) {
+    faults.push_back({at,
+                      "multiplied out, a coefficient is out of the range of double "
+                      "(4.9e-324 to 1.8e308)"});
+  }
+}
+
+PolynomialFormat detect_format(const std::string& text) {
+  const std::string head = without_bertini_comments(text.substr(0, text.find(';')));
+  std::string_view rest = head;
+  bool is_first = true;
+  while (!rest.empty()) {
+    const std::size_t end = std::min(rest.find('\n'), rest.size());
+    const std::string_view line = trimmed(rest.substr(0, end));
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+    if (line.empty()) continue;
+    const std::string_view word = first_word(line);
+    const bool is_section = word == "CONFIG" || word == "INPUT";
+    if (is_section && word.size() == line.size()) return PolynomialFormat::bertini;
+    const std::string_view behind(
+        line.data() + word.size(),
+        static_cast<std::size_t>(head.data() + head.size() - line.data()) - word.size());
+    if (is_first && (is_section || is_bertini_keyword(word)) && leads_to_name(behind)) {
+      return PolynomialFormat::bertini;
+    }
+    is_first = false;
+  }
+  return PolynomialFormat::phcpack;
+}
+
+System read_system(const Source& source) { return read_system(source, detect_format(source.text)); }
+
+System read_system(const Source& source, PolynomialFormat format) {
+  std::vector<Diagnostic> faults;
+  System system;
+  check_is_text(source, faults);
+  if (faults.empty()) {
+    system = format == PolynomialFormat::bertini ? read_bertini(source, faults)
+                                                 : read_phcpack(source, faults);
+  }
+  if (!faults.empty()) {
+    const auto is_before = [](const Diagnostic& a, const Diagnostic& b) {
+      return a.at.offset < b.at.offset;
+    };
+    std::stable_sort(faults.begin(), faults.end(), is_before);
+    throw ParseError(source, std::move(faults));
+  }
+  return system;
+}
+
+}  // namespace moivre

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: MIT
+// Reading Bertini's input files: sections, declarations, assignments in their order.
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "expand.h"
+#include "read_formats.h"
+#include "statements.h"
+
+namespace moivre {
+
+namespace {
+
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+bool is_name_character(char c) {
+  return is_letter(c) || (c >= '0' && c <= '9') || c == '[' || c == ']';
+}
+
+std::string_view word_at_front(std::string_view text) {
+  const auto end = std::find_if_not(text.begin(), text.end(), is_name_character);
+  return text.substr(0, static_cast<std::size_t>(end - text.begin()));
+}
+
+bool is_name(std::string_view text) {
+  return !text.empty() && is_letter(text.front()) && word_at_front(text).size() == text.size();
+}
+
+constexpr std::string_view kImaginaryUnit = "I";
+
+/// What a declaration's keyword asks for, when it cannot be done; empty when it can.
+struct Keyword {
+  std::string_view word;
+  std::string_view refusal;
+};
+
+constexpr std::array<Keyword, 10> kKeywords = {{
+    {"variable_group", ""},
+    {"variable", ""},
+    {"function", ""},
+    {"constant", ""},
+    {"hom_variable_group",
+     "homogeneous coordinates are not supported: set one coordinate of the group to 1 and declare "
+     "the others by variable_group"},
+    {"pathvariable",
+     "the file describes a homotopy of its own; only systems are read, without a path variable"},
+    {"parameter",
+     "the file describes a family of systems; give the parameter's value as a constant"},
+    {"random", "a number drawn at random is not part of a file's system; give its value"},
+    {"random_real", "a number drawn at random is not part of a file's system; give its value"},
+    {"definedSubfunction", "functions defined in other files are not read"},
+}};
+
+const Keyword* find_keyword(std::string_view word) {
+  const auto* const found = std::find_if(kKeywords.begin(), kKeywords.end(),
+                                         [&](const Keyword& k) { return k.word == word; });
+  return found == kKeywords.end() ? nullptr : found;
+}
+
+/// `text` without its first `count` characters and the blanks behind them.
+Statement behind(const Statement& statement, std::size_t count) {
+  Statement rest = statement;
+  rest.text = trimmed(statement.text.substr(count));
+  const auto skipped = static_cast<std::size_t>(rest.text.data() - statement.text.data());
+  rest.begin = after(statement.begin, statement.text.substr(0, skipped));
+  return rest;
+}
+
+/// The statements of the INPUT section, or of the whole text when it has no sections.
+std::vector<Statement> input_statements(std::string_view text, std::vector<Diagnostic>& faults) {
+  enum class Section { none, config, input };
+  Section section = Section::none;
+  SourcePosition opened;
+  std::vector<Statement> statements;
+  StatementCursor cursor(text, {});
+  while (!cursor.rest().empty()) {
+    Statement statement = cursor.next();
+    std::string_view word = word_at_front(statement.text);
+    if (section == Section::none && (word == "CONFIG" || word == "INPUT")) {
+      section = word == "CONFIG" ? Section::config : Section::input;
+      opened = statement.begin;
+      statement = behind(statement, word.size());
+      word = word_at_front(statement.text);
+    }
+    if (word == "END" && word.size() == statement.text.size() && statement.is_ended) {
+      if (section == Section::input) return statements;
+      section = Section::none;
+      continue;
+    }
+    if (section == Section::config || (statement.text.empty() && !statement.is_ended)) continue;
+    statements.push_back(statement);
+  }
+  if (section == Section::config) faults.push_back({opened, "CONFIG is not closed by `END;`"});
+  if (section == Section::input) faults.push_back({opened, "INPUT is not closed by `END;`"});
+  return statements;
+}
+
+/// A file's declarations and values as they become known.
+class BertiniReader {
+ public:
+  explicit BertiniReader(std::vector<Diagnostic>& faults) : faults_(faults), expander_(faults) {
+    names_.emplace(kImaginaryUnit, constant({0, 1}));
+  }
+
+  System read(const std::vector<Statement>& statements);
+
+ private:
+  enum class Role { variable, function, constant, refused };
+  struct Declared {
+    Role role;
+    SourcePosition at;
+    bool is_assigned = false;
+  };
+
+  void declare(const Statement& statement);
+  void declare(std::string_view name, const SourcePosition& at, const Keyword& keyword);
+  void assign(const Statement& statement);
+  bool may_assign(const std::string& name, const SourcePosition& at);
+  void check_complete();
+  void refuse(const SourcePosition& at, const std::string& message) {
+    faults_.push_back({at, message});
+  }
+
+  std::vector<Diagnostic>& faults_;
+  Expander expander_;
+  Environment names_;
+  std::map<std::string, Declared, std::less<>> declared_;
+  std::vector<std::string> variables_;
+  std::vector<std::string> functions_;
+};
+
+void BertiniReader::declare(std::string_view name, const SourcePosition& at,
+                            const Keyword& keyword) {
+  const std::string text(name);
+  if (name.empty()) {
+    refuse(at, "a name is missing here");
+    return;
+  }
+  if (!is_name(name)) {
+    refuse(at, first_line(name) + ": this is not a name; names are separated by `,`");
+    return;
+  }
+  if (name == kImaginaryUnit) {
+    refuse(at, "`I` is the imaginary unit and cannot be declared");
+    return;
+  }
+  Role role = Role::refused;
+  if (keyword.word == "variable_group" || keyword.word == "variable") role = Role::variable;
+  if (keyword.word == "function") role = Role::function;
+  if (keyword.word == "constant") role = Role::constant;
+  const auto [place, is_new] = declared_.try_emplace(text, Declared{role, at});
+  if (!is_new) {
+    refuse(at,
+           "`" + text + "` is declared already, at line " + std::to_string(place->second.at.line));
+    return;
+  }
+  if (role == Role::variable) {
+    names_.emplace(text, unknown(static_cast<std::uint32_t>(variables_.size())));
+    variables_.push_back(text);
+  }
+  if (role == Role::function) functions_.push_back(text);
+  if (role == Role::refused) names_.emplace(text, std::nullopt);
+}
+
+void BertiniReader::declare(const Statement& statement) {
+  const Keyword& keyword = *find_keyword(word_at_front(statement.text));
+  if (!keyword.refusal.empty()) {
+    refuse(statement.begin, std::string(keyword.word) + ": " + std::string(keyword.refusal));
+  }
+  Statement rest = behind(statement, keyword.word.size());
+  for (;;) {
+    const std::size_t comma = rest.text.find(',');
+    declare(trimmed(rest.text.substr(0, comma)), rest.begin, keyword);
+    if (comma == std::string_view::npos) return;
+    rest = behind(rest, comma + 1);
+  }
+}
+
+bool BertiniReader::may_assign(const std::string& name, const SourcePosition& at) {
+  if (name == kImaginaryUnit) {
+    refuse(at, "`I` is the imaginary unit and cannot be assigned");
+    return false;
+  }
+  const auto [place, is_new] = declared_.try_emplace(name, Declared{Role::refused, at});
+  Declared& declared = place->second;
+  if (declared.role == Role::variable) {
+    refuse(at, "`" + name + "` is a variable and cannot be assigned");
+    return false;
+  }
+  if (declared.is_assigned) {
+    refuse(at, "`" + name + "` is assigned already");
+    return false;
+  }
+  declared.is_assigned = true;
+  return true;
+}
+
+void BertiniReader::assign(const Statement& statement) {
+  const std::string name(word_at_front(statement.text));
+  const Statement sign = behind(statement, name.size());
+  if (!is_name(name) || sign.text.empty() || sign.text.front() != '=') {
+    refuse(statement.begin,
+           "expected a declaration or `name = expression`, found: " + first_line(statement.text));
+    return;
+  }
+  if (!may_assign(name, statement.begin)) return;
+  const Statement right = behind(sign, 1);
+  const std::size_t faults_before = faults_.size();
+  const Expression e = parse_expression(right.text, right.begin, faults_);
+  std::optional<Polynomial> value;
+  if (faults_.size() == faults_before) value = expander_.expand(e, names_);
+  if (value) check_range(*value, right.begin, faults_);
+  if (value && declared_.find(name)->second.role == Role::constant && degree(*value) > 0) {
+    refuse(right.begin, "the constant `" + name + "` holds a variable");
+  }
+  names_.insert_or_assign(name, std::move(value));
+}
+
+void BertiniReader::check_complete() {
+  for (const auto& [name, declared] : declared_) {
+    const bool needs_value = declared.role == Role::function || declared.role == Role::constant;
+    if (needs_value && !declared.is_assigned) {
+      refuse(declared.at, "`" + name + "` is declared, but nothing is assigned to it");
+    }
+  }
+  if (variables_.empty()) refuse({}, "no variable is declared (variable_group x, y;)");
+  if (functions_.empty()) refuse({}, "no function is declared (function f, g;)");
+}
+
+System BertiniReader::read(const std::vector<Statement>& statements) {
+  const auto is_declaration = [](const Statement& s) {
+    return is_bertini_keyword(word_at_front(s.text));
+  };
+  for (const Statement& statement : statements) {
+    if (!statement.is_ended) {
+      refuse(statement.begin, "this statement has no `;` behind it");
+    }
+    if (is_declaration(statement)) declare(statement);
+  }
+  for (const Statement& statement : statements) {
+    if (statement.text.empty()) continue;
+    if (!is_declaration(statement)) assign(statement);
+  }
+  check_complete();
+  System system{.variables = variables_, .polynomials = {}};
+  for (const std::string& name : functions_) {
+    const auto value = names_.find(name);
+    if (value != names_.end() && value->second) system.polynomials.push_back(*value->second);
+  }
+  return system;
+}
+
+}  // namespace
+
+bool is_bertini_keyword(std::string_view word) { return find_keyword(word) != nullptr; }
+
+std::string without_bertini_comments(std::string text) {
+  bool is_comment = false;
+  for (char& c : text) {
+    if (c == '\n') is_comment = false;
+    if (c == '%') is_comment = true;
+    if (is_comment) c = ' ';
+  }
+  return text;
+}
+
+System read_bertini(const Source& source, std::vector<Diagnostic>& faults) {
+  const std::string text = without_bertini_comments(source.text);
+  return BertiniReader(faults).read(input_statements(text, faults));
+}
+
+}  // namespace moivre

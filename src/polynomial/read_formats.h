@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// The reader of each text format, one file each, behind read_system.
+#pragma once
+
+#include <vector>
+
+#include "moivre/expression/source.h"
+#include "moivre/polynomial/system.h"
+
+namespace moivre {
+
+/// The text must hold something and be text; faults are appended, and the system is of no use when
+/// there are any.
+System read_phcpack(const Source& source, std::vector<Diagnostic>& faults);
+System read_bertini(const Source& source, std::vector<Diagnostic>& faults);
+
+/// A fault where a coefficient, exact as it is, rounds to infinity or, not being zero, to zero.
+void check_range(const Polynomial& p, const SourcePosition& at, std::vector<Diagnostic>& faults);
+
+/// Bertini's words that begin a declaration.
+bool is_bertini_keyword(std::string_view word);
+/// The text with its `%` comments blanked, every position kept.
+std::string without_bertini_comments(std::string text);
+
+}  // namespace moivre

@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: MIT
+// Reading PHCpack's text: count line, polynomials, headings behind them, and what a lost `;` looks
+// like.
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <limits>
+#include <optional>
+#include <unordered_map>
+
+#include "expand.h"
+#include "read_formats.h"
+#include "statements.h"
+
+namespace moivre {
+
+namespace {
+
+/// A message lists at most this many polynomials, names or hints, and counts the others.
+constexpr std::size_t kListed = 200;
+
+struct CountLine {
+  std::size_t polynomials = 0;
+  std::size_t unknowns = 0;
+  SourcePosition at;
+};
+
+struct Layout {
+  std::optional<CountLine> count;
+  std::vector<Statement> polynomials;
+  Statement rest;  // text behind the last `;`, up to a heading
+};
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_capital(char c) { return c >= 'A' && c <= 'Z'; }
+
+/// The line's non-negative integers; none when it holds anything else. Too large ones saturate.
+std::vector<std::size_t> integers_of(std::string_view line) {
+  std::vector<std::size_t> integers;
+  while (!(line = trimmed(line)).empty()) {
+    const auto end = std::find_if_not(line.begin(), line.end(), is_digit);
+    const auto length = static_cast<std::size_t>(end - line.begin());
+    if (length == 0 || (length < line.size() && !is_blank(line[length]))) return {};
+    std::size_t value = 0;
+    const auto read = std::from_chars(line.data(), line.data() + length, value);
+    if (read.ec != std::errc{}) value = std::numeric_limits<std::size_t>::max();
+    integers.push_back(value);
+    line.remove_prefix(length);
+  }
+  return integers;
+}
+
+/// Consumes the count line, when there is one.
+std::optional<CountLine> take_count_line(std::string_view& text, SourcePosition& at,
+                                         std::vector<Diagnostic>& faults) {
+  const std::string_view body = trimmed(text);
+  const std::string_view line = body.substr(0, body.find('\n'));
+  const std::vector<std::size_t> integers = integers_of(line);
+  if (integers.empty()) return std::nullopt;
+  const auto lead = static_cast<std::size_t>(body.data() - text.data());
+  const SourcePosition begin = after(at, text.substr(0, lead));
+  const std::size_t length = lead + line.size();
+  at = after(at, text.substr(0, length));
+  text.remove_prefix(length);
+  if (integers.size() > 2) {
+    faults.push_back({begin, "the count line holds " + std::to_string(integers.size()) +
+                                 " numbers; expected `n` or `n m` (n polynomials, m unknowns)"});
+    return std::nullopt;
+  }
+  return CountLine{.polynomials = integers.front(), .unknowns = integers.back(), .at = begin};
+}
+
+/// Is this line a heading behind the polynomials (TITLE : ..., THE SOLUTIONS, ROOT COUNTS, ======)?
+bool is_heading(std::string_view line) {
+  line = trimmed(line);
+  if (line.substr(0, 4) == "====") return true;
+  const auto word_end = std::find_if_not(line.begin(), line.end(), is_capital);
+  const std::string_view word = line.substr(0, static_cast<std::size_t>(word_end - line.begin()));
+  if (word.size() < 3) return false;
+  const std::string_view behind = trimmed(line.substr(word.size()));
+  if (!behind.empty() && behind.front() == ':') return true;
+  constexpr std::array<std::string_view, 8> kFirstWords = {
+      "TITLE", "ROOT", "THE", "START", "TIMING", "MIXED", "SYMMETRY", "GENERATING"};
+  const bool is_known =
+      std::find(kFirstWords.begin(), kFirstWords.end(), word) != kFirstWords.end();
+  if (!is_known) return false;
+  return behind.empty() || (behind.front() >= 'A' && behind.front() <= 'Z') ||
+         (behind.front() >= 'a' && behind.front() <= 'z');
+}
+
+/// Where the first heading of `text` begins, or its end.
+std::size_t heading_in(std::string_view text) {
+  std::size_t begin = 0;
+  while (begin < text.size()) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    if (is_heading(text.substr(begin, end - begin))) return begin;
+    begin = end + 1;
+  }
+  return text.size();
+}
+
+Layout layout_of(const Source& source, std::vector<Diagnostic>& faults) {
+  Layout layout;
+  std::string_view text = source.text;
+  SourcePosition at;
+  layout.count = take_count_line(text, at, faults);
+  StatementCursor cursor(text, at);
+  for (;;) {
+    const std::string_view ahead = cursor.rest();
+    const std::string_view piece = ahead.substr(0, ahead.find(';'));
+    const std::size_t heading = heading_in(piece);
+    if (heading < piece.size() || piece.size() == ahead.size()) {
+      layout.rest = StatementCursor(piece.substr(0, heading), cursor.position()).next();
+      return layout;
+    }
+    layout.polynomials.push_back(cursor.next());
+  }
+}
+
+bool reads_like_mathematics(std::string_view text) {
+  const std::string_view line = text.substr(0, text.find('\n'));
+  return line.find_first_of("+*^=") != std::string_view::npos;
+}
+
+/// Does the text behind the last `;` parse as a polynomial that lost its own?
+bool is_expression(const Statement& rest) {
+  std::vector<Diagnostic> faults;
+  parse_expression(rest.text, rest.begin, faults);
+  return faults.empty();
+}
+
+/// Where a polynomial goes on, outside parentheses, on a line that begins with a sign.
+struct Seam {
+  std::size_t line = 0;
+  bool is_likely_end = false;  // the text before it ends with a number, or a blank line follows it
+};
+
+bool ends_with_summed_number(std::string_view text) {
+  text = trimmed(text);
+  const std::size_t before = text.find_last_not_of("0123456789.");
+  return before != std::string_view::npos && before + 1 < text.size() &&
+         std::string_view("+- \n").find(text[before]) != std::string_view::npos;
+}
+
+std::vector<Seam> seams_of(const Statement& polynomial) {
+  std::vector<Seam> seams;
+  const std::string_view text = polynomial.text;
+  std::size_t line = polynomial.begin.line;
+  int depth = 0;
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    if (text[k] == '(') ++depth;
+    if (text[k] == ')') --depth;
+    if (text[k] != '\n') continue;
+    const std::size_t next =
+        k + static_cast<std::size_t>(trimmed(text.substr(k)).data() - &text[k]);
+    const auto breaks = std::count(&text[k], &text[next], '\n');
+    line += static_cast<std::size_t>(breaks);
+    if (depth == 0 && (text[next] == '-' || text[next] == '+')) {
+      seams.push_back({line, breaks > 1 || ends_with_summed_number(text.substr(0, k))});
+    }
+    k = next - 1;
+  }
+  return seams;
+}
+
+std::string seam_hints(const Layout& layout) {
+  constexpr std::size_t kHints = 5;
+  std::vector<std::string> likely;
+  std::vector<std::string> possible;
+  for (std::size_t k = 0; k < layout.polynomials.size(); ++k) {
+    for (const Seam& seam : seams_of(layout.polynomials[k])) {
+      const std::string hint = "\n  polynomial " + std::to_string(k + 1) + " goes on at line " +
+                               std::to_string(seam.line) +
+                               ", which begins with a sign: is a `;` missing before it?";
+      (seam.is_likely_end ? likely : possible).push_back(hint);
+    }
+  }
+  const std::vector<std::string>& hints = likely.empty() ? possible : likely;
+  std::string text;
+  for (std::size_t k = 0; k < std::min(hints.size(), kHints); ++k) text += hints[k];
+  if (hints.size() > kHints) {
+    text += "\n  and so do " + std::to_string(hints.size() - kHints) + " more";
+  }
+  return text;
+}
+
+std::string counted(std::size_t n, const std::string& singular, const std::string& plural) {
+  return std::to_string(n) + ' ' + (n == 1 ? singular : plural);
+}
+
+std::string missing_end_hint(const Statement& rest) {
+  return "\n  the text at line " + std::to_string(rest.begin.line) +
+         " has no `;` behind it: " + first_line(rest.text);
+}
+
+void check_polynomial_count(const Layout& layout, std::vector<Diagnostic>& faults) {
+  const std::size_t found = layout.polynomials.size();
+  const bool has_rest = !layout.rest.text.empty();
+  if (!layout.count) {
+    if (found == 0) {
+      faults.push_back({layout.rest.begin, "no polynomial found: each one ends with `;`"});
+    } else if (has_rest &&
+               (reads_like_mathematics(layout.rest.text) || is_expression(layout.rest))) {
+      faults.push_back({layout.rest.begin, "this polynomial has no `;` behind it"});
+    }
+    return;
+  }
+  const std::size_t expected = layout.count->polynomials;
+  if (found == expected && expected > 0) return;
+  std::string message = expected == 0
+                            ? "the count line announces no polynomial"
+                            : "expected " + counted(expected, "polynomial", "polynomials");
+  message += ", found " + std::to_string(found) + (found > 0 ? ":" : "");
+  for (std::size_t k = 0; k < std::min(found, kListed); ++k) {
+    const Statement& polynomial = layout.polynomials[k];
+    message += "\n  polynomial " + std::to_string(k + 1) + " begins at line " +
+               std::to_string(polynomial.begin.line) + ": " + first_line(polynomial.text);
+  }
+  if (found > kListed) message += "\n  and " + std::to_string(found - kListed) + " more";
+  if (found < expected) {
+    message += seam_hints(layout);
+    if (has_rest) message += missing_end_hint(layout.rest);
+  }
+  faults.push_back({layout.count->at, message});
+}
+
+bool is_imaginary_unit(std::string_view name) { return name == "i" || name == "I"; }
+
+/// The unknowns: every name but the imaginary unit, in the order of first appearance.
+std::vector<NamePlace> unknowns_of(const std::vector<Statement>& polynomials) {
+  std::vector<NamePlace> unknowns;
+  std::unordered_map<std::string_view, bool> is_known;
+  for (const Statement& polynomial : polynomials) {
+    for (const NamePlace& place : names_in(polynomial.text, polynomial.begin)) {
+      if (is_imaginary_unit(place.name)) continue;
+      if (is_known.try_emplace(place.name, true).second) unknowns.push_back(place);
+    }
+  }
+  return unknowns;
+}
+
+void check_unknown_count(const Layout& layout, const std::vector<NamePlace>& unknowns,
+                         std::vector<Diagnostic>& faults) {
+  if (!layout.count || layout.count->unknowns == unknowns.size()) return;
+  // Polynomials too many may be prose; its words are no unknowns.
+  if (layout.polynomials.size() > layout.count->polynomials) return;
+  std::string message = "expected " + counted(layout.count->unknowns, "unknown", "unknowns") +
+                        ", found " + counted(unknowns.size(), "name", "names");
+  for (std::size_t k = 0; k < std::min(unknowns.size(), kListed); ++k) {
+    message += (k == 0 ? ": " : ", ") + std::string(unknowns[k].name) + " (line " +
+               std::to_string(unknowns[k].at.line) + ", column " +
+               std::to_string(unknowns[k].at.column) + ')';
+  }
+  if (unknowns.size() > kListed) {
+    message += " and " + std::to_string(unknowns.size() - kListed) + " more";
+  }
+  faults.push_back({layout.count->at, message});
+}
+
+Environment meanings_of(const std::vector<NamePlace>& unknowns) {
+  Environment names;
+  for (const char* unit : {"i", "I"}) names.emplace(unit, constant({0, 1}));
+  for (std::size_t k = 0; k < unknowns.size(); ++k) {
+    names.emplace(unknowns[k].name, unknown(static_cast<std::uint32_t>(k)));
+  }
+  return names;
+}
+
+}  // namespace
+
+System read_phcpack(const Source& source, std::vector<Diagnostic>& faults) {
+  const Layout layout = layout_of(source, faults);
+  check_polynomial_count(layout, faults);
+  const std::vector<NamePlace> unknowns = unknowns_of(layout.polynomials);
+  check_unknown_count(layout, unknowns, faults);
+
+  System system;
+  for (const NamePlace& place : unknowns) system.variables.emplace_back(place.name);
+  const Environment names = meanings_of(unknowns);
+  Expander expander(faults);
+  for (const Statement& statement : layout.polynomials) {
+    if (statement.text.empty()) {
+      faults.push_back({statement.begin, "a polynomial is missing before this `;`"});
+      continue;
+    }
+    const std::size_t faults_before = faults.size();
+    const Expression e = parse_expression(statement.text, statement.begin, faults);
+    if (faults.size() > faults_before) continue;
+    std::optional<Polynomial> polynomial = expander.expand(e, names);
+    if (!polynomial) continue;
+    check_range(*polynomial, statement.begin, faults);
+    system.polynomials.push_back(std::move(*polynomial));
+  }
+  return system;
+}
+
+}  // namespace moivre

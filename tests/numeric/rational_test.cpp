@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+// Is Gaussian rational arithmetic exact, and is to_double the nearest double, ties to even?
+#include "moivre/numeric/rational.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <random>
+#include <stdexcept>
+
+namespace moivre {
+namespace {
+
+using Double = std::numeric_limits<double>;
+
+Rational power_of_two(int e) {
+  const Integer p = Integer(1) << static_cast<unsigned>(std::abs(e));
+  return e < 0 ? Rational(Integer(1), p) : Rational(p);
+}
+
+/// The rational that a double is.
+Rational exactly(double x) {
+  int e = 0;
+  const double mantissa = std::frexp(x, &e);
+  return Rational(Integer(static_cast<std::int64_t>(std::ldexp(mantissa, 53)))) *
+         power_of_two(e - 53);
+}
+
+TEST(Coefficient, MultipliesTheImaginaryUnitToMinusOne) {
+  const Coefficient i{0, 1};
+  EXPECT_EQ(i * i, (Coefficient{-1, 0}));
+}
+
+TEST(Coefficient, DivisionUndoesMultiplication) {
+  const Coefficient a{Rational(3, 7), Rational(-2, 5)};
+  const Coefficient b{Rational(-1, 3), Rational(11, 13)};
+  EXPECT_EQ((a * b) / b, a);
+  EXPECT_EQ((a + b) - b, a);
+  EXPECT_EQ(a + (-a), Coefficient{});
+  EXPECT_TRUE(is_zero(a - a));
+  EXPECT_FALSE(is_real(a));
+}
+
+TEST(Coefficient, RefusesDivisionByZero) {
+  EXPECT_THROW((Coefficient{1, 0} / Coefficient{}), std::invalid_argument);
+}
+
+TEST(ToDouble, GivesTheDoubleThatADecimalLiteralGives) {
+  EXPECT_EQ(to_double(Rational(31, 10)), 3.1);
+  EXPECT_EQ(to_double(Rational(-1, 3)), -1.0 / 3.0);
+  EXPECT_EQ(to_double(Rational(0)), 0.0);
+  EXPECT_EQ(to_complex({Rational(1, 10), Rational(-7, 5)}), std::complex<double>(0.1, -1.4));
+}
+
+TEST(ToDouble, BreaksTiesToTheEvenNeighbour) {
+  const Rational half_ulp = power_of_two(-53);
+  EXPECT_EQ(to_double(1 + half_ulp), 1.0);
+  EXPECT_EQ(to_double(1 + 3 * half_ulp), 1.0 + 2 * Double::epsilon());
+  EXPECT_EQ(to_double(1 + half_ulp + power_of_two(-2000)), 1.0 + Double::epsilon());
+  EXPECT_EQ(to_double(2 - power_of_two(-54)), 2.0);
+}
+
+TEST(ToDouble, RoundsDenormalsToTheirCoarserGrid) {
+  const double least = Double::denorm_min();
+  const Rational ulp = power_of_two(-1074);
+  EXPECT_EQ(to_double(ulp), least);
+  EXPECT_EQ(to_double(ulp / 2), 0.0);
+  EXPECT_EQ(to_double(ulp / 2 + power_of_two(-3000)), least);
+  EXPECT_EQ(to_double(ulp * 3 / 2), 2 * least);
+  EXPECT_EQ(to_double(ulp * 5 / 2), 2 * least);
+  EXPECT_EQ(to_double(power_of_two(-1022) - ulp / 2), Double::min());
+  EXPECT_EQ(to_double(-power_of_two(-5000)), 0.0);
+}
+
+TEST(ToDouble, OverflowsToInfinityOnlyBeyondHalfAnUlpOfTheGreatest) {
+  const Rational greatest = exactly(Double::max());
+  const Rational half_ulp = power_of_two(970);
+  EXPECT_EQ(to_double(greatest), Double::max());
+  EXPECT_EQ(to_double(greatest + half_ulp - 1), Double::max());
+  EXPECT_EQ(to_double(greatest + half_ulp), Double::infinity());
+  EXPECT_EQ(to_double(-power_of_two(90000)), -Double::infinity());
+}
+
+TEST(ToDouble, IsFiniteForAQuotientOfHugeNumbers) {
+  const Integer huge = pow(Integer(10), 5000U);
+  EXPECT_EQ(to_double(Rational(huge * 31, huge * 10 + 1)), 3.1);
+}
+
+TEST(ToDouble, ReturnsEveryDoubleToItself) {
+  std::mt19937_64 random(1);
+  for (int k = 0; k < 2000; ++k) {
+    const std::uint64_t bits = random();
+    double x = 0;
+    std::memcpy(&x, &bits, sizeof x);
+    if (!std::isfinite(x)) continue;
+    EXPECT_EQ(to_double(exactly(x)), x);
+  }
+}
+
+TEST(ToDouble, LiesWithinHalfAnUlpOfRandomQuotients) {
+  std::mt19937_64 random(2);
+  for (int k = 0; k < 2000; ++k) {
+    Rational r = random();
+    r *= random();
+    r /= (random() >> (k % 60)) + 1;
+    const double x = to_double(r);
+    const Rational error = abs(Rational(exactly(x) - r));
+    const Rational gap_above = exactly(std::nextafter(x, Double::infinity())) - exactly(x);
+    const Rational gap_below = exactly(x) - exactly(std::nextafter(x, 0.0));
+    EXPECT_LE(error * 2, exactly(x) > r ? gap_below : gap_above);
+  }
+}
+
+}  // namespace
+}  // namespace moivre
