@@ -40,7 +40,7 @@ TEST(Monomial, RefusesAnExponentBeyond32Bits) {
 TEST(Polynomial, DropsTermsThatCancel) {
   const Polynomial difference = x + Coefficient{-1, 0} * x;
   EXPECT_TRUE(difference.terms.empty());
-  EXPECT_EQ((x + y) * (x + Coefficient{-1, 0} * y), x * x + Coefficient{-1, 0} * (y * y));
+  EXPECT_EQ((x + y) * (x + Coefficient{-1, 0} * y), (x * x + Coefficient{-1, 0} * (y * y)));
 }
 
 TEST(Polynomial, SumAndProductObeyTheRing) {
