@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+// Where does a path end? Regular, singular with a winding number, at infinity, or lost.
+//
+// An Endgame belongs to one path. It names the next contour to follow, is told how the journey went, and in the end holds a
+// PathEnd. It drives no tracker itself, so every tracker serves it.
+//
+//   1. The whole way, t: 0 -> 1. From |1 - t| <= watch_radius on it watches: valuations, condition, where to turn back to.
+//      An arrival at t = 1 with J well conditioned is regular: done, no endgame is run.
+//   2. Infinity told early. With r = 1 - t, x_i ~ a r^{w_i}, and v_i = w_i - w_0 the valuation of the affine coordinate
+//      x_i / x_0:  v_i < 0 is a coordinate that grows. Valuations come from the tangent, w_i = -r Re(x_i' / x_i).
+//      The path is cut when min v_i is negative and steady, the coordinate has grown by a large factor, and the
+//      condition has grown with it: a large but finite regular root has steady valuations too, but not the last.
+//   3. Otherwise circles t = 1 - r e^{i theta}: after m turns the path closes; m is the winding number, and the mean of
+//      equidistant samples is the end point (Cauchy's integral; the error falls geometrically in the number of samples).
+//      Radii shrink until two estimates agree.
+//
+// x: N homogeneous coordinates, the last one x_0. accuracy: relative, |x - x*|_inf / |x|_inf in homogeneous coordinates.
+// Edges: a path that breaks off far from t = 1 has failed, with the reason. Not supported: winding numbers above maximum_winding.
+// Source: [MSW91] for the Cauchy integral, [HuberVerschelde98] and [Timme21] for valuations.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "moivre/tracker/tracker.h"
+
+namespace moivre {
+
+enum class PathStatus { finite, at_infinity, failed };
+std::string to_string(PathStatus status);
+
+/// Why a path failed.
+enum class Failure {
+  step_limit,      ///< the budget of steps was used up
+  step_too_small,  ///< the path could not be followed any further, far from t = 1
+  precision,       ///< the endgame's estimates do not agree in this precision
+  bad_start,       ///< Newton does not converge from the start point
+  cancelled,       ///< the run was interrupted
+  jumped           ///< its end belongs to another path, and tracking it again did not help
+};
+std::string to_string(Failure failure);
+
+struct EndgameOptions {
+  double watch_radius = 0.1;        ///< |1 - t| from which the path is watched
+  double regular_condition = 1e8;   ///< condition at t = 1 up to which an arrival is regular without more ado
+  double singular_condition = 1e11; ///< condition from which an end of winding number 1 is called singular
+  int samples = 16;                 ///< of one turn
+  int maximum_winding = 32;         ///< turns tried before a circle counts as not closing
+  int maximum_radii = 14;           ///< circles tried
+  double infinity_floor = 1e-9;     ///< |x_0| / |x|_inf below which an end is at infinity
+};
+
+/// The verdict on one path.
+struct PathEnd {
+  PathStatus status = PathStatus::failed;
+  std::optional<Failure> failure;
+  Point x;                     ///< homogeneous end point; the last point when failed
+  bool singular = false;
+  std::optional<int> winding;  ///< nullopt where no circle was needed or none closed
+  double accuracy = 0;
+  double condition = 0;        ///< of the bordered, row-scaled Jacobian
+  Complex t = 0;               ///< how far it came
+  StepCount count;
+};
+
+class Endgame : public Watcher {
+ public:
+  Endgame(const EndgameOptions& options, std::uint64_t path, int care);
+
+  /// The first departure, from a start point at t = 0.
+  Departure depart(Point start);
+
+  /// Takes an arrival. The next departure, or nullopt when the verdict stands. `path`: scratch for evaluations.
+  std::optional<Departure> accept(Arrival&& arrival, PathSystem& path);
+
+  const PathEnd& end() const noexcept { return end_; }
+  PathEnd& end() noexcept { return end_; }
+
+  Verdict watch(const StepRecord& step, PathSystem& path) noexcept override;
+
+ private:
+  enum class Phase { whole_way, approach, circle };
+
+  /// A watched point: radius, the least valuation of an affine coordinate, condition, size of the largest one.
+  struct Sight {
+    double radius = 0;
+    double valuation = 0;
+    double condition = 0;
+    double size = 0;
+  };
+  struct Estimate {
+    Point x;
+    int winding = 0;
+    double radius = 0;
+    double aliasing = 0;  ///< difference between the means of all samples and of every second one
+  };
+
+  bool diverges() const;
+  std::optional<Departure> judge_arrival(Arrival&& arrival, PathSystem& path);
+  std::optional<Departure> begin_circle();
+  std::optional<Departure> next_turn(Arrival&& arrival, PathSystem& path);
+  std::optional<Departure> shrink(PathSystem& path);
+  std::optional<Departure> conclude(PathSystem& path);
+  std::optional<Departure> estimate_end(PathSystem& path);
+  Point normalized(const Point& x) const;
+  std::nullopt_t fail(Failure failure);
+
+  EndgameOptions options_;
+  std::uint64_t path_;
+  int care_;
+  Phase phase_ = Phase::whole_way;
+  PathEnd end_;
+
+  // Watching.
+  std::vector<Sight> sights_;
+  int watched_ = 0;
+  bool cut_ = false;
+  Point outpost_;         // last watched point, from which circles begin
+  double radius_ = 0;     // its |1 - t|
+  Point tangent_;
+
+  // Circles.
+  Point patch_;                  // fixed affine patch of all samples
+  Point turn_begin_;             // normalized point at angle 0
+  std::vector<Point> samples_;   // normalized, over all turns so far
+  int turns_ = 0;
+  int radii_ = 0;
+  std::optional<Estimate> last_;
+  std::optional<Estimate> best_;
+  double best_difference_ = 0;
+};
+
+}  // namespace moivre

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+// All roots of a square polynomial system: which paths were tracked, where did each end, and is the account closed?
+//
+// F: n polynomials in n variables. Presolve (linear equations eliminated, rows and variables scaled) -> start system ->
+// all paths on all cores -> ends refined on the system as given -> jumps found and tracked again -> isolated roots.
+//
+// Conservation, on every run:   tracked = finite + at_infinity + failed
+//                               finite  = sum of multiplicities + on_positive_dimensional
+// A path that is lost is counted as failed. `complete` is true when every path was decided.
+// The result does not depend on the number of threads. Not supported: systems that are not square.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "moivre/endgame/endgame.h"
+#include "moivre/polynomial/system.h"
+#include "moivre/tracker/tracker.h"
+
+namespace moivre {
+
+struct Progress {
+  std::uint64_t done = 0;
+  std::uint64_t total = 0;
+  std::uint64_t finite = 0;
+};
+
+struct SolveOptions {
+  std::uint64_t seed = 1;
+  int threads = 0;        ///< 0: as many as the machine has
+  int maximum_care = 3;   ///< how often a doubtful path is tracked again, tighter each time
+  bool eliminate = true;  ///< linear equations before tracking
+  bool scale = true;      ///< rows and variables, by powers of two
+  EndgameOptions endgame;
+  /// Called after each path, from any thread, never twice at once; may be empty.
+  std::function<void(const Progress&)> progress;
+};
+
+/// Every broken rule as a sentence; empty when the options can be used.
+std::vector<std::string> validate(const SolveOptions& options);
+
+/// A finite isolated root.
+struct Solution {
+  std::uint64_t path = 0;  ///< smallest number of the paths that end here
+  Point x;                 ///< in the system's variables and order
+  bool real = false;       ///< all imaginary parts are within accuracy of 0 (and then set to 0)
+  bool singular = false;
+  std::uint64_t multiplicity = 1;
+  std::vector<int> winding{1};  ///< of the cycles that end here; their sum is the multiplicity
+  double residual = 0;          ///< max_i |F_i(x)| / sum |terms of F_i|
+  double accuracy = 0;          ///< bound on |x - x*|_inf / max(1, |x|_inf)
+  double condition = 0;         ///< infinity-norm condition number of the row-scaled Jacobian
+};
+
+struct PathCounts {
+  std::uint64_t tracked = 0;
+  std::uint64_t finite = 0;
+  std::uint64_t at_infinity = 0;
+  std::uint64_t failed = 0;
+  std::uint64_t on_positive_dimensional = 0;
+  std::uint64_t retracked = 0;
+
+  friend bool operator==(const PathCounts&, const PathCounts&) = default;
+};
+
+struct FailedPath {
+  std::uint64_t path = 0;
+  Failure failure = Failure::step_limit;
+  Complex t;  ///< how far it came
+};
+
+/// Something that this scene did not need, or that was done instead.
+struct LeftOut {
+  std::string what;
+  std::string why;
+};
+
+struct SystemFacts {
+  std::vector<std::string> variables;
+  std::vector<std::uint64_t> degrees;
+  std::optional<std::uint64_t> total_degree;  ///< nullopt beyond 64 bits
+};
+
+struct StartFacts {
+  std::string kind = "total-degree";
+  std::uint64_t paths = 0;
+  std::string why;
+};
+
+/// Wall seconds.
+struct SolveTime {
+  int threads = 1;
+  double parse = 0;  ///< filled by who parsed
+  double start = 0;  ///< presolve, start system, tape
+  double track = 0;
+  double refine = 0;  ///< refinement, jumps, accounting
+  double total = 0;
+};
+
+struct SolveResult {
+  bool complete = false;
+  std::string message = "solve() was not run";
+  std::uint64_t seed = 0;
+  SystemFacts system;
+  SystemFacts reduced;  ///< what was tracked
+  StartFacts start;
+  std::string tracker;
+  std::vector<std::pair<std::string, std::string>> tracker_options;
+  PathCounts paths;
+  std::vector<Solution> solutions;  ///< by path number
+  std::vector<FailedPath> failures;
+  std::vector<LeftOut> left_out;
+  StepCount work;
+  SolveTime time;
+};
+
+/// Throws std::invalid_argument when the system is not square or an option is out of range, std::overflow_error when the
+/// number of paths leaves 64 bits; both before any tracking. A set `stop` ends the run with what is finished.
+SolveResult solve(const System& f, const Tracker& tracker, const SolveOptions& options = {},
+                  const std::atomic<bool>& stop = std::atomic<bool>{false});
+
+}  // namespace moivre

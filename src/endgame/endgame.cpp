@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: MIT
+// The endgame as a machine of three phases: the whole way, approach, circle.
+#include "moivre/endgame/endgame.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace moivre {
+namespace {
+
+// Sights are kept at radii at least this factor apart; a steady valuation is one that three of them agree on.
+constexpr double kSightSpacing = 2;
+constexpr std::size_t kSteadySights = 4;
+constexpr double kSteadyTolerance = 0.03;
+// The slowest growth that counts: winding numbers up to 20 at infinity.
+constexpr double kLeastValuation = 0.05;
+// A diverging coordinate has grown by this factor since the first sight, and the condition by the other.
+constexpr double kDivergedSize = 1e4;
+constexpr double kDivergedCondition = 1e6;
+constexpr double kConditionGrowth = 10;
+// Steps inside the watch radius after which the end is taken for singular: a regular end needs fewer.
+constexpr int kPatience = 25;
+constexpr double kLeastRadius = 1e-10;
+constexpr double kShrink = 4;
+// A circle is closed when the point comes back to within this distance, relative.
+constexpr double kClosure = 1e-6;
+// Two radii agree to this: good enough at once, good enough after all.
+constexpr double kAgreementAtOnce = 1e-10;
+constexpr double kAgreementAtLast = 1e-5;
+
+double difference(const Point& a, const Point& b) {
+  double largest = 0;
+  double size = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    largest = std::max(largest, std::abs(a[i] - b[i]));
+    size = std::max(size, std::abs(b[i]));
+  }
+  return largest / size;
+}
+
+Failure to_failure(Journey journey) {
+  switch (journey) {
+    case Journey::bad_start: return Failure::bad_start;
+    case Journey::step_limit: return Failure::step_limit;
+    case Journey::cancelled: return Failure::cancelled;
+    case Journey::arrived:
+    case Journey::stopped:
+    case Journey::step_too_small:
+    case Journey::off_path: return Failure::step_too_small;
+  }
+  return Failure::step_too_small;
+}
+
+}  // namespace
+
+std::string to_string(PathStatus status) {
+  switch (status) {
+    case PathStatus::finite: return "finite";
+    case PathStatus::at_infinity: return "at infinity";
+    case PathStatus::failed: return "failed";
+  }
+  return "";
+}
+
+std::string to_string(Failure failure) {
+  switch (failure) {
+    case Failure::step_limit: return "step limit";
+    case Failure::step_too_small: return "step too small";
+    case Failure::precision: return "precision";
+    case Failure::bad_start: return "bad start";
+    case Failure::cancelled: return "cancelled";
+    case Failure::jumped: return "jumped";
+  }
+  return "";
+}
+
+Endgame::Endgame(const EndgameOptions& options, std::uint64_t path, int care)
+    : options_(options), path_(path), care_(care) {}
+
+Departure Endgame::depart(Point start) {
+  tangent_.resize(start.size());
+  return {path_, Contour::segment(0, 1), std::move(start), care_, 0, this};
+}
+
+// Least valuation of an affine coordinate x_i / x_0 and the size of the largest one.
+Watcher::Verdict Endgame::watch(const StepRecord& step, PathSystem& path) noexcept {
+  const double radius = std::abs(1.0 - step.t);
+  if (radius > options_.watch_radius || radius == 0) return Verdict::go_on;
+  ++watched_;
+  outpost_.assign(step.x.begin(), step.x.end());
+  radius_ = radius;
+  if (sights_.empty() || radius * kSightSpacing <= sights_.back().radius) {
+    if (!path.linearize(step.x, step.t)) return Verdict::stop;
+    path.tangent(1.0, tangent_);
+    const auto logarithmic_slope = [&](std::size_t i) {
+      const double size = std::norm(step.x[i]);
+      return size > 0 ? -radius * conjugate_product(step.x[i], tangent_[i]).real() / size : 0.0;
+    };
+    const std::size_t n = step.x.size() - 1;
+    const double homogenizing = logarithmic_slope(n);
+    Sight sight{radius, 0, path.condition(), 0};
+    for (std::size_t i = 0; i < n; ++i) {
+      sight.valuation = std::min(sight.valuation, logarithmic_slope(i) - homogenizing);
+      sight.size = std::max(sight.size, std::abs(step.x[i]));
+    }
+    sight.size /= std::max(std::abs(step.x[n]), std::numeric_limits<double>::min());
+    sights_.push_back(sight);
+    if (diverges()) {
+      cut_ = true;
+      return Verdict::stop;
+    }
+  }
+  const bool growing = !sights_.empty() && sights_.back().valuation < -kLeastValuation;
+  const bool lost_patience = watched_ > (growing ? 4 * kPatience : kPatience);
+  return lost_patience || radius < kLeastRadius ? Verdict::stop : Verdict::go_on;
+}
+
+bool Endgame::diverges() const {
+  if (sights_.size() < kSteadySights) return false;
+  const Sight& now = sights_.back();
+  const Sight& then = sights_[sights_.size() - kSteadySights];
+  if (now.valuation > -kLeastValuation || now.size < kDivergedSize) return false;
+  for (auto s = sights_.end() - kSteadySights; s != sights_.end(); ++s) {
+    if (std::abs(s->valuation - now.valuation) > kSteadyTolerance * (1 - now.valuation)) {
+      return false;
+    }
+  }
+  return now.condition > kDivergedCondition &&
+         now.condition > kConditionGrowth * sights_.front().condition &&
+         now.condition > then.condition;
+}
+
+std::nullopt_t Endgame::fail(Failure failure) {
+  end_.status = PathStatus::failed;
+  end_.failure = failure;
+  return std::nullopt;
+}
+
+std::optional<Departure> Endgame::accept(Arrival&& arrival, PathSystem& path) {
+  end_.count += arrival.count;
+  end_.t = arrival.t;
+  if (arrival.journey == Journey::cancelled) return fail(Failure::cancelled);
+  switch (phase_) {
+    case Phase::whole_way: return judge_arrival(std::move(arrival), path);
+    case Phase::approach:
+      if (arrival.journey != Journey::arrived) return conclude(path);
+      outpost_ = std::move(arrival.x);
+      return begin_circle();
+    case Phase::circle: return next_turn(std::move(arrival), path);
+  }
+  return std::nullopt;
+}
+
+std::optional<Departure> Endgame::judge_arrival(Arrival&& arrival, PathSystem& path) {
+  end_.x = std::move(arrival.x);
+  if (cut_) {
+    end_.status = PathStatus::at_infinity;
+    end_.condition = sights_.back().condition;
+    return std::nullopt;
+  }
+  if (arrival.journey == Journey::arrived) {
+    NewtonOptions newton;
+    newton.tolerance = 1e-13;
+    Point x = end_.x;
+    const Correction correction = path.correct(x, 1.0, newton, true);
+    end_.condition = path.condition();
+    if (end_.condition <= options_.regular_condition &&
+        (correction.converged || correction.last < 1e-10)) {
+      end_.x = std::move(x);
+      end_.accuracy = correction.last;
+      const double size = max_norm(end_.x);
+      end_.status = std::abs(end_.x.back()) > options_.infinity_floor * size
+                        ? PathStatus::finite
+                        : PathStatus::at_infinity;
+      return std::nullopt;
+    }
+  }
+  if (outpost_.empty()) return fail(to_failure(arrival.journey));
+  return begin_circle();
+}
+
+// Affine patch a x = 1 through the first outpost: samples of one homogeneous path become points of one chart.
+Point Endgame::normalized(const Point& x) const {
+  Complex scale = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) scale += product(patch_[i], x[i]);
+  Point result = x;
+  for (Complex& xi : result) xi /= scale;
+  return result;
+}
+
+std::optional<Departure> Endgame::begin_circle() {
+  phase_ = Phase::circle;
+  ++radii_;
+  turns_ = 0;
+  samples_.clear();
+  if (patch_.empty()) {
+    for (const Complex& xi : outpost_) patch_.push_back(std::conj(xi));
+  }
+  turn_begin_ = normalized(outpost_);
+  return Departure{path_,
+                   Contour::spiral(1.0, 1.0 - radius_, Complex(0, 2 * std::numbers::pi)),
+                   outpost_,
+                   care_,
+                   options_.samples,
+                   nullptr};
+}
+
+std::optional<Departure> Endgame::next_turn(Arrival&& arrival, PathSystem& path) {
+  if (arrival.journey != Journey::arrived) return shrink(path);
+  ++turns_;
+  for (const Point& sample : arrival.samples) samples_.push_back(normalized(sample));
+  if (difference(samples_.back(), turn_begin_) < kClosure) return estimate_end(path);
+  if (turns_ >= options_.maximum_winding) return shrink(path);
+  return Departure{path_,
+                   Contour::spiral(1.0, 1.0 - radius_, Complex(0, 2 * std::numbers::pi)),
+                   std::move(arrival.x),
+                   care_,
+                   options_.samples,
+                   nullptr};
+}
+
+std::optional<Departure> Endgame::estimate_end(PathSystem& path) {
+  Estimate estimate{Point(patch_.size()), turns_, radius_, 0};
+  Point half(patch_.size());
+  for (std::size_t k = 0; k < samples_.size(); ++k) {
+    for (std::size_t i = 0; i < half.size(); ++i) {
+      estimate.x[i] += samples_[k][i];
+      if (k % 2 == 1) half[i] += samples_[k][i];
+    }
+  }
+  const double count = static_cast<double>(samples_.size());
+  for (std::size_t i = 0; i < half.size(); ++i) {
+    estimate.x[i] /= count;
+    half[i] /= count / 2;
+  }
+  estimate.aliasing = difference(half, estimate.x);
+  if (last_ && last_->winding == estimate.winding) {
+    const double change = difference(estimate.x, last_->x);
+    if (!best_ || change < best_difference_) {
+      best_ = estimate;
+      best_difference_ = change;
+    } else {
+      return conclude(path);
+    }
+    if (change < kAgreementAtOnce) return conclude(path);
+  }
+  last_ = std::move(estimate);
+  return shrink(path);
+}
+
+std::optional<Departure> Endgame::shrink(PathSystem& path) {
+  if (radii_ >= options_.maximum_radii || radius_ / kShrink < kLeastRadius) return conclude(path);
+  phase_ = Phase::approach;
+  const Complex from = 1.0 - radius_;
+  radius_ /= kShrink;
+  return Departure{path_, Contour::spiral(1.0, from, -std::log(kShrink)), outpost_, care_, 0,
+                   nullptr};
+}
+
+std::optional<Departure> Endgame::conclude(PathSystem& path) {
+  if (!best_ || best_difference_ > kAgreementAtLast) return fail(Failure::precision);
+  end_.x = best_->x;
+  end_.winding = best_->winding;
+  end_.accuracy = std::max(best_difference_, std::numeric_limits<double>::epsilon());
+  end_.t = 1;
+  end_.condition = path.linearize(end_.x, 1.0) ? path.condition()
+                                               : std::numeric_limits<double>::infinity();
+  end_.singular = best_->winding > 1 || end_.condition > options_.singular_condition;
+  const double floor = std::max(options_.infinity_floor, 10 * end_.accuracy);
+  end_.status = std::abs(end_.x.back()) > floor * max_norm(end_.x) ? PathStatus::finite
+                                                                   : PathStatus::at_infinity;
+  return std::nullopt;
+}
+
+}  // namespace moivre

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// The account of all paths: where each ended, which ends are in doubt, and the closing of the books.
+//
+// A path has exactly one entry: a root (finite), a failure, or one more at infinity; the number of
+// paths at infinity is kept, not the paths. Doubts are: failed paths; simple roots where two paths
+// end; singular roots whose winding numbers do not make whole cycles; and, where the system is real,
+// roots whose conjugate is missing.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "refine.h"
+
+namespace moivre {
+
+/// The finite end of one path, on the system as given.
+struct Root {
+  Refined point;
+  std::optional<int> winding;  ///< nullopt: the end needed no circle, so it counts as 1
+  double tolerance = 0;        ///< relative, within which another end is the same root
+  mutable std::optional<bool> on_set;  ///< lies on a positive-dimensional set, once asked
+};
+
+class Ledger {
+ public:
+  void enter_root(std::uint64_t path, Root&& root);
+  void enter_infinity(std::uint64_t path);
+  void enter_failure(const FailedPath& failure);
+  /// Strikes the path's entry, so that it can be entered anew.
+  void strike(std::uint64_t path);
+
+  const std::map<std::uint64_t, Root>& roots() const { return roots_; }
+  const std::map<std::uint64_t, FailedPath>& failures() const { return failures_; }
+  std::uint64_t at_infinity() const { return at_infinity_; }
+  std::uint64_t tracked() const { return at_infinity_ + roots_.size() + failures_.size(); }
+
+  /// Paths that end at one point, each group ascending.
+  std::vector<std::vector<std::uint64_t>> groups() const;
+
+ private:
+  std::map<std::uint64_t, Root> roots_;
+  std::map<std::uint64_t, FailedPath> failures_;
+  std::uint64_t at_infinity_ = 0;
+};
+
+/// Number of cycles of each winding number that these paths make up; nullopt when they make no whole
+/// cycles, so that a path is missing or one is too many.
+std::optional<std::vector<int>> cycles(const Ledger& ledger,
+                                       const std::vector<std::uint64_t>& group);
+
+/// Simple roots, not real, whose complex conjugate is not among the roots.
+std::vector<Point> missing_conjugates(const Ledger& ledger);
+
+/// All imaginary parts vanish to within the root's accuracy.
+bool is_real(const Refined& root);
+
+}  // namespace moivre

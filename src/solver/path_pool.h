@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Tracks many paths to their ends, on all threads: every thread has a session, a scratch and the
+// endgames of the paths it has under way.
+//
+// Results do not depend on the number of threads: a path's journey depends on its number and care
+// alone. Memory: the endgames under way and what the sink keeps.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include "moivre/solver/solve.h"
+#include "moivre/start/total_degree.h"
+
+namespace moivre {
+
+/// The paths of one homotopy and how to set out on them.
+struct PathProblem {
+  const Homotopy& homotopy;
+  const TotalDegreeStart& start;
+  const Tracker& tracker;
+  const EndgameOptions& endgame;
+};
+
+/// Receives the verdict on a path; called by one thread at a time, in any order of paths.
+using EndSink = std::function<void(std::uint64_t path, PathEnd&& end)>;
+
+/// Follows `count` paths, the k-th being path_of(k), on `threads` threads. Paths cut short by
+/// `stop` end as Failure::cancelled; those not yet begun are not reported.
+void track_paths(const PathProblem& problem, std::uint64_t count,
+                 const std::function<std::uint64_t(std::uint64_t)>& path_of, int care, int threads,
+                 const EndSink& sink, const std::atomic<bool>& stop);
+
+/// Number of the path on which `x` (homogeneous, an end point at t = 1) lies: it is followed back to
+/// t = 0 and compared with the start points. nullopt when the way back does not lead to one.
+std::optional<std::uint64_t> path_through(const PathProblem& problem, const Point& x, int care,
+                                          const std::atomic<bool>& stop);
+
+/// f(k) for k in [0, count) on `threads` threads; in order on the caller's thread when that is one.
+void for_each_parallel(std::size_t count, int threads, const std::function<void(std::size_t)>& f);
+
+}  // namespace moivre

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// Presolve, start system and homotopy of a solve, and the maps between their coordinates.
+#include "prepare.h"
+
+#include <cmath>
+#include <numeric>
+
+namespace moivre {
+namespace {
+
+Reduction keep_everything(const System& f) {
+  Reduction whole;
+  whole.system = f;
+  whole.kept.resize(f.variables.size());
+  std::iota(whole.kept.begin(), whole.kept.end(), std::size_t{0});
+  if (f.variables.empty()) whole.verdict = Reduction::Verdict::solved;
+  return whole;
+}
+
+std::string span_text(const std::vector<int>& exponents) {
+  const auto [low, high] = std::minmax_element(exponents.begin(), exponents.end());
+  return "2^" + std::to_string(*low) + " to 2^" + std::to_string(*high);
+}
+
+}  // namespace
+
+Prepared prepare(const System& f, const SolveOptions& options) {
+  Prepared prepared;
+  prepared.reduction = options.eliminate ? eliminate(f) : keep_everything(f);
+  for (const Omission& omission : prepared.reduction.left_out) {
+    prepared.left_out.push_back({omission.what, omission.why});
+  }
+  if (prepared.reduction.verdict != Reduction::Verdict::square) return prepared;
+  const System& reduced = prepared.reduction.system;
+  prepared.scaling = options.scale ? choose_scaling(reduced)
+                                   : Scaling{std::vector<int>(reduced.variables.size()),
+                                             std::vector<int>(reduced.polynomials.size())};
+  if (!is_identity(prepared.scaling)) {
+    prepared.left_out.push_back(
+        {"unknowns scaled by " + span_text(prepared.scaling.variable_log2) + ", equations by " +
+             span_text(prepared.scaling.equation_log2),
+         "coefficients far from 1 would hide roots from the tracker's tolerances"});
+  }
+  const System scaled = scale(reduced, prepared.scaling);
+  prepared.start = total_degree_start(degrees(scaled), options.seed);
+  prepared.homotopy.emplace(scaled, start_system(prepared.start, scaled.variables));
+  return prepared;
+}
+
+Point to_original(const Prepared& prepared, const Point& homogeneous) {
+  Point y(homogeneous.begin(), homogeneous.end() - 1);
+  for (std::size_t j = 0; j < y.size(); ++j) {
+    y[j] /= homogeneous.back();
+    const int e = prepared.scaling.variable_log2[j];
+    y[j] = {std::ldexp(y[j].real(), e), std::ldexp(y[j].imag(), e)};
+  }
+  return restore(prepared.reduction, y);
+}
+
+Point to_homogeneous(const Prepared& prepared, const Point& x) {
+  Point z;
+  for (std::size_t j = 0; j < prepared.reduction.kept.size(); ++j) {
+    const Complex y = x[prepared.reduction.kept[j]];
+    const int e = -prepared.scaling.variable_log2[j];
+    z.push_back({std::ldexp(y.real(), e), std::ldexp(y.imag(), e)});
+  }
+  z.push_back(1);
+  return z;
+}
+
+}  // namespace moivre

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// From the system as given to the homotopy that is tracked, and back: elimination, scaling, start.
+//
+//   F (x, n unknowns) --eliminate--> R (y, k unknowns) --scale--> S (z)  ==>  H = t S + (1 - t) G
+//   Coordinates of a path: (z_1, ..., z_k, z_0);  y = 2^v z / z_0;  x = restore(y).
+#pragma once
+
+#include <optional>
+
+#include "moivre/polynomial/eliminate.h"
+#include "moivre/polynomial/scale.h"
+#include "moivre/solver/solve.h"
+#include "moivre/start/total_degree.h"
+
+namespace moivre {
+
+struct Prepared {
+  Reduction reduction;
+  Scaling scaling;
+  std::vector<LeftOut> left_out;
+  TotalDegreeStart start;
+  std::optional<Homotopy> homotopy;  ///< nullopt when nothing is left to track
+};
+
+/// Throws std::overflow_error when the number of paths leaves 64 bits.
+Prepared prepare(const System& f, const SolveOptions& options);
+
+/// x of a homogeneous point with z_0 != 0.
+Point to_original(const Prepared& prepared, const Point& homogeneous);
+
+/// The homogeneous point, z_0 = 1, of a point of the original system.
+Point to_homogeneous(const Prepared& prepared, const Point& x);
+
+}  // namespace moivre

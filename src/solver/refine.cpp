@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+// Newton's method with double-double residuals and the test that tells simple roots from multiple ones.
+#include "refine.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "moivre/numeric/double_double.h"
+#include "moivre/numeric/lu.h"
+#include "moivre/polynomial/tape.h"
+
+namespace moivre {
+namespace {
+
+constexpr double kUnitRoundoff = 0x1p-53;
+constexpr int kMaximumIterations = 12;
+// Newton is refused when its first correction is further than so many times the stated accuracy.
+constexpr double kTravel = 1e4;
+constexpr double kLeastTravel = 1e-6;
+// A correction that falls by this factor at least contracts better than any multiple root allows
+// (a double root: 1/2, higher ones slower).
+constexpr double kContraction = 0.2;
+// Above this condition a small correction proves nothing, and contraction is tested on purpose.
+constexpr double kDoubtfulCondition = 1e8;
+constexpr double kProbe = 1e-8;
+
+}  // namespace
+
+class RefinerProgram {
+ public:
+  explicit RefinerProgram(const System& f)
+      : tape(make_tape(f)), c(complex_coefficients(tape, f)) {
+    exact = round_coefficients<ComplexDoubleDouble>(tape, f, to_complex_double_double);
+    for (const Complex& ck : c) size.push_back(std::abs(ck));
+  }
+
+  Tape tape;
+  std::vector<Complex> c;
+  std::vector<ComplexDoubleDouble> exact;
+  std::vector<double> size;
+};
+
+std::shared_ptr<const RefinerProgram> make_refiner_program(const System& f) {
+  return std::make_shared<const RefinerProgram>(f);
+}
+
+struct Refiner::Workspace {
+  explicit Workspace(std::shared_ptr<const RefinerProgram> shared)
+      : program(std::move(shared)),
+        n(program->tape.variables),
+        lu(n),
+        registers(program->tape.register_count()),
+        value(program->tape.equations),
+        jacobian(program->tape.jacobian.size()),
+        fine_x(n),
+        fine_registers(program->tape.register_count()),
+        fine_value(program->tape.equations),
+        size_x(n),
+        size_registers(program->tape.register_count()),
+        size_value(program->tape.equations),
+        relative(program->tape.equations),
+        dx(n) {}
+
+  bool factor(const Point& x) {
+    evaluate<Complex, Complex>(program->tape, program->c, x, registers, value, jacobian);
+    const auto j = lu.matrix();
+    std::fill(j.begin(), j.end(), Complex(0));
+    for (std::size_t k = 0; k < jacobian.size(); ++k) {
+      const Tape::Entry& entry = program->tape.jacobian[k];
+      j[entry.row * n + entry.column] = jacobian[k];
+    }
+    return lu.factor();
+  }
+
+  void evaluate_fine(const Point& x) {
+    std::copy(x.begin(), x.end(), fine_x.begin());
+    evaluate<ComplexDoubleDouble, ComplexDoubleDouble>(program->tape, program->exact, fine_x,
+                                                       fine_registers, fine_value);
+  }
+
+  /// dx <- -J^{-1} F(x), J as factored last; |dx|_inf / max(1, |x|_inf).
+  double correction(const Point& x) {
+    evaluate_fine(x);
+    for (std::size_t i = 0; i < n; ++i) dx[i] = -to_complex(fine_value[i]);
+    lu.solve(dx);
+    return max_norm(dx) / std::max(1.0, max_norm(x));
+  }
+
+  std::shared_ptr<const RefinerProgram> program;
+  std::size_t n;
+  Lu lu;
+  std::vector<Complex> registers, value, jacobian;
+  std::vector<ComplexDoubleDouble> fine_x, fine_registers, fine_value;
+  std::vector<double> size_x, size_registers, size_value;
+  std::vector<Complex> relative;
+  Point dx;
+};
+
+Refiner::Refiner(std::shared_ptr<const RefinerProgram> program)
+    : w_(std::make_unique<Workspace>(std::move(program))) {}
+Refiner::~Refiner() = default;
+Refiner::Refiner(Refiner&&) noexcept = default;
+
+const std::vector<Complex>& Refiner::relative_values(const Point& x) {
+  Workspace& w = *w_;
+  w.evaluate_fine(x);
+  for (std::size_t i = 0; i < w.n; ++i) w.size_x[i] = std::abs(x[i]);
+  evaluate<double, double>(w.program->tape, w.program->size, w.size_x, w.size_registers,
+                           w.size_value);
+  for (std::size_t i = 0; i < w.relative.size(); ++i) {
+    const Complex fi = to_complex(w.fine_value[i]);
+    w.relative[i] = w.size_value[i] > 0 ? fi / w.size_value[i] : fi;
+  }
+  return w.relative;
+}
+
+namespace {
+
+void add(Point& x, const Point& dx) {
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] += dx[i];
+}
+
+}  // namespace
+
+Refined Refiner::refine(const Point& x, double accuracy) {
+  Workspace& w = *w_;
+  Refined result;
+  result.x = x;
+  Point trial = x;
+  const double reach = std::max(kLeastTravel, kTravel * accuracy);
+  double last = std::numeric_limits<double>::infinity();
+  bool contracts = false;
+  for (int k = 0; k < kMaximumIterations; ++k) {
+    if (!w.factor(trial)) break;
+    const double size = w.correction(trial);
+    if (!(size <= reach)) break;
+    if (k > 0 && size <= kContraction * last) contracts = true;
+    if (k > 0 && size > kContraction * last && size > 4 * kUnitRoundoff) {
+      contracts = contracts && size < 1e-12;
+      break;
+    }
+    last = size;
+    add(trial, w.dx);
+    if (size <= 2 * kUnitRoundoff) {
+      contracts = true;
+      break;
+    }
+  }
+  result.condition = w.factor(trial) ? w.lu.condition() : std::numeric_limits<double>::infinity();
+  if (contracts && result.condition > kDoubtfulCondition) {
+    Point probe = trial;
+    const double offset = kProbe * std::max(1.0, max_norm(trial));
+    for (std::size_t i = 0; i < probe.size(); ++i) {
+      probe[i] += std::polar(offset, static_cast<double>(i + 1));
+    }
+    contracts = w.factor(probe);
+    if (contracts) {
+      w.correction(probe);
+      add(probe, w.dx);
+      double distance = 0;
+      for (std::size_t i = 0; i < probe.size(); ++i) {
+        distance = std::max(distance, std::abs(probe[i] - trial[i]));
+      }
+      contracts = distance < kContraction * offset;
+    }
+  }
+  if (contracts) {
+    result.simple = true;
+    w.factor(trial);
+    result.accuracy = 2 * w.correction(trial) + kUnitRoundoff;
+    result.x = std::move(trial);
+  }
+  for (const Complex& value : relative_values(result.x)) {
+    result.residual = std::max(result.residual, std::abs(value));
+  }
+  return result;
+}
+
+}  // namespace moivre

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// How exactly is a root known? Newton's method on the system as given, to the last digit of double.
+//
+// Residuals are evaluated in double-double from the exact coefficients, the Jacobian in double: the
+// correction dx = -J^{-1} F(x) then tells the true error as long as J is not singular to working
+// precision. A root is called simple when Newton contracts quadratically; a multiple one contracts
+// by (m-1)/m only, whatever the rounding. Source: [Tisseur01] for the accuracy of Newton's method
+// with residuals in extended precision.
+#pragma once
+
+#include <memory>
+
+#include "moivre/solver/solve.h"
+
+namespace moivre {
+
+struct Refined {
+  Point x;
+  bool simple = false;
+  double residual = 0;   ///< max_i |F_i(x)| / sum |terms of F_i|
+  double accuracy = 0;   ///< bound on |x - x*|_inf / max(1, |x|_inf); of a simple root only
+  double condition = 0;  ///< of the row-scaled Jacobian
+};
+
+/// Immutable and shared: the tape of a system and its coefficients in three scalars.
+class RefinerProgram;
+std::shared_ptr<const RefinerProgram> make_refiner_program(const System& f);
+
+/// Owns its memory; one a thread.
+class Refiner {
+ public:
+  explicit Refiner(std::shared_ptr<const RefinerProgram> program);
+  ~Refiner();
+  Refiner(Refiner&&) noexcept;
+
+  /// From x, of relative accuracy `accuracy`. Where Newton does not contract, x is left as it was.
+  Refined refine(const Point& x, double accuracy);
+
+  /// F(x) / sum |terms|, each equation, in double-double from the exact coefficients.
+  const std::vector<Complex>& relative_values(const Point& x);
+
+ private:
+  struct Workspace;
+  std::unique_ptr<Workspace> w_;
+};
+
+}  // namespace moivre

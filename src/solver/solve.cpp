@@ -1,0 +1,390 @@
+// SPDX-License-Identifier: MIT
+// The solve: prepare, track, refine, settle doubts, close the account.
+#include "moivre/solver/solve.h"
+
+#include <algorithm>
+#include <chrono>
+#include <stdexcept>
+#include <thread>
+
+#include "coincidence.h"
+#include "dimension.h"
+#include "ledger.h"
+#include "path_pool.h"
+#include "prepare.h"
+
+namespace moivre {
+namespace {
+
+// A simple root is known this much better than ends of different paths are apart.
+constexpr double kSimpleTolerance = 1e-13;
+// A singular end is not known better than this; ends nearer than that are one root.
+constexpr double kSingularTolerance = 1e-7;
+
+class Stopwatch {
+ public:
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    const double seconds = std::chrono::duration<double>(now - last_).count();
+    last_ = now;
+    return seconds;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+SystemFacts facts_of(const System& f) {
+  return {f.variables, degrees(f), total_degree(degrees(f))};
+}
+
+void require_square(const System& f) {
+  const std::size_t equations = f.polynomials.size();
+  const std::size_t unknowns = f.variables.size();
+  if (equations == unknowns) return;
+  throw std::invalid_argument(
+      "the system has " + std::to_string(equations) + " equations in " + std::to_string(unknowns) +
+      " unknowns: " +
+      (equations > unknowns
+           ? "it is overdetermined, and a total-degree homotopy needs as many as unknowns"
+           : "it is underdetermined, so that its roots are not isolated"));
+}
+
+/// One run of solve(), from the prepared problem to the closed account.
+class Run {
+ public:
+  Run(const System& f, const Tracker& tracker, const SolveOptions& options,
+      const std::atomic<bool>& stop)
+      : f_(f),
+        tracker_(tracker),
+        options_(options),
+        stop_(stop),
+        threads_(options.threads > 0 ? options.threads
+                                     : static_cast<int>(std::thread::hardware_concurrency())) {}
+
+  SolveResult run();
+
+ private:
+  void describe();
+  bool decided_without_tracking();
+  void track_all();
+  void refine_ends();
+  void settle_doubts();
+  std::set<std::uint64_t> doubtful_paths(int care);
+  void add_paths_of_missing_conjugates(int care, std::set<std::uint64_t>& doubtful);
+  void track_again(const std::set<std::uint64_t>& paths, int care);
+  void close_account();
+  void fail_unsettled();
+  Solution solution_of(const std::vector<std::uint64_t>& group, const std::vector<int>& winding);
+  bool is_on_set(const Root& root);
+  Root refined_root(Refiner& refiner, const PathEnd& end) const;
+  void take(std::uint64_t path, PathEnd&& end);
+  PathProblem problem() const {
+    return {*prepared_.homotopy, prepared_.start, tracker_, options_.endgame};
+  }
+
+  const System& f_;
+  const Tracker& tracker_;
+  const SolveOptions& options_;
+  const std::atomic<bool>& stop_;
+  int threads_;
+  Prepared prepared_;
+  std::shared_ptr<const RefinerProgram> refiner_program_;
+  Ledger ledger_;
+  std::vector<std::pair<std::uint64_t, PathEnd>> ends_;  // finite, to be refined
+  std::set<std::uint64_t> retracked_;
+  std::uint64_t unsettled_conjugates_ = 0;
+  bool interrupted_ = false;
+  SolveResult result_;
+};
+
+SolveResult Run::run() {
+  Stopwatch total;
+  Stopwatch watch;
+  prepared_ = prepare(f_, options_);
+  describe();
+  result_.time.start = watch.lap();
+  if (!decided_without_tracking()) {
+    track_all();
+    result_.time.track = watch.lap();
+    refine_ends();
+    settle_doubts();
+    close_account();
+    result_.time.refine = watch.lap();
+  }
+  result_.time.total = total.lap();
+  return std::move(result_);
+}
+
+void Run::describe() {
+  result_.seed = options_.seed;
+  result_.system = facts_of(f_);
+  result_.reduced = facts_of(prepared_.reduction.system);
+  result_.start.paths = prepared_.start.paths;
+  result_.start.why = "the product of the degrees bounds the number of isolated roots; its start "
+                      "system is solved by De Moivre's theorem";
+  result_.tracker = tracker_.kind();
+  result_.tracker_options = tracker_.options_in_force();
+  result_.left_out = prepared_.left_out;
+  result_.time.threads = threads_;
+}
+
+bool Run::decided_without_tracking() {
+  refiner_program_ = make_refiner_program(f_);
+  result_.complete = true;
+  switch (prepared_.reduction.verdict) {
+    case Reduction::Verdict::square: return false;
+    case Reduction::Verdict::solved: {
+      // The empty product of degrees is one path, and it stands still.
+      result_.start.paths = result_.paths.tracked = result_.paths.finite = 1;
+      Refiner refiner(refiner_program_);
+      Root root;
+      root.point = refiner.refine(restore(prepared_.reduction, Point{}), 0);
+      ledger_.enter_root(0, std::move(root));
+      result_.solutions.push_back(solution_of({0}, {1}));
+      result_.message = "every unknown was eliminated: one root";
+      return true;
+    }
+    case Reduction::Verdict::inconsistent:
+      result_.message = "the equations contradict each other: no root";
+      return true;
+    case Reduction::Verdict::dependent:
+    case Reduction::Verdict::underdetermined:
+      result_.message =
+          "the equations depend on each other: every root lies on a set of positive dimension, "
+          "none is isolated";
+      return true;
+    case Reduction::Verdict::overdetermined:
+      throw std::logic_error("a square system became overdetermined");
+  }
+  return false;
+}
+
+void Run::take(std::uint64_t path, PathEnd&& end) {
+  result_.work += end.count;
+  switch (end.status) {
+    case PathStatus::finite: ends_.emplace_back(path, std::move(end)); return;
+    case PathStatus::at_infinity: ledger_.enter_infinity(path); return;
+    case PathStatus::failed:
+      if (end.failure == Failure::cancelled) {
+        interrupted_ = true;
+      } else {
+        ledger_.enter_failure({path, *end.failure, end.t});
+      }
+      return;
+  }
+}
+
+void Run::track_all() {
+  Progress progress{0, prepared_.start.paths, 0};
+  const EndSink sink = [&](std::uint64_t path, PathEnd&& end) {
+    ++progress.done;
+    if (end.status == PathStatus::finite) ++progress.finite;
+    take(path, std::move(end));
+    if (options_.progress) options_.progress(progress);
+  };
+  track_paths(problem(), prepared_.start.paths, [](std::uint64_t k) { return k; }, 0, threads_,
+              sink, stop_);
+  if (progress.done < prepared_.start.paths) interrupted_ = true;
+}
+
+Root Run::refined_root(Refiner& refiner, const PathEnd& end) const {
+  const Point x = to_original(prepared_, end.x);
+  // A relative error of z_0 is one of z / z_0, larger by the size of the affine point.
+  const double size = max_norm(end.x) / std::abs(end.x.back());
+  const double accuracy = end.accuracy * std::max(1.0, size);
+  Root root;
+  root.winding = end.winding;
+  if (!end.winding || *end.winding == 1) {
+    root.point = refiner.refine(x, accuracy);
+  }
+  if (!root.point.simple) {
+    root.point.x = x;
+    root.point.accuracy = accuracy;
+    root.point.condition = end.condition;
+    root.point.residual = 0;
+    for (const Complex& value : refiner.relative_values(x)) {
+      root.point.residual = std::max(root.point.residual, std::abs(value));
+    }
+    root.tolerance = std::max(kSingularTolerance, 10 * accuracy);
+  } else {
+    root.tolerance = 4 * root.point.accuracy + kSimpleTolerance;
+  }
+  return root;
+}
+
+void Run::refine_ends() {
+  std::sort(ends_.begin(), ends_.end(),
+            [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<Root> roots(ends_.size());
+  const std::size_t chunks = static_cast<std::size_t>(threads_);
+  for_each_parallel(chunks, threads_, [&](std::size_t chunk) {
+    Refiner refiner(refiner_program_);
+    for (std::size_t k = chunk; k < ends_.size(); k += chunks) {
+      roots[k] = refined_root(refiner, ends_[k].second);
+    }
+  });
+  for (std::size_t k = 0; k < ends_.size(); ++k) {
+    ledger_.enter_root(ends_[k].first, std::move(roots[k]));
+  }
+  ends_.clear();
+}
+
+void Run::settle_doubts() {
+  for (int care = 1; care <= options_.maximum_care && !interrupted_; ++care) {
+    const std::set<std::uint64_t> doubtful = doubtful_paths(care);
+    if (doubtful.empty()) return;
+    track_again(doubtful, care);
+  }
+  if (!interrupted_) fail_unsettled();
+}
+
+bool Run::is_on_set(const Root& root) {
+  if (!root.on_set) {
+    root.on_set = lies_on_positive_dimensional_set(f_, root.point.x, options_.seed);
+  }
+  return *root.on_set;
+}
+
+std::set<std::uint64_t> Run::doubtful_paths(int care) {
+  std::set<std::uint64_t> doubtful;
+  for (const auto& [path, failure] : ledger_.failures()) doubtful.insert(path);
+  for (const auto& group : ledger_.groups()) {
+    const Root& first = ledger_.roots().at(group.front());
+    const bool all_simple = std::all_of(group.begin(), group.end(), [&](std::uint64_t path) {
+      return ledger_.roots().at(path).point.simple;
+    });
+    const bool in_doubt = all_simple ? group.size() > 1
+                                     : (group.size() == 1 || !cycles(ledger_, group)) &&
+                                           !is_on_set(first);
+    if (in_doubt) doubtful.insert(group.begin(), group.end());
+  }
+  if (is_real(f_)) add_paths_of_missing_conjugates(care, doubtful);
+  return doubtful;
+}
+
+// The image of a root is a root; one that no path found was lost by the path that leads to it.
+void Run::add_paths_of_missing_conjugates(int care, std::set<std::uint64_t>& doubtful) {
+  unsettled_conjugates_ = 0;
+  Refiner refiner(refiner_program_);
+  for (const Point& image : missing_conjugates(ledger_)) {
+    const Refined root = refiner.refine(image, 1e-12);
+    if (!root.simple) continue;
+    ++unsettled_conjugates_;
+    const auto path = path_through(problem(), to_homogeneous(prepared_, root.x), care, stop_);
+    if (path) doubtful.insert(*path);
+  }
+}
+
+void Run::track_again(const std::set<std::uint64_t>& paths, int care) {
+  const std::vector<std::uint64_t> list(paths.begin(), paths.end());
+  retracked_.insert(list.begin(), list.end());
+  const EndSink sink = [&](std::uint64_t path, PathEnd&& end) {
+    if (end.failure == Failure::cancelled) {
+      interrupted_ = true;
+      return;
+    }
+    ledger_.strike(path);
+    take(path, std::move(end));
+  };
+  track_paths(problem(), list.size(), [&](std::uint64_t k) { return list[k]; }, care, threads_,
+              sink, stop_);
+  refine_ends();
+}
+
+// Two paths cannot end at one simple root: all but the first are lost.
+void Run::fail_unsettled() {
+  for (const auto& group : ledger_.groups()) {
+    for (std::size_t k = 1; k < group.size(); ++k) {
+      if (!ledger_.roots().at(group[k]).point.simple) continue;
+      ledger_.strike(group[k]);
+      ledger_.enter_failure({group[k], Failure::jumped, 1});
+    }
+  }
+  unsettled_conjugates_ = 0;
+  if (is_real(f_)) {
+    std::set<std::uint64_t> lost;
+    add_paths_of_missing_conjugates(options_.maximum_care, lost);
+    for (const std::uint64_t path : lost) {
+      ledger_.strike(path);
+      ledger_.enter_failure({path, Failure::jumped, 1});
+    }
+  }
+}
+
+Solution Run::solution_of(const std::vector<std::uint64_t>& group,
+                          const std::vector<int>& winding) {
+  const auto best = std::min_element(group.begin(), group.end(), [&](auto a, auto b) {
+    return ledger_.roots().at(a).point.accuracy < ledger_.roots().at(b).point.accuracy;
+  });
+  const Refined& point = ledger_.roots().at(*best).point;
+  Solution solution;
+  solution.path = group.front();
+  solution.x = point.x;
+  solution.real = is_real(point);
+  solution.singular = !point.simple;
+  solution.multiplicity = group.size();
+  solution.winding = winding;
+  solution.residual = point.residual;
+  solution.accuracy = point.accuracy;
+  solution.condition = point.condition;
+  if (solution.real && is_real(f_)) {
+    for (Complex& xi : solution.x) xi.imag(0);
+  }
+  return solution;
+}
+
+void Run::close_account() {
+  PathCounts& counts = result_.paths;
+  for (const auto& group : ledger_.groups()) {
+    counts.finite += group.size();
+    const Root& first = ledger_.roots().at(group.front());
+    if (!first.point.simple && is_on_set(first)) {
+      counts.on_positive_dimensional += group.size();
+      continue;
+    }
+    const auto whole = cycles(ledger_, group);
+    result_.solutions.push_back(
+        solution_of(group, whole.value_or(std::vector<int>(group.size(), 1))));
+  }
+  std::sort(result_.solutions.begin(), result_.solutions.end(),
+            [](const Solution& a, const Solution& b) { return a.path < b.path; });
+  for (const auto& [path, failure] : ledger_.failures()) result_.failures.push_back(failure);
+  counts.failed = result_.failures.size();
+  counts.at_infinity = ledger_.at_infinity();
+  counts.tracked = ledger_.tracked();
+  counts.retracked = retracked_.size();
+  result_.complete = !interrupted_ && counts.failed == 0 && unsettled_conjugates_ == 0;
+  result_.message = interrupted_          ? "interrupted: what is finished is reported"
+                    : result_.complete    ? "every path was decided"
+                    : counts.failed > 0   ? "some paths failed"
+                                          : "a root's conjugate is missing among the roots";
+}
+
+}  // namespace
+
+std::vector<std::string> validate(const SolveOptions& options) {
+  std::vector<std::string> broken;
+  if (options.threads < 0) broken.push_back("threads must be 0 (all cores) or more");
+  if (options.maximum_care < 0) broken.push_back("maximum_care must be 0 or more");
+  if (options.endgame.samples < 4 || options.endgame.samples % 2 != 0) {
+    broken.push_back("endgame.samples must be even and at least 4");
+  }
+  if (options.endgame.maximum_winding < 1) {
+    broken.push_back("endgame.maximum_winding must be at least 1");
+  }
+  return broken;
+}
+
+SolveResult solve(const System& f, const Tracker& tracker, const SolveOptions& options,
+                  const std::atomic<bool>& stop) {
+  std::string message;
+  for (const std::string& sentence : validate(options)) {
+    message += (message.empty() ? "" : "; ") + sentence;
+  }
+  if (!message.empty()) throw std::invalid_argument(message);
+  require_square(f);
+  return Run(f, tracker, options, stop).run();
+}
+
+}  // namespace moivre
