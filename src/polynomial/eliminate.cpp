@@ -1,0 +1,515 @@
+// SPDX-License-Identifier: MIT
+// Exact presolve: combinations of lower degree, and linear equations substituted away.
+#include "moivre/polynomial/eliminate.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "integer_polynomial.h"
+#include "modular_rank.h"
+#include "moivre/polynomial/scale.h"
+
+namespace moivre {
+namespace {
+
+/// A substitution is not even tried when its estimated fill leaves this multiple of the terms at
+/// hand: an n x n factorisation saved can never pay for it.
+constexpr double kHopelessFill = 32;
+/// Small systems may grow to this many terms in a trial all the same.
+constexpr double kCheapTrial = 1000;
+
+/// An equation on its way; `origin` is its number in the file.
+struct Row {
+  IntegerPolynomial p;
+  std::size_t origin = 0;
+};
+
+struct State {
+  std::vector<Row> rows;
+  std::vector<bool> is_eliminated;  // one for each unknown
+  std::vector<Substitution> substitutions;
+  std::vector<Omission> combinations;
+  std::vector<std::size_t> dependent;        // origins of the equations that became 0 = 0
+  std::optional<std::size_t> contradiction;  // origin of the one that became c = 0
+};
+
+/// What does not change from move to move.
+struct Limits {
+  std::size_t bits = 0;
+  std::vector<int> variable_log2;  // sizes of the unknowns, for the choice of pivots
+};
+
+// ---- sizes and work ----
+
+/// Number of equations of each degree.
+using DegreeCount = std::map<std::uint64_t, std::size_t>;
+
+DegreeCount count_degrees(const std::vector<std::uint64_t>& degrees) {
+  DegreeCount count;
+  for (std::uint64_t d : degrees) ++count[d];
+  return count;
+}
+
+/// What `a` holds more than `b`.
+DegreeCount difference(DegreeCount a, const DegreeCount& b) {
+  for (const auto& [d, count] : b) {
+    const auto at = a.find(d);
+    if (at != a.end()) at->second -= std::min(at->second, count);
+  }
+  std::erase_if(a, [](const auto& entry) { return entry.second == 0; });
+  return a;
+}
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (i > 0) text += i + 1 == names.size() ? " and " : ", ";
+    text += names[i];
+  }
+  return text;
+}
+
+std::string degree_name(std::uint64_t d) {
+  static const std::array<std::string, 5> names{"constant", "linear", "quadratic", "cubic",
+                                                "quartic"};
+  return d < names.size() ? names[d] : std::string("degree-").append(std::to_string(d));
+}
+
+/// "3 quadratic and 1 linear"
+std::string to_text(const DegreeCount& count) {
+  std::vector<std::string> parts;
+  for (auto at = count.rbegin(); at != count.rend(); ++at) {
+    parts.push_back(std::to_string(at->second).append(" ").append(degree_name(at->first)));
+  }
+  return joined(parts);
+}
+
+bool is_single(const DegreeCount& count) { return count.size() == 1 && count.begin()->second == 1; }
+
+std::string total_degree_text(const std::vector<std::uint64_t>& degrees) {
+  const auto total = total_degree(degrees);
+  return total ? std::to_string(*total) : "over 64 bits";
+}
+
+std::vector<std::uint64_t> degrees_of(const std::vector<Row>& rows) {
+  std::vector<std::uint64_t> result;
+  for (const Row& row : rows) result.push_back(degree(row.p));
+  return result;
+}
+
+System to_system(const State& s, const std::vector<std::string>& names) {
+  System f;
+  std::vector<std::uint32_t> place(names.size(), 0);
+  for (std::size_t j = 0; j < names.size(); ++j) {
+    if (s.is_eliminated[j]) continue;
+    place[j] = static_cast<std::uint32_t>(f.variables.size());
+    f.variables.push_back(names[j]);
+  }
+  for (const Row& row : s.rows) {
+    Polynomial p = to_polynomial(row.p);
+    for (Term& term : p.terms) {
+      for (Power& power : term.monomial) power.variable = place[power.variable];
+    }
+    f.polynomials.push_back(std::move(p));
+  }
+  return f;
+}
+
+/// Multiply-adds of value and gradient of the terms, and of the factorisation; see step_work.
+struct Work {
+  double terms = 0;
+  double unknowns = 0;
+};
+
+double total(const Work& work) {
+  constexpr double kTermWeight = 2;  // a tape's multiply-add against one of the factorisation
+  constexpr double kUnknownOverhead =
+      20;  // predictor, norms and bookkeeping of a step, for each unknown
+  const double n = work.unknowns;
+  return kTermWeight * work.terms + n * n * n / 3 + 2 * n * n + kUnknownOverhead * n;
+}
+
+double work_of(const Monomial& m) { return 1 + static_cast<double>(m.size()); }
+
+/// log2 of (paths times the work of a step): what the state promises to cost.
+double log2_promise(const State& s) {
+  Work work;
+  double paths_log2 = 0;
+  for (const Row& row : s.rows) {
+    paths_log2 += std::log2(static_cast<double>(std::max<std::uint64_t>(degree(row.p), 1)));
+    for (const auto& [m, c] : row.p.terms) work.terms += work_of(m);
+  }
+  work.unknowns =
+      static_cast<double>(std::count(s.is_eliminated.begin(), s.is_eliminated.end(), false));
+  return paths_log2 + std::log2(std::max(total(work), 1.0));
+}
+
+// ---- combine ----
+
+/// Takes out equations without unknowns.
+void settle_constants(State& s) {
+  for (const Row& row : s.rows) {
+    if (row.p.terms.empty()) {
+      s.dependent.push_back(row.origin);
+    } else if (degree(row.p) == 0 && !s.contradiction) {
+      s.contradiction = row.origin;
+    }
+  }
+  std::erase_if(s.rows, [](const Row& row) { return degree(row.p) == 0; });
+}
+
+/// The rows of one degree, the sparsest first: they become the pivots.
+std::vector<std::size_t> rows_of_degree(const State& s, std::uint64_t d) {
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < s.rows.size(); ++i) {
+    if (degree(s.rows[i].p) == d) places.push_back(i);
+  }
+  std::stable_sort(places.begin(), places.end(), [&s](std::size_t a, std::size_t b) {
+    return s.rows[a].p.terms.size() < s.rows[b].p.terms.size();
+  });
+  return places;
+}
+
+/// Gaussian elimination on the monomials of degree d. A row whose highest part vanishes is replaced
+/// by its combination; the others stay as they are (their reduced copies are only the tools).
+void combine_degree(State& s, std::uint64_t d, const Limits& limits) {
+  const std::vector<std::size_t> places = rows_of_degree(s, d);
+  std::vector<const IntegerPolynomial*> originals;
+  for (std::size_t i : places) originals.push_back(&s.rows[i].p);
+  if (modular_rank(originals, d) == places.size()) return;
+
+  std::vector<IntegerPolynomial> pivots;  // each with a leading monomial the later ones lack
+  for (std::size_t i : places) {
+    IntegerPolynomial p = s.rows[i].p;
+    for (const IntegerPolynomial& pivot : pivots) {
+      p = without_monomial(p, pivot, pivot.terms.begin()->first);
+    }
+    if (bit_length(p) > limits.bits) continue;
+    if (degree(p) == d && !p.terms.empty()) {
+      const Monomial leading = p.terms.begin()->first;
+      pivots.push_back(with_real_coefficient(p, leading));
+    } else {
+      s.rows[i].p = std::move(p);
+    }
+  }
+}
+
+void combine(State& s, const Limits& limits) {
+  settle_constants(s);
+  const std::vector<std::uint64_t> before = degrees_of(s.rows);
+  std::set<std::uint64_t, std::greater<>> pending(before.begin(), before.end());
+  while (!pending.empty()) {
+    const std::uint64_t d = *pending.begin();
+    pending.erase(pending.begin());
+    combine_degree(s, d, limits);
+    for (const Row& row : s.rows) {
+      if (degree(row.p) < d && degree(row.p) > 0) pending.insert(degree(row.p));
+    }
+  }
+  const std::vector<std::uint64_t> after = degrees_of(s.rows);
+  settle_constants(s);
+  if (before != after) {
+    const DegreeCount lost = difference(count_degrees(before), count_degrees(after));
+    const DegreeCount gained = difference(count_degrees(after), count_degrees(before));
+    s.combinations.push_back(
+        {to_text(lost) + (is_single(lost) ? " equation" : " equations") + " combined to " +
+             to_text(gained) + (is_single(gained) ? " one" : " ones"),
+         "their highest terms cancel: total degree " + total_degree_text(before) + " -> " +
+             total_degree_text(degrees_of(s.rows))});
+  }
+}
+
+// ---- substitute ----
+
+/// x_variable from row `row`, at an estimated number of new terms.
+struct Pivot {
+  std::size_t row = 0;
+  std::uint32_t variable = 0;
+  double fill = 0;
+  double size_log2 = 0;
+};
+
+/// log of the number of monomials of degree at most d in n unknowns: what a dense polynomial has.
+double dense_terms(double n, double d) {
+  return std::exp(std::lgamma(n + d + 1) - std::lgamma(n + 1) - std::lgamma(d + 1));
+}
+
+/// For each row and unknown, how many terms hold the unknown to which power.
+using Census = std::vector<std::map<std::uint32_t, std::map<std::uint32_t, double>>>;
+
+Census take_census(const State& s) {
+  Census census(s.rows.size());
+  for (std::size_t i = 0; i < s.rows.size(); ++i) {
+    for (const auto& [m, c] : s.rows[i].p.terms) {
+      for (const Power& p : m) census[i][p.variable][p.exponent] += 1;
+    }
+  }
+  return census;
+}
+
+/// New terms when the unknown becomes a form of `length` terms everywhere but in row `without`: its
+/// power e then has C(length + e - 1, e) terms; never more than a dense polynomial in `unknowns`
+/// unknowns holds.
+double estimated_fill(const State& s, const Census& census, std::uint32_t variable,
+                      std::size_t without, double length, double unknowns) {
+  double fill = 0;
+  for (std::size_t i = 0; i < s.rows.size(); ++i) {
+    const auto found = census[i].find(variable);
+    if (i == without || found == census[i].end()) continue;
+    double grown = 0;
+    for (const auto& [exponent, count] : found->second) {
+      const double powers = length == 0 ? 0 : dense_terms(length - 1, exponent);
+      grown += count * (powers - 1);
+    }
+    const double room = dense_terms(unknowns, static_cast<double>(degree(s.rows[i].p))) -
+                        static_cast<double>(s.rows[i].p.terms.size());
+    fill += std::min(grown, room);
+  }
+  return fill - static_cast<double>(s.rows[without].p.terms.size());
+}
+
+double log2_size(const GaussianInteger& c, int shift) {
+  return log2_size(Coefficient{Rational(c.re), Rational(c.im)}) + shift;
+}
+
+/// The unknowns of a linear row that are large enough to divide by.
+std::vector<Pivot> admissible(const State& s, std::size_t i, const Limits& limits) {
+  std::vector<Pivot> pivots;
+  double largest = -std::numeric_limits<double>::infinity();
+  for (const auto& [m, c] : s.rows[i].p.terms) {
+    if (m.empty()) continue;
+    const std::uint32_t variable = m.front().variable;
+    pivots.push_back({i, variable, 0, log2_size(c, limits.variable_log2[variable])});
+    largest = std::max(largest, pivots.back().size_log2);
+  }
+  std::erase_if(pivots, [largest](const Pivot& p) {
+    return p.size_log2 < largest + std::log2(kPivotThreshold);
+  });
+  for (Pivot& p : pivots) p.size_log2 -= largest;
+  return pivots;
+}
+
+/// The pivot of least fill; among equals the largest, then the first. `refused` holds origins.
+std::optional<Pivot> choose_pivot(const State& s, const Limits& limits,
+                                  const std::set<std::size_t>& refused) {
+  const Census census = take_census(s);
+  const auto unknowns =
+      static_cast<double>(std::count(s.is_eliminated.begin(), s.is_eliminated.end(), false));
+  std::optional<Pivot> best;
+  double terms = 0;
+  for (const Row& row : s.rows) terms += static_cast<double>(row.p.terms.size());
+  for (std::size_t i = 0; i < s.rows.size(); ++i) {
+    if (degree(s.rows[i].p) != 1 || refused.count(s.rows[i].origin) != 0) continue;
+    const auto length = static_cast<double>(s.rows[i].p.terms.size()) - 1;
+    for (Pivot p : admissible(s, i, limits)) {
+      p.fill = estimated_fill(s, census, p.variable, i, length, unknowns - 1);
+      if (p.fill > kHopelessFill * terms + kCheapTrial) continue;
+      if (!best || p.fill < best->fill || (p.fill == best->fill && p.size_log2 > best->size_log2)) {
+        best = p;
+      }
+    }
+  }
+  return best;
+}
+
+/// x_variable as the affine form that the real-pivot row gives.
+Substitution to_substitution(const IntegerTerms& form, const Integer& divisor,
+                             std::uint32_t variable) {
+  Substitution result;
+  result.variable = variable;
+  for (const auto& [m, c] : form) {
+    const Coefficient value{Rational(c.re, divisor), Rational(c.im, divisor)};
+    if (m.empty()) {
+      result.constant = value;
+    } else {
+      result.terms.emplace_back(m.front().variable, value);
+    }
+  }
+  return result;
+}
+
+/// False, and nothing changed, where a coefficient would grow beyond the limit.
+bool substitute(State& s, const Pivot& pivot, const Limits& limits) {
+  const Monomial unknown{{pivot.variable, 1}};
+  IntegerPolynomial linear = with_real_coefficient(s.rows[pivot.row].p, unknown);
+  const Integer divisor = linear.terms.at(unknown).re;
+  linear.terms.erase(unknown);
+  for (auto& [m, c] : linear.terms) c = -c;
+
+  std::vector<Row> rows;
+  for (std::size_t i = 0; i < s.rows.size(); ++i) {
+    if (i == pivot.row) continue;
+    rows.push_back(
+        {substituted(s.rows[i].p, pivot.variable, linear.terms, divisor), s.rows[i].origin});
+    if (bit_length(rows.back().p) > limits.bits) return false;
+  }
+  s.rows = std::move(rows);
+  s.is_eliminated[pivot.variable] = true;
+  s.substitutions.push_back(to_substitution(linear.terms, divisor, pivot.variable));
+  return true;
+}
+
+// ---- the way through, and its account ----
+
+State start(const System& f) {
+  State s;
+  for (std::size_t i = 0; i < f.polynomials.size(); ++i) {
+    s.rows.push_back({to_integer(f.polynomials[i]), i});
+  }
+  s.is_eliminated.assign(f.variables.size(), false);
+  return s;
+}
+
+Limits choose_limits(const State& s, const System& f) {
+  std::size_t longest = 1;
+  for (const Row& row : s.rows) longest = std::max(longest, bit_length(row.p));
+  const std::size_t grown = std::clamp(kBitGrowth * longest, kShortInteger, kLongestInteger);
+  return {std::max(longest, grown), choose_scaling(f).variable_log2};
+}
+
+bool answers_more(const State& a, const State& b) {
+  return a.contradiction.has_value() != b.contradiction.has_value() ||
+         a.dependent.size() > b.dependent.size();
+}
+
+/// The state of least promised work on the way to the last possible substitution. A state that
+/// shows a contradiction or a dependence is always kept.
+State least_work(State s, const Limits& limits) {
+  combine(s, limits);
+  State best = s;
+  double least = log2_promise(s);
+  std::set<std::size_t> refused;
+  while (!s.contradiction) {
+    const std::optional<Pivot> pivot = choose_pivot(s, limits, refused);
+    if (!pivot) break;
+    if (!substitute(s, *pivot, limits)) {
+      refused.insert(s.rows[pivot->row].origin);
+      continue;
+    }
+    combine(s, limits);
+    const double promise = log2_promise(s);
+    if (promise <= least || answers_more(s, best)) {
+      best = s;
+      least = promise;
+    }
+  }
+  return best;
+}
+
+std::vector<bool> appears(const System& f) {
+  std::vector<bool> result(f.variables.size(), false);
+  for (const Polynomial& p : f.polynomials) {
+    for (const Term& term : p.terms) {
+      for (const Power& power : term.monomial) result[power.variable] = true;
+    }
+  }
+  return result;
+}
+
+Reduction::Verdict judge(const State& s, const System& reduced, const System& f) {
+  using enum Reduction::Verdict;
+  if (s.contradiction) return inconsistent;
+  const std::vector<bool> used = appears(reduced);
+  const std::size_t equations = reduced.polynomials.size();
+  const std::size_t unknowns = reduced.variables.size();
+  if (f.polynomials.size() < f.variables.size()) return underdetermined;
+  if (equations < unknowns || std::find(used.begin(), used.end(), false) != used.end()) {
+    return dependent;
+  }
+  if (equations > unknowns) return overdetermined;
+  return unknowns == 0 ? solved : square;
+}
+
+std::vector<Omission> account(const State& s, const System& reduced, const System& f) {
+  std::vector<Omission> sentences = s.combinations;
+  std::vector<std::string> names;
+  for (const Substitution& substitution : s.substitutions) {
+    names.push_back(f.variables[substitution.variable]);
+  }
+  if (names.size() == 1) {
+    sentences.push_back({names[0] + " eliminated", "a linear equation gives it"});
+  } else if (!names.empty()) {
+    sentences.push_back({joined(names) + " eliminated",
+                         std::to_string(names.size()) + " linear equations give them"});
+  }
+  for (std::size_t origin : s.dependent) {
+    sentences.push_back({"equation " + std::to_string(origin + 1),
+                         "with the others it becomes 0 = 0: it says nothing new"});
+  }
+  if (s.contradiction) {
+    sentences.push_back({"all paths", "equation " + std::to_string(*s.contradiction + 1) +
+                                          " contradicts the others: no root"});
+  }
+  const std::vector<bool> used = appears(reduced);
+  for (std::size_t j = 0; j < used.size(); ++j) {
+    if (!used[j]) sentences.push_back({reduced.variables[j], "no equation is left that holds it"});
+  }
+  const std::vector<std::uint64_t> left = degrees(reduced);
+  const auto linear = std::count(left.begin(), left.end(), std::uint64_t{1});
+  if (linear > 0 && !s.contradiction) {
+    sentences.push_back(
+        {"the elimination of " + std::to_string(linear) +
+             (linear == 1 ? " linear equation" : " linear equations"),
+         "substitution would make the other equations longer than an unknown fewer is worth"});
+  }
+  return sentences;
+}
+
+}  // namespace
+
+std::string to_string(Reduction::Verdict verdict) {
+  using enum Reduction::Verdict;
+  switch (verdict) {
+    case square:
+      return "square";
+    case solved:
+      return "solved";
+    case inconsistent:
+      return "inconsistent";
+    case dependent:
+      return "dependent";
+    case underdetermined:
+      return "underdetermined";
+    case overdetermined:
+      return "overdetermined";
+  }
+  return "unknown";
+}
+
+Reduction eliminate(const System& f) {
+  const State first = start(f);
+  const State last = least_work(first, choose_limits(first, f));
+
+  Reduction result;
+  result.system = to_system(last, f.variables);
+  result.verdict = judge(last, result.system, f);
+  for (std::size_t j = 0; j < last.is_eliminated.size(); ++j) {
+    if (!last.is_eliminated[j]) result.kept.push_back(j);
+  }
+  for (const Row& row : last.rows) result.equation_origin.push_back(row.origin);
+  result.substitutions = last.substitutions;
+  result.dependent_equations = last.dependent.size();
+  result.left_out = account(last, result.system, f);
+  return result;
+}
+
+double step_work(const System& f) {
+  Work work;
+  work.unknowns = static_cast<double>(f.variables.size());
+  for (const Polynomial& p : f.polynomials) {
+    for (const Term& term : p.terms) work.terms += work_of(term.monomial);
+  }
+  return total(work);
+}
+
+std::vector<std::complex<double>> restore(const Reduction& reduction,
+                                          const std::vector<std::complex<double>>& y) {
+  return restore(reduction, y, [](const Coefficient& c) { return to_complex(c); });
+}
+
+}  // namespace moivre

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+// Arithmetic of polynomials with Gaussian integer coefficients and one exact factor outside.
+#include "integer_polynomial.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace moivre {
+namespace {
+
+std::size_t bits(const Integer& a) {
+  return a.is_zero() ? 0 : static_cast<std::size_t>(msb(Integer(abs(a)))) + 1;
+}
+
+std::size_t bits(const Rational& a) {
+  return std::max(bits(Integer(numerator(a))), bits(Integer(denominator(a))));
+}
+
+void add_to(IntegerTerms& sum, const Monomial& m, const GaussianInteger& c) {
+  const auto [at, is_new] = sum.try_emplace(m, c);
+  if (is_new) return;
+  at->second.re += c.re;
+  at->second.im += c.im;
+  if (is_zero(at->second)) sum.erase(at);
+}
+
+IntegerTerms operator*(const IntegerTerms& a, const IntegerTerms& b) {
+  IntegerTerms result;
+  for (const auto& [m, c] : a) {
+    for (const auto& [n, d] : b) add_to(result, product(m, n), c * d);
+  }
+  return result;
+}
+
+Monomial without_variable(const Monomial& m, std::uint32_t variable) {
+  Monomial rest;
+  for (const Power& p : m) {
+    if (p.variable != variable) rest.push_back(p);
+  }
+  return rest;
+}
+
+/// Multiplies the terms so that the coefficient of `m` is a positive integer.
+void make_real(IntegerPolynomial& p, const Monomial& m) {
+  const GaussianInteger& c = p.terms.at(m);
+  const GaussianInteger multiplier =
+      c.im.is_zero() ? GaussianInteger{c.re < 0 ? -1 : 1, 0} : conjugate(c);
+  for (auto& [n, d] : p.terms) d = d * multiplier;
+  p.factor = p.factor / Coefficient{Rational(multiplier.re), Rational(multiplier.im)};
+}
+
+/// gcd for a divisor that is often much shorter than `a`: one division first, since Boost's gcd only subtracts.
+Integer common_divisor(const Integer& divisor, const Integer& a) {
+  return divisor.is_zero() ? Integer(abs(a)) : gcd(divisor, Integer(a % divisor));
+}
+
+void remove_common_divisor(IntegerPolynomial& p) {
+  Integer divisor = 0;
+  for (const auto& [m, c] : p.terms) {
+    divisor = common_divisor(common_divisor(divisor, c.re), c.im);
+    if (divisor == 1) return;
+  }
+  if (divisor.is_zero()) return;
+  for (auto& [m, c] : p.terms) {
+    c.re /= divisor;
+    c.im /= divisor;
+  }
+  p.factor = p.factor * Coefficient{Rational(divisor), 0};
+}
+
+}  // namespace
+
+bool is_zero(const GaussianInteger& a) { return a.re.is_zero() && a.im.is_zero(); }
+
+GaussianInteger operator*(const GaussianInteger& a, const GaussianInteger& b) {
+  if (a.im.is_zero() && b.im.is_zero()) return {a.re * b.re, 0};
+  return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
+}
+
+GaussianInteger operator-(const GaussianInteger& a) { return {-a.re, -a.im}; }
+
+GaussianInteger conjugate(const GaussianInteger& a) { return {a.re, -a.im}; }
+
+IntegerPolynomial to_integer(const Polynomial& p) {
+  Integer common = 1;
+  for (const Term& term : p.terms) {
+    common = lcm(common, Integer(denominator(term.coefficient.re)));
+    common = lcm(common, Integer(denominator(term.coefficient.im)));
+  }
+  const auto scaled = [&common](const Rational& a) {
+    return Integer(numerator(a) * (common / denominator(a)));
+  };
+  IntegerPolynomial result;
+  for (const Term& term : p.terms) {
+    result.terms.emplace(term.monomial,
+                         GaussianInteger{scaled(term.coefficient.re), scaled(term.coefficient.im)});
+  }
+  result.factor = {Rational(1, common), 0};
+  make_primitive(result);
+  return result;
+}
+
+Polynomial to_polynomial(const IntegerPolynomial& p) {
+  Polynomial result;
+  for (const auto& [m, c] : p.terms) {
+    result.terms.push_back({p.factor * Coefficient{Rational(c.re), Rational(c.im)}, m});
+  }
+  return result;
+}
+
+std::uint64_t degree(const IntegerPolynomial& p) {
+  return p.terms.empty() ? 0 : degree(p.terms.begin()->first);
+}
+
+void make_primitive(IntegerPolynomial& p) {
+  const bool all_real = std::all_of(p.terms.begin(), p.terms.end(),
+                                    [](const auto& term) { return term.second.im.is_zero(); });
+  if (!all_real) make_real(p, p.terms.begin()->first);
+  remove_common_divisor(p);
+}
+
+IntegerPolynomial with_real_coefficient(const IntegerPolynomial& p, const Monomial& m) {
+  IntegerPolynomial result = p;
+  make_real(result, m);
+  remove_common_divisor(result);
+  return result;
+}
+
+IntegerPolynomial without_monomial(const IntegerPolynomial& p, const IntegerPolynomial& pivot,
+                                   const Monomial& m) {
+  const auto at = p.terms.find(m);
+  if (at == p.terms.end()) return p;
+  const Integer& leading = pivot.terms.at(m).re;
+  const GaussianInteger multiplier = -at->second;
+  IntegerPolynomial result = p;
+  for (auto& [n, c] : result.terms) {
+    c.re *= leading;
+    c.im *= leading;
+  }
+  for (const auto& [n, c] : pivot.terms) add_to(result.terms, n, multiplier * c);
+  result.factor = result.factor / Coefficient{Rational(leading), 0};
+  make_primitive(result);
+  return result;
+}
+
+IntegerPolynomial substituted(const IntegerPolynomial& p, std::uint32_t variable,
+                              const IntegerTerms& form, const Integer& divisor) {
+  std::map<std::uint32_t, IntegerTerms> by_exponent;
+  std::uint32_t highest = 0;
+  for (const auto& [m, c] : p.terms) {
+    const std::uint32_t e = exponent_of(m, variable);
+    by_exponent[e].emplace(without_variable(m, variable), c);
+    highest = std::max(highest, e);
+  }
+  if (highest == 0) return p;
+
+  // Horner in form/divisor: after the step for exponent e the sum is divisor^(highest - e) times
+  // the true one.
+  IntegerPolynomial result;
+  Integer power = 1;
+  for (std::uint32_t e = highest + 1; e-- > 0;) {
+    if (e < highest) {
+      result.terms = result.terms * form;
+      power *= divisor;
+    }
+    for (const auto& [m, c] : by_exponent[e]) {
+      add_to(result.terms, m, {c.re * power, c.im * power});
+    }
+  }
+  result.factor = p.factor / Coefficient{Rational(power), 0};
+  make_primitive(result);
+  return result;
+}
+
+std::uint32_t exponent_of(const Monomial& m, std::uint32_t variable) {
+  for (const Power& p : m) {
+    if (p.variable == variable) return p.exponent;
+  }
+  return 0;
+}
+
+std::size_t bit_length(const IntegerPolynomial& p) {
+  std::size_t longest = std::max(bits(p.factor.re), bits(p.factor.im));
+  for (const auto& [m, c] : p.terms) longest = std::max({longest, bits(c.re), bits(c.im)});
+  return longest;
+}
+
+}  // namespace moivre

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// How is exact elimination kept fast? Polynomials with Gaussian integer coefficients and one
+// rational factor outside.
+//
+// Sums and products of integers need no greatest common divisor; the content is taken out once a
+// move. Private to the module.
+#pragma once
+
+#include <cstddef>
+#include <map>
+
+#include "moivre/polynomial/system.h"
+
+namespace moivre {
+
+struct GaussianInteger {
+  Integer re;
+  Integer im;
+};
+
+bool is_zero(const GaussianInteger& a);
+GaussianInteger operator*(const GaussianInteger& a, const GaussianInteger& b);
+GaussianInteger operator-(const GaussianInteger& a);
+GaussianInteger conjugate(const GaussianInteger& a);
+
+using IntegerTerms = std::map<Monomial, GaussianInteger, MonomialOrder>;
+
+/// factor * sum of the terms; no term is zero.
+struct IntegerPolynomial {
+  IntegerTerms terms;
+  Coefficient factor{1, 0};
+};
+
+IntegerPolynomial to_integer(const Polynomial& p);
+Polynomial to_polynomial(const IntegerPolynomial& p);
+
+std::uint64_t degree(const IntegerPolynomial& p);
+
+/// Chooses the multiple that stands for all; what is taken out of the terms goes into the factor.
+void make_primitive(IntegerPolynomial& p);
+
+/// The same zeros with a positive real integer coefficient at `m` (which must have a nonzero one).
+IntegerPolynomial with_real_coefficient(const IntegerPolynomial& p, const Monomial& m);
+
+/// p minus the multiple of `pivot` that removes the monomial `m`. Requires a positive real
+/// coefficient of `m` in `pivot`.
+IntegerPolynomial without_monomial(const IntegerPolynomial& p, const IntegerPolynomial& pivot,
+                                   const Monomial& m);
+
+/// p with x_variable = form / divisor; `divisor` positive.
+IntegerPolynomial substituted(const IntegerPolynomial& p, std::uint32_t variable,
+                              const IntegerTerms& form, const Integer& divisor);
+
+/// Exponent of the variable in the monomial.
+std::uint32_t exponent_of(const Monomial& m, std::uint32_t variable);
+
+/// Bits of the longest integer, the factor's included.
+std::size_t bit_length(const IntegerPolynomial& p);
+
+}  // namespace moivre

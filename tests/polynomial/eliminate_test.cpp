@@ -1,0 +1,335 @@
+// SPDX-License-Identifier: MIT
+// Elimination: the numbered properties of the header at random exact points, and each verdict on a
+// tiny problem.
+#include "moivre/polynomial/eliminate.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "build.h"
+
+namespace moivre {
+namespace {
+
+using namespace build;
+using Verdict = Reduction::Verdict;
+
+const Polynomial x = variable(0);
+const Polynomial y = variable(1);
+const Polynomial z = variable(2);
+const Polynomial one = constant(1);
+
+Point restored(const Reduction& r, const Point& at) {
+  return restore(r, at, [](const Coefficient& c) { return c; });
+}
+
+/// Property (2): at more random points than there are equations, the values of F on restore(y) and
+/// those of R span the same space of rows.
+void expect_same_span(const System& f, const Reduction& r, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  std::vector<Point> given(f.polynomials.size());
+  std::vector<Point> left(r.system.polynomials.size());
+  for (std::size_t sample = 0; sample < f.polynomials.size() + 2; ++sample) {
+    const Point at = random_point(r.kept.size(), random);
+    const Point full = restored(r, at);
+    ASSERT_EQ(full.size(), f.variables.size());
+    for (std::size_t i = 0; i < r.kept.size(); ++i) ASSERT_EQ(full[r.kept[i]], at[i]);
+    for (std::size_t i = 0; i < given.size(); ++i) {
+      given[i].push_back(value(f.polynomials[i], full));
+    }
+    for (std::size_t i = 0; i < left.size(); ++i) {
+      left[i].push_back(value(r.system.polynomials[i], at));
+    }
+  }
+  std::vector<Point> both = given;
+  both.insert(both.end(), left.begin(), left.end());
+  EXPECT_EQ(rank(left), left.size()) << "seed " << seed;
+  EXPECT_EQ(rank(given), left.size()) << "seed " << seed;
+  EXPECT_EQ(rank(both), left.size()) << "seed " << seed;
+}
+
+std::vector<std::uint64_t> sorted_degrees(const System& f) {
+  std::vector<std::uint64_t> result = degrees(f);
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+bool says(const Reduction& r, const std::string& part) {
+  return std::any_of(r.left_out.begin(), r.left_out.end(), [&](const Omission& omission) {
+    return (omission.what + ": " + omission.why).find(part) != std::string::npos;
+  });
+}
+
+/// Random linear combinations of the equations: an invertible matrix with probability one, checked.
+System mixed(const System& f, std::mt19937_64& random) {
+  const std::size_t m = f.polynomials.size();
+  std::uniform_int_distribution<int> entry(-3, 3);
+  std::vector<Point> matrix(m, Point(m));
+  do {
+    for (Point& row : matrix) {
+      for (Coefficient& c : row) c = {entry(random), 0};
+    }
+  } while (rank(matrix) < m);
+  System g = f;
+  for (std::size_t i = 0; i < m; ++i) {
+    g.polynomials[i] = {};
+    for (std::size_t k = 0; k < m; ++k) {
+      g.polynomials[i] = g.polynomials[i] + matrix[i][k] * f.polynomials[k];
+    }
+  }
+  return g;
+}
+
+TEST(Elimination, TwoCirclesNeedTwoPaths) {
+  const System f = system(2, {x * x + y * y - one, power(x - one, 2) + y * y - one});
+  const Reduction r = eliminate(f);
+  EXPECT_EQ(r.verdict, Verdict::square);
+  EXPECT_EQ(degrees(r.system), (std::vector<std::uint64_t>{2}));
+  EXPECT_EQ(r.system.variables, (std::vector<std::string>{"x2"}));
+  EXPECT_TRUE(says(r, "x1 eliminated: a linear equation gives it"));
+  EXPECT_TRUE(says(r, "total degree 4 -> 2"));
+  EXPECT_TRUE(says(r, "1 quadratic equation combined to 1 linear one"));
+  const Point at = restored(r, {Coefficient{5, 0}});
+  EXPECT_EQ(at[0], (Coefficient{Rational(1, 2), 0}));
+  expect_same_span(f, r, 1);
+}
+
+TEST(Elimination, ParallelLinesContradictEachOther) {
+  const Reduction r = eliminate(system(2, {x + y - one, x + y - constant(2)}));
+  EXPECT_EQ(r.verdict, Verdict::inconsistent);
+  EXPECT_TRUE(says(r, "no root"));
+}
+
+TEST(Elimination, ConcentricCirclesContradictEachOther) {
+  EXPECT_EQ(eliminate(system(2, {x * x + y * y - one, x * x + y * y - constant(2)})).verdict,
+            Verdict::inconsistent);
+}
+
+TEST(Elimination, AContradictionBehindASubstitutionIsFound) {
+  const System f = system(2, {x - y, x * x - y * y - one});
+  EXPECT_EQ(eliminate(f).verdict, Verdict::inconsistent);
+}
+
+TEST(Elimination, ADuplicatedEquationIsDependent) {
+  const Polynomial circle = x * x + y * y - one;
+  const Reduction r = eliminate(system(2, {circle, Rational(-7, 3) * circle}));
+  EXPECT_EQ(r.verdict, Verdict::dependent);
+  EXPECT_EQ(r.dependent_equations, 1U);
+  EXPECT_TRUE(says(r, "0 = 0"));
+}
+
+TEST(Elimination, ADependenceBehindASubstitutionIsFound) {
+  const Reduction r = eliminate(system(2, {x - y, x * x - y * y}));
+  EXPECT_EQ(r.verdict, Verdict::dependent);
+  EXPECT_EQ(r.dependent_equations, 1U);
+}
+
+TEST(Elimination, AnUnknownThatNoEquationHoldsIsNamed) {
+  const Reduction r = eliminate(system(2, {x * x - one, x * x * x - one}));
+  EXPECT_EQ(r.verdict, Verdict::dependent);
+  EXPECT_EQ(r.dependent_equations, 0U);
+  EXPECT_TRUE(says(r, "x2: no equation is left that holds it"));
+}
+
+TEST(Elimination, FewerEquationsThanUnknownsAreUnderdetermined) {
+  EXPECT_EQ(eliminate(system(2, {x * x + y * y - one})).verdict, Verdict::underdetermined);
+}
+
+TEST(Elimination, MoreEquationsThanUnknownsAreOverdetermined) {
+  EXPECT_EQ(eliminate(system(1, {x * x - one, x * x * x - one})).verdict, Verdict::overdetermined);
+}
+
+TEST(Elimination, ARepeatedEquationTooManyLeavesASquareSystem) {
+  const Polynomial a = x * x + y * y - one;
+  const Polynomial b = x * x - Rational(2) * y * y;
+  const Reduction r = eliminate(system(2, {a, b, a + b}));
+  EXPECT_EQ(r.verdict, Verdict::square);
+  EXPECT_EQ(r.dependent_equations, 1U);
+}
+
+TEST(Elimination, ALinearSystemIsSolvedOutright) {
+  const System f = system(3, {x + Rational(2) * y - z - one, x - y, x + y + z - constant(6)});
+  const Reduction r = eliminate(f);
+  EXPECT_EQ(r.verdict, Verdict::solved);
+  EXPECT_TRUE(r.system.polynomials.empty());
+  const Point root = restored(r, {});
+  for (const Coefficient& v : value(f, root)) EXPECT_TRUE(is_zero(v));
+}
+
+TEST(Elimination, EmptyZeroAndConstantSystemsHaveAVerdict) {
+  EXPECT_EQ(eliminate(System{}).verdict, Verdict::solved);
+  EXPECT_EQ(eliminate(system(1, {Polynomial{}})).verdict, Verdict::dependent);
+  EXPECT_EQ(eliminate(system(1, {constant(5)})).verdict, Verdict::inconsistent);
+  EXPECT_EQ(eliminate(system(0, {constant(5)})).verdict, Verdict::inconsistent);
+  EXPECT_EQ(eliminate(system(0, {Polynomial{}})).verdict, Verdict::solved);
+  EXPECT_EQ(eliminate(system(2, {Polynomial{}, x * y - one})).verdict, Verdict::dependent);
+  const Reduction single = eliminate(system(1, {Rational(3) * x - one}));
+  EXPECT_EQ(single.verdict, Verdict::solved);
+  EXPECT_EQ(restored(single, {})[0], (Coefficient{Rational(1, 3), 0}));
+}
+
+TEST(Elimination, EveryVerdictHasAName) {
+  EXPECT_EQ(to_string(Verdict::square), "square");
+  EXPECT_EQ(to_string(Verdict::overdetermined), "overdetermined");
+}
+
+TEST(Elimination, IndependentEquationsStayAsTheyWereGiven) {
+  const System f = noon(5);
+  const Reduction r = eliminate(f);
+  EXPECT_EQ(r.system, f);
+  EXPECT_TRUE(r.left_out.empty());
+}
+
+TEST(Elimination, ComplexPivotsDivideExactly) {
+  const Polynomial i_x = Coefficient{2, 3} * x;
+  const System f = system(2, {i_x - y - one, x * x + y * y - constant(0, 1)});
+  const Reduction r = eliminate(f);
+  EXPECT_EQ(r.system.variables.size(), 1U);
+  expect_same_span(f, r, 7);
+}
+
+TEST(Elimination, ATinyPivotIsNotDividedBy) {
+  const Rational tiny(1, 1000000000);
+  const Reduction r = eliminate(system(3, {tiny * x + y + z - one, x * x * x + y * y - one,
+                                           x * x * x * x + z * z + y * z * x - one}));
+  ASSERT_EQ(r.substitutions.size(), 1U);
+  EXPECT_NE(r.substitutions[0].variable, 0U);
+}
+
+TEST(Elimination, ATinyCoefficientOfALargeUnknownIsAGoodPivot) {
+  const Rational size(1000000);
+  const Polynomial u = variable(2), v = variable(3);
+  const System f =
+      system(4, {x * x + y * y - constant(size * size), u * u + v * v - constant(1 / (size * size)),
+                 x * u - y * v - constant(Rational(1, 2)),
+                 Rational(1 / size) * x - size * u - constant(Rational(3, 10))});
+  const Reduction r = eliminate(f);
+  EXPECT_EQ(r.substitutions.size(), 1U);
+  expect_same_span(f, r, 3);
+}
+
+TEST(Elimination, KnownSystemsKeepTheirTotalDegreeAndTheirRoots) {
+  for (const System& f : {katsura(4), katsura(7), cyclic(4), cyclic(6), eco(5), eco(7)}) {
+    const Reduction r = eliminate(f);
+    EXPECT_EQ(r.verdict, Verdict::square);
+    EXPECT_LE(*total_degree(degrees(r.system)), *total_degree(degrees(f)));
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) expect_same_span(f, r, seed);
+  }
+}
+
+TEST(Elimination, FourBarLoopsCombineAndSubstitute) {
+  // Coupler point on two cranks: |P|^2 = 4, |P - A|^2 = 9, |Q|^2 = 1, |Q - P|^2 = 2: the first two
+  // make a line.
+  const Polynomial u = variable(2), v = variable(3);
+  const System f = system(
+      4, {x * x + y * y - constant(4), power(x - constant(3), 2) + power(y - one, 2) - constant(9),
+          u * u + v * v - one, power(u - x, 2) + power(v - y, 2) - constant(2)});
+  const Reduction r = eliminate(f);
+  EXPECT_EQ(*total_degree(degrees(r.system)), 8U);
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) expect_same_span(f, r, seed);
+}
+
+/// Quadrics in 40 unknowns and linear equations, all through `root`, hidden by random combinations.
+System forty_equations(std::uint32_t quadrics, const Point& root, bool is_real,
+                       std::mt19937_64& random) {
+  const auto unknowns = static_cast<std::uint32_t>(root.size());
+  System f = system(unknowns, {});
+  for (std::uint32_t i = 0; i < unknowns; ++i) {
+    Polynomial p;
+    for (std::uint32_t j = 0; j < unknowns; ++j) {
+      p = p + random_integer(random, is_real) * variable(j);
+      if (i >= quadrics) continue;
+      p = p + random_integer(random, is_real) * (variable(j) * variable((j + i) % unknowns));
+    }
+    f.polynomials.push_back(through(p, root));
+  }
+  return mixed(f, random);
+}
+
+TEST(Elimination, FortyEquationsHideSixQuadrics) {
+  constexpr std::uint32_t kUnknowns = 40;
+  constexpr std::uint32_t kQuadrics = 6;
+  for (bool is_real : {true, false}) {
+    std::mt19937_64 random(1);
+    Point root;
+    for (std::uint32_t j = 0; j < kUnknowns; ++j) root.push_back(random_integer(random, is_real));
+    const System f = forty_equations(kQuadrics, root, is_real, random);
+    EXPECT_EQ(sorted_degrees(f), std::vector<std::uint64_t>(kUnknowns, 2));
+    const Reduction r = eliminate(f);
+    EXPECT_EQ(r.verdict, Verdict::square);
+    EXPECT_EQ(degrees(r.system), std::vector<std::uint64_t>(kQuadrics, 2));
+    EXPECT_EQ(*total_degree(degrees(r.system)), 64U);
+    EXPECT_TRUE(says(r, "34 quadratic equations combined to 34 linear ones"));
+    Point kept;
+    for (std::size_t place : r.kept) kept.push_back(root[place]);
+    EXPECT_EQ(restored(r, kept), root);
+    for (const Coefficient& v : value(r.system, kept)) EXPECT_TRUE(is_zero(v));
+  }
+}
+
+TEST(Elimination, AKnownRootStaysARoot) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    std::mt19937_64 random(seed);
+    const Point root = random_point(5, random);
+    System f = system(5, {});
+    for (int degree : {1, 1, 2, 2, 2}) {
+      f.polynomials.push_back(through(random_polynomial(5, degree, random), root));
+    }
+    f = mixed(f, random);
+    const Reduction r = eliminate(f);
+    EXPECT_EQ(*total_degree(degrees(r.system)), 8U);
+    Point kept;
+    for (std::size_t place : r.kept) kept.push_back(root[place]);
+    EXPECT_EQ(restored(r, kept), root);
+    for (const Coefficient& v : value(r.system, kept)) EXPECT_TRUE(is_zero(v));
+    expect_same_span(f, r, seed);
+  }
+}
+
+TEST(Elimination, ALongFormInAHighPowerIsNotMultipliedOut) {
+  constexpr std::uint32_t kUnknowns = 12;
+  std::vector<Polynomial> equations;
+  Polynomial sum = constant(-1);
+  for (std::uint32_t j = 0; j < kUnknowns; ++j) sum = sum + variable(j);
+  equations.push_back(sum);
+  for (std::uint32_t j = 0; j + 1 < kUnknowns; ++j) {
+    equations.push_back(power(variable(j), 7) + power(variable(j + 1), 7) - constant(j + 1));
+  }
+  const System f = system(kUnknowns, equations);
+  const Reduction r = eliminate(f);
+  EXPECT_EQ(r.system, f);
+  EXPECT_TRUE(says(r, "the elimination of 1 linear equation"));
+}
+
+TEST(Elimination, CoefficientsOfThousandsOfDigitsAreNotMade) {
+  std::mt19937_64 random(5);
+  constexpr int kDigits = 600;
+  const Integer huge = boost::multiprecision::pow(Integer(10), kDigits);
+  const Rational a(huge + 7, huge + 1);
+  const Polynomial line = a * x + y - one;
+  const System f = system(2, {line, power(x, 40) + power(y, 40) - one});
+  const Reduction r = eliminate(f);
+  EXPECT_EQ(r.system, f);
+}
+
+TEST(Elimination, RestoreInDoubleAgreesWithTheExactOne) {
+  const System f = katsura(5);
+  const Reduction r = eliminate(f);
+  std::mt19937_64 random(11);
+  const Point at = random_point(r.kept.size(), random);
+  std::vector<std::complex<double>> rounded;
+  for (const Coefficient& c : at) rounded.push_back(to_complex(c));
+  const auto back = restore(r, rounded);
+  const Point exact = restored(r, at);
+  ASSERT_EQ(back.size(), exact.size());
+  // A sum of at most ten numbers below 10 times coefficients below 2, each rounded twice.
+  constexpr double kRounding = 10 * 10 * 2 * 2 * std::numeric_limits<double>::epsilon();
+  for (std::size_t j = 0; j < back.size(); ++j) {
+    EXPECT_LE(std::abs(back[j] - to_complex(exact[j])), kRounding);
+  }
+}
+
+}  // namespace
+}  // namespace moivre
