@@ -54,19 +54,26 @@ class Account {
   std::uint64_t& work_;
 };
 
+[[noreturn]] void refuse_term_count() {
+  throw Excess("the expansion has more than " + std::to_string(kMaximumTerms) + " terms");
+}
+
 void add(TermMap& sum, Monomial monomial, const Coefficient& c, Account& account) {
   account.charge(c);
   const auto [place, is_new] = sum.try_emplace(std::move(monomial), c);
   if (is_new) {
-    if (sum.size() > kMaximumTerms) {
-      throw Excess("the expansion has more than " + std::to_string(kMaximumTerms) + " terms");
-    }
+    if (sum.size() > kMaximumTerms) refuse_term_count();
     return;
   }
   place->second = place->second + c;
   account.charge(place->second);
   if (is_zero(place->second)) sum.erase(place);
 }
+
+/// Finding the place of a term among many takes as long as this many products of short coefficients.
+constexpr std::uint64_t kSearchWork = 3;
+/// A copied term stays in memory; charging it like this many products keeps a file below some gigabytes.
+constexpr std::uint64_t kCopyWork = 10;
 
 /// A term times a polynomial keeps the order of the terms, so nothing is sorted.
 Polynomial times(const Term& factor, Polynomial p, Account& account) {
@@ -83,6 +90,7 @@ Polynomial times(Polynomial a, Polynomial b, Account& account) {
   if (b.terms.size() == 1) return times(b.terms.front(), std::move(a), account);
   TermMap terms;
   for (const Term& s : a.terms) {
+    account.charge(kSearchWork * b.terms.size());
     for (const Term& t : b.terms) {
       add(terms, product(s.monomial, t.monomial), s.coefficient * t.coefficient, account);
     }
@@ -117,6 +125,30 @@ Monomial raised(Monomial m, std::uint64_t k) {
   return m;
 }
 
+/// True when every monomial but at most one holds a variable that no other one holds: then no two
+/// products of the terms fall together in any power of p.
+bool has_independent_terms(const Polynomial& p) {
+  std::unordered_map<std::uint32_t, std::size_t> holders;
+  for (const Term& term : p.terms) {
+    for (const Power& power : term.monomial) ++holders[power.variable];
+  }
+  const auto owns_a_variable = [&](const Term& term) {
+    return std::any_of(term.monomial.begin(), term.monomial.end(),
+                       [&](const Power& power) { return holders[power.variable] == 1; });
+  };
+  const auto owners = std::count_if(p.terms.begin(), p.terms.end(), owns_a_variable);
+  return static_cast<std::size_t>(owners) + 1 >= p.terms.size();
+}
+
+/// Monomials of degree k in n letters, C(n+k-1, k), or a number above kMaximumTerms where that is above it.
+std::uint64_t monomial_count(std::uint64_t n, std::uint64_t k) {
+  std::uint64_t count = 1;
+  for (std::uint64_t j = 1; j <= std::min(k, n - 1) && count <= kMaximumTerms; ++j) {
+    count = count * (std::max(k, n - 1) + j) / j;
+  }
+  return count;
+}
+
 /// p^k, multiplied by p again and again: for sparse p that costs less than squaring.
 Polynomial raised(const Polynomial& p, std::uint64_t k, Account& account) {
   if (k == 0) return constant({1, 0});
@@ -124,6 +156,9 @@ Polynomial raised(const Polynomial& p, std::uint64_t k, Account& account) {
   if (p.terms.size() == 1) {
     const Term& term = p.terms.front();
     return {{{raised(term.coefficient, k, account), raised(term.monomial, k)}}};
+  }
+  if (has_independent_terms(p) && monomial_count(p.terms.size(), k) > kMaximumTerms) {
+    refuse_term_count();
   }
   Polynomial result = p;
   for (std::uint64_t j = 1; j < k; ++j) result = times(p, std::move(result), account);
@@ -200,7 +235,8 @@ Expander::Value Expander::named(const Expression& e, const Environment& names) {
   if (meaning == names.end()) return refuse(e.at, "the name `" + e.name + "` is not declared");
   if (!meaning->second) return std::nullopt;
   return within_limits(e.at, [&](Account& account) {
-    account.charge(meaning->second->terms.size());
+    const std::size_t terms = meaning->second->terms.size();
+    account.charge(terms > 1 ? kCopyWork * terms : 1);
     return *meaning->second;
   });
 }

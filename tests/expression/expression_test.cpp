@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+// Is the tree the one that the text means, with exact numbers, and does the first fault say where and what?
+#include "moivre/expression/expression.h"
+
+#include <gtest/gtest.h>
+
+namespace moivre {
+namespace {
+
+/// The tree in prefix form, to compare whole trees by one string.
+std::string prefix(const Expression& e) {
+  const auto wrapped = [&](const std::string& head) {
+    std::string text = "(" + head;
+    for (const Expression& operand : e.operands) text += " " + prefix(operand);
+    return text + ")";
+  };
+  switch (e.kind) {
+    case Expression::Kind::number:
+      return e.number.str();
+    case Expression::Kind::name:
+      return e.name;
+    case Expression::Kind::sum:
+      return wrapped("+");
+    case Expression::Kind::product:
+      return wrapped("*");
+    case Expression::Kind::negate:
+      return wrapped("-");
+    case Expression::Kind::reciprocal:
+      return wrapped("1/");
+    case Expression::Kind::power:
+      return wrapped("^");
+    case Expression::Kind::call:
+      return wrapped(e.name);
+  }
+  return {};
+}
+
+std::string tree(const std::string& text) {
+  std::vector<Diagnostic> faults;
+  const Expression e = parse_expression(text, {}, faults);
+  return faults.empty() ? prefix(e) : "fault: " + faults.front().message;
+}
+
+Diagnostic fault(const std::string& text) {
+  std::vector<Diagnostic> faults;
+  parse_expression(text, {}, faults);
+  EXPECT_EQ(faults.size(), 1U);
+  return faults.empty() ? Diagnostic{} : faults.front();
+}
+
+TEST(Expression, KeepsSumsAndProductsFlat) {
+  EXPECT_EQ(tree("a + b - c*d/e"), "(+ a b (- (* c d (1/ e))))");
+  EXPECT_EQ(tree("((a))"), "a");
+}
+
+TEST(Expression, BindsPowersTighterThanSignsAndToTheRight) {
+  EXPECT_EQ(tree("-x^2"), "(- (^ x 2))");
+  EXPECT_EQ(tree("x^2^3"), "(^ x (^ 2 3))");
+  EXPECT_EQ(tree("x**-2*y"), "(* (^ x (- 2)) y)");
+  EXPECT_EQ(tree("+a*-b"), "(* a (- b))");
+}
+
+TEST(Expression, ReadsNumbersExactly) {
+  EXPECT_EQ(tree("3.1"), "31/10");
+  EXPECT_EQ(tree("1.25E-02"), "1/80");
+  EXPECT_EQ(tree("007.50e1"), "75");
+  EXPECT_EQ(tree("0.0e999999999999"), "0");
+}
+
+TEST(Expression, ReadsCallsAndIndexedNames) {
+  EXPECT_EQ(tree("b*cos(phi1) + atan2(y, x[2])"), "(+ (* b (cos phi1)) (atan2 y x[2]))");
+  EXPECT_EQ(tree("f ( a+b , g(c) )"), "(f (+ a b) (g c))");
+}
+
+TEST(Expression, RemembersWhereEachNodeStands) {
+  std::vector<Diagnostic> faults;
+  const SourcePosition begin{.offset = 100, .line = 7, .column = 5};
+  const Expression e = parse_expression("a +\n  b*c", begin, faults);
+  EXPECT_EQ(e.at, begin);
+  EXPECT_EQ(e.operands[1].at, (SourcePosition{.offset = 106, .line = 8, .column = 3}));
+  EXPECT_EQ(e.operands[1].operands[1].at, (SourcePosition{.offset = 108, .line = 8, .column = 5}));
+}
+
+TEST(Expression, PointsAtTheFault) {
+  const Diagnostic stray = fault("x\n + * y");
+  EXPECT_EQ(stray.at, (SourcePosition{.offset = 5, .line = 2, .column = 4}));
+  EXPECT_EQ(stray.message, "expected a number, a name or `(`, found the operator `*`");
+  EXPECT_EQ(fault("f(a, )").at.column, 6U);
+  EXPECT_EQ(fault("f(a").message, "unbalanced parenthesis: this `(` is never closed");
+  EXPECT_EQ(fault("f(a").at.column, 2U);
+  EXPECT_EQ(fault("").message, "expected a number, a name or `(`, but the expression ends here");
+  EXPECT_EQ(fault("a, b").message, "unexpected character: `,`");
+  EXPECT_EQ(fault("1.5.2").message, "an operator is missing before `.2` (a product is written with `*`)");
+}
+
+TEST(Expression, NamesEveryNumberOutOfRange) {
+  std::vector<Diagnostic> faults;
+  parse_expression("1e400 + x*1e-400", {}, faults);
+  ASSERT_EQ(faults.size(), 2U);
+  EXPECT_EQ(faults[1].at.column, 11U);
+}
+
+TEST(Expression, RefusesMoreDigitsThanAnyDataHas) {
+  EXPECT_NE(fault("0." + std::string(6000, '3')).message.find("more than 5000 digits"), std::string::npos);
+  EXPECT_EQ(tree("1." + std::string(100'000, '0')), "1");
+}
+
+TEST(Expression, MayNestAsDeepAsStatedAndNoDeeper) {
+  const auto nested = [](std::size_t depth) {
+    return tree(std::string(depth, '(') + "x" + std::string(depth, ')'));
+  };
+  EXPECT_EQ(nested(256), "x");
+  EXPECT_NE(nested(257).find("more than 256 deep"), std::string::npos);
+}
+
+TEST(NamesIn, FindsEveryNameEvenInTextThatDoesNotParse) {
+  std::vector<std::string> names;
+  for (const NamePlace& place : names_in("2x y1 + 1e5*e5) sin (z_)", {})) names.emplace_back(place.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"x", "y1", "e5", "z_"}));
+}
+
+}  // namespace
+}  // namespace moivre

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: MIT
+// Does PHCpack's text give the exact system, and is every kind of fault named with line, column and reason?
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+
+#include "read_support.h"
+
+namespace moivre {
+namespace {
+
+const Polynomial one = constant({1, 0});
+const Polynomial x = unknown(0);
+const Polynomial y = unknown(1);
+Polynomial number(const Rational& r) { return constant({r, 0}); }
+
+TEST(PhcReader, ReadsPolynomialsWithTheirCountLine) {
+  const System f = system_of("2\n x^2 + y**2 - 5;\n x*y - 2;\n");
+  EXPECT_EQ(f.variables, (std::vector<std::string>{"x", "y"}));
+  ASSERT_EQ(f.polynomials.size(), 2U);
+  EXPECT_EQ(f.polynomials[0], (x * x + y * y + number(-5)));
+  EXPECT_EQ(f.polynomials[1], (x * y + number(-2)));
+}
+
+TEST(PhcReader, ReadsTheSameTextWithoutTheCountLine) {
+  EXPECT_EQ(system_of("x^2+y^2-5;x*y-2;\nTITLE : two; conics\n"),
+            system_of("2\nx^2+y^2-5;x*y-2;\nTITLE : two; conics\n"));
+}
+
+TEST(PhcReader, OrdersVariablesByFirstAppearance) {
+  EXPECT_EQ(system_of("2\nzeta - a;\na*zeta;\n").variables, (std::vector<std::string>{"zeta", "a"}));
+}
+
+TEST(PhcReader, KeepsDecimalsExactly) {
+  EXPECT_EQ(system_of("1\n3.1*x - 1.25E-02;\n").polynomials[0],
+            Coefficient({Rational(31, 10), 0}) * x + number(Rational(-1, 80)));
+  EXPECT_EQ(system_of("1\n.5*x+5.*x;\n").polynomials[0], Coefficient({Rational(11, 2), 0}) * x);
+}
+
+TEST(PhcReader, TakesEitherLetterForTheImaginaryUnit) {
+  EXPECT_EQ(system_of("1\n(1+2*i)*(1-2*I)*x + i^2 + i*I*i*I;\n").polynomials[0],
+            Coefficient({5, 0}) * x);
+}
+
+TEST(PhcReader, DividesByNumbersExactly) {
+  EXPECT_EQ(system_of("1\n(1/2)*x + x/3 - 2/4/5;\n").polynomials[0],
+            Coefficient({Rational(5, 6), 0}) * x + number(Rational(-1, 10)));
+  EXPECT_EQ(system_of("1\nx/(2*i);\n").polynomials[0], Coefficient({0, Rational(-1, 2)}) * x);
+}
+
+TEST(PhcReader, MultipliesOutProductsAndPowers) {
+  EXPECT_EQ(system_of("2\n(x-y)^3*(x+y);\ny;\n").polynomials[0],
+            system_of("2\nx^4-2*x^3*y+2*x*y^3-y^4;\ny;\n").polynomials[0]);
+  EXPECT_EQ(system_of("1\nx^2^3 - x^0;\n").polynomials[0], system_of("1\nx^8-1;\n").polynomials[0]);
+  EXPECT_EQ(system_of("1\n-x^2 + -2*x - -3 + x*-4;\n").polynomials[0],
+            system_of("1\n3-6*x-x^2;\n").polynomials[0]);
+}
+
+TEST(PhcReader, TakesAPowerOfFiveThousand) {
+  EXPECT_EQ(degree(system_of("1\nx^5000 - 1;\n").polynomials[0]), 5000U);
+}
+
+TEST(PhcReader, ReadsMoreOrFewerPolynomialsThanUnknownsWhereTheFileSaysSo) {
+  EXPECT_EQ(system_of("3 2\nx^2+y^2-5;x*y-2;x+y-1;\n").polynomials.size(), 3U);
+  EXPECT_EQ(system_of("1 2\nx^2+y^2-5;\n").variables.size(), 2U);
+  EXPECT_EQ(system_of("x^2+y^2-5;\n").variables.size(), 2U);
+}
+
+TEST(PhcReader, IgnoresTextBehindTheLastPolynomial) {
+  const System f = system_of("1\nx^2-1;\n");
+  EXPECT_EQ(system_of("1\nx^2-1;\n\nTITLE : a; b; c\nTHE SOLUTIONS :\n2 1\n====\n"), f);
+  EXPECT_EQ(system_of("1\nx^2-1;\n\nROOT COUNTS :\n\n total degree : 2;\n"), f);
+  EXPECT_EQ(system_of("1\nx^2-1;\n\nTHE SOLUTIONS :\n2 1\n====;\n"), f);
+  EXPECT_EQ(system_of("1\nx^2-1;\n a remark without a heading\n"), f);
+  EXPECT_EQ(system_of("x^2-1;\n a remark without a heading\n"), f);
+}
+
+TEST(PhcReader, AcceptsTheLineEndsOfOtherMachines) {
+  EXPECT_EQ(system_of("2\r\nx-1;\r\n\ty-2;\r\n"), system_of("2\nx-1;\ny-2;\n"));
+}
+
+TEST(PhcReader, NamesTheLineOfALostSemicolonThatStillParses) {
+  const std::string text = "3\nx^2 + y^2 - 1\n-x + z;\nz - 1;\n";
+  expect_faults(text, {{1, 1, "expected 3 polynomials, found 2:"}});
+  const std::string message = faults_of(text)[0].message;
+  EXPECT_NE(message.find("polynomial 1 begins at line 2: x^2 + y^2 - 1"), std::string::npos);
+  EXPECT_NE(message.find("polynomial 2 begins at line 4: z - 1"), std::string::npos);
+  EXPECT_NE(message.find("polynomial 1 goes on at line 3, which begins with a sign: is a `;` "
+                         "missing before it?"),
+            std::string::npos);
+}
+
+TEST(PhcReader, SeesThePolynomialWhoseSemicolonIsLostAmongWrappedOnes) {
+  const std::string text = "3\nx*y\n + x*z\n + y*z - 7\n + z;\n x*y\n + z - 1\n\n- x;\n";
+  const std::string message = faults_of(text)[0].message;
+  EXPECT_NE(message.find("polynomial 1 goes on at line 5"), std::string::npos) << message;
+  EXPECT_NE(message.find("polynomial 2 goes on at line 9"), std::string::npos) << message;
+  EXPECT_EQ(message.find("goes on at line 3"), std::string::npos) << message;
+}
+
+TEST(PhcReader, NamesTheLineOfALostSemicolonThatDoesNotParse) {
+  expect_faults("2\nx^2 - 1\n\nx*y - 1;\n",
+                {{1, 1, "expected 2 polynomials, found 1"},
+                 {4, 1, "an operator is missing before `x`; or is a `;` missing at the end of line 2?"}});
+}
+
+TEST(PhcReader, SaysThatTheLastPolynomialLacksItsSemicolon) {
+  expect_faults("2\nx - y;\nx + y\nTITLE : two lines\n",
+                {{1, 1, "the text at line 3 has no `;` behind it: x + y"}});
+  expect_faults("x - y;\nx + y\nTITLE : two lines\n",
+                {{2, 1, "this polynomial has no `;` behind it"}});
+  expect_faults("x - 1", {{1, 1, "no polynomial found: each one ends with `;`"}});
+}
+
+TEST(PhcReader, CountsPolynomialsTooMany) {
+  expect_faults("1\nx^2 - 1;\nx - 2;\n", {{1, 1, "expected 1 polynomial, found 2"}});
+  expect_faults("1\nx^2-1;\nfrom a book; with a semicolon\nTITLE : t\n",
+                {{1, 1, "expected 1 polynomial, found 2"}, {3, 6, "an operator is missing"}});
+}
+
+TEST(PhcReader, RefusesACountLineThatCannotBe) {
+  expect_faults("2 2 2\nx;y;\n", {{1, 1, "the count line holds 3 numbers"}});
+  expect_faults("0\n", {{1, 1, "the count line announces no polynomial, found 0"}});
+  expect_faults("99999999999999999999999\nx;\n", {{1, 1, "found 1:"}, {1, 1, "found 1 name"}});
+}
+
+TEST(PhcReader, ListsAllNamesWhenTheyAreNotAsManyAsTheUnknowns) {
+  expect_faults("2\nx*y - x1;\n i*x - 1;\n",
+                {{1, 1,
+                  "expected 2 unknowns, found 3 names: x (line 2, column 1), y (line 2, column 3), "
+                  "x1 (line 2, column 7)"}});
+  expect_faults("2\nx - 1;\nx + 1;\n", {{1, 1, "expected 2 unknowns, found 1 name: x (line 2"}});
+  expect_faults("2 3\nx - 1;\ny + 1;\n", {{1, 1, "expected 3 unknowns, found 2 names"}});
+}
+
+TEST(PhcReader, RefusesExponentsThatAreNoCounts) {
+  expect_faults("1\nx^2.5 - 1;\n", {{2, 3, "the exponent is not an integer"}});
+  expect_faults("1\nx^(1/2) - 1;\n", {{2, 4, "the exponent is not an integer"}});
+  expect_faults("1\nx^i - 1;\n", {{2, 3, "the exponent is not an integer"}});
+  expect_faults("1\nx^x - 1;\n", {{2, 3, "the exponent is not a number"}});
+  expect_faults("1\nx^-2 - 1;\n", {{2, 3, "negative exponent -2"}});
+  expect_faults("1\nx^99999999999;\n", {{2, 3, "the exponent 99999999999 is beyond 4294967295"}});
+  expect_faults("1\nx^4000000000*x^4000000000;\n", {{2, 14, "an exponent is beyond 4294967295"}});
+  expect_faults("1\n(x^70000)^70000;\n", {{2, 11, "an exponent is beyond 4294967295"}});
+  EXPECT_EQ(system_of("1\n2^-3*x;\n").polynomials[0], Coefficient({Rational(1, 8), 0}) * x);
+}
+
+TEST(PhcReader, RefusesDivisionByAVariableAndByZero) {
+  expect_faults("1\n1/x - 1;\n", {{2, 2, "division by a variable"}});
+  expect_faults("1\nx/(x-x) - 1;\n", {{2, 2, "division by zero"}});
+  expect_faults("1\nx/0 + 0^-1;\n", {{2, 2, "division by zero"}, {2, 7, "division by zero"}});
+}
+
+TEST(PhcReader, RefusesUnbalancedParentheses) {
+  expect_faults("2\n(x + (y - 1);\nx - y;\n", {{2, 1, "this `(` is never closed"}});
+  expect_faults("2\nx + y) - 1;\nx - y;\n", {{2, 6, "this `)` closes nothing"}});
+  expect_faults("1\nx + ();\n", {{2, 6, "expected a number, a name or `(`, found `)`"}});
+}
+
+TEST(PhcReader, RefusesStrayAndMissingOperators) {
+  expect_faults("2\nx^2 ++ *y - 1;\nx - y;\n", {{2, 6, "found the operator `+`"}});
+  expect_faults("2\nx y - 1;\nx - y;\n", {{2, 3, "an operator is missing before `y`"}});
+  expect_faults("1\n2x - 1;\n", {{2, 2, "an operator is missing before `x`"}});
+  expect_faults("1\n2(x - 1);\n", {{2, 2, "an operator is missing before `(`"}});
+  expect_faults("1\nx(x - 1);\n", {{2, 1, "an operator is missing behind `x`"}});
+  expect_faults("1\nx - ;\n", {{2, 5, "but the expression ends here"}});
+  expect_faults("1\nx*/2;\n", {{2, 3, "found the operator `/`"}});
+  expect_faults("1\nx***2;\n", {{2, 4, "found the operator `*`"}});
+  expect_faults("1\nx^2 = 1;\n", {{2, 5, "`=` has no place in an expression"}});
+  expect_faults("1\nx^2 # 1;\n", {{2, 5, "unexpected character: `#`"}});
+  expect_faults("1\nx \xE2\x88\x92 1;\n", {{2, 3, "unexpected character: the byte 0xE2"}});
+  expect_faults("1\n;\n", {{1, 1, "expected 1 unknown, found 0 names"}, {2, 1, "a polynomial is missing"}});
+}
+
+TEST(PhcReader, RefusesFunctionCalls) {
+  expect_faults("1\nx - sin(x);\n", {{2, 5, "`sin(`: function calls are not polynomials"}});
+}
+
+TEST(PhcReader, RefusesNumbersThatNoDoubleHolds) {
+  expect_faults("1\n1e400*x - 1;\n", {{2, 1, "`1e400` is beyond the range of double"}});
+  expect_faults("1\nx - 1e-400;\n", {{2, 5, "`1e-400` is not zero but below the range of double"}});
+  expect_faults("1\nx - 1e999999999999999999999;\n", {{2, 5, "beyond the range of double"}});
+  expect_faults("1\n10^200*10^200*x - 1;\n", {{2, 1, "multiplied out, a coefficient is out of the range"}});
+  expect_faults("1\n10^999999999*x - 1;\n", {{2, 4, "more than 17000 bits"}});
+  EXPECT_EQ(system_of("1\n0e999999999*x + x - 0.000e-9999;\n").polynomials[0], x);
+  EXPECT_EQ(system_of("1\n4.9e-324*x - 1.7e308;\n").polynomials[0].terms.size(), 2U);
+}
+
+TEST(PhcReader, NamesEveryFaultOfAFile) {
+  expect_faults("4\nx^2 + y^2 - 1e400;\n (x + y;\nx^1.5 - 1/y;\nx y + z;\n",
+                {{1, 1, "expected 4 unknowns, found 3 names"},
+                 {2, 13, "`1e400`"},
+                 {3, 2, "never closed"},
+                 {4, 3, "not an integer"},
+                 {4, 10, "division by a variable"},
+                 {5, 3, "an operator is missing"}});
+}
+
+TEST(PhcReader, RefusesEmptyAndBinaryFiles) {
+  expect_faults("", {{1, 1, "the file is empty"}});
+  expect_faults(" \n\t\n", {{1, 1, "the file is empty"}});
+  expect_faults(std::string("1\nx \0- 1;\n", 10), {{2, 3, "the file is not text"}});
+  expect_faults("\x7F" "ELF;", {{1, 1, "the file is not text: it holds the control character 127"}});
+}
+
+TEST(PhcReader, LimitsTheDepthOfParentheses) {
+  const auto nested = [](int depth) {
+    const auto n = static_cast<std::size_t>(depth);
+    return "1\n" + std::string(n, '(') + "x" + std::string(n, ')') + ";\n";
+  };
+  EXPECT_EQ(system_of(nested(kMaximumDepth)).polynomials[0], x);
+  expect_faults(nested(kMaximumDepth + 1), {{2, 257, "more than 256 deep"}});
+  expect_faults(nested(1'000'000), {{2, 257, "more than 256 deep"}});
+}
+
+TEST(PhcReader, LimitsTheDepthOfPowers) {
+  std::string tower = "1\n";
+  for (int k = 0; k < 100'000; ++k) tower += "x^";
+  expect_faults(tower + "2;\n", {{2, 515, "more than 256 deep"}});
+}
+
+TEST(PhcReader, StopsAnExpansionAtAMillionTerms) {
+  expect_faults("5 10\n(a+b+c+d+e+f+g+h+k+l)^50;\na;b;c;d;\n", {{2, 23, "more than 1000000 terms"}});
+}
+
+TEST(PhcReader, StopsAnExpansionWhoseTermsFallTogetherByItsWork) {
+  std::string text = "1\n(x+1)";
+  for (int k = 2; k < 6000; ++k) text += "*(x+" + std::to_string(k) + ")";
+  const std::vector<Diagnostic> faults = faults_of(text + ";\n");
+  ASSERT_EQ(faults.size(), 1U);
+  EXPECT_NE(faults[0].message.find("takes more than 50000000 products"), std::string::npos);
+}
+
+TEST(PhcReader, ShowsAWindowOfALongLine) {
+  std::string text = "1\n";
+  for (int k = 0; k < 1000; ++k) text += "x+";
+  text += "+x;\n";
+  try {
+    system_of(text);
+    FAIL();
+  } catch (const ParseError& error) {
+    const std::string said = error.what();
+    EXPECT_NE(said.find("file:2:2001: error:"), std::string::npos);
+    EXPECT_NE(said.find("    ...x+x+"), std::string::npos);
+    EXPECT_LT(said.size(), 400U);
+  }
+}
+
+TEST(PhcReader, ReadsALineOfAMegabyteWithEveryTerm) {
+  std::string text = "1 2\n";
+  constexpr int kTerms = 60'000;
+  for (int k = 1; k <= kTerms; ++k) {
+    text += "+" + std::to_string(k) + "*x^" + std::to_string(k % 300) + "*y^" + std::to_string(k / 300);
+  }
+  EXPECT_EQ(system_of(text + ";\n").polynomials[0].terms.size(), std::size_t{kTerms});
+}
+
+}  // namespace
+}  // namespace moivre
