@@ -63,7 +63,8 @@ void check_range(const Polynomial& p, const SourcePosition& at, std::vector<Diag
 }
 
 PolynomialFormat detect_format(const std::string& text) {
-  const std::string head = without_bertini_comments(text.substr(0, text.find(';')));
+  std::string head = without_bertini_comments(text);
+  head.resize(std::min(head.find(';'), head.size()));
   std::string_view rest = head;
   bool is_first = true;
   while (!rest.empty()) {

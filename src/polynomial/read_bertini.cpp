@@ -108,7 +108,7 @@ class BertiniReader {
   System read(const std::vector<Statement>& statements);
 
  private:
-  enum class Role { variable, function, constant, refused };
+  enum class Role { variable, function, constant, subfunction, refused };
   struct Declared {
     Role role;
     SourcePosition at;
@@ -184,7 +184,7 @@ bool BertiniReader::may_assign(const std::string& name, const SourcePosition& at
     refuse(at, "`I` is the imaginary unit and cannot be assigned");
     return false;
   }
-  const auto [place, is_new] = declared_.try_emplace(name, Declared{Role::refused, at});
+  const auto [place, is_new] = declared_.try_emplace(name, Declared{Role::subfunction, at});
   Declared& declared = place->second;
   if (declared.role == Role::variable) {
     refuse(at, "`" + name + "` is a variable and cannot be assigned");
@@ -226,7 +226,11 @@ void BertiniReader::check_complete() {
       refuse(declared.at, "`" + name + "` is declared, but nothing is assigned to it");
     }
   }
-  if (variables_.empty()) refuse({}, "no variable is declared (variable_group x, y;)");
+  const bool is_refused = std::any_of(declared_.begin(), declared_.end(), [](const auto& entry) {
+    return entry.second.role == Role::refused;
+  });
+  if (variables_.empty() && !is_refused)
+    refuse({}, "no variable is declared (variable_group x, y;)");
   if (functions_.empty()) refuse({}, "no function is declared (function f, g;)");
 }
 

@@ -10,9 +10,9 @@ namespace {
 /// The tree in prefix form, to compare whole trees by one string.
 std::string prefix(const Expression& e) {
   const auto wrapped = [&](const std::string& head) {
-    std::string text = "(" + head;
-    for (const Expression& operand : e.operands) text += " " + prefix(operand);
-    return text + ")";
+    std::string text = '(' + head;
+    for (const Expression& operand : e.operands) text.append(" ").append(prefix(operand));
+    return text + ')';
   };
   switch (e.kind) {
     case Expression::Kind::number:
@@ -90,7 +90,8 @@ TEST(Expression, PointsAtTheFault) {
   EXPECT_EQ(fault("f(a").at.column, 2U);
   EXPECT_EQ(fault("").message, "expected a number, a name or `(`, but the expression ends here");
   EXPECT_EQ(fault("a, b").message, "unexpected character: `,`");
-  EXPECT_EQ(fault("1.5.2").message, "an operator is missing before `.2` (a product is written with `*`)");
+  EXPECT_EQ(fault("1.5.2").message,
+            "an operator is missing before `.2` (a product is written with `*`)");
 }
 
 TEST(Expression, NamesEveryNumberOutOfRange) {
@@ -101,7 +102,8 @@ TEST(Expression, NamesEveryNumberOutOfRange) {
 }
 
 TEST(Expression, RefusesMoreDigitsThanAnyDataHas) {
-  EXPECT_NE(fault("0." + std::string(6000, '3')).message.find("more than 5000 digits"), std::string::npos);
+  EXPECT_NE(fault("0." + std::string(6000, '3')).message.find("more than 5000 digits"),
+            std::string::npos);
   EXPECT_EQ(tree("1." + std::string(100'000, '0')), "1");
 }
 
@@ -115,7 +117,8 @@ TEST(Expression, MayNestAsDeepAsStatedAndNoDeeper) {
 
 TEST(NamesIn, FindsEveryNameEvenInTextThatDoesNotParse) {
   std::vector<std::string> names;
-  for (const NamePlace& place : names_in("2x y1 + 1e5*e5) sin (z_)", {})) names.emplace_back(place.name);
+  for (const NamePlace& place : names_in("2x y1 + 1e5*e5) sin (z_)", {}))
+    names.emplace_back(place.name);
   EXPECT_EQ(names, (std::vector<std::string>{"x", "y1", "e5", "z_"}));
 }
 

@@ -29,8 +29,8 @@ TEST(BertiniReader, ReadsSectionsConstantsAndSubfunctions) {
 }
 
 TEST(BertiniReader, KeepsTheDeclaredOrderOfVariablesAndFunctions) {
-  const System f = system_of(
-      "variable_group b, a; variable unused; function g, f; f = a; g = b + 1;");
+  const System f =
+      system_of("variable_group b, a; variable unused; function g, f; f = a; g = b + 1;");
   EXPECT_EQ(f.variables, (std::vector<std::string>{"b", "a", "unused"}));
   EXPECT_EQ(f.polynomials[0], (unknown(0) + constant({1, 0})));
   EXPECT_EQ(f.polynomials[1], unknown(1));
@@ -43,7 +43,8 @@ TEST(BertiniReader, TakesTheSmallLetterIForAVariable) {
 
 TEST(BertiniReader, IsToldFromPhcpackByContent) {
   EXPECT_EQ(detect_format("INPUT\nvariable_group x;"), PolynomialFormat::bertini);
-  EXPECT_EQ(detect_format("\n% remark; with semicolon\nvariable_group x;"), PolynomialFormat::bertini);
+  EXPECT_EQ(detect_format("\n% remark; with semicolon\nvariable_group x;"),
+            PolynomialFormat::bertini);
   EXPECT_EQ(detect_format("a remark\nCONFIG\nEND;"), PolynomialFormat::bertini);
   EXPECT_EQ(detect_format("1\nx^2-1;\nTITLE : INPUT\nINPUT\n"), PolynomialFormat::phcpack);
   EXPECT_EQ(detect_format("function - 1;"), PolynomialFormat::phcpack);
@@ -53,8 +54,7 @@ TEST(BertiniReader, IsToldFromPhcpackByContent) {
 
 TEST(BertiniReader, RefusesWhatIsNoPlainSystemWithTheReason) {
   expect_faults("hom_variable_group x, y;\nfunction f;\nf = x - y;",
-                {{1, 1, "no variable is declared"},
-                 {1, 1, "hom_variable_group: homogeneous coordinates are not supported"}});
+                {{1, 1, "hom_variable_group: homogeneous coordinates are not supported"}});
   expect_faults("variable x;\npathvariable t;\nparameter s;\nfunction f;\ns = t;\nf = x - s;",
                 {{2, 1, "pathvariable: the file describes a homotopy"},
                  {3, 1, "parameter: the file describes a family of systems"}});
@@ -73,8 +73,10 @@ TEST(BertiniReader, NamesEachFaultOnceAndNotItsConsequences) {
 }
 
 TEST(BertiniReader, RefusesDeclarationsThatCannotBe) {
-  expect_faults("variable_group x, x;\nfunction f;\nf = x;", {{1, 19, "`x` is declared already, at line 1"}});
-  expect_faults("variable_group x, I;\nfunction f;\nf = x;", {{1, 19, "`I` is the imaginary unit"}});
+  expect_faults("variable_group x, x;\nfunction f;\nf = x;",
+                {{1, 19, "`x` is declared already, at line 1"}});
+  expect_faults("variable_group x, I;\nfunction f;\nf = x;",
+                {{1, 19, "`I` is the imaginary unit"}});
   expect_faults("variable_group x y;\nfunction f;\nf = 1;",
                 {{1, 1, "no variable is declared"}, {1, 16, "x y: this is not a name"}});
   expect_faults("variable_group x,;\nfunction f;\nf = x;", {{1, 18, "a name is missing here"}});
@@ -95,16 +97,20 @@ TEST(BertiniReader, RefusesAssignmentsThatCannotBe) {
 }
 
 TEST(BertiniReader, NamesALostSemicolon) {
-  expect_faults("variable_group x, y;\nfunction f, g;\nf = x\ng = y;\n",
-                {{2, 13, "`g` is declared, but nothing is assigned"},
-                 {4, 1, "an operator is missing before `g`; or is a `;` missing at the end of line 3?"}});
-  expect_faults("variable_group x;\nfunction f;\nf = x\n", {{3, 1, "this statement has no `;` behind it"}});
+  expect_faults(
+      "variable_group x, y;\nfunction f, g;\nf = x\ng = y;\n",
+      {{2, 13, "`g` is declared, but nothing is assigned"},
+       {4, 1, "an operator is missing before `g`; or is a `;` missing at the end of line 3?"}});
+  expect_faults("variable_group x;\nfunction f;\nf = x\n",
+                {{3, 1, "this statement has no `;` behind it"}});
 }
 
 TEST(BertiniReader, RefusesSectionsThatAreNotClosed) {
-  expect_faults("INPUT\nvariable_group x;\nfunction f;\nf = x;\n", {{1, 1, "INPUT is not closed by `END;`"}});
-  expect_faults("CONFIG\nTRACKTYPE: 0;\n",
-                {{1, 1, "CONFIG is not closed by `END;`"}, {1, 1, "no variable"}, {1, 1, "no function"}});
+  expect_faults("INPUT\nvariable_group x;\nfunction f;\nf = x;\n",
+                {{1, 1, "INPUT is not closed by `END;`"}});
+  expect_faults(
+      "CONFIG\nTRACKTYPE: 0;\n",
+      {{1, 1, "CONFIG is not closed by `END;`"}, {1, 1, "no variable"}, {1, 1, "no function"}});
 }
 
 TEST(BertiniReader, ShowsTheLineWithItsComment) {

@@ -49,12 +49,13 @@ TEST(Writer, KeepsUnusedVariablesAndZeroPolynomials) {
 TEST(Writer, KeepsCoefficientsOfAnySizeExactly) {
   const Integer huge = pow(Integer(10), 3000U) + 7;
   const Integer large = pow(Integer(7), 400U);
-  const System f{{"x", "y"},
-                 {Coefficient{Rational(huge, huge + 1), Rational(-1, 3)} * x +
-                      Coefficient{0, Rational(large, large + 2)} * y + number(Rational(1, huge) * huge * 2),
-                  number(Rational(1, pow(Integer(2), 1070U))) * x +
-                      number(Rational(pow(Integer(10), 307U))) * y +
-                      number(Rational(pow(Integer(10), 307U) + 1, 3))}};
+  const System f{
+      {"x", "y"},
+      {Coefficient{Rational(huge, huge + 1), Rational(-1, 3)} * x +
+           Coefficient{0, Rational(large, large + 2)} * y + number(Rational(1, huge) * huge * 2),
+       number(Rational(1, pow(Integer(2), 1070U))) * x +
+           number(Rational(pow(Integer(10), 307U))) * y +
+           number(Rational(pow(Integer(10), 307U) + 1, 3))}};
   expect_round_trip(f);
 }
 
@@ -63,7 +64,8 @@ TEST(Writer, BreaksLongLinesAtASign) {
   for (int k = 1; k < 100; ++k) text += "+x^" + std::to_string(k);
   const std::string written = to_text(system_of(text + ";"), PolynomialFormat::phcpack);
   std::size_t begin = 0;
-  for (std::size_t end = 0; (end = written.find('\n', begin)) != std::string::npos; begin = end + 1) {
+  for (std::size_t end = 0; (end = written.find('\n', begin)) != std::string::npos;
+       begin = end + 1) {
     EXPECT_LT(end - begin, 120U);
   }
   expect_round_trip(system_of(text + ";"));
