@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// How is a solve told? As text for people, as JSON and CSV for programs, as PHCpack's solution list.
+//
+//   text   counts, real roots with the digits that their accuracy justifies, what was left out, failures with reasons
+//   JSON   everything; docs/json.md shows it; unknown numbers are null, never NaN
+//   CSV    one root a line, shortest digits that read back as the same double; unknown numbers are empty
+//   PHC    the system, then THE SOLUTIONS: err is our accuracy, rco 1/condition, res our residual, m the multiplicity
+//
+// All are the same bytes for every number of threads, but for the run times (`time_s`, and the text's line of time).
+// Edges: a run that was interrupted is reported like any other, and says so.
+// `file` is the name the user gave to the problem.
+#pragma once
+
+#include <string>
+
+#include "moivre/polynomial/system.h"
+#include "moivre/solver/solve.h"
+
+namespace moivre {
+
+enum class ListedRoots { real, all };
+
+std::string solve_text(const SolveResult& result, const std::string& file,
+                       ListedRoots listed = ListedRoots::real);
+std::string solve_json(const SolveResult& result, const std::string& file);
+std::string solve_csv(const SolveResult& result);
+/// `f`: the system that was solved.
+std::string solve_phc(const SolveResult& result, const System& f);
+
+}  // namespace moivre

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+// Which Moivre is this? The version that every report carries.
+#pragma once
+
+#include <string_view>
+
+namespace moivre {
+
+/// "0.1.0", as in the top CMakeLists.txt.
+std::string_view version();
+
+}  // namespace moivre

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+// The command line as a whole: its commands, its errors, its exit codes.
+#include <algorithm>
+#include <cstdio>
+
+#include "command.h"
+#include "moivre/expression/source.h"
+#include "moivre/report/version.h"
+#include "suggest.h"
+
+namespace moivre {
+namespace {
+
+std::vector<std::string> command_names(const CLI::App& moivre) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : moivre.get_subcommands({})) names.push_back(command->get_name());
+  return names;
+}
+
+std::vector<std::string> option_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    for (const std::string& name : option->get_snames()) names.push_back("-" + name);
+  }
+  return names;
+}
+
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& known) {
+  const auto suggestion = nearest(word, known);
+  return suggestion ? "; did you mean " + *suggestion + "?" : "";
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+/// A sentence for each word that is neither a command nor an option; empty when all are known.
+std::string unknown_words(const CLI::App& moivre, const std::vector<std::string>& words) {
+  const CLI::App* command = nullptr;
+  std::string text;
+  for (const std::string& word : words) {
+    if (word == "--") break;
+    if (word.size() > 1 && word.front() == '-') {
+      const std::string name = word.substr(0, word.find('='));
+      const bool is_number = name.find_first_not_of("-+.0123456789eE") == std::string::npos;
+      const auto known = option_names(command != nullptr ? *command : moivre);
+      if (is_number || std::find(known.begin(), known.end(), name) != known.end()) continue;
+      text += "moivre: unknown option " + name + did_you_mean(name, known) + '\n';
+    } else if (command == nullptr) {
+      command = moivre.get_subcommand_no_throw(word);
+      if (command != nullptr) continue;
+      return "moivre: unknown command " + word + did_you_mean(word, command_names(moivre)) +
+             "\nThe commands are " + joined(command_names(moivre)) + ".\n";
+    }
+  }
+  return text;
+}
+
+int refuse(const std::string& text) {
+  std::fputs(text.c_str(), stderr);
+  return kUsage;
+}
+
+int parse_and_run(int argc, char** argv) {
+  CLI::App moivre("Finds every root of a polynomial system by homotopy continuation.", "moivre");
+  Chosen chosen;
+  moivre.set_version_flag("--version", "moivre " + std::string(version()));
+  moivre.require_subcommand(1);
+  moivre.footer("moivre COMMAND --help explains a command and shows examples.\n");
+  add_solve_command(moivre, chosen);
+  try {
+    moivre.parse(argc, argv);
+  } catch (const CLI::Success& asked_for_text) {
+    return moivre.exit(asked_for_text);
+  } catch (const CLI::ParseError& error) {
+    const std::string unknown =
+        unknown_words(moivre, std::vector<std::string>(argv + 1, argv + argc));
+    return refuse(!unknown.empty() ? unknown
+                                   : std::string("moivre: ") + error.what() +
+                                         "\nmoivre --help shows how to call it.\n");
+  }
+  return chosen();
+}
+
+}  // namespace
+
+int run_command_line(int argc, char** argv) noexcept {
+  try {
+    return parse_and_run(argc, argv);
+  } catch (const ParseError& error) {
+    return refuse(error.what());
+  } catch (const std::invalid_argument& error) {
+    return refuse(std::string("moivre: ") + error.what() + '\n');
+  } catch (const std::overflow_error& error) {
+    return refuse(std::string("moivre: ") + error.what() + '\n');
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "moivre: internal error: %s\n", error.what());
+  } catch (...) {
+    std::fputs("moivre: internal error\n", stderr);
+  }
+  return kInternal;
+}
+
+}  // namespace moivre

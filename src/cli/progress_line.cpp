@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// The progress line: carriage return, text, erase to the end of the line.
+#include "progress_line.h"
+
+#include <unistd.h>
+
+#include <cstdio>
+
+namespace moivre {
+namespace {
+
+// A run that ends before needs no line.
+constexpr std::chrono::seconds kPatience{1};
+// Often enough to look alive, seldom enough to cost nothing.
+constexpr std::chrono::milliseconds kPeriod{100};
+
+}  // namespace
+
+ProgressLine::ProgressLine(bool wanted)
+    : active_(wanted && ::isatty(STDERR_FILENO) != 0), next_(begin_ + kPatience) {}
+
+ProgressLine::~ProgressLine() {
+  if (shown_) std::fputs("\r\x1b[K", stderr);
+}
+
+void ProgressLine::show(const Progress& progress) {
+  const Clock::time_point now = Clock::now();
+  if (!active_ || now < next_) return;
+  next_ = now + kPeriod;
+  shown_ = true;
+  const double seconds = std::chrono::duration<double>(now - begin_).count();
+  std::fprintf(stderr, "\r%llu of %llu paths, %llu finite, %.0f s\x1b[K",
+               static_cast<unsigned long long>(progress.done),
+               static_cast<unsigned long long>(progress.total),
+               static_cast<unsigned long long>(progress.finite), seconds);
+  std::fflush(stderr);
+}
+
+}  // namespace moivre

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// moivre solve FILE: all roots of a polynomial file, told as text, JSON, CSV or PHCpack's solution list.
+#include <chrono>
+#include <memory>
+
+#include "command.h"
+#include "common_options.h"
+#include "interruption.h"
+#include "moivre/polynomial/read.h"
+#include "moivre/report/solve_report.h"
+#include "moivre/solver/solve.h"
+#include "output.h"
+#include "progress_line.h"
+
+namespace moivre {
+namespace {
+
+struct SolveCommand {
+  std::string file;
+  StartChoice start;
+  TrackerChoice tracker;
+  int threads = 0;
+  bool all = false;
+  bool quiet = false;
+  std::string json;
+  std::string csv;
+  std::string phc;
+};
+
+struct Problem {
+  System system;
+  double parse_s = 0;
+};
+
+Problem read_problem(const std::string& file) {
+  const auto begin = std::chrono::steady_clock::now();
+  Problem problem{read_system(read_source(file))};
+  problem.parse_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return problem;
+}
+
+SolveResult solve_interruptibly(const SolveCommand& command, const Problem& problem,
+                                const Tracker& tracker) {
+  SolveOptions options;
+  options.seed = command.start.seed;
+  options.threads = command.threads;
+  ProgressLine line(!command.quiet);
+  if (line.is_active()) options.progress = [&](const Progress& progress) { line.show(progress); };
+  const Interruption interruption;
+  SolveResult result = solve(problem.system, tracker, options, interruption.stop());
+  result.time.parse = problem.parse_s;
+  result.time.total += problem.parse_s;
+  return result;
+}
+
+int run(const SolveCommand& command) {
+  require_known(command.start);
+  require_distinct({command.json, command.csv, command.phc}, command.file);
+  const std::unique_ptr<Tracker> tracker = make_tracker(command.tracker);
+  const Problem problem = read_problem(command.file);
+  Output json(command.json);
+  Output csv(command.csv);
+  Output phc(command.phc);
+
+  const SolveResult result = solve_interruptibly(command, problem, *tracker);
+
+  if (json.is_wanted()) json.write(solve_json(result, command.file));
+  if (csv.is_wanted()) csv.write(solve_csv(result));
+  if (phc.is_wanted()) phc.write(solve_phc(result, problem.system));
+  if (!command.quiet && !json.is_stdout() && !csv.is_stdout() && !phc.is_stdout()) {
+    write_to_stdout(
+        solve_text(result, command.file, command.all ? ListedRoots::all : ListedRoots::real));
+  }
+  return result.complete ? kDecided : kUndecided;
+}
+
+}  // namespace
+
+void add_solve_command(CLI::App& moivre, Chosen& chosen) {
+  const auto command = std::make_shared<SolveCommand>();
+  CLI::App& app = *moivre.add_subcommand("solve", "Find all roots of a polynomial file");
+  add_file(app, command->file);
+  add_start_options(app, command->start);
+  app.add_option("--threads", command->threads, "number of threads; 0: as many as the machine has")
+      ->capture_default_str();
+  app.add_flag("--all", command->all, "print the roots that are not real as well");
+  app.add_flag("--quiet", command->quiet, "print no text and no progress line");
+  app.add_option("--json", command->json, "write JSON here; - is standard output")
+      ->type_name("PATH");
+  app.add_option("--csv", command->csv, "write a table of the roots here")->type_name("PATH");
+  app.add_option("--phc", command->phc, "write PHCpack's solution list here")->type_name("PATH");
+  add_tracker_options(app, command->tracker);
+  add_examples(app, {"moivre solve katsura.phc", "moivre solve katsura.phc --all --seed 7",
+                     "moivre solve katsura.phc --json - | jq .paths",
+                     "moivre solve katsura.phc --quiet --csv roots.csv --phc roots.phc"});
+  app.callback([command, &chosen] { chosen = [command] { return run(*command); }; });
+}
+
+}  // namespace moivre

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// The common parts of the JSON reports.
+#include "json.h"
+
+#include <charconv>
+#include <cmath>
+
+#include "moivre/report/version.h"
+
+namespace moivre {
+namespace {
+
+std::string on_one_line(const Json& value) {
+  return value.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+bool is_list_of_objects(const Json& value) {
+  return value.is_array() && !value.empty() && value.front().is_object();
+}
+
+Json number_or_text(const std::string& text) {
+  const char* end = text.data() + text.size();
+  std::int64_t integer = 0;
+  if (const auto read = std::from_chars(text.data(), end, integer);
+      read.ec == std::errc() && read.ptr == end) {
+    return integer;
+  }
+  double real = 0;
+  if (const auto read = std::from_chars(text.data(), end, real);
+      read.ec == std::errc() && read.ptr == end) {
+    return to_json(real);
+  }
+  return text;
+}
+
+}  // namespace
+
+Json to_json(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
+
+Json to_json(Complex x) { return Json::array({to_json(x.real()), to_json(x.imag())}); }
+
+Json to_json(const Point& x) {
+  Json list = Json::array();
+  for (const Complex& xi : x) list.push_back(to_json(xi));
+  return list;
+}
+
+Json to_json(const std::optional<std::uint64_t>& x) { return x ? Json(*x) : Json(nullptr); }
+
+Json to_json(const std::vector<LeftOut>& left_out) {
+  Json list = Json::array();
+  for (const LeftOut& item : left_out) list.push_back({{"what", item.what}, {"why", item.why}});
+  return list;
+}
+
+Json tracker_json(const std::string& kind,
+                  const std::vector<std::pair<std::string, std::string>>& options) {
+  Json tracker = {{"kind", kind}};
+  for (const auto& [name, value] : options) tracker[name] = number_or_text(value);
+  return tracker;
+}
+
+Json report_head(const std::string& command, const std::string& file) {
+  return {{"moivre", std::string(version())}, {"command", command}, {"file", file}};
+}
+
+std::string to_text(const Json& report) {
+  std::string text = "{";
+  const char* comma = "";
+  for (const auto& [key, value] : report.items()) {
+    text += comma;
+    text += "\n  " + on_one_line(Json(key)) + ": ";
+    comma = ",";
+    if (!is_list_of_objects(value)) {
+      text += on_one_line(value);
+      continue;
+    }
+    text += '[';
+    const char* separator = "\n    ";
+    for (const Json& element : value) {
+      text += separator + on_one_line(element);
+      separator = ",\n    ";
+    }
+    text += "\n  ]";
+  }
+  return text + "\n}\n";
+}
+
+}  // namespace moivre

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// What do all JSON reports share? Numbers that are null where unknown, complex pairs, keys in order, a layout for people.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "moivre/numeric/complex.h"
+#include "moivre/solver/solve.h"
+
+namespace moivre {
+
+using Json = nlohmann::ordered_json;
+
+/// null where x is not finite.
+Json to_json(double x);
+/// [re, im].
+Json to_json(Complex x);
+Json to_json(const Point& x);
+/// null where there is no value.
+Json to_json(const std::optional<std::uint64_t>& x);
+Json to_json(const std::vector<LeftOut>& left_out);
+/// Kind, and every option in force; numbers as numbers.
+Json tracker_json(const std::string& kind,
+                  const std::vector<std::pair<std::string, std::string>>& options);
+
+/// {"moivre": version, "command": command, "file": file}: how every report begins.
+Json report_head(const std::string& command, const std::string& file);
+
+/// One key a line, and one element a line in arrays of objects. Bytes that are not UTF-8 are replaced.
+std::string to_text(const Json& report);
+
+}  // namespace moivre

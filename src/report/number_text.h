@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// How is a number written down: with every digit, with the digits that are known, or in PHCpack's columns?
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "moivre/numeric/complex.h"
+
+namespace moivre {
+
+/// The shortest text that reads back as the same double; "" where x is not finite.
+std::string exact_text(double x);
+
+/// x to the last digit that `error` (absolute, >= 0) leaves sure, 17 significant ones at most; "0" where no digit is.
+std::string known_digits(double x, double error);
+/// "re + im i", both parts as known_digits.
+std::string known_digits(Complex x, double error);
+
+/// Two significant digits, as in 2.2e-16; "unknown" where x is not finite.
+std::string rough_text(double x);
+
+/// "re im" in scientific notation with 17 digits, signs aligned, as PHCpack writes it.
+std::string phc_text(Complex x);
+
+/// "1 path", "2 paths".
+std::string counted(std::uint64_t count, std::string_view noun);
+/// `noun` takes another ending in the plural: counted(2, "entry", "entries").
+std::string counted(std::uint64_t count, std::string_view noun, std::string_view plural);
+
+}  // namespace moivre

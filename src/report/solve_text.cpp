@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+// A solve for people: the account of the paths, the real roots, what was left out and what failed.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "moivre/report/solve_report.h"
+#include "number_text.h"
+#include "text_blocks.h"
+
+namespace moivre {
+namespace {
+
+// Failures shown one by one; JSON has them all.
+constexpr std::size_t kFailuresShown = 20;
+
+std::string system_line(const SolveResult& result, const std::string& file) {
+  std::string text = file + ": " + counted(result.system.degrees.size(), "equation") + " in " +
+                     counted(result.system.variables.size(), "unknown") + ", degrees " +
+                     degrees_text(result.system.degrees) + ", total degree " +
+                     count_text(result.system.total_degree) + '\n';
+  if (result.reduced.degrees != result.system.degrees) {
+    text += "tracked as " + counted(result.reduced.degrees.size(), "equation") + " in " +
+            counted(result.reduced.variables.size(), "unknown") +
+            (result.reduced.degrees.empty() ? ""
+                                            : ", degrees " + degrees_text(result.reduced.degrees)) +
+            '\n';
+  }
+  return text;
+}
+
+std::string paths_line(const SolveResult& result) {
+  const PathCounts& paths = result.paths;
+  std::string text = counted(paths.tracked, "path") + " (" + result.start.kind + ", " +
+                     result.tracker + ", seed " + std::to_string(result.seed) +
+                     "): " + std::to_string(paths.finite) + " finite, " +
+                     std::to_string(paths.at_infinity) + " at infinity, " +
+                     std::to_string(paths.failed) + " failed";
+  if (paths.on_positive_dimensional > 0) {
+    text += ", " + std::to_string(paths.on_positive_dimensional) +
+            " of the finite on sets of positive dimension";
+  }
+  if (paths.retracked > 0) text += "; " + std::to_string(paths.retracked) + " tracked again";
+  return text + '\n';
+}
+
+std::string roots_line(const SolveResult& result) {
+  const auto& roots = result.solutions;
+  const auto count = [&](auto claim) {
+    return static_cast<std::uint64_t>(std::count_if(roots.begin(), roots.end(), claim));
+  };
+  const std::uint64_t real = count([](const Solution& root) { return root.real; });
+  std::string text = counted(roots.size(), "isolated root") + ": " + std::to_string(real) +
+                     " real, " + std::to_string(roots.size() - real) + " not real";
+  const std::uint64_t singular = count([](const Solution& root) { return root.singular; });
+  if (singular > 0) text += "; " + std::to_string(singular) + " singular";
+  return text + '\n';
+}
+
+std::string root_text(const Solution& root, const std::vector<std::string>& names) {
+  std::string text =
+      std::string(root.real ? "real root" : "root") + ", path " + std::to_string(root.path);
+  if (root.multiplicity > 1) text += ", multiplicity " + std::to_string(root.multiplicity);
+  if (root.singular) text += ", singular";
+  text += ", accuracy " + rough_text(root.accuracy) + ", condition " + rough_text(root.condition) +
+          '\n';
+  std::size_t width = 0;
+  for (const std::string& name : names) width = std::max(width, name.size());
+  const double error = root.accuracy * std::max(1.0, max_norm(root.x));
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const Complex x = root.x[i];
+    const std::string value = root.real ? known_digits(x.real(), error) : known_digits(x, error);
+    text += "  " + names[i] + std::string(width - names[i].size(), ' ') + " = " +
+            (value.front() == '-' ? "" : " ") + value + '\n';
+  }
+  return text;
+}
+
+std::string roots_text(const SolveResult& result, ListedRoots listed) {
+  std::string text;
+  std::uint64_t hidden = 0;
+  for (const Solution& root : result.solutions) {
+    if (root.real || listed == ListedRoots::all) {
+      text += '\n' + root_text(root, result.system.variables);
+    } else {
+      ++hidden;
+    }
+  }
+  if (hidden > 0) {
+    text += '\n' + counted(hidden, "root is", "roots are") + " not real (--all lists " +
+            (hidden == 1 ? "it" : "them") + ")\n";
+  }
+  return text;
+}
+
+std::string failures_text(const std::vector<FailedPath>& failures) {
+  if (failures.empty()) return "";
+  std::string text = "\nFailed\n";
+  for (std::size_t k = 0; k < std::min(failures.size(), kFailuresShown); ++k) {
+    text += "  path " + std::to_string(failures[k].path) + ": " + to_string(failures[k].failure) +
+            ", at t = " + complex_text(failures[k].t) + '\n';
+  }
+  if (failures.size() > kFailuresShown) {
+    text +=
+        "  and " + std::to_string(failures.size() - kFailuresShown) + " more (--json has all)\n";
+  }
+  return text;
+}
+
+std::string time_line(const SolveTime& time) {
+  char text[80];
+  std::snprintf(text, sizeof text, "\n%.3g s on ", time.total);
+  return text + counted(static_cast<std::uint64_t>(time.threads), "thread") + '\n';
+}
+
+}  // namespace
+
+std::string solve_text(const SolveResult& result, const std::string& file, ListedRoots listed) {
+  std::string text = system_line(result, file) + paths_line(result) + roots_line(result);
+  text += result.message + '\n';
+  text += roots_text(result, listed);
+  text += failures_text(result.failures);
+  text += left_out_text(result.left_out);
+  return text + time_line(result.time);
+}
+
+}  // namespace moivre

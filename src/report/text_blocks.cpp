@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// The parts that more than one report for people has.
+#include "text_blocks.h"
+
+#include <cmath>
+#include <cstdio>
+
+namespace moivre {
+namespace {
+
+// Degrees in a row from which they are counted instead of listed.
+constexpr std::size_t kLongRun = 4;
+
+std::string six_digits(double x) {
+  char text[24];
+  std::snprintf(text, sizeof text, "%.6g", x);
+  return text;
+}
+
+}  // namespace
+
+std::string degrees_text(const std::vector<std::uint64_t>& degrees) {
+  std::string text;
+  for (std::size_t begin = 0; begin < degrees.size();) {
+    std::size_t end = begin;
+    while (end < degrees.size() && degrees[end] == degrees[begin]) ++end;
+    const std::string one = (begin == 0 ? "" : " ") + std::to_string(degrees[begin]);
+    const std::size_t run = end - begin;
+    if (run >= kLongRun) {
+      text += one + " (" + std::to_string(run) + " times)";
+      begin = end;
+    } else {
+      text += one;
+      ++begin;
+    }
+  }
+  return text;
+}
+
+std::string count_text(const std::optional<std::uint64_t>& count) {
+  return count ? std::to_string(*count) : "beyond 64 bits";
+}
+
+std::string complex_text(Complex x) {
+  if (x.imag() == 0) return six_digits(x.real());
+  return six_digits(x.real()) + (x.imag() < 0 ? " - " : " + ") + six_digits(std::abs(x.imag())) +
+         " i";
+}
+
+std::string left_out_text(const std::vector<LeftOut>& left_out) {
+  if (left_out.empty()) return "";
+  std::string text = "\nLeft out\n";
+  for (const LeftOut& item : left_out) text += "  " + item.what + ": " + item.why + '\n';
+  return text;
+}
+
+}  // namespace moivre
