@@ -26,6 +26,13 @@ std::vector<std::string> option_names(const CLI::App& app) {
   return names;
 }
 
+const CLI::App* find_command(const CLI::App& moivre, const std::string& name) {
+  for (const CLI::App* command : moivre.get_subcommands({})) {
+    if (command->get_name() == name) return command;
+  }
+  return nullptr;
+}
+
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& known) {
   const auto suggestion = nearest(word, known);
   return suggestion ? "; did you mean " + *suggestion + "?" : "";
@@ -50,7 +57,7 @@ std::string unknown_words(const CLI::App& moivre, const std::vector<std::string>
       if (is_number || std::find(known.begin(), known.end(), name) != known.end()) continue;
       text += "moivre: unknown option " + name + did_you_mean(name, known) + '\n';
     } else if (command == nullptr) {
-      command = moivre.get_subcommand_no_throw(word);
+      command = find_command(moivre, word);
       if (command != nullptr) continue;
       return "moivre: unknown command " + word + did_you_mean(word, command_names(moivre)) +
              "\nThe commands are " + joined(command_names(moivre)) + ".\n";

@@ -23,6 +23,11 @@ CvodeMethod cvode_method(const std::string& name) {
                               ": the methods are bdf_projection, bdf and adams");
 }
 
+// CLI11 would wrap a negative number around.
+std::string not_negative(const std::string& number) {
+  return number.find('-') == std::string::npos ? "" : number + " is negative";
+}
+
 }  // namespace
 
 void add_file(CLI::App& command, std::string& file) {
@@ -67,6 +72,7 @@ std::unique_ptr<Tracker> make_tracker(const TrackerChoice& choice) {
 void add_start_options(CLI::App& command, StartChoice& choice) {
   command.add_option("--start", choice.kind, "start system: total-degree")->capture_default_str();
   command.add_option("--seed", choice.seed, "of the random numbers in the start system")
+      ->check(CLI::Validator(not_negative, ""))
       ->capture_default_str();
 }
 

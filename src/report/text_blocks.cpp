@@ -24,15 +24,11 @@ std::string degrees_text(const std::vector<std::uint64_t>& degrees) {
   for (std::size_t begin = 0; begin < degrees.size();) {
     std::size_t end = begin;
     while (end < degrees.size() && degrees[end] == degrees[begin]) ++end;
-    const std::string one = (begin == 0 ? "" : " ") + std::to_string(degrees[begin]);
     const std::size_t run = end - begin;
-    if (run >= kLongRun) {
-      text += one + " (" + std::to_string(run) + " times)";
-      begin = end;
-    } else {
-      text += one;
-      ++begin;
-    }
+    if (begin > 0) text += ' ';
+    text += std::to_string(degrees[begin]);
+    if (run >= kLongRun) text.append(" (").append(std::to_string(run)).append(" times)");
+    begin = run >= kLongRun ? end : begin + 1;
   }
   return text;
 }

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// From the words of the command line to an exit code: parses, runs the command, tells errors on stderr.
+//
+//   0  every path was decided (no root is an answer too)     2  a path failed, or the run was interrupted
+//   1  the call or the file is wrong                         3  a fault of ours
+#pragma once
+
+namespace moivre {
+
+enum ExitCode : int { kDecided = 0, kUsage = 1, kUndecided = 2, kInternal = 3 };
+
+int run_command_line(int argc, char** argv) noexcept;
+
+}  // namespace moivre
