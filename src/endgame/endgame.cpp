@@ -17,13 +17,23 @@ constexpr double kSteadyTolerance = 0.03;
 // The slowest growth that counts: winding numbers up to 20 at infinity.
 constexpr double kLeastValuation = 0.05;
 // A diverging coordinate has grown by this factor since the first sight, and the condition by the other.
-constexpr double kDivergedSize = 1e4;
-constexpr double kDivergedCondition = 1e6;
+constexpr double kDivergedSize = 1e3;
+constexpr double kDivergedCondition = 1e4;
 constexpr double kConditionGrowth = 10;
-// Steps inside the watch radius after which the end is taken for singular: a regular end needs fewer.
-constexpr int kPatience = 25;
+// Slower growth than this is left to circles, which close before the coordinate is large.
+constexpr double kFastValuation = 0.4;
+// A path that still creeps at this radius ends singular: to a regular end it would have jumped.
+constexpr double kCreepingRadius = 1e-4;
+// Steps inside the watch radius after which circles are tried whatever the radius.
+constexpr int kPatience = 300;
 constexpr double kLeastRadius = 1e-10;
 constexpr double kShrink = 4;
+// Where several sheets meet J is singular. When a circle closes after several turns about a mean that
+// is less singular than this, it may have run round branch points beside t = 1: landing tells.
+constexpr double kBranchCondition = 1e10;
+// Newton at a regular end: the correction aimed at, and the one that passes where rounding stops it.
+constexpr double kRegularTolerance = 1e-13;
+constexpr double kStagnation = 1e-10;
 // A circle is closed when the point comes back to within this distance, relative.
 constexpr double kClosure = 1e-6;
 // Two radii agree to this: good enough at once, good enough after all.
@@ -112,9 +122,9 @@ Watcher::Verdict Endgame::watch(const StepRecord& step, PathSystem& path) noexce
       return Verdict::stop;
     }
   }
-  const bool growing = !sights_.empty() && sights_.back().valuation < -kLeastValuation;
-  const bool lost_patience = watched_ > (growing ? 4 * kPatience : kPatience);
-  return lost_patience || radius < kLeastRadius ? Verdict::stop : Verdict::go_on;
+  const bool grows = sights_.back().valuation < -kFastValuation;
+  const double least = grows ? kLeastRadius : kCreepingRadius;
+  return watched_ > kPatience || radius < least ? Verdict::stop : Verdict::go_on;
 }
 
 bool Endgame::diverges() const {
@@ -143,40 +153,26 @@ std::optional<Departure> Endgame::accept(Arrival&& arrival, PathSystem& path) {
   end_.t = arrival.t;
   if (arrival.journey == Journey::cancelled) return fail(Failure::cancelled);
   switch (phase_) {
-    case Phase::whole_way: return judge_arrival(std::move(arrival), path);
+    case Phase::whole_way: return judge_arrival(arrival, path);
     case Phase::approach:
       if (arrival.journey != Journey::arrived) return conclude(path);
       outpost_ = std::move(arrival.x);
       return begin_circle();
     case Phase::circle: return next_turn(std::move(arrival), path);
+    case Phase::landing:
+      return is_regular_arrival(arrival, path, kBranchCondition) ? std::nullopt : conclude(path);
   }
   return std::nullopt;
 }
 
-std::optional<Departure> Endgame::judge_arrival(Arrival&& arrival, PathSystem& path) {
-  end_.x = std::move(arrival.x);
+std::optional<Departure> Endgame::judge_arrival(const Arrival& arrival, PathSystem& path) {
+  end_.x = arrival.x;
   if (cut_) {
     end_.status = PathStatus::at_infinity;
     end_.condition = sights_.back().condition;
     return std::nullopt;
   }
-  if (arrival.journey == Journey::arrived) {
-    NewtonOptions newton;
-    newton.tolerance = 1e-13;
-    Point x = end_.x;
-    const Correction correction = path.correct(x, 1.0, newton, true);
-    end_.condition = path.condition();
-    if (end_.condition <= options_.regular_condition &&
-        (correction.converged || correction.last < 1e-10)) {
-      end_.x = std::move(x);
-      end_.accuracy = correction.last;
-      const double size = max_norm(end_.x);
-      end_.status = std::abs(end_.x.back()) > options_.infinity_floor * size
-                        ? PathStatus::finite
-                        : PathStatus::at_infinity;
-      return std::nullopt;
-    }
-  }
+  if (is_regular_arrival(arrival, path, options_.regular_condition)) return std::nullopt;
   if (outpost_.empty()) return fail(to_failure(arrival.journey));
   return begin_circle();
 }
@@ -261,17 +257,44 @@ std::optional<Departure> Endgame::shrink(PathSystem& path) {
 
 std::optional<Departure> Endgame::conclude(PathSystem& path) {
   if (!best_ || best_difference_ > kAgreementAtLast) return fail(Failure::precision);
+  const double condition = path.linearize(best_->x, 1.0)
+                               ? path.condition()
+                               : std::numeric_limits<double>::infinity();
+  if (best_->winding > 1 && condition < kBranchCondition && phase_ != Phase::landing) {
+    phase_ = Phase::landing;
+    return Departure{path_,   Contour::segment(1.0 - radius_, 1.0), outpost_, care_, 0,
+                     nullptr};
+  }
   end_.x = best_->x;
   end_.winding = best_->winding;
   end_.accuracy = std::max(best_difference_, std::numeric_limits<double>::epsilon());
   end_.t = 1;
-  end_.condition = path.linearize(end_.x, 1.0) ? path.condition()
-                                               : std::numeric_limits<double>::infinity();
-  end_.singular = best_->winding > 1 || end_.condition > options_.singular_condition;
+  end_.condition = condition;
+  end_.singular = best_->winding > 1 || condition > options_.singular_condition;
+  decide_infinity();
+  return std::nullopt;
+}
+
+void Endgame::decide_infinity() {
   const double floor = std::max(options_.infinity_floor, 10 * end_.accuracy);
   end_.status = std::abs(end_.x.back()) > floor * max_norm(end_.x) ? PathStatus::finite
                                                                    : PathStatus::at_infinity;
-  return std::nullopt;
+}
+
+bool Endgame::is_regular_arrival(const Arrival& arrival, PathSystem& path, double condition) {
+  if (arrival.journey != Journey::arrived) return false;
+  NewtonOptions newton;
+  newton.tolerance = kRegularTolerance;
+  Point x = arrival.x;
+  const Correction correction = path.correct(x, 1.0, newton, true);
+  end_.condition = path.condition();
+  if (end_.condition > condition || !(correction.converged || correction.last < kStagnation)) {
+    return false;
+  }
+  end_.x = std::move(x);
+  end_.accuracy = correction.last;
+  decide_infinity();
+  return true;
 }
 
 }  // namespace moivre

@@ -38,7 +38,7 @@ void eliminate_row(Complex* row, const Complex* pivot_row, Complex factor, std::
 
 bool Lu::factor() noexcept {
   singular_ = false;
-  scaled_norm_ = 0;
+  norm_ = scaled_norm_ = 0;
   for (std::size_t i = 0; i < n_; ++i) {
     Complex* row = &a_[i * n_];
     double largest = 0;
@@ -51,6 +51,7 @@ bool Lu::factor() noexcept {
     const double scale = power_of_two_scale(largest);
     row_scale_[i] = scale;
     for (std::size_t j = 0; j < n_; ++j) row[j] *= scale;
+    norm_ = std::max(norm_, sum);
     scaled_norm_ = std::max(scaled_norm_, sum * scale);
   }
   for (std::size_t k = 0; k < n_; ++k) {
@@ -111,22 +112,22 @@ void Lu::solve_adjoint(std::span<Complex> b) noexcept {
   for (std::size_t i = 0; i < n_; ++i) b[i] *= row_scale_[i];
 }
 
-// |A^{-1}|_inf = |A^{-H}|_1 for A = R J, by Higham's estimator of the 1-norm: solves with A^{-H} and A^{-1}.
-// The solves are those of J; R is taken out by dividing the row scale on the way in and out.
-double Lu::norm1_of_inverse_adjoint() noexcept {
+// |A^{-1}|_inf = |A^{-H}|_1 by Higham's estimator of the 1-norm, which solves with A^{-H} and A^{-1}.
+// A is J or R J; the solves are those of J, and R is divided out on the way.
+double Lu::norm_of_inverse(bool row_scaled) noexcept {
   constexpr int kMaximumIterations = 5;
-  const double count = static_cast<double>(n_);
   auto& x = work_;
-  std::fill(x.begin(), x.end(), Complex(1 / count));
+  const auto divide_by_row_scale = [&] {
+    for (std::size_t i = 0; row_scaled && i < n_; ++i) x[i] /= row_scale_[i];
+  };
+  std::fill(x.begin(), x.end(), Complex(1 / static_cast<double>(n_)));
   double estimate = 0;
   std::size_t last = n_;
   for (int iteration = 0; iteration < kMaximumIterations; ++iteration) {
     solve_adjoint(x);
+    divide_by_row_scale();
     double norm = 0;
-    for (std::size_t i = 0; i < n_; ++i) {
-      x[i] /= row_scale_[i];
-      norm += std::abs(x[i]);
-    }
+    for (const Complex& xi : x) norm += std::abs(xi);
     if (!std::isfinite(norm)) return std::numeric_limits<double>::infinity();
     if (iteration > 0 && norm <= estimate) break;
     estimate = norm;
@@ -134,7 +135,7 @@ double Lu::norm1_of_inverse_adjoint() noexcept {
       const double size = std::abs(xi);
       xi = size > 0 ? xi / size : Complex(1);
     }
-    for (std::size_t i = 0; i < n_; ++i) x[i] /= row_scale_[i];
+    divide_by_row_scale();
     solve(x);
     std::size_t largest = 0;
     for (std::size_t i = 1; i < n_; ++i) {
@@ -150,8 +151,12 @@ double Lu::norm1_of_inverse_adjoint() noexcept {
 
 double Lu::condition() noexcept {
   if (singular_) return std::numeric_limits<double>::infinity();
-  if (n_ == 0) return 1;
-  return scaled_norm_ * norm1_of_inverse_adjoint();
+  return n_ == 0 ? 1 : scaled_norm_ * norm_of_inverse(true);
+}
+
+double Lu::unscaled_condition() noexcept {
+  if (singular_) return std::numeric_limits<double>::infinity();
+  return n_ == 0 ? 1 : norm_ * norm_of_inverse(false);
 }
 
 }  // namespace moivre

@@ -2,6 +2,7 @@
 // Presolve, start system and homotopy of a solve, and the maps between their coordinates.
 #include "prepare.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -20,6 +21,17 @@ Reduction keep_everything(const System& f) {
 std::string span_text(const std::vector<int>& exponents) {
   const auto [low, high] = std::minmax_element(exponents.begin(), exponents.end());
   return "2^" + std::to_string(*low) + " to 2^" + std::to_string(*high);
+}
+
+// Every equation's largest coefficient in [1, 2), so that F's rows have the size of G's.
+System with_unit_rows(const System& f) {
+  Scaling rows{std::vector<int>(f.variables.size()), {}};
+  for (const Polynomial& p : f.polynomials) {
+    double largest = log2_size(p.terms.front().coefficient);
+    for (const Term& term : p.terms) largest = std::max(largest, log2_size(term.coefficient));
+    rows.equation_log2.push_back(-static_cast<int>(std::floor(largest)));
+  }
+  return scale(f, rows);
 }
 
 }  // namespace
@@ -41,7 +53,7 @@ Prepared prepare(const System& f, const SolveOptions& options) {
              span_text(prepared.scaling.equation_log2),
          "coefficients far from 1 would hide roots from the tracker's tolerances"});
   }
-  const System scaled = scale(reduced, prepared.scaling);
+  const System scaled = with_unit_rows(scale(reduced, prepared.scaling));
   prepared.start = total_degree_start(degrees(scaled), options.seed);
   prepared.homotopy.emplace(scaled, start_system(prepared.start, scaled.variables));
   return prepared;

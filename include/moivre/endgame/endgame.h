@@ -13,6 +13,8 @@
 //   3. Otherwise circles t = 1 - r e^{i theta}: after m turns the path closes; m is the winding number, and the mean of
 //      equidistant samples is the end point (Cauchy's integral; the error falls geometrically in the number of samples).
 //      Radii shrink until two estimates agree.
+//   4. Several turns about a mean where J is not clearly singular: a landing from the last radius
+//      to t = 1 tells whether simple roots close to each other were taken for one.
 //
 // x: N homogeneous coordinates, the last one x_0. accuracy: relative, |x - x*|_inf / |x|_inf in homogeneous coordinates.
 // Edges: a path that breaks off far from t = 1 has failed, with the reason. Not supported: winding numbers above maximum_winding.
@@ -79,7 +81,7 @@ class Endgame : public Watcher {
   Verdict watch(const StepRecord& step, PathSystem& path) noexcept override;
 
  private:
-  enum class Phase { whole_way, approach, circle };
+  enum class Phase { whole_way, approach, circle, landing };
 
   /// A watched point: radius, the least valuation of an affine coordinate, condition, size of the largest one.
   struct Sight {
@@ -96,12 +98,14 @@ class Endgame : public Watcher {
   };
 
   bool diverges() const;
-  std::optional<Departure> judge_arrival(Arrival&& arrival, PathSystem& path);
+  std::optional<Departure> judge_arrival(const Arrival& arrival, PathSystem& path);
   std::optional<Departure> begin_circle();
   std::optional<Departure> next_turn(Arrival&& arrival, PathSystem& path);
   std::optional<Departure> shrink(PathSystem& path);
   std::optional<Departure> conclude(PathSystem& path);
   std::optional<Departure> estimate_end(PathSystem& path);
+  bool is_regular_arrival(const Arrival& arrival, PathSystem& path, double condition);
+  void decide_infinity();
   Point normalized(const Point& x) const;
   std::nullopt_t fail(Failure failure);
 

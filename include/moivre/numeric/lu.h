@@ -38,10 +38,14 @@ class Lu {
   /// a lower bound, nearly always within a factor of 3. Infinity when singular.
   double condition() noexcept;
 
+  /// Estimate of |J|_inf |J^{-1}|_inf, rows as they were given. A row that vanishes makes this
+  /// large, and leaves condition() as it was. Infinity when singular.
+  double unscaled_condition() noexcept;
+
   bool is_singular() const noexcept { return singular_; }
 
  private:
-  double norm1_of_inverse_adjoint() noexcept;
+  double norm_of_inverse(bool row_scaled) noexcept;
 
   std::size_t n_;
   std::vector<Complex> a_;            // n x n, L below the diagonal (unit), U on and above
@@ -49,6 +53,7 @@ class Lu {
   std::vector<std::size_t> pivot_;    // row exchanged with k at step k
   std::vector<Complex> reciprocal_;   // 1/U_kk
   std::vector<Complex> work_;
+  double norm_ = 0;                   // |J|_inf
   double scaled_norm_ = 0;            // |R J|_inf
   bool singular_ = true;
 };

@@ -66,10 +66,11 @@ class PathSystem {
   Correction correct(std::span<Complex> x, Complex t, const NewtonOptions& options,
                      bool fresh) noexcept;
 
-  /// Condition number of J with its rows scaled, from the last linearize().
-  double condition() noexcept { return lu_.condition(); }
+  /// Condition number of J as it stands, from the last linearize(): it tells a vanishing row as well,
+  /// so it grows wherever the path nears a singular point. Equations are to have coefficients near 1.
+  double condition() noexcept { return lu_.unscaled_condition(); }
 
-  /// |x_i| of J's last residual evaluation: max_i |H_i|.
+  /// max_i |H_i| of the last evaluation.
   double residual() const noexcept;
 
   const WorkCount& work() const noexcept { return work_; }
