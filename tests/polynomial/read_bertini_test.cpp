@@ -126,13 +126,5 @@ TEST(BertiniReader, ShowsTheLineWithItsComment) {
   }
 }
 
-TEST(BertiniReader, BoundsWhatCopiesOfASubfunctionCost) {
-  std::string text = "variable_group x;\nfunction f;\ns = (1 + x)^500;\nf = s";
-  for (int k = 0; k < 20'000; ++k) text += " + s";
-  const std::vector<Diagnostic> faults = faults_of(text + ";\n");
-  ASSERT_EQ(faults.size(), 1U);
-  EXPECT_NE(faults[0].message.find("takes more than"), std::string::npos);
-}
-
 }  // namespace
 }  // namespace moivre

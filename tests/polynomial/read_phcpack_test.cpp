@@ -229,14 +229,6 @@ TEST(PhcReader, StopsAnExpansionAtAMillionTerms) {
                 {{2, 23, "more than 1000000 terms"}});
 }
 
-TEST(PhcReader, StopsAnExpansionWhoseTermsFallTogetherByItsWork) {
-  std::string text = "1\n(x+1)";
-  for (int k = 2; k < 6000; ++k) text += "*(x+" + std::to_string(k) + ")";
-  const std::vector<Diagnostic> faults = faults_of(text + ";\n");
-  ASSERT_EQ(faults.size(), 1U);
-  EXPECT_NE(faults[0].message.find("takes more than 50000000 products"), std::string::npos);
-}
-
 TEST(PhcReader, ShowsAWindowOfALongLine) {
   std::string text = "1\n";
   for (int k = 0; k < 1000; ++k) text += "x+";
