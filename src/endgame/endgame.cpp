@@ -26,11 +26,17 @@ constexpr double kFastValuation = 0.4;
 constexpr double kCreepingRadius = 1e-4;
 // Steps inside the watch radius after which circles are tried whatever the radius.
 constexpr int kPatience = 300;
-constexpr double kLeastRadius = 1e-10;
+constexpr double kLeastRadius = 1e-14;
 constexpr double kShrink = 4;
+// Negative powers count when they exceed this fraction of the spread of the samples; their number.
+constexpr double kPrincipalPart = 1e-8;
+constexpr int kPrincipalTerms = 8;
+// Relative error of a sample, a multiple of its condition.
+constexpr double kNoise = 1e-14;
 // Where several sheets meet J is singular. When a circle closes after several turns about a mean that
 // is less singular than this, it may have run round branch points beside t = 1: landing tells.
 constexpr double kBranchCondition = 1e10;
+constexpr double kBranchResidual = 1e-14;
 // Newton at a regular end: the correction aimed at, and the one that passes where rounding stops it.
 constexpr double kRegularTolerance = 1e-13;
 constexpr double kStagnation = 1e-10;
@@ -39,6 +45,8 @@ constexpr double kClosure = 1e-6;
 // Two radii agree to this: good enough at once, good enough after all.
 constexpr double kAgreementAtOnce = 1e-10;
 constexpr double kAgreementAtLast = 1e-5;
+
+const PathTime kEnd(1.0, 0.0);
 
 double difference(const Point& a, const Point& b) {
   double largest = 0;
@@ -96,7 +104,7 @@ Departure Endgame::depart(Point start) {
 
 // Least valuation of an affine coordinate x_i / x_0 and the size of the largest one.
 Watcher::Verdict Endgame::watch(const StepRecord& step, PathSystem& path) noexcept {
-  const double radius = std::abs(1.0 - step.t);
+  const double radius = std::abs(step.t.rest);
   if (radius > options_.watch_radius || radius == 0) return Verdict::go_on;
   ++watched_;
   outpost_.assign(step.x.begin(), step.x.end());
@@ -150,7 +158,7 @@ std::nullopt_t Endgame::fail(Failure failure) {
 
 std::optional<Departure> Endgame::accept(Arrival&& arrival, PathSystem& path) {
   end_.count += arrival.count;
-  end_.t = arrival.t;
+  end_.t = arrival.t.t;
   if (arrival.journey == Journey::cancelled) return fail(Failure::cancelled);
   switch (phase_) {
     case Phase::whole_way: return judge_arrival(arrival, path);
@@ -196,7 +204,7 @@ std::optional<Departure> Endgame::begin_circle() {
   }
   turn_begin_ = normalized(outpost_);
   return Departure{path_,
-                   Contour::spiral(1.0, 1.0 - radius_, Complex(0, 2 * std::numbers::pi)),
+                   Contour::spiral(radius_, Complex(0, 2 * std::numbers::pi)),
                    outpost_,
                    care_,
                    options_.samples,
@@ -210,28 +218,47 @@ std::optional<Departure> Endgame::next_turn(Arrival&& arrival, PathSystem& path)
   if (difference(samples_.back(), turn_begin_) < kClosure) return estimate_end(path);
   if (turns_ >= options_.maximum_winding) return shrink(path);
   return Departure{path_,
-                   Contour::spiral(1.0, 1.0 - radius_, Complex(0, 2 * std::numbers::pi)),
+                   Contour::spiral(radius_, Complex(0, 2 * std::numbers::pi)),
                    std::move(arrival.x),
                    care_,
                    options_.samples,
                    nullptr};
 }
 
-std::optional<Departure> Endgame::estimate_end(PathSystem& path) {
-  Estimate estimate{Point(patch_.size()), turns_, radius_, 0};
-  Point half(patch_.size());
+// Coefficient c_j of the Laurent series in u = (1 - t)^{1/m} / r^{1/m}, from the samples on |u| = 1.
+Point Endgame::laurent_coefficient(int j) const {
+  const auto count = static_cast<double>(samples_.size());
+  Point c(patch_.size());
   for (std::size_t k = 0; k < samples_.size(); ++k) {
-    for (std::size_t i = 0; i < half.size(); ++i) {
-      estimate.x[i] += samples_[k][i];
-      if (k % 2 == 1) half[i] += samples_[k][i];
-    }
+    const double angle = 2 * std::numbers::pi * j * static_cast<double>(k + 1) / count;
+    const Complex weight = std::polar(1 / count, -angle);
+    for (std::size_t i = 0; i < c.size(); ++i) c[i] += product(weight, samples_[k][i]);
   }
-  const double count = static_cast<double>(samples_.size());
-  for (std::size_t i = 0; i < half.size(); ++i) {
-    estimate.x[i] /= count;
-    half[i] /= count / 2;
+  return c;
+}
+
+// A path is a power series in u when t = 1 is its only branch point inside the circle. Others, inside
+// as well, show as negative powers; so does aliasing, when the circle is too wide for its samples.
+bool Endgame::is_power_series(const Point& constant, PathSystem& path) const {
+  double spread = 0;
+  for (const Point& sample : samples_) spread = std::max(spread, difference(sample, constant));
+  const double condition =
+      path.linearize(samples_.back(), PathTime(1.0 - radius_, radius_)) ? path.condition() : 0;
+  const double noise = kNoise * (1 + condition);
+  const int terms = std::min(kPrincipalTerms, static_cast<int>(samples_.size()) / 4);
+  for (int j = 1; j <= terms; ++j) {
+    const double size = max_norm(laurent_coefficient(-j)) / max_norm(constant);
+    if (size > kPrincipalPart * spread + noise) return false;
   }
-  estimate.aliasing = difference(half, estimate.x);
+  return true;
+}
+
+std::optional<Departure> Endgame::estimate_end(PathSystem& path) {
+  Estimate estimate{laurent_coefficient(0), turns_};
+  if (!is_power_series(estimate.x, path)) {
+    last_.reset();
+    return shrink(path);
+  }
   if (last_ && last_->winding == estimate.winding) {
     const double change = difference(estimate.x, last_->x);
     if (!best_ || change < best_difference_) {
@@ -249,21 +276,20 @@ std::optional<Departure> Endgame::estimate_end(PathSystem& path) {
 std::optional<Departure> Endgame::shrink(PathSystem& path) {
   if (radii_ >= options_.maximum_radii || radius_ / kShrink < kLeastRadius) return conclude(path);
   phase_ = Phase::approach;
-  const Complex from = 1.0 - radius_;
+  const Contour nearer = Contour::spiral(radius_, -std::log(kShrink));
   radius_ /= kShrink;
-  return Departure{path_, Contour::spiral(1.0, from, -std::log(kShrink)), outpost_, care_, 0,
-                   nullptr};
+  return Departure{path_, nearer, outpost_, care_, 0, nullptr};
 }
 
 std::optional<Departure> Endgame::conclude(PathSystem& path) {
   if (!best_ || best_difference_ > kAgreementAtLast) return fail(Failure::precision);
-  const double condition = path.linearize(best_->x, 1.0)
+  const double condition = path.linearize(best_->x, kEnd)
                                ? path.condition()
                                : std::numeric_limits<double>::infinity();
-  if (best_->winding > 1 && condition < kBranchCondition && phase_ != Phase::landing) {
+  const bool singular = condition >= kBranchCondition && path.residual() < kBranchResidual;
+  if (best_->winding > 1 && !singular && phase_ != Phase::landing) {
     phase_ = Phase::landing;
-    return Departure{path_,   Contour::segment(1.0 - radius_, 1.0), outpost_, care_, 0,
-                     nullptr};
+    return Departure{path_, Contour::landing(radius_), outpost_, care_, 0, nullptr};
   }
   end_.x = best_->x;
   end_.winding = best_->winding;
@@ -286,7 +312,7 @@ bool Endgame::is_regular_arrival(const Arrival& arrival, PathSystem& path, doubl
   NewtonOptions newton;
   newton.tolerance = kRegularTolerance;
   Point x = arrival.x;
-  const Correction correction = path.correct(x, 1.0, newton, true);
+  const Correction correction = path.correct(x, kEnd, newton, true);
   end_.condition = path.condition();
   if (end_.condition > condition || !(correction.converged || correction.last < kStagnation)) {
     return false;

@@ -171,10 +171,40 @@ Refined Refiner::refine(const Point& x, double accuracy) {
     result.accuracy = 2 * w.correction(trial) + kUnitRoundoff;
     result.x = std::move(trial);
   }
-  for (const Complex& value : relative_values(result.x)) {
-    result.residual = std::max(result.residual, std::abs(value));
-  }
+  result.residual = residual(result.x);
+  snap_to_zero(result, accuracy);
   return result;
+}
+
+Refined Refiner::keep(const Point& x, double accuracy) {
+  Refined result;
+  result.x = x;
+  result.accuracy = accuracy;
+  result.condition =
+      w_->factor(x) ? w_->lu.condition() : std::numeric_limits<double>::infinity();
+  result.residual = residual(x);
+  snap_to_zero(result, accuracy);
+  return result;
+}
+
+double Refiner::residual(const Point& x) {
+  double largest = 0;
+  for (const Complex& value : relative_values(x)) largest = std::max(largest, std::abs(value));
+  return largest;
+}
+
+void Refiner::snap_to_zero(Refined& root, double accuracy) {
+  const double within = (root.simple ? root.accuracy : accuracy) * std::max(1.0, max_norm(root.x));
+  Point snapped = root.x;
+  for (Complex& xi : snapped) {
+    if (std::abs(xi.real()) <= within) xi.real(0);
+    if (std::abs(xi.imag()) <= within) xi.imag(0);
+  }
+  if (snapped == root.x) return;
+  const double snapped_residual = residual(snapped);
+  if (snapped_residual > std::max(root.residual, kUnitRoundoff)) return;
+  root.x = std::move(snapped);
+  root.residual = snapped_residual;
 }
 
 }  // namespace moivre

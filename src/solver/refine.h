@@ -34,12 +34,19 @@ class Refiner {
   Refiner(Refiner&&) noexcept;
 
   /// From x, of relative accuracy `accuracy`. Where Newton does not contract, x is left as it was.
+  /// Parts of coordinates that vanish to within the accuracy are set to 0 if that fits F as well.
   Refined refine(const Point& x, double accuracy);
+
+  /// For an end that is known to be singular: no Newton, the rest as refine().
+  Refined keep(const Point& x, double accuracy);
 
   /// F(x) / sum |terms|, each equation, in double-double from the exact coefficients.
   const std::vector<Complex>& relative_values(const Point& x);
 
  private:
+  double residual(const Point& x);
+  void snap_to_zero(Refined& root, double accuracy);
+
   struct Workspace;
   std::unique_ptr<Workspace> w_;
 };

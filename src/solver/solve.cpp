@@ -195,17 +195,10 @@ Root Run::refined_root(Refiner& refiner, const PathEnd& end) const {
   const double accuracy = end.accuracy * std::max(1.0, size);
   Root root;
   root.winding = end.winding;
-  if (!end.winding || *end.winding == 1) {
-    root.point = refiner.refine(x, accuracy);
-  }
+  const bool many_sheets = end.winding.value_or(1) > 1;
+  root.point = many_sheets ? refiner.keep(x, accuracy) : refiner.refine(x, accuracy);
   if (!root.point.simple) {
-    root.point.x = x;
     root.point.accuracy = accuracy;
-    root.point.condition = end.condition;
-    root.point.residual = 0;
-    for (const Complex& value : refiner.relative_values(x)) {
-      root.point.residual = std::max(root.point.residual, std::abs(value));
-    }
     root.tolerance = std::max(kSingularTolerance, 10 * accuracy);
   } else {
     root.tolerance = 4 * root.point.accuracy + kSimpleTolerance;

@@ -36,7 +36,7 @@ PathSystem::PathSystem(const Homotopy& homotopy)
       ht_(n_),
       dx_(n_ + 1) {}
 
-bool PathSystem::linearize(std::span<const Complex> x, Complex t) noexcept {
+bool PathSystem::linearize(std::span<const Complex> x, const PathTime& t) noexcept {
   const std::span<Complex> j = lu_.matrix();
   homotopy_.linearization(x, t, h_, j, ht_);
   for (std::size_t k = 0; k <= n_; ++k) j[n_ * (n_ + 1) + k] = std::conj(x[k]);
@@ -61,8 +61,8 @@ bool PathSystem::newton_step(std::span<Complex> x, double& size) noexcept {
   return true;
 }
 
-Correction PathSystem::correct(std::span<Complex> x, Complex t, const NewtonOptions& options,
-                               bool fresh) noexcept {
+Correction PathSystem::correct(std::span<Complex> x, const PathTime& t,
+                               const NewtonOptions& options, bool fresh) noexcept {
   Correction result;
   bool renewed = fresh;
   double previous = 0;
@@ -81,7 +81,7 @@ Correction PathSystem::correct(std::span<Complex> x, Complex t, const NewtonOpti
       if (result.first > options.largest_correction) return result;
     } else if (result.last > options.largest_contraction * previous &&
                result.last > options.tolerance) {
-      if (renewed) return result;
+      if (renewed) break;
       renewed = fresh = true;
     }
     if (result.last <= options.tolerance) {
@@ -90,6 +90,7 @@ Correction PathSystem::correct(std::span<Complex> x, Complex t, const NewtonOpti
     }
     previous = result.last;
   }
+  result.converged = result.last <= options.stagnation;
   return result;
 }
 

@@ -18,6 +18,8 @@ constexpr double kNonlinearCoefficient = 0.5;
 constexpr double kProjectionFailureEta = 0.25;
 // Repeated failures inside one step before the journey ends: 4^-20 of a step is far below any useful one.
 constexpr int kMaximumFailuresInStep = 20;
+// Samples go into Cauchy's integral, so they are corrected as far as double allows.
+constexpr double kSampleTolerance = 1e-14;
 // Each level of care divides the tolerance and the trust in Newton by so much.
 constexpr double kCareFactor = 10;
 
@@ -91,7 +93,7 @@ void CvodeSession::set_up() {
 
 int CvodeSession::right_hand_side(realtype s, N_Vector y, N_Vector dy, void* self) {
   auto& session = *static_cast<CvodeSession*>(self);
-  if (!session.path_.linearize(coordinates(y), session.contour_.t(s))) return 1;
+  if (!session.path_.linearize(coordinates(y), session.contour_.at(s))) return 1;
   session.linearized_at_ = s;
   session.path_.tangent(session.contour_.dt(s), coordinates(dy));
   return 0;
@@ -105,7 +107,7 @@ int CvodeSession::project(realtype s, N_Vector y, N_Vector correction, realtype,
   std::copy(from.begin(), from.end(), session.trial_.begin());
   const bool fresh = session.linearized_at_ != s;
   session.last_correction_ =
-      session.path_.correct(session.trial_, session.contour_.t(s), session.newton_, fresh);
+      session.path_.correct(session.trial_, session.contour_.at(s), session.newton_, fresh);
   session.linearized_at_ = -1;
   if (!session.last_correction_.converged) return 1;
   for (std::size_t i = 0; i < to.size(); ++i) to[i] = session.trial_[i] - from[i];
@@ -134,7 +136,7 @@ bool CvodeSession::depart(const Departure& departure) {
   const auto x = coordinates(memory_.state());
   const double norm = euclidean_norm(departure.x);
   for (std::size_t i = 0; i < x.size(); ++i) x[i] = departure.x[i] / norm;
-  if (!path_.correct(x, contour_.t(0), NewtonOptions{}, true).converged) return false;
+  if (!path_.correct(x, contour_.at(0), NewtonOptions{}, true).converged) return false;
   linearized_at_ = -1;
   return CVodeReInit(memory_.cvode(), 0, memory_.state()) == CV_SUCCESS &&
          CVodeSetStopTime(memory_.cvode(), 1) == CV_SUCCESS;
@@ -165,9 +167,11 @@ bool CvodeSession::take_samples(const Departure& departure, double previous, dou
       // The state vector lends its memory to the interpolant and gets its value back.
       if (CVodeGetDky(memory_.cvode(), at, 0, memory_.state()) != CV_SUCCESS) return false;
       std::swap_ranges(sample.begin(), sample.end(), x.begin());
-      linearized_at_ = -1;
-      if (!path_.correct(sample, contour_.t(at), newton_, true).converged) return false;
     }
+    NewtonOptions polish = newton_;
+    polish.tolerance = kSampleTolerance;
+    linearized_at_ = -1;
+    if (!path_.correct(sample, contour_.at(at), polish, true).converged) return false;
     arrival.samples.push_back(std::move(sample));
   }
   return true;
@@ -194,7 +198,7 @@ Journey CvodeSession::step_on(const Departure& departure, const std::atomic<bool
     if (departure.watcher != nullptr) {
       StepRecord record;
       record.s = arrival.s;
-      record.t = contour_.t(arrival.s);
+      record.t = contour_.at(arrival.s);
       record.x = arrival.x;
       record.step = arrival.s - previous;
       CVodeGetLastOrder(memory_.cvode(), &record.order);
@@ -209,7 +213,7 @@ Journey CvodeSession::step_on(const Departure& departure, const std::atomic<bool
   }
   if (!projects()) {
     linearized_at_ = -1;
-    if (!path_.correct(arrival.x, contour_.t(1), NewtonOptions{}, true).converged) {
+    if (!path_.correct(arrival.x, contour_.at(1), NewtonOptions{}, true).converged) {
       return Journey::off_path;
     }
   }
@@ -228,7 +232,7 @@ Arrival CvodeSession::travel(const Departure& departure, const std::atomic<bool>
     arrival.journey = step_on(departure, stop, arrival);
     count_into(arrival.count);
   }
-  arrival.t = contour_.t(arrival.s);
+  arrival.t = contour_.at(arrival.s);
   const WorkCount& after = path_.work();
   arrival.count.work = {after.values - before.values, after.linearizations - before.linearizations,
                         after.factorizations - before.factorizations};

@@ -12,8 +12,9 @@
 //      condition has grown with it: a large but finite regular root has steady valuations too, but not the last.
 //   3. Otherwise circles t = 1 - r e^{i theta}: after m turns the path closes; m is the winding number, and the mean of
 //      equidistant samples is the end point (Cauchy's integral; the error falls geometrically in the number of samples).
-//      Radii shrink until two estimates agree.
-//   4. Several turns about a mean where J is not clearly singular: a landing from the last radius
+//      The samples' Laurent series in (1 - t)^{1/m} must have no negative powers: then t = 1 is the only
+//      branch point inside. Radii shrink until that is so and two estimates agree.
+//   4. Several turns about a mean that is not clearly a singular root: a landing from the last radius
 //      to t = 1 tells whether simple roots close to each other were taken for one.
 //
 // x: N homogeneous coordinates, the last one x_0. accuracy: relative, |x - x*|_inf / |x|_inf in homogeneous coordinates.
@@ -48,7 +49,7 @@ struct EndgameOptions {
   double singular_condition = 1e11; ///< condition from which an end of winding number 1 is called singular
   int samples = 16;                 ///< of one turn
   int maximum_winding = 32;         ///< turns tried before a circle counts as not closing
-  int maximum_radii = 14;           ///< circles tried
+  int maximum_radii = 20;           ///< circles tried
   double infinity_floor = 1e-9;     ///< |x_0| / |x|_inf below which an end is at infinity
 };
 
@@ -93,8 +94,6 @@ class Endgame : public Watcher {
   struct Estimate {
     Point x;
     int winding = 0;
-    double radius = 0;
-    double aliasing = 0;  ///< difference between the means of all samples and of every second one
   };
 
   bool diverges() const;
@@ -104,6 +103,8 @@ class Endgame : public Watcher {
   std::optional<Departure> shrink(PathSystem& path);
   std::optional<Departure> conclude(PathSystem& path);
   std::optional<Departure> estimate_end(PathSystem& path);
+  Point laurent_coefficient(int j) const;
+  bool is_power_series(const Point& constant, PathSystem& path) const;
   bool is_regular_arrival(const Arrival& arrival, PathSystem& path, double condition);
   void decide_infinity();
   Point normalized(const Point& x) const;

@@ -43,6 +43,17 @@ class Homotopy {
   HomotopySide start_;
 };
 
+/// t and 1 - t, the weights of F and G. Near t = 1 the difference would lose the digits of 1 - t.
+template <class S>
+struct Time {
+  Time(const S& value) : t(value), rest(S(1.0) - value) {}
+  Time(const S& value, const S& one_minus_value) : t(value), rest(one_minus_value) {}
+
+  S t;
+  S rest;
+};
+using PathTime = Time<Complex>;
+
 namespace detail {
 
 /// A side with its coefficients rounded to S (or to S's reals) and the memory for evaluating it.
@@ -105,14 +116,14 @@ class HomotopyEvaluator {
       : f_(homotopy.target()), g_(homotopy.start()) {}
 
   /// h <- H(x, t).
-  void value(std::span<const S> x, const S& t, std::span<S> h) {
+  void value(std::span<const S> x, const Time<S>& t, std::span<S> h) {
     f_.evaluate_value(x);
     g_.evaluate_value(x);
     blend_values(t, h);
   }
 
   /// h <- H, hx <- the n rows of H_x (row-major, N columns, so hx may be a taller matrix), ht <- H_t.
-  void linearization(std::span<const S> x, const S& t, std::span<S> h, std::span<S> hx,
+  void linearization(std::span<const S> x, const Time<S>& t, std::span<S> h, std::span<S> hx,
                      std::span<S> ht) {
     f_.evaluate_jacobian(x);
     g_.evaluate_jacobian(x);
@@ -120,15 +131,14 @@ class HomotopyEvaluator {
     for (std::size_t i = 0; i < ht.size(); ++i) ht[i] = f_.value[i] - g_.value[i];
     const std::size_t columns = f_.tape.variables;
     std::fill_n(hx.begin(), f_.tape.equations * columns, S(0.0));
-    add_jacobian(f_, t, columns, hx);
-    add_jacobian(g_, S(1.0) - t, columns, hx);
+    add_jacobian(f_, t.t, columns, hx);
+    add_jacobian(g_, t.rest, columns, hx);
   }
 
  private:
-  void blend_values(const S& t, std::span<S> h) const {
-    const S rest = S(1.0) - t;
+  void blend_values(const Time<S>& t, std::span<S> h) const {
     for (std::size_t i = 0; i < f_.value.size(); ++i) {
-      h[i] = product(t, f_.value[i]) + product(rest, g_.value[i]);
+      h[i] = product(t.t, f_.value[i]) + product(t.rest, g_.value[i]);
     }
   }
   static void add_jacobian(const detail::SideEvaluator<S>& side, const S& weight,

@@ -2,45 +2,57 @@
 // Along which curve in the complex t-plane is a path followed? t(s) for s in [0, 1]: a segment or a spiral.
 //
 //   segment:  t(s) = a + (b - a) s
-//   spiral:   t(s) = c + (a - c) e^{lambda s}     lambda = 2 pi i m: m turns round c;
-//                                                 lambda = -log q: straight towards c, q times nearer
-// A spiral towards t = 1 is how an endgame approaches: functions of (1 - t)^{1/m} are smooth in log(1 - t).
+//   spiral:   t(s) = 1 - r e^{lambda s}     lambda = 2 pi i m: m turns round t = 1;
+//                                           lambda = -log q: straight towards t = 1, q times nearer
+// A spiral towards t = 1 is how an endgame approaches: functions of (1 - t)^{1/m} are smooth in
+// log(1 - t). Near t = 1 the homotopy's weight 1 - t is what matters, so contours hand it out beside
+// t, with all its digits.
 #pragma once
 
 #include <cmath>
 
-#include "moivre/numeric/complex.h"
+#include "moivre/homotopy/homotopy.h"
 
 namespace moivre {
 
 class Contour {
  public:
   static Contour segment(Complex from, Complex to) {
-    return Contour(Kind::segment, from, to - from, to);
+    return Contour(Kind::segment, from, 1.0 - from, to - from, to);
   }
-  static Contour spiral(Complex centre, Complex from, Complex lambda) {
-    return Contour(Kind::spiral, from, lambda, centre);
+  /// Straight from t = 1 - rest to t = 1.
+  static Contour landing(Complex rest) {
+    return Contour(Kind::segment, 1.0 - rest, rest, rest, 1);
+  }
+  /// About t = 1, from t = 1 - rest.
+  static Contour spiral(Complex rest, Complex lambda) {
+    return Contour(Kind::spiral, 1.0 - rest, rest, lambda, 1);
   }
 
-  Complex t(double s) const {
-    if (kind_ == Kind::segment) return s == 1 ? to_ : from_ + rate_ * s;
-    return to_ + (from_ - to_) * std::exp(rate_ * s);
+  PathTime at(double s) const {
+    if (kind_ == Kind::segment) {
+      if (s == 1) return {to_, 1.0 - to_};
+      return {from_ + rate_ * s, rest_ - rate_ * s};
+    }
+    const Complex rest = product(rest_, std::exp(rate_ * s));
+    return {1.0 - rest, rest};
   }
   /// dt/ds.
   Complex dt(double s) const {
     if (kind_ == Kind::segment) return rate_;
-    return (from_ - to_) * rate_ * std::exp(rate_ * s);
+    return -product(rest_, product(rate_, std::exp(rate_ * s)));
   }
 
  private:
   enum class Kind { segment, spiral };
-  Contour(Kind kind, Complex from, Complex rate, Complex to)
-      : kind_(kind), from_(from), rate_(rate), to_(to) {}
+  Contour(Kind kind, Complex from, Complex rest, Complex rate, Complex to)
+      : kind_(kind), from_(from), rest_(rest), rate_(rate), to_(to) {}
 
   Kind kind_;
-  Complex from_;  // a
+  Complex from_;  // t(0)
+  Complex rest_;  // 1 - t(0)
   Complex rate_;  // b - a, or lambda
-  Complex to_;    // b, or c
+  Complex to_;    // b of a segment
 };
 
 }  // namespace moivre

@@ -39,6 +39,7 @@ struct NewtonOptions {
   double tolerance = 1e-9;           ///< |dx|_w at which the point counts as on the path
   double largest_correction = 0.1;   ///< |dx|_w of the first correction above which the point is refused
   double largest_contraction = 0.25; ///< |dx_k+1|_w / |dx_k|_w above which Newton is refused
+  double stagnation = 1e-6;          ///< |dx|_w that passes where rounding stops the contraction
   int maximum_iterations = 6;
 };
 
@@ -56,14 +57,14 @@ class PathSystem {
   std::size_t coordinates() const { return n_ + 1; }
 
   /// Evaluates H, H_x, H_t at (x, t) and factors J. False when J is singular or something is not finite.
-  bool linearize(std::span<const Complex> x, Complex t) noexcept;
+  bool linearize(std::span<const Complex> x, const PathTime& t) noexcept;
 
   /// dx <- J^{-1} [-H_t dt; 0] with the factors of the last linearize().
   void tangent(Complex dt, std::span<Complex> dx) noexcept;
 
   /// Newton from x at fixed t, x replaced. Simplified: the factors of the last linearize() serve as long as they contract;
   /// they are renewed once when they do not, and at the start when `fresh`.
-  Correction correct(std::span<Complex> x, Complex t, const NewtonOptions& options,
+  Correction correct(std::span<Complex> x, const PathTime& t, const NewtonOptions& options,
                      bool fresh) noexcept;
 
   /// Condition number of J as it stands, from the last linearize(): it tells a vanishing row as well,

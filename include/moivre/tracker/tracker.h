@@ -26,7 +26,7 @@ namespace moivre {
 /// One accepted step, as a watcher sees it. The spans are valid during the call only.
 struct StepRecord {
   double s = 0;
-  Complex t;
+  PathTime t{0.0};
   std::span<const Complex> x;
   double step = 0;           ///< in s
   int order = 0;             ///< of the predictor or integrator
@@ -74,7 +74,7 @@ struct Arrival {
   Journey journey = Journey::cancelled;
   Point x;             ///< last point on the path
   double s = 0;        ///< where on the contour
-  Complex t;
+  PathTime t{0.0};
   StepCount count;
   std::vector<Point> samples;  ///< in the order of s; all of them when arrived, else what was passed
 };
