@@ -16,9 +16,12 @@ constexpr std::size_t kSteadySights = 4;
 constexpr double kSteadyTolerance = 0.03;
 // The slowest growth that counts: winding numbers up to 20 at infinity.
 constexpr double kLeastValuation = 0.05;
-// A diverging coordinate has grown by this factor since the first sight, and the condition by the other.
+// A diverging coordinate has reached this size and the condition this one; or it has grown by this
+// factor and the condition tells that precision is running out.
 constexpr double kDivergedSize = 1e3;
 constexpr double kDivergedCondition = 1e4;
+constexpr double kSizeGrowth = 30;
+constexpr double kExhaustedCondition = 1e7;
 constexpr double kConditionGrowth = 10;
 // Slower growth than this is left to circles, which close before the coordinate is large.
 constexpr double kFastValuation = 0.4;
@@ -107,8 +110,10 @@ Watcher::Verdict Endgame::watch(const StepRecord& step, PathSystem& path) noexce
   const double radius = std::abs(step.t.rest);
   if (radius > options_.watch_radius || radius == 0) return Verdict::go_on;
   ++watched_;
-  outpost_.assign(step.x.begin(), step.x.end());
-  radius_ = radius;
+  if (outpost_.empty() || radius > kCreepingRadius / kShrink) {
+    outpost_.assign(step.x.begin(), step.x.end());
+    radius_ = radius;
+  }
   if (sights_.empty() || radius * kSightSpacing <= sights_.back().radius) {
     if (!path.linearize(step.x, step.t)) return Verdict::stop;
     path.tangent(1.0, tangent_);
@@ -139,14 +144,17 @@ bool Endgame::diverges() const {
   if (sights_.size() < kSteadySights) return false;
   const Sight& now = sights_.back();
   const Sight& then = sights_[sights_.size() - kSteadySights];
-  if (now.valuation > -kLeastValuation || now.size < kDivergedSize) return false;
+  if (now.valuation > -kLeastValuation) return false;
   for (auto s = sights_.end() - kSteadySights; s != sights_.end(); ++s) {
     if (std::abs(s->valuation - now.valuation) > kSteadyTolerance * (1 - now.valuation)) {
       return false;
     }
   }
-  return now.condition > kDivergedCondition &&
-         now.condition > kConditionGrowth * sights_.front().condition &&
+  const Sight& first = sights_.front();
+  const bool far = now.size > kDivergedSize && now.condition > kDivergedCondition;
+  const bool exhausted =
+      now.size > kSizeGrowth * first.size && now.condition > kExhaustedCondition;
+  return (far || exhausted) && now.condition > kConditionGrowth * first.condition &&
          now.condition > then.condition;
 }
 

@@ -69,6 +69,15 @@ Point to_original(const Prepared& prepared, const Point& homogeneous) {
   return restore(prepared.reduction, y);
 }
 
+std::vector<double> natural_sizes(const Prepared& prepared) {
+  const Reduction& reduction = prepared.reduction;
+  std::vector<double> sizes(reduction.kept.size() + reduction.substitutions.size(), 1.0);
+  for (std::size_t j = 0; j < prepared.scaling.variable_log2.size(); ++j) {
+    sizes[reduction.kept[j]] = std::ldexp(1.0, prepared.scaling.variable_log2[j]);
+  }
+  return sizes;
+}
+
 Point to_homogeneous(const Prepared& prepared, const Point& x) {
   Point z;
   for (std::size_t j = 0; j < prepared.reduction.kept.size(); ++j) {

@@ -29,8 +29,8 @@ constexpr double kProbe = 1e-8;
 
 class RefinerProgram {
  public:
-  explicit RefinerProgram(const System& f)
-      : tape(make_tape(f)), c(complex_coefficients(tape, f)) {
+  RefinerProgram(const System& f, std::vector<double> natural_sizes)
+      : tape(make_tape(f)), c(complex_coefficients(tape, f)), unit(std::move(natural_sizes)) {
     exact = round_coefficients<ComplexDoubleDouble>(tape, f, to_complex_double_double);
     for (const Complex& ck : c) size.push_back(std::abs(ck));
   }
@@ -39,10 +39,12 @@ class RefinerProgram {
   std::vector<Complex> c;
   std::vector<ComplexDoubleDouble> exact;
   std::vector<double> size;
+  std::vector<double> unit;
 };
 
-std::shared_ptr<const RefinerProgram> make_refiner_program(const System& f) {
-  return std::make_shared<const RefinerProgram>(f);
+std::shared_ptr<const RefinerProgram> make_refiner_program(const System& f,
+                                                           std::vector<double> unit) {
+  return std::make_shared<const RefinerProgram>(f, std::move(unit));
 }
 
 struct Refiner::Workspace {
@@ -79,12 +81,22 @@ struct Refiner::Workspace {
                                                        fine_registers, fine_value);
   }
 
-  /// dx <- -J^{-1} F(x), J as factored last; |dx|_inf / max(1, |x|_inf).
+  /// dx <- -J^{-1} F(x), J as factored last; its size.
   double correction(const Point& x) {
     evaluate_fine(x);
     for (std::size_t i = 0; i < n; ++i) dx[i] = -to_complex(fine_value[i]);
     lu.solve(dx);
-    return max_norm(dx) / std::max(1.0, max_norm(x));
+    return size_at(dx, x);
+  }
+
+  /// max_i |v_i| / max(|x_i|, unit_i).
+  double size_at(const Point& v, const Point& x) const {
+    double largest = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      const double size = std::abs(v[i]) / std::max(std::abs(x[i]), program->unit[i]);
+      if (!(size <= largest)) largest = size;
+    }
+    return largest;
   }
 
   std::shared_ptr<const RefinerProgram> program;
@@ -149,31 +161,33 @@ Refined Refiner::refine(const Point& x, double accuracy) {
   }
   result.condition = w.factor(trial) ? w.lu.condition() : std::numeric_limits<double>::infinity();
   if (contracts && result.condition > kDoubtfulCondition) {
-    Point probe = trial;
-    const double offset = kProbe * std::max(1.0, max_norm(trial));
-    for (std::size_t i = 0; i < probe.size(); ++i) {
-      probe[i] += std::polar(offset, static_cast<double>(i + 1));
-    }
-    contracts = w.factor(probe);
-    if (contracts) {
-      w.correction(probe);
-      add(probe, w.dx);
-      double distance = 0;
-      for (std::size_t i = 0; i < probe.size(); ++i) {
-        distance = std::max(distance, std::abs(probe[i] - trial[i]));
-      }
-      contracts = distance < kContraction * offset;
-    }
+    contracts = contracts_from_probe(trial);
   }
   if (contracts) {
     result.simple = true;
     w.factor(trial);
-    result.accuracy = 2 * w.correction(trial) + kUnitRoundoff;
+    w.correction(trial);
+    result.accuracy = 2 * max_norm(w.dx) / std::max(1.0, max_norm(trial)) + kUnitRoundoff;
     result.x = std::move(trial);
   }
   result.residual = residual(result.x);
   snap_to_zero(result, accuracy);
   return result;
+}
+
+// Newton from a point beside x, kProbe away in every coordinate, comes much nearer to a simple root.
+bool Refiner::contracts_from_probe(const Point& x) {
+  Workspace& w = *w_;
+  Point probe = x;
+  for (std::size_t i = 0; i < probe.size(); ++i) {
+    const double offset = kProbe * std::max(std::abs(x[i]), w.program->unit[i]);
+    probe[i] += std::polar(offset, static_cast<double>(i + 1));
+  }
+  if (!w.factor(probe)) return false;
+  w.correction(probe);
+  add(probe, w.dx);
+  for (std::size_t i = 0; i < probe.size(); ++i) probe[i] -= x[i];
+  return w.size_at(probe, x) < kContraction * kProbe;
 }
 
 Refined Refiner::keep(const Point& x, double accuracy) {

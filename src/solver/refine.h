@@ -23,8 +23,10 @@ struct Refined {
 };
 
 /// Immutable and shared: the tape of a system and its coefficients in three scalars.
+/// unit: n, the natural size of each unknown (from the presolve's scaling); 1 where nothing is known.
 class RefinerProgram;
-std::shared_ptr<const RefinerProgram> make_refiner_program(const System& f);
+std::shared_ptr<const RefinerProgram> make_refiner_program(const System& f,
+                                                           std::vector<double> unit);
 
 /// Owns its memory; one a thread.
 class Refiner {
@@ -44,6 +46,7 @@ class Refiner {
   const std::vector<Complex>& relative_values(const Point& x);
 
  private:
+  bool contracts_from_probe(const Point& x);
   double residual(const Point& x);
   void snap_to_zero(Refined& root, double accuracy);
 

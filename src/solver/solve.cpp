@@ -130,7 +130,7 @@ void Run::describe() {
 }
 
 bool Run::decided_without_tracking() {
-  refiner_program_ = make_refiner_program(f_);
+  refiner_program_ = make_refiner_program(f_, natural_sizes(prepared_));
   result_.complete = true;
   switch (prepared_.reduction.verdict) {
     case Reduction::Verdict::square: return false;
