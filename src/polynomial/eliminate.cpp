@@ -120,18 +120,19 @@ System to_system(const State& s, const std::vector<std::string>& names) {
   return f;
 }
 
-/// Multiply-adds of value and gradient of the terms, and of the factorisation; see step_work.
+/// Multiply-adds of value and gradient of the terms, and the dimension; see step_work.
 struct Work {
   double terms = 0;
   double unknowns = 0;
 };
 
+/// Measured with the CVODE tracker a term's multiply-add weighs 1 and an unknown 150; the weights lean against fill, since
+/// filled systems mostly take more steps than those they come from (docs/decisions/0003-when-elimination-pays.md).
 double total(const Work& work) {
-  constexpr double kTermWeight = 2;  // a tape's multiply-add against one of the factorisation
-  constexpr double kUnknownOverhead =
-      20;  // predictor, norms and bookkeeping of a step, for each unknown
+  constexpr double kTermWeight = 2;
+  constexpr double kUnknownWeight = 20;
   const double n = work.unknowns;
-  return kTermWeight * work.terms + n * n * n / 3 + 2 * n * n + kUnknownOverhead * n;
+  return kTermWeight * work.terms + n * n * n / 3 + 2 * n * n + kUnknownWeight * n;
 }
 
 double work_of(const Monomial& m) { return 1 + static_cast<double>(m.size()); }
@@ -234,7 +235,7 @@ struct Pivot {
   double size_log2 = 0;
 };
 
-/// log of the number of monomials of degree at most d in n unknowns: what a dense polynomial has.
+/// Number of monomials of degree at most d in n unknowns: what a dense polynomial has.
 double dense_terms(double n, double d) {
   return std::exp(std::lgamma(n + d + 1) - std::lgamma(n + 1) - std::lgamma(d + 1));
 }

@@ -190,10 +190,10 @@ TEST(Elimination, ComplexPivotsDivideExactly) {
   expect_same_span(f, r, 7);
 }
 
-TEST(Elimination, ATinyPivotIsNotDividedBy) {
+TEST(Elimination, ATinyPivotIsNotDividedByThoughItsUnknownFillsLeast) {
   const Rational tiny(1, 1000000000);
-  const Reduction r = eliminate(system(3, {tiny * x + y + z - one, x * x * x + y * y - one,
-                                           x * x * x * x + z * z + y * z * x - one}));
+  const Reduction r = eliminate(system(3, {tiny * x + y + z - one, x + y * y * z + z * z - one,
+                                           y * y + z * z + y * z - constant(2)}));
   ASSERT_EQ(r.substitutions.size(), 1U);
   EXPECT_NE(r.substitutions[0].variable, 0U);
 }
@@ -208,6 +208,22 @@ TEST(Elimination, ATinyCoefficientOfALargeUnknownIsAGoodPivot) {
   const Reduction r = eliminate(f);
   EXPECT_EQ(r.substitutions.size(), 1U);
   expect_same_span(f, r, 3);
+}
+
+TEST(Elimination, Property2TheEquationItselfEntersOnce) {
+  const Polynomial sparse = Rational(2) * x * x * x + x * y;
+  const Polynomial long_one = Rational(3) * x * x * x + y * y - one;
+  const Reduction r = eliminate(system(2, {long_one, sparse}));
+  EXPECT_EQ(r.system.polynomials[0], long_one - Rational(3, 2) * sparse);
+  EXPECT_EQ(r.system.polynomials[1], sparse);
+  EXPECT_EQ(r.equation_origin, (std::vector<std::size_t>{0, 1}));
+
+  const System line = system(2, {Rational(3) * x - y - one, x * x * x - y * y});
+  const Reduction substituted = eliminate(line);
+  ASSERT_EQ(substituted.equation_origin, (std::vector<std::size_t>{1}));
+  const Point at{Coefficient{Rational(2, 7), 1}};
+  EXPECT_EQ(value(substituted.system.polynomials[0], at),
+            value(line.polynomials[1], restored(substituted, at)));
 }
 
 TEST(Elimination, KnownSystemsKeepTheirTotalDegreeAndTheirRoots) {
@@ -288,30 +304,50 @@ TEST(Elimination, AKnownRootStaysARoot) {
   }
 }
 
-TEST(Elimination, ALongFormInAHighPowerIsNotMultipliedOut) {
-  constexpr std::uint32_t kUnknowns = 12;
-  std::vector<Polynomial> equations;
+/// Sum of the unknowns = 1, and powers of neighbours.
+System chain(std::uint32_t unknowns, std::uint32_t exponent) {
   Polynomial sum = constant(-1);
-  for (std::uint32_t j = 0; j < kUnknowns; ++j) sum = sum + variable(j);
-  equations.push_back(sum);
-  for (std::uint32_t j = 0; j + 1 < kUnknowns; ++j) {
-    equations.push_back(power(variable(j), 7) + power(variable(j + 1), 7) - constant(j + 1));
+  for (std::uint32_t j = 0; j < unknowns; ++j) sum = sum + variable(j);
+  System f = system(unknowns, {sum});
+  for (std::uint32_t j = 0; j + 1 < unknowns; ++j) {
+    const Polynomial powers{
+        {Term{Coefficient{1, 0}, {{j, exponent}}}, Term{Coefficient{1, 0}, {{j + 1, exponent}}}}};
+    f.polynomials.push_back(powers - constant(j + 1));
   }
-  const System f = system(kUnknowns, equations);
+  return f;
+}
+
+TEST(Elimination, ALongFormInAHighPowerIsNotMultipliedOut) {
+  const System f = chain(12, 400);
   const Reduction r = eliminate(f);
   EXPECT_EQ(r.system, f);
   EXPECT_TRUE(says(r, "the elimination of 1 linear equation"));
 }
 
-TEST(Elimination, CoefficientsOfThousandsOfDigitsAreNotMade) {
-  std::mt19937_64 random(5);
-  constexpr int kDigits = 600;
-  const Integer huge = boost::multiprecision::pow(Integer(10), kDigits);
-  const Rational a(huge + 7, huge + 1);
-  const Polynomial line = a * x + y - one;
-  const System f = system(2, {line, power(x, 40) + power(y, 40) - one});
+TEST(Elimination, ASubstitutionThatDoesNotPayIsUndone) {
+  for (const System& f : {chain(8, 3), katsura(8)}) {
+    const Reduction r = eliminate(f);
+    EXPECT_EQ(r.system, f);
+    EXPECT_TRUE(r.substitutions.empty());
+    EXPECT_TRUE(says(r, "the elimination of 1 linear equation"));
+  }
+}
+
+TEST(Elimination, ASubstitutionThatDoesNotPayIsMadeWhereItProvesADependence) {
+  System f = chain(10, 3);
+  f.polynomials[1] = x * f.polynomials[0];
   const Reduction r = eliminate(f);
-  EXPECT_EQ(r.system, f);
+  EXPECT_EQ(r.verdict, Verdict::dependent);
+  EXPECT_EQ(r.dependent_equations, 1U);
+}
+
+TEST(Elimination, CoefficientsOfThousandsOfDigitsAreNotMade) {
+  constexpr unsigned kDigits = 600;
+  const Integer huge = boost::multiprecision::pow(Integer(10), kDigits);
+  const Polynomial curve = power(x, 6) + power(y, 6) + x * y - one;
+  const System f = system(2, {Rational(huge + 7, huge + 1) * x + y - one, curve});
+  EXPECT_EQ(eliminate(f).system, f);
+  EXPECT_EQ(eliminate(system(2, {Rational(2) * x + y - one, curve})).system.variables.size(), 1U);
 }
 
 TEST(Elimination, RestoreInDoubleAgreesWithTheExactOne) {

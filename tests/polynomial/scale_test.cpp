@@ -84,6 +84,13 @@ TEST(Scaling, WellScaledSystemsAreLeftAlone) {
   EXPECT_TRUE(is_identity(choose_scaling(arm(1, 1))));
 }
 
+TEST(Scaling, Property2AMildSystemStaysThoughItCouldBeMadePerfect) {
+  const System f = system(1, {Rational(256) * variable(0) * variable(0) - constant(1)});
+  EXPECT_TRUE(is_identity(choose_scaling(f)));
+  const System g = system(1, {Rational(4096) * variable(0) * variable(0) - constant(1)});
+  EXPECT_EQ(choose_scaling(g).variable_log2, (std::vector<int>{-6}));
+}
+
 TEST(Scaling, UnknownsOfVerySmallAndVeryLargeSizeBecomeTheirTwin) {
   for (int exponent : {6, 50, 300}) {
     const System f = circles(ten_to(exponent));

@@ -1,33 +1,25 @@
 // SPDX-License-Identifier: MIT
-// Which smaller system has the same roots? Linear equations used up before tracking, also those
-// that only combinations show.
+// Which smaller system has the same roots? Linear equations are used up, also those that only combinations show.
 //
 // Two moves, exact in the rationals, in turn until neither applies:
-//   combine     among the equations of one degree, those whose highest terms are linearly dependent
-//   are replaced by
-//               combinations of lower degree. What is left of degree 0 is 0 = 0 (dependent) or c =
-//               0 (inconsistent).
-//   substitute  a linear equation  a_j x_j + sum_k a_k x_k + b = 0  becomes  x_j = -(sum_k a_k x_k
-//   + b) / a_j  everywhere.
+//   combine     among the equations of one degree, those whose highest terms depend linearly on the others' are replaced
+//               by combinations of lower degree; of degree 0 are 0 = 0 (dependent) and c = 0 (inconsistent)
+//   substitute  a_j x_j + sum_k a_k x_k + b = 0 becomes x_j = -(sum_k a_k x_k + b) / a_j everywhere
 //
-// F: the m equations given, in x of C^n. R: the r equations left, in the kept unknowns y of C^k.
-// restore: y -> x, affine.
-//  (1) restore(y) is y in the kept places: kept[i] is the place of y_i, and restore is injective.
-//  (2) span{F_i(restore(y))} = span{R_i(y)} as spaces of polynomials: equations are only added to
-//  multiples of others. (3) Every root x of F is restore(y) of a root y of R, with the same
-//  multiplicity: the equations used up lie in the
-//      ideal of F and each is solved for its own unknown, so that C[x]/(F) and C[y]/(R) are
-//      isomorphic.
-//  (4) The product of the degrees never rises; `combine` makes it the least that combinations with
-//  constant
-//      coefficients can reach.
+// F: the m equations given, in x of C^n. R: the equations left, in the kept unknowns y of C^k. restore: y -> x, affine.
+//  (1) restore(y) is y in the kept places: kept[i] is the place of y_i in x, and restore is injective.
+//  (2) R_i(y) = F_o(restore(y)) + a combination of the other F_k(restore(y)), o = equation_origin[i], and
+//      span{F_i(restore(y))} = span{R_i(y)} as spaces of polynomials: row operations, invertible.
+//  (3) Every root x of F is restore(y) of a root y of R, with the same multiplicity: the equations used up lie in the
+//      ideal of F and each is solved for its own unknown, so that C[x]/(F) and C[y]/(R) are isomorphic.
+//  (4) The product of the degrees never rises; combine makes it the least that combinations with constant coefficients
+//      can reach.
 //
-// Which unknown: of the pivots of at least kPivotThreshold times the equation's largest coefficient
-// (sizes measured under choose_scaling), the one that makes the fewest new terms. How far:
-// substitution goes on while it can, and the state of least work (step_work times the product of
-// the degrees) is kept; equations whose substitution did not pay stay. Where a coefficient would
-// grow beyond the limits below, a move is not made. Not supported: products of equations with
-// polynomials (Groebner bases), linear factors.
+// Which unknown: of the pivots of at least kPivotThreshold times the equation's largest coefficient (sizes measured under
+// choose_scaling), the one that makes the fewest new terms. How far: substitution goes on while it can, and the state of
+// least work (step_work times the product of the degrees) is kept; equations whose substitution did not pay stay, unless
+// it proves a contradiction or a dependence. Where an integer would outgrow the limits below, a move is not made.
+// Not supported: products of equations with polynomials (Groebner bases), factors of an equation.
 #pragma once
 
 #include <complex>
@@ -40,8 +32,7 @@
 
 namespace moivre {
 
-/// Threshold pivoting as in sparse LU [DuffErismanReid86]: errors grow at most
-/// 1 + 1/0.1 a pivot.
+/// Threshold pivoting as in sparse LU [DuffErismanReid86]: errors grow at most 1 + 1/0.1 a pivot.
 inline constexpr double kPivotThreshold = 0.1;
 
 /// A numerator or denominator may grow to kBitGrowth times the longest of the input: a Cramer determinant of 64 equations
@@ -78,7 +69,7 @@ struct Reduction {
   System system;                  ///< R
   std::vector<std::size_t> kept;  ///< places of the kept unknowns, ascending
   std::vector<Substitution>
-      substitutions;  ///< in the order made: each names kept unknowns and those of later ones
+      substitutions;  ///< in order: each names kept unknowns and those of later ones
   std::vector<std::size_t>
       equation_origin;  ///< for each equation of R the number of the one it stands for
   std::size_t dependent_equations = 0;  ///< found to be 0 = 0
@@ -89,11 +80,11 @@ std::string to_string(Reduction::Verdict verdict);
 
 Reduction eliminate(const System& f);
 
-/// Complex multiply-adds of one evaluation of F and its Jacobian and one factorisation, weighted by
-/// measured cost: the model by which eliminate decides whether a substitution pays.
+/// What a step costs, in complex multiply-adds of a factorisation, terms counted double: the model by which eliminate
+/// decides whether a substitution pays (docs/decisions/0003-when-elimination-pays.md).
 double step_work(const System& f);
 
-/// x from y, over any scalar with +, * : `round` makes the scalar of an exact coefficient.
+/// x from y, over any scalar with + and *: `round` makes the scalar of an exact coefficient.
 template <typename Scalar, typename Round>
 std::vector<Scalar> restore(const Reduction& reduction, const std::vector<Scalar>& y, Round round) {
   std::vector<Scalar> x(reduction.kept.size() + reduction.substitutions.size());
