@@ -334,8 +334,9 @@ TEST(Elimination, ASubstitutionThatDoesNotPayIsUndone) {
 }
 
 TEST(Elimination, ASubstitutionThatDoesNotPayIsMadeWhereItProvesADependence) {
-  System f = chain(10, 3);
+  System f = chain(10, 4);
   f.polynomials[1] = x * f.polynomials[0];
+  f.polynomials[2] = f.polynomials[2] + power(x, 4);
   const Reduction r = eliminate(f);
   EXPECT_EQ(r.verdict, Verdict::dependent);
   EXPECT_EQ(r.dependent_equations, 1U);
