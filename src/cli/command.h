@@ -13,5 +13,7 @@ namespace moivre {
 using Chosen = std::function<int()>;
 
 void add_solve_command(CLI::App& moivre, Chosen& chosen);
+void add_track_command(CLI::App& moivre, Chosen& chosen);
+void add_info_command(CLI::App& moivre, Chosen& chosen);
 
 }  // namespace moivre

@@ -78,6 +78,8 @@ int parse_and_run(int argc, char** argv) {
   moivre.require_subcommand(1);
   moivre.footer("moivre COMMAND --help explains a command and shows examples.\n");
   add_solve_command(moivre, chosen);
+  add_track_command(moivre, chosen);
+  add_info_command(moivre, chosen);
   try {
     moivre.parse(argc, argv);
   } catch (const CLI::Success& asked_for_text) {

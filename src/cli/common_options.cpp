@@ -23,11 +23,6 @@ CvodeMethod cvode_method(const std::string& name) {
                               ": the methods are bdf_projection, bdf and adams");
 }
 
-// CLI11 would wrap a negative number around.
-std::string not_negative(const std::string& number) {
-  return number.find('-') == std::string::npos ? "" : number + " is negative";
-}
-
 }  // namespace
 
 void add_file(CLI::App& command, std::string& file) {
@@ -79,6 +74,18 @@ void add_start_options(CLI::App& command, StartChoice& choice) {
 void require_known(const StartChoice& choice) {
   if (choice.kind == "total-degree") return;
   throw std::invalid_argument("--start " + choice.kind + ": the start system is total-degree");
+}
+
+void add_json_option(CLI::App& command, std::string& path) {
+  command.add_option("--json", path, "write JSON here; - is standard output")->type_name("PATH");
+}
+
+void add_quiet_flag(CLI::App& command, bool& quiet) {
+  command.add_flag("--quiet", quiet, "print no text and no progress line");
+}
+
+std::string not_negative(const std::string& number) {
+  return number.find('-') == std::string::npos ? "" : number + " is negative";
 }
 
 void add_examples(CLI::App& command, const std::vector<std::string>& examples) {

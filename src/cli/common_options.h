@@ -33,6 +33,12 @@ void add_start_options(CLI::App& command, StartChoice& choice);
 /// Throws std::invalid_argument when there is no such start system.
 void require_known(const StartChoice& choice);
 
+void add_json_option(CLI::App& command, std::string& path);
+void add_quiet_flag(CLI::App& command, bool& quiet);
+
+/// A sentence when the text is a negative number, which CLI11 would wrap around; else empty.
+std::string not_negative(const std::string& number);
+
 /// Examples at the end of a command's --help.
 void add_examples(CLI::App& command, const std::vector<std::string>& examples);
 

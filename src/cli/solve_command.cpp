@@ -84,9 +84,8 @@ void add_solve_command(CLI::App& moivre, Chosen& chosen) {
   app.add_option("--threads", command->threads, "number of threads; 0: as many as the machine has")
       ->capture_default_str();
   app.add_flag("--all", command->all, "print the roots that are not real as well");
-  app.add_flag("--quiet", command->quiet, "print no text and no progress line");
-  app.add_option("--json", command->json, "write JSON here; - is standard output")
-      ->type_name("PATH");
+  add_quiet_flag(app, command->quiet);
+  add_json_option(app, command->json);
   app.add_option("--csv", command->csv, "write a table of the roots here")->type_name("PATH");
   app.add_option("--phc", command->phc, "write PHCpack's solution list here")->type_name("PATH");
   add_tracker_options(app, command->tracker);

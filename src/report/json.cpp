@@ -60,6 +60,14 @@ Json tracker_json(const std::string& kind,
   return tracker;
 }
 
+Json work_json(const StepCount& work) {
+  return {{"steps", work.accepted},
+          {"rejected", work.rejected},
+          {"evaluations", work.work.values},
+          {"linearizations", work.work.linearizations},
+          {"factorizations", work.work.factorizations}};
+}
+
 Json report_head(const std::string& command, const std::string& file) {
   return {{"moivre", std::string(version())}, {"command", command}, {"file", file}};
 }

@@ -26,6 +26,8 @@ Json to_json(const std::vector<LeftOut>& left_out);
 Json tracker_json(const std::string& kind,
                   const std::vector<std::pair<std::string, std::string>>& options);
 
+Json work_json(const StepCount& work);
+
 /// {"moivre": version, "command": command, "file": file}: how every report begins.
 Json report_head(const std::string& command, const std::string& file);
 

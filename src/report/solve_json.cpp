@@ -32,14 +32,6 @@ Json failure_json(const FailedPath& failure) {
       {"path", failure.path}, {"reason", to_string(failure.failure)}, {"t", to_json(failure.t)}};
 }
 
-Json work_json(const StepCount& work) {
-  return {{"steps", work.accepted},
-          {"rejected", work.rejected},
-          {"evaluations", work.work.values},
-          {"linearizations", work.work.linearizations},
-          {"factorizations", work.work.factorizations}};
-}
-
 Json time_json(const SolveTime& time) {
   return {{"threads", time.threads},        {"parse", to_json(time.parse)},
           {"start", to_json(time.start)},   {"track", to_json(time.track)},

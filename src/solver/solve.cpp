@@ -9,6 +9,7 @@
 
 #include "coincidence.h"
 #include "dimension.h"
+#include "facts.h"
 #include "ledger.h"
 #include "path_pool.h"
 #include "prepare.h"
@@ -33,22 +34,6 @@ class Stopwatch {
  private:
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
-
-SystemFacts facts_of(const System& f) {
-  return {f.variables, degrees(f), total_degree(degrees(f))};
-}
-
-void require_square(const System& f) {
-  const std::size_t equations = f.polynomials.size();
-  const std::size_t unknowns = f.variables.size();
-  if (equations == unknowns) return;
-  throw std::invalid_argument(
-      "the system has " + std::to_string(equations) + " equations in " + std::to_string(unknowns) +
-      " unknowns: " +
-      (equations > unknowns
-           ? "it is overdetermined, and a total-degree homotopy needs as many as unknowns"
-           : "it is underdetermined, so that its roots are not isolated"));
-}
 
 /// One run of solve(), from the prepared problem to the closed account.
 class Run {

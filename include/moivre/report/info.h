@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// What is the structure of a system, and how many paths would a solve follow? Solves nothing.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "moivre/solver/solve.h"
+
+namespace moivre {
+
+/// A start system and what it would cost.
+struct StartCost {
+  std::string kind;
+  std::optional<std::uint64_t> paths;  ///< nullopt: beyond 64 bits, or the system cannot be solved
+  std::string why;
+};
+
+struct SystemInfo {
+  SystemFacts system;
+  std::uint64_t equations = 0;
+  std::uint64_t terms = 0;
+  bool real = false;         ///< every coefficient is
+  bool homogeneous = false;  ///< every polynomial is
+  std::string verdict;       ///< of elimination: square, solved, inconsistent, dependent, ...
+  SystemFacts reduced;       ///< what would be tracked
+  std::uint64_t reduced_terms = 0;
+  std::vector<int> variable_log2;  ///< scaling of what would be tracked
+  std::vector<int> equation_log2;
+  std::vector<StartCost> start_systems;
+  std::vector<LeftOut> left_out;
+};
+
+/// Any system, square or not.
+SystemInfo inspect(const System& f);
+
+std::string info_text(const SystemInfo& info, const std::string& file);
+std::string info_json(const SystemInfo& info, const std::string& file);
+
+}  // namespace moivre

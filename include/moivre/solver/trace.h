@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// What happens along one path? Every accepted step of a path as solve() follows it, and the verdict on its end.
+//
+// A trace is a sequence of journeys: the whole way t: 0 -> 1 first, and where the end is not regular the endgame's
+// approaches and circles round t = 1. Within a journey s runs from 0 to 1. The first row is the start point, a step of 0.
+//
+//   path of solve()   number as in Solution::path; H is the homotopy after elimination and scaling, x is given back in
+//                     the system's own variables
+//   path of one's own H(x, t) = t F(x) + (1 - t) G(x) exactly, from a root of G: nothing is eliminated, scaled or drawn at
+//                     random. Where F and G are real, paths can meet on the way; multiply G by a complex constant then.
+//
+// |H| = max_i |H_i| at the point of unit length in homogeneous coordinates. Affine coordinates are infinite where x_0 = 0.
+// Edges: a system without a path (solved or refuted by elimination) is refused.
+#pragma once
+
+#include "moivre/solver/solve.h"
+
+namespace moivre {
+
+struct TraceStep {
+  int journey = 0;  ///< counts from 0
+  double s = 0;
+  Complex t;
+  Point x;                ///< affine
+  double h_before = 0;    ///< |H| before the Newton correction: how far the step drifted
+  double h_after = 0;     ///< |H| after it
+  double correction = 0;  ///< first Newton correction, relative to each coordinate
+  double step = 0;        ///< in s
+  int order = 0;          ///< of the integrator
+};
+
+struct Trace {
+  SystemFacts system;
+  std::optional<std::uint64_t> paths;  ///< of the start system; nullopt with one of one's own
+  std::uint64_t path = 0;
+  std::vector<TraceStep> steps;
+  PathEnd end;
+  Point x;  ///< affine end point, as the tracker and the endgame leave it; empty at infinity
+  std::string tracker;
+  std::vector<std::pair<std::string, std::string>> tracker_options;
+  std::vector<LeftOut> left_out;
+};
+
+/// Path `path` of solve(f, tracker, options). Throws std::invalid_argument when there is no such path or f is not square.
+Trace trace_path(const System& f, const Tracker& tracker, const SolveOptions& options,
+                 std::uint64_t path, const std::atomic<bool>& stop);
+
+/// The path of t F + (1 - t) G from `start`, n coordinates near a root of G. Throws std::invalid_argument when F and G are
+/// not both n polynomials in the same n variables, in the same order.
+Trace trace_path(const System& f, const System& g, const Point& start, const Tracker& tracker,
+                 const SolveOptions& options, const std::atomic<bool>& stop);
+
+}  // namespace moivre

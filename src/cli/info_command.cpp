@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// moivre info FILE: degrees, path counts of each start system, structure; solves nothing.
+#include <memory>
+
+#include "command.h"
+#include "common_options.h"
+#include "moivre/polynomial/read.h"
+#include "moivre/report/info.h"
+#include "output.h"
+
+namespace moivre {
+namespace {
+
+struct InfoCommand {
+  std::string file;
+  std::string json;
+  bool quiet = false;
+};
+
+int run(const InfoCommand& command) {
+  require_distinct({command.json}, command.file);
+  const System f = read_system(read_source(command.file));
+  Output json(command.json);
+  const SystemInfo info = inspect(f);
+  if (json.is_wanted()) json.write(info_json(info, command.file));
+  if (!command.quiet && !json.is_stdout()) write_to_stdout(info_text(info, command.file));
+  return kDecided;
+}
+
+}  // namespace
+
+void add_info_command(CLI::App& moivre, Chosen& chosen) {
+  const auto command = std::make_shared<InfoCommand>();
+  CLI::App& app =
+      *moivre.add_subcommand("info", "Tell the structure of a polynomial file; solve nothing");
+  add_file(app, command->file);
+  add_json_option(app, command->json);
+  add_quiet_flag(app, command->quiet);
+  add_examples(app,
+               {"moivre info katsura.phc", "moivre info katsura.phc --json - | jq .start_systems"});
+  app.callback([command, &chosen] { chosen = [command] { return run(*command); }; });
+}
+
+}  // namespace moivre

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// Structure of a system: degrees, terms, what elimination and scaling would do, paths of each start system.
+#include "moivre/report/info.h"
+
+#include <algorithm>
+
+#include "moivre/polynomial/eliminate.h"
+#include "moivre/polynomial/scale.h"
+
+namespace moivre {
+namespace {
+
+SystemFacts facts(const System& f) { return {f.variables, degrees(f), total_degree(degrees(f))}; }
+
+StartCost total_degree_cost(Reduction::Verdict verdict, const SystemFacts& reduced) {
+  StartCost cost{"total-degree", std::nullopt, ""};
+  switch (verdict) {
+    case Reduction::Verdict::square:
+      cost.paths = reduced.total_degree;
+      cost.why = reduced.total_degree ? "the product of the degrees of what is tracked"
+                                      : "the product of the degrees is beyond 64 bits";
+      break;
+    case Reduction::Verdict::solved:
+      cost.paths = 1;
+      cost.why = "elimination alone gives the one root";
+      break;
+    case Reduction::Verdict::inconsistent:
+      cost.paths = 0;
+      cost.why = "the equations contradict each other";
+      break;
+    case Reduction::Verdict::dependent:
+      cost.paths = 0;
+      cost.why = "the equations depend on each other: no root is isolated";
+      break;
+    case Reduction::Verdict::underdetermined:
+      cost.why = "fewer equations than unknowns: roots are not isolated";
+      break;
+    case Reduction::Verdict::overdetermined:
+      cost.why = "more equations than unknowns: a total-degree start needs as many";
+      break;
+  }
+  return cost;
+}
+
+}  // namespace
+
+SystemInfo inspect(const System& f) {
+  SystemInfo info;
+  info.system = facts(f);
+  info.equations = f.polynomials.size();
+  info.terms = term_count(f);
+  info.real = is_real(f);
+  info.homogeneous = std::all_of(f.polynomials.begin(), f.polynomials.end(),
+                                 [](const Polynomial& p) { return is_homogeneous(p); });
+  const Reduction reduction = eliminate(f);
+  info.verdict = to_string(reduction.verdict);
+  info.reduced = facts(reduction.system);
+  info.reduced_terms = term_count(reduction.system);
+  const Scaling scaling = choose_scaling(reduction.system);
+  info.variable_log2 = scaling.variable_log2;
+  info.equation_log2 = scaling.equation_log2;
+  info.start_systems.push_back(total_degree_cost(reduction.verdict, info.reduced));
+  for (const Omission& omission : reduction.left_out) {
+    info.left_out.push_back({omission.what, omission.why});
+  }
+  return info;
+}
+
+}  // namespace moivre

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// The structure of a system for people.
+#include <algorithm>
+
+#include "moivre/report/info.h"
+#include "number_text.h"
+#include "text_blocks.h"
+
+namespace moivre {
+namespace {
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
+  return text;
+}
+
+std::string size_text(std::uint64_t equations, std::uint64_t unknowns, std::uint64_t terms) {
+  return counted(equations, "equation") + " in " + counted(unknowns, "unknown") + ", " +
+         counted(terms, "term");
+}
+
+std::string degrees_line(const SystemFacts& facts) {
+  return degrees_text(facts.degrees) + "; total degree " + count_text(facts.total_degree);
+}
+
+std::string range_text(const std::vector<int>& exponents) {
+  const auto [low, high] = std::minmax_element(exponents.begin(), exponents.end());
+  return "2^" + std::to_string(*low) + " to 2^" + std::to_string(*high);
+}
+
+bool is_scaled(const std::vector<int>& exponents) {
+  return std::any_of(exponents.begin(), exponents.end(), [](int e) { return e != 0; });
+}
+
+}  // namespace
+
+std::string info_text(const SystemInfo& info, const std::string& file) {
+  std::string text =
+      file + ": " + size_text(info.equations, info.system.variables.size(), info.terms) + '\n';
+  text += "unknowns      " + joined(info.system.variables) + '\n';
+  text += "degrees       " + degrees_line(info.system) + '\n';
+  text += std::string("coefficients  ") + (info.real ? "real" : "complex") + '\n';
+  text += std::string("homogeneous   ") + (info.homogeneous ? "yes" : "no") + '\n';
+  text += "tracked       ";
+  if (info.reduced.degrees.empty()) {
+    text += "nothing: " + info.verdict + '\n';
+  } else {
+    text +=
+        size_text(info.reduced.degrees.size(), info.reduced.variables.size(), info.reduced_terms) +
+        ", degrees " + degrees_line(info.reduced) + '\n';
+  }
+  text += "scaling       ";
+  if (is_scaled(info.variable_log2) || is_scaled(info.equation_log2)) {
+    text += "unknowns by " + range_text(info.variable_log2) + ", equations by " +
+            range_text(info.equation_log2) + '\n';
+  } else {
+    text += "none needed\n";
+  }
+  text += "\nPaths of each start system\n";
+  for (const StartCost& start : info.start_systems) {
+    text += "  " + start.kind + ": " + (start.paths ? std::to_string(*start.paths) : "none") +
+            " (" + start.why + ")\n";
+  }
+  return text + left_out_text(info.left_out);
+}
+
+}  // namespace moivre

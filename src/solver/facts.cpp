@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// Facts of a system, and the refusal of those that are not square.
+#include "facts.h"
+
+#include <stdexcept>
+
+namespace moivre {
+
+SystemFacts facts_of(const System& f) {
+  return {f.variables, degrees(f), total_degree(degrees(f))};
+}
+
+void require_square(const System& f) {
+  const std::size_t equations = f.polynomials.size();
+  const std::size_t unknowns = f.variables.size();
+  if (equations == unknowns) return;
+  throw std::invalid_argument(
+      "the system has " + std::to_string(equations) + " equations in " + std::to_string(unknowns) +
+      " unknowns: " +
+      (equations > unknowns
+           ? "it is overdetermined, and a total-degree homotopy needs as many as unknowns"
+           : "it is underdetermined, so that its roots are not isolated"));
+}
+
+}  // namespace moivre
