@@ -54,8 +54,8 @@ OwnStart read_own_start(const std::string& system_file, const std::string& point
   if (number >= points.size()) {
     throw std::invalid_argument("there is no path " + std::to_string(number) + ": " + points_file +
                                 " lists " + std::to_string(points.size()) +
-                                " start points, numbered from 0 to " +
-                                std::to_string(points.size() - 1));
+                                (points.size() == 1 ? " start point" : " start points") +
+                                ", numbered from 0 to " + std::to_string(points.size() - 1));
   }
   start.points = points.size();
   start.point = std::move(points[number]);

@@ -59,7 +59,7 @@ std::string info_text(const SystemInfo& info, const std::string& file) {
   }
   text += "\nPaths of each start system\n";
   for (const StartCost& start : info.start_systems) {
-    text += "  " + start.kind + ": " + (start.paths ? std::to_string(*start.paths) : "none") +
+    text += "  " + start.kind + ": " + (start.paths ? std::to_string(*start.paths) : "not possible") +
             " (" + start.why + ")\n";
   }
   return text + left_out_text(info.left_out);

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// Does the program explain itself, and does it guess what a typo meant?
+#include <gtest/gtest.h>
+
+#include "program.h"
+#include "suggest.h"
+
+namespace moivre::test {
+namespace {
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(CommandLine, ShowsExamplesInTheHelpOfEveryCommand) {
+  const Scene scene;
+  for (const char* command : {"solve", "track", "info"}) {
+    const Outcome outcome = scene.run({command, "--help"});
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_TRUE(contains(outcome.out, "Examples:\n  moivre " + std::string(command)))
+        << outcome.out;
+    EXPECT_EQ(outcome.err, "");
+  }
+}
+
+TEST(CommandLine, ListsTheCommands) {
+  const Outcome outcome = Scene().run({"--help"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  for (const char* command : {"solve", "track", "info"})
+    EXPECT_TRUE(contains(outcome.out, command));
+}
+
+TEST(CommandLine, TellsItsVersion) {
+  const Outcome outcome = Scene().run({"--version"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.out, "moivre " MOIVRE_VERSION "\n");
+}
+
+TEST(CommandLine, SuggestsTheCommandThatATypoMeant) {
+  const Outcome outcome = Scene().run({"slove", "f.phc"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_TRUE(contains(outcome.err, "unknown command slove; did you mean solve?")) << outcome.err;
+}
+
+TEST(CommandLine, SuggestsNothingWhereNothingIsAlike) {
+  const Outcome outcome = Scene().run({"entirely-different"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_FALSE(contains(outcome.err, "did you mean")) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "The commands are solve, track, info.")) << outcome.err;
+}
+
+TEST(CommandLine, AsksForACommandAndForAFile) {
+  const Scene scene;
+  EXPECT_EQ(scene.run({}).exit_code, 1);
+  EXPECT_EQ(scene.run({"solve"}).exit_code, 1);
+  EXPECT_TRUE(contains(scene.run({"solve"}).err, "FILE"));
+}
+
+TEST(CommandLine, RefusesASecondFile) {
+  Scene scene;
+  scene.write("f.phc", "1\nx - 1;\n");
+  EXPECT_EQ(scene.run({"solve", "f.phc", "g.phc"}).exit_code, 1);
+}
+
+TEST(CommandLine, SaysWhenItsResultCouldNotBeWritten) {
+  Scene scene;
+  scene.write("f.phc", "1\nx^2 - 1;\n");
+  const Outcome outcome = scene.run({"solve", "f.phc", "--json", "/dev/full"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_TRUE(contains(outcome.err, "cannot write /dev/full")) << outcome.err;
+}
+
+TEST(EditDistance, CountsInsertionsDeletionsReplacementsAndSwaps) {
+  EXPECT_EQ(edit_distance("json", "json"), 0U);
+  EXPECT_EQ(edit_distance("jsn", "json"), 1U);
+  EXPECT_EQ(edit_distance("jsoon", "json"), 1U);
+  EXPECT_EQ(edit_distance("jzon", "json"), 1U);
+  EXPECT_EQ(edit_distance("slove", "solve"), 1U);
+  EXPECT_EQ(edit_distance("", "json"), 4U);
+}
+
+}  // namespace
+}  // namespace moivre::test

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+// Calls of the program by fork and exec; its output goes to files, or stderr to a pseudo-terminal.
+#include "program.h"
+
+#include <fcntl.h>
+#include <pty.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <thread>
+
+namespace moivre::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string content(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+[[noreturn]] void become(const std::vector<std::string>& arguments, const std::string& folder,
+                         int terminal) {
+  const fs::path here = folder;
+  const int out = ::open((here / ".out").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+  const int err = terminal >= 0
+                      ? terminal
+                      : ::open((here / ".err").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+  ::dup2(out, STDOUT_FILENO);
+  ::dup2(err, STDERR_FILENO);
+  if (::chdir(folder.c_str()) != 0) ::_exit(127);
+  std::vector<char*> words;
+  std::string name = "moivre";
+  words.push_back(name.data());
+  std::vector<std::string> copies = arguments;
+  for (std::string& copy : copies) words.push_back(copy.data());
+  words.push_back(nullptr);
+  ::execv(MOIVRE_PROGRAM, words.data());
+  ::_exit(127);
+}
+
+std::string drained(int descriptor) {
+  std::string text;
+  char buffer[4096];
+  for (ssize_t got = 0; (got = ::read(descriptor, buffer, sizeof buffer)) > 0;) {
+    text.append(buffer, static_cast<std::size_t>(got));
+  }
+  return text;
+}
+
+}  // namespace
+
+Scene::Scene() {
+  std::string pattern = (fs::temp_directory_path() / "moivre-cli-XXXXXX").string();
+  if (::mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder");
+  folder_ = pattern;
+}
+
+Scene::~Scene() {
+  std::error_code ignored;
+  fs::remove_all(folder_, ignored);
+}
+
+void Scene::write(const std::string& name, const std::string& text) const {
+  std::ofstream(fs::path(folder_) / name, std::ios::binary) << text;
+}
+
+std::string Scene::read(const std::string& name) const { return content(fs::path(folder_) / name); }
+
+bool Scene::has(const std::string& name) const { return fs::exists(fs::path(folder_) / name); }
+
+Outcome Scene::run(const std::vector<std::string>& arguments) const {
+  return run(arguments, false, [](int) {});
+}
+
+Outcome Scene::run(const std::vector<std::string>& arguments, bool terminal,
+                   const std::function<void(int)>& meanwhile) const {
+  int master = -1;
+  int slave = -1;
+  if (terminal && ::openpty(&master, &slave, nullptr, nullptr, nullptr) != 0) {
+    throw std::runtime_error("no pseudo-terminal");
+  }
+  const pid_t process = ::fork();
+  if (process == 0) become(arguments, folder_, slave);
+  if (terminal) ::close(slave);
+  meanwhile(process);
+  Outcome outcome;
+  if (terminal) outcome.err = drained(master);
+  int status = 0;
+  ::waitpid(process, &status, 0);
+  if (terminal) ::close(master);
+  outcome.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  outcome.out = read(".out");
+  if (!terminal) outcome.err = read(".err");
+  return outcome;
+}
+
+bool catches_interrupt(int process) {
+  const std::string file = "/proc/" + std::to_string(process) + "/status";
+  const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+  while (std::chrono::steady_clock::now() < give_up) {
+    std::ifstream stream(file);
+    for (std::string line; std::getline(stream, line);) {
+      if (line.rfind("SigCgt:", 0) != 0) continue;
+      const unsigned long long caught = std::strtoull(line.c_str() + 7, nullptr, 16);
+      if ((caught >> (SIGINT - 1)) & 1U) return true;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  return false;
+}
+
+}  // namespace moivre::test

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// What does the program do when it is called like this? Runs `moivre` in a folder of its own and catches all it says.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace moivre::test {
+
+struct Outcome {
+  int exit_code = -1;  ///< -1 when a signal ended the program
+  std::string out;
+  std::string err;
+};
+
+/// A folder for one test, with the files that it writes.
+class Scene {
+ public:
+  Scene();
+  ~Scene();
+  Scene(const Scene&) = delete;
+  Scene& operator=(const Scene&) = delete;
+
+  void write(const std::string& name, const std::string& text) const;
+  std::string read(const std::string& name) const;
+  bool has(const std::string& name) const;
+
+  /// Runs `moivre` with these arguments in the folder.
+  Outcome run(const std::vector<std::string>& arguments) const;
+  /// The same, with a terminal as stderr where `terminal`, and `meanwhile` called with the process id while it runs.
+  Outcome run(const std::vector<std::string>& arguments, bool terminal,
+              const std::function<void(int)>& meanwhile) const;
+
+ private:
+  std::string folder_;
+};
+
+/// Waits until the process catches SIGINT. False when it does not within ten seconds.
+bool catches_interrupt(int process);
+
+}  // namespace moivre::test

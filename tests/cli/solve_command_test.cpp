@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: MIT
+// Does `moivre solve` keep its contract: roots, exit codes, outputs, refusals?
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "problems.h"
+#include "program.h"
+
+namespace moivre::test {
+namespace {
+
+using Json = nlohmann::json;
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(SolveCommand, PrintsTheRootsOfAFile) {
+  Scene scene;
+  scene.write("f.phc", kCircleAndHyperbola);
+  const Outcome outcome = scene.run({"solve", "f.phc"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_TRUE(contains(outcome.out,
+                       "f.phc: 2 equations in 2 unknowns, degrees 2 2, total degree 4\n"
+                       "4 paths (total-degree, cvode, seed 1): 4 finite, 0 at infinity, 0 failed\n"
+                       "4 isolated roots: 4 real, 0 not real\n"))
+      << outcome.out;
+  EXPECT_TRUE(contains(outcome.out, "  x =  1\n  y =  2\n")) << outcome.out;
+}
+
+TEST(SolveCommand, WritesNothingButJsonToStandardOutputWhenAsked) {
+  Scene scene;
+  scene.write("f.phc", kCircleAndHyperbola);
+  const Outcome outcome = scene.run({"solve", "f.phc", "--json", "-"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  const Json json = Json::parse(outcome.out);
+  EXPECT_EQ(json["solutions"].size(), 4U);
+  EXPECT_EQ(json["complete"], true);
+  const Json& time = json["time_s"];
+  EXPECT_GT(time["parse"].get<double>(), 0);
+  EXPECT_GE(time["total"].get<double>(), time["parse"].get<double>() + time["track"].get<double>());
+}
+
+TEST(SolveCommand, GivesTheSameBytesForEveryNumberOfThreads) {
+  Scene scene;
+  scene.write("f.phc", katsura(6));
+  std::string first;
+  for (const char* threads : {"1", "2", "4", "7"}) {
+    const Outcome outcome = scene.run({"solve", "f.phc", "--threads", threads, "--json", "-"});
+    ASSERT_EQ(outcome.exit_code, 0);
+    const std::string bytes = outcome.out.substr(0, outcome.out.find("\"time_s\""));
+    if (first.empty()) first = bytes;
+    EXPECT_EQ(bytes, first) << threads << " threads";
+    EXPECT_EQ(Json::parse(outcome.out)["time_s"]["threads"], std::stoi(threads));
+  }
+}
+
+TEST(SolveCommand, FindsTheSameRootsWithEveryMethodAndSeed) {
+  Scene scene;
+  scene.write("f.phc", katsura(4));
+  for (const std::vector<std::string>& options :
+       {std::vector<std::string>{"--method", "bdf", "--rtol", "1e-6"},
+        {"--method", "adams", "--rtol", "1e-6"},
+        {"--seed", "18446744073709551615"}}) {
+    std::vector<std::string> arguments = {"solve", "f.phc", "--json", "-"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Outcome outcome = scene.run(arguments);
+    EXPECT_EQ(outcome.exit_code, 0) << options[1];
+    EXPECT_EQ(Json::parse(outcome.out)["solutions"].size(), 16U) << options[1];
+  }
+}
+
+TEST(SolveCommand, WritesAllFormsAtOnce) {
+  Scene scene;
+  scene.write("f.phc", kCircleAndHyperbola);
+  const Outcome outcome = scene.run(
+      {"solve", "f.phc", "--quiet", "--json", "f.json", "--csv", "f.csv", "--phc", "f.roots"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.out + outcome.err, "");
+  EXPECT_EQ(Json::parse(scene.read("f.json"))["solutions"].size(), 4U);
+  EXPECT_TRUE(contains(scene.read("f.csv"), "path,real,singular,"));
+  EXPECT_TRUE(contains(scene.read("f.roots"), "THE SOLUTIONS :\n4 2\n"));
+}
+
+TEST(SolveCommand, CallsItDecidedThatParallelLinesHaveNoRoot) {
+  Scene scene;
+  scene.write("f.phc", kParallelLines);
+  const Outcome outcome = scene.run({"solve", "f.phc", "--json", "-"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  const Json json = Json::parse(outcome.out);
+  EXPECT_TRUE(json["solutions"].empty());
+  EXPECT_EQ(json["complete"], true);
+}
+
+TEST(SolveCommand, ExitsWithTwoAndNamesThePathsThatFailed) {
+  Scene scene;
+  scene.write("f.phc", kCircleAndHyperbola);
+  const Outcome outcome = scene.run({"solve", "f.phc", "--max-steps", "2", "--json", "-"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  const Json json = Json::parse(outcome.out);
+  EXPECT_EQ(json["complete"], false);
+  EXPECT_EQ(json["paths"]["failed"], 4);
+  ASSERT_EQ(json["failures"].size(), 4U);
+  EXPECT_EQ(json["failures"][0]["reason"], "step limit");
+}
+
+TEST(SolveCommand, RefusesASystemThatIsNotSquareWithoutJson) {
+  Scene scene;
+  scene.write("under.phc", "1 2\nx*y - 1;\n");
+  scene.write("over.phc", "2 1\nx^2 - 1;\nx - 1;\n");
+  for (const char* kind : {"under", "over"}) {
+    const Outcome outcome = scene.run({"solve", std::string(kind) + ".phc", "--json", "f.json"});
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_TRUE(contains(outcome.err, std::string(kind) + "determined")) << outcome.err;
+    EXPECT_FALSE(scene.has("f.json"));
+  }
+}
+
+TEST(SolveCommand, NamesTheLineOfAFault) {
+  Scene scene;
+  scene.write("f.phc", "2\nx^2 + (y - 5;\nx*y - 2;\n");
+  const Outcome outcome = scene.run({"solve", "f.phc", "--json", "-"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_EQ(outcome.err.rfind("f.phc:2:", 0), 0U) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "^\n")) << outcome.err;
+}
+
+TEST(SolveCommand, RefusesAFileThatIsNotThere) {
+  const Outcome outcome = Scene().run({"solve", "absent.phc"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_TRUE(contains(outcome.err, "absent.phc")) << outcome.err;
+}
+
+TEST(SolveCommand, FindsAnUnwritableOutputBeforeItSolves) {
+  Scene scene;
+  scene.write("f.phc", katsura(12));
+  const auto begin = std::chrono::steady_clock::now();
+  const Outcome outcome = scene.run({"solve", "f.phc", "--json", "no/such/folder.json"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_TRUE(contains(outcome.err, "cannot write no/such/folder.json: No such file"))
+      << outcome.err;
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(1));
+}
+
+TEST(SolveCommand, LeavesAnOldResultAloneWhenItRefuses) {
+  Scene scene;
+  scene.write("under.phc", "1 2\nx*y - 1;\n");
+  scene.write("old.json", "old");
+  EXPECT_EQ(scene.run({"solve", "under.phc", "--json", "old.json"}).exit_code, 1);
+  EXPECT_EQ(scene.read("old.json"), "old");
+}
+
+TEST(SolveCommand, ReplacesALongerOldResult) {
+  Scene scene;
+  scene.write("f.phc", kParallelLines);
+  scene.write("old.json", std::string(100000, 'x'));
+  EXPECT_EQ(scene.run({"solve", "f.phc", "--json", "old.json"}).exit_code, 0);
+  EXPECT_NO_THROW(Json::parse(scene.read("old.json")));
+}
+
+TEST(SolveCommand, WillNotOverwriteTheProblemOrMixTwoResults) {
+  Scene scene;
+  scene.write("f.phc", kCircleAndHyperbola);
+  EXPECT_EQ(scene.run({"solve", "f.phc", "--json", "./f.phc"}).exit_code, 1);
+  EXPECT_EQ(scene.read("f.phc"), kCircleAndHyperbola);
+  EXPECT_EQ(scene.run({"solve", "f.phc", "--json", "-", "--csv", "-"}).exit_code, 1);
+  EXPECT_EQ(scene.run({"solve", "f.phc", "--json", "a", "--csv", "a"}).exit_code, 1);
+}
+
+struct Refusal {
+  std::vector<std::string> options;
+  std::string message;
+};
+
+TEST(SolveCommand, RefusesEachWrongOptionWithItsReason) {
+  Scene scene;
+  scene.write("f.phc", kCircleAndHyperbola);
+  const std::vector<Refusal> refusals = {
+      {{"--tracker", "lanes"}, "built without the lane tracker"},
+      {{"--tracker", "magic"}, "the trackers are cvode and lanes"},
+      {{"--method", "adams_projection"}, "projection is only supported with BDF"},
+      {{"--method", "euler"}, "the methods are bdf_projection, bdf and adams"},
+      {{"--start", "polyhedral"}, "the start system is total-degree"},
+      {{"--rtol", "0"}, "rtol must lie in (0, 0.5]"},
+      {{"--rtol", "nan"}, "rtol must lie in (0, 0.5]"},
+      {{"--max-steps", "0"}, "maximum_steps must be at least 1"},
+      {{"--threads", "-1"}, "threads must be 0 (all cores) or more"},
+      {{"--seed", "-1"}, "--seed: -1 is negative"},
+      {{"--seed", "x"}, "--seed"},
+      {{"--jsn", "-"}, "unknown option --jsn; did you mean --json?"},
+      {{"--tread=2"}, "unknown option --tread; did you mean --threads?"}};
+  for (const Refusal& refusal : refusals) {
+    std::vector<std::string> arguments = {"solve", "f.phc"};
+    arguments.insert(arguments.end(), refusal.options.begin(), refusal.options.end());
+    const Outcome outcome = scene.run(arguments);
+    EXPECT_EQ(outcome.exit_code, 1) << refusal.options[0];
+    EXPECT_EQ(outcome.out, "") << refusal.options[0];
+    EXPECT_TRUE(contains(outcome.err, refusal.message)) << outcome.err;
+  }
+}
+
+TEST(SolveCommand, EndsOnCtrlCWithWhatIsFinished) {
+  Scene scene;
+  scene.write("f.phc", katsura(13));
+  const Outcome outcome =
+      scene.run({"solve", "f.phc", "--threads", "2", "--json", "-"}, false, [](int process) {
+        ASSERT_TRUE(catches_interrupt(process));
+        std::this_thread::sleep_for(std::chrono::milliseconds(300));
+        kill(process, SIGINT);
+      });
+  EXPECT_EQ(outcome.exit_code, 2);
+  const Json json = Json::parse(outcome.out);
+  EXPECT_EQ(json["complete"], false);
+  EXPECT_TRUE(contains(json["message"], "interrupted"));
+  EXPECT_LT(json["paths"]["tracked"].get<int>(), 8192);
+}
+
+TEST(SolveCommand, ShowsProgressOnATerminalAndErasesIt) {
+  Scene scene;
+  scene.write("f.phc", katsura(13));
+  const Outcome outcome =
+      scene.run({"solve", "f.phc", "--threads", "1", "--json", "f.json"}, true, [](int process) {
+        ASSERT_TRUE(catches_interrupt(process));
+        std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+        kill(process, SIGTERM);
+      });
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_TRUE(contains(outcome.err, " of 8192 paths, ")) << outcome.err;
+  EXPECT_EQ(outcome.err.substr(outcome.err.rfind('\r')), "\r\x1b[K");
+}
+
+TEST(SolveCommand, ShowsNoProgressWhenQuietOrNotOnATerminal) {
+  Scene scene;
+  scene.write("f.phc", katsura(13));
+  for (const bool terminal : {true, false}) {
+    std::vector<std::string> arguments = {"solve", "f.phc", "--threads", "1", "--json", "f.json"};
+    if (terminal) arguments.push_back("--quiet");
+    const Outcome outcome = scene.run(arguments, terminal, [](int process) {
+      ASSERT_TRUE(catches_interrupt(process));
+      std::this_thread::sleep_for(std::chrono::milliseconds(1300));
+      kill(process, SIGINT);
+    });
+    EXPECT_EQ(outcome.err, "");
+  }
+}
+
+}  // namespace
+}  // namespace moivre::test

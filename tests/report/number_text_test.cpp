@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// Do printed numbers claim what is known, no more and no less?
+#include "number_text.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace moivre::test {
+namespace {
+
+TEST(KnownDigits, EndAtTheErrorsPlace) {
+  EXPECT_EQ(known_digits(1.0 / 3, 1e-4), "0.3333");
+  EXPECT_EQ(known_digits(1000.0 / 3, 1e-4), "333.3333");
+  EXPECT_EQ(known_digits(1.0 / 3, 3e-4), "0.333");
+  EXPECT_EQ(known_digits(1e-6 / 3, 1e-8), "3.3e-07");
+}
+
+TEST(KnownDigits, AreAllOfThemWhereThereIsNoError) {
+  EXPECT_EQ(std::stod(known_digits(0.1, 0)), 0.1);
+  EXPECT_EQ(std::stod(known_digits(1.0 / 3, 0)), 1.0 / 3);
+}
+
+TEST(KnownDigits, SayZeroWhereNothingIsKnown) {
+  EXPECT_EQ(known_digits(1e-9, 1e-8), "0");
+  EXPECT_EQ(known_digits(0, 0), "0");
+}
+
+TEST(KnownDigits, SayUnknownForWhatIsNotANumber) {
+  EXPECT_EQ(known_digits(std::numeric_limits<double>::quiet_NaN(), 1e-8), "unknown");
+  EXPECT_EQ(known_digits(1, std::numeric_limits<double>::infinity()), "unknown");
+}
+
+TEST(KnownDigits, LeaveOutAnImaginaryPartThatIsNotThere) {
+  EXPECT_EQ(known_digits(Complex(1, 1e-12), 1e-8), "1");
+  EXPECT_EQ(known_digits(Complex(1, -0.5), 1e-8), "1 - 0.5 i");
+}
+
+TEST(ExactText, ReadsBackAsTheSameDouble) {
+  for (const double x : {0.1, 1.0 / 3, -1e300, 5e-324, 123456789.0}) {
+    EXPECT_EQ(std::strtod(exact_text(x).c_str(), nullptr), x);
+  }
+}
+
+TEST(Counted, KnowsThePlural) {
+  EXPECT_EQ(counted(1, "path"), "1 path");
+  EXPECT_EQ(counted(0, "path"), "0 paths");
+  EXPECT_EQ(counted(2, "is", "are"), "2 are");
+}
+
+}  // namespace
+}  // namespace moivre::test

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// Do text, CSV and PHCpack's list tell the same roots as the result holds?
+#include "moivre/report/solve_report.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "hand_made_result.h"
+#include "moivre/polynomial/read.h"
+#include "moivre/report/point_list.h"
+
+namespace moivre::test {
+namespace {
+
+const std::vector<std::string> kNames = {"x", "alpha"};
+
+System two_equations() { return read_system({"two.phc", "2\nx^2 + alpha;\nalpha^3 - x;\n"}); }
+
+void expect_the_roots(const std::vector<Point>& points, const SolveResult& result) {
+  ASSERT_EQ(points.size(), result.solutions.size());
+  for (std::size_t k = 0; k < points.size(); ++k) EXPECT_EQ(points[k], result.solutions[k].x);
+}
+
+TEST(SolvePhc, IsReadBackToTheLastBit) {
+  const SolveResult result = hand_made_result();
+  expect_the_roots(read_points({"list", solve_phc(result, two_equations())}, kNames), result);
+}
+
+TEST(SolvePhc, BeginsWithTheSystemThatAReaderFinds) {
+  const System f = two_equations();
+  EXPECT_EQ(read_system({"list", solve_phc(hand_made_result(), f)}), f);
+}
+
+TEST(SolvePhc, HasPhcpacksHeadingsInTheirOrder) {
+  const std::string text = solve_phc(hand_made_result(), two_equations());
+  std::size_t at = 0;
+  for (const char* heading : {"\nTHE SOLUTIONS :\n2 2\n=====", "\nsolution 1 :\nt :  1.0",
+                              "\nm : 1\nthe solution for t :\n", "\n x     : ", "\n alpha : -2.5",
+                              "\n== err :  1.000E-16 = rco :  8.000E-02 = res :  1.000E-17 ==\n",
+                              "solution 2 :\n", "\nm : 2\n"}) {
+    at = text.find(heading, at);
+    ASSERT_NE(at, std::string::npos) << heading << " is missing in\n" << text;
+  }
+}
+
+TEST(SolveCsv, IsReadBackToTheLastBit) {
+  const SolveResult result = hand_made_result();
+  expect_the_roots(read_points({"table", solve_csv(result)}, kNames), result);
+}
+
+TEST(SolveCsv, LeavesUnknownNumbersEmpty) {
+  SolveResult result = hand_made_result();
+  result.solutions[0].condition = std::numeric_limits<double>::infinity();
+  EXPECT_NE(solve_csv(result).find("\n1,1,0,1,1e-17,1e-16,,0.1,0,-2.5,0\n"), std::string::npos)
+      << solve_csv(result);
+}
+
+TEST(SolveText, GivesTheAccountAndTheSeed) {
+  const std::string text = solve_text(hand_made_result(), "two.phc");
+  EXPECT_NE(text.find("6 paths (total-degree, cvode, seed 7): 3 finite, 1 at infinity, 2 failed; 4 "
+                      "tracked again\n"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("2 isolated roots: 1 real, 1 not real; 1 singular\n"), std::string::npos)
+      << text;
+}
+
+TEST(SolveText, PrintsRealRootsAndSaysHowManyAreHidden) {
+  const std::string text = solve_text(hand_made_result(), "two.phc");
+  EXPECT_NE(text.find("  x     =  0.1\n  alpha = -2.5\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("1 root is not real (--all lists it)"), std::string::npos) << text;
+}
+
+TEST(SolveText, PrintsOnlyTheDigitsThatAreKnown) {
+  const std::string text = solve_text(hand_made_result(), "two.phc", ListedRoots::all);
+  EXPECT_NE(text.find("  x     =  0.33333333\n  alpha =  0.5 - 0.25 i\n"), std::string::npos)
+      << text;
+  EXPECT_EQ(text.find("--all"), std::string::npos) << text;
+}
+
+TEST(SolveText, NamesFailuresWithReasonsAndWhatWasLeftOut) {
+  const std::string text = solve_text(hand_made_result(), "two.phc");
+  EXPECT_NE(text.find("  path 2: step limit, at t = 0.5\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("  z eliminated: a linear equation gives it\n"), std::string::npos) << text;
+}
+
+}  // namespace
+}  // namespace moivre::test
