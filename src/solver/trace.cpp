@@ -29,7 +29,7 @@ class Recorder : public Watcher {
     TraceStep& step = steps_.emplace_back();
     step.journey = journey_;
     step.s = record.s;
-    step.t = record.t;
+    step.t = record.t.t;
     step.x = to_affine_(Point(record.x.begin(), record.x.end()));
     path.linearize(record.x, record.t);
     step.h_after = path.residual();
@@ -52,7 +52,7 @@ TraceStep first_row(PathSystem& path, const Point& start, const ToAffine& to_aff
   Point unit = start;
   const double length = euclidean_norm(unit);
   for (Complex& xi : unit) xi /= length;
-  path.linearize(unit, 0);
+  path.linearize(unit, Complex(0));
   TraceStep step;
   step.x = to_affine(start);
   step.h_before = step.h_after = path.residual();
