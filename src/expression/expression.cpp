@@ -31,7 +31,8 @@ struct opening : one<'('> {};
 struct closing : one<')'> {};
 struct group : if_must<opening, gap, sum, closing> {};
 struct arguments : if_must<opening, gap, sum, star<if_must<one<','>, gap, sum>>, closing> {};
-struct called_or_name : seq<name, gap, opt<arguments>> {};
+// On one line: a name above a `(` is no call but two expressions, the first without its end.
+struct called_or_name : seq<name, star<blank>, opt<arguments>> {};
 struct operand : sor<number, called_or_name, group> {};
 
 struct begin_exponent : success {};
@@ -359,7 +360,7 @@ std::vector<NamePlace> names_in(std::string_view text, SourcePosition begin) {
   pegtl::parse<grammar::words, NameAction>(input, names);
   const auto is_called = [&](const NamePlace& place) {
     std::size_t next = place.at.offset - begin.offset + place.name.size();
-    while (next < text.size() && is_blank(text[next])) ++next;
+    while (next < text.size() && (text[next] == ' ' || text[next] == '\t')) ++next;
     return next < text.size() && text[next] == '(';
   };
   std::erase_if(names, is_called);

@@ -163,23 +163,24 @@ std::vector<Seam> seams_of(const Statement& polynomial) {
   return seams;
 }
 
+/// Each seam as a question, the likely ends of a polynomial first.
 std::string seam_hints(const Layout& layout) {
-  constexpr std::size_t kHints = 5;
-  std::vector<std::string> likely;
-  std::vector<std::string> possible;
+  constexpr std::size_t kHints = 20;
+  std::vector<std::string> hints;
+  std::vector<std::string> unlikely;
   for (std::size_t k = 0; k < layout.polynomials.size(); ++k) {
     for (const Seam& seam : seams_of(layout.polynomials[k])) {
       const std::string hint = "\n  polynomial " + std::to_string(k + 1) + " goes on at line " +
                                std::to_string(seam.line) +
                                ", which begins with a sign: is a `;` missing before it?";
-      (seam.is_likely_end ? likely : possible).push_back(hint);
+      (seam.is_likely_end ? hints : unlikely).push_back(hint);
     }
   }
-  const std::vector<std::string>& hints = likely.empty() ? possible : likely;
+  hints.insert(hints.end(), unlikely.begin(), unlikely.end());
   std::string text;
   for (std::size_t k = 0; k < std::min(hints.size(), kHints); ++k) text += hints[k];
   if (hints.size() > kHints) {
-    text += "\n  and so do " + std::to_string(hints.size() - kHints) + " more";
+    text += "\n  and so at " + std::to_string(hints.size() - kHints) + " more lines";
   }
   return text;
 }

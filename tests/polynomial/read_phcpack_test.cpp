@@ -89,12 +89,15 @@ TEST(PhcReader, NamesTheLineOfALostSemicolonThatStillParses) {
             std::string::npos);
 }
 
-TEST(PhcReader, SeesThePolynomialWhoseSemicolonIsLostAmongWrappedOnes) {
+TEST(PhcReader, AsksFirstWhereALineEndsWithANumberOrABlankLineFollows) {
   const std::string text = "3\nx*y\n + x*z\n + y*z - 7\n + z;\n x*y\n + z - 1\n\n- x;\n";
   const std::string message = faults_of(text)[0].message;
-  EXPECT_NE(message.find("polynomial 1 goes on at line 5"), std::string::npos) << message;
-  EXPECT_NE(message.find("polynomial 2 goes on at line 9"), std::string::npos) << message;
-  EXPECT_EQ(message.find("goes on at line 3"), std::string::npos) << message;
+  const std::size_t behind_number = message.find("polynomial 1 goes on at line 5");
+  const std::size_t behind_blank_line = message.find("polynomial 2 goes on at line 9");
+  const std::size_t wrapped = message.find("polynomial 1 goes on at line 3");
+  EXPECT_LT(behind_number, behind_blank_line) << message;
+  EXPECT_LT(behind_blank_line, wrapped) << message;
+  EXPECT_NE(wrapped, std::string::npos) << message;
 }
 
 TEST(PhcReader, NamesTheLineOfALostSemicolonThatDoesNotParse) {
@@ -102,6 +105,13 @@ TEST(PhcReader, NamesTheLineOfALostSemicolonThatDoesNotParse) {
       "2\nx^2 - 1\n\nx*y - 1;\n",
       {{1, 1, "expected 2 polynomials, found 1"},
        {4, 1, "an operator is missing before `x`; or is a `;` missing at the end of line 2?"}});
+}
+
+TEST(PhcReader, TakesANameAboveAParenthesisForALostSemicolon) {
+  expect_faults(
+      "2\nx^2 - y\n(x + 1)*y;\n",
+      {{1, 1, "expected 2 polynomials, found 1"},
+       {3, 1, "an operator is missing before `(`; or is a `;` missing at the end of line 2?"}});
 }
 
 TEST(PhcReader, SaysThatTheLastPolynomialLacksItsSemicolon) {

@@ -11,7 +11,7 @@
 //   sum      = [+|-] product { (+|-) [-] product }
 //   product  = power { (*|/) [-] power }
 //   power    = operand [ (^|**) [-] power ]             -x^2 is -(x^2), x^2^3 is x^(2^3)
-//   operand  = number | name | name ( sum {, sum} ) | ( sum )
+//   operand  = number | name | name ( sum {, sum} ) | ( sum )     name and ( on one line
 //   number   = digits [. digits] [(e|E) [+|-] digits], also .5
 //   name     = letter or _, then letters, digits, _, [ and ]
 //
