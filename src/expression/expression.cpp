@@ -85,6 +85,8 @@ struct Builder {
   std::string_view text;
   SourcePosition begin;
   std::vector<Diagnostic>& faults;
+  /// Takes the summands of the whole text; empty when the text is to become one tree.
+  std::function<void(const Expression&)> take = {};
   std::vector<Expression> stack = {};
   std::vector<std::size_t> unfinished = {};
   struct Opening {
@@ -114,11 +116,19 @@ struct Builder {
     stack.erase(first, stack.end());
   }
 
-  /// Closes a sum or product; one operand alone needs no node.
+  /// A summand is complete; one of the whole text may be wanted at once.
+  void hand_on() {
+    const bool is_of_whole_text = unfinished.size() == 1;
+    if (!take || !is_of_whole_text) return;
+    take(stack.back());
+    stack.pop_back();
+  }
+
+  /// Closes a sum or product; one operand alone needs no node, and none is left when all are handed on.
   void finish(Expression::Kind kind) {
     const std::size_t height = unfinished.back();
     unfinished.pop_back();
-    if (stack.size() - height == 1) return;
+    if (stack.size() - height <= 1) return;
     Expression node{.kind = kind, .at = stack[height].at, .number = {}, .name = {}, .operands = {}};
     gather(node, height);
     stack.push_back(std::move(node));
@@ -219,9 +229,23 @@ struct Action<grammar::negated_power> : Wrap<Expression::Kind::negate> {};
 template <>
 struct Action<grammar::negated> : Wrap<Expression::Kind::negate> {};
 template <>
-struct Action<grammar::subtracted> : Wrap<Expression::Kind::negate> {};
+struct Action<grammar::subtracted> {
+  template <class Match>
+  static void apply(const Match& in, Builder& b) {
+    b.wrap(Expression::Kind::negate, position_of(in));
+    b.hand_on();
+  }
+};
 template <>
 struct Action<grammar::divided> : Wrap<Expression::Kind::reciprocal> {};
+
+struct HandOn {
+  static void apply0(Builder& b) { b.hand_on(); }
+};
+template <>
+struct Action<grammar::first_product> : HandOn {};
+template <>
+struct Action<grammar::added> : HandOn {};
 
 struct Begin {
   static void apply0(Builder& b) { b.unfinished.push_back(b.stack.size()); }
@@ -339,19 +363,30 @@ struct NameAction<grammar::name> {
   }
 };
 
+/// False after a fault of the grammar, which is then among the faults.
+bool build(Builder& builder) {
+  Input input = input_of(builder.text, builder.begin);
+  try {
+    pegtl::parse<grammar::expression, Action, Control>(input, builder);
+    return true;
+  } catch (const SyntaxFault& fault) {
+    builder.faults.push_back(fault.diagnostic);
+    return false;
+  }
+}
+
 }  // namespace
 
 Expression parse_expression(std::string_view text, SourcePosition begin,
                             std::vector<Diagnostic>& faults) {
   Builder builder{.text = text, .begin = begin, .faults = faults};
-  Input input = input_of(text, begin);
-  try {
-    pegtl::parse<grammar::expression, Action, Control>(input, builder);
-    return std::move(builder.stack.back());
-  } catch (const SyntaxFault& fault) {
-    faults.push_back(fault.diagnostic);
-    return {};
-  }
+  return build(builder) ? std::move(builder.stack.back()) : Expression{};
+}
+
+void parse_summands(std::string_view text, SourcePosition begin, std::vector<Diagnostic>& faults,
+                    const std::function<void(const Expression&)>& take) {
+  Builder builder{.text = text, .begin = begin, .faults = faults, .take = take};
+  build(builder);
 }
 
 std::vector<NamePlace> names_in(std::string_view text, SourcePosition begin) {

@@ -4,6 +4,7 @@
 #include "expand.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -180,6 +181,23 @@ std::string quoted(const Integer& n) {
   return bits(n) > kQuotedBits ? std::string() : ' ' + n.str();
 }
 
+bool is_out_of_range(const Rational& r) {
+  const double rounded = to_double(r);
+  return std::isinf(rounded) || (rounded == 0.0 && !r.is_zero());
+}
+
+/// A fault where a coefficient, exact as it is, rounds to infinity or, not being zero, to zero.
+void check_range(const Polynomial& p, const SourcePosition& at, std::vector<Diagnostic>& faults) {
+  const auto is_fault = [](const Term& term) {
+    return is_out_of_range(term.coefficient.re) || is_out_of_range(term.coefficient.im);
+  };
+  if (std::any_of(p.terms.begin(), p.terms.end(), is_fault)) {
+    faults.push_back({at,
+                      "multiplied out, a coefficient is out of the range of double "
+                      "(4.9e-324 to 1.8e308)"});
+  }
+}
+
 }  // namespace
 
 template <class Operation>
@@ -201,20 +219,49 @@ Expander::Value Expander::refuse(const SourcePosition& at, const std::string& me
   return std::nullopt;
 }
 
-std::optional<Polynomial> Expander::expand(const Expression& e, const Environment& names) {
+std::optional<Polynomial> Expander::expand(std::string_view text, const SourcePosition& begin,
+                                           const Environment& names) {
+  const std::size_t faults_before = faults_.size();
+  std::size_t faults_seen = faults_before;
+  Sum sum;
+  parse_summands(text, begin, faults_, [&](const Expression& summand) {
+    const bool is_parsed = faults_.size() == faults_seen;  // else a number in it was refused
+    if (is_parsed) add_summand(summand, names, sum);
+    faults_seen = faults_.size();
+  });
+  if (faults_.size() > faults_before) return std::nullopt;
+  Polynomial polynomial = to_polynomial(std::move(sum.terms));
+  check_range(polynomial, begin, faults_);
+  return polynomial;
+}
+
+void Expander::add_summand(const Expression& summand, const Environment& names, Sum& sum) {
+  Value addend = value(summand, names);
+  if (!addend) sum.is_sound = false;
+  if (!sum.is_sound) return;
+  const Value added = within_limits(summand.at, [&](Account& account) {
+    for (Term& term : addend->terms) {
+      add(sum.terms, std::move(term.monomial), term.coefficient, account);
+    }
+    return Polynomial{};
+  });
+  sum.is_sound = added.has_value();
+}
+
+Expander::Value Expander::value(const Expression& e, const Environment& names) {
   switch (e.kind) {
     case Expression::Kind::number:
       return constant({e.number, 0});
     case Expression::Kind::name:
       return named(e, names);
     case Expression::Kind::sum:
-      return sum(e, names);
+      return sum_of(e, names);
     case Expression::Kind::product:
-      return product(e, names);
+      return product_of(e, names);
     case Expression::Kind::negate: {
-      const Value value = expand(e.operands.front(), names);
-      if (!value) return value;
-      return Coefficient{-1, 0} * *value;
+      const Value operand = value(e.operands.front(), names);
+      if (!operand) return std::nullopt;
+      return Coefficient{-1, 0} * *operand;
     }
     case Expression::Kind::reciprocal:
       return reciprocal(e, names);
@@ -241,29 +288,17 @@ Expander::Value Expander::named(const Expression& e, const Environment& names) {
   });
 }
 
-Expander::Value Expander::sum(const Expression& e, const Environment& names) {
-  TermMap terms;
-  bool is_sound = true;
-  for (const Expression& operand : e.operands) {
-    Value value = expand(operand, names);
-    is_sound = is_sound && value;
-    if (!is_sound) continue;
-    const Value added = within_limits(operand.at, [&](Account& account) {
-      for (Term& term : value->terms) {
-        add(terms, std::move(term.monomial), term.coefficient, account);
-      }
-      return Polynomial{};
-    });
-    is_sound = added.has_value();
-  }
-  if (!is_sound) return std::nullopt;
-  return to_polynomial(std::move(terms));
+Expander::Value Expander::sum_of(const Expression& e, const Environment& names) {
+  Sum sum;
+  for (const Expression& operand : e.operands) add_summand(operand, names, sum);
+  if (!sum.is_sound) return std::nullopt;
+  return to_polynomial(std::move(sum.terms));
 }
 
-Expander::Value Expander::product(const Expression& e, const Environment& names) {
-  Value result = expand(e.operands.front(), names);
+Expander::Value Expander::product_of(const Expression& e, const Environment& names) {
+  Value result = value(e.operands.front(), names);
   for (std::size_t k = 1; k < e.operands.size(); ++k) {
-    Value factor = expand(e.operands[k], names);
+    Value factor = value(e.operands[k], names);
     if (!result || !factor) {
       result.reset();
       continue;
@@ -276,23 +311,23 @@ Expander::Value Expander::product(const Expression& e, const Environment& names)
 }
 
 Expander::Value Expander::reciprocal(const Expression& e, const Environment& names) {
-  const Value value = expand(e.operands.front(), names);
-  if (!value) return std::nullopt;
-  if (!is_constant(*value)) {
+  const Value operand = value(e.operands.front(), names);
+  if (!operand) return std::nullopt;
+  if (!is_constant(*operand)) {
     return refuse(e.at, "division by a variable: only a number may stand behind `/`");
   }
-  if (value->terms.empty()) return refuse(e.at, "division by zero");
-  return constant(Coefficient{1, 0} / constant_of(*value));
+  if (operand->terms.empty()) return refuse(e.at, "division by zero");
+  return constant(Coefficient{1, 0} / constant_of(*operand));
 }
 
 std::optional<std::int64_t> Expander::exponent(const Expression& e, const Environment& names) {
-  const Value value = expand(e, names);
-  if (!value) return std::nullopt;
-  if (!is_constant(*value)) {
+  const Value exact = value(e, names);
+  if (!exact) return std::nullopt;
+  if (!is_constant(*exact)) {
     refuse(e.at, "the exponent is not a number");
     return std::nullopt;
   }
-  const Coefficient c = constant_of(*value);
+  const Coefficient c = constant_of(*exact);
   if (!is_real(c) || denominator(c.re) != 1) {
     refuse(e.at, "the exponent is not an integer");
     return std::nullopt;
@@ -306,7 +341,7 @@ std::optional<std::int64_t> Expander::exponent(const Expression& e, const Enviro
 }
 
 Expander::Value Expander::power(const Expression& e, const Environment& names) {
-  Value base = expand(e.operands[0], names);
+  Value base = value(e.operands[0], names);
   const std::optional<std::int64_t> k = exponent(e.operands[1], names);
   if (!base || !k) return std::nullopt;
   if (*k < 0) {

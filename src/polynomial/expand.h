@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <unordered_map>
 #include <vector>
 
@@ -25,20 +26,30 @@ inline constexpr std::uint64_t kMaximumWork = 50'000'000;
 /// Bits of a coefficient's numerator or denominator: 5000 digits fit.
 inline constexpr std::size_t kMaximumBits = 17'000;
 
-/// Expands the expressions of one file. Faults (a non-integer exponent, division by a variable, an
-/// unknown name, a limit passed) are appended to the list given; all those of an expression are.
+/// Parses and expands the expressions of one file. Faults (of the grammar, a non-integer exponent,
+/// division by a variable, an unknown name, a limit passed, a coefficient out of double's range) are
+/// appended to the list given; all those of an expression are.
 class Expander {
  public:
   explicit Expander(std::vector<Diagnostic>& faults) : faults_(faults) {}
 
-  /// nullopt when something in `e` was at fault.
-  std::optional<Polynomial> expand(const Expression& e, const Environment& names);
+  /// nullopt when something in the text, which begins at `begin`, was at fault. Only one summand's tree is
+  /// in memory at a time.
+  std::optional<Polynomial> expand(std::string_view text, const SourcePosition& begin,
+                                   const Environment& names);
 
  private:
   using Value = std::optional<Polynomial>;
+  /// Once it is unsound, summands are only searched for further faults.
+  struct Sum {
+    TermMap terms;
+    bool is_sound = true;
+  };
 
-  Value sum(const Expression& e, const Environment& names);
-  Value product(const Expression& e, const Environment& names);
+  Value value(const Expression& e, const Environment& names);
+  void add_summand(const Expression& summand, const Environment& names, Sum& sum);
+  Value sum_of(const Expression& e, const Environment& names);
+  Value product_of(const Expression& e, const Environment& names);
   Value reciprocal(const Expression& e, const Environment& names);
   Value power(const Expression& e, const Environment& names);
   Value named(const Expression& e, const Environment& names);

@@ -4,7 +4,6 @@
 #include "moivre/polynomial/read.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "read_formats.h"
 #include "statements.h"
@@ -32,11 +31,6 @@ bool leads_to_name(std::string_view text) {
   return next.empty() || std::string_view("+-*/^;,)=").find(next.front()) == std::string_view::npos;
 }
 
-bool is_out_of_range(const Rational& r) {
-  const double rounded = to_double(r);
-  return std::isinf(rounded) || (rounded == 0.0 && !r.is_zero());
-}
-
 void check_is_text(const Source& source, std::vector<Diagnostic>& faults) {
   const std::string& text = source.text;
   const auto control = std::find_if(text.begin(), text.end(), is_control);
@@ -50,17 +44,6 @@ void check_is_text(const Source& source, std::vector<Diagnostic>& faults) {
 }
 
 }  // namespace
-
-void check_range(const Polynomial& p, const SourcePosition& at, std::vector<Diagnostic>& faults) {
-  const auto is_fault = [](const Term& term) {
-    return is_out_of_range(term.coefficient.re) || is_out_of_range(term.coefficient.im);
-  };
-  if (std::any_of(p.terms.begin(), p.terms.end(), is_fault)) {
-    faults.push_back({at,
-                      "multiplied out, a coefficient is out of the range of double "
-                      "(4.9e-324 to 1.8e308)"});
-  }
-}
 
 PolynomialFormat detect_format(const std::string& text) {
   std::string head = without_bertini_comments(text);

@@ -208,11 +208,7 @@ void BertiniReader::assign(const Statement& statement) {
   }
   if (!may_assign(name, statement.begin)) return;
   const Statement right = behind(sign, 1);
-  const std::size_t faults_before = faults_.size();
-  const Expression e = parse_expression(right.text, right.begin, faults_);
-  std::optional<Polynomial> value;
-  if (faults_.size() == faults_before) value = expander_.expand(e, names_);
-  if (value) check_range(*value, right.begin, faults_);
+  std::optional<Polynomial> value = expander_.expand(right.text, right.begin, names_);
   if (value && declared_.find(name)->second.role == Role::constant && degree(*value) > 0) {
     refuse(right.begin, "the constant `" + name + "` holds a variable");
   }

@@ -14,9 +14,6 @@ namespace moivre {
 System read_phcpack(const Source& source, std::vector<Diagnostic>& faults);
 System read_bertini(const Source& source, std::vector<Diagnostic>& faults);
 
-/// A fault where a coefficient, exact as it is, rounds to infinity or, not being zero, to zero.
-void check_range(const Polynomial& p, const SourcePosition& at, std::vector<Diagnostic>& faults);
-
 /// Bertini's words that begin a declaration.
 bool is_bertini_keyword(std::string_view word);
 /// The text with its `%` comments blanked, every position kept.

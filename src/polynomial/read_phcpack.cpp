@@ -284,12 +284,8 @@ System read_phcpack(const Source& source, std::vector<Diagnostic>& faults) {
       faults.push_back({statement.begin, "a polynomial is missing before this `;`"});
       continue;
     }
-    const std::size_t faults_before = faults.size();
-    const Expression e = parse_expression(statement.text, statement.begin, faults);
-    if (faults.size() > faults_before) continue;
-    std::optional<Polynomial> polynomial = expander.expand(e, names);
+    std::optional<Polynomial> polynomial = expander.expand(statement.text, statement.begin, names);
     if (!polynomial) continue;
-    check_range(*polynomial, statement.begin, faults);
     system.polynomials.push_back(std::move(*polynomial));
   }
   return system;

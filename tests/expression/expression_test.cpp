@@ -115,6 +115,18 @@ TEST(Expression, MayNestAsDeepAsStatedAndNoDeeper) {
   EXPECT_NE(nested(257).find("more than 256 deep"), std::string::npos);
 }
 
+TEST(Summands, AreHandedOnWithTheirSignsUpToAFault) {
+  const auto summands = [](const std::string& text) {
+    std::vector<Diagnostic> faults;
+    std::string trees;
+    parse_summands(text, {}, faults, [&](const Expression& e) { trees += prefix(e) + '\n'; });
+    return trees + (faults.empty() ? "" : "fault");
+  };
+  EXPECT_EQ(summands("-a*b + (c - d)^2 - 3"), "(- (* a b))\n(^ (+ c (- d)) 2)\n(- 3)\n");
+  EXPECT_EQ(summands("+f(a + b, c)"), "(f (+ a b) c)\n");
+  EXPECT_EQ(summands("a + b^(c + d) ++ e"), "a\n(^ b (+ c d))\nfault");
+}
+
 TEST(NamesIn, FindsEveryNameEvenInTextThatDoesNotParse) {
   std::vector<std::string> names;
   for (const NamePlace& place : names_in("2x y1 + 1e5*e5) sin (z_)", {}))

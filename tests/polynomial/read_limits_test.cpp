@@ -23,6 +23,17 @@ TEST(ReaderLimits, BoundWhatCopiesOfASubfunctionCost) {
   EXPECT_NE(faults[0].message.find("takes more than"), std::string::npos);
 }
 
+TEST(ReaderLimits, NameASumOfTooManyTermsOnce) {
+  std::string text = "1 2\n";
+  for (int k = 0; k < 1'000'100; ++k) {
+    text.append("+x^").append(std::to_string(k / 1000)).append("*y^");
+    text.append(std::to_string(k % 1000));
+  }
+  const std::vector<Diagnostic> faults = faults_of(text + ";\n");
+  ASSERT_EQ(faults.size(), 1U);
+  EXPECT_NE(faults[0].message.find("more than 1000000 terms"), std::string::npos);
+}
+
 TEST(ReaderLimits, LetALineOfTenMegabytesPass) {
   std::string text = "1 3\n";
   std::size_t count = 0;

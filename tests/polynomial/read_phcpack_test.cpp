@@ -208,6 +208,13 @@ TEST(PhcReader, NamesEveryFaultOfAFile) {
                  {5, 3, "an operator is missing"}});
 }
 
+TEST(PhcReader, NamesTheFaultsBeforeAFaultOfTheGrammarToo) {
+  expect_faults("1\nx^2.5 + 1/x - 1/1e400 ++ x^-1;\n", {{2, 3, "not an integer"},
+                                                        {2, 10, "division by a variable"},
+                                                        {2, 17, "`1e400`"},
+                                                        {2, 24, "found the operator `+`"}});
+}
+
 TEST(PhcReader, RefusesEmptyAndBinaryFiles) {
   expect_faults("", {{1, 1, "the file is empty"}});
   expect_faults(" \n\t\n", {{1, 1, "the file is empty"}});

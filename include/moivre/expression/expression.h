@@ -19,6 +19,7 @@
 // comments.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -56,6 +57,11 @@ struct Expression {
 /// a fault the result is of no use.
 Expression parse_expression(std::string_view text, SourcePosition begin,
                             std::vector<Diagnostic>& faults);
+
+/// The same for a sum that may be long: each summand, with its sign, is handed on as soon as it is
+/// read and then forgotten. Those before a fault of the grammar have been handed on.
+void parse_summands(std::string_view text, SourcePosition begin, std::vector<Diagnostic>& faults,
+                    const std::function<void(const Expression&)>& take);
 
 struct NamePlace {
   std::string_view name;
