@@ -162,7 +162,7 @@ TEST(SolveCommand, ReplacesALongerOldResult) {
   scene.write("f.phc", kParallelLines);
   scene.write("old.json", std::string(100000, 'x'));
   EXPECT_EQ(scene.run({"solve", "f.phc", "--json", "old.json"}).exit_code, 0);
-  EXPECT_NO_THROW(Json::parse(scene.read("old.json")));
+  EXPECT_TRUE(Json::accept(scene.read("old.json")));
 }
 
 TEST(SolveCommand, WillNotOverwriteTheProblemOrMixTwoResults) {

@@ -83,7 +83,7 @@ TEST(SolveJson, GivesTheTrackersOptionsAsNumbersWhereTheyAreNumbers) {
 }
 
 TEST(SolveJson, SurvivesAFileNameThatIsNotUtf8) {
-  EXPECT_NO_THROW(Json::parse(solve_json(hand_made_result(), "\xff\xfe.phc")));
+  EXPECT_TRUE(Json::accept(solve_json(hand_made_result(), "\xff\xfe.phc")));
 }
 
 TEST(SolveJson, ListsAreEmptyWhereThereIsNothingToList) {
