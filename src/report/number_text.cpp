@@ -44,7 +44,7 @@ std::string known_digits(double x, double error) {
 }
 
 std::string known_digits(Complex x, double error) {
-  const std::string re = known_digits(x.real(), error);
+  std::string re = known_digits(x.real(), error);
   const std::string im = known_digits(std::abs(x.imag()), error);
   if (im == "0") return re;
   return re + (x.imag() < 0 ? " - " : " + ") + im + " i";

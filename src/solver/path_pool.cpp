@@ -2,6 +2,7 @@
 // The path pool: a shared counter of paths, a session and its endgames on every thread.
 #include "path_pool.h"
 
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -70,6 +71,9 @@ void for_each_parallel(std::size_t count, int threads, const std::function<void(
     for (std::size_t k = 0; k < count; ++k) f(k);
     return;
   }
+  // Without it oneTBB warns, and keeps to the number of cores, where more threads are asked for.
+  const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(threads));
   tbb::task_arena arena(threads);
   arena.execute([&] { tbb::parallel_for(std::size_t{0}, count, f); });
 }

@@ -22,6 +22,9 @@ constexpr double kSimpleTolerance = 1e-13;
 // A singular end is not known better than this; ends nearer than that are one root.
 constexpr double kSingularTolerance = 1e-7;
 
+// More threads than any machine has cores only cost memory.
+constexpr int kMostThreads = 1024;
+
 class Stopwatch {
  public:
   double lap() {
@@ -343,7 +346,9 @@ void Run::close_account() {
 
 std::vector<std::string> validate(const SolveOptions& options) {
   std::vector<std::string> broken;
-  if (options.threads < 0) broken.push_back("threads must be 0 (all cores) or more");
+  if (options.threads < 0 || options.threads > kMostThreads) {
+    broken.push_back("threads must lie between 0 (all cores) and " + std::to_string(kMostThreads));
+  }
   if (options.maximum_care < 0) broken.push_back("maximum_care must be 0 or more");
   if (options.endgame.samples < 4 || options.endgame.samples % 2 != 0) {
     broken.push_back("endgame.samples must be even and at least 4");
