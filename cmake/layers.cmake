@@ -4,7 +4,7 @@
 # A module may use what its line names and what those use (one way only).
 
 set(MOIVRE_MODULES numeric expression polynomial homotopy tracker tracker_cvode endgame start solver
-    report cli)
+    mechanism kinematics report cli)
 
 set(MOIVRE_USES_numeric "")
 set(MOIVRE_USES_expression numeric)
@@ -15,6 +15,8 @@ set(MOIVRE_USES_tracker_cvode tracker)
 set(MOIVRE_USES_endgame tracker)
 set(MOIVRE_USES_start homotopy)
 set(MOIVRE_USES_solver start endgame)
+set(MOIVRE_USES_mechanism expression)
+set(MOIVRE_USES_kinematics mechanism)
 set(MOIVRE_USES_report solver)
 set(MOIVRE_USES_cli report tracker_cvode)
 
@@ -24,6 +26,7 @@ set(MOIVRE_THIRD_PARTY_numeric Eigen3::Eigen Boost::headers)
 set(MOIVRE_THIRD_PARTY_expression taocpp::pegtl)
 set(MOIVRE_THIRD_PARTY_tracker_cvode SUNDIALS::cvode)
 set(MOIVRE_THIRD_PARTY_solver TBB::tbb)
+set(MOIVRE_THIRD_PARTY_mechanism tomlplusplus::tomlplusplus)
 set(MOIVRE_THIRD_PARTY_report nlohmann_json::nlohmann_json)
 set(MOIVRE_THIRD_PARTY_cli CLI11::CLI11)
 
@@ -36,6 +39,7 @@ set(MOIVRE_FIND_taocpp::pegtl pegtl 3.2)
 set(MOIVRE_FIND_SUNDIALS::cvode SUNDIALS 6.4)
 set(MOIVRE_FIND_TBB::tbb TBB 2021.8)
 set(MOIVRE_FIND_nlohmann_json::nlohmann_json nlohmann_json 3.11)
+set(MOIVRE_FIND_tomlplusplus::tomlplusplus tomlplusplus 3.3)
 set(MOIVRE_FIND_CLI11::CLI11 CLI11 2.1)
 
 set(MOIVRE_HEADERS_Eigen3::Eigen "(Eigen|unsupported/Eigen)/")
@@ -44,6 +48,7 @@ set(MOIVRE_HEADERS_taocpp::pegtl "tao/pegtl")
 set(MOIVRE_HEADERS_SUNDIALS::cvode "(cvode|sundials|nvector|sunmatrix|sunlinsol|sunnonlinsol)/")
 set(MOIVRE_HEADERS_TBB::tbb "(tbb|oneapi)/")
 set(MOIVRE_HEADERS_nlohmann_json::nlohmann_json "nlohmann/")
+set(MOIVRE_HEADERS_tomlplusplus::tomlplusplus "toml\\+\\+/")
 set(MOIVRE_HEADERS_CLI11::CLI11 "CLI/")
 
 set(MOIVRE_VOCABULARY Eigen3::Eigen Boost::headers)

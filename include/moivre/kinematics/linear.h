@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// Which x solves A x = b, and in which sense? One factorisation, chosen by shape and rank, serves many right-hand sides.
+//
+//   square, regular            lu                x = A^-1 b
+//   m > n, rank n              qr                least |A x - b|            (or normal_equations, on request)
+//   m < n, rank m              minimum_norm      least x^T W x of all solutions
+//   rank < min(m, n)           svd               least |A x - b|, of those the least x^T W x
+// Symbols: A m x n, b m, x n, W = diag(weights) > 0, empty for the identity.
+// Rank is that of A with rows and columns brought to unit length (so that units do not matter), counted by
+// column-pivoted QR against kRankTolerance. A method asked for that the rank forbids is replaced by svd; `method()` says so.
+#pragma once
+
+#include <Eigen/Dense>
+#include <optional>
+#include <string>
+
+namespace moivre {
+
+enum class LinearMethod {
+  lu,
+  normal_equations,
+  qr,
+  minimum_norm,
+  svd
+};
+
+std::string to_string(LinearMethod method);
+
+/// A pivot this small beside the largest counts as zero. Poses are known to about 1e-13 and entries of an equilibrated
+/// Phi_q are of order 1: true zeros come out below 1e-11, and a pose nearer than 1e-9 to a singular one is not told from it.
+inline constexpr double kRankTolerance = 1e-9;
+
+/// A with its rows, then its columns, divided by their length (by no less than a millionth of the longest, so that
+/// rounding noise in a zero row stays noise).
+Eigen::MatrixXd equilibrated(const Eigen::MatrixXd& A);
+
+/// Rank by column-pivoted QR of the equilibrated matrix.
+Eigen::Index numerical_rank(const Eigen::MatrixXd& A);
+
+struct LinearOptions {
+  std::optional<LinearMethod> method;  ///< none: chosen by shape and rank
+  Eigen::VectorXd weights;             ///< diagonal of W, empty: all 1
+};
+
+class Factorisation {
+ public:
+  /// Throws std::invalid_argument when there are weights and they are not n positive numbers.
+  explicit Factorisation(const Eigen::MatrixXd& A, const LinearOptions& options = {});
+
+  Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
+  LinearMethod method() const { return method_; }
+  Eigen::Index rank() const { return rank_; }
+
+ private:
+  void factorise();
+
+  Eigen::MatrixXd A_;
+  Eigen::VectorXd root_weights_;  ///< W^(1/2), diagonal
+  Eigen::Index rank_ = 0;
+  LinearMethod method_ = LinearMethod::lu;
+  Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
+  Eigen::LDLT<Eigen::MatrixXd> normal_;
+  Eigen::HouseholderQR<Eigen::MatrixXd> qr_;  ///< of A, or of (A W^(-1/2))^T for minimum_norm
+  Eigen::JacobiSVD<Eigen::MatrixXd> svd_;     ///< of A W^(-1/2)
+};
+
+}  // namespace moivre

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// How freely can the mechanism move at this pose, which rows say nothing new, and along what do its constraints push?
+//
+//   degrees of freedom = n - rank Phi_q;  Gruebler's naive count = n - m
+//   R: n x (n - rank), Phi_q R = 0, orthonormal: the allowable velocities q' = R z'
+//   a redundant row is a combination of rows before it; left null vectors c with c^T Phi_q = 0 say which
+//   constraint i pushes along -lambda_i (Phi_q^T) column i
+// Rank by column-pivoted QR, with the singular values as a second witness; both of the equilibrated Phi_q.
+// A singular pose (rank lower than next to it: a dead point, a bifurcation) is found by stepping along R and coming back
+// to the constraints; a pose near one is warned of.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "moivre/kinematics/newton.h"
+
+namespace moivre {
+
+/// coefficient * row `row`.
+struct RowShare {
+  Eigen::Index row = 0;
+  std::string name;
+  double coefficient = 0;
+};
+
+/// Row `row` = sum of the shares.
+struct RedundantRow {
+  Eigen::Index row = 0;
+  std::string name;
+  std::vector<RowShare> combination;
+};
+
+/// "Phi5 = Phi1 - Phi3", by the rows' names.
+std::string to_text(const RedundantRow& redundant);
+
+/// A body (or unknown) that can move while all others stand still, no driver holding it.
+struct IdleFreedom {
+  std::string name;
+  Eigen::VectorXd direction;  ///< q' of length 1, zero but for this body
+};
+
+struct Mobility {
+  Eigen::Index coordinates = 0;         ///< n
+  Eigen::Index constraints = 0;         ///< m, joints (or equations) without drivers
+  Eigen::Index drivers = 0;
+  Eigen::Index rank = 0;                ///< by pivoted QR
+  Eigen::Index rank_by_svd = 0;
+  Eigen::Index degrees_of_freedom = 0;  ///< n - rank
+  Eigen::Index gruebler = 0;            ///< n - m
+  Eigen::Index driven_freedoms = 0;     ///< degrees of freedom left with the drivers held
+  std::vector<RedundantRow> redundant;
+  Eigen::VectorXd singular_values;      ///< of the equilibrated Phi_q, largest first
+  Eigen::MatrixXd null_space;           ///< R
+  Eigen::MatrixXd left_null_space;      ///< m x (m - rank), orthonormal, of Phi_q^T
+  Eigen::MatrixXd force_directions;     ///< n x m, column i = -gradient of constraint i
+  std::vector<IdleFreedom> idle;
+  std::vector<Eigen::Index> independent;  ///< coordinates chosen by pivoting
+  bool is_singular = false;             ///< rank_nearby > rank
+  Eigen::Index rank_nearby = 0;         ///< rank at assembled poses next to this one
+  bool is_near_singular = false;
+  std::vector<std::string> row_names;
+  std::vector<std::string> warnings;
+};
+
+/// At the pose q (assembled, so that the joints' rows vanish) and the time t.
+Mobility mobility(const Phi& phi, const Eigen::VectorXd& q, double t = 0);
+
+}  // namespace moivre

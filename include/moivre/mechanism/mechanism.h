@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+// What is the mechanism? Bodies with named points, joints and drivers; or constraint equations typed by hand.
+//
+// A file is one of two kinds (is_typed tells which):
+//   bodies     bodies[0] is the ground; joints tie bodies, drivers move them;
+//   equations  unknowns (q, in their order), constants and equations f(q, t) = 0.
+// Angles are radians and lengths are in the file's unit, whatever unit the file was written in.
+// A planar point has z = 0. Coordinates: planar [x, y, phi] a body, spatial [x, y, z, rx, ry, rz] a body (rotation
+// vector, docs/decisions/0030-spatial-coordinates.md), ground none.
+// Not supported: velocity (non-holonomic) and one-sided constraints; the reader refuses them with the reason.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "moivre/expression/expression.h"
+#include "moivre/mechanism/driver_law.h"
+
+namespace moivre {
+
+enum class Space { planar, spatial };
+
+/// What the file's numbers were written in; `angle` is "rad" or "deg".
+struct Units {
+  std::string length;
+  std::string angle = "rad";
+};
+
+/// A place fixed in a body's own frame.
+struct Point {
+  std::string name;
+  Eigen::Vector3d at = Eigen::Vector3d::Zero();
+  SourcePosition where;
+};
+
+struct Body {
+  std::string name;
+  std::vector<Point> points;
+  SourcePosition where;
+};
+
+/// Point `point` of body `body`, both counted from 0.
+struct PointOf {
+  std::size_t body = 0;
+  std::size_t point = 0;
+};
+
+enum class JointType {
+  revolute,     ///< two points coincide (spatial: and the axes do)
+  prismatic,    ///< the second point slides along a line of the first body, the bodies do not turn
+  slot,         ///< the second point slides along a line of the first body (planar)
+  weld,         ///< two points coincide and the bodies do not turn
+  rod,          ///< two points keep their distance
+  gear,         ///< two bodies turn in an integer ratio as seen from a carrier (planar)
+  spherical,    ///< two points coincide (spatial)
+  cylindrical,  ///< the second point slides along an axis about which the body may turn (spatial)
+  universal     ///< two points coincide, two axes stay perpendicular (spatial)
+};
+
+std::string to_string(JointType type);
+
+/// Teeth of the two wheels, signed: equal signs turn alike (internal mesh), opposite signs against each other.
+struct Gear {
+  std::array<int, 2> teeth{1, 1};
+  std::size_t carrier = 0;  ///< body; angles are relative to it
+  double phase_rad = 0;     ///< angle of the second wheel where the first stands at 0
+};
+
+struct Limits {
+  double lower = 0;
+  double upper = 0;
+};
+
+/// Which fields a type reads is said beside them; the others keep their default.
+struct Joint {
+  JointType type = JointType::revolute;
+  std::string name;                 ///< given, or made from its points
+  std::array<PointOf, 2> at;        ///< gear: the bodies only
+  std::array<Eigen::Vector3d, 2> axis{Eigen::Vector3d::UnitX(),
+                                      Eigen::Vector3d::UnitX()};
+                                    ///< unit vectors, one in each body's frame. Planar prismatic and slot: axis[0],
+                                    ///< the line. Spatial: axis of revolute, cylindrical, prismatic; the two pins of universal
+  double turn_rad = 0;              ///< prismatic, weld: angle of the second body relative to the first
+  double length = 0;                ///< rod
+  Gear gear;                        ///< gear
+  std::optional<Limits> limits;     ///< revolute: relative angle; prismatic, slot, cylindrical: slide
+  SourcePosition where;
+};
+
+enum class DriverKind {
+  angle,    ///< angle of `bodies[1]` relative to `bodies[0]`; spatial: of `joint`
+  slide,    ///< displacement along `joint`
+  x,        ///< coordinate of `point` in the ground frame
+  y,
+  z,
+  unknown   ///< the unknown `unknown` of a typed mechanism
+};
+
+std::string to_string(DriverKind kind);
+
+struct Driver {
+  DriverKind kind = DriverKind::angle;
+  std::string name;  ///< what it drives, as typed
+  std::array<std::size_t, 2> bodies{0, 0};
+  std::size_t joint = 0;
+  PointOf point;
+  std::size_t unknown = 0;
+  DriverLaw law;
+  SourcePosition where;
+};
+
+struct Unknown {
+  std::string name;
+  bool is_angle = false;
+  SourcePosition where;
+};
+
+/// expression = 0.
+struct Equation {
+  std::string name;
+  Expression expression;
+  Formula formula;
+  SourcePosition where;
+};
+
+struct Mechanism {
+  std::string title;
+  Space space = Space::planar;
+  Units units;
+
+  std::vector<Body> bodies{Body{"ground", {}, {}}};
+  std::vector<Joint> joints;
+
+  std::vector<Unknown> unknowns;
+  std::map<std::string, double> constants;
+  std::vector<Equation> equations;
+
+  std::vector<Driver> drivers;
+  std::map<std::string, double> guess;  ///< coordinate name -> value, for the coordinates that the file names
+  std::vector<std::string> warnings;    ///< what is odd but not wrong, each a sentence
+};
+
+bool is_typed(const Mechanism& mechanism);
+
+enum class CoordinateKind { length, angle, rotation_vector };
+
+struct Coordinate {
+  std::string name;  ///< "crank.phi", or the unknown's name
+  CoordinateKind kind = CoordinateKind::length;
+  std::size_t group = 0;  ///< which moving body (0 the first behind ground), or which unknown
+};
+
+/// q, in its order.
+std::vector<Coordinate> coordinates(const Mechanism& mechanism);
+
+/// A start for Newton's method: the file's guess where it names a coordinate, driven angles at time t where a driver
+/// says so, and positions x, y (z) placed joint by joint from the ground outwards. Other coordinates are 0.
+Eigen::VectorXd initial_guess(const Mechanism& mechanism, double t = 0);
+
+}  // namespace moivre

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// How far is q from an assembled mechanism, and how does that change? The constraints Phi(q, t) = 0 with all their derivatives.
+//
+//   Phi: R^n x R -> R^m, first the joints' rows (or the typed equations), then one row a driver.
+//   velocity      Phi_q q'  = -Phi_t
+//   acceleration  Phi_q q'' = gamma = -((Phi_q q')_q q' + 2 Phi_qt q' + Phi_tt)
+// Symbols: q (n coordinates), t seconds, Phi_q (m x n, row i = constraint i), qdot = q'.
+// Rows that compare angles (turns, gears, angle drivers) are taken to the nearest whole turn: an angle and the same
+// angle plus 2 pi are the same pose. Jacobians come from Taylor arithmetic along each coordinate, exact to rounding.
+// Not defined: derivatives where a rod's ends meet are zero rows (the rank shows it); where sqrt or log leave their
+// domain the row is NaN.
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "moivre/mechanism/mechanism.h"
+
+namespace moivre {
+
+class Constraint;
+
+class Phi {
+ public:
+  explicit Phi(const Mechanism& mechanism);
+
+  Eigen::Index size() const { return static_cast<Eigen::Index>(row_names_.size()); }  ///< m
+  Eigen::Index dimension() const { return static_cast<Eigen::Index>(coordinates_.size()); }  ///< n
+  Eigen::Index driver_size() const { return driver_size_; }  ///< the last rows, which are drivers
+
+  const std::vector<Coordinate>& coordinates() const { return coordinates_; }
+  /// "revolute A: x", "driver crank: angle", or the equation's name.
+  const std::vector<std::string>& row_names() const { return row_names_; }
+  /// Bodies (or unknowns) that a Coordinate's group counts.
+  const std::vector<std::string>& group_names() const { return group_names_; }
+
+  Eigen::VectorXd value(const Eigen::VectorXd& q, double t) const;
+  /// Sum of the magnitudes of the terms of each row: |Phi_i| is small when it is small beside this.
+  Eigen::VectorXd term_magnitudes(const Eigen::VectorXd& q, double t) const;
+  Eigen::MatrixXd jacobian(const Eigen::VectorXd& q, double t) const;
+  Eigen::VectorXd partial_t(const Eigen::VectorXd& q, double t) const;
+  Eigen::VectorXd partial_tt(const Eigen::VectorXd& q, double t) const;
+  /// (Phi_q q')_q q'
+  Eigen::VectorXd quadratic(const Eigen::VectorXd& q, const Eigen::VectorXd& qdot, double t) const;
+  /// 2 Phi_qt q'
+  Eigen::VectorXd mixed(const Eigen::VectorXd& q, const Eigen::VectorXd& qdot, double t) const;
+
+  /// -Phi_t
+  Eigen::VectorXd velocity_rhs(const Eigen::VectorXd& q, double t) const;
+  /// gamma
+  Eigen::VectorXd acceleration_rhs(const Eigen::VectorXd& q, const Eigen::VectorXd& qdot,
+                                   double t) const;
+
+  /// The same constraints without the driver rows.
+  Phi without_drivers() const;
+
+  /// The same pose with angles in (-pi, pi] and rotation vectors no longer than pi.
+  Eigen::VectorXd canonical(const Eigen::VectorXd& q) const;
+
+ private:
+  Phi() = default;
+  struct Line;
+  Eigen::VectorXd derivative(const Line& line, int order) const;
+
+  std::vector<Coordinate> coordinates_;
+  std::vector<std::string> group_names_;
+  std::vector<std::string> row_names_;
+  std::vector<std::shared_ptr<const Constraint>> constraints_;
+  Eigen::Index driver_size_ = 0;
+};
+
+/// max_i |Phi_i| / (sum of |terms| of Phi_i), 0 for a row without terms.
+double scaled_residual(const Phi& phi, const Eigen::VectorXd& q, double t);
+
+}  // namespace moivre

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+// How is A x = b factorised once and solved often? LU, normal equations, QR, minimum norm and SVD.
+#include "moivre/kinematics/linear.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace moivre {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kLengthFloor = 1e-6;  // of the longest row or column: below it a length is noise
+
+void scale_rows(MatrixXd& A) {
+  const VectorXd length = A.rowwise().norm();
+  const double longest = length.size() == 0 ? 0 : length.maxCoeff();
+  if (!(longest > 0)) return;
+  for (Index i = 0; i < A.rows(); ++i) A.row(i) /= std::max(length[i], kLengthFloor * longest);
+}
+
+bool suits(LinearMethod method, Index rows, Index columns, Index rank) {
+  switch (method) {
+    case LinearMethod::lu:
+      return rows == columns && rank == columns;
+    case LinearMethod::normal_equations:
+    case LinearMethod::qr:
+      return rank == columns;
+    case LinearMethod::minimum_norm:
+      return rank == rows;
+    case LinearMethod::svd:
+      return true;
+  }
+  return false;
+}
+
+LinearMethod natural_method(Index rows, Index columns, Index rank) {
+  for (const LinearMethod method : {LinearMethod::lu, LinearMethod::qr, LinearMethod::minimum_norm}) {
+    if (suits(method, rows, columns, rank)) return method;
+  }
+  return LinearMethod::svd;
+}
+
+}  // namespace
+
+std::string to_string(LinearMethod method) {
+  switch (method) {
+    case LinearMethod::lu:
+      return "LU";
+    case LinearMethod::normal_equations:
+      return "normal equations";
+    case LinearMethod::qr:
+      return "QR";
+    case LinearMethod::minimum_norm:
+      return "minimum norm";
+    case LinearMethod::svd:
+      return "SVD";
+  }
+  return "";
+}
+
+MatrixXd equilibrated(const MatrixXd& A) {
+  MatrixXd scaled = A;
+  scale_rows(scaled);
+  MatrixXd columns = scaled.transpose();
+  scale_rows(columns);
+  return columns.transpose();
+}
+
+Index numerical_rank(const MatrixXd& A) {
+  if (A.size() == 0) return 0;
+  Eigen::ColPivHouseholderQR<MatrixXd> qr(equilibrated(A));
+  qr.setThreshold(kRankTolerance);
+  return qr.rank();
+}
+
+Factorisation::Factorisation(const MatrixXd& A, const LinearOptions& options)
+    : A_(A), root_weights_(VectorXd::Ones(A.cols())), rank_(numerical_rank(A)) {
+  if (options.weights.size() != 0) {
+    if (options.weights.size() != A.cols() || !(options.weights.array() > 0).all() ||
+        !options.weights.allFinite()) {
+      throw std::invalid_argument("weights must be " + std::to_string(A.cols()) +
+                                  " positive numbers, one a coordinate");
+    }
+    root_weights_ = options.weights.cwiseSqrt();
+  }
+  method_ = options.method.value_or(natural_method(A.rows(), A.cols(), rank_));
+  if (!suits(method_, A.rows(), A.cols(), rank_)) method_ = LinearMethod::svd;
+  if (A.size() != 0) factorise();
+}
+
+void Factorisation::factorise() {
+  const MatrixXd weighted = A_ * root_weights_.cwiseInverse().asDiagonal();
+  switch (method_) {
+    case LinearMethod::lu:
+      lu_.compute(A_);
+      break;
+    case LinearMethod::normal_equations:
+      normal_.compute(A_.transpose() * A_);
+      break;
+    case LinearMethod::qr:
+      qr_.compute(A_);
+      break;
+    case LinearMethod::minimum_norm:
+      qr_.compute(weighted.transpose());
+      break;
+    case LinearMethod::svd:
+      svd_.compute(weighted, Eigen::ComputeThinU | Eigen::ComputeThinV);
+      break;
+  }
+}
+
+VectorXd Factorisation::solve(const VectorXd& b) const {
+  if (A_.size() == 0) return VectorXd::Zero(A_.cols());
+  switch (method_) {
+    case LinearMethod::lu:
+      return lu_.solve(b);
+    case LinearMethod::normal_equations:
+      return normal_.solve(A_.transpose() * b);
+    case LinearMethod::qr:
+      return qr_.solve(b);
+    case LinearMethod::minimum_norm: {
+      // (A W^(-1/2))^T = Q [R; 0]: z = Q [R^-T b; 0] is the shortest solution, x = W^(-1/2) z.
+      const Index m = A_.rows();
+      VectorXd z = VectorXd::Zero(A_.cols());
+      z.head(m) = qr_.matrixQR().topRows(m).triangularView<Eigen::Upper>().transpose().solve(b);
+      z.applyOnTheLeft(qr_.householderQ());
+      return z.cwiseQuotient(root_weights_);
+    }
+    case LinearMethod::svd:
+      break;
+  }
+  // x = W^(-1/2) V S^+ U^T b with the `rank_` largest singular values.
+  const VectorXd c = svd_.matrixU().leftCols(rank_).transpose() * b;
+  const VectorXd z =
+      svd_.matrixV().leftCols(rank_) * c.cwiseQuotient(svd_.singularValues().head(rank_));
+  return z.cwiseQuotient(root_weights_);
+}
+
+}  // namespace moivre

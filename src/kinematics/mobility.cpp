@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+// How is mobility counted? Rank twice, redundant rows by projection on the rows before them, neighbours by a step along R.
+#include "moivre/kinematics/mobility.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "moivre/kinematics/null_space.h"
+#include "moivre/kinematics/state.h"
+
+namespace moivre {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kNearSingular = 1e-5;   // singular value beside the largest, equilibrated: warn
+constexpr double kNegligible = 1e-9;     // share of a row in a combination: rounding
+constexpr double kNeighbourStep = 1e-2;  // step along R beside the pose's size: far enough to see a rank, near enough
+                                         // for Newton to come back to the same branch
+
+std::string number_text(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
+}
+
+/// Rows of J that the rows before them already say, each with its combination.
+std::vector<RedundantRow> redundant_rows(const Phi& joints, const MatrixXd& J, Index rank) {
+  std::vector<RedundantRow> found;
+  if (rank == J.rows()) return found;
+  std::vector<Index> kept;
+  for (Index i = 0; i < J.rows(); ++i) {
+    std::vector<Index> tried = kept;
+    tried.push_back(i);
+    if (numerical_rank(J(tried, Eigen::all)) == static_cast<Index>(tried.size())) {
+      kept = std::move(tried);
+      continue;
+    }
+    RedundantRow row{i, joints.row_names()[static_cast<std::size_t>(i)], {}};
+    const MatrixXd basis = J(kept, Eigen::all).transpose();
+    const VectorXd share = basis.size() == 0 ? VectorXd() : VectorXd(basis.colPivHouseholderQr().solve(J.row(i).transpose()));
+    for (Index k = 0; k < share.size(); ++k) {
+      const Index source = kept[static_cast<std::size_t>(k)];
+      const double part = std::abs(share[k]) * J.row(source).norm();
+      if (part <= kNegligible * J.row(i).norm()) continue;
+      row.combination.push_back({source, joints.row_names()[static_cast<std::size_t>(source)], share[k]});
+    }
+    found.push_back(std::move(row));
+  }
+  return found;
+}
+
+/// Directions in which one group of coordinates moves alone, drivers held.
+std::vector<IdleFreedom> idle_freedoms(const Phi& phi, const MatrixXd& J) {
+  std::vector<IdleFreedom> found;
+  for (std::size_t group = 0; group < phi.group_names().size(); ++group) {
+    std::vector<Index> own;
+    for (std::size_t k = 0; k < phi.coordinates().size(); ++k) {
+      if (phi.coordinates()[k].group == group) own.push_back(static_cast<Index>(k));
+    }
+    const MatrixXd alone = null_space(J(Eigen::all, own));
+    for (Index column = 0; column < alone.cols(); ++column) {
+      VectorXd direction = VectorXd::Zero(J.cols());
+      direction(own) = alone.col(column);
+      found.push_back({phi.group_names()[group], direction});
+    }
+  }
+  return found;
+}
+
+/// The largest rank at assembled poses one step along R (both ways, each direction and their sum) from q.
+Index rank_next_to(const Phi& joints, const VectorXd& q, double t, const MatrixXd& R, Index rank) {
+  const double step = kNeighbourStep * std::max(1.0, q.lpNorm<Eigen::Infinity>());
+  MatrixXd directions(R.rows(), R.cols() + 1);
+  directions << R, R.rowwise().sum();
+  Index largest = rank;
+  for (Index k = 0; k < directions.cols(); ++k) {
+    for (const double side : {step, -step}) {
+      const NewtonResult neighbour = newton(joints, q + side * directions.col(k), t);
+      if (neighbour.status != NewtonStatus::converged) continue;
+      largest = std::max(largest, neighbour.rank);
+    }
+  }
+  return largest;
+}
+
+std::vector<std::string> warnings_of(const Mobility& m, bool is_assembled) {
+  std::vector<std::string> warnings;
+  if (!is_assembled) {
+    warnings.emplace_back("the pose is not assembled: these figures hold where Phi = 0, assemble it first");
+  }
+  if (m.rank != m.rank_by_svd) {
+    warnings.push_back("QR finds rank " + std::to_string(m.rank) + ", the singular values " +
+                       std::to_string(m.rank_by_svd) + ": the rank is doubtful here");
+  }
+  if (m.is_singular) {
+    warnings.push_back("singular pose: rank " + std::to_string(m.rank) + " here, " +
+                       std::to_string(m.rank_nearby) + " next to it; away from here the mechanism has " +
+                       std::to_string(m.coordinates - m.rank_nearby) + " degrees of freedom");
+  } else if (m.is_near_singular) {
+    warnings.push_back("near a singular pose: the smallest counted singular value is " +
+                       number_text(m.singular_values[m.rank - 1] / m.singular_values[0]) +
+                       " of the largest");
+  }
+  if (m.gruebler != m.degrees_of_freedom) {
+    warnings.push_back("Gruebler's count says " + std::to_string(m.gruebler) + ", the rank says " +
+                       std::to_string(m.degrees_of_freedom) + ": " +
+                       std::to_string(m.degrees_of_freedom - m.gruebler) + " redundant constraints");
+  }
+  for (const IdleFreedom& idle : m.idle) {
+    warnings.push_back("'" + idle.name + "' can move while everything else stands still");
+  }
+  return warnings;
+}
+
+}  // namespace
+
+std::string to_text(const RedundantRow& redundant) {
+  std::string text = redundant.name + " =";
+  if (redundant.combination.empty()) return text + " 0";
+  bool is_first = true;
+  for (const RowShare& share : redundant.combination) {
+    const double size = std::abs(share.coefficient);
+    const char* sign = share.coefficient < 0 ? " - " : is_first ? " " : " + ";
+    const bool is_one = std::abs(size - 1) < kNegligible;
+    text += sign + (is_one ? "" : number_text(size) + " ") + "[" + share.name + "]";
+    is_first = false;
+  }
+  return text;
+}
+
+Mobility mobility(const Phi& phi, const VectorXd& q, double t) {
+  const Phi joints = phi.without_drivers();
+  const MatrixXd J = joints.jacobian(q, t);
+  const MatrixXd all_rows = phi.jacobian(q, t);
+  Mobility m;
+  m.coordinates = joints.dimension();
+  m.constraints = joints.size();
+  m.drivers = phi.driver_size();
+  m.rank = numerical_rank(J);
+  m.degrees_of_freedom = m.coordinates - m.rank;
+  m.gruebler = m.coordinates - m.constraints;
+  m.driven_freedoms = m.coordinates - numerical_rank(all_rows);
+  if (J.size() != 0) m.singular_values = Eigen::JacobiSVD<MatrixXd>(equilibrated(J)).singularValues();
+  const double floor = m.singular_values.size() == 0 ? 0 : kRankTolerance * m.singular_values[0];
+  m.rank_by_svd = (m.singular_values.array() > floor).count();
+  m.redundant = redundant_rows(joints, J, m.rank);
+  m.null_space = null_space(J);
+  m.left_null_space = left_null_space(J);
+  m.force_directions = -J.transpose();
+  m.idle = idle_freedoms(phi, all_rows);
+  m.independent = choose_partition(joints, q, t).independent;
+  m.row_names = joints.row_names();
+  m.is_near_singular =
+      m.rank > 0 && m.singular_values[m.rank - 1] < kNearSingular * m.singular_values[0];
+  constexpr double kAssembled = 1e-9;
+  const bool is_assembled = scaled_residual(joints, q, t) <= kAssembled;
+  m.rank_nearby = is_assembled ? rank_next_to(joints, q, t, m.null_space, m.rank) : m.rank;
+  m.is_singular = m.rank_nearby > m.rank;
+  m.warnings = warnings_of(m, is_assembled);
+  return m;
+}
+
+}  // namespace moivre

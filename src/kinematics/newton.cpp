@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+// How does a Newton-Raphson run go, and how does it end?
+#include "moivre/kinematics/newton.h"
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace moivre {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kEscape = 1e9;          // times the guess's size: nothing assembles out there
+constexpr double kStandstill = 1e-12;    // step beside q: the run has come to rest
+constexpr double kRestResidual = 1e-9;   // a run at rest with less than this is a solution at rounding level
+constexpr double kReturn = 1e-9;         // distance beside q at which an earlier iterate has come back
+constexpr double kMoving = 1e-6;         // step beside q: a cycle's steps are larger than this
+
+void validate(const Phi& phi, const VectorXd& guess, const NewtonOptions& options) {
+  std::string broken;
+  if (guess.size() != phi.dimension()) {
+    broken += "the guess has " + std::to_string(guess.size()) + " entries, there are " +
+              std::to_string(phi.dimension()) + " coordinates. ";
+  }
+  if (!guess.allFinite()) broken += "the guess must be finite. ";
+  if (!(options.residual_tolerance > 0)) broken += "residual_tolerance must be positive. ";
+  if (options.maximum_iterations < 1) broken += "maximum_iterations must be 1 or more. ";
+  for (const Index k : options.free.value_or(std::vector<Index>{})) {
+    if (k < 0 || k >= phi.dimension()) broken += "free names no coordinate. ";
+  }
+  if (!broken.empty()) throw std::invalid_argument(broken.substr(0, broken.size() - 1));
+}
+
+/// Phi_q, its columns those of the coordinates that may change.
+MatrixXd jacobian(const Phi& phi, const VectorXd& q, double t, const NewtonOptions& options) {
+  const MatrixXd J = phi.jacobian(q, t);
+  return options.free ? MatrixXd(J(Eigen::all, *options.free)) : J;
+}
+
+VectorXd moved(const VectorXd& q, const VectorXd& step, const NewtonOptions& options) {
+  if (!options.free) return q + step;
+  VectorXd next = q;
+  next(*options.free) += step;
+  return next;
+}
+
+double size_of(const VectorXd& q) { return std::max(1.0, q.lpNorm<Eigen::Infinity>()); }
+
+NewtonIteration look(const Phi& phi, const VectorXd& q, double t) {
+  NewtonIteration row;
+  row.q = q;
+  row.residual = phi.size() == 0 ? 0 : phi.value(q, t).lpNorm<Eigen::Infinity>();
+  row.scaled_residual = scaled_residual(phi, q, t);
+  return row;
+}
+
+/// How many steps ago the last iterate was visited before; 0 when it is new.
+int cycle_length(const std::vector<NewtonIteration>& rows) {
+  const VectorXd& q = rows.back().q;
+  for (std::size_t back = 2; back < rows.size(); ++back) {
+    const NewtonIteration& old = rows[rows.size() - 1 - back];
+    const bool returned = (q - old.q).lpNorm<Eigen::Infinity>() <= kReturn * size_of(q);
+    if (returned && old.step > kMoving * size_of(q)) return static_cast<int>(back);
+  }
+  return 0;
+}
+
+/// The verdict that the last row calls for, before another step is taken from it.
+std::optional<NewtonStatus> verdict(const NewtonResult& run, const VectorXd& guess,
+                                    const NewtonOptions& options) {
+  const NewtonIteration& row = run.iterations.back();
+  const bool is_number = row.q.allFinite() && std::isfinite(row.scaled_residual);
+  if (!is_number || size_of(row.q) > kEscape * size_of(guess)) return NewtonStatus::diverged;
+  if (row.scaled_residual <= options.residual_tolerance) return NewtonStatus::converged;
+  if (run.cycle_length > 0) return NewtonStatus::cycling;
+  return std::nullopt;
+}
+
+/// The verdict on a step that hardly moves q.
+NewtonStatus at_rest(const NewtonIteration& row, Index full_rank) {
+  if (row.scaled_residual <= kRestResidual) return NewtonStatus::converged;
+  return row.rank < full_rank ? NewtonStatus::singular : NewtonStatus::no_solution;
+}
+
+/// Coordinates that are rounding noise beside the others become 0 where that makes no row worse.
+VectorXd without_noise(const Phi& phi, const VectorXd& q, double t) {
+  const double noise = 8 * std::numeric_limits<double>::epsilon() * q.lpNorm<Eigen::Infinity>();
+  const VectorXd clean = (q.array().abs() <= noise).select(VectorXd::Zero(q.size()), q);
+  return scaled_residual(phi, clean, t) <= scaled_residual(phi, q, t) ? clean : q;
+}
+
+std::string message_of(const NewtonResult& run) {
+  const std::string after = " after " + std::to_string(run.steps()) + " steps";
+  switch (run.status) {
+    case NewtonStatus::converged:
+      return "converged" + after + (run.is_singular ? ", at a singular pose" : "");
+    case NewtonStatus::diverged:
+      return "diverged" + after + ": the iterates leave every bound; try another guess";
+    case NewtonStatus::cycling:
+      return "cycles" + after + ": the iterates repeat every " + std::to_string(run.cycle_length) +
+             " steps; try another guess";
+    case NewtonStatus::singular:
+      return "stopped" + after + " at a singular Jacobian (rank " + std::to_string(run.rank) +
+             ") where Phi is not zero; try another guess";
+    case NewtonStatus::no_solution:
+      return "stopped" + after +
+             " at a least-squares minimum where Phi is not zero: the constraints contradict each "
+             "other here";
+    case NewtonStatus::iteration_limit:
+      return "not converged" + after;
+  }
+  return "";
+}
+
+/// Rank, singular values and residuals where the run ended.
+void describe_end(const Phi& phi, double t, const NewtonOptions& options, NewtonResult& run) {
+  NewtonIteration& last = run.iterations.back();
+  run.q = last.q;
+  run.residual = last.residual;
+  run.scaled_residual = last.scaled_residual;
+  if (!last.q.allFinite()) return;
+  const MatrixXd J = jacobian(phi, last.q, t, options);
+  if (J.size() == 0 || !J.allFinite()) return;
+  const VectorXd raw = Eigen::JacobiSVD<MatrixXd>(J).singularValues();
+  const VectorXd scaled = Eigen::JacobiSVD<MatrixXd>(equilibrated(J)).singularValues();
+  run.rank = numerical_rank(J);
+  last.rank = run.rank;
+  run.is_singular = run.rank < std::min(J.rows(), J.cols());
+  run.smallest_singular_value = raw[raw.size() - 1];
+  run.condition = scaled[0] / scaled[scaled.size() - 1];
+}
+
+}  // namespace
+
+std::string to_string(NewtonStatus status) {
+  switch (status) {
+    case NewtonStatus::converged:
+      return "converged";
+    case NewtonStatus::diverged:
+      return "diverged";
+    case NewtonStatus::cycling:
+      return "cycling";
+    case NewtonStatus::singular:
+      return "singular";
+    case NewtonStatus::no_solution:
+      return "no_solution";
+    case NewtonStatus::iteration_limit:
+      return "iteration_limit";
+  }
+  return "";
+}
+
+NewtonResult newton(const Phi& phi, const VectorXd& guess, double t, const NewtonOptions& options) {
+  validate(phi, guess, options);
+  NewtonResult run;
+  run.iterations.push_back(look(phi, guess, t));
+  std::optional<NewtonStatus> status = verdict(run, guess, options);
+  while (!status && run.steps() < options.maximum_iterations) {
+    NewtonIteration& row = run.iterations.back();
+    const MatrixXd J = jacobian(phi, row.q, t, options);
+    if (!J.allFinite()) {
+      status = NewtonStatus::diverged;
+      break;
+    }
+    const Factorisation factors(J, options.linear);
+    const VectorXd step = factors.solve(-phi.value(row.q, t));
+    row.step = step.lpNorm<Eigen::Infinity>();
+    row.rank = factors.rank();
+    row.method = factors.method();
+    const VectorXd next = moved(row.q, step, options);
+    const bool rests = row.step <= kStandstill * size_of(row.q);
+    const NewtonStatus rest_verdict = at_rest(row, std::min(J.rows(), J.cols()));
+    run.iterations.push_back(look(phi, next, t));
+    run.iterations.back().method = factors.method();
+    run.cycle_length = cycle_length(run.iterations);
+    status = verdict(run, guess, options);
+    if (!status && rests) status = rest_verdict;
+  }
+  run.status = status.value_or(NewtonStatus::iteration_limit);
+  if (run.status != NewtonStatus::cycling) run.cycle_length = 0;
+  if (run.status == NewtonStatus::converged) {
+    const NewtonIteration last = run.iterations.back();
+    if (!options.free) run.iterations.back() = look(phi, without_noise(phi, last.q, t), t);
+    run.iterations.back().method = last.method;
+  }
+  describe_end(phi, t, options, run);
+  run.message = message_of(run);
+  return run;
+}
+
+}  // namespace moivre

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// How is a null space found? The last right singular vectors, as many as the rank leaves over.
+#include "moivre/kinematics/null_space.h"
+
+#include "moivre/kinematics/linear.h"
+
+namespace moivre {
+
+using Eigen::MatrixXd;
+
+MatrixXd null_space(const MatrixXd& A) {
+  if (A.rows() == 0 || A.cols() == 0) return MatrixXd::Identity(A.cols(), A.cols());
+  const Eigen::JacobiSVD<MatrixXd> svd(A, Eigen::ComputeFullV);
+  return svd.matrixV().rightCols(A.cols() - numerical_rank(A));
+}
+
+MatrixXd left_null_space(const MatrixXd& A) { return null_space(A.transpose()); }
+
+}  // namespace moivre

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+// How are velocity and acceleration solved from one factorisation, appended or partitioned?
+#include "moivre/kinematics/state.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace moivre {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+double largest(const VectorXd& v) { return v.size() == 0 ? 0 : v.lpNorm<Eigen::Infinity>(); }
+
+MatrixXd columns(const MatrixXd& A, const std::vector<Index>& chosen) {
+  return A(Eigen::all, chosen);
+}
+
+void require_usable(const Partition& partition) {
+  if (!partition.is_usable()) throw std::invalid_argument(partition.refusal);
+}
+
+/// Smallest over largest pivot of the equilibrated matrix; 1 for an empty one.
+double pivot_ratio(const MatrixXd& A) {
+  if (A.size() == 0) return 1;
+  const Eigen::ColPivHouseholderQR<MatrixXd> qr(equilibrated(A));
+  const VectorXd pivots = qr.matrixQR().diagonal().cwiseAbs();
+  return pivots[0] > 0 ? pivots[pivots.size() - 1] / pivots[0] : 0;
+}
+
+std::vector<Index> complement(const std::vector<Index>& chosen, Index size) {
+  std::vector<Index> rest;
+  for (Index k = 0; k < size; ++k) {
+    if (std::find(chosen.begin(), chosen.end(), k) == chosen.end()) rest.push_back(k);
+  }
+  return rest;
+}
+
+std::string names_of(const Phi& phi, const std::vector<Index>& chosen) {
+  std::string text;
+  for (const Index k : chosen) {
+    text += (text.empty() ? "" : ", ") + phi.coordinates()[static_cast<std::size_t>(k)].name;
+  }
+  return text;
+}
+
+}  // namespace
+
+MotionState motion_state(const Phi& phi, const VectorXd& q, double t, const LinearOptions& options) {
+  const MatrixXd J = phi.jacobian(q, t);
+  const Factorisation factors(J, options);
+  MotionState state;
+  state.factorisations = 1;
+  state.q = q;
+  state.method = factors.method();
+  state.rank = factors.rank();
+  state.is_determined = state.rank == phi.dimension();
+  const VectorXd velocity_rhs = phi.velocity_rhs(q, t);
+  state.velocity = factors.solve(velocity_rhs);
+  state.velocity_residual = largest(J * state.velocity - velocity_rhs);
+  const VectorXd gamma = phi.acceleration_rhs(q, state.velocity, t);
+  state.acceleration = factors.solve(gamma);
+  state.acceleration_residual = largest(J * state.acceleration - gamma);
+  return state;
+}
+
+Partition choose_partition(const Phi& joints, const VectorXd& q, double t) {
+  const MatrixXd J = joints.jacobian(q, t);
+  const Eigen::ColPivHouseholderQR<MatrixXd> qr(equilibrated(J));
+  const Index rank = numerical_rank(J);
+  const auto& order = qr.colsPermutation().indices();
+  std::vector<Index> independent(order.begin() + rank, order.end());
+  return make_partition(joints, q, std::move(independent), t);
+}
+
+Partition make_partition(const Phi& joints, const VectorXd& q, std::vector<Index> independent,
+                         double t) {
+  std::sort(independent.begin(), independent.end());
+  const bool twice =
+      std::adjacent_find(independent.begin(), independent.end()) != independent.end();
+  const bool outside = !independent.empty() && (independent.front() < 0 ||
+                                                independent.back() >= joints.dimension());
+  if (twice || outside) {
+    throw std::invalid_argument("independent coordinates must be distinct indices below " +
+                                std::to_string(joints.dimension()));
+  }
+  Partition partition;
+  partition.independent = std::move(independent);
+  partition.dependent = complement(partition.independent, joints.dimension());
+  const MatrixXd J = joints.jacobian(q, t);
+  const Index freedoms = joints.dimension() - numerical_rank(J);
+  const auto chosen = static_cast<Index>(partition.independent.size());
+  const MatrixXd Phi_u = columns(J, partition.dependent);
+  partition.smallest_pivot = pivot_ratio(Phi_u);
+  if (chosen != freedoms) {
+    partition.refusal = std::to_string(chosen) + " independent coordinates were chosen, the pose has " +
+                        std::to_string(freedoms) + " degrees of freedom";
+  } else if (numerical_rank(Phi_u) < Phi_u.cols()) {
+    partition.refusal = "Phi_u is singular: " + names_of(joints, partition.independent) +
+                        " cannot be chosen freely at this pose";
+  }
+  return partition;
+}
+
+NewtonResult solve_positions(const Phi& joints, const Partition& partition, const VectorXd& guess,
+                             double t, const NewtonOptions& options) {
+  require_usable(partition);
+  NewtonOptions dependent_only = options;
+  dependent_only.free = partition.dependent;
+  return newton(joints, guess, t, dependent_only);
+}
+
+MotionState partitioned_state(const Phi& joints, const Partition& partition, const VectorXd& q,
+                              const VectorXd& independent_velocity,
+                              const VectorXd& independent_acceleration, double t) {
+  require_usable(partition);
+  const MatrixXd J = joints.jacobian(q, t);
+  const MatrixXd Phi_v = columns(J, partition.independent);
+  const Factorisation factors(columns(J, partition.dependent));
+  MotionState state;
+  state.factorisations = 1;
+  state.q = q;
+  state.method = factors.method();
+  state.rank = factors.rank();
+  state.is_determined = state.rank == static_cast<Index>(partition.dependent.size());
+  state.velocity = VectorXd::Zero(q.size());
+  state.acceleration = VectorXd::Zero(q.size());
+  const VectorXd velocity_rhs = joints.velocity_rhs(q, t);
+  state.velocity(partition.independent) = independent_velocity;
+  state.velocity(partition.dependent) =
+      factors.solve(velocity_rhs - Phi_v * independent_velocity);
+  const VectorXd gamma = joints.acceleration_rhs(q, state.velocity, t);
+  state.acceleration(partition.independent) = independent_acceleration;
+  state.acceleration(partition.dependent) =
+      factors.solve(gamma - Phi_v * independent_acceleration);
+  state.velocity_residual = largest(J * state.velocity - velocity_rhs);
+  state.acceleration_residual = largest(J * state.acceleration - gamma);
+  return state;
+}
+
+}  // namespace moivre

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// How are a driver's value and two derivatives computed? Parabola, natural cubic spline, Taylor arithmetic.
+#include "moivre/mechanism/driver_law.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace moivre {
+namespace {
+
+DriverState state(const Parabola& law, double t) {
+  return {law.start + t * (law.velocity + t * law.acceleration / 2),
+          law.velocity + law.acceleration * t, law.acceleration};
+}
+
+DriverState state(const TypedLaw& law, double t) {
+  const Jet f = evaluate<Jet>(law.formula, {}, Jet(t, 1, 0));
+  return {law.unit * f.f, law.unit * f.d, law.unit * f.dd};
+}
+
+/// The cubic of piece k at t; beyond the ends its tangent (the curvature is 0 there).
+DriverState state(const Spline& s, double t) {
+  const double inside = std::clamp(t, s.t.front(), s.t.back());
+  const auto next = std::upper_bound(s.t.begin() + 1, s.t.end() - 1, inside);
+  const auto k = static_cast<std::size_t>(next - s.t.begin()) - 1;
+  const double h = s.t[k + 1] - s.t[k];
+  const double a = (s.t[k + 1] - inside) / h;
+  const double b = (inside - s.t[k]) / h;
+  const double left = s.curvature[k];
+  const double right = s.curvature[k + 1];
+  DriverState result;
+  result.value = a * s.value[k] + b * s.value[k + 1] +
+                 ((a * a * a - a) * left + (b * b * b - b) * right) * h * h / 6;
+  result.velocity = (s.value[k + 1] - s.value[k]) / h +
+                    ((1 - 3 * a * a) * left + (3 * b * b - 1) * right) * h / 6;
+  result.acceleration = inside == t ? a * left + b * right : 0;
+  result.value += result.velocity * (t - inside);
+  return result;
+}
+
+}  // namespace
+
+// Thomas' algorithm on h_{k-1} c_{k-1} + 2 (h_{k-1} + h_k) c_k + h_k c_{k+1} = 6 (slope_k - slope_{k-1}).
+Spline natural_spline(std::vector<double> t, std::vector<double> value) {
+  const std::size_t n = t.size();
+  if (n < 2 || value.size() != n) throw std::invalid_argument("a table needs two or more points");
+  for (std::size_t k = 1; k < n; ++k) {
+    if (!(t[k] > t[k - 1])) throw std::invalid_argument("a table's times must increase");
+  }
+  std::vector<double> curvature(n, 0);
+  std::vector<double> upper(n, 0);
+  for (std::size_t k = 1; k + 1 < n; ++k) {
+    const double before = t[k] - t[k - 1];
+    const double after = t[k + 1] - t[k];
+    const double pivot = 2 * (before + after) - before * upper[k - 1];
+    const double bend = 6 * ((value[k + 1] - value[k]) / after - (value[k] - value[k - 1]) / before);
+    upper[k] = after / pivot;
+    curvature[k] = (bend - before * curvature[k - 1]) / pivot;
+  }
+  for (std::size_t k = n - 1; k-- > 1;) curvature[k] -= upper[k] * curvature[k + 1];
+  return {std::move(t), std::move(value), std::move(curvature)};
+}
+
+DriverState driver_state(const DriverLaw& law, double t) {
+  return std::visit([t](const auto& kind) { return state(kind, t); }, law);
+}
+
+}  // namespace moivre

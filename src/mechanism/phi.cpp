@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MIT
+// How is Phi put together and differentiated? Constraints evaluated in Taylor arithmetic along lines of (q, t).
+#include "moivre/mechanism/phi.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "constraint.h"
+
+namespace moivre {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Rows of a typed equation, or of a driver of an unknown.
+std::shared_ptr<const Constraint> typed_equation(const Equation& equation) {
+  return make_constraint({equation.name}, unknowns_of(equation.formula),
+                         [formula = equation.formula](const auto& at, auto* row) {
+                           row[0] = evaluate(formula, at.q, at.t);
+                         });
+}
+
+std::shared_ptr<const Constraint> unknown_driver(const Mechanism& mechanism, const Driver& driver) {
+  const std::size_t k = driver.unknown;
+  const bool is_angle = mechanism.unknowns[k].is_angle;
+  return make_constraint({"driver " + driver.name + ": unknown"}, {k},
+                         [law = driver.law, k, is_angle](const auto& at, auto* row) {
+                           const auto gap = at.q[k] - law_at(law, at.t);
+                           row[0] = is_angle ? within_half_turn(gap) : gap;
+                         });
+}
+
+Constraints joint_constraints(const Mechanism& mechanism) {
+  Constraints constraints;
+  for (const Equation& equation : mechanism.equations) constraints.push_back(typed_equation(equation));
+  for (const Joint& joint : mechanism.joints) {
+    constraints.push_back(mechanism.space == Space::planar ? planar_joint(mechanism, joint)
+                                                           : spatial_joint(mechanism, joint));
+  }
+  return constraints;
+}
+
+std::shared_ptr<const Constraint> driver_constraint(const Mechanism& mechanism, const Driver& driver) {
+  if (is_typed(mechanism)) return unknown_driver(mechanism, driver);
+  return mechanism.space == Space::planar ? planar_driver(mechanism, driver)
+                                          : spatial_driver(mechanism, driver);
+}
+
+}  // namespace
+
+/// The line (q + s qdot, t + s tdot), s = 0.
+struct Phi::Line {
+  const VectorXd& q;
+  const VectorXd* qdot;  ///< null: zero
+  double t;
+  double tdot;
+};
+
+Phi::Phi(const Mechanism& mechanism)
+    : coordinates_(moivre::coordinates(mechanism)), constraints_(joint_constraints(mechanism)) {
+  for (std::size_t body = 1; body < mechanism.bodies.size(); ++body) {
+    group_names_.push_back(mechanism.bodies[body].name);
+  }
+  for (const Unknown& unknown : mechanism.unknowns) group_names_.push_back(unknown.name);
+  for (const Driver& driver : mechanism.drivers) {
+    constraints_.push_back(driver_constraint(mechanism, driver));
+  }
+  for (const auto& constraint : constraints_) {
+    row_names_.insert(row_names_.end(), constraint->row_names.begin(), constraint->row_names.end());
+  }
+  driver_size_ = static_cast<Index>(mechanism.drivers.size());
+}
+
+Phi Phi::without_drivers() const {
+  Phi joints = *this;
+  const auto drivers = static_cast<std::size_t>(driver_size_);
+  joints.constraints_.resize(constraints_.size() - drivers);
+  joints.row_names_.resize(row_names_.size() - drivers);
+  joints.driver_size_ = 0;
+  return joints;
+}
+
+/// Derivative of that order (0, 1, 2) of every row along the line.
+VectorXd Phi::derivative(const Line& line, int order) const {
+  std::vector<Jet> q(coordinates_.size());
+  for (std::size_t k = 0; k < q.size(); ++k) {
+    const auto i = static_cast<Index>(k);
+    q[k] = Jet(line.q[i], line.qdot == nullptr ? 0 : (*line.qdot)[i], 0);
+  }
+  std::vector<Jet> rows(row_names_.size());
+  Jet* row = rows.data();
+  for (const auto& constraint : constraints_) {
+    constraint->evaluate(At<Jet>{q, Jet(line.t, line.tdot, 0)}, row);
+    row += constraint->row_names.size();
+  }
+  VectorXd result(size());
+  for (Index i = 0; i < size(); ++i) {
+    const Jet& jet = rows[static_cast<std::size_t>(i)];
+    result[i] = order == 0 ? jet.f : order == 1 ? jet.d : jet.dd;
+  }
+  return result;
+}
+
+VectorXd Phi::value(const VectorXd& q, double t) const { return derivative({q, nullptr, t, 0}, 0); }
+
+VectorXd Phi::partial_t(const VectorXd& q, double t) const {
+  return derivative({q, nullptr, t, 1}, 1);
+}
+
+VectorXd Phi::partial_tt(const VectorXd& q, double t) const {
+  return derivative({q, nullptr, t, 1}, 2);
+}
+
+VectorXd Phi::quadratic(const VectorXd& q, const VectorXd& qdot, double t) const {
+  return derivative({q, &qdot, t, 0}, 2);
+}
+
+// The second derivative along (q', 1) is (Phi_q q')_q q' + 2 Phi_qt q' + Phi_tt.
+VectorXd Phi::mixed(const VectorXd& q, const VectorXd& qdot, double t) const {
+  return derivative({q, &qdot, t, 1}, 2) - quadratic(q, qdot, t) - partial_tt(q, t);
+}
+
+VectorXd Phi::velocity_rhs(const VectorXd& q, double t) const { return -partial_t(q, t); }
+
+VectorXd Phi::acceleration_rhs(const VectorXd& q, const VectorXd& qdot, double t) const {
+  return -derivative({q, &qdot, t, 1}, 2);
+}
+
+// Column by column, and only the coordinates that a constraint reads.
+MatrixXd Phi::jacobian(const VectorXd& q, double t) const {
+  MatrixXd result = MatrixXd::Zero(size(), dimension());
+  std::vector<Jet> point(coordinates_.size());
+  for (std::size_t k = 0; k < point.size(); ++k) point[k] = Jet(q[static_cast<Index>(k)]);
+  std::vector<Jet> rows;
+  Index first = 0;
+  for (const auto& constraint : constraints_) {
+    rows.resize(constraint->row_names.size());
+    for (const std::size_t k : constraint->depends_on) {
+      point[k].d = 1;
+      constraint->evaluate(At<Jet>{point, Jet(t)}, rows.data());
+      point[k].d = 0;
+      for (std::size_t i = 0; i < rows.size(); ++i) {
+        result(first + static_cast<Index>(i), static_cast<Index>(k)) = rows[i].d;
+      }
+    }
+    first += static_cast<Index>(rows.size());
+  }
+  return result;
+}
+
+VectorXd Phi::term_magnitudes(const VectorXd& q, double t) const {
+  const std::vector<Magnitude> point(q.begin(), q.end());
+  std::vector<Magnitude> rows(row_names_.size());
+  Magnitude* row = rows.data();
+  for (const auto& constraint : constraints_) {
+    constraint->evaluate(At<Magnitude>{point, Magnitude(t)}, row);
+    row += constraint->row_names.size();
+  }
+  VectorXd result(size());
+  for (Index i = 0; i < size(); ++i) result[i] = rows[static_cast<std::size_t>(i)].sum;
+  return result;
+}
+
+VectorXd Phi::canonical(const VectorXd& q) const {
+  constexpr double kTurn = 2 * std::numbers::pi;
+  VectorXd result = q;
+  for (Index k = 0; k < dimension(); ++k) {
+    const CoordinateKind kind = coordinates_[static_cast<std::size_t>(k)].kind;
+    if (kind == CoordinateKind::angle) {
+      result[k] -= kTurn * std::ceil((result[k] - std::numbers::pi) / kTurn);
+    } else if (kind == CoordinateKind::rotation_vector) {
+      const double length = result.segment<3>(k).norm();
+      if (length > std::numbers::pi) {
+        result.segment<3>(k) *= 1 - kTurn * std::round(length / kTurn) / length;
+      }
+      k += 2;
+    }
+  }
+  return result;
+}
+
+double scaled_residual(const Phi& phi, const VectorXd& q, double t) {
+  const VectorXd value = phi.value(q, t);
+  const VectorXd scale = phi.term_magnitudes(q, t);
+  double worst = 0;
+  for (Index i = 0; i < phi.size(); ++i) {
+    if (std::isnan(value[i])) return value[i];
+    if (value[i] != 0) worst = std::max(worst, std::abs(value[i]) / scale[i]);
+  }
+  return worst;
+}
+
+}  // namespace moivre

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+// Which equations does a planar joint or driver add to Phi? One formula a joint, in q = [x, y, phi] a body.
+//
+//   revolute   r_i + A_i a - r_j - A_j b = 0
+//   prismatic  phi_j - phi_i - turn = 0,  n . (B - A) = 0     n perpendicular to the line, fixed in body i
+//   slot       n . (B - A) = 0
+//   weld       points coincide, phi_j - phi_i - turn = 0
+//   rod        (A - B) . (A - B) - L^2 = 0
+//   gear       z_i (phi_i - phi_c) - z_j (phi_j - phi_c - phase) = 0, teeth divided by their common factor
+#include <numeric>
+
+#include "planar_pose.h"
+
+namespace moivre {
+namespace {
+
+using planar::angle;
+using planar::direction;
+using planar::kSize;
+using planar::position;
+
+/// The two bodies of a joint and its points in their frames.
+struct Ends {
+  std::size_t i = 0;
+  std::size_t j = 0;
+  Eigen::Vector3d a;
+  Eigen::Vector3d b;
+};
+
+Ends ends_of(const Mechanism& mechanism, const Joint& joint) {
+  const auto& [first, second] = joint.at;
+  return {first.body, second.body, mechanism.bodies[first.body].points[first.point].at,
+          mechanism.bodies[second.body].points[second.point].at};
+}
+
+Eigen::Vector3d turned_left(const Eigen::Vector3d& e) { return {-e.y(), e.x(), 0}; }
+
+/// e . (B - A), the displacement of the second point along a direction of the first body.
+template <class S>
+S displacement(const At<S>& at, const Ends& ends, const Eigen::Vector3d& along) {
+  const auto d = position(at, ends.j, ends.b) - position(at, ends.i, ends.a);
+  const auto e = direction(at, ends.i, along);
+  return e.x * d.x + e.y * d.y;
+}
+
+template <class S>
+S relative_angle(const At<S>& at, std::size_t i, std::size_t j, double offset) {
+  return within_half_turn(angle(at, j) - angle(at, i) - S(offset));
+}
+
+std::shared_ptr<const Constraint> gear(const Joint& joint, const std::string& label) {
+  const std::size_t i = joint.at[0].body;
+  const std::size_t j = joint.at[1].body;
+  const std::size_t c = joint.gear.carrier;
+  const int common = std::gcd(joint.gear.teeth[0], joint.gear.teeth[1]);
+  const double zi = joint.gear.teeth[0] / common;
+  const double zj = joint.gear.teeth[1] / common;
+  return make_constraint({label + ": turn"}, coordinates_of({i, j, c}, kSize),
+                         [=, phase = joint.gear.phase_rad](const auto& at, auto* row) {
+                           using S = std::remove_reference_t<decltype(*row)>;
+                           const S turn_i = angle(at, i) - angle(at, c);
+                           const S turn_j = angle(at, j) - angle(at, c) - S(phase);
+                           row[0] = within_half_turn(S(zi) * turn_i - S(zj) * turn_j);
+                         });
+}
+
+}  // namespace
+
+std::shared_ptr<const Constraint> planar_joint(const Mechanism& mechanism, const Joint& joint) {
+  const std::string label = to_string(joint.type) + " " + joint.name;
+  if (joint.type == JointType::gear) return gear(joint, label);
+  const Ends ends = ends_of(mechanism, joint);
+  const auto coordinates = coordinates_of({ends.i, ends.j}, kSize);
+  const Eigen::Vector3d normal = turned_left(joint.axis[0]);
+  const double turn = joint.turn_rad;
+  switch (joint.type) {
+    case JointType::revolute:
+      return make_constraint({label + ": x", label + ": y"}, coordinates,
+                             [=](const auto& at, auto* row) {
+                               const auto d = position(at, ends.i, ends.a) - position(at, ends.j, ends.b);
+                               row[0] = d.x;
+                               row[1] = d.y;
+                             });
+    case JointType::prismatic:
+      return make_constraint({label + ": turn", label + ": line"}, coordinates,
+                             [=](const auto& at, auto* row) {
+                               row[0] = relative_angle(at, ends.i, ends.j, turn);
+                               row[1] = displacement(at, ends, normal);
+                             });
+    case JointType::slot:
+      return make_constraint(
+          {label + ": line"}, coordinates,
+          [=](const auto& at, auto* row) { row[0] = displacement(at, ends, normal); });
+    case JointType::weld:
+      return make_constraint({label + ": x", label + ": y", label + ": turn"}, coordinates,
+                             [=](const auto& at, auto* row) {
+                               const auto d = position(at, ends.i, ends.a) - position(at, ends.j, ends.b);
+                               row[0] = d.x;
+                               row[1] = d.y;
+                               row[2] = relative_angle(at, ends.i, ends.j, turn);
+                             });
+    case JointType::rod:
+      return make_constraint({label + ": length"}, coordinates,
+                             [=, length = joint.length](const auto& at, auto* row) {
+                               using S = std::remove_reference_t<decltype(*row)>;
+                               const auto d = position(at, ends.i, ends.a) - position(at, ends.j, ends.b);
+                               row[0] = d.x * d.x + d.y * d.y - S(length * length);
+                             });
+    case JointType::gear:
+    case JointType::spherical:
+    case JointType::cylindrical:
+    case JointType::universal:
+      break;
+  }
+  throw std::logic_error("a planar mechanism has no " + to_string(joint.type) + " joint");
+}
+
+std::shared_ptr<const Constraint> planar_driver(const Mechanism& mechanism, const Driver& driver) {
+  const std::string label = "driver " + driver.name + ": " + to_string(driver.kind);
+  const DriverLaw law = driver.law;
+  if (driver.kind == DriverKind::angle) {
+    const auto [i, j] = driver.bodies;
+    return make_constraint({label}, coordinates_of({i, j}, kSize),
+                           [law, i = i, j = j](const auto& at, auto* row) {
+                             row[0] = within_half_turn(angle(at, j) - angle(at, i) - law_at(law, at.t));
+                           });
+  }
+  if (driver.kind == DriverKind::slide) {
+    const Joint& joint = mechanism.joints[driver.joint];
+    const Ends ends = ends_of(mechanism, joint);
+    return make_constraint({label}, coordinates_of({ends.i, ends.j}, kSize),
+                           [law, ends, along = joint.axis[0]](const auto& at, auto* row) {
+                             row[0] = displacement(at, ends, along) - law_at(law, at.t);
+                           });
+  }
+  const bool along_x = driver.kind == DriverKind::x;
+  const std::size_t body = driver.point.body;
+  const Eigen::Vector3d point = mechanism.bodies[body].points[driver.point.point].at;
+  return make_constraint({label}, coordinates_of({body}, kSize),
+                         [law, body, point, along_x](const auto& at, auto* row) {
+                           const auto r = position(at, body, point);
+                           row[0] = (along_x ? r.x : r.y) - law_at(law, at.t);
+                         });
+}
+
+}  // namespace moivre
