@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+// Does the file describe one mechanism? What no single entry shows: loose bodies, weld cycles, links of no length, drivers.
+#include <algorithm>
+#include <numeric>
+
+#include "read_parts.h"
+
+namespace moivre {
+namespace {
+
+/// Sets of bodies that are joined (union-find).
+class Groups {
+ public:
+  explicit Groups(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), 0); }
+  std::size_t find(std::size_t k) {
+    while (parent_[k] != k) k = parent_[k] = parent_[parent_[k]];
+    return k;
+  }
+  /// Whether the two were apart.
+  bool join(std::size_t a, std::size_t b) {
+    const std::size_t first = find(a);
+    const std::size_t second = find(b);
+    parent_[first] = second;
+    return first != second;
+  }
+
+ private:
+  std::vector<std::size_t> parent_;
+};
+
+/// Degrees of freedom of one body relative to another across a joint.
+int freedoms(const Joint& joint, Space space) {
+  const bool is_planar = space == Space::planar;
+  switch (joint.type) {
+    case JointType::revolute:
+    case JointType::prismatic:
+      return 1;
+    case JointType::weld:
+      return 0;
+    case JointType::slot:
+    case JointType::cylindrical:
+    case JointType::universal:
+      return 2;
+    case JointType::spherical:
+      return 3;
+    case JointType::rod:
+      return is_planar ? 2 : 5;
+    case JointType::gear:
+      break;
+  }
+  return is_planar ? 2 : 5;
+}
+
+/// A gear holds angles, not places.
+bool places(const Joint& joint) { return joint.type != JointType::gear; }
+
+void check_connected(Reading& reading, const Mechanism& mechanism) {
+  Groups groups(mechanism.bodies.size());
+  for (const Joint& joint : mechanism.joints) {
+    if (places(joint)) groups.join(joint.at[0].body, joint.at[1].body);
+  }
+  for (std::size_t body = 1; body < mechanism.bodies.size(); ++body) {
+    if (groups.find(body) == groups.find(0)) continue;
+    reading.fault(mechanism.bodies[body].where, "body '" + mechanism.bodies[body].name +
+                                                    "' is not connected to the ground by joints; join it or remove it");
+  }
+}
+
+void check_welds(Reading& reading, const Mechanism& mechanism) {
+  Groups groups(mechanism.bodies.size());
+  for (const Joint& joint : mechanism.joints) {
+    if (joint.type != JointType::weld || groups.join(joint.at[0].body, joint.at[1].body)) continue;
+    reading.fault(joint.where, "weld '" + joint.name + "' closes a cycle of welds; remove one of them");
+  }
+}
+
+/// A body that is held at one place only, by pins twice or more, turns about it for nothing.
+void check_lengths(Reading& reading, const Mechanism& mechanism) {
+  for (std::size_t body = 1; body < mechanism.bodies.size(); ++body) {
+    std::vector<Eigen::Vector3d> pins;
+    bool has_pins_only = true;
+    for (const Joint& joint : mechanism.joints) {
+      for (const PointOf& end : joint.at) {
+        if (end.body != body) continue;
+        has_pins_only = has_pins_only && (joint.type == JointType::revolute || joint.type == JointType::spherical);
+        if (has_pins_only) pins.push_back(mechanism.bodies[body].points[end.point].at);
+      }
+    }
+    const bool is_one_place = std::all_of(pins.begin(), pins.end(),
+                                          [&](const Eigen::Vector3d& pin) { return pin == pins.front(); });
+    if (!has_pins_only || pins.size() < 2 || !is_one_place || mechanism.space != Space::planar) continue;
+    reading.fault(mechanism.bodies[body].where,
+                  "body '" + mechanism.bodies[body].name +
+                      "' has length zero: all its joints are at one place; move one or join its neighbours directly");
+  }
+}
+
+void check_twin_joints(Reading& reading, const Mechanism& mechanism) {
+  const auto same = [](const PointOf& a, const PointOf& b) { return a.body == b.body && a.point == b.point; };
+  for (std::size_t k = 0; k < mechanism.joints.size(); ++k) {
+    for (std::size_t j = 0; j < k; ++j) {
+      const Joint& a = mechanism.joints[j];
+      const Joint& b = mechanism.joints[k];
+      if (!places(a) || a.type != b.type) continue;
+      const bool is_same = same(a.at[0], b.at[0]) && same(a.at[1], b.at[1]);
+      const bool is_mirrored = same(a.at[0], b.at[1]) && same(a.at[1], b.at[0]);
+      if (is_same || is_mirrored) reading.fault(b.where, "this joint says again what joint '" + a.name + "' says; remove it");
+    }
+  }
+}
+
+bool drive_the_same(const Driver& a, const Driver& b, bool is_spatial) {
+  if (a.kind != b.kind) return false;
+  switch (a.kind) {
+    case DriverKind::angle:
+      if (is_spatial) return a.joint == b.joint;
+      return a.bodies == b.bodies || (a.bodies[0] == b.bodies[1] && a.bodies[1] == b.bodies[0]);
+    case DriverKind::slide:
+      return a.joint == b.joint;
+    case DriverKind::x:
+    case DriverKind::y:
+    case DriverKind::z:
+      return a.point.body == b.point.body && a.point.point == b.point.point;
+    case DriverKind::unknown:
+      return a.unknown == b.unknown;
+  }
+  return false;
+}
+
+/// An upper bound of the degrees of freedom: a tree of joints from the ground already places every body.
+int freedoms_at_most(const Mechanism& mechanism) {
+  if (is_typed(mechanism)) return static_cast<int>(mechanism.unknowns.size());
+  std::vector<const Joint*> joints;
+  for (const Joint& joint : mechanism.joints) {
+    if (places(joint)) joints.push_back(&joint);
+  }
+  std::stable_sort(joints.begin(), joints.end(), [&](const Joint* a, const Joint* b) {
+    return freedoms(*a, mechanism.space) < freedoms(*b, mechanism.space);
+  });
+  Groups groups(mechanism.bodies.size());
+  int bound = 0;
+  for (const Joint* joint : joints) {
+    if (groups.join(joint->at[0].body, joint->at[1].body)) bound += freedoms(*joint, mechanism.space);
+  }
+  return bound;
+}
+
+void check_drivers(Reading& reading, const Mechanism& mechanism) {
+  const auto& drivers = mechanism.drivers;
+  for (std::size_t k = 0; k < drivers.size(); ++k) {
+    for (std::size_t j = 0; j < k; ++j) {
+      if (!drive_the_same(drivers[j], drivers[k], mechanism.space == Space::spatial)) continue;
+      reading.fault(drivers[k].where, "'" + drivers[k].name + "' is driven twice; remove one of the drivers");
+    }
+  }
+  const int most = freedoms_at_most(mechanism);
+  if (static_cast<int>(drivers.size()) > most) {
+    reading.fault(drivers[static_cast<std::size_t>(most)].where,
+                  "too many drivers: the joints leave at most " + std::to_string(most) +
+                      " degrees of freedom, there are " + std::to_string(drivers.size()) + " drivers");
+  }
+}
+
+int rows_of(const Joint& joint, Space space) {
+  if (joint.type == JointType::gear) return 1;
+  return (space == Space::planar ? 3 : 6) - freedoms(joint, space);
+}
+
+/// More drivers than Gruebler's count is odd, but redundant constraints can make it right.
+void warn_of_count(Mechanism& mechanism) {
+  int naive = static_cast<int>(coordinates(mechanism).size()) - static_cast<int>(mechanism.equations.size());
+  for (const Joint& joint : mechanism.joints) naive -= rows_of(joint, mechanism.space);
+  const int drivers = static_cast<int>(mechanism.drivers.size());
+  if (drivers <= naive) return;
+  mechanism.warnings.push_back("coordinates minus constraints are " + std::to_string(naive) + ", drivers are " +
+                               std::to_string(drivers) +
+                               ": too many drivers, unless constraints are redundant (moivre mobility tells)");
+}
+
+}  // namespace
+
+void check_structure(Reading& reading, Mechanism& mechanism) {
+  check_connected(reading, mechanism);
+  check_welds(reading, mechanism);
+  check_lengths(reading, mechanism);
+  check_twin_joints(reading, mechanism);
+  check_drivers(reading, mechanism);
+  warn_of_count(mechanism);
+}
+
+}  // namespace moivre

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+// How is a mechanism file read? TOML first, then section by section, every fault noted, thrown together.
+#include "moivre/mechanism/read.h"
+
+#include <algorithm>
+#include <numbers>
+
+#include "nearest.h"
+#include "read_parts.h"
+
+namespace moivre {
+namespace {
+
+const std::vector<std::string> kLengthUnits{"m", "mm", "cm", "dm", "km", "um", "in", "ft", "yd"};
+const std::vector<std::string> kAngleUnits{"rad", "deg"};
+
+/// One of the known words, or a fault.
+std::string read_word(Reading& reading, const toml::table& in, const std::string& key,
+                      const std::vector<std::string>& known, const std::string& otherwise) {
+  const auto word = reading.text(in, key);
+  if (!word) return otherwise;
+  if (std::find(known.begin(), known.end(), *word) != known.end()) return *word;
+  reading.fault(*in.get(key), "unknown " + key + " '" + *word + "'" + suggestion(*word, known));
+  return otherwise;
+}
+
+void read_header(Reading& reading, const toml::table& document, Mechanism& mechanism) {
+  reading.check_keys(document,
+                     {"title", "space", "units", "ground", "body", "joint", "driver", "guess",
+                      "unknowns", "constants", "equations"},
+                     "a mechanism file");
+  mechanism.title = reading.text(document, "title").value_or("");
+  const std::string space = read_word(reading, document, "space", {"planar", "spatial"}, "planar");
+  mechanism.space = space == "spatial" ? Space::spatial : Space::planar;
+  if (const toml::table* units = reading.table(document, "units")) {
+    reading.check_keys(*units, {"length", "angle"}, "[units]");
+    mechanism.units.length = read_word(reading, *units, "length", kLengthUnits, "");
+    mechanism.units.angle = read_word(reading, *units, "angle", kAngleUnits, "rad");
+  }
+}
+
+bool has_any(const toml::table& document, const std::vector<std::string>& keys) {
+  return std::any_of(keys.begin(), keys.end(),
+                     [&](const std::string& key) { return document.contains(key); });
+}
+
+/// Reads the sections of the file's kind; a file of both kinds or of neither is a fault.
+void read_sections(Reading& reading, const toml::table& document, Mechanism& mechanism) {
+  const bool has_bodies = has_any(document, {"ground", "body", "joint"});
+  const bool has_equations = has_any(document, {"unknowns", "equations", "constants"});
+  if (has_bodies && has_equations) {
+    reading.fault(SourcePosition{},
+                  "the file has bodies and equations; write either [body...] and [[joint]], or "
+                  "[unknowns] and [equations]");
+    return;
+  }
+  if (!has_bodies && !has_equations) {
+    reading.fault(SourcePosition{},
+                  "the file describes no mechanism; write [body.NAME.points] and [[joint]], or "
+                  "[unknowns] and [equations]");
+    return;
+  }
+  if (has_bodies) {
+    read_bodies(reading, document, mechanism);
+    read_joints(reading, document, mechanism);
+  } else {
+    read_equations(reading, document, mechanism);
+  }
+  read_drivers(reading, document, mechanism);
+  read_guess(reading, document, mechanism);
+  if (reading.faults().empty()) check_structure(reading, mechanism);
+}
+
+/// TOML's own fault, with advice where its words need it.
+[[noreturn]] void throw_toml_fault(const Reading& reading, const toml::parse_error& error) {
+  std::string message(error.description());
+  if (message.find("redefine") != std::string::npos) {
+    message += "; two bodies, points or keys have one name, rename one of them";
+  }
+  throw ParseError(reading.source(), {{reading.position(error.source().begin), message}});
+}
+
+}  // namespace
+
+double angle_unit(const Mechanism& mechanism) {
+  constexpr double kDegree = std::numbers::pi / 180;
+  return mechanism.units.angle == "deg" ? kDegree : 1;
+}
+
+Mechanism read_mechanism(const Source& source) {
+  Reading reading(source);
+  toml::table document;
+  try {
+    document = toml::parse(source.text, source.name);
+  } catch (const toml::parse_error& error) {
+    throw_toml_fault(reading, error);
+  }
+  Mechanism mechanism;
+  read_header(reading, document, mechanism);
+  read_sections(reading, document, mechanism);
+  if (!reading.faults().empty()) {
+    std::stable_sort(reading.faults().begin(), reading.faults().end(),
+                     [](const Diagnostic& a, const Diagnostic& b) { return a.at.offset < b.at.offset; });
+    throw ParseError(source, reading.faults());
+  }
+  return mechanism;
+}
+
+}  // namespace moivre

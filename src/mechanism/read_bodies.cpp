@@ -1,0 +1,382 @@
+// SPDX-License-Identifier: MIT
+// How are bodies, points and joints read?
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "nearest.h"
+#include "read_parts.h"
+
+namespace moivre {
+namespace {
+
+/// x, y (and z) as a vector; a fault where their number does not fit the space.
+std::optional<Eigen::Vector3d> read_vector(Reading& reading, const toml::node& node,
+                                           const std::string& what, Space space) {
+  const std::size_t size = space == Space::planar ? 2 : 3;
+  const auto values = reading.numbers(node, what, size);
+  if (!values) return std::nullopt;
+  return Eigen::Vector3d((*values)[0], (*values)[1], size == 3 ? (*values)[2] : 0);
+}
+
+void read_points(Reading& reading, const toml::table& in, Space space, Body& body) {
+  reading.check_keys(in, {"points"}, "body '" + body.name + "'");
+  const toml::table* points = reading.table(in, "points");
+  if (points == nullptr) return;
+  for (const toml::key* key : reading.keys_in_order(*points)) {
+    const std::string name(key->str());
+    const SourcePosition where = reading.position(key->source().begin);
+    if (!is_name(name)) {
+      reading.fault(where, "a point's name may have letters, digits, '_' and '-' only");
+    }
+    const std::string what = "point '" + body.name + "." + name + "'";
+    const auto at = read_vector(reading, *points->get(name), what, space);
+    body.points.push_back({name, at.value_or(Eigen::Vector3d::Zero()), where});
+  }
+}
+
+/// Why a joint of that name is refused; empty for a mere misspelling.
+std::string refusal(const std::string& type) {
+  const auto is_one_of = [&](std::initializer_list<const char*> words) {
+    return std::any_of(words.begin(), words.end(), [&](const char* word) { return type == word; });
+  };
+  if (is_one_of({"rolling", "wheel", "velocity", "nonholonomic", "non-holonomic", "skate", "knife"})) {
+    return "a constraint on velocities (non-holonomic) does not say where the mechanism can be; it is "
+           "not supported (a 'gear' holds the ratio of two angles)";
+  }
+  if (is_one_of({"contact", "stop", "unilateral", "cam", "impact", "bump", "cable", "rope"})) {
+    return "a one-sided constraint (Phi >= 0) holds only at times; it is not supported ('limits' on a "
+           "joint filter closures)";
+  }
+  return "";
+}
+
+const std::vector<JointType>& types_in(Space space) {
+  static const std::vector<JointType> planar{JointType::revolute, JointType::prismatic, JointType::slot,
+                                             JointType::weld,     JointType::rod,       JointType::gear};
+  static const std::vector<JointType> spatial{JointType::spherical,   JointType::revolute,
+                                              JointType::prismatic,   JointType::cylindrical,
+                                              JointType::universal,   JointType::rod,
+                                              JointType::weld};
+  return space == Space::planar ? planar : spatial;
+}
+
+std::optional<JointType> read_type(Reading& reading, const toml::table& entry, Space space) {
+  const auto word = reading.text(entry, "type");
+  if (!word) {
+    if (!entry.contains("type")) reading.fault(entry, "a joint needs a 'type', such as \"revolute\"");
+    return std::nullopt;
+  }
+  const toml::node& at = *entry.get("type");
+  std::vector<std::string> known;
+  for (const JointType type : types_in(space)) {
+    if (to_string(type) == *word) return type;
+    known.push_back(to_string(type));
+  }
+  const Space other = space == Space::planar ? Space::spatial : Space::planar;
+  for (const JointType type : types_in(other)) {
+    if (to_string(type) != *word) continue;
+    reading.fault(at, "a " + *word + " joint needs space = \"" +
+                          (other == Space::planar ? "planar\"" : "spatial\""));
+    return std::nullopt;
+  }
+  const std::string reason = refusal(*word);
+  reading.fault(at, reason.empty() ? "unknown joint type '" + *word + "'" + suggestion(*word, known)
+                                   : "'" + *word + "': " + reason);
+  return std::nullopt;
+}
+
+std::vector<std::string> keys_of(JointType type, Space space) {
+  std::vector<std::string> keys{"type", "name", "at"};
+  const auto add = [&](std::initializer_list<const char*> more) {
+    keys.insert(keys.end(), more.begin(), more.end());
+  };
+  switch (type) {
+    case JointType::revolute:
+      space == Space::planar ? add({"limits"}) : add({"axis", "limits"});
+      break;
+    case JointType::prismatic:
+      space == Space::planar ? add({"along", "turn", "limits"}) : add({"axis", "turn", "limits"});
+      break;
+    case JointType::slot:
+      add({"along", "limits"});
+      break;
+    case JointType::weld:
+      space == Space::planar ? add({"turn"}) : add({"axis", "turn"});
+      break;
+    case JointType::rod:
+      add({"length"});
+      break;
+    case JointType::gear:
+      return {"type", "name", "bodies", "ratio", "carrier", "phase"};
+    case JointType::cylindrical:
+      add({"axis", "limits"});
+      break;
+    case JointType::universal:
+      add({"axis"});
+      break;
+    case JointType::spherical:
+      break;
+  }
+  return keys;
+}
+
+void read_ends(Reading& reading, const toml::table& entry, const Mechanism& mechanism, Joint& joint) {
+  const toml::node* at = entry.get("at");
+  if (at == nullptr) {
+    reading.fault(entry, "the joint needs 'at', its two points: at = [\"body.point\", \"body.point\"]");
+    return;
+  }
+  const auto names = reading.texts(entry, "at", 2);
+  if (!names) return;
+  std::array<std::optional<PointOf>, 2> found;
+  for (std::size_t k = 0; k < 2; ++k) {
+    found[k] = find_point(reading, mechanism, (*names)[k], reading.position(*at->as_array()->get(k)));
+    if (found[k]) joint.at[k] = *found[k];
+  }
+  if (found[0] && found[1] && found[0]->body == found[1]->body) {
+    reading.fault(*at, "the joint ties body '" + mechanism.bodies[found[0]->body].name +
+                           "' to itself; a joint needs two bodies");
+  }
+}
+
+void read_unit_vector(Reading& reading, const toml::node& node, const std::string& what, Space space,
+                      Eigen::Vector3d& direction) {
+  const auto value = read_vector(reading, node, what, space);
+  if (!value) return;
+  const double length = value->stableNorm();
+  if (length > 0) {
+    direction = *value / length;
+  } else {
+    reading.fault(node, what + " must not be the zero vector");
+  }
+}
+
+/// Planar `along`, or spatial `axis`: one vector for both bodies, or one in each body's frame.
+void read_axes(Reading& reading, const toml::table& entry, Space space, Joint& joint) {
+  const bool is_planar = space == Space::planar;
+  const char* key = is_planar ? "along" : "axis";
+  const toml::node* node = entry.get(key);
+  if (node == nullptr) {
+    if (!is_planar && joint.type == JointType::weld) return;
+    reading.fault(entry, "a " + to_string(joint.type) + " joint needs '" + key + "', " +
+                             (is_planar ? "the direction of its line in the first body's frame"
+                                        : "its direction in the bodies' frames"));
+    return;
+  }
+  const toml::array* entries = node->as_array();
+  const bool is_pair = !is_planar && entries != nullptr && entries->size() == 2 &&
+                       entries->get(0)->is_array();
+  const std::string what = std::string("'") + key + "'";
+  if (is_pair) {
+    for (std::size_t k = 0; k < 2; ++k) {
+      read_unit_vector(reading, *entries->get(k), what, space, joint.axis[k]);
+    }
+    return;
+  }
+  if (joint.type == JointType::universal) {
+    reading.fault(*node, "a universal joint needs two axes, one in each body's frame: axis = [[...], [...]]");
+    return;
+  }
+  read_unit_vector(reading, *node, what, space, joint.axis[0]);
+  joint.axis[1] = joint.axis[0];
+}
+
+void read_length(Reading& reading, const toml::table& entry, Joint& joint) {
+  const auto length = reading.number(entry, "length");
+  if (!length) {
+    if (!entry.contains("length")) reading.fault(entry, "a rod needs its 'length'");
+    return;
+  }
+  if (*length <= 0) {
+    reading.fault(*entry.get("length"),
+                  *length == 0 ? "a rod of length zero is a revolute joint (spatial: spherical); write that"
+                               : "a rod's length must be positive");
+  }
+  joint.length = *length;
+}
+
+void read_limits(Reading& reading, const toml::table& entry, const Mechanism& mechanism, Joint& joint) {
+  const auto bounds = reading.numbers(entry, "limits", 2);
+  if (!bounds) return;
+  const double unit = joint.type == JointType::revolute ? angle_unit(mechanism) : 1;
+  joint.limits = Limits{(*bounds)[0] * unit, (*bounds)[1] * unit};
+  if ((*bounds)[0] > (*bounds)[1]) {
+    reading.fault(*entry.get("limits"), "the lower limit is above the upper; write limits = [lower, upper]");
+  }
+}
+
+std::optional<int> read_teeth(Reading& reading, const toml::node& node) {
+  constexpr std::int64_t kMostTeeth = 100000;
+  const auto teeth = node.is_integer() ? node.value<std::int64_t>() : std::nullopt;
+  if (teeth && *teeth != 0 && std::abs(*teeth) <= kMostTeeth) return static_cast<int>(*teeth);
+  reading.fault(node, "a gear's teeth must be a whole number other than 0, at most 100000");
+  return std::nullopt;
+}
+
+void read_gear(Reading& reading, const toml::table& entry, const Mechanism& mechanism, Joint& joint) {
+  if (const auto names = reading.texts(entry, "bodies", 2)) {
+    const toml::array& at = *entry.get("bodies")->as_array();
+    bool is_found = true;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const auto body = find_body(reading, mechanism, (*names)[k], reading.position(*at.get(k)));
+      is_found = is_found && body;
+      joint.at[k].body = body.value_or(0);
+    }
+    if (is_found && joint.at[0].body == joint.at[1].body) {
+      reading.fault(at, "the gear ties body '" + (*names)[0] + "' to itself; a gear needs two bodies");
+    }
+  } else if (!entry.contains("bodies")) {
+    reading.fault(entry, "a gear needs its two 'bodies'");
+  }
+  const toml::array* ratio = reading.array(entry, "ratio");
+  if (ratio != nullptr && ratio->size() == 2) {
+    for (std::size_t k = 0; k < 2; ++k) {
+      joint.gear.teeth[k] = read_teeth(reading, *ratio->get(k)).value_or(1);
+    }
+  } else if (ratio != nullptr || !entry.contains("ratio")) {
+    reading.fault(ratio == nullptr ? static_cast<const toml::node&>(entry) : *ratio,
+                  "a gear needs 'ratio', the teeth of both wheels: ratio = [-20, 40]");
+  }
+  if (const auto carrier = reading.text(entry, "carrier")) {
+    const SourcePosition at = reading.position(*entry.get("carrier"));
+    joint.gear.carrier = find_body(reading, mechanism, *carrier, at).value_or(0);
+    if (joint.gear.carrier == joint.at[0].body || joint.gear.carrier == joint.at[1].body) {
+      if (joint.gear.carrier != 0) reading.fault(at, "a gear's carrier must be a third body");
+    }
+  }
+  joint.gear.phase_rad = reading.number(entry, "phase").value_or(0) * angle_unit(mechanism);
+}
+
+Joint read_joint(Reading& reading, const toml::table& entry, const Mechanism& mechanism) {
+  Joint joint;
+  joint.where = reading.position(entry);
+  const auto type = read_type(reading, entry, mechanism.space);
+  if (!type) return joint;
+  joint.type = *type;
+  const std::vector<std::string> keys = keys_of(joint.type, mechanism.space);
+  const auto has = [&](const char* key) { return std::find(keys.begin(), keys.end(), key) != keys.end(); };
+  reading.check_keys(entry, keys, "a " + to_string(joint.type) + " joint");
+  joint.name = reading.text(entry, "name").value_or("");
+  if (has("at")) read_ends(reading, entry, mechanism, joint);
+  if (has("along") || has("axis")) read_axes(reading, entry, mechanism.space, joint);
+  if (has("turn")) joint.turn_rad = reading.number(entry, "turn").value_or(0) * angle_unit(mechanism);
+  if (has("length")) read_length(reading, entry, joint);
+  if (has("limits")) read_limits(reading, entry, mechanism, joint);
+  if (joint.type == JointType::gear) read_gear(reading, entry, mechanism, joint);
+  return joint;
+}
+
+/// "A" where both points are called so, else "crank.A-coupler.B".
+std::string name_from_ends(const Mechanism& mechanism, const Joint& joint) {
+  if (joint.type == JointType::gear) {
+    return mechanism.bodies[joint.at[0].body].name + "-" + mechanism.bodies[joint.at[1].body].name;
+  }
+  const auto point = [&](std::size_t k) {
+    return mechanism.bodies[joint.at[k].body].points[joint.at[k].point].name;
+  };
+  const auto full = [&](std::size_t k) { return mechanism.bodies[joint.at[k].body].name + "." + point(k); };
+  if (point(0) != point(1)) return full(0) + "-" + full(1);
+  const auto shares_point_name = [&](const Joint& other) { return other.name == point(0); };
+  const bool is_taken = std::any_of(mechanism.joints.begin(), mechanism.joints.end(), shares_point_name);
+  return is_taken ? full(0) + "-" + full(1) : point(0);
+}
+
+void check_joint_names(Reading& reading, const Mechanism& mechanism) {
+  for (std::size_t k = 0; k < mechanism.joints.size(); ++k) {
+    for (std::size_t j = 0; j < k; ++j) {
+      const Joint& joint = mechanism.joints[k];
+      if (joint.name.empty() || joint.name != mechanism.joints[j].name) continue;
+      reading.fault(joint.where, "two joints are called '" + joint.name + "'; rename one of them");
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> body_names(const Mechanism& mechanism) {
+  std::vector<std::string> names;
+  for (const Body& body : mechanism.bodies) names.push_back(body.name);
+  return names;
+}
+
+std::optional<std::size_t> find_body(Reading& reading, const Mechanism& mechanism,
+                                     const std::string& name, const SourcePosition& at) {
+  for (std::size_t k = 0; k < mechanism.bodies.size(); ++k) {
+    if (mechanism.bodies[k].name == name) return k;
+  }
+  reading.fault(at, "there is no body '" + name + "'" + suggestion(name, body_names(mechanism)));
+  return std::nullopt;
+}
+
+std::optional<PointOf> find_point(Reading& reading, const Mechanism& mechanism,
+                                  const std::string& name, const SourcePosition& at) {
+  const std::size_t dot = name.find('.');
+  if (dot == std::string::npos) {
+    reading.fault(at, "'" + name + "' is no point; write \"body.point\"");
+    return std::nullopt;
+  }
+  const auto body = find_body(reading, mechanism, name.substr(0, dot), at);
+  if (!body) return std::nullopt;
+  std::vector<std::string> known;
+  for (const Point& point : mechanism.bodies[*body].points) {
+    if (point.name == name.substr(dot + 1)) return PointOf{*body, known.size()};
+    known.push_back(point.name);
+  }
+  reading.fault(at, "body '" + name.substr(0, dot) + "' has no point '" + name.substr(dot + 1) + "'" +
+                        suggestion(name.substr(dot + 1), known));
+  return std::nullopt;
+}
+
+void read_bodies(Reading& reading, const toml::table& document, Mechanism& mechanism) {
+  if (const toml::table* ground = reading.table(document, "ground")) {
+    read_points(reading, *ground, mechanism.space, mechanism.bodies[0]);
+  }
+  const toml::table* bodies = reading.table(document, "body");
+  if (bodies == nullptr) {
+    if (!document.contains("body")) {
+      reading.fault(SourcePosition{}, "the file has no bodies besides the ground; write [body.NAME.points]");
+    }
+    return;
+  }
+  for (const toml::key* key : reading.keys_in_order(*bodies)) {
+    Body body;
+    body.name = std::string(key->str());
+    body.where = reading.position(key->source().begin);
+    if (body.name == "ground") {
+      reading.fault(body.where, "the ground is no [body.ground]; write [ground.points]");
+      continue;
+    }
+    if (!is_name(body.name)) {
+      reading.fault(body.where, "a body's name may have letters, digits, '_' and '-' only");
+    }
+    if (const toml::table* entry = reading.table(*bodies, body.name)) {
+      read_points(reading, *entry, mechanism.space, body);
+    }
+    mechanism.bodies.push_back(std::move(body));
+  }
+}
+
+void read_joints(Reading& reading, const toml::table& document, Mechanism& mechanism) {
+  const toml::array* entries = reading.array(document, "joint");
+  if (entries == nullptr) {
+    if (!document.contains("joint")) {
+      reading.fault(SourcePosition{}, "the file has no joints; write one [[joint]] for each");
+    }
+    return;
+  }
+  for (const toml::node& entry : *entries) {
+    if (!entry.is_table()) {
+      reading.fault(entry, "a joint must be a table; write [[joint]]");
+      continue;
+    }
+    const std::size_t faults_before = reading.faults().size();
+    Joint joint = read_joint(reading, *entry.as_table(), mechanism);
+    if (reading.faults().size() != faults_before) continue;
+    if (joint.name.empty()) joint.name = name_from_ends(mechanism, joint);
+    mechanism.joints.push_back(std::move(joint));
+  }
+  check_joint_names(reading, mechanism);
+}
+
+}  // namespace moivre

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: MIT
+// How are drivers and the guess read?
+#include <algorithm>
+
+#include "nearest.h"
+#include "read_formula.h"
+#include "read_parts.h"
+
+namespace moivre {
+namespace {
+
+const std::vector<std::string> kTargets{"angle", "slide", "x", "y", "z", "unknown"};
+const std::vector<std::string> kLaws{"start", "velocity", "acceleration", "table", "value"};
+
+std::optional<std::size_t> find_joint(Reading& reading, const Mechanism& mechanism,
+                                      const std::string& name, const toml::node& at) {
+  std::vector<std::string> known;
+  for (std::size_t k = 0; k < mechanism.joints.size(); ++k) {
+    if (mechanism.joints[k].name == name) return k;
+    known.push_back(mechanism.joints[k].name);
+  }
+  reading.fault(at, "there is no joint '" + name + "'" + suggestion(name, known));
+  return std::nullopt;
+}
+
+void read_planar_angle(Reading& reading, const toml::node& node, const toml::table& entry,
+                       const Mechanism& mechanism, Driver& driver) {
+  if (node.is_string()) {
+    driver.name = *node.value<std::string>();
+    driver.bodies[1] = find_body(reading, mechanism, driver.name, reading.position(node)).value_or(1);
+    if (driver.bodies[1] == 0) reading.fault(node, "the ground does not turn; drive another body");
+    return;
+  }
+  const auto names = reading.texts(entry, "angle", 2);
+  if (!names) return;
+  driver.name = (*names)[0] + "-" + (*names)[1];
+  bool is_found = true;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const auto body = find_body(reading, mechanism, (*names)[k],
+                                reading.position(*node.as_array()->get(k)));
+    is_found = is_found && body;
+    driver.bodies[k] = body.value_or(0);
+  }
+  if (is_found && driver.bodies[0] == driver.bodies[1]) {
+    reading.fault(node, "a body has no angle relative to itself; name two bodies");
+  }
+}
+
+/// Whether the joint has the freedom that is driven.
+bool can_drive(DriverKind kind, const Joint& joint) {
+  if (joint.type == JointType::cylindrical) return true;
+  if (kind == DriverKind::angle) return joint.type == JointType::revolute;
+  return joint.type == JointType::prismatic || joint.type == JointType::slot;
+}
+
+void read_joint_target(Reading& reading, const toml::node& node, const std::string& key,
+                       const toml::table& entry, const Mechanism& mechanism, Driver& driver) {
+  const auto name = reading.text(entry, key);
+  if (!name) return;
+  driver.name = *name;
+  const auto joint = find_joint(reading, mechanism, *name, node);
+  if (!joint) return;
+  driver.joint = *joint;
+  if (!can_drive(driver.kind, mechanism.joints[*joint])) {
+    reading.fault(node, "joint '" + *name + "' is " + to_string(mechanism.joints[*joint].type) +
+                            ", it has no " + (key == "angle" ? "angle" : "slide") + " to drive");
+  }
+}
+
+void read_point_target(Reading& reading, const toml::node& node, const std::string& key,
+                       const toml::table& entry, const Mechanism& mechanism, Driver& driver) {
+  driver.kind = key == "x" ? DriverKind::x : key == "y" ? DriverKind::y : DriverKind::z;
+  if (key == "z" && mechanism.space == Space::planar) {
+    reading.fault(node, "a planar mechanism has no z to drive");
+  }
+  const auto name = reading.text(entry, key);
+  if (!name) return;
+  driver.name = *name;
+  const auto point = find_point(reading, mechanism, *name, reading.position(node));
+  if (!point) return;
+  driver.point = *point;
+  if (point->body == 0) reading.fault(node, "'" + *name + "' is fixed to the ground; drive a moving point");
+}
+
+void read_unknown_target(Reading& reading, const toml::node& node, const toml::table& entry,
+                         const Mechanism& mechanism, Driver& driver) {
+  driver.kind = DriverKind::unknown;
+  const auto name = reading.text(entry, "unknown");
+  if (!name) return;
+  driver.name = *name;
+  std::vector<std::string> known;
+  for (std::size_t k = 0; k < mechanism.unknowns.size(); ++k) {
+    if (mechanism.unknowns[k].name == *name) {
+      driver.unknown = k;
+      return;
+    }
+    known.push_back(mechanism.unknowns[k].name);
+  }
+  reading.fault(node, "there is no unknown '" + *name + "'" + suggestion(*name, known));
+}
+
+/// What is driven. A driver names one target.
+void read_target(Reading& reading, const toml::table& entry, const Mechanism& mechanism, Driver& driver) {
+  std::vector<std::string> named;
+  for (const std::string& key : kTargets) {
+    if (entry.contains(key)) named.push_back(key);
+  }
+  if (named.size() != 1) {
+    reading.fault(entry, named.empty() ? "the driver drives nothing; name an angle, slide, x, y, z or unknown"
+                                       : "the driver drives both '" + named[0] + "' and '" + named[1] +
+                                             "'; write two drivers");
+    return;
+  }
+  const std::string& key = named[0];
+  const toml::node& node = *entry.get(key);
+  const bool is_unknown = key == "unknown";
+  if (is_unknown != is_typed(mechanism)) {
+    reading.fault(node, is_unknown ? "'unknown' drives an unknown of typed equations; this file has bodies"
+                                   : "this file has typed equations; drive one by unknown = \"name\"");
+  } else if (is_unknown) {
+    read_unknown_target(reading, node, entry, mechanism, driver);
+  } else if (key == "angle" && mechanism.space == Space::planar) {
+    read_planar_angle(reading, node, entry, mechanism, driver);
+  } else if (key == "angle" || key == "slide") {
+    driver.kind = key == "angle" ? DriverKind::angle : DriverKind::slide;
+    read_joint_target(reading, node, key, entry, mechanism, driver);
+  } else {
+    read_point_target(reading, node, key, entry, mechanism, driver);
+  }
+}
+
+bool drives_angle(const Mechanism& mechanism, const Driver& driver) {
+  if (driver.kind == DriverKind::unknown) return mechanism.unknowns[driver.unknown].is_angle;
+  return driver.kind == DriverKind::angle;
+}
+
+std::optional<DriverLaw> read_table(Reading& reading, const toml::array& rows, double unit) {
+  std::vector<double> t, value;
+  for (const toml::node& row : rows) {
+    const auto pair = reading.numbers(row, "a row of 'table'", 2);
+    if (!pair) return std::nullopt;
+    if (!t.empty() && (*pair)[0] <= t.back()) {
+      reading.fault(row, "the times of a table must increase");
+      return std::nullopt;
+    }
+    t.push_back((*pair)[0]);
+    value.push_back((*pair)[1] * unit);
+  }
+  if (t.size() < 2) {
+    reading.fault(rows, "a table needs two or more rows: table = [[t, value], [t, value]]");
+    return std::nullopt;
+  }
+  return natural_spline(std::move(t), std::move(value));
+}
+
+std::optional<DriverLaw> read_value(Reading& reading, const toml::table& entry, double unit) {
+  const auto text = reading.text(entry, "value");
+  if (!text) return std::nullopt;
+  const std::size_t faults_before = reading.faults().size();
+  const toml::node& node = *entry.get("value");
+  const Expression expression =
+      parse_expression(*text, reading.text_begin(node, *text), reading.faults());
+  if (reading.faults().size() != faults_before) return std::nullopt;
+  const auto formula = read_formula(reading, expression, Names{});
+  if (!formula) return std::nullopt;
+  return TypedLaw{*formula, unit};
+}
+
+void read_law(Reading& reading, const toml::table& entry, double unit, Driver& driver) {
+  const bool is_parabola =
+      entry.contains("start") || entry.contains("velocity") || entry.contains("acceleration");
+  const int laws = (is_parabola ? 1 : 0) + (entry.contains("table") ? 1 : 0) + (entry.contains("value") ? 1 : 0);
+  if (laws != 1) {
+    reading.fault(entry, laws == 0 ? "the driver needs 'start' (with velocity, acceleration), 'table' or 'value'"
+                                   : "the driver needs one of 'start' (with velocity, acceleration), 'table' "
+                                     "and 'value', not several");
+    return;
+  }
+  if (is_parabola) {
+    const auto part = [&](const char* key) { return reading.number(entry, key).value_or(0) * unit; };
+    driver.law = Parabola{part("start"), part("velocity"), part("acceleration")};
+  } else if (const toml::array* rows = reading.array(entry, "table")) {
+    if (auto law = read_table(reading, *rows, unit)) driver.law = std::move(*law);
+  } else if (auto law = read_value(reading, entry, unit)) {
+    driver.law = std::move(*law);
+  }
+}
+
+Driver read_driver(Reading& reading, const toml::table& entry, const Mechanism& mechanism) {
+  Driver driver;
+  driver.where = reading.position(entry);
+  std::vector<std::string> known = kTargets;
+  known.insert(known.end(), kLaws.begin(), kLaws.end());
+  reading.check_keys(entry, known, "a driver");
+  const std::size_t faults_before = reading.faults().size();
+  read_target(reading, entry, mechanism, driver);
+  const bool has_target = reading.faults().size() == faults_before;
+  const double unit = has_target && drives_angle(mechanism, driver) ? angle_unit(mechanism) : 1;
+  read_law(reading, entry, unit, driver);
+  return driver;
+}
+
+/// [guess] entries as dotted names: "crank.phi" = 1 and crank.phi = 1 are one.
+void collect_guess(Reading& reading, const toml::table& in, const std::string& prefix,
+                   const std::vector<Coordinate>& names, Mechanism& mechanism) {
+  for (const toml::key* key : reading.keys_in_order(in)) {
+    const std::string name = prefix + std::string(key->str());
+    const toml::node& node = *in.get(key->str());
+    if (node.is_table()) {
+      collect_guess(reading, *node.as_table(), name + ".", names, mechanism);
+      continue;
+    }
+    const auto found = std::find_if(names.begin(), names.end(),
+                                    [&](const Coordinate& coordinate) { return coordinate.name == name; });
+    if (found == names.end()) {
+      std::vector<std::string> known;
+      for (const Coordinate& coordinate : names) known.push_back(coordinate.name);
+      reading.fault(reading.position(key->source().begin),
+                    "there is no coordinate '" + name + "'" + suggestion(name, known));
+      continue;
+    }
+    const double unit = found->kind == CoordinateKind::length ? 1 : angle_unit(mechanism);
+    if (const auto value = reading.number(node, "the guess of '" + name + "'")) {
+      mechanism.guess[name] = *value * unit;
+    }
+  }
+}
+
+}  // namespace
+
+void read_drivers(Reading& reading, const toml::table& document, Mechanism& mechanism) {
+  const toml::array* entries = reading.array(document, "driver");
+  if (entries == nullptr) return;
+  for (const toml::node& entry : *entries) {
+    if (const toml::table* table = entry.as_table()) {
+      mechanism.drivers.push_back(read_driver(reading, *table, mechanism));
+    } else {
+      reading.fault(entry, "a driver must be a table; write [[driver]]");
+    }
+  }
+}
+
+void read_guess(Reading& reading, const toml::table& document, Mechanism& mechanism) {
+  if (const toml::table* guess = reading.table(document, "guess")) {
+    collect_guess(reading, *guess, "", coordinates(mechanism), mechanism);
+  }
+}
+
+}  // namespace moivre

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// How are typed equations parsed? Both sides of an equals sign, inequalities and derivatives refused with the reason.
+#include "read_formula.h"
+
+namespace moivre {
+
+bool refuse_inequality(Reading& reading, const toml::node& node, const std::string& text) {
+  const std::size_t found = text.find_first_of("<>");
+  if (found == std::string::npos) return false;
+  SourcePosition at = reading.text_begin(node, text);
+  at.offset += found;
+  at.column += found;
+  reading.fault(at,
+                "an inequality is a one-sided constraint (contact): it holds only at times and is not "
+                "supported; write an equation, or 'limits' on a joint to filter closures");
+  return true;
+}
+
+std::optional<Expression> read_expression(Reading& reading, const toml::node& node,
+                                          const std::string& text) {
+  if (refuse_inequality(reading, node, text)) return std::nullopt;
+  const std::size_t faults_before = reading.faults().size();
+  const SourcePosition begin = reading.text_begin(node, text);
+  const std::size_t equals = text.find('=');
+  Expression left = parse_expression(std::string_view(text).substr(0, equals), begin, reading.faults());
+  if (equals != std::string::npos) {
+    SourcePosition behind = begin;
+    behind.offset += equals + 1;
+    behind.column += equals + 1;
+    Expression right =
+        parse_expression(std::string_view(text).substr(equals + 1), behind, reading.faults());
+    Expression minus_right{Expression::Kind::negate, right.at, {}, {}, {}};
+    minus_right.operands.push_back(std::move(right));
+    Expression difference{Expression::Kind::sum, begin, {}, {}, {}};
+    difference.operands.push_back(std::move(left));
+    difference.operands.push_back(std::move(minus_right));
+    left = std::move(difference);
+  }
+  if (reading.faults().size() != faults_before) return std::nullopt;
+  return left;
+}
+
+std::optional<Formula> read_formula(Reading& reading, const Expression& expression, const Names& names) {
+  const std::size_t faults_before = reading.faults().size();
+  Formula formula = resolve(expression, names, reading.faults());
+  if (reading.faults().size() != faults_before) return std::nullopt;
+  return formula;
+}
+
+}  // namespace moivre

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+// How are values taken from a TOML table? With a fault, its place and what was expected, where they do not fit.
+#include "toml_reading.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include "nearest.h"
+
+namespace moivre {
+
+Reading::Reading(const Source& source) : source_(source), line_offsets_{0} {
+  for (std::size_t k = 0; k < source.text.size(); ++k) {
+    if (source.text[k] == '\n') line_offsets_.push_back(k + 1);
+  }
+}
+
+void Reading::fault(const SourcePosition& at, const std::string& message) {
+  faults_.push_back({at, message});
+}
+
+void Reading::fault(const toml::node& at, const std::string& message) {
+  fault(position(at), message);
+}
+
+// toml++ counts columns in code points; a SourcePosition counts bytes.
+SourcePosition Reading::position(const toml::source_position& at) const {
+  SourcePosition result;
+  if (at.line == 0 || at.line > line_offsets_.size()) return result;
+  result.line = at.line;
+  result.offset = line_offsets_[at.line - 1];
+  std::size_t points = 1;
+  while (points < at.column && result.offset < source_.text.size() &&
+         source_.text[result.offset] != '\n') {
+    const auto is_continuation = [&](std::size_t k) {
+      return k < source_.text.size() && (static_cast<unsigned char>(source_.text[k]) & 0xC0U) == 0x80U;
+    };
+    ++result.offset;
+    while (is_continuation(result.offset)) ++result.offset;
+    ++points;
+  }
+  result.column = result.offset - line_offsets_[at.line - 1] + 1;
+  return result;
+}
+
+SourcePosition Reading::position(const toml::node& node) const {
+  return position(node.source().begin);
+}
+
+std::vector<const toml::key*> Reading::keys_in_order(const toml::table& table) const {
+  std::vector<const toml::key*> keys;
+  for (const auto& [key, value] : table) keys.push_back(&key);
+  std::stable_sort(keys.begin(), keys.end(), [](const toml::key* a, const toml::key* b) {
+    return a->source().begin < b->source().begin;
+  });
+  return keys;
+}
+
+void Reading::check_keys(const toml::table& table, const std::vector<std::string>& known,
+                         const std::string& what) {
+  for (const toml::key* key : keys_in_order(table)) {
+    const std::string name(key->str());
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    fault(position(key->source().begin),
+          "unknown key '" + name + "' in " + what + suggestion(name, known));
+  }
+}
+
+const toml::table* Reading::table(const toml::table& in, const std::string& key) {
+  const toml::node* node = in.get(key);
+  if (node == nullptr) return nullptr;
+  if (node->is_table()) return node->as_table();
+  fault(*node, "'" + key + "' must be a table, [" + key + "], not " + kind_of(*node));
+  return nullptr;
+}
+
+const toml::array* Reading::array(const toml::table& in, const std::string& key) {
+  const toml::node* node = in.get(key);
+  if (node == nullptr) return nullptr;
+  if (node->is_array()) return node->as_array();
+  fault(*node, "'" + key + "' must be an array, not " + kind_of(*node));
+  return nullptr;
+}
+
+std::optional<double> Reading::number(const toml::node& node, const std::string& what) {
+  const auto value = node.is_number() ? node.value<double>() : std::nullopt;
+  if (!value) {
+    fault(node, what + " must be a number, not " + kind_of(node));
+    return std::nullopt;
+  }
+  if (!std::isfinite(*value)) {
+    fault(node, what + " must be finite, not inf or nan");
+    return std::nullopt;
+  }
+  return value;
+}
+
+std::optional<double> Reading::number(const toml::table& in, const std::string& key) {
+  const toml::node* node = in.get(key);
+  return node == nullptr ? std::nullopt : number(*node, "'" + key + "'");
+}
+
+std::optional<std::string> Reading::text(const toml::table& in, const std::string& key) {
+  const toml::node* node = in.get(key);
+  if (node == nullptr) return std::nullopt;
+  if (const auto value = node->is_string() ? node->value<std::string>() : std::nullopt) return value;
+  fault(*node, "'" + key + "' must be a string, not " + kind_of(*node));
+  return std::nullopt;
+}
+
+std::optional<std::vector<std::string>> Reading::texts(const toml::table& in, const std::string& key,
+                                                       std::size_t count) {
+  const toml::node* node = in.get(key);
+  if (node == nullptr) return std::nullopt;
+  std::vector<std::string> values;
+  if (const toml::array* entries = node->as_array()) {
+    for (const toml::node& entry : *entries) {
+      if (const auto value = entry.is_string() ? entry.value<std::string>() : std::nullopt) {
+        values.push_back(*value);
+      }
+    }
+    if (values.size() == count && entries->size() == count) return values;
+  }
+  fault(*node, "'" + key + "' must be an array of " + std::to_string(count) + " strings");
+  return std::nullopt;
+}
+
+std::optional<std::vector<double>> Reading::numbers(const toml::node& node, const std::string& what,
+                                                    std::size_t count) {
+  const toml::array* entries = node.as_array();
+  if (entries == nullptr || entries->size() != count) {
+    fault(node, what + " must be " + std::to_string(count) + " numbers in brackets, not " +
+                    (entries == nullptr ? kind_of(node) : std::to_string(entries->size()) + " entries"));
+    return std::nullopt;
+  }
+  std::vector<double> values;
+  for (const toml::node& entry : *entries) {
+    if (const auto value = number(entry, "an entry of " + what)) values.push_back(*value);
+  }
+  if (values.size() != count) return std::nullopt;
+  return values;
+}
+
+std::optional<std::vector<double>> Reading::numbers(const toml::table& in, const std::string& key,
+                                                    std::size_t count) {
+  const toml::node* node = in.get(key);
+  return node == nullptr ? std::nullopt : numbers(*node, "'" + key + "'", count);
+}
+
+SourcePosition Reading::text_begin(const toml::node& node, const std::string& value) const {
+  SourcePosition at = position(node);
+  if (source_.text.compare(at.offset + 1, value.size(), value) == 0) {
+    ++at.offset;
+    ++at.column;
+  }
+  return at;
+}
+
+std::string kind_of(const toml::node& node) {
+  if (node.is_table()) return "a table";
+  if (node.is_array()) return "an array";
+  if (node.is_string()) return "a string";
+  if (node.is_number()) return "a number";
+  if (node.is_boolean()) return "true or false";
+  return "a date or time";
+}
+
+bool is_name(const std::string& text) {
+  return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-';
+  });
+}
+
+}  // namespace moivre

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// What stands in this TOML table? Typed look-ups that note every fault with its place instead of stopping.
+#pragma once
+
+#include <toml++/toml.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "moivre/expression/expression.h"
+#include "moivre/mechanism/formula.h"
+
+namespace moivre {
+
+class Reading {
+ public:
+  explicit Reading(const Source& source);
+
+  const Source& source() const { return source_; }
+  std::vector<Diagnostic>& faults() { return faults_; }
+  void fault(const SourcePosition& at, const std::string& message);
+  void fault(const toml::node& at, const std::string& message);
+  SourcePosition position(const toml::source_position& at) const;
+  SourcePosition position(const toml::node& node) const;
+
+  /// Faults of keys that are not `known`; `what` names the table ("a joint").
+  void check_keys(const toml::table& table, const std::vector<std::string>& known,
+                  const std::string& what);
+  /// Keys in the order of the file.
+  std::vector<const toml::key*> keys_in_order(const toml::table& table) const;
+
+  /// Nothing where the key is absent; nothing and a fault where its value is of another kind (or not finite).
+  const toml::table* table(const toml::table& in, const std::string& key);
+  const toml::array* array(const toml::table& in, const std::string& key);
+  std::optional<double> number(const toml::table& in, const std::string& key);
+  std::optional<std::string> text(const toml::table& in, const std::string& key);
+  std::optional<std::vector<std::string>> texts(const toml::table& in, const std::string& key,
+                                                std::size_t count);
+  std::optional<std::vector<double>> numbers(const toml::table& in, const std::string& key,
+                                             std::size_t count);
+  /// A finite number, or a fault; `what` names it.
+  std::optional<double> number(const toml::node& node, const std::string& what);
+  /// `count` finite numbers in an array, or a fault.
+  std::optional<std::vector<double>> numbers(const toml::node& node, const std::string& what,
+                                             std::size_t count);
+
+  /// Where the characters of a string value begin in the file (behind the quote).
+  SourcePosition text_begin(const toml::node& node, const std::string& value) const;
+
+ private:
+  const Source& source_;
+  std::vector<std::size_t> line_offsets_;
+  std::vector<Diagnostic> faults_;
+};
+
+/// "a string", "a number", ...
+std::string kind_of(const toml::node& node);
+
+/// Letters, digits, '_' and '-', not empty: what bodies, points, joints and unknowns may be called.
+bool is_name(const std::string& text);
+
+}  // namespace moivre
