@@ -13,7 +13,9 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kLengthFloor = 1e-6;  // of the longest row or column: below it a length is noise
+// Of the longest row or column. Applied to rows and columns it lifts rounding noise (1e-16) to 1e-10 at most, which
+// kRankTolerance still takes for zero.
+constexpr double kLengthFloor = 1e-3;
 
 void scale_rows(MatrixXd& A) {
   const VectorXd length = A.rowwise().norm();
@@ -38,7 +40,8 @@ bool suits(LinearMethod method, Index rows, Index columns, Index rank) {
 }
 
 LinearMethod natural_method(Index rows, Index columns, Index rank) {
-  for (const LinearMethod method : {LinearMethod::lu, LinearMethod::qr, LinearMethod::minimum_norm}) {
+  for (const LinearMethod method :
+       {LinearMethod::lu, LinearMethod::qr, LinearMethod::minimum_norm}) {
     if (suits(method, rows, columns, rank)) return method;
   }
   return LinearMethod::svd;

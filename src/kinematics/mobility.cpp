@@ -16,10 +16,11 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kNearSingular = 1e-5;   // singular value beside the largest, equilibrated: warn
-constexpr double kNegligible = 1e-9;     // share of a row in a combination: rounding
-constexpr double kNeighbourStep = 1e-2;  // step along R beside the pose's size: far enough to see a rank, near enough
-                                         // for Newton to come back to the same branch
+constexpr double kNearSingular = 1e-5;  // singular value beside the largest, equilibrated: warn
+constexpr double kNegligible = 1e-9;    // share of a row in a combination: rounding
+constexpr double kNeighbourStep =
+    1e-2;  // step along R beside the pose's size: far enough to see a rank, near enough
+           // for Newton to come back to the same branch
 
 std::string number_text(double value) {
   char text[32];
@@ -41,12 +42,15 @@ std::vector<RedundantRow> redundant_rows(const Phi& joints, const MatrixXd& J, I
     }
     RedundantRow row{i, joints.row_names()[static_cast<std::size_t>(i)], {}};
     const MatrixXd basis = J(kept, Eigen::all).transpose();
-    const VectorXd share = basis.size() == 0 ? VectorXd() : VectorXd(basis.colPivHouseholderQr().solve(J.row(i).transpose()));
+    const VectorXd share = basis.size() == 0
+                               ? VectorXd()
+                               : VectorXd(basis.colPivHouseholderQr().solve(J.row(i).transpose()));
     for (Index k = 0; k < share.size(); ++k) {
       const Index source = kept[static_cast<std::size_t>(k)];
       const double part = std::abs(share[k]) * J.row(source).norm();
       if (part <= kNegligible * J.row(i).norm()) continue;
-      row.combination.push_back({source, joints.row_names()[static_cast<std::size_t>(source)], share[k]});
+      row.combination.push_back(
+          {source, joints.row_names()[static_cast<std::size_t>(source)], share[k]});
     }
     found.push_back(std::move(row));
   }
@@ -71,17 +75,24 @@ std::vector<IdleFreedom> idle_freedoms(const Phi& phi, const MatrixXd& J) {
   return found;
 }
 
-/// The largest rank at assembled poses one step along R (both ways, each direction and their sum) from q.
+/// The largest rank at assembled poses next to q. Each coordinate that R moves is held a step away (both ways) while
+/// Newton assembles the others: without holding one, Newton would fall back onto a singular q.
 Index rank_next_to(const Phi& joints, const VectorXd& q, double t, const MatrixXd& R, Index rank) {
+  constexpr double kMoves = 1e-2;  // share of a coordinate in R below which it hardly moves
   const double step = kNeighbourStep * std::max(1.0, q.lpNorm<Eigen::Infinity>());
-  MatrixXd directions(R.rows(), R.cols() + 1);
-  directions << R, R.rowwise().sum();
   Index largest = rank;
-  for (Index k = 0; k < directions.cols(); ++k) {
+  for (Index k = 0; k < q.size() && largest < joints.size(); ++k) {
+    const VectorXd along = R * R.row(k).transpose();
+    if (along[k] < kMoves) continue;
+    NewtonOptions hold;
+    hold.free = std::vector<Index>();
+    for (Index other = 0; other < q.size(); ++other) {
+      if (other != k) hold.free->push_back(other);
+    }
     for (const double side : {step, -step}) {
-      const NewtonResult neighbour = newton(joints, q + side * directions.col(k), t);
+      const NewtonResult neighbour = newton(joints, q + side * along, t, hold);
       if (neighbour.status != NewtonStatus::converged) continue;
-      largest = std::max(largest, neighbour.rank);
+      largest = std::max(largest, numerical_rank(joints.jacobian(neighbour.q, t)));
     }
   }
   return largest;
@@ -90,7 +101,8 @@ Index rank_next_to(const Phi& joints, const VectorXd& q, double t, const MatrixX
 std::vector<std::string> warnings_of(const Mobility& m, bool is_assembled) {
   std::vector<std::string> warnings;
   if (!is_assembled) {
-    warnings.emplace_back("the pose is not assembled: these figures hold where Phi = 0, assemble it first");
+    warnings.emplace_back(
+        "the pose is not assembled: these figures hold where Phi = 0, assemble it first");
   }
   if (m.rank != m.rank_by_svd) {
     warnings.push_back("QR finds rank " + std::to_string(m.rank) + ", the singular values " +
@@ -98,7 +110,8 @@ std::vector<std::string> warnings_of(const Mobility& m, bool is_assembled) {
   }
   if (m.is_singular) {
     warnings.push_back("singular pose: rank " + std::to_string(m.rank) + " here, " +
-                       std::to_string(m.rank_nearby) + " next to it; away from here the mechanism has " +
+                       std::to_string(m.rank_nearby) +
+                       " next to it; away from here the mechanism has " +
                        std::to_string(m.coordinates - m.rank_nearby) + " degrees of freedom");
   } else if (m.is_near_singular) {
     warnings.push_back("near a singular pose: the smallest counted singular value is " +
@@ -108,7 +121,8 @@ std::vector<std::string> warnings_of(const Mobility& m, bool is_assembled) {
   if (m.gruebler != m.degrees_of_freedom) {
     warnings.push_back("Gruebler's count says " + std::to_string(m.gruebler) + ", the rank says " +
                        std::to_string(m.degrees_of_freedom) + ": " +
-                       std::to_string(m.degrees_of_freedom - m.gruebler) + " redundant constraints");
+                       std::to_string(m.degrees_of_freedom - m.gruebler) +
+                       " redundant constraints");
   }
   for (const IdleFreedom& idle : m.idle) {
     warnings.push_back("'" + idle.name + "' can move while everything else stands still");
@@ -144,7 +158,8 @@ Mobility mobility(const Phi& phi, const VectorXd& q, double t) {
   m.degrees_of_freedom = m.coordinates - m.rank;
   m.gruebler = m.coordinates - m.constraints;
   m.driven_freedoms = m.coordinates - numerical_rank(all_rows);
-  if (J.size() != 0) m.singular_values = Eigen::JacobiSVD<MatrixXd>(equilibrated(J)).singularValues();
+  if (J.size() != 0)
+    m.singular_values = Eigen::JacobiSVD<MatrixXd>(equilibrated(J)).singularValues();
   const double floor = m.singular_values.size() == 0 ? 0 : kRankTolerance * m.singular_values[0];
   m.rank_by_svd = (m.singular_values.array() > floor).count();
   m.redundant = redundant_rows(joints, J, m.rank);

@@ -2,6 +2,7 @@
 // How does a Newton-Raphson run go, and how does it end?
 #include "moivre/kinematics/newton.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -13,11 +14,12 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kEscape = 1e9;          // times the guess's size: nothing assembles out there
-constexpr double kStandstill = 1e-12;    // step beside q: the run has come to rest
-constexpr double kRestResidual = 1e-9;   // a run at rest with less than this is a solution at rounding level
-constexpr double kReturn = 1e-9;         // distance beside q at which an earlier iterate has come back
-constexpr double kMoving = 1e-6;         // step beside q: a cycle's steps are larger than this
+constexpr double kEscape = 1e9;        // times the guess's size: nothing assembles out there
+constexpr double kStandstill = 1e-12;  // step beside q: the run has come to rest
+constexpr double kRestResidual =
+    1e-12;                        // |Phi| beside the largest term: rounding, for a run at rest
+constexpr double kReturn = 1e-9;  // distance beside q at which an earlier iterate has come back
+constexpr double kMoving = 1e-6;  // step beside q: a cycle's steps are larger than this
 
 void validate(const Phi& phi, const VectorXd& guess, const NewtonOptions& options) {
   std::string broken;
@@ -49,12 +51,34 @@ VectorXd moved(const VectorXd& q, const VectorXd& step, const NewtonOptions& opt
 
 double size_of(const VectorXd& q) { return std::max(1.0, q.lpNorm<Eigen::Infinity>()); }
 
-NewtonIteration look(const Phi& phi, const VectorXd& q, double t) {
+/// q with the coordinates that are rounding noise beside the others at 0.
+VectorXd without_noise(const VectorXd& q, const NewtonOptions& options) {
+  constexpr double kNoise = 8 * std::numeric_limits<double>::epsilon();
+  const double noise = kNoise * q.lpNorm<Eigen::Infinity>();
+  VectorXd clean = q;
+  for (Index k = 0; k < q.size(); ++k) {
+    const bool may_change = !options.free || std::find(options.free->begin(), options.free->end(),
+                                                       k) != options.free->end();
+    if (may_change && std::abs(q[k]) <= noise) clean[k] = 0;
+  }
+  return clean;
+}
+
+NewtonIteration measured(const Phi& phi, const VectorXd& q, double t) {
   NewtonIteration row;
   row.q = q;
   row.residual = phi.size() == 0 ? 0 : phi.value(q, t).lpNorm<Eigen::Infinity>();
   row.scaled_residual = scaled_residual(phi, q, t);
   return row;
+}
+
+/// The row of an iterate. A row of Phi whose terms are all rounding noise has no scale of its own: where noise alone
+/// keeps an iterate from passing, it is taken without the noise.
+NewtonIteration look(const Phi& phi, const VectorXd& q, double t, const NewtonOptions& options) {
+  NewtonIteration row = measured(phi, q, t);
+  if (!q.allFinite() || row.scaled_residual <= options.residual_tolerance) return row;
+  const NewtonIteration clean = measured(phi, without_noise(q, options), t);
+  return clean.scaled_residual <= options.residual_tolerance ? clean : row;
 }
 
 /// How many steps ago the last iterate was visited before; 0 when it is new.
@@ -79,17 +103,11 @@ std::optional<NewtonStatus> verdict(const NewtonResult& run, const VectorXd& gue
   return std::nullopt;
 }
 
-/// The verdict on a step that hardly moves q.
-NewtonStatus at_rest(const NewtonIteration& row, Index full_rank) {
-  if (row.scaled_residual <= kRestResidual) return NewtonStatus::converged;
+/// The verdict on a step that hardly moves q. Phi is zero to rounding when it is small beside its largest terms.
+NewtonStatus at_rest(const Phi& phi, const NewtonIteration& row, double t, Index full_rank) {
+  const double scale = phi.size() == 0 ? 0 : phi.term_magnitudes(row.q, t).maxCoeff();
+  if (row.residual <= kRestResidual * scale) return NewtonStatus::converged;
   return row.rank < full_rank ? NewtonStatus::singular : NewtonStatus::no_solution;
-}
-
-/// Coordinates that are rounding noise beside the others become 0 where that makes no row worse.
-VectorXd without_noise(const Phi& phi, const VectorXd& q, double t) {
-  const double noise = 8 * std::numeric_limits<double>::epsilon() * q.lpNorm<Eigen::Infinity>();
-  const VectorXd clean = (q.array().abs() <= noise).select(VectorXd::Zero(q.size()), q);
-  return scaled_residual(phi, clean, t) <= scaled_residual(phi, q, t) ? clean : q;
 }
 
 std::string message_of(const NewtonResult& run) {
@@ -156,7 +174,7 @@ std::string to_string(NewtonStatus status) {
 NewtonResult newton(const Phi& phi, const VectorXd& guess, double t, const NewtonOptions& options) {
   validate(phi, guess, options);
   NewtonResult run;
-  run.iterations.push_back(look(phi, guess, t));
+  run.iterations.push_back(look(phi, guess, t, options));
   std::optional<NewtonStatus> status = verdict(run, guess, options);
   while (!status && run.steps() < options.maximum_iterations) {
     NewtonIteration& row = run.iterations.back();
@@ -172,8 +190,8 @@ NewtonResult newton(const Phi& phi, const VectorXd& guess, double t, const Newto
     row.method = factors.method();
     const VectorXd next = moved(row.q, step, options);
     const bool rests = row.step <= kStandstill * size_of(row.q);
-    const NewtonStatus rest_verdict = at_rest(row, std::min(J.rows(), J.cols()));
-    run.iterations.push_back(look(phi, next, t));
+    const NewtonStatus rest_verdict = at_rest(phi, row, t, std::min(J.rows(), J.cols()));
+    run.iterations.push_back(look(phi, next, t, options));
     run.iterations.back().method = factors.method();
     run.cycle_length = cycle_length(run.iterations);
     status = verdict(run, guess, options);
@@ -181,11 +199,6 @@ NewtonResult newton(const Phi& phi, const VectorXd& guess, double t, const Newto
   }
   run.status = status.value_or(NewtonStatus::iteration_limit);
   if (run.status != NewtonStatus::cycling) run.cycle_length = 0;
-  if (run.status == NewtonStatus::converged) {
-    const NewtonIteration last = run.iterations.back();
-    if (!options.free) run.iterations.back() = look(phi, without_noise(phi, last.q, t), t);
-    run.iterations.back().method = last.method;
-  }
   describe_end(phi, t, options, run);
   run.message = message_of(run);
   return run;

@@ -48,7 +48,8 @@ std::string names_of(const Phi& phi, const std::vector<Index>& chosen) {
 
 }  // namespace
 
-MotionState motion_state(const Phi& phi, const VectorXd& q, double t, const LinearOptions& options) {
+MotionState motion_state(const Phi& phi, const VectorXd& q, double t,
+                         const LinearOptions& options) {
   const MatrixXd J = phi.jacobian(q, t);
   const Factorisation factors(J, options);
   MotionState state;
@@ -80,8 +81,8 @@ Partition make_partition(const Phi& joints, const VectorXd& q, std::vector<Index
   std::sort(independent.begin(), independent.end());
   const bool twice =
       std::adjacent_find(independent.begin(), independent.end()) != independent.end();
-  const bool outside = !independent.empty() && (independent.front() < 0 ||
-                                                independent.back() >= joints.dimension());
+  const bool outside =
+      !independent.empty() && (independent.front() < 0 || independent.back() >= joints.dimension());
   if (twice || outside) {
     throw std::invalid_argument("independent coordinates must be distinct indices below " +
                                 std::to_string(joints.dimension()));
@@ -95,7 +96,8 @@ Partition make_partition(const Phi& joints, const VectorXd& q, std::vector<Index
   const MatrixXd Phi_u = columns(J, partition.dependent);
   partition.smallest_pivot = pivot_ratio(Phi_u);
   if (chosen != freedoms) {
-    partition.refusal = std::to_string(chosen) + " independent coordinates were chosen, the pose has " +
+    partition.refusal = std::to_string(chosen) +
+                        " independent coordinates were chosen, the pose has " +
                         std::to_string(freedoms) + " degrees of freedom";
   } else if (numerical_rank(Phi_u) < Phi_u.cols()) {
     partition.refusal = "Phi_u is singular: " + names_of(joints, partition.independent) +
@@ -129,12 +131,10 @@ MotionState partitioned_state(const Phi& joints, const Partition& partition, con
   state.acceleration = VectorXd::Zero(q.size());
   const VectorXd velocity_rhs = joints.velocity_rhs(q, t);
   state.velocity(partition.independent) = independent_velocity;
-  state.velocity(partition.dependent) =
-      factors.solve(velocity_rhs - Phi_v * independent_velocity);
+  state.velocity(partition.dependent) = factors.solve(velocity_rhs - Phi_v * independent_velocity);
   const VectorXd gamma = joints.acceleration_rhs(q, state.velocity, t);
   state.acceleration(partition.independent) = independent_acceleration;
-  state.acceleration(partition.dependent) =
-      factors.solve(gamma - Phi_v * independent_acceleration);
+  state.acceleration(partition.dependent) = factors.solve(gamma - Phi_v * independent_acceleration);
   state.velocity_residual = largest(J * state.velocity - velocity_rhs);
   state.acceleration_residual = largest(J * state.acceleration - gamma);
   return state;

@@ -11,7 +11,9 @@ namespace {
 /// Sets of bodies that are joined (union-find).
 class Groups {
  public:
-  explicit Groups(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), 0); }
+  explicit Groups(std::size_t size) : parent_(size) {
+    std::iota(parent_.begin(), parent_.end(), 0);
+  }
   std::size_t find(std::size_t k) {
     while (parent_[k] != k) k = parent_[k] = parent_[parent_[k]];
     return k;
@@ -61,8 +63,9 @@ void check_connected(Reading& reading, const Mechanism& mechanism) {
   }
   for (std::size_t body = 1; body < mechanism.bodies.size(); ++body) {
     if (groups.find(body) == groups.find(0)) continue;
-    reading.fault(mechanism.bodies[body].where, "body '" + mechanism.bodies[body].name +
-                                                    "' is not connected to the ground by joints; join it or remove it");
+    reading.fault(mechanism.bodies[body].where,
+                  "body '" + mechanism.bodies[body].name +
+                      "' is not connected to the ground by joints; join it or remove it");
   }
 }
 
@@ -70,7 +73,8 @@ void check_welds(Reading& reading, const Mechanism& mechanism) {
   Groups groups(mechanism.bodies.size());
   for (const Joint& joint : mechanism.joints) {
     if (joint.type != JointType::weld || groups.join(joint.at[0].body, joint.at[1].body)) continue;
-    reading.fault(joint.where, "weld '" + joint.name + "' closes a cycle of welds; remove one of them");
+    reading.fault(joint.where,
+                  "weld '" + joint.name + "' closes a cycle of welds; remove one of them");
   }
 }
 
@@ -82,21 +86,26 @@ void check_lengths(Reading& reading, const Mechanism& mechanism) {
     for (const Joint& joint : mechanism.joints) {
       for (const PointOf& end : joint.at) {
         if (end.body != body) continue;
-        has_pins_only = has_pins_only && (joint.type == JointType::revolute || joint.type == JointType::spherical);
+        has_pins_only = has_pins_only &&
+                        (joint.type == JointType::revolute || joint.type == JointType::spherical);
         if (has_pins_only) pins.push_back(mechanism.bodies[body].points[end.point].at);
       }
     }
-    const bool is_one_place = std::all_of(pins.begin(), pins.end(),
-                                          [&](const Eigen::Vector3d& pin) { return pin == pins.front(); });
-    if (!has_pins_only || pins.size() < 2 || !is_one_place || mechanism.space != Space::planar) continue;
+    const bool is_one_place = std::all_of(
+        pins.begin(), pins.end(), [&](const Eigen::Vector3d& pin) { return pin == pins.front(); });
+    if (!has_pins_only || pins.size() < 2 || !is_one_place || mechanism.space != Space::planar)
+      continue;
     reading.fault(mechanism.bodies[body].where,
                   "body '" + mechanism.bodies[body].name +
-                      "' has length zero: all its joints are at one place; move one or join its neighbours directly");
+                      "' has length zero: all its joints are at one place; move one or join its "
+                      "neighbours directly");
   }
 }
 
 void check_twin_joints(Reading& reading, const Mechanism& mechanism) {
-  const auto same = [](const PointOf& a, const PointOf& b) { return a.body == b.body && a.point == b.point; };
+  const auto same = [](const PointOf& a, const PointOf& b) {
+    return a.body == b.body && a.point == b.point;
+  };
   for (std::size_t k = 0; k < mechanism.joints.size(); ++k) {
     for (std::size_t j = 0; j < k; ++j) {
       const Joint& a = mechanism.joints[j];
@@ -104,7 +113,8 @@ void check_twin_joints(Reading& reading, const Mechanism& mechanism) {
       if (!places(a) || a.type != b.type) continue;
       const bool is_same = same(a.at[0], b.at[0]) && same(a.at[1], b.at[1]);
       const bool is_mirrored = same(a.at[0], b.at[1]) && same(a.at[1], b.at[0]);
-      if (is_same || is_mirrored) reading.fault(b.where, "this joint says again what joint '" + a.name + "' says; remove it");
+      if (is_same || is_mirrored)
+        reading.fault(b.where, "this joint says again what joint '" + a.name + "' says; remove it");
     }
   }
 }
@@ -140,7 +150,8 @@ int freedoms_at_most(const Mechanism& mechanism) {
   Groups groups(mechanism.bodies.size());
   int bound = 0;
   for (const Joint* joint : joints) {
-    if (groups.join(joint->at[0].body, joint->at[1].body)) bound += freedoms(*joint, mechanism.space);
+    if (groups.join(joint->at[0].body, joint->at[1].body))
+      bound += freedoms(*joint, mechanism.space);
   }
   return bound;
 }
@@ -150,14 +161,16 @@ void check_drivers(Reading& reading, const Mechanism& mechanism) {
   for (std::size_t k = 0; k < drivers.size(); ++k) {
     for (std::size_t j = 0; j < k; ++j) {
       if (!drive_the_same(drivers[j], drivers[k], mechanism.space == Space::spatial)) continue;
-      reading.fault(drivers[k].where, "'" + drivers[k].name + "' is driven twice; remove one of the drivers");
+      reading.fault(drivers[k].where,
+                    "'" + drivers[k].name + "' is driven twice; remove one of the drivers");
     }
   }
   const int most = freedoms_at_most(mechanism);
   if (static_cast<int>(drivers.size()) > most) {
     reading.fault(drivers[static_cast<std::size_t>(most)].where,
                   "too many drivers: the joints leave at most " + std::to_string(most) +
-                      " degrees of freedom, there are " + std::to_string(drivers.size()) + " drivers");
+                      " degrees of freedom, there are " + std::to_string(drivers.size()) +
+                      " drivers");
   }
 }
 
@@ -168,13 +181,15 @@ int rows_of(const Joint& joint, Space space) {
 
 /// More drivers than Gruebler's count is odd, but redundant constraints can make it right.
 void warn_of_count(Mechanism& mechanism) {
-  int naive = static_cast<int>(coordinates(mechanism).size()) - static_cast<int>(mechanism.equations.size());
+  int naive = static_cast<int>(coordinates(mechanism).size()) -
+              static_cast<int>(mechanism.equations.size());
   for (const Joint& joint : mechanism.joints) naive -= rows_of(joint, mechanism.space);
   const int drivers = static_cast<int>(mechanism.drivers.size());
   if (drivers <= naive) return;
-  mechanism.warnings.push_back("coordinates minus constraints are " + std::to_string(naive) + ", drivers are " +
-                               std::to_string(drivers) +
-                               ": too many drivers, unless constraints are redundant (moivre mobility tells)");
+  mechanism.warnings.push_back(
+      "coordinates minus constraints are " + std::to_string(naive) + ", drivers are " +
+      std::to_string(drivers) +
+      ": too many drivers, unless constraints are redundant (moivre mobility tells)");
 }
 
 }  // namespace

@@ -53,7 +53,8 @@ Spline natural_spline(std::vector<double> t, std::vector<double> value) {
     const double before = t[k] - t[k - 1];
     const double after = t[k + 1] - t[k];
     const double pivot = 2 * (before + after) - before * upper[k - 1];
-    const double bend = 6 * ((value[k + 1] - value[k]) / after - (value[k] - value[k - 1]) / before);
+    const double bend =
+        6 * ((value[k + 1] - value[k]) / after - (value[k] - value[k - 1]) / before);
     upper[k] = after / pivot;
     curvature[k] = (bend - before * curvature[k - 1]) / pivot;
   }

@@ -38,15 +38,16 @@ std::vector<std::string> known_names(const Names& names) {
 
 /// Whether a name or a function looks like a derivative: phi_dot, dphi_dt, der(phi), diff(phi, t).
 bool is_derivative(const std::string& name) {
-  static const std::vector<std::string> words{"der",      "diff",        "deriv", "derivative", "d",
-                                              "velocity", "acceleration", "D"};
+  static const std::vector<std::string> words{"der", "diff",     "deriv",        "derivative",
+                                              "d",   "velocity", "acceleration", "D"};
   const bool ends_in_dot = name.size() > 3 && name.substr(name.size() - 3) == "dot";
   const bool ends_in_dt = name.size() > 3 && name.substr(name.size() - 3) == "_dt";
   return ends_in_dot || ends_in_dt || std::find(words.begin(), words.end(), name) != words.end();
 }
 
 const std::string kNonHolonomic =
-    "' looks like a derivative: a constraint on velocities (rolling, non-holonomic) does not say where "
+    "' looks like a derivative: a constraint on velocities (rolling, non-holonomic) does not say "
+    "where "
     "the mechanism can be and is not supported; write constraints between coordinates";
 
 Formula resolve_name(const Expression& expression, const Names& names,
@@ -65,7 +66,8 @@ Formula resolve_name(const Expression& expression, const Names& names,
   } else if (is_derivative(expression.name)) {
     faults.push_back({expression.at, "'" + expression.name + kNonHolonomic});
   } else {
-    faults.push_back({expression.at, "'" + expression.name + "' is neither an unknown nor a constant" +
+    faults.push_back({expression.at, "'" + expression.name +
+                                         "' is neither an unknown nor a constant" +
                                          suggestion(expression.name, known_names(names))});
   }
   return result;
@@ -237,6 +239,7 @@ S evaluate(const Formula& formula, std::span<const S> q, const S& t) {
 }
 
 template Jet evaluate<Jet>(const Formula&, std::span<const Jet>, const Jet&);
-template Magnitude evaluate<Magnitude>(const Formula&, std::span<const Magnitude>, const Magnitude&);
+template Magnitude evaluate<Magnitude>(const Formula&, std::span<const Magnitude>,
+                                       const Magnitude&);
 
 }  // namespace moivre

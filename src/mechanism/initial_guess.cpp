@@ -26,16 +26,18 @@ class Placement {
     poses_[0].is_placed = true;
   }
 
+  /// Ring by ring: bodies at the ground first, then those at them.
   std::vector<Pose> place_all() {
-    for (bool moved = true; moved;) {
-      moved = false;
+    for (bool has_moved = true; has_moved;) {
+      has_moved = false;
+      const std::vector<Pose> before = poses_;
       for (const Joint& joint : mechanism_.joints) {
+        if (joint.type == JointType::gear) continue;
         for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
-          const std::size_t from = joint.at[end].body;
           const std::size_t to = joint.at[1 - end].body;
-          if (joint.type == JointType::gear || !poses_[from].is_placed || poses_[to].is_placed) continue;
+          if (!before[joint.at[end].body].is_placed || poses_[to].is_placed) continue;
           poses_[to] = placed(joint, end);
-          moved = true;
+          has_moved = true;
         }
       }
     }
@@ -85,16 +87,16 @@ class Placement {
     const auto rx = guess(body, "rx"), ry = guess(body, "ry"), rz = guess(body, "rz");
     if (rx || ry || rz) {
       const Eigen::Vector3d v(rx.value_or(0), ry.value_or(0), rz.value_or(0));
-      return v.isZero(0) ? Eigen::Matrix3d(Eigen::Matrix3d::Identity()) : turn_about(v.normalized(), v.norm());
+      return v.isZero(0) ? Eigen::Matrix3d(Eigen::Matrix3d::Identity())
+                         : turn_about(v.normalized(), v.norm());
     }
     const bool aligns = joint.type == JointType::revolute || joint.type == JointType::cylindrical ||
                         joint.type == JointType::prismatic || joint.type == JointType::weld;
     const Eigen::Matrix3d& base = poses_[joint.at[end].body].R;
     if (!aligns) return base;
-    const double turn =
-        joint.type == JointType::revolute || joint.type == JointType::cylindrical
-            ? driven(DriverKind::angle, joint).value_or(0)
-            : 0;
+    const double turn = joint.type == JointType::revolute || joint.type == JointType::cylindrical
+                            ? driven(DriverKind::angle, joint).value_or(0)
+                            : 0;
     const Eigen::Matrix3d relative = spatial::axis_frame(joint.axis[0]) *
                                      turn_about(Eigen::Vector3d::UnitZ(), joint.turn_rad + turn) *
                                      spatial::axis_frame(joint.axis[1]).transpose();

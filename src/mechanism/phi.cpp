@@ -34,7 +34,8 @@ std::shared_ptr<const Constraint> unknown_driver(const Mechanism& mechanism, con
 
 Constraints joint_constraints(const Mechanism& mechanism) {
   Constraints constraints;
-  for (const Equation& equation : mechanism.equations) constraints.push_back(typed_equation(equation));
+  for (const Equation& equation : mechanism.equations)
+    constraints.push_back(typed_equation(equation));
   for (const Joint& joint : mechanism.joints) {
     constraints.push_back(mechanism.space == Space::planar ? planar_joint(mechanism, joint)
                                                            : spatial_joint(mechanism, joint));
@@ -42,7 +43,8 @@ Constraints joint_constraints(const Mechanism& mechanism) {
   return constraints;
 }
 
-std::shared_ptr<const Constraint> driver_constraint(const Mechanism& mechanism, const Driver& driver) {
+std::shared_ptr<const Constraint> driver_constraint(const Mechanism& mechanism,
+                                                    const Driver& driver) {
   if (is_typed(mechanism)) return unknown_driver(mechanism, driver);
   return mechanism.space == Space::planar ? planar_driver(mechanism, driver)
                                           : spatial_driver(mechanism, driver);

@@ -75,12 +75,12 @@ std::shared_ptr<const Constraint> planar_joint(const Mechanism& mechanism, const
   const double turn = joint.turn_rad;
   switch (joint.type) {
     case JointType::revolute:
-      return make_constraint({label + ": x", label + ": y"}, coordinates,
-                             [=](const auto& at, auto* row) {
-                               const auto d = position(at, ends.i, ends.a) - position(at, ends.j, ends.b);
-                               row[0] = d.x;
-                               row[1] = d.y;
-                             });
+      return make_constraint(
+          {label + ": x", label + ": y"}, coordinates, [=](const auto& at, auto* row) {
+            const auto d = position(at, ends.i, ends.a) - position(at, ends.j, ends.b);
+            row[0] = d.x;
+            row[1] = d.y;
+          });
     case JointType::prismatic:
       return make_constraint({label + ": turn", label + ": line"}, coordinates,
                              [=](const auto& at, auto* row) {
@@ -88,24 +88,25 @@ std::shared_ptr<const Constraint> planar_joint(const Mechanism& mechanism, const
                                row[1] = displacement(at, ends, normal);
                              });
     case JointType::slot:
-      return make_constraint(
-          {label + ": line"}, coordinates,
-          [=](const auto& at, auto* row) { row[0] = displacement(at, ends, normal); });
+      return make_constraint({label + ": line"}, coordinates, [=](const auto& at, auto* row) {
+        row[0] = displacement(at, ends, normal);
+      });
     case JointType::weld:
       return make_constraint({label + ": x", label + ": y", label + ": turn"}, coordinates,
                              [=](const auto& at, auto* row) {
-                               const auto d = position(at, ends.i, ends.a) - position(at, ends.j, ends.b);
+                               const auto d =
+                                   position(at, ends.i, ends.a) - position(at, ends.j, ends.b);
                                row[0] = d.x;
                                row[1] = d.y;
                                row[2] = relative_angle(at, ends.i, ends.j, turn);
                              });
     case JointType::rod:
-      return make_constraint({label + ": length"}, coordinates,
-                             [=, length = joint.length](const auto& at, auto* row) {
-                               using S = std::remove_reference_t<decltype(*row)>;
-                               const auto d = position(at, ends.i, ends.a) - position(at, ends.j, ends.b);
-                               row[0] = d.x * d.x + d.y * d.y - S(length * length);
-                             });
+      return make_constraint(
+          {label + ": length"}, coordinates, [=, length = joint.length](const auto& at, auto* row) {
+            using S = std::remove_reference_t<decltype(*row)>;
+            const auto d = position(at, ends.i, ends.a) - position(at, ends.j, ends.b);
+            row[0] = d.x * d.x + d.y * d.y - S(length * length);
+          });
     case JointType::gear:
     case JointType::spherical:
     case JointType::cylindrical:
@@ -120,10 +121,10 @@ std::shared_ptr<const Constraint> planar_driver(const Mechanism& mechanism, cons
   const DriverLaw law = driver.law;
   if (driver.kind == DriverKind::angle) {
     const auto [i, j] = driver.bodies;
-    return make_constraint({label}, coordinates_of({i, j}, kSize),
-                           [law, i = i, j = j](const auto& at, auto* row) {
-                             row[0] = within_half_turn(angle(at, j) - angle(at, i) - law_at(law, at.t));
-                           });
+    return make_constraint(
+        {label}, coordinates_of({i, j}, kSize), [law, i = i, j = j](const auto& at, auto* row) {
+          row[0] = within_half_turn(angle(at, j) - angle(at, i) - law_at(law, at.t));
+        });
   }
   if (driver.kind == DriverKind::slide) {
     const Joint& joint = mechanism.joints[driver.joint];

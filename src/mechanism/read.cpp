@@ -99,8 +99,9 @@ Mechanism read_mechanism(const Source& source) {
   read_header(reading, document, mechanism);
   read_sections(reading, document, mechanism);
   if (!reading.faults().empty()) {
-    std::stable_sort(reading.faults().begin(), reading.faults().end(),
-                     [](const Diagnostic& a, const Diagnostic& b) { return a.at.offset < b.at.offset; });
+    std::stable_sort(
+        reading.faults().begin(), reading.faults().end(),
+        [](const Diagnostic& a, const Diagnostic& b) { return a.at.offset < b.at.offset; });
     throw ParseError(source, reading.faults());
   }
   return mechanism;

@@ -40,31 +40,35 @@ std::string refusal(const std::string& type) {
   const auto is_one_of = [&](std::initializer_list<const char*> words) {
     return std::any_of(words.begin(), words.end(), [&](const char* word) { return type == word; });
   };
-  if (is_one_of({"rolling", "wheel", "velocity", "nonholonomic", "non-holonomic", "skate", "knife"})) {
-    return "a constraint on velocities (non-holonomic) does not say where the mechanism can be; it is "
+  if (is_one_of(
+          {"rolling", "wheel", "velocity", "nonholonomic", "non-holonomic", "skate", "knife"})) {
+    return "a constraint on velocities (non-holonomic) does not say where the mechanism can be; it "
+           "is "
            "not supported (a 'gear' holds the ratio of two angles)";
   }
   if (is_one_of({"contact", "stop", "unilateral", "cam", "impact", "bump", "cable", "rope"})) {
-    return "a one-sided constraint (Phi >= 0) holds only at times; it is not supported ('limits' on a "
+    return "a one-sided constraint (Phi >= 0) holds only at times; it is not supported ('limits' "
+           "on a "
            "joint filter closures)";
   }
   return "";
 }
 
 const std::vector<JointType>& types_in(Space space) {
-  static const std::vector<JointType> planar{JointType::revolute, JointType::prismatic, JointType::slot,
-                                             JointType::weld,     JointType::rod,       JointType::gear};
-  static const std::vector<JointType> spatial{JointType::spherical,   JointType::revolute,
-                                              JointType::prismatic,   JointType::cylindrical,
-                                              JointType::universal,   JointType::rod,
-                                              JointType::weld};
+  static const std::vector<JointType> planar{JointType::revolute, JointType::prismatic,
+                                             JointType::slot,     JointType::weld,
+                                             JointType::rod,      JointType::gear};
+  static const std::vector<JointType> spatial{
+      JointType::spherical, JointType::revolute, JointType::prismatic, JointType::cylindrical,
+      JointType::universal, JointType::rod,      JointType::weld};
   return space == Space::planar ? planar : spatial;
 }
 
 std::optional<JointType> read_type(Reading& reading, const toml::table& entry, Space space) {
   const auto word = reading.text(entry, "type");
   if (!word) {
-    if (!entry.contains("type")) reading.fault(entry, "a joint needs a 'type', such as \"revolute\"");
+    if (!entry.contains("type"))
+      reading.fault(entry, "a joint needs a 'type', such as \"revolute\"");
     return std::nullopt;
   }
   const toml::node& at = *entry.get("type");
@@ -121,17 +125,20 @@ std::vector<std::string> keys_of(JointType type, Space space) {
   return keys;
 }
 
-void read_ends(Reading& reading, const toml::table& entry, const Mechanism& mechanism, Joint& joint) {
+void read_ends(Reading& reading, const toml::table& entry, const Mechanism& mechanism,
+               Joint& joint) {
   const toml::node* at = entry.get("at");
   if (at == nullptr) {
-    reading.fault(entry, "the joint needs 'at', its two points: at = [\"body.point\", \"body.point\"]");
+    reading.fault(entry,
+                  "the joint needs 'at', its two points: at = [\"body.point\", \"body.point\"]");
     return;
   }
   const auto names = reading.texts(entry, "at", 2);
   if (!names) return;
   std::array<std::optional<PointOf>, 2> found;
   for (std::size_t k = 0; k < 2; ++k) {
-    found[k] = find_point(reading, mechanism, (*names)[k], reading.position(*at->as_array()->get(k)));
+    found[k] =
+        find_point(reading, mechanism, (*names)[k], reading.position(*at->as_array()->get(k)));
     if (found[k]) joint.at[k] = *found[k];
   }
   if (found[0] && found[1] && found[0]->body == found[1]->body) {
@@ -140,8 +147,8 @@ void read_ends(Reading& reading, const toml::table& entry, const Mechanism& mech
   }
 }
 
-void read_unit_vector(Reading& reading, const toml::node& node, const std::string& what, Space space,
-                      Eigen::Vector3d& direction) {
+void read_unit_vector(Reading& reading, const toml::node& node, const std::string& what,
+                      Space space, Eigen::Vector3d& direction) {
   const auto value = read_vector(reading, node, what, space);
   if (!value) return;
   const double length = value->stableNorm();
@@ -165,8 +172,8 @@ void read_axes(Reading& reading, const toml::table& entry, Space space, Joint& j
     return;
   }
   const toml::array* entries = node->as_array();
-  const bool is_pair = !is_planar && entries != nullptr && entries->size() == 2 &&
-                       entries->get(0)->is_array();
+  const bool is_pair =
+      !is_planar && entries != nullptr && entries->size() == 2 && entries->get(0)->is_array();
   const std::string what = std::string("'") + key + "'";
   if (is_pair) {
     for (std::size_t k = 0; k < 2; ++k) {
@@ -175,7 +182,8 @@ void read_axes(Reading& reading, const toml::table& entry, Space space, Joint& j
     return;
   }
   if (joint.type == JointType::universal) {
-    reading.fault(*node, "a universal joint needs two axes, one in each body's frame: axis = [[...], [...]]");
+    reading.fault(
+        *node, "a universal joint needs two axes, one in each body's frame: axis = [[...], [...]]");
     return;
   }
   read_unit_vector(reading, *node, what, space, joint.axis[0]);
@@ -190,19 +198,22 @@ void read_length(Reading& reading, const toml::table& entry, Joint& joint) {
   }
   if (*length <= 0) {
     reading.fault(*entry.get("length"),
-                  *length == 0 ? "a rod of length zero is a revolute joint (spatial: spherical); write that"
-                               : "a rod's length must be positive");
+                  *length == 0
+                      ? "a rod of length zero is a revolute joint (spatial: spherical); write that"
+                      : "a rod's length must be positive");
   }
   joint.length = *length;
 }
 
-void read_limits(Reading& reading, const toml::table& entry, const Mechanism& mechanism, Joint& joint) {
+void read_limits(Reading& reading, const toml::table& entry, const Mechanism& mechanism,
+                 Joint& joint) {
   const auto bounds = reading.numbers(entry, "limits", 2);
   if (!bounds) return;
   const double unit = joint.type == JointType::revolute ? angle_unit(mechanism) : 1;
   joint.limits = Limits{(*bounds)[0] * unit, (*bounds)[1] * unit};
   if ((*bounds)[0] > (*bounds)[1]) {
-    reading.fault(*entry.get("limits"), "the lower limit is above the upper; write limits = [lower, upper]");
+    reading.fault(*entry.get("limits"),
+                  "the lower limit is above the upper; write limits = [lower, upper]");
   }
 }
 
@@ -214,7 +225,8 @@ std::optional<int> read_teeth(Reading& reading, const toml::node& node) {
   return std::nullopt;
 }
 
-void read_gear(Reading& reading, const toml::table& entry, const Mechanism& mechanism, Joint& joint) {
+void read_gear(Reading& reading, const toml::table& entry, const Mechanism& mechanism,
+               Joint& joint) {
   if (const auto names = reading.texts(entry, "bodies", 2)) {
     const toml::array& at = *entry.get("bodies")->as_array();
     bool is_found = true;
@@ -224,7 +236,8 @@ void read_gear(Reading& reading, const toml::table& entry, const Mechanism& mech
       joint.at[k].body = body.value_or(0);
     }
     if (is_found && joint.at[0].body == joint.at[1].body) {
-      reading.fault(at, "the gear ties body '" + (*names)[0] + "' to itself; a gear needs two bodies");
+      reading.fault(at,
+                    "the gear ties body '" + (*names)[0] + "' to itself; a gear needs two bodies");
     }
   } else if (!entry.contains("bodies")) {
     reading.fault(entry, "a gear needs its two 'bodies'");
@@ -255,12 +268,15 @@ Joint read_joint(Reading& reading, const toml::table& entry, const Mechanism& me
   if (!type) return joint;
   joint.type = *type;
   const std::vector<std::string> keys = keys_of(joint.type, mechanism.space);
-  const auto has = [&](const char* key) { return std::find(keys.begin(), keys.end(), key) != keys.end(); };
+  const auto has = [&](const char* key) {
+    return std::find(keys.begin(), keys.end(), key) != keys.end();
+  };
   reading.check_keys(entry, keys, "a " + to_string(joint.type) + " joint");
   joint.name = reading.text(entry, "name").value_or("");
   if (has("at")) read_ends(reading, entry, mechanism, joint);
   if (has("along") || has("axis")) read_axes(reading, entry, mechanism.space, joint);
-  if (has("turn")) joint.turn_rad = reading.number(entry, "turn").value_or(0) * angle_unit(mechanism);
+  if (has("turn"))
+    joint.turn_rad = reading.number(entry, "turn").value_or(0) * angle_unit(mechanism);
   if (has("length")) read_length(reading, entry, joint);
   if (has("limits")) read_limits(reading, entry, mechanism, joint);
   if (joint.type == JointType::gear) read_gear(reading, entry, mechanism, joint);
@@ -275,10 +291,13 @@ std::string name_from_ends(const Mechanism& mechanism, const Joint& joint) {
   const auto point = [&](std::size_t k) {
     return mechanism.bodies[joint.at[k].body].points[joint.at[k].point].name;
   };
-  const auto full = [&](std::size_t k) { return mechanism.bodies[joint.at[k].body].name + "." + point(k); };
+  const auto full = [&](std::size_t k) {
+    return mechanism.bodies[joint.at[k].body].name + "." + point(k);
+  };
   if (point(0) != point(1)) return full(0) + "-" + full(1);
   const auto shares_point_name = [&](const Joint& other) { return other.name == point(0); };
-  const bool is_taken = std::any_of(mechanism.joints.begin(), mechanism.joints.end(), shares_point_name);
+  const bool is_taken =
+      std::any_of(mechanism.joints.begin(), mechanism.joints.end(), shares_point_name);
   return is_taken ? full(0) + "-" + full(1) : point(0);
 }
 
@@ -323,8 +342,8 @@ std::optional<PointOf> find_point(Reading& reading, const Mechanism& mechanism,
     if (point.name == name.substr(dot + 1)) return PointOf{*body, known.size()};
     known.push_back(point.name);
   }
-  reading.fault(at, "body '" + name.substr(0, dot) + "' has no point '" + name.substr(dot + 1) + "'" +
-                        suggestion(name.substr(dot + 1), known));
+  reading.fault(at, "body '" + name.substr(0, dot) + "' has no point '" + name.substr(dot + 1) +
+                        "'" + suggestion(name.substr(dot + 1), known));
   return std::nullopt;
 }
 
@@ -335,7 +354,8 @@ void read_bodies(Reading& reading, const toml::table& document, Mechanism& mecha
   const toml::table* bodies = reading.table(document, "body");
   if (bodies == nullptr) {
     if (!document.contains("body")) {
-      reading.fault(SourcePosition{}, "the file has no bodies besides the ground; write [body.NAME.points]");
+      reading.fault(SourcePosition{},
+                    "the file has no bodies besides the ground; write [body.NAME.points]");
     }
     return;
   }

@@ -27,7 +27,8 @@ void read_planar_angle(Reading& reading, const toml::node& node, const toml::tab
                        const Mechanism& mechanism, Driver& driver) {
   if (node.is_string()) {
     driver.name = *node.value<std::string>();
-    driver.bodies[1] = find_body(reading, mechanism, driver.name, reading.position(node)).value_or(1);
+    driver.bodies[1] =
+        find_body(reading, mechanism, driver.name, reading.position(node)).value_or(1);
     if (driver.bodies[1] == 0) reading.fault(node, "the ground does not turn; drive another body");
     return;
   }
@@ -36,8 +37,8 @@ void read_planar_angle(Reading& reading, const toml::node& node, const toml::tab
   driver.name = (*names)[0] + "-" + (*names)[1];
   bool is_found = true;
   for (std::size_t k = 0; k < 2; ++k) {
-    const auto body = find_body(reading, mechanism, (*names)[k],
-                                reading.position(*node.as_array()->get(k)));
+    const auto body =
+        find_body(reading, mechanism, (*names)[k], reading.position(*node.as_array()->get(k)));
     is_found = is_found && body;
     driver.bodies[k] = body.value_or(0);
   }
@@ -79,7 +80,8 @@ void read_point_target(Reading& reading, const toml::node& node, const std::stri
   const auto point = find_point(reading, mechanism, *name, reading.position(node));
   if (!point) return;
   driver.point = *point;
-  if (point->body == 0) reading.fault(node, "'" + *name + "' is fixed to the ground; drive a moving point");
+  if (point->body == 0)
+    reading.fault(node, "'" + *name + "' is fixed to the ground; drive a moving point");
 }
 
 void read_unknown_target(Reading& reading, const toml::node& node, const toml::table& entry,
@@ -100,23 +102,26 @@ void read_unknown_target(Reading& reading, const toml::node& node, const toml::t
 }
 
 /// What is driven. A driver names one target.
-void read_target(Reading& reading, const toml::table& entry, const Mechanism& mechanism, Driver& driver) {
+void read_target(Reading& reading, const toml::table& entry, const Mechanism& mechanism,
+                 Driver& driver) {
   std::vector<std::string> named;
   for (const std::string& key : kTargets) {
     if (entry.contains(key)) named.push_back(key);
   }
   if (named.size() != 1) {
-    reading.fault(entry, named.empty() ? "the driver drives nothing; name an angle, slide, x, y, z or unknown"
-                                       : "the driver drives both '" + named[0] + "' and '" + named[1] +
-                                             "'; write two drivers");
+    reading.fault(entry, named.empty()
+                             ? "the driver drives nothing; name an angle, slide, x, y, z or unknown"
+                             : "the driver drives both '" + named[0] + "' and '" + named[1] +
+                                   "'; write two drivers");
     return;
   }
   const std::string& key = named[0];
   const toml::node& node = *entry.get(key);
   const bool is_unknown = key == "unknown";
   if (is_unknown != is_typed(mechanism)) {
-    reading.fault(node, is_unknown ? "'unknown' drives an unknown of typed equations; this file has bodies"
-                                   : "this file has typed equations; drive one by unknown = \"name\"");
+    reading.fault(node, is_unknown
+                            ? "'unknown' drives an unknown of typed equations; this file has bodies"
+                            : "this file has typed equations; drive one by unknown = \"name\"");
   } else if (is_unknown) {
     read_unknown_target(reading, node, entry, mechanism, driver);
   } else if (key == "angle" && mechanism.space == Space::planar) {
@@ -169,15 +174,20 @@ std::optional<DriverLaw> read_value(Reading& reading, const toml::table& entry, 
 void read_law(Reading& reading, const toml::table& entry, double unit, Driver& driver) {
   const bool is_parabola =
       entry.contains("start") || entry.contains("velocity") || entry.contains("acceleration");
-  const int laws = (is_parabola ? 1 : 0) + (entry.contains("table") ? 1 : 0) + (entry.contains("value") ? 1 : 0);
+  const int laws =
+      (is_parabola ? 1 : 0) + (entry.contains("table") ? 1 : 0) + (entry.contains("value") ? 1 : 0);
   if (laws != 1) {
-    reading.fault(entry, laws == 0 ? "the driver needs 'start' (with velocity, acceleration), 'table' or 'value'"
-                                   : "the driver needs one of 'start' (with velocity, acceleration), 'table' "
-                                     "and 'value', not several");
+    reading.fault(entry,
+                  laws == 0
+                      ? "the driver needs 'start' (with velocity, acceleration), 'table' or 'value'"
+                      : "the driver needs one of 'start' (with velocity, acceleration), 'table' "
+                        "and 'value', not several");
     return;
   }
   if (is_parabola) {
-    const auto part = [&](const char* key) { return reading.number(entry, key).value_or(0) * unit; };
+    const auto part = [&](const char* key) {
+      return reading.number(entry, key).value_or(0) * unit;
+    };
     driver.law = Parabola{part("start"), part("velocity"), part("acceleration")};
   } else if (const toml::array* rows = reading.array(entry, "table")) {
     if (auto law = read_table(reading, *rows, unit)) driver.law = std::move(*law);
@@ -210,8 +220,9 @@ void collect_guess(Reading& reading, const toml::table& in, const std::string& p
       collect_guess(reading, *node.as_table(), name + ".", names, mechanism);
       continue;
     }
-    const auto found = std::find_if(names.begin(), names.end(),
-                                    [&](const Coordinate& coordinate) { return coordinate.name == name; });
+    const auto found = std::find_if(names.begin(), names.end(), [&](const Coordinate& coordinate) {
+      return coordinate.name == name;
+    });
     if (found == names.end()) {
       std::vector<std::string> known;
       for (const Coordinate& coordinate : names) known.push_back(coordinate.name);

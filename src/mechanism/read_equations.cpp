@@ -20,7 +20,10 @@ void check_new_name(Reading& reading, const Mechanism& mechanism, const std::str
   static const std::set<std::string> taken{"pi",   "sin",  "cos",  "tan", "asin",
                                            "acos", "atan", "sqrt", "exp", "log"};
   if (!is_identifier(name)) {
-    reading.fault(at, "'" + name + "' cannot be used in an equation; names have letters, digits and '_', a letter first");
+    reading.fault(
+        at,
+        "'" + name +
+            "' cannot be used in an equation; names have letters, digits and '_', a letter first");
   } else if (taken.count(name) != 0) {
     reading.fault(at, "'" + name + "' has a meaning of its own; choose another name");
   }
@@ -50,14 +53,17 @@ void read_unknowns(Reading& reading, const toml::table& document, Mechanism& mec
     }
   }
   if (mechanism.unknowns.empty() && !document.contains("unknowns")) {
-    reading.fault(SourcePosition{}, "equations need [unknowns] with angles = [...] and lengths = [...]");
+    reading.fault(SourcePosition{},
+                  "equations need [unknowns] with angles = [...] and lengths = [...]");
   } else if (mechanism.unknowns.empty() && reading.faults().empty()) {
-    reading.fault(*document.get("unknowns"), "[unknowns] names none; write angles = [...] or lengths = [...]");
+    reading.fault(*document.get("unknowns"),
+                  "[unknowns] names none; write angles = [...] or lengths = [...]");
   }
 }
 
 /// Plain numbers; those in [constants.angles] are in the file's unit of angle.
-void read_constants(Reading& reading, const toml::table& section, double unit, Mechanism& mechanism) {
+void read_constants(Reading& reading, const toml::table& section, double unit,
+                    Mechanism& mechanism) {
   for (const toml::key* key : reading.keys_in_order(section)) {
     const std::string name(key->str());
     const toml::node& node = *section.get(name);
@@ -74,7 +80,8 @@ void read_constants(Reading& reading, const toml::table& section, double unit, M
 
 Names names_of(const Mechanism& mechanism) {
   Names names;
-  for (const Unknown& unknown : mechanism.unknowns) names.unknowns.emplace(unknown.name, names.unknowns.size());
+  for (const Unknown& unknown : mechanism.unknowns)
+    names.unknowns.emplace(unknown.name, names.unknowns.size());
   names.constants = mechanism.constants;
   return names;
 }
@@ -88,7 +95,8 @@ void check_every_unknown_occurs(Reading& reading, const Mechanism& mechanism) {
   for (std::size_t k = 0; k < mechanism.unknowns.size(); ++k) {
     if (used.count(k) != 0) continue;
     const Unknown& unknown = mechanism.unknowns[k];
-    reading.fault(unknown.where, "no equation contains '" + unknown.name + "'; remove it or write its equation");
+    reading.fault(unknown.where,
+                  "no equation contains '" + unknown.name + "'; remove it or write its equation");
   }
 }
 

@@ -10,9 +10,10 @@ bool refuse_inequality(Reading& reading, const toml::node& node, const std::stri
   SourcePosition at = reading.text_begin(node, text);
   at.offset += found;
   at.column += found;
-  reading.fault(at,
-                "an inequality is a one-sided constraint (contact): it holds only at times and is not "
-                "supported; write an equation, or 'limits' on a joint to filter closures");
+  reading.fault(
+      at,
+      "an inequality is a one-sided constraint (contact): it holds only at times and is not "
+      "supported; write an equation, or 'limits' on a joint to filter closures");
   return true;
 }
 
@@ -22,7 +23,8 @@ std::optional<Expression> read_expression(Reading& reading, const toml::node& no
   const std::size_t faults_before = reading.faults().size();
   const SourcePosition begin = reading.text_begin(node, text);
   const std::size_t equals = text.find('=');
-  Expression left = parse_expression(std::string_view(text).substr(0, equals), begin, reading.faults());
+  Expression left =
+      parse_expression(std::string_view(text).substr(0, equals), begin, reading.faults());
   if (equals != std::string::npos) {
     SourcePosition behind = begin;
     behind.offset += equals + 1;
@@ -40,7 +42,8 @@ std::optional<Expression> read_expression(Reading& reading, const toml::node& no
   return left;
 }
 
-std::optional<Formula> read_formula(Reading& reading, const Expression& expression, const Names& names) {
+std::optional<Formula> read_formula(Reading& reading, const Expression& expression,
+                                    const Names& names) {
   const std::size_t faults_before = reading.faults().size();
   Formula formula = resolve(expression, names, reading.faults());
   if (reading.faults().size() != faults_before) return std::nullopt;

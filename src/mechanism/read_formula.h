@@ -14,6 +14,7 @@ std::optional<Expression> read_expression(Reading& reading, const toml::node& no
                                           const std::string& text);
 
 /// Expression and names to a formula; nothing and faults where a name is unknown.
-std::optional<Formula> read_formula(Reading& reading, const Expression& expression, const Names& names);
+std::optional<Formula> read_formula(Reading& reading, const Expression& expression,
+                                    const Names& names);
 
 }  // namespace moivre

@@ -175,7 +175,8 @@ std::shared_ptr<const Constraint> spatial_joint(const Mechanism& mechanism, cons
       return make_constraint(rows_named(label, {"length"}), coordinates,
                              [=, length = joint.length](const auto& at, auto* row) {
                                using S = std::remove_reference_t<decltype(*row)>;
-                               const auto d = position(at, ends.i, ends.a) - position(at, ends.j, ends.b);
+                               const auto d =
+                                   position(at, ends.i, ends.a) - position(at, ends.j, ends.b);
                                row[0] = dot(d, d) - S(length * length);
                              });
     case JointType::slot:
@@ -196,7 +197,8 @@ std::shared_ptr<const Constraint> spatial_driver(const Mechanism& mechanism, con
                              using S = std::remove_reference_t<decltype(*row)>;
                              if (turns) {
                                const auto p = relative_turn(at, ends);
-                               row[0] = within_half_turn(S(2) * atan2(p.v.z, p.w) - law_at(law, at.t));
+                               row[0] =
+                                   within_half_turn(S(2) * atan2(p.v.z, p.w) - law_at(law, at.t));
                              } else {
                                row[0] = displacement(at, ends, 2) - law_at(law, at.t);
                              }
@@ -205,14 +207,12 @@ std::shared_ptr<const Constraint> spatial_driver(const Mechanism& mechanism, con
   const DriverKind kind = driver.kind;
   const std::size_t body = driver.point.body;
   const Eigen::Vector3d point = mechanism.bodies[body].points[driver.point.point].at;
-  return make_constraint({label}, coordinates_of({body}, kSize),
-                         [law, body, point, kind](const auto& at, auto* row) {
-                           const auto r = position(at, body, point);
-                           const auto coordinate = kind == DriverKind::x   ? r.x
-                                                   : kind == DriverKind::y ? r.y
-                                                                           : r.z;
-                           row[0] = coordinate - law_at(law, at.t);
-                         });
+  return make_constraint(
+      {label}, coordinates_of({body}, kSize), [law, body, point, kind](const auto& at, auto* row) {
+        const auto r = position(at, body, point);
+        const auto coordinate = kind == DriverKind::x ? r.x : kind == DriverKind::y ? r.y : r.z;
+        row[0] = coordinate - law_at(law, at.t);
+      });
 }
 
 }  // namespace moivre

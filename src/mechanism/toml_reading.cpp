@@ -34,7 +34,8 @@ SourcePosition Reading::position(const toml::source_position& at) const {
   while (points < at.column && result.offset < source_.text.size() &&
          source_.text[result.offset] != '\n') {
     const auto is_continuation = [&](std::size_t k) {
-      return k < source_.text.size() && (static_cast<unsigned char>(source_.text[k]) & 0xC0U) == 0x80U;
+      return k < source_.text.size() &&
+             (static_cast<unsigned char>(source_.text[k]) & 0xC0U) == 0x80U;
     };
     ++result.offset;
     while (is_continuation(result.offset)) ++result.offset;
@@ -104,13 +105,14 @@ std::optional<double> Reading::number(const toml::table& in, const std::string& 
 std::optional<std::string> Reading::text(const toml::table& in, const std::string& key) {
   const toml::node* node = in.get(key);
   if (node == nullptr) return std::nullopt;
-  if (const auto value = node->is_string() ? node->value<std::string>() : std::nullopt) return value;
+  if (const auto value = node->is_string() ? node->value<std::string>() : std::nullopt)
+    return value;
   fault(*node, "'" + key + "' must be a string, not " + kind_of(*node));
   return std::nullopt;
 }
 
-std::optional<std::vector<std::string>> Reading::texts(const toml::table& in, const std::string& key,
-                                                       std::size_t count) {
+std::optional<std::vector<std::string>> Reading::texts(const toml::table& in,
+                                                       const std::string& key, std::size_t count) {
   const toml::node* node = in.get(key);
   if (node == nullptr) return std::nullopt;
   std::vector<std::string> values;
@@ -130,8 +132,9 @@ std::optional<std::vector<double>> Reading::numbers(const toml::node& node, cons
                                                     std::size_t count) {
   const toml::array* entries = node.as_array();
   if (entries == nullptr || entries->size() != count) {
-    fault(node, what + " must be " + std::to_string(count) + " numbers in brackets, not " +
-                    (entries == nullptr ? kind_of(node) : std::to_string(entries->size()) + " entries"));
+    fault(node,
+          what + " must be " + std::to_string(count) + " numbers in brackets, not " +
+              (entries == nullptr ? kind_of(node) : std::to_string(entries->size()) + " entries"));
     return std::nullopt;
   }
   std::vector<double> values;

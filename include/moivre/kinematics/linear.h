@@ -16,13 +16,7 @@
 
 namespace moivre {
 
-enum class LinearMethod {
-  lu,
-  normal_equations,
-  qr,
-  minimum_norm,
-  svd
-};
+enum class LinearMethod { lu, normal_equations, qr, minimum_norm, svd };
 
 std::string to_string(LinearMethod method);
 
@@ -30,7 +24,7 @@ std::string to_string(LinearMethod method);
 /// Phi_q are of order 1: true zeros come out below 1e-11, and a pose nearer than 1e-9 to a singular one is not told from it.
 inline constexpr double kRankTolerance = 1e-9;
 
-/// A with its rows, then its columns, divided by their length (by no less than a millionth of the longest, so that
+/// A with its rows, then its columns, divided by their length (by no less than a thousandth of the longest, so that
 /// rounding noise in a zero row stays noise).
 Eigen::MatrixXd equilibrated(const Eigen::MatrixXd& A);
 

@@ -41,23 +41,23 @@ struct IdleFreedom {
 };
 
 struct Mobility {
-  Eigen::Index coordinates = 0;         ///< n
-  Eigen::Index constraints = 0;         ///< m, joints (or equations) without drivers
+  Eigen::Index coordinates = 0;  ///< n
+  Eigen::Index constraints = 0;  ///< m, joints (or equations) without drivers
   Eigen::Index drivers = 0;
-  Eigen::Index rank = 0;                ///< by pivoted QR
+  Eigen::Index rank = 0;  ///< by pivoted QR
   Eigen::Index rank_by_svd = 0;
   Eigen::Index degrees_of_freedom = 0;  ///< n - rank
   Eigen::Index gruebler = 0;            ///< n - m
   Eigen::Index driven_freedoms = 0;     ///< degrees of freedom left with the drivers held
   std::vector<RedundantRow> redundant;
-  Eigen::VectorXd singular_values;      ///< of the equilibrated Phi_q, largest first
-  Eigen::MatrixXd null_space;           ///< R
-  Eigen::MatrixXd left_null_space;      ///< m x (m - rank), orthonormal, of Phi_q^T
-  Eigen::MatrixXd force_directions;     ///< n x m, column i = -gradient of constraint i
+  Eigen::VectorXd singular_values;   ///< of the equilibrated Phi_q, largest first
+  Eigen::MatrixXd null_space;        ///< R
+  Eigen::MatrixXd left_null_space;   ///< m x (m - rank), orthonormal, of Phi_q^T
+  Eigen::MatrixXd force_directions;  ///< n x m, column i = -gradient of constraint i
   std::vector<IdleFreedom> idle;
   std::vector<Eigen::Index> independent;  ///< coordinates chosen by pivoting
-  bool is_singular = false;             ///< rank_nearby > rank
-  Eigen::Index rank_nearby = 0;         ///< rank at assembled poses next to this one
+  bool is_singular = false;               ///< rank_nearby > rank
+  Eigen::Index rank_nearby = 0;           ///< rank at assembled poses next to this one
   bool is_near_singular = false;
   std::vector<std::string> row_names;
   std::vector<std::string> warnings;

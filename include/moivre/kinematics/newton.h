@@ -17,11 +17,11 @@
 namespace moivre {
 
 enum class NewtonStatus {
-  converged,        ///< every |Phi_i| is within the tolerance of the sum of its terms' magnitudes
-  diverged,         ///< q left every bound or stopped being a number
-  cycling,          ///< an earlier iterate came back
-  singular,         ///< Phi_q lost rank and its step leads nowhere, Phi is not zero
-  no_solution,      ///< the least-squares minimum was reached, Phi is not zero there
+  converged,    ///< every |Phi_i| is within the tolerance of the sum of its terms' magnitudes
+  diverged,     ///< q left every bound or stopped being a number
+  cycling,      ///< an earlier iterate came back
+  singular,     ///< Phi_q lost rank and its step leads nowhere, Phi is not zero
+  no_solution,  ///< the least-squares minimum was reached, Phi is not zero there
   iteration_limit
 };
 
@@ -31,7 +31,7 @@ struct NewtonOptions {
   double residual_tolerance = 1e-13;  ///< on scaled_residual
   int maximum_iterations = 50;
   std::optional<std::vector<Eigen::Index>> free;  ///< coordinates that may change; none: all
-  LinearOptions linear;  ///< weights: one a coordinate that may change
+  LinearOptions linear;                           ///< weights: one a coordinate that may change
 };
 
 /// One row of the iteration table: the iterate and the step that leaves it.
@@ -51,11 +51,12 @@ struct NewtonResult {
   std::vector<NewtonIteration> iterations;  ///< the guess first, the last iterate last
   double residual = 0;
   double scaled_residual = 0;
-  Eigen::Index rank = 0;             ///< of Phi_q at q
-  bool is_singular = false;          ///< rank < min(m, n) at q, or at an iterate where the run ended
-  double smallest_singular_value = 0;  ///< of Phi_q at q (of its min(m, n)), as it stands, not equilibrated
-  double condition = 0;              ///< largest over smallest singular value of the equilibrated Phi_q
-  int cycle_length = 0;              ///< of a cycle that was found, else 0
+  Eigen::Index rank = 0;     ///< of Phi_q at q
+  bool is_singular = false;  ///< rank < min(m, n) at q, or at an iterate where the run ended
+  double smallest_singular_value =
+      0;                 ///< of Phi_q at q (of its min(m, n)), as it stands, not equilibrated
+  double condition = 0;  ///< largest over smallest singular value of the equilibrated Phi_q
+  int cycle_length = 0;  ///< of a cycle that was found, else 0
 
   int steps() const { return static_cast<int>(iterations.size()) - 1; }
 };

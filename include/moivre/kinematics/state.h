@@ -37,8 +37,9 @@ MotionState motion_state(const Phi& phi, const Eigen::VectorXd& q, double t,
 struct Partition {
   std::vector<Eigen::Index> dependent;
   std::vector<Eigen::Index> independent;
-  double smallest_pivot = 0;  ///< of the equilibrated Phi_u, beside its largest: near 0 is a poor choice
-  std::string refusal;        ///< why this choice cannot be used at this pose; empty: it can
+  double smallest_pivot =
+      0;                ///< of the equilibrated Phi_u, beside its largest: near 0 is a poor choice
+  std::string refusal;  ///< why this choice cannot be used at this pose; empty: it can
 
   bool is_usable() const { return refusal.empty(); }
 };
@@ -57,8 +58,8 @@ NewtonResult solve_positions(const Phi& joints, const Partition& partition,
                              const NewtonOptions& options = {});
 
 /// Velocity and acceleration from those of the independent coordinates. Requires a usable partition.
-MotionState partitioned_state(const Phi& joints, const Partition& partition, const Eigen::VectorXd& q,
-                              const Eigen::VectorXd& independent_velocity,
+MotionState partitioned_state(const Phi& joints, const Partition& partition,
+                              const Eigen::VectorXd& q, const Eigen::VectorXd& independent_velocity,
                               const Eigen::VectorXd& independent_acceleration, double t = 0);
 
 }  // namespace moivre

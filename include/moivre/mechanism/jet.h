@@ -18,7 +18,8 @@ struct Jet {
   double dd = 0;  ///< second derivative along the line
 
   Jet() = default;
-  Jet(double value) : f(value) {}  // NOLINT(google-explicit-constructor): a number is a constant jet
+  Jet(double value)
+      : f(value) {}  // NOLINT(google-explicit-constructor): a number is a constant jet
   Jet(double value, double first, double second) : f(value), d(first), dd(second) {}
 };
 
@@ -40,7 +41,8 @@ struct Magnitude {
   double sum = 0;
 
   Magnitude() = default;
-  Magnitude(double value) : f(value), sum(std::abs(value)) {}  // NOLINT(google-explicit-constructor)
+  Magnitude(double value)
+      : f(value), sum(std::abs(value)) {}  // NOLINT(google-explicit-constructor)
   Magnitude(double value, double magnitude) : f(value), sum(magnitude) {}
 };
 
@@ -133,8 +135,7 @@ S power(const S& a, double p) {
 inline Jet atan2(const Jet& y, const Jet& x) {
   const double square = x.f * x.f + y.f * y.f;
   const double first = (x.f * y.d - y.f * x.d) / square;
-  const double second =
-      (x.f * y.dd - y.f * x.dd - 2 * first * (x.f * x.d + y.f * y.d)) / square;
+  const double second = (x.f * y.dd - y.f * x.dd - 2 * first * (x.f * x.d + y.f * y.d)) / square;
   return {std::atan2(y.f, x.f), first, second};
 }
 inline Magnitude atan2(const Magnitude& y, const Magnitude& x) {

@@ -79,26 +79,25 @@ struct Limits {
 /// Which fields a type reads is said beside them; the others keep their default.
 struct Joint {
   JointType type = JointType::revolute;
-  std::string name;                 ///< given, or made from its points
-  std::array<PointOf, 2> at;        ///< gear: the bodies only
-  std::array<Eigen::Vector3d, 2> axis{Eigen::Vector3d::UnitX(),
-                                      Eigen::Vector3d::UnitX()};
-                                    ///< unit vectors, one in each body's frame. Planar prismatic and slot: axis[0],
-                                    ///< the line. Spatial: axis of revolute, cylindrical, prismatic; the two pins of universal
-  double turn_rad = 0;              ///< prismatic, weld: angle of the second body relative to the first
-  double length = 0;                ///< rod
-  Gear gear;                        ///< gear
-  std::optional<Limits> limits;     ///< revolute: relative angle; prismatic, slot, cylindrical: slide
+  std::string name;           ///< given, or made from its points
+  std::array<PointOf, 2> at;  ///< gear: the bodies only
+  std::array<Eigen::Vector3d, 2> axis{Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitX()};
+  ///< unit vectors, one in each body's frame. Planar prismatic and slot: axis[0],
+  ///< the line. Spatial: axis of revolute, cylindrical, prismatic; the two pins of universal
+  double turn_rad = 0;  ///< prismatic, weld: angle of the second body relative to the first
+  double length = 0;    ///< rod
+  Gear gear;            ///< gear
+  std::optional<Limits> limits;  ///< revolute: relative angle; prismatic, slot, cylindrical: slide
   SourcePosition where;
 };
 
 enum class DriverKind {
-  angle,    ///< angle of `bodies[1]` relative to `bodies[0]`; spatial: of `joint`
-  slide,    ///< displacement along `joint`
-  x,        ///< coordinate of `point` in the ground frame
+  angle,  ///< angle of `bodies[1]` relative to `bodies[0]`; spatial: of `joint`
+  slide,  ///< displacement along `joint`
+  x,      ///< coordinate of `point` in the ground frame
   y,
   z,
-  unknown   ///< the unknown `unknown` of a typed mechanism
+  unknown  ///< the unknown `unknown` of a typed mechanism
 };
 
 std::string to_string(DriverKind kind);
@@ -141,8 +140,9 @@ struct Mechanism {
   std::vector<Equation> equations;
 
   std::vector<Driver> drivers;
-  std::map<std::string, double> guess;  ///< coordinate name -> value, for the coordinates that the file names
-  std::vector<std::string> warnings;    ///< what is odd but not wrong, each a sentence
+  std::map<std::string, double>
+      guess;  ///< coordinate name -> value, for the coordinates that the file names
+  std::vector<std::string> warnings;  ///< what is odd but not wrong, each a sentence
 };
 
 bool is_typed(const Mechanism& mechanism);

@@ -26,7 +26,7 @@ class Phi {
  public:
   explicit Phi(const Mechanism& mechanism);
 
-  Eigen::Index size() const { return static_cast<Eigen::Index>(row_names_.size()); }  ///< m
+  Eigen::Index size() const { return static_cast<Eigen::Index>(row_names_.size()); }         ///< m
   Eigen::Index dimension() const { return static_cast<Eigen::Index>(coordinates_.size()); }  ///< n
   Eigen::Index driver_size() const { return driver_size_; }  ///< the last rows, which are drivers
 

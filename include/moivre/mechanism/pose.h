@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// Where does q put a body and its points, how fast do they move, and where do the joints stand?
+//
+// Positions by Taylor arithmetic along q(s): with q, q', q'' given, a point's position, velocity and acceleration follow exactly.
+// Not for typed mechanisms, which have no bodies.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "moivre/mechanism/mechanism.h"
+
+namespace moivre {
+
+/// In the ground frame; planar points have z = 0.
+struct PointState {
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
+  Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();
+};
+
+/// q, qdot = q', qddot = q'', each with n entries; for position alone give zeros.
+PointState point_state(const Mechanism& mechanism, const PointOf& point, const Eigen::VectorXd& q,
+                       const Eigen::VectorXd& qdot, const Eigen::VectorXd& qddot);
+
+Eigen::Vector3d point_position(const Mechanism& mechanism, const PointOf& point,
+                               const Eigen::VectorXd& q);
+
+/// R of a body: columns are its axes in the ground frame.
+Eigen::Matrix3d orientation(const Mechanism& mechanism, std::size_t body, const Eigen::VectorXd& q);
+
+/// What a joint leaves free: angle of the second body relative to the first in [-pi, pi] (revolute), displacement of the
+/// second point along the line (prismatic, slot, cylindrical); nothing for the others.
+std::optional<double> joint_coordinate(const Mechanism& mechanism, const Joint& joint,
+                                       const Eigen::VectorXd& q);
+
+/// Whether the joint stands within its limits (true where it has none); angles count modulo whole turns.
+bool is_within_limits(const Mechanism& mechanism, const Joint& joint, const Eigen::VectorXd& q);
+
+}  // namespace moivre

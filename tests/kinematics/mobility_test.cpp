@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+// Are freedoms, idle freedoms, redundancy and singular poses found and named?
+#include "moivre/kinematics/mobility.h"
+
+#include <gtest/gtest.h>
+
+#include "files.h"
+
+namespace moivre {
+namespace {
+
+using Eigen::VectorXd;
+using test::example;
+using test::kDegree;
+using test::typed;
+
+Mobility mobility_of(const std::string& name) {
+  const Mechanism m = example(name);
+  const NewtonResult run = newton(Phi(m), initial_guess(m));
+  EXPECT_EQ(run.status, NewtonStatus::converged) << name;
+  return mobility(Phi(m), run.q);
+}
+
+TEST(Mobility, BennettMovesAgainstGruebler) {
+  const Mobility m = mobility_of("bennett");
+  EXPECT_EQ(m.gruebler, -2);
+  EXPECT_EQ(m.rank, 17);
+  EXPECT_EQ(m.degrees_of_freedom, 1);
+  EXPECT_EQ(m.redundant.size(), 3U);
+  EXPECT_EQ(m.driven_freedoms, 0);
+}
+
+TEST(Mobility, CouplerBetweenTwoBallsSpinsIdly) {
+  const Mechanism m = typed(R"toml(
+space = "spatial"
+[units]
+angle = "deg"
+[ground.points]
+O2 = [0, 0, 0]
+O4 = [4, 0, 0]
+[body.crank.points]
+O2 = [0, 0, 0]
+A = [1, 0, 0]
+[body.coupler.points]
+A = [0, 0, 0]
+B = [4, 0, 0]
+[body.rocker.points]
+O4 = [0, 0, 0]
+B = [0, 2, 0]
+[[joint]]
+type = "revolute"
+at = ["ground.O2", "crank.O2"]
+axis = [0, 0, 1]
+name = "input"
+[[joint]]
+type = "revolute"
+at = ["ground.O4", "rocker.O4"]
+axis = [1, 0, 0]
+[[joint]]
+type = "spherical"
+at = ["crank.A", "coupler.A"]
+[[joint]]
+type = "spherical"
+at = ["coupler.B", "rocker.B"]
+[[driver]]
+angle = "input"
+start = 40
+[guess]
+"coupler.rz" = 10
+"rocker.rx" = 20
+)toml");
+  const Phi phi(m);
+  const NewtonResult run = newton(phi, initial_guess(m));
+  ASSERT_EQ(run.status, NewtonStatus::converged) << run.message;
+  const Mobility mob = mobility(phi, run.q);
+  EXPECT_EQ(mob.degrees_of_freedom, 2);
+  EXPECT_EQ(mob.driven_freedoms, 1);
+  ASSERT_EQ(mob.idle.size(), 1U);
+  EXPECT_EQ(mob.idle[0].name, "coupler");
+  EXPECT_LT((phi.jacobian(run.q, 0) * mob.idle[0].direction).norm(), 1e-13);
+}
+
+TEST(Mobility, DrivenBodyIsNotIdle) {
+  const Mechanism m = example("four-bar");
+  const Mobility mob = mobility_of("four-bar");
+  EXPECT_TRUE(mob.idle.empty());
+  EXPECT_EQ(mob.drivers, 1);
+  EXPECT_EQ(mob.independent.size(), 1U);
+}
+
+TEST(Mobility, ParallelogramAtItsChangePointIsSingularNotFreer) {
+  const Mobility m = mobility_of("parallelogram");
+  EXPECT_EQ(m.degrees_of_freedom, 2);
+  EXPECT_TRUE(m.is_singular);
+  EXPECT_EQ(m.rank_nearby, 8);
+}
+
+TEST(Mobility, PoseNearAChangePointIsWarnedOf) {
+  Mechanism m = example("parallelogram");
+  const Phi phi(m);
+  const double crank = 1e-6;
+  VectorXd q(9);
+  q << 0, 0, crank, 2 * std::cos(crank), 2 * std::sin(crank), 0, 4, 0, crank;
+  const Mobility mob = mobility(phi, q);
+  EXPECT_EQ(mob.rank, 8);
+  EXPECT_TRUE(mob.is_near_singular);
+  ASSERT_FALSE(mob.warnings.empty());
+  EXPECT_NE(mob.warnings[0].find("near a singular pose"), std::string::npos);
+}
+
+TEST(Mobility, PoseThatIsNotAssembledIsSaidToBe) {
+  const Mechanism m = example("four-bar");
+  const Mobility mob = mobility(Phi(m), VectorXd::LinSpaced(9, 1, 2));
+  ASSERT_FALSE(mob.warnings.empty());
+  EXPECT_NE(mob.warnings[0].find("not assembled"), std::string::npos);
+}
+
+TEST(Mobility, RigidStructuresHaveNoFreedom) {
+  for (const char* name : {"3-rpr", "assur-7-quaternary", "assur-7-serial"}) {
+    const Mobility m = mobility_of(name);
+    EXPECT_EQ(m.degrees_of_freedom, 0) << name;
+    EXPECT_EQ(m.null_space.cols(), 0) << name;
+    EXPECT_FALSE(m.is_singular) << name;
+  }
+}
+
+TEST(Mobility, RowThatSaysNothingIsRedundantWithoutACombination) {
+  const Phi phi(typed(
+      "[unknowns]\nlengths = [\"x\", \"y\"]\n[equations]\na = \"x + y\"\nb = \"x - x + 0*y\"\n"));
+  const Mobility m = mobility(phi, VectorXd::Zero(2));
+  ASSERT_EQ(m.redundant.size(), 1U);
+  EXPECT_EQ(to_text(m.redundant[0]), "b = 0");
+}
+
+}  // namespace
+}  // namespace moivre
