@@ -126,11 +126,10 @@ struct Work {
   double unknowns = 0;
 };
 
-/// Measured with the CVODE tracker a term's multiply-add weighs 1 and an unknown 150; the weights lean against fill, since
-/// filled systems mostly take more steps than those they come from (docs/decisions/0003-when-elimination-pays.md).
+/// Weights fitted to the time of a step of the CVODE tracker (docs/decisions/0003-when-elimination-pays.md).
 double total(const Work& work) {
-  constexpr double kTermWeight = 2;
-  constexpr double kUnknownWeight = 20;
+  constexpr double kTermWeight = 1;
+  constexpr double kUnknownWeight = 150;
   const double n = work.unknowns;
   return kTermWeight * work.terms + n * n * n / 3 + 2 * n * n + kUnknownWeight * n;
 }

@@ -80,8 +80,8 @@ std::string to_string(Reduction::Verdict verdict);
 
 Reduction eliminate(const System& f);
 
-/// What a step costs, in complex multiply-adds of a factorisation, terms counted double: the model by which eliminate
-/// decides whether a substitution pays (docs/decisions/0003-when-elimination-pays.md).
+/// What a tracker's step costs, in complex multiply-adds: the model by which eliminate decides whether a substitution pays
+/// (docs/decisions/0003-when-elimination-pays.md).
 double step_work(const System& f);
 
 /// x from y, over any scalar with + and *: `round` makes the scalar of an exact coefficient.
