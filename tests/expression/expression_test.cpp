@@ -111,6 +111,13 @@ TEST(Expression, MayNestAsDeepAsStatedAndNoDeeper) {
   const auto nested = [](std::size_t depth) {
     return tree(std::string(depth, '(') + "x" + std::string(depth, ')'));
   };
+  const auto raised = [](std::size_t depth) {
+    std::string text;
+    for (std::size_t k = 0; k < depth; ++k) text += "x^";
+    return tree(text + "2");
+  };
+  EXPECT_EQ(raised(256).substr(0, 6), "(^ x (");
+  EXPECT_NE(raised(257).find("more than 256 deep"), std::string::npos);
   EXPECT_EQ(nested(256), "x");
   EXPECT_NE(nested(257).find("more than 256 deep"), std::string::npos);
 }

@@ -100,6 +100,17 @@ TEST(PhcReader, AsksFirstWhereALineEndsWithANumberOrABlankLineFollows) {
   EXPECT_NE(wrapped, std::string::npos) << message;
 }
 
+TEST(PhcReader, AsksForNoSemicolonInsideParentheses) {
+  const std::string message = faults_of("2\n(x\n + y)*x\n + 1;\n")[0].message;
+  EXPECT_EQ(message.find("goes on at line 3"), std::string::npos) << message;
+  EXPECT_NE(message.find("goes on at line 4"), std::string::npos) << message;
+}
+
+TEST(PhcReader, FindsTheCountLineBelowBlankLines) {
+  expect_faults("\n \n  2\nx - 1;\n",
+                {{3, 3, "expected 2 polynomials, found 1"}, {3, 3, "expected 2 unknowns"}});
+}
+
 TEST(PhcReader, NamesTheLineOfALostSemicolonThatDoesNotParse) {
   expect_faults(
       "2\nx^2 - 1\n\nx*y - 1;\n",
