@@ -21,6 +21,10 @@ constexpr double kLeastValuation = 0.05;
 constexpr double kDivergedSize = 1e3;
 constexpr double kDivergedCondition = 1e4;
 constexpr double kSizeGrowth = 30;
+// A large but finite root has a steady valuation near a whole number until 1 - t is smaller than its
+// inverse size; such valuations have to lead further before they are believed.
+constexpr double kWhole = 0.1;
+constexpr double kWholeSize = 1e8;
 constexpr double kExhaustedCondition = 1e7;
 constexpr double kConditionGrowth = 10;
 // Slower growth than this is left to circles, which close before the coordinate is large.
@@ -151,9 +155,11 @@ bool Endgame::diverges() const {
     }
   }
   const Sight& first = sights_.front();
-  const bool far = now.size > kDivergedSize && now.condition > kDivergedCondition;
-  const bool exhausted =
-      now.size > kSizeGrowth * first.size && now.condition > kExhaustedCondition;
+  const bool whole = std::abs(now.valuation - std::round(now.valuation)) < kWhole;
+  const bool far = now.size > (whole ? kWholeSize : kDivergedSize) &&
+                   now.condition > kDivergedCondition;
+  const bool exhausted = !whole && now.size > kSizeGrowth * first.size &&
+                         now.condition > kExhaustedCondition;
   return (far || exhausted) && now.condition > kConditionGrowth * first.condition &&
          now.condition > then.condition;
 }

@@ -36,7 +36,7 @@ void eliminate_row(Complex* row, const Complex* pivot_row, Complex factor, std::
 
 }  // namespace
 
-bool Lu::factor() noexcept {
+bool Lu::factor(std::span<const double> weights) noexcept {
   singular_ = false;
   norm_ = scaled_norm_ = 0;
   for (std::size_t i = 0; i < n_; ++i) {
@@ -45,7 +45,7 @@ bool Lu::factor() noexcept {
     double sum = 0;
     for (std::size_t j = 0; j < n_; ++j) {
       const double size = magnitude1(row[j]);
-      largest = std::max(largest, size);
+      largest = std::max(largest, weights.empty() ? size : size * weights[j]);
       sum += size;
     }
     const double scale = power_of_two_scale(largest);

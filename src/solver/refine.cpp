@@ -14,16 +14,19 @@ namespace moivre {
 namespace {
 
 constexpr double kUnitRoundoff = 0x1p-53;
-constexpr int kMaximumIterations = 12;
+constexpr int kMaximumIterations = 15;
 // Newton is refused when its first correction is further than so many times the stated accuracy.
 constexpr double kTravel = 1e4;
 constexpr double kLeastTravel = 1e-6;
 // A correction that falls by this factor at least contracts better than any multiple root allows
 // (a double root: 1/2, higher ones slower).
 constexpr double kContraction = 0.2;
+// Corrections below this may stop contracting because of rounding.
+constexpr double kRounding = 1e-11;
 // Above this condition a small correction proves nothing, and contraction is tested on purpose.
-constexpr double kDoubtfulCondition = 1e8;
-constexpr double kProbe = 1e-8;
+constexpr double kDoubtfulCondition = 1e6;
+constexpr double kProbe = 1e-2;
+constexpr double kLeastProbe = 1e-13;
 
 }  // namespace
 
@@ -135,36 +138,33 @@ void add(Point& x, const Point& dx) {
 
 }  // namespace
 
+// Newton from x while the corrections stay within reach; true when they ended at rounding.
+bool Refiner::newton(Point& x, double reach) {
+  Workspace& w = *w_;
+  double last = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < kMaximumIterations; ++k) {
+    if (!w.factor(x)) return false;
+    const double size = w.correction(x);
+    if (!(size <= reach)) return false;
+    if (size > kContraction * last && last < kRounding) return true;
+    add(x, w.dx);
+    if (size <= 2 * kUnitRoundoff) return true;
+    last = size;
+  }
+  return false;
+}
+
 Refined Refiner::refine(const Point& x, double accuracy) {
   Workspace& w = *w_;
   Refined result;
   result.x = x;
   Point trial = x;
-  const double reach = std::max(kLeastTravel, kTravel * accuracy);
-  double last = std::numeric_limits<double>::infinity();
-  bool contracts = false;
-  for (int k = 0; k < kMaximumIterations; ++k) {
-    if (!w.factor(trial)) break;
-    const double size = w.correction(trial);
-    if (!(size <= reach)) break;
-    if (k > 0 && size <= kContraction * last) contracts = true;
-    if (k > 0 && size > kContraction * last && size > 4 * kUnitRoundoff) {
-      contracts = contracts && size < 1e-12;
-      break;
-    }
-    last = size;
-    add(trial, w.dx);
-    if (size <= 2 * kUnitRoundoff) {
-      contracts = true;
-      break;
-    }
-  }
+  result.simple = newton(trial, std::max(kLeastTravel, kTravel * accuracy));
   result.condition = w.factor(trial) ? w.lu.condition() : std::numeric_limits<double>::infinity();
-  if (contracts && result.condition > kDoubtfulCondition) {
-    contracts = contracts_from_probe(trial);
+  if (result.simple && result.condition > kDoubtfulCondition) {
+    result.simple = contracts_from_probe(trial, result.condition);
   }
-  if (contracts) {
-    result.simple = true;
+  if (result.simple) {
     w.factor(trial);
     w.correction(trial);
     result.accuracy = 2 * max_norm(w.dx) / std::max(1.0, max_norm(trial)) + kUnitRoundoff;
@@ -175,19 +175,22 @@ Refined Refiner::refine(const Point& x, double accuracy) {
   return result;
 }
 
-// Newton from a point beside x, kProbe away in every coordinate, comes much nearer to a simple root.
-bool Refiner::contracts_from_probe(const Point& x) {
+// Newton from a point beside x, `offset` away in every coordinate, comes much nearer to a simple root;
+// to a root of multiplicity m it comes nearer by (m-1)/m only. The offset lies inside the region where
+// a simple root of this condition attracts Newton quadratically.
+bool Refiner::contracts_from_probe(const Point& x, double condition) {
   Workspace& w = *w_;
+  const double relative_offset = std::clamp(kProbe / condition, kLeastProbe, kProbe);
   Point probe = x;
   for (std::size_t i = 0; i < probe.size(); ++i) {
-    const double offset = kProbe * std::max(std::abs(x[i]), w.program->unit[i]);
+    const double offset = relative_offset * std::max(std::abs(x[i]), w.program->unit[i]);
     probe[i] += std::polar(offset, static_cast<double>(i + 1));
   }
   if (!w.factor(probe)) return false;
   w.correction(probe);
   add(probe, w.dx);
   for (std::size_t i = 0; i < probe.size(); ++i) probe[i] -= x[i];
-  return w.size_at(probe, x) < kContraction * kProbe;
+  return w.size_at(probe, x) < kContraction * relative_offset;
 }
 
 Refined Refiner::keep(const Point& x, double accuracy) {

@@ -46,7 +46,8 @@ class Refiner {
   const std::vector<Complex>& relative_values(const Point& x);
 
  private:
-  bool contracts_from_probe(const Point& x);
+  bool newton(Point& x, double reach);
+  bool contracts_from_probe(const Point& x, double condition);
   double residual(const Point& x);
   void snap_to_zero(Refined& root, double accuracy);
 

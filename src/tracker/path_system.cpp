@@ -34,15 +34,22 @@ PathSystem::PathSystem(const Homotopy& homotopy)
       lu_(n_ + 1),
       h_(n_),
       ht_(n_),
-      dx_(n_ + 1) {}
+      dx_(n_ + 1),
+      weights_(n_ + 1) {}
 
 bool PathSystem::linearize(std::span<const Complex> x, const PathTime& t) noexcept {
   const std::span<Complex> j = lu_.matrix();
   homotopy_.linearization(x, t, h_, j, ht_);
-  for (std::size_t k = 0; k <= n_; ++k) j[n_ * (n_ + 1) + k] = std::conj(x[k]);
+  double largest = 0;
+  for (std::size_t k = 0; k <= n_; ++k) {
+    j[n_ * (n_ + 1) + k] = std::conj(x[k]);
+    weights_[k] = magnitude1(x[k]);
+    largest = std::max(largest, weights_[k]);
+  }
+  for (double& w : weights_) w = std::max(w, kRelativeFloor * largest);
   ++work_.linearizations;
   ++work_.factorizations;
-  return lu_.factor();
+  return lu_.factor(weights_);
 }
 
 void PathSystem::tangent(Complex dt, std::span<Complex> dx) noexcept {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Solve J x = b for a small dense complex matrix, many times, without allocating; how far is J from singular?
 //
-//   R J = P L U,   R = diag(r_i) with r_i = 2^-e, 2^e near max_j |J_ij|: rows brought to one size before
-//   pivoting [Skeel79], so that a polynomial multiplied by a constant changes nothing.
+//   R J = P L U,   R = diag(r_i) with r_i = 2^-e, 2^e near max_j |J_ij| w_j: rows brought to one size
+//   before pivoting [Skeel79], so that a polynomial multiplied by a constant changes nothing. w: the
+//   sizes of the unknowns, so that a row that matters to a small unknown is not taken for a large one.
 //
 // J: n x n, row-major, row i = equation i. Singular to working precision: is_singular(), and solves give
 // infinities or NaN that the caller sees. Own code because Eigen's PartialPivLU takes 2.6 times as long at n = 9.
@@ -25,8 +26,9 @@ class Lu {
   /// The matrix to be filled by the caller before factor(); overwritten by it.
   std::span<Complex> matrix() noexcept { return a_; }
 
-  /// Factors what stands in matrix(). False when a pivot is zero or not finite.
-  bool factor() noexcept;
+  /// Factors what stands in matrix(). weights: w, n positive numbers; none: all 1.
+  /// False when a pivot is zero or not finite.
+  bool factor(std::span<const double> weights = {}) noexcept;
 
   /// b <- J^{-1} b.
   void solve(std::span<Complex> b) noexcept;

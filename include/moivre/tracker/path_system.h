@@ -85,6 +85,7 @@ class PathSystem {
   std::vector<Complex> h_;
   std::vector<Complex> ht_;
   std::vector<Complex> dx_;
+  std::vector<double> weights_;
   WorkCount work_;
 };
 
