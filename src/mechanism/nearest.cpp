@@ -36,7 +36,8 @@ std::size_t distance(const std::string& a, const std::string& b) {
 
 std::string suggestion(const std::string& word, const std::vector<std::string>& known) {
   if (known.empty()) return "";
-  const std::size_t allowed = std::max<std::size_t>(1, word.size() / 3);
+  // A third of the letters may be wrong, never all of them.
+  const std::size_t allowed = word.size() < 2 ? 0 : std::max<std::size_t>(1, (word.size() + 1) / 3);
   std::size_t best = allowed + 1;
   std::string nearest;
   for (const std::string& candidate : known) {

@@ -161,12 +161,13 @@ std::optional<DriverLaw> read_table(Reading& reading, const toml::array& rows, d
 std::optional<DriverLaw> read_value(Reading& reading, const toml::table& entry, double unit) {
   const auto text = reading.text(entry, "value");
   if (!text) return std::nullopt;
-  const std::size_t faults_before = reading.faults().size();
   const toml::node& node = *entry.get("value");
+  const std::size_t before = reading.faults().size();
   const Expression expression =
       parse_expression(*text, reading.text_begin(node, *text), reading.faults());
-  if (reading.faults().size() != faults_before) return std::nullopt;
-  const auto formula = read_formula(reading, expression, Names{});
+  const bool is_parsed = reading.faults().size() == before;
+  const auto formula = is_parsed ? read_formula(reading, expression, Names{}) : std::nullopt;
+  reading.place_faults(node, *text, before);
   if (!formula) return std::nullopt;
   return TypedLaw{*formula, unit};
 }

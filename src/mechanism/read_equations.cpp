@@ -72,9 +72,9 @@ void read_constants(Reading& reading, const toml::table& section, double unit,
       continue;
     }
     check_new_name(reading, mechanism, name, reading.position(key->source().begin));
-    if (const auto value = reading.number(node, "constant '" + name + "'")) {
-      mechanism.constants[name] = *value * unit;
-    }
+    // A constant without a value is declared all the same, so that its uses are no further faults.
+    const auto value = reading.number(node, "constant '" + name + "'");
+    mechanism.constants[name] = value.value_or(0) * unit;
   }
 }
 
@@ -103,6 +103,7 @@ void check_every_unknown_occurs(Reading& reading, const Mechanism& mechanism) {
 }  // namespace
 
 void read_equations(Reading& reading, const toml::table& document, Mechanism& mechanism) {
+  const std::size_t faults_before = reading.faults().size();
   read_unknowns(reading, document, mechanism);
   if (const toml::table* constants = reading.table(document, "constants")) {
     read_constants(reading, *constants, 1, mechanism);
@@ -114,16 +115,16 @@ void read_equations(Reading& reading, const toml::table& document, Mechanism& me
     }
     return;
   }
-  const std::size_t faults_before = reading.faults().size();
   const Names names = names_of(mechanism);
   for (const toml::key* key : reading.keys_in_order(*section)) {
     const std::string name(key->str());
     const toml::node& node = *section->get(name);
     const auto text = reading.text(*section, name);
     if (!text) continue;
+    const std::size_t before = reading.faults().size();
     const auto expression = read_expression(reading, node, *text);
-    if (!expression) continue;
-    const auto formula = read_formula(reading, *expression, names);
+    const auto formula = expression ? read_formula(reading, *expression, names) : std::nullopt;
+    reading.place_faults(node, *text, before);
     if (!formula) continue;
     mechanism.equations.push_back({name, *expression, *formula, reading.position(node)});
   }

@@ -151,13 +151,24 @@ std::optional<std::vector<double>> Reading::numbers(const toml::table& in, const
   return node == nullptr ? std::nullopt : numbers(*node, "'" + key + "'", count);
 }
 
+bool Reading::stands_as_it_is(const toml::node& node, const std::string& value) const {
+  const std::size_t behind_quote = position(node).offset + 1;
+  return value.find('\n') == std::string::npos && behind_quote <= source_.text.size() &&
+         source_.text.compare(behind_quote, value.size(), value) == 0;
+}
+
 SourcePosition Reading::text_begin(const toml::node& node, const std::string& value) const {
   SourcePosition at = position(node);
-  if (source_.text.compare(at.offset + 1, value.size(), value) == 0) {
+  if (stands_as_it_is(node, value)) {
     ++at.offset;
     ++at.column;
   }
   return at;
+}
+
+void Reading::place_faults(const toml::node& node, const std::string& value, std::size_t before) {
+  if (stands_as_it_is(node, value)) return;
+  for (std::size_t k = before; k < faults_.size(); ++k) faults_[k].at = position(node);
 }
 
 std::string kind_of(const toml::node& node) {

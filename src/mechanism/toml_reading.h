@@ -45,10 +45,15 @@ class Reading {
   std::optional<std::vector<double>> numbers(const toml::node& node, const std::string& what,
                                              std::size_t count);
 
-  /// Where the characters of a string value begin in the file (behind the quote).
+  /// Where the characters of a string value begin in the file: behind the quote, where they stand there as they are.
   SourcePosition text_begin(const toml::node& node, const std::string& value) const;
+  /// Faults found in a string value since there were `before` of them: where the file has the string with escapes or over
+  /// several lines, places inside it are not known, and they point to its beginning.
+  void place_faults(const toml::node& node, const std::string& value, std::size_t before);
 
  private:
+  bool stands_as_it_is(const toml::node& node, const std::string& value) const;
+
   const Source& source_;
   std::vector<std::size_t> line_offsets_;
   std::vector<Diagnostic> faults_;

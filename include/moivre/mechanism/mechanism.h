@@ -6,7 +6,7 @@
 //   equations  unknowns (q, in their order), constants and equations f(q, t) = 0.
 // Angles are radians and lengths are in the file's unit, whatever unit the file was written in.
 // A planar point has z = 0. Coordinates: planar [x, y, phi] a body, spatial [x, y, z, rx, ry, rz] a body (rotation
-// vector, docs/decisions/0030-spatial-coordinates.md), ground none.
+// vector, docs/decisions/0010-spatial-coordinates.md), ground none.
 // Not supported: velocity (non-holonomic) and one-sided constraints; the reader refuses them with the reason.
 #pragma once
 
