@@ -19,7 +19,7 @@ std::string system_line(const SolveResult& result, const std::string& file) {
                      counted(result.system.variables.size(), "unknown") + ", degrees " +
                      degrees_text(result.system.degrees) + ", total degree " +
                      count_text(result.system.total_degree) + '\n';
-  if (result.reduced.degrees != result.system.degrees) {
+  if (result.start.paths > 0 && result.reduced.degrees != result.system.degrees) {
     text += "tracked as " + counted(result.reduced.degrees.size(), "equation") + " in " +
             counted(result.reduced.variables.size(), "unknown") +
             (result.reduced.degrees.empty() ? ""
@@ -31,6 +31,7 @@ std::string system_line(const SolveResult& result, const std::string& file) {
 
 std::string paths_line(const SolveResult& result) {
   const PathCounts& paths = result.paths;
+  if (result.start.paths == 0) return "no path to track\n";
   std::string text = counted(paths.tracked, "path") + " (" + result.start.kind + ", " +
                      result.tracker + ", seed " + std::to_string(result.seed) +
                      "): " + std::to_string(paths.finite) + " finite, " +

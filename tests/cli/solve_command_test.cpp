@@ -96,6 +96,10 @@ TEST(SolveCommand, CallsItDecidedThatParallelLinesHaveNoRoot) {
   const Json json = Json::parse(outcome.out);
   EXPECT_TRUE(json["solutions"].empty());
   EXPECT_EQ(json["complete"], true);
+  EXPECT_TRUE(contains(scene.run({"solve", "f.phc"}).out,
+                       "no path to track\n"
+                       "0 isolated roots: 0 real, 0 not real\n"
+                       "the equations contradict each other: no root\n"));
 }
 
 TEST(SolveCommand, ExitsWithTwoAndNamesThePathsThatFailed) {
