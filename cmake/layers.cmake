@@ -3,8 +3,8 @@
 # components by it, and tests/layers checks every include by it. It only sets variables, so that `cmake -P` can read it too.
 # A module may use what its line names and what those use (one way only).
 
-set(MOIVRE_MODULES numeric expression polynomial homotopy tracker tracker_cvode endgame start solver
-    mechanism kinematics report cli)
+set(MOIVRE_MODULES numeric expression polynomial homotopy tracker tracker_cvode tracker_lanes endgame start
+    solver mechanism kinematics report cli)
 
 set(MOIVRE_USES_numeric "")
 set(MOIVRE_USES_expression numeric)
@@ -12,19 +12,21 @@ set(MOIVRE_USES_polynomial expression)
 set(MOIVRE_USES_homotopy polynomial)
 set(MOIVRE_USES_tracker homotopy)
 set(MOIVRE_USES_tracker_cvode tracker)
+set(MOIVRE_USES_tracker_lanes tracker)
 set(MOIVRE_USES_endgame tracker)
 set(MOIVRE_USES_start homotopy)
 set(MOIVRE_USES_solver start endgame)
 set(MOIVRE_USES_mechanism expression)
 set(MOIVRE_USES_kinematics mechanism)
 set(MOIVRE_USES_report solver)
-set(MOIVRE_USES_cli report tracker_cvode)
+set(MOIVRE_USES_cli report tracker_cvode tracker_lanes)
 
 # Third-party packages, each private to the modules that name it. Eigen and Boost's rationals are
 # the exception: they are vocabulary of the public headers.
 set(MOIVRE_THIRD_PARTY_numeric Eigen3::Eigen Boost::headers)
 set(MOIVRE_THIRD_PARTY_expression taocpp::pegtl)
 set(MOIVRE_THIRD_PARTY_tracker_cvode SUNDIALS::cvode)
+set(MOIVRE_THIRD_PARTY_tracker_lanes hwy::hwy)
 set(MOIVRE_THIRD_PARTY_solver TBB::tbb)
 set(MOIVRE_THIRD_PARTY_mechanism tomlplusplus::tomlplusplus)
 set(MOIVRE_THIRD_PARTY_report nlohmann_json::nlohmann_json)
@@ -37,6 +39,7 @@ set(MOIVRE_FIND_Eigen3::Eigen Eigen3 3.4)
 set(MOIVRE_FIND_Boost::headers Boost 1.74)
 set(MOIVRE_FIND_taocpp::pegtl pegtl 3.2)
 set(MOIVRE_FIND_SUNDIALS::cvode SUNDIALS 6.4)
+set(MOIVRE_FIND_hwy::hwy hwy 1.0)
 set(MOIVRE_FIND_TBB::tbb TBB 2021.8)
 set(MOIVRE_FIND_nlohmann_json::nlohmann_json nlohmann_json 3.11)
 set(MOIVRE_FIND_tomlplusplus::tomlplusplus tomlplusplus 3.3)
@@ -46,6 +49,7 @@ set(MOIVRE_HEADERS_Eigen3::Eigen "(Eigen|unsupported/Eigen)/")
 set(MOIVRE_HEADERS_Boost::headers "boost/")
 set(MOIVRE_HEADERS_taocpp::pegtl "tao/pegtl")
 set(MOIVRE_HEADERS_SUNDIALS::cvode "(cvode|sundials|nvector|sunmatrix|sunlinsol|sunnonlinsol)/")
+set(MOIVRE_HEADERS_hwy::hwy "hwy/")
 set(MOIVRE_HEADERS_TBB::tbb "(tbb|oneapi)/")
 set(MOIVRE_HEADERS_nlohmann_json::nlohmann_json "nlohmann/")
 set(MOIVRE_HEADERS_tomlplusplus::tomlplusplus "toml\\+\\+/")

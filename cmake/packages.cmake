@@ -1,6 +1,16 @@
 # SPDX-License-Identifier: MIT
 # Which modules are built, and the packages that these need: nothing is looked for that no module asks for.
 
+option(MOIVRE_WITH_CVODE "Build the CVODE tracker (needs SUNDIALS)" ON)
+option(MOIVRE_WITH_LANES "Build the lane tracker (needs Highway)" ON)
+foreach(tracker CVODE LANES)
+  if(NOT MOIVRE_WITH_${tracker})
+    string(TOLOWER tracker_${tracker} module)
+    list(REMOVE_ITEM MOIVRE_MODULES ${module})
+    list(REMOVE_ITEM MOIVRE_USES_cli ${module})
+  endif()
+endforeach()
+
 if(MOIVRE_COMPONENTS STREQUAL "all")
   set(MOIVRE_BUILT_MODULES ${MOIVRE_MODULES})
 else()

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which options do several commands share? The file, the tracker, seed and threads, and where results go.
+// Which options do several commands share? The file, seed and threads, and where results go.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -8,22 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "moivre/tracker/tracker.h"
-
 namespace moivre {
 
 void add_file(CLI::App& command, std::string& file);
-
-struct TrackerChoice {
-  std::string kind = "cvode";
-  std::string method = "bdf_projection";
-  double rtol = 0;                 ///< default: the tracker's own
-  std::int64_t maximum_steps = 0;  ///< default: the tracker's own
-  TrackerChoice();
-};
-void add_tracker_options(CLI::App& command, TrackerChoice& choice);
-/// Throws std::invalid_argument with the reason when there is no such tracker or its options are out of range.
-std::unique_ptr<Tracker> make_tracker(const TrackerChoice& choice);
 
 struct StartChoice {
   std::string kind = "total-degree";

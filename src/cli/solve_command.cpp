@@ -11,6 +11,7 @@
 #include "moivre/solver/solve.h"
 #include "output.h"
 #include "progress_line.h"
+#include "tracker_choice.h"
 
 namespace moivre {
 namespace {

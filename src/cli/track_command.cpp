@@ -12,6 +12,7 @@
 #include "moivre/solver/trace.h"
 #include "output.h"
 #include "own_start.h"
+#include "tracker_choice.h"
 
 namespace moivre {
 namespace {

@@ -188,7 +188,7 @@ TEST(SolveCommand, RefusesEachWrongOptionWithItsReason) {
   Scene scene;
   scene.write("f.phc", kCircleAndHyperbola);
   const std::vector<Refusal> refusals = {
-      {{"--tracker", "lanes"}, "built without the lane tracker"},
+      {{"--tracker", "lanes", "--tolerance", "0"}, "tolerance must lie in (0, 0.1]"},
       {{"--tracker", "magic"}, "the trackers are cvode and lanes"},
       {{"--method", "adams_projection"}, "projection is only supported with BDF"},
       {{"--method", "euler"}, "the methods are bdf_projection, bdf and adams"},

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+// Makes the tracker that was chosen, of those that this program was built with.
+#include "tracker_choice.h"
+
+#include <stdexcept>
+
+#if MOIVRE_WITH_CVODE
+#include "moivre/tracker_cvode/cvode_tracker.h"
+#endif
+#if MOIVRE_WITH_LANES
+#include "moivre/tracker_lanes/lane_tracker.h"
+#endif
+
+namespace moivre {
+namespace {
+
+#if MOIVRE_WITH_CVODE
+void take_defaults_of_cvode(TrackerChoice& choice) {
+  const CvodeOptions options;
+  choice.kind = "cvode";
+  choice.rtol = options.rtol;
+  choice.maximum_steps = options.maximum_steps;
+}
+
+CvodeMethod cvode_method(const std::string& name) {
+  for (const CvodeMethod method :
+       {CvodeMethod::bdf_projection, CvodeMethod::bdf, CvodeMethod::adams}) {
+    if (name == to_string(method)) return method;
+  }
+  if (name == "adams_projection") {
+    throw std::invalid_argument(
+        "--method adams_projection: CVODE projects with BDF only (\"CVodeSetProjFn: projection is "
+        "only supported with BDF\"); take bdf_projection, or adams without projection");
+  }
+  throw std::invalid_argument("--method " + name +
+                              ": the methods are bdf_projection, bdf and adams");
+}
+
+std::unique_ptr<Tracker> make_cvode(const TrackerChoice& choice) {
+  CvodeOptions options;
+  options.method = cvode_method(choice.method);
+  options.rtol = choice.rtol;
+  options.maximum_steps = choice.maximum_steps;
+  return make_cvode_tracker(options);
+}
+#else
+void take_defaults_of_cvode(TrackerChoice&) {}
+
+std::unique_ptr<Tracker> make_cvode(const TrackerChoice&) {
+  throw std::invalid_argument("--tracker cvode: this program was built without the CVODE tracker");
+}
+#endif
+
+#if MOIVRE_WITH_LANES
+void take_defaults_of_lanes(TrackerChoice& choice) {
+  const LaneOptions options;
+  choice.kind = "lanes";
+  choice.tolerance = options.tolerance;
+  choice.maximum_steps = options.maximum_steps;
+}
+
+std::unique_ptr<Tracker> make_lanes(const TrackerChoice& choice) {
+  LaneOptions options;
+  options.tolerance = choice.tolerance;
+  options.maximum_steps = choice.maximum_steps;
+  return make_lane_tracker(options);
+}
+#else
+void take_defaults_of_lanes(TrackerChoice&) {}
+
+std::unique_ptr<Tracker> make_lanes(const TrackerChoice&) {
+  throw std::invalid_argument("--tracker lanes: this program was built without the lane tracker");
+}
+#endif
+
+}  // namespace
+
+TrackerChoice::TrackerChoice() {
+  take_defaults_of_lanes(*this);
+  take_defaults_of_cvode(*this);
+}
+
+void add_tracker_options(CLI::App& command, TrackerChoice& choice) {
+  const std::string group = "Tracker";
+  command.add_option("--tracker", choice.kind, "cvode or lanes")
+      ->capture_default_str()
+      ->group(group);
+  command.add_option("--method", choice.method, "cvode: bdf_projection, bdf or adams")
+      ->capture_default_str()
+      ->group(group);
+  command.add_option("--rtol", choice.rtol, "cvode: relative local error of a step")
+      ->capture_default_str()
+      ->group(group);
+  command
+      .add_option("--tolerance", choice.tolerance,
+                  "lanes: relative size of Newton's first correction that steps aim at")
+      ->capture_default_str()
+      ->group(group);
+  command.add_option("--max-steps", choice.maximum_steps, "steps of one journey")
+      ->capture_default_str()
+      ->group(group);
+}
+
+std::unique_ptr<Tracker> make_tracker(const TrackerChoice& choice) {
+  if (choice.kind == "cvode") return make_cvode(choice);
+  if (choice.kind == "lanes") return make_lanes(choice);
+  throw std::invalid_argument("--tracker " + choice.kind + ": the trackers are cvode and lanes");
+}
+
+}  // namespace moivre

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// Which tracker did the user choose, and with what options? One that this program was built without is refused by name.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "moivre/tracker/tracker.h"
+
+namespace moivre {
+
+struct TrackerChoice {
+  std::string kind;  ///< default: cvode where it was built
+  std::string method = "bdf_projection";
+  double rtol = 0;                 ///< default: the tracker's own
+  double tolerance = 0;            ///< default: the tracker's own
+  std::int64_t maximum_steps = 0;  ///< default: the tracker's own
+  TrackerChoice();
+};
+void add_tracker_options(CLI::App& command, TrackerChoice& choice);
+/// Throws std::invalid_argument with the reason when there is no such tracker or its options are out of range.
+std::unique_ptr<Tracker> make_tracker(const TrackerChoice& choice);
+
+}  // namespace moivre

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: MIT
+// Accepting, rejecting and sizing the steps of one lane.
+#include "lane_control.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace moivre {
+namespace {
+
+// The prediction may be this much worse than the tolerance that steps aim at.
+constexpr double kSlack = 8;
+// Contraction of Newton above which a step is refused, and the one that steps aim at.
+constexpr double kContraction = 0.1;
+constexpr double kContractionAimedAt = 0.02;
+// Steps aim at this fraction of what the control formula gives, and change by these factors at most.
+constexpr double kSafety = 0.9;
+constexpr double kLargestGrowth = 2;
+constexpr double kLargestCut = 0.25;
+constexpr double kLeastCut = 0.6;
+// The first step of a journey, in s.
+constexpr double kFirstStep = 1.0 / 64;
+// A step below this multiple of the spacing of numbers at s does not move the path.
+constexpr double kLeastStep = 4;
+// Newton at the start and the end of a journey, and at samples, which go into Cauchy's integral.
+constexpr double kPointTolerance = 1e-9;
+constexpr double kSampleTolerance = 1e-14;
+// A correction that no longer contracts passes below this.
+constexpr double kStagnation = 1e-6;
+constexpr double kPolishContraction = 0.25;
+constexpr double kFarthestStart = 0.1;
+constexpr int kMaximumRounds = 4;
+// Each level of care divides the tolerance by so much.
+constexpr double kCareFactor = 10;
+// A correction this small has no contraction worth measuring: it is rounding.
+constexpr double kRounding = 1e-12;
+
+double sixth_root(double a) { return std::cbrt(std::sqrt(a)); }
+
+}  // namespace
+
+void LaneControl::depart(Departure&& departure, const LaneOptions& options) {
+  departure_ = std::move(departure);
+  const double care = std::pow(kCareFactor, -departure_->care);
+  arrival_ = Arrival{};
+  maximum_steps_ = options.maximum_steps;
+  tolerance_ = options.tolerance * care;
+  h_ = kFirstStep;
+  rounds_ = 0;
+  complete_ = false;
+  state_ = State::departing;
+}
+
+double LaneControl::next_landing() const {
+  if (departure_->samples == 0) return 1;
+  const double taken = static_cast<double>(arrival_.samples.size());
+  return (taken + 1) / departure_->samples;
+}
+
+bool LaneControl::has_landed() const { return arrival_.s == next_landing(); }
+
+bool LaneControl::prepare() {
+  complete_ = false;
+  if (state_ == State::idle) return false;
+  step_ = 0;
+  next_s_ = arrival_.s;
+  if (state_ != State::under_way) return true;
+  const double landing = next_landing();
+  const double remaining = landing - arrival_.s;
+  if (h_ >= remaining) {
+    step_ = remaining;
+    next_s_ = landing;
+  } else {
+    // No crumb is left over: two equal steps where one and a bit would do.
+    step_ = std::min(h_, remaining / 2);
+    next_s_ = arrival_.s + step_;
+    step_ = next_s_ - arrival_.s;
+  }
+  return true;
+}
+
+LaneControl::Move LaneControl::judge(const Outcome& outcome) {
+  arrival_.count.work.linearizations += 1;
+  arrival_.count.work.factorizations += 1;
+  arrival_.count.work.values += 1;
+  switch (state_) {
+    case State::departing:
+      return judge_departure(outcome);
+    case State::under_way:
+      return judge_step(outcome);
+    case State::polishing:
+      return judge_polish(outcome);
+    case State::idle:
+    case State::ended:
+      return Move::stay;
+  }
+  return Move::stay;
+}
+
+LaneControl::Move LaneControl::judge_departure(const Outcome& outcome) {
+  ++rounds_;
+  if (!(outcome.first <= kFarthestStart) || !std::isfinite(outcome.second)) {
+    end(Journey::bad_start);
+    return Move::stay;
+  }
+  if (outcome.second <= kPointTolerance) {
+    state_ = State::under_way;
+    return Move::depart;
+  }
+  const bool contracts = outcome.second <= kPolishContraction * outcome.first;
+  if (!contracts || rounds_ >= kMaximumRounds) {
+    if (outcome.second <= kStagnation) {
+      state_ = State::under_way;
+      return Move::depart;
+    }
+    end(Journey::bad_start);
+  }
+  return Move::correct;
+}
+
+LaneControl::Move LaneControl::reject(double factor) {
+  ++arrival_.count.rejected;
+  h_ = step_ * std::clamp(factor, kLargestCut, kLeastCut);
+  const double spacing = std::numeric_limits<double>::epsilon() * std::max(arrival_.s, kFirstStep);
+  if (h_ < kLeastStep * spacing) end(Journey::step_too_small);
+  if (static_cast<std::int64_t>(arrival_.count.accepted + arrival_.count.rejected) >=
+      maximum_steps_) {
+    end(Journey::step_limit);
+  }
+  return Move::stay;
+}
+
+LaneControl::Move LaneControl::judge_step(const Outcome& outcome) {
+  const double e = outcome.first;
+  if (!std::isfinite(e) || !std::isfinite(outcome.second)) return reject(kLargestCut);
+  const double contraction = outcome.second <= kRounding ? 0 : outcome.second / e;
+  const double room = std::min(tolerance_ / std::max(e, kRounding * tolerance_),
+                               kContractionAimedAt / std::max(contraction, kRounding));
+  const double factor = kSafety * sixth_root(room);
+  if (e > kSlack * tolerance_ || contraction > kContraction) return reject(factor);
+  ++arrival_.count.accepted;
+  last_step_ = step_;
+  last_ = outcome;
+  arrival_.s = next_s_;
+  h_ = std::max(step_ * std::clamp(factor, kLargestCut, kLargestGrowth),
+                step_ < h_ ? h_ * std::min(factor, 1.0) : 0.0);
+  const double wanted = departure_->samples > 0 ? kSampleTolerance : kPointTolerance;
+  if (has_landed() && outcome.second * contraction > wanted) {
+    rounds_ = 0;
+    state_ = State::polishing;
+  } else if (static_cast<std::int64_t>(arrival_.count.accepted + arrival_.count.rejected) >=
+                 maximum_steps_ &&
+             arrival_.s < 1) {
+    end(Journey::step_limit);
+  } else {
+    complete_ = true;
+  }
+  return Move::step;
+}
+
+LaneControl::Move LaneControl::judge_polish(const Outcome& outcome) {
+  ++rounds_;
+  const double wanted = departure_->samples > 0 ? kSampleTolerance : kPointTolerance;
+  if (!std::isfinite(outcome.first) || !std::isfinite(outcome.second)) {
+    end(Journey::off_path);
+    return Move::stay;
+  }
+  const bool contracts = outcome.second <= kPolishContraction * outcome.first;
+  if (outcome.second <= wanted || !contracts || rounds_ >= kMaximumRounds) {
+    if (outcome.second <= kStagnation) {
+      state_ = State::under_way;
+      complete_ = true;
+    } else {
+      end(Journey::off_path);
+    }
+  }
+  return Move::correct;
+}
+
+bool LaneControl::is_to_be_observed() const {
+  return complete_ && (departure_->watcher != nullptr || (departure_->samples > 0 && has_landed()));
+}
+
+void LaneControl::observe(std::span<const Complex> x, PathSystem& path) {
+  const bool at_end = arrival_.s == 1;
+  if (departure_->samples > 0 && has_landed()) arrival_.samples.emplace_back(x.begin(), x.end());
+  if (departure_->watcher == nullptr) return;
+  StepRecord record;
+  record.s = arrival_.s;
+  record.t = contour().at(arrival_.s);
+  record.x = x;
+  record.step = last_step_;
+  record.order = kLaneOrder;
+  record.drift = last_.residual;
+  record.correction = last_.first;
+  const auto verdict = departure_->watcher->watch(record, path);
+  if (verdict == Watcher::Verdict::stop && !at_end) end(Journey::stopped);
+}
+
+void LaneControl::close_step() {
+  if (complete_ && arrival_.s == 1 && state_ != State::ended) end(Journey::arrived);
+}
+
+void LaneControl::end(Journey journey) {
+  if (state_ == State::ended) return;
+  arrival_.journey = journey;
+  state_ = State::ended;
+}
+
+Arrival LaneControl::arrive(std::span<const Complex> x) {
+  arrival_.x.assign(x.begin(), x.end());
+  arrival_.t = contour().at(arrival_.s);
+  return std::move(arrival_);
+}
+
+Departure LaneControl::leave() {
+  state_ = State::idle;
+  Departure departure = std::move(*departure_);
+  departure_.reset();
+  return departure;
+}
+
+}  // namespace moivre

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// How far does a lane step, and is the step accepted? The journey of one lane, without its arithmetic.
+//
+//   e = |dx_1|_w: how far the prediction was off the path;  theta = |dx_2|_w / |dx_1|_w: Newton's contraction
+//   accepted: e <= kSlack tolerance and theta <= kContraction: the prediction lies where Newton converges at once
+//   next step: h <- h min(tolerance / e, kContractionAimedAt / theta)^{1/6}, within bounds: both e and theta grow like the
+//   predictor's error, of order 6.
+//
+// theta is proportional to the distance from the path over the distance to the nearest other path or singularity (the
+// Newton-Kantorovich quantity), so where paths come close it shortens the steps before e does.
+// A sample, and the end, are polished by steps of length 0. Source: [Timme21] for contraction as the measure.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "moivre/tracker/tracker.h"
+#include "moivre/tracker_lanes/lane_tracker.h"
+
+namespace moivre {
+
+class LaneControl {
+ public:
+  /// What the arithmetic measured on the last step.
+  struct Outcome {
+    double first;     ///< |dx_1|_w
+    double second;    ///< |dx_2|_w
+    double residual;  ///< max_i |H_i| at the prediction
+  };
+  /// What becomes of the corrected point: not taken, taken in place, taken as the first of a path, taken as the next.
+  enum class Move { stay, correct, depart, step };
+
+  void depart(Departure&& departure, const LaneOptions& options);
+  bool is_idle() const { return state_ == State::idle; }
+  bool has_ended() const { return state_ == State::ended; }
+
+  /// Chooses the next step. False when the lane is idle.
+  bool prepare();
+  double step() const { return step_; }
+  double next_s() const { return next_s_; }
+  const Contour& contour() const { return departure_->contour; }
+
+  Move judge(const Outcome& outcome);
+  /// The step with which a past is made up for a path that departs.
+  double past_step() const { return h_; }
+
+  /// A step has been accepted and polished, and somebody wants its point.
+  bool is_to_be_observed() const;
+  void observe(std::span<const Complex> x, PathSystem& path);
+  /// Ends the journey where its end was reached.
+  void close_step();
+  void end(Journey journey);
+
+  /// The arrival of an ended journey at x.
+  Arrival arrive(std::span<const Complex> x);
+  /// Gives the departure back; the lane is idle.
+  Departure leave();
+
+ private:
+  enum class State { idle, departing, under_way, polishing, ended };
+
+  Move judge_departure(const Outcome& outcome);
+  Move judge_step(const Outcome& outcome);
+  Move judge_polish(const Outcome& outcome);
+  Move reject(double factor);
+  double next_landing() const;
+  bool has_landed() const;
+
+  State state_ = State::idle;
+  std::optional<Departure> departure_;
+  Arrival arrival_;
+  std::int64_t maximum_steps_ = 0;
+  double tolerance_ = 0;
+  double h_ = 0;     // the step the control would like
+  double step_ = 0;  // the step being taken, cut short where it would pass a landing
+  double next_s_ = 0;
+  double last_step_ = 0;
+  Outcome last_{};
+  int rounds_ = 0;  // of Newton, departing or polishing
+  bool complete_ = false;
+};
+
+}  // namespace moivre

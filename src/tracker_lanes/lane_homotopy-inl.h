@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+// What are H, H_x and H_t of W points at once, each at its own t? The tape of F and G together, over lanes.
+//
+//   H = t F + (1 - t) G; monomials that F and G share are multiplied out once. Coefficients are the same in all lanes and
+//   are broadcast: a real one costs half of a complex one, so terms with real and complex coefficients are kept apart.
+//   expand(): H(x + dx s, t + dt s) to first order in s: its value and its derivative along the direction (dx, dt).
+//
+// x: N, H, H_t: n, H_x: n x N into the rows of a LaneLu. Owns its registers, allocates nothing after construction.
+// Source: [GriewankWalther08, ch. 13] for the truncated series.
+#if defined(MOIVRE_LANE_HOMOTOPY_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef MOIVRE_LANE_HOMOTOPY_INL_H_
+#undef MOIVRE_LANE_HOMOTOPY_INL_H_
+#else
+#define MOIVRE_LANE_HOMOTOPY_INL_H_
+#endif
+
+#include "lane_complex-inl.h"
+#include "lane_lu-inl.h"
+#include "lane_program.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace moivre {
+namespace HWY_NAMESPACE {
+
+/// t, 1 - t and dt/ds of every lane.
+struct LaneTime {
+  LaneTime() : values(3) {}
+  LaneComplex t() const { return load(values[0]); }
+  LaneComplex rest() const { return load(values[1]); }
+  LaneComplex dt() const { return load(values[2]); }
+  void set(std::size_t lane, const PathTime& time, Complex dt) {
+    values.set(0, lane, time.t);
+    values.set(1, lane, time.rest);
+    values.set(2, lane, dt);
+  }
+
+  LaneVector values;
+};
+
+class LaneHomotopy {
+ public:
+  explicit LaneHomotopy(const LaneProgram& program)
+      : program_(program), registers_(program.register_count), slopes_(program.register_count) {}
+
+  /// h <- H, rows 0..n-1 of j <- H_x, ht <- H_t.
+  void linearize(const LaneVector& x, const LaneTime& time, LaneVector& h, LaneLu& j,
+                 LaneVector& ht) {
+    begin(x, program_.products.size());
+    const LaneComplex t = time.t();
+    const LaneComplex rest = time.rest();
+    for (std::size_t i = 0; i < program_.values.size(); ++i) {
+      const LaneComplex f = sum(program_.values[i].f, registers_);
+      const LaneComplex g = sum(program_.values[i].g, registers_);
+      store(add_product(t, f, rest * g), h[i]);
+      store(f - g, ht[i]);
+    }
+    for (const LaneProgram::Entry& entry : program_.jacobian) {
+      LaneComplex value = t * sum(entry.blend.f, registers_);
+      if (!entry.blend.g.is_empty()) {
+        value = add_product(rest, sum(entry.blend.g, registers_), value);
+      }
+      store(value, j.at(entry.row, entry.column));
+    }
+    for (const LaneProgram::Position& p : program_.zeros) store(zero(), j.at(p.row, p.column));
+  }
+
+  /// h <- H(x, t), slope <- H_x dx + H_t dt.
+  void expand(const LaneVector& x, const LaneVector& dx, const LaneTime& time, LaneVector& h,
+              LaneVector& slope) {
+    begin(x, program_.value_products);
+    begin_slopes(dx);
+    const LaneComplex t = time.t();
+    const LaneComplex rest = time.rest();
+    const LaneComplex dt = time.dt();
+    for (std::size_t i = 0; i < program_.values.size(); ++i) {
+      const LaneProgram::Blend& value = program_.values[i];
+      const LaneComplex f = sum(value.f, registers_);
+      const LaneComplex g = sum(value.g, registers_);
+      store(add_product(t, f, rest * g), h[i]);
+      const LaneComplex moving = add_product(t, sum(value.f, slopes_), dt * (f - g));
+      store(add_product(rest, sum(value.g, slopes_), moving), slope[i]);
+    }
+  }
+
+ private:
+  void begin(const LaneVector& x, std::size_t products) {
+    const std::size_t n = program_.variables;
+    for (std::size_t i = 0; i < n; ++i) store(load(x[i]), registers_[i]);
+    store({hn::Set(Tag(), 1.0), hn::Zero(Tag())}, registers_[n]);
+    double* next = registers_[n + 1];
+    for (std::size_t k = 0; k < products; ++k, next += 2 * W) {
+      const Tape::Product& p = program_.products[k];
+      store(load(registers_[p.a]) * load(registers_[p.b]), next);
+    }
+  }
+
+  void begin_slopes(const LaneVector& dx) {
+    const std::size_t n = program_.variables;
+    for (std::size_t i = 0; i < n; ++i) store(load(dx[i]), slopes_[i]);
+    store(zero(), slopes_[n]);
+    double* next = slopes_[n + 1];
+    for (std::size_t k = 0; k < program_.value_products; ++k, next += 2 * W) {
+      const Tape::Product& p = program_.products[k];
+      const LaneComplex left = load(slopes_[p.a]) * load(registers_[p.b]);
+      store(add_product(load(registers_[p.a]), load(slopes_[p.b]), left), next);
+    }
+  }
+
+  LaneComplex sum(const LaneProgram::Sum& terms, const LaneVector& r) const {
+    LaneComplex total = zero();
+    for (std::uint32_t k = terms.real_begin; k < terms.real_end; ++k) {
+      const LaneProgram::RealTerm& term = program_.real_terms[k];
+      total = add_product(hn::Set(Tag(), term.c), load(r[term.monomial]), total);
+    }
+    for (std::uint32_t k = terms.complex_begin; k < terms.complex_end; ++k) {
+      const LaneProgram::ComplexTerm& term = program_.complex_terms[k];
+      const LaneComplex c{hn::Set(Tag(), term.re), hn::Set(Tag(), term.im)};
+      total = add_product(c, load(r[term.monomial]), total);
+    }
+    return total;
+  }
+
+  const LaneProgram& program_;
+  LaneVector registers_;
+  LaneVector slopes_;  // of the registers along the direction
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace moivre
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+// How are W linear systems solved at once? Gaussian elimination with pivoting in every lane by itself, rows
+// exchanged by selection, without a branch on any lane's numbers but one: an exchange that no lane wants is skipped.
+//
+//   P J = L U in each lane; J: n x n, with `appended` right-hand sides as further columns, so that elimination and
+//   exchanges carry them along and only the back substitution is left.
+//   Pivot: the row at hand unless another is larger by 1/kPivotThreshold; growth stays bounded by
+//   (1 + 1/kPivotThreshold)^(n-1), and lanes rarely exchange rows.
+//
+// Singular or not finite: the lane's solutions are infinite or NaN, other lanes are untouched.
+// Source: [GolubVanLoan13, 3.4].
+#if defined(MOIVRE_LANE_LU_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef MOIVRE_LANE_LU_INL_H_
+#undef MOIVRE_LANE_LU_INL_H_
+#else
+#define MOIVRE_LANE_LU_INL_H_
+#endif
+
+#include <vector>
+
+#include "lane_complex-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace moivre {
+namespace HWY_NAMESPACE {
+
+/// |pivot|^2 over the column's largest: below it rows are exchanged.
+inline constexpr double kPivotThreshold = 1.0 / 16;
+
+class LaneLu {
+ public:
+  LaneLu(std::size_t n, std::size_t appended)
+      : n_(n), columns_(n + appended), a_(n * columns_), reciprocal_(n), masks_(n * n) {
+    exchanges_.reserve(n * n / 2 + 1);
+  }
+
+  /// Entry (i, j) of J; columns n, n + 1, ... are the appended right-hand sides.
+  double* at(std::size_t i, std::size_t j) { return a_[i * columns_ + j]; }
+
+  void factor() {
+    exchanges_.clear();
+    for (std::size_t k = 0; k < n_; ++k) {
+      exchange_rows(k);
+      const LaneComplex inverse = reciprocal(load(at(k, k)));
+      store(inverse, reciprocal_[k]);
+      for (std::size_t i = k + 1; i < n_; ++i) {
+        const LaneComplex l = load(at(i, k)) * inverse;
+        store(l, at(i, k));
+        const double* u = at(k, k + 1);
+        double* row = at(i, k + 1);
+        for (std::size_t j = k + 1; j < columns_; ++j, u += 2 * W, row += 2 * W) {
+          store(subtract_product(l, load(u), load(row)), row);
+        }
+      }
+    }
+  }
+
+  /// x <- J^{-1} b for the appended right-hand side in column n + which.
+  void solve_appended(std::size_t which, LaneVector& x) {
+    for (std::size_t k = 0; k < n_; ++k) store(load(at(k, n_ + which)), x[k]);
+    substitute_back(x);
+  }
+
+  /// b <- J^{-1} b.
+  void solve(LaneVector& b) {
+    for (const Exchange& e : exchanges_) {
+      const Mask mask = hn::Ne(hn::Load(Tag(), masks_[e.mask]), hn::Zero(Tag()));
+      const LaneComplex upper = load(b[e.upper]);
+      const LaneComplex lower = load(b[e.lower]);
+      store(select(mask, lower, upper), b[e.upper]);
+      store(select(mask, upper, lower), b[e.lower]);
+    }
+    for (std::size_t i = 1; i < n_; ++i) {
+      LaneComplex sum = load(b[i]);
+      for (std::size_t j = 0; j < i; ++j) sum = subtract_product(load(at(i, j)), load(b[j]), sum);
+      store(sum, b[i]);
+    }
+    substitute_back(b);
+  }
+
+ private:
+  struct Exchange {
+    std::uint32_t upper, lower, mask;
+  };
+
+  void exchange_rows(std::size_t k) {
+    const V own = squared_magnitude(load(at(k, k)));
+    V largest = own;
+    V row = hn::Set(Tag(), static_cast<double>(k));
+    for (std::size_t i = k + 1; i < n_; ++i) {
+      const V size = squared_magnitude(load(at(i, k)));
+      const Mask larger = hn::Gt(size, largest);
+      largest = hn::IfThenElse(larger, size, largest);
+      row = hn::IfThenElse(larger, hn::Set(Tag(), static_cast<double>(i)), row);
+    }
+    const Mask wanted = hn::Gt(hn::Mul(largest, hn::Set(Tag(), kPivotThreshold)), own);
+    if (hn::AllFalse(Tag(), wanted)) return;
+    row = hn::IfThenElse(wanted, row, hn::Set(Tag(), static_cast<double>(k)));
+    for (std::size_t i = k + 1; i < n_; ++i) {
+      const Mask here = hn::Eq(row, hn::Set(Tag(), static_cast<double>(i)));
+      if (!hn::AllFalse(Tag(), here)) exchange(k, i, here);
+    }
+  }
+
+  void exchange(std::size_t k, std::size_t i, Mask mask) {
+    const auto slot = static_cast<std::uint32_t>(exchanges_.size());
+    exchanges_.push_back({static_cast<std::uint32_t>(k), static_cast<std::uint32_t>(i), slot});
+    hn::Store(hn::IfThenElseZero(mask, hn::Set(Tag(), 1.0)), Tag(), masks_[slot]);
+    double* upper = at(k, 0);
+    double* lower = at(i, 0);
+    for (std::size_t j = 0; j < 2 * columns_; ++j, upper += W, lower += W) {
+      const V a = hn::Load(Tag(), upper);
+      const V b = hn::Load(Tag(), lower);
+      hn::Store(hn::IfThenElse(mask, b, a), Tag(), upper);
+      hn::Store(hn::IfThenElse(mask, a, b), Tag(), lower);
+    }
+  }
+
+  void substitute_back(LaneVector& b) {
+    for (std::size_t k = n_; k-- > 0;) {
+      LaneComplex sum = load(b[k]);
+      for (std::size_t j = n_; --j > k;) sum = subtract_product(load(at(k, j)), load(b[j]), sum);
+      store(sum * load(reciprocal_[k]), b[k]);
+    }
+  }
+
+  std::size_t n_;
+  std::size_t columns_;
+  LaneVector a_;           // n x (n + appended), L below the diagonal (unit), U on and above
+  LaneVector reciprocal_;  // 1/U_kk
+  LaneVector masks_;       // of the exchanges made
+  std::vector<Exchange> exchanges_;  // in their order
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace moivre
+HWY_AFTER_NAMESPACE();
+
+#endif

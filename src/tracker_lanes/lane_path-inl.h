@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+// Where will each lane's path be a step ahead? Quintic Hermite extrapolation through its last three points and tangents.
+//
+//   nodes 0, 1, 2 at s, s - g_1, s - g_2;  x(s + h) ~ sum_i A_i(h) x_i + B_i(h) x_i',  local order 6
+//   A_i = (1 - 2 l_i'(s_i)(s + h - s_i)) l_i^2,  B_i = (s + h - s_i) l_i^2,  l_i Lagrange's polynomials
+//
+// Homogeneous points are extrapolated in a fixed affine patch a x = 1, where the path is holomorphic in s. The patch is
+// a = x^H / |x|^2 of a point of the path; it is renewed, and the nodes with it, when |a| |x| leaves kPatchReach.
+// A path that sets out has no past: two nodes are laid back along its tangent, so that the first steps are Euler's.
+// Why this predictor: docs/decisions.
+#if defined(MOIVRE_LANE_PATH_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef MOIVRE_LANE_PATH_INL_H_
+#undef MOIVRE_LANE_PATH_INL_H_
+#else
+#define MOIVRE_LANE_PATH_INL_H_
+#endif
+
+#include "lane_complex-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace moivre {
+namespace HWY_NAMESPACE {
+
+/// |a| |x| above which a patch is renewed: 1 where a was taken.
+inline constexpr double kPatchReach = 1.2;
+
+class LanePath {
+ public:
+  explicit LanePath(std::size_t coordinates)
+      : n_(coordinates), patch_(coordinates), nodes_{Node(n_), Node(n_), Node(n_)}, gaps_(1) {}
+
+  const LaneVector& patch() const { return patch_; }
+  /// The last point and its tangent.
+  LaneVector& x() { return nodes_[0].x; }
+  LaneVector& tangent() { return nodes_[0].dx; }
+
+  /// Sets a lane's point, of norm 1, before its departure.
+  void place(std::size_t lane, std::span<const Complex> x) {
+    for (std::size_t i = 0; i < n_; ++i) {
+      patch_.set(i, lane, std::conj(x[i]));
+      for (Node& node : nodes_) {
+        node.x.set(i, lane, x[i]);
+        node.dx.set(i, lane, 0);
+      }
+    }
+    gaps_.set(0, lane, Complex(1, 2));
+  }
+
+  /// predicted <- x(s + h).
+  void predict(V h, LaneVector& predicted) const {
+    const LaneComplex g = load(gaps_[0]);
+    const V one = hn::Set(Tag(), 1.0);
+    const V between = hn::Sub(g.im, g.re);
+    const V after1 = hn::Add(h, g.re);
+    const V after2 = hn::Add(h, g.im);
+    const V r1 = hn::Div(one, g.re);
+    const V r2 = hn::Div(one, g.im);
+    const V rb = hn::Div(one, between);
+    const V l0 = hn::Mul(hn::Mul(after1, r1), hn::Mul(after2, r2));
+    const V l1 = hn::Neg(hn::Mul(hn::Mul(h, r1), hn::Mul(after2, rb)));
+    const V l2 = hn::Mul(hn::Mul(h, r2), hn::Mul(after1, rb));
+    const Weights w0 = weights(l0, hn::Add(r1, r2), h);
+    const Weights w1 = weights(l1, hn::Sub(rb, r1), after1);
+    const Weights w2 = weights(l2, hn::Neg(hn::Add(r2, rb)), after2);
+    for (std::size_t i = 0; i < n_; ++i) {
+      LaneComplex x = w0.a * load(nodes_[0].x[i]);
+      x = add_product(w0.b, load(nodes_[0].dx[i]), x);
+      x = add_product(w1.a, load(nodes_[1].x[i]), x);
+      x = add_product(w1.b, load(nodes_[1].dx[i]), x);
+      x = add_product(w2.a, load(nodes_[2].x[i]), x);
+      x = add_product(w2.b, load(nodes_[2].dx[i]), x);
+      store(x, predicted[i]);
+    }
+  }
+
+  /// Where `stepped`, nodes move up after a step h; where `replaced` as well, the last node becomes (x, dx).
+  void advance(Mask stepped, Mask replaced, V h, const LaneVector& x, const LaneVector& dx) {
+    for (std::size_t i = 0; i < n_; ++i) {
+      advance_entry(stepped, replaced, load(x[i]), nodes_[0].x[i], nodes_[1].x[i], nodes_[2].x[i]);
+      advance_entry(stepped, replaced, load(dx[i]), nodes_[0].dx[i], nodes_[1].dx[i],
+                    nodes_[2].dx[i]);
+    }
+    const LaneComplex g = load(gaps_[0]);
+    store(select(stepped, {h, hn::Add(g.re, h)}, g), gaps_[0]);
+  }
+
+  /// Where `mask`, lays the past back along the tangent, a step h and two of them.
+  void forget(Mask mask, V h) {
+    const V two_h = hn::Add(h, h);
+    for (std::size_t i = 0; i < n_; ++i) {
+      const LaneComplex x = load(nodes_[0].x[i]);
+      const LaneComplex dx = load(nodes_[0].dx[i]);
+      store(select(mask, x - h * dx, load(nodes_[1].x[i])), nodes_[1].x[i]);
+      store(select(mask, x - two_h * dx, load(nodes_[2].x[i])), nodes_[2].x[i]);
+      store(select(mask, dx, load(nodes_[1].dx[i])), nodes_[1].dx[i]);
+      store(select(mask, dx, load(nodes_[2].dx[i])), nodes_[2].dx[i]);
+    }
+    store(select(mask, {h, two_h}, load(gaps_[0])), gaps_[0]);
+  }
+
+  /// Renews the patch in the lanes that have left its reach.
+  void renew_patches() {
+    V size = hn::Zero(Tag());
+    V patch = hn::Zero(Tag());
+    for (std::size_t i = 0; i < n_; ++i) {
+      size = hn::Add(size, squared_magnitude(load(nodes_[0].x[i])));
+      patch = hn::Add(patch, squared_magnitude(load(patch_[i])));
+    }
+    const Mask far = hn::Gt(hn::Mul(size, patch), hn::Set(Tag(), kPatchReach * kPatchReach));
+    if (hn::AllFalse(Tag(), far)) return;
+    const V scale = hn::Div(hn::Set(Tag(), 1.0), hn::Sqrt(size));
+    for (std::size_t i = 0; i < n_; ++i) {
+      const LaneComplex own = conj(scale * load(nodes_[0].x[i]));
+      store(select(far, own, load(patch_[i])), patch_[i]);
+    }
+    for (Node& node : nodes_) into_patch(far, node);
+  }
+
+  /// 1 - a x, how far x is off the patch.
+  LaneComplex distance(const LaneVector& x) const {
+    LaneComplex result{hn::Set(Tag(), 1.0), hn::Zero(Tag())};
+    for (std::size_t i = 0; i < n_; ++i) {
+      result = subtract_product(load(patch_[i]), load(x[i]), result);
+    }
+    return result;
+  }
+
+ private:
+  struct Node {
+    explicit Node(std::size_t n) : x(n), dx(n) {}
+    LaneVector x;
+    LaneVector dx;
+  };
+  struct Weights {
+    V a, b;
+  };
+
+  static Weights weights(V l, V slope, V distance) {
+    const V squared = hn::Mul(l, l);
+    const V factor = hn::NegMulAdd(hn::Add(slope, slope), distance, hn::Set(Tag(), 1.0));
+    return {hn::Mul(factor, squared), hn::Mul(distance, squared)};
+  }
+
+  static void advance_entry(Mask stepped, Mask replaced, const LaneComplex& value, double* node0,
+                            double* node1, double* node2) {
+    const LaneComplex newest = load(node0);
+    const LaneComplex middle = load(node1);
+    store(select(stepped, middle, load(node2)), node2);
+    store(select(stepped, newest, middle), node1);
+    store(select(replaced, value, newest), node0);
+  }
+
+  // x / (a x) and its derivative.
+  void into_patch(Mask mask, Node& node) {
+    LaneComplex ax = zero();
+    LaneComplex adx = zero();
+    for (std::size_t i = 0; i < n_; ++i) {
+      const LaneComplex a = load(patch_[i]);
+      ax = add_product(a, load(node.x[i]), ax);
+      adx = add_product(a, load(node.dx[i]), adx);
+    }
+    const LaneComplex scale = reciprocal(ax);
+    for (std::size_t i = 0; i < n_; ++i) {
+      const LaneComplex x = scale * load(node.x[i]);
+      const LaneComplex dx = scale * subtract_product(x, adx, load(node.dx[i]));
+      store(select(mask, x, load(node.x[i])), node.x[i]);
+      store(select(mask, dx, load(node.dx[i])), node.dx[i]);
+    }
+  }
+
+  std::size_t n_;
+  LaneVector patch_;
+  Node nodes_[3];
+  LaneVector gaps_;  // g_1 and g_2 in the place of real and imaginary part
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace moivre
+HWY_AFTER_NAMESPACE();
+
+#endif

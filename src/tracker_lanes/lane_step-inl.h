@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+// One step of all lanes: predict, correct twice, tangent. One evaluation with Jacobian, one factorization, one value.
+//
+//   x_p  from the nodes                               H, H_x, H_t at x_p; J = [H_x; a] factored
+//   J dx_1 = [-H; 1 - a x_p],  J x' = [-H_t dt; 0]    x_1 = x_p + dx_1
+//   J dx_2 = [-H(x_1); 0]                             x_2 = x_1 + dx_2     (simplified Newton)
+//   J dx'  = [-(H_x(x_1) x' + H_t dt); 0]             x' <- x' + dx'       (the tangent at x_1, refined)
+//
+// A step of length 0 is a Newton correction of the point at hand. |.|_w as in tracker/path_system.h, at x_p.
+#if defined(MOIVRE_LANE_STEP_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef MOIVRE_LANE_STEP_INL_H_
+#undef MOIVRE_LANE_STEP_INL_H_
+#else
+#define MOIVRE_LANE_STEP_INL_H_
+#endif
+
+#include "lane_homotopy-inl.h"
+#include "lane_path-inl.h"
+#include "moivre/tracker/path_system.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace moivre {
+namespace HWY_NAMESPACE {
+
+/// W real numbers in memory.
+struct LaneReals {
+  HWY_ALIGN double at[W] = {};
+  V value() const { return hn::Load(Tag(), at); }
+};
+
+class LaneStep {
+ public:
+  explicit LaneStep(const LaneProgram& program)
+      : n_(program.values.size()),
+        homotopy_(program),
+        lu_(n_ + 1, 2),
+        h_(n_ + 1),
+        ht_(n_ + 1),
+        weights_(n_ + 1),
+        corrected(n_ + 1),
+        tangent(n_ + 1) {}
+
+  /// Takes every lane of `path` a step h ahead, to the times given. Results are the members below; `path` is not changed.
+  void take(const LanePath& path, const LaneReals& h, const LaneTime& time) {
+    LaneVector& x = corrected;
+    path.predict(h.value(), x);
+    homotopy_.linearize(x, time, h_, lu_, ht_);
+    measure_residual();
+    append_patch(path, time);
+    lu_.factor();
+    find_weights(x);
+    lu_.solve_appended(0, h_);
+    lu_.solve_appended(1, tangent);
+    hn::Store(weighted(h_), Tag(), first.at);
+    add(h_, x);
+    homotopy_.expand(x, tangent, time, h_, ht_);
+    negate(h_);
+    negate(ht_);
+    lu_.solve(h_);
+    lu_.solve(ht_);
+    hn::Store(weighted(h_), Tag(), second.at);
+    add(h_, x);
+    add(ht_, tangent);
+  }
+
+ private:
+  void append_patch(const LanePath& path, const LaneTime& time) {
+    const LaneComplex dt = time.dt();
+    for (std::size_t i = 0; i < n_; ++i) {
+      store(-load(h_[i]), lu_.at(i, n_ + 1));
+      store(-(dt * load(ht_[i])), lu_.at(i, n_ + 2));
+    }
+    for (std::size_t j = 0; j <= n_; ++j) store(load(path.patch()[j]), lu_.at(n_, j));
+    store(path.distance(corrected), lu_.at(n_, n_ + 1));
+    store(zero(), lu_.at(n_, n_ + 2));
+  }
+
+  void measure_residual() {
+    V largest = hn::Zero(Tag());
+    for (std::size_t i = 0; i < n_; ++i) {
+      largest = hn::Max(largest, squared_magnitude(load(h_[i])));
+    }
+    hn::Store(hn::Sqrt(largest), Tag(), residual.at);
+  }
+
+  // 1 / w_i^2.
+  void find_weights(const LaneVector& x) {
+    V largest = hn::Zero(Tag());
+    for (std::size_t i = 0; i <= n_; ++i) {
+      largest = hn::Max(largest, squared_magnitude(load(x[i])));
+    }
+    const V floor = hn::Mul(largest, hn::Set(Tag(), kRelativeFloor * kRelativeFloor));
+    for (std::size_t i = 0; i <= n_; ++i) {
+      const V squared = hn::Max(squared_magnitude(load(x[i])), floor);
+      hn::Store(hn::Div(hn::Set(Tag(), 1.0), squared), Tag(), weights_[i]);
+    }
+  }
+
+  // A sum tells a NaN that a maximum might drop.
+  V weighted(const LaneVector& dx) const {
+    V largest = hn::Zero(Tag());
+    V sum = hn::Zero(Tag());
+    for (std::size_t i = 0; i <= n_; ++i) {
+      const V squared = hn::Mul(squared_magnitude(load(dx[i])), hn::Load(Tag(), weights_[i]));
+      largest = hn::Max(largest, squared);
+      sum = hn::Add(sum, squared);
+    }
+    const Mask finite = hn::Le(sum, hn::Set(Tag(), std::numeric_limits<double>::max()));
+    return hn::IfThenElse(finite, hn::Sqrt(largest), sum);
+  }
+
+  void add(const LaneVector& dx, LaneVector& x) const {
+    for (std::size_t i = 0; i <= n_; ++i) store(load(x[i]) + load(dx[i]), x[i]);
+  }
+  void negate(LaneVector& b) const {
+    for (std::size_t i = 0; i < n_; ++i) store(-load(b[i]), b[i]);
+    store(zero(), b[n_]);
+  }
+
+  std::size_t n_;
+  LaneHomotopy homotopy_;
+  LaneLu lu_;
+  LaneVector h_;
+  LaneVector ht_;
+  LaneVector weights_;
+
+ public:
+  LaneVector corrected;  ///< x_2
+  LaneVector tangent;    ///< x'
+  LaneReals first;       ///< |dx_1|_w
+  LaneReals second;      ///< |dx_2|_w
+  LaneReals residual;    ///< max_i |H_i(x_p)|
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace moivre
+HWY_AFTER_NAMESPACE();
+
+#endif

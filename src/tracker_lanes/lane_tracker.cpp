@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// The lane tracker, compiled once for every instruction set; the best that the machine has is chosen when it runs.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "lane_tracker.cpp"
+#include "moivre/tracker_lanes/lane_tracker.h"
+
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "lane_session-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace moivre {
+namespace HWY_NAMESPACE {
+
+TrackerSession* open_session(const LaneOptions& options, const Homotopy& homotopy) {
+  return new LaneSession(options, homotopy);
+}
+
+std::size_t width() { return W; }
+
+const char* target_name() { return hwy::TargetName(HWY_TARGET); }
+
+}  // namespace HWY_NAMESPACE
+}  // namespace moivre
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+#include <cstdio>
+#include <stdexcept>
+
+namespace moivre {
+namespace {
+
+HWY_EXPORT(open_session);
+HWY_EXPORT(width);
+HWY_EXPORT(target_name);
+
+class LaneTracker : public Tracker {
+ public:
+  explicit LaneTracker(const LaneOptions& options) : options_(options) {}
+
+  std::string kind() const override { return "lanes"; }
+  std::vector<std::pair<std::string, std::string>> options_in_force() const override {
+    char tolerance[32];
+    std::snprintf(tolerance, sizeof tolerance, "%g", options_.tolerance);
+    return {{"target", lane_target()},
+            {"lanes", std::to_string(lane_width())},
+            {"tolerance", tolerance},
+            {"maximum_steps", std::to_string(options_.maximum_steps)}};
+  }
+  std::unique_ptr<TrackerSession> open(const Homotopy& homotopy) const override {
+    return std::unique_ptr<TrackerSession>(HWY_DYNAMIC_DISPATCH(open_session)(options_, homotopy));
+  }
+
+ private:
+  LaneOptions options_;
+};
+
+}  // namespace
+
+std::string lane_target() { return HWY_DYNAMIC_DISPATCH(target_name)(); }
+std::size_t lane_width() { return HWY_DYNAMIC_DISPATCH(width)(); }
+
+std::vector<std::string> validate(const LaneOptions& options) {
+  std::vector<std::string> broken;
+  if (!(options.tolerance > 0 && options.tolerance <= 0.1)) {
+    broken.push_back("tolerance must lie in (0, 0.1]");
+  }
+  if (options.maximum_steps < 1) broken.push_back("maximum_steps must be at least 1");
+  return broken;
+}
+
+std::unique_ptr<Tracker> make_lane_tracker(const LaneOptions& options) {
+  std::string message;
+  for (const std::string& sentence : validate(options)) {
+    message += (message.empty() ? "" : "; ") + sentence;
+  }
+  if (!message.empty()) throw std::invalid_argument(message);
+  return std::make_unique<LaneTracker>(options);
+}
+
+}  // namespace moivre
+#endif
