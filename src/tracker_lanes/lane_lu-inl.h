@@ -8,7 +8,7 @@
 //   (1 + 1/kPivotThreshold)^(n-1), and lanes rarely exchange rows.
 //
 // Singular or not finite: the lane's solutions are infinite or NaN, other lanes are untouched.
-// Source: [GolubVanLoan13, 3.4].
+// Source: [Higham02, ch. 9].
 #if defined(MOIVRE_LANE_LU_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef MOIVRE_LANE_LU_INL_H_
 #undef MOIVRE_LANE_LU_INL_H_
