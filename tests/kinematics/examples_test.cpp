@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "files.h"
+#include "../mechanism/files.h"
 #include "moivre/kinematics/mobility.h"
 #include "moivre/mechanism/pose.h"
 

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "files.h"
+#include "../mechanism/files.h"
 
 namespace moivre {
 namespace {
@@ -80,12 +80,22 @@ start = 40
   EXPECT_LT((phi.jacobian(run.q, 0) * mob.idle[0].direction).norm(), 1e-13);
 }
 
-TEST(Mobility, DrivenBodyIsNotIdle) {
-  const Mechanism m = example("four-bar");
-  const Mobility mob = mobility_of("four-bar");
-  EXPECT_TRUE(mob.idle.empty());
-  EXPECT_EQ(mob.drivers, 1);
-  EXPECT_EQ(mob.independent.size(), 1U);
+TEST(Mobility, BodyIsIdleUntilADriverHoldsIt) {
+  const std::string crank =
+      "[ground.points]\nO = [0, 0]\n[body.crank.points]\nO = [0, 0]\n[[joint]]\ntype = "
+      "\"revolute\"\n"
+      "at = [\"ground.O\", \"crank.O\"]\n";
+  const Mechanism loose = typed(crank);
+  const Mobility free = mobility(Phi(loose), initial_guess(loose));
+  ASSERT_EQ(free.idle.size(), 1U);
+  EXPECT_EQ(free.idle[0].name, "crank");
+  const Mechanism driven = typed(crank + "[[driver]]\nangle = \"crank\"\nstart = 1\n");
+  const Mobility held = mobility(Phi(driven), initial_guess(driven));
+  EXPECT_TRUE(held.idle.empty());
+  EXPECT_EQ(held.drivers, 1);
+  EXPECT_EQ(held.degrees_of_freedom, 1);
+  EXPECT_EQ(held.driven_freedoms, 0);
+  EXPECT_EQ(held.independent, std::vector<Eigen::Index>{2});
 }
 
 TEST(Mobility, ParallelogramAtItsChangePointIsSingularNotFreer) {

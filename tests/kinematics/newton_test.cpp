@@ -6,7 +6,7 @@
 
 #include <stdexcept>
 
-#include "files.h"
+#include "../mechanism/files.h"
 
 namespace moivre {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "files.h"
+#include "../mechanism/files.h"
 #include "moivre/kinematics/mobility.h"
 #include "moivre/kinematics/null_space.h"
 #include "moivre/kinematics/state.h"

@@ -195,6 +195,83 @@ carrier = "arm"
   EXPECT_NEAR(std::abs(phi.value(q, 0)[6]), 10 * kDegree, 1e-14);
 }
 
+TEST(Phi, ObliqueLinesAndTurnsHoldWhereTheyAreMade) {
+  const Mechanism m = typed(R"toml(
+[units]
+angle = "deg"
+[ground.points]
+G = [1, 2]
+[body.slider.points]
+P = [0.5, 0]
+[body.block.points]
+Q = [0, 0.25]
+[body.plate.points]
+Q = [3, 1]
+[[joint]]
+type = "prismatic"
+at = ["ground.G", "slider.P"]
+along = [3, 4]
+turn = 30
+[[joint]]
+type = "slot"
+at = ["slider.P", "block.Q"]
+along = [1, 1]
+[[joint]]
+type = "weld"
+at = ["block.Q", "plate.Q"]
+turn = -20
+)toml");
+  const Phi phi(m);
+  const auto turned = [](double angle_deg, double x, double y) {
+    const double a = angle_deg * kDegree;
+    return Eigen::Vector2d(std::cos(a) * x - std::sin(a) * y, std::sin(a) * x + std::cos(a) * y);
+  };
+  const Eigen::Vector2d P = Eigen::Vector2d(1, 2) + 0.7 * Eigen::Vector2d(3, 4);
+  const Eigen::Vector2d Q = P - 1.3 * turned(30, 1, 1);
+  VectorXd q(9);
+  q << P - turned(30, 0.5, 0), 30 * kDegree, Q - turned(75, 0, 0.25), 75 * kDegree,
+      Q - turned(55, 3, 1), 55 * kDegree;
+  EXPECT_LT(phi.value(q, 0).norm(), 1e-14);
+  for (Eigen::Index k = 0; k < 9; ++k) {
+    VectorXd off = q;
+    off[k] += 0.1;
+    EXPECT_GT(phi.value(off, 0).norm(), 0.01)
+        << phi.coordinates()[static_cast<std::size_t>(k)].name;
+  }
+  EXPECT_LT(phi.value(initial_guess(m), 0).norm(), 1e-14) << "guesses keep lines and turns";
+}
+
+TEST(Phi, SpatialWeldAndSliderHoldEveryTurn) {
+  const Mechanism m = typed(R"toml(
+space = "spatial"
+[units]
+angle = "deg"
+[ground.points]
+G = [1, 2, 3]
+[body.slider.points]
+P = [0.5, 0, 0]
+[body.plate.points]
+Q = [0, 0.25, 0]
+[[joint]]
+type = "prismatic"
+at = ["slider.P", "ground.G"]
+axis = [[0, 0, 1], [0, 1, 1]]
+turn = 30
+[[joint]]
+type = "weld"
+at = ["slider.P", "plate.Q"]
+axis = [1, 2, 3]
+turn = 40
+)toml");
+  const Phi phi(m);
+  const VectorXd q = initial_guess(m);
+  EXPECT_LT(phi.value(q, 0).norm(), 1e-14);
+  for (Eigen::Index k = 0; k < phi.size(); ++k) {
+    EXPECT_GT(phi.jacobian(q, 0).row(k).norm(), 0.1)
+        << phi.row_names()[static_cast<std::size_t>(k)];
+  }
+}
+
 TEST(Phi, FormulaWithAConstantExponentKeepsSigns) {
   const Phi phi(
       typed("[unknowns]\nlengths = [\"x\"]\n[equations]\ncube = \"x^3 - 2*x + x^(1+1) + 2\"\n"));

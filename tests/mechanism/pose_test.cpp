@@ -53,6 +53,26 @@ TEST(Pose, GuessPlacesBodiesFromTheGroundOutwards) {
   EXPECT_NEAR(q[6], 100, 1e-13);
 }
 
+TEST(Pose, PrismaticTurnIsKeptFromEitherEnd) {
+  const std::string bodies =
+      "[ground.points]\nO = [0, 0]\n[body.a.points]\nP = [1, 1]\n[[joint]]\ntype = \"prismatic\"\n"
+      "along = [1, 0]\nturn = 0.5\n";
+  for (const char* at : {"at = [\"ground.O\", \"a.P\"]\n", "at = [\"a.P\", \"ground.O\"]\n"}) {
+    const Mechanism m = test::typed(bodies + at);
+    EXPECT_LT(Phi(m).value(initial_guess(m), 0).norm(), 1e-15) << at;
+  }
+}
+
+TEST(Pose, LimitsOfAnAngleMayCrossHalfATurn) {
+  Mechanism m = example("four-bar");
+  m.joints[2].limits = Limits{170 * kDegree, 190 * kDegree};
+  VectorXd q = VectorXd::Zero(9);
+  q[8] = -175 * kDegree;
+  EXPECT_TRUE(is_within_limits(m, m.joints[2], q));
+  q[8] = -165 * kDegree;
+  EXPECT_FALSE(is_within_limits(m, m.joints[2], q));
+}
+
 TEST(Pose, DrivenSlideOfASpatialPrismaticJointPlacesItsBody) {
   const Mechanism m = test::typed(R"toml(
 space = "spatial"
