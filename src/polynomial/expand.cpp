@@ -31,24 +31,30 @@ class Account {
  public:
   explicit Account(std::uint64_t& work) : work_(work) {}
 
-  /// Reducing a fraction of L limbs takes about L^2 / 4 times a small fraction's time.
+  /// Reducing a fraction of L limbs takes about L^2 / 4 times a small fraction's time, and a complex
+  /// product holds four real ones and two sums, each to be reduced.
   void charge(const Coefficient& c) {
     constexpr std::size_t kLimb = 64;
+    constexpr std::uint64_t kComplexWork = 6;
     const std::size_t size = bits(c);
     if (size > kMaximumBits) {
       throw Excess("a coefficient of the expansion has more than " + std::to_string(kMaximumBits) +
                    " bits");
     }
     const std::size_t limbs = size / kLimb;
-    charge(1 + limbs * limbs / 4);
+    charge((is_real(c) ? 1 : kComplexWork) * (1 + limbs * limbs / 4));
   }
 
   void charge(std::uint64_t work) {
     work_ += work;
-    if (work_ > kMaximumWork) {
-      throw Excess("the expansion takes more than " + std::to_string(kMaximumWork) +
-                   " products of terms (with all before it in this file)");
-    }
+    require(0);
+  }
+
+  /// Refuses work before it begins; it is charged piece by piece while it is done.
+  void require(std::uint64_t work) const {
+    if (work_ + work <= kMaximumWork) return;
+    throw Excess("the expansion takes more than " + std::to_string(kMaximumWork) +
+                 " products of terms (with all before it in this file)");
   }
 
  private:
@@ -150,6 +156,13 @@ std::uint64_t monomial_count(std::uint64_t n, std::uint64_t k) {
   return count;
 }
 
+/// A bound from below on the products of terms that p^k takes, for p of two terms or more: p^j has at least
+/// j+1 terms (Hajos: a polynomial with a root of multiplicity j that is not zero has as many).
+std::uint64_t least_products(const Polynomial& p, std::uint64_t k) {
+  const std::uint64_t sum_of_terms = k * (k - 1) / 2;  // k has 32 bits
+  return std::min(sum_of_terms, kMaximumWork + 1) * p.terms.size();
+}
+
 /// p^k, multiplied by p again and again: for sparse p that costs less than squaring.
 Polynomial raised(const Polynomial& p, std::uint64_t k, Account& account) {
   if (k == 0) return constant({1, 0});
@@ -161,6 +174,7 @@ Polynomial raised(const Polynomial& p, std::uint64_t k, Account& account) {
   if (has_independent_terms(p) && monomial_count(p.terms.size(), k) > kMaximumTerms) {
     refuse_term_count();
   }
+  account.require(least_products(p, k));
   Polynomial result = p;
   for (std::uint64_t j = 1; j < k; ++j) result = times(p, std::move(result), account);
   return result;

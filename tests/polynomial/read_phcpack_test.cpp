@@ -257,6 +257,13 @@ TEST(PhcReader, StopsAnExpansionAtAMillionTerms) {
                 {{2, 23, "more than 1000000 terms"}});
 }
 
+TEST(PhcReader, RefusesAPowerBeforeItsWorkBegins) {
+  expect_faults("2\n(x^2+i*x+1)^66396 - y;\n(x+x^2+2)^4294967295 + y^1.5;\n",
+                {{2, 13, "takes more than 50000000 products of terms"},
+                 {3, 11, "takes more than 50000000 products of terms"},
+                 {3, 26, "not an integer"}});
+}
+
 TEST(PhcReader, ShowsAWindowOfALongLine) {
   std::string text = "1\n";
   for (int k = 0; k < 1000; ++k) text += "x+";
