@@ -10,10 +10,10 @@
 namespace moivre {
 namespace {
 
-// Sights are kept at radii at least this factor apart; a steady valuation is one that three of them agree on.
+// Sights are kept at radii at least this factor apart; a steady valuation is one that this many agree on.
 constexpr double kSightSpacing = 2;
-constexpr std::size_t kSteadySights = 4;
-constexpr double kSteadyTolerance = 0.03;
+constexpr std::size_t kSteadySights = 5;
+constexpr double kSteadyTolerance = 0.006;
 // The slowest growth that counts: winding numbers up to 20 at infinity.
 constexpr double kLeastValuation = 0.05;
 // A diverging coordinate has reached this size and the condition this one; or it has grown by this

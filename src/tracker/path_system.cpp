@@ -7,6 +7,12 @@
 #include <limits>
 
 namespace moivre {
+namespace {
+
+// Equations have coefficients near 1 and |x| near 1: a residual below this is made of rounding errors.
+constexpr double kRoundingResidual = 1e-12;
+
+}  // namespace
 
 double weighted_norm(std::span<const Complex> v, std::span<const Complex> x) {
   double largest_squared = 0;
@@ -23,13 +29,15 @@ double weighted_norm(std::span<const Complex> v, std::span<const Complex> x) {
 
 WorkCount& WorkCount::operator+=(const WorkCount& other) {
   values += other.values;
+  fine_values += other.fine_values;
   linearizations += other.linearizations;
   factorizations += other.factorizations;
   return *this;
 }
 
 PathSystem::PathSystem(const Homotopy& homotopy)
-    : n_(homotopy.equations()),
+    : definition_(homotopy),
+      n_(homotopy.equations()),
       homotopy_(homotopy),
       lu_(n_ + 1),
       h_(n_),
@@ -68,18 +76,33 @@ bool PathSystem::newton_step(std::span<Complex> x, double& size) noexcept {
   return true;
 }
 
+void PathSystem::evaluate_fine(std::span<const Complex> x, const PathTime& t) noexcept {
+  if (!fine_) fine_ = std::make_unique<Fine>(definition_);
+  std::copy(x.begin(), x.end(), fine_->x.begin());
+  // t is taken from 1 - t near t = 1, where that has more digits than double's t.
+  const ComplexDoubleDouble one(1.0);
+  const bool near_end = std::norm(t.rest) < 0.25;
+  const ComplexDoubleDouble rest = near_end ? ComplexDoubleDouble(t.rest) : one - t.t;
+  const ComplexDoubleDouble time = near_end ? one - rest : ComplexDoubleDouble(t.t);
+  fine_->homotopy.value(fine_->x, {time, rest}, fine_->value);
+  for (std::size_t i = 0; i < n_; ++i) h_[i] = to_complex(fine_->value[i]);
+  ++work_.fine_values;
+}
+
 Correction PathSystem::correct(std::span<Complex> x, const PathTime& t,
                                const NewtonOptions& options, bool fresh) noexcept {
   Correction result;
   bool renewed = fresh;
+  bool fine = false;
   double previous = 0;
   for (int k = 0; k < options.maximum_iterations; ++k) {
     if (fresh) {
       if (!linearize(x, t)) return result;
-    } else {
+    } else if (!fine) {
       homotopy_.value(x, t, h_);
       ++work_.values;
     }
+    if (fine) evaluate_fine(x, t);
     fresh = false;
     if (k == 0) result.residual = residual();
     if (!newton_step(x, result.last)) return result;
@@ -88,7 +111,9 @@ Correction PathSystem::correct(std::span<Complex> x, const PathTime& t,
       if (result.first > options.largest_correction) return result;
     } else if (result.last > options.largest_contraction * previous &&
                result.last > options.tolerance) {
-      if (renewed) break;
+      const bool rounding = residual() < kRoundingResidual;
+      if (fine || (renewed && !rounding)) break;
+      fine = rounding;
       renewed = fresh = true;
     }
     if (result.last <= options.tolerance) {

@@ -234,7 +234,8 @@ Arrival CvodeSession::travel(const Departure& departure, const std::atomic<bool>
   }
   arrival.t = contour_.at(arrival.s);
   const WorkCount& after = path_.work();
-  arrival.count.work = {after.values - before.values, after.linearizations - before.linearizations,
+  arrival.count.work = {after.values - before.values, after.fine_values - before.fine_values,
+                        after.linearizations - before.linearizations,
                         after.factorizations - before.factorizations};
   return arrival;
 }

@@ -9,10 +9,14 @@
 //
 // J: N x N, rows scaled (numeric/lu.h). Corrections are measured by |dx|_w = max_i |dx_i| / w_i,
 // w_i = max(|x_i|, kRelativeFloor |x|_inf): relative in each coordinate, with a floor.
+//
+// Where rounding of the residual stops Newton, H is evaluated in double-double from there on (x, J and its
+// factors stay double): corrections then contract until x itself is rounded, up to conditions near 1e14.
 // Source: [ShubSmale93] for the patch, [Timme21, sec. 2] for the norm.
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 
 #include "moivre/homotopy/homotopy.h"
@@ -29,6 +33,7 @@ double weighted_norm(std::span<const Complex> v, std::span<const Complex> x);
 /// What was evaluated and factored.
 struct WorkCount {
   std::uint64_t values = 0;         ///< H alone
+  std::uint64_t fine_values = 0;    ///< H alone, in double-double
   std::uint64_t linearizations = 0; ///< H, H_x, H_t
   std::uint64_t factorizations = 0;
 
@@ -40,7 +45,7 @@ struct NewtonOptions {
   double largest_correction = 0.1;   ///< |dx|_w of the first correction above which the point is refused
   double largest_contraction = 0.25; ///< |dx_k+1|_w / |dx_k|_w above which Newton is refused
   double stagnation = 1e-6;          ///< |dx|_w that passes where rounding stops the contraction
-  int maximum_iterations = 6;
+  int maximum_iterations = 8;
 };
 
 struct Correction {
@@ -78,7 +83,9 @@ class PathSystem {
 
  private:
   bool newton_step(std::span<Complex> x, double& size) noexcept;
+  void evaluate_fine(std::span<const Complex> x, const PathTime& t) noexcept;
 
+  const Homotopy& definition_;
   std::size_t n_;
   HomotopyEvaluator<Complex> homotopy_;
   Lu lu_;
@@ -86,6 +93,15 @@ class PathSystem {
   std::vector<Complex> ht_;
   std::vector<Complex> dx_;
   std::vector<double> weights_;
+  /// In double-double; made when it is first needed.
+  struct Fine {
+    explicit Fine(const Homotopy& h)
+        : homotopy(h), x(h.coordinates()), value(h.equations()) {}
+    HomotopyEvaluator<ComplexDoubleDouble> homotopy;
+    std::vector<ComplexDoubleDouble> x;
+    std::vector<ComplexDoubleDouble> value;
+  };
+  std::unique_ptr<Fine> fine_;
   WorkCount work_;
 };
 
