@@ -179,10 +179,12 @@ std::optional<Departure> Endgame::accept(Arrival&& arrival, PathSystem& path) {
     case Phase::approach:
       if (arrival.journey != Journey::arrived) return conclude(path);
       outpost_ = std::move(arrival.x);
+      radius_ /= kShrink;
       return begin_circle();
     case Phase::circle: return next_turn(std::move(arrival), path);
     case Phase::landing:
-      return is_regular_arrival(arrival, path, kBranchCondition) ? std::nullopt : conclude(path);
+      return is_regular_arrival(arrival, path, landing_condition()) ? std::nullopt
+                                                                    : conclude(path);
   }
   return std::nullopt;
 }
@@ -267,6 +269,11 @@ bool Endgame::is_power_series(const Point& constant, PathSystem& path) const {
   return true;
 }
 
+// Size of the highest coefficient that the samples resolve: what comes after it is aliased.
+double Endgame::truncation() const {
+  return max_norm(laurent_coefficient(static_cast<int>(samples_.size()) / 2 - 1));
+}
+
 std::optional<Departure> Endgame::estimate_end(PathSystem& path) {
   Estimate estimate{laurent_coefficient(0), turns_};
   if (!is_power_series(estimate.x, path)) {
@@ -282,6 +289,9 @@ std::optional<Departure> Endgame::estimate_end(PathSystem& path) {
       return conclude(path);
     }
     if (change < kAgreementAtOnce) return conclude(path);
+  } else if (!best_) {
+    best_ = estimate;
+    best_difference_ = truncation();
   }
   last_ = std::move(estimate);
   return shrink(path);
@@ -290,21 +300,31 @@ std::optional<Departure> Endgame::estimate_end(PathSystem& path) {
 std::optional<Departure> Endgame::shrink(PathSystem& path) {
   if (radii_ >= options_.maximum_radii || radius_ / kShrink < kLeastRadius) return conclude(path);
   phase_ = Phase::approach;
-  const Contour nearer = Contour::spiral(radius_, -std::log(kShrink));
-  radius_ /= kShrink;
-  return Departure{path_, nearer, outpost_, care_, 0, nullptr};
+  return Departure{path_, Contour::spiral(radius_, -std::log(kShrink)), outpost_, care_, 0,
+                   nullptr};
+}
+
+// With an estimate at hand a landing has to prove it wrong; without one, any landing is welcome, and the
+// root it leads to is proved on the system as given.
+double Endgame::landing_condition() const {
+  return best_ ? kBranchCondition : std::numeric_limits<double>::infinity();
+}
+
+std::optional<Departure> Endgame::land() {
+  phase_ = Phase::landing;
+  return Departure{path_, Contour::landing(radius_), outpost_, care_, 0, nullptr};
 }
 
 std::optional<Departure> Endgame::conclude(PathSystem& path) {
-  if (!best_ || best_difference_ > kAgreementAtLast) return fail(Failure::precision);
+  if (!best_ || best_difference_ > kAgreementAtLast) {
+    if (phase_ == Phase::landing) return fail(Failure::precision);
+    return land();
+  }
   const double condition = path.linearize(best_->x, kEnd)
                                ? path.condition()
                                : std::numeric_limits<double>::infinity();
   const bool singular = condition >= kBranchCondition && path.residual() < kBranchResidual;
-  if (best_->winding > 1 && !singular && phase_ != Phase::landing) {
-    phase_ = Phase::landing;
-    return Departure{path_, Contour::landing(radius_), outpost_, care_, 0, nullptr};
-  }
+  if (best_->winding > 1 && !singular && phase_ != Phase::landing) return land();
   end_.x = best_->x;
   end_.winding = best_->winding;
   end_.accuracy = std::max(best_difference_, std::numeric_limits<double>::epsilon());

@@ -206,7 +206,11 @@ void Run::refine_ends() {
     }
   });
   for (std::size_t k = 0; k < ends_.size(); ++k) {
-    ledger_.enter_root(ends_[k].first, std::move(roots[k]));
+    if (roots[k].point.simple || roots[k].winding) {
+      ledger_.enter_root(ends_[k].first, std::move(roots[k]));
+    } else {
+      ledger_.enter_failure({ends_[k].first, Failure::precision, ends_[k].second.t});
+    }
   }
   ends_.clear();
 }

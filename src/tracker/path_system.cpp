@@ -115,6 +115,8 @@ Correction PathSystem::correct(std::span<Complex> x, const PathTime& t,
       if (fine || (renewed && !rounding)) break;
       fine = rounding;
       renewed = fresh = true;
+      // The next correction repairs what rounding did to this one, and may be as large.
+      if (fine) result.last = std::numeric_limits<double>::infinity();
     }
     if (result.last <= options.tolerance) {
       result.converged = true;

@@ -59,7 +59,7 @@ struct PathEnd {
   std::optional<Failure> failure;
   Point x;                     ///< homogeneous end point; the last point when failed
   bool singular = false;
-  std::optional<int> winding;  ///< nullopt where no circle was needed or none closed
+  std::optional<int> winding;  ///< nullopt: Newton landed on the end, and it is to prove simple
   double accuracy = 0;
   double condition = 0;        ///< of the bordered, row-scaled Jacobian
   Complex t = 0;               ///< how far it came
@@ -104,6 +104,9 @@ class Endgame : public Watcher {
   std::optional<Departure> conclude(PathSystem& path);
   std::optional<Departure> estimate_end(PathSystem& path);
   Point laurent_coefficient(int j) const;
+  double truncation() const;
+  double landing_condition() const;
+  std::optional<Departure> land();
   bool is_power_series(const Point& constant, PathSystem& path) const;
   bool is_regular_arrival(const Arrival& arrival, PathSystem& path, double condition);
   void decide_infinity();
