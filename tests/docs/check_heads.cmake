@@ -3,7 +3,7 @@
 include(${CMAKE_CURRENT_LIST_DIR}/text.cmake)
 
 # The paragraph is long enough to say something, its first sentence short enough to be read in passing (characters).
-set(shortest_paragraph 25)
+set(shortest_paragraph 20)
 set(longest_sentence 240)
 
 foreach(file IN LISTS code_files cmake_files script_files)
