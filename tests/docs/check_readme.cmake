@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: MIT
+# Does README.md show what really happens? Its program is the one in examples/, its commands run and print what stands there.
+#
+# In a ```console block a line `$ command` is followed by what it prints. A command of scripts/ must be there and may be run;
+# a `moivre` command is run here, from the root of the tree, with the program MOIVRE. A line `...` stands
+# for lines left out.
+include(${CMAKE_CURRENT_LIST_DIR}/text.cmake)
+set(readme ${ROOT}/README.md)
+read_text(text ${readme})
+
+read_text(example ${ROOT}/examples/solve_system.cpp)
+string(FIND "${example}" "#include" begin)
+string(SUBSTRING "${example}" ${begin} -1 example)
+string(FIND "${text}" "${example}" position)
+if(position EQUAL -1)
+  fault(${readme} "its program is not that of examples/solve_system.cpp")
+endif()
+
+# normalise(<variable>): what varies from run to run or from compiler to compiler is blotted out: seconds, threads, bounds on
+# errors, and digits beyond the twelfth.
+set(digit "[0-9]")
+string(REPEAT ${digit} 12 twelve_digits)
+function(normalise variable)
+  string(REGEX REPLACE "[0-9.e+-]+ (s|ms|seconds|threads?)([^a-z]|$)" "# \\1\\2" text "${${variable}}")
+  string(REGEX REPLACE "accuracy [0-9.e+-]+" "accuracy #" text "${text}")
+  string(REGEX REPLACE "([0-9][.]${twelve_digits})[0-9]+" "\\1" text "${text}")
+  string(REGEX REPLACE " +" " " text "${text}")
+  set(${variable} "${text}" PARENT_SCOPE)
+endfunction()
+
+function(check_command command expected)
+  separate_arguments(words UNIX_COMMAND "${command}")
+  list(POP_FRONT words program)
+  if(program MATCHES "^scripts/")
+    execute_process(COMMAND test -x ${ROOT}/${program} RESULT_VARIABLE missing)
+    if(missing)
+      fault(${readme} "${program} is not there to be run")
+    endif()
+  elseif(program MATCHES "moivre$" AND MOIVRE)
+    execute_process(COMMAND ${MOIVRE} ${words} WORKING_DIRECTORY ${ROOT}
+                    OUTPUT_VARIABLE printed ERROR_VARIABLE printed RESULT_VARIABLE code)
+    string(REPLACE "[" "${open}" printed "${printed}")
+    string(REPLACE "]" "${close}" printed "${printed}")
+    string(REPLACE ";" "${semicolon}" printed "${printed}")
+    normalise(printed)
+    string(REPLACE "\n" ";" lines "${expected}")
+    foreach(line IN LISTS lines)
+      normalise(line)
+      string(STRIP "${line}" line)
+      string(FIND "${printed}" "${line}" position)
+      if(position EQUAL -1 AND NOT line STREQUAL "...")
+        fault(${readme} "`${command}` does not print '${line}'")
+      endif()
+    endforeach()
+  endif()
+  set(faults ${faults} PARENT_SCOPE)
+endfunction()
+
+string(REGEX MATCHALL "```console\n[^`]*```" blocks "${text}")
+foreach(block IN LISTS blocks)
+  string(REGEX MATCHALL "\\$ [^$]*" commands "${block}")
+  foreach(entry IN LISTS commands)
+    string(REGEX MATCH "\\$ ([^\n]+)\n([^`]*)" matched "${entry}")
+    check_command("${CMAKE_MATCH_1}" "${CMAKE_MATCH_2}")
+  endforeach()
+endforeach()
+finish()
