@@ -23,10 +23,13 @@ constexpr double kLeastTravel = 1e-6;
 constexpr double kContraction = 0.2;
 // Corrections below this may stop contracting because of rounding.
 constexpr double kRounding = 1e-11;
-// Above this condition a small correction proves nothing, and contraction is tested on purpose.
-constexpr double kDoubtfulCondition = 1e6;
+// The probe is this much nearer than the sensitivity suggests, within bounds.
 constexpr double kProbe = 1e-2;
 constexpr double kLeastProbe = 1e-13;
+// From here on the Jacobian, evaluated in double, says nothing about the root.
+constexpr double kHopelessSensitivity = 1e16;
+// Coordinates of a singular root are taken for 0 within so many times its accuracy.
+constexpr double kSingularSnap = 10;
 
 }  // namespace
 
@@ -84,6 +87,14 @@ struct Refiner::Workspace {
                                                        fine_registers, fine_value);
   }
 
+  /// size_value <- sum |terms|, each equation, at max(|x_i|, floor_i).
+  void evaluate_sizes(const Point& x, std::span<const double> floor) {
+    for (std::size_t i = 0; i < n; ++i) {
+      size_x[i] = std::max(std::abs(x[i]), floor.empty() ? 0.0 : floor[i]);
+    }
+    evaluate<double, double>(program->tape, program->size, size_x, size_registers, size_value);
+  }
+
   /// dx <- -J^{-1} F(x), J as factored last; its size.
   double correction(const Point& x) {
     evaluate_fine(x);
@@ -120,9 +131,7 @@ Refiner::Refiner(Refiner&&) noexcept = default;
 const std::vector<Complex>& Refiner::relative_values(const Point& x) {
   Workspace& w = *w_;
   w.evaluate_fine(x);
-  for (std::size_t i = 0; i < w.n; ++i) w.size_x[i] = std::abs(x[i]);
-  evaluate<double, double>(w.program->tape, w.program->size, w.size_x, w.size_registers,
-                           w.size_value);
+  w.evaluate_sizes(x, {});
   for (std::size_t i = 0; i < w.relative.size(); ++i) {
     const Complex fi = to_complex(w.fine_value[i]);
     w.relative[i] = w.size_value[i] > 0 ? fi / w.size_value[i] : fi;
@@ -161,9 +170,7 @@ Refined Refiner::refine(const Point& x, double accuracy) {
   Point trial = x;
   result.simple = newton(trial, std::max(kLeastTravel, kTravel * accuracy));
   result.condition = w.factor(trial) ? w.lu.condition() : std::numeric_limits<double>::infinity();
-  if (result.simple && result.condition > kDoubtfulCondition) {
-    result.simple = contracts_from_probe(trial, result.condition);
-  }
+  result.simple = result.simple && is_simple(trial);
   if (result.simple) {
     w.factor(trial);
     w.correction(trial);
@@ -175,12 +182,31 @@ Refined Refiner::refine(const Point& x, double accuracy) {
   return result;
 }
 
+// How far x moves, relative to its size, when every term of F changes by one unit of its own size:
+// two samples of |J^{-1}| applied to the sizes of the terms, J as factored last.
+double Refiner::sensitivity(const Point& x) {
+  Workspace& w = *w_;
+  double largest = 0;
+  w.evaluate_sizes(x, w.program->unit);
+  for (int sample = 0; sample < 2; ++sample) {
+    for (std::size_t i = 0; i < w.n; ++i) {
+      w.dx[i] = std::polar(w.size_value[i], static_cast<double>(sample) * static_cast<double>(i));
+    }
+    w.lu.solve(w.dx);
+    largest = std::max(largest, w.size_at(w.dx, x));
+  }
+  return largest;
+}
+
 // Newton from a point beside x, `offset` away in every coordinate, comes much nearer to a simple root;
 // to a root of multiplicity m it comes nearer by (m-1)/m only. The offset lies inside the region where
-// a simple root of this condition attracts Newton quadratically.
-bool Refiner::contracts_from_probe(const Point& x, double condition) {
+// a simple root of this sensitivity attracts Newton quadratically.
+bool Refiner::is_simple(const Point& x) {
   Workspace& w = *w_;
-  const double relative_offset = std::clamp(kProbe / condition, kLeastProbe, kProbe);
+  if (!w.factor(x)) return false;
+  const double sensitive = sensitivity(x);
+  if (!(sensitive < kHopelessSensitivity)) return false;
+  const double relative_offset = std::clamp(kProbe / sensitive, kLeastProbe, kProbe);
   Point probe = x;
   for (std::size_t i = 0; i < probe.size(); ++i) {
     const double offset = relative_offset * std::max(std::abs(x[i]), w.program->unit[i]);
@@ -193,15 +219,29 @@ bool Refiner::contracts_from_probe(const Point& x, double condition) {
   return w.size_at(probe, x) < kContraction * relative_offset;
 }
 
-Refined Refiner::keep(const Point& x, double accuracy) {
+Refined Refiner::keep(const Point& x, double accuracy, int sheets) {
   Refined result;
   result.x = x;
-  result.accuracy = accuracy;
+  result.accuracy =
+      std::max(accuracy, std::pow(natural_residual(x), 1 / static_cast<double>(sheets)));
   result.condition =
       w_->factor(x) ? w_->lu.condition() : std::numeric_limits<double>::infinity();
   result.residual = residual(x);
-  snap_to_zero(result, accuracy);
+  snap_to_zero(result, kSingularSnap * result.accuracy);
   return result;
+}
+
+double Refiner::natural_residual(const Point& x) {
+  Workspace& w = *w_;
+  w.evaluate_fine(x);
+  w.evaluate_sizes(x, w.program->unit);
+  double largest = 0;
+  for (std::size_t i = 0; i < w.size_value.size(); ++i) {
+    if (w.size_value[i] > 0) {
+      largest = std::max(largest, std::abs(to_complex(w.fine_value[i])) / w.size_value[i]);
+    }
+  }
+  return largest;
 }
 
 double Refiner::residual(const Point& x) {

@@ -39,16 +39,19 @@ class Refiner {
   /// Parts of coordinates that vanish to within the accuracy are set to 0 if that fits F as well.
   Refined refine(const Point& x, double accuracy);
 
-  /// For an end that is known to be singular: no Newton, the rest as refine().
-  Refined keep(const Point& x, double accuracy);
+  /// For an end where `sheets` sheets meet: no Newton, the rest as refine(). The accuracy takes into
+  /// account that a residual of e means an error near e^{1/sheets}.
+  Refined keep(const Point& x, double accuracy, int sheets);
 
   /// F(x) / sum |terms|, each equation, in double-double from the exact coefficients.
   const std::vector<Complex>& relative_values(const Point& x);
 
  private:
   bool newton(Point& x, double reach);
-  bool contracts_from_probe(const Point& x, double condition);
+  bool is_simple(const Point& x);
+  double sensitivity(const Point& x);
   double residual(const Point& x);
+  double natural_residual(const Point& x);
   void snap_to_zero(Refined& root, double accuracy);
 
   struct Workspace;

@@ -21,6 +21,8 @@ namespace {
 constexpr double kSimpleTolerance = 1e-13;
 // A singular end is not known better than this; ends nearer than that are one root.
 constexpr double kSingularTolerance = 1e-7;
+// Of a root that is not simple.
+constexpr int kLeastMultiplicity = 2;
 
 // More threads than any machine has cores only cost memory.
 constexpr int kMostThreads = 1024;
@@ -184,10 +186,10 @@ Root Run::refined_root(Refiner& refiner, const PathEnd& end) const {
   Root root;
   root.winding = end.winding;
   const bool many_sheets = end.winding.value_or(1) > 1;
-  root.point = many_sheets ? refiner.keep(x, accuracy) : refiner.refine(x, accuracy);
+  root.point = many_sheets ? refiner.keep(x, accuracy, *end.winding) : refiner.refine(x, accuracy);
   if (!root.point.simple) {
-    root.point.accuracy = accuracy;
-    root.tolerance = std::max(kSingularTolerance, 10 * accuracy);
+    if (!many_sheets) root.point = refiner.keep(x, accuracy, kLeastMultiplicity);
+    root.tolerance = std::max(kSingularTolerance, 10 * root.point.accuracy);
   } else {
     root.tolerance = 4 * root.point.accuracy + kSimpleTolerance;
   }
@@ -277,9 +279,16 @@ void Run::track_again(const std::set<std::uint64_t>& paths, int care) {
   refine_ends();
 }
 
-// Two paths cannot end at one simple root: all but the first are lost.
+// Two paths cannot end at one simple root: all but the first are lost. And one path alone cannot end
+// at an isolated root that is not simple: what it ends at is no root that this precision can show.
 void Run::fail_unsettled() {
   for (const auto& group : ledger_.groups()) {
+    const Root& first = ledger_.roots().at(group.front());
+    if (group.size() == 1 && !first.point.simple && !is_on_set(first)) {
+      ledger_.strike(group.front());
+      ledger_.enter_failure({group.front(), Failure::precision, 1});
+      continue;
+    }
     for (std::size_t k = 1; k < group.size(); ++k) {
       if (!ledger_.roots().at(group[k]).point.simple) continue;
       ledger_.strike(group[k]);
