@@ -39,7 +39,7 @@ inline SolveResult hand_made_result() {
   result.left_out = {{"z eliminated", "a linear equation gives it"}};
   result.work.accepted = 100;
   result.work.rejected = 10;
-  result.work.work = {50, 40, 30};
+  result.work.work = {.values = 50, .fine_values = 0, .linearizations = 40, .factorizations = 30};
   result.time.threads = 2;
   result.time.total = 0.25;
   return result;
