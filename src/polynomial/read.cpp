@@ -28,7 +28,8 @@ std::string_view first_word(std::string_view text) {
 bool leads_to_name(std::string_view text) {
   if (text.empty() || !is_blank(text.front())) return false;
   const std::string_view next = trimmed(text);
-  return next.empty() || std::string_view("+-*/^;,)=").find(next.front()) == std::string_view::npos;
+  return !next.empty() &&
+         std::string_view("+-*/^;,)=").find(next.front()) == std::string_view::npos;
 }
 
 void check_is_text(const Source& source, std::vector<Diagnostic>& faults) {
@@ -57,11 +58,10 @@ PolynomialFormat detect_format(const std::string& text) {
     if (line.empty()) continue;
     const std::string_view word = first_word(line);
     const bool is_section = word == "CONFIG" || word == "INPUT";
-    if (is_section && word.size() == line.size()) return PolynomialFormat::bertini;
-    const std::string_view behind(
-        line.data() + word.size(),
-        static_cast<std::size_t>(head.data() + head.size() - line.data()) - word.size());
-    if (is_first && (is_section || is_bertini_keyword(word)) && leads_to_name(behind)) {
+    const bool is_alone = word.size() == line.size();
+    const auto word_end = static_cast<std::size_t>(word.data() + word.size() - head.data());
+    const bool may_begin = is_section ? is_alone || is_first : is_first && is_bertini_keyword(word);
+    if (may_begin && leads_to_name(std::string_view(head).substr(word_end))) {
       return PolynomialFormat::bertini;
     }
     is_first = false;

@@ -49,6 +49,8 @@ TEST(BertiniReader, IsToldFromPhcpackByContent) {
   EXPECT_EQ(detect_format("1\nx^2-1;\nTITLE : INPUT\nINPUT\n"), PolynomialFormat::phcpack);
   EXPECT_EQ(detect_format("function - 1;"), PolynomialFormat::phcpack);
   EXPECT_EQ(detect_format("INPUT*x - 1;"), PolynomialFormat::phcpack);
+  EXPECT_EQ(detect_format("1\nCONFIG;\n"), PolynomialFormat::phcpack);
+  EXPECT_EQ(detect_format("x\n-\nINPUT\n+ 1;\n"), PolynomialFormat::phcpack);
   EXPECT_EQ(detect_format(""), PolynomialFormat::phcpack);
 }
 
