@@ -85,10 +85,7 @@ Index rank_next_to(const Phi& joints, const VectorXd& q, double t, const MatrixX
     const VectorXd along = R * R.row(k).transpose();
     if (along[k] < kMoves) continue;
     NewtonOptions hold;
-    hold.free = std::vector<Index>();
-    for (Index other = 0; other < q.size(); ++other) {
-      if (other != k) hold.free->push_back(other);
-    }
+    hold.held = {k};
     for (const double side : {step, -step}) {
       const NewtonResult neighbour = newton(joints, q + side * along, t, hold);
       if (neighbour.status != NewtonStatus::converged) continue;
@@ -122,7 +119,7 @@ std::vector<std::string> warnings_of(const Mobility& m, bool is_assembled) {
     warnings.push_back("Gruebler's count says " + std::to_string(m.gruebler) + ", the rank says " +
                        std::to_string(m.degrees_of_freedom) + ": " +
                        std::to_string(m.degrees_of_freedom - m.gruebler) +
-                       " redundant constraints");
+                       " redundant constraint(s)");
   }
   for (const IdleFreedom& idle : m.idle) {
     warnings.push_back("'" + idle.name + "' can move while everything else stands still");

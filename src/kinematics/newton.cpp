@@ -30,23 +30,27 @@ void validate(const Phi& phi, const VectorXd& guess, const NewtonOptions& option
   if (!guess.allFinite()) broken += "the guess must be finite. ";
   if (!(options.residual_tolerance > 0)) broken += "residual_tolerance must be positive. ";
   if (options.maximum_iterations < 1) broken += "maximum_iterations must be 1 or more. ";
-  for (const Index k : options.free.value_or(std::vector<Index>{})) {
-    if (k < 0 || k >= phi.dimension()) broken += "free names no coordinate. ";
+  for (const Index k : options.held) {
+    if (k < 0 || k >= phi.dimension()) broken += "held names no coordinate. ";
   }
   if (!broken.empty()) throw std::invalid_argument(broken.substr(0, broken.size() - 1));
 }
 
-/// Phi_q, its columns those of the coordinates that may change.
-MatrixXd jacobian(const Phi& phi, const VectorXd& q, double t, const NewtonOptions& options) {
-  const MatrixXd J = phi.jacobian(q, t);
-  return options.free ? MatrixXd(J(Eigen::all, *options.free)) : J;
+bool is_held(const NewtonOptions& options, Index k) {
+  return std::find(options.held.begin(), options.held.end(), k) != options.held.end();
 }
 
-VectorXd moved(const VectorXd& q, const VectorXd& step, const NewtonOptions& options) {
-  if (!options.free) return q + step;
-  VectorXd next = q;
-  next(*options.free) += step;
-  return next;
+std::vector<Index> free_coordinates(const Phi& phi, const NewtonOptions& options) {
+  std::vector<Index> free;
+  for (Index k = 0; k < phi.dimension(); ++k) {
+    if (!is_held(options, k)) free.push_back(k);
+  }
+  return free;
+}
+
+/// Phi_q, its columns those of the free coordinates.
+MatrixXd jacobian(const Phi& phi, const VectorXd& q, double t, const std::vector<Index>& free) {
+  return phi.jacobian(q, t)(Eigen::all, free);
 }
 
 double size_of(const VectorXd& q) { return std::max(1.0, q.lpNorm<Eigen::Infinity>()); }
@@ -57,9 +61,7 @@ VectorXd without_noise(const VectorXd& q, const NewtonOptions& options) {
   const double noise = kNoise * q.lpNorm<Eigen::Infinity>();
   VectorXd clean = q;
   for (Index k = 0; k < q.size(); ++k) {
-    const bool may_change = !options.free || std::find(options.free->begin(), options.free->end(),
-                                                       k) != options.free->end();
-    if (may_change && std::abs(q[k]) <= noise) clean[k] = 0;
+    if (!is_held(options, k) && std::abs(q[k]) <= noise) clean[k] = 0;
   }
   return clean;
 }
@@ -134,13 +136,13 @@ std::string message_of(const NewtonResult& run) {
 }
 
 /// Rank, singular values and residuals where the run ended.
-void describe_end(const Phi& phi, double t, const NewtonOptions& options, NewtonResult& run) {
+void describe_end(const Phi& phi, double t, const std::vector<Index>& free, NewtonResult& run) {
   NewtonIteration& last = run.iterations.back();
   run.q = last.q;
   run.residual = last.residual;
   run.scaled_residual = last.scaled_residual;
   if (!last.q.allFinite()) return;
-  const MatrixXd J = jacobian(phi, last.q, t, options);
+  const MatrixXd J = jacobian(phi, last.q, t, free);
   if (J.size() == 0 || !J.allFinite()) return;
   const VectorXd raw = Eigen::JacobiSVD<MatrixXd>(J).singularValues();
   const VectorXd scaled = Eigen::JacobiSVD<MatrixXd>(equilibrated(J)).singularValues();
@@ -173,12 +175,13 @@ std::string to_string(NewtonStatus status) {
 
 NewtonResult newton(const Phi& phi, const VectorXd& guess, double t, const NewtonOptions& options) {
   validate(phi, guess, options);
+  const std::vector<Index> free = free_coordinates(phi, options);
   NewtonResult run;
   run.iterations.push_back(look(phi, guess, t, options));
   std::optional<NewtonStatus> status = verdict(run, guess, options);
   while (!status && run.steps() < options.maximum_iterations) {
     NewtonIteration& row = run.iterations.back();
-    const MatrixXd J = jacobian(phi, row.q, t, options);
+    const MatrixXd J = jacobian(phi, row.q, t, free);
     if (!J.allFinite()) {
       status = NewtonStatus::diverged;
       break;
@@ -188,7 +191,8 @@ NewtonResult newton(const Phi& phi, const VectorXd& guess, double t, const Newto
     row.step = step.lpNorm<Eigen::Infinity>();
     row.rank = factors.rank();
     row.method = factors.method();
-    const VectorXd next = moved(row.q, step, options);
+    VectorXd next = row.q;
+    next(free) += step;
     const bool rests = row.step <= kStandstill * size_of(row.q);
     const NewtonStatus rest_verdict = at_rest(phi, row, t, std::min(J.rows(), J.cols()));
     run.iterations.push_back(look(phi, next, t, options));
@@ -199,7 +203,7 @@ NewtonResult newton(const Phi& phi, const VectorXd& guess, double t, const Newto
   }
   run.status = status.value_or(NewtonStatus::iteration_limit);
   if (run.status != NewtonStatus::cycling) run.cycle_length = 0;
-  describe_end(phi, t, options, run);
+  describe_end(phi, t, free, run);
   run.message = message_of(run);
   return run;
 }

@@ -110,7 +110,7 @@ NewtonResult solve_positions(const Phi& joints, const Partition& partition, cons
                              double t, const NewtonOptions& options) {
   require_usable(partition);
   NewtonOptions dependent_only = options;
-  dependent_only.free = partition.dependent;
+  dependent_only.held = partition.independent;
   return newton(joints, guess, t, dependent_only);
 }
 

@@ -2,7 +2,7 @@
 // How are bodies, points and joints read?
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
+#include <cstdint>
 
 #include "nearest.h"
 #include "read_parts.h"
@@ -220,7 +220,9 @@ void read_limits(Reading& reading, const toml::table& entry, const Mechanism& me
 std::optional<int> read_teeth(Reading& reading, const toml::node& node) {
   constexpr std::int64_t kMostTeeth = 100000;
   const auto teeth = node.is_integer() ? node.value<std::int64_t>() : std::nullopt;
-  if (teeth && *teeth != 0 && std::abs(*teeth) <= kMostTeeth) return static_cast<int>(*teeth);
+  if (teeth && *teeth != 0 && *teeth >= -kMostTeeth && *teeth <= kMostTeeth) {
+    return static_cast<int>(*teeth);
+  }
   reading.fault(node, "a gear's teeth must be a whole number other than 0, at most 100000");
   return std::nullopt;
 }

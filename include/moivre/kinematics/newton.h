@@ -30,8 +30,8 @@ std::string to_string(NewtonStatus status);
 struct NewtonOptions {
   double residual_tolerance = 1e-13;  ///< on scaled_residual
   int maximum_iterations = 50;
-  std::optional<std::vector<Eigen::Index>> free;  ///< coordinates that may change; none: all
-  LinearOptions linear;                           ///< weights: one a coordinate that may change
+  std::vector<Eigen::Index> held;  ///< coordinates that keep their guessed values
+  LinearOptions linear;            ///< weights: one a coordinate that is not held
 };
 
 /// One row of the iteration table: the iterate and the step that leaves it.
