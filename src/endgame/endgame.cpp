@@ -12,25 +12,21 @@ namespace {
 
 // Sights are kept at radii at least this factor apart; a steady valuation is one that this many agree on.
 constexpr double kSightSpacing = 2;
-constexpr std::size_t kSteadySights = 5;
-constexpr double kSteadyTolerance = 0.006;
+constexpr std::size_t kSteadySights = 6;
+constexpr double kSteadyTolerance = 0.01;
 // The slowest growth that counts: winding numbers up to 20 at infinity.
 constexpr double kLeastValuation = 0.05;
-// A diverging coordinate has reached this size and the condition this one; or it has grown by this
-// factor and the condition tells that precision is running out.
-constexpr double kDivergedSize = 1e3;
+// Where a path diverges to a singular point at infinity the condition has reached this, and grown.
 constexpr double kDivergedCondition = 1e4;
-constexpr double kSizeGrowth = 30;
+constexpr double kConditionGrowth = 10;
 // A large but finite root has a steady valuation near a whole number until 1 - t is smaller than its
 // inverse size; such valuations have to lead further before they are believed.
 constexpr double kWhole = 0.1;
 constexpr double kWholeSize = 1e8;
-constexpr double kExhaustedCondition = 1e7;
-constexpr double kConditionGrowth = 10;
-// Slower growth than this is left to circles, which close before the coordinate is large.
-constexpr double kFastValuation = 0.4;
 // A path that still creeps at this radius ends singular: to a regular end it would have jumped.
 constexpr double kCreepingRadius = 1e-4;
+// One that grows is given until here to show steady valuations.
+constexpr double kDivergingRadius = 1e-10;
 // Steps inside the watch radius after which circles are tried whatever the radius.
 constexpr int kPatience = 300;
 constexpr double kLeastRadius = 1e-14;
@@ -109,7 +105,26 @@ Departure Endgame::depart(Point start) {
   return {path_, Contour::segment(0, 1), std::move(start), care_, 0, this};
 }
 
-// Least valuation of an affine coordinate x_i / x_0 and the size of the largest one.
+// Valuations from the tangent at the step's point; J is linearized there.
+Endgame::Sight Endgame::sight(const StepRecord& step, PathSystem& path) {
+  path.tangent(1.0, tangent_);
+  const double radius = std::abs(step.t.rest);
+  const auto logarithmic_slope = [&](std::size_t i) {
+    const double size = std::norm(step.x[i]);
+    return size > 0 ? -radius * conjugate_product(step.x[i], tangent_[i]).real() / size : 0.0;
+  };
+  const std::size_t n = step.x.size() - 1;
+  const double homogenizing = logarithmic_slope(n);
+  Sight now{radius, {}, 0, path.condition(), 0};
+  for (std::size_t i = 0; i < n; ++i) {
+    now.valuations.push_back(logarithmic_slope(i) - homogenizing);
+    now.least = std::min(now.least, now.valuations.back());
+    now.size = std::max(now.size, std::abs(step.x[i]));
+  }
+  now.size /= std::max(std::abs(step.x[n]), std::numeric_limits<double>::min());
+  return now;
+}
+
 Watcher::Verdict Endgame::watch(const StepRecord& step, PathSystem& path) noexcept {
   const double radius = std::abs(step.t.rest);
   if (radius > options_.watch_radius || radius == 0) return Verdict::go_on;
@@ -120,48 +135,38 @@ Watcher::Verdict Endgame::watch(const StepRecord& step, PathSystem& path) noexce
   }
   if (sights_.empty() || radius * kSightSpacing <= sights_.back().radius) {
     if (!path.linearize(step.x, step.t)) return Verdict::stop;
-    path.tangent(1.0, tangent_);
-    const auto logarithmic_slope = [&](std::size_t i) {
-      const double size = std::norm(step.x[i]);
-      return size > 0 ? -radius * conjugate_product(step.x[i], tangent_[i]).real() / size : 0.0;
-    };
-    const std::size_t n = step.x.size() - 1;
-    const double homogenizing = logarithmic_slope(n);
-    Sight sight{radius, 0, path.condition(), 0};
-    for (std::size_t i = 0; i < n; ++i) {
-      sight.valuation = std::min(sight.valuation, logarithmic_slope(i) - homogenizing);
-      sight.size = std::max(sight.size, std::abs(step.x[i]));
-    }
-    sight.size /= std::max(std::abs(step.x[n]), std::numeric_limits<double>::min());
-    sights_.push_back(sight);
+    sights_.push_back(sight(step, path));
     if (diverges()) {
       cut_ = true;
       return Verdict::stop;
     }
   }
-  const bool grows = sights_.back().valuation < -kFastValuation;
-  const double least = grows ? kLeastRadius : kCreepingRadius;
+  const bool grows = sights_.back().least < -kLeastValuation;
+  const double least = grows ? kDivergingRadius : kCreepingRadius;
   return watched_ > kPatience || radius < least ? Verdict::stop : Verdict::go_on;
+}
+
+// All coordinates have had the same valuations for several sights: the path is in its last phase.
+bool Endgame::valuations_are_steady() const {
+  const Sight& now = sights_.back();
+  for (auto s = sights_.end() - kSteadySights; s != sights_.end(); ++s) {
+    for (std::size_t i = 0; i < now.valuations.size(); ++i) {
+      const double tolerance = kSteadyTolerance * (1 + std::abs(now.valuations[i]));
+      if (std::abs(s->valuations[i] - now.valuations[i]) > tolerance) return false;
+    }
+  }
+  return true;
 }
 
 bool Endgame::diverges() const {
   if (sights_.size() < kSteadySights) return false;
-  const Sight& now = sights_.back();
-  const Sight& then = sights_[sights_.size() - kSteadySights];
-  if (now.valuation > -kLeastValuation) return false;
-  for (auto s = sights_.end() - kSteadySights; s != sights_.end(); ++s) {
-    if (std::abs(s->valuation - now.valuation) > kSteadyTolerance * (1 - now.valuation)) {
-      return false;
-    }
-  }
   const Sight& first = sights_.front();
-  const bool whole = std::abs(now.valuation - std::round(now.valuation)) < kWhole;
-  const bool far = now.size > (whole ? kWholeSize : kDivergedSize) &&
-                   now.condition > kDivergedCondition;
-  const bool exhausted = !whole && now.size > kSizeGrowth * first.size &&
-                         now.condition > kExhaustedCondition;
-  return (far || exhausted) && now.condition > kConditionGrowth * first.condition &&
-         now.condition > then.condition;
+  const Sight& then = sights_[sights_.size() - kSteadySights];
+  const Sight& now = sights_.back();
+  if (now.least > -kLeastValuation || !valuations_are_steady()) return false;
+  const bool whole = std::abs(now.least - std::round(now.least)) < kWhole;
+  return (!whole || now.size > kWholeSize) && now.condition > kDivergedCondition &&
+         now.condition > kConditionGrowth * first.condition && now.condition > then.condition;
 }
 
 std::nullopt_t Endgame::fail(Failure failure) {

@@ -84,18 +84,21 @@ class Endgame : public Watcher {
  private:
   enum class Phase { whole_way, approach, circle, landing };
 
-  /// A watched point: radius, the least valuation of an affine coordinate, condition, size of the largest one.
+  /// A watched point.
   struct Sight {
     double radius = 0;
-    double valuation = 0;
+    std::vector<double> valuations;  ///< v_i of the affine coordinates
+    double least = 0;                ///< the least of them, or 0
     double condition = 0;
-    double size = 0;
+    double size = 0;  ///< of the largest affine coordinate
   };
   struct Estimate {
     Point x;
     int winding = 0;
   };
 
+  Sight sight(const StepRecord& step, PathSystem& path);
+  bool valuations_are_steady() const;
   bool diverges() const;
   std::optional<Departure> judge_arrival(const Arrival& arrival, PathSystem& path);
   std::optional<Departure> begin_circle();
