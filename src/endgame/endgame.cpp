@@ -23,6 +23,8 @@ constexpr double kConditionGrowth = 10;
 // inverse size; such valuations have to lead further before they are believed.
 constexpr double kWhole = 0.1;
 constexpr double kWholeSize = 1e8;
+// So near the end a growing path that is larger than any finite root may be has left for infinity.
+constexpr double kBeyondRadius = 1e-3;
 // A path that still creeps at this radius ends singular: to a regular end it would have jumped.
 constexpr double kCreepingRadius = 1e-4;
 // One that grows is given until here to show steady valuations.
@@ -163,7 +165,10 @@ bool Endgame::diverges() const {
   const Sight& first = sights_.front();
   const Sight& then = sights_[sights_.size() - kSteadySights];
   const Sight& now = sights_.back();
-  if (now.least > -kLeastValuation || !valuations_are_steady()) return false;
+  if (now.least > -kLeastValuation) return false;
+  const bool beyond = now.size * options_.infinity_floor > 1 && now.radius < kBeyondRadius;
+  if (beyond && now.size > then.size) return true;
+  if (!valuations_are_steady()) return false;
   const bool whole = std::abs(now.least - std::round(now.least)) < kWhole;
   return (!whole || now.size > kWholeSize) && now.condition > kDivergedCondition &&
          now.condition > kConditionGrowth * first.condition && now.condition > then.condition;
@@ -237,7 +242,9 @@ std::optional<Departure> Endgame::next_turn(Arrival&& arrival, PathSystem& path)
   ++turns_;
   for (const Point& sample : arrival.samples) samples_.push_back(normalized(sample));
   if (difference(samples_.back(), turn_begin_) < kClosure) return estimate_end(path);
-  if (turns_ >= options_.maximum_winding) return shrink(path);
+  if (turns_ >= options_.maximum_winding || end_.count.accepted > options_.maximum_steps) {
+    return shrink(path);
+  }
   return Departure{path_,
                    Contour::spiral(radius_, Complex(0, 2 * std::numbers::pi)),
                    std::move(arrival.x),
@@ -303,7 +310,10 @@ std::optional<Departure> Endgame::estimate_end(PathSystem& path) {
 }
 
 std::optional<Departure> Endgame::shrink(PathSystem& path) {
-  if (radii_ >= options_.maximum_radii || radius_ / kShrink < kLeastRadius) return conclude(path);
+  if (radii_ >= options_.maximum_radii || radius_ / kShrink < kLeastRadius ||
+      end_.count.accepted > options_.maximum_steps) {
+    return conclude(path);
+  }
   phase_ = Phase::approach;
   return Departure{path_, Contour::spiral(radius_, -std::log(kShrink)), outpost_, care_, 0,
                    nullptr};

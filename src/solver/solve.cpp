@@ -21,6 +21,8 @@ namespace {
 constexpr double kSimpleTolerance = 1e-13;
 // A singular end is not known better than this; ends nearer than that are one root.
 constexpr double kSingularTolerance = 1e-7;
+// A singular end known worse than this is not known at all.
+constexpr double kWorstAccuracy = 1e-3;
 // Of a root that is not simple.
 constexpr int kLeastMultiplicity = 2;
 
@@ -208,7 +210,8 @@ void Run::refine_ends() {
     }
   });
   for (std::size_t k = 0; k < ends_.size(); ++k) {
-    if (roots[k].point.simple || roots[k].winding) {
+    const bool singular = roots[k].winding && roots[k].point.accuracy <= kWorstAccuracy;
+    if (roots[k].point.simple || singular) {
       ledger_.enter_root(ends_[k].first, std::move(roots[k]));
     } else {
       ledger_.enter_failure({ends_[k].first, Failure::precision, ends_[k].second.t});

@@ -50,6 +50,7 @@ struct EndgameOptions {
   int samples = 16;                 ///< of one turn
   int maximum_winding = 32;         ///< turns tried before a circle counts as not closing
   int maximum_radii = 20;           ///< circles tried
+  std::uint64_t maximum_steps = 6000;  ///< of all journeys of one path, then the endgame concludes
   double infinity_floor = 1e-9;     ///< |x_0| / |x|_inf below which an end is at infinity
 };
 
