@@ -33,8 +33,10 @@ constexpr double kFarthestStart = 0.1;
 constexpr int kMaximumRounds = 4;
 // Each level of care divides the tolerance by so much.
 constexpr double kCareFactor = 10;
-// A correction this small has no contraction worth measuring: it is rounding.
-constexpr double kRounding = 1e-12;
+// Where a second correction is smaller than this, rounding has a part in it: it does not tell how Newton contracts.
+constexpr double kRounding = 1e-6;
+// The largest ratio that a step is sized by, so that no division overflows.
+constexpr double kAmpleRoom = 1e6;
 
 double sixth_root(double a) { return std::cbrt(std::sqrt(a)); }
 
@@ -134,11 +136,12 @@ LaneControl::Move LaneControl::reject(double factor) {
 LaneControl::Move LaneControl::judge_step(const Outcome& outcome) {
   const double e = outcome.first;
   if (!std::isfinite(e) || !std::isfinite(outcome.second)) return reject(kLargestCut);
-  const double contraction = outcome.second <= kRounding ? 0 : outcome.second / e;
-  const double room = std::min(tolerance_ / std::max(e, kRounding * tolerance_),
-                               kContractionAimedAt / std::max(contraction, kRounding));
+  const double contraction = outcome.second / e;
+  double room = e * kAmpleRoom > tolerance_ ? tolerance_ / e : kAmpleRoom;
+  if (outcome.second > kRounding) room = std::min(room, kContractionAimedAt / contraction);
   const double factor = kSafety * sixth_root(room);
-  if (e > kSlack * tolerance_ || contraction > kContraction) return reject(factor);
+  const bool converges = contraction <= kContraction || outcome.second <= kStagnation;
+  if (e > kSlack * tolerance_ || !converges) return reject(factor);
   ++arrival_.count.accepted;
   last_step_ = step_;
   last_ = outcome;
