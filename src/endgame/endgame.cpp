@@ -104,7 +104,8 @@ Endgame::Endgame(const EndgameOptions& options, std::uint64_t path, int care)
 
 Departure Endgame::depart(Point start) {
   tangent_.resize(start.size());
-  return {path_, Contour::segment(0, 1), std::move(start), care_, 0, this};
+  return {path_, Contour::segment(0, 1), std::move(start),     care_,
+          0,     this,                   options_.watch_radius};
 }
 
 // Valuations from the tangent at the step's point; J is linearized there.

@@ -62,7 +62,8 @@ class CvodeSession : public TrackerSession {
   Contour contour_ = Contour::segment(0, 1);
   NewtonOptions newton_;
   double rtol_ = 0;
-  double linearized_at_ = -1;  // s of the last right-hand side, whose factors the projection may use
+  double linearized_at_ =
+      -1;  // s of the last right-hand side, whose factors the projection may use
   Correction last_correction_;
 };
 
@@ -195,7 +196,8 @@ Journey CvodeSession::step_on(const Departure& departure, const std::atomic<bool
     if (departure.samples > 0 && !take_samples(departure, previous, arrival.s, arrival)) {
       return Journey::off_path;
     }
-    if (departure.watcher != nullptr) {
+    if (departure.watcher != nullptr &&
+        std::abs(contour_.at(arrival.s).rest) <= departure.watch_radius) {
       StepRecord record;
       record.s = arrival.s;
       record.t = contour_.at(arrival.s);
@@ -205,8 +207,7 @@ Journey CvodeSession::step_on(const Departure& departure, const std::atomic<bool
       record.drift = last_correction_.residual;
       record.correction = last_correction_.first;
       linearized_at_ = -1;
-      if (departure.watcher->watch(record, path_) == Watcher::Verdict::stop &&
-          arrival.s < 1) {
+      if (departure.watcher->watch(record, path_) == Watcher::Verdict::stop && arrival.s < 1) {
         return Journey::stopped;
       }
     }
@@ -233,10 +234,7 @@ Arrival CvodeSession::travel(const Departure& departure, const std::atomic<bool>
     count_into(arrival.count);
   }
   arrival.t = contour_.at(arrival.s);
-  const WorkCount& after = path_.work();
-  arrival.count.work = {after.values - before.values, after.fine_values - before.fine_values,
-                        after.linearizations - before.linearizations,
-                        after.factorizations - before.factorizations};
+  arrival.count.work = path_.work() - before;
   return arrival;
 }
 
@@ -264,9 +262,12 @@ class CvodeTracker : public Tracker {
 
 std::string to_string(CvodeMethod method) {
   switch (method) {
-    case CvodeMethod::bdf_projection: return "bdf_projection";
-    case CvodeMethod::bdf: return "bdf";
-    case CvodeMethod::adams: return "adams";
+    case CvodeMethod::bdf_projection:
+      return "bdf_projection";
+    case CvodeMethod::bdf:
+      return "bdf";
+    case CvodeMethod::adams:
+      return "adams";
   }
   return "";
 }

@@ -11,6 +11,9 @@ namespace {
 
 // The prediction may be this much worse than the tolerance that steps aim at.
 constexpr double kSlack = 8;
+// Near t = 1, where paths may meet, steps aim at this tolerance at most.
+constexpr double kEndRadius = 0.1;
+constexpr double kEndTolerance = 1e-3;
 // Contraction of Newton above which a step is refused, and the one that steps aim at.
 constexpr double kContraction = 0.1;
 constexpr double kContractionAimedAt = 0.02;
@@ -35,6 +38,8 @@ constexpr int kMaximumRounds = 4;
 constexpr double kCareFactor = 10;
 // Where a second correction is smaller than this, rounding has a part in it: it does not tell how Newton contracts.
 constexpr double kRounding = 1e-6;
+// A residual below this is made of rounding errors: equations have coefficients near 1.
+constexpr double kRoundingResidual = 1e-12;
 // The largest ratio that a step is sized by, so that no division overflows.
 constexpr double kAmpleRoom = 1e6;
 
@@ -48,6 +53,7 @@ void LaneControl::depart(Departure&& departure, const LaneOptions& options) {
   arrival_ = Arrival{};
   maximum_steps_ = options.maximum_steps;
   tolerance_ = options.tolerance * care;
+  end_tolerance_ = std::min(options.tolerance, kEndTolerance) * care;
   h_ = kFirstStep;
   rounds_ = 0;
   complete_ = false;
@@ -100,6 +106,16 @@ LaneControl::Move LaneControl::judge(const Outcome& outcome) {
   return Move::stay;
 }
 
+bool LaneControl::is_watched() const {
+  if (departure_->watcher == nullptr) return false;
+  const double radius = departure_->watch_radius;
+  return std::norm(contour().at(arrival_.s).rest) <= radius * radius;
+}
+
+double LaneControl::wanted_accuracy() const {
+  return departure_->samples > 0 ? kSampleTolerance : kPointTolerance;
+}
+
 LaneControl::Move LaneControl::judge_departure(const Outcome& outcome) {
   ++rounds_;
   if (!(outcome.first <= kFarthestStart) || !std::isfinite(outcome.second)) {
@@ -111,14 +127,7 @@ LaneControl::Move LaneControl::judge_departure(const Outcome& outcome) {
     return Move::depart;
   }
   const bool contracts = outcome.second <= kPolishContraction * outcome.first;
-  if (!contracts || rounds_ >= kMaximumRounds) {
-    if (outcome.second <= kStagnation) {
-      state_ = State::under_way;
-      return Move::depart;
-    }
-    end(Journey::bad_start);
-  }
-  return Move::correct;
+  return contracts && rounds_ < kMaximumRounds ? Move::correct : Move::rescue;
 }
 
 LaneControl::Move LaneControl::reject(double factor) {
@@ -126,36 +135,40 @@ LaneControl::Move LaneControl::reject(double factor) {
   h_ = step_ * std::clamp(factor, kLargestCut, kLeastCut);
   const double spacing = std::numeric_limits<double>::epsilon() * std::max(arrival_.s, kFirstStep);
   if (h_ < kLeastStep * spacing) end(Journey::step_too_small);
-  if (static_cast<std::int64_t>(arrival_.count.accepted + arrival_.count.rejected) >=
-      maximum_steps_) {
-    end(Journey::step_limit);
-  }
   return Move::stay;
+}
+
+double LaneControl::tolerance_here() const {
+  const bool near_end = std::norm(contour().at(arrival_.s).rest) < kEndRadius * kEndRadius;
+  return near_end ? end_tolerance_ : tolerance_;
 }
 
 LaneControl::Move LaneControl::judge_step(const Outcome& outcome) {
   const double e = outcome.first;
   if (!std::isfinite(e) || !std::isfinite(outcome.second)) return reject(kLargestCut);
   const double contraction = outcome.second / e;
-  double room = e * kAmpleRoom > tolerance_ ? tolerance_ / e : kAmpleRoom;
+  const double tolerance = tolerance_here();
+  double room = e * kAmpleRoom > tolerance ? tolerance / e : kAmpleRoom;
   if (outcome.second > kRounding) room = std::min(room, kContractionAimedAt / contraction);
-  const double factor = kSafety * sixth_root(room);
-  const bool converges = contraction <= kContraction || outcome.second <= kStagnation;
-  if (e > kSlack * tolerance_ || !converges) return reject(factor);
+  factor_ = kSafety * sixth_root(room);
+  if (e > kSlack * tolerance) return reject(factor_);
+  if (contraction <= kContraction || outcome.second <= kStagnation) return accept(outcome);
+  last_ = outcome;
+  return outcome.residual <= kRoundingResidual ? Move::rescue : reject(factor_);
+}
+
+LaneControl::Move LaneControl::accept(const Outcome& outcome) {
   ++arrival_.count.accepted;
   last_step_ = step_;
   last_ = outcome;
   arrival_.s = next_s_;
-  h_ = std::max(step_ * std::clamp(factor, kLargestCut, kLargestGrowth),
-                step_ < h_ ? h_ * std::min(factor, 1.0) : 0.0);
-  const double wanted = departure_->samples > 0 ? kSampleTolerance : kPointTolerance;
-  if (has_landed() && outcome.second * contraction > wanted) {
+  // A step that was cut short to land says nothing against the longer one.
+  const double uncut = step_ < h_ ? h_ * std::min(factor_, 1.0) : 0.0;
+  h_ = std::max(step_ * std::clamp(factor_, kLargestCut, kLargestGrowth), uncut);
+  const double error = outcome.second * std::min(outcome.second / outcome.first, 1.0);
+  if (has_landed() ? error > wanted_accuracy() : error > kPointTolerance && is_watched()) {
     rounds_ = 0;
     state_ = State::polishing;
-  } else if (static_cast<std::int64_t>(arrival_.count.accepted + arrival_.count.rejected) >=
-                 maximum_steps_ &&
-             arrival_.s < 1) {
-    end(Journey::step_limit);
   } else {
     complete_ = true;
   }
@@ -164,31 +177,49 @@ LaneControl::Move LaneControl::judge_step(const Outcome& outcome) {
 
 LaneControl::Move LaneControl::judge_polish(const Outcome& outcome) {
   ++rounds_;
-  const double wanted = departure_->samples > 0 ? kSampleTolerance : kPointTolerance;
   if (!std::isfinite(outcome.first) || !std::isfinite(outcome.second)) {
     end(Journey::off_path);
     return Move::stay;
   }
   const bool contracts = outcome.second <= kPolishContraction * outcome.first;
-  if (outcome.second <= wanted || !contracts || rounds_ >= kMaximumRounds) {
-    if (outcome.second <= kStagnation) {
-      state_ = State::under_way;
-      complete_ = true;
-    } else {
-      end(Journey::off_path);
-    }
+  if (outcome.second > wanted_accuracy() && contracts && rounds_ < kMaximumRounds) {
+    return Move::correct;
   }
+  if (outcome.second > kPointTolerance) return Move::rescue;
+  state_ = State::under_way;
+  complete_ = true;
+  return Move::correct;
+}
+
+NewtonOptions LaneControl::rescue_options() const {
+  NewtonOptions options;
+  if (departure_->samples > 0) options.tolerance = kSampleTolerance;
+  return options;
+}
+
+LaneControl::Move LaneControl::judge_rescue(const Correction& correction, const WorkCount& work) {
+  arrival_.count.work += work;
+  const State before = state_;
+  if (!correction.converged) {
+    if (before == State::under_way) return reject(factor_);
+    end(before == State::departing ? Journey::bad_start : Journey::off_path);
+    return Move::stay;
+  }
+  if (before == State::under_way) return accept({last_.first, 0, last_.residual});
+  state_ = State::under_way;
+  if (before == State::departing) return Move::depart;
+  complete_ = true;
   return Move::correct;
 }
 
 bool LaneControl::is_to_be_observed() const {
-  return complete_ && (departure_->watcher != nullptr || (departure_->samples > 0 && has_landed()));
+  return complete_ && (is_watched() || (departure_->samples > 0 && has_landed()));
 }
 
 void LaneControl::observe(std::span<const Complex> x, PathSystem& path) {
   const bool at_end = arrival_.s == 1;
   if (departure_->samples > 0 && has_landed()) arrival_.samples.emplace_back(x.begin(), x.end());
-  if (departure_->watcher == nullptr) return;
+  if (!is_watched()) return;
   StepRecord record;
   record.s = arrival_.s;
   record.t = contour().at(arrival_.s);
@@ -202,7 +233,9 @@ void LaneControl::observe(std::span<const Complex> x, PathSystem& path) {
 }
 
 void LaneControl::close_step() {
-  if (complete_ && arrival_.s == 1 && state_ != State::ended) end(Journey::arrived);
+  if (complete_ && arrival_.s == 1) end(Journey::arrived);
+  const std::uint64_t steps = arrival_.count.accepted + arrival_.count.rejected;
+  if (static_cast<std::int64_t>(steps) >= maximum_steps_) end(Journey::step_limit);
 }
 
 void LaneControl::end(Journey journey) {

@@ -8,7 +8,9 @@
 //
 // theta is proportional to the distance from the path over the distance to the nearest other path or singularity (the
 // Newton-Kantorovich quantity), so where paths come close it shortens the steps before e does.
-// A sample, and the end, are polished by steps of length 0. Source: [Timme21] for contraction as the measure.
+// A sample, the end, and what a watcher sees are polished by steps of length 0. Where rounding stops Newton in a lane, the
+// point is handed to scalar Newton with residuals in double-double (tracker/path_system.h) and goes on from
+// there. Source: [Timme21] for contraction as the measure.
 #pragma once
 
 #include <cstdint>
@@ -28,8 +30,9 @@ class LaneControl {
     double second;    ///< |dx_2|_w
     double residual;  ///< max_i |H_i| at the prediction
   };
-  /// What becomes of the corrected point: not taken, taken in place, taken as the first of a path, taken as the next.
-  enum class Move { stay, correct, depart, step };
+  /// What becomes of the corrected point: not taken, taken in place, taken as the first of a path, taken as the next;
+  /// or it is to be corrected more finely first, see judge_rescue().
+  enum class Move { stay, correct, depart, step, rescue };
 
   void depart(Departure&& departure, const LaneOptions& options);
   bool is_idle() const { return state_ == State::idle; }
@@ -42,6 +45,9 @@ class LaneControl {
   const Contour& contour() const { return departure_->contour; }
 
   Move judge(const Outcome& outcome);
+  /// After Move::rescue: Newton options for the point at next_s(), and what becomes of it then.
+  NewtonOptions rescue_options() const;
+  Move judge_rescue(const Correction& correction, const WorkCount& work);
   /// The step with which a past is made up for a path that departs.
   double past_step() const { return h_; }
 
@@ -63,7 +69,11 @@ class LaneControl {
   Move judge_departure(const Outcome& outcome);
   Move judge_step(const Outcome& outcome);
   Move judge_polish(const Outcome& outcome);
+  Move accept(const Outcome& outcome);
   Move reject(double factor);
+  bool is_watched() const;
+  double wanted_accuracy() const;
+  double tolerance_here() const;
   double next_landing() const;
   bool has_landed() const;
 
@@ -72,10 +82,12 @@ class LaneControl {
   Arrival arrival_;
   std::int64_t maximum_steps_ = 0;
   double tolerance_ = 0;
-  double h_ = 0;     // the step the control would like
-  double step_ = 0;  // the step being taken, cut short where it would pass a landing
+  double end_tolerance_ = 0;  // near t = 1
+  double h_ = 0;              // the step the control would like
+  double step_ = 0;           // the step being taken, cut short where it would pass a landing
   double next_s_ = 0;
   double last_step_ = 0;
+  double factor_ = 1;  // by which the control would change the step
   Outcome last_{};
   int rounds_ = 0;  // of Newton, departing or polishing
   bool complete_ = false;

@@ -30,7 +30,8 @@ class LaneSession : public TrackerSession {
         scalar_(homotopy),
         path_(scalar_.coordinates()),
         step_(program_),
-        point_(scalar_.coordinates()) {}
+        point_(scalar_.coordinates()),
+        tangent_(scalar_.coordinates()) {}
 
   void run(DepartureSource& source, const std::atomic<bool>& stop) noexcept override {
     bool may_have_more = true;
@@ -64,8 +65,8 @@ class LaneSession : public TrackerSession {
       if (!lanes_[lane].is_idle()) continue;
       std::optional<Departure> departure = source.next();
       if (!departure) return false;
-      const double norm = euclidean_norm(departure->x);
-      for (std::size_t i = 0; i < point_.size(); ++i) point_[i] = departure->x[i] / norm;
+      std::copy(departure->x.begin(), departure->x.end(), point_.begin());
+      normalize(point_);
       path_.place(lane, point_);
       lanes_[lane].depart(std::move(*departure), options_);
     }
@@ -84,12 +85,28 @@ class LaneSession : public TrackerSession {
   }
 
   void judge(std::size_t lane) {
-    const LaneControl::Move move =
+    LaneControl::Move move =
         lanes_[lane].judge({step_.first.at[lane], step_.second.at[lane], step_.residual.at[lane]});
+    if (move == LaneControl::Move::rescue) move = rescue(lane);
     stepped_.at[lane] = move == LaneControl::Move::step;
     replaced_.at[lane] = move != LaneControl::Move::stay;
     departed_.at[lane] = move == LaneControl::Move::depart;
     back_.at[lane] = lanes_[lane].past_step();
+  }
+
+  // Corrects the lane's point by scalar Newton, whose residuals have more digits where they are needed.
+  LaneControl::Move rescue(std::size_t lane) {
+    LaneControl& control = lanes_[lane];
+    for (std::size_t i = 0; i < point_.size(); ++i) point_[i] = step_.corrected.get(i, lane);
+    normalize(point_);
+    const WorkCount before = scalar_.work();
+    const PathTime t = control.contour().at(control.next_s());
+    const Correction correction = scalar_.correct(point_, t, control.rescue_options(), true);
+    const LaneControl::Move move = control.judge_rescue(correction, scalar_.work() - before);
+    if (move == LaneControl::Move::stay) return move;
+    scalar_.tangent(control.contour().dt(control.next_s()), tangent_);
+    step_.replace(lane, path_.patch(), point_, tangent_);
+    return move;
   }
 
   void advance() {
@@ -105,8 +122,11 @@ class LaneSession : public TrackerSession {
   // The point in the lane, of norm 1.
   void extract(std::size_t lane) {
     for (std::size_t i = 0; i < point_.size(); ++i) point_[i] = path_.x().get(i, lane);
-    const double norm = euclidean_norm(point_);
-    for (Complex& xi : point_) xi /= norm;
+    normalize(point_);
+  }
+  static void normalize(Point& x) {
+    const double scale = 1 / euclidean_norm(x);
+    for (Complex& xi : x) xi *= scale;
   }
 
   void report(std::size_t lane) {
@@ -127,7 +147,7 @@ class LaneSession : public TrackerSession {
 
   LaneOptions options_;
   LaneProgram program_;
-  PathSystem scalar_;  // for watchers
+  PathSystem scalar_;  // for watchers and rescues
   LanePath path_;
   LaneStep step_;
   LaneTime time_;
@@ -138,6 +158,7 @@ class LaneSession : public TrackerSession {
   LaneReals departed_;
   std::array<LaneControl, W> lanes_;
   Point point_;
+  Point tangent_;
 };
 
 }  // namespace HWY_NAMESPACE

@@ -63,6 +63,23 @@ class LaneStep {
     add(ht_, tangent);
   }
 
+  /// Puts x, its scale its own, and its tangent in the place of a lane's results.
+  void replace(std::size_t lane, const LaneVector& patch, std::span<const Complex> x,
+               std::span<const Complex> dx) {
+    Complex ax = 0;
+    Complex adx = 0;
+    for (std::size_t i = 0; i <= n_; ++i) {
+      ax += product(patch.get(i, lane), x[i]);
+      adx += product(patch.get(i, lane), dx[i]);
+    }
+    const Complex scale = moivre::reciprocal(ax);
+    for (std::size_t i = 0; i <= n_; ++i) {
+      const Complex xi = product(scale, x[i]);
+      corrected.set(i, lane, xi);
+      tangent.set(i, lane, product(scale, dx[i] - product(xi, adx)));
+    }
+  }
+
  private:
   void append_patch(const LanePath& path, const LaneTime& time) {
     const LaneComplex dt = time.dt();

@@ -38,6 +38,10 @@ struct WorkCount {
   std::uint64_t factorizations = 0;
 
   WorkCount& operator+=(const WorkCount& other);
+  friend WorkCount operator-(const WorkCount& a, const WorkCount& b) {
+    return {a.values - b.values, a.fine_values - b.fine_values,
+            a.linearizations - b.linearizations, a.factorizations - b.factorizations};
+  }
 };
 
 struct NewtonOptions {

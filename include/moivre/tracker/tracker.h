@@ -11,6 +11,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -49,6 +50,8 @@ struct Departure {
   int care = 0;                ///< 0: as the options say; each level more tracks with tighter tolerances
   int samples = 0;             ///< points wanted at s = 1/samples, 2/samples, ..., 1; 0: none
   Watcher* watcher = nullptr;  ///< not owned; nullptr: nobody watches
+  /// The watcher sees the steps that end with |1 - t| up to this.
+  double watch_radius = std::numeric_limits<double>::infinity();
 };
 
 enum class Journey {

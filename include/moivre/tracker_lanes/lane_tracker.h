@@ -23,8 +23,8 @@ namespace moivre {
 inline constexpr int kLaneOrder = 6;
 
 struct LaneOptions {
-  double tolerance =
-      1e-3;  ///< |dx|_w of the first Newton correction that steps aim at, in (0, 0.1]
+  /// |dx|_w of the first Newton correction that steps aim at, in (0, 0.1].
+  double tolerance = 3e-3;
   std::int64_t maximum_steps = 20000;  ///< accepted and rejected steps of one journey
 };
 
