@@ -3,6 +3,7 @@
 #include "moivre/solver/trace.h"
 
 #include <functional>
+#include <limits>
 #include <stdexcept>
 
 #include "facts.h"
@@ -71,6 +72,7 @@ void follow_to_the_end(const Homotopy& homotopy, const Tracker& tracker, const P
   while (departure) {
     recorder.begin_journey(departure->watcher);
     departure->watcher = &recorder;
+    departure->watch_radius = std::numeric_limits<double>::infinity();
     departure = endgame.accept(follow(*session, std::move(*departure), stop), scratch);
   }
   trace.end = std::move(endgame.end());

@@ -11,7 +11,7 @@ namespace {
 
 // The prediction may be this much worse than the tolerance that steps aim at.
 constexpr double kSlack = 8;
-// Near t = 1, where paths may meet, steps aim at this tolerance at most.
+// Near t = 1, where paths may meet, steps aim at this tolerance at most, and watched points are polished.
 constexpr double kEndRadius = 0.1;
 constexpr double kEndTolerance = 1e-3;
 // Contraction of Newton above which a step is refused, and the one that steps aim at.
@@ -138,16 +138,15 @@ LaneControl::Move LaneControl::reject(double factor) {
   return Move::stay;
 }
 
-double LaneControl::tolerance_here() const {
-  const bool near_end = std::norm(contour().at(arrival_.s).rest) < kEndRadius * kEndRadius;
-  return near_end ? end_tolerance_ : tolerance_;
+bool LaneControl::is_near_end() const {
+  return std::norm(contour().at(arrival_.s).rest) < kEndRadius * kEndRadius;
 }
 
 LaneControl::Move LaneControl::judge_step(const Outcome& outcome) {
   const double e = outcome.first;
   if (!std::isfinite(e) || !std::isfinite(outcome.second)) return reject(kLargestCut);
   const double contraction = outcome.second / e;
-  const double tolerance = tolerance_here();
+  const double tolerance = is_near_end() ? end_tolerance_ : tolerance_;
   double room = e * kAmpleRoom > tolerance ? tolerance / e : kAmpleRoom;
   if (outcome.second > kRounding) room = std::min(room, kContractionAimedAt / contraction);
   factor_ = kSafety * sixth_root(room);
@@ -166,7 +165,8 @@ LaneControl::Move LaneControl::accept(const Outcome& outcome) {
   const double uncut = step_ < h_ ? h_ * std::min(factor_, 1.0) : 0.0;
   h_ = std::max(step_ * std::clamp(factor_, kLargestCut, kLargestGrowth), uncut);
   const double error = outcome.second * std::min(outcome.second / outcome.first, 1.0);
-  if (has_landed() ? error > wanted_accuracy() : error > kPointTolerance && is_watched()) {
+  if (has_landed() ? error > wanted_accuracy()
+                   : error > kPointTolerance && is_watched() && is_near_end()) {
     rounds_ = 0;
     state_ = State::polishing;
   } else {

@@ -8,9 +8,9 @@
 //
 // theta is proportional to the distance from the path over the distance to the nearest other path or singularity (the
 // Newton-Kantorovich quantity), so where paths come close it shortens the steps before e does.
-// A sample, the end, and what a watcher sees are polished by steps of length 0. Where rounding stops Newton in a lane, the
-// point is handed to scalar Newton with residuals in double-double (tracker/path_system.h) and goes on from
-// there. Source: [Timme21] for contraction as the measure.
+// A sample, the end, and what a watcher sees near t = 1 are polished by steps of length 0. Where rounding stops Newton
+// in a lane, the point is handed to scalar Newton with residuals in double-double (tracker/path_system.h) and goes on
+// from there. Source: [Timme21] for contraction as the measure.
 #pragma once
 
 #include <cstdint>
@@ -73,7 +73,7 @@ class LaneControl {
   Move reject(double factor);
   bool is_watched() const;
   double wanted_accuracy() const;
-  double tolerance_here() const;
+  bool is_near_end() const;
   double next_landing() const;
   bool has_landed() const;
 
