@@ -207,7 +207,10 @@ std::optional<Departure> Endgame::judge_arrival(const Arrival& arrival, PathSyst
     end_.condition = sights_.back().condition;
     return std::nullopt;
   }
-  if (is_regular_arrival(arrival, path, options_.regular_condition)) return std::nullopt;
+  // Without a watched point there is nowhere to turn back to: the root it arrived at proves itself later.
+  const double condition =
+      outpost_.empty() ? std::numeric_limits<double>::infinity() : options_.regular_condition;
+  if (is_regular_arrival(arrival, path, condition)) return std::nullopt;
   if (outpost_.empty()) return fail(to_failure(arrival.journey));
   return begin_circle();
 }
