@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+// Are paths that jump caught, tracked again, and said to be lost where that does not help?
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "problem_set.h"
+
+namespace moivre {
+namespace {
+
+using test::expect_conservation;
+using test::problem;
+using test::system_of;
+using test::with_seed;
+
+/// Changes arrivals at t = 1: (departure, arrival).
+using Tampering = std::function<void(const Departure&, Arrival&)>;
+
+/// Stands between a session and its source, and tampers with what arrives.
+class TamperedSource : public DepartureSource {
+ public:
+  TamperedSource(DepartureSource& source, const Tampering& tamper)
+      : source_(source), tamper_(tamper) {}
+  std::optional<Departure> next() override { return source_.next(); }
+  void arrived(const Departure& departure, Arrival&& arrival) override {
+    tamper_(departure, arrival);
+    source_.arrived(departure, std::move(arrival));
+  }
+
+ private:
+  DepartureSource& source_;
+  const Tampering& tamper_;
+};
+
+class TamperedSession : public TrackerSession {
+ public:
+  TamperedSession(std::unique_ptr<TrackerSession> inner, const Tampering& tamper)
+      : inner_(std::move(inner)), tamper_(tamper) {}
+  void run(DepartureSource& source, const std::atomic<bool>& stop) noexcept override {
+    TamperedSource tampered(source, tamper_);
+    inner_->run(tampered, stop);
+  }
+
+ private:
+  std::unique_ptr<TrackerSession> inner_;
+  const Tampering& tamper_;
+};
+
+/// The CVODE tracker with a fault planted.
+class TamperedTracker : public Tracker {
+ public:
+  explicit TamperedTracker(Tampering tamper) : tamper_(std::move(tamper)) {}
+  std::string kind() const override { return inner_->kind(); }
+  std::vector<std::pair<std::string, std::string>> options_in_force() const override {
+    return inner_->options_in_force();
+  }
+  std::unique_ptr<TrackerSession> open(const Homotopy& homotopy) const override {
+    return std::make_unique<TamperedSession>(inner_->open(homotopy), tamper_);
+  }
+
+ private:
+  std::unique_ptr<Tracker> inner_ = make_cvode_tracker();
+  Tampering tamper_;
+};
+
+/// The journey from t = 0 to t = 1, not a circle nor the way back.
+bool is_whole_way(const Departure& departure) {
+  return departure.contour.at(0).t == 0.0 && departure.contour.at(1).t == 1.0;
+}
+
+constexpr std::uint64_t kVictim = 5;
+constexpr int kEveryCare = 100;
+
+/// Path kVictim arrives where the first path that arrived did, at cares up to `greatest_care`.
+TamperedTracker with_a_jump(int greatest_care) {
+  auto first_end = std::make_shared<Point>();
+  return TamperedTracker([=](const Departure& departure, Arrival& arrival) {
+    if (!is_whole_way(departure)) return;
+    if (departure.path == kVictim) {
+      if (departure.care > greatest_care) return;
+      arrival.journey = Journey::arrived;
+      arrival.x = *first_end;
+    } else if (first_end->empty() && arrival.journey == Journey::arrived) {
+      *first_end = arrival.x;
+    }
+  });
+}
+
+TEST(Jump, IsSeenAndTrackedAgainUntilEveryRootIsFound) {
+  for (const char* name : {"katsura-5", "dense-real-3-4", "dense-complex-4-3"}) {
+    const auto& p = problem(name);
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+      SCOPED_TRACE(p.name + ", seed " + std::to_string(seed));
+      const SolveResult result = solve(system_of(p), with_a_jump(0), with_seed(seed));
+      expect_conservation(result);
+      EXPECT_TRUE(result.complete);
+      EXPECT_GE(result.paths.retracked, 2U);
+      EXPECT_EQ(result.solutions.size(), p.roots.distinct);
+    }
+  }
+}
+
+TEST(Jump, ThatComesAgainAtEveryCareIsAFailureThatIsSaid) {
+  const auto& p = problem("dense-complex-4-3");
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const SolveResult result = solve(system_of(p), with_a_jump(kEveryCare), with_seed(seed));
+    expect_conservation(result);
+    EXPECT_FALSE(result.complete);
+    ASSERT_EQ(result.failures.size(), 1U);
+    EXPECT_EQ(result.failures[0].path, kVictim);
+    EXPECT_EQ(result.failures[0].failure, Failure::jumped);
+    EXPECT_EQ(result.solutions.size(), p.roots.distinct - 1);
+  }
+}
+
+TEST(Jump, OfTwoPathsThatChangeEndsChangesNoRoot) {
+  const auto& p = problem("katsura-5");
+  const System f = system_of(p);
+  const SolveResult honest = test::solve_with_cvode(f);
+  auto ends = std::make_shared<std::map<std::uint64_t, Point>>();
+  // Each of the two takes the end that an honest run would give the other.
+  {
+    const TamperedTracker recorder([=](const Departure& departure, Arrival& arrival) {
+      if (is_whole_way(departure)) (*ends)[departure.path] = arrival.x;
+    });
+    solve(f, recorder, with_seed(1));
+  }
+  constexpr std::uint64_t kOther = 2;
+  const TamperedTracker swapped([=](const Departure& departure, Arrival& arrival) {
+    if (!is_whole_way(departure)) return;
+    if (departure.path == kOther) arrival.x = ends->at(kVictim);
+    if (departure.path == kVictim) arrival.x = ends->at(kOther);
+  });
+  const SolveResult result = solve(f, swapped, with_seed(1));
+  expect_conservation(result);
+  EXPECT_TRUE(result.complete);
+  ASSERT_EQ(result.solutions.size(), honest.solutions.size());
+  for (const Solution& s : honest.solutions) {
+    EXPECT_EQ(test::solutions_near(result, s.x, 1e-13), 1U);
+  }
+}
+
+TEST(LostPath, IsTrackedAgainAtTheNextCare) {
+  const auto& p = problem("katsura-5");
+  const TamperedTracker tracker([](const Departure& departure, Arrival& arrival) {
+    if (departure.path % 3 != 0 || departure.care > 0 || !is_whole_way(departure)) return;
+    arrival.journey = Journey::step_too_small;
+  });
+  const SolveResult result = solve(system_of(p), tracker, with_seed(1));
+  expect_conservation(result);
+  EXPECT_TRUE(result.complete);
+  EXPECT_EQ(result.solutions.size(), p.roots.distinct);
+}
+
+// x^3 + x^2 + 2 = 0, y = -1 - 1/x: one real root, a conjugate pair, and a simple end at (0 : 1 : 0).
+const char* const kPairAndInfinity = "2\n x*y + x + 1;\n x*y - x^2 + 2*y + 3;\n";
+
+/// A path whose end is not real, by an honest run.
+std::uint64_t path_to_a_root_that_is_not_real(const System& f, std::uint64_t seed) {
+  const SolveResult honest = test::solve_with_cvode(f, with_seed(seed));
+  EXPECT_EQ(honest.solutions.size(), 3U);
+  EXPECT_EQ(honest.paths.at_infinity, 1U);
+  for (const Solution& s : honest.solutions) {
+    if (!s.real) return s.path;
+  }
+  throw std::invalid_argument("every root is real");
+}
+
+/// Path `victim` arrives at the end at infinity, at cares up to `greatest_care`: no failure shows, no root is doubled.
+TamperedTracker with_a_path_to_infinity(std::uint64_t victim, int greatest_care) {
+  return TamperedTracker([=](const Departure& departure, Arrival& arrival) {
+    if (departure.path != victim || departure.care > greatest_care || !is_whole_way(departure)) {
+      return;
+    }
+    arrival.x = {0, 1, 0};
+  });
+}
+
+TEST(MissingConjugate, IsFoundByThePathThatLeadsToIt) {
+  const System f = test::read(kPairAndInfinity);
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const std::uint64_t victim = path_to_a_root_that_is_not_real(f, seed);
+    const SolveResult result = solve(f, with_a_path_to_infinity(victim, 0), with_seed(seed));
+    expect_conservation(result);
+    EXPECT_TRUE(result.complete);
+    EXPECT_EQ(result.paths.retracked, 1U);
+    EXPECT_EQ(result.paths.at_infinity, 1U);
+    EXPECT_EQ(result.solutions.size(), 3U);
+  }
+}
+
+TEST(MissingConjugate, ThatStaysMissingIsAFailure) {
+  const System f = test::read(kPairAndInfinity);
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const std::uint64_t victim = path_to_a_root_that_is_not_real(f, seed);
+    const SolveResult result =
+        solve(f, with_a_path_to_infinity(victim, kEveryCare), with_seed(seed));
+    expect_conservation(result);
+    EXPECT_FALSE(result.complete);
+    EXPECT_EQ(result.solutions.size(), 2U);
+    ASSERT_EQ(result.failures.size(), 1U);
+    EXPECT_EQ(result.failures[0].path, victim);
+    EXPECT_EQ(result.failures[0].failure, Failure::jumped);
+  }
+}
+
+}  // namespace
+}  // namespace moivre

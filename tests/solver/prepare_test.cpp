@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// Do the coordinates of a path and those of the system as given lead to each other, through elimination and scaling?
+#include "prepare.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "moivre/polynomial/read.h"
+
+namespace moivre {
+namespace {
+
+constexpr double kRounding = 1e-14;
+
+System read(const std::string& text) { return read_system({"test", text}); }
+
+/// x - 3 z is eliminated; sizes 1e6 and 1e-6 are scaled away.
+System badly_scaled() { return read("3\n x - 3*z;\n 1e-12*x^2 - 1;\n 1e12*y^2 + 1e-6*x - 3;\n"); }
+
+double greatest_difference(const Point& a, const Point& b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    largest = std::max(largest, std::abs(a[i] - b[i]) / std::abs(b[i]));
+  }
+  return largest;
+}
+
+TEST(Prepare, MapsAPointOfTheSystemThereAndBack) {
+  const Prepared prepared = prepare(badly_scaled(), {});
+  ASSERT_TRUE(prepared.homotopy);
+  EXPECT_EQ(prepared.start.degrees.size(), 2U);
+  const Point x{3e5, 1e5, Complex(1e-6, 2e-6)};
+  const Point homogeneous = to_homogeneous(prepared, x);
+  ASSERT_EQ(homogeneous.size(), 3U);
+  EXPECT_LT(greatest_difference(to_original(prepared, homogeneous), x), kRounding);
+}
+
+TEST(Prepare, MapsEveryMultipleOfAHomogeneousPointToOnePoint) {
+  const Prepared prepared = prepare(badly_scaled(), {});
+  const Point x{3e5, 1e5, Complex(1e-6, 2e-6)};
+  Point homogeneous = to_homogeneous(prepared, x);
+  for (Complex& xi : homogeneous) xi *= Complex(0.3, -0.7);
+  EXPECT_LT(greatest_difference(to_original(prepared, homogeneous), x), kRounding);
+}
+
+TEST(Prepare, MakesTheRootsOfTheSystemRootsAtTheEndOfThePaths) {
+  const Prepared prepared = prepare(badly_scaled(), {});
+  PathSystem path(*prepared.homotopy);
+  const double y = std::sqrt(2e-12);
+  ASSERT_TRUE(path.linearize(to_homogeneous(prepared, {1e6, 1e6 / 3, y}), PathTime(1.0, 0.0)));
+  EXPECT_LT(path.residual(), kRounding);
+  ASSERT_TRUE(path.linearize(to_homogeneous(prepared, {1e6, 1e6 / 3, 2 * y}), PathTime(1.0, 0.0)));
+  EXPECT_GT(path.residual(), 0.1);
+}
+
+TEST(Prepare, GivesUnknownsOfSizeOneToThePaths) {
+  const Prepared prepared = prepare(badly_scaled(), {});
+  const double y = std::sqrt(2e-12);
+  for (const Complex& z : to_homogeneous(prepared, {1e6, 1e6 / 3, y})) {
+    EXPECT_GT(std::abs(z), 1e-2);
+    EXPECT_LT(std::abs(z), 1e2);
+  }
+}
+
+TEST(Prepare, SaysWhatItLeftOut) { EXPECT_GE(prepare(badly_scaled(), {}).left_out.size(), 2U); }
+
+TEST(Prepare, LeavesEverythingAsItIsWhereThatIsAskedFor) {
+  SolveOptions options;
+  options.eliminate = false;
+  options.scale = false;
+  const Prepared prepared = prepare(badly_scaled(), options);
+  EXPECT_EQ(prepared.start.degrees, (std::vector<std::uint64_t>{1, 2, 2}));
+  EXPECT_TRUE(prepared.left_out.empty());
+  EXPECT_EQ(natural_sizes(prepared), (std::vector<double>{1, 1, 1}));
+}
+
+TEST(Prepare, HasNothingToTrackWhereEliminationDecides) {
+  EXPECT_FALSE(prepare(read("2\n x + y - 3;\n x - y - 1;\n"), {}).homotopy);
+  EXPECT_FALSE(prepare(read("2\n x + y - 1;\n x + y - 2;\n"), {}).homotopy);
+  EXPECT_FALSE(prepare(System{}, {}).homotopy);
+}
+
+}  // namespace
+}  // namespace moivre

@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: MIT
+// Does solve() answer degenerate, refused, interrupted and ordinary systems as its header says, whatever the threads?
+#include "moivre/solver/solve.h"
+
+#include <gtest/gtest.h>
+
+#include "problem_set.h"
+
+namespace moivre {
+namespace {
+
+using test::distance;
+using test::expect_conservation;
+using test::expect_counts_of_index;
+using test::problem;
+using test::read;
+using test::solve_with_cvode;
+using test::system_of;
+using test::with_seed;
+
+/// Everything but the times; bit for bit.
+void expect_same_bytes(const SolveResult& a, const SolveResult& b) {
+  EXPECT_EQ(a.complete, b.complete);
+  EXPECT_EQ(a.message, b.message);
+  EXPECT_EQ(a.paths, b.paths);
+  EXPECT_EQ(a.work.accepted, b.work.accepted);
+  EXPECT_EQ(a.work.rejected, b.work.rejected);
+  ASSERT_EQ(a.failures.size(), b.failures.size());
+  for (std::size_t k = 0; k < a.failures.size(); ++k) {
+    EXPECT_EQ(a.failures[k].path, b.failures[k].path);
+    EXPECT_EQ(a.failures[k].failure, b.failures[k].failure);
+    EXPECT_EQ(a.failures[k].t, b.failures[k].t);
+  }
+  ASSERT_EQ(a.solutions.size(), b.solutions.size());
+  for (std::size_t k = 0; k < a.solutions.size(); ++k) {
+    const Solution& s = a.solutions[k];
+    const Solution& r = b.solutions[k];
+    EXPECT_EQ(s.path, r.path);
+    EXPECT_EQ(s.x, r.x);
+    EXPECT_EQ(s.real, r.real);
+    EXPECT_EQ(s.singular, r.singular);
+    EXPECT_EQ(s.multiplicity, r.multiplicity);
+    EXPECT_EQ(s.winding, r.winding);
+    EXPECT_EQ(s.residual, r.residual);
+    EXPECT_EQ(s.accuracy, r.accuracy);
+    EXPECT_EQ(s.condition, r.condition);
+  }
+}
+
+TEST(Solve, FindsTheFourRootsOfAHyperbolaAndACircle) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    const SolveResult result =
+        solve_with_cvode(read("2\n x^2 + y^2 - 5;\n x*y - 2;\n"), with_seed(seed));
+    expect_conservation(result);
+    EXPECT_TRUE(result.complete);
+    EXPECT_EQ(result.seed, seed);
+    for (const Point& x : {Point{1, 2}, Point{2, 1}, Point{-1, -2}, Point{-2, -1}}) {
+      EXPECT_EQ(test::solutions_near(result, x, 1e-15), 1U);
+    }
+  }
+}
+
+TEST(Solve, GivesTheSameBytesOnOneTwoAndFourThreads) {
+  for (const char* name : {"katsura-5", "noon-3", "multiplicity-4", "griewank-osborne"}) {
+    SCOPED_TRACE(name);
+    const System f = system_of(problem(name));
+    const SolveResult one = solve_with_cvode(f, with_seed(3, 1));
+    for (const int threads : {2, 4}) {
+      const SolveResult many = solve_with_cvode(f, with_seed(3, threads));
+      EXPECT_EQ(many.time.threads, threads);
+      expect_same_bytes(one, many);
+    }
+  }
+}
+
+TEST(Solve, GivesTheSameBytesForTheSameSeedOnly) {
+  const System f = system_of(problem("katsura-5"));
+  const SolveResult first = solve_with_cvode(f, with_seed(3));
+  expect_same_bytes(first, solve_with_cvode(f, with_seed(3)));
+  const SolveResult other = solve_with_cvode(f, with_seed(4));
+  EXPECT_NE(first.work.accepted, other.work.accepted);
+}
+
+TEST(Solve, FindsTheSameRootsWhateverTheOrderOfTheEquations) {
+  for (const char* name : {"cyclic-5", "katsura-5", "multiplicity-5", "reimer-3"}) {
+    SCOPED_TRACE(name);
+    System f = system_of(problem(name));
+    const SolveResult forward = solve_with_cvode(f);
+    std::reverse(f.polynomials.begin(), f.polynomials.end());
+    const SolveResult backward = solve_with_cvode(f);
+    ASSERT_EQ(forward.solutions.size(), backward.solutions.size());
+    for (const Solution& s : forward.solutions) {
+      const double within = 4 * s.accuracy + (s.singular ? 1e-6 : 1e-13);
+      EXPECT_EQ(test::solutions_near(backward, s.x, within), 1U);
+    }
+  }
+}
+
+TEST(Solve, FindsConjugateClosedRootsOfRealSystems) {
+  for (const char* name : {"cyclic-5", "katsura-5", "dense-real-3-4", "multiplicity-4"}) {
+    SCOPED_TRACE(name);
+    const SolveResult result = solve_with_cvode(system_of(problem(name)));
+    for (const Solution& s : result.solutions) {
+      Point image = s.x;
+      for (Complex& xi : image) xi = std::conj(xi);
+      const auto partner = std::find_if(
+          result.solutions.begin(), result.solutions.end(),
+          [&](const Solution& r) { return distance(r.x, image) <= 2 * (r.accuracy + s.accuracy); });
+      ASSERT_NE(partner, result.solutions.end());
+      EXPECT_EQ(partner->path == s.path, s.real);
+      EXPECT_EQ(partner->multiplicity, s.multiplicity);
+      if (s.real) {
+        EXPECT_EQ(s.x, image);
+      }
+    }
+  }
+}
+
+TEST(Solve, SaysThatParallelLinesHaveNoRoot) {
+  const SolveResult result = solve_with_cvode(system_of(problem("parallel-lines")));
+  EXPECT_TRUE(result.complete);
+  EXPECT_TRUE(result.solutions.empty());
+  EXPECT_NE(result.message.find("no root"), std::string::npos) << result.message;
+  expect_conservation(result);
+}
+
+TEST(Solve, TracksParallelLinesToInfinityWhereNothingIsEliminated) {
+  SolveOptions options = with_seed(1);
+  options.eliminate = false;
+  const SolveResult result = solve_with_cvode(system_of(problem("parallel-lines")), options);
+  EXPECT_TRUE(result.complete);
+  EXPECT_EQ(result.paths.tracked, 1U);
+  EXPECT_EQ(result.paths.at_infinity, 1U);
+}
+
+TEST(Solve, SaysThatADuplicatedEquationIsolatesNoRoot) {
+  const SolveResult result = solve_with_cvode(system_of(problem("duplicated-equation")));
+  EXPECT_TRUE(result.complete);
+  EXPECT_TRUE(result.solutions.empty());
+  EXPECT_NE(result.message.find("positive dimension"), std::string::npos) << result.message;
+  expect_conservation(result);
+}
+
+TEST(Solve, CountsPathsThatEndOnACurveOfRoots) {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    // The line x = 0 and the point (1, 2).
+    const SolveResult result =
+        solve_with_cvode(read("2\n x*(y - 2);\n x*(x + y - 3)*(y + 7);\n"), with_seed(seed));
+    expect_conservation(result);
+    EXPECT_TRUE(result.complete);
+    EXPECT_GT(result.paths.on_positive_dimensional, 0U);
+    ASSERT_EQ(result.solutions.size(), 1U);
+    EXPECT_LT(distance(result.solutions[0].x, {1, 2}), 1e-15);
+  }
+}
+
+TEST(Solve, RefusesMoreEquationsThanUnknownsWithTheReason) {
+  try {
+    solve_with_cvode(read("3 2\n x - 1;\n y - 1;\n x*y - 1;\n"));
+    FAIL() << "an overdetermined system was taken";
+  } catch (const std::invalid_argument& refusal) {
+    EXPECT_NE(std::string(refusal.what()).find("3 equations in 2 unknowns"), std::string::npos);
+    EXPECT_NE(std::string(refusal.what()).find("overdetermined"), std::string::npos);
+  }
+}
+
+TEST(Solve, RefusesFewerEquationsThanUnknownsWithTheReason) {
+  try {
+    solve_with_cvode(read("1 2\n x*y - 1;\n"));
+    FAIL() << "an underdetermined system was taken";
+  } catch (const std::invalid_argument& refusal) {
+    EXPECT_NE(std::string(refusal.what()).find("underdetermined"), std::string::npos);
+  }
+}
+
+TEST(Solve, NamesEveryOptionThatIsOutOfRange) {
+  SolveOptions options;
+  options.threads = -1;
+  options.maximum_care = -1;
+  options.endgame.samples = 5;
+  options.endgame.maximum_winding = 0;
+  EXPECT_EQ(validate(options).size(), 4U);
+  EXPECT_TRUE(validate(SolveOptions{}).empty());
+  EXPECT_THROW(solve_with_cvode(read("1\n x - 1;\n"), options), std::invalid_argument);
+}
+
+TEST(Solve, GivesTheOneRootOfASystemWithoutUnknowns) {
+  const SolveResult result = solve_with_cvode(System{});
+  EXPECT_TRUE(result.complete);
+  EXPECT_EQ(result.solutions.size(), 1U);
+  expect_conservation(result);
+}
+
+TEST(Solve, GivesTheRootOfALinearSystemWithoutTracking) {
+  const SolveResult result = solve_with_cvode(read("2\n x + y - 3;\n x - y - 1;\n"));
+  EXPECT_TRUE(result.complete);
+  ASSERT_EQ(result.solutions.size(), 1U);
+  EXPECT_EQ(result.solutions[0].x, (Point{2, 1}));
+  EXPECT_EQ(result.work.accepted, 0U);
+  expect_conservation(result);
+}
+
+TEST(Solve, FindsTheSameRootsWithAndWithoutPresolve) {
+  for (const char* name : {"badvars", "two-link", "katsura-5"}) {
+    SCOPED_TRACE(name);
+    const System f = system_of(problem(name));
+    const SolveResult with = solve_with_cvode(f);
+    SolveOptions options = with_seed(1);
+    options.eliminate = false;
+    const SolveResult without = solve_with_cvode(f, options);
+    EXPECT_EQ(with.solutions.size(), without.solutions.size());
+    for (const Solution& s : with.solutions) {
+      EXPECT_EQ(test::solutions_near(without, s.x, 1e-12), 1U);
+    }
+  }
+}
+
+TEST(Solve, ReportsWhatIsFinishedWhenItIsStopped) {
+  constexpr std::uint64_t kFinished = 10;
+  const System f = system_of(problem("katsura-6"));
+  const SolveResult whole = solve_with_cvode(f);
+  std::atomic<bool> stop{false};
+  SolveOptions options = with_seed(1);
+  options.progress = [&](const Progress& progress) {
+    if (progress.done == kFinished) stop = true;
+  };
+  const SolveResult part = solve(f, *make_cvode_tracker(), options, stop);
+  EXPECT_FALSE(part.complete);
+  EXPECT_NE(part.message.find("interrupted"), std::string::npos);
+  EXPECT_EQ(part.paths.tracked, kFinished);
+  EXPECT_EQ(part.solutions.size(), kFinished);
+  expect_conservation(part);
+  for (const Solution& s : part.solutions) {
+    EXPECT_EQ(test::solutions_near(whole, s.x, 1e-13), 1U);
+  }
+}
+
+TEST(Solve, DoesNothingWhenItIsStoppedBeforehand) {
+  const std::atomic<bool> stop{true};
+  const SolveResult result =
+      solve(system_of(problem("katsura-5")), *make_cvode_tracker(), with_seed(1), stop);
+  EXPECT_FALSE(result.complete);
+  EXPECT_EQ(result.paths.tracked, 0U);
+  EXPECT_TRUE(result.solutions.empty());
+}
+
+TEST(Solve, TellsItsProgressPathByPath) {
+  std::uint64_t calls = 0;
+  Progress last;
+  SolveOptions options = with_seed(1, 2);
+  options.progress = [&](const Progress& progress) {
+    EXPECT_EQ(progress.done, ++calls);
+    last = progress;
+  };
+  solve_with_cvode(system_of(problem("noon-3")), options);
+  EXPECT_EQ(last.done, last.total);
+  EXPECT_EQ(last.total, 27U);
+  EXPECT_EQ(last.finite, 21U);
+}
+
+TEST(Solve, FailsForPrecisionWhereCirclesMayNotClose) {
+  SolveOptions options = with_seed(1);
+  options.endgame.maximum_winding = 1;
+  options.maximum_care = 0;
+  const SolveResult result = solve_with_cvode(read("1\n (2*x - 1)^4;\n"), options);
+  EXPECT_FALSE(result.complete);
+  EXPECT_EQ(result.paths.failed, 4U);
+  for (const FailedPath& path : result.failures) EXPECT_EQ(path.failure, Failure::precision);
+  expect_conservation(result);
+}
+
+TEST(Solve, FailsAtTheStepLimitAndSaysHowFarEachPathCame) {
+  CvodeOptions cvode;
+  cvode.maximum_steps = 3;
+  const SolveResult result =
+      solve(system_of(problem("noon-3")), *make_cvode_tracker(cvode), with_seed(1));
+  EXPECT_FALSE(result.complete);
+  EXPECT_EQ(result.paths.failed, 27U);
+  expect_conservation(result);
+  for (const FailedPath& path : result.failures) {
+    EXPECT_EQ(path.failure, Failure::step_limit);
+    EXPECT_LT(std::abs(path.t), 1);
+  }
+}
+
+TEST(SolveResult, SaysThatSolveWasNotRun) {
+  const SolveResult result;
+  EXPECT_FALSE(result.complete);
+  EXPECT_NE(result.message.find("not run"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace moivre
