@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+// Do journeys with CVODE stay on a path known in closed form, and does each way of ending one occur?
+#include "moivre/tracker_cvode/cvode_tracker.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+
+#include "moivre/polynomial/read.h"
+
+namespace moivre {
+namespace {
+
+// Arrivals are corrected to 1e-9 and less (tracker/path_system.h).
+constexpr double kArrivalAccuracy = 1e-8;
+const Complex kTarget(3, 4);
+
+System equation(const std::string& text) { return read_system({"test", "1\n" + text + ";\n"}); }
+
+/// x^2 = 1 becomes `target`; from x = 1.
+struct Scene {
+  explicit Scene(const std::string& target = "x^2 - 3 - 4*i", const CvodeOptions& options = {})
+      : homotopy(equation(target), equation("x^2 - 1")),
+        session(make_cvode_tracker(options)->open(homotopy)) {}
+
+  static Departure departure() { return {0, Contour::segment(0, 1), {1.0, 1.0}, 0, 0, nullptr}; }
+  Arrival go(const Departure& departure) { return follow(*session, departure, stop); }
+
+  Homotopy homotopy;
+  std::unique_ptr<TrackerSession> session;
+  std::atomic<bool> stop{false};
+};
+
+Complex affine(std::span<const Complex> x) { return x[0] / x[1]; }
+
+/// The path in closed form: x(t)^2 = 1 + (c - 1) t, never on the negative axis.
+Complex root_at(Complex t) { return std::sqrt(1.0 + (kTarget - 1.0) * t); }
+
+class Watching : public Watcher {
+ public:
+  explicit Watching(double stop_at = 2) : stop_at_(stop_at) {}
+  Verdict watch(const StepRecord& step, PathSystem&) noexcept override {
+    s.push_back(step.s);
+    drift = std::max(drift, std::abs(affine(step.x) - root_at(step.t.t)));
+    return step.s >= stop_at_ ? Verdict::stop : Verdict::go_on;
+  }
+
+  std::vector<double> s;
+  double drift = 0;  ///< largest distance of a point from the path
+
+ private:
+  double stop_at_;
+};
+
+TEST(CvodeTracker, FollowsASquareRootWithEveryMethod) {
+  for (const CvodeMethod method :
+       {CvodeMethod::bdf_projection, CvodeMethod::bdf, CvodeMethod::adams}) {
+    Scene scene("x^2 - 3 - 4*i", {.method = method, .rtol = 1e-4});
+    const Arrival arrival = scene.go(Scene::departure());
+    EXPECT_EQ(arrival.journey, Journey::arrived) << to_string(method);
+    EXPECT_EQ(arrival.s, 1);
+    EXPECT_EQ(arrival.t.rest, 0.0);
+    EXPECT_LT(std::abs(affine(arrival.x) - Complex(2, 1)), kArrivalAccuracy) << to_string(method);
+  }
+}
+
+TEST(CvodeTracker, ProjectionTakesAwayTheDriftOfTheIntegrator) {
+  double drift[2];
+  const CvodeMethod methods[]{CvodeMethod::bdf, CvodeMethod::bdf_projection};
+  for (std::size_t k = 0; k < 2; ++k) {
+    Scene scene("x^2 - 3 - 4*i", {.method = methods[k]});
+    Watching watcher;
+    Departure departure = Scene::departure();
+    departure.watcher = &watcher;
+    scene.go(departure);
+    drift[k] = watcher.drift;
+  }
+  EXPECT_GT(drift[0], 1e-4);
+  EXPECT_LT(drift[1], kArrivalAccuracy);
+}
+
+TEST(CvodeTracker, MoreCareTakesMoreSteps) {
+  Scene scene;
+  Departure careful = Scene::departure();
+  careful.care = 2;
+  EXPECT_GT(scene.go(careful).count.accepted, scene.go(Scene::departure()).count.accepted);
+}
+
+TEST(CvodeTracker, SamplesLieOnThePathAtEquidistantParameters) {
+  Scene scene;
+  Departure departure = Scene::departure();
+  departure.samples = 7;
+  const Arrival arrival = scene.go(departure);
+  ASSERT_EQ(arrival.samples.size(), 7u);
+  for (std::size_t k = 0; k < 7; ++k) {
+    const double t = static_cast<double>(k + 1) / 7;
+    EXPECT_LT(std::abs(affine(arrival.samples[k]) - root_at(t)), 1e-13) << k;
+  }
+}
+
+TEST(CvodeTracker, AWatcherSeesEveryStepAndMayStopTheJourney) {
+  Scene scene;
+  Watching watcher(0.5);
+  Departure departure = Scene::departure();
+  departure.watcher = &watcher;
+  const Arrival arrival = scene.go(departure);
+  EXPECT_EQ(arrival.journey, Journey::stopped);
+  EXPECT_EQ(watcher.s.size(), arrival.count.accepted);
+  EXPECT_EQ(watcher.s.back(), arrival.s);
+  EXPECT_GE(arrival.s, 0.5);
+  EXPECT_LT(arrival.s, 1);
+  EXPECT_TRUE(std::is_sorted(watcher.s.begin(), watcher.s.end()));
+}
+
+TEST(CvodeTracker, APointFarFromThePathIsABadStart) {
+  Scene scene;
+  Departure departure = Scene::departure();
+  departure.x[0] = 2.0;
+  EXPECT_EQ(scene.go(departure).journey, Journey::bad_start);
+  departure.x[0] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(scene.go(departure).journey, Journey::bad_start);
+}
+
+TEST(CvodeTracker, ABudgetOfStepsEndsTheJourney) {
+  Scene scene("x^2 - 3 - 4*i", {.maximum_steps = 3});
+  const Arrival arrival = scene.go(Scene::departure());
+  EXPECT_EQ(arrival.journey, Journey::step_limit);
+  EXPECT_EQ(arrival.count.accepted, 3u);
+}
+
+TEST(CvodeTracker, APathIntoASingularityStopsBeforeIt) {
+  // At t = 1/2 the two roots of t (x^2 + 1) + (1 - t) (x^2 - 1) meet at 0: no path goes on.
+  Scene scene("x^2 + 1");
+  const Arrival arrival = scene.go(Scene::departure());
+  EXPECT_EQ(arrival.journey, Journey::step_too_small);
+  EXPECT_NEAR(arrival.s, 0.5, 1e-6);
+}
+
+TEST(CvodeTracker, ASetStopCancelsTheJourney) {
+  Scene scene;
+  scene.stop = true;
+  EXPECT_EQ(scene.go(Scene::departure()).journey, Journey::cancelled);
+}
+
+TEST(CvodeTracker, OtherJourneysInBetweenChangeNoBit) {
+  Scene scene;
+  const Arrival first = scene.go(Scene::departure());
+  Departure other = Scene::departure();
+  other.x[0] = -1.0;
+  other.care = 1;
+  other.samples = 5;
+  scene.go(other);
+  other.x[0] = 9.0;
+  scene.go(other);
+  const Arrival again = scene.go(Scene::departure());
+  EXPECT_EQ(again.x, first.x);
+  EXPECT_EQ(again.count.accepted, first.count.accepted);
+  EXPECT_EQ(again.count.work.linearizations, first.count.work.linearizations);
+}
+
+TEST(CvodeOptionsRules, AreAllNamedWhenBroken) {
+  EXPECT_TRUE(validate(CvodeOptions{}).empty());
+  EXPECT_EQ(validate({.rtol = 0, .maximum_steps = 0}).size(), 2u);
+  EXPECT_EQ(validate({.rtol = std::numeric_limits<double>::quiet_NaN()}).size(), 1u);
+  EXPECT_THROW(make_cvode_tracker({.rtol = 1}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace moivre
