@@ -25,7 +25,10 @@ Refiner refiner_of(const std::string& text) {
 std::string wilkinson(int degree) {
   std::string text = "1\n ";
   for (int k = 1; k <= degree; ++k) {
-    text += (k > 1 ? "*" : "") + ("(x - " + std::to_string(k) + ")");
+    if (k > 1) text += "*";
+    text += "(x - ";
+    text += std::to_string(k);
+    text += ")";
   }
   return text + ";\n";
 }
