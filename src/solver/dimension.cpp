@@ -18,9 +18,9 @@ constexpr double kOnTheSet = 1e-14;
 constexpr double kNeighbourhood = 8;
 constexpr int kMaximumIterations = 60;
 // A set nearly parallel to one plane has its neighbour too far away, and beside a root of multiplicity 8 the residual on
-// one plane may be rounding: two of three decide.
-constexpr int kSlices = 3;
-constexpr int kMajority = 2;
+// one plane may be rounding: three of five decide.
+constexpr int kSlices = 5;
+constexpr int kAgreeing = 3;
 
 /// F with its rows scaled by the sizes of their terms at x, and its Jacobian. Coordinates below `floor` count as of
 /// that size: where one vanishes on the set, the terms would vanish with the values.
@@ -111,7 +111,7 @@ bool lies_on_positive_dimensional_set(const System& f, const Point& x, std::uint
   for (std::uint64_t slice = 0; slice < kSlices; ++slice) {
     found += has_root_on_moved_slice(scaled, point, seed, slice) ? 1 : 0;
   }
-  return found >= kMajority;
+  return found >= kAgreeing;
 }
 
 }  // namespace moivre

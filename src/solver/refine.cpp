@@ -28,6 +28,8 @@ constexpr double kProbe = 1e-2;
 constexpr double kLeastProbe = 1e-13;
 // From here on the Jacobian, evaluated in double, says nothing about the root.
 constexpr double kHopelessSensitivity = 1e16;
+// The points of a circle, whose mean a singular end is, are not known better.
+constexpr double kSingularAccuracy = 1e-14;
 // Coordinates of a singular root are taken for 0 within so many times its accuracy.
 constexpr double kSingularSnap = 10;
 
@@ -222,10 +224,9 @@ bool Refiner::is_simple(const Point& x) {
 Refined Refiner::keep(const Point& x, double accuracy, int sheets) {
   Refined result;
   result.x = x;
-  result.accuracy =
-      std::max(accuracy, std::pow(natural_residual(x), 1 / static_cast<double>(sheets)));
-  result.condition =
-      w_->factor(x) ? w_->lu.condition() : std::numeric_limits<double>::infinity();
+  result.accuracy = std::max({accuracy, kSingularAccuracy,
+                              std::pow(natural_residual(x), 1 / static_cast<double>(sheets))});
+  result.condition = w_->factor(x) ? w_->lu.condition() : std::numeric_limits<double>::infinity();
   result.residual = residual(x);
   snap_to_zero(result, kSingularSnap * result.accuracy);
   return result;
