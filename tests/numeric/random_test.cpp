@@ -27,12 +27,14 @@ TEST(RandomBits, OfTheDefaultSeedAreTheseOnEveryMachine) {
   EXPECT_EQ(random_bits(1, RandomStream::slice, 0), 1685891443961195628u);
 }
 
-TEST(RandomBits, AreSharedByNoTwoStreamsOrIndicesOfASeed) {
+TEST(RandomBits, AreSharedByNoTwoSeedsStreamsOrIndices) {
   std::set<std::uint64_t> seen;
   std::size_t count = 0;
-  for (const RandomStream stream : {kStart, RandomStream::slice, kTest}) {
-    for (std::uint64_t index = 0; index < 1000; ++index, ++count) {
-      seen.insert(random_bits(1, stream, index));
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    for (const RandomStream stream : {kStart, RandomStream::slice, kTest}) {
+      for (std::uint64_t index = 0; index < 50; ++index, ++count) {
+        seen.insert(random_bits(seed, stream, index));
+      }
     }
   }
   EXPECT_EQ(seen.size(), count);

@@ -16,15 +16,26 @@ namespace moivre {
 /// What a stream of random numbers is for; each purpose has numbers of its own.
 enum class RandomStream : std::uint64_t { start_system = 1, slice = 2, test = 3 };
 
+namespace detail {
+
+inline constexpr std::uint64_t kGoldenGamma = 0x9E3779B97F4A7C15;
+
+/// SplitMix64's finaliser: a bijection of 64-bit words that keeps 0.
+inline std::uint64_t mix(std::uint64_t z) {
+  z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9;
+  z = (z ^ (z >> 27)) * 0x94D049BB133111EB;
+  return z ^ (z >> 31);
+}
+
+}  // namespace detail
+
 /// 64 bits from (seed, stream, index).
 inline std::uint64_t random_bits(std::uint64_t seed, RandomStream stream, std::uint64_t index) {
-  constexpr std::uint64_t kGoldenGamma = 0x9E3779B97F4A7C15;
-  std::uint64_t z = seed * kGoldenGamma + static_cast<std::uint64_t>(stream);
+  // The seed is hashed too: counted like the index, seed 2 would give seed 1's numbers moved by one.
+  std::uint64_t z =
+      detail::mix(seed - 1) + detail::kGoldenGamma + static_cast<std::uint64_t>(stream);
   for (const std::uint64_t word : {index, index >> 32}) {
-    z += kGoldenGamma * (word + 1);
-    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9;
-    z = (z ^ (z >> 27)) * 0x94D049BB133111EB;
-    z ^= z >> 31;
+    z = detail::mix(z + detail::kGoldenGamma * (word + 1));
   }
   return z;
 }
