@@ -3,9 +3,12 @@
 #include "moivre/tracker_lanes/lane_tracker.h"
 
 #include <gtest/gtest.h>
+#include <hwy/highway.h>
+#include <hwy/targets.h>
 
 #include <map>
 #include <numbers>
+#include <thread>
 
 #include "moivre/polynomial/read.h"
 #include "moivre/start/total_degree.h"
@@ -210,6 +213,96 @@ TEST(LaneTracker, MoreCareTakesShorterSteps) {
   const auto plain = run(scene, {scene.departure(2)}).at(2);
   const auto tight = run(scene, {careful}).at(2);
   EXPECT_GT(tight.count.accepted, plain.count.accepted);
+}
+
+TEST(LaneTracker, ManySessionsArriveWhereOneDoes) {
+  Scene scene(kCubics);
+  const auto together = run(scene, all_departures(scene));
+  std::vector<std::map<std::uint64_t, Arrival>> parts(3);
+  std::vector<std::thread> threads;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    threads.emplace_back([&, k] {
+      std::vector<Departure> own;
+      for (std::uint64_t path = k; path < 9; path += parts.size()) {
+        own.push_back(scene.departure(path));
+      }
+      Journeys journeys(std::move(own));
+      const std::atomic<bool> stop{false};
+      scene.tracker->open(scene.homotopy)->run(journeys, stop);
+      parts[k] = std::move(journeys.arrivals);
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  for (const auto& part : parts) {
+    for (const auto& [path, arrival] : part) EXPECT_EQ(arrival.x, together.at(path).x) << path;
+  }
+}
+
+/// Chooses an instruction set for as long as it lives.
+class Target {
+ public:
+  explicit Target(std::int64_t target) { choose(target); }
+  ~Target() { choose(0); }
+  Target(const Target&) = delete;
+  Target& operator=(const Target&) = delete;
+
+ private:
+  static void choose(std::int64_t target) {
+    hwy::SetSupportedTargetsForTest(target);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+  }
+};
+
+/// Every instruction set that the machine runs and the library was compiled for, the scalar one among them.
+std::vector<std::int64_t> targets() {
+  std::vector<std::int64_t> all;
+  std::int64_t rest = hwy::SupportedTargets() & HWY_TARGETS;
+  for (; rest != 0; rest &= rest - 1) all.push_back(rest & -rest);
+  return all;
+}
+
+TEST(EveryTarget, ArrivesAtTheSamePointsWithinAccuracy) {
+  std::map<std::uint64_t, Arrival> expected;
+  ASSERT_GE(targets().size(), 1u);
+  for (const std::int64_t target : targets()) {
+    const Target chosen(target);
+    Scene scene(kCubics);
+    const auto arrivals = run(scene, all_departures(scene));
+    if (expected.empty()) expected = arrivals;
+    for (const auto& [path, arrival] : arrivals) {
+      ASSERT_EQ(arrival.journey, Journey::arrived) << lane_target() << path;
+      for (std::size_t i = 0; i < 2; ++i) {
+        EXPECT_LT(
+            std::abs(arrival.x[i] / arrival.x[2] - expected.at(path).x[i] / expected.at(path).x[2]),
+            kArrivalAccuracy)
+            << lane_target() << path;
+      }
+    }
+  }
+}
+
+TEST(EveryTarget, GivesTheSameBytesWhateverTheNeighbours) {
+  for (const std::int64_t target : targets()) {
+    const Target chosen(target);
+    Scene scene(kCubics);
+    const auto together = run(scene, all_departures(scene));
+    for (std::uint64_t path = 0; path < 9; ++path) {
+      EXPECT_EQ(run(scene, {scene.departure(path)}).at(path).x, together.at(path).x)
+          << lane_target() << path;
+    }
+  }
+}
+
+TEST(EveryTarget, HasTheWidthOfItsVectors) {
+  const std::map<std::string, std::size_t> widths = {{"AVX3", 8},  {"AVX2", 4},   {"SSE4", 2},
+                                                     {"SSSE3", 2}, {"SCALAR", 1}, {"EMU128", 2}};
+  for (const std::int64_t target : targets()) {
+    const Target chosen(target);
+    const auto known = widths.find(lane_target());
+    if (known != widths.end()) {
+      EXPECT_EQ(lane_width(), known->second) << lane_target();
+    }
+  }
 }
 
 TEST(LaneOptionsRules, AreAllNamedWhenBroken) {
