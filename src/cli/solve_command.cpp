@@ -45,6 +45,8 @@ SolveResult solve_interruptibly(const SolveCommand& command, const Problem& prob
   SolveOptions options;
   options.seed = command.start.seed;
   options.threads = command.threads;
+  const std::unique_ptr<Tracker> fallback = make_fallback(command.tracker);
+  options.fallback = fallback.get();
   ProgressLine line(!command.quiet);
   if (line.is_active()) options.progress = [&](const Progress& progress) { line.show(progress); };
   const Interruption interruption;

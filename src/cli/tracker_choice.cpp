@@ -107,4 +107,8 @@ std::unique_ptr<Tracker> make_tracker(const TrackerChoice& choice) {
   throw std::invalid_argument("--tracker " + choice.kind + ": the trackers are cvode and lanes");
 }
 
+std::unique_ptr<Tracker> make_fallback(const TrackerChoice& choice) {
+  return MOIVRE_WITH_CVODE && choice.kind == "lanes" ? make_cvode(choice) : nullptr;
+}
+
 }  // namespace moivre

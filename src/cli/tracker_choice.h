@@ -22,5 +22,7 @@ struct TrackerChoice {
 void add_tracker_options(CLI::App& command, TrackerChoice& choice);
 /// Throws std::invalid_argument with the reason when there is no such tracker or its options are out of range.
 std::unique_ptr<Tracker> make_tracker(const TrackerChoice& choice);
+/// The tracker that takes over what the chosen one cannot settle: CVODE behind the lanes, where it was built; else nullptr.
+std::unique_ptr<Tracker> make_fallback(const TrackerChoice& choice);
 
 }  // namespace moivre

@@ -24,7 +24,8 @@ Json paths_json(const PathCounts& paths) {
           {"at_infinity", paths.at_infinity},
           {"failed", paths.failed},
           {"on_positive_dimensional", paths.on_positive_dimensional},
-          {"retracked", paths.retracked}};
+          {"retracked", paths.retracked},
+          {"handed_over", paths.handed_over}};
 }
 
 Json failure_json(const FailedPath& failure) {

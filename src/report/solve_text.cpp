@@ -42,6 +42,10 @@ std::string paths_line(const SolveResult& result) {
             " of the finite on sets of positive dimension";
   }
   if (paths.retracked > 0) text += "; " + std::to_string(paths.retracked) + " tracked again";
+  if (paths.handed_over > 0) {
+    text += ", ";
+    text += std::to_string(paths.handed_over) + " of them by the other tracker";
+  }
   return text + '\n';
 }
 

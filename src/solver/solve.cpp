@@ -29,6 +29,9 @@ constexpr int kLeastMultiplicity = 2;
 // More threads than any machine has cores only cost memory.
 constexpr int kMostThreads = 1024;
 
+// The tracker itself tries first, with one level of care, before a path goes to the fallback.
+constexpr int kFallbackCare = 2;
+
 class Stopwatch {
  public:
   double lap() {
@@ -71,8 +74,10 @@ class Run {
   bool is_on_set(const Root& root);
   Root refined_root(Refiner& refiner, const PathEnd& end) const;
   void take(std::uint64_t path, PathEnd&& end);
-  PathProblem problem() const {
-    return {*prepared_.homotopy, prepared_.start, tracker_, options_.endgame};
+  bool falls_back(int care) const { return options_.fallback != nullptr && care >= kFallbackCare; }
+  PathProblem problem(int care) const {
+    return {*prepared_.homotopy, prepared_.start, falls_back(care) ? *options_.fallback : tracker_,
+            options_.endgame};
   }
 
   const System& f_;
@@ -85,6 +90,7 @@ class Run {
   Ledger ledger_;
   std::vector<std::pair<std::uint64_t, PathEnd>> ends_;  // finite, to be refined
   std::set<std::uint64_t> retracked_;
+  std::set<std::uint64_t> handed_over_;
   std::uint64_t unsettled_conjugates_ = 0;
   bool interrupted_ = false;
   SolveResult result_;
@@ -175,7 +181,7 @@ void Run::track_all() {
     take(path, std::move(end));
     if (options_.progress) options_.progress(progress);
   };
-  track_paths(problem(), prepared_.start.paths, [](std::uint64_t k) { return k; }, 0, threads_,
+  track_paths(problem(0), prepared_.start.paths, [](std::uint64_t k) { return k; }, 0, threads_,
               sink, stop_);
   if (progress.done < prepared_.start.paths) interrupted_ = true;
 }
@@ -261,7 +267,7 @@ void Run::add_paths_of_missing_conjugates(int care, std::set<std::uint64_t>& dou
     const Refined root = refiner.refine(image, 1e-12);
     if (!root.simple) continue;
     ++unsettled_conjugates_;
-    const auto path = path_through(problem(), to_homogeneous(prepared_, root.x), care, stop_);
+    const auto path = path_through(problem(care), to_homogeneous(prepared_, root.x), care, stop_);
     if (path) doubtful.insert(*path);
   }
 }
@@ -269,6 +275,7 @@ void Run::add_paths_of_missing_conjugates(int care, std::set<std::uint64_t>& dou
 void Run::track_again(const std::set<std::uint64_t>& paths, int care) {
   const std::vector<std::uint64_t> list(paths.begin(), paths.end());
   retracked_.insert(list.begin(), list.end());
+  if (falls_back(care)) handed_over_.insert(list.begin(), list.end());
   const EndSink sink = [&](std::uint64_t path, PathEnd&& end) {
     if (end.failure == Failure::cancelled) {
       interrupted_ = true;
@@ -277,7 +284,7 @@ void Run::track_again(const std::set<std::uint64_t>& paths, int care) {
     ledger_.strike(path);
     take(path, std::move(end));
   };
-  track_paths(problem(), list.size(), [&](std::uint64_t k) { return list[k]; }, care, threads_,
+  track_paths(problem(care), list.size(), [&](std::uint64_t k) { return list[k]; }, care, threads_,
               sink, stop_);
   refine_ends();
 }
@@ -351,6 +358,7 @@ void Run::close_account() {
   counts.at_infinity = ledger_.at_infinity();
   counts.tracked = ledger_.tracked();
   counts.retracked = retracked_.size();
+  counts.handed_over = handed_over_.size();
   result_.complete = !interrupted_ && counts.failed == 0 && unsettled_conjugates_ == 0;
   result_.message = interrupted_          ? "interrupted: what is finished is reported"
                     : result_.complete    ? "every path was decided"

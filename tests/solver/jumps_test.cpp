@@ -208,5 +208,23 @@ TEST(MissingConjugate, ThatStaysMissingIsAFailure) {
   }
 }
 
+TEST(Fallback, TakesWhatTheTrackerCannotSettle) {
+  const System f = system_of(problem("katsura-5"));
+  CvodeOptions short_of_steps;
+  short_of_steps.maximum_steps = 5;
+  const auto fallback = make_cvode_tracker();
+  SolveOptions options = with_seed(1);
+  options.fallback = fallback.get();
+  const SolveResult alone = solve(f, *make_cvode_tracker(short_of_steps), with_seed(1));
+  const SolveResult helped = solve(f, *make_cvode_tracker(short_of_steps), options);
+  expect_conservation(alone);
+  expect_conservation(helped);
+  EXPECT_EQ(alone.paths.handed_over, 0U);
+  EXPECT_EQ(alone.paths.failed, alone.paths.tracked);
+  EXPECT_EQ(helped.paths.handed_over, helped.paths.tracked);
+  EXPECT_TRUE(helped.complete);
+  EXPECT_EQ(helped.solutions.size(), problem("katsura-5").roots.distinct);
+}
+
 }  // namespace
 }  // namespace moivre

@@ -36,6 +36,8 @@ struct SolveOptions {
   bool eliminate = true;  ///< linear equations before tracking
   bool scale = true;      ///< rows and variables, by powers of two
   EndgameOptions endgame;
+  /// Tracks again what `tracker` could not settle with a little more care; not owned, may be nullptr.
+  const Tracker* fallback = nullptr;
   /// Called after each path, from any thread, never twice at once; may be empty.
   std::function<void(const Progress&)> progress;
 };
@@ -63,6 +65,7 @@ struct PathCounts {
   std::uint64_t failed = 0;
   std::uint64_t on_positive_dimensional = 0;
   std::uint64_t retracked = 0;
+  std::uint64_t handed_over = 0;  ///< of these, to SolveOptions::fallback
 
   friend bool operator==(const PathCounts&, const PathCounts&) = default;
 };
