@@ -16,8 +16,14 @@ constexpr std::size_t kSteadySights = 6;
 constexpr double kSteadyTolerance = 0.01;
 // The slowest growth that counts: winding numbers up to 20 at infinity.
 constexpr double kLeastValuation = 0.05;
-// Where a path diverges to a singular point at infinity the condition has reached this, and grown.
+// Where a path diverges to a singular point at infinity the condition has reached this, and grown; from
+// the second value on there is no telling the point from a finite one in double.
 constexpr double kDivergedCondition = 1e4;
+constexpr double kSingularCondition = 1e9;
+// A finite root may grow like one at infinity for a while (cyclic-7: by r^{-1/7} down to r = 1e-7). Below
+// that condition a path has to have gone far, and been steady for long.
+constexpr double kDivergedSize = 1e3;
+constexpr std::size_t kLongSights = 12;
 constexpr double kConditionGrowth = 10;
 // A large but finite root has a steady valuation near a whole number until 1 - t is smaller than its
 // inverse size; such valuations have to lead further before they are believed.
@@ -150,9 +156,10 @@ Watcher::Verdict Endgame::watch(const StepRecord& step, PathSystem& path) noexce
 }
 
 // All coordinates have had the same valuations for several sights: the path is in its last phase.
-bool Endgame::valuations_are_steady() const {
+bool Endgame::valuations_are_steady(std::size_t sights) const {
+  if (sights_.size() < sights) return false;
   const Sight& now = sights_.back();
-  for (auto s = sights_.end() - kSteadySights; s != sights_.end(); ++s) {
+  for (auto s = sights_.end() - static_cast<std::ptrdiff_t>(sights); s != sights_.end(); ++s) {
     for (std::size_t i = 0; i < now.valuations.size(); ++i) {
       const double tolerance = kSteadyTolerance * (1 + std::abs(now.valuations[i]));
       if (std::abs(s->valuations[i] - now.valuations[i]) > tolerance) return false;
@@ -169,9 +176,11 @@ bool Endgame::diverges() const {
   if (now.least > -kLeastValuation) return false;
   const bool beyond = now.size * options_.infinity_floor > 1 && now.radius < kBeyondRadius;
   if (beyond && now.size > then.size) return true;
-  if (!valuations_are_steady()) return false;
+  if (!valuations_are_steady(kSteadySights)) return false;
   const bool whole = std::abs(now.least - std::round(now.least)) < kWhole;
-  return (!whole || now.size > kWholeSize) && now.condition > kDivergedCondition &&
+  const bool far = whole ? now.size > kWholeSize
+                         : now.size > kDivergedSize && valuations_are_steady(kLongSights);
+  return (far || now.condition > kSingularCondition) && now.condition > kDivergedCondition &&
          now.condition > kConditionGrowth * first.condition && now.condition > then.condition;
 }
 

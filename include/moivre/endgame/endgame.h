@@ -99,7 +99,7 @@ class Endgame : public Watcher {
   };
 
   Sight sight(const StepRecord& step, PathSystem& path);
-  bool valuations_are_steady() const;
+  bool valuations_are_steady(std::size_t sights) const;
   bool diverges() const;
   std::optional<Departure> judge_arrival(const Arrival& arrival, PathSystem& path);
   std::optional<Departure> begin_circle();
