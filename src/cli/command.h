@@ -15,5 +15,9 @@ using Chosen = std::function<int()>;
 void add_solve_command(CLI::App& moivre, Chosen& chosen);
 void add_track_command(CLI::App& moivre, Chosen& chosen);
 void add_info_command(CLI::App& moivre, Chosen& chosen);
+void add_closures_command(CLI::App& moivre, Chosen& chosen);
+void add_newton_command(CLI::App& moivre, Chosen& chosen);
+void add_mobility_command(CLI::App& moivre, Chosen& chosen);
+void add_guesses_command(CLI::App& moivre, Chosen& chosen);
 
 }  // namespace moivre

@@ -72,7 +72,11 @@ int refuse(const std::string& text) {
 }
 
 int parse_and_run(int argc, char** argv) {
-  CLI::App moivre("Finds every root of a polynomial system by homotopy continuation.", "moivre");
+  CLI::App moivre(
+      "Finds every root of a polynomial system, and every way a mechanism can be assembled, by "
+      "homotopy "
+      "continuation.",
+      "moivre");
   Chosen chosen;
   moivre.set_version_flag("--version", "moivre " + std::string(version()));
   moivre.require_subcommand(1);
@@ -80,6 +84,10 @@ int parse_and_run(int argc, char** argv) {
   add_solve_command(moivre, chosen);
   add_track_command(moivre, chosen);
   add_info_command(moivre, chosen);
+  add_closures_command(moivre, chosen);
+  add_newton_command(moivre, chosen);
+  add_mobility_command(moivre, chosen);
+  add_guesses_command(moivre, chosen);
   try {
     moivre.parse(argc, argv);
   } catch (const CLI::Success& asked_for_text) {

@@ -10,6 +10,19 @@ void add_file(CLI::App& command, std::string& file) {
       ->required();
 }
 
+void add_mechanism_file(CLI::App& command, std::string& file) {
+  command.add_option("FILE", file, "mechanism: bodies and joints, or typed equations (.toml)")
+      ->required();
+}
+
+void add_any_file(CLI::App& command, std::string& file) {
+  command
+      .add_option("FILE", file,
+                  "mechanism or typed equations (.toml), else a polynomial system in PHCpack's or "
+                  "Bertini's text form")
+      ->required();
+}
+
 void add_start_options(CLI::App& command, StartChoice& choice) {
   command.add_option("--start", choice.kind, "start system: total-degree")->capture_default_str();
   command.add_option("--seed", choice.seed, "of the random numbers in the start system")

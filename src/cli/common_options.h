@@ -11,6 +11,9 @@
 namespace moivre {
 
 void add_file(CLI::App& command, std::string& file);
+void add_mechanism_file(CLI::App& command, std::string& file);
+/// A mechanism, or a polynomial system.
+void add_any_file(CLI::App& command, std::string& file);
 
 struct StartChoice {
   std::string kind = "total-degree";

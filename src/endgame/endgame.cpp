@@ -371,7 +371,7 @@ void Endgame::decide_infinity() {
 
 bool Endgame::is_regular_arrival(const Arrival& arrival, PathSystem& path, double condition) {
   if (arrival.journey != Journey::arrived) return false;
-  NewtonOptions newton;
+  CorrectorOptions newton;
   newton.tolerance = kRegularTolerance;
   Point x = arrival.x;
   const Correction correction = path.correct(x, kEnd, newton, true);

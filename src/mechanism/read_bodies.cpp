@@ -340,7 +340,7 @@ std::optional<PointOf> find_point(Reading& reading, const Mechanism& mechanism,
   const auto body = find_body(reading, mechanism, name.substr(0, dot), at);
   if (!body) return std::nullopt;
   std::vector<std::string> known;
-  for (const Point& point : mechanism.bodies[*body].points) {
+  for (const BodyPoint& point : mechanism.bodies[*body].points) {
     if (point.name == name.substr(dot + 1)) return PointOf{*body, known.size()};
     known.push_back(point.name);
   }

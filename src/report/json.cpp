@@ -68,6 +68,45 @@ Json work_json(const StepCount& work) {
           {"factorizations", work.work.factorizations}};
 }
 
+Json to_json(const Solution& solution) {
+  return {{"path", solution.path},
+          {"x", to_json(solution.x)},
+          {"real", solution.real},
+          {"singular", solution.singular},
+          {"multiplicity", solution.multiplicity},
+          {"winding", solution.winding},
+          {"residual", to_json(solution.residual)},
+          {"accuracy", to_json(solution.accuracy)},
+          {"condition", to_json(solution.condition)}};
+}
+
+Json to_json(const PathCounts& paths) {
+  return {{"tracked", paths.tracked},
+          {"finite", paths.finite},
+          {"at_infinity", paths.at_infinity},
+          {"failed", paths.failed},
+          {"on_positive_dimensional", paths.on_positive_dimensional},
+          {"retracked", paths.retracked},
+          {"handed_over", paths.handed_over}};
+}
+
+Json to_json(const FailedPath& failure) {
+  return {
+      {"path", failure.path}, {"reason", to_string(failure.failure)}, {"t", to_json(failure.t)}};
+}
+
+Json to_json(const SolveTime& time) {
+  return {{"threads", time.threads},        {"parse", to_json(time.parse)},
+          {"start", to_json(time.start)},   {"track", to_json(time.track)},
+          {"refine", to_json(time.refine)}, {"total", to_json(time.total)}};
+}
+
+Json to_json(const SystemFacts& system) {
+  return {{"variables", system.variables},
+          {"degrees", system.degrees},
+          {"total_degree", to_json(system.total_degree)}};
+}
+
 Json report_head(const std::string& command, const std::string& file) {
   return {{"moivre", std::string(version())}, {"command", command}, {"file", file}};
 }

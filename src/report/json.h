@@ -22,11 +22,24 @@ Json to_json(const Point& x);
 /// null where there is no value.
 Json to_json(const std::optional<std::uint64_t>& x);
 Json to_json(const std::vector<LeftOut>& left_out);
+Json to_json(const Solution& solution);
+Json to_json(const PathCounts& paths);
+Json to_json(const FailedPath& failure);
+Json to_json(const SolveTime& time);
+Json to_json(const SystemFacts& system);
 /// Kind, and every option in force; numbers as numbers.
 Json tracker_json(const std::string& kind,
                   const std::vector<std::pair<std::string, std::string>>& options);
 
 Json work_json(const StepCount& work);
+
+/// `element` of each item.
+template <class List, class Element>
+Json list_json(const List& list, Element element) {
+  Json array = Json::array();
+  for (const auto& item : list) array.push_back(element(item));
+  return array;
+}
 
 /// {"moivre": version, "command": command, "file": file}: how every report begins.
 Json report_head(const std::string& command, const std::string& file);

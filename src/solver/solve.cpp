@@ -368,6 +368,17 @@ void Run::close_account() {
 
 }  // namespace
 
+PathCounts& PathCounts::operator+=(const PathCounts& other) {
+  tracked += other.tracked;
+  finite += other.finite;
+  at_infinity += other.at_infinity;
+  failed += other.failed;
+  on_positive_dimensional += other.on_positive_dimensional;
+  retracked += other.retracked;
+  handed_over += other.handed_over;
+  return *this;
+}
+
 std::vector<std::string> validate(const SolveOptions& options) {
   std::vector<std::string> broken;
   if (options.threads < 0 || options.threads > kMostThreads) {

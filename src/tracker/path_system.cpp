@@ -90,7 +90,7 @@ void PathSystem::evaluate_fine(std::span<const Complex> x, const PathTime& t) no
 }
 
 Correction PathSystem::correct(std::span<Complex> x, const PathTime& t,
-                               const NewtonOptions& options, bool fresh) noexcept {
+                               const CorrectorOptions& options, bool fresh) noexcept {
   Correction result;
   bool renewed = fresh;
   bool fine = false;

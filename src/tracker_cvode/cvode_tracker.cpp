@@ -60,7 +60,7 @@ class CvodeSession : public TrackerSession {
   CvodeMemory memory_;
   Point trial_;
   Contour contour_ = Contour::segment(0, 1);
-  NewtonOptions newton_;
+  CorrectorOptions newton_;
   double rtol_ = 0;
   double linearized_at_ =
       -1;  // s of the last right-hand side, whose factors the projection may use
@@ -132,12 +132,12 @@ bool CvodeSession::depart(const Departure& departure) {
   const double care = std::pow(kCareFactor, -departure.care);
   contour_ = departure.contour;
   rtol_ = options_.rtol * care;
-  newton_ = NewtonOptions{};
+  newton_ = CorrectorOptions{};
   newton_.largest_correction *= care;
   const auto x = coordinates(memory_.state());
   const double norm = euclidean_norm(departure.x);
   for (std::size_t i = 0; i < x.size(); ++i) x[i] = departure.x[i] / norm;
-  if (!path_.correct(x, contour_.at(0), NewtonOptions{}, true).converged) return false;
+  if (!path_.correct(x, contour_.at(0), CorrectorOptions{}, true).converged) return false;
   linearized_at_ = -1;
   return CVodeReInit(memory_.cvode(), 0, memory_.state()) == CV_SUCCESS &&
          CVodeSetStopTime(memory_.cvode(), 1) == CV_SUCCESS;
@@ -169,7 +169,7 @@ bool CvodeSession::take_samples(const Departure& departure, double previous, dou
       if (CVodeGetDky(memory_.cvode(), at, 0, memory_.state()) != CV_SUCCESS) return false;
       std::swap_ranges(sample.begin(), sample.end(), x.begin());
     }
-    NewtonOptions polish = newton_;
+    CorrectorOptions polish = newton_;
     polish.tolerance = kSampleTolerance;
     linearized_at_ = -1;
     if (!path_.correct(sample, contour_.at(at), polish, true).converged) return false;
@@ -214,7 +214,7 @@ Journey CvodeSession::step_on(const Departure& departure, const std::atomic<bool
   }
   if (!projects()) {
     linearized_at_ = -1;
-    if (!path_.correct(arrival.x, contour_.at(1), NewtonOptions{}, true).converged) {
+    if (!path_.correct(arrival.x, contour_.at(1), CorrectorOptions{}, true).converged) {
       return Journey::off_path;
     }
   }

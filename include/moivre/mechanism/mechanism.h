@@ -32,7 +32,7 @@ struct Units {
 };
 
 /// A place fixed in a body's own frame.
-struct Point {
+struct BodyPoint {
   std::string name;
   Eigen::Vector3d at = Eigen::Vector3d::Zero();
   SourcePosition where;
@@ -40,7 +40,7 @@ struct Point {
 
 struct Body {
   std::string name;
-  std::vector<Point> points;
+  std::vector<BodyPoint> points;
   SourcePosition where;
 };
 

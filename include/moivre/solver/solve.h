@@ -67,6 +67,7 @@ struct PathCounts {
   std::uint64_t retracked = 0;
   std::uint64_t handed_over = 0;  ///< of these, to SolveOptions::fallback
 
+  PathCounts& operator+=(const PathCounts& other);
   friend bool operator==(const PathCounts&, const PathCounts&) = default;
 };
 

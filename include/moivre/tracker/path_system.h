@@ -44,7 +44,7 @@ struct WorkCount {
   }
 };
 
-struct NewtonOptions {
+struct CorrectorOptions {
   double tolerance = 1e-9;           ///< |dx|_w at which the point counts as on the path
   double largest_correction = 0.1;   ///< |dx|_w of the first correction above which the point is refused
   double largest_contraction = 0.25; ///< |dx_k+1|_w / |dx_k|_w above which Newton is refused
@@ -73,7 +73,7 @@ class PathSystem {
 
   /// Newton from x at fixed t, x replaced. Simplified: the factors of the last linearize() serve as long as they contract;
   /// they are renewed once when they do not, and at the start when `fresh`.
-  Correction correct(std::span<Complex> x, const PathTime& t, const NewtonOptions& options,
+  Correction correct(std::span<Complex> x, const PathTime& t, const CorrectorOptions& options,
                      bool fresh) noexcept;
 
   /// Condition number of J as it stands, from the last linearize(): it tells a vanishing row as well,

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// How are closures told? As text for people, as JSON and CSV for programs.
+//
+//   text  counts, stages, every closure with angles in the file's unit, what was left out
+//   JSON  docs/json.md shows it; angles in radians in (-pi, pi], lengths in the file's unit; unknown numbers are null
+//   CSV   one closure a line: id, then the coordinates, shortest digits that read back as the same double
+// `file` is the name the user gave to the mechanism.
+#pragma once
+
+#include <string>
+
+#include "moivre/closures/closures.h"
+
+namespace moivre {
+
+std::string closures_text(const ClosureResult& result, const Mechanism& mechanism,
+                          const std::string& file);
+std::string closures_json(const ClosureResult& result, const Mechanism& mechanism,
+                          const std::string& file);
+std::string closures_csv(const ClosureResult& result, const Mechanism& mechanism);
+
+}  // namespace moivre

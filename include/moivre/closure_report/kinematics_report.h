@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// How are a Newton run, a mobility and a list of guesses told? As text for people, as JSON and CSV for programs.
+//
+// JSON: docs/json.md. CSV of newton: a row an iterate; CSV of guesses: a row a guess. Angles in radians, lengths in the
+// file's unit, but for the text, which has angles in the file's unit.
+#pragma once
+
+#include <string>
+
+#include "moivre/closures/guesses.h"
+#include "moivre/kinematics/mobility.h"
+#include "moivre/kinematics/newton.h"
+
+namespace moivre {
+
+/// What the reports say beside the results.
+struct KinematicsHeading {
+  std::string file;
+  double time = 0;  ///< of the drivers
+};
+
+std::string newton_text(const NewtonResult& result, const Mechanism& mechanism,
+                        const KinematicsHeading& heading);
+std::string newton_json(const NewtonResult& result, const Mechanism& mechanism,
+                        const KinematicsHeading& heading);
+std::string newton_csv(const NewtonResult& result, const Mechanism& mechanism);
+
+/// `pose`: the Newton run that led to the pose.
+std::string mobility_text(const Mobility& mobility, const NewtonResult& pose,
+                          const Mechanism& mechanism, const KinematicsHeading& heading);
+std::string mobility_json(const Mobility& mobility, const NewtonResult& pose,
+                          const Mechanism& mechanism, const KinematicsHeading& heading);
+
+/// As [guess] blocks of a mechanism file, angles in the file's unit.
+std::string guesses_text(const InitialGuesses& guesses, const Mechanism& mechanism,
+                         const KinematicsHeading& heading);
+/// `complete`: of the solve; whether every path was decided.
+std::string guesses_json(const InitialGuesses& guesses, bool complete,
+                         const KinematicsHeading& heading);
+std::string guesses_csv(const InitialGuesses& guesses);
+
+}  // namespace moivre

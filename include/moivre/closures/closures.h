@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// In which poses can a mechanism be assembled? All closures at the drivers' time t, none missing, by homotopy continuation.
+//
+// Closure polynomials (closures/isotropic.h) -> blocks solved one after another, one solve a branch of what came before
+// (dyad after dyad) -> roots kept that satisfy every equation -> the real ones -> q -> Newton-Raphson on Phi(q, t).
+// Conservation holds in every stage as in solver/solve.h; roots on spare equations that fail are counted as `rejected`.
+// "Cannot be assembled" (no real closure) and "moves" (a curve of closures though the drivers stand) are answers.
+// An isolated multiple closure (a dead point) is singular and does not move.
+// Below a complex closure of one group the next one's conjugates come from that group's own pb and u.
+// Not supported: spatial mechanisms, equations that are no polynomials (std::invalid_argument with the reason).
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "moivre/closures/isotropic.h"
+#include "moivre/kinematics/mobility.h"
+#include "moivre/solver/solve.h"
+
+namespace moivre {
+
+struct ClosureOptions {
+  double time = 0;  ///< of the drivers, seconds
+  SolveOptions solve;
+};
+
+/// One group of bodies, solved once for every branch of the groups before it.
+struct Stage {
+  std::string group;
+  std::uint64_t solves = 0;
+  PathCounts paths;     ///< over all its solves
+  SystemFacts reduced;  ///< what was tracked
+};
+
+/// A pose of the assembled mechanism.
+struct Closure {
+  std::string id;  ///< A, B, ..., Z, AA, ... by path
+  Eigen::VectorXd q;
+  double residual = 0;  ///< max_i |Phi_i| / sum |terms of Phi_i|
+  int newton_iterations = 0;
+  double smallest_singular_value = 0;  ///< of Phi_q
+  std::uint64_t path = 0;              ///< of the last stage
+  std::uint64_t multiplicity = 1;
+  bool singular = false;
+};
+
+struct ClosureCounts {
+  std::uint64_t complex = 0;  ///< isolated closures, the real ones among them
+  std::uint64_t real = 0;
+  std::uint64_t filtered = 0;  ///< of the real ones: outside a joint's limits
+  std::uint64_t rejected = 0;  ///< roots of the solved equations that fail a spare one
+};
+
+/// A set of closures of positive dimension.
+struct Moves {
+  std::uint64_t dimension = 0;
+  std::string shown;  ///< how
+};
+
+struct ClosureResult {
+  bool complete = false;
+  std::string message = "find_closures() was not run";
+  std::uint64_t seed = 0;
+  double time = 0;
+  SystemFacts system;
+  SystemFacts reduced;  ///< of all stages together
+  StartFacts start;
+  std::string tracker;
+  std::vector<std::pair<std::string, std::string>> tracker_options;
+  PathCounts paths;  ///< over all stages
+  std::vector<Stage> stages;
+  std::vector<Solution> solutions;  ///< complex closures in `system`'s variables; real: a pose
+  ClosureCounts counts;
+  std::optional<Moves> moves;
+  std::vector<Closure> closures;     ///< real, within limits
+  std::optional<Mobility> mobility;  ///< at the first closure; nullopt where there is none
+  Eigen::Index coordinates = 0;      ///< n
+  Eigen::Index constraints = 0;      ///< m, without drivers
+  std::vector<FailedPath> failures;
+  std::vector<LeftOut> left_out;
+  StepCount work;
+  SolveTime time_s;
+};
+
+/// Throws std::invalid_argument where the mechanism is not supported, before any tracking.
+ClosureResult find_closures(const Mechanism& mechanism, const Tracker& tracker,
+                            const ClosureOptions& options = {},
+                            const std::atomic<bool>& stop = std::atomic<bool>{false});
+
+}  // namespace moivre

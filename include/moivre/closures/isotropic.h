@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// Which polynomials does a closed planar mechanism satisfy? Its joints in isotropic coordinates, drivers substituted.
+//
+// Body i:  p_i = x + iy,  pb_i its conjugate as an unknown of its own,  t_i = exp(i phi_i),  u_i = 1/t_i.
+// Bodies that stand at a known angle to each other (weld, prismatic, driven angle) share one t:  t_i = gamma_i t_class.
+//   body       t u = 1                                            one equation a class, ground's t is 1
+//   revolute   p_i + a t_i = p_j + b t_j,  and the conjugate      linear
+//   line       (eb u_i) D = (e t_i) Db                            prismatic and slot; D = p_j + b t_j - p_i - a t_i
+//   slide      D = s e t_i,  Db = s eb u_i                        a driven line: linear
+//   rod        D Db = L^2
+//   gear       t_i^zi t_c^(zj-zi) t_j^-zj = exp(-i zj phase)      powers moved to the side that keeps the degree low
+//   driven x   p + a t + pb + ab u = 2 x
+// Typed equations: cos and sin of whole multiples of angles become polynomials in t and u, lengths stay.
+// A real pose is a fixed point of x_v -> conj(x_mirror(v)): mirror swaps p and pb, t and u, and keeps a length.
+// Coefficients are the shortest decimals that read back as the file's doubles; exp(i phi) is a rational point of the unit
+// circle, so that t u = 1 holds exactly. The drivers stand at the time given.
+// Not supported: spatial mechanisms; typed equations with angles outside cos and sin (std::invalid_argument, the reason).
+// Source: [Wampler96], with the slide of prismatic joints eliminated, since that halves their degree.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "moivre/mechanism/mechanism.h"
+#include "moivre/numeric/complex.h"
+#include "moivre/polynomial/system.h"
+
+namespace moivre {
+
+struct IsotropicSystem {
+  System system;  ///< as many polynomials as the mechanism has to say, square or not; drivers first
+  std::vector<std::string> equation_names;
+  std::vector<std::size_t> mirror;               ///< of each variable
+  std::vector<std::vector<std::string>> owners;  ///< bodies (or unknowns) that a variable places
+  std::vector<std::string> contradictions;       ///< angles held at two values at once: no closure
+  std::vector<std::string> repetitions;          ///< angles held twice at one value
+
+  /// Where q is read from: q_k = Re or Im of a polynomial, or the argument of one.
+  struct Reading {
+    enum class Part { re, im, argument } part = Part::re;
+    Polynomial of;
+  };
+  std::vector<Reading> coordinates;
+};
+
+/// The polynomials at time t.
+IsotropicSystem isotropic_system(const Mechanism& mechanism, double t);
+
+/// q of a root; meaningful where the root is real.
+Eigen::VectorXd coordinates_of_root(const IsotropicSystem& isotropic, const Point& root);
+
+/// max_v |x_v - conj(x_mirror(v))| / max(1, |x|_inf): 0 for a real pose.
+double distance_from_real(const IsotropicSystem& isotropic, const Point& root);
+
+/// The image of a root under the real structure: a root as well.
+Point mirrored(const IsotropicSystem& isotropic, const Point& root);
+
+}  // namespace moivre

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// moivre closures FILE: every way a mechanism can be assembled, told as text, JSON or CSV.
+#include <chrono>
+#include <memory>
+
+#include "command.h"
+#include "common_options.h"
+#include "interruption.h"
+#include "moivre/closure_report/closure_report.h"
+#include "moivre/mechanism/read.h"
+#include "output.h"
+#include "progress_line.h"
+#include "tracker_choice.h"
+
+namespace moivre {
+namespace {
+
+struct ClosuresCommand {
+  std::string file;
+  StartChoice start;
+  TrackerChoice tracker;
+  double at = 0;
+  int threads = 0;
+  bool quiet = false;
+  std::string json;
+  std::string csv;
+};
+
+int run(const ClosuresCommand& command) {
+  require_known(command.start);
+  require_distinct({command.json, command.csv}, command.file);
+  const std::unique_ptr<Tracker> tracker = make_tracker(command.tracker);
+  const auto begin = std::chrono::steady_clock::now();
+  const Mechanism mechanism = read_mechanism(read_source(command.file));
+  const double parse_s =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  Output json(command.json);
+  Output csv(command.csv);
+
+  ClosureOptions options;
+  options.time = command.at;
+  options.solve.seed = command.start.seed;
+  options.solve.threads = command.threads;
+  ProgressLine line(!command.quiet);
+  if (line.is_active()) {
+    options.solve.progress = [&](const Progress& progress) { line.show(progress); };
+  }
+  const Interruption interruption;
+  ClosureResult result = find_closures(mechanism, *tracker, options, interruption.stop());
+  result.time_s.parse = parse_s;
+  result.time_s.total += parse_s;
+
+  if (json.is_wanted()) json.write(closures_json(result, mechanism, command.file));
+  if (csv.is_wanted()) csv.write(closures_csv(result, mechanism));
+  if (!command.quiet && !json.is_stdout() && !csv.is_stdout()) {
+    write_to_stdout(closures_text(result, mechanism, command.file));
+  }
+  return result.complete ? kDecided : kUndecided;
+}
+
+}  // namespace
+
+void add_closures_command(CLI::App& moivre, Chosen& chosen) {
+  const auto command = std::make_shared<ClosuresCommand>();
+  CLI::App& app = *moivre.add_subcommand("closures", "Find every way a mechanism can be assembled");
+  add_mechanism_file(app, command->file);
+  app.add_option("--at", command->at, "time of the drivers, in seconds")->capture_default_str();
+  add_start_options(app, command->start);
+  app.add_option("--threads", command->threads, "number of threads; 0: as many as the machine has")
+      ->capture_default_str();
+  add_quiet_flag(app, command->quiet);
+  add_json_option(app, command->json);
+  app.add_option("--csv", command->csv, "write a table of the closures here")->type_name("PATH");
+  add_tracker_options(app, command->tracker);
+  add_examples(app, {"moivre closures four-bar.toml", "moivre closures four-bar.toml --at 0.5",
+                     "moivre closures four-bar.toml --json - | jq .counts",
+                     "moivre closures four-bar.toml --quiet --csv closures.csv"});
+  app.callback([command, &chosen] { chosen = [command] { return run(*command); }; });
+}
+
+}  // namespace moivre

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+// moivre guesses FILE: every closure (or real root) as an initial guess for a Newton solve of one's own.
+#include <memory>
+
+#include "command.h"
+#include "common_options.h"
+#include "interruption.h"
+#include "mechanism_input.h"
+#include "moivre/closure_report/kinematics_report.h"
+#include "moivre/mechanism/read.h"
+#include "moivre/polynomial/read.h"
+#include "output.h"
+#include "tracker_choice.h"
+
+namespace moivre {
+namespace {
+
+struct GuessesCommand {
+  std::string file;
+  StartChoice start;
+  TrackerChoice tracker;
+  double at = 0;
+  int threads = 0;
+  bool quiet = false;
+  std::string json;
+  std::string csv;
+};
+
+struct Found {
+  Mechanism mechanism;
+  InitialGuesses guesses;
+  bool complete = false;
+};
+
+Found find(const GuessesCommand& command, const Tracker& tracker) {
+  const Interruption interruption;
+  ClosureOptions options;
+  options.time = command.at;
+  options.solve.seed = command.start.seed;
+  options.solve.threads = command.threads;
+  Found found;
+  if (is_mechanism_file(command.file)) {
+    found.mechanism = read_mechanism(read_source(command.file));
+    const ClosureResult result =
+        find_closures(found.mechanism, tracker, options, interruption.stop());
+    found.guesses = initial_guesses(result, found.mechanism);
+    found.complete = result.complete;
+  } else {
+    const System f = read_system(read_source(command.file));
+    const SolveResult result = solve(f, tracker, options.solve, interruption.stop());
+    found.mechanism = typed_mechanism(f);
+    found.guesses = initial_guesses(result);
+    found.complete = result.complete;
+  }
+  return found;
+}
+
+int run(const GuessesCommand& command) {
+  require_known(command.start);
+  require_distinct({command.json, command.csv}, command.file);
+  const std::unique_ptr<Tracker> tracker = make_tracker(command.tracker);
+  Output json(command.json);
+  Output csv(command.csv);
+  const Found found = find(command, *tracker);
+  const KinematicsHeading heading{command.file, command.at};
+  if (json.is_wanted()) json.write(guesses_json(found.guesses, found.complete, heading));
+  if (csv.is_wanted()) csv.write(guesses_csv(found.guesses));
+  if (!command.quiet && !json.is_stdout() && !csv.is_stdout()) {
+    write_to_stdout(guesses_text(found.guesses, found.mechanism, heading));
+  }
+  return found.complete ? kDecided : kUndecided;
+}
+
+}  // namespace
+
+void add_guesses_command(CLI::App& moivre, Chosen& chosen) {
+  const auto command = std::make_shared<GuessesCommand>();
+  CLI::App& app = *moivre.add_subcommand(
+      "guesses", "Write every closure or real root as an initial guess for a Newton solve");
+  add_any_file(app, command->file);
+  app.add_option("--at", command->at, "time of the drivers, in seconds")->capture_default_str();
+  add_start_options(app, command->start);
+  app.add_option("--threads", command->threads, "number of threads; 0: as many as the machine has")
+      ->capture_default_str();
+  add_quiet_flag(app, command->quiet);
+  add_json_option(app, command->json);
+  app.add_option("--csv", command->csv, "write a table of the guesses here")->type_name("PATH");
+  add_tracker_options(app, command->tracker);
+  add_examples(app, {"moivre guesses four-bar.toml", "moivre guesses four-bar.toml --csv -",
+                     "moivre guesses plane.phc --json guesses.json"});
+  app.callback([command, &chosen] { chosen = [command] { return run(*command); }; });
+}
+
+}  // namespace moivre

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// Mechanisms from files of either kind; guesses by coordinate name.
+#include "mechanism_input.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+
+#include "moivre/closures/guesses.h"
+#include "moivre/mechanism/read.h"
+#include "moivre/polynomial/read.h"
+#include "suggest.h"
+
+namespace moivre {
+namespace {
+
+/// NaN where the text is not one finite number.
+double number_in(const std::string& text) {
+  double value = 0;
+  const char* end = text.data() + text.size();
+  const auto read = std::from_chars(text.data(), end, value);
+  const bool is_whole = read.ec == std::errc() && read.ptr == end && std::isfinite(value);
+  return is_whole ? value : std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace
+
+bool is_mechanism_file(const std::string& file) {
+  constexpr std::string_view kEnding = ".toml";
+  return file.size() >= kEnding.size() && file.ends_with(kEnding);
+}
+
+Mechanism read_any_mechanism(const std::string& file) {
+  return is_mechanism_file(file) ? read_mechanism(read_source(file))
+                                 : typed_mechanism(read_system(read_source(file)));
+}
+
+void add_guess_options(CLI::App& command, GuessChoice& choice) {
+  command.add_option("--at", choice.at, "time of the drivers, in seconds")->capture_default_str();
+  command
+      .add_option("--guess", choice.guesses,
+                  "start value of a coordinate, angles in the file's unit; may be repeated")
+      ->type_name("NAME=VALUE");
+}
+
+Eigen::VectorXd named_values(const Mechanism& mechanism, const std::vector<std::string>& settings,
+                             const Eigen::VectorXd& base, bool in_units) {
+  const std::vector<Coordinate> all = coordinates(mechanism);
+  std::vector<std::string> names;
+  for (const Coordinate& coordinate : all) names.push_back(coordinate.name);
+  Eigen::VectorXd values = base;
+  std::string faults;
+  for (const std::string& setting : settings) {
+    const std::size_t equals = setting.find('=');
+    const std::string name = setting.substr(0, equals);
+    const double value = number_in(equals == std::string::npos ? "" : setting.substr(equals + 1));
+    const auto at = std::find(names.begin(), names.end(), name);
+    if (at == names.end()) {
+      const auto known = nearest(name, names);
+      faults += (faults.empty() ? "" : "; ") + ("there is no coordinate " + name) +
+                (known ? ", did you mean " + *known + "?" : "");
+    } else if (std::isnan(value)) {
+      faults += (faults.empty() ? "" : "; ") + setting + " is not NAME=VALUE with a finite number";
+    } else {
+      const auto k = static_cast<std::size_t>(at - names.begin());
+      const bool in_degrees =
+          in_units && all[k].kind != CoordinateKind::length && mechanism.units.angle == "deg";
+      values[static_cast<Eigen::Index>(k)] = in_degrees ? value * std::numbers::pi / 180 : value;
+    }
+  }
+  if (!faults.empty()) throw std::invalid_argument(faults);
+  return values;
+}
+
+Eigen::VectorXd chosen_guess(const Mechanism& mechanism, const GuessChoice& choice) {
+  return named_values(mechanism, choice.guesses, initial_guess(mechanism, choice.at), true);
+}
+
+}  // namespace moivre

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// Closures as a table: one a line, coordinates in their order.
+#include "moivre/closure_report/closure_report.h"
+#include "number_text.h"
+
+namespace moivre {
+
+std::string closures_csv(const ClosureResult& result, const Mechanism& mechanism) {
+  std::string text = "id,path,residual,newton_iterations,smallest_singular_value";
+  for (const Coordinate& coordinate : coordinates(mechanism)) text += "," + coordinate.name;
+  text += '\n';
+  for (const Closure& closure : result.closures) {
+    text += closure.id + ',' + std::to_string(closure.path) + ',' + exact_text(closure.residual) +
+            ',' + std::to_string(closure.newton_iterations) + ',' +
+            exact_text(closure.smallest_singular_value);
+    for (const double value : closure.q) text += ',' + exact_text(value);
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace moivre

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// Closures as JSON: the contract of docs/json.md, key by key.
+#include "moivre/closure_report/closure_report.h"
+#include "pose_json.h"
+
+namespace moivre {
+namespace {
+
+Json stage_json(const Stage& stage) {
+  return {{"group", stage.group},
+          {"paths", stage.paths.tracked},
+          {"solves", stage.solves},
+          {"finite", stage.paths.finite},
+          {"at_infinity", stage.paths.at_infinity},
+          {"failed", stage.paths.failed},
+          {"degrees", stage.reduced.degrees}};
+}
+
+Json mobility_summary(const ClosureResult& result) {
+  Json json = {{"coordinates", result.coordinates}, {"constraints", result.constraints}};
+  if (!result.mobility) {
+    json.update({{"rank", nullptr}, {"degrees_of_freedom", nullptr}, {"redundant", nullptr}});
+    return json;
+  }
+  json["rank"] = result.mobility->rank;
+  json["degrees_of_freedom"] = result.mobility->degrees_of_freedom;
+  json["redundant"] = list_json(result.mobility->redundant,
+                                [](const RedundantRow& row) { return Json(to_text(row)); });
+  return json;
+}
+
+Json moves_json(const std::optional<Moves>& moves) {
+  if (!moves) return nullptr;
+  return {{"dimension", moves->dimension}, {"shown", moves->shown}};
+}
+
+Json closure_json(const Closure& closure, const Mechanism& mechanism) {
+  return {{"id", closure.id},
+          {"coordinates", coordinates_json(mechanism, closure.q)},
+          {"bodies", bodies_json(mechanism, closure.q)},
+          {"points", points_json(mechanism, closure.q)},
+          {"residual", to_json(closure.residual)},
+          {"newton_iterations", closure.newton_iterations},
+          {"smallest_singular_value", to_json(closure.smallest_singular_value)},
+          {"path", closure.path},
+          {"multiplicity", closure.multiplicity},
+          {"singular", closure.singular}};
+}
+
+}  // namespace
+
+std::string closures_json(const ClosureResult& result, const Mechanism& mechanism,
+                          const std::string& file) {
+  Json report = report_head("closures", file);
+  report["seed"] = result.seed;
+  report["complete"] = result.complete;
+  report["message"] = result.message;
+  report["title"] = mechanism.title;
+  report["at"] = to_json(result.time);
+  report["units"] = units_json(mechanism);
+  report["mobility"] = mobility_summary(result);
+  report["system"] = to_json(result.system);
+  report["reduced"] = {{"variables", result.reduced.variables.size()},
+                       {"degrees", result.reduced.degrees}};
+  report["start"] = {
+      {"kind", result.start.kind}, {"paths", result.start.paths}, {"why", result.start.why}};
+  report["tracker"] = tracker_json(result.tracker, result.tracker_options);
+  report["paths"] = to_json(result.paths);
+  report["stages"] = list_json(result.stages, stage_json);
+  report["counts"] = {{"complex", result.counts.complex},
+                      {"real", result.counts.real},
+                      {"filtered", result.counts.filtered},
+                      {"rejected", result.counts.rejected}};
+  report["moves"] = moves_json(result.moves);
+  report["closures"] = list_json(
+      result.closures, [&](const Closure& closure) { return closure_json(closure, mechanism); });
+  report["solutions"] = list_json(result.solutions, [](const Solution& s) { return to_json(s); });
+  report["failures"] = list_json(result.failures, [](const FailedPath& f) { return to_json(f); });
+  report["left_out"] = to_json(result.left_out);
+  report["work"] = work_json(result.work);
+  report["time_s"] = to_json(result.time_s);
+  return to_text(report);
+}
+
+}  // namespace moivre

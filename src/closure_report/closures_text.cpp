@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// Closures for people: the answer, the account of the paths, every pose in the file's units.
+#include <algorithm>
+#include <numbers>
+
+#include "moivre/closure_report/closure_report.h"
+#include "number_text.h"
+#include "pose_text.h"
+#include "text_blocks.h"
+
+namespace moivre {
+namespace {
+
+std::string answer(const ClosureResult& result) {
+  std::string text = counted(result.counts.complex, "complex closure") + ", " +
+                     std::to_string(result.counts.real) + " real";
+  if (result.counts.filtered > 0) {
+    text += ", " + std::to_string(result.counts.filtered) + " outside a joint's limits";
+  }
+  if (result.counts.rejected > 0) {
+    text += "; " + counted(result.counts.rejected, "root") + " failed the redundant equations";
+  }
+  return text + '\n' + result.message + '\n';
+}
+
+std::string stages_text(const ClosureResult& result) {
+  std::string text = counted(result.paths.tracked, "path") + " (" + result.start.kind + ", " +
+                     result.tracker + ", seed " + std::to_string(result.seed) +
+                     "): " + std::to_string(result.paths.finite) + " finite, " +
+                     std::to_string(result.paths.at_infinity) + " at infinity, " +
+                     std::to_string(result.paths.failed) + " failed\n";
+  for (const Stage& stage : result.stages) {
+    text += "  " + stage.group + ": " + counted(stage.paths.tracked, "path") + " in " +
+            counted(stage.solves, "solve") + '\n';
+  }
+  return text;
+}
+
+std::string closure_text(const Closure& closure, const Mechanism& mechanism) {
+  std::string text = "\nclosure " + closure.id + ", path " + std::to_string(closure.path);
+  if (closure.multiplicity > 1) text += ", multiplicity " + std::to_string(closure.multiplicity);
+  text += ", residual " + rough_text(closure.residual) + ", " +
+          counted(static_cast<std::uint64_t>(closure.newton_iterations), "Newton step") +
+          ", smallest singular value " + rough_text(closure.smallest_singular_value);
+  if (closure.singular) text += ", singular";
+  return text + '\n' + pose_text(mechanism, closure.q);
+}
+
+}  // namespace
+
+std::string closures_text(const ClosureResult& result, const Mechanism& mechanism,
+                          const std::string& file) {
+  std::string text = (mechanism.title.empty() ? file : mechanism.title + " (" + file + ")") + '\n';
+  text += answer(result) + stages_text(result);
+  for (const Closure& closure : result.closures) text += closure_text(closure, mechanism);
+  return text + left_out_text(result.left_out);
+}
+
+}  // namespace moivre

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+// A mobility: counts, redundant rows by name, directions that are free.
+#include "moivre/closure_report/kinematics_report.h"
+#include "number_text.h"
+#include "pose_json.h"
+#include "pose_text.h"
+
+namespace moivre {
+namespace {
+
+bool is_assembled(const NewtonResult& pose) { return pose.status == NewtonStatus::converged; }
+
+Json redundant_json(const RedundantRow& redundant) {
+  return {{"row", redundant.name},
+          {"combination", list_json(redundant.combination, [](const RowShare& share) {
+             return Json{{"row", share.name}, {"coefficient", to_json(share.coefficient)}};
+           })}};
+}
+
+std::vector<std::string> names_of(const std::vector<Eigen::Index>& indices,
+                                  const Mechanism& mechanism) {
+  const std::vector<Coordinate> all = coordinates(mechanism);
+  std::vector<std::string> names;
+  for (const Eigen::Index k : indices) names.push_back(all[static_cast<std::size_t>(k)].name);
+  return names;
+}
+
+std::string list_text(const std::vector<std::string>& items) {
+  std::string text;
+  for (const std::string& item : items) text += (text.empty() ? "" : ", ") + item;
+  return text;
+}
+
+/// Entries that are not rounding noise, as "coupler.phi 0.3".
+std::string direction_text(const Eigen::VectorXd& direction, const Mechanism& mechanism) {
+  constexpr double kNoise = 1e-12;
+  const std::vector<Coordinate> names = coordinates(mechanism);
+  std::vector<std::string> parts;
+  for (Eigen::Index k = 0; k < direction.size(); ++k) {
+    if (std::abs(direction[k]) <= kNoise) continue;
+    parts.push_back(names[static_cast<std::size_t>(k)].name + " " +
+                    known_digits(direction[k], 1e-6));
+  }
+  return list_text(parts);
+}
+
+}  // namespace
+
+std::string mobility_text(const Mobility& mobility, const NewtonResult& pose,
+                          const Mechanism& mechanism, const KinematicsHeading& heading) {
+  const auto count = [](Eigen::Index number, const char* noun) {
+    return counted(static_cast<std::uint64_t>(number), noun);
+  };
+  std::string text =
+      (mechanism.title.empty() ? "" : mechanism.title + " ") + "(" + heading.file + ")\n";
+  if (!is_assembled(pose)) {
+    text += "not assembled: Newton-Raphson ended with " + to_string(pose.status) +
+            "; what follows is of its last iterate\n";
+  }
+  text += count(mobility.coordinates, "coordinate") + ", " +
+          count(mobility.constraints, "constraint") + " of rank " + std::to_string(mobility.rank) +
+          (mobility.rank_by_svd == mobility.rank
+               ? ""
+               : " (" + std::to_string(mobility.rank_by_svd) + " by singular values)") +
+          ": " + std::to_string(mobility.degrees_of_freedom) + " degree(s) of freedom\n" +
+          "Gruebler's count: " + std::to_string(mobility.gruebler) + "; " +
+          count(mobility.drivers, "driver") + ", which leave " +
+          std::to_string(mobility.driven_freedoms) + " free\n";
+  for (const RedundantRow& row : mobility.redundant) text += "redundant: " + to_text(row) + '\n';
+  for (const IdleFreedom& idle : mobility.idle) text += "idle: " + idle.name + '\n';
+  for (const std::string& warning : mobility.warnings) text += "warning: " + warning + '\n';
+  text += "independent coordinates: " + list_text(names_of(mobility.independent, mechanism)) + '\n';
+  for (Eigen::Index k = 0; k < mobility.null_space.cols(); ++k) {
+    text += "moves along: " + direction_text(mobility.null_space.col(k), mechanism) + '\n';
+  }
+  return text + "pose:\n" + pose_text(mechanism, pose.q);
+}
+
+std::string mobility_json(const Mobility& mobility, const NewtonResult& pose,
+                          const Mechanism& mechanism, const KinematicsHeading& heading) {
+  Json report = report_head("mobility", heading.file);
+  report["at"] = to_json(heading.time);
+  report["units"] = units_json(mechanism);
+  report["assembled"] = is_assembled(pose);
+  report["coordinates"] = mobility.coordinates;
+  report["constraints"] = mobility.constraints;
+  report["drivers"] = mobility.drivers;
+  report["rank"] = mobility.rank;
+  report["rank_by_svd"] = mobility.rank_by_svd;
+  report["degrees_of_freedom"] = mobility.degrees_of_freedom;
+  report["gruebler"] = mobility.gruebler;
+  report["driven_freedoms"] = mobility.driven_freedoms;
+  report["redundant"] =
+      list_json(mobility.redundant, [](const RedundantRow& row) { return Json(to_text(row)); });
+  report["redundant_rows"] = list_json(mobility.redundant, redundant_json);
+  report["idle"] = list_json(mobility.idle, [](const IdleFreedom& idle) {
+    return Json{{"name", idle.name}, {"direction", to_json(idle.direction)}};
+  });
+  report["independent"] = names_of(mobility.independent, mechanism);
+  report["singular"] = mobility.is_singular;
+  report["near_singular"] = mobility.is_near_singular;
+  report["rank_nearby"] = mobility.rank_nearby;
+  report["warnings"] = mobility.warnings;
+  report["pose"] = coordinates_json(mechanism, pose.q);
+  report["rows"] = mobility.row_names;
+  report["singular_values"] = to_json(mobility.singular_values);
+  report["null_space"] = rows_json(mobility.null_space.transpose());
+  report["left_null_space"] = rows_json(mobility.left_null_space.transpose());
+  report["force_directions"] = rows_json(mobility.force_directions.transpose());
+  return to_text(report);
+}
+
+}  // namespace moivre

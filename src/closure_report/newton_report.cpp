@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// A Newton run: the verdict, the table of iterates, the pose.
+#include <cstdio>
+
+#include "moivre/closure_report/kinematics_report.h"
+#include "number_text.h"
+#include "pose_json.h"
+#include "pose_text.h"
+
+namespace moivre {
+namespace {
+
+std::string table(const NewtonResult& result, const Mechanism& mechanism) {
+  std::string text = "\n  k  residual  step      rank  method\n";
+  const std::vector<Coordinate> names = coordinates(mechanism);
+  std::size_t k = 0;
+  for (const NewtonIteration& iteration : result.iterations) {
+    char line[96];
+    std::snprintf(line, sizeof line, "%3zu  %-8s  %-8s  %4td  %s\n", k++,
+                  rough_text(iteration.residual).c_str(), rough_text(iteration.step).c_str(),
+                  iteration.rank, to_string(iteration.method).c_str());
+    text += line;
+  }
+  return text;
+}
+
+Json iteration_json(const NewtonIteration& iteration) {
+  return {{"q", to_json(iteration.q)},
+          {"residual", to_json(iteration.residual)},
+          {"scaled_residual", to_json(iteration.scaled_residual)},
+          {"step", to_json(iteration.step)},
+          {"rank", iteration.rank},
+          {"method", to_string(iteration.method)}};
+}
+
+}  // namespace
+
+std::string newton_text(const NewtonResult& result, const Mechanism& mechanism,
+                        const KinematicsHeading& heading) {
+  std::string text = (mechanism.title.empty() ? "" : mechanism.title + " ") + "(" + heading.file +
+                     ")\n" + to_string(result.status) + ": " + result.message + '\n';
+  text += table(result, mechanism);
+  text += "\nresidual " + rough_text(result.residual) + ", smallest singular value " +
+          rough_text(result.smallest_singular_value) + ", condition " +
+          rough_text(result.condition) + (result.is_singular ? ", singular" : "") + '\n';
+  return text + pose_text(mechanism, result.q);
+}
+
+std::string newton_json(const NewtonResult& result, const Mechanism& mechanism,
+                        const KinematicsHeading& heading) {
+  Json report = report_head("newton", heading.file);
+  report["at"] = to_json(heading.time);
+  report["units"] = units_json(mechanism);
+  report["status"] = to_string(result.status);
+  report["message"] = result.message;
+  report["steps"] = result.steps();
+  report["coordinates"] = coordinates_json(mechanism, result.q);
+  report["residual"] = to_json(result.residual);
+  report["scaled_residual"] = to_json(result.scaled_residual);
+  report["rank"] = result.rank;
+  report["singular"] = result.is_singular;
+  report["smallest_singular_value"] = to_json(result.smallest_singular_value);
+  report["condition"] = to_json(result.condition);
+  report["cycle_length"] = result.cycle_length > 0 ? Json(result.cycle_length) : Json(nullptr);
+  report["iterations"] = list_json(result.iterations, iteration_json);
+  return to_text(report);
+}
+
+std::string newton_csv(const NewtonResult& result, const Mechanism& mechanism) {
+  std::string text = "iteration,residual,scaled_residual,step,rank,method";
+  for (const Coordinate& coordinate : coordinates(mechanism)) text += "," + coordinate.name;
+  text += '\n';
+  std::size_t k = 0;
+  for (const NewtonIteration& iteration : result.iterations) {
+    text += std::to_string(k++) + ',' + exact_text(iteration.residual) + ',' +
+            exact_text(iteration.scaled_residual) + ',' + exact_text(iteration.step) + ',' +
+            std::to_string(iteration.rank) + ',' + to_string(iteration.method);
+    for (const double value : iteration.q) text += ',' + exact_text(value);
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace moivre

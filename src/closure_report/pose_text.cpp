@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// Poses with eight digits, one body a line.
+#include "pose_text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+namespace moivre {
+
+std::string coordinate_text(const Mechanism& mechanism, const Coordinate& coordinate,
+                            double value) {
+  const bool is_length = coordinate.kind == CoordinateKind::length;
+  const bool in_degrees = !is_length && mechanism.units.angle == "deg";
+  // A zero of rounding would fill the line with digits that say nothing.
+  constexpr double kRoundingNoise = 1e-14;
+  double shown = in_degrees ? value * 180 / std::numbers::pi : value;
+  if (std::abs(shown) < kRoundingNoise) shown = 0;
+  char text[32];
+  std::snprintf(text, sizeof text, "%.8g", shown);
+  const std::string unit = is_length ? mechanism.units.length : mechanism.units.angle;
+  return unit.empty() ? text : text + (" " + unit);
+}
+
+std::string pose_text(const Mechanism& mechanism, const Eigen::VectorXd& q) {
+  const std::vector<Coordinate> names = coordinates(mechanism);
+  std::string text;
+  std::size_t width = 0;
+  for (const Coordinate& c : names) width = std::max(width, c.name.size());
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const bool begins = k == 0 || is_typed(mechanism) || names[k].group != names[k - 1].group;
+    if (begins) text += k == 0 ? "  " : "\n  ";
+    std::string name = names[k].name;
+    if (!begins) {
+      name = name.substr(mechanism.bodies[names[k].group + 1].name.size() + 1);
+      text += ", ";
+    } else {
+      name.resize(width, ' ');
+    }
+    text += name + " = " + coordinate_text(mechanism, names[k], q[static_cast<Eigen::Index>(k)]);
+  }
+  return text + '\n';
+}
+
+}  // namespace moivre

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: MIT
+// From the mechanism to its closures: polynomials, blocks, roots, checks on every equation, poses by Newton-Raphson.
+#include "moivre/closures/closures.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "exact.h"
+#include "moivre/kinematics/newton.h"
+#include "moivre/mechanism/pose.h"
+#include "stages.h"
+
+namespace moivre {
+namespace {
+
+// A root of all equations leaves no more than this on the scale of the terms; those of spare equations that do not hold
+// are larger by far.
+constexpr double kHolds = 1e-8;
+// Of a multiple root, which is known to the square root of that at best.
+constexpr double kHoldsSingular = 1e-5;
+// Newton-Raphson polishes a pose; it does not look for another.
+constexpr double kPolish = 1e-4;
+
+/// max_i |F_i| / sum |terms of F_i|.
+double residual(const System& f, const Point& x) {
+  double largest = 0;
+  for (const Polynomial& p : f.polynomials) {
+    Complex sum = 0;
+    double size = 0;
+    for (const Term& term : p.terms) {
+      Complex product = to_complex(term.coefficient);
+      for (const Power& power : term.monomial) {
+        for (std::uint32_t k = 0; k < power.exponent; ++k) product *= x[power.variable];
+      }
+      sum += product;
+      size += std::abs(product);
+    }
+    if (size > 0) largest = std::max(largest, std::abs(sum) / size);
+  }
+  return largest;
+}
+
+double tolerance_of(const Solution& solution) {
+  return solution.singular ? kHoldsSingular : kHolds;
+}
+
+/// 0 -> A, 25 -> Z, 26 -> AA.
+std::string letters(std::size_t index) {
+  constexpr std::size_t kLetters = 26;
+  std::string text;
+  for (std::size_t k = index + 1; k > 0; k = (k - 1) / kLetters) {
+    text.insert(text.begin(), static_cast<char>('A' + (k - 1) % kLetters));
+  }
+  return text;
+}
+
+class Search {
+ public:
+  Search(const Mechanism& mechanism, const Tracker& tracker, const ClosureOptions& options,
+         const std::atomic<bool>& stop)
+      : mechanism_(mechanism),
+        tracker_(tracker),
+        options_(options),
+        stop_(stop),
+        phi_(mechanism),
+        isotropic_(isotropic_system(mechanism, options.time)) {}
+
+  ClosureResult run();
+
+ private:
+  void describe();
+  void solve_stages();
+  void take_run(const StageRun& run);
+  void take_branch(const Branch& branch);
+  void check_images();
+  void pose(const Solution& solution);
+  void conclude();
+
+  const Mechanism& mechanism_;
+  const Tracker& tracker_;
+  const ClosureOptions& options_;
+  const std::atomic<bool>& stop_;
+  Phi phi_;
+  IsotropicSystem isotropic_;
+  ClosureResult result_;
+  std::uint64_t lost_images_ = 0;
+  std::uint64_t unpolished_ = 0;
+};
+
+void Search::describe() {
+  const System& f = isotropic_.system;
+  result_.seed = options_.solve.seed;
+  result_.time = options_.time;
+  result_.system = {f.variables, degrees(f), total_degree(degrees(f))};
+  result_.start.why =
+      "each group of bodies is solved on its own, once a branch of the groups before it";
+  result_.tracker = tracker_.kind();
+  result_.tracker_options = tracker_.options_in_force();
+  result_.coordinates = phi_.dimension();
+  result_.constraints = phi_.size() - phi_.driver_size();
+  result_.complete = true;
+  for (const std::string& name : isotropic_.repetitions) {
+    result_.left_out.push_back({name, "it holds an angle that is held already, at the same value"});
+  }
+}
+
+void Search::take_run(const StageRun& run) {
+  result_.stages = run.stages;
+  result_.paths = run.paths;
+  result_.failures = run.failures;
+  result_.work = run.work;
+  result_.time_s = run.time;
+  result_.complete = run.complete;
+  result_.start.paths = run.paths.tracked;
+  result_.left_out.insert(result_.left_out.end(), run.left_out.begin(), run.left_out.end());
+  for (const Stage& stage : run.stages) {
+    auto& all = result_.reduced;
+    const auto& of_stage = stage.reduced;
+    all.variables.insert(all.variables.end(), of_stage.variables.begin(), of_stage.variables.end());
+    all.degrees.insert(all.degrees.end(), of_stage.degrees.begin(), of_stage.degrees.end());
+  }
+  result_.reduced.total_degree = total_degree(result_.reduced.degrees);
+}
+
+void Search::solve_stages() {
+  const BlockStructure structure = block_structure(isotropic_.system);
+  if (!structure.free_variables.empty()) {
+    result_.moves =
+        Moves{structure.free_variables.size(), "there are fewer equations than unknowns"};
+    return;
+  }
+  if (!structure.spare_equations.empty()) {
+    result_.left_out.push_back(
+        {std::to_string(structure.spare_equations.size()) + " of " +
+             std::to_string(isotropic_.system.polynomials.size()) + " equations",
+         "there are more than unknowns; every root is checked on all of them"});
+  }
+  const StageRun run = solve_blocks(isotropic_, structure.blocks, tracker_, options_.solve, stop_);
+  take_run(run);
+  for (const Branch& branch : run.branches) take_branch(branch);
+  if (run.moves) result_.moves = Moves{1, "a random plane near it meets the set of closures again"};
+}
+
+void Search::take_branch(const Branch& branch) {
+  Solution solution;
+  solution.path = branch.path;
+  for (const auto& value : branch.value) solution.x.push_back(to_complex(value.value()));
+  solution.singular = branch.singular;
+  solution.multiplicity = branch.multiplicity;
+  solution.winding = {static_cast<int>(branch.multiplicity)};
+  solution.accuracy = branch.accuracy;
+  solution.condition = branch.condition;
+  solution.residual = residual(isotropic_.system, solution.x);
+  if (solution.residual > tolerance_of(solution)) {
+    ++result_.counts.rejected;
+    return;
+  }
+  solution.real = distance_from_real(isotropic_, solution.x) <= tolerance_of(solution);
+  result_.solutions.push_back(std::move(solution));
+}
+
+// The image of an isolated root is a root: one that is not there was lost.
+void Search::check_images() {
+  for (const Solution& solution : result_.solutions) {
+    if (solution.real || solution.singular) continue;
+    const Point image = mirrored(isotropic_, solution.x);
+    const bool found =
+        std::any_of(result_.solutions.begin(), result_.solutions.end(), [&](const Solution& other) {
+          double distance = 0;
+          for (std::size_t v = 0; v < image.size(); ++v) {
+            distance = std::max(distance, std::abs(image[v] - other.x[v]));
+          }
+          return distance <= kHolds * std::max(1.0, max_norm(image));
+        });
+    if (!found) ++lost_images_;
+  }
+}
+
+void Search::pose(const Solution& solution) {
+  const Eigen::VectorXd guess = coordinates_of_root(isotropic_, solution.x);
+  const NewtonResult polished = newton(phi_, guess, options_.time);
+  const double moved = (phi_.canonical(polished.q) - phi_.canonical(guess)).cwiseAbs().maxCoeff();
+  const double size = std::max(1.0, guess.cwiseAbs().maxCoeff());
+  // At half a turn the same angle has two names.
+  const bool stayed = moved <= kPolish * size || (polished.q - guess).norm() <= kPolish * size;
+  if (polished.status != NewtonStatus::converged || !stayed) {
+    ++unpolished_;
+    return;
+  }
+  ++result_.counts.real;
+  const Eigen::VectorXd q = phi_.canonical(polished.q);
+  const bool within =
+      std::all_of(mechanism_.joints.begin(), mechanism_.joints.end(),
+                  [&](const Joint& joint) { return is_within_limits(mechanism_, joint, q); });
+  if (!within) {
+    ++result_.counts.filtered;
+    return;
+  }
+  Closure closure;
+  closure.id = letters(result_.closures.size());
+  closure.q = q;
+  closure.residual = scaled_residual(phi_, q, options_.time);
+  closure.newton_iterations = polished.steps();
+  closure.smallest_singular_value = polished.smallest_singular_value;
+  closure.path = solution.path;
+  closure.multiplicity = solution.multiplicity;
+  closure.singular = solution.singular;
+  result_.closures.push_back(std::move(closure));
+}
+
+void Search::conclude() {
+  const auto& counts = result_.counts;
+  if (!result_.complete || lost_images_ > 0 || unpolished_ > 0) {
+    result_.complete = false;
+    result_.message = lost_images_ > 0 ? "a closure's mirror image is missing: a path was lost"
+                      : unpolished_ > 0
+                          ? "a real root was found that Newton-Raphson does not confirm"
+                      : stop_ ? "interrupted: what is finished is reported"
+                              : "some paths failed";
+  } else if (result_.moves) {
+    result_.message =
+        "moves: the closures form a set of positive dimension though the drivers stand";
+  } else if (counts.real == 0) {
+    result_.message =
+        "cannot be assembled: every closure is complex (" + std::to_string(counts.complex) + ")";
+  } else {
+    result_.message = "every path was decided";
+  }
+}
+
+ClosureResult Search::run() {
+  const auto begin = std::chrono::steady_clock::now();
+  describe();
+  if (isotropic_.contradictions.empty()) solve_stages();
+  result_.counts.complex = result_.solutions.size();
+  check_images();
+  for (const Solution& solution : result_.solutions) {
+    if (solution.real) pose(solution);
+  }
+  if (!result_.closures.empty()) {
+    result_.mobility = mobility(phi_, result_.closures.front().q, options_.time);
+  }
+  conclude();
+  for (const std::string& name : isotropic_.contradictions) {
+    result_.message += "; " + name + " holds an angle that is held at another value already";
+  }
+  result_.time_s.total =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return std::move(result_);
+}
+
+}  // namespace
+
+ClosureResult find_closures(const Mechanism& mechanism, const Tracker& tracker,
+                            const ClosureOptions& options, const std::atomic<bool>& stop) {
+  return Search(mechanism, tracker, options, stop).run();
+}
+
+}  // namespace moivre

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// Exact numbers from doubles; the unit circle by its rational parametrisation.
+#include "exact.h"
+
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+
+namespace moivre {
+namespace {
+
+Rational power_of_ten(int exponent) {
+  const Integer power =
+      boost::multiprecision::pow(Integer(10), static_cast<unsigned>(std::abs(exponent)));
+  return exponent < 0 ? Rational(Integer(1), power) : Rational(power);
+}
+
+}  // namespace
+
+Rational typed_decimal(double x) {
+  constexpr std::size_t kLongestDouble = 32;
+  char text[kLongestDouble];
+  const auto end = std::to_chars(text, text + sizeof text, x, std::chars_format::scientific);
+  const std::string all(text, end.ptr);
+  const std::size_t e = all.find('e');
+  const std::size_t dot = all.find('.');
+  std::string digits = all.substr(0, e);
+  int exponent = std::stoi(all.substr(e + 1));
+  if (dot < e) {
+    exponent -= static_cast<int>(e - dot - 1);
+    digits.erase(dot, 1);
+  }
+  // Leading zeros would be read as an octal number.
+  const bool is_negative = digits.front() == '-';
+  const std::size_t first = digits.find_first_of("123456789");
+  if (first == std::string::npos) return Rational(0);
+  const Rational value = Rational(Integer(digits.substr(first))) * power_of_ten(exponent);
+  return is_negative ? Rational(-value) : value;
+}
+
+Coefficient typed_decimal(double x, double y) { return {typed_decimal(x), typed_decimal(y)}; }
+
+Coefficient unit_at(double phi) {
+  constexpr double kQuarter = std::numbers::pi / 2;
+  // Degrees turned to radians are rounded; a quarter turn is meant where nothing but that rounding is left.
+  const double rounding = 4 * std::numeric_limits<double>::epsilon() * std::max(1.0, std::abs(phi));
+  const double turns = std::nearbyint(phi / kQuarter);
+  double rest = std::remainder(phi, kQuarter);
+  if (std::abs(rest) <= rounding) rest = 0;
+  Rational tangent;
+  tangent = std::tan(rest / 2);
+  const Rational square = tangent * tangent;
+  const Rational scale = 1 / (1 + square);
+  const Coefficient c{(1 - square) * scale, 2 * tangent * scale};
+  switch (static_cast<int>(std::fmod(turns, 4.0) + 4) % 4) {
+    case 1:
+      return {Rational(-c.im), c.re};
+    case 2:
+      return {Rational(-c.re), Rational(-c.im)};
+    case 3:
+      return {c.im, Rational(-c.re)};
+    default:
+      return c;
+  }
+}
+
+Coefficient exactly(Complex z) {
+  Coefficient c;
+  c.re = z.real();
+  c.im = z.imag();
+  return c;
+}
+
+Coefficient conjugate(const Coefficient& c) { return {c.re, Rational(-c.im)}; }
+
+}  // namespace moivre

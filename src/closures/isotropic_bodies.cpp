@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+// Bodies, planar joints and drivers as closure polynomials.
+#include <numeric>
+#include <stdexcept>
+
+#include "isotropic_frame.h"
+
+namespace moivre {
+namespace {
+
+class Bodies {
+ public:
+  Bodies(const Mechanism& mechanism, double t)
+      : mechanism_(mechanism), t_(t), frame_(names(mechanism)) {}
+
+  IsotropicSystem build() &&;
+
+ private:
+  static std::vector<std::string> names(const Mechanism& mechanism);
+  void hold_angles();
+  void add_positions();
+  void add_joint(const Joint& joint);
+  void add_line(const Joint& joint);
+  void add_gear(const Joint& joint);
+  void add_driver(const Driver& driver);
+  void read_coordinates();
+
+  /// A place or direction of a body's frame as a complex number, turned with the body.
+  Mirrored turned(std::size_t body, const Eigen::Vector3d& at) const {
+    return typed_decimal(at.x(), at.y()) * frame_.t(body);
+  }
+  Mirrored place(const PointOf& point) const {
+    return positions_[point.body] +
+           turned(point.body, mechanism_.bodies[point.body].points[point.point].at);
+  }
+  /// From the joint's first point to its second.
+  Mirrored gap(const Joint& joint) const { return place(joint.at[1]) - place(joint.at[0]); }
+  std::string label(const Joint& joint) const { return to_string(joint.type) + " " + joint.name; }
+  /// The driver that moves along this joint's line, if there is one.
+  const Driver* slide_of(const Joint& joint) const;
+
+  const Mechanism& mechanism_;
+  double t_;
+  IsotropicFrame frame_;
+  std::vector<Mirrored> positions_;
+};
+
+std::vector<std::string> Bodies::names(const Mechanism& mechanism) {
+  std::vector<std::string> names;
+  for (std::size_t i = 1; i < mechanism.bodies.size(); ++i) {
+    names.push_back(mechanism.bodies[i].name);
+  }
+  return names;
+}
+
+void Bodies::hold_angles() {
+  for (const Driver& driver : mechanism_.drivers) {
+    if (driver.kind != DriverKind::angle) continue;
+    frame_.hold_angle(driver.bodies[0], driver.bodies[1],
+                      unit_at(driver_state(driver.law, t_).value), "driver " + driver.name);
+  }
+  for (const Joint& joint : mechanism_.joints) {
+    if (joint.type != JointType::prismatic && joint.type != JointType::weld) continue;
+    frame_.hold_angle(joint.at[0].body, joint.at[1].body, unit_at(joint.turn_rad), label(joint));
+  }
+}
+
+void Bodies::add_positions() {
+  positions_.push_back({constant({0, 0}), constant({0, 0})});
+  for (std::size_t i = 1; i < mechanism_.bodies.size(); ++i) {
+    const std::string& name = mechanism_.bodies[i].name;
+    positions_.push_back(frame_.add_pair(name, name));
+  }
+}
+
+const Driver* Bodies::slide_of(const Joint& joint) const {
+  for (const Driver& driver : mechanism_.drivers) {
+    if (driver.kind == DriverKind::slide && &mechanism_.joints[driver.joint] == &joint) {
+      return &driver;
+    }
+  }
+  return nullptr;
+}
+
+void Bodies::add_line(const Joint& joint) {
+  const Mirrored along = turned(joint.at[0].body, joint.axis[0]);
+  if (const Driver* driver = slide_of(joint)) {
+    const Coefficient s{typed_decimal(driver_state(driver->law, t_).value), 0};
+    frame_.add_equations(label(joint) + ": slide", gap(joint) - s * along);
+    return;
+  }
+  const Mirrored across = swapped(along) * gap(joint);
+  frame_.add_equation(label(joint) + ": line", across.z - across.conjugate);
+}
+
+void Bodies::add_gear(const Joint& joint) {
+  const auto& gear = joint.gear;
+  const int common = std::gcd(gear.teeth[0], gear.teeth[1]);
+  const int zi = gear.teeth[0] / common;
+  const int zj = gear.teeth[1] / common;
+  frame_.add_turn(label(joint),
+                  {{joint.at[0].body, zi}, {gear.carrier, zj - zi}, {joint.at[1].body, -zj}},
+                  unit_at(-zj * gear.phase_rad));
+}
+
+void Bodies::add_joint(const Joint& joint) {
+  switch (joint.type) {
+    case JointType::revolute:
+    case JointType::weld:
+      frame_.add_equations(label(joint), gap(joint));
+      return;
+    case JointType::prismatic:
+    case JointType::slot:
+      add_line(joint);
+      return;
+    case JointType::rod: {
+      const Mirrored d = gap(joint);
+      const Rational length = typed_decimal(joint.length);
+      frame_.add_equation(label(joint), d.z * d.conjugate - constant({length * length, 0}));
+      return;
+    }
+    case JointType::gear:
+      add_gear(joint);
+      return;
+    case JointType::spherical:
+    case JointType::cylindrical:
+    case JointType::universal:
+      break;
+  }
+  throw std::logic_error("a planar mechanism has no " + to_string(joint.type) + " joint");
+}
+
+void Bodies::add_driver(const Driver& driver) {
+  if (driver.kind != DriverKind::x && driver.kind != DriverKind::y) return;
+  const Mirrored at = place(driver.point);
+  const Rational value = typed_decimal(driver_state(driver.law, t_).value);
+  const std::string name = "driver " + driver.name;
+  if (driver.kind == DriverKind::x) {
+    frame_.add_equation(name, at.z + at.conjugate - constant({2 * value, 0}));
+  } else {
+    frame_.add_equation(name, at.z - at.conjugate - constant({0, 2 * value}));
+  }
+}
+
+void Bodies::read_coordinates() {
+  using Part = IsotropicSystem::Reading::Part;
+  for (std::size_t i = 1; i < mechanism_.bodies.size(); ++i) {
+    auto& coordinates = frame_.result().coordinates;
+    coordinates.push_back({Part::re, positions_[i].z});
+    coordinates.push_back({Part::im, positions_[i].z});
+    coordinates.push_back({Part::argument, frame_.t(i).z});
+  }
+}
+
+IsotropicSystem Bodies::build() && {
+  hold_angles();
+  add_positions();
+  frame_.add_angles("_");
+  for (const Driver& driver : mechanism_.drivers) add_driver(driver);
+  for (const Joint& joint : mechanism_.joints) add_joint(joint);
+  read_coordinates();
+  return std::move(frame_).take();
+}
+
+}  // namespace
+
+IsotropicSystem isotropic_bodies(const Mechanism& mechanism, double t) {
+  if (mechanism.space == Space::spatial) {
+    throw std::invalid_argument(
+        "closures of spatial mechanisms are not supported yet; newton, mobility and motion take "
+        "them");
+  }
+  return Bodies(mechanism, t).build();
+}
+
+}  // namespace moivre

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+// Unknowns, angle classes and products of powers of t, as bodies and typed equations both need them.
+#include "isotropic_frame.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace moivre {
+
+IsotropicFrame::IsotropicFrame(std::vector<std::string> names)
+    : names_(std::move(names)), classes_(names_.size() + 1) {}
+
+void IsotropicFrame::hold_angle(std::size_t i, std::size_t j, const Coefficient& factor,
+                                const std::string& name) {
+  switch (classes_.join(i, j, factor)) {
+    case AngleClasses::Verdict::joined:
+      return;
+    case AngleClasses::Verdict::repeated:
+      result_.repetitions.push_back(name);
+      return;
+    case AngleClasses::Verdict::contradiction:
+      result_.contradictions.push_back(name);
+      return;
+  }
+}
+
+void IsotropicFrame::add_angles(const std::string& prefix) {
+  t_of_.assign(names_.size() + 1, 0);
+  for (std::size_t node = 1; node <= names_.size(); ++node) {
+    if (classes_.find(node).root != node) continue;
+    std::vector<std::string> owners;
+    for (std::size_t member = 1; member <= names_.size(); ++member) {
+      if (classes_.find(member).root == node) owners.push_back(names_[member - 1]);
+    }
+    const std::string& name = names_[node - 1];
+    const std::uint32_t t = add_variable("t" + prefix + name, owners);
+    const std::uint32_t u = add_variable("u" + prefix + name, owners);
+    result_.mirror[t] = u;
+    result_.mirror[u] = t;
+    t_of_[node] = t;
+    add_equation("unit " + name, unknown(t) * unknown(u) - constant({1, 0}));
+  }
+}
+
+std::uint32_t IsotropicFrame::add_variable(const std::string& name,
+                                           std::vector<std::string> owners) {
+  const std::size_t index = result_.system.variables.size();
+  result_.system.variables.push_back(name);
+  result_.mirror.push_back(index);
+  result_.owners.push_back(std::move(owners));
+  return static_cast<std::uint32_t>(index);
+}
+
+Mirrored IsotropicFrame::add_pair(const std::string& name, const std::string& owner) {
+  const std::uint32_t p = add_variable("p_" + name, {owner});
+  const std::uint32_t pb = add_variable("pb_" + name, {owner});
+  result_.mirror[p] = pb;
+  result_.mirror[pb] = p;
+  return {unknown(p), unknown(pb)};
+}
+
+Polynomial IsotropicFrame::add_real(const std::string& name) {
+  return unknown(add_variable(name, {name}));
+}
+
+void IsotropicFrame::add_equation(const std::string& name, Polynomial p) {
+  if (p.terms.empty()) {
+    result_.repetitions.push_back(name);
+    return;
+  }
+  result_.system.polynomials.push_back(std::move(p));
+  result_.equation_names.push_back(name);
+}
+
+void IsotropicFrame::add_equations(const std::string& name, const Mirrored& z) {
+  add_equation(name, z.z);
+  add_equation(name + ", conjugate", z.conjugate);
+}
+
+Mirrored IsotropicFrame::t(std::size_t node) const {
+  const SharedAngle angle = classes_.find(node);
+  const Coefficient inverse = conjugate(angle.factor);
+  if (angle.root == 0) return {constant(angle.factor), constant(inverse)};
+  const std::uint32_t t = t_of_[angle.root];
+  return {angle.factor * unknown(t), inverse * unknown(t + 1)};
+}
+
+void IsotropicFrame::add_turn(const std::string& name,
+                              const std::vector<std::pair<std::size_t, int>>& powers,
+                              const Coefficient& value) {
+  std::map<std::size_t, int> of_class;
+  Coefficient rest = value;
+  for (const auto& [node, exponent] : powers) {
+    const SharedAngle angle = classes_.find(node);
+    const Coefficient step = exponent < 0 ? angle.factor : conjugate(angle.factor);
+    for (int k = 0; k < std::abs(exponent); ++k) rest = rest * step;
+    if (angle.root != 0) of_class[angle.root] += exponent;
+  }
+  std::vector<std::pair<int, std::size_t>> by_size;
+  for (const auto& [root, exponent] : of_class) {
+    if (exponent != 0) by_size.emplace_back(exponent, root);
+  }
+  if (by_size.empty()) {
+    hold_angle(0, 0, rest, name);
+    return;
+  }
+  std::sort(by_size.begin(), by_size.end(),
+            [](const auto& a, const auto& b) { return std::abs(a.first) > std::abs(b.first); });
+  Polynomial left = constant({1, 0});
+  Polynomial right = constant(rest);
+  int left_degree = 0;
+  int right_degree = 0;
+  for (const auto& [exponent, root] : by_size) {
+    const bool to_left = left_degree <= right_degree;
+    const std::uint32_t t = t_of_[root];
+    // t^e on the left is u^e on the right, and u = 1/t.
+    const std::uint32_t variable = (exponent > 0) == to_left ? t : t + 1;
+    const Polynomial factor = power(unknown(variable), std::abs(exponent));
+    (to_left ? left : right) = (to_left ? left : right) * factor;
+    (to_left ? left_degree : right_degree) += std::abs(exponent);
+  }
+  add_equation(name, left - right);
+}
+
+Polynomial power(const Polynomial& p, int exponent) {
+  Polynomial result = constant({1, 0});
+  for (int k = 0; k < exponent; ++k) result = result * p;
+  return result;
+}
+
+IsotropicSystem isotropic_system(const Mechanism& mechanism, double t) {
+  return is_typed(mechanism) ? isotropic_equations(mechanism, t) : isotropic_bodies(mechanism, t);
+}
+
+namespace {
+
+Complex value_at(const Polynomial& p, const Point& x) {
+  Complex sum = 0;
+  for (const Term& term : p.terms) {
+    Complex product = to_complex(term.coefficient);
+    for (const Power& factor : term.monomial) {
+      for (std::uint32_t k = 0; k < factor.exponent; ++k) product *= x[factor.variable];
+    }
+    sum += product;
+  }
+  return sum;
+}
+
+}  // namespace
+
+Eigen::VectorXd coordinates_of_root(const IsotropicSystem& isotropic, const Point& root) {
+  using Part = IsotropicSystem::Reading::Part;
+  Eigen::VectorXd q(static_cast<Eigen::Index>(isotropic.coordinates.size()));
+  for (Eigen::Index k = 0; k < q.size(); ++k) {
+    const auto& reading = isotropic.coordinates[static_cast<std::size_t>(k)];
+    const Complex z = value_at(reading.of, root);
+    q[k] = reading.part == Part::re ? z.real() : reading.part == Part::im ? z.imag() : std::arg(z);
+  }
+  return q;
+}
+
+Point mirrored(const IsotropicSystem& isotropic, const Point& root) {
+  Point image(root.size());
+  for (std::size_t v = 0; v < root.size(); ++v) image[v] = std::conj(root[isotropic.mirror[v]]);
+  return image;
+}
+
+double distance_from_real(const IsotropicSystem& isotropic, const Point& root) {
+  const Point image = mirrored(isotropic, root);
+  double largest = 0;
+  for (std::size_t v = 0; v < root.size(); ++v) {
+    largest = std::max(largest, std::abs(root[v] - image[v]));
+  }
+  return largest / std::max(1.0, max_norm(root));
+}
+
+}  // namespace moivre

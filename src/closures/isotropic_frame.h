@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// What do closure polynomials of bodies and of typed equations share? Unknowns with mirrors, angles as t and u, sums.
+#pragma once
+
+#include <utility>
+#include <variant>
+
+#include "angle_classes.h"
+#include "exact.h"
+#include "moivre/closures/isotropic.h"
+
+namespace moivre {
+
+inline Polynomial operator-(const Polynomial& a, const Polynomial& b) {
+  return a + Coefficient{-1, 0} * b;
+}
+
+/// A number in isotropic coordinates with its conjugate.
+struct Mirrored {
+  Polynomial z;
+  Polynomial conjugate;
+};
+
+inline Mirrored operator+(const Mirrored& a, const Mirrored& b) {
+  return {a.z + b.z, a.conjugate + b.conjugate};
+}
+inline Mirrored operator-(const Mirrored& a, const Mirrored& b) {
+  return {a.z - b.z, a.conjugate - b.conjugate};
+}
+inline Mirrored operator*(const Mirrored& a, const Mirrored& b) {
+  return {a.z * b.z, a.conjugate * b.conjugate};
+}
+inline Mirrored operator*(const Coefficient& c, const Mirrored& a) {
+  return {c * a.z, conjugate(c) * a.conjugate};
+}
+
+inline Mirrored swapped(const Mirrored& a) { return {a.conjugate, a.z}; }
+
+/// Puts an IsotropicSystem together.
+class IsotropicFrame {
+ public:
+  /// Nodes of the angle classes: 0 the ground, then one a name.
+  IsotropicFrame(std::vector<std::string> names);
+
+  /// t_j = factor t_i, noted as a repetition or a contradiction of `name` where the angle is held already.
+  void hold_angle(std::size_t i, std::size_t j, const Coefficient& factor, const std::string& name);
+  /// Ends the holding of angles: t and u of every class that is left, with t u = 1.
+  void add_angles(const std::string& prefix);
+
+  /// A new pair p, pb (or one unknown that is its own mirror), placed by `owner`.
+  Mirrored add_pair(const std::string& name, const std::string& owner);
+  Polynomial add_real(const std::string& name);
+
+  void add_equation(const std::string& name, Polynomial p);
+  void add_equations(const std::string& name, const Mirrored& z);
+
+  Mirrored t(std::size_t node) const;
+  SharedAngle angle(std::size_t node) const { return classes_.find(node); }
+  /// prod t_node^power = value, as one polynomial of low degree.
+  void add_turn(const std::string& name, const std::vector<std::pair<std::size_t, int>>& powers,
+                const Coefficient& value);
+
+  IsotropicSystem take() && { return std::move(result_); }
+  IsotropicSystem& result() { return result_; }
+
+ private:
+  std::uint32_t add_variable(const std::string& name, std::vector<std::string> owners);
+
+  std::vector<std::string> names_;
+  AngleClasses classes_;
+  std::vector<std::uint32_t> t_of_;  ///< of each class root: the variable t; u is the next
+  IsotropicSystem result_;
+};
+
+/// p to a power >= 0.
+Polynomial power(const Polynomial& p, int exponent);
+
+IsotropicSystem isotropic_bodies(const Mechanism& mechanism, double t);
+IsotropicSystem isotropic_equations(const Mechanism& mechanism, double t);
+
+}  // namespace moivre

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: MIT
+// Blocks in turn: known values substituted, lone linear equations solved exactly, the rest by homotopy continuation.
+#include "stages.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "exact.h"
+#include "moivre/polynomial/eliminate.h"
+
+namespace moivre {
+namespace {
+
+// Few paths are followed by one thread: starting others takes longer.
+constexpr std::uint64_t kPathsForOneThread = 8;
+
+// An exact value is rounded once its fractions are this long (in bits): a chain of lengths and directions stays below.
+constexpr std::size_t kLongFraction = 2048;
+
+// A coefficient that cancelled to this, beside the terms it was added from, is zero.
+constexpr double kCancelled = 1e-13;
+
+std::size_t bits(const Rational& r) {
+  return std::max(msb(boost::multiprecision::abs(numerator(r)) + 1), msb(denominator(r)));
+}
+
+Coefficient shortened(const Coefficient& c) {
+  return std::max(bits(c.re), bits(c.im)) > kLongFraction ? exactly(to_complex(c)) : c;
+}
+
+/// p with the known values put in; `place` maps the other variables to those of the result.
+Polynomial substituted(const Polynomial& p, const std::vector<std::optional<Coefficient>>& value,
+                       const std::vector<std::uint32_t>& place) {
+  TermMap terms;
+  for (const Term& term : p.terms) {
+    Coefficient c = term.coefficient;
+    Monomial rest;
+    for (const Power& power : term.monomial) {
+      if (const auto& known = value[power.variable]) {
+        for (std::uint32_t k = 0; k < power.exponent; ++k) c = c * *known;
+      } else {
+        rest.push_back({place[power.variable], power.exponent});
+      }
+    }
+    std::sort(rest.begin(), rest.end());
+    const auto [at, is_new] = terms.emplace(std::move(rest), c);
+    if (!is_new) at->second = at->second + c;
+  }
+  return to_polynomial(std::move(terms));
+}
+
+class Stages {
+ public:
+  Stages(const IsotropicSystem& isotropic, const Tracker& tracker, const SolveOptions& options,
+         const std::atomic<bool>& stop)
+      : isotropic_(isotropic), tracker_(tracker), options_(options), stop_(stop) {
+    Branch root;
+    root.value.resize(isotropic.system.variables.size());
+    run_.branches.push_back(std::move(root));
+  }
+
+  void solve_block(const Block& block);
+  StageRun take() && {
+    run_.time.threads = std::max(1, run_.time.threads);
+    if (lone_ > 0) {
+      run_.left_out.push_back({std::to_string(lone_) + " linear equations solved one by one",
+                               "each has a single unknown left"});
+    }
+    return std::move(run_);
+  }
+
+ private:
+  System system_at(const Block& block, const Branch& branch) const;
+  void solve_lone(const Block& block);
+  void add_roots(const Block& block, const Branch& branch, const System& f, Stage& stage,
+                 std::vector<Branch>& next);
+  std::string group_name(const Block& block) const;
+
+  const IsotropicSystem& isotropic_;
+  const Tracker& tracker_;
+  const SolveOptions& options_;
+  const std::atomic<bool>& stop_;
+  StageRun run_;
+  std::size_t lone_ = 0;
+};
+
+System Stages::system_at(const Block& block, const Branch& branch) const {
+  std::vector<std::uint32_t> place(isotropic_.system.variables.size());
+  System f;
+  for (const std::size_t v : block.variables) {
+    place[v] = static_cast<std::uint32_t>(f.variables.size());
+    f.variables.push_back(isotropic_.system.variables[v]);
+  }
+  for (const std::size_t e : block.equations) {
+    f.polynomials.push_back(substituted(isotropic_.system.polynomials[e], branch.value, place));
+  }
+  return f;
+}
+
+std::string Stages::group_name(const Block& block) const {
+  std::vector<std::string> bodies;
+  for (const std::size_t v : block.variables) {
+    for (const std::string& owner : isotropic_.owners[v]) {
+      if (std::find(bodies.begin(), bodies.end(), owner) == bodies.end()) bodies.push_back(owner);
+    }
+  }
+  constexpr std::size_t kBodiesOfDyad = 2;
+  std::string text =
+      bodies.size() == kBodiesOfDyad ? "dyad" : "group of " + std::to_string(bodies.size());
+  if (bodies.size() == 1) text = "single";
+  for (const std::string& body : bodies) text += (&body == &bodies.front() ? " " : ", ") + body;
+  return text;
+}
+
+bool is_lone_linear(const System& f) {
+  return f.polynomials.size() == 1 && degree(f.polynomials.front()) == 1;
+}
+
+/// a x + b = 0 with a the sum of `parts`: x, or nothing where a is zero.
+void Stages::solve_lone(const Block& block) {
+  ++lone_;
+  std::vector<Branch> next;
+  for (Branch& branch : run_.branches) {
+    const Polynomial p = system_at(block, branch).polynomials.front();
+    Coefficient a{0, 0};
+    Coefficient b{0, 0};
+    for (const Term& term : p.terms) (term.monomial.empty() ? b : a) = term.coefficient;
+    double size = 0;
+    for (const Term& term : isotropic_.system.polynomials[block.equations.front()].terms) {
+      size = std::max(size, std::abs(to_complex(term.coefficient)));
+    }
+    if (std::abs(to_complex(a)) <= kCancelled * size) {
+      if (std::abs(to_complex(b)) <= kCancelled * size) run_.moves = true;
+      continue;
+    }
+    branch.value[block.variables.front()] = shortened(-b / a);
+    next.push_back(std::move(branch));
+  }
+  run_.branches = std::move(next);
+}
+
+void Stages::add_roots(const Block& block, const Branch& branch, const System& f, Stage& stage,
+                       std::vector<Branch>& next) {
+  SolveOptions options = options_;
+  const auto paths = total_degree(degrees(f));
+  if (paths && *paths <= kPathsForOneThread) options.threads = 1;
+  const SolveResult result = solve(f, tracker_, options, stop_);
+  const std::uint64_t first_path = stage.paths.tracked;
+  for (const Solution& solution : result.solutions) {
+    Branch child = branch;
+    for (std::size_t k = 0; k < block.variables.size(); ++k) {
+      child.value[block.variables[k]] = exactly(solution.x[k]);
+    }
+    child.path = first_path + solution.path;
+    child.multiplicity *= solution.multiplicity;
+    child.singular |= solution.singular;
+    child.accuracy = std::max(child.accuracy, solution.accuracy);
+    child.condition = std::max(child.condition, solution.condition);
+    next.push_back(std::move(child));
+  }
+  for (FailedPath failure : result.failures) {
+    failure.path += first_path;
+    run_.failures.push_back(failure);
+  }
+  if (stage.solves++ == 0) {
+    stage.reduced = result.reduced;
+    run_.left_out.insert(run_.left_out.end(), result.left_out.begin(), result.left_out.end());
+  }
+  stage.paths += result.paths;
+  run_.work += result.work;
+  run_.time.threads = std::max(run_.time.threads, result.time.threads);
+  run_.time.start += result.time.start;
+  run_.time.track += result.time.track;
+  run_.time.refine += result.time.refine;
+  run_.complete = run_.complete && result.complete;
+  run_.moves = run_.moves || result.paths.on_positive_dimensional > 0;
+  if (result.paths.tracked == 0 && result.complete) {
+    run_.moves = run_.moves || eliminate(f).verdict == Reduction::Verdict::dependent;
+  }
+}
+
+void Stages::solve_block(const Block& block) {
+  if (run_.branches.empty()) return;
+  if (is_lone_linear(system_at(block, run_.branches.front()))) return solve_lone(block);
+  Stage stage;
+  stage.group = group_name(block);
+  std::vector<Branch> next;
+  for (const Branch& branch : run_.branches) {
+    if (stop_) run_.complete = false;
+    if (stop_) break;
+    add_roots(block, branch, system_at(block, branch), stage, next);
+  }
+  run_.paths += stage.paths;
+  run_.stages.push_back(std::move(stage));
+  run_.branches = std::move(next);
+}
+
+}  // namespace
+
+StageRun solve_blocks(const IsotropicSystem& isotropic, const std::vector<Block>& blocks,
+                      const Tracker& tracker, const SolveOptions& options,
+                      const std::atomic<bool>& stop) {
+  Stages stages(isotropic, tracker, options, stop);
+  for (const Block& block : blocks) stages.solve_block(block);
+  return std::move(stages).take();
+}
+
+}  // namespace moivre

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: MIT
+// How many closures do the published mechanisms have, complex and real, and how few paths find them?
+#include "moivre/closures/closures.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "mechanisms.h"
+#include "moivre/mechanism/phi.h"
+
+namespace moivre {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+constexpr std::uint64_t kSeeds = 20;
+
+// |Phi_i| beside the sum of the magnitudes of its terms: rounding of a few operations, no more.
+constexpr double kResidual = 1e-12;
+
+void expect_account(const ClosureResult& result) {
+  EXPECT_TRUE(result.complete) << result.message;
+  PathCounts sum;
+  for (const Stage& stage : result.stages) {
+    sum += stage.paths;
+    EXPECT_EQ(stage.paths.tracked,
+              stage.paths.finite + stage.paths.at_infinity + stage.paths.failed);
+  }
+  EXPECT_EQ(sum, result.paths);
+}
+
+void expect_assembled(const ClosureResult& result, const Mechanism& mechanism) {
+  const Phi phi(mechanism);
+  for (const Closure& closure : result.closures) {
+    const Eigen::VectorXd value = phi.value(closure.q, result.time);
+    const Eigen::VectorXd terms = phi.term_magnitudes(closure.q, result.time);
+    for (Eigen::Index i = 0; i < value.size(); ++i) {
+      EXPECT_LE(std::abs(value[i]), kResidual * terms[i])
+          << "closure " << closure.id << ", " << phi.row_names()[static_cast<std::size_t>(i)];
+    }
+  }
+}
+
+struct Case {
+  std::string file;
+  std::uint64_t complex;
+  std::uint64_t real;
+  std::uint64_t most_paths;
+};
+
+void PrintTo(const Case& c, std::ostream* out) { *out << c.file; }
+
+class PublishedCounts : public testing::TestWithParam<Case> {};
+
+TEST_P(PublishedCounts, AreMetForEverySeed) {
+  const Mechanism mechanism = mechanism_file(GetParam().file);
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    const ClosureResult result = closures_of(mechanism, seed);
+    EXPECT_EQ(result.counts.complex, GetParam().complex) << "seed " << seed;
+    EXPECT_EQ(result.counts.real, GetParam().real) << "seed " << seed;
+    EXPECT_EQ(result.closures.size(), GetParam().real) << "seed " << seed;
+    EXPECT_LE(result.paths.tracked, GetParam().most_paths) << "seed " << seed;
+    EXPECT_FALSE(result.moves);
+    expect_account(result);
+    expect_assembled(result, mechanism);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Mechanisms, PublishedCounts,
+    testing::Values(Case{"slider-crank", 2, 2, 2}, Case{"slider-crank-equations", 2, 2, 2},
+                    Case{"four-bar", 2, 2, 2}, Case{"five-bar", 2, 2, 2}, Case{"watt-1", 4, 4, 6},
+                    Case{"stephenson-3", 4, 4, 6}, Case{"3-rpr", 6, 6, 16},
+                    Case{"assur-7-quaternary", 18, 8, 64}, Case{"assur-7-serial", 16, 10, 64},
+                    Case{"jansen-leg", 8, 8, 14}, Case{"double-parallel-crank", 1, 1, 2},
+                    Case{"redundant-system", 2, 2, 2}, Case{"scotch-yoke", 1, 1, 1},
+                    Case{"inverted-slider-crank", 2, 2, 2}, Case{"whitworth", 4, 2, 6},
+                    Case{"gear-five-bar", 4, 4, 6}, Case{"parallelogram", 1, 1, 2},
+                    Case{"unassemblable-triangle", 2, 0, 2}),
+    [](const auto& tested) {
+      std::string name = tested.param.file;
+      for (char& c : name) c = c == '-' ? '_' : c;
+      return name;
+    });
+
+TEST(Closures, JansensLegHasEightEightSixEightRealOnesAtQuarterTurns) {
+  const std::vector<std::uint64_t> published{8, 8, 6, 8};
+  for (std::size_t quarter = 0; quarter < published.size(); ++quarter) {
+    const Mechanism leg =
+        driven_from(mechanism_file("jansen-leg"), static_cast<double>(quarter) * 90 * kDegree);
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+      const ClosureResult result = closures_of(leg, seed);
+      EXPECT_EQ(result.counts.complex, 8u) << quarter;
+      EXPECT_EQ(result.counts.real, published[quarter]) << quarter;
+      expect_account(result);
+      expect_assembled(result, leg);
+    }
+  }
+}
+
+Eigen::Index index_of(const Mechanism& mechanism, const std::string& name) {
+  const auto all = coordinates(mechanism);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    if (all[k].name == name) return static_cast<Eigen::Index>(k);
+  }
+  throw std::invalid_argument(name);
+}
+
+std::vector<double> sorted_values(const Mechanism& mechanism, const ClosureResult& result,
+                                  const std::string& name, double unit = 1) {
+  std::vector<double> values;
+  for (const Closure& closure : result.closures) {
+    values.push_back(closure.q[index_of(mechanism, name)] / unit);
+  }
+  std::sort(values.begin(), values.end());
+  return values;
+}
+
+TEST(SeedPage15, FourBarClosuresToAllPrintedDigits) {
+  const Mechanism mechanism = mechanism_file("four-bar");
+  const ClosureResult result = closures_of(mechanism);
+  const auto coupler = sorted_values(mechanism, result, "coupler.phi", kDegree);
+  const auto rocker = sorted_values(mechanism, result, "rocker.phi", kDegree);
+  ASSERT_EQ(coupler.size(), 2u);
+  EXPECT_NEAR(coupler[0], -60.9780, 5e-5);
+  EXPECT_NEAR(coupler[1], 20.2979, 5e-5);
+  EXPECT_NEAR(rocker[0], -98.0050, 5e-5);
+  EXPECT_NEAR(rocker[1], 57.3249, 5e-5);
+}
+
+TEST(SeedPage29, BothSlidersOfExample313BothWaysIn) {
+  for (const auto& [file, name] : {std::pair<std::string, std::string>{"slider-crank", "slider.x"},
+                                   {"slider-crank-equations", "d"}}) {
+    const Mechanism mechanism = mechanism_file(file);
+    const auto d = sorted_values(mechanism, closures_of(mechanism), name);
+    ASSERT_EQ(d.size(), 2u);
+    EXPECT_NEAR(d[0], 4 * std::sqrt(3.0), 1e-13);
+    EXPECT_NEAR(d[1], 6 * std::sqrt(3.0), 1e-13);
+  }
+}
+
+TEST(SeedPage12, BothClosuresOfTheRedundantSystemAt30And60Degrees) {
+  const Mechanism at30 = mechanism_file("redundant-system");
+  auto l1 = sorted_values(at30, closures_of(at30), "l1");
+  ASSERT_EQ(l1.size(), 2u);
+  EXPECT_NEAR(l1[0], -2, 1e-12);
+  EXPECT_NEAR(l1[1], 2, 1e-12);
+  const Mechanism at60 = driven_from(at30, 60 * kDegree);
+  l1 = sorted_values(at60, closures_of(at60), "l1");
+  ASSERT_EQ(l1.size(), 2u);
+  EXPECT_NEAR(l1[0], 0.230329, 5e-7);
+  EXPECT_NEAR(l1[1], 3.573518, 5e-7);
+}
+
+TEST(SeedPage11, DoubleParallelCrankHasARedundantRowAndAnIsolatedClosureAt60Degrees) {
+  const ClosureResult result = closures_of(mechanism_file("double-parallel-crank"));
+  ASSERT_TRUE(result.mobility);
+  EXPECT_EQ(result.mobility->rank, 11);
+  EXPECT_EQ(result.mobility->redundant.size(), 1u);
+  EXPECT_FALSE(result.moves);
+}
+
+TEST(Closures, AChangePointIsSingularAndDoesNotMove) {
+  const ClosureResult result = closures_of(mechanism_file("parallelogram"));
+  ASSERT_EQ(result.closures.size(), 1u);
+  EXPECT_TRUE(result.closures[0].singular);
+  EXPECT_EQ(result.closures[0].multiplicity, 2u);
+  EXPECT_FALSE(result.moves);
+  EXPECT_EQ(closures_of(driven_from(mechanism_file("parallelogram"), 1.0)).counts.real, 2u);
+}
+
+TEST(Closures, CannotBeAssembledIsAnAnswer) {
+  const ClosureResult result = closures_of(mechanism_file("unassemblable-triangle"));
+  EXPECT_TRUE(result.complete);
+  EXPECT_NE(result.message.find("cannot be assembled"), std::string::npos);
+}
+
+TEST(Closures, LimitsFilterAndAreCounted) {
+  Mechanism mechanism = mechanism_file("four-bar");
+  mechanism.joints[2].limits =
+      Limits{0, std::numbers::pi};  // of the rocker relative to the coupler
+  const ClosureResult result = closures_of(mechanism);
+  EXPECT_EQ(result.counts.real, 2u);
+  EXPECT_EQ(result.counts.filtered, 1u);
+  ASSERT_EQ(result.closures.size(), 1u);
+  EXPECT_GT(result.closures[0].q[index_of(mechanism, "coupler.phi")], 0);
+}
+
+TEST(Closures, TheDriversTimeMovesTheCrank) {
+  const Mechanism mechanism = mechanism_file("slider-crank-equations");
+  const ClosureResult later = closures_of(mechanism, 1, 0.5);  // 30 degrees + 0.5 rad
+  for (const Closure& closure : later.closures) {
+    EXPECT_NEAR(closure.q[0], 30 * kDegree + 0.5, 1e-14);
+  }
+  expect_assembled(later, mechanism);
+}
+
+TEST(Closures, IdsAreLettersByPath) {
+  const ClosureResult result = closures_of(mechanism_file("jansen-leg"));
+  ASSERT_EQ(result.closures.size(), 8u);
+  EXPECT_EQ(result.closures.front().id, "A");
+  EXPECT_EQ(result.closures.back().id, "H");
+}
+
+TEST(Closures, NothingDependsOnTheNumberOfThreads) {
+  const Mechanism mechanism = mechanism_file("assur-7-serial");
+  ClosureOptions options;
+  options.solve.threads = 1;
+  const ClosureResult one = find_closures(mechanism, *make_cvode_tracker(), options);
+  options.solve.threads = 3;
+  const ClosureResult three = find_closures(mechanism, *make_cvode_tracker(), options);
+  ASSERT_EQ(one.closures.size(), three.closures.size());
+  for (std::size_t k = 0; k < one.closures.size(); ++k) {
+    EXPECT_EQ(one.closures[k].q, three.closures[k].q);
+    EXPECT_EQ(one.closures[k].path, three.closures[k].path);
+  }
+}
+
+}  // namespace
+}  // namespace moivre

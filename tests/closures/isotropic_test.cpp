@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+// Do the closure polynomials and Phi state the same mechanism?
+#include "moivre/closures/isotropic.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "exact.h"
+#include "mechanisms.h"
+
+namespace moivre {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+TEST(Exact, ReadsTheDecimalThatWasTyped) {
+  EXPECT_EQ(typed_decimal(0.7), Rational(7, 10));
+  EXPECT_EQ(typed_decimal(-1.25e-3), Rational(-1, 800));
+  EXPECT_EQ(typed_decimal(1200), Rational(1200));
+  EXPECT_EQ(typed_decimal(0), Rational(0));
+  EXPECT_EQ(typed_decimal(-0.08), Rational(-2, 25));
+}
+
+TEST(Exact, DirectionsLieOnTheUnitCircleExactly) {
+  for (int degrees = -720; degrees <= 720; degrees += 7) {
+    const double phi = degrees * kDegree;
+    const Coefficient c = unit_at(phi);
+    EXPECT_EQ(c * conjugate(c), (Coefficient{1, 0})) << degrees;
+    EXPECT_NEAR(std::abs(to_complex(c) - std::polar(1.0, phi)), 0, 4e-15) << degrees;
+  }
+}
+
+TEST(Exact, QuarterTurnsAreExact) {
+  EXPECT_EQ(unit_at(90 * kDegree), (Coefficient{0, 1}));
+  EXPECT_EQ(unit_at(180 * kDegree), (Coefficient{-1, 0}));
+  EXPECT_EQ(unit_at(270 * kDegree), (Coefficient{0, -1}));
+  EXPECT_EQ(unit_at(-90 * kDegree), (Coefficient{0, -1}));
+  EXPECT_EQ(unit_at(360 * kDegree), (Coefficient{1, 0}));
+}
+
+TEST(Isotropic, TheFourBarHasAsManyPolynomialsAsUnknowns) {
+  const IsotropicSystem isotropic = isotropic_system(mechanism_file("four-bar"), 0);
+  EXPECT_EQ(isotropic.system.polynomials.size(), isotropic.system.variables.size());
+  EXPECT_EQ(isotropic.system.variables.size(), 10u);  // p, pb of three bodies; t, u of two
+}
+
+TEST(Isotropic, RefusesSpatialMechanismsWithTheReason) {
+  try {
+    isotropic_system(mechanism_file("bennett"), 0);
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find("spatial"), std::string::npos);
+  }
+}
+
+std::string refusal(const std::string& equation) {
+  try {
+    isotropic_system(mechanism_text("[unknowns]\nangles = [\"a\", \"b\"]\nlengths = [\"d\"]\n"
+                                    "[equations]\nloop = \"" +
+                                    equation + "\"\nrest = \"cos(a) + cos(b) + d\"\n"),
+                     0);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Isotropic, RefusesTypedEquationsThatAreNoPolynomials) {
+  EXPECT_NE(refusal("cos(a/2) - d + b").find("not whole"), std::string::npos);
+  EXPECT_NE(refusal("a - d").find("outside cos and sin"), std::string::npos);
+  EXPECT_NE(refusal("cos(d) - cos(a)").find("length d stands inside"), std::string::npos);
+  EXPECT_NE(refusal("sqrt(d) - cos(a)").find("sqrt"), std::string::npos);
+  EXPECT_NE(refusal("1/d - cos(a)").find("divides by unknowns"), std::string::npos);
+  EXPECT_NE(refusal("d^0.5 - cos(a)").find("exponent"), std::string::npos);
+  EXPECT_EQ(refusal("cos(2*a - b + 0.3)*d^2/3 - sqrt(2)*sin(3*b) - pi"), "");
+}
+
+TEST(Isotropic, MultiplesOfAnglesAreAsTheCosineSays) {
+  const IsotropicSystem isotropic =
+      isotropic_system(mechanism_text("[unknowns]\nangles = [\"a\", \"b\"]\n[equations]\n"
+                                      "f = \"cos(2*a - b + 0.3) + 2*sin(3*b)\"\ng = \"sin(a)\"\n"),
+                       0);
+  const double a = 0.7;
+  const double b = -1.1;
+  const Point x{std::polar(1.0, a), std::polar(1.0, -a), std::polar(1.0, b), std::polar(1.0, -b)};
+  Complex sum = 0;
+  for (std::size_t e = 0; e < isotropic.system.polynomials.size(); ++e) {
+    if (isotropic.equation_names[e] != "f") continue;
+    for (const Term& term : isotropic.system.polynomials[e].terms) {
+      Complex product = to_complex(term.coefficient);
+      for (const Power& p : term.monomial) product *= std::pow(x[p.variable], double(p.exponent));
+      sum += product;
+    }
+  }
+  EXPECT_NEAR(std::abs(sum - (std::cos(2 * a - b + 0.3) + 2 * std::sin(3 * b))), 0, 1e-14);
+}
+
+}  // namespace
+}  // namespace moivre

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// Mechanisms for tests: files of problems/mechanisms, and texts.
+#pragma once
+
+#include <string>
+
+#include "moivre/closures/closures.h"
+#include "moivre/mechanism/read.h"
+#include "moivre/tracker_cvode/cvode_tracker.h"
+
+namespace moivre {
+
+inline Mechanism mechanism_file(const std::string& name) {
+  return read_mechanism(
+      read_source(std::string(MOIVRE_SOURCE_DIR) + "/problems/mechanisms/" + name + ".toml"));
+}
+
+inline Mechanism mechanism_text(const std::string& text) {
+  return read_mechanism({"mechanism.toml", text});
+}
+
+/// The file's driver number `driver` starts at `start_rad` instead.
+inline Mechanism driven_from(Mechanism mechanism, double start_rad, std::size_t driver = 0) {
+  mechanism.drivers.at(driver).law = Parabola{start_rad, 0, 0};
+  return mechanism;
+}
+
+inline ClosureResult closures_of(const Mechanism& mechanism, std::uint64_t seed = 1,
+                                 double time = 0) {
+  ClosureOptions options;
+  options.time = time;
+  options.solve.seed = seed;
+  options.solve.threads = 1;
+  return find_closures(mechanism, *make_cvode_tracker(), options);
+}
+
+}  // namespace moivre
