@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Closures as a table: one a line, coordinates in their order.
 #include "moivre/closure_report/closure_report.h"
-#include "number_text.h"
+#include "moivre/report/number_text.h"
 
 namespace moivre {
 

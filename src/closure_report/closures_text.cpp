@@ -4,9 +4,9 @@
 #include <numbers>
 
 #include "moivre/closure_report/closure_report.h"
-#include "number_text.h"
+#include "moivre/report/number_text.h"
+#include "moivre/report/text_blocks.h"
 #include "pose_text.h"
-#include "text_blocks.h"
 
 namespace moivre {
 namespace {

@@ -3,9 +3,9 @@
 #include <cstdio>
 #include <numbers>
 
-#include "json.h"
 #include "moivre/closure_report/kinematics_report.h"
-#include "number_text.h"
+#include "moivre/report/json.h"
+#include "moivre/report/number_text.h"
 
 namespace moivre {
 

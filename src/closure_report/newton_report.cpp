@@ -3,7 +3,7 @@
 #include <cstdio>
 
 #include "moivre/closure_report/kinematics_report.h"
-#include "number_text.h"
+#include "moivre/report/number_text.h"
 #include "pose_json.h"
 #include "pose_text.h"
 

@@ -2,9 +2,9 @@
 // How is a pose written down in JSON? Coordinates by name, bodies, points; and what a mechanism's mobility is.
 #pragma once
 
-#include "json.h"
 #include "moivre/kinematics/mobility.h"
 #include "moivre/mechanism/mechanism.h"
+#include "moivre/report/json.h"
 
 namespace moivre {
 

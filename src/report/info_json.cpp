@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The structure of a system as JSON; docs/json.md shows it.
-#include "json.h"
 #include "moivre/report/info.h"
+#include "moivre/report/json.h"
 
 namespace moivre {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "moivre/report/info.h"
-#include "number_text.h"
-#include "text_blocks.h"
+#include "moivre/report/number_text.h"
+#include "moivre/report/text_blocks.h"
 
 namespace moivre {
 namespace {
@@ -59,8 +59,9 @@ std::string info_text(const SystemInfo& info, const std::string& file) {
   }
   text += "\nPaths of each start system\n";
   for (const StartCost& start : info.start_systems) {
-    text += "  " + start.kind + ": " + (start.paths ? std::to_string(*start.paths) : "not possible") +
-            " (" + start.why + ")\n";
+    text += "  " + start.kind + ": " +
+            (start.paths ? std::to_string(*start.paths) : "not possible") + " (" + start.why +
+            ")\n";
   }
   return text + left_out_text(info.left_out);
 }

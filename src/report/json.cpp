@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The common parts of the JSON reports.
-#include "json.h"
+#include "moivre/report/json.h"
 
 #include <charconv>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Numbers as text, by std::to_chars where every digit counts and by printf where columns do.
-#include "number_text.h"
+#include "moivre/report/number_text.h"
 
 #include <algorithm>
 #include <charconv>

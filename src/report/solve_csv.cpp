@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A solve as CSV: one root a line, coordinates as pairs of columns NAME.re, NAME.im.
+#include "moivre/report/number_text.h"
 #include "moivre/report/solve_report.h"
-#include "number_text.h"
 
 namespace moivre {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A solve as JSON: the contract of docs/json.md, key by key.
-#include "json.h"
+#include "moivre/report/json.h"
 #include "moivre/report/solve_report.h"
 
 namespace moivre {

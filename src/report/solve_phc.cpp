@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "moivre/polynomial/write.h"
+#include "moivre/report/number_text.h"
 #include "moivre/report/solve_report.h"
-#include "number_text.h"
 
 namespace moivre {
 namespace {

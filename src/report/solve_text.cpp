@@ -4,9 +4,9 @@
 #include <cmath>
 #include <cstdio>
 
+#include "moivre/report/number_text.h"
 #include "moivre/report/solve_report.h"
-#include "number_text.h"
-#include "text_blocks.h"
+#include "moivre/report/text_blocks.h"
 
 namespace moivre {
 namespace {

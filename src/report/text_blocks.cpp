@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The parts that more than one report for people has.
-#include "text_blocks.h"
+#include "moivre/report/text_blocks.h"
 
 #include <cmath>
 #include <cstdio>

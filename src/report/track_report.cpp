@@ -2,9 +2,9 @@
 // A trace as CSV, as JSON and as a sentence.
 #include "moivre/report/track_report.h"
 
-#include "json.h"
-#include "number_text.h"
-#include "text_blocks.h"
+#include "moivre/report/json.h"
+#include "moivre/report/number_text.h"
+#include "moivre/report/text_blocks.h"
 
 namespace moivre {
 namespace {

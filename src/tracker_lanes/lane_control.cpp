@@ -191,8 +191,8 @@ LaneControl::Move LaneControl::judge_polish(const Outcome& outcome) {
   return Move::correct;
 }
 
-NewtonOptions LaneControl::rescue_options() const {
-  NewtonOptions options;
+CorrectorOptions LaneControl::rescue_options() const {
+  CorrectorOptions options;
   if (departure_->samples > 0) options.tolerance = kSampleTolerance;
   return options;
 }

@@ -46,7 +46,7 @@ class LaneControl {
 
   Move judge(const Outcome& outcome);
   /// After Move::rescue: Newton options for the point at next_s(), and what becomes of it then.
-  NewtonOptions rescue_options() const;
+  CorrectorOptions rescue_options() const;
   Move judge_rescue(const Correction& correction, const WorkCount& work);
   /// The step with which a past is made up for a path that departs.
   double past_step() const { return h_; }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Do printed numbers claim what is known, no more and no less?
-#include "number_text.h"
+#include "moivre/report/number_text.h"
 
 #include <gtest/gtest.h>
 

@@ -33,7 +33,7 @@ TEST(PathSystem, RefusesAFarPoint) {
 }
 
 TEST(PathSystem, OneFreshCorrectionSquaresTheError) {
-  const NewtonOptions once{.tolerance = 1, .maximum_iterations = 1};
+  const CorrectorOptions once{.tolerance = 1, .maximum_iterations = 1};
   double constant[2];
   const double errors[]{1e-2, 1e-4};
   for (std::size_t k = 0; k < 2; ++k) {
