@@ -41,6 +41,8 @@ int run(const ClosuresCommand& command) {
   options.time = command.at;
   options.solve.seed = command.start.seed;
   options.solve.threads = command.threads;
+  const std::unique_ptr<Tracker> fallback = make_fallback(command.tracker);
+  options.solve.fallback = fallback.get();
   ProgressLine line(!command.quiet);
   if (line.is_active()) {
     options.solve.progress = [&](const Progress& progress) { line.show(progress); };

@@ -38,6 +38,8 @@ Found find(const GuessesCommand& command, const Tracker& tracker) {
   options.time = command.at;
   options.solve.seed = command.start.seed;
   options.solve.threads = command.threads;
+  const std::unique_ptr<Tracker> fallback = make_fallback(command.tracker);
+  options.solve.fallback = fallback.get();
   Found found;
   if (is_mechanism_file(command.file)) {
     found.mechanism = read_mechanism(read_source(command.file));
