@@ -71,6 +71,7 @@ class Search {
  private:
   void describe();
   void solve_stages();
+  void look_for_motion();
   void take_run(const StageRun& run);
   void take_branch(const Branch& branch);
   void check_images();
@@ -86,6 +87,7 @@ class Search {
   ClosureResult result_;
   std::uint64_t lost_images_ = 0;
   std::uint64_t unpolished_ = 0;
+  bool undecided_motion_ = false;
 };
 
 void Search::describe() {
@@ -123,11 +125,24 @@ void Search::take_run(const StageRun& run) {
   result_.reduced.total_degree = total_degree(result_.reduced.degrees);
 }
 
+// With fewer equations than unknowns no closure is isolated. A pose at which the rows of Phi_q are independent proves, by
+// the implicit function theorem, that closures around it form a set of dimension n - m.
+void Search::look_for_motion() {
+  const NewtonResult found = newton(phi_, initial_guess(mechanism_, options_.time), options_.time);
+  const Eigen::Index freedoms = phi_.dimension() - phi_.size();
+  if (found.status == NewtonStatus::converged && found.rank == phi_.size() && freedoms > 0) {
+    result_.moves = Moves{static_cast<std::uint64_t>(freedoms),
+                          "at a pose that Newton-Raphson found the constraints are independent"};
+  } else {
+    result_.complete = false;
+    undecided_motion_ = true;
+  }
+}
+
 void Search::solve_stages() {
   const BlockStructure structure = block_structure(isotropic_.system);
   if (!structure.free_variables.empty()) {
-    result_.moves =
-        Moves{structure.free_variables.size(), "there are fewer equations than unknowns"};
+    look_for_motion();
     return;
   }
   if (!structure.spare_equations.empty()) {
@@ -213,11 +228,13 @@ void Search::conclude() {
   const auto& counts = result_.counts;
   if (!result_.complete || lost_images_ > 0 || unpolished_ > 0) {
     result_.complete = false;
-    result_.message = lost_images_ > 0 ? "a closure's mirror image is missing: a path was lost"
-                      : unpolished_ > 0
-                          ? "a real root was found that Newton-Raphson does not confirm"
-                      : stop_ ? "interrupted: what is finished is reported"
-                              : "some paths failed";
+    result_.message =
+        undecided_motion_  ? "fewer equations than unknowns, and no regular pose was found: "
+                             "give a guess, or drivers"
+        : lost_images_ > 0 ? "a closure's mirror image is missing: a path was lost"
+        : unpolished_ > 0  ? "a real root was found that Newton-Raphson does not confirm"
+        : stop_            ? "interrupted: what is finished is reported"
+                           : "some paths failed";
   } else if (result_.moves) {
     result_.message =
         "moves: the closures form a set of positive dimension though the drivers stand";
