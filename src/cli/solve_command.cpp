@@ -8,7 +8,7 @@
 #include "interruption.h"
 #include "moivre/polynomial/read.h"
 #include "moivre/report/solve_report.h"
-#include "moivre/solver/solve.h"
+#include "moivre/solver/cross_check.h"
 #include "output.h"
 #include "progress_line.h"
 #include "tracker_choice.h"
@@ -22,6 +22,7 @@ struct SolveCommand {
   TrackerChoice tracker;
   int threads = 0;
   bool all = false;
+  bool cross_check = false;
   bool quiet = false;
   std::string json;
   std::string csv;
@@ -41,7 +42,7 @@ Problem read_problem(const std::string& file) {
 }
 
 SolveResult solve_interruptibly(const SolveCommand& command, const Problem& problem,
-                                const Tracker& tracker) {
+                                const Tracker& tracker, const Tracker* witness) {
   SolveOptions options;
   options.seed = command.start.seed;
   options.threads = command.threads;
@@ -51,6 +52,9 @@ SolveResult solve_interruptibly(const SolveCommand& command, const Problem& prob
   if (line.is_active()) options.progress = [&](const Progress& progress) { line.show(progress); };
   const Interruption interruption;
   SolveResult result = solve(problem.system, tracker, options, interruption.stop());
+  if (witness != nullptr && !interruption.stop().load()) {
+    cross_check(problem.system, result, tracker, *witness, options, interruption.stop());
+  }
   result.time.parse = problem.parse_s;
   result.time.total += problem.parse_s;
   return result;
@@ -60,12 +64,14 @@ int run(const SolveCommand& command) {
   require_known(command.start);
   require_distinct({command.json, command.csv, command.phc}, command.file);
   const std::unique_ptr<Tracker> tracker = make_tracker(command.tracker);
+  const std::unique_ptr<Tracker> witness =
+      command.cross_check ? make_witness(command.tracker) : nullptr;
   const Problem problem = read_problem(command.file);
   Output json(command.json);
   Output csv(command.csv);
   Output phc(command.phc);
 
-  const SolveResult result = solve_interruptibly(command, problem, *tracker);
+  const SolveResult result = solve_interruptibly(command, problem, *tracker, witness.get());
 
   if (json.is_wanted()) json.write(solve_json(result, command.file));
   if (csv.is_wanted()) csv.write(solve_csv(result));
@@ -87,6 +93,8 @@ void add_solve_command(CLI::App& moivre, Chosen& chosen) {
   app.add_option("--threads", command->threads, "number of threads; 0: as many as the machine has")
       ->capture_default_str();
   app.add_flag("--all", command->all, "print the roots that are not real as well");
+  app.add_flag("--cross-check", command->cross_check,
+               "solve with the other tracker as well and compare, path by path");
   add_quiet_flag(app, command->quiet);
   add_json_option(app, command->json);
   app.add_option("--csv", command->csv, "write a table of the roots here")->type_name("PATH");

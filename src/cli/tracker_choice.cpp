@@ -111,4 +111,8 @@ std::unique_ptr<Tracker> make_fallback(const TrackerChoice& choice) {
   return MOIVRE_WITH_CVODE && choice.kind == "lanes" ? make_cvode(choice) : nullptr;
 }
 
+std::unique_ptr<Tracker> make_witness(const TrackerChoice& choice) {
+  return choice.kind == "lanes" ? make_cvode(choice) : make_lanes(choice);
+}
+
 }  // namespace moivre

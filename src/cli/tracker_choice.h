@@ -24,5 +24,7 @@ void add_tracker_options(CLI::App& command, TrackerChoice& choice);
 std::unique_ptr<Tracker> make_tracker(const TrackerChoice& choice);
 /// The tracker that takes over what the chosen one cannot settle: CVODE behind the lanes, where it was built; else nullptr.
 std::unique_ptr<Tracker> make_fallback(const TrackerChoice& choice);
+/// The other tracker. Throws std::invalid_argument when this program was built without it.
+std::unique_ptr<Tracker> make_witness(const TrackerChoice& choice);
 
 }  // namespace moivre

@@ -4,6 +4,25 @@
 #include "moivre/report/solve_report.h"
 
 namespace moivre {
+namespace {
+
+Json disagreement_json(const Disagreement& difference) {
+  const auto point = [](const std::optional<Point>& x) { return x ? to_json(*x) : Json(); };
+  return {{"path", difference.path},
+          {"found", point(difference.found)},
+          {"witnessed", point(difference.witnessed)},
+          {"jumped", difference.jumped ? Json(*difference.jumped) : Json()}};
+}
+
+Json cross_check_json(const CrossCheck& check) {
+  return {{"witness", check.witness},
+          {"common", check.common},
+          {"missed", check.missed},
+          {"unwitnessed", check.unwitnessed},
+          {"disagreements", list_json(check.disagreements, disagreement_json)}};
+}
+
+}  // namespace
 
 std::string solve_json(const SolveResult& result, const std::string& file) {
   Json report = report_head("solve", file);
@@ -19,6 +38,7 @@ std::string solve_json(const SolveResult& result, const std::string& file) {
   report["paths"] = to_json(result.paths);
   report["solutions"] = list_json(result.solutions, [](const Solution& s) { return to_json(s); });
   report["failures"] = list_json(result.failures, [](const FailedPath& f) { return to_json(f); });
+  if (result.cross_check) report["cross_check"] = cross_check_json(*result.cross_check);
   report["left_out"] = to_json(result.left_out);
   report["work"] = work_json(result.work);
   report["time_s"] = to_json(result.time);

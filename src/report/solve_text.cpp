@@ -112,6 +112,21 @@ std::string failures_text(const std::vector<FailedPath>& failures) {
   return text;
 }
 
+std::string cross_check_text(const SolveResult& result) {
+  if (!result.cross_check) return "";
+  const CrossCheck& check = *result.cross_check;
+  std::string text = "cross-check by " + check.witness + ": " + std::to_string(check.common) +
+                     " roots in common, " + std::to_string(check.missed) + " missed here, " +
+                     std::to_string(check.unwitnessed) + " missed there\n";
+  for (std::size_t k = 0; k < std::min(check.disagreements.size(), kFailuresShown); ++k) {
+    const Disagreement& difference = check.disagreements[k];
+    text += "  path " + std::to_string(difference.path) + ": different ends; ";
+    text += difference.jumped ? *difference.jumped + " had left the path\n"
+                              : "following it again did not settle it\n";
+  }
+  return text;
+}
+
 std::string time_line(const SolveTime& time) {
   char text[80];
   std::snprintf(text, sizeof text, "\n%.3g s on ", time.total);
@@ -122,6 +137,7 @@ std::string time_line(const SolveTime& time) {
 
 std::string solve_text(const SolveResult& result, const std::string& file, ListedRoots listed) {
   std::string text = system_line(result, file) + paths_line(result) + roots_line(result);
+  text += cross_check_text(result);
   text += result.message + '\n';
   text += roots_text(result, listed);
   text += failures_text(result.failures);

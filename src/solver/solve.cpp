@@ -181,8 +181,8 @@ void Run::track_all() {
     take(path, std::move(end));
     if (options_.progress) options_.progress(progress);
   };
-  track_paths(problem(0), prepared_.start.paths, [](std::uint64_t k) { return k; }, 0, threads_,
-              sink, stop_);
+  track_paths(problem(0), prepared_.start.paths, [](std::uint64_t k) { return k; }, options_.care,
+              threads_, sink, stop_);
   if (progress.done < prepared_.start.paths) interrupted_ = true;
 }
 
@@ -227,7 +227,7 @@ void Run::refine_ends() {
 }
 
 void Run::settle_doubts() {
-  for (int care = 1; care <= options_.maximum_care && !interrupted_; ++care) {
+  for (int care = options_.care + 1; care <= options_.maximum_care && !interrupted_; ++care) {
     const std::set<std::uint64_t> doubtful = doubtful_paths(care);
     if (doubtful.empty()) return;
     track_again(doubtful, care);
@@ -384,6 +384,7 @@ std::vector<std::string> validate(const SolveOptions& options) {
   if (options.threads < 0 || options.threads > kMostThreads) {
     broken.push_back("threads must lie between 0 (all cores) and " + std::to_string(kMostThreads));
   }
+  if (options.care < 0) broken.push_back("care must be 0 or more");
   if (options.maximum_care < 0) broken.push_back("maximum_care must be 0 or more");
   if (options.endgame.samples < 4 || options.endgame.samples % 2 != 0) {
     broken.push_back("endgame.samples must be even and at least 4");

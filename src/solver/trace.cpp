@@ -61,13 +61,13 @@ TraceStep first_row(PathSystem& path, const Point& start, const ToAffine& to_aff
 }
 
 void follow_to_the_end(const Homotopy& homotopy, const Tracker& tracker, const Point& start,
-                       const EndgameOptions& options, const ToAffine& to_affine,
+                       const SolveOptions& options, const ToAffine& to_affine,
                        const std::atomic<bool>& stop, Trace& trace) {
   const auto session = tracker.open(homotopy);
   PathSystem scratch(homotopy);
   trace.steps.push_back(first_row(scratch, start, to_affine));
   Recorder recorder(to_affine, trace.steps);
-  Endgame endgame(options, trace.path, 0);
+  Endgame endgame(options.endgame, trace.path, options.care);
   std::optional<Departure> departure = endgame.depart(start);
   while (departure) {
     recorder.begin_journey(departure->watcher);
@@ -101,7 +101,7 @@ Trace trace_path(const System& f, const Tracker& tracker, const SolveOptions& op
   trace.path = path;
   trace.left_out = prepared.left_out;
   follow_to_the_end(
-      *prepared.homotopy, tracker, start_point(prepared.start, path), options.endgame,
+      *prepared.homotopy, tracker, start_point(prepared.start, path), options,
       [&](const Point& x) { return to_original(prepared, x); }, stop, trace);
   return trace;
 }
@@ -120,7 +120,7 @@ Trace trace_path(const System& f, const System& g, const Point& start, const Tra
   Point homogeneous = start;
   homogeneous.push_back(1);
   follow_to_the_end(
-      homotopy, tracker, homogeneous, options.endgame,
+      homotopy, tracker, homogeneous, options,
       [](const Point& x) {
         Point affine(x.begin(), x.end() - 1);
         for (Complex& xi : affine) xi /= x.back();

@@ -32,6 +32,7 @@ struct Progress {
 struct SolveOptions {
   std::uint64_t seed = 1;
   int threads = 0;        ///< 0: as many as the machine has
+  int care = 0;           ///< of the first tracking; each level tightens the tolerances tenfold
   int maximum_care = 3;   ///< how often a doubtful path is tracked again, tighter each time
   bool eliminate = true;  ///< linear equations before tracking
   bool scale = true;      ///< rows and variables, by powers of two
@@ -105,6 +106,23 @@ struct SolveTime {
   double total = 0;
 };
 
+/// A path that two trackers took to different ends.
+struct Disagreement {
+  std::uint64_t path = 0;
+  std::optional<Point> found;      ///< the root at its end; nullopt where it ends at none
+  std::optional<Point> witnessed;  ///< the same by the witness
+  std::optional<std::string> jumped;  ///< the tracker that left the path; nullopt where it could not be settled
+};
+
+/// What a second tracker says of the same paths.
+struct CrossCheck {
+  std::string witness;
+  std::uint64_t common = 0;     ///< roots that both found
+  std::uint64_t missed = 0;     ///< roots that only the witness found
+  std::uint64_t unwitnessed = 0;  ///< roots that the witness did not find
+  std::vector<Disagreement> disagreements;  ///< by path number
+};
+
 struct SolveResult {
   bool complete = false;
   std::string message = "solve() was not run";
@@ -118,6 +136,7 @@ struct SolveResult {
   std::vector<Solution> solutions;  ///< by path number
   std::vector<FailedPath> failures;
   std::vector<LeftOut> left_out;
+  std::optional<CrossCheck> cross_check;  ///< where one was made (solver/cross_check.h)
   StepCount work;
   SolveTime time;
 };
