@@ -2,10 +2,11 @@
 // How are W linear systems solved at once? Gaussian elimination with pivoting in every lane by itself, rows
 // exchanged by selection, without a branch on any lane's numbers but one: an exchange that no lane wants is skipped.
 //
-//   P J = L U in each lane; J: n x n, with `appended` right-hand sides as further columns, so that elimination and
+//   P J = L U in each lane; J: n x n, with two right-hand sides as further columns, so that elimination and
 //   exchanges carry them along and only the back substitution is left.
 //   Pivot: the row at hand unless another is larger by 1/kPivotThreshold; growth stays bounded by
-//   (1 + 1/kPivotThreshold)^(n-1), and lanes rarely exchange rows.
+//   (1 + 1/kPivotThreshold)^(n-1), and lanes rarely exchange rows. Multipliers stay where they arose: a later exchange
+//   moves only what is still to be eliminated, and solve() repeats exchanges and multiplications in their order.
 //
 // Singular or not finite: the lane's solutions are infinite or NaN, other lanes are untouched.
 // Source: [Higham02, ch. 9].
@@ -24,17 +25,17 @@ HWY_BEFORE_NAMESPACE();
 namespace moivre {
 namespace HWY_NAMESPACE {
 
-/// |pivot|^2 over the column's largest: below it rows are exchanged.
-inline constexpr double kPivotThreshold = 1.0 / 16;
+/// |pivot| over the column's largest: below it rows are exchanged.
+inline constexpr double kPivotThreshold = 0.1;
 
 class LaneLu {
  public:
-  LaneLu(std::size_t n, std::size_t appended)
-      : n_(n), columns_(n + appended), a_(n * columns_), reciprocal_(n), masks_(n * n) {
+  explicit LaneLu(std::size_t n)
+      : n_(n), columns_(n + 2), a_(n * columns_), reciprocal_(n), masks_(n * n) {
     exchanges_.reserve(n * n / 2 + 1);
   }
 
-  /// Entry (i, j) of J; columns n, n + 1, ... are the appended right-hand sides.
+  /// Entry (i, j) of J; columns n and n + 1 are the appended right-hand sides.
   double* at(std::size_t i, std::size_t j) { return a_[i * columns_ + j]; }
 
   void factor() {
@@ -55,27 +56,32 @@ class LaneLu {
     }
   }
 
-  /// x <- J^{-1} b for the appended right-hand side in column n + which.
-  void solve_appended(std::size_t which, LaneVector& x) {
-    for (std::size_t k = 0; k < n_; ++k) store(load(at(k, n_ + which)), x[k]);
-    substitute_back(x);
+  /// x, y <- J^{-1} b for the two appended right-hand sides.
+  void solve_appended(LaneVector& x, LaneVector& y) {
+    for (std::size_t k = 0; k < n_; ++k) {
+      store(load(at(k, n_)), x[k]);
+      store(load(at(k, n_ + 1)), y[k]);
+    }
+    substitute_back(x, y);
   }
 
-  /// b <- J^{-1} b.
-  void solve(LaneVector& b) {
-    for (const Exchange& e : exchanges_) {
-      const Mask mask = hn::Ne(hn::Load(Tag(), masks_[e.mask]), hn::Zero(Tag()));
-      const LaneComplex upper = load(b[e.upper]);
-      const LaneComplex lower = load(b[e.lower]);
-      store(select(mask, lower, upper), b[e.upper]);
-      store(select(mask, upper, lower), b[e.lower]);
+  /// b <- J^{-1} b and c <- J^{-1} c.
+  void solve(LaneVector& b, LaneVector& c) {
+    auto next = exchanges_.begin();
+    for (std::size_t k = 0; k < n_; ++k) {
+      for (; next != exchanges_.end() && next->upper == k; ++next) {
+        exchange(*next, b);
+        exchange(*next, c);
+      }
+      const LaneComplex bk = load(b[k]);
+      const LaneComplex ck = load(c[k]);
+      for (std::size_t i = k + 1; i < n_; ++i) {
+        const LaneComplex l = load(at(i, k));
+        store(subtract_product(l, bk, load(b[i])), b[i]);
+        store(subtract_product(l, ck, load(c[i])), c[i]);
+      }
     }
-    for (std::size_t i = 1; i < n_; ++i) {
-      LaneComplex sum = load(b[i]);
-      for (std::size_t j = 0; j < i; ++j) sum = subtract_product(load(at(i, j)), load(b[j]), sum);
-      store(sum, b[i]);
-    }
-    substitute_back(b);
+    substitute_back(b, c);
   }
 
  private:
@@ -93,7 +99,8 @@ class LaneLu {
       largest = hn::IfThenElse(larger, size, largest);
       row = hn::IfThenElse(larger, hn::Set(Tag(), static_cast<double>(i)), row);
     }
-    const Mask wanted = hn::Gt(hn::Mul(largest, hn::Set(Tag(), kPivotThreshold)), own);
+    const Mask wanted =
+        hn::Gt(hn::Mul(largest, hn::Set(Tag(), kPivotThreshold * kPivotThreshold)), own);
     if (hn::AllFalse(Tag(), wanted)) return;
     row = hn::IfThenElse(wanted, row, hn::Set(Tag(), static_cast<double>(k)));
     for (std::size_t i = k + 1; i < n_; ++i) {
@@ -106,9 +113,9 @@ class LaneLu {
     const auto slot = static_cast<std::uint32_t>(exchanges_.size());
     exchanges_.push_back({static_cast<std::uint32_t>(k), static_cast<std::uint32_t>(i), slot});
     hn::Store(hn::IfThenElseZero(mask, hn::Set(Tag(), 1.0)), Tag(), masks_[slot]);
-    double* upper = at(k, 0);
-    double* lower = at(i, 0);
-    for (std::size_t j = 0; j < 2 * columns_; ++j, upper += W, lower += W) {
+    double* upper = at(k, k);
+    double* lower = at(i, k);
+    for (std::size_t j = 2 * k; j < 2 * columns_; ++j, upper += W, lower += W) {
       const V a = hn::Load(Tag(), upper);
       const V b = hn::Load(Tag(), lower);
       hn::Store(hn::IfThenElse(mask, b, a), Tag(), upper);
@@ -116,19 +123,34 @@ class LaneLu {
     }
   }
 
-  void substitute_back(LaneVector& b) {
+  void exchange(const Exchange& e, LaneVector& b) const {
+    const Mask mask = hn::Ne(hn::Load(Tag(), masks_[e.mask]), hn::Zero(Tag()));
+    const LaneComplex upper = load(b[e.upper]);
+    const LaneComplex lower = load(b[e.lower]);
+    store(select(mask, lower, upper), b[e.upper]);
+    store(select(mask, upper, lower), b[e.lower]);
+  }
+
+  void substitute_back(LaneVector& b, LaneVector& c) {
     for (std::size_t k = n_; k-- > 0;) {
-      LaneComplex sum = load(b[k]);
-      for (std::size_t j = n_; --j > k;) sum = subtract_product(load(at(k, j)), load(b[j]), sum);
-      store(sum * load(reciprocal_[k]), b[k]);
+      LaneComplex bk = load(b[k]);
+      LaneComplex ck = load(c[k]);
+      for (std::size_t j = n_; --j > k;) {
+        const LaneComplex u = load(at(k, j));
+        bk = subtract_product(u, load(b[j]), bk);
+        ck = subtract_product(u, load(c[j]), ck);
+      }
+      const LaneComplex inverse = load(reciprocal_[k]);
+      store(bk * inverse, b[k]);
+      store(ck * inverse, c[k]);
     }
   }
 
   std::size_t n_;
   std::size_t columns_;
-  LaneVector a_;           // n x (n + appended), L below the diagonal (unit), U on and above
-  LaneVector reciprocal_;  // 1/U_kk
-  LaneVector masks_;       // of the exchanges made
+  LaneVector a_;                     // n x (n + 2), L below the diagonal (unit), U on and above
+  LaneVector reciprocal_;            // 1/U_kk
+  LaneVector masks_;                 // of the exchanges made
   std::vector<Exchange> exchanges_;  // in their order
 };
 

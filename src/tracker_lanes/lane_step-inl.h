@@ -33,7 +33,7 @@ class LaneStep {
   explicit LaneStep(const LaneProgram& program)
       : n_(program.values.size()),
         homotopy_(program),
-        lu_(n_ + 1, 2),
+        lu_(n_ + 1),
         h_(n_ + 1),
         ht_(n_ + 1),
         weights_(n_ + 1),
@@ -49,15 +49,13 @@ class LaneStep {
     append_patch(path, time);
     lu_.factor();
     find_weights(x);
-    lu_.solve_appended(0, h_);
-    lu_.solve_appended(1, tangent);
+    lu_.solve_appended(h_, tangent);
     hn::Store(weighted(h_), Tag(), first.at);
     add(h_, x);
     homotopy_.expand(x, tangent, time, h_, ht_);
     negate(h_);
     negate(ht_);
-    lu_.solve(h_);
-    lu_.solve(ht_);
+    lu_.solve(h_, ht_);
     hn::Store(weighted(h_), Tag(), second.at);
     add(h_, x);
     add(ht_, tangent);
