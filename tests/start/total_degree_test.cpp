@@ -44,7 +44,7 @@ const std::vector<std::vector<std::uint64_t>> kDegrees{
 
 TEST(SeedP30, EveryStartPointIsARootOfTheStartSystem) {
   for (const auto& degrees : kDegrees) {
-    for (const std::uint64_t seed : {1, 2, 12345}) {
+    for (const std::uint64_t seed : {1UL, 2UL, 12345UL}) {
       const TotalDegreeStart start = total_degree_start(degrees, seed);
       const System g = start_system(start, names(degrees.size()));
       for (std::uint64_t number = 0; number < start.paths; ++number) {
