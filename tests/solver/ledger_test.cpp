@@ -32,7 +32,7 @@ TEST(Ledger, StrikesAnEntryOfEachKind) {
   ledger.enter_root(0, root_at({1}));
   ledger.enter_infinity(1);
   ledger.enter_failure({2, Failure::precision, 1});
-  for (const std::uint64_t path : {0, 1, 2}) {
+  for (const std::uint64_t path : {0U, 1U, 2U}) {
     ledger.strike(path);
     EXPECT_EQ(ledger.tracked(), 2 - path);
   }
@@ -70,20 +70,20 @@ TEST(Cycles, OfASimpleEndAreOneTurn) {
 
 TEST(Cycles, OfFourPathsWithTwoTurnsAreTwo) {
   Ledger ledger;
-  for (const std::uint64_t path : {0, 1, 2, 3}) ledger.enter_root(path, root_at({1}, 2));
+  for (const std::uint64_t path : {0U, 1U, 2U, 3U}) ledger.enter_root(path, root_at({1}, 2));
   EXPECT_EQ(cycles(ledger, {0, 1, 2, 3}), (std::vector<int>{2, 2}));
 }
 
 TEST(Cycles, OfDifferentWindingNumbersStandSideBySide) {
   Ledger ledger;
-  for (const std::uint64_t path : {0, 1, 2}) ledger.enter_root(path, root_at({1}, 3));
-  for (const std::uint64_t path : {3, 4}) ledger.enter_root(path, root_at({1}, 2));
+  for (const std::uint64_t path : {0U, 1U, 2U}) ledger.enter_root(path, root_at({1}, 3));
+  for (const std::uint64_t path : {3U, 4U}) ledger.enter_root(path, root_at({1}, 2));
   EXPECT_EQ(cycles(ledger, {0, 1, 2, 3, 4}), (std::vector<int>{2, 3}));
 }
 
 TEST(Cycles, DoNotCloseWhenAPathIsMissingOrOneTooMany) {
   Ledger ledger;
-  for (const std::uint64_t path : {0, 1, 2, 3}) ledger.enter_root(path, root_at({1}, 3));
+  for (const std::uint64_t path : {0U, 1U, 2U, 3U}) ledger.enter_root(path, root_at({1}, 3));
   EXPECT_EQ(cycles(ledger, {0, 1}), std::nullopt);
   EXPECT_NE(cycles(ledger, {0, 1, 2}), std::nullopt);
   EXPECT_EQ(cycles(ledger, {0, 1, 2, 3}), std::nullopt);
