@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+// How does every closure of a mechanism move while the drivers go on from one time to another, and is no branch exchanged?
+//
+// All closures at `from`, each followed along the drivers (kinematics/branch.h). At checkpoints the closures are solved
+// afresh, and must be those that the branches have come to, one to one:
+//   two branches at one closure, or a branch whose place another one claims    followed again with shorter steps
+//   a closure without a branch    a branch that begins since the last checkpoint: followed both ways, a new id
+//   a branch without a closure    a closure that the solver lost, said in `failures`
+// Where a branch ends at a dead point, the branch that meets it there is found by going on round the fold.
+// Ids stay the same through the motion: A, B, ... as find_closures gives them at `from`, then new ones as branches begin.
+// Not seen: branches that begin and end between two checkpoints without meeting one that is known (said in `left_out`).
+// Not supported: what find_closures does not support; follow_guesses takes those, and solves no polynomials at all.
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "moivre/closures/closures.h"
+#include "moivre/kinematics/branch.h"
+
+namespace moivre {
+
+struct MotionOptions {
+  double from = 0;      ///< seconds
+  double to = 1;        ///< seconds; after `from`
+  int steps = 100;      ///< samples are at from + k (to - from) / steps, k = 0 .. steps
+  int checkpoints = 4;  ///< evenly spaced after `from`, the last at `to`; 0: none
+  BranchOptions branch;
+  SolveOptions solve;  ///< of the closures, at `from` and at every checkpoint
+  /// Called with the share of the work that is done, in [0, 1]; may be empty.
+  std::function<void(double)> progress;
+};
+
+/// Every broken rule as a sentence; empty when the options can be used.
+std::vector<std::string> validate(const MotionOptions& options);
+
+struct MotionBranch {
+  std::string id;
+  std::vector<BranchSample> samples;  ///< by time, at the output times within [begins, ends]
+  double begins = 0;                  ///< seconds
+  double ends = 0;
+  std::optional<std::size_t> begin_event;  ///< index into MotionResult::events; nullopt: at `from`
+  std::optional<std::size_t> end_event;    ///< nullopt: at `to`, or not followed further
+  bool complete = false;                   ///< followed to `to` or to an event
+  std::string message;                     ///< how it ended, a sentence
+  int steps = 0;                           ///< of the follower
+  int retracked = 0;                       ///< how often it was followed again with shorter steps
+};
+
+/// Branches that end or begin at one place.
+struct MotionEvent {
+  BranchEvent at;
+  std::vector<double> drivers;      ///< values, in the order of Mechanism::drivers
+  std::vector<std::string> ending;  ///< ids
+  std::vector<std::string> beginning;
+};
+
+/// Closures solved afresh, and the branches that were there.
+struct Checkpoint {
+  double time = 0;
+  std::vector<double> drivers;
+  ClosureCounts counts;
+  PathCounts paths;
+  std::vector<std::string>
+      branches;         ///< ids, one a real closure, in the closures' order; "" without a branch
+  bool agrees = false;  ///< one to one
+  std::string message;
+};
+
+struct MotionResult {
+  bool complete = false;
+  std::string message = "find_motion() was not run";
+  std::uint64_t seed = 0;
+  double from = 0;
+  double to = 0;
+  std::vector<double> times;  ///< of the samples
+  std::string tracker;        ///< empty: no polynomials were solved
+  std::vector<std::pair<std::string, std::string>> tracker_options;
+  std::vector<MotionBranch> branches;   ///< in the order of their ids
+  std::vector<MotionEvent> events;      ///< by time
+  std::vector<Checkpoint> checkpoints;  ///< by time; the first is `from`
+  PathCounts paths;                     ///< over all closures solved
+  std::vector<std::string> failures;    ///< each a sentence
+  std::vector<LeftOut> left_out;
+  int steps = 0;  ///< of the follower, all branches
+  int rejected = 0;
+  SolveTime time_s;
+};
+
+/// Value of each driver.
+std::vector<double> driver_values(const Mechanism& mechanism, double time);
+
+/// A duration that shows the whole motion: one turn of the first driver where it turns evenly, else 1 s.
+double natural_duration(const Mechanism& mechanism);
+
+/// Throws std::invalid_argument where the mechanism or the options are not supported, before any tracking.
+MotionResult find_motion(const Mechanism& mechanism, const Tracker& tracker,
+                         const MotionOptions& options = {},
+                         const std::atomic<bool>& stop = std::atomic<bool>{false});
+
+/// The same from guesses of one's own at `from`, each assembled by Newton-Raphson first: spatial mechanisms and equations that
+/// are no polynomials too. No closures are solved, so that there are no checkpoints.
+MotionResult follow_guesses(const Mechanism& mechanism, const std::vector<Eigen::VectorXd>& guesses,
+                            const MotionOptions& options = {},
+                            const std::atomic<bool>& stop = std::atomic<bool>{false});
+
+}  // namespace moivre

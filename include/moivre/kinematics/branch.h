@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// Where does one assembled pose go while the drivers move, and where does its branch end?
+//
+// A branch is a curve Phi(q, t) = 0 through (q0, t0). It is followed by arc length in y = (q / w, t / T), w a length of the
+// mechanism for lengths and 1 for angles, T the time to go: with the tangent y', [Phi_q Phi_t] y' = 0, a step predicts by
+// y + h y' + h^2 y'' / 2 and corrects by Newton's method on the plane across y'. The step follows the curve: how far the
+// prediction misses and how much the tangent turns decide the next one.
+// Samples are corrected at their own times; one factorisation of Phi_q serves velocity and acceleration there.
+//
+// The branch ends before `to` where it cannot go on, and says so:
+//   dead point    y' stands across t: Phi_q is singular, [Phi_q Phi_t] is not. The drivers can go no further, two branches
+//                 meet and end (a limit position of the driver, a toggle, a fold).
+//   bifurcation   [Phi_q Phi_t] loses rank: branches cross (a change point), which of them goes on is not determined.
+//   joint limit   a joint stands at the end of its range.
+// Dead points are located by the secant method on the curve; bifurcations, where no point can be corrected, by extrapolation
+// of the approach to smallest singular value 0.
+// Not supported: fewer independent equations than coordinates (the pose would move with the drivers held): `failed`.
+#pragma once
+
+#include <Eigen/Core>
+#include <atomic>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "moivre/mechanism/phi.h"
+
+namespace moivre {
+
+enum class EventKind { dead_point, bifurcation, joint_limit };
+
+/// "dead point", "bifurcation", "joint limit".
+std::string to_string(EventKind kind);
+
+/// A place where a branch ends (or, followed the other way, begins).
+struct BranchEvent {
+  EventKind kind = EventKind::dead_point;
+  double time = 0;
+  Eigen::VectorXd q;       ///< angles as they came, whole turns included
+  std::string joint;       ///< joint limit: which
+  double uncertainty = 0;  ///< of `time`, estimated
+};
+
+/// The motion at one output time. Angles go on past half a turn: they are not brought back into (-pi, pi].
+struct BranchSample {
+  double time = 0;
+  Eigen::VectorXd q;
+  Eigen::VectorXd velocity;      ///< q'
+  Eigen::VectorXd acceleration;  ///< q''
+  double residual = 0;           ///< max_i |Phi_i| / sum |terms of Phi_i|
+  bool is_determined = true;  ///< Phi_q has full rank: velocity and acceleration are the only ones
+};
+
+enum class BranchStatus {
+  reached,  ///< the last time asked for
+  ended,    ///< at `event`
+  failed,   ///< see `message`
+  interrupted
+};
+
+std::string to_string(BranchStatus status);
+
+struct BranchOptions {
+  double largest_turn_rad = 0.2;  ///< of the tangent in one step
+  double largest_miss = 0.05;     ///< of the prediction beside the step
+  int maximum_steps = 20000;      ///< accepted and rejected
+};
+
+struct Branch {
+  BranchStatus status = BranchStatus::failed;
+  std::string message = "follow_branch() was not run";
+  std::vector<BranchSample> samples;  ///< in the order of the times, up to where the branch ends
+  std::optional<BranchEvent> event;   ///< where status is `ended`
+  int steps = 0;                      ///< accepted
+  int rejected = 0;
+};
+
+/// Follows the pose q0, assembled at times.front(), through `times` (strictly monotone, either way; two or more).
+/// Throws std::invalid_argument when q0 or the times are not as said.
+Branch follow_branch(const Mechanism& mechanism, const Eigen::VectorXd& q0,
+                     const std::vector<double>& times, const BranchOptions& options = {},
+                     const std::atomic<bool>& stop = std::atomic<bool>{false});
+
+}  // namespace moivre
