@@ -20,4 +20,5 @@ configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/moivreConfig.cmake.in
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/moivreConfigVersion.cmake
   COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/moivreConfig.cmake ${PROJECT_BINARY_DIR}/moivreConfigVersion.cmake
-  ${CMAKE_CURRENT_LIST_DIR}/layers.cmake DESTINATION ${package_dir})
+  ${CMAKE_CURRENT_LIST_DIR}/layers.cmake ${CMAKE_CURRENT_LIST_DIR}/FindMPFR.cmake
+  DESTINATION ${package_dir})

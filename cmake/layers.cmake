@@ -3,12 +3,13 @@
 # components by it, and tests/layers checks every include by it. It only sets variables, so that `cmake -P` can read it too.
 # A module may use what its line names and what those use (one way only).
 
-set(MOIVRE_MODULES numeric expression polynomial homotopy tracker tracker_cvode tracker_lanes endgame start
+set(MOIVRE_MODULES numeric expression polynomial multiprecision homotopy tracker tracker_cvode tracker_lanes endgame start
     solver mechanism kinematics closures report closure_report cli)
 
 set(MOIVRE_USES_numeric "")
 set(MOIVRE_USES_expression numeric)
 set(MOIVRE_USES_polynomial expression)
+set(MOIVRE_USES_multiprecision polynomial)
 set(MOIVRE_USES_homotopy polynomial)
 set(MOIVRE_USES_tracker homotopy)
 set(MOIVRE_USES_tracker_cvode tracker)
@@ -21,12 +22,13 @@ set(MOIVRE_USES_kinematics mechanism)
 set(MOIVRE_USES_closures kinematics solver)
 set(MOIVRE_USES_report solver)
 set(MOIVRE_USES_closure_report closures report)
-set(MOIVRE_USES_cli closure_report tracker_cvode tracker_lanes)
+set(MOIVRE_USES_cli multiprecision closure_report tracker_cvode tracker_lanes)
 
 # Third-party packages, each private to the modules that name it. Eigen and Boost's rationals are
 # the exception: they are vocabulary of the public headers.
 set(MOIVRE_THIRD_PARTY_numeric Eigen3::Eigen Boost::headers)
 set(MOIVRE_THIRD_PARTY_expression taocpp::pegtl)
+set(MOIVRE_THIRD_PARTY_multiprecision MPFR::MPFR)
 set(MOIVRE_THIRD_PARTY_tracker_cvode SUNDIALS::cvode)
 set(MOIVRE_THIRD_PARTY_tracker_lanes hwy::hwy)
 set(MOIVRE_THIRD_PARTY_solver TBB::tbb)
@@ -41,6 +43,7 @@ set(MOIVRE_THIRD_PARTY_cli CLI11::CLI11)
 set(MOIVRE_FIND_Eigen3::Eigen Eigen3 3.4)
 set(MOIVRE_FIND_Boost::headers Boost 1.74)
 set(MOIVRE_FIND_taocpp::pegtl pegtl 3.2)
+set(MOIVRE_FIND_MPFR::MPFR MPFR 4.0)
 set(MOIVRE_FIND_SUNDIALS::cvode SUNDIALS 6.4)
 set(MOIVRE_FIND_hwy::hwy hwy 1.0)
 set(MOIVRE_FIND_TBB::tbb TBB 2021.8)
@@ -51,6 +54,7 @@ set(MOIVRE_FIND_CLI11::CLI11 CLI11 2.1)
 set(MOIVRE_HEADERS_Eigen3::Eigen "(Eigen|unsupported/Eigen)/")
 set(MOIVRE_HEADERS_Boost::headers "boost/")
 set(MOIVRE_HEADERS_taocpp::pegtl "tao/pegtl")
+set(MOIVRE_HEADERS_MPFR::MPFR "(boost/multiprecision/)?(mpfr|gmp|mpc)\\.h")
 set(MOIVRE_HEADERS_SUNDIALS::cvode "(cvode|sundials|nvector|sunmatrix|sunlinsol|sunnonlinsol)/")
 set(MOIVRE_HEADERS_hwy::hwy "hwy/")
 set(MOIVRE_HEADERS_TBB::tbb "(tbb|oneapi)/")

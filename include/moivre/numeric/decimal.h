@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// A complex number written out in decimal: digits beyond any machine number, as plain text.
+#pragma once
+
+#include <string>
+
+namespace moivre {
+
+/// Each part as "-1.2345e-7" or "12.345"; every digit that stands there is right; "0" where none is known.
+struct ComplexDecimal {
+  std::string re;
+  std::string im;
+
+  friend bool operator==(const ComplexDecimal&, const ComplexDecimal&) = default;
+};
+
+}  // namespace moivre

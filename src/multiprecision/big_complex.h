@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// Complex numbers of D decimal digits, as a scalar of tapes and of elimination.
+#pragma once
+
+#include <boost/multiprecision/mpfr.hpp>
+
+#include "moivre/numeric/complex.h"
+#include "moivre/numeric/rational.h"
+
+namespace moivre {
+
+/// A number of D digits: its precision is part of its type, so threads share no setting.
+template <unsigned D>
+using BigReal = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<D>,
+                                              boost::multiprecision::et_off>;
+
+template <unsigned D>
+struct BigComplex {
+  BigReal<D> re;
+  BigReal<D> im;
+
+  BigComplex() = default;
+  explicit BigComplex(double value) : re(value) {}
+  explicit BigComplex(const Complex& value) : re(value.real()), im(value.imag()) {}
+  BigComplex(BigReal<D> real, BigReal<D> imaginary)
+      : re(std::move(real)), im(std::move(imaginary)) {}
+  template <unsigned E>
+  explicit BigComplex(const BigComplex<E>& value) : re(value.re), im(value.im) {}
+};
+
+template <unsigned D>
+BigComplex<D> operator+(const BigComplex<D>& a, const BigComplex<D>& b) {
+  return {a.re + b.re, a.im + b.im};
+}
+template <unsigned D>
+BigComplex<D> operator-(const BigComplex<D>& a, const BigComplex<D>& b) {
+  return {a.re - b.re, a.im - b.im};
+}
+template <unsigned D>
+BigComplex<D> operator-(const BigComplex<D>& a) {
+  return {-a.re, -a.im};
+}
+template <unsigned D>
+BigComplex<D>& operator+=(BigComplex<D>& a, const BigComplex<D>& b) {
+  a.re += b.re;
+  a.im += b.im;
+  return a;
+}
+template <unsigned D>
+BigComplex<D> product(const BigComplex<D>& a, const BigComplex<D>& b) {
+  return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
+}
+template <unsigned D>
+BigReal<D> product(const BigReal<D>& a, const BigReal<D>& b) {
+  return a * b;
+}
+/// |a|^2.
+template <unsigned D>
+BigReal<D> norm(const BigComplex<D>& a) {
+  return a.re * a.re + a.im * a.im;
+}
+template <unsigned D>
+BigReal<D> magnitude1(const BigComplex<D>& a) {
+  return abs(a.re) + abs(a.im);
+}
+template <unsigned D>
+BigComplex<D> reciprocal(const BigComplex<D>& a) {
+  const BigReal<D> size = norm(a);
+  return {a.re / size, -a.im / size};
+}
+
+template <unsigned D>
+BigReal<D> to_big(const Rational& r) {
+  return BigReal<D>(numerator(r)) / BigReal<D>(denominator(r));
+}
+template <unsigned D>
+BigComplex<D> to_big(const Coefficient& c) {
+  return {to_big<D>(c.re), to_big<D>(c.im)};
+}
+
+}  // namespace moivre

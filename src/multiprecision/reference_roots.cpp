@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+// The climb through precisions: each rung doubles the digits, the last one gives the bound.
+#include "moivre/multiprecision/reference_roots.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+#include <thread>
+#include <tuple>
+
+#include "big_newton.h"
+
+namespace moivre {
+namespace {
+
+// What is worked with beyond the digits asked for, before more is taken: for the condition and for rounding.
+constexpr int kGuardDigits = 35;
+// The bound lies this many digits beyond the last one given, so that it is rounded rightly.
+constexpr int kRoundingDigits = 8;
+// Newton's method from a root known to a few digits needs about six iterations to fill the first rung; at a
+// multiple root it would go on for hundreds.
+constexpr int kFirstIterations = 30;
+constexpr int kLaterIterations = 8;
+
+constexpr double kNoBound = std::numeric_limits<double>::infinity();
+
+template <unsigned D>
+double log10_of(const BigReal<D>& x) {
+  return x > 0 ? static_cast<double>(log10(x)) : -kNoBound;
+}
+
+template <unsigned D>
+BigReal<D> largest_size(const std::vector<BigComplex<D>>& v) {
+  BigReal<D> largest(0);
+  for (const BigComplex<D>& vi : v) largest = std::max(largest, norm(vi));
+  return sqrt(largest);
+}
+
+/// max(1, |x|_inf).
+template <unsigned D>
+BigReal<D> scale_of(const std::vector<BigComplex<D>>& x) {
+  return std::max(BigReal<D>(1), largest_size(x));
+}
+
+template <unsigned D>
+std::string part_text(const BigReal<D>& part, const BigReal<D>& bound, int digits) {
+  if (abs(part) <= bound) return "0";
+  const double known = std::floor(log10_of<D>(abs(part) / bound));
+  const int shown = std::clamp(static_cast<int>(std::min(known, 1e9)), 1, digits);
+  return part.str(shown, std::ios_base::showpoint);
+}
+
+template <unsigned D>
+DoubleDouble nearest_double_double(const BigReal<D>& x) {
+  const auto hi = static_cast<double>(x);
+  return {hi, static_cast<double>(BigReal<D>(x - hi))};
+}
+
+/// F in every precision, each made when it is first needed; one a thread.
+class Climb {
+ public:
+  Climb(const System& f, const Tape& tape, const RowNorms& norms, int digits)
+      : f_(f), tape_(tape), norms_(norms), digits_(digits) {}
+
+  ReferenceRoot from(const Point& approximation) {
+    given_ = &approximation;
+    root_ = ReferenceRoot();
+    std::vector<BigComplex<kFirstRung>> x;
+    for (const Complex& xi : approximation) x.emplace_back(xi);
+    rung(x, kFirstIterations);
+    return std::move(root_);
+  }
+
+ private:
+  // Decimal digits of the rungs: doubled each, and the last but one enough for kMostDigits.
+  static constexpr unsigned kFirstRung = 90;
+  template <unsigned D>
+  static constexpr unsigned next_rung() {
+    return D == 90 ? 180 : D == 180 ? 360 : D == 360 ? 720 : D == 720 ? 1100 : D == 1100 ? 2200 : 0;
+  }
+
+  template <unsigned D>
+  BigNewton<D>& newton() {
+    auto& made = std::get<std::unique_ptr<BigNewton<D>>>(rungs_);
+    if (!made) made = std::make_unique<BigNewton<D>>(f_, tape_, norms_);
+    return *made;
+  }
+
+  /// Newton's method in D digits, until the result stands or the next rung is to go on.
+  template <unsigned D>
+  void rung(std::vector<BigComplex<D>> x, int iterations) {
+    root_.working_digits = static_cast<int>(D);
+    const bool may_finish = static_cast<int>(D) >= digits_ + kGuardDigits;
+    std::vector<BigComplex<D>> dx(x.size());
+    bool fills_rung = false;
+    for (int k = 0; k < iterations && !fills_rung; ++k) {
+      if (!newton<D>().correction(x, dx)) return;
+      const double size = log10_of<D>(largest_size(dx) / scale_of(x));
+      if (std::isnan(size)) return;
+      root_.corrections_log10.push_back(size);
+      if (may_finish && finish(x, dx, size)) return;
+      for (std::size_t i = 0; i < x.size(); ++i) x[i] += dx[i];
+      fills_rung = !may_finish && size < -static_cast<double>(D) / 2;
+    }
+    if (!fills_rung && !may_finish) return;
+    if constexpr (next_rung<D>() != 0) {
+      std::vector<BigComplex<next_rung<D>()>> finer;
+      for (const BigComplex<D>& xi : x) finer.emplace_back(xi);
+      rung(std::move(finer), kLaterIterations);
+    }
+  }
+
+  /// Fills the result where the bound covers the digits of every coordinate that differs from 0.
+  template <unsigned D>
+  bool finish(const std::vector<BigComplex<D>>& x, const std::vector<BigComplex<D>>& dx,
+              double size) {
+    if (size > -digits_) return false;
+    const auto bound = newton<D>().bound(x, dx);
+    if (!bound) return false;
+    const BigReal<D> least = *bound * pow(BigReal<D>(10), digits_ + kRoundingDigits);
+    for (const BigComplex<D>& xi : x) {
+      const BigReal<D> xi_size = sqrt(norm(xi));
+      if (xi_size > *bound && xi_size < least) return false;
+    }
+    root_.converged = true;
+    root_.bound_log10 = log10_of<D>(*bound / scale_of(x));
+    std::vector<BigComplex<D>> error;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      root_.x.push_back({part_text(x[i].re, *bound, digits_), part_text(x[i].im, *bound, digits_)});
+      root_.nearest.emplace_back(nearest_double_double(x[i].re), nearest_double_double(x[i].im));
+      error.push_back(BigComplex<D>((*given_)[i]) - x[i]);
+    }
+    root_.forward_error = static_cast<double>(BigReal<D>(largest_size(error) / scale_of(x)));
+    return true;
+  }
+
+  template <unsigned... D>
+  using Rungs = std::tuple<std::unique_ptr<BigNewton<D>>...>;
+
+  const System& f_;
+  const Tape& tape_;
+  const RowNorms& norms_;
+  int digits_;
+  Rungs<90, 180, 360, 720, 1100, 2200> rungs_;
+  const Point* given_ = nullptr;
+  ReferenceRoot root_;
+};
+
+void require_usable(const System& f, const std::vector<Point>& approximations, int digits) {
+  const std::size_t n = f.variables.size();
+  if (digits < 1 || digits > kMostDigits) {
+    throw std::invalid_argument("digits must lie between 1 and " + std::to_string(kMostDigits) +
+                                ", not " + std::to_string(digits));
+  }
+  if (f.polynomials.size() != n) {
+    throw std::invalid_argument("digits are for square systems; this one has " +
+                                std::to_string(f.polynomials.size()) + " equations in " +
+                                std::to_string(n) + " unknowns");
+  }
+  for (const Point& x : approximations) {
+    if (x.size() == n) continue;
+    throw std::invalid_argument("an approximation has " + std::to_string(x.size()) +
+                                " coordinates, the system " + std::to_string(n) + " unknowns");
+  }
+}
+
+}  // namespace
+
+std::vector<ReferenceRoot> reference_roots(const System& f,
+                                           const std::vector<Point>& approximations, int digits,
+                                           int threads) {
+  require_usable(f, approximations, digits);
+  const Tape tape = make_tape(f);
+  const RowNorms norms = row_norms(f);
+  std::vector<ReferenceRoot> roots(approximations.size());
+  const auto workers = std::clamp<std::size_t>(static_cast<std::size_t>(std::max(threads, 1)), 1,
+                                               std::max<std::size_t>(roots.size(), 1));
+  const auto work = [&](std::size_t first) {
+    Climb climb(f, tape, norms, digits);
+    for (std::size_t k = first; k < roots.size(); k += workers) {
+      roots[k] = climb.from(approximations[k]);
+    }
+  };
+  std::vector<std::jthread> others;
+  for (std::size_t first = 1; first < workers; ++first) others.emplace_back(work, first);
+  work(0);
+  others.clear();
+  return roots;
+}
+
+}  // namespace moivre
