@@ -36,9 +36,18 @@ CvodeMethod cvode_method(const std::string& name) {
                               ": the methods are bdf_projection, bdf and adams");
 }
 
+CvodeIteration cvode_iteration(const std::string& name) {
+  for (const CvodeIteration iteration : {CvodeIteration::fixed_point, CvodeIteration::newton}) {
+    if (name == to_string(iteration)) return iteration;
+  }
+  throw std::invalid_argument("--iteration " + name +
+                              ": the iterations are fixed_point and newton");
+}
+
 std::unique_ptr<Tracker> make_cvode(const TrackerChoice& choice) {
   CvodeOptions options;
   options.method = cvode_method(choice.method);
+  options.iteration = cvode_iteration(choice.iteration);
   options.rtol = choice.rtol;
   options.maximum_steps = choice.maximum_steps;
   return make_cvode_tracker(options);
@@ -86,6 +95,11 @@ void add_tracker_options(CLI::App& command, TrackerChoice& choice) {
       ->capture_default_str()
       ->group(group);
   command.add_option("--method", choice.method, "cvode: bdf_projection, bdf or adams")
+      ->capture_default_str()
+      ->group(group);
+  command
+      .add_option("--iteration", choice.iteration,
+                  "cvode: fixed_point, or newton with a Jacobian by difference quotients")
       ->capture_default_str()
       ->group(group);
   command.add_option("--rtol", choice.rtol, "cvode: relative local error of a step")

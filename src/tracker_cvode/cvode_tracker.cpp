@@ -11,7 +11,7 @@
 namespace moivre {
 namespace {
 
-// CVODE's convergence test of the fixed-point iteration, relative to the error test; loose, because Newton's
+// CVODE's convergence test of its iteration, relative to the error test; loose, because Newton's
 // projection removes what the iteration leaves.
 constexpr double kNonlinearCoefficient = 0.5;
 // A step is cut to this fraction when Newton refuses it.
@@ -28,7 +28,8 @@ class CvodeSession : public TrackerSession {
   CvodeSession(const CvodeOptions& options, const Homotopy& homotopy)
       : options_(options),
         path_(homotopy),
-        memory_(options.method == CvodeMethod::adams ? CV_ADAMS : CV_BDF, path_.coordinates()),
+        memory_(options.method == CvodeMethod::adams ? CV_ADAMS : CV_BDF, options.iteration,
+                path_.coordinates()),
         trial_(path_.coordinates()) {
     set_up();
   }
@@ -76,7 +77,7 @@ void CvodeSession::set_up() {
   require_sundials(CVodeSetErrHandlerFn(cvode, silence, nullptr), "CVodeSetErrHandlerFn");
   require_sundials(CVodeSetUserData(cvode, this), "CVodeSetUserData");
   require_sundials(CVodeWFtolerances(cvode, weights), "CVodeWFtolerances");
-  require_sundials(CVodeSetNonlinearSolver(cvode, memory_.solver()), "CVodeSetNonlinearSolver");
+  memory_.attach_solvers();
   require_sundials(CVodeSetNonlinConvCoef(cvode, kNonlinearCoefficient), "CVodeSetNonlinConvCoef");
   require_sundials(CVodeSetMaxNumSteps(cvode, static_cast<long>(options_.maximum_steps)),
                    "CVodeSetMaxNumSteps");
@@ -247,6 +248,7 @@ class CvodeTracker : public Tracker {
     char rtol[32];
     std::snprintf(rtol, sizeof rtol, "%g", options_.rtol);
     return {{"method", to_string(options_.method)},
+            {"iteration", to_string(options_.iteration)},
             {"rtol", rtol},
             {"maximum_steps", std::to_string(options_.maximum_steps)}};
   }
@@ -268,6 +270,16 @@ std::string to_string(CvodeMethod method) {
       return "bdf";
     case CvodeMethod::adams:
       return "adams";
+  }
+  return "";
+}
+
+std::string to_string(CvodeIteration iteration) {
+  switch (iteration) {
+    case CvodeIteration::fixed_point:
+      return "fixed_point";
+    case CvodeIteration::newton:
+      return "newton";
   }
   return "";
 }

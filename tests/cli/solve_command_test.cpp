@@ -192,6 +192,7 @@ TEST(SolveCommand, RefusesEachWrongOptionWithItsReason) {
       {{"--tracker", "magic"}, "the trackers are cvode and lanes"},
       {{"--method", "adams_projection"}, "projection is only supported with BDF"},
       {{"--method", "euler"}, "the methods are bdf_projection, bdf and adams"},
+      {{"--iteration", "halley"}, "the iterations are fixed_point and newton"},
       {{"--start", "polyhedral"}, "the start system is total-degree"},
       {{"--rtol", "0"}, "rtol must lie in (0, 0.5]"},
       {{"--rtol", "nan"}, "rtol must lie in (0, 0.5]"},

@@ -57,13 +57,27 @@ class Watching : public Watcher {
 TEST(CvodeTracker, FollowsASquareRootWithEveryMethod) {
   for (const CvodeMethod method :
        {CvodeMethod::bdf_projection, CvodeMethod::bdf, CvodeMethod::adams}) {
-    Scene scene("x^2 - 3 - 4*i", {.method = method, .rtol = 1e-4});
-    const Arrival arrival = scene.go(Scene::departure());
-    EXPECT_EQ(arrival.journey, Journey::arrived) << to_string(method);
-    EXPECT_EQ(arrival.s, 1);
-    EXPECT_EQ(arrival.t.rest, 0.0);
-    EXPECT_LT(std::abs(affine(arrival.x) - Complex(2, 1)), kArrivalAccuracy) << to_string(method);
+    for (const CvodeIteration iteration : {CvodeIteration::fixed_point, CvodeIteration::newton}) {
+      SCOPED_TRACE(to_string(method) + " " + to_string(iteration));
+      Scene scene("x^2 - 3 - 4*i", {.method = method, .iteration = iteration, .rtol = 1e-4});
+      const Arrival arrival = scene.go(Scene::departure());
+      EXPECT_EQ(arrival.journey, Journey::arrived);
+      EXPECT_EQ(arrival.s, 1);
+      EXPECT_EQ(arrival.t.rest, 0.0);
+      EXPECT_LT(std::abs(affine(arrival.x) - Complex(2, 1)), kArrivalAccuracy);
+    }
   }
+}
+
+TEST(CvodeTracker, NewtonsIterationPaysItsJacobianInRightHandSides) {
+  const Arrival substituted = Scene("x^2 - 3 - 4*i", {.rtol = 1e-6}).go(Scene::departure());
+  const Arrival solved = Scene("x^2 - 3 - 4*i", {.iteration = CvodeIteration::newton, .rtol = 1e-6})
+                             .go(Scene::departure());
+  const double per_step[]{static_cast<double>(substituted.count.work.linearizations) /
+                              static_cast<double>(substituted.count.accepted),
+                          static_cast<double>(solved.count.work.linearizations) /
+                              static_cast<double>(solved.count.accepted)};
+  EXPECT_GT(per_step[1], per_step[0]);
 }
 
 TEST(CvodeTracker, ProjectionTakesAwayTheDriftOfTheIntegrator) {
