@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "canonical_order.h"
 #include "exact.h"
 #include "moivre/kinematics/newton.h"
 #include "moivre/mechanism/pose.h"
@@ -76,6 +77,7 @@ class Search {
   void take_branch(const Branch& branch);
   void check_images();
   void pose(const Solution& solution);
+  void name_closures();
   void conclude();
 
   const Mechanism& mechanism_;
@@ -213,7 +215,6 @@ void Search::pose(const Solution& solution) {
     return;
   }
   Closure closure;
-  closure.id = letters(result_.closures.size());
   closure.q = q;
   closure.residual = scaled_residual(phi_, q, options_.time);
   closure.newton_iterations = polished.steps();
@@ -222,6 +223,17 @@ void Search::pose(const Solution& solution) {
   closure.multiplicity = solution.multiplicity;
   closure.singular = solution.singular;
   result_.closures.push_back(std::move(closure));
+}
+
+void Search::name_closures() {
+  std::vector<Eigen::VectorXd> poses;
+  for (const Closure& closure : result_.closures) poses.push_back(closure.q);
+  std::vector<Closure> ordered;
+  for (const std::size_t k : canonical_order(poses, coordinates(mechanism_))) {
+    ordered.push_back(std::move(result_.closures[k]));
+    ordered.back().id = letters(ordered.size() - 1);
+  }
+  result_.closures = std::move(ordered);
 }
 
 void Search::conclude() {
@@ -255,6 +267,7 @@ ClosureResult Search::run() {
   for (const Solution& solution : result_.solutions) {
     if (solution.real) pose(solution);
   }
+  name_closures();
   if (!result_.closures.empty()) {
     result_.mobility = mobility(phi_, result_.closures.front().q, options_.time);
   }

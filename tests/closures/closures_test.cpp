@@ -205,7 +205,7 @@ TEST(Closures, TheDriversTimeMovesTheCrank) {
   expect_assembled(later, mechanism);
 }
 
-TEST(Closures, IdsAreLettersByPath) {
+TEST(Closures, IdsAreLettersInOrder) {
   const ClosureResult result = closures_of(mechanism_file("jansen-leg"));
   ASSERT_EQ(result.closures.size(), 8u);
   EXPECT_EQ(result.closures.front().id, "A");

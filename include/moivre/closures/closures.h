@@ -6,6 +6,7 @@
 // Conservation holds in every stage as in solver/solve.h; roots on spare equations that fail are counted as `rejected`.
 // "Cannot be assembled" (no real closure) and "moves" (a curve of closures though the drivers stand) are answers.
 // An isolated multiple closure (a dead point) is singular and does not move.
+// Closures are lettered by their poses: larger first coordinate first, ties by the next one.
 // Below a complex closure of one group the next one's conjugates come from that group's own pb and u.
 // Not supported: spatial mechanisms, equations that are no polynomials (std::invalid_argument with the reason).
 #pragma once
@@ -36,7 +37,8 @@ struct Stage {
 
 /// A pose of the assembled mechanism.
 struct Closure {
-  std::string id;  ///< A, B, ..., Z, AA, ... by path
+  std::string
+      id;  ///< A, B, ..., Z, AA, ... by pose: the same for every seed, tracker and thread count
   Eigen::VectorXd q;
   double residual = 0;  ///< max_i |Phi_i| / sum |terms of Phi_i|
   int newton_iterations = 0;
@@ -74,7 +76,7 @@ struct ClosureResult {
   std::vector<Solution> solutions;  ///< complex closures in `system`'s variables; real: a pose
   ClosureCounts counts;
   std::optional<Moves> moves;
-  std::vector<Closure> closures;     ///< real, within limits
+  std::vector<Closure> closures;     ///< real, within limits, by id
   std::optional<Mobility> mobility;  ///< at the first closure; nullopt where there is none
   Eigen::Index coordinates = 0;      ///< n
   Eigen::Index constraints = 0;      ///< m, without drivers
