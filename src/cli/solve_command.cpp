@@ -2,9 +2,11 @@
 // moivre solve FILE: all roots of a polynomial file, told as text, JSON, CSV or PHCpack's solution list.
 #include <chrono>
 #include <memory>
+#include <optional>
 
 #include "command.h"
 #include "common_options.h"
+#include "digits.h"
 #include "interruption.h"
 #include "moivre/polynomial/read.h"
 #include "moivre/report/solve_report.h"
@@ -23,6 +25,7 @@ struct SolveCommand {
   int threads = 0;
   bool all = false;
   bool cross_check = false;
+  std::optional<int> digits;
   bool quiet = false;
   std::string json;
   std::string csv;
@@ -55,6 +58,7 @@ SolveResult solve_interruptibly(const SolveCommand& command, const Problem& prob
   if (witness != nullptr && !interruption.stop().load()) {
     cross_check(problem.system, result, tracker, *witness, options, interruption.stop());
   }
+  if (command.digits) give_digits(problem.system, *command.digits, result);
   result.time.parse = problem.parse_s;
   result.time.total += problem.parse_s;
   return result;
@@ -62,6 +66,7 @@ SolveResult solve_interruptibly(const SolveCommand& command, const Problem& prob
 
 int run(const SolveCommand& command) {
   require_known(command.start);
+  if (command.digits) require_digits(*command.digits);
   require_distinct({command.json, command.csv, command.phc}, command.file);
   const std::unique_ptr<Tracker> tracker = make_tracker(command.tracker);
   const std::unique_ptr<Tracker> witness =
@@ -93,6 +98,10 @@ void add_solve_command(CLI::App& moivre, Chosen& chosen) {
   app.add_option("--threads", command->threads, "number of threads; 0: as many as the machine has")
       ->capture_default_str();
   app.add_flag("--all", command->all, "print the roots that are not real as well");
+  app.add_option(
+         "--digits", command->digits,
+         "give every root to so many significant digits, 1 to 1000; a singular root has none")
+      ->type_name("N");
   app.add_flag("--cross-check", command->cross_check,
                "solve with the other tracker as well and compare, path by path");
   add_quiet_flag(app, command->quiet);
@@ -100,9 +109,10 @@ void add_solve_command(CLI::App& moivre, Chosen& chosen) {
   app.add_option("--csv", command->csv, "write a table of the roots here")->type_name("PATH");
   app.add_option("--phc", command->phc, "write PHCpack's solution list here")->type_name("PATH");
   add_tracker_options(app, command->tracker);
-  add_examples(app, {"moivre solve katsura.phc", "moivre solve katsura.phc --all --seed 7",
-                     "moivre solve katsura.phc --json - | jq .paths",
-                     "moivre solve katsura.phc --quiet --csv roots.csv --phc roots.phc"});
+  add_examples(
+      app, {"moivre solve katsura.phc", "moivre solve katsura.phc --all --seed 7",
+            "moivre solve katsura.phc --digits 50", "moivre solve katsura.phc --json - | jq .paths",
+            "moivre solve katsura.phc --quiet --csv roots.csv --phc roots.phc"});
   app.callback([command, &chosen] { chosen = [command] { return run(*command); }; });
 }
 

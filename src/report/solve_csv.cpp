@@ -5,6 +5,15 @@
 
 namespace moivre {
 
+namespace {
+
+std::string coordinate_text(const Solution& root, std::size_t i) {
+  if (!root.x_digits.empty()) return ',' + root.x_digits[i].re + ',' + root.x_digits[i].im;
+  return ',' + exact_text(root.x[i].real()) + ',' + exact_text(root.x[i].imag());
+}
+
+}  // namespace
+
 std::string solve_csv(const SolveResult& result) {
   std::string text = "path,real,singular,multiplicity,residual,accuracy,condition";
   for (const std::string& name : result.system.variables)
@@ -15,9 +24,7 @@ std::string solve_csv(const SolveResult& result) {
             (root.singular ? "1," : "0,") + std::to_string(root.multiplicity);
     for (const double x : {root.residual, root.accuracy, root.condition})
       text += ',' + exact_text(x);
-    for (const Complex& x : root.x) {
-      text += ',' + exact_text(x.real()) + ',' + exact_text(x.imag());
-    }
+    for (std::size_t i = 0; i < root.x.size(); ++i) text += coordinate_text(root, i);
     text += '\n';
   }
   return text;

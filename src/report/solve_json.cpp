@@ -14,6 +14,11 @@ Json disagreement_json(const Disagreement& difference) {
           {"jumped", difference.jumped ? Json(*difference.jumped) : Json()}};
 }
 
+Json digits_json(const std::vector<ComplexDecimal>& x) {
+  if (x.empty()) return nullptr;
+  return list_json(x, [](const ComplexDecimal& xi) { return Json::array({xi.re, xi.im}); });
+}
+
 Json cross_check_json(const CrossCheck& check) {
   return {{"witness", check.witness},
           {"common", check.common},
@@ -36,7 +41,12 @@ std::string solve_json(const SolveResult& result, const std::string& file) {
       {"kind", result.start.kind}, {"paths", result.start.paths}, {"why", result.start.why}};
   report["tracker"] = tracker_json(result.tracker, result.tracker_options);
   report["paths"] = to_json(result.paths);
-  report["solutions"] = list_json(result.solutions, [](const Solution& s) { return to_json(s); });
+  if (result.digits) report["digits"] = *result.digits;
+  report["solutions"] = list_json(result.solutions, [&](const Solution& s) {
+    Json solution = to_json(s);
+    if (result.digits) solution["x_digits"] = digits_json(s.x_digits);
+    return solution;
+  });
   report["failures"] = list_json(result.failures, [](const FailedPath& f) { return to_json(f); });
   if (result.cross_check) report["cross_check"] = cross_check_json(*result.cross_check);
   report["left_out"] = to_json(result.left_out);

@@ -62,6 +62,16 @@ std::string roots_line(const SolveResult& result) {
   return text + '\n';
 }
 
+/// All the digits that were asked for, or those that the accuracy justifies.
+std::string coordinate_text(const Solution& root, std::size_t i, double error) {
+  if (root.x_digits.empty()) {
+    return root.real ? known_digits(root.x[i].real(), error) : known_digits(root.x[i], error);
+  }
+  const auto& [re, im] = root.x_digits[i];
+  if (im == "0") return re;
+  return re + (im.front() == '-' ? " - " + im.substr(1) : " + " + im) + " i";
+}
+
 std::string root_text(const Solution& root, const std::vector<std::string>& names) {
   std::string text =
       std::string(root.real ? "real root" : "root") + ", path " + std::to_string(root.path);
@@ -73,8 +83,7 @@ std::string root_text(const Solution& root, const std::vector<std::string>& name
   for (const std::string& name : names) width = std::max(width, name.size());
   const double error = root.accuracy * std::max(1.0, max_norm(root.x));
   for (std::size_t i = 0; i < names.size(); ++i) {
-    const Complex x = root.x[i];
-    const std::string value = root.real ? known_digits(x.real(), error) : known_digits(x, error);
+    const std::string value = coordinate_text(root, i, error);
     text += "  " + names[i] + std::string(width - names[i].size(), ' ') + " = " +
             (value.front() == '-' ? "" : " ") + value + '\n';
   }

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <csignal>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <thread>
 
 #include "problems.h"
@@ -60,6 +61,63 @@ TEST(SolveCommand, GivesTheSameBytesForEveryNumberOfThreads) {
     EXPECT_EQ(Json::parse(outcome.out)["time_s"]["threads"], std::stoi(threads));
   }
 }
+
+#if MOIVRE_WITH_MULTIPRECISION
+
+TEST(SolveCommand, GivesAsManyDigitsAsAreAskedFor) {
+  Scene scene;
+  scene.write("f.phc", "1\nx^2 - 2;\n");
+  const std::string digits = "1.4142135623730950488016887242096980785696718753769";
+  EXPECT_TRUE(
+      contains(scene.run({"solve", "f.phc", "--digits", "50"}).out, "\n  x =  " + digits + "\n"));
+  const Outcome outcome =
+      scene.run({"solve", "f.phc", "--digits", "50", "--json", "-", "--csv", "f.csv"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  const Json json = Json::parse(outcome.out);
+  EXPECT_EQ(json["digits"], 50);
+  std::set<std::string> roots;
+  for (const Json& solution : json["solutions"]) {
+    roots.insert(solution["x_digits"][0][0]);
+    EXPECT_EQ(solution["x_digits"][0][1], "0");
+  }
+  EXPECT_EQ(roots, (std::set<std::string>{digits, "-" + digits}));
+  EXPECT_TRUE(contains(scene.read("f.csv"), "," + digits + ",0\n"));
+}
+
+TEST(SolveCommand, SaysThatASingularRootHasNoDigits) {
+  Scene scene;
+  scene.write("f.phc", "1\nx^3 - 4*x^2 + 5*x - 2;\n");  // (x - 1)^2 (x - 2)
+  const Outcome outcome = scene.run({"solve", "f.phc", "--digits", "30", "--json", "-"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  const Json json = Json::parse(outcome.out);
+  ASSERT_EQ(json["solutions"].size(), 2U);
+  for (const Json& solution : json["solutions"]) {
+    EXPECT_EQ(solution["x_digits"].is_null(), solution["singular"].get<bool>());
+  }
+  EXPECT_EQ(json["left_out"].back()["what"], "30 digits of 1 root");
+}
+
+TEST(SolveCommand, RefusesNumbersOfDigitsOutOfRange) {
+  Scene scene;
+  scene.write("f.phc", kCircleAndHyperbola);
+  for (const char* digits : {"0", "-3", "1001"}) {
+    const Outcome outcome = scene.run({"solve", "f.phc", "--digits", digits});
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_TRUE(contains(outcome.err, "must lie between 1 and 1000")) << outcome.err;
+  }
+}
+
+#else
+
+TEST(SolveCommand, SaysThatItWasBuiltWithoutDigits) {
+  Scene scene;
+  scene.write("f.phc", kCircleAndHyperbola);
+  const Outcome outcome = scene.run({"solve", "f.phc", "--digits", "30"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_TRUE(contains(outcome.err, "without multiprecision")) << outcome.err;
+}
+
+#endif
 
 TEST(SolveCommand, FindsTheSameRootsWithEveryMethodAndSeed) {
   Scene scene;

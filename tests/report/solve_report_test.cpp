@@ -79,6 +79,17 @@ TEST(SolveText, PrintsOnlyTheDigitsThatAreKnown) {
   EXPECT_EQ(text.find("--all"), std::string::npos) << text;
 }
 
+TEST(SolveText, PrintsAllTheDigitsThatWereAskedFor) {
+  SolveResult result = hand_made_result();
+  result.solutions[1].x_digits = {{"0.333333333333333333333", "0"},
+                                  {"0.500000000000000000001", "-0.250000000000000000002"}};
+  const std::string text = solve_text(result, "two.phc", ListedRoots::all);
+  EXPECT_NE(text.find("  x     =  0.333333333333333333333\n"
+                      "  alpha =  0.500000000000000000001 - 0.250000000000000000002 i\n"),
+            std::string::npos)
+      << text;
+}
+
 TEST(SolveText, NamesFailuresWithReasonsAndWhatWasLeftOut) {
   const std::string text = solve_text(hand_made_result(), "two.phc");
   EXPECT_NE(text.find("  path 2: step limit, at t = 0.5\n"), std::string::npos) << text;

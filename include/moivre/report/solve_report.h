@@ -2,6 +2,7 @@
 // How is a solve told? As text for people, as JSON and CSV for programs, as PHCpack's solution list.
 //
 //   text   counts, real roots with the digits that their accuracy justifies, what was left out, failures with reasons
+//          (all digits, where more than double's were asked for; CSV likewise)
 //   JSON   everything; docs/json.md shows it; unknown numbers are null, never NaN
 //   CSV    one root a line, shortest digits that read back as the same double; unknown numbers are empty
 //   PHC    the system, then THE SOLUTIONS: err is our accuracy, rco 1/condition, res our residual, m the multiplicity

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "moivre/endgame/endgame.h"
+#include "moivre/numeric/decimal.h"
 #include "moivre/polynomial/system.h"
 #include "moivre/tracker/tracker.h"
 
@@ -57,6 +58,7 @@ struct Solution {
   double residual = 0;          ///< max_i |F_i(x)| / sum |terms of F_i|
   double accuracy = 0;          ///< bound on |x - x*|_inf / max(1, |x|_inf)
   double condition = 0;         ///< infinity-norm condition number of the row-scaled Jacobian
+  std::vector<ComplexDecimal> x_digits;  ///< x in SolveResult::digits digits; empty where there are none
 };
 
 struct PathCounts {
@@ -136,6 +138,7 @@ struct SolveResult {
   std::vector<Solution> solutions;  ///< by path number
   std::vector<FailedPath> failures;
   std::vector<LeftOut> left_out;
+  std::optional<int> digits;  ///< how many the roots were given beyond double, where any were asked for
   std::optional<CrossCheck> cross_check;  ///< where one was made (solver/cross_check.h)
   StepCount work;
   SolveTime time;

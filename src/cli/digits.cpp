@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// The roots' digits from the module multiprecision, where it was built.
+#include "digits.h"
+
+#include <chrono>
+#include <stdexcept>
+
+#include "moivre/report/number_text.h"
+
+#if MOIVRE_WITH_MULTIPRECISION
+#include "moivre/multiprecision/reference_roots.h"
+#endif
+
+namespace moivre {
+
+#if MOIVRE_WITH_MULTIPRECISION
+
+void require_digits(int digits) {
+  if (digits >= 1 && digits <= kMostDigits) return;
+  throw std::invalid_argument("--digits " + std::to_string(digits) +
+                              ": the number of digits must lie between 1 and " +
+                              std::to_string(kMostDigits));
+}
+
+void give_digits(const System& f, int digits, SolveResult& result) {
+  const auto begin = std::chrono::steady_clock::now();
+  result.digits = digits;
+  std::vector<Point> points;
+  for (const Solution& solution : result.solutions) points.push_back(solution.x);
+  const auto roots = reference_roots(f, points, digits, result.time.threads);
+  std::uint64_t without = 0;
+  for (std::size_t k = 0; k < roots.size(); ++k) {
+    result.solutions[k].x_digits = roots[k].x;
+    if (!roots[k].converged) ++without;
+  }
+  if (without > 0) {
+    result.left_out.push_back(
+        {std::to_string(digits) + " digits of " + counted(without, "root"),
+         "Newton's method does not converge quadratically there, as at every singular root, so no "
+         "bound would vouch for the digits"});
+  }
+  result.time.total +=
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+#else
+
+void require_digits(int) {
+  throw std::invalid_argument("--digits: this program was built without multiprecision");
+}
+
+void give_digits(const System&, int, SolveResult&) {}
+
+#endif
+
+}  // namespace moivre

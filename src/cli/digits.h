@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// How are the roots of a solve written with more digits than a double has? By Newton's method in multiprecision.
+#pragma once
+
+#include "moivre/polynomial/system.h"
+#include "moivre/solver/solve.h"
+
+namespace moivre {
+
+/// Throws std::invalid_argument when this program was built without multiprecision or `digits` is out of range.
+void require_digits(int digits);
+
+/// Fills `x_digits` of every root to which Newton's method converges; what has none, and why, joins `left_out`.
+void give_digits(const System& f, int digits, SolveResult& result);
+
+}  // namespace moivre
