@@ -127,12 +127,12 @@ double Lu::norm_of_inverse(bool row_scaled) noexcept {
     solve_adjoint(x);
     divide_by_row_scale();
     double norm = 0;
-    for (const Complex& xi : x) norm += std::abs(xi);
+    for (const Complex& xi : x) norm += modulus(xi);
     if (!std::isfinite(norm)) return std::numeric_limits<double>::infinity();
     if (iteration > 0 && norm <= estimate) break;
     estimate = norm;
     for (Complex& xi : x) {
-      const double size = std::abs(xi);
+      const double size = modulus(xi);
       xi = size > 0 ? xi / size : Complex(1);
     }
     divide_by_row_scale();

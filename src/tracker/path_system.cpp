@@ -130,7 +130,7 @@ Correction PathSystem::correct(std::span<Complex> x, const PathTime& t,
 
 double PathSystem::residual() const noexcept {
   double largest = 0;
-  for (const Complex& hi : h_) largest = std::max(largest, std::abs(hi));
+  for (const Complex& hi : h_) largest = std::max(largest, modulus(hi));
   return largest;
 }
 

@@ -37,6 +37,9 @@ inline Complex reciprocal(const Complex& a) {
 /// |re| + |im|: between |a| and sqrt(2)|a|, without a root.
 inline double magnitude1(const Complex& a) { return std::abs(a.real()) + std::abs(a.imag()); }
 
+/// |a| without hypot's guard: overflows where |a|^2 does.
+inline double modulus(const Complex& a) { return std::sqrt(std::norm(a)); }
+
 inline bool is_finite(const Complex& a) {
   return std::isfinite(a.real()) && std::isfinite(a.imag());
 }
