@@ -24,63 +24,73 @@ namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 using Tag = hn::ScalableTag<double>;
+inline constexpr std::size_t W = hn::MaxLanes(Tag());
+
+/// W real numbers, and W claims. Highway writes + - * / and comparisons as operators, but no minus sign alone.
 using V = hn::Vec<Tag>;
 using Mask = hn::Mask<Tag>;
-inline constexpr std::size_t W = hn::MaxLanes(Tag());
+
+HWY_INLINE V zeros() { return hn::Zero(Tag()); }
+HWY_INLINE V broadcast(double a) { return hn::Set(Tag(), a); }
+HWY_INLINE V load_real(const double* p) { return hn::Load(Tag(), p); }
+HWY_INLINE void store_real(V a, double* p) { hn::Store(a, Tag(), p); }
+HWY_INLINE V operator-(V a) { return hn::Neg(a); }
+/// a b + c and c - a b, rounded once where the machine can.
+HWY_INLINE V multiply_add(V a, V b, V c) { return hn::MulAdd(a, b, c); }
+HWY_INLINE V subtract_multiply(V a, V b, V c) { return hn::NegMulAdd(a, b, c); }
+HWY_INLINE V larger(V a, V b) { return hn::Max(a, b); }
+HWY_INLINE V square_root(V a) { return hn::Sqrt(a); }
+HWY_INLINE bool is_nowhere(Mask mask) { return hn::AllFalse(Tag(), mask); }
+HWY_INLINE V select(Mask mask, V yes, V no) { return hn::IfThenElse(mask, yes, no); }
 
 /// W complex numbers in registers.
 struct LaneComplex {
   V re, im;
 };
 
-HWY_INLINE LaneComplex load(const double* p) {
-  return {hn::Load(Tag(), p), hn::Load(Tag(), p + W)};
-}
+HWY_INLINE LaneComplex load(const double* p) { return {load_real(p), load_real(p + W)}; }
 HWY_INLINE void store(const LaneComplex& a, double* p) {
-  hn::Store(a.re, Tag(), p);
-  hn::Store(a.im, Tag(), p + W);
+  store_real(a.re, p);
+  store_real(a.im, p + W);
 }
-HWY_INLINE LaneComplex zero() { return {hn::Zero(Tag()), hn::Zero(Tag())}; }
+HWY_INLINE LaneComplex zero() { return {zeros(), zeros()}; }
 HWY_INLINE LaneComplex operator+(const LaneComplex& a, const LaneComplex& b) {
-  return {hn::Add(a.re, b.re), hn::Add(a.im, b.im)};
+  return {a.re + b.re, a.im + b.im};
 }
 HWY_INLINE LaneComplex operator-(const LaneComplex& a, const LaneComplex& b) {
-  return {hn::Sub(a.re, b.re), hn::Sub(a.im, b.im)};
+  return {a.re - b.re, a.im - b.im};
 }
-HWY_INLINE LaneComplex operator-(const LaneComplex& a) { return {hn::Neg(a.re), hn::Neg(a.im)}; }
+HWY_INLINE LaneComplex operator-(const LaneComplex& a) { return {-a.re, -a.im}; }
 HWY_INLINE LaneComplex operator*(const LaneComplex& a, const LaneComplex& b) {
-  return {hn::NegMulAdd(a.im, b.im, hn::Mul(a.re, b.re)),
-          hn::MulAdd(a.im, b.re, hn::Mul(a.re, b.im))};
+  return {subtract_multiply(a.im, b.im, a.re * b.re), multiply_add(a.im, b.re, a.re * b.im)};
 }
-HWY_INLINE LaneComplex operator*(V a, const LaneComplex& b) {
-  return {hn::Mul(a, b.re), hn::Mul(a, b.im)};
-}
+HWY_INLINE LaneComplex operator*(V a, const LaneComplex& b) { return {a * b.re, a * b.im}; }
 /// sum + a b.
 HWY_INLINE LaneComplex add_product(const LaneComplex& a, const LaneComplex& b,
                                    const LaneComplex& sum) {
-  return {hn::NegMulAdd(a.im, b.im, hn::MulAdd(a.re, b.re, sum.re)),
-          hn::MulAdd(a.im, b.re, hn::MulAdd(a.re, b.im, sum.im))};
+  return {subtract_multiply(a.im, b.im, multiply_add(a.re, b.re, sum.re)),
+          multiply_add(a.im, b.re, multiply_add(a.re, b.im, sum.im))};
 }
 HWY_INLINE LaneComplex add_product(V a, const LaneComplex& b, const LaneComplex& sum) {
-  return {hn::MulAdd(a, b.re, sum.re), hn::MulAdd(a, b.im, sum.im)};
+  return {multiply_add(a, b.re, sum.re), multiply_add(a, b.im, sum.im)};
 }
 /// sum - a b.
 HWY_INLINE LaneComplex subtract_product(const LaneComplex& a, const LaneComplex& b,
                                         const LaneComplex& sum) {
-  return {hn::MulAdd(a.im, b.im, hn::NegMulAdd(a.re, b.re, sum.re)),
-          hn::NegMulAdd(a.im, b.re, hn::NegMulAdd(a.re, b.im, sum.im))};
+  return {multiply_add(a.im, b.im, subtract_multiply(a.re, b.re, sum.re)),
+          subtract_multiply(a.im, b.re, subtract_multiply(a.re, b.im, sum.im))};
 }
-HWY_INLINE LaneComplex conj(const LaneComplex& a) { return {a.re, hn::Neg(a.im)}; }
+HWY_INLINE LaneComplex conj(const LaneComplex& a) { return {a.re, -a.im}; }
 HWY_INLINE V squared_magnitude(const LaneComplex& a) {
-  return hn::MulAdd(a.re, a.re, hn::Mul(a.im, a.im));
+  return multiply_add(a.re, a.re, a.im * a.im);
 }
 /// 1/a without scaling: overflows where |a|^2 does.
 HWY_INLINE LaneComplex reciprocal(const LaneComplex& a) {
-  const V scale = hn::Div(hn::Set(Tag(), 1.0), squared_magnitude(a));
-  return {hn::Mul(a.re, scale), hn::Mul(hn::Neg(a.im), scale)};
+  const V scale = broadcast(1.0) / squared_magnitude(a);
+  return {a.re * scale, -a.im * scale};
 }
 HWY_INLINE LaneComplex select(Mask mask, const LaneComplex& yes, const LaneComplex& no) {
-  return {hn::IfThenElse(mask, yes.re, no.re), hn::IfThenElse(mask, yes.im, no.im)};
+  return {select(mask, yes.re, no.re), select(mask, yes.im, no.im)};
 }
 
 /// n complex numbers of every lane, in memory.
@@ -91,6 +101,9 @@ class LaneVector {
   }
   double* operator[](std::size_t i) { return data_.get() + 2 * W * i; }
   const double* operator[](std::size_t i) const { return data_.get() + 2 * W * i; }
+
+  double* data() { return data_.get(); }
+  const double* data() const { return data_.get(); }
 
   void set(std::size_t i, std::size_t lane, Complex value) {
     (*this)[i][lane] = value.real();

@@ -86,7 +86,7 @@ class LaneHomotopy {
   void begin(const LaneVector& x, std::size_t products) {
     const std::size_t n = program_.variables;
     for (std::size_t i = 0; i < n; ++i) store(load(x[i]), registers_[i]);
-    store({hn::Set(Tag(), 1.0), hn::Zero(Tag())}, registers_[n]);
+    store({broadcast(1.0), zeros()}, registers_[n]);
     double* next = registers_[n + 1];
     for (std::size_t k = 0; k < products; ++k, next += 2 * W) {
       const Tape::Product& p = program_.products[k];
@@ -110,11 +110,11 @@ class LaneHomotopy {
     LaneComplex total = zero();
     for (std::uint32_t k = terms.real_begin; k < terms.real_end; ++k) {
       const LaneProgram::RealTerm& term = program_.real_terms[k];
-      total = add_product(hn::Set(Tag(), term.c), load(r[term.monomial]), total);
+      total = add_product(broadcast(term.c), load(r[term.monomial]), total);
     }
     for (std::uint32_t k = terms.complex_begin; k < terms.complex_end; ++k) {
       const LaneProgram::ComplexTerm& term = program_.complex_terms[k];
-      const LaneComplex c{hn::Set(Tag(), term.re), hn::Set(Tag(), term.im)};
+      const LaneComplex c{broadcast(term.re), broadcast(term.im)};
       total = add_product(c, load(r[term.monomial]), total);
     }
     return total;

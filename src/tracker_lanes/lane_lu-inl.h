@@ -92,39 +92,38 @@ class LaneLu {
   void exchange_rows(std::size_t k) {
     const V own = squared_magnitude(load(at(k, k)));
     V largest = own;
-    V row = hn::Set(Tag(), static_cast<double>(k));
+    V row = broadcast(static_cast<double>(k));
     for (std::size_t i = k + 1; i < n_; ++i) {
       const V size = squared_magnitude(load(at(i, k)));
-      const Mask larger = hn::Gt(size, largest);
-      largest = hn::IfThenElse(larger, size, largest);
-      row = hn::IfThenElse(larger, hn::Set(Tag(), static_cast<double>(i)), row);
+      const Mask exceeds = size > largest;
+      largest = larger(size, largest);
+      row = select(exceeds, broadcast(static_cast<double>(i)), row);
     }
-    const Mask wanted =
-        hn::Gt(hn::Mul(largest, hn::Set(Tag(), kPivotThreshold * kPivotThreshold)), own);
-    if (hn::AllFalse(Tag(), wanted)) return;
-    row = hn::IfThenElse(wanted, row, hn::Set(Tag(), static_cast<double>(k)));
+    const Mask wanted = largest * broadcast(kPivotThreshold * kPivotThreshold) > own;
+    if (is_nowhere(wanted)) return;
+    row = select(wanted, row, broadcast(static_cast<double>(k)));
     for (std::size_t i = k + 1; i < n_; ++i) {
-      const Mask here = hn::Eq(row, hn::Set(Tag(), static_cast<double>(i)));
-      if (!hn::AllFalse(Tag(), here)) exchange(k, i, here);
+      const Mask here = row == broadcast(static_cast<double>(i));
+      if (!is_nowhere(here)) exchange(k, i, here);
     }
   }
 
   void exchange(std::size_t k, std::size_t i, Mask mask) {
     const auto slot = static_cast<std::uint32_t>(exchanges_.size());
     exchanges_.push_back({static_cast<std::uint32_t>(k), static_cast<std::uint32_t>(i), slot});
-    hn::Store(hn::IfThenElseZero(mask, hn::Set(Tag(), 1.0)), Tag(), masks_[slot]);
+    store_real(select(mask, broadcast(1.0), zeros()), masks_[slot]);
     double* upper = at(k, k);
     double* lower = at(i, k);
     for (std::size_t j = 2 * k; j < 2 * columns_; ++j, upper += W, lower += W) {
-      const V a = hn::Load(Tag(), upper);
-      const V b = hn::Load(Tag(), lower);
-      hn::Store(hn::IfThenElse(mask, b, a), Tag(), upper);
-      hn::Store(hn::IfThenElse(mask, a, b), Tag(), lower);
+      const V a = load_real(upper);
+      const V b = load_real(lower);
+      store_real(select(mask, b, a), upper);
+      store_real(select(mask, a, b), lower);
     }
   }
 
   void exchange(const Exchange& e, LaneVector& b) const {
-    const Mask mask = hn::Ne(hn::Load(Tag(), masks_[e.mask]), hn::Zero(Tag()));
+    const Mask mask = load_real(masks_[e.mask]) > zeros();
     const LaneComplex upper = load(b[e.upper]);
     const LaneComplex lower = load(b[e.lower]);
     store(select(mask, lower, upper), b[e.upper]);

@@ -49,19 +49,19 @@ class LanePath {
   /// predicted <- x(s + h).
   void predict(V h, LaneVector& predicted) const {
     const LaneComplex g = load(gaps_[0]);
-    const V one = hn::Set(Tag(), 1.0);
-    const V between = hn::Sub(g.im, g.re);
-    const V after1 = hn::Add(h, g.re);
-    const V after2 = hn::Add(h, g.im);
-    const V r1 = hn::Div(one, g.re);
-    const V r2 = hn::Div(one, g.im);
-    const V rb = hn::Div(one, between);
-    const V l0 = hn::Mul(hn::Mul(after1, r1), hn::Mul(after2, r2));
-    const V l1 = hn::Neg(hn::Mul(hn::Mul(h, r1), hn::Mul(after2, rb)));
-    const V l2 = hn::Mul(hn::Mul(h, r2), hn::Mul(after1, rb));
-    const Weights w0 = weights(l0, hn::Add(r1, r2), h);
-    const Weights w1 = weights(l1, hn::Sub(rb, r1), after1);
-    const Weights w2 = weights(l2, hn::Neg(hn::Add(r2, rb)), after2);
+    const V one = broadcast(1.0);
+    const V between = g.im - g.re;
+    const V after1 = h + g.re;
+    const V after2 = h + g.im;
+    const V r1 = one / g.re;
+    const V r2 = one / g.im;
+    const V rb = one / between;
+    const V l0 = after1 * r1 * (after2 * r2);
+    const V l1 = -(h * r1 * (after2 * rb));
+    const V l2 = h * r2 * (after1 * rb);
+    const Weights w0 = weights(l0, r1 + r2, h);
+    const Weights w1 = weights(l1, rb - r1, after1);
+    const Weights w2 = weights(l2, -(r2 + rb), after2);
     for (std::size_t i = 0; i < n_; ++i) {
       LaneComplex x = w0.a * load(nodes_[0].x[i]);
       x = add_product(w0.b, load(nodes_[0].dx[i]), x);
@@ -81,12 +81,12 @@ class LanePath {
                     nodes_[2].dx[i]);
     }
     const LaneComplex g = load(gaps_[0]);
-    store(select(stepped, {h, hn::Add(g.re, h)}, g), gaps_[0]);
+    store(select(stepped, {h, g.re + h}, g), gaps_[0]);
   }
 
   /// Where `mask`, lays the past back along the tangent, a step h and two of them.
   void forget(Mask mask, V h) {
-    const V two_h = hn::Add(h, h);
+    const V two_h = h + h;
     for (std::size_t i = 0; i < n_; ++i) {
       const LaneComplex x = load(nodes_[0].x[i]);
       const LaneComplex dx = load(nodes_[0].dx[i]);
@@ -100,15 +100,15 @@ class LanePath {
 
   /// Renews the patch in the lanes that have left its reach.
   void renew_patches() {
-    V size = hn::Zero(Tag());
-    V patch = hn::Zero(Tag());
+    V size = zeros();
+    V patch = zeros();
     for (std::size_t i = 0; i < n_; ++i) {
-      size = hn::Add(size, squared_magnitude(load(nodes_[0].x[i])));
-      patch = hn::Add(patch, squared_magnitude(load(patch_[i])));
+      size = size + squared_magnitude(load(nodes_[0].x[i]));
+      patch = patch + squared_magnitude(load(patch_[i]));
     }
-    const Mask far = hn::Gt(hn::Mul(size, patch), hn::Set(Tag(), kPatchReach * kPatchReach));
-    if (hn::AllFalse(Tag(), far)) return;
-    const V scale = hn::Div(hn::Set(Tag(), 1.0), hn::Sqrt(size));
+    const Mask far = (size * patch) > broadcast(kPatchReach * kPatchReach);
+    if (is_nowhere(far)) return;
+    const V scale = broadcast(1.0) / square_root(size);
     for (std::size_t i = 0; i < n_; ++i) {
       const LaneComplex own = conj(scale * load(nodes_[0].x[i]));
       store(select(far, own, load(patch_[i])), patch_[i]);
@@ -118,7 +118,7 @@ class LanePath {
 
   /// 1 - a x, how far x is off the patch.
   LaneComplex distance(const LaneVector& x) const {
-    LaneComplex result{hn::Set(Tag(), 1.0), hn::Zero(Tag())};
+    LaneComplex result{broadcast(1.0), zeros()};
     for (std::size_t i = 0; i < n_; ++i) {
       result = subtract_product(load(patch_[i]), load(x[i]), result);
     }
@@ -136,9 +136,9 @@ class LanePath {
   };
 
   static Weights weights(V l, V slope, V distance) {
-    const V squared = hn::Mul(l, l);
-    const V factor = hn::NegMulAdd(hn::Add(slope, slope), distance, hn::Set(Tag(), 1.0));
-    return {hn::Mul(factor, squared), hn::Mul(distance, squared)};
+    const V squared = l * l;
+    const V factor = subtract_multiply(slope + slope, distance, broadcast(1.0));
+    return {factor * squared, distance * squared};
   }
 
   static void advance_entry(Mask stepped, Mask replaced, const LaneComplex& value, double* node0,

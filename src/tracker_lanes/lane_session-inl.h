@@ -110,11 +110,11 @@ class LaneSession : public TrackerSession {
   }
 
   void advance() {
-    const V none = hn::Zero(Tag());
-    const Mask departed = hn::Ne(departed_.value(), none);
-    path_.advance(hn::Ne(stepped_.value(), none), hn::Ne(replaced_.value(), none), h_.value(),
-                  step_.corrected, step_.tangent);
-    if (!hn::AllFalse(Tag(), departed)) path_.forget(departed, back_.value());
+    const V none = zeros();
+    const Mask departed = departed_.value() > none;
+    path_.advance(stepped_.value() > none, replaced_.value() > none, h_.value(), step_.corrected,
+                  step_.tangent);
+    if (!is_nowhere(departed)) path_.forget(departed, back_.value());
     path_.renew_patches();
     stepped_ = replaced_ = departed_ = LaneReals{};
   }

@@ -25,7 +25,7 @@ namespace HWY_NAMESPACE {
 /// W real numbers in memory.
 struct LaneReals {
   HWY_ALIGN double at[W] = {};
-  V value() const { return hn::Load(Tag(), at); }
+  V value() const { return load_real(at); }
 };
 
 class LaneStep {
@@ -50,13 +50,13 @@ class LaneStep {
     lu_.factor();
     find_weights(x);
     lu_.solve_appended(h_, tangent);
-    hn::Store(weighted(h_), Tag(), first.at);
+    store_real(weighted(h_), first.at);
     add(h_, x);
     homotopy_.expand(x, tangent, time, h_, ht_);
     negate(h_);
     negate(ht_);
     lu_.solve(h_, ht_);
-    hn::Store(weighted(h_), Tag(), second.at);
+    store_real(weighted(h_), second.at);
     add(h_, x);
     add(ht_, tangent);
   }
@@ -91,37 +91,37 @@ class LaneStep {
   }
 
   void measure_residual() {
-    V largest = hn::Zero(Tag());
+    V largest = zeros();
     for (std::size_t i = 0; i < n_; ++i) {
-      largest = hn::Max(largest, squared_magnitude(load(h_[i])));
+      largest = larger(largest, squared_magnitude(load(h_[i])));
     }
-    hn::Store(hn::Sqrt(largest), Tag(), residual.at);
+    store_real(square_root(largest), residual.at);
   }
 
   // 1 / w_i^2.
   void find_weights(const LaneVector& x) {
-    V largest = hn::Zero(Tag());
+    V largest = zeros();
     for (std::size_t i = 0; i <= n_; ++i) {
-      largest = hn::Max(largest, squared_magnitude(load(x[i])));
+      largest = larger(largest, squared_magnitude(load(x[i])));
     }
-    const V floor = hn::Mul(largest, hn::Set(Tag(), kRelativeFloor * kRelativeFloor));
+    const V floor = largest * broadcast(kRelativeFloor * kRelativeFloor);
     for (std::size_t i = 0; i <= n_; ++i) {
-      const V squared = hn::Max(squared_magnitude(load(x[i])), floor);
-      hn::Store(hn::Div(hn::Set(Tag(), 1.0), squared), Tag(), weights_[i]);
+      const V squared = larger(squared_magnitude(load(x[i])), floor);
+      store_real(broadcast(1.0) / squared, weights_[i]);
     }
   }
 
   // A sum tells a NaN that a maximum might drop.
   V weighted(const LaneVector& dx) const {
-    V largest = hn::Zero(Tag());
-    V sum = hn::Zero(Tag());
+    V largest = zeros();
+    V sum = zeros();
     for (std::size_t i = 0; i <= n_; ++i) {
-      const V squared = hn::Mul(squared_magnitude(load(dx[i])), hn::Load(Tag(), weights_[i]));
-      largest = hn::Max(largest, squared);
-      sum = hn::Add(sum, squared);
+      const V squared = squared_magnitude(load(dx[i])) * load_real(weights_[i]);
+      largest = larger(largest, squared);
+      sum = sum + squared;
     }
-    const Mask finite = hn::Le(sum, hn::Set(Tag(), std::numeric_limits<double>::max()));
-    return hn::IfThenElse(finite, hn::Sqrt(largest), sum);
+    const Mask finite = sum <= broadcast(std::numeric_limits<double>::max());
+    return select(finite, square_root(largest), sum);
   }
 
   void add(const LaneVector& dx, LaneVector& x) const {
