@@ -7,6 +7,7 @@
 #include "common_options.h"
 #include "interruption.h"
 #include "moivre/closure_report/closure_report.h"
+#include "moivre/closure_report/picture.h"
 #include "moivre/mechanism/read.h"
 #include "output.h"
 #include "progress_line.h"
@@ -24,11 +25,12 @@ struct ClosuresCommand {
   bool quiet = false;
   std::string json;
   std::string csv;
+  std::string svg;
 };
 
 int run(const ClosuresCommand& command) {
   require_known(command.start);
-  require_distinct({command.json, command.csv}, command.file);
+  require_distinct({command.json, command.csv, command.svg}, command.file);
   const std::unique_ptr<Tracker> tracker = make_tracker(command.tracker);
   const auto begin = std::chrono::steady_clock::now();
   const Mechanism mechanism = read_mechanism(read_source(command.file));
@@ -36,6 +38,7 @@ int run(const ClosuresCommand& command) {
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   Output json(command.json);
   Output csv(command.csv);
+  Output svg(command.svg);
 
   ClosureOptions options;
   options.time = command.at;
@@ -54,7 +57,8 @@ int run(const ClosuresCommand& command) {
 
   if (json.is_wanted()) json.write(closures_json(result, mechanism, command.file));
   if (csv.is_wanted()) csv.write(closures_csv(result, mechanism));
-  if (!command.quiet && !json.is_stdout() && !csv.is_stdout()) {
+  if (svg.is_wanted()) svg.write(closures_svg(result, mechanism, command.file));
+  if (!command.quiet && !json.is_stdout() && !csv.is_stdout() && !svg.is_stdout()) {
     write_to_stdout(closures_text(result, mechanism, command.file));
   }
   return result.complete ? kDecided : kUndecided;
@@ -73,10 +77,13 @@ void add_closures_command(CLI::App& moivre, Chosen& chosen) {
   add_quiet_flag(app, command->quiet);
   add_json_option(app, command->json);
   app.add_option("--csv", command->csv, "write a table of the closures here")->type_name("PATH");
+  app.add_option("--svg", command->svg, "draw all closures, side by side to one scale, here")
+      ->type_name("PATH");
   add_tracker_options(app, command->tracker);
   add_examples(app, {"moivre closures four-bar.toml", "moivre closures four-bar.toml --at 0.5",
                      "moivre closures four-bar.toml --json - | jq .counts",
-                     "moivre closures four-bar.toml --quiet --csv closures.csv"});
+                     "moivre closures four-bar.toml --quiet --csv closures.csv",
+                     "moivre closures four-bar.toml --svg closures.svg"});
   app.callback([command, &chosen] { chosen = [command] { return run(*command); }; });
 }
 

@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: MIT
+// How is a planar mechanism drawn? Links as hulls of their points, joints by type, the ground hatched.
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <set>
+
+#include "figures.h"
+#include "moivre/mechanism/pose.h"
+
+namespace moivre {
+namespace {
+
+// Sizes, all in radii of a revolute joint.
+constexpr double kLinkRadius = 1.3;
+constexpr double kPinRadius = 0.75;
+constexpr double kMarkRadius = 0.45;
+constexpr double kSlotRadius = 0.85;
+constexpr double kSlotFrameRadius = 1.8;
+constexpr double kBlockHalfLength = 2.4;
+constexpr double kBlockHalfHeight = 1.6;
+constexpr double kGuideMargin = 4;    // that a guide goes on beyond the slider
+constexpr double kSlotMargin = 6;     // that a slot goes on beyond the pin
+constexpr double kSlotClearance = 3;  // between a slot's end and the joint it is measured from
+constexpr double kWeldHalfSide = 1;
+constexpr double kRodRadius = 0.55;
+constexpr double kToothMark = 2;  // length of the stroke that shows how a wheel has turned
+
+Complex flat(const Eigen::Vector3d& r) { return {r.x(), r.y()}; }
+
+class PlanarDrawing {
+ public:
+  PlanarDrawing(const Mechanism& mechanism, const std::vector<Eigen::VectorXd>& poses)
+      : mechanism_(mechanism), poses_(poses), size_(symbol_size(extent(mechanism, poses))) {
+    sketch_.drawing.symbol = size_;
+    for (std::size_t body = 0; body < mechanism.bodies.size(); ++body) {
+      sketch_.add(LineFrame{{body, Eigen::Vector3d::Zero()}, {body, Eigen::Vector3d::UnitX()}, 1});
+    }
+  }
+
+  Drawing drawn() && {
+    for (std::size_t body = 1; body < mechanism_.bodies.size(); ++body) add_link(body);
+    for (const Joint& joint : mechanism_.joints) add(joint);
+    for (const Site& site : sites(mechanism_)) add(site);
+    for (std::size_t body = 1; body < mechanism_.bodies.size(); ++body) add_body_label(body);
+    return std::move(sketch_).finished();
+  }
+
+ private:
+  Complex at(const PointOf& point) const {
+    return flat(mechanism_.bodies[point.body].points[point.point].at);
+  }
+
+  static std::optional<std::size_t> colour(std::size_t body) {
+    return body == 0 ? std::nullopt : std::optional(body - 1);
+  }
+
+  std::vector<Complex> points_of(std::size_t body) const {
+    std::vector<Complex> points;
+    for (const BodyPoint& point : mechanism_.bodies[body].points) points.push_back(flat(point.at));
+    return points;
+  }
+
+  void add_link(std::size_t body) {
+    const std::vector<Complex> points = points_of(body);
+    if (points.empty()) return;
+    sketch_.add(Sketch::links, body, colour(body),
+                {rounded_hull(Style::link, points, kLinkRadius * size_)});
+  }
+
+  /// A bar between two more points of a body; one with its link where all are in line.
+  void lengthen_link(std::size_t body, Complex from, Complex to) {
+    std::vector<Complex> points = points_of(body);
+    points.push_back(from);
+    points.push_back(to);
+    Shape whole = rounded_hull(Style::link, points, kLinkRadius * size_);
+    constexpr std::size_t kEndsOfLine = 2;
+    if (whole.points.size() > kEndsOfLine) {
+      whole = capsule(Style::link, from, to, kLinkRadius * size_);
+    } else {
+      std::erase_if(sketch_.layers[Sketch::links],
+                    [&](const Figure& figure) { return figure.frame == body; });
+    }
+    sketch_.add(Sketch::links, body, colour(body), {whole});
+  }
+
+  void add(const Joint& joint) {
+    switch (joint.type) {
+      case JointType::revolute:
+        return add_pin(joint);
+      case JointType::prismatic:
+        return add_slider(joint);
+      case JointType::slot:
+        return add_slot(joint);
+      case JointType::weld:
+        return add_weld(joint);
+      case JointType::rod:
+        return add_rod(joint);
+      case JointType::gear:
+        return add_gear(joint);
+      case JointType::spherical:
+      case JointType::cylindrical:
+      case JointType::universal:
+        return;
+    }
+  }
+
+  /// The ground's pivot below a joint, once a place.
+  void hold_to_ground(const PointOf& point) {
+    if (point.body != 0 || !held_.insert(point.point).second) return;
+    sketch_.add(Sketch::backdrop, 0, std::nullopt, ground_pivot(at(point), size_));
+  }
+
+  void add_pin(const Joint& joint) {
+    for (const PointOf& point : joint.at) {
+      hold_to_ground(point);
+      sketch_.add(Sketch::joints, point.body, std::nullopt,
+                  {disc(Style::pin, at(point), kPinRadius * size_)});
+    }
+  }
+
+  /// Least and greatest place of the second point along the line, in all poses.
+  std::array<double, 2> travel(const Joint& joint) const {
+    std::array<double, 2> range{};
+    for (std::size_t k = 0; k < poses_.size(); ++k) {
+      const double s = joint_coordinate(mechanism_, joint, poses_[k]).value_or(0);
+      range = k == 0 ? std::array{s, s} : std::array{std::min(range[0], s), std::max(range[1], s)};
+    }
+    return range;
+  }
+
+  /// From the first point to beyond all places of the slider.
+  void add_slider(const Joint& joint) {
+    const std::size_t rail = joint.at[0].body;
+    const Complex along = flat(joint.axis[0]);
+    const auto [least, greatest] = travel(joint);
+    const Complex from = at(joint.at[0]) + (std::min(least, 0.0) - kGuideMargin * size_) * along;
+    const Complex to = at(joint.at[0]) + (std::max(greatest, 0.0) + kGuideMargin * size_) * along;
+    if (rail == 0) {
+      const Complex below = along * Complex(0, -kBlockHalfHeight * size_);
+      sketch_.add(Sketch::backdrop, 0, std::nullopt, hatched_line(from + below, to + below, size_));
+    } else {
+      lengthen_link(rail, from, to);
+    }
+    sketch_.add(rail == 0 ? Sketch::backdrop : Sketch::holes, rail, std::nullopt,
+                {polyline(Style::guide, {from, to})});
+    const std::size_t block = joint.at[1].body;
+    const Complex along_block = along * std::polar(1.0, -joint.turn_rad);
+    sketch_.add(Sketch::sliders, block, colour(block),
+                {rectangle(Style::block, at(joint.at[1]), along_block, kBlockHalfLength * size_,
+                           kBlockHalfHeight * size_)});
+  }
+
+  /// Beyond all places of the pin, but not over the first point where no pin gets there; held to it by a bar.
+  void add_slot(const Joint& joint) {
+    const std::size_t body = joint.at[0].body;
+    const Complex origin = at(joint.at[0]);
+    const Complex along = flat(joint.axis[0]);
+    const auto [least, greatest] = travel(joint);
+    const double clear = kSlotClearance * size_;
+    double lower = least - kSlotMargin * size_;
+    double upper = greatest + kSlotMargin * size_;
+    if (least > 2 * clear) lower = std::max(lower, clear);
+    if (greatest < -2 * clear) upper = std::min(upper, -clear);
+    const Complex from = origin + lower * along;
+    const Complex to = origin + upper * along;
+    if (body == 0) {
+      const Complex below = along * Complex(0, -kSlotRadius * size_);
+      sketch_.add(Sketch::backdrop, 0, std::nullopt, hatched_line(from + below, to + below, size_));
+    } else {
+      lengthen_link(body, origin, lower > 0 ? from : upper < 0 ? to : origin);
+      sketch_.add(Sketch::links, body, colour(body),
+                  {capsule(Style::link, from, to, kSlotFrameRadius * size_)});
+    }
+    sketch_.add(Sketch::holes, body, colour(body),
+                {capsule(Style::slot, from, to, kSlotRadius * size_)});
+    const std::size_t pin = joint.at[1].body;
+    sketch_.add(Sketch::joints, pin, colour(pin),
+                {disc(Style::slot_pin, at(joint.at[1]), kPinRadius * size_)});
+  }
+
+  void add_weld(const Joint& joint) {
+    for (const PointOf& point : joint.at) hold_to_ground(point);
+    sketch_.add(
+        Sketch::joints, joint.at[0].body, std::nullopt,
+        {rectangle(Style::weld, at(joint.at[0]), 1, kWeldHalfSide * size_, kWeldHalfSide * size_)});
+  }
+
+  void add_rod(const Joint& joint) {
+    const auto material = [&](const PointOf& point) {
+      return MaterialPoint{point.body, mechanism_.bodies[point.body].points[point.point].at};
+    };
+    const std::size_t frame =
+        sketch_.add(LineFrame{material(joint.at[0]), material(joint.at[1]), joint.length});
+    sketch_.add(Sketch::links, frame, std::nullopt,
+                {capsule(Style::rod, 0, joint.length, kRodRadius * size_)});
+    add_pin(joint);
+    sketch_.drawing.labels.push_back(
+        {LabelKind::body, joint.name, frame, joint.length / 2, std::nullopt, std::nullopt});
+  }
+
+  /// The point of the carrier about which a wheel turns, and the same point of the wheel.
+  std::optional<std::array<PointOf, 2>> axle(std::size_t carrier, std::size_t wheel) const {
+    for (const Joint& joint : mechanism_.joints) {
+      if (joint.type != JointType::revolute) continue;
+      if (joint.at[0].body == carrier && joint.at[1].body == wheel) return joint.at;
+      if (joint.at[1].body == carrier && joint.at[0].body == wheel) {
+        return std::array{joint.at[1], joint.at[0]};
+      }
+    }
+    return std::nullopt;
+  }
+
+  void add_gear(const Joint& joint) {
+    const std::array wheels{joint.at[0].body, joint.at[1].body};
+    const auto first = axle(joint.gear.carrier, wheels[0]);
+    const auto second = axle(joint.gear.carrier, wheels[1]);
+    if (!first || !second) return;
+    const double distance = std::abs(at((*second)[0]) - at((*first)[0]));
+    const std::array teeth{joint.gear.teeth[0], joint.gear.teeth[1]};
+    const double sum = std::abs(teeth[0] - teeth[1]);
+    if (distance == 0 || sum == 0) return;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const double radius = distance * std::abs(teeth[k]) / sum;
+      const Complex centre = at(k == 0 ? (*first)[1] : (*second)[1]);
+      std::vector<Shape> shapes{disc(Style::pitch_circle, centre, radius)};
+      if (mechanism_.bodies[wheels[k]].points.size() == 1) {
+        shapes.push_back(
+            polyline(Style::mark, {centre + radius - kToothMark * size_, centre + radius}));
+      }
+      sketch_.add(Sketch::links, wheels[k], colour(wheels[k]), std::move(shapes));
+    }
+  }
+
+  void add(const Site& site) {
+    const PointOf& first = site.points.front();
+    if (!site.is_jointed) {
+      const double reach = kMarkRadius * size_;
+      sketch_.add(Sketch::joints, first.body, std::nullopt, {disc(Style::mark, at(first), reach)});
+    }
+    sketch_.drawing.labels.push_back(
+        {LabelKind::point, site.name, first.body, at(first), std::nullopt, std::nullopt});
+  }
+
+  void add_body_label(std::size_t body) {
+    const std::vector<Complex> points = points_of(body);
+    if (points.empty()) return;
+    const Complex centre = std::accumulate(points.begin(), points.end(), Complex(0)) /
+                           static_cast<double>(points.size());
+    sketch_.drawing.labels.push_back(
+        {LabelKind::body, mechanism_.bodies[body].name, body, centre, colour(body), std::nullopt});
+  }
+
+  const Mechanism& mechanism_;
+  const std::vector<Eigen::VectorXd>& poses_;
+  double size_;
+  Sketch sketch_;
+  std::set<std::size_t> held_;
+};
+
+}  // namespace
+
+Drawing draw_planar(const Mechanism& mechanism, const std::vector<Eigen::VectorXd>& poses) {
+  return PlanarDrawing(mechanism, poses).drawn();
+}
+
+}  // namespace moivre

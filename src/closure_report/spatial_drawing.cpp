@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+// How is a spatial mechanism drawn? Bodies as thick lines between their points, joints with their axes, and where x, y, z go.
+#include <algorithm>
+
+#include "figures.h"
+
+namespace moivre {
+namespace {
+
+// Sizes, all in radii of a revolute joint.
+constexpr double kPinRadius = 0.75;
+constexpr double kMarkRadius = 0.45;
+constexpr double kAxisReach = 4.5;  // of a joint's axis, to each side
+constexpr double kTriadReach = 6;
+
+using Eigen::Vector3d;
+
+class SpatialDrawing {
+ public:
+  SpatialDrawing(const Mechanism& mechanism, const std::vector<Eigen::VectorXd>& poses)
+      : mechanism_(mechanism), size_(symbol_size(extent(mechanism, poses))) {
+    sketch_.drawing.symbol = size_;
+    sketch_.drawing.to_scale = false;  // what goes into the picture is foreshortened
+  }
+
+  Drawing drawn() && {
+    add_triad();
+    for (std::size_t body = 1; body < mechanism_.bodies.size(); ++body) add_body(body);
+    for (const Joint& joint : mechanism_.joints) add(joint);
+    for (const Site& site : sites(mechanism_)) add(site);
+    return std::move(sketch_).finished();
+  }
+
+ private:
+  MaterialPoint material(const PointOf& point) const {
+    return {point.body, mechanism_.bodies[point.body].points[point.point].at};
+  }
+
+  std::size_t add_spot(const PointOf& point) {
+    return sketch_.add(LineFrame{material(point), material(point), 1});
+  }
+
+  void add_line(Sketch::Layer layer, Style style, std::optional<std::size_t> colour,
+                const MaterialPoint& from, const MaterialPoint& to) {
+    sketch_.add(layer, sketch_.add(LineFrame{from, to, 1}), colour, {polyline(style, {0, 1})});
+  }
+
+  void add_label(LabelKind kind, const std::string& text, std::size_t frame, Complex at,
+                 std::optional<std::size_t> colour = std::nullopt) {
+    sketch_.drawing.labels.push_back({kind, text, frame, at, colour, std::nullopt});
+  }
+
+  void add_triad() {
+    for (int k = 0; k < 3; ++k) {
+      const Vector3d tip = kTriadReach * size_ * Vector3d::Unit(k);
+      add_line(Sketch::backdrop, Style::hatch, std::nullopt, {0, Vector3d::Zero()}, {0, tip});
+      add_label(LabelKind::point, std::string(1, "xyz"[k]), sketch_.drawing.frames.size() - 1, 1);
+    }
+  }
+
+  /// Its points one after the other, round where there are three or more.
+  void add_body(std::size_t body) {
+    const std::size_t count = mechanism_.bodies[body].points.size();
+    const std::size_t lines = count > 2 ? count : count - std::min<std::size_t>(count, 1);
+    for (std::size_t k = 0; k < lines; ++k) {
+      add_line(Sketch::links, Style::wire, body - 1, material({body, k}),
+               material({body, (k + 1) % count}));
+      if (k > 0) continue;
+      add_label(LabelKind::body, mechanism_.bodies[body].name, sketch_.drawing.frames.size() - 1,
+                0.5, body - 1);
+    }
+  }
+
+  void add(const Joint& joint) {
+    const MaterialPoint first = material(joint.at[0]);
+    if (joint.type == JointType::rod) {
+      add_line(Sketch::links, Style::wire, std::nullopt, first, material(joint.at[1]));
+      add_label(LabelKind::body, joint.name, sketch_.drawing.frames.size() - 1, 0.5);
+    }
+    const bool has_axis = joint.type == JointType::revolute || joint.type == JointType::prismatic ||
+                          joint.type == JointType::cylindrical ||
+                          joint.type == JointType::universal;
+    const Vector3d reach = kAxisReach * size_ * joint.axis[0];
+    if (has_axis) {
+      add_line(Sketch::holes, Style::axis, std::nullopt, {first.body, first.at - reach},
+               {first.body, first.at + reach});
+    }
+    for (const PointOf& point : joint.at) {
+      const std::size_t spot = add_spot(point);
+      if (point.body == 0) {
+        sketch_.add(Sketch::backdrop, spot, std::nullopt, ground_pivot(0, size_));
+      }
+      const bool is_weld = joint.type == JointType::weld;
+      sketch_.add(Sketch::joints, spot, std::nullopt,
+                  {disc(is_weld ? Style::weld : Style::pin, 0, kPinRadius * size_)});
+    }
+  }
+
+  void add(const Site& site) {
+    const std::size_t spot = add_spot(site.points.front());
+    if (!site.is_jointed) {
+      sketch_.add(Sketch::joints, spot, std::nullopt, {disc(Style::mark, 0, kMarkRadius * size_)});
+    }
+    add_label(LabelKind::point, site.name, spot, 0);
+  }
+
+  const Mechanism& mechanism_;
+  double size_;
+  Sketch sketch_;
+};
+
+}  // namespace
+
+Drawing draw_spatial(const Mechanism& mechanism, const std::vector<Eigen::VectorXd>& poses) {
+  return SpatialDrawing(mechanism, poses).drawn();
+}
+
+}  // namespace moivre
