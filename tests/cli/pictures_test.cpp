@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// Do the commands that draw keep their contract: where pictures go, and what is refused before the work?
+#include <gtest/gtest.h>
+
+#include "program.h"
+
+namespace moivre::test {
+namespace {
+
+constexpr const char* kFourBar = MOIVRE_SOURCE_DIR "/problems/mechanisms/four-bar.toml";
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(Pictures, OfClosuresGoToAFileBesideTheText) {
+  const Scene scene;
+  const Outcome outcome = scene.run({"closures", kFourBar, "--svg", "closures.svg"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_TRUE(contains(outcome.out, "closure A"));
+  EXPECT_EQ(scene.read("closures.svg").substr(0, 5), "<svg ");
+}
+
+TEST(Pictures, OfClosuresOnStandardOutputStandAlone) {
+  const Scene scene;
+  const Outcome outcome = scene.run({"closures", kFourBar, "--svg", "-"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out.substr(0, 5), "<svg ");
+  EXPECT_FALSE(contains(outcome.out, "closure A"));
+}
+
+TEST(Pictures, ThatCannotBeWrittenAreRefusedBeforeTheWork) {
+  const Scene scene;
+  const Outcome outcome = scene.run({"closures", kFourBar, "--svg", "no/such/folder.svg"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_TRUE(contains(outcome.err, "cannot write no/such/folder.svg")) << outcome.err;
+}
+
+TEST(Pictures, DoNotOverwriteTheMechanismOrAnotherResult) {
+  const Scene scene;
+  scene.write("triangle.toml", "title = \"nothing\"\n");
+  EXPECT_EQ(scene.run({"closures", "triangle.toml", "--svg", "triangle.toml"}).exit_code, 1);
+  EXPECT_EQ(scene.read("triangle.toml"), "title = \"nothing\"\n");
+  const Outcome outcome = scene.run({"closures", kFourBar, "--svg", "a", "--json", "a"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_TRUE(contains(outcome.err, "two results would go to a")) << outcome.err;
+}
+
+}  // namespace
+}  // namespace moivre::test

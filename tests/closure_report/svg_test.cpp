@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// Are the pieces of SVG right? Escapes, numbers, outlines, lines of text, scale bars.
+#include "svg.h"
+
+#include <gtest/gtest.h>
+
+#include "figures.h"
+#include "well_formed.h"
+
+namespace moivre {
+namespace {
+
+TEST(Svg, MarkupInATextIsEscaped) {
+  EXPECT_EQ(escaped("a<b> & \"c\" 'd'"), "a&lt;b&gt; &amp; &quot;c&quot; &#39;d&#39;");
+}
+
+TEST(Svg, ALetterBeyondAsciiStays) { EXPECT_EQ(escaped("Grübler φ₁"), "Grübler φ₁"); }
+
+TEST(Svg, BytesThatAreNoTextAreReplaced) {
+  const std::string replaced = "\xEF\xBF\xBD";
+  EXPECT_EQ(escaped("a\xFF"
+                    "b"),
+            "a" + replaced + "b");
+  EXPECT_EQ(escaped("\xC3"), replaced);
+  EXPECT_EQ(escaped("\xED\xA0\x80").substr(0, 3), replaced) << "a surrogate";
+  EXPECT_EQ(escaped("\xC0\xAF").substr(0, 3), replaced) << "overlong";
+  EXPECT_EQ(escaped(std::string(1, '\0') + "\x1B\x7F"), replaced + replaced + replaced);
+}
+
+TEST(Svg, NumbersAreShortAndFinite) {
+  EXPECT_EQ(pixel_text(1.0), "1");
+  EXPECT_EQ(pixel_text(-0.001), "0");
+  EXPECT_EQ(pixel_text(12.345), "12.35");
+  EXPECT_EQ(pixel_text(100), "100");
+  EXPECT_EQ(pixel_text(std::numeric_limits<double>::quiet_NaN()), "0");
+}
+
+TEST(Svg, ALinkIsTwoLinesAndTwoHalfCircles) {
+  const Figure figure{0, 2, {capsule(Style::link, 0, 10, 1)}};
+  EXPECT_EQ(figure_svg(figure, {}, {}),
+            "<g class=\"c2\"><path class=\"link\" "
+            "d=\"M0 1L10 1A1 1 0 0 0 10 -1L0 -1A1 1 0 0 0 0 1Z\"/></g>\n");
+}
+
+TEST(Svg, LinesAreBrokenBetweenWordsOnly) {
+  EXPECT_EQ(wrapped("one two three", 10, 60), (std::vector<std::string>{"one two", "three"}));
+  EXPECT_EQ(wrapped("unbreakable", 10, 5), (std::vector<std::string>{"unbreakable"}));
+}
+
+TEST(Svg, AScaleBarHasARoundLengthAndNamesItsUnit) {
+  const std::string bar = scale_bar(0, 3.1, "mm");
+  EXPECT_NE(bar.find(">20 mm<"), std::string::npos) << bar;
+  EXPECT_NE(scale_bar(0, 250, "").find(">0.2 in the file&#39;s unit of length<"),
+            std::string::npos);
+}
+
+TEST(Svg, ADocumentIsWellFormed) {
+  const std::string document =
+      svg_document(100, 50, "<&>", text_svg({1, 2}, "start", "note", "</text><script>"));
+  EXPECT_TRUE(test::Markup(document).is_well_formed());
+}
+
+}  // namespace
+}  // namespace moivre
