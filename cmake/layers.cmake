@@ -22,7 +22,7 @@ set(MOIVRE_USES_kinematics mechanism)
 set(MOIVRE_USES_closures kinematics solver)
 set(MOIVRE_USES_report solver)
 set(MOIVRE_USES_closure_report closures report)
-set(MOIVRE_USES_cli multiprecision closure_report tracker_cvode tracker_lanes)
+set(MOIVRE_USES_cli multiprecision report closure_report tracker_cvode tracker_lanes)
 
 # Third-party packages, each private to the modules that name it. Eigen and Boost's rationals are
 # the exception: they are vocabulary of the public headers.

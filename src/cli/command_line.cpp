@@ -2,11 +2,12 @@
 // The command line as a whole: its commands, its errors, its exit codes.
 #include <algorithm>
 #include <cstdio>
+#include <string_view>
 
 #include "command.h"
 #include "moivre/expression/source.h"
-#include "moivre/report/version.h"
 #include "suggest.h"
+#include "version_text.h"
 
 namespace moivre {
 namespace {
@@ -78,7 +79,9 @@ int parse_and_run(int argc, char** argv) {
       "continuation.",
       "moivre");
   Chosen chosen;
-  moivre.set_version_flag("--version", "moivre " + std::string(version()));
+  const bool verbose = std::find(argv, argv + argc, std::string_view("--verbose")) != argv + argc;
+  moivre.set_version_flag("--version", [verbose] { return version_text(verbose); });
+  moivre.add_flag("--verbose")->description("with --version: tell what is built in as well");
   moivre.require_subcommand(1);
   moivre.footer("moivre COMMAND --help explains a command and shows examples.\n");
   add_solve_command(moivre, chosen);

@@ -33,6 +33,8 @@ constexpr double kWholeSize = 1e8;
 constexpr double kBeyondRadius = 1e-3;
 // A path that still creeps at this radius ends singular: to a regular end it would have jumped.
 constexpr double kCreepingRadius = 1e-4;
+// So many steps inside it tell creeping from a step that chanced to end there.
+constexpr int kCreepingSteps = 3;
 // One that grows is given until here to show steady valuations.
 constexpr double kDivergingRadius = 1e-10;
 // Steps inside the watch radius after which circles are tried whatever the radius.
@@ -151,8 +153,8 @@ Watcher::Verdict Endgame::watch(const StepRecord& step, PathSystem& path) noexce
     }
   }
   const bool grows = sights_.back().least < -kLeastValuation;
-  const double least = grows ? kDivergingRadius : kCreepingRadius;
-  return watched_ > kPatience || radius < least ? Verdict::stop : Verdict::go_on;
+  if (radius < (grows ? kDivergingRadius : kCreepingRadius)) ++creeping_;
+  return watched_ > kPatience || creeping_ >= kCreepingSteps ? Verdict::stop : Verdict::go_on;
 }
 
 // All coordinates have had the same valuations for several sights: the path is in its last phase.

@@ -13,6 +13,9 @@
 namespace moivre {
 namespace {
 
+// To wake the threads of a pool takes longer than to follow so few paths, unless these were found to be hard.
+constexpr std::uint64_t kFewPaths = 4;
+
 /// What the threads share: the next path to begin and the sink.
 struct Shared {
   std::uint64_t count;
@@ -82,7 +85,10 @@ void track_paths(const PathProblem& problem, std::uint64_t count,
                  const std::function<std::uint64_t(std::uint64_t)>& path_of, int care, int threads,
                  const EndSink& sink, const std::atomic<bool>& stop) {
   Shared shared{count, path_of, care, sink, stop, {}, {}};
-  const auto sessions = std::min<std::uint64_t>(static_cast<std::uint64_t>(threads), count);
+  const bool few = count <= kFewPaths && care == 0;
+  const std::uint64_t sessions =
+      few ? std::min<std::uint64_t>(count, 1)
+          : std::min<std::uint64_t>(static_cast<std::uint64_t>(threads), count);
   for_each_parallel(sessions, threads, [&](std::size_t) {
     SessionSource source(problem, shared);
     problem.tracker.open(problem.homotopy)->run(source, stop);
@@ -101,8 +107,8 @@ std::optional<std::uint64_t> path_through(const PathProblem& problem, const Poin
     const Complex first = de_moivre_root(problem.start.c2[j] / problem.start.c1[j], d, 0);
     const double turn = std::arg(back.x[j] / back.x.back() / first) / (2 * std::numbers::pi);
     const auto k = std::llround(turn * static_cast<double>(d));
-    path += weight * static_cast<std::uint64_t>((k + static_cast<long long>(d)) %
-                                                static_cast<long long>(d));
+    path += weight *
+            static_cast<std::uint64_t>((k + static_cast<long long>(d)) % static_cast<long long>(d));
     weight *= d;
   }
   return path;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace moivre {
@@ -23,18 +24,36 @@ std::string span_text(const std::vector<int>& exponents) {
   return "2^" + std::to_string(*low) + " to 2^" + std::to_string(*high);
 }
 
-// Every equation's largest coefficient in [1, 2), so that F's rows have the size of G's.
-System with_unit_rows(const System& f) {
-  Scaling rows{std::vector<int>(f.variables.size()), {}};
-  for (const Polynomial& p : f.polynomials) {
-    double largest = log2_size(p.terms.front().coefficient);
-    for (const Term& term : p.terms) largest = std::max(largest, log2_size(term.coefficient));
-    rows.equation_log2.push_back(-static_cast<int>(std::floor(largest)));
+/// log2 of the sizes of the smallest and the largest coefficient; zeros of the zero polynomial.
+std::pair<double, double> size_range_log2(const Polynomial& p) {
+  if (p.terms.empty()) return {0, 0};
+  double least = std::numeric_limits<double>::infinity();
+  double largest = -least;
+  for (const Term& term : p.terms) {
+    least = std::min(least, log2_size(term.coefficient));
+    largest = std::max(largest, log2_size(term.coefficient));
   }
-  return scale(f, rows);
+  return {least, largest};
+}
+
+double spread_log2(const System& f) {
+  double spread = 0;
+  for (const Polynomial& p : f.polynomials) {
+    const auto [least, largest] = size_range_log2(p);
+    spread = std::max(spread, largest - least);
+  }
+  return spread;
 }
 
 }  // namespace
+
+System with_unit_rows(const System& f) {
+  Scaling rows{std::vector<int>(f.variables.size()), {}};
+  for (const Polynomial& p : f.polynomials) {
+    rows.equation_log2.push_back(-static_cast<int>(std::floor(size_range_log2(p).second)));
+  }
+  return scale(f, rows);
+}
 
 Prepared prepare(const System& f, const SolveOptions& options) {
   Prepared prepared;
@@ -54,6 +73,7 @@ Prepared prepare(const System& f, const SolveOptions& options) {
          "coefficients far from 1 would hide roots from the tracker's tolerances"});
   }
   const System scaled = with_unit_rows(scale(reduced, prepared.scaling));
+  prepared.spread_log2 = spread_log2(scaled);
   prepared.start = total_degree_start(degrees(scaled), options.seed);
   prepared.homotopy.emplace(scaled, start_system(prepared.start, scaled.variables));
   return prepared;

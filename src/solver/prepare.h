@@ -19,11 +19,15 @@ struct Prepared {
   Scaling scaling;
   std::vector<LeftOut> left_out;
   TotalDegreeStart start;
+  double spread_log2 = 0;  ///< log2 of the largest over the smallest coefficient of an equation of S
   std::optional<Homotopy> homotopy;  ///< nullopt when nothing is left to track
 };
 
 /// Throws std::overflow_error when the number of paths leaves 64 bits.
 Prepared prepare(const System& f, const SolveOptions& options);
+
+/// Every equation's largest coefficient in [1, 2), so that rows of F and G are of one size, and none too small for double.
+System with_unit_rows(const System& f);
 
 /// x of a homogeneous point with z_0 != 0.
 Point to_original(const Prepared& prepared, const Point& homogeneous);

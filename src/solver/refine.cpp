@@ -23,8 +23,10 @@ constexpr double kLeastTravel = 1e-6;
 constexpr double kContraction = 0.2;
 // Corrections below this may stop contracting because of rounding.
 constexpr double kRounding = 1e-11;
-// The probe is this much nearer than the sensitivity suggests, within bounds.
+// The probe is this much nearer than sensitivity and degree suggest, within bounds.
 constexpr double kProbe = 1e-2;
+// Up to this degree the sensitivity alone tells how near is near enough.
+constexpr double kLowDegree = 10;
 constexpr double kLeastProbe = 1e-13;
 // From here on the Jacobian, evaluated in double, says nothing about the root.
 constexpr double kHopelessSensitivity = 1e16;
@@ -41,6 +43,7 @@ class RefinerProgram {
       : tape(make_tape(f)), c(complex_coefficients(tape, f)), unit(std::move(natural_sizes)) {
     exact = round_coefficients<ComplexDoubleDouble>(tape, f, to_complex_double_double);
     for (const Complex& ck : c) size.push_back(std::abs(ck));
+    for (const std::uint64_t d : degrees(f)) degree = std::max(degree, static_cast<double>(d));
   }
 
   Tape tape;
@@ -48,6 +51,7 @@ class RefinerProgram {
   std::vector<ComplexDoubleDouble> exact;
   std::vector<double> size;
   std::vector<double> unit;
+  double degree = 1;  ///< the largest
 };
 
 std::shared_ptr<const RefinerProgram> make_refiner_program(const System& f,
@@ -202,13 +206,15 @@ double Refiner::sensitivity(const Point& x) {
 
 // Newton from a point beside x, `offset` away in every coordinate, comes much nearer to a simple root;
 // to a root of multiplicity m it comes nearer by (m-1)/m only. The offset lies inside the region where
-// a simple root of this sensitivity attracts Newton quadratically.
+// a simple root of this sensitivity attracts Newton quadratically: where terms of degree d dominate,
+// |F''| is up to d^2 times the terms, beside a Jacobian that is the terms over the sensitivity.
 bool Refiner::is_simple(const Point& x) {
   Workspace& w = *w_;
   if (!w.factor(x)) return false;
   const double sensitive = sensitivity(x);
   if (!(sensitive < kHopelessSensitivity)) return false;
-  const double relative_offset = std::clamp(kProbe / sensitive, kLeastProbe, kProbe);
+  const double curvature = std::max(1.0, std::pow(w.program->degree / kLowDegree, 2));
+  const double relative_offset = std::clamp(kProbe / (sensitive * curvature), kLeastProbe, kProbe);
   Point probe = x;
   for (std::size_t i = 0; i < probe.size(); ++i) {
     const double offset = relative_offset * std::max(std::abs(x[i]), w.program->unit[i]);

@@ -29,6 +29,15 @@ constexpr int kLeastMultiplicity = 2;
 // More threads than any machine has cores only cost memory.
 constexpr int kMostThreads = 1024;
 
+// A thread is worth waking for so many ends to refine.
+constexpr std::size_t kEndsOfAThread = 16;
+
+// A root may be larger than the others by the spread of an equation's coefficients. From the first spread on (as log2) a
+// path is taken for one to infinity only where x_0 is rounding noise; from the second on no coordinate tells.
+constexpr double kWideSpread = 20;
+constexpr double kHopelessSpread = 36;
+constexpr double kNoiseFloor = 1e-12;
+
 // The tracker itself tries first, with one level of care, before a path goes to the fallback.
 constexpr int kFallbackCare = 2;
 
@@ -51,8 +60,10 @@ class Run {
   Run(const System& f, const Tracker& tracker, const SolveOptions& options,
       const std::atomic<bool>& stop)
       : f_(f),
+        unit_f_(with_unit_rows(f)),
         tracker_(tracker),
         options_(options),
+        endgame_(options.endgame),
         stop_(stop),
         threads_(options.threads > 0 ? options.threads
                                      : static_cast<int>(std::thread::hardware_concurrency())) {}
@@ -77,12 +88,14 @@ class Run {
   bool falls_back(int care) const { return options_.fallback != nullptr && care >= kFallbackCare; }
   PathProblem problem(int care) const {
     return {*prepared_.homotopy, prepared_.start, falls_back(care) ? *options_.fallback : tracker_,
-            options_.endgame};
+            endgame_};
   }
 
   const System& f_;
+  const System unit_f_;  // the same with unit rows, for all that rounds its coefficients
   const Tracker& tracker_;
   const SolveOptions& options_;
+  EndgameOptions endgame_;
   const std::atomic<bool>& stop_;
   int threads_;
   Prepared prepared_;
@@ -100,6 +113,7 @@ SolveResult Run::run() {
   Stopwatch total;
   Stopwatch watch;
   prepared_ = prepare(f_, options_);
+  if (prepared_.spread_log2 > kWideSpread) endgame_.infinity_floor = kNoiseFloor;
   describe();
   result_.time.start = watch.lap();
   if (!decided_without_tracking()) {
@@ -128,7 +142,7 @@ void Run::describe() {
 }
 
 bool Run::decided_without_tracking() {
-  refiner_program_ = make_refiner_program(f_, natural_sizes(prepared_));
+  refiner_program_ = make_refiner_program(unit_f_, natural_sizes(prepared_));
   result_.complete = true;
   switch (prepared_.reduction.verdict) {
     case Reduction::Verdict::square: return false;
@@ -162,7 +176,13 @@ void Run::take(std::uint64_t path, PathEnd&& end) {
   result_.work += end.count;
   switch (end.status) {
     case PathStatus::finite: ends_.emplace_back(path, std::move(end)); return;
-    case PathStatus::at_infinity: ledger_.enter_infinity(path); return;
+    case PathStatus::at_infinity:
+      if (prepared_.spread_log2 > kHopelessSpread) {
+        ledger_.enter_failure({path, Failure::precision, end.t});
+      } else {
+        ledger_.enter_infinity(path);
+      }
+      return;
     case PathStatus::failed:
       if (end.failure == Failure::cancelled) {
         interrupted_ = true;
@@ -208,7 +228,8 @@ void Run::refine_ends() {
   std::sort(ends_.begin(), ends_.end(),
             [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<Root> roots(ends_.size());
-  const std::size_t chunks = static_cast<std::size_t>(threads_);
+  const std::size_t chunks =
+      std::min(static_cast<std::size_t>(threads_), 1 + ends_.size() / kEndsOfAThread);
   for_each_parallel(chunks, threads_, [&](std::size_t chunk) {
     Refiner refiner(refiner_program_);
     for (std::size_t k = chunk; k < ends_.size(); k += chunks) {
@@ -237,7 +258,7 @@ void Run::settle_doubts() {
 
 bool Run::is_on_set(const Root& root) {
   if (!root.on_set) {
-    root.on_set = lies_on_positive_dimensional_set(f_, root.point.x, options_.seed);
+    root.on_set = lies_on_positive_dimensional_set(unit_f_, root.point.x, options_.seed);
   }
   return *root.on_set;
 }

@@ -62,6 +62,14 @@ class LaneTracker : public Tracker {
 std::string lane_target() { return HWY_DYNAMIC_DISPATCH(target_name)(); }
 std::size_t lane_width() { return HWY_DYNAMIC_DISPATCH(width)(); }
 
+std::vector<std::string> lane_targets() {
+  std::vector<std::string> names;
+  for (const auto target : hwy::SupportedAndGeneratedTargets()) {
+    names.emplace_back(hwy::TargetName(target));
+  }
+  return names;
+}
+
 std::vector<std::string> validate(const LaneOptions& options) {
   std::vector<std::string> broken;
   if (!(options.tolerance > 0 && options.tolerance <= 0.1)) {

@@ -126,6 +126,7 @@ class Endgame : public Watcher {
   // Watching.
   std::vector<Sight> sights_;
   int watched_ = 0;
+  int creeping_ = 0;  ///< watched steps within the radius of the singular ends
   bool cut_ = false;
   Point outpost_;         // last watched point, from which circles begin
   double radius_ = 0;     // its |1 - t|

@@ -38,4 +38,7 @@ std::unique_ptr<Tracker> make_lane_tracker(const LaneOptions& options = {});
 std::string lane_target();
 std::size_t lane_width();
 
+/// Every instruction set that was compiled and that this machine has, the best first.
+std::vector<std::string> lane_targets();
+
 }  // namespace moivre

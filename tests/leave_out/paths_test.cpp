@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+// Does a solve leave out endgames, double-double, threads and SUNDIALS where its paths do not need them? Calls are counted.
+#include <gtest/gtest.h>
+#include <sundials/sundials_context.h>
+
+#include <mutex>
+
+#include "counted_calls.h"
+#include "moivre/polynomial/read.h"
+#include "moivre/solver/solve.h"
+#include "moivre/tracker_cvode/cvode_tracker.h"
+#include "moivre/tracker_lanes/lane_tracker.h"
+
+namespace {
+
+moivre::test::CallCounter sundials_contexts;
+moivre::test::CallCounter cvode_memories;
+moivre::test::CallCounter thread_arenas;
+
+}  // namespace
+
+extern "C" {
+int __real_SUNContext_Create(void* communicator, SUNContext* context);
+int __wrap_SUNContext_Create(void* communicator, SUNContext* context) {
+  sundials_contexts.raise();
+  return __real_SUNContext_Create(communicator, context);
+}
+void* __real_CVodeCreate(int method, SUNContext context);
+void* __wrap_CVodeCreate(int method, SUNContext context) {
+  cvode_memories.raise();
+  return __real_CVodeCreate(method, context);
+}
+// tbb::detail::r1::initialize(task_arena_base&): every arena begins here.
+void __real__ZN3tbb6detail2r110initializeERNS0_2d115task_arena_baseE(void* arena);
+void __wrap__ZN3tbb6detail2r110initializeERNS0_2d115task_arena_baseE(void* arena) {
+  thread_arenas.raise();
+  __real__ZN3tbb6detail2r110initializeERNS0_2d115task_arena_baseE(arena);
+}
+}
+
+namespace moivre {
+namespace {
+
+constexpr int kThreads = 4;
+
+System problem(const std::string& name) {
+  return read_system(
+      read_source(std::string(MOIVRE_SOURCE_DIR) + "/problems/polynomials/" + name + ".phc"));
+}
+
+/// Follows as `inner` does and counts what it was asked for.
+class CountingTracker : public Tracker {
+ public:
+  explicit CountingTracker(std::unique_ptr<Tracker> inner) : inner_(std::move(inner)) {}
+
+  std::string kind() const override { return inner_->kind(); }
+  std::vector<std::pair<std::string, std::string>> options_in_force() const override {
+    return inner_->options_in_force();
+  }
+  std::unique_ptr<TrackerSession> open(const Homotopy& homotopy) const override {
+    const std::lock_guard lock(mutex_);
+    ++sessions;
+    return std::make_unique<Session>(*this, inner_->open(homotopy));
+  }
+
+  mutable int sessions = 0;
+  mutable int departures = 0;
+  mutable int samples = 0;
+
+ private:
+  class Source : public DepartureSource {
+   public:
+    Source(const CountingTracker& counts, DepartureSource& inner)
+        : counts_(counts), inner_(inner) {}
+    std::optional<Departure> next() override {
+      std::optional<Departure> departure = inner_.next();
+      if (departure) {
+        const std::lock_guard lock(counts_.mutex_);
+        ++counts_.departures;
+        counts_.samples += departure->samples;
+      }
+      return departure;
+    }
+    void arrived(const Departure& departure, Arrival&& arrival) override {
+      inner_.arrived(departure, std::move(arrival));
+    }
+
+   private:
+    const CountingTracker& counts_;
+    DepartureSource& inner_;
+  };
+  class Session : public TrackerSession {
+   public:
+    Session(const CountingTracker& counts, std::unique_ptr<TrackerSession> inner)
+        : counts_(counts), inner_(std::move(inner)) {}
+    void run(DepartureSource& source, const std::atomic<bool>& stop) noexcept override {
+      Source counted(counts_, source);
+      inner_->run(counted, stop);
+    }
+
+   private:
+    const CountingTracker& counts_;
+    std::unique_ptr<TrackerSession> inner_;
+  };
+
+  std::unique_ptr<Tracker> inner_;
+  mutable std::mutex mutex_;
+};
+
+SolveOptions on_threads(int threads) {
+  SolveOptions options;
+  options.threads = threads;
+  return options;
+}
+
+std::vector<std::unique_ptr<Tracker>> both_trackers() {
+  std::vector<std::unique_ptr<Tracker>> trackers;
+  trackers.push_back(make_cvode_tracker());
+  trackers.push_back(make_lane_tracker());
+  return trackers;
+}
+
+TEST(LeaveOut, NoEndgameRunsOnRegularEnds) {
+  for (auto& inner : both_trackers()) {
+    const CountingTracker tracker(std::move(inner));
+    const SolveResult result = solve(problem("katsura-5"), tracker, on_threads(1));
+    ASSERT_TRUE(result.complete);
+    ASSERT_EQ(result.paths.finite, result.start.paths);
+    EXPECT_EQ(tracker.departures, static_cast<int>(result.start.paths)) << tracker.kind();
+    EXPECT_EQ(tracker.samples, 0) << tracker.kind();
+  }
+}
+
+TEST(LeaveOut, AnEndgameRunsWhereARootIsMultiple) {
+  const CountingTracker tracker(make_cvode_tracker());
+  const SolveResult result = solve(problem("multiplicity-3"), tracker, on_threads(1));
+  ASSERT_TRUE(result.complete);
+  EXPECT_GT(tracker.samples, 0);
+}
+
+TEST(LeaveOut, WellConditionedPathsNeedNoDoubleDouble) {
+  for (const auto& tracker : both_trackers()) {
+    const SolveResult result = solve(problem("katsura-5"), *tracker, on_threads(1));
+    ASSERT_TRUE(result.complete);
+    EXPECT_GT(result.work.work.linearizations, 0U);
+    EXPECT_EQ(result.work.work.fine_values, 0U) << tracker->kind();
+  }
+}
+
+TEST(LeaveOut, FourPathsNeedNoThreadPool) {
+  const System four = read_system({"test", "2\nx^2 + y^2 - 5;\nx*y - 2;\n"});
+  for (auto& inner : both_trackers()) {
+    const CountingTracker tracker(std::move(inner));
+    SolveResult result;
+    const int arenas =
+        thread_arenas.calls_of([&] { result = solve(four, tracker, on_threads(kThreads)); });
+    ASSERT_TRUE(result.complete);
+    ASSERT_EQ(result.start.paths, 4U);
+    EXPECT_EQ(arenas, 0) << tracker.kind();
+    EXPECT_EQ(tracker.sessions, 1) << tracker.kind();
+  }
+}
+
+TEST(LeaveOut, ManyPathsTakeTheThreads) {
+  const CountingTracker tracker(make_cvode_tracker());
+  const int arenas =
+      thread_arenas.calls_of([&] { solve(problem("katsura-5"), tracker, on_threads(kThreads)); });
+  EXPECT_GT(arenas, 0);
+  EXPECT_EQ(tracker.sessions, kThreads);
+}
+
+TEST(LeaveOut, LanesInitialiseNothingOfSundials) {
+  const auto lanes = make_lane_tracker();
+  const auto fallback = make_cvode_tracker();
+  SolveOptions options = on_threads(1);
+  options.fallback = fallback.get();
+  int memories = 0;
+  const int contexts = sundials_contexts.calls_of([&] {
+    memories = cvode_memories.calls_of([&] { solve(problem("katsura-5"), *lanes, options); });
+  });
+  EXPECT_EQ(contexts, 0);
+  EXPECT_EQ(memories, 0);
+}
+
+TEST(LeaveOut, CvodeHasOneMemoryASession) {
+  const auto tracker = make_cvode_tracker();
+  const int memories =
+      cvode_memories.calls_of([&] { solve(problem("katsura-5"), *tracker, on_threads(1)); });
+  EXPECT_EQ(memories, 1);
+}
+
+TEST(LeaveOut, WhatEliminationSolvesIsNotTracked) {
+  const CountingTracker tracker(make_cvode_tracker());
+  const SolveResult result =
+      solve(read_system({"test", "2\nx + y - 3;\nx - y - 1;\n"}), tracker, on_threads(kThreads));
+  ASSERT_TRUE(result.complete);
+  EXPECT_EQ(result.solutions.size(), 1U);
+  EXPECT_EQ(tracker.sessions, 0);
+}
+
+}  // namespace
+}  // namespace moivre
