@@ -29,9 +29,11 @@ Json mobility_summary(const ClosureResult& result) {
   return json;
 }
 
-Json moves_json(const std::optional<Moves>& moves) {
+Json moves_json(const std::optional<Moves>& moves, const Mechanism& mechanism) {
   if (!moves) return nullptr;
-  return {{"dimension", moves->dimension}, {"shown", moves->shown}};
+  return {{"dimension", moves->dimension},
+          {"shown", moves->shown},
+          {"pose", coordinates_json(mechanism, moves->pose)}};
 }
 
 Json closure_json(const Closure& closure, const Mechanism& mechanism) {
@@ -71,7 +73,7 @@ std::string closures_json(const ClosureResult& result, const Mechanism& mechanis
                       {"real", result.counts.real},
                       {"filtered", result.counts.filtered},
                       {"rejected", result.counts.rejected}};
-  report["moves"] = moves_json(result.moves);
+  report["moves"] = moves_json(result.moves, mechanism);
   report["closures"] = list_json(
       result.closures, [&](const Closure& closure) { return closure_json(closure, mechanism); });
   report["solutions"] = list_json(result.solutions, [](const Solution& s) { return to_json(s); });

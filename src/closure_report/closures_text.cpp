@@ -53,6 +53,10 @@ std::string closures_text(const ClosureResult& result, const Mechanism& mechanis
   std::string text = (mechanism.title.empty() ? file : mechanism.title + " (" + file + ")") + '\n';
   text += answer(result) + stages_text(result);
   for (const Closure& closure : result.closures) text += closure_text(closure, mechanism);
+  if (result.moves) {
+    text += "\nmoves from this pose in " + counted(result.moves->dimension, "direction") + ": " +
+            result.moves->shown + '\n' + pose_text(mechanism, result.moves->pose);
+  }
   return text + left_out_text(result.left_out);
 }
 

@@ -115,6 +115,23 @@ class Components {
   std::vector<Block> blocks_;
 };
 
+/// Which unknowns are free, or tied to a free one by the equation that is matched with them?
+std::vector<bool> reached_from_free(const Incidence& variables, const Matching& matching) {
+  std::vector<bool> reached(matching.equation_of().size());
+  for (std::size_t v = 0; v < reached.size(); ++v) reached[v] = !matching.equation_of()[v];
+  for (bool has_grown = true; has_grown;) {
+    has_grown = false;
+    for (std::size_t e = 0; e < variables.size(); ++e) {
+      const auto matched = matching.variable_of()[e];
+      if (!matched || reached[*matched]) continue;
+      reached[*matched] = std::any_of(variables[e].begin(), variables[e].end(),
+                                      [&](std::size_t v) { return reached[v]; });
+      has_grown |= reached[*matched];
+    }
+  }
+  return reached;
+}
+
 }  // namespace
 
 BlockStructure block_structure(const System& f) {
@@ -122,6 +139,11 @@ BlockStructure block_structure(const System& f) {
   const Matching matching(variables, f.variables.size());
   BlockStructure structure;
   structure.blocks = Components(variables, matching).take();
+  const std::vector<bool> reached = reached_from_free(variables, matching);
+  for (Block& block : structure.blocks) {
+    block.is_determined = std::none_of(block.variables.begin(), block.variables.end(),
+                                       [&](std::size_t v) { return reached[v]; });
+  }
   for (std::size_t v = 0; v < f.variables.size(); ++v) {
     if (!matching.equation_of()[v]) structure.free_variables.push_back(v);
   }

@@ -3,7 +3,8 @@
 //
 // Equations are matched with unknowns (earlier equations first); the strongly connected pieces of the matching, in the
 // order in which each needs only the unknowns of pieces before it, are the blocks. Every block is square.
-// Equations left over say nothing new, structurally: roots are checked on them. Unknowns left over are free.
+// Equations left over say nothing new, structurally: roots are checked on them. Unknowns left over are
+// free, and so are all that an equation ties to a free one; the other blocks are determined without them.
 // Source: [DulmageMendelsohn58], with Tarjan's algorithm for the pieces.
 #pragma once
 
@@ -16,6 +17,7 @@ namespace moivre {
 struct Block {
   std::vector<std::size_t> equations;  ///< ascending
   std::vector<std::size_t> variables;  ///< ascending
+  bool is_determined = true;           ///< no free unknown has a say in it
 };
 
 struct BlockStructure {

@@ -10,6 +10,8 @@
 #include "exact.h"
 #include "moivre/kinematics/newton.h"
 #include "moivre/mechanism/pose.h"
+#include "moving_pose.h"
+#include "squared_up.h"
 #include "stages.h"
 
 namespace moivre {
@@ -22,25 +24,6 @@ constexpr double kHolds = 1e-8;
 constexpr double kHoldsSingular = 1e-5;
 // Newton-Raphson polishes a pose; it does not look for another.
 constexpr double kPolish = 1e-4;
-
-/// max_i |F_i| / sum |terms of F_i|.
-double residual(const System& f, const Point& x) {
-  double largest = 0;
-  for (const Polynomial& p : f.polynomials) {
-    Complex sum = 0;
-    double size = 0;
-    for (const Term& term : p.terms) {
-      Complex product = to_complex(term.coefficient);
-      for (const Power& power : term.monomial) {
-        for (std::uint32_t k = 0; k < power.exponent; ++k) product *= x[power.variable];
-      }
-      sum += product;
-      size += std::abs(product);
-    }
-    if (size > 0) largest = std::max(largest, std::abs(sum) / size);
-  }
-  return largest;
-}
 
 double tolerance_of(const Solution& solution) {
   return solution.singular ? kHoldsSingular : kHolds;
@@ -72,10 +55,14 @@ class Search {
  private:
   void describe();
   void solve_stages();
-  void look_for_motion();
+  void solve_free(const std::vector<Block>& blocks);
+  bool shows_motion();
+  StageRun solve_combined(StageRun first);
+  bool may_be_real(const Branch& branch) const;
   void take_run(const StageRun& run);
   void take_branch(const Branch& branch);
   void check_images();
+  bool lies_on_motion(const Eigen::VectorXd& q);
   void pose(const Solution& solution);
   void name_closures();
   void conclude();
@@ -90,6 +77,7 @@ class Search {
   std::uint64_t lost_images_ = 0;
   std::uint64_t unpolished_ = 0;
   bool undecided_motion_ = false;
+  bool part_is_complex_ = false;
 };
 
 void Search::describe() {
@@ -127,36 +115,82 @@ void Search::take_run(const StageRun& run) {
   result_.reduced.total_degree = total_degree(result_.reduced.degrees);
 }
 
-// With fewer equations than unknowns no closure is isolated. A pose at which the rows of Phi_q are independent proves, by
-// the implicit function theorem, that closures around it form a set of dimension n - m.
-void Search::look_for_motion() {
-  const NewtonResult found = newton(phi_, initial_guess(mechanism_, options_.time), options_.time);
-  const Eigen::Index freedoms = phi_.dimension() - phi_.size();
-  if (found.status == NewtonStatus::converged && found.rank == phi_.size() && freedoms > 0) {
-    result_.moves = Moves{static_cast<std::uint64_t>(freedoms),
-                          "at a pose that Newton-Raphson found the constraints are independent"};
-  } else {
-    result_.complete = false;
-    undecided_motion_ = true;
+bool Search::shows_motion() {
+  const auto found = moving_pose(mechanism_, phi_, options_.time, options_.solve.seed);
+  if (!found) return false;
+  result_.moves =
+      Moves{static_cast<std::uint64_t>(found->moves.dimension), found->moves.shown, found->q};
+  return true;
+}
+
+/// False where the image of a value that is known differs from it.
+bool Search::may_be_real(const Branch& branch) const {
+  double size = 1;
+  double apart = 0;
+  for (std::size_t v = 0; v < branch.value.size(); ++v) {
+    const auto& image = branch.value[isotropic_.mirror[v]];
+    if (!branch.value[v] || !image) continue;
+    const Complex x = to_complex(*branch.value[v]);
+    size = std::max(size, std::abs(x));
+    apart = std::max(apart, std::abs(x - std::conj(to_complex(*image))));
   }
+  return apart <= (branch.singular ? kHoldsSingular : kHolds) * size;
+}
+
+// With fewer equations than unknowns no closure is isolated. What no free unknown has a say in is solved first: where it
+// closes in complex numbers only, so does the whole.
+void Search::solve_free(const std::vector<Block>& blocks) {
+  std::vector<Block> determined;
+  std::copy_if(blocks.begin(), blocks.end(), std::back_inserter(determined),
+               [](const Block& block) { return block.is_determined; });
+  const StageRun run = solve_blocks(isotropic_, determined, tracker_, options_.solve, stop_);
+  take_run(run);
+  if (run.complete && !run.moves) {
+    part_is_complex_ = std::none_of(run.branches.begin(), run.branches.end(),
+                                    [&](const Branch& branch) { return may_be_real(branch); });
+  }
+  if (part_is_complex_ || shows_motion()) return;
+  result_.complete = false;
+  undecided_motion_ = true;
+}
+
+// The equations that were solved have a set of roots that the spare ones may cut to isolated ones.
+StageRun Search::solve_combined(StageRun first) {
+  IsotropicSystem combined = isotropic_;
+  combined.system = squared_up(isotropic_.system, options_.solve.seed);
+  StageRun run = solve_blocks(combined, block_structure(combined.system).blocks, tracker_,
+                              options_.solve, stop_);
+  for (Stage& stage : run.stages) stage.group += ", equations combined";
+  run.stages.insert(run.stages.begin(), first.stages.begin(), first.stages.end());
+  run.paths += first.paths;
+  run.work += first.work;
+  run.time.start += first.time.start;
+  run.time.track += first.time.track;
+  run.time.refine += first.time.refine;
+  return run;
 }
 
 void Search::solve_stages() {
   const BlockStructure structure = block_structure(isotropic_.system);
-  if (!structure.free_variables.empty()) {
-    look_for_motion();
-    return;
-  }
+  if (!structure.free_variables.empty()) return solve_free(structure.blocks);
   if (!structure.spare_equations.empty()) {
     result_.left_out.push_back(
         {std::to_string(structure.spare_equations.size()) + " of " +
              std::to_string(isotropic_.system.polynomials.size()) + " equations",
          "there are more than unknowns; every root is checked on all of them"});
   }
-  const StageRun run = solve_blocks(isotropic_, structure.blocks, tracker_, options_.solve, stop_);
+  StageRun run = solve_blocks(isotropic_, structure.blocks, tracker_, options_.solve, stop_);
+  bool is_undecided = run.moves && !shows_motion();
+  if (is_undecided && run.complete && !structure.spare_equations.empty()) {
+    run = solve_combined(std::move(run));
+    is_undecided = run.moves;
+  }
   take_run(run);
   for (const Branch& branch : run.branches) take_branch(branch);
-  if (run.moves) result_.moves = Moves{1, "a random plane near it meets the set of closures again"};
+  if (is_undecided) {
+    result_.complete = false;
+    undecided_motion_ = true;
+  }
 }
 
 void Search::take_branch(const Branch& branch) {
@@ -168,7 +202,7 @@ void Search::take_branch(const Branch& branch) {
   solution.winding = {static_cast<int>(branch.multiplicity)};
   solution.accuracy = branch.accuracy;
   solution.condition = branch.condition;
-  solution.residual = residual(isotropic_.system, solution.x);
+  solution.residual = residual_of_root(isotropic_, solution.x);
   if (solution.residual > tolerance_of(solution)) {
     ++result_.counts.rejected;
     return;
@@ -194,6 +228,14 @@ void Search::check_images() {
   }
 }
 
+/// Is this pose of a multiple root one of many? Then the root is not isolated.
+bool Search::lies_on_motion(const Eigen::VectorXd& q) {
+  const LocalDimension local = local_dimension(phi_, q, options_.time, options_.solve.seed);
+  if (local.dimension == 0) return false;
+  result_.moves = Moves{static_cast<std::uint64_t>(local.dimension), local.shown, q};
+  return true;
+}
+
 void Search::pose(const Solution& solution) {
   const Eigen::VectorXd guess = coordinates_of_root(isotropic_, solution.x);
   const NewtonResult polished = newton(phi_, guess, options_.time);
@@ -205,8 +247,9 @@ void Search::pose(const Solution& solution) {
     ++unpolished_;
     return;
   }
-  ++result_.counts.real;
   const Eigen::VectorXd q = phi_.canonical(polished.q);
+  if (polished.is_singular && lies_on_motion(q)) return;
+  ++result_.counts.real;
   const bool within =
       std::all_of(mechanism_.joints.begin(), mechanism_.joints.end(),
                   [&](const Joint& joint) { return is_within_limits(mechanism_, joint, q); });
@@ -241,8 +284,8 @@ void Search::conclude() {
   if (!result_.complete || lost_images_ > 0 || unpolished_ > 0) {
     result_.complete = false;
     result_.message =
-        undecided_motion_  ? "fewer equations than unknowns, and no regular pose was found: "
-                             "give a guess, or drivers"
+        undecided_motion_ ? "the closures form a set of positive dimension, and no real pose on it "
+                            "was found: give a guess, or drivers"
         : lost_images_ > 0 ? "a closure's mirror image is missing: a path was lost"
         : unpolished_ > 0  ? "a real root was found that Newton-Raphson does not confirm"
         : stop_            ? "interrupted: what is finished is reported"
@@ -250,6 +293,8 @@ void Search::conclude() {
   } else if (result_.moves) {
     result_.message =
         "moves: the closures form a set of positive dimension though the drivers stand";
+  } else if (part_is_complex_) {
+    result_.message = "cannot be assembled: a part of it closes in complex numbers only";
   } else if (counts.real == 0) {
     result_.message =
         "cannot be assembled: every closure is complex (" + std::to_string(counts.complex) + ")";
@@ -270,6 +315,8 @@ ClosureResult Search::run() {
   name_closures();
   if (!result_.closures.empty()) {
     result_.mobility = mobility(phi_, result_.closures.front().q, options_.time);
+  } else if (result_.moves) {
+    result_.mobility = mobility(phi_, result_.moves->pose, options_.time);
   }
   conclude();
   for (const std::string& name : isotropic_.contradictions) {

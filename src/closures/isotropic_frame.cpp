@@ -38,6 +38,8 @@ void IsotropicFrame::add_angles(const std::string& prefix) {
     const std::uint32_t u = add_variable("u" + prefix + name, owners);
     result_.mirror[t] = u;
     result_.mirror[u] = t;
+    result_.is_direction[t] = true;
+    result_.is_direction[u] = true;
     t_of_[node] = t;
     add_equation("unit " + name, unknown(t) * unknown(u) - constant({1, 0}));
   }
@@ -48,6 +50,7 @@ std::uint32_t IsotropicFrame::add_variable(const std::string& name,
   const std::size_t index = result_.system.variables.size();
   result_.system.variables.push_back(name);
   result_.mirror.push_back(index);
+  result_.is_direction.push_back(false);
   result_.owners.push_back(std::move(owners));
   return static_cast<std::uint32_t>(index);
 }
@@ -148,6 +151,28 @@ Complex value_at(const Polynomial& p, const Point& x) {
 }
 
 }  // namespace
+
+double residual_of_root(const IsotropicSystem& isotropic, const Point& root) {
+  double length = 0;
+  for (std::size_t v = 0; v < root.size(); ++v) {
+    if (!isotropic.is_direction[v]) length = std::max(length, std::abs(root[v]));
+  }
+  if (length == 0) length = 1;
+  double largest = 0;
+  for (const Polynomial& p : isotropic.system.polynomials) {
+    double size = 0;
+    for (const Term& term : p.terms) {
+      double product = std::abs(to_complex(term.coefficient));
+      for (const Power& factor : term.monomial) {
+        const double least = isotropic.is_direction[factor.variable] ? 1 : length;
+        product *= std::pow(std::max(std::abs(root[factor.variable]), least), factor.exponent);
+      }
+      size += product;
+    }
+    if (size > 0) largest = std::max(largest, std::abs(value_at(p, root)) / size);
+  }
+  return largest;
+}
 
 Eigen::VectorXd coordinates_of_root(const IsotropicSystem& isotropic, const Point& root) {
   using Part = IsotropicSystem::Reading::Part;

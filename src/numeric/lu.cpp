@@ -8,8 +8,7 @@
 
 namespace moivre {
 
-Lu::Lu(std::size_t n)
-    : n_(n), a_(n * n), row_scale_(n, 1.0), pivot_(n), reciprocal_(n), work_(n) {}
+Lu::Lu(std::size_t n) : n_(n), a_(n * n), row_scale_(n, 1.0), pivot_(n), reciprocal_(n), work_(n) {}
 
 namespace {
 

@@ -38,5 +38,13 @@ TEST(BlockStructure, NamesFreeVariables) {
   EXPECT_EQ(structure.free_variables.size(), 1u);
 }
 
+TEST(BlockStructure, DeterminesWhatNoFreeVariableHasASayIn) {
+  const BlockStructure structure = structure_of("2 3\nx^2 - 2;\ny + z - x;\n");
+  ASSERT_EQ(structure.blocks.size(), 2u);
+  for (const Block& block : structure.blocks) {
+    EXPECT_EQ(block.is_determined, block.equations == std::vector<std::size_t>{0});
+  }
+}
+
 }  // namespace
 }  // namespace moivre

@@ -169,16 +169,6 @@ TEST(Closures, AChangePointIsSingularAndDoesNotMove) {
   EXPECT_EQ(closures_of(driven_from(mechanism_file("parallelogram"), 1.0)).counts.real, 2u);
 }
 
-TEST(Closures, AFourBarWithoutDriverMoves) {
-  Mechanism mechanism = mechanism_file("four-bar");
-  mechanism.drivers.clear();
-  const ClosureResult result = closures_of(mechanism);
-  ASSERT_TRUE(result.moves);
-  EXPECT_EQ(result.moves->dimension, 1u);
-  EXPECT_TRUE(result.complete);
-  EXPECT_EQ(result.counts.complex, 0u);
-}
-
 TEST(Closures, CannotBeAssembledIsAnAnswer) {
   const ClosureResult result = closures_of(mechanism_file("unassemblable-triangle"));
   EXPECT_TRUE(result.complete);

@@ -55,10 +55,11 @@ struct ClosureCounts {
   std::uint64_t rejected = 0;  ///< roots of the solved equations that fail a spare one
 };
 
-/// A set of closures of positive dimension.
+/// A set of closures of positive dimension, the drivers standing.
 struct Moves {
-  std::uint64_t dimension = 0;
-  std::string shown;  ///< how
+  std::uint64_t dimension = 0;  ///< at `pose`
+  std::string shown;            ///< how (kinematics/local_dimension.h)
+  Eigen::VectorXd pose;         ///< q of one of them
 };
 
 struct ClosureResult {
@@ -77,7 +78,7 @@ struct ClosureResult {
   ClosureCounts counts;
   std::optional<Moves> moves;
   std::vector<Closure> closures;     ///< real, within limits, by id
-  std::optional<Mobility> mobility;  ///< at the first closure; nullopt where there is none
+  std::optional<Mobility> mobility;  ///< at the first closure; at moves->pose where there is none
   Eigen::Index coordinates = 0;      ///< n
   Eigen::Index constraints = 0;      ///< m, without drivers
   std::vector<FailedPath> failures;

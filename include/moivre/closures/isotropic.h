@@ -32,7 +32,9 @@ namespace moivre {
 struct IsotropicSystem {
   System system;  ///< as many polynomials as the mechanism has to say, square or not; drivers first
   std::vector<std::string> equation_names;
-  std::vector<std::size_t> mirror;               ///< of each variable
+  std::vector<std::size_t> mirror;  ///< of each variable
+  std::vector<bool>
+      is_direction;  ///< of each variable: t or u, of size 1 where real; else a length
   std::vector<std::vector<std::string>> owners;  ///< bodies (or unknowns) that a variable places
   std::vector<std::string> contradictions;       ///< angles held at two values at once: no closure
   std::vector<std::string> repetitions;          ///< angles held twice at one value
@@ -50,6 +52,10 @@ IsotropicSystem isotropic_system(const Mechanism& mechanism, double t);
 
 /// q of a root; meaningful where the root is real.
 Eigen::VectorXd coordinates_of_root(const IsotropicSystem& isotropic, const Point& root);
+
+/// max_i |F_i| / sum |terms of F_i|, where a direction counts as no smaller than 1 and a length as no smaller than the
+/// largest: of an equation like p = 0 rounding would be all there is.
+double residual_of_root(const IsotropicSystem& isotropic, const Point& root);
 
 /// max_v |x_v - conj(x_mirror(v))| / max(1, |x|_inf): 0 for a real pose.
 double distance_from_real(const IsotropicSystem& isotropic, const Point& root);

@@ -113,15 +113,16 @@ struct Disagreement {
   std::uint64_t path = 0;
   std::optional<Point> found;      ///< the root at its end; nullopt where it ends at none
   std::optional<Point> witnessed;  ///< the same by the witness
-  std::optional<std::string> jumped;  ///< the tracker that left the path; nullopt where it could not be settled
+  std::optional<std::string>
+      jumped;  ///< the tracker that left the path; nullopt where it could not be settled
 };
 
 /// What a second tracker says of the same paths.
 struct CrossCheck {
   std::string witness;
-  std::uint64_t common = 0;     ///< roots that both found
-  std::uint64_t missed = 0;     ///< roots that only the witness found
-  std::uint64_t unwitnessed = 0;  ///< roots that the witness did not find
+  std::uint64_t common = 0;                 ///< roots that both found
+  std::uint64_t missed = 0;                 ///< roots that only the witness found
+  std::uint64_t unwitnessed = 0;            ///< roots that the witness did not find
   std::vector<Disagreement> disagreements;  ///< by path number
 };
 

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+// Is a mechanism that moves told from one that stands, whatever Gruebler's count says of either?
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "mechanisms.h"
+#include "moivre/mechanism/phi.h"
+
+namespace moivre {
+namespace {
+
+constexpr std::uint64_t kSeeds = 5;
+
+Mechanism undriven(const std::string& file) {
+  Mechanism mechanism = mechanism_file(file);
+  mechanism.drivers.clear();
+  return mechanism;
+}
+
+void expect_moves(const Mechanism& mechanism, std::uint64_t dimension) {
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    const ClosureResult result = closures_of(mechanism, seed);
+    EXPECT_TRUE(result.complete) << result.message;
+    ASSERT_TRUE(result.moves) << "seed " << seed << ": " << result.message;
+    EXPECT_EQ(result.moves->dimension, dimension) << "seed " << seed;
+    EXPECT_LE(scaled_residual(Phi(mechanism), result.moves->pose, 0), 1e-12);
+    EXPECT_NE(result.message.find("moves"), std::string::npos);
+  }
+}
+
+/// A triangle of links 2 and 1 on pivots `base` apart, with a link of length 1 that dangles from its tip.
+Mechanism triangle(const std::string& base, bool has_tail) {
+  const std::string tail = R"toml(
+[body.tail.points]
+A = [0, 0]
+T = [1, 0]
+[[joint]]
+type = "revolute"
+at = ["left.A", "tail.A"]
+)toml";
+  return mechanism_text(R"toml(
+[ground.points]
+O = [0, 0]
+P = [)toml" + base + R"toml(, 0]
+[body.left.points]
+O = [0, 0]
+A = [2, 0]
+[body.right.points]
+P = [0, 0]
+A = [-1, 0]
+[[joint]]
+type = "revolute"
+at = ["ground.O", "left.O"]
+[[joint]]
+type = "revolute"
+at = ["ground.P", "right.P"]
+[[joint]]
+type = "revolute"
+at = ["left.A", "right.A"]
+)toml" + (has_tail ? tail : ""));
+}
+
+TEST(Moves, AFourBarWithoutDriver) {
+  expect_moves(undriven("four-bar"), 1);
+  EXPECT_EQ(closures_of(undriven("four-bar")).counts.complex, 0u);
+}
+
+TEST(Moves, AFiveBarWithOneDriverOfTwo) {
+  Mechanism mechanism = mechanism_file("five-bar");
+  mechanism.drivers.pop_back();
+  expect_moves(mechanism, 1);
+}
+
+TEST(Moves, AFiveBarWithoutDriversInTwoDirections) { expect_moves(undriven("five-bar"), 2); }
+
+TEST(Moves, AThirdParallelCrankThoughEquationsAreAsManyAsUnknowns) {
+  const Mechanism mechanism = undriven("double-parallel-crank");
+  const Phi phi(mechanism);
+  ASSERT_EQ(phi.size(), phi.dimension());
+  expect_moves(mechanism, 1);
+}
+
+TEST(Moves, TypedEquationsToo) { expect_moves(undriven("slider-crank-equations"), 1); }
+
+TEST(Moves, NotATriangleThatLiesFolded) {
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    const ClosureResult result = closures_of(triangle("3", false), seed);
+    EXPECT_TRUE(result.complete) << result.message;
+    EXPECT_FALSE(result.moves);
+    ASSERT_EQ(result.closures.size(), 1u);
+    EXPECT_TRUE(result.closures[0].singular);
+    EXPECT_EQ(result.closures[0].multiplicity, 2u);
+  }
+}
+
+TEST(Moves, NotAParallelogramThatIsHeldAtItsChangePoint) {
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    const ClosureResult result = closures_of(mechanism_file("parallelogram"), seed);
+    EXPECT_TRUE(result.complete) << result.message;
+    EXPECT_FALSE(result.moves);
+    ASSERT_EQ(result.closures.size(), 1u);
+    EXPECT_TRUE(result.closures[0].singular);
+  }
+}
+
+TEST(Moves, AParallelogramAtItsChangePointOnceItsCrankIsFree) {
+  expect_moves(undriven("parallelogram"), 1);
+}
+
+TEST(Moves, ALinkThatDanglesFromAnAssembledTriangle) { expect_moves(triangle("2.5", true), 1); }
+
+TEST(Moves, NotWhatDanglesFromATriangleThatCannotBeAssembled) {
+  const ClosureResult result = closures_of(triangle("4", true));
+  EXPECT_TRUE(result.complete) << result.message;
+  EXPECT_FALSE(result.moves);
+  EXPECT_NE(result.message.find("cannot be assembled"), std::string::npos) << result.message;
+}
+
+TEST(Moves, IsUndecidedWhereNoRealPoseIsFound) {
+  const ClosureResult result = closures_of(mechanism_text(
+      "[unknowns]\nlengths = [\"x\", \"y\"]\n[equations]\ncircle = \"x^2 + y^2 + 1\"\n"));
+  EXPECT_FALSE(result.moves);
+  EXPECT_FALSE(result.complete);
+  EXPECT_NE(result.message.find("give a guess"), std::string::npos) << result.message;
+}
+
+// Of 13 equations in 12 unknowns a square choice may leave a set of roots that the last equation cuts.
+TEST(Redundancy, TheOrderOfJointsDoesNotMatter) {
+  Mechanism mechanism = mechanism_file("double-parallel-crank");
+  std::vector<std::size_t> order{1, 2, 3, 4, 5, 0};
+  const std::vector<Joint> joints = mechanism.joints;
+  do {
+    for (std::size_t k = 0; k < order.size(); ++k) mechanism.joints[k] = joints[order[k]];
+    const ClosureResult result = closures_of(mechanism);
+    ASSERT_TRUE(result.complete) << result.message;
+    ASSERT_EQ(result.counts.complex, 1u);
+    ASSERT_EQ(result.counts.real, 1u);
+    ASSERT_FALSE(result.moves);
+  } while (std::next_permutation(order.begin(), order.end() - 1));
+}
+
+TEST(Redundancy, ASquareChoiceWithASetOfRootsIsMixedWithTheSpareEquations) {
+  const Mechanism mechanism = mechanism_text(R"toml(
+[unknowns]
+lengths = ["x", "y"]
+[equations]
+e1 = "(x - 1)*(y - 2)"
+e2 = "(x - 1)*(y - 3)"
+e3 = "(x - 1)*(y - 5) + (y - 5)"
+)toml");
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    const ClosureResult result = closures_of(mechanism, seed);
+    EXPECT_TRUE(result.complete) << result.message;
+    EXPECT_FALSE(result.moves);
+    ASSERT_EQ(result.closures.size(), 1u);
+    EXPECT_NEAR(result.closures[0].q[0], 1, 1e-12);
+    EXPECT_NEAR(result.closures[0].q[1], 5, 1e-12);
+    EXPECT_NE(result.stages.back().group.find("combined"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace moivre
