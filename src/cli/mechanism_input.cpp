@@ -26,6 +26,16 @@ double number_in(const std::string& text) {
   return is_whole ? value : std::numeric_limits<double>::quiet_NaN();
 }
 
+/// The first ones, where there are many.
+std::string listed(const std::vector<std::string>& names) {
+  constexpr std::size_t kListed = 12;
+  std::string text;
+  for (std::size_t k = 0; k < std::min(kListed, names.size()); ++k) {
+    text += (k == 0 ? "" : ", ") + names[k];
+  }
+  return names.size() > kListed ? text + ", ..." : text;
+}
+
 }  // namespace
 
 bool is_mechanism_file(const std::string& file) {
@@ -52,20 +62,30 @@ Eigen::VectorXd named_values(const Mechanism& mechanism, const std::vector<std::
   std::vector<std::string> names;
   for (const Coordinate& coordinate : all) names.push_back(coordinate.name);
   Eigen::VectorXd values = base;
+  std::vector<bool> is_given(names.size());
   std::string faults;
+  const auto add_fault = [&faults](const std::string& fault) {
+    faults += (faults.empty() ? "" : "; ") + fault;
+  };
   for (const std::string& setting : settings) {
     const std::size_t equals = setting.find('=');
     const std::string name = setting.substr(0, equals);
     const double value = number_in(equals == std::string::npos ? "" : setting.substr(equals + 1));
     const auto at = std::find(names.begin(), names.end(), name);
-    if (at == names.end()) {
+    if (name.empty()) {
+      add_fault(setting + " is not NAME=VALUE");
+    } else if (at == names.end()) {
       const auto known = nearest(name, names);
-      faults += (faults.empty() ? "" : "; ") + ("there is no coordinate " + name) +
-                (known ? ", did you mean " + *known + "?" : "");
+      add_fault(
+          "there is no coordinate " + name +
+          (known ? ", did you mean " + *known + "?" : "; the coordinates are " + listed(names)));
     } else if (std::isnan(value)) {
-      faults += (faults.empty() ? "" : "; ") + setting + " is not NAME=VALUE with a finite number";
+      add_fault(setting + " is not NAME=VALUE with a finite number");
+    } else if (is_given[static_cast<std::size_t>(at - names.begin())]) {
+      add_fault(name + " is given twice");
     } else {
       const auto k = static_cast<std::size_t>(at - names.begin());
+      is_given[k] = true;
       const bool in_degrees =
           in_units && all[k].kind != CoordinateKind::length && mechanism.units.angle == "deg";
       values[static_cast<Eigen::Index>(k)] = in_degrees ? value * std::numbers::pi / 180 : value;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A Newton run: the verdict, the table of iterates, the pose.
+#include <algorithm>
 #include <cstdio>
 
 #include "moivre/closure_report/kinematics_report.h"
@@ -10,16 +11,39 @@
 namespace moivre {
 namespace {
 
+// Up to so many coordinates stand in the table itself; of more the CSV has them.
+constexpr std::size_t kColumns = 6;
+
+std::string column(std::string text) {
+  constexpr std::size_t kWidth = 14;
+  text.insert(0, 2, ' ');
+  text.resize(std::max(text.size(), kWidth + 2), ' ');
+  return text;
+}
+
+std::string line_of(std::string text) {
+  text.erase(text.find_last_not_of(' ') + 1);
+  return text + '\n';
+}
+
 std::string table(const NewtonResult& result, const Mechanism& mechanism) {
-  std::string text = "\n  k  residual  step      rank  method\n";
   const std::vector<Coordinate> names = coordinates(mechanism);
+  const bool shows_q = names.size() <= kColumns;
+  std::string head = "  k  residual  step      rank  method      ";
+  for (const Coordinate& name : names) head += shows_q ? column(name.name) : "";
+  std::string text = "\n" + line_of(head);
   std::size_t k = 0;
   for (const NewtonIteration& iteration : result.iterations) {
-    char line[96];
-    std::snprintf(line, sizeof line, "%3zu  %-8s  %-8s  %4td  %s\n", k++,
+    char figures[96];
+    std::snprintf(figures, sizeof figures, "%3zu  %-8s  %-8s  %4td  %-12s", k++,
                   rough_text(iteration.residual).c_str(), rough_text(iteration.step).c_str(),
                   iteration.rank, to_string(iteration.method).c_str());
-    text += line;
+    std::string line = figures;
+    for (std::size_t c = 0; shows_q && c < names.size(); ++c) {
+      const double value = iteration.q[static_cast<Eigen::Index>(c)];
+      line += column(coordinate_text(mechanism, names[c], value));
+    }
+    text += line_of(line);
   }
   return text;
 }

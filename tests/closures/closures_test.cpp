@@ -116,7 +116,7 @@ std::vector<double> sorted_values(const Mechanism& mechanism, const ClosureResul
   return values;
 }
 
-TEST(SeedPage15, FourBarClosuresToAllPrintedDigits) {
+TEST(SeedP15, FourBarClosuresToAllPrintedDigits) {
   const Mechanism mechanism = mechanism_file("four-bar");
   const ClosureResult result = closures_of(mechanism);
   const auto coupler = sorted_values(mechanism, result, "coupler.phi", kDegree);
@@ -128,7 +128,7 @@ TEST(SeedPage15, FourBarClosuresToAllPrintedDigits) {
   EXPECT_NEAR(rocker[1], 57.3249, 5e-5);
 }
 
-TEST(SeedPage29, BothSlidersOfExample313BothWaysIn) {
+TEST(SeedP29, BothSlidersOfExample313BothWaysIn) {
   for (const auto& [file, name] : {std::pair<std::string, std::string>{"slider-crank", "slider.x"},
                                    {"slider-crank-equations", "d"}}) {
     const Mechanism mechanism = mechanism_file(file);
@@ -139,7 +139,7 @@ TEST(SeedPage29, BothSlidersOfExample313BothWaysIn) {
   }
 }
 
-TEST(SeedPage12, BothClosuresOfTheRedundantSystemAt30And60Degrees) {
+TEST(SeedP12, BothClosuresOfTheRedundantSystemAt30And60Degrees) {
   const Mechanism at30 = mechanism_file("redundant-system");
   auto l1 = sorted_values(at30, closures_of(at30), "l1");
   ASSERT_EQ(l1.size(), 2u);
@@ -152,7 +152,7 @@ TEST(SeedPage12, BothClosuresOfTheRedundantSystemAt30And60Degrees) {
   EXPECT_NEAR(l1[1], 3.573518, 5e-7);
 }
 
-TEST(SeedPage11, DoubleParallelCrankHasARedundantRowAndAnIsolatedClosureAt60Degrees) {
+TEST(SeedP11, DoubleParallelCrankHasARedundantRowAndAnIsolatedClosureAt60Degrees) {
   const ClosureResult result = closures_of(mechanism_file("double-parallel-crank"));
   ASSERT_TRUE(result.mobility);
   EXPECT_EQ(result.mobility->rank, 11);

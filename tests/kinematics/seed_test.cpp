@@ -568,6 +568,16 @@ TEST(SeedP42, SvdMultipliesBackToA) {
   EXPECT_LT((svd.matrixU().transpose() * svd.matrixU() - MatrixXd::Identity(3, 3)).norm(), 1e-14);
 }
 
+TEST(SeedP43, ThePrintedUIsOrthogonalOnlyWithTheSignOfItsLastEntryPutRight) {
+  const Eigen::JacobiSVD<MatrixXd> svd(A35(), Eigen::ComputeFullU);
+  const VectorXd b3 = svd.matrixU().col(2) * (svd.matrixU()(1, 2) > 0 ? -1 : 1);
+  EXPECT_NEAR(b3[1], -0.7071, 5e-5);
+  EXPECT_NEAR(b3[2], +0.7071, 5e-5);
+  const VectorXd printed = Vector3d(b3[0], b3[1], -b3[2]);
+  EXPECT_LT(std::abs(b3.dot(svd.matrixU().col(0))), 1e-15);
+  EXPECT_GT(std::abs(printed.dot(svd.matrixU().col(0))), 0.5);
+}
+
 TEST(SeedP44, LeftNullVectorsAreTheRedundancyVectors) {
   EXPECT_LT((left_null_space(A35()).transpose() * A35()).norm(), 1e-15);
   const Phi phi(example("double-parallel-crank"));

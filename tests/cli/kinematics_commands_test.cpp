@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: MIT
+// Do `newton`, `mobility`, `guesses` and `closures` take every kind of file, and refuse with reasons what they cannot?
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "program.h"
+
+namespace moivre::test {
+namespace {
+
+using Json = nlohmann::json;
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+const std::string kTriangle = R"toml([units]
+angle = "deg"
+[ground.points]
+O = [0, 0]
+P = [4, 0]
+[body.left.points]
+O = [0, 0]
+A = [3, 0]
+[body.right.points]
+P = [0, 0]
+A = [2, 0]
+[[joint]]
+type = "revolute"
+at = ["ground.O", "left.O"]
+[[joint]]
+type = "revolute"
+at = ["ground.P", "right.P"]
+[[joint]]
+type = "revolute"
+at = ["left.A", "right.A"]
+name = "tip"
+[guess]
+"left.phi" = 30
+"right.phi" = 130
+)toml";
+
+const std::string kCircleAndLine =
+    "[unknowns]\nangles = [\"phi\"]\nlengths = [\"d\"]\n[equations]\n"
+    "across = \"2*cos(phi) - d\"\nup = \"2*sin(phi) - 1\"\n[guess]\nphi = 0.4\nd = 2\n";
+
+const std::string kPolynomials = "2\nx^2 + y^2 - 5;\nx*y - 2;\n";
+
+/// A folder with a mechanism, typed equations and polynomials.
+class KinematicsCommands : public testing::Test {
+ protected:
+  KinematicsCommands() {
+    scene.write("bodies.toml", kTriangle);
+    scene.write("typed.toml", kCircleAndLine);
+    scene.write("f.phc", kPolynomials);
+  }
+
+  void expect_refusal(const std::vector<std::string>& command,
+                      const std::vector<std::string>& parts) const {
+    const Outcome outcome = scene.run(command);
+    EXPECT_EQ(outcome.exit_code, 1) << outcome.out;
+    EXPECT_EQ(outcome.out, "");
+    for (const std::string& part : parts) EXPECT_TRUE(contains(outcome.err, part)) << outcome.err;
+  }
+
+  Scene scene;
+};
+
+TEST_F(KinematicsCommands, NewtonTakesAllThreeKindsOfFiles) {
+  for (const std::vector<std::string>& command :
+       {std::vector<std::string>{"newton", "bodies.toml"},
+        {"newton", "typed.toml"},
+        {"newton", "f.phc", "--guess", "x=3", "--guess", "y=1"}}) {
+    const Outcome outcome = scene.run(command);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_TRUE(contains(outcome.out, "converged after")) << outcome.out;
+    EXPECT_TRUE(contains(outcome.out, "k  residual  step      rank  method")) << outcome.out;
+  }
+}
+
+TEST_F(KinematicsCommands, NewtonsTableShowsTheIteratesOfFewCoordinates) {
+  const Outcome few = scene.run({"newton", "f.phc", "--guess", "x=3", "--guess", "y=1"});
+  EXPECT_TRUE(contains(few.out, "method        x               y\n")) << few.out;
+  EXPECT_TRUE(contains(few.out, "LU            3               1\n")) << few.out;
+  const Outcome csv = scene.run({"newton", "bodies.toml", "--csv", "-"});
+  EXPECT_TRUE(contains(csv.out, "iteration,residual,scaled_residual,step,rank,method,left.x"));
+}
+
+TEST_F(KinematicsCommands, GuessesTakesAllThreeKindsOfFiles) {
+  for (const auto& [file, count] :
+       {std::pair<const char*, std::size_t>{"bodies.toml", 2}, {"typed.toml", 2}, {"f.phc", 4}}) {
+    const Outcome outcome = scene.run({"guesses", file, "--json", "-"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(Json::parse(outcome.out)["guesses"].size(), count) << file;
+  }
+}
+
+TEST_F(KinematicsCommands, AGuessThatGuessesWroteConvergesAtOnce) {
+  const Json found = Json::parse(scene.run({"guesses", "bodies.toml", "--json", "-"}).out);
+  for (const Json& guess : found["guesses"]) {
+    std::vector<std::string> command{"newton", "bodies.toml", "--json", "-"};
+    for (std::size_t k = 0; k < guess["q"].size(); ++k) {
+      const std::string name = found["names"][k];
+      const bool is_angle = name.ends_with("phi");
+      const double value = guess["q"][k].get<double>() * (is_angle ? 180 / 3.14159265358979 : 1);
+      command.insert(command.end(), {"--guess", name + "=" + Json(value).dump()});
+    }
+    const Json run = Json::parse(scene.run(command).out);
+    EXPECT_EQ(run["status"], "converged");
+    EXPECT_LE(run["steps"].get<int>(), 1);
+  }
+}
+
+TEST_F(KinematicsCommands, AnUnknownCoordinateNamesTheNearestOne) {
+  for (const std::string option : {"--guess", "--weight"}) {
+    expect_refusal({"newton", "bodies.toml", option, "left.ph=3"},
+                   {"there is no coordinate left.ph", "did you mean left.phi?"});
+    expect_refusal({"newton", "typed.toml", option, "phj=3"}, {"did you mean phi?"});
+    expect_refusal({"newton", "f.phc", option, "z=3"}, {"there is no coordinate z"});
+  }
+  expect_refusal({"mobility", "bodies.toml", "--guess", "lefd.x=3"}, {"did you mean left.x?"});
+}
+
+TEST_F(KinematicsCommands, AValueHasToBeOneFiniteNumber) {
+  for (const std::string option : {"--guess", "--weight"}) {
+    for (const std::string value : {"nan", "inf", "", "1e999", "1,5", "0x10", "3 4", "ten"}) {
+      expect_refusal({"newton", "f.phc", option, "x=" + value},
+                     {"is not NAME=VALUE with a finite number"});
+    }
+    expect_refusal({"newton", "f.phc", option, "x"}, {"is not NAME=VALUE"});
+    expect_refusal({"newton", "f.phc", option, "3"}, {"there is no coordinate 3"});
+    expect_refusal({"newton", "f.phc", option, "=3"}, {"NAME=VALUE"});
+  }
+}
+
+TEST_F(KinematicsCommands, EveryFaultyValueIsNamedAtOnce) {
+  expect_refusal({"newton", "f.phc", "--guess", "x=nan", "--guess", "z=1"},
+                 {"x=nan is not NAME=VALUE", "there is no coordinate z"});
+}
+
+TEST_F(KinematicsCommands, ACoordinateIsGuessedOnce) {
+  expect_refusal({"newton", "f.phc", "--guess", "x=1", "--guess", "x=2"}, {"x is given twice"});
+}
+
+TEST_F(KinematicsCommands, WeightsArePositive) {
+  for (const std::string weight : {"0", "-1"}) {
+    expect_refusal({"newton", "f.phc", "--weight", "x=" + weight}, {"positive"});
+  }
+}
+
+TEST_F(KinematicsCommands, NewtonRefusesOptionsOutOfRange) {
+  expect_refusal({"newton", "f.phc", "--tolerance", "0"}, {"tolerance"});
+  expect_refusal({"newton", "f.phc", "--max-iterations", "-1"}, {"iterations"});
+}
+
+TEST_F(KinematicsCommands, ComplexCoefficientsAreRefusedWithTheReason) {
+  scene.write("complex.phc", "1\nx^2 - i;\n");
+  expect_refusal({"newton", "complex.phc", "--guess", "x=1"}, {"coefficients that are not real"});
+}
+
+const std::string kNoPolynomial =
+    "[unknowns]\nangles = [\"phi\"]\nlengths = [\"s\"]\n[equations]\n"
+    "unrolls = \"s - 2*phi\"\nup = \"s*sin(phi) - 1\"\n[guess]\nphi = 0.6\ns = 1.3\n";
+
+TEST_F(KinematicsCommands, WhatIsNoPolynomialIsRefusedByClosuresAndSolvedByNewton) {
+  scene.write("belt.toml", kNoPolynomial);
+  for (const std::string command : {"closures", "guesses"}) {
+    expect_refusal({command, "belt.toml"},
+                   {"equation unrolls is no polynomial", "the angle phi stands outside cos and sin",
+                    "newton, mobility and motion take it"});
+  }
+  EXPECT_EQ(scene.run({"newton", "belt.toml"}).exit_code, 0);
+  EXPECT_EQ(scene.run({"mobility", "belt.toml"}).exit_code, 0);
+}
+
+TEST_F(KinematicsCommands, SpatialMechanismsAreRefusedByClosuresAndSolvedByNewton) {
+  scene.write("space.toml", R"toml(space = "spatial"
+[ground.points]
+O = [0, 0, 0]
+[body.arm.points]
+O = [0, 0, 0]
+[[joint]]
+type = "revolute"
+at = ["ground.O", "arm.O"]
+axis = [0, 0, 1]
+name = "hinge"
+[[driver]]
+angle = "hinge"
+start = 0.3
+)toml");
+  expect_refusal({"closures", "space.toml"}, {"spatial", "newton, mobility and motion take them"});
+  EXPECT_EQ(scene.run({"newton", "space.toml"}).exit_code, 0)
+      << scene.run({"newton", "space.toml"}).err;
+  EXPECT_EQ(scene.run({"mobility", "space.toml"}).exit_code, 0);
+}
+
+std::string with_joint_type(const std::string& type) {
+  std::string text = kTriangle;
+  return text.replace(text.find("revolute"), 8, type);
+}
+
+TEST_F(KinematicsCommands, VelocityConstraintsAreRefusedWithTheReason) {
+  scene.write("skate.toml", with_joint_type("rolling"));
+  expect_refusal({"closures", "skate.toml"}, {"skate.toml:13", "non-holonomic", "gear"});
+}
+
+TEST_F(KinematicsCommands, OneSidedConstraintsAreRefusedWithTheReason) {
+  scene.write("stop.toml", with_joint_type("contact"));
+  expect_refusal({"closures", "stop.toml"}, {"stop.toml:13", "one-sided", "limits"});
+  scene.write("less.toml", "[unknowns]\nlengths = [\"x\"]\n[equations]\ne = \"x^2 >= 2\"\n");
+  expect_refusal({"newton", "less.toml"}, {"less.toml:4"});
+}
+
+TEST_F(KinematicsCommands, JointLimitsFilterClosuresAndAreReported) {
+  std::string text = kTriangle;
+  text.insert(text.find("name = \"tip\""), "limits = [0, 180]\n");
+  scene.write("limited.toml", text);
+  const Outcome outcome = scene.run({"closures", "limited.toml"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_TRUE(contains(outcome.out, "2 complex closures, 2 real, 1 outside a joint's limits"))
+      << outcome.out;
+  const Json report = Json::parse(scene.run({"closures", "limited.toml", "--json", "-"}).out);
+  EXPECT_EQ(report["counts"]["filtered"], 1);
+  EXPECT_EQ(report["closures"].size(), 1U);
+}
+
+TEST_F(KinematicsCommands, ClosuresTellThatAMechanismMovesAndFromWhichPose) {
+  scene.write("loose.toml", kTriangle +
+                                "\n[body.tail.points]\nA = [0, 0]\n[[joint]]\ntype = \"revolute\"\n"
+                                "at = [\"left.A\", \"tail.A\"]\n");
+  const Outcome outcome = scene.run({"closures", "loose.toml"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_TRUE(contains(outcome.out, "moves from this pose in 1 direction")) << outcome.out;
+  const Json report = Json::parse(scene.run({"closures", "loose.toml", "--json", "-"}).out);
+  EXPECT_EQ(report["moves"]["dimension"], 1);
+  EXPECT_EQ(report["moves"]["pose"].size(), 9U);
+}
+
+}  // namespace
+}  // namespace moivre::test
