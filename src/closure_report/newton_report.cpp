@@ -31,7 +31,8 @@ std::string table(const NewtonResult& result, const Mechanism& mechanism) {
   const bool shows_q = names.size() <= kColumns;
   std::string head = "  k  residual  step      rank  method      ";
   for (const Coordinate& name : names) head += shows_q ? column(name.name) : "";
-  std::string text = "\n" + line_of(head);
+  std::string text(1, '\n');
+  text += line_of(head);
   std::size_t k = 0;
   for (const NewtonIteration& iteration : result.iterations) {
     char figures[96];
