@@ -30,8 +30,9 @@ constexpr double kLowDegree = 10;
 constexpr double kLeastProbe = 1e-13;
 // From here on the Jacobian, evaluated in double, says nothing about the root.
 constexpr double kHopelessSensitivity = 1e16;
-// Simple roots about their mean are further away than their residual there, relative to all terms, suggests: terms cancel.
-constexpr double kCancellation = 4;
+// At the mean of simple roots near each other terms cancel: beside what is left the residual is larger by so much than
+// beside all terms.
+constexpr double kCancellation = 16;
 // The points of a circle, whose mean a singular end is, are not known better.
 constexpr double kSingularAccuracy = 1e-14;
 // Coordinates of a singular root are taken for 0 within so many times its accuracy.
@@ -232,8 +233,9 @@ bool Refiner::is_simple(const Point& x) {
 Refined Refiner::keep(const Point& x, double accuracy, int sheets) {
   Refined result;
   result.x = x;
-  const double spread = std::pow(natural_residual(x), 1 / static_cast<double>(sheets));
-  result.accuracy = std::max({accuracy, kSingularAccuracy, kCancellation * spread});
+  const double spread =
+      std::pow(kCancellation * natural_residual(x), 1 / static_cast<double>(sheets));
+  result.accuracy = std::max({accuracy, kSingularAccuracy, spread});
   result.condition = w_->factor(x) ? w_->lu.condition() : std::numeric_limits<double>::infinity();
   result.residual = residual(x);
   snap_to_zero(result, kSingularSnap * result.accuracy);

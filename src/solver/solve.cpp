@@ -21,6 +21,8 @@ namespace {
 constexpr double kSimpleTolerance = 1e-13;
 // A singular end is not known better than this; ends nearer than that are one root.
 constexpr double kSingularTolerance = 1e-7;
+// Of a large root that passed for an end at infinity, where it is one.
+constexpr double kLargeRootAccuracy = 1e-5;
 // A singular end known worse than this is not known at all.
 constexpr double kWorstAccuracy = 1e-3;
 // Of a root that is not simple.
@@ -83,6 +85,10 @@ class Run {
   void fail_unsettled();
   Solution solution_of(const std::vector<std::uint64_t>& group, const std::vector<int>& winding);
   bool is_on_set(const Root& root);
+  /// An end that passed for one at infinity because x_0 is not known better than 0, and not because it is 0.
+  bool may_be_large(const PathEnd& end) const {
+    return !end.x.empty() && std::abs(end.x.back()) > endgame_.infinity_floor * max_norm(end.x);
+  }
   Root refined_root(Refiner& refiner, const PathEnd& end) const;
   void take(std::uint64_t path, PathEnd&& end);
   bool falls_back(int care) const { return options_.fallback != nullptr && care >= kFallbackCare; }
@@ -177,7 +183,9 @@ void Run::take(std::uint64_t path, PathEnd&& end) {
   switch (end.status) {
     case PathStatus::finite: ends_.emplace_back(path, std::move(end)); return;
     case PathStatus::at_infinity:
-      if (prepared_.spread_log2 > kHopelessSpread) {
+      if (may_be_large(end)) {
+        ends_.emplace_back(path, std::move(end));
+      } else if (prepared_.spread_log2 > kHopelessSpread) {
         ledger_.enter_failure({path, Failure::precision, end.t});
       } else {
         ledger_.enter_infinity(path);
@@ -210,13 +218,14 @@ Root Run::refined_root(Refiner& refiner, const PathEnd& end) const {
   const Point x = to_original(prepared_, end.x);
   // A relative error of z_0 is one of z / z_0, larger by the size of the affine point.
   const double size = max_norm(end.x) / std::abs(end.x.back());
-  const double accuracy = end.accuracy * std::max(1.0, size);
+  const bool doubtful = end.status == PathStatus::at_infinity;
+  const double accuracy = doubtful ? kLargeRootAccuracy : end.accuracy * std::max(1.0, size);
   Root root;
   root.winding = end.winding;
-  const bool many_sheets = end.winding.value_or(1) > 1;
+  const bool many_sheets = end.winding.value_or(1) > 1 && !doubtful;
   root.point = many_sheets ? refiner.keep(x, accuracy, *end.winding) : refiner.refine(x, accuracy);
   if (!root.point.simple) {
-    if (!many_sheets) root.point = refiner.keep(x, accuracy, kLeastMultiplicity);
+    if (!many_sheets && !doubtful) root.point = refiner.keep(x, accuracy, kLeastMultiplicity);
     root.tolerance = std::max(kSingularTolerance, 10 * root.point.accuracy);
   } else {
     root.tolerance = 4 * root.point.accuracy + kSimpleTolerance;
@@ -237,6 +246,10 @@ void Run::refine_ends() {
     }
   });
   for (std::size_t k = 0; k < ends_.size(); ++k) {
+    if (ends_[k].second.status == PathStatus::at_infinity && !roots[k].point.simple) {
+      ledger_.enter_infinity(ends_[k].first);
+      continue;
+    }
     const bool singular = roots[k].winding && roots[k].point.accuracy <= kWorstAccuracy;
     if (roots[k].point.simple || singular) {
       ledger_.enter_root(ends_[k].first, std::move(roots[k]));
