@@ -139,8 +139,9 @@ void Run::describe() {
   result_.system = facts_of(f_);
   result_.reduced = facts_of(prepared_.reduction.system);
   result_.start.paths = prepared_.start.paths;
-  result_.start.why = "the product of the degrees bounds the number of isolated roots; its start "
-                      "system is solved by De Moivre's theorem";
+  result_.start.why =
+      "the product of the degrees bounds the number of isolated roots; its start "
+      "system is solved by De Moivre's theorem";
   result_.tracker = tracker_.kind();
   result_.tracker_options = tracker_.options_in_force();
   result_.left_out = prepared_.left_out;
@@ -151,7 +152,8 @@ bool Run::decided_without_tracking() {
   refiner_program_ = make_refiner_program(unit_f_, natural_sizes(prepared_));
   result_.complete = true;
   switch (prepared_.reduction.verdict) {
-    case Reduction::Verdict::square: return false;
+    case Reduction::Verdict::square:
+      return false;
     case Reduction::Verdict::solved: {
       // The empty product of degrees is one path, and it stands still.
       result_.start.paths = result_.paths.tracked = result_.paths.finite = 1;
@@ -181,7 +183,9 @@ bool Run::decided_without_tracking() {
 void Run::take(std::uint64_t path, PathEnd&& end) {
   result_.work += end.count;
   switch (end.status) {
-    case PathStatus::finite: ends_.emplace_back(path, std::move(end)); return;
+    case PathStatus::finite:
+      ends_.emplace_back(path, std::move(end));
+      return;
     case PathStatus::at_infinity:
       if (may_be_large(end)) {
         ends_.emplace_back(path, std::move(end));
@@ -209,8 +213,9 @@ void Run::track_all() {
     take(path, std::move(end));
     if (options_.progress) options_.progress(progress);
   };
-  track_paths(problem(0), prepared_.start.paths, [](std::uint64_t k) { return k; }, options_.care,
-              threads_, sink, stop_);
+  track_paths(
+      problem(0), prepared_.start.paths, [](std::uint64_t k) { return k; }, options_.care, threads_,
+      sink, stop_);
   if (progress.done < prepared_.start.paths) interrupted_ = true;
 }
 
@@ -284,9 +289,9 @@ std::set<std::uint64_t> Run::doubtful_paths(int care) {
     const bool all_simple = std::all_of(group.begin(), group.end(), [&](std::uint64_t path) {
       return ledger_.roots().at(path).point.simple;
     });
-    const bool in_doubt = all_simple ? group.size() > 1
-                                     : (group.size() == 1 || !cycles(ledger_, group)) &&
-                                           !is_on_set(first);
+    const bool in_doubt = all_simple
+                              ? group.size() > 1
+                              : (group.size() == 1 || !cycles(ledger_, group)) && !is_on_set(first);
     if (in_doubt) doubtful.insert(group.begin(), group.end());
   }
   if (is_real(f_)) add_paths_of_missing_conjugates(care, doubtful);
@@ -318,8 +323,9 @@ void Run::track_again(const std::set<std::uint64_t>& paths, int care) {
     ledger_.strike(path);
     take(path, std::move(end));
   };
-  track_paths(problem(care), list.size(), [&](std::uint64_t k) { return list[k]; }, care, threads_,
-              sink, stop_);
+  track_paths(
+      problem(care), list.size(), [&](std::uint64_t k) { return list[k]; }, care, threads_, sink,
+      stop_);
   refine_ends();
 }
 
@@ -394,10 +400,10 @@ void Run::close_account() {
   counts.retracked = retracked_.size();
   counts.handed_over = handed_over_.size();
   result_.complete = !interrupted_ && counts.failed == 0 && unsettled_conjugates_ == 0;
-  result_.message = interrupted_          ? "interrupted: what is finished is reported"
-                    : result_.complete    ? "every path was decided"
-                    : counts.failed > 0   ? "some paths failed"
-                                          : "a root's conjugate is missing among the roots";
+  result_.message = interrupted_        ? "interrupted: what is finished is reported"
+                    : result_.complete  ? "every path was decided"
+                    : counts.failed > 0 ? "some paths failed"
+                                        : "a root's conjugate is missing among the roots";
 }
 
 }  // namespace
