@@ -3,6 +3,7 @@
 #include <chrono>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 
 #include "command.h"
 #include "common_options.h"
@@ -26,6 +27,7 @@ struct SolveCommand {
   bool all = false;
   bool cross_check = false;
   std::optional<int> digits;
+  std::string precision = "auto";
   bool quiet = false;
   std::string json;
   std::string csv;
@@ -44,11 +46,20 @@ Problem read_problem(const std::string& file) {
   return problem;
 }
 
+Precision precision_of(const std::string& name) {
+  if (name == "auto") return Precision::automatic;
+  if (name == "double") return Precision::double_precision;
+  if (name == "double-double") return Precision::double_double;
+  throw std::invalid_argument("--precision " + name +
+                              ": the precisions are auto, double and double-double");
+}
+
 SolveResult solve_interruptibly(const SolveCommand& command, const Problem& problem,
                                 const Tracker& tracker, const Tracker* witness) {
   SolveOptions options;
   options.seed = command.start.seed;
   options.threads = command.threads;
+  options.precision = precision_of(command.precision);
   const std::unique_ptr<Tracker> fallback = make_fallback(command.tracker);
   options.fallback = fallback.get();
   ProgressLine line(!command.quiet);
@@ -66,6 +77,7 @@ SolveResult solve_interruptibly(const SolveCommand& command, const Problem& prob
 
 int run(const SolveCommand& command) {
   require_known(command.start);
+  precision_of(command.precision);
   if (command.digits) require_digits(*command.digits);
   require_distinct({command.json, command.csv, command.phc}, command.file);
   const std::unique_ptr<Tracker> tracker = make_tracker(command.tracker);
@@ -109,6 +121,10 @@ void add_solve_command(CLI::App& moivre, Chosen& chosen) {
   app.add_option("--csv", command->csv, "write a table of the roots here")->type_name("PATH");
   app.add_option("--phc", command->phc, "write PHCpack's solution list here")->type_name("PATH");
   add_tracker_options(app, command->tracker);
+  app.add_option("--precision", command->precision,
+                 "of the paths: auto (double-double where double fails), double or double-double")
+      ->capture_default_str()
+      ->group("Tracker");
   add_examples(
       app, {"moivre solve katsura.phc", "moivre solve katsura.phc --all --seed 7",
             "moivre solve katsura.phc --digits 50", "moivre solve katsura.phc --json - | jq .paths",

@@ -218,6 +218,12 @@ std::optional<Departure> Endgame::judge_arrival(const Arrival& arrival, PathSyst
     end_.condition = sights_.back().condition;
     return std::nullopt;
   }
+  if (arrival.regular_condition) {
+    end_.condition = *arrival.regular_condition;
+    end_.accuracy = std::numeric_limits<double>::epsilon();
+    decide_infinity();
+    return std::nullopt;
+  }
   // Without a watched point there is nowhere to turn back to: the root it arrived at proves itself later.
   const double condition =
       outpost_.empty() ? std::numeric_limits<double>::infinity() : options_.regular_condition;

@@ -77,7 +77,8 @@ Json to_json(const Solution& solution) {
           {"winding", solution.winding},
           {"residual", to_json(solution.residual)},
           {"accuracy", to_json(solution.accuracy)},
-          {"condition", to_json(solution.condition)}};
+          {"condition", to_json(solution.condition)},
+          {"precision", to_string(solution.precision)}};
 }
 
 Json to_json(const PathCounts& paths) {
@@ -87,7 +88,9 @@ Json to_json(const PathCounts& paths) {
           {"failed", paths.failed},
           {"on_positive_dimensional", paths.on_positive_dimensional},
           {"retracked", paths.retracked},
-          {"handed_over", paths.handed_over}};
+          {"handed_over", paths.handed_over},
+          {"mixed", paths.mixed},
+          {"double_double", paths.double_double}};
 }
 
 Json to_json(const FailedPath& failure) {

@@ -46,6 +46,10 @@ std::string paths_line(const SolveResult& result) {
     text += ", ";
     text += std::to_string(paths.handed_over) + " of them by the other tracker";
   }
+  if (paths.double_double > 0) {
+    text += paths.retracked > 0 ? ", " : "; ";
+    text += std::to_string(paths.double_double) + " in double-double";
+  }
   return text + '\n';
 }
 

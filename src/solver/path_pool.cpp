@@ -45,7 +45,9 @@ class SessionSource : public DepartureSource {
     const std::uint64_t path = shared_.path_of(k);
     auto& endgame = under_way_[path];
     endgame = std::make_unique<Endgame>(problem_.endgame, path, shared_.care);
-    return endgame->depart(start_point(problem_.start, path));
+    Departure departure = endgame->depart(start_point(problem_.start, path));
+    if (!problem_.watched) departure.watcher = nullptr;
+    return departure;
   }
 
   void arrived(const Departure& departure, Arrival&& arrival) override {

@@ -11,6 +11,7 @@
 #include "dimension.h"
 #include "facts.h"
 #include "ledger.h"
+#include "moivre/tracker/double_double_tracker.h"
 #include "path_pool.h"
 #include "prepare.h"
 
@@ -68,7 +69,11 @@ class Run {
         endgame_(options.endgame),
         stop_(stop),
         threads_(options.threads > 0 ? options.threads
-                                     : static_cast<int>(std::thread::hardware_concurrency())) {}
+                                     : static_cast<int>(std::thread::hardware_concurrency())) {
+    if (options.precision != Precision::double_precision) {
+      fine_tracker_ = make_double_double_tracker();
+    }
+  }
 
   SolveResult run();
 
@@ -81,6 +86,9 @@ class Run {
   std::set<std::uint64_t> doubtful_paths(int care);
   void add_paths_of_missing_conjugates(int care, std::set<std::uint64_t>& doubtful);
   void track_again(const std::set<std::uint64_t>& paths, int care);
+  std::set<std::uint64_t> paths_failed_by_precision() const;
+  void climb(const std::set<std::uint64_t>& paths);
+  Rung rung_of(std::uint64_t path) const;
   void close_account();
   void fail_unsettled();
   Solution solution_of(const std::vector<std::uint64_t>& group, const std::vector<int>& winding);
@@ -92,8 +100,10 @@ class Run {
   Root refined_root(Refiner& refiner, const PathEnd& end) const;
   void take(std::uint64_t path, PathEnd&& end);
   bool falls_back(int care) const { return options_.fallback != nullptr && care >= kFallbackCare; }
+  bool is_fine() const { return options_.precision == Precision::double_double; }
+  const Tracker& tracker() const { return is_fine() ? *fine_tracker_ : tracker_; }
   PathProblem problem(int care) const {
-    return {*prepared_.homotopy, prepared_.start, falls_back(care) ? *options_.fallback : tracker_,
+    return {*prepared_.homotopy, prepared_.start, falls_back(care) ? *options_.fallback : tracker(),
             endgame_};
   }
 
@@ -112,6 +122,8 @@ class Run {
   std::set<std::uint64_t> handed_over_;
   std::uint64_t unsettled_conjugates_ = 0;
   bool interrupted_ = false;
+  std::unique_ptr<Tracker> fine_tracker_;  // nullptr: no path is to be climbed
+  std::map<std::uint64_t, Rung> rungs_;  // of paths that needed more than double
   SolveResult result_;
 };
 
@@ -142,8 +154,8 @@ void Run::describe() {
   result_.start.why =
       "the product of the degrees bounds the number of isolated roots; its start "
       "system is solved by De Moivre's theorem";
-  result_.tracker = tracker_.kind();
-  result_.tracker_options = tracker_.options_in_force();
+  result_.tracker = tracker().kind();
+  result_.tracker_options = tracker().options_in_force();
   result_.left_out = prepared_.left_out;
   result_.time.threads = threads_;
 }
@@ -182,6 +194,9 @@ bool Run::decided_without_tracking() {
 
 void Run::take(std::uint64_t path, PathEnd&& end) {
   result_.work += end.count;
+  rungs_.erase(path);
+  if (end.count.work.fine_values > 0) rungs_[path] = Rung::mixed;
+  if (is_fine()) rungs_[path] = Rung::double_double;
   switch (end.status) {
     case PathStatus::finite:
       ends_.emplace_back(path, std::move(end));
@@ -270,7 +285,10 @@ void Run::settle_doubts() {
     const std::set<std::uint64_t> doubtful = doubtful_paths(care);
     if (doubtful.empty()) return;
     track_again(doubtful, care);
+    if (care == options_.care + 1) climb(paths_failed_by_precision());
   }
+  if (interrupted_) return;
+  climb(doubtful_paths(options_.maximum_care + 1));
   if (!interrupted_) fail_unsettled();
 }
 
@@ -329,6 +347,43 @@ void Run::track_again(const std::set<std::uint64_t>& paths, int care) {
   refine_ends();
 }
 
+std::set<std::uint64_t> Run::paths_failed_by_precision() const {
+  std::set<std::uint64_t> paths;
+  for (const auto& [path, failure] : ledger_.failures()) {
+    if (failure.failure == Failure::precision) paths.insert(path);
+  }
+  return paths;
+}
+
+// The whole path in double-double. Where that finds no regular end either, the path's entry stays as it is.
+void Run::climb(const std::set<std::uint64_t>& paths) {
+  if (paths.empty() || interrupted_ || !fine_tracker_) return;
+  const PathProblem fine{*prepared_.homotopy, prepared_.start, *fine_tracker_, endgame_, false};
+  const std::vector<std::uint64_t> list(paths.begin(), paths.end());
+  retracked_.insert(list.begin(), list.end());
+  const EndSink sink = [&](std::uint64_t path, PathEnd&& end) {
+    if (end.failure == Failure::cancelled) {
+      interrupted_ = true;
+      return;
+    }
+    if (end.status == PathStatus::failed) {
+      result_.work += end.count;
+      return;
+    }
+    ledger_.strike(path);
+    take(path, std::move(end));
+    rungs_[path] = Rung::double_double;
+  };
+  track_paths(fine, list.size(), [&](std::uint64_t k) { return list[k]; }, 0, threads_, sink,
+              stop_);
+  refine_ends();
+}
+
+Rung Run::rung_of(std::uint64_t path) const {
+  const auto found = rungs_.find(path);
+  return found == rungs_.end() ? Rung::double_precision : found->second;
+}
+
 // Two paths cannot end at one simple root: all but the first are lost. And one path alone cannot end
 // at an isolated root that is not simple: what it ends at is no root that this precision can show.
 void Run::fail_unsettled() {
@@ -372,6 +427,9 @@ Solution Run::solution_of(const std::vector<std::uint64_t>& group,
   solution.residual = point.residual;
   solution.accuracy = point.accuracy;
   solution.condition = point.condition;
+  for (const std::uint64_t path : group) {
+    solution.precision = std::max(solution.precision, rung_of(path));
+  }
   if (solution.real && is_real(f_)) {
     for (Complex& xi : solution.x) xi.imag(0);
   }
@@ -399,6 +457,9 @@ void Run::close_account() {
   counts.tracked = ledger_.tracked();
   counts.retracked = retracked_.size();
   counts.handed_over = handed_over_.size();
+  for (const auto& [path, rung] : rungs_) {
+    ++(rung == Rung::mixed ? counts.mixed : counts.double_double);
+  }
   result_.complete = !interrupted_ && counts.failed == 0 && unsettled_conjugates_ == 0;
   result_.message = interrupted_        ? "interrupted: what is finished is reported"
                     : result_.complete  ? "every path was decided"
@@ -408,6 +469,15 @@ void Run::close_account() {
 
 }  // namespace
 
+std::string to_string(Rung rung) {
+  switch (rung) {
+    case Rung::double_precision: return "double";
+    case Rung::mixed: return "mixed";
+    case Rung::double_double: return "double-double";
+  }
+  return "";
+}
+
 PathCounts& PathCounts::operator+=(const PathCounts& other) {
   tracked += other.tracked;
   finite += other.finite;
@@ -416,6 +486,8 @@ PathCounts& PathCounts::operator+=(const PathCounts& other) {
   on_positive_dimensional += other.on_positive_dimensional;
   retracked += other.retracked;
   handed_over += other.handed_over;
+  mixed += other.mixed;
+  double_double += other.double_double;
   return *this;
 }
 

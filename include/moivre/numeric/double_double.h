@@ -2,7 +2,8 @@
 // Twice the digits of double: a number as an unevaluated sum hi + lo of two doubles (106 bits).
 //
 //   |lo| <= ulp(hi)/2;  sums and products by error-free transformations [Dekker71], [Knuth98];
-//   relative error of one operation at most 2^-102. The exponent range is double's: values below 1e-292 lose digits.
+//   relative error of a sum or product at most 2^-102, of a quotient 2^-100. The exponent range is double's: values
+//   below 1e-292 lose digits.
 // DoubleDouble is a real scalar of a tape; ComplexDoubleDouble the complex one. Not supported: square roots,
 // transcendental functions, NaN payloads.
 #pragma once
@@ -56,6 +57,14 @@ inline DoubleDouble operator*(DoubleDouble a, DoubleDouble b) {
   const DoubleDouble p = detail::two_product(a.hi, b.hi);
   return detail::quick_two_sum(p.hi, p.lo + (a.hi * b.lo + a.lo * b.hi));
 }
+/// By long division, three digits of double each; relative error at most 2^-100.
+inline DoubleDouble operator/(DoubleDouble a, DoubleDouble b) {
+  const double first = a.hi / b.hi;
+  const DoubleDouble rest = a - b * first;
+  const double second = rest.hi / b.hi;
+  const double third = (rest - b * second).hi / b.hi;
+  return detail::quick_two_sum(first, second) + DoubleDouble(third);
+}
 inline DoubleDouble& operator+=(DoubleDouble& a, DoubleDouble b) { return a = a + b; }
 inline DoubleDouble product(DoubleDouble a, DoubleDouble b) { return a * b; }
 inline double to_double(DoubleDouble a) { return a.hi + a.lo; }
@@ -84,6 +93,7 @@ inline ComplexDoubleDouble operator+(const ComplexDoubleDouble& a, const Complex
 inline ComplexDoubleDouble operator-(const ComplexDoubleDouble& a, const ComplexDoubleDouble& b) {
   return {a.re - b.re, a.im - b.im};
 }
+inline ComplexDoubleDouble operator-(const ComplexDoubleDouble& a) { return {-a.re, -a.im}; }
 inline ComplexDoubleDouble& operator+=(ComplexDoubleDouble& a, const ComplexDoubleDouble& b) {
   return a = a + b;
 }
@@ -96,6 +106,14 @@ inline ComplexDoubleDouble product(DoubleDouble a, const ComplexDoubleDouble& b)
 inline Complex to_complex(const ComplexDoubleDouble& a) {
   return {to_double(a.re), to_double(a.im)};
 }
+inline ComplexDoubleDouble conj(const ComplexDoubleDouble& a) { return {a.re, -a.im}; }
+/// 1/a without scaling: overflows where |a|^2 does.
+inline ComplexDoubleDouble reciprocal(const ComplexDoubleDouble& a) {
+  const DoubleDouble size = a.re * a.re + a.im * a.im;
+  return {a.re / size, -a.im / size};
+}
+/// |re| + |im|, rounded to double.
+inline double magnitude1(const ComplexDoubleDouble& a) { return magnitude1(to_complex(a)); }
 inline ComplexDoubleDouble to_complex_double_double(const Coefficient& c) {
   return {to_double_double(c.re), to_double_double(c.im)};
 }

@@ -30,6 +30,21 @@ struct Progress {
   std::uint64_t finite = 0;
 };
 
+/// With how many digits a path was followed: the rung of the ladder that it needed.
+enum class Rung {
+  double_precision,  ///< double throughout
+  mixed,             ///< residuals in double-double where rounding stopped Newton's method
+  double_double      ///< the whole path in double-double
+};
+std::string to_string(Rung rung);
+
+/// Which rungs a solve may take.
+enum class Precision {
+  automatic,         ///< each path the one that it needs
+  double_precision,  ///< no whole path in double-double
+  double_double      ///< every path in double-double from the start
+};
+
 struct SolveOptions {
   std::uint64_t seed = 1;
   int threads = 0;        ///< 0: as many as the machine has
@@ -37,6 +52,7 @@ struct SolveOptions {
   int maximum_care = 3;   ///< how often a doubtful path is tracked again, tighter each time
   bool eliminate = true;  ///< linear equations before tracking
   bool scale = true;      ///< rows and variables, by powers of two
+  Precision precision = Precision::automatic;
   EndgameOptions endgame;
   /// Tracks again what `tracker` could not settle with a little more care; not owned, may be nullptr.
   const Tracker* fallback = nullptr;
@@ -58,6 +74,7 @@ struct Solution {
   double residual = 0;          ///< max_i |F_i(x)| / sum |terms of F_i|
   double accuracy = 0;          ///< bound on |x - x*|_inf / max(1, |x|_inf)
   double condition = 0;         ///< infinity-norm condition number of the row-scaled Jacobian
+  Rung precision = Rung::double_precision;  ///< that its paths needed
   std::vector<ComplexDecimal> x_digits;  ///< x in SolveResult::digits digits; empty where there are none
 };
 
@@ -69,6 +86,8 @@ struct PathCounts {
   std::uint64_t on_positive_dimensional = 0;
   std::uint64_t retracked = 0;
   std::uint64_t handed_over = 0;  ///< of these, to SolveOptions::fallback
+  std::uint64_t mixed = 0;          ///< that needed residuals in double-double
+  std::uint64_t double_double = 0;  ///< that needed double-double throughout
 
   PathCounts& operator+=(const PathCounts& other);
   friend bool operator==(const PathCounts&, const PathCounts&) = default;

@@ -37,6 +37,11 @@ class Contour {
     const Complex rest = product(rest_, std::exp(rate_ * s));
     return {1.0 - rest, rest};
   }
+  /// The point s = 1 - left, with all the digits of `left`.
+  PathTime before_end(double left) const {
+    if (kind_ == Kind::segment) return {to_ - rate_ * left, (1.0 - to_) + rate_ * left};
+    return at(1 - left);
+  }
   /// dt/ds.
   Complex dt(double s) const {
     if (kind_ == Kind::segment) return rate_;

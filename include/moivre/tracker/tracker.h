@@ -80,6 +80,9 @@ struct Arrival {
   PathTime t{0.0};
   StepCount count;
   std::vector<Point> samples;  ///< in the order of s; all of them when arrived, else what was passed
+  /// At t = 1, by trackers that work beyond double: condition of J where Newton's method ended quadratically, at a
+  /// point known better than double tells. nullopt: nobody looked.
+  std::optional<double> regular_condition;
 };
 
 /// Hands out departures. `next` may be called by the thread of one session only.

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: MIT
+// Journeys in double-double: Hermite's cubic, Newton's method, one departure after the other.
+#include "moivre/tracker/double_double_tracker.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "fine_path_system.h"
+
+namespace moivre {
+namespace {
+
+using Number = ComplexDoubleDouble;
+using FinePoint = std::vector<Number>;
+
+constexpr double kFirstStep = 1e-3;
+constexpr double kSafety = 0.8;
+constexpr double kLargestGrowth = 2;
+constexpr double kLeastGrowth = 0.2;
+constexpr double kRefusedStep = 0.25;
+constexpr double kOrder = 4;  // Hermite's cubic
+constexpr double kCareFactor = 10;
+// A step is refused when its first correction is so many times the tolerance.
+constexpr double kLargestOvershoot = 30;
+// Newton's method has to contract by this factor, which no multiple root allows (a double root: 1/2).
+constexpr double kContraction = 0.1;
+constexpr int kIterations = 8;
+// The correction at which a point is on its path, and an end is known beyond double.
+constexpr double kOnPath = 1e-12;
+constexpr double kAtEnd = 1e-26;
+// Corrections that stop contracting because of rounding pass below these: on the way, and at a regular end.
+constexpr double kRoundingOnPath = 1e-9;
+constexpr double kRoundingAtEnd = 1e-18;
+// A regular end that double-double can tell attracts from further away than this.
+constexpr double kLeastStep = 1e-32;
+// How far the departure may be from its path.
+constexpr double kStartReach = 1e-2;
+// From here on J, evaluated in double-double, says nothing about the end.
+constexpr double kHopelessCondition = 1e26;
+
+/// A place on the contour, from both ends.
+struct Place {
+  double s = 0;
+  double left = 1;
+
+  Place ahead(double h) const {
+    if (h >= left) return {1, 0};
+    return s < 0.5 ? Place{s + h, 1 - (s + h)} : Place{1 - (left - h), left - h};
+  }
+  PathTime on(const Contour& contour) const {
+    return s < 0.5 ? contour.at(s) : contour.before_end(left);
+  }
+  double step_to(const Place& other) const { return s < 0.5 ? other.s - s : left - other.left; }
+};
+
+/// What Newton's method did.
+struct Settling {
+  bool converged = false;
+  double first = 0;
+  double drift = 0;
+};
+
+class DoubleDoubleSession : public TrackerSession {
+ public:
+  DoubleDoubleSession(const DoubleDoubleOptions& options, const Homotopy& homotopy)
+      : options_(options),
+        path_(homotopy),
+        watched_(homotopy),
+        x_(path_.coordinates()),
+        dx_(path_.coordinates()),
+        previous_x_(path_.coordinates()),
+        previous_dx_(path_.coordinates()),
+        trial_(path_.coordinates()) {}
+
+  void run(DepartureSource& source, const std::atomic<bool>& stop) noexcept override {
+    while (std::optional<Departure> departure = source.next()) {
+      Arrival arrival = travel(*departure, stop);
+      source.arrived(*departure, std::move(arrival));
+    }
+  }
+
+ private:
+  Arrival travel(const Departure& departure, const std::atomic<bool>& stop);
+  Journey go(const Departure& departure, const std::atomic<bool>& stop, Arrival& arrival);
+  bool depart(const Departure& departure);
+  void predict(double h);
+  Settling settle(FinePoint& x, const PathTime& t, double reach, double aim, double rounding);
+  bool step(const Departure& departure, const Place& next, double h, Settling& settling);
+  bool is_watched(const Departure& departure, const Settling& settling, double h);
+  Point rounded() const;
+
+  DoubleDoubleOptions options_;
+  FinePathSystem path_;
+  PathSystem watched_;  // for watchers, who look in double
+  Place place_;
+  FinePoint x_;
+  FinePoint dx_;
+  double last_step_ = 0;  // 0: no previous point
+  FinePoint previous_x_;
+  FinePoint previous_dx_;
+  FinePoint trial_;
+};
+
+Point DoubleDoubleSession::rounded() const {
+  Point result(x_.size());
+  round_into(x_, result);
+  return result;
+}
+
+Settling DoubleDoubleSession::settle(FinePoint& x, const PathTime& t, double reach, double aim,
+                                     double rounding) {
+  Settling result;
+  double previous = reach;
+  for (int k = 0; k < kIterations; ++k) {
+    if (!path_.linearize(x, t)) return result;
+    if (k == 0) result.drift = path_.residual();
+    const double size = path_.correct(x);
+    if (!std::isfinite(size)) return result;
+    if (k == 0) result.first = size;
+    if (size > (k == 0 ? 1 : kContraction) * previous) {
+      result.converged = k > 0 && size <= rounding;
+      return result;
+    }
+    if (size <= aim) {
+      result.converged = true;
+      return result;
+    }
+    previous = size;
+  }
+  return result;
+}
+
+bool DoubleDoubleSession::depart(const Departure& departure) {
+  place_ = Place();
+  last_step_ = 0;
+  std::transform(departure.x.begin(), departure.x.end(), x_.begin(),
+                 [](const Complex& xi) { return Number(xi); });
+  const Number scale(1 / max_norm(departure.x));
+  for (Number& xi : x_) xi = product(scale, xi);
+  path_.set_patch(x_);
+  const PathTime t = place_.on(departure.contour);
+  if (!settle(x_, t, kStartReach, kOnPath, kRoundingOnPath).converged) return false;
+  path_.tangent(departure.contour.dt(0), dx_);
+  return true;
+}
+
+// trial <- x + x' h + c2 h^2 + c3 h^3, through the previous point at -last_step.
+void DoubleDoubleSession::predict(double h) {
+  const DoubleDouble step(h);
+  if (last_step_ == 0) {
+    for (std::size_t i = 0; i < x_.size(); ++i) trial_[i] = x_[i] + product(step, dx_[i]);
+    return;
+  }
+  const DoubleDouble rate = DoubleDouble(1) / DoubleDouble(last_step_);
+  for (std::size_t i = 0; i < x_.size(); ++i) {
+    // Divided differences: of x twice (d), of x' (e).
+    const Number d = product(rate, dx_[i] - product(rate, x_[i] - previous_x_[i]));
+    const Number e = product(rate, dx_[i] - previous_dx_[i]);
+    const Number c2 = product(DoubleDouble(3), d) - e;
+    const Number c3 = product(rate, c2 - d);
+    const Number slope = dx_[i] + product(step, c2 + product(step, c3));
+    trial_[i] = x_[i] + product(step, slope);
+  }
+}
+
+/// Takes the step to `next` when Newton's method finds the path there.
+bool DoubleDoubleSession::step(const Departure& departure, const Place& next, double h,
+                               Settling& settling) {
+  const double reach =
+      kLargestOvershoot * options_.tolerance / std::pow(kCareFactor, departure.care);
+  const PathTime t = next.on(departure.contour);
+  predict(h);
+  const bool is_end = t.rest == 0.0;
+  settling = settle(trial_, t, reach, is_end ? kAtEnd : kOnPath,
+                    is_end ? kRoundingAtEnd : kRoundingOnPath);
+  if (!settling.converged || (is_end && path_.condition() > kHopelessCondition)) return false;
+  std::swap(previous_x_, x_);
+  std::swap(previous_dx_, dx_);
+  std::swap(x_, trial_);
+  path_.tangent(departure.contour.dt(next.s), dx_);
+  last_step_ = h;
+  place_ = next;
+  path_.set_patch(x_);
+  path_.bring_to_patch(x_, dx_);
+  path_.bring_to_patch(previous_x_, previous_dx_);
+  return true;
+}
+
+bool DoubleDoubleSession::is_watched(const Departure& departure, const Settling& settling,
+                                     double h) {
+  if (departure.watcher == nullptr) return false;
+  const PathTime t = place_.on(departure.contour);
+  if (std::abs(t.rest) > departure.watch_radius) return false;
+  const Point x = rounded();
+  const StepRecord record{place_.s,      t, x, h, static_cast<int>(kOrder), settling.drift,
+                          settling.first};
+  return departure.watcher->watch(record, watched_) == Watcher::Verdict::stop;
+}
+
+Journey DoubleDoubleSession::go(const Departure& departure, const std::atomic<bool>& stop,
+                                Arrival& arrival) {
+  const double tolerance = options_.tolerance / std::pow(kCareFactor, departure.care);
+  double h = kFirstStep;
+  int sample = 0;
+  while (place_.left > 0) {
+    if (stop.load(std::memory_order_relaxed)) return Journey::cancelled;
+    const StepCount& count = arrival.count;
+    if (count.accepted + count.rejected >= static_cast<std::uint64_t>(options_.maximum_steps)) {
+      return Journey::step_limit;
+    }
+    Place next = place_.ahead(h);
+    const double stop_at =
+        departure.samples > 0 ? static_cast<double>(sample + 1) / departure.samples : 1;
+    const bool is_sample = departure.samples > 0 && next.s >= stop_at;
+    if (is_sample) next = stop_at == 1 ? Place{1, 0} : Place{stop_at, 1 - stop_at};
+    const double taken = place_.step_to(next);
+    if (!(taken > kLeastStep)) return Journey::step_too_small;
+    Settling settling;
+    if (!step(departure, next, taken, settling)) {
+      ++arrival.count.rejected;
+      h = kRefusedStep * taken;
+      continue;
+    }
+    ++arrival.count.accepted;
+    if (is_sample) {
+      arrival.samples.push_back(rounded());
+      ++sample;
+    }
+    const double growth =
+        kSafety * std::pow(tolerance / std::max(settling.first, kOnPath * tolerance), 1 / kOrder);
+    h = std::max(is_sample ? h : 0, taken * std::clamp(growth, kLeastGrowth, kLargestGrowth));
+    if (is_watched(departure, settling, taken)) return Journey::stopped;
+  }
+  return Journey::arrived;
+}
+
+Arrival DoubleDoubleSession::travel(const Departure& departure, const std::atomic<bool>& stop) {
+  Arrival arrival;
+  const WorkCount before = path_.work();
+  arrival.journey = depart(departure) ? go(departure, stop, arrival) : Journey::bad_start;
+  arrival.x = rounded();
+  arrival.s = place_.s;
+  arrival.t = place_.on(departure.contour);
+  arrival.count.work = path_.work() - before;
+  if (arrival.journey == Journey::arrived && arrival.t.rest == 0.0) {
+    arrival.regular_condition = path_.condition();
+  }
+  return arrival;
+}
+
+class DoubleDoubleTracker : public Tracker {
+ public:
+  explicit DoubleDoubleTracker(const DoubleDoubleOptions& options) : options_(options) {}
+
+  std::string kind() const override { return "double-double"; }
+  std::vector<std::pair<std::string, std::string>> options_in_force() const override;
+  std::unique_ptr<TrackerSession> open(const Homotopy& homotopy) const override {
+    return std::make_unique<DoubleDoubleSession>(options_, homotopy);
+  }
+
+ private:
+  DoubleDoubleOptions options_;
+};
+
+std::vector<std::pair<std::string, std::string>> DoubleDoubleTracker::options_in_force() const {
+  char tolerance[32];
+  std::snprintf(tolerance, sizeof tolerance, "%g", options_.tolerance);
+  return {{"tolerance", tolerance}, {"maximum_steps", std::to_string(options_.maximum_steps)}};
+}
+
+}  // namespace
+
+std::unique_ptr<Tracker> make_double_double_tracker(const DoubleDoubleOptions& options) {
+  return std::make_unique<DoubleDoubleTracker>(options);
+}
+
+}  // namespace moivre

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// What does the path look like near (x, t), in double-double throughout? As tracker/path_system.h, without its savings.
+//
+//   J = [ H_x ; a ],   J dx = [ -H ; 1 - a x ]  Newton correction,   J x' = [ -H_t dt ; 0 ]  tangent
+//
+// a: the patch, a row, moved along with the path by whoever follows it. The natural patch x^H would leave the scale
+// of x to the predictor, and a predictor of several points makes errors of scale grow from step to step.
+// Everything is evaluated, factored and solved in double-double, with a fresh J for each correction.
+#pragma once
+
+#include "moivre/numeric/dense_lu.h"
+#include "moivre/tracker/path_system.h"
+
+namespace moivre {
+
+/// t and 1 - t in double-double; near t = 1 from 1 - t, which has more digits there than double's t.
+inline Time<ComplexDoubleDouble> fine_time(const PathTime& t) {
+  constexpr double kNear = 0.25;
+  const ComplexDoubleDouble one(1.0);
+  if (std::norm(t.rest) < kNear) return {one - t.rest, t.rest};
+  return {t.t, one - t.t};
+}
+
+/// Each coordinate rounded to double.
+inline void round_into(std::span<const ComplexDoubleDouble> x, Point& rounded) {
+  for (std::size_t i = 0; i < x.size(); ++i) rounded[i] = to_complex(x[i]);
+}
+
+class FinePathSystem {
+ public:
+  explicit FinePathSystem(const Homotopy& homotopy);
+
+  std::size_t coordinates() const { return n_ + 1; }
+
+  /// a <- x^H / |x|^2.
+  void set_patch(std::span<const ComplexDoubleDouble> x);
+
+  /// Point and tangent of the same path where a x = 1.
+  void bring_to_patch(std::span<ComplexDoubleDouble> x, std::span<ComplexDoubleDouble> dx) const;
+
+  /// Evaluates H, H_x, H_t at (x, t) and factors J. False when J is singular or something is not finite.
+  bool linearize(std::span<const ComplexDoubleDouble> x, const PathTime& t);
+
+  /// x <- x + J^{-1} [-H; 1 - a x] with the last linearize(); |dx|_w of tracker/path_system.h.
+  double correct(std::span<ComplexDoubleDouble> x);
+
+  /// dx <- J^{-1} [-H_t dt; 0] with the last linearize().
+  void tangent(Complex dt, std::span<ComplexDoubleDouble> dx);
+
+  /// |J|_inf |J^{-1}|_inf of the last linearize(), rows as they are.
+  double condition();
+
+  /// max_i |H_i| of the last linearize().
+  double residual() const;
+
+  const WorkCount& work() const noexcept { return work_; }
+
+ private:
+  std::size_t n_;
+  HomotopyEvaluator<ComplexDoubleDouble> homotopy_;
+  DenseLu<ComplexDoubleDouble> lu_;
+  std::vector<ComplexDoubleDouble> patch_;  // a
+  std::vector<ComplexDoubleDouble> h_;
+  std::vector<ComplexDoubleDouble> ht_;
+  std::vector<ComplexDoubleDouble> dx_;
+  Point rounded_x_;
+  Point rounded_dx_;
+  double norm_ = 0;  // |J|_inf
+  WorkCount work_;
+};
+
+}  // namespace moivre
