@@ -86,7 +86,7 @@ class Run {
   std::set<std::uint64_t> doubtful_paths(int care);
   void add_paths_of_missing_conjugates(int care, std::set<std::uint64_t>& doubtful);
   void track_again(const std::set<std::uint64_t>& paths, int care);
-  std::set<std::uint64_t> paths_failed_by_precision() const;
+  std::set<std::uint64_t> paths_failed_by(const std::set<Failure>& reasons) const;
   void climb(const std::set<std::uint64_t>& paths);
   Rung rung_of(std::uint64_t path) const;
   void close_account();
@@ -285,10 +285,13 @@ void Run::settle_doubts() {
     const std::set<std::uint64_t> doubtful = doubtful_paths(care);
     if (doubtful.empty()) return;
     track_again(doubtful, care);
-    if (care == options_.care + 1) climb(paths_failed_by_precision());
+    if (care == options_.care + 1) climb(paths_failed_by({Failure::precision}));
   }
   if (interrupted_) return;
-  climb(doubtful_paths(options_.maximum_care + 1));
+  std::set<std::uint64_t> last = doubtful_paths(options_.maximum_care + 1);
+  // More digits save no steps: the caller's budget stands.
+  for (const std::uint64_t path : paths_failed_by({Failure::step_limit})) last.erase(path);
+  climb(last);
   if (!interrupted_) fail_unsettled();
 }
 
@@ -347,10 +350,10 @@ void Run::track_again(const std::set<std::uint64_t>& paths, int care) {
   refine_ends();
 }
 
-std::set<std::uint64_t> Run::paths_failed_by_precision() const {
+std::set<std::uint64_t> Run::paths_failed_by(const std::set<Failure>& reasons) const {
   std::set<std::uint64_t> paths;
   for (const auto& [path, failure] : ledger_.failures()) {
-    if (failure.failure == Failure::precision) paths.insert(path);
+    if (reasons.contains(failure.failure)) paths.insert(path);
   }
   return paths;
 }

@@ -29,7 +29,9 @@ constexpr int kIterations = 8;
 // The correction at which a point is on its path, and an end is known beyond double.
 constexpr double kOnPath = 1e-12;
 constexpr double kAtEnd = 1e-26;
-// Corrections that stop contracting because of rounding pass below these: on the way, and at a regular end.
+// Equations have coefficients near 1 and |x| is near 1: a residual below this is made of rounding errors. Corrections that
+// stop contracting there pass below these: on the way, and at a regular end.
+constexpr double kRoundingResidual = 1e-27;
 constexpr double kRoundingOnPath = 1e-9;
 constexpr double kRoundingAtEnd = 1e-18;
 // A regular end that double-double can tell attracts from further away than this.
@@ -119,7 +121,7 @@ Settling DoubleDoubleSession::settle(FinePoint& x, const PathTime& t, double rea
     if (!std::isfinite(size)) return result;
     if (k == 0) result.first = size;
     if (size > (k == 0 ? 1 : kContraction) * previous) {
-      result.converged = k > 0 && size <= rounding;
+      result.converged = k > 0 && size <= rounding && path_.residual() < kRoundingResidual;
       return result;
     }
     if (size <= aim) {

@@ -61,6 +61,17 @@ TEST(DoubleDouble, SumsDifferencesAndProductsKeepTheirRelativeError) {
   }
 }
 
+TEST(DoubleDouble, QuotientsKeepTheirRelativeError) {
+  const Rational bound(Integer(1), Integer(1) << 100U);
+  RandomDoubleDouble next;
+  for (int k = 0; k < kCount; ++k) {
+    const DoubleDouble a = next();
+    const DoubleDouble b = next();
+    const Rational wanted = exact(a) / exact(b);
+    expect_within(a / b, wanted, abs(wanted) * bound);
+  }
+}
+
 TEST(DoubleDouble, KeepsItsRelativeErrorWhereLeadingDigitsCancel) {
   RandomDoubleDouble next;
   for (int k = 0; k < kCount; ++k) {
@@ -102,6 +113,15 @@ TEST(ComplexDoubleDouble, ProductsAreExactToADozenUnitsOfTheirModulus) {
     const ComplexDoubleDouble c = product(a, b);
     expect_within(c.re, wanted.re, size * kComplexError);
     expect_within(c.im, wanted.im, size * kComplexError);
+  }
+}
+
+TEST(ComplexDoubleDouble, TheReciprocalTimesTheNumberIsOne) {
+  RandomDoubleDouble next;
+  for (int k = 0; k < kCount; ++k) {
+    const ComplexDoubleDouble a(next(), next());
+    const ComplexDoubleDouble one = product(a, reciprocal(a));
+    EXPECT_LT(magnitude1(one - ComplexDoubleDouble(1.0)), 0x1p-98);
   }
 }
 

@@ -59,7 +59,7 @@ TEST(SolveCsv, LeavesUnknownNumbersEmpty) {
 TEST(SolveText, GivesTheAccountAndTheSeed) {
   const std::string text = solve_text(hand_made_result(), "two.phc");
   EXPECT_NE(text.find("6 paths (total-degree, cvode, seed 7): 3 finite, 1 at infinity, 2 failed; 4 "
-                      "tracked again\n"),
+                      "tracked again, 2 in double-double\n"),
             std::string::npos)
       << text;
   EXPECT_NE(text.find("2 isolated roots: 1 real, 1 not real; 1 singular\n"), std::string::npos)

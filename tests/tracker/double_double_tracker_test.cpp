@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+// Does the tracker in double-double keep to its path, arrive where the end is regular, and only there?
+#include "moivre/tracker/double_double_tracker.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "moivre/polynomial/read.h"
+
+namespace moivre {
+namespace {
+
+const std::atomic<bool> kGoOn{false};
+
+/// x^2 = 1 becomes `target`.
+Homotopy from_square_roots_of_one(const std::string& target) {
+  return {read_system({"f", "1\n" + target + ";\n"}), read_system({"g", "1\nx^2 - 1;\n"})};
+}
+
+Arrival follow_from(const Homotopy& homotopy, const Departure& departure,
+                    const DoubleDoubleOptions& options = {}) {
+  return follow(*make_double_double_tracker(options)->open(homotopy), departure, kGoOn);
+}
+
+Complex affine(const Point& x) { return x[0] / x[1]; }
+
+Departure from(const Point& x, const Contour& contour = Contour::segment(0, 1)) {
+  Departure departure;
+  departure.contour = contour;
+  departure.x = x;
+  return departure;
+}
+
+TEST(DoubleDoubleTracker, ArrivesAtARegularEnd) {
+  const Homotopy homotopy = from_square_roots_of_one("x^2 - 3 - 4*i");
+  const Arrival arrival = follow_from(homotopy, from({1, 1}));
+  EXPECT_EQ(arrival.journey, Journey::arrived);
+  EXPECT_LT(std::abs(affine(arrival.x) - Complex(2, 1)), 1e-15);
+  ASSERT_TRUE(arrival.regular_condition);
+  EXPECT_LT(*arrival.regular_condition, 100);
+  EXPECT_GT(arrival.count.accepted, 10U);
+}
+
+TEST(DoubleDoubleTracker, DoesNotArriveAtADoubleRoot) {
+  const Homotopy homotopy = from_square_roots_of_one("x^2 - 2*i*x - 1");  // (x - i)^2
+  const Arrival arrival = follow_from(homotopy, from({1, 1}));
+  EXPECT_EQ(arrival.journey, Journey::step_too_small);
+  EXPECT_FALSE(arrival.regular_condition);
+  EXPECT_LT(std::abs(arrival.t.rest), 1e-20);
+  // x - i = O(sqrt(1 - t)).
+  EXPECT_LT(std::abs(affine(arrival.x) - Complex(0, 1)), 1e-9);
+}
+
+TEST(DoubleDoubleTracker, TellsRootsApartThatAreNearerThanDoubleCanTell) {
+  // Roots i and i + 1e-12: their condition is 1e24 in coefficients that double holds.
+  const Homotopy homotopy = from_square_roots_of_one("x^2 - (2*i + 1e-12)*x - 1 + 1e-12*i");
+  std::vector<Complex> ends;
+  for (const double start : {1.0, -1.0}) {
+    const Arrival arrival = follow_from(homotopy, from({start, 1}));
+    ASSERT_EQ(arrival.journey, Journey::arrived);
+    ends.push_back(affine(arrival.x) - Complex(0, 1));
+  }
+  const auto by_real = [](Complex a, Complex b) { return a.real() < b.real(); };
+  std::sort(ends.begin(), ends.end(), by_real);
+  EXPECT_LT(std::abs(ends[0]), 1e-15);
+  EXPECT_LT(std::abs(ends[1] - 1e-12), 1e-15);
+}
+
+TEST(DoubleDoubleTracker, TakesTenTimesTheStepsForTheFourthPowerOfTheTolerance) {
+  const Homotopy homotopy = from_square_roots_of_one("x^2 - 3 - 4*i");
+  const auto steps = [&](double tolerance) {
+    return static_cast<double>(
+        follow_from(homotopy, from({1, 1}), {.tolerance = tolerance}).count.accepted);
+  };
+  EXPECT_NEAR(steps(1e-10) / steps(1e-6), 10, 2);
+}
+
+TEST(DoubleDoubleTracker, WalksRoundABranchPointInTwoTurns) {
+  const Homotopy homotopy = from_square_roots_of_one("x^2 - 2*i*x - 1");
+  const double radius = 0.01;
+  const Arrival approach = follow_from(homotopy, from({1, 1}, Contour::segment(0, 1 - radius)));
+  ASSERT_EQ(approach.journey, Journey::arrived);
+  EXPECT_FALSE(approach.regular_condition);
+  Departure turn = from(approach.x, Contour::spiral(radius, Complex(0, 2 * std::numbers::pi)));
+  turn.samples = 8;
+  const Arrival once = follow_from(homotopy, turn);
+  ASSERT_EQ(once.journey, Journey::arrived);
+  ASSERT_EQ(once.samples.size(), 8U);
+  EXPECT_EQ(once.samples.back(), once.x);
+  EXPECT_GT(std::abs(affine(once.x) - affine(approach.x)), 0.1);
+  turn.x = once.x;
+  EXPECT_LT(std::abs(affine(follow_from(homotopy, turn).x) - affine(approach.x)), 1e-14);
+}
+
+TEST(DoubleDoubleTracker, FindsTheWayBack) {
+  const Homotopy homotopy = from_square_roots_of_one("x^2 - 3 - 4*i");
+  const Arrival back = follow_from(homotopy, from({Complex(2, 1), 1}, Contour::segment(1, 0)));
+  EXPECT_EQ(back.journey, Journey::arrived);
+  EXPECT_LT(std::abs(affine(back.x) - 1.0), 1e-15);
+}
+
+TEST(DoubleDoubleTracker, KeepsTheSizeOfThePoint) {
+  const Homotopy homotopy = from_square_roots_of_one("x^2 - 3 - 4*i");
+  const Arrival arrival = follow_from(homotopy, from({1, 1}), {.tolerance = 1e-12});
+  EXPECT_GT(arrival.count.accepted, 1000U);
+  EXPECT_LT(max_norm(arrival.x), 2);
+  EXPECT_GT(max_norm(arrival.x), 0.5);
+}
+
+TEST(DoubleDoubleTracker, SaysWhyItStops) {
+  const Homotopy homotopy = from_square_roots_of_one("x^2 - 3 - 4*i");
+  EXPECT_EQ(follow_from(homotopy, from({2, 1})).journey, Journey::bad_start);
+  EXPECT_EQ(follow_from(homotopy, from({1, 1}), {.maximum_steps = 5}).journey, Journey::step_limit);
+  const std::atomic<bool> stop{true};
+  const auto session = make_double_double_tracker()->open(homotopy);
+  EXPECT_EQ(follow(*session, from({1, 1}), stop).journey, Journey::cancelled);
+}
+
+}  // namespace
+}  // namespace moivre
