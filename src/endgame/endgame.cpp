@@ -29,6 +29,10 @@ constexpr double kConditionGrowth = 10;
 // inverse size; such valuations have to lead further before they are believed.
 constexpr double kWhole = 0.1;
 constexpr double kWholeSize = 1e8;
+// A path whose condition has passed this has no regular end in double. What is left is a singular end: before
+// a finite one, of winding number m, growth fades like r^{1/m}; if it fades less, the end is at infinity.
+constexpr double kHopelessCondition = 1e12;
+constexpr double kDriftTolerance = 0.05;  // relative, of the valuations of what grows
 // So near the end a growing path that is larger than any finite root may be has left for infinity.
 constexpr double kBeyondRadius = 1e-3;
 // A path that still creeps at this radius ends singular: to a regular end it would have jumped.
@@ -39,6 +43,8 @@ constexpr int kCreepingSteps = 3;
 constexpr double kDivergingRadius = 1e-10;
 // Steps inside the watch radius after which circles are tried whatever the radius.
 constexpr int kPatience = 300;
+// One that grows is given more: at infinity circles are harder than the way.
+constexpr int kDivergingPatience = 1000;
 constexpr double kLeastRadius = 1e-14;
 constexpr double kShrink = 4;
 // Negative powers count when they exceed this fraction of the spread of the samples; their number.
@@ -154,20 +160,43 @@ Watcher::Verdict Endgame::watch(const StepRecord& step, PathSystem& path) noexce
   }
   const bool grows = sights_.back().least < -kLeastValuation;
   if (radius < (grows ? kDivergingRadius : kCreepingRadius)) ++creeping_;
-  return watched_ > kPatience || creeping_ >= kCreepingSteps ? Verdict::stop : Verdict::go_on;
+  const int patience = grows ? kDivergingPatience : kPatience;
+  return watched_ > patience || creeping_ >= kCreepingSteps ? Verdict::stop : Verdict::go_on;
 }
 
 // All coordinates have had the same valuations for several sights: the path is in its last phase.
 bool Endgame::valuations_are_steady(std::size_t sights) const {
   if (sights_.size() < sights) return false;
-  const Sight& now = sights_.back();
-  for (auto s = sights_.end() - static_cast<std::ptrdiff_t>(sights); s != sights_.end(); ++s) {
-    for (std::size_t i = 0; i < now.valuations.size(); ++i) {
-      const double tolerance = kSteadyTolerance * (1 + std::abs(now.valuations[i]));
-      if (std::abs(s->valuations[i] - now.valuations[i]) > tolerance) return false;
-    }
+  for (std::size_t i = 0; i < sights_.back().valuations.size(); ++i) {
+    if (drift(i, sights) > kSteadyTolerance) return false;
   }
   return true;
+}
+
+// How far coordinate i's valuation has been from the last, of that many sights.
+double Endgame::drift(std::size_t i, std::size_t sights) const {
+  const double now = sights_.back().valuations[i];
+  double farthest = 0;
+  for (auto s = sights_.end() - static_cast<std::ptrdiff_t>(sights); s != sights_.end(); ++s) {
+    farthest = std::max(farthest, std::abs(s->valuations[i] - now));
+  }
+  return farthest / (1 + std::abs(now));
+}
+
+// What grows does so evenly, and some of it has faded less than it does before any finite singular end.
+bool Endgame::growth_lasts() const {
+  const Sight& then = sights_[sights_.size() - kSteadySights];
+  const Sight& now = sights_.back();
+  const double fading = std::pow(now.radius / then.radius, 0.5 / options_.maximum_winding);
+  bool lasts = false;
+  for (std::size_t i = 0; i < now.valuations.size(); ++i) {
+    const double v = now.valuations[i];
+    if (v > -kLeastValuation) continue;
+    if (drift(i, kSteadySights) > kDriftTolerance) return false;
+    const bool whole = std::abs(v - std::round(v)) < kWhole;
+    if (!whole && v < fading * then.valuations[i]) lasts = true;
+  }
+  return lasts;
 }
 
 bool Endgame::diverges() const {
@@ -178,6 +207,8 @@ bool Endgame::diverges() const {
   if (now.least > -kLeastValuation) return false;
   const bool beyond = now.size * options_.infinity_floor > 1 && now.radius < kBeyondRadius;
   if (beyond && now.size > then.size) return true;
+  const bool hopeless = now.condition > kHopelessCondition && now.condition > then.condition;
+  if (hopeless && growth_lasts()) return true;
   if (!valuations_are_steady(kSteadySights)) return false;
   const bool whole = std::abs(now.least - std::round(now.least)) < kWhole;
   const bool far = whole ? now.size > kWholeSize

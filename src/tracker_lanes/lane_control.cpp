@@ -14,6 +14,8 @@ constexpr double kSlack = 8;
 // Near t = 1, where paths may meet, steps aim at this tolerance at most, and watched points are polished.
 constexpr double kEndRadius = 0.1;
 constexpr double kEndTolerance = 1e-3;
+// A journey that sets out there and takes more steps than this, circles some tens, is going nowhere.
+constexpr std::int64_t kMaximumStepsNearEnd = 2000;
 // Contraction of Newton above which a step is refused, and the one that steps aim at.
 constexpr double kContraction = 0.1;
 constexpr double kContractionAimedAt = 0.02;
@@ -58,6 +60,7 @@ void LaneControl::depart(Departure&& departure, const LaneOptions& options) {
   rounds_ = 0;
   complete_ = false;
   state_ = State::departing;
+  if (is_near_end()) maximum_steps_ = std::min(maximum_steps_, kMaximumStepsNearEnd);
 }
 
 double LaneControl::next_landing() const {

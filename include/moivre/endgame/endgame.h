@@ -100,6 +100,8 @@ class Endgame : public Watcher {
 
   Sight sight(const StepRecord& step, PathSystem& path);
   bool valuations_are_steady(std::size_t sights) const;
+  double drift(std::size_t i, std::size_t sights) const;
+  bool growth_lasts() const;
   bool diverges() const;
   std::optional<Departure> judge_arrival(const Arrival& arrival, PathSystem& path);
   std::optional<Departure> begin_circle();
