@@ -37,7 +37,8 @@ constexpr double kDriftTolerance = 0.05;  // relative, of the valuations of what
 constexpr double kBeyondRadius = 1e-3;
 // A path that still creeps at this radius ends singular: to a regular end it would have jumped.
 constexpr double kCreepingRadius = 1e-4;
-// So many steps inside it tell creeping from a step that chanced to end there.
+// So many steps inside it tell creeping from a step that chanced to end there; the first one does where
+// the condition has grown on the way.
 constexpr int kCreepingSteps = 3;
 // One that grows is given until here to show steady valuations.
 constexpr double kDivergingRadius = 1e-10;
@@ -161,7 +162,9 @@ Watcher::Verdict Endgame::watch(const StepRecord& step, PathSystem& path) noexce
   const bool grows = sights_.back().least < -kLeastValuation;
   if (radius < (grows ? kDivergingRadius : kCreepingRadius)) ++creeping_;
   const int patience = grows ? kDivergingPatience : kPatience;
-  return watched_ > patience || creeping_ >= kCreepingSteps ? Verdict::stop : Verdict::go_on;
+  const bool worsens = sights_.back().condition > kConditionGrowth * sights_.front().condition;
+  const bool creeps = creeping_ >= (worsens ? 1 : kCreepingSteps);
+  return watched_ > patience || creeps ? Verdict::stop : Verdict::go_on;
 }
 
 // All coordinates have had the same valuations for several sights: the path is in its last phase.
