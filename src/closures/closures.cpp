@@ -295,6 +295,8 @@ void Search::conclude() {
         "moves: the closures form a set of positive dimension though the drivers stand";
   } else if (part_is_complex_) {
     result_.message = "cannot be assembled: a part of it closes in complex numbers only";
+  } else if (counts.complex == 0) {
+    result_.message = "cannot be assembled: there is no closure, not even a complex one";
   } else if (counts.real == 0) {
     result_.message =
         "cannot be assembled: every closure is complex (" + std::to_string(counts.complex) + ")";

@@ -13,6 +13,11 @@ constexpr std::size_t kListed = 8;        // known words listed where none is ne
 
 char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
 
+/// "bodies" -> "body".
+std::string singular(const std::string& word) {
+  return word.ends_with("ies") ? word.substr(0, word.size() - 3) + "y" : word;
+}
+
 /// Insertions, deletions, substitutions and swaps of neighbours that turn a into b.
 std::size_t distance(const std::string& a, const std::string& b) {
   std::vector<std::size_t> before(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
@@ -42,7 +47,7 @@ std::string suggestion(const std::string& word, const std::vector<std::string>& 
   std::string nearest;
   for (const std::string& candidate : known) {
     if (word.size() > kLongestWord || candidate.size() > kLongestWord) continue;
-    const std::size_t d = distance(word, candidate);
+    const std::size_t d = std::min(distance(word, candidate), distance(singular(word), candidate));
     if (d < best) {
       best = d;
       nearest = candidate;

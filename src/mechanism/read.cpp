@@ -71,13 +71,23 @@ void read_sections(Reading& reading, const toml::table& document, Mechanism& mec
   if (reading.faults().empty()) check_structure(reading, mechanism);
 }
 
-/// TOML's own fault, with advice where its words need it.
-[[noreturn]] void throw_toml_fault(const Reading& reading, const toml::parse_error& error) {
-  std::string message(error.description());
-  if (message.find("redefine") != std::string::npos) {
-    message += "; two bodies, points or keys have one name, rename one of them";
+/// What to do about a fault of TOML's own, where its words need it.
+std::string advice(const std::string& fault) {
+  const auto says = [&](const char* words) { return fault.find(words) != std::string::npos; };
+  if (says("root table") && says("saw '{'")) {
+    return "; a mechanism file is TOML, not JSON: docs/mechanism-file.md shows one";
   }
-  throw ParseError(reading.source(), {{reading.position(error.source().begin), message}});
+  if (says("redefine")) return "; two bodies, points or keys have one name, rename one of them";
+  if (says("boolean") || says("value type"))
+    return "; text stands in quotes, as in title = \"...\"";
+  if (says("table header")) return "; names have letters, digits, '_' and '-', and no blanks";
+  return "";
+}
+
+[[noreturn]] void throw_toml_fault(const Reading& reading, const toml::parse_error& error) {
+  const std::string fault(error.description());
+  throw ParseError(reading.source(),
+                   {{reading.position(error.source().begin), fault + advice(fault)}});
 }
 
 }  // namespace

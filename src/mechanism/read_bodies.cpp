@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <map>
 
 #include "nearest.h"
 #include "read_parts.h"
@@ -54,6 +55,22 @@ std::string refusal(const std::string& type) {
   return "";
 }
 
+/// The type that others call so; nullopt where it has no other name.
+std::optional<JointType> type_called(const std::string& word) {
+  static const std::map<std::string, JointType> names{
+      {"pin", JointType::revolute},     {"hinge", JointType::revolute},
+      {"pivot", JointType::revolute},   {"rotation", JointType::revolute},
+      {"slider", JointType::prismatic}, {"translation", JointType::prismatic},
+      {"linear", JointType::prismatic}, {"pin-in-slot", JointType::slot},
+      {"fixed", JointType::weld},       {"rigid", JointType::weld},
+      {"distance", JointType::rod},     {"link", JointType::rod},
+      {"bar", JointType::rod},          {"ball", JointType::spherical},
+      {"cardan", JointType::universal}, {"hooke", JointType::universal},
+      {"gears", JointType::gear}};
+  const auto found = names.find(word);
+  return found == names.end() ? std::nullopt : std::optional(found->second);
+}
+
 const std::vector<JointType>& types_in(Space space) {
   static const std::vector<JointType> planar{JointType::revolute, JointType::prismatic,
                                              JointType::slot,     JointType::weld,
@@ -85,7 +102,10 @@ std::optional<JointType> read_type(Reading& reading, const toml::table& entry, S
     return std::nullopt;
   }
   const std::string reason = refusal(*word);
-  reading.fault(at, reason.empty() ? "unknown joint type '" + *word + "'" + suggestion(*word, known)
+  const auto called = type_called(*word);
+  const std::string advice =
+      called ? "; here it is called '" + to_string(*called) + "'" : suggestion(*word, known);
+  reading.fault(at, reason.empty() ? "unknown joint type '" + *word + "'" + advice
                                    : "'" + *word + "': " + reason);
   return std::nullopt;
 }
@@ -133,7 +153,7 @@ void read_ends(Reading& reading, const toml::table& entry, const Mechanism& mech
                   "the joint needs 'at', its two points: at = [\"body.point\", \"body.point\"]");
     return;
   }
-  const auto names = reading.texts(entry, "at", 2);
+  const auto names = reading.texts(entry, "at", 2, "[\"body.point\", \"other.point\"]");
   if (!names) return;
   std::array<std::optional<PointOf>, 2> found;
   for (std::size_t k = 0; k < 2; ++k) {
@@ -229,7 +249,7 @@ std::optional<int> read_teeth(Reading& reading, const toml::node& node) {
 
 void read_gear(Reading& reading, const toml::table& entry, const Mechanism& mechanism,
                Joint& joint) {
-  if (const auto names = reading.texts(entry, "bodies", 2)) {
+  if (const auto names = reading.texts(entry, "bodies", 2, "[\"body\", \"other\"]")) {
     const toml::array& at = *entry.get("bodies")->as_array();
     bool is_found = true;
     for (std::size_t k = 0; k < 2; ++k) {

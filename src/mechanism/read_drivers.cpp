@@ -32,7 +32,8 @@ void read_planar_angle(Reading& reading, const toml::node& node, const toml::tab
     if (driver.bodies[1] == 0) reading.fault(node, "the ground does not turn; drive another body");
     return;
   }
-  const auto names = reading.texts(entry, "angle", 2);
+  const auto names =
+      reading.texts(entry, "angle", 2, "[\"body\", \"other\"], or the name of one body");
   if (!names) return;
   driver.name = (*names)[0] + "-" + (*names)[1];
   bool is_found = true;

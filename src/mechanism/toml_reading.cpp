@@ -80,7 +80,8 @@ const toml::array* Reading::array(const toml::table& in, const std::string& key)
   const toml::node* node = in.get(key);
   if (node == nullptr) return nullptr;
   if (node->is_array()) return node->as_array();
-  fault(*node, "'" + key + "' must be an array, not " + kind_of(*node));
+  const std::string advice = node->is_table() ? "; write [[" + key + "]] above each" : "";
+  fault(*node, "'" + key + "' must be an array, not " + kind_of(*node) + advice);
   return nullptr;
 }
 
@@ -112,7 +113,8 @@ std::optional<std::string> Reading::text(const toml::table& in, const std::strin
 }
 
 std::optional<std::vector<std::string>> Reading::texts(const toml::table& in,
-                                                       const std::string& key, std::size_t count) {
+                                                       const std::string& key, std::size_t count,
+                                                       const std::string& example) {
   const toml::node* node = in.get(key);
   if (node == nullptr) return std::nullopt;
   std::vector<std::string> values;
@@ -124,7 +126,8 @@ std::optional<std::vector<std::string>> Reading::texts(const toml::table& in,
     }
     if (values.size() == count && entries->size() == count) return values;
   }
-  fault(*node, "'" + key + "' must be an array of " + std::to_string(count) + " strings");
+  fault(*node, "'" + key + "' must be an array of " + std::to_string(count) + " strings, such as " +
+                   example);
   return std::nullopt;
 }
 

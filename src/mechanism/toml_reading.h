@@ -36,7 +36,7 @@ class Reading {
   std::optional<double> number(const toml::table& in, const std::string& key);
   std::optional<std::string> text(const toml::table& in, const std::string& key);
   std::optional<std::vector<std::string>> texts(const toml::table& in, const std::string& key,
-                                                std::size_t count);
+                                                std::size_t count, const std::string& example);
   std::optional<std::vector<double>> numbers(const toml::table& in, const std::string& key,
                                              std::size_t count);
   /// A finite number, or a fault; `what` names it.
