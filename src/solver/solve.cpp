@@ -36,7 +36,8 @@ constexpr int kMostThreads = 1024;
 constexpr std::size_t kEndsOfAThread = 16;
 
 // A root may be larger than the others by the spread of an equation's coefficients. From the first spread on (as log2) a
-// path is taken for one to infinity only where x_0 is rounding noise; from the second on no coordinate tells.
+// path is taken for one to infinity only where x_0 is rounding noise; from the second on the smallest terms are noise too,
+// and ends at infinity, at multiple roots and on sets may be those of the system without them.
 constexpr double kWideSpread = 20;
 constexpr double kHopelessSpread = 36;
 constexpr double kNoiseFloor = 1e-12;
@@ -97,6 +98,8 @@ class Run {
   bool may_be_large(const PathEnd& end) const {
     return !end.x.empty() && std::abs(end.x.back()) > endgame_.infinity_floor * max_norm(end.x);
   }
+  /// Terms that no coordinate tells: only a simple root, proved on the system as given, says something about the system.
+  bool hides_terms() const { return prepared_.spread_log2 > kHopelessSpread; }
   Root refined_root(Refiner& refiner, const PathEnd& end) const;
   void take(std::uint64_t path, PathEnd&& end);
   bool falls_back(int care) const { return options_.fallback != nullptr && care >= kFallbackCare; }
@@ -204,7 +207,7 @@ void Run::take(std::uint64_t path, PathEnd&& end) {
     case PathStatus::at_infinity:
       if (may_be_large(end)) {
         ends_.emplace_back(path, std::move(end));
-      } else if (prepared_.spread_log2 > kHopelessSpread) {
+      } else if (hides_terms()) {
         ledger_.enter_failure({path, Failure::precision, end.t});
       } else {
         ledger_.enter_infinity(path);
@@ -266,15 +269,18 @@ void Run::refine_ends() {
     }
   });
   for (std::size_t k = 0; k < ends_.size(); ++k) {
-    if (ends_[k].second.status == PathStatus::at_infinity && !roots[k].point.simple) {
-      ledger_.enter_infinity(ends_[k].first);
-      continue;
-    }
+    const auto& [path, end] = ends_[k];
     const bool singular = roots[k].winding && roots[k].point.accuracy <= kWorstAccuracy;
-    if (roots[k].point.simple || singular) {
-      ledger_.enter_root(ends_[k].first, std::move(roots[k]));
+    if (roots[k].point.simple) {
+      ledger_.enter_root(path, std::move(roots[k]));
+    } else if (hides_terms()) {
+      ledger_.enter_failure({path, Failure::precision, end.t});
+    } else if (end.status == PathStatus::at_infinity) {
+      ledger_.enter_infinity(path);
+    } else if (singular) {
+      ledger_.enter_root(path, std::move(roots[k]));
     } else {
-      ledger_.enter_failure({ends_[k].first, Failure::precision, ends_[k].second.t});
+      ledger_.enter_failure({path, Failure::precision, end.t});
     }
   }
   ends_.clear();
