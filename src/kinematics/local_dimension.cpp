@@ -47,6 +47,9 @@ class Slicing {
     null_space_ = null_space(weight_.asDiagonal() * phi.jacobian(q, t) * scale_.asDiagonal());
   }
 
+  /// In which a set of poses could lie, once rows and coordinates are brought to their own units.
+  Index directions() const { return null_space_.cols(); }
+
   /// Do most slices by d planes at this step meet the poses?
   bool meets(Index d, double step) const {
     int found = 0;
@@ -130,7 +133,8 @@ LocalDimension local_dimension(const Phi& phi, const VectorXd& q, double t, std:
     return {tangent, "the constraints are independent at a pose, and fewer than the coordinates"};
   }
   const Slicing slicing(phi, q, t, seed);
-  for (Index d = tangent; d > 0; --d) {
+  // In units of their own rows and coordinates constraints may be independent where they are not as they stand.
+  for (Index d = std::min(tangent, slicing.directions()); d > 0; --d) {
     for (const double step : kSteps) {
       if (slicing.meets(d, step)) {
         return {d, "second random slices beside a pose meet the closures again"};

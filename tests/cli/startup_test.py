@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # How long does `moivre solve` take where there is almost nothing to solve? Medians over many runs on two conics.
 #
-#   bench/startup [--runs N] [--limit-ms MS] PROGRAM [OPTION...]     options go to solve
+#   startup_test.py [--runs N] [--limit-ms MS] PROGRAM [OPTION...]     options go to solve
 #
 # Prints the medians of processor time (user and system, as the kernel charged it) and of wall time, and the shortest wall
 # time. Exit: 0, 1 usage, 2 the median of processor time or the shortest wall time is over the limit: other work on the
