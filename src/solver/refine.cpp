@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "moivre/numeric/dense_lu.h"
 #include "moivre/numeric/double_double.h"
 #include "moivre/numeric/lu.h"
 #include "moivre/polynomial/tape.h"
@@ -33,6 +34,11 @@ constexpr double kHopelessSensitivity = 1e16;
 // At the mean of simple roots near each other terms cancel: beside what is left the residual is larger by so much than
 // beside all terms.
 constexpr double kCancellation = 16;
+// Roundings of an evaluation in double-double, relative to the terms; what they may move a root by at most.
+constexpr double kFineRoundoff = 0x1p-102;
+constexpr double kFineNoise = 1e-6;
+// Corrections that rounding stops are no larger than so many times what it explains; a probe lies further away.
+constexpr double kFineStagnation = 1e3;
 // The points of a circle, whose mean a singular end is, are not known better: errors of 1.02e-14 were seen.
 constexpr double kSingularAccuracy = 5e-14;
 // Coordinates of a singular root are taken for 0 within so many times its accuracy.
@@ -61,6 +67,75 @@ std::shared_ptr<const RefinerProgram> make_refiner_program(const System& f,
                                                            std::vector<double> unit) {
   return std::make_shared<const RefinerProgram>(f, std::move(unit));
 }
+
+/// F, J and Newton's method in double-double; made when it is first needed.
+class FineNewton {
+ public:
+  using Number = ComplexDoubleDouble;
+
+  explicit FineNewton(const RefinerProgram& program)
+      : program_(program),
+        n_(program.tape.variables),
+        registers_(program.tape.register_count()),
+        value_(n_),
+        jacobian_(program.tape.jacobian.size()),
+        lu_(n_),
+        dx_(n_),
+        rounded(n_) {}
+
+  /// rounded <- dx = -J^{-1} F(x). False where J is singular.
+  bool correction(const std::vector<Number>& x) {
+    evaluate<Number, Number>(program_.tape, program_.exact, x, registers_, value_, jacobian_);
+    const auto j = lu_.matrix();
+    std::fill(j.begin(), j.end(), Number(0.0));
+    for (std::size_t k = 0; k < jacobian_.size(); ++k) {
+      const Tape::Entry& entry = program_.tape.jacobian[k];
+      j[entry.row * n_ + entry.column] = jacobian_[k];
+    }
+    row_.assign(n_, 0);
+    for (std::size_t i = 0; i < n_ * n_; ++i) row_[i / n_] += magnitude1(j[i]);
+    if (!lu_.factor()) return false;
+    for (std::size_t i = 0; i < n_; ++i) dx_[i] = -value_[i];
+    solve();
+    return true;
+  }
+  /// rounded <- J^{-1} b, J as in the last correction().
+  void solve(std::span<const double> b) {
+    for (std::size_t i = 0; i < n_; ++i) dx_[i] = b[i];
+    solve();
+  }
+  void add_to(std::vector<Number>& x) const {
+    for (std::size_t i = 0; i < n_; ++i) x[i] += dx_[i];
+  }
+  /// Infinity-norm condition number of J with rows of size 1.
+  double condition() {
+    std::vector<double> sum(n_);
+    for (std::size_t k = 0; k < n_; ++k) {
+      std::fill(dx_.begin(), dx_.end(), Number(0.0));
+      dx_[k] = row_[k];
+      solve();
+      for (std::size_t i = 0; i < n_; ++i) sum[i] += std::abs(rounded[i]);
+    }
+    return *std::max_element(sum.begin(), sum.end());
+  }
+
+ private:
+  void solve() {
+    lu_.solve(dx_);
+    std::transform(dx_.begin(), dx_.end(), rounded.begin(),
+                   [](const Number& d) { return to_complex(d); });
+  }
+
+  const RefinerProgram& program_;
+  std::size_t n_;
+  std::vector<Number> registers_, value_, jacobian_;
+  DenseLu<Number> lu_;
+  std::vector<double> row_;
+  std::vector<Number> dx_;
+
+ public:
+  Point rounded;
+};
 
 struct Refiner::Workspace {
   explicit Workspace(std::shared_ptr<const RefinerProgram> shared)
@@ -130,6 +205,7 @@ struct Refiner::Workspace {
   std::vector<double> size_x, size_registers, size_value;
   std::vector<Complex> relative;
   Point dx;
+  std::unique_ptr<FineNewton> fine;
 };
 
 Refiner::Refiner(std::shared_ptr<const RefinerProgram> program)
@@ -228,6 +304,62 @@ bool Refiner::is_simple(const Point& x) {
   add(probe, w.dx);
   for (std::size_t i = 0; i < probe.size(); ++i) probe[i] -= x[i];
   return w.size_at(probe, x) < kContraction * relative_offset;
+}
+
+// One Newton step in double-double from beside fine_x, as in is_simple().
+bool Refiner::contracts_beside(double sensitivity) {
+  Workspace& w = *w_;
+  const double least = std::max(kLeastProbe, kFineStagnation * sensitivity * kFineRoundoff);
+  const double offset = std::clamp(kProbe / sensitivity, least, std::max(least, kProbe));
+  std::vector<ComplexDoubleDouble> probe = w.fine_x;
+  Point x(w.n);
+  Point rest(w.n);
+  for (std::size_t i = 0; i < w.n; ++i) {
+    x[i] = to_complex(w.fine_x[i]);
+    const double size = offset * std::max(std::abs(x[i]), w.program->unit[i]);
+    probe[i] += ComplexDoubleDouble(std::polar(size, static_cast<double>(i + 1)));
+  }
+  if (!w.fine->correction(probe)) return false;
+  w.fine->add_to(probe);
+  for (std::size_t i = 0; i < w.n; ++i) rest[i] = to_complex(probe[i] - w.fine_x[i]);
+  return w.size_at(rest, x) < kContraction * offset;
+}
+
+Refined Refiner::refine_fine(const Point& x) {
+  Workspace& w = *w_;
+  if (!w.fine) w.fine = std::make_unique<FineNewton>(*w.program);
+  Refined result;
+  result.x = x;
+  result.condition = std::numeric_limits<double>::infinity();
+  result.residual = residual(x);
+  std::copy(x.begin(), x.end(), w.fine_x.begin());
+  double last = kLeastTravel;
+  bool contracts = true;
+  for (int k = 0; k < kMaximumIterations && contracts; ++k) {
+    if (!w.fine->correction(w.fine_x)) return result;
+    const double size = w.size_at(w.fine->rounded, x);
+    if (!(size <= (k == 0 ? kLeastTravel : kFineNoise))) return result;
+    contracts = k == 0 || size <= kContraction * last;
+    last = size;
+    if (contracts) w.fine->add_to(w.fine_x);
+  }
+  const double moved = max_norm(w.fine->rounded);
+  w.evaluate_sizes(x, w.program->unit);
+  w.fine->solve(w.size_value);
+  const double sensitive = w.size_at(w.fine->rounded, x);
+  const double noise = max_norm(w.fine->rounded) * kFineRoundoff;
+  if (!(sensitive * kFineRoundoff < kFineNoise) ||
+      last > std::max(kFineStagnation * sensitive * kFineRoundoff, kUnitRoundoff)) {
+    return result;
+  }
+  result.condition = w.fine->condition();
+  result.simple = contracts_beside(sensitive);
+  if (!result.simple) return result;
+  for (std::size_t i = 0; i < w.n; ++i) result.x[i] = to_complex(w.fine_x[i]);
+  result.accuracy = 2 * (moved + noise) / std::max(1.0, max_norm(result.x)) + kUnitRoundoff;
+  result.residual = residual(result.x);
+  snap_to_zero(result, result.accuracy);
+  return result;
 }
 
 Refined Refiner::keep(const Point& x, double accuracy, int sheets) {

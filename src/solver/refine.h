@@ -39,6 +39,10 @@ class Refiner {
   /// Parts of coordinates that vanish to within the accuracy are set to 0 if that fits F as well.
   Refined refine(const Point& x, double accuracy);
 
+  /// As refine(), with x, F and J in double-double: for roots of conditions up to 1e22, where the Jacobian in double says
+  /// nothing. The accuracy takes in what rounding in double-double leaves open.
+  Refined refine_fine(const Point& x);
+
   /// For an end where `sheets` sheets meet: no Newton, the rest as refine(). The accuracy takes into
   /// account that a residual of e means an error near e^{1/sheets}.
   Refined keep(const Point& x, double accuracy, int sheets);
@@ -53,6 +57,7 @@ class Refiner {
   double residual(const Point& x);
   double natural_residual(const Point& x);
   void snap_to_zero(Refined& root, double accuracy);
+  bool contracts_beside(double sensitivity);
 
   struct Workspace;
   std::unique_ptr<Workspace> w_;

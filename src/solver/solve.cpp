@@ -87,6 +87,7 @@ class Run {
   std::set<std::uint64_t> doubtful_paths(int care);
   void add_paths_of_missing_conjugates(int care, std::set<std::uint64_t>& doubtful);
   void track_again(const std::set<std::uint64_t>& paths, int care);
+  void resolve_clusters();
   std::set<std::uint64_t> paths_failed_by(const std::set<Failure>& reasons) const;
   void climb(const std::set<std::uint64_t>& paths);
   Rung rung_of(std::uint64_t path) const;
@@ -100,7 +101,7 @@ class Run {
   }
   /// Terms that no coordinate tells: only a simple root, proved on the system as given, says something about the system.
   bool hides_terms() const { return prepared_.spread_log2 > kHopelessSpread; }
-  Root refined_root(Refiner& refiner, const PathEnd& end) const;
+  Root refined_root(Refiner& refiner, std::uint64_t path, const PathEnd& end) const;
   void take(std::uint64_t path, PathEnd&& end);
   bool falls_back(int care) const { return options_.fallback != nullptr && care >= kFallbackCare; }
   bool is_fine() const { return options_.precision == Precision::double_double; }
@@ -237,7 +238,7 @@ void Run::track_all() {
   if (progress.done < prepared_.start.paths) interrupted_ = true;
 }
 
-Root Run::refined_root(Refiner& refiner, const PathEnd& end) const {
+Root Run::refined_root(Refiner& refiner, std::uint64_t path, const PathEnd& end) const {
   const Point x = to_original(prepared_, end.x);
   // A relative error of z_0 is one of z / z_0, larger by the size of the affine point.
   const double size = max_norm(end.x) / std::abs(end.x.back());
@@ -247,6 +248,9 @@ Root Run::refined_root(Refiner& refiner, const PathEnd& end) const {
   root.winding = end.winding;
   const bool many_sheets = end.winding.value_or(1) > 1 && !doubtful;
   root.point = many_sheets ? refiner.keep(x, accuracy, *end.winding) : refiner.refine(x, accuracy);
+  if (!root.point.simple && !many_sheets && rung_of(path) == Rung::double_double) {
+    root.point = refiner.refine_fine(x);
+  }
   if (!root.point.simple) {
     if (!many_sheets && !doubtful) root.point = refiner.keep(x, accuracy, kLeastMultiplicity);
     root.tolerance = std::max(kSingularTolerance, 10 * root.point.accuracy);
@@ -265,7 +269,7 @@ void Run::refine_ends() {
   for_each_parallel(chunks, threads_, [&](std::size_t chunk) {
     Refiner refiner(refiner_program_);
     for (std::size_t k = chunk; k < ends_.size(); k += chunks) {
-      roots[k] = refined_root(refiner, ends_[k].second);
+      roots[k] = refined_root(refiner, ends_[k].first, ends_[k].second);
     }
   });
   for (std::size_t k = 0; k < ends_.size(); ++k) {
@@ -287,6 +291,7 @@ void Run::refine_ends() {
 }
 
 void Run::settle_doubts() {
+  resolve_clusters();
   for (int care = options_.care + 1; care <= options_.maximum_care && !interrupted_; ++care) {
     const std::set<std::uint64_t> doubtful = doubtful_paths(care);
     if (doubtful.empty()) return;
@@ -299,6 +304,25 @@ void Run::settle_doubts() {
   for (const std::uint64_t path : paths_failed_by({Failure::step_limit})) last.erase(path);
   climb(last);
   if (!interrupted_) fail_unsettled();
+}
+
+// Simple roots nearer to each other than double can tell pass for one singular root. One path to each such root is
+// followed in double-double: where it finds a regular end, so do the others.
+void Run::resolve_clusters() {
+  std::map<std::uint64_t, std::vector<std::uint64_t>> clusters;
+  std::set<std::uint64_t> first;
+  for (const auto& group : ledger_.groups()) {
+    const Root& root = ledger_.roots().at(group.front());
+    if (group.size() == 1 || root.point.simple || is_on_set(root)) continue;
+    first.insert(group.front());
+    clusters[group.front()] = group;
+  }
+  climb(first);
+  std::set<std::uint64_t> others;
+  for (const auto& [path, group] : clusters) {
+    if (rung_of(path) == Rung::double_double) others.insert(group.begin() + 1, group.end());
+  }
+  climb(others);
 }
 
 bool Run::is_on_set(const Root& root) {

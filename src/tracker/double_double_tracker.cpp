@@ -33,9 +33,12 @@ constexpr double kAtEnd = 1e-26;
 // stop contracting there pass below these: on the way, and at a regular end.
 constexpr double kRoundingResidual = 1e-27;
 constexpr double kRoundingOnPath = 1e-9;
-constexpr double kRoundingAtEnd = 1e-18;
-// A regular end that double-double can tell attracts from further away than this.
-constexpr double kLeastStep = 1e-32;
+constexpr double kRoundingAtEnd = 1e-10;
+// At an end they are also to be no larger than rounding makes them: so many times the condition.
+constexpr double kNoise = 1e-30;
+// A regular end that double-double can tell attracts from further away than this; nearer to a double root, corrections
+// drown in rounding.
+constexpr double kLeastStep = 1e-26;
 // How far the departure may be from its path.
 constexpr double kStartReach = 1e-2;
 // From here on J, evaluated in double-double, says nothing about the end.
@@ -60,6 +63,7 @@ struct Place {
 struct Settling {
   bool converged = false;
   double first = 0;
+  double last = 0;
   double drift = 0;
 };
 
@@ -89,6 +93,7 @@ class DoubleDoubleSession : public TrackerSession {
   void predict(double h);
   Settling settle(FinePoint& x, const PathTime& t, double reach, double aim, double rounding);
   bool step(const Departure& departure, const Place& next, double h, Settling& settling);
+  bool is_regular_end(const Settling& settling);
   bool is_watched(const Departure& departure, const Settling& settling, double h);
   Point rounded() const;
 
@@ -120,6 +125,7 @@ Settling DoubleDoubleSession::settle(FinePoint& x, const PathTime& t, double rea
     const double size = path_.correct(x);
     if (!std::isfinite(size)) return result;
     if (k == 0) result.first = size;
+    result.last = size;
     if (size > (k == 0 ? 1 : kContraction) * previous) {
       result.converged = k > 0 && size <= rounding && path_.residual() < kRoundingResidual;
       return result;
@@ -166,6 +172,11 @@ void DoubleDoubleSession::predict(double h) {
   }
 }
 
+bool DoubleDoubleSession::is_regular_end(const Settling& settling) {
+  const double condition = path_.condition();
+  return condition <= kHopelessCondition && settling.last <= std::max(kAtEnd, kNoise * condition);
+}
+
 /// Takes the step to `next` when Newton's method finds the path there.
 bool DoubleDoubleSession::step(const Departure& departure, const Place& next, double h,
                                Settling& settling) {
@@ -176,7 +187,7 @@ bool DoubleDoubleSession::step(const Departure& departure, const Place& next, do
   const bool is_end = t.rest == 0.0;
   settling = settle(trial_, t, reach, is_end ? kAtEnd : kOnPath,
                     is_end ? kRoundingAtEnd : kRoundingOnPath);
-  if (!settling.converged || (is_end && path_.condition() > kHopelessCondition)) return false;
+  if (!settling.converged || (is_end && !is_regular_end(settling))) return false;
   std::swap(previous_x_, x_);
   std::swap(previous_dx_, dx_);
   std::swap(x_, trial_);

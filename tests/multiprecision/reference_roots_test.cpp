@@ -99,6 +99,46 @@ TEST(ReferenceRoots, SatisfyTheirEquationsToTheDigitsAskedFor) {
   EXPECT_LT(abs(Wide(r * (a * a + b * b) - Wide(1) / 7)), tolerance);
 }
 
+/// F_i at decimal parts, term by term.
+std::pair<Wide, Wide> value_of(const Polynomial& p, const std::vector<ComplexDecimal>& x) {
+  Wide re = 0, im = 0;
+  for (const Term& term : p.terms) {
+    Wide a(Wide(numerator(term.coefficient.re)) / Wide(denominator(term.coefficient.re))), b = 0;
+    for (const Power& power : term.monomial) {
+      const Wide u(x[power.variable].re), v(x[power.variable].im);
+      for (std::uint32_t k = 0; k < power.exponent; ++k) {
+        const Wide next = a * u - b * v;
+        b = a * v + b * u;
+        a = next;
+      }
+    }
+    re += a;
+    im += b;
+  }
+  return {re, im};
+}
+
+TEST(ReferenceRoots, OfKatsuraSatisfyTheirEquationsToAHundredDigits) {
+  const System f = file("katsura-5.phc");
+  // Newton's method from anywhere: what it reaches is a root, or is not told.
+  std::vector<Point> anywhere;
+  for (int k = 0; k < 40; ++k) {
+    Point x;
+    for (int i = 0; i < 6; ++i) x.push_back(0.5 * std::polar(1.0, 1.7 * k + 2.3 * i * (k % 7 + 1)));
+    anywhere.push_back(x);
+  }
+  std::size_t reached = 0;
+  for (const ReferenceRoot& root : reference_roots(f, anywhere, 100)) {
+    if (!root.converged) continue;
+    ++reached;
+    for (const Polynomial& p : f.polynomials) {
+      const auto [re, im] = value_of(p, root.x);
+      EXPECT_LT(abs(re) + abs(im), Wide("1e-98"));
+    }
+  }
+  EXPECT_GT(reached, 10U);
+}
+
 TEST(ReferenceRoots, GiveEveryPartOfASmallCoordinate) {
   const auto roots =
       reference_roots(system_of("2\nx - 12345678;\nx*y - 1e-40;\n"), {{12345678, 1e-47}}, 20);

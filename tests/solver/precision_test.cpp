@@ -72,6 +72,38 @@ TEST(Precision, DoubleDoubleThroughoutGivesTheSameRoots) {
   }
 }
 
+TEST(Precision, RootsAMillionthApartAreNotOneSingularRoot) {
+  // (x - 1)(x - 1 - 10^-6)(x - 1 - 2 10^-6)(x - 1 - 3 10^-6)(x - 5): in double a fourfold root.
+  const System f = test::read("1\n(x - 1)*(x - 1.000001)*(x - 1.000002)*(x - 1.000003)*(x - 5);\n");
+  const std::vector<double> wanted{1, 1.000001, 1.000002, 1.000003, 5};
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    SCOPED_TRACE(seed);
+    SolveResult result = solve_with(f, Precision::automatic, seed);
+    test::expect_conservation(result);
+    EXPECT_TRUE(result.complete);
+    ASSERT_EQ(result.solutions.size(), wanted.size());
+    std::sort(result.solutions.begin(), result.solutions.end(),
+              [](const auto& a, const auto& b) { return a.x[0].real() < b.x[0].real(); });
+    for (std::size_t k = 0; k < wanted.size(); ++k) {
+      const Solution& s = result.solutions[k];
+      EXPECT_EQ(s.multiplicity, 1U);
+      EXPECT_LE(std::abs(s.x[0] - wanted[k]), s.accuracy * wanted[k]);
+      EXPECT_LT(s.accuracy, 1e-9);
+    }
+  }
+}
+
+TEST(Precision, ASingularRootStaysOneInDoubleDouble) {
+  for (const char* name :
+       {"multiplicity-2", "multiplicity-7", "double-lines-4", "griewank-osborne"}) {
+    SCOPED_TRACE(name);
+    const SolveResult result = solve_with(system_of(problem(name)), Precision::automatic);
+    EXPECT_EQ(result.paths.double_double, 0U);
+    EXPECT_EQ(test::sum_of_multiplicities(result), problem(name).roots.with_multiplicity);
+    EXPECT_EQ(result.solutions.size(), problem(name).roots.distinct);
+  }
+}
+
 TEST(Precision, EachRungHasAName) {
   EXPECT_EQ(to_string(Rung::double_precision), "double");
   EXPECT_EQ(to_string(Rung::mixed), "mixed");

@@ -79,6 +79,32 @@ TEST(Refine, RefusesAMultipleRootOfOneUnknown) {
   }
 }
 
+TEST(RefineFine, ProvesEveryRootOfWilkinsonsPolynomialOfDegreeThirty) {
+  Refiner refiner = refiner_of(wilkinson(30));
+  int beyond_double = 0;
+  for (int k = 1; k <= 30; ++k) {
+    SCOPED_TRACE(k);
+    const Refined root = refiner.refine_fine({k * (1 + 1e-9)});
+    EXPECT_TRUE(root.simple);
+    EXPECT_LE(std::abs(root.x[0] - static_cast<double>(k)), root.accuracy * k);
+    EXPECT_LT(root.accuracy, 1e-8);
+    if (!refiner.refine({k * (1 + 1e-9)}, 1e-9).simple) ++beyond_double;
+  }
+  EXPECT_GT(beyond_double, 5);
+}
+
+TEST(RefineFine, RefusesAMultipleRoot) {
+  for (int m = 2; m <= 8; ++m) {
+    Refiner one = refiner_of("1\n (x - 1)^" + std::to_string(m) + ";\n");
+    Refiner two = refiner_of("2\n (x - 1)^" + std::to_string(m) + " + y - 1;\n y - 1;\n");
+    for (const double off : {0.0, 1e-15, 1e-9, 1e-6, 1e-4}) {
+      SCOPED_TRACE("multiplicity " + std::to_string(m) + ", off by " + std::to_string(off));
+      EXPECT_FALSE(one.refine_fine({1 + off}).simple);
+      EXPECT_FALSE(two.refine_fine({1 + off, 1}).simple);
+    }
+  }
+}
+
 TEST(Refine, RefusesAMultipleRootOfSeveralUnknowns) {
   for (int m = 2; m <= 8; ++m) {
     SCOPED_TRACE("multiplicity " + std::to_string(m));

@@ -6,8 +6,8 @@
 //   step      from the first Newton correction, whose size is the predictor's error: h <- h (tolerance / |dx_1|)^{1/4}
 //
 // For the few paths that need it: some thirty times the time of a double's step. s is kept beside 1 - s, so that steps near
-// either end may be as small as doubles are. At t = 1 it arrives only where Newton's method converges quadratically to
-// a point known better than double tells, J of a condition that double-double can bear: an end that is regular.
+// either end may be as small as doubles are. At t = 1 it arrives only where Newton's method contracts, far
+// better than a multiple root allows, until rounding stops it, with a condition that double-double can bear.
 // A singular end is step_too_small. Departure::care divides the tolerance by 10 a level.
 // Source: [Deuflhard04] for the step, [Timme21] for the norm.
 #pragma once
