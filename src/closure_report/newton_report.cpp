@@ -64,6 +64,9 @@ std::string newton_text(const NewtonResult& result, const Mechanism& mechanism,
                         const KinematicsHeading& heading) {
   std::string text = (mechanism.title.empty() ? "" : mechanism.title + " ") + "(" + heading.file +
                      ")\n" + to_string(result.status) + ": " + result.message + '\n';
+  if (result.status != NewtonStatus::converged) {
+    text += "'moivre guesses' gives a start near every solution\n";
+  }
   text += table(result, mechanism);
   text += "\nresidual " + rough_text(result.residual) + ", smallest singular value " +
           rough_text(result.smallest_singular_value) + ", condition " +

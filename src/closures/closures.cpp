@@ -63,8 +63,11 @@ class Search {
   void take_branch(const Branch& branch);
   void check_images();
   bool lies_on_motion(const Eigen::VectorXd& q);
-  void pose(const Solution& solution);
+  bool is_isolated_pose(const Solution& solution);
+  void pose_all();
+  void take_pose(const Solution& solution, const NewtonResult& polished);
   void name_closures();
+  std::string shortfall() const;
   void conclude();
 
   const Mechanism& mechanism_;
@@ -236,7 +239,8 @@ bool Search::lies_on_motion(const Eigen::VectorXd& q) {
   return true;
 }
 
-void Search::pose(const Solution& solution) {
+/// Polishes a real root to a pose. False where the pose is one of a set.
+bool Search::is_isolated_pose(const Solution& solution) {
   const Eigen::VectorXd guess = coordinates_of_root(isotropic_, solution.x);
   const NewtonResult polished = newton(phi_, guess, options_.time);
   const double moved = (phi_.canonical(polished.q) - phi_.canonical(guess)).cwiseAbs().maxCoeff();
@@ -245,10 +249,15 @@ void Search::pose(const Solution& solution) {
   const bool stayed = moved <= kPolish * size || (polished.q - guess).norm() <= kPolish * size;
   if (polished.status != NewtonStatus::converged || !stayed) {
     ++unpolished_;
-    return;
+    return true;
   }
+  if (polished.is_singular && lies_on_motion(phi_.canonical(polished.q))) return false;
+  take_pose(solution, polished);
+  return true;
+}
+
+void Search::take_pose(const Solution& solution, const NewtonResult& polished) {
   const Eigen::VectorXd q = phi_.canonical(polished.q);
-  if (polished.is_singular && lies_on_motion(q)) return;
   ++result_.counts.real;
   const bool within =
       std::all_of(mechanism_.joints.begin(), mechanism_.joints.end(),
@@ -268,6 +277,21 @@ void Search::pose(const Solution& solution) {
   result_.closures.push_back(std::move(closure));
 }
 
+// A root where motions cross may look isolated to the solver; its pose tells, and its paths are counted anew.
+void Search::pose_all() {
+  std::vector<Solution> isolated;
+  for (Solution& solution : result_.solutions) {
+    if (!solution.real || is_isolated_pose(solution)) {
+      isolated.push_back(std::move(solution));
+    } else {
+      result_.paths.on_positive_dimensional += solution.multiplicity;
+      result_.stages.back().paths.on_positive_dimensional += solution.multiplicity;
+    }
+  }
+  result_.solutions = std::move(isolated);
+  result_.counts.complex = result_.solutions.size();
+}
+
 void Search::name_closures() {
   std::vector<Eigen::VectorXd> poses;
   for (const Closure& closure : result_.closures) poses.push_back(closure.q);
@@ -279,17 +303,22 @@ void Search::name_closures() {
   result_.closures = std::move(ordered);
 }
 
+/// Why the run is not complete.
+std::string Search::shortfall() const {
+  if (undecided_motion_) {
+    return "undecided: no closure is isolated, and Newton-Raphson came to no real pose from " +
+           std::to_string(kMovingStarts) + " starts; there may be none: give a guess, or drivers";
+  }
+  if (lost_images_ > 0) return "a closure's mirror image is missing: a path was lost";
+  if (unpolished_ > 0) return "a real root was found that Newton-Raphson does not confirm";
+  return stop_ ? "interrupted: what is finished is reported" : "some paths failed";
+}
+
 void Search::conclude() {
   const auto& counts = result_.counts;
   if (!result_.complete || lost_images_ > 0 || unpolished_ > 0) {
     result_.complete = false;
-    result_.message =
-        undecided_motion_ ? "the closures form a set of positive dimension, and no real pose on it "
-                            "was found: give a guess, or drivers"
-        : lost_images_ > 0 ? "a closure's mirror image is missing: a path was lost"
-        : unpolished_ > 0  ? "a real root was found that Newton-Raphson does not confirm"
-        : stop_            ? "interrupted: what is finished is reported"
-                           : "some paths failed";
+    result_.message = shortfall();
   } else if (result_.moves) {
     result_.message =
         "moves: the closures form a set of positive dimension though the drivers stand";
@@ -309,11 +338,8 @@ ClosureResult Search::run() {
   const auto begin = std::chrono::steady_clock::now();
   describe();
   if (isotropic_.contradictions.empty()) solve_stages();
-  result_.counts.complex = result_.solutions.size();
   check_images();
-  for (const Solution& solution : result_.solutions) {
-    if (solution.real) pose(solution);
-  }
+  pose_all();
   name_closures();
   if (!result_.closures.empty()) {
     result_.mobility = mobility(phi_, result_.closures.front().q, options_.time);

@@ -11,9 +11,6 @@
 namespace moivre {
 namespace {
 
-// Least squares from a random pose assembles a linkage more often than not; what 32 starts miss is left undecided.
-constexpr std::uint64_t kStarts = 32;
-
 /// Angles anywhere, lengths within the mechanism's size of the guess.
 Eigen::VectorXd random_pose(const Phi& phi, const Eigen::VectorXd& guess, std::uint64_t seed,
                             std::uint64_t start) {
@@ -34,7 +31,7 @@ Eigen::VectorXd random_pose(const Phi& phi, const Eigen::VectorXd& guess, std::u
 std::optional<MovingPose> moving_pose(const Mechanism& mechanism, const Phi& phi, double t,
                                       std::uint64_t seed) {
   const Eigen::VectorXd guess = initial_guess(mechanism, t);
-  for (std::uint64_t start = 0; start < kStarts; ++start) {
+  for (std::uint64_t start = 0; start < kMovingStarts; ++start) {
     const NewtonResult found =
         newton(phi, start == 0 ? guess : random_pose(phi, guess, seed, start), t);
     if (found.status != NewtonStatus::converged) continue;

@@ -81,6 +81,18 @@ TEST(Moves, AThirdParallelCrankThoughEquationsAreAsManyAsUnknowns) {
   expect_moves(mechanism, 1);
 }
 
+// Where its cranks lie in line motions cross, and some paths end there: no root of them is isolated.
+TEST(Moves, AThirdParallelCrankHasNoIsolatedClosureForAnySeed) {
+  Mechanism mechanism = undriven("double-parallel-crank");
+  mechanism.guess.clear();
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const ClosureResult result = closures_of(mechanism, seed);
+    EXPECT_TRUE(result.moves) << seed;
+    EXPECT_EQ(result.counts.complex, 0u) << seed;
+    EXPECT_EQ(result.paths.finite, result.paths.on_positive_dimensional) << seed;
+  }
+}
+
 TEST(Moves, TypedEquationsToo) { expect_moves(undriven("slider-crank-equations"), 1); }
 
 TEST(Moves, NotATriangleThatLiesFolded) {
