@@ -138,6 +138,16 @@ TEST(Closures, AChangePointIsSingularAndDoesNotMove) {
   EXPECT_EQ(closures_of(driven_from(mechanism_file("parallelogram"), 1.0)).counts.real, 2u);
 }
 
+TEST(Closures, TheSixBarOfTheReadmeHasFour) {
+  const Source readme = read_source(std::string(MOIVRE_SOURCE_DIR) + "/README.md");
+  const std::string open = "```toml\n";
+  const std::size_t begin = readme.text.find(open) + open.size();
+  const std::string file = readme.text.substr(begin, readme.text.find("```", begin) - begin);
+  const ClosureResult result = closures_of(mechanism_text(file));
+  EXPECT_TRUE(result.complete);
+  EXPECT_EQ(result.counts.real, 4u);
+}
+
 TEST(Closures, CannotBeAssembledIsAnAnswer) {
   const ClosureResult result = closures_of(mechanism_file("unassemblable-triangle"));
   EXPECT_TRUE(result.complete);
