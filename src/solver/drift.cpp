@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+// Many paths in one session, each with a watcher that keeps the largest |H| and the last point.
+#include "moivre/solver/drift.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "facts.h"
+#include "prepare.h"
+
+namespace moivre {
+namespace {
+
+/// Watches one path.
+class DriftWatcher : public Watcher {
+ public:
+  explicit DriftWatcher(PathDrift& drift) : drift_(&drift) {}
+
+  Verdict watch(const StepRecord& step, PathSystem& path) noexcept override {
+    path.linearize(step.x, step.t);
+    const double after = path.residual();
+    drift_->after = std::max(drift_->after, after);
+    drift_->before = std::max(drift_->before, step.correction > 0 ? step.drift : after);
+    drift_->correction = std::max(drift_->correction, step.correction);
+    if (step.s == 1) end_.assign(step.x.begin(), step.x.end());
+    return Verdict::go_on;
+  }
+
+  const Point& end() const { return end_; }
+
+ private:
+  PathDrift* drift_;
+  Point end_;  // homogeneous, at t = 1; empty before
+};
+
+class DriftSource : public DepartureSource {
+ public:
+  DriftSource(const Prepared& prepared, int care, std::vector<PathDrift>& drifts,
+              const std::atomic<bool>& stop)
+      : prepared_(prepared), care_(care), drifts_(drifts), stop_(stop) {
+    watchers_.reserve(drifts.size());
+    for (PathDrift& drift : drifts) watchers_.emplace_back(drift);
+  }
+
+  std::optional<Departure> next() override {
+    if (next_ == drifts_.size() || stop_.load(std::memory_order_relaxed)) return std::nullopt;
+    Departure departure;
+    departure.path = next_;
+    departure.x = start_point(prepared_.start, drifts_[next_].path);
+    departure.care = care_;
+    departure.watcher = &watchers_[next_++];
+    return departure;
+  }
+
+  void arrived(const Departure& departure, Arrival&& arrival) override {
+    PathDrift& drift = drifts_[departure.path];
+    const Point& end = watchers_[departure.path].end();
+    drift.count = arrival.count;
+    drift.arrived = !end.empty() && end.back() != Complex(0);
+    if (drift.arrived) drift.end = to_original(prepared_, end);
+  }
+
+ private:
+  const Prepared& prepared_;
+  int care_;
+  std::vector<PathDrift>& drifts_;
+  const std::atomic<bool>& stop_;
+  std::vector<DriftWatcher> watchers_;
+  std::size_t next_ = 0;
+};
+
+}  // namespace
+
+std::vector<PathDrift> measure_drift(const System& f, const Tracker& tracker,
+                                     const SolveOptions& options,
+                                     const std::vector<std::uint64_t>& paths,
+                                     const std::atomic<bool>& stop) {
+  require_square(f);
+  const Prepared prepared = prepare(f, options);
+  if (!prepared.homotopy) {
+    throw std::invalid_argument("there is no path to follow: elimination alone decides the system");
+  }
+  std::vector<PathDrift> drifts(paths.size());
+  for (std::size_t k = 0; k < paths.size(); ++k) {
+    if (paths[k] >= prepared.start.paths) {
+      throw std::invalid_argument("there is no path " + std::to_string(paths[k]));
+    }
+    drifts[k].path = paths[k];
+  }
+  DriftSource source(prepared, options.care, drifts, stop);
+  tracker.open(*prepared.homotopy)->run(source, stop);
+  return drifts;
+}
+
+}  // namespace moivre
