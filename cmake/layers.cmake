@@ -4,7 +4,7 @@
 # A module may use what its line names and what those use (one way only).
 
 set(MOIVRE_MODULES numeric expression polynomial multiprecision homotopy tracker tracker_cvode tracker_lanes endgame start
-    solver mechanism kinematics closures report closure_report cli)
+    solver study mechanism kinematics closures report closure_report study_report cli)
 
 set(MOIVRE_USES_numeric "")
 set(MOIVRE_USES_expression numeric)
@@ -17,12 +17,14 @@ set(MOIVRE_USES_tracker_lanes tracker)
 set(MOIVRE_USES_endgame tracker)
 set(MOIVRE_USES_start homotopy)
 set(MOIVRE_USES_solver start endgame)
+set(MOIVRE_USES_study multiprecision solver)
 set(MOIVRE_USES_mechanism expression)
 set(MOIVRE_USES_kinematics mechanism)
 set(MOIVRE_USES_closures kinematics solver)
 set(MOIVRE_USES_report solver)
 set(MOIVRE_USES_closure_report closures report)
-set(MOIVRE_USES_cli multiprecision report closure_report tracker_cvode tracker_lanes)
+set(MOIVRE_USES_study_report study report)
+set(MOIVRE_USES_cli multiprecision report study_report closure_report tracker_cvode tracker_lanes)
 
 # Third-party packages, each private to the modules that name it. Eigen and Boost's rationals are
 # the exception: they are vocabulary of the public headers.
@@ -35,6 +37,7 @@ set(MOIVRE_THIRD_PARTY_solver TBB::tbb)
 set(MOIVRE_THIRD_PARTY_mechanism tomlplusplus::tomlplusplus)
 set(MOIVRE_THIRD_PARTY_report nlohmann_json::nlohmann_json)
 set(MOIVRE_THIRD_PARTY_closure_report nlohmann_json::nlohmann_json)
+set(MOIVRE_THIRD_PARTY_study_report nlohmann_json::nlohmann_json)
 set(MOIVRE_THIRD_PARTY_cli CLI11::CLI11)
 
 # What is known of each package: the arguments of find_package, and how its headers begin (a regular expression).

@@ -19,5 +19,6 @@ void add_closures_command(CLI::App& moivre, Chosen& chosen);
 void add_newton_command(CLI::App& moivre, Chosen& chosen);
 void add_mobility_command(CLI::App& moivre, Chosen& chosen);
 void add_guesses_command(CLI::App& moivre, Chosen& chosen);
+void add_study_command(CLI::App& moivre, Chosen& chosen);
 
 }  // namespace moivre

@@ -91,6 +91,7 @@ int parse_and_run(int argc, char** argv) {
   add_newton_command(moivre, chosen);
   add_mobility_command(moivre, chosen);
   add_guesses_command(moivre, chosen);
+  add_study_command(moivre, chosen);
   try {
     moivre.parse(argc, argv);
   } catch (const CLI::Success& asked_for_text) {

@@ -24,15 +24,18 @@ ProgressLine::~ProgressLine() {
 }
 
 void ProgressLine::show(const Progress& progress) {
+  if (!active_ || Clock::now() < next_) return;
+  show(std::to_string(progress.done) + " of " + std::to_string(progress.total) + " paths, " +
+       std::to_string(progress.finite) + " finite");
+}
+
+void ProgressLine::show(const std::string& text) {
   const Clock::time_point now = Clock::now();
   if (!active_ || now < next_) return;
   next_ = now + kPeriod;
   shown_ = true;
   const double seconds = std::chrono::duration<double>(now - begin_).count();
-  std::fprintf(stderr, "\r%llu of %llu paths, %llu finite, %.0f s\x1b[K",
-               static_cast<unsigned long long>(progress.done),
-               static_cast<unsigned long long>(progress.total),
-               static_cast<unsigned long long>(progress.finite), seconds);
+  std::fprintf(stderr, "\r%s, %.0f s\x1b[K", text.c_str(), seconds);
   std::fflush(stderr);
 }
 

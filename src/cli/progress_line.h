@@ -3,6 +3,7 @@
 #pragma once
 
 #include <chrono>
+#include <string>
 
 #include "moivre/solver/solve.h"
 
@@ -19,6 +20,8 @@ class ProgressLine {
   bool is_active() const { return active_; }
   /// Not thread-safe; the solver calls it one call at a time.
   void show(const Progress& progress);
+  /// The same with a text of one's own; seconds are added.
+  void show(const std::string& text);
 
  private:
   using Clock = std::chrono::steady_clock;

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// The study of each file, with progress, interruption and output.
+#include "run_study.h"
+
+#include <stdexcept>
+
+#include "command_line.h"
+#include "interruption.h"
+#include "moivre/polynomial/read.h"
+#include "moivre/study_report/study_report.h"
+#include "output.h"
+#include "progress_line.h"
+#include "study_folder.h"
+
+namespace moivre {
+namespace {
+
+std::vector<StudySetting> settings_of(const StudyChoice& choice) {
+  std::vector<StudySetting> settings;
+  for (ChosenSetting& chosen : chosen_settings(choice)) {
+    settings.push_back({chosen.curve, chosen.tolerance, std::move(chosen.tracker)});
+  }
+  return settings;
+}
+
+std::vector<System> read_systems(const std::vector<std::string>& files) {
+  std::vector<System> systems;
+  for (const std::string& file : files) {
+    System system = read_system(read_source(file));
+    if (system.polynomials.size() != system.variables.size()) {
+      throw std::invalid_argument(file + ": as many equations as unknowns are needed");
+    }
+    systems.push_back(std::move(system));
+  }
+  return systems;
+}
+
+StudyOptions options_of(const StudyCommand& command) {
+  StudyOptions options;
+  options.seed = command.seed;
+  options.seeds = command.seeds;
+  std::string message;
+  for (const std::string& sentence : validate(options)) {
+    message += (message.empty() ? "" : "; ") + sentence;
+  }
+  if (!message.empty()) throw std::invalid_argument(message);
+  return options;
+}
+
+bool all_complete(const std::vector<StudiedFile>& studies, std::size_t files) {
+  if (studies.size() < files) return false;
+  for (const StudiedFile& study : studies) {
+    if (!study.result.complete || !study.result.reference.complete) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+int run_study(const StudyCommand& command) {
+  for (const std::string& file : command.files) require_distinct({command.json, command.csv}, file);
+  const std::vector<StudySetting> settings = settings_of(command.choice);
+  const Referees referees = make_referees();
+  StudyOptions options = options_of(command);
+  const std::vector<System> systems = read_systems(command.files);
+  Output json(command.json);
+  Output csv(command.csv);
+  StudyFolder folder(command.out);
+
+  const std::vector<std::string> names = names_of(command.files);
+  std::vector<StudiedFile> studies;
+  std::string remark;
+  {
+    ProgressLine line(!command.quiet);
+    const Interruption interruption;
+    for (std::size_t k = 0; k < systems.size() && !interruption.stop().load(); ++k) {
+      options.known_roots = command.count ? command.count : known_count(command.files[k]);
+      options.progress = [&](const StudyProgress& progress) {
+        line.show(names[k] + ": " + progress.now + ", " + std::to_string(progress.done) + " of " +
+                  std::to_string(progress.total));
+      };
+      studies.push_back({command.files[k], names[k],
+                         study_system(systems[k], settings, *referees.referee,
+                                      referees.witness.get(), options, interruption.stop()),
+                         ""});
+    }
+  }
+  remark = folder.write(studies);
+  if (json.is_wanted()) json.write(study_json(studies));
+  if (csv.is_wanted()) csv.write(study_csv(studies));
+  if (!command.quiet && !json.is_stdout() && !csv.is_stdout()) {
+    for (const StudiedFile& study : studies) write_to_stdout(study_text(study) + '\n');
+  }
+  if (!command.quiet) std::fputs(remark.c_str(), stderr);
+  return all_complete(studies, command.files.size()) ? kDecided : kUndecided;
+}
+
+}  // namespace moivre

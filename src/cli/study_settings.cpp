@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// The settings of a study, made by the choice of trackers that all commands share.
+#include "study_settings.h"
+
+#include <algorithm>
+#include <functional>
+#include <stdexcept>
+
+#include "tracker_choice.h"
+
+namespace moivre {
+namespace {
+
+// From far too loose to far tighter than needed; every decade when `full`.
+const std::vector<double> kSomeTolerances{1e-1, 1e-2, 1e-3, 1e-4, 1e-6};
+const std::vector<double> kAllTolerances{1e-1, 1e-2, 1e-3, 1e-4, 1e-5,
+                                         1e-6, 1e-7, 1e-8, 1e-9, 1e-10};
+// Careful enough that no jump was ever seen with them (docs/results/study).
+constexpr double kRefereeRtol = 1e-5;
+constexpr double kRefereeTolerance = 1e-4;
+
+const std::string kNewton = "+newton";
+
+std::vector<std::string> built_curves() {
+  std::vector<std::string> curves;
+#if MOIVRE_WITH_CVODE
+  for (const char* method : {"bdf_projection", "bdf", "adams"}) {
+    curves.push_back(method);
+    curves.push_back(method + kNewton);
+  }
+#endif
+#if MOIVRE_WITH_LANES
+  curves.push_back("lanes");
+#endif
+  return curves;
+}
+
+TrackerChoice choice_of(const std::string& curve, double tolerance) {
+  TrackerChoice choice;
+  if (curve == "lanes") {
+    choice.kind = "lanes";
+    choice.tolerance = tolerance;
+    return choice;
+  }
+  choice.kind = "cvode";
+  choice.rtol = tolerance;
+  const std::size_t plus = curve.find(kNewton);
+  choice.method = curve.substr(0, plus);
+  if (plus != std::string::npos) choice.iteration = "newton";
+  return choice;
+}
+
+void require_built(const std::vector<std::string>& curves, const std::vector<std::string>& built) {
+  std::string names;
+  for (const std::string& name : built) names += (names.empty() ? "" : ", ") + name;
+  for (const std::string& curve : curves) {
+    if (std::find(built.begin(), built.end(), curve) != built.end()) continue;
+    throw std::invalid_argument("--settings " + curve + ": the settings are " + names);
+  }
+}
+
+}  // namespace
+
+std::vector<ChosenSetting> chosen_settings(const StudyChoice& choice) {
+  const std::vector<std::string> built = built_curves();
+  require_built(choice.curves, built);
+  std::vector<double> tolerances = choice.tolerances;
+  if (tolerances.empty()) tolerances = choice.full ? kAllTolerances : kSomeTolerances;
+  std::sort(tolerances.begin(), tolerances.end(), std::greater<>());
+  std::vector<ChosenSetting> settings;
+  for (const std::string& curve : choice.curves.empty() ? built : choice.curves) {
+    for (const double tolerance : tolerances) {
+      settings.push_back({curve, tolerance, make_tracker(choice_of(curve, tolerance))});
+    }
+  }
+  return settings;
+}
+
+Referees make_referees() {
+  Referees referees;
+#if MOIVRE_WITH_CVODE
+  referees.referee = make_tracker(choice_of("bdf_projection", kRefereeRtol));
+#endif
+#if MOIVRE_WITH_LANES
+  auto& lanes = referees.referee ? referees.witness : referees.referee;
+  lanes = make_tracker(choice_of("lanes", kRefereeTolerance));
+#endif
+  return referees;
+}
+
+}  // namespace moivre

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: MIT
+// The work-precision diagram as a script for gnuplot 5: data, axes, two panels, one legend.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "moivre/report/number_text.h"
+#include "moivre/study_report/study_report.h"
+
+namespace moivre {
+namespace {
+
+// Errors below this are drawn here: a logarithm has no place for 0.
+constexpr double kLeastDrawn = 1e-18;
+// The legend's rows, and where it stands, in shares of the picture.
+constexpr std::size_t kLegendRows = 3;
+constexpr double kLegendLeft = 0.16;
+constexpr double kLegendColumn = 0.25;
+constexpr double kLegendTop = 0.15;
+constexpr double kLegendRow = 0.05;
+// Where nothing was found the cross stands at the top: an error as large as the root.
+constexpr double kMostDrawn = 1;
+
+/// Colours that are told apart with any colour vision [Okabe and Ito], and black for the last.
+const std::vector<std::string> kColours{"#0072b2", "#56b4e9", "#d55e00", "#e69f00",
+                                        "#009e73", "#cc79a7", "#000000"};
+/// Filled symbols of gnuplot's SVG terminal, one a curve.
+const std::vector<int> kSymbols{7, 5, 9, 11, 13, 15, 4};
+
+struct Mark {
+  double cpu_s;
+  std::optional<double> error;
+  std::uint64_t lost;
+};
+
+struct Curve {
+  std::string name;
+  std::vector<Mark> own;    ///< left panel
+  std::vector<Mark> solve;  ///< right panel, filled
+  std::vector<Mark> plain;  ///< right panel, hollow
+};
+
+std::vector<Curve> curves_of(const StudyResult& result) {
+  std::vector<Curve> curves;
+  for (const StudyRow& row : result.rows) {
+    if (curves.empty() || curves.back().name != row.curve)
+      curves.push_back({row.curve, {}, {}, {}});
+    Curve& curve = curves.back();
+    const auto end = row.walk ? row.walk->end_error : row.own.error;
+    curve.own.push_back({row.own.cpu_s.median, end, row.own.lost});
+    curve.solve.push_back({row.repaired.cpu_s.median, row.repaired.error, row.repaired.lost});
+    curve.plain.push_back({row.repaired.cpu_s.median, row.repaired.plain_error, 0});
+  }
+  return curves;
+}
+
+double drawn(const std::optional<double>& error) {
+  return std::clamp(error.value_or(kMostDrawn), kLeastDrawn, kMostDrawn);
+}
+
+struct Range {
+  double low = std::numeric_limits<double>::infinity();
+  double high = 0;
+
+  void take(double x) {
+    low = std::min(low, x);
+    high = std::max(high, x);
+  }
+  /// From a power of ten to another, a decade at least, and `margin` more decades at both ends.
+  std::string text(double margin) const {
+    const double first = std::floor(std::log10(low)) - margin;
+    const double last = std::max(std::ceil(std::log10(high)), first + 1) + margin;
+    return "[1e" + exact_text(first) + ":1e" + exact_text(last) + "]";
+  }
+};
+
+/// A data block: cpu, error, roots lost or "?".
+std::string block(const std::string& name, const std::vector<Mark>& marks, bool crosses) {
+  std::string text = "$" + name + " << EOD\n";
+  for (const Mark& mark : marks) {
+    if (!crosses && !mark.error) continue;
+    text += exact_text(mark.cpu_s) + ' ' + exact_text(drawn(mark.error)) + ' ' +
+            (mark.lost > 0 ? std::to_string(mark.lost) : "?") + '\n';
+  }
+  return text + "EOD\n";
+}
+
+std::string style(std::size_t k) { return " lc rgb \"" + kColours[k % kColours.size()] + "\""; }
+
+std::string symbol(std::size_t k) { return std::to_string(kSymbols[k % kSymbols.size()]); }
+
+std::string line_plot(const std::string& data, std::size_t k) {
+  return "  $" + data + " using 1:2 with linespoints lw 1.5 ps 0.7 pt " + symbol(k) + style(k) +
+         " notitle";
+}
+
+std::string cross_plots(const std::string& data, std::size_t k) {
+  const std::string lossy = "  $" + data + " using (valid(3) ? $1 : 1/0):2";
+  return lossy + " with points pt 2 ps 1.6 lw 2" + style(k) + " notitle, \\\n" + lossy +
+         ":3 with labels offset 1.2,0.6 font \",10\" tc rgb \"" + kColours[k % kColours.size()] +
+         "\" notitle";
+}
+
+std::string panel(const std::string& kind, const std::vector<Curve>& curves) {
+  std::string text = "plot \\\n";
+  for (std::size_t k = 0; k < curves.size(); ++k) {
+    const std::string number = std::to_string(k);
+    text += line_plot(kind + number, k) + ", \\\n";
+    if (kind == "solve") {
+      text +=
+          "  $plain" + number + " using 1:2 with points pt 6 ps 0.9" + style(k) + " notitle, \\\n";
+    }
+    text += cross_plots(kind + number, k) + (k + 1 < curves.size() ? ", \\\n" : "\n");
+  }
+  return text;
+}
+
+/// Under both panels, column by column: gnuplot's own key cannot stand there in columns.
+std::string legend(const std::vector<Curve>& curves) {
+  struct Entry {
+    std::string text;
+    std::string point;
+  };
+  std::vector<Entry> entries;
+  for (std::size_t k = 0; k < curves.size(); ++k) {
+    entries.push_back({curves[k].name, "pt " + symbol(k) + " ps 0.8" + style(k)});
+  }
+  entries.push_back({"roots are lost, so many", "pt 2 ps 1.4 lw 2 lc rgb \"#555555\""});
+  entries.push_back({"residuals in plain double", "pt 6 ps 0.9 lc rgb \"#555555\""});
+  std::string text;
+  for (std::size_t k = 0; k < entries.size(); ++k) {
+    const double x = kLegendLeft + kLegendColumn * static_cast<double>(k / kLegendRows);
+    const double y = kLegendTop - kLegendRow * static_cast<double>(k % kLegendRows);
+    text += "set label \"" + entries[k].text + "\" at screen " + exact_text(x) + "," +
+            exact_text(y) + " left offset 1.5,0 noenhanced point " + entries[k].point + '\n';
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string study_gnuplot(const StudiedFile& study) {
+  const std::vector<Curve> curves = curves_of(study.result);
+  Range time;
+  Range end;
+  Range delivered;
+  std::string data;
+  for (std::size_t k = 0; k < curves.size(); ++k) {
+    const std::string number = std::to_string(k);
+    data += block("own" + number, curves[k].own, true) +
+            block("solve" + number, curves[k].solve, true) +
+            block("plain" + number, curves[k].plain, false);
+    for (const Mark& mark : curves[k].own) time.take(mark.cpu_s), end.take(drawn(mark.error));
+    for (const Mark& mark : curves[k].solve) {
+      time.take(mark.cpu_s);
+      delivered.take(drawn(mark.error));
+    }
+    for (const Mark& mark : curves[k].plain) {
+      if (mark.error) delivered.take(drawn(mark.error));
+    }
+  }
+  if (curves.empty()) return "# No setting was finished: there is nothing to draw.\n";
+  return "# SPDX-License-Identifier: MIT\n# Error against run time of " + study.name +
+         ": run `gnuplot " + study.name + ".gp` in this folder.\n" + data +
+         "set terminal svg size 1180,620 dynamic font \"sans-serif,13\" background \"white\"\n"
+         "set output \"" +
+         study.name +
+         ".svg\"\n"
+         "set datafile missing \"?\"\n"
+         "set logscale xy 10\nset format xy \"10^{%T}\"\nset grid lc rgb \"#dddddd\"\n"
+         "set multiplot title \"" +
+         study.name + ": " + counted(study.result.reference.roots, "root") + ", " +
+         counted(study.result.paths, "path") +
+         "\" noenhanced\n"
+         "set tmargin at screen 0.86\nset bmargin at screen 0.30\n"
+         "set xrange " +
+         time.text(0) +
+         "\n"
+         "set lmargin at screen 0.075\nset rmargin at screen 0.475\n"
+         "set title \"as the tracker leaves its paths, nothing repaired\"\n"
+         "set xlabel \"CPU time of all paths [s]\"\n"
+         "set ylabel \"largest relative error of a root\"\n"
+         "set yrange " +
+         end.text(1) +
+         "\n"
+         "unset key\nunset mytics\n" +
+         legend(curves) + panel("own", curves) +
+         "unset label\n"
+         "set lmargin at screen 0.575\nset rmargin at screen 0.975\n"
+         "set title \"as solve delivers them\"\n"
+         "set xlabel \"CPU time of solve with repairs [s]\"\n"
+         "set yrange " +
+         delivered.text(1) + "\n" + panel("solve", curves) + "unset multiplot\n";
+}
+
+}  // namespace moivre

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// Do table, CSV, script and page show what a study holds, with what is unknown left out?
+#include "moivre/study_report/study_report.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace moivre {
+namespace {
+
+StudiedFile study_by_hand() {
+  StudiedFile study;
+  study.file = "folder/a,b<c>.phc";
+  study.name = "a,b<c>";
+  study.result.complete = true;
+  study.result.seed = 1;
+  study.result.seeds = 2;
+  study.result.paths = 4;
+  study.result.reference.roots = 3;
+  StudyRow row;
+  row.curve = "bdf";
+  row.tolerance = 0.01;
+  row.own.cpu_s = {0.002, 0.003, 0.004};
+  row.own.lost = 2;
+  row.repaired.cpu_s = {0.02, 0.03, 0.04};
+  row.repaired.error = 1e-16;
+  row.walk = StudyWalk{.paths = 3, .jumped = 1, .end_error = 1e-5};
+  study.result.rows.push_back(row);
+  row.curve = "lanes";
+  row.own.lost = 0;
+  row.walk.reset();
+  row.repaired.error.reset();
+  study.result.rows.push_back(row);
+  return study;
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(StudyReport, TextHasARowASetting) {
+  const std::string text = study_text(study_by_hand());
+  EXPECT_TRUE(contains(text, "\nbdf "));
+  EXPECT_TRUE(contains(text, "\nlanes "));
+  EXPECT_TRUE(contains(text, "seeds 1 to 2"));
+}
+
+TEST(StudyReport, CsvRowsHaveAsManyFieldsAsTheHeadAndQuoteCommas) {
+  const std::string csv = study_csv({study_by_hand()});
+  const std::string head = csv.substr(0, csv.find('\n'));
+  const std::size_t begin = csv.find('\n') + 1;
+  const std::string row = csv.substr(begin, csv.find('\n', begin) - begin);
+  EXPECT_EQ(row.rfind("\"folder/a,b<c>.phc\",bdf,0.01,", 0), 0u) << row;
+  EXPECT_EQ(std::count(head.begin(), head.end(), ',') + 1, std::count(row.begin(), row.end(), ','));
+}
+
+TEST(StudyReport, ScriptMarksSettingsThatLoseRootsWithTheirNumber) {
+  const std::string script = study_gnuplot(study_by_hand());
+  EXPECT_TRUE(contains(script, "$own0 << EOD\n0.003 1e-05 2\nEOD"));
+  EXPECT_TRUE(contains(script, "$solve0 << EOD\n0.03 1e-16 ?\nEOD"));
+  EXPECT_TRUE(contains(script, "$solve1 << EOD\n0.03 1 ?\nEOD"));
+  EXPECT_TRUE(contains(script, "CPU time of all paths [s]"));
+}
+
+TEST(StudyReport, ScriptWithoutRowsDrawsNothing) {
+  StudiedFile study = study_by_hand();
+  study.result.rows.clear();
+  EXPECT_FALSE(contains(study_gnuplot(study), "plot"));
+}
+
+TEST(StudyReport, PageHoldsTheDiagramAndEscapesNames) {
+  StudiedFile study = study_by_hand();
+  EXPECT_TRUE(contains(study_html({study}), "No diagram"));
+  study.diagram = "<?xml version=\"1.0\"?>\n<svg>drawn</svg>";
+  const std::string page = study_html({study});
+  EXPECT_TRUE(contains(page, "<svg>drawn</svg>"));
+  EXPECT_FALSE(contains(page, "<?xml"));
+  EXPECT_TRUE(contains(page, "a,b&lt;c&gt;"));
+  EXPECT_FALSE(contains(page, "<c>"));
+}
+
+TEST(KnownCount, ComesFromTheIndexBesideTheFile) {
+  const std::string folder = std::string(MOIVRE_SOURCE_DIR) + "/problems/polynomials/";
+  EXPECT_EQ(known_count(folder + "noon-3.phc"), 21u);
+  EXPECT_FALSE(known_count(folder + "no-such.phc"));
+  EXPECT_FALSE(known_count(folder + "ipp2.phc"));  // some of its roots need not be found
+  EXPECT_FALSE(known_count("elsewhere/noon-3.phc"));
+}
+
+}  // namespace
+}  // namespace moivre
