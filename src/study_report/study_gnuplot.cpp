@@ -2,8 +2,8 @@
 // The work-precision diagram as a script for gnuplot 5: data, axes, two panels, one legend.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
-#include <map>
 
 #include "moivre/report/number_text.h"
 #include "moivre/study_report/study_report.h"
@@ -13,12 +13,12 @@ namespace {
 
 // Errors below this are drawn here: a logarithm has no place for 0.
 constexpr double kLeastDrawn = 1e-18;
-// The legend's rows, and where it stands, in shares of the picture.
+// The legend's rows, and where it stands, in thousandths of the picture.
 constexpr std::size_t kLegendRows = 3;
-constexpr double kLegendLeft = 0.16;
-constexpr double kLegendColumn = 0.25;
-constexpr double kLegendTop = 0.15;
-constexpr double kLegendRow = 0.05;
+constexpr int kLegendLeft = 160;
+constexpr int kLegendColumn = 250;
+constexpr int kLegendTop = 150;
+constexpr int kLegendRow = 50;
 // Where nothing was found the cross stands at the top: an error as large as the root.
 constexpr double kMostDrawn = 1;
 
@@ -50,7 +50,9 @@ std::vector<Curve> curves_of(const StudyResult& result) {
     const auto end = row.walk ? row.walk->end_error : row.own.error;
     curve.own.push_back({row.own.cpu_s.median, end, row.own.lost});
     curve.solve.push_back({row.repaired.cpu_s.median, row.repaired.error, row.repaired.lost});
-    curve.plain.push_back({row.repaired.cpu_s.median, row.repaired.plain_error, 0});
+    if (row.repaired.plain_error) {
+      curve.plain.push_back({row.repaired.cpu_s.median, row.repaired.plain_error, 0});
+    }
   }
   return curves;
 }
@@ -75,15 +77,21 @@ struct Range {
   }
 };
 
-/// A data block: cpu, error, roots lost or "?".
-std::string block(const std::string& name, const std::vector<Mark>& marks, bool crosses) {
+/// A data block, a line a mark: CPU seconds, error, and roots lost where that is asked for.
+std::string block(const std::string& name, const std::vector<Mark>& marks, bool lost) {
   std::string text = "$" + name + " << EOD\n";
   for (const Mark& mark : marks) {
-    if (!crosses && !mark.error) continue;
-    text += exact_text(mark.cpu_s) + ' ' + exact_text(drawn(mark.error)) + ' ' +
-            (mark.lost > 0 ? std::to_string(mark.lost) : "?") + '\n';
+    text += exact_text(mark.cpu_s) + ' ' + exact_text(drawn(mark.error)) +
+            (lost ? ' ' + std::to_string(mark.lost) : "") + '\n';
   }
   return text + "EOD\n";
+}
+
+std::vector<Mark> lossy(const std::vector<Mark>& marks) {
+  std::vector<Mark> chosen;
+  std::copy_if(marks.begin(), marks.end(), std::back_inserter(chosen),
+               [](const Mark& mark) { return mark.lost > 0; });
+  return chosen;
 }
 
 std::string style(std::size_t k) { return " lc rgb \"" + kColours[k % kColours.size()] + "\""; }
@@ -95,25 +103,56 @@ std::string line_plot(const std::string& data, std::size_t k) {
          " notitle";
 }
 
+/// Crosses on the marks that lost roots, and their numbers beside them. A block without marks is not to be drawn:
+/// gnuplot 5.4 crashes on labels without data.
 std::string cross_plots(const std::string& data, std::size_t k) {
-  const std::string lossy = "  $" + data + " using (valid(3) ? $1 : 1/0):2";
-  return lossy + " with points pt 2 ps 1.6 lw 2" + style(k) + " notitle, \\\n" + lossy +
-         ":3 with labels offset 1.2,0.6 font \",10\" tc rgb \"" + kColours[k % kColours.size()] +
-         "\" notitle";
+  return ", \\\n  $lost_" + data + " using 1:2 with points pt 2 ps 1.6 lw 2" + style(k) +
+         " notitle, \\\n  $lost_" + data +
+         " using 1:2:3 with labels offset 1.2,0.6 font \",10\" tc rgb \"" +
+         kColours[k % kColours.size()] + "\" notitle";
 }
 
-std::string panel(const std::string& kind, const std::vector<Curve>& curves) {
-  std::string text = "plot \\\n";
+std::string panel(const std::string& kind, const std::vector<Curve>& curves,
+                  std::vector<Mark> Curve::*marks) {
+  std::string text = "plot";
   for (std::size_t k = 0; k < curves.size(); ++k) {
     const std::string number = std::to_string(k);
-    text += line_plot(kind + number, k) + ", \\\n";
-    if (kind == "solve") {
+    text += (k == 0 ? " \\\n" : ", \\\n") + line_plot(kind + number, k);
+    if (kind == "solve" && !curves[k].plain.empty()) {
       text +=
-          "  $plain" + number + " using 1:2 with points pt 6 ps 0.9" + style(k) + " notitle, \\\n";
+          ", \\\n  $plain" + number + " using 1:2 with points pt 6 ps 0.9" + style(k) + " notitle";
     }
-    text += cross_plots(kind + number, k) + (k + 1 < curves.size() ? ", \\\n" : "\n");
+    if (!lossy(curves[k].*marks).empty()) text += cross_plots(kind + number, k);
   }
-  return text;
+  return text + '\n';
+}
+
+/// Every block that the panels draw, and how far the axes have to reach.
+struct DiagramData {
+  std::string blocks;
+  Range time;
+  Range end;
+  Range delivered;
+};
+
+DiagramData data_of(const std::vector<Curve>& curves) {
+  DiagramData data;
+  for (std::size_t k = 0; k < curves.size(); ++k) {
+    const Curve& curve = curves[k];
+    const std::string number = std::to_string(k);
+    data.blocks += block("own" + number, curve.own, false) +
+                   block("lost_own" + number, lossy(curve.own), true) +
+                   block("solve" + number, curve.solve, false) +
+                   block("lost_solve" + number, lossy(curve.solve), true) +
+                   block("plain" + number, curve.plain, false);
+    for (const Mark& mark : curve.own) data.end.take(drawn(mark.error));
+    for (const Mark& mark : curve.solve) data.delivered.take(drawn(mark.error));
+    for (const Mark& mark : curve.plain) data.delivered.take(drawn(mark.error));
+    for (const auto& marks : {curve.own, curve.solve}) {
+      for (const Mark& mark : marks) data.time.take(mark.cpu_s);
+    }
+  }
+  return data;
 }
 
 /// Under both panels, column by column: gnuplot's own key cannot stand there in columns.
@@ -130,10 +169,11 @@ std::string legend(const std::vector<Curve>& curves) {
   entries.push_back({"residuals in plain double", "pt 6 ps 0.9 lc rgb \"#555555\""});
   std::string text;
   for (std::size_t k = 0; k < entries.size(); ++k) {
-    const double x = kLegendLeft + kLegendColumn * static_cast<double>(k / kLegendRows);
-    const double y = kLegendTop - kLegendRow * static_cast<double>(k % kLegendRows);
-    text += "set label \"" + entries[k].text + "\" at screen " + exact_text(x) + "," +
-            exact_text(y) + " left offset 1.5,0 noenhanced point " + entries[k].point + '\n';
+    const int x = kLegendLeft + kLegendColumn * static_cast<int>(k / kLegendRows);
+    const int y = kLegendTop - kLegendRow * static_cast<int>(k % kLegendRows);
+    text += "set label \"" + entries[k].text + "\" at screen " + exact_text(x / 1000.0) + "," +
+            exact_text(y / 1000.0) + " left offset 1.5,0 noenhanced point " + entries[k].point +
+            '\n';
   }
   return text;
 }
@@ -142,27 +182,10 @@ std::string legend(const std::vector<Curve>& curves) {
 
 std::string study_gnuplot(const StudiedFile& study) {
   const std::vector<Curve> curves = curves_of(study.result);
-  Range time;
-  Range end;
-  Range delivered;
-  std::string data;
-  for (std::size_t k = 0; k < curves.size(); ++k) {
-    const std::string number = std::to_string(k);
-    data += block("own" + number, curves[k].own, true) +
-            block("solve" + number, curves[k].solve, true) +
-            block("plain" + number, curves[k].plain, false);
-    for (const Mark& mark : curves[k].own) time.take(mark.cpu_s), end.take(drawn(mark.error));
-    for (const Mark& mark : curves[k].solve) {
-      time.take(mark.cpu_s);
-      delivered.take(drawn(mark.error));
-    }
-    for (const Mark& mark : curves[k].plain) {
-      if (mark.error) delivered.take(drawn(mark.error));
-    }
-  }
   if (curves.empty()) return "# No setting was finished: there is nothing to draw.\n";
+  const DiagramData data = data_of(curves);
   return "# SPDX-License-Identifier: MIT\n# Error against run time of " + study.name +
-         ": run `gnuplot " + study.name + ".gp` in this folder.\n" + data +
+         ": run `gnuplot " + study.name + ".gp` in this folder.\n" + data.blocks +
          "set terminal svg size 1180,620 dynamic font \"sans-serif,13\" background \"white\"\n"
          "set output \"" +
          study.name +
@@ -175,23 +198,24 @@ std::string study_gnuplot(const StudiedFile& study) {
          "\" noenhanced\n"
          "set tmargin at screen 0.86\nset bmargin at screen 0.30\n"
          "set xrange " +
-         time.text(0) +
+         data.time.text(0) +
          "\n"
          "set lmargin at screen 0.075\nset rmargin at screen 0.475\n"
          "set title \"as the tracker leaves its paths, nothing repaired\"\n"
          "set xlabel \"CPU time of all paths [s]\"\n"
          "set ylabel \"largest relative error of a root\"\n"
          "set yrange " +
-         end.text(1) +
+         data.end.text(1) +
          "\n"
          "unset key\nunset mytics\n" +
-         legend(curves) + panel("own", curves) +
+         legend(curves) + panel("own", curves, &Curve::own) +
          "unset label\n"
          "set lmargin at screen 0.575\nset rmargin at screen 0.975\n"
          "set title \"as solve delivers them\"\n"
          "set xlabel \"CPU time of solve with repairs [s]\"\n"
          "set yrange " +
-         delivered.text(1) + "\n" + panel("solve", curves) + "unset multiplot\n";
+         data.delivered.text(1) + "\n" + panel("solve", curves, &Curve::solve) +
+         "unset multiplot\n";
 }
 
 }  // namespace moivre

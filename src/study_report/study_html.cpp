@@ -58,7 +58,7 @@ std::string section(const StudiedFile& study) {
   for (const std::string& fact : study_facts(study)) text += escaped(fact) + "<br>\n";
   if (!study.result.complete) text += escaped(study.result.message) + "<br>\n";
   text += "</p>\n";
-  text += study.diagram.empty() ? "<p>No diagram: gnuplot was not found. Its script is " +
+  text += study.diagram.empty() ? "<p>No diagram was drawn. Its script for gnuplot is " +
                                       escaped(study.name) + ".gp.</p>\n"
                                 : inline_svg(study.diagram);
   return text + table(study.result);

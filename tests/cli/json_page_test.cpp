@@ -80,7 +80,7 @@ TEST(JsonPage, ShowsWhatTheProgramPrints) {
     EXPECT_EQ(shape_of(outcome.out), shape_of(expected)) << "docs/json.md, line " << k + 1;
   }
   EXPECT_EQ(shown, (std::set<std::string>{"closures", "guesses", "info", "mobility", "newton",
-                                          "solve", "track"}));
+                                          "solve", "study", "track"}));
 }
 
 }  // namespace

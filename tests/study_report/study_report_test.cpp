@@ -57,9 +57,12 @@ TEST(StudyReport, CsvRowsHaveAsManyFieldsAsTheHeadAndQuoteCommas) {
 
 TEST(StudyReport, ScriptMarksSettingsThatLoseRootsWithTheirNumber) {
   const std::string script = study_gnuplot(study_by_hand());
-  EXPECT_TRUE(contains(script, "$own0 << EOD\n0.003 1e-05 2\nEOD"));
-  EXPECT_TRUE(contains(script, "$solve0 << EOD\n0.03 1e-16 ?\nEOD"));
-  EXPECT_TRUE(contains(script, "$solve1 << EOD\n0.03 1 ?\nEOD"));
+  EXPECT_TRUE(contains(script, "$own0 << EOD\n0.003 1e-05\nEOD"));
+  EXPECT_TRUE(contains(script, "$solve0 << EOD\n0.03 1e-16\nEOD"));
+  EXPECT_TRUE(contains(script, "$solve1 << EOD\n0.03 1\nEOD"));
+  EXPECT_TRUE(contains(script, "$lost_own0 << EOD\n0.003 1e-05 2\nEOD"));
+  EXPECT_TRUE(contains(script, "$lost_own0 using 1:2:3 with labels"));
+  EXPECT_FALSE(contains(script, "$lost_solve0 using"));
   EXPECT_TRUE(contains(script, "CPU time of all paths [s]"));
 }
 
