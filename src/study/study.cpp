@@ -44,8 +44,9 @@ class Study {
   SolveOptions solve_options(std::size_t seed) const;
   void find_reference(const Tracker& referee, const Tracker* witness);
   StudyRow study(const StudySetting& setting);
+  enum class Repairs { none, all };
   /// Fills one outcome from all seeds. True when nothing was left for the solver to repair.
-  bool measure(const Tracker& tracker, int maximum_care, StudyOutcome& outcome);
+  bool measure(const Tracker& tracker, Repairs repairs, StudyOutcome& outcome);
   void compare(const SolveResult& run, StudyOutcome& outcome) const;
   std::optional<StudyWalk> walk(const Tracker& tracker);
   void take_end(const PathDrift& drift, std::size_t own, StudyWalk& walk) const;
@@ -109,24 +110,27 @@ StudyRow Study::study(const StudySetting& setting) {
   row.tolerance = setting.tolerance;
   row.tracker = setting.tracker->kind();
   row.tracker_options = setting.tracker->options_in_force();
-  const bool needs_no_repair = measure(*setting.tracker, 0, row.own);
+  const bool needs_no_repair = measure(*setting.tracker, Repairs::none, row.own);
   row.repaired = row.own;
   if (!needs_no_repair) {
     row.repaired = {};
-    measure(*setting.tracker, SolveOptions{}.maximum_care, row.repaired);
+    measure(*setting.tracker, Repairs::all, row.repaired);
   }
   row.walk = walk(*setting.tracker);
   return row;
 }
 
-bool Study::measure(const Tracker& tracker, int maximum_care, StudyOutcome& outcome) {
+bool Study::measure(const Tracker& tracker, Repairs repairs, StudyOutcome& outcome) {
   std::vector<double> seconds;
   std::vector<StepCount> work;
   bool needs_no_repair = true;
   for (std::size_t seed = 0; seed < static_cast<std::size_t>(options_.seeds); ++seed) {
     if (is_stopped()) break;
     SolveOptions options = solve_options(seed);
-    options.maximum_care = maximum_care;
+    if (repairs == Repairs::none) {
+      options.maximum_care = 0;
+      options.precision = Precision::double_precision;
+    }
     SolveResult run;
     const auto times = time_runs([&] { run = solve(f_, tracker, options, stop_); });
     seconds.insert(seconds.end(), times.begin(), times.end());

@@ -61,7 +61,7 @@ TEST(Study, ErrorsOfTheIntegratorFallWithItsTolerance) {
   ASSERT_EQ(result.rows.size(), 2u);
   EXPECT_GT(*result.rows[0].walk->end_error, 100 * *result.rows[1].walk->end_error);
   EXPECT_GT(result.rows[0].walk->drift_after, 100 * result.rows[1].walk->drift_after);
-  EXPECT_GT(result.rows[1].repaired.work.accepted, result.rows[0].repaired.work.accepted);
+  EXPECT_GT(result.rows[1].own.work.accepted, result.rows[0].own.work.accepted);
 }
 
 TEST(Study, ProjectionTakesTheDriftAway) {

@@ -7,7 +7,8 @@
 //     error        of the roots that solve() delivers, residuals in double-double
 //     plain_error  of the same roots, after Newton's method with residuals in plain double
 //
-//   own        solve() without repair: doubts are not tracked again, so lost roots are the tracker's own
+//   own        solve() without repair: doubts are not tracked again, neither with more care nor in double-double, so lost
+//              roots are the tracker's own
 //   repaired   solve() as it is
 //   jumped     paths whose end is nearest to another root than theirs; whose a root is, say careful runs of both trackers
 //
