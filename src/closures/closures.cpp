@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <map>
 
 #include "canonical_order.h"
 #include "exact.h"
@@ -66,6 +67,7 @@ class Search {
   bool is_isolated_pose(const Solution& solution);
   void pose_all();
   void take_pose(const Solution& solution, const NewtonResult& polished);
+  void tell_limits();
   void name_closures();
   std::string shortfall() const;
   void conclude();
@@ -77,6 +79,7 @@ class Search {
   Phi phi_;
   IsotropicSystem isotropic_;
   ClosureResult result_;
+  std::map<std::size_t, std::uint64_t> beyond_limits_;  ///< joint -> closures that it filtered
   std::uint64_t lost_images_ = 0;
   std::uint64_t unpolished_ = 0;
   bool undecided_motion_ = false;
@@ -259,11 +262,13 @@ bool Search::is_isolated_pose(const Solution& solution) {
 void Search::take_pose(const Solution& solution, const NewtonResult& polished) {
   const Eigen::VectorXd q = phi_.canonical(polished.q);
   ++result_.counts.real;
-  const bool within =
-      std::all_of(mechanism_.joints.begin(), mechanism_.joints.end(),
-                  [&](const Joint& joint) { return is_within_limits(mechanism_, joint, q); });
-  if (!within) {
+  const auto& joints = mechanism_.joints;
+  const auto beyond = std::find_if(joints.begin(), joints.end(), [&](const Joint& joint) {
+    return !is_within_limits(mechanism_, joint, q);
+  });
+  if (beyond != joints.end()) {
     ++result_.counts.filtered;
+    ++beyond_limits_[static_cast<std::size_t>(beyond - joints.begin())];
     return;
   }
   Closure closure;
@@ -290,6 +295,14 @@ void Search::pose_all() {
   }
   result_.solutions = std::move(isolated);
   result_.counts.complex = result_.solutions.size();
+}
+
+void Search::tell_limits() {
+  for (const auto& [joint, count] : beyond_limits_) {
+    const Joint& at = mechanism_.joints[joint];
+    result_.left_out.push_back({std::to_string(count) + (count == 1 ? " closure" : " closures"),
+                                "outside the limits of " + to_string(at.type) + " " + at.name});
+  }
 }
 
 void Search::name_closures() {
@@ -340,6 +353,7 @@ ClosureResult Search::run() {
   if (isotropic_.contradictions.empty()) solve_stages();
   check_images();
   pose_all();
+  tell_limits();
   name_closures();
   if (!result_.closures.empty()) {
     result_.mobility = mobility(phi_, result_.closures.front().q, options_.time);

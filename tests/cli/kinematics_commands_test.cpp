@@ -220,9 +220,24 @@ TEST_F(KinematicsCommands, JointLimitsFilterClosuresAndAreReported) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_TRUE(contains(outcome.out, "2 complex closures, 2 real, 1 outside a joint's limits"))
       << outcome.out;
+  EXPECT_TRUE(contains(outcome.out, "1 closure: outside the limits of revolute tip"))
+      << outcome.out;
   const Json report = Json::parse(scene.run({"closures", "limited.toml", "--json", "-"}).out);
   EXPECT_EQ(report["counts"]["filtered"], 1);
   EXPECT_EQ(report["closures"].size(), 1U);
+}
+
+TEST_F(KinematicsCommands, ClosuresGiveTheSameBytesForEveryNumberOfThreads) {
+  const std::string file =
+      std::string(MOIVRE_SOURCE_DIR) + "/problems/mechanisms/assur-7-serial.toml";
+  std::string first;
+  for (const char* threads : {"1", "3", "16"}) {
+    const Outcome outcome = scene.run({"closures", file, "--threads", threads, "--json", "-"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const std::string bytes = outcome.out.substr(0, outcome.out.find("\"time_s\""));
+    if (first.empty()) first = bytes;
+    EXPECT_EQ(bytes, first) << threads << " threads";
+  }
 }
 
 TEST_F(KinematicsCommands, ClosuresTellThatAMechanismMovesAndFromWhichPose) {
