@@ -172,6 +172,7 @@ StageRun Search::solve_combined(StageRun first) {
   run.work += first.work;
   run.time.start += first.time.start;
   run.time.track += first.time.track;
+  run.time.track_cpu += first.time.track_cpu;
   run.time.refine += first.time.refine;
   return run;
 }

@@ -172,6 +172,7 @@ void Stages::add_roots(const Block& block, const Branch& branch, const System& f
   run_.time.threads = std::max(run_.time.threads, result.time.threads);
   run_.time.start += result.time.start;
   run_.time.track += result.time.track;
+  run_.time.track_cpu += result.time.track_cpu;
   run_.time.refine += result.time.refine;
   run_.complete = run_.complete && result.complete;
   run_.moves = run_.moves || result.paths.on_positive_dimensional > 0;

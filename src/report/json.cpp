@@ -99,9 +99,13 @@ Json to_json(const FailedPath& failure) {
 }
 
 Json to_json(const SolveTime& time) {
-  return {{"threads", time.threads},        {"parse", to_json(time.parse)},
-          {"start", to_json(time.start)},   {"track", to_json(time.track)},
-          {"refine", to_json(time.refine)}, {"total", to_json(time.total)}};
+  return {{"threads", time.threads},
+          {"parse", to_json(time.parse)},
+          {"start", to_json(time.start)},
+          {"track", to_json(time.track)},
+          {"track_cpu", to_json(time.track_cpu)},
+          {"refine", to_json(time.refine)},
+          {"total", to_json(time.total)}};
 }
 
 Json to_json(const SystemFacts& system) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 #include <stdexcept>
 #include <thread>
 
@@ -139,7 +140,9 @@ SolveResult Run::run() {
   describe();
   result_.time.start = watch.lap();
   if (!decided_without_tracking()) {
+    const std::clock_t begin = std::clock();
     track_all();
+    result_.time.track_cpu = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
     result_.time.track = watch.lap();
     refine_ends();
     settle_doubts();

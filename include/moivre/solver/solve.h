@@ -123,6 +123,7 @@ struct SolveTime {
   double parse = 0;  ///< filled by who parsed
   double start = 0;  ///< presolve, start system, tape
   double track = 0;
+  double track_cpu = 0;  ///< CPU seconds of all threads while tracking
   double refine = 0;  ///< refinement, jumps, accounting
   double total = 0;
 };
