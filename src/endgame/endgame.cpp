@@ -10,6 +10,8 @@
 namespace moivre {
 namespace {
 
+// Sights begin here: most regular paths jump to t = 1 from farther out, and a sight costs as much as several steps.
+constexpr double kSightRadius = 0.02;
 // Sights are kept at radii at least this factor apart; a steady valuation is one that this many agree on.
 constexpr double kSightSpacing = 2;
 constexpr std::size_t kSteadySights = 6;
@@ -151,6 +153,7 @@ Watcher::Verdict Endgame::watch(const StepRecord& step, PathSystem& path) noexce
     outpost_.assign(step.x.begin(), step.x.end());
     radius_ = radius;
   }
+  if (radius > kSightRadius) return watched_ > kPatience ? Verdict::stop : Verdict::go_on;
   if (sights_.empty() || radius * kSightSpacing <= sights_.back().radius) {
     if (!path.linearize(step.x, step.t)) return Verdict::stop;
     sights_.push_back(sight(step, path));
