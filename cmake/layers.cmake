@@ -4,7 +4,7 @@
 # A module may use what its line names and what those use (one way only).
 
 set(MOIVRE_MODULES numeric expression polynomial multiprecision homotopy tracker tracker_cvode tracker_lanes endgame start
-    solver study mechanism kinematics closures report closure_report study_report cli)
+    solver study mechanism kinematics closures closure_study report closure_report study_report cli)
 
 set(MOIVRE_USES_numeric "")
 set(MOIVRE_USES_expression numeric)
@@ -21,10 +21,11 @@ set(MOIVRE_USES_study multiprecision solver)
 set(MOIVRE_USES_mechanism expression)
 set(MOIVRE_USES_kinematics mechanism)
 set(MOIVRE_USES_closures kinematics solver)
+set(MOIVRE_USES_closure_study closures study)
 set(MOIVRE_USES_report solver)
 set(MOIVRE_USES_closure_report closures report)
 set(MOIVRE_USES_study_report study report)
-set(MOIVRE_USES_cli multiprecision report study_report closure_report tracker_cvode tracker_lanes)
+set(MOIVRE_USES_cli closure_study multiprecision report study_report closure_report tracker_cvode tracker_lanes)
 
 # Third-party packages, each private to the modules that name it. Eigen and Boost's rationals are
 # the exception: they are vocabulary of the public headers.

@@ -2,6 +2,7 @@
 // The study of each file, with progress, interruption and output.
 #include "run_study.h"
 
+#include <functional>
 #include <stdexcept>
 
 #include "command_line.h"
@@ -11,6 +12,12 @@
 #include "output.h"
 #include "progress_line.h"
 #include "study_folder.h"
+
+#if MOIVRE_WITH_MECHANISM
+#include "mechanism_input.h"
+#include "moivre/closure_study/closure_study.h"
+#include "moivre/mechanism/read.h"
+#endif
 
 namespace moivre {
 namespace {
@@ -23,16 +30,47 @@ std::vector<StudySetting> settings_of(const StudyChoice& choice) {
   return settings;
 }
 
-std::vector<System> read_systems(const std::vector<std::string>& files) {
-  std::vector<System> systems;
-  for (const std::string& file : files) {
-    System system = read_system(read_source(file));
-    if (system.polynomials.size() != system.variables.size()) {
-      throw std::invalid_argument(file + ": as many equations as unknowns are needed");
-    }
-    systems.push_back(std::move(system));
+/// A file that has been read: how it is studied.
+using Study = std::function<StudyResult(const std::vector<StudySetting>&, const Referees&,
+                                        const StudyOptions&, const std::atomic<bool>&)>;
+
+Study study_of_system(const std::string& file) {
+  System system = read_system(read_source(file));
+  if (system.polynomials.size() != system.variables.size()) {
+    throw std::invalid_argument(file + ": as many equations as unknowns are needed");
   }
-  return systems;
+  return [system = std::move(system)](const auto& settings, const Referees& referees,
+                                      const StudyOptions& options, const auto& stop) {
+    return study_system(system, settings, *referees.referee, referees.witness.get(), options, stop);
+  };
+}
+
+#if MOIVRE_WITH_MECHANISM
+Study study_of_mechanism(const std::string& file) {
+  return [mechanism = read_mechanism(read_source(file))](
+             const auto& settings, const Referees& referees, const StudyOptions& options,
+             const auto& stop) {
+    return study_mechanism(mechanism, settings, *referees.referee, referees.witness.get(), options,
+                           stop);
+  };
+}
+
+bool names_mechanism(const std::string& file) { return is_mechanism_file(file); }
+#else
+Study study_of_mechanism(const std::string& file) {
+  throw std::invalid_argument(
+      file + ": this program was built without mechanisms (MOIVRE_WITH_MECHANISM)");
+}
+
+bool names_mechanism(const std::string& file) { return file.ends_with(".toml"); }
+#endif
+
+std::vector<Study> read_files(const std::vector<std::string>& files) {
+  std::vector<Study> studies;
+  for (const std::string& file : files) {
+    studies.push_back(names_mechanism(file) ? study_of_mechanism(file) : study_of_system(file));
+  }
+  return studies;
 }
 
 StudyOptions options_of(const StudyCommand& command) {
@@ -62,7 +100,7 @@ int run_study(const StudyCommand& command) {
   const std::vector<StudySetting> settings = settings_of(command.choice);
   const Referees referees = make_referees();
   StudyOptions options = options_of(command);
-  const std::vector<System> systems = read_systems(command.files);
+  const std::vector<Study> subjects = read_files(command.files);
   Output json(command.json);
   Output csv(command.csv);
   StudyFolder folder(command.out);
@@ -73,16 +111,14 @@ int run_study(const StudyCommand& command) {
   {
     ProgressLine line(!command.quiet);
     const Interruption interruption;
-    for (std::size_t k = 0; k < systems.size() && !interruption.stop().load(); ++k) {
+    for (std::size_t k = 0; k < subjects.size() && !interruption.stop().load(); ++k) {
       options.known_roots = command.count ? command.count : known_count(command.files[k]);
       options.progress = [&](const StudyProgress& progress) {
         line.show(names[k] + ": " + progress.now + ", " + std::to_string(progress.done) + " of " +
                   std::to_string(progress.total));
       };
       studies.push_back({command.files[k], names[k],
-                         study_system(systems[k], settings, *referees.referee,
-                                      referees.witness.get(), options, interruption.stop()),
-                         ""});
+                         subjects[k](settings, referees, options, interruption.stop()), ""});
     }
   }
   remark = folder.write(studies);

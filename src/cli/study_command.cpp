@@ -12,7 +12,8 @@ void add_study_command(CLI::App& moivre, Chosen& chosen) {
   const auto command = std::make_shared<StudyCommand>();
   CLI::App& app = *moivre.add_subcommand(
       "study", "Measure error against run time, over trackers and tolerances");
-  app.add_option("FILE", command->files, "polynomial systems, in PHCpack's or Bertini's text form")
+  app.add_option("FILE", command->files,
+                 "mechanisms (.toml), else polynomial systems in PHCpack's or Bertini's text form")
       ->required();
   app.add_option(
          "--settings", command->choice.curves,
@@ -41,9 +42,10 @@ void add_study_command(CLI::App& moivre, Chosen& chosen) {
                  "write study.csv, index.html and each file's diagram with its gnuplot script into "
                  "this folder")
       ->type_name("FOLDER");
-  add_examples(app, {"moivre study katsura.phc", "moivre study katsura.phc noon.phc --out study",
-                     "moivre study katsura.phc --settings bdf_projection,lanes --full",
-                     "moivre study katsura.phc --tolerances 1e-2,1e-4 --seeds 1 --json - | jq ."});
+  add_examples(app,
+               {"moivre study katsura.phc", "moivre study katsura.phc four-bar.toml --out study",
+                "moivre study katsura.phc --settings bdf_projection,lanes --full",
+                "moivre study katsura.phc --tolerances 1e-2,1e-4 --seeds 1 --json - | jq ."});
   app.callback([command, &chosen] { chosen = [command] { return run_study(*command); }; });
 }
 

@@ -121,8 +121,9 @@ void ReferenceRoots::close(const System& f, const std::optional<std::uint64_t>& 
                            bool has_witness) {
   std::vector<Point> approximations;
   std::vector<std::size_t> simple;
+  const bool is_square = f.polynomials.size() == f.variables.size();
   for (std::size_t k = 0; k < roots_.size(); ++k) {
-    if (roots_[k].singular) continue;
+    if (roots_[k].singular || !is_square) continue;
     simple.push_back(k);
     approximations.push_back(roots_[k].x);
   }

@@ -33,8 +33,8 @@ StepCount median_work(std::vector<StepCount> counts) {
 /// One study, from the careful runs to the last setting.
 class Study {
  public:
-  Study(const System& f, const StudyOptions& options, const std::atomic<bool>& stop)
-      : f_(f), options_(options), stop_(stop), plain_(f) {}
+  Study(const StudySubject& subject, const StudyOptions& options, const std::atomic<bool>& stop)
+      : subject_(subject), f_(subject.system), options_(options), stop_(stop), plain_(f_) {}
 
   StudyResult run(const std::vector<StudySetting>& settings, const Tracker& referee,
                   const Tracker* witness);
@@ -55,6 +55,7 @@ class Study {
     if (options_.progress) options_.progress({done, total, now});
   }
 
+  const StudySubject& subject_;
   const System& f_;
   const StudyOptions& options_;
   const std::atomic<bool>& stop_;
@@ -93,7 +94,7 @@ void Study::find_reference(const Tracker& referee, const Tracker* witness) {
     for (const Tracker* tracker : {&referee, witness}) {
       if (tracker == nullptr || is_stopped()) continue;
       tell("reference", seed, static_cast<std::uint64_t>(options_.seeds));
-      const SolveResult run = solve(f_, *tracker, solve_options(seed), stop_);
+      const SolveResult run = subject_.solve(*tracker, solve_options(seed), stop_);
       result_.system = run.system;
       result_.reduced = run.reduced;
       result_.paths = run.start.paths;
@@ -132,7 +133,7 @@ bool Study::measure(const Tracker& tracker, Repairs repairs, StudyOutcome& outco
       options.precision = Precision::double_precision;
     }
     SolveResult run;
-    const auto times = time_runs([&] { run = solve(f_, tracker, options, stop_); });
+    const auto times = time_runs([&] { run = subject_.solve(tracker, options, stop_); });
     seconds.insert(seconds.end(), times.begin(), times.end());
     work.push_back(run.work);
     compare(run, outcome);
@@ -180,7 +181,7 @@ std::vector<std::uint64_t> Study::walked_paths(std::size_t seed) const {
 }
 
 std::optional<StudyWalk> Study::walk(const Tracker& tracker) {
-  if (result_.reduced.variables.empty()) return std::nullopt;
+  if (!subject_.has_paths || result_.reduced.variables.empty()) return std::nullopt;
   std::optional<StudyWalk> whole;
   for (std::size_t seed = 0; seed < static_cast<std::size_t>(options_.seeds); ++seed) {
     const std::vector<std::uint64_t> paths = walked_paths(seed);
@@ -228,15 +229,25 @@ std::vector<std::string> validate(const StudyOptions& options) {
   return broken;
 }
 
-StudyResult study_system(const System& f, const std::vector<StudySetting>& settings,
-                         const Tracker& referee, const Tracker* witness,
-                         const StudyOptions& options, const std::atomic<bool>& stop) {
+StudyResult study_subject(const StudySubject& subject, const std::vector<StudySetting>& settings,
+                          const Tracker& referee, const Tracker* witness,
+                          const StudyOptions& options, const std::atomic<bool>& stop) {
   std::string message;
   for (const std::string& sentence : validate(options)) {
     message += (message.empty() ? "" : "; ") + sentence;
   }
   if (!message.empty()) throw std::invalid_argument(message);
-  return Study(f, options, stop).run(settings, referee, witness);
+  return Study(subject, options, stop).run(settings, referee, witness);
+}
+
+StudyResult study_system(const System& f, const std::vector<StudySetting>& settings,
+                         const Tracker& referee, const Tracker* witness,
+                         const StudyOptions& options, const std::atomic<bool>& stop) {
+  const StudySubject subject{
+      f, true, [&](const Tracker& tracker, const SolveOptions& solve_options, const auto& halt) {
+        return solve(f, tracker, solve_options, halt);
+      }};
+  return study_subject(subject, settings, referee, witness, options, stop);
 }
 
 }  // namespace moivre

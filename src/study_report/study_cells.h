@@ -18,6 +18,12 @@ struct StudyCell {
 
 std::vector<StudyCell> study_cells(const StudyRow& row);
 
+/// First column to the left, the others to the right, two spaces between.
+std::string aligned(const std::vector<std::vector<std::string>>& lines);
+
+/// Headings and rows as text, four digits.
+std::vector<std::vector<std::string>> lines_of(const StudyTable& table);
+
 /// "seeds 1 to 3", what was solved, and the reference: a sentence each.
 std::vector<std::string> study_facts(const StudiedFile& study);
 

@@ -53,6 +53,17 @@ std::string table(const StudyResult& result) {
   return text + "</table></div>\n";
 }
 
+std::string table(const StudyTable& other) {
+  std::string text = element("p", other.title) + "\n<div class=\"wide\"><table>\n";
+  const auto lines = lines_of(other);
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    text += "<tr>";
+    for (const std::string& cell : lines[k]) text += element(k == 0 ? "th" : "td", cell);
+    text += "</tr>\n";
+  }
+  return text + "</table></div>\n";
+}
+
 std::string section(const StudiedFile& study) {
   std::string text = element("h2", study.name) + "\n<p>" + escaped(study.file) + "<br>\n";
   for (const std::string& fact : study_facts(study)) text += escaped(fact) + "<br>\n";
@@ -61,7 +72,9 @@ std::string section(const StudiedFile& study) {
   text += study.diagram.empty() ? "<p>No diagram was drawn. Its script for gnuplot is " +
                                       escaped(study.name) + ".gp.</p>\n"
                                 : inline_svg(study.diagram);
-  return text + table(study.result);
+  text += table(study.result);
+  for (const StudyTable& other : study.result.tables) text += table(other);
+  return text;
 }
 
 }  // namespace

@@ -53,6 +53,10 @@ Json reference_json(const StudyReference& reference) {
           {"why", reference.completeness}};
 }
 
+Json table_json(const StudyTable& table) {
+  return {{"title", table.title}, {"columns", table.columns}, {"rows", table.rows}};
+}
+
 Json file_json(const StudiedFile& study) {
   const StudyResult& result = study.result;
   return {{"file", study.file},
@@ -64,6 +68,7 @@ Json file_json(const StudiedFile& study) {
           {"paths", result.paths},
           {"reference", reference_json(result.reference)},
           {"settings", list_json(result.rows, row_json)},
+          {"tables", list_json(result.tables, table_json)},
           {"time_s", {{"total", result.cpu_s}}}};
 }
 

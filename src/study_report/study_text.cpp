@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // A study as a table for people, and as CSV.
 #include <algorithm>
+#include <cmath>
 
+#include "moivre/report/number_text.h"
 #include "study_cells.h"
 
 namespace moivre {
@@ -12,24 +14,6 @@ std::string quoted(const std::string& text) {
   std::string result = "\"";
   for (const char c : text) result += c == '"' ? "\"\"" : std::string(1, c);
   return result + '"';
-}
-
-/// First column to the left, the others to the right, two spaces between.
-std::string aligned(const std::vector<std::vector<std::string>>& lines) {
-  std::vector<std::size_t> widths;
-  for (const auto& line : lines) {
-    widths.resize(std::max(widths.size(), line.size()));
-    for (std::size_t k = 0; k < line.size(); ++k) widths[k] = std::max(widths[k], line[k].size());
-  }
-  std::string text;
-  for (const auto& line : lines) {
-    for (std::size_t k = 0; k < line.size(); ++k) {
-      const std::string space(widths[k] - line[k].size(), ' ');
-      text += k == 0 ? line[k] + space : "  " + space + line[k];
-    }
-    text += '\n';
-  }
-  return text;
 }
 
 std::vector<std::vector<std::string>> table_of(const StudyResult& result) {
@@ -51,10 +35,39 @@ std::vector<std::vector<std::string>> table_of(const StudyResult& result) {
 
 }  // namespace
 
+std::string aligned(const std::vector<std::vector<std::string>>& lines) {
+  std::vector<std::size_t> widths;
+  for (const auto& line : lines) {
+    widths.resize(std::max(widths.size(), line.size()));
+    for (std::size_t k = 0; k < line.size(); ++k) widths[k] = std::max(widths[k], line[k].size());
+  }
+  std::string text;
+  for (const auto& line : lines) {
+    for (std::size_t k = 0; k < line.size(); ++k) {
+      const std::string space(widths[k] - line[k].size(), ' ');
+      text += k == 0 ? line[k] + space : "  " + space + line[k];
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+std::vector<std::vector<std::string>> lines_of(const StudyTable& table) {
+  std::vector<std::vector<std::string>> lines{table.columns};
+  for (const std::vector<double>& row : table.rows) {
+    std::vector<std::string>& line = lines.emplace_back();
+    for (const double x : row) line.push_back(x == std::round(x) ? exact_text(x) : rough_text(x));
+  }
+  return lines;
+}
+
 std::string study_text(const StudiedFile& study) {
   std::string text = study.file + '\n';
   for (const std::string& fact : study_facts(study)) text += fact + '\n';
   text += '\n' + aligned(table_of(study.result)) + '\n';
+  for (const StudyTable& table : study.result.tables) {
+    text += table.title + '\n' + aligned(lines_of(table)) + '\n';
+  }
   if (!study.result.complete) text += study.result.message + '\n';
   for (const std::string& line : study_legend()) text += line + '\n';
   return text;

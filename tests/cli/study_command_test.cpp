@@ -63,6 +63,19 @@ TEST(StudyCommand, SaysWithExitCodeTwoThatTheReferenceIsNotComplete) {
   EXPECT_TRUE(contains(outcome.out, "not complete: 4 of 5 roots were found")) << outcome.out;
 }
 
+TEST(StudyCommand, TakesMechanismsAndPolynomialsTogether) {
+  Scene scene;
+  scene.write("f.phc", kCircleAndHyperbola);
+  const std::string mechanism =
+      std::string(MOIVRE_SOURCE_DIR) + "/problems/mechanisms/four-bar.toml";
+  const Outcome outcome = scene.run(study({"f.phc", mechanism, "--json", "-"}));
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Json report = Json::parse(outcome.out);
+  ASSERT_EQ(report["files"].size(), 2u);
+  EXPECT_EQ(report["files"][1]["reference"]["roots"], 2);
+  EXPECT_EQ(report["files"][1]["settings"][0]["walk"], nullptr);
+}
+
 TEST(StudyCommand, FillsAFolderWithScriptsAndDrawsThemWhereGnuplotIs) {
   Scene scene;
   scene.write("f.phc", kCircleAndHyperbola);

@@ -99,6 +99,13 @@ struct StudyOptions {
 /// Every broken rule as a sentence; empty when the options can be used.
 std::vector<std::string> validate(const StudyOptions& options);
 
+/// Numbers beside the settings: a measurement of another kind, as a table.
+struct StudyTable {
+  std::string title;
+  std::vector<std::string> columns;
+  std::vector<std::vector<double>> rows;
+};
+
 struct StudyResult {
   bool complete = false;  ///< all settings were run; the reference may be incomplete all the same
   std::string message = "study_system() was not run";
@@ -109,11 +116,25 @@ struct StudyResult {
   std::uint64_t paths = 0;
   StudyReference reference;
   std::vector<StudyRow> rows;  ///< in the order of the settings; those that were finished
-  double cpu_s = 0;            ///< of all of it
+  std::vector<StudyTable> tables;
+  double cpu_s = 0;  ///< of all of it
+};
+
+/// What is solved: a system by solve(), or something that ends in roots of a system, such as closures.
+struct StudySubject {
+  System system;           ///< whose roots the solutions are; polished where it is square
+  bool has_paths = false;  ///< the solutions' path numbers are those of solve(system)
+  std::function<SolveResult(const Tracker&, const SolveOptions&, const std::atomic<bool>&)> solve;
 };
 
 /// `referee` and `witness` are careful trackers, each the other's witness; `witness` may be nullptr. Throws
 /// std::invalid_argument when the options or the system are not as said; a set `stop` ends with the rows that are finished.
+StudyResult study_subject(const StudySubject& subject, const std::vector<StudySetting>& settings,
+                          const Tracker& referee, const Tracker* witness,
+                          const StudyOptions& options = {},
+                          const std::atomic<bool>& stop = std::atomic<bool>{false});
+
+/// The same of solve(f).
 StudyResult study_system(const System& f, const std::vector<StudySetting>& settings,
                          const Tracker& referee, const Tracker* witness,
                          const StudyOptions& options = {},

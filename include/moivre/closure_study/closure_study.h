@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// What does accuracy cost for a mechanism? All its closures, with every setting.
+//
+// Closures: as study/study.h, of find_closures() at time 0. Errors are those of the places p = x + iy and directions
+// e^{i phi} of closures/isotropic.h, complex closures included; each closure counts, real or not.
+#pragma once
+
+#include "moivre/mechanism/mechanism.h"
+#include "moivre/study/study.h"
+
+namespace moivre {
+
+/// As study_system(). Throws std::invalid_argument where the mechanism is not supported.
+StudyResult study_mechanism(const Mechanism& mechanism, const std::vector<StudySetting>& settings,
+                            const Tracker& referee, const Tracker* witness,
+                            const StudyOptions& options = {},
+                            const std::atomic<bool>& stop = std::atomic<bool>{false});
+
+}  // namespace moivre
