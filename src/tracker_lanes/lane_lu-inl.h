@@ -44,15 +44,9 @@ class LaneLu {
       exchange_rows(k);
       const LaneComplex inverse = reciprocal(load(at(k, k)));
       store(inverse, reciprocal_[k]);
-      for (std::size_t i = k + 1; i < n_; ++i) {
-        const LaneComplex l = load(at(i, k)) * inverse;
-        store(l, at(i, k));
-        const double* u = at(k, k + 1);
-        double* row = at(i, k + 1);
-        for (std::size_t j = k + 1; j < columns_; ++j, u += 2 * W, row += 2 * W) {
-          store(subtract_product(l, load(u), load(row)), row);
-        }
-      }
+      std::size_t i = k + 1;
+      for (; i + 1 < n_; i += 2) eliminate_two(k, i, inverse);
+      if (i < n_) eliminate(k, i, inverse);
     }
   }
 
@@ -88,6 +82,31 @@ class LaneLu {
   struct Exchange {
     std::uint32_t upper, lower, mask;
   };
+
+  // Takes row k's multiple from row i; two rows at once read row k once.
+  void eliminate(std::size_t k, std::size_t i, const LaneComplex& inverse) {
+    const LaneComplex l = load(at(i, k)) * inverse;
+    store(l, at(i, k));
+    const double* u = at(k, k + 1);
+    double* row = at(i, k + 1);
+    for (std::size_t j = k + 1; j < columns_; ++j, u += 2 * W, row += 2 * W) {
+      store(subtract_product(l, load(u), load(row)), row);
+    }
+  }
+  void eliminate_two(std::size_t k, std::size_t i, const LaneComplex& inverse) {
+    const LaneComplex l0 = load(at(i, k)) * inverse;
+    const LaneComplex l1 = load(at(i + 1, k)) * inverse;
+    store(l0, at(i, k));
+    store(l1, at(i + 1, k));
+    const double* u = at(k, k + 1);
+    double* row0 = at(i, k + 1);
+    double* row1 = at(i + 1, k + 1);
+    for (std::size_t j = k + 1; j < columns_; ++j, u += 2 * W, row0 += 2 * W, row1 += 2 * W) {
+      const LaneComplex uj = load(u);
+      store(subtract_product(l0, uj, load(row0)), row0);
+      store(subtract_product(l1, uj, load(row1)), row1);
+    }
+  }
 
   void exchange_rows(std::size_t k) {
     const V own = squared_magnitude(load(at(k, k)));
