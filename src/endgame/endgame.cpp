@@ -408,10 +408,16 @@ std::optional<Departure> Endgame::conclude(PathSystem& path) {
   return std::nullopt;
 }
 
+// An end that is finite or not for all that its accuracy tells has failed: more digits decide.
 void Endgame::decide_infinity() {
-  const double floor = std::max(options_.infinity_floor, 10 * end_.accuracy);
-  end_.status = std::abs(end_.x.back()) > floor * max_norm(end_.x) ? PathStatus::finite
-                                                                   : PathStatus::at_infinity;
+  const double size = std::abs(end_.x.back()) / max_norm(end_.x);
+  if (size > std::max(options_.infinity_floor, 10 * end_.accuracy)) {
+    end_.status = PathStatus::finite;
+  } else if (size > options_.infinity_floor) {
+    fail(Failure::precision);
+  } else {
+    end_.status = PathStatus::at_infinity;
+  }
 }
 
 bool Endgame::is_regular_arrival(const Arrival& arrival, PathSystem& path, double condition) {

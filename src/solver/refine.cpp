@@ -37,8 +37,8 @@ constexpr double kCancellation = 16;
 // Roundings of an evaluation in double-double, relative to the terms; what they may move a root by at most.
 constexpr double kFineRoundoff = 0x1p-102;
 constexpr double kFineNoise = 1e-6;
-// Corrections that rounding stops are no larger than so many times what it explains; a probe lies further away.
-constexpr double kFineStagnation = 1e3;
+// Corrections that rounding stops are no larger than so many times what it explains at most; a probe lies further away.
+constexpr double kFineStagnation = 1e2;
 // The points of a circle, whose mean a singular end is, are not known better: errors of 1.02e-14 were seen.
 constexpr double kSingularAccuracy = 5e-14;
 // Coordinates of a singular root are taken for 0 within so many times its accuracy.
@@ -309,7 +309,7 @@ bool Refiner::is_simple(const Point& x) {
 // One Newton step in double-double from beside fine_x, as in is_simple().
 bool Refiner::contracts_beside(double sensitivity) {
   Workspace& w = *w_;
-  const double least = std::max(kLeastProbe, kFineStagnation * sensitivity * kFineRoundoff);
+  const double least = kFineStagnation * sensitivity * kFineRoundoff;
   const double offset = std::clamp(kProbe / sensitivity, least, std::max(least, kProbe));
   std::vector<ComplexDoubleDouble> probe = w.fine_x;
   Point x(w.n);

@@ -46,6 +46,9 @@ constexpr double kNoiseFloor = 1e-12;
 // The tracker itself tries first, with one level of care, before a path goes to the fallback.
 constexpr int kFallbackCare = 2;
 
+// Followed in double-double until it is this large, and to no regular end, a path is one to infinity.
+constexpr double kBeyondRoots = 1e-18;
+
 class Stopwatch {
  public:
   double lap() {
@@ -391,6 +394,10 @@ std::set<std::uint64_t> Run::paths_failed_by(const std::set<Failure>& reasons) c
   return paths;
 }
 
+bool has_left_for_infinity(const PathEnd& end) {
+  return std::abs(end.x.back()) < kBeyondRoots * max_norm(end.x);
+}
+
 // The whole path in double-double. Where that finds no regular end either, the path's entry stays as it is.
 void Run::climb(const std::set<std::uint64_t>& paths) {
   if (paths.empty() || interrupted_ || !fine_tracker_) return;
@@ -401,6 +408,10 @@ void Run::climb(const std::set<std::uint64_t>& paths) {
     if (end.failure == Failure::cancelled) {
       interrupted_ = true;
       return;
+    }
+    if (end.failure == Failure::step_too_small && has_left_for_infinity(end)) {
+      end.status = PathStatus::at_infinity;
+      end.failure.reset();
     }
     if (end.status == PathStatus::failed) {
       result_.work += end.count;
