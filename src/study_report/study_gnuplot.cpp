@@ -178,6 +178,16 @@ std::string legend(const std::vector<Curve>& curves) {
   return text;
 }
 
+std::string own_title(const StudyResult& result) {
+  const bool walked = std::any_of(result.rows.begin(), result.rows.end(),
+                                  [](const StudyRow& row) { return row.walk.has_value(); });
+  return walked ? "as the tracker leaves its paths, nothing repaired" : "nothing repaired";
+}
+
+std::string remark(const StudyReference& reference) {
+  return reference.exact > 0 ? "" : "; errors not known, since no root is simple: drawn as 1";
+}
+
 }  // namespace
 
 std::string study_gnuplot(const StudiedFile& study) {
@@ -194,14 +204,16 @@ std::string study_gnuplot(const StudiedFile& study) {
          "set logscale xy 10\nset format xy \"10^{%T}\"\nset grid lc rgb \"#dddddd\"\n"
          "set multiplot title \"" +
          study.name + ": " + counted(study.result.reference.roots, "root") + ", " +
-         counted(study.result.paths, "path") +
+         counted(study.result.paths, "path") + remark(study.result.reference) +
          "\" noenhanced\n"
          "set tmargin at screen 0.86\nset bmargin at screen 0.30\n"
          "set xrange " +
          data.time.text(0) +
          "\n"
          "set lmargin at screen 0.075\nset rmargin at screen 0.475\n"
-         "set title \"as the tracker leaves its paths, nothing repaired\"\n"
+         "set title \"" +
+         own_title(study.result) +
+         "\"\n"
          "set xlabel \"CPU time of all paths [s]\"\n"
          "set ylabel \"largest relative error of a root\"\n"
          "set yrange " +
