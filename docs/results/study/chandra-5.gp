@@ -1,0 +1,237 @@
+# SPDX-License-Identifier: MIT
+# Error against run time of chandra-5: run `gnuplot chandra-5.gp` in this folder.
+$own0 << EOD
+0.015579999999999927 1.0716278088507613e-08
+0.019904000000000366 7.056335896777369e-12
+0.03305999999999898 7.398303870342691e-12
+0.06159399999999948 3.172933833143202e-12
+EOD
+$lost_own0 << EOD
+EOD
+$solve0 << EOD
+0.015579999999999927 7.750540787584089e-17
+0.019904000000000366 7.750540787584089e-17
+0.03305999999999898 7.750540787584089e-17
+0.06159399999999948 7.750540787584089e-17
+EOD
+$lost_solve0 << EOD
+EOD
+$plain0 << EOD
+0.015579999999999927 4.07439276730497e-12
+0.019904000000000366 4.07439276730497e-12
+0.03305999999999898 4.07439276730497e-12
+0.06159399999999948 4.07439276730497e-12
+EOD
+$own1 << EOD
+0.030212999999999823 5.950858468148521e-11
+0.0373870000000025 2.703531683956583e-12
+0.04811000000000121 2.369664962475748e-12
+0.10322799999999788 3.648053584230995e-12
+EOD
+$lost_own1 << EOD
+EOD
+$solve1 << EOD
+0.030212999999999823 7.750540787584089e-17
+0.0373870000000025 7.750540787584089e-17
+0.04811000000000121 7.750540787584089e-17
+0.10322799999999788 7.750540787584089e-17
+EOD
+$lost_solve1 << EOD
+EOD
+$plain1 << EOD
+0.030212999999999823 4.07439276730497e-12
+0.0373870000000025 4.07439276730497e-12
+0.04811000000000121 4.07439276730497e-12
+0.10322799999999788 4.07439276730497e-12
+EOD
+$own2 << EOD
+0.018449000000000382 0.7848324196345899
+0.00948500000000152 0.6251939932473176
+0.013220000000000454 0.9624080364966913
+0.0561310000000006 1
+EOD
+$lost_own2 << EOD
+0.018449000000000382 0.7848324196345899 16
+0.00948500000000152 0.6251939932473176 15
+0.013220000000000454 0.9624080364966913 14
+0.0561310000000006 1 8
+EOD
+$solve2 << EOD
+0.2199770000000001 7.750540787584089e-17
+0.20948600000000184 7.750540787584089e-17
+0.21488700000000094 7.750540787584089e-17
+0.2750889999999977 7.750540787584089e-17
+EOD
+$lost_solve2 << EOD
+EOD
+$plain2 << EOD
+0.2199770000000001 4.07439276730497e-12
+0.20948600000000184 4.07439276730497e-12
+0.21488700000000094 4.07439276730497e-12
+0.2750889999999977 4.07439276730497e-12
+EOD
+$own3 << EOD
+0.015868000000001103 0.5918224119178375
+0.02040699999999873 0.9728355905520025
+0.024794999999997458 1
+0.0672880000000049 1
+EOD
+$lost_own3 << EOD
+0.015868000000001103 0.5918224119178375 16
+0.02040699999999873 0.9728355905520025 15
+0.024794999999997458 1 15
+0.0672880000000049 1 9
+EOD
+$solve3 << EOD
+0.23863100000000514 7.750540787584089e-17
+0.2571440000000038 7.750540787584089e-17
+0.261215 7.750540787584089e-17
+0.31287500000000534 7.750540787584089e-17
+EOD
+$lost_solve3 << EOD
+EOD
+$plain3 << EOD
+0.23863100000000514 4.07439276730497e-12
+0.2571440000000038 4.07439276730497e-12
+0.261215 4.07439276730497e-12
+0.31287500000000534 4.07439276730497e-12
+EOD
+$own4 << EOD
+0.01575300000000368 0.7599144192207716
+0.014698000000002764 0.9978125714901294
+0.01154300000000319 0.8355559101624207
+0.061336000000004276 1
+EOD
+$lost_own4 << EOD
+0.01575300000000368 0.7599144192207716 15
+0.014698000000002764 0.9978125714901294 15
+0.01154300000000319 0.8355559101624207 12
+0.061336000000004276 1 7
+EOD
+$solve4 << EOD
+0.24163200000000273 7.750540787584089e-17
+0.2297760000000011 7.750540787584089e-17
+0.2207949999999954 7.750540787584089e-17
+0.2902909999999963 7.750540787584089e-17
+EOD
+$lost_solve4 << EOD
+EOD
+$plain4 << EOD
+0.24163200000000273 4.07439276730497e-12
+0.2297760000000011 4.07439276730497e-12
+0.2207949999999954 4.07439276730497e-12
+0.2902909999999963 4.07439276730497e-12
+EOD
+$own5 << EOD
+0.014309000000004346 0.6362277853207414
+0.01631900000000286 0.8558359569586154
+0.02335400000000476 0.947051221111262
+0.07895000000000607 0.45206769208134984
+EOD
+$lost_own5 << EOD
+0.014309000000004346 0.6362277853207414 15
+0.01631900000000286 0.8558359569586154 15
+0.02335400000000476 0.947051221111262 12
+0.07895000000000607 0.45206769208134984 7
+EOD
+$solve5 << EOD
+0.23324600000000117 7.750540787584089e-17
+0.23770800000000492 7.750540787584089e-17
+0.2385359999999963 7.750540787584089e-17
+0.3460639999999984 7.750540787584089e-17
+EOD
+$lost_solve5 << EOD
+EOD
+$plain5 << EOD
+0.23324600000000117 4.07439276730497e-12
+0.23770800000000492 4.07439276730497e-12
+0.2385359999999963 4.07439276730497e-12
+0.3460639999999984 4.07439276730497e-12
+EOD
+$own6 << EOD
+0.004338000000004172 9.751306348205777e-10
+0.004157999999996775 1.3314396400001447e-09
+0.004582000000006303 5.05553754637917e-12
+0.0076579999999992765 4.205661524820927e-12
+EOD
+$lost_own6 << EOD
+EOD
+$solve6 << EOD
+0.004338000000004172 7.750540787584089e-17
+0.004157999999996775 7.750540787584089e-17
+0.004582000000006303 7.750540787584089e-17
+0.0076579999999992765 7.750540787584089e-17
+EOD
+$lost_solve6 << EOD
+EOD
+$plain6 << EOD
+0.004338000000004172 4.07439276730497e-12
+0.004157999999996775 4.07439276730497e-12
+0.004582000000006303 4.07439276730497e-12
+0.0076579999999992765 4.07439276730497e-12
+EOD
+set terminal svg size 1180,620 dynamic font "sans-serif,13" background "white"
+set output "chandra-5.svg"
+set datafile missing "?"
+set logscale xy 10
+set format xy "10^{%T}"
+set grid lc rgb "#dddddd"
+set multiplot title "chandra-5: 16 roots, 32 paths" noenhanced
+set tmargin at screen 0.86
+set bmargin at screen 0.30
+set xrange [1e-3:1e0]
+set lmargin at screen 0.075
+set rmargin at screen 0.475
+set title "as the tracker leaves its paths, nothing repaired"
+set xlabel "CPU time of all paths [s]"
+set ylabel "largest relative error of a root"
+set yrange [1e-13:1e1]
+unset key
+unset mytics
+set label "bdf_projection" at screen 0.16,0.15 left offset 1.5,0 noenhanced point pt 7 ps 0.8 lc rgb "#0072b2"
+set label "bdf_projection+newton" at screen 0.16,0.1 left offset 1.5,0 noenhanced point pt 5 ps 0.8 lc rgb "#56b4e9"
+set label "bdf" at screen 0.16,0.05 left offset 1.5,0 noenhanced point pt 9 ps 0.8 lc rgb "#d55e00"
+set label "bdf+newton" at screen 0.41,0.15 left offset 1.5,0 noenhanced point pt 11 ps 0.8 lc rgb "#e69f00"
+set label "adams" at screen 0.41,0.1 left offset 1.5,0 noenhanced point pt 13 ps 0.8 lc rgb "#009e73"
+set label "adams+newton" at screen 0.41,0.05 left offset 1.5,0 noenhanced point pt 15 ps 0.8 lc rgb "#cc79a7"
+set label "lanes" at screen 0.66,0.15 left offset 1.5,0 noenhanced point pt 4 ps 0.8 lc rgb "#000000"
+set label "roots are lost, so many" at screen 0.66,0.1 left offset 1.5,0 noenhanced point pt 2 ps 1.4 lw 2 lc rgb "#555555"
+set label "residuals in plain double" at screen 0.66,0.05 left offset 1.5,0 noenhanced point pt 6 ps 0.9 lc rgb "#555555"
+plot \
+  $own0 using 1:2 with linespoints lw 1.5 ps 0.7 pt 7 lc rgb "#0072b2" notitle, \
+  $own1 using 1:2 with linespoints lw 1.5 ps 0.7 pt 5 lc rgb "#56b4e9" notitle, \
+  $own2 using 1:2 with linespoints lw 1.5 ps 0.7 pt 9 lc rgb "#d55e00" notitle, \
+  $lost_own2 using 1:2 with points pt 2 ps 1.6 lw 2 lc rgb "#d55e00" notitle, \
+  $lost_own2 using 1:2:3 with labels offset 1.2,0.6 font ",10" tc rgb "#d55e00" notitle, \
+  $own3 using 1:2 with linespoints lw 1.5 ps 0.7 pt 11 lc rgb "#e69f00" notitle, \
+  $lost_own3 using 1:2 with points pt 2 ps 1.6 lw 2 lc rgb "#e69f00" notitle, \
+  $lost_own3 using 1:2:3 with labels offset 1.2,0.6 font ",10" tc rgb "#e69f00" notitle, \
+  $own4 using 1:2 with linespoints lw 1.5 ps 0.7 pt 13 lc rgb "#009e73" notitle, \
+  $lost_own4 using 1:2 with points pt 2 ps 1.6 lw 2 lc rgb "#009e73" notitle, \
+  $lost_own4 using 1:2:3 with labels offset 1.2,0.6 font ",10" tc rgb "#009e73" notitle, \
+  $own5 using 1:2 with linespoints lw 1.5 ps 0.7 pt 15 lc rgb "#cc79a7" notitle, \
+  $lost_own5 using 1:2 with points pt 2 ps 1.6 lw 2 lc rgb "#cc79a7" notitle, \
+  $lost_own5 using 1:2:3 with labels offset 1.2,0.6 font ",10" tc rgb "#cc79a7" notitle, \
+  $own6 using 1:2 with linespoints lw 1.5 ps 0.7 pt 4 lc rgb "#000000" notitle
+unset label
+set lmargin at screen 0.575
+set rmargin at screen 0.975
+set title "as solve delivers them"
+set xlabel "CPU time of solve with repairs [s]"
+set yrange [1e-18:1e-10]
+plot \
+  $solve0 using 1:2 with linespoints lw 1.5 ps 0.7 pt 7 lc rgb "#0072b2" notitle, \
+  $plain0 using 1:2 with points pt 6 ps 0.9 lc rgb "#0072b2" notitle, \
+  $solve1 using 1:2 with linespoints lw 1.5 ps 0.7 pt 5 lc rgb "#56b4e9" notitle, \
+  $plain1 using 1:2 with points pt 6 ps 0.9 lc rgb "#56b4e9" notitle, \
+  $solve2 using 1:2 with linespoints lw 1.5 ps 0.7 pt 9 lc rgb "#d55e00" notitle, \
+  $plain2 using 1:2 with points pt 6 ps 0.9 lc rgb "#d55e00" notitle, \
+  $solve3 using 1:2 with linespoints lw 1.5 ps 0.7 pt 11 lc rgb "#e69f00" notitle, \
+  $plain3 using 1:2 with points pt 6 ps 0.9 lc rgb "#e69f00" notitle, \
+  $solve4 using 1:2 with linespoints lw 1.5 ps 0.7 pt 13 lc rgb "#009e73" notitle, \
+  $plain4 using 1:2 with points pt 6 ps 0.9 lc rgb "#009e73" notitle, \
+  $solve5 using 1:2 with linespoints lw 1.5 ps 0.7 pt 15 lc rgb "#cc79a7" notitle, \
+  $plain5 using 1:2 with points pt 6 ps 0.9 lc rgb "#cc79a7" notitle, \
+  $solve6 using 1:2 with linespoints lw 1.5 ps 0.7 pt 4 lc rgb "#000000" notitle, \
+  $plain6 using 1:2 with points pt 6 ps 0.9 lc rgb "#000000" notitle
+unset multiplot

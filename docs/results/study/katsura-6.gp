@@ -1,0 +1,237 @@
+# SPDX-License-Identifier: MIT
+# Error against run time of katsura-6: run `gnuplot katsura-6.gp` in this folder.
+$own0 << EOD
+0.018560999999999994 6.9554055181303005e-09
+0.025282000000000027 7.610347980638553e-13
+0.03682400000000008 2.6804759407581513e-13
+0.06873000000000007 7.458093685677837e-16
+EOD
+$lost_own0 << EOD
+EOD
+$solve0 << EOD
+0.018560999999999994 4.9602742367173247e-17
+0.025282000000000027 4.9602742367173247e-17
+0.03682400000000008 4.9602742367173247e-17
+0.06873000000000007 4.9602742367173247e-17
+EOD
+$lost_solve0 << EOD
+EOD
+$plain0 << EOD
+0.018560999999999994 5.691876323224799e-16
+0.025282000000000027 5.691876323224799e-16
+0.03682400000000008 5.691876323224799e-16
+0.06873000000000007 5.691876323224799e-16
+EOD
+$own1 << EOD
+0.03605199999999997 9.36387936795716e-09
+0.03920999999999997 1.0671972366003631e-11
+0.05452200000000018 2.294634094938881e-13
+0.091974 2.36676121818829e-15
+EOD
+$lost_own1 << EOD
+EOD
+$solve1 << EOD
+0.03605199999999997 4.9602742367173247e-17
+0.03920999999999997 4.9602742367173247e-17
+0.05452200000000018 4.9602742367173247e-17
+0.091974 4.9602742367173247e-17
+EOD
+$lost_solve1 << EOD
+EOD
+$plain1 << EOD
+0.03605199999999997 5.691876323224799e-16
+0.03920999999999997 5.691876323224799e-16
+0.05452200000000018 5.691876323224799e-16
+0.091974 5.691876323224799e-16
+EOD
+$own2 << EOD
+0.010568000000000133 0.12582223559524838
+0.023954000000000253 0.0416933913066565
+0.02620599999999973 0.011571786126361875
+0.07178400000000007 0.00020370884290792722
+EOD
+$lost_own2 << EOD
+0.010568000000000133 0.12582223559524838 63
+0.023954000000000253 0.0416933913066565 44
+0.02620599999999973 0.011571786126361875 16
+0.07178400000000007 0.00020370884290792722 8
+EOD
+$solve2 << EOD
+0.3768229999999999 4.9602742367173247e-17
+0.18601 4.9602742367173247e-17
+0.13319999999999999 4.9602742367173247e-17
+0.14546599999999987 4.9602742367173247e-17
+EOD
+$lost_solve2 << EOD
+EOD
+$plain2 << EOD
+0.3768229999999999 5.691876323224799e-16
+0.18601 5.691876323224799e-16
+0.13319999999999999 5.691876323224799e-16
+0.14546599999999987 5.691876323224799e-16
+EOD
+$own3 << EOD
+0.023270000000000124 0.21842383894096798
+0.045068999999999804 0.07100246946854556
+0.04208700000000043 0.013783389748863745
+0.10550699999999935 0.0003088192154097948
+EOD
+$lost_own3 << EOD
+0.023270000000000124 0.21842383894096798 64
+0.045068999999999804 0.07100246946854556 50
+0.04208700000000043 0.013783389748863745 16
+0.10550699999999935 0.0003088192154097948 8
+EOD
+$solve3 << EOD
+0.475187 4.9602742367173247e-17
+0.22300899999999935 4.9602742367173247e-17
+0.1565479999999999 4.9602742367173247e-17
+0.21428400000000014 4.9602742367173247e-17
+EOD
+$lost_solve3 << EOD
+EOD
+$plain3 << EOD
+0.475187 5.691876323224799e-16
+0.22300899999999935 5.691876323224799e-16
+0.1565479999999999 5.691876323224799e-16
+0.21428400000000014 5.691876323224799e-16
+EOD
+$own4 << EOD
+0.01158999999999999 0.16864735947654688
+0.015043999999999613 0.022050868688663558
+0.021535000000000082 0.0040669664030251315
+0.09550799999999882 0.0001512702492776783
+EOD
+$lost_own4 << EOD
+0.01158999999999999 0.16864735947654688 59
+0.015043999999999613 0.022050868688663558 29
+0.021535000000000082 0.0040669664030251315 15
+0.09550799999999882 0.0001512702492776783 3
+EOD
+$solve4 << EOD
+0.21250999999999998 4.9602742367173247e-17
+0.12271999999999927 4.9602742367173247e-17
+0.12287599999999976 4.9602742367173247e-17
+0.11669299999999971 4.9602742367173247e-17
+EOD
+$lost_solve4 << EOD
+EOD
+$plain4 << EOD
+0.21250999999999998 5.691876323224799e-16
+0.12271999999999927 5.691876323224799e-16
+0.12287599999999976 5.691876323224799e-16
+0.11669299999999971 5.691876323224799e-16
+EOD
+$own5 << EOD
+0.024037999999999116 1
+0.03906000000000098 0.045483657131804696
+0.04010099999999994 0.005033163559440994
+0.1461230000000011 0.000182652562876638
+EOD
+$lost_own5 << EOD
+0.024037999999999116 1 63
+0.03906000000000098 0.045483657131804696 35
+0.04010099999999994 0.005033163559440994 16
+0.1461230000000011 0.000182652562876638 3
+EOD
+$solve5 << EOD
+0.3422800000000006 4.9602742367173247e-17
+0.16371099999999927 4.9602742367173247e-17
+0.1485529999999997 4.9602742367173247e-17
+0.1728360000000002 4.9602742367173247e-17
+EOD
+$lost_solve5 << EOD
+EOD
+$plain5 << EOD
+0.3422800000000006 5.691876323224799e-16
+0.16371099999999927 5.691876323224799e-16
+0.1485529999999997 5.691876323224799e-16
+0.1728360000000002 5.691876323224799e-16
+EOD
+$own6 << EOD
+0.003940999999999306 4.107968048074323e-10
+0.00416599999999967 2.1265971570840582e-10
+0.004770999999999859 8.935310728273112e-12
+0.0075190000000002755 8.313786515146655e-16
+EOD
+$lost_own6 << EOD
+EOD
+$solve6 << EOD
+0.003940999999999306 4.9602742367173247e-17
+0.00416599999999967 4.9602742367173247e-17
+0.004770999999999859 4.9602742367173247e-17
+0.0075190000000002755 4.9602742367173247e-17
+EOD
+$lost_solve6 << EOD
+EOD
+$plain6 << EOD
+0.003940999999999306 5.691876323224799e-16
+0.00416599999999967 5.691876323224799e-16
+0.004770999999999859 5.691876323224799e-16
+0.0075190000000002755 5.691876323224799e-16
+EOD
+set terminal svg size 1180,620 dynamic font "sans-serif,13" background "white"
+set output "katsura-6.svg"
+set datafile missing "?"
+set logscale xy 10
+set format xy "10^{%T}"
+set grid lc rgb "#dddddd"
+set multiplot title "katsura-6: 64 roots, 64 paths" noenhanced
+set tmargin at screen 0.86
+set bmargin at screen 0.30
+set xrange [1e-3:1e0]
+set lmargin at screen 0.075
+set rmargin at screen 0.475
+set title "as the tracker leaves its paths, nothing repaired"
+set xlabel "CPU time of all paths [s]"
+set ylabel "largest relative error of a root"
+set yrange [1e-17:1e1]
+unset key
+unset mytics
+set label "bdf_projection" at screen 0.16,0.15 left offset 1.5,0 noenhanced point pt 7 ps 0.8 lc rgb "#0072b2"
+set label "bdf_projection+newton" at screen 0.16,0.1 left offset 1.5,0 noenhanced point pt 5 ps 0.8 lc rgb "#56b4e9"
+set label "bdf" at screen 0.16,0.05 left offset 1.5,0 noenhanced point pt 9 ps 0.8 lc rgb "#d55e00"
+set label "bdf+newton" at screen 0.41,0.15 left offset 1.5,0 noenhanced point pt 11 ps 0.8 lc rgb "#e69f00"
+set label "adams" at screen 0.41,0.1 left offset 1.5,0 noenhanced point pt 13 ps 0.8 lc rgb "#009e73"
+set label "adams+newton" at screen 0.41,0.05 left offset 1.5,0 noenhanced point pt 15 ps 0.8 lc rgb "#cc79a7"
+set label "lanes" at screen 0.66,0.15 left offset 1.5,0 noenhanced point pt 4 ps 0.8 lc rgb "#000000"
+set label "roots are lost, so many" at screen 0.66,0.1 left offset 1.5,0 noenhanced point pt 2 ps 1.4 lw 2 lc rgb "#555555"
+set label "residuals in plain double" at screen 0.66,0.05 left offset 1.5,0 noenhanced point pt 6 ps 0.9 lc rgb "#555555"
+plot \
+  $own0 using 1:2 with linespoints lw 1.5 ps 0.7 pt 7 lc rgb "#0072b2" notitle, \
+  $own1 using 1:2 with linespoints lw 1.5 ps 0.7 pt 5 lc rgb "#56b4e9" notitle, \
+  $own2 using 1:2 with linespoints lw 1.5 ps 0.7 pt 9 lc rgb "#d55e00" notitle, \
+  $lost_own2 using 1:2 with points pt 2 ps 1.6 lw 2 lc rgb "#d55e00" notitle, \
+  $lost_own2 using 1:2:3 with labels offset 1.2,0.6 font ",10" tc rgb "#d55e00" notitle, \
+  $own3 using 1:2 with linespoints lw 1.5 ps 0.7 pt 11 lc rgb "#e69f00" notitle, \
+  $lost_own3 using 1:2 with points pt 2 ps 1.6 lw 2 lc rgb "#e69f00" notitle, \
+  $lost_own3 using 1:2:3 with labels offset 1.2,0.6 font ",10" tc rgb "#e69f00" notitle, \
+  $own4 using 1:2 with linespoints lw 1.5 ps 0.7 pt 13 lc rgb "#009e73" notitle, \
+  $lost_own4 using 1:2 with points pt 2 ps 1.6 lw 2 lc rgb "#009e73" notitle, \
+  $lost_own4 using 1:2:3 with labels offset 1.2,0.6 font ",10" tc rgb "#009e73" notitle, \
+  $own5 using 1:2 with linespoints lw 1.5 ps 0.7 pt 15 lc rgb "#cc79a7" notitle, \
+  $lost_own5 using 1:2 with points pt 2 ps 1.6 lw 2 lc rgb "#cc79a7" notitle, \
+  $lost_own5 using 1:2:3 with labels offset 1.2,0.6 font ",10" tc rgb "#cc79a7" notitle, \
+  $own6 using 1:2 with linespoints lw 1.5 ps 0.7 pt 4 lc rgb "#000000" notitle
+unset label
+set lmargin at screen 0.575
+set rmargin at screen 0.975
+set title "as solve delivers them"
+set xlabel "CPU time of solve with repairs [s]"
+set yrange [1e-18:1e-14]
+plot \
+  $solve0 using 1:2 with linespoints lw 1.5 ps 0.7 pt 7 lc rgb "#0072b2" notitle, \
+  $plain0 using 1:2 with points pt 6 ps 0.9 lc rgb "#0072b2" notitle, \
+  $solve1 using 1:2 with linespoints lw 1.5 ps 0.7 pt 5 lc rgb "#56b4e9" notitle, \
+  $plain1 using 1:2 with points pt 6 ps 0.9 lc rgb "#56b4e9" notitle, \
+  $solve2 using 1:2 with linespoints lw 1.5 ps 0.7 pt 9 lc rgb "#d55e00" notitle, \
+  $plain2 using 1:2 with points pt 6 ps 0.9 lc rgb "#d55e00" notitle, \
+  $solve3 using 1:2 with linespoints lw 1.5 ps 0.7 pt 11 lc rgb "#e69f00" notitle, \
+  $plain3 using 1:2 with points pt 6 ps 0.9 lc rgb "#e69f00" notitle, \
+  $solve4 using 1:2 with linespoints lw 1.5 ps 0.7 pt 13 lc rgb "#009e73" notitle, \
+  $plain4 using 1:2 with points pt 6 ps 0.9 lc rgb "#009e73" notitle, \
+  $solve5 using 1:2 with linespoints lw 1.5 ps 0.7 pt 15 lc rgb "#cc79a7" notitle, \
+  $plain5 using 1:2 with points pt 6 ps 0.9 lc rgb "#cc79a7" notitle, \
+  $solve6 using 1:2 with linespoints lw 1.5 ps 0.7 pt 4 lc rgb "#000000" notitle, \
+  $plain6 using 1:2 with points pt 6 ps 0.9 lc rgb "#000000" notitle
+unset multiplot

@@ -1,0 +1,230 @@
+# SPDX-License-Identifier: MIT
+# Error against run time of noon-4: run `gnuplot noon-4.gp` in this folder.
+$own0 << EOD
+0.008767999999999887 7.471188523417416e-08
+0.012941999999998899 7.916341015859351e-12
+0.01888600000000018 2.655744389107688e-12
+0.03365899999999833 2.2656268406676953e-15
+EOD
+$lost_own0 << EOD
+EOD
+$solve0 << EOD
+0.008767999999999887 1.0476305176823723e-16
+0.012941999999998899 1.0476305176823723e-16
+0.01888600000000018 1.0476305176823723e-16
+0.03365899999999833 1.0476305176823723e-16
+EOD
+$lost_solve0 << EOD
+EOD
+$plain0 << EOD
+0.008767999999999887 3.6886281301772702e-16
+0.012941999999998899 3.6886281301772702e-16
+0.01888600000000018 3.6886281301772702e-16
+0.03365899999999833 3.6886281301772702e-16
+EOD
+$own1 << EOD
+0.015083000000000624 7.2064669617671555e-09
+0.017274000000000456 1.248673325693443e-11
+0.024848999999999677 6.021680783836928e-13
+0.04078299999999935 1.89878047625894e-15
+EOD
+$lost_own1 << EOD
+EOD
+$solve1 << EOD
+0.015083000000000624 1.0476305176823723e-16
+0.017274000000000456 1.0476305176823723e-16
+0.024848999999999677 1.0476305176823723e-16
+0.04078299999999935 1.0476305176823723e-16
+EOD
+$lost_solve1 << EOD
+EOD
+$plain1 << EOD
+0.015083000000000624 3.6886281301772702e-16
+0.017274000000000456 3.6886281301772702e-16
+0.024848999999999677 3.6886281301772702e-16
+0.04078299999999935 3.6886281301772702e-16
+EOD
+$own2 << EOD
+0.004888000000001114 0.17194580414225943
+0.00822600000000051 0.05408644959825689
+0.011962999999999724 0.009977274224221084
+0.02398299999999942 0.0001337231041769747
+EOD
+$lost_own2 << EOD
+0.004888000000001114 0.17194580414225943 14
+0.00822600000000051 0.05408644959825689 4
+EOD
+$solve2 << EOD
+0.11269000000000062 1.0476305176823723e-16
+0.12314500000000095 1.0476305176823723e-16
+0.1258929999999996 1.0476305176823723e-16
+0.11253699999999967 1.0476305176823723e-16
+EOD
+$lost_solve2 << EOD
+EOD
+$plain2 << EOD
+0.11269000000000062 3.6886281301772702e-16
+0.12314500000000095 3.6886281301772702e-16
+0.1258929999999996 3.6886281301772702e-16
+0.11253699999999967 3.6886281301772702e-16
+EOD
+$own3 << EOD
+0.009978000000000264 0.28626337872512814
+0.013218999999999426 0.04130534091146927
+0.0184699999999971 0.009343820437056281
+0.03317600000000098 0.00013894803425222002
+EOD
+$lost_own3 << EOD
+0.009978000000000264 0.28626337872512814 15
+0.013218999999999426 0.04130534091146927 3
+0.0184699999999971 0.009343820437056281 1
+EOD
+$solve3 << EOD
+0.12838299999999947 1.0476305176823723e-16
+0.13372700000000037 1.0476305176823723e-16
+0.1459840000000021 1.0476305176823723e-16
+0.15561500000000095 1.0476305176823723e-16
+EOD
+$lost_solve3 << EOD
+EOD
+$plain3 << EOD
+0.12838299999999947 3.6886281301772702e-16
+0.13372700000000037 3.6886281301772702e-16
+0.1459840000000021 3.6886281301772702e-16
+0.15561500000000095 3.6886281301772702e-16
+EOD
+$own4 << EOD
+0.004429999999999268 0.11162175159759795
+0.006651000000001517 0.028850516404280224
+0.010096999999998246 0.002751482200183407
+0.02169100000000057 5.22248363885184e-05
+EOD
+$lost_own4 << EOD
+0.004429999999999268 0.11162175159759795 10
+0.006651000000001517 0.028850516404280224 1
+EOD
+$solve4 << EOD
+0.11235599999999835 1.0476305176823723e-16
+0.12203799999999987 1.0476305176823723e-16
+0.11730799999999775 1.0476305176823723e-16
+0.07043600000000083 1.0476305176823723e-16
+EOD
+$lost_solve4 << EOD
+EOD
+$plain4 << EOD
+0.11235599999999835 3.6886281301772702e-16
+0.12203799999999987 3.6886281301772702e-16
+0.11730799999999775 3.6886281301772702e-16
+0.07043600000000083 3.6886281301772702e-16
+EOD
+$own5 << EOD
+0.009835999999999956 0.422892464904921
+0.010698999999998904 0.1011858710087095
+0.016649000000001024 0.002603910749905189
+0.03927999999999798 7.036879590905354e-05
+EOD
+$lost_own5 << EOD
+0.009835999999999956 0.422892464904921 16
+0.010698999999998904 0.1011858710087095 2
+EOD
+$solve5 << EOD
+0.1229849999999999 1.0476305176823723e-16
+0.12978999999999985 1.0476305176823723e-16
+0.1471499999999999 1.0476305176823723e-16
+0.0981480000000019 1.0476305176823723e-16
+EOD
+$lost_solve5 << EOD
+EOD
+$plain5 << EOD
+0.1229849999999999 3.6886281301772702e-16
+0.12978999999999985 3.6886281301772702e-16
+0.1471499999999999 3.6886281301772702e-16
+0.0981480000000019 3.6886281301772702e-16
+EOD
+$own6 << EOD
+0.002091000000000065 8.7835133816695e-10
+0.0022090000000005716 7.004014299234196e-10
+0.0024070000000016023 3.362032147897156e-10
+0.0035429999999969652 7.361624991968286e-16
+EOD
+$lost_own6 << EOD
+EOD
+$solve6 << EOD
+0.002091000000000065 1.0476305176823723e-16
+0.0022090000000005716 1.0476305176823723e-16
+0.0024070000000016023 1.0476305176823723e-16
+0.0035429999999969652 1.0476305176823723e-16
+EOD
+$lost_solve6 << EOD
+EOD
+$plain6 << EOD
+0.002091000000000065 3.6886281301772702e-16
+0.0022090000000005716 3.6886281301772702e-16
+0.0024070000000016023 3.6886281301772702e-16
+0.0035429999999969652 3.6886281301772702e-16
+EOD
+set terminal svg size 1180,620 dynamic font "sans-serif,13" background "white"
+set output "noon-4.svg"
+set datafile missing "?"
+set logscale xy 10
+set format xy "10^{%T}"
+set grid lc rgb "#dddddd"
+set multiplot title "noon-4: 73 roots, 81 paths" noenhanced
+set tmargin at screen 0.86
+set bmargin at screen 0.30
+set xrange [1e-3:1e0]
+set lmargin at screen 0.075
+set rmargin at screen 0.475
+set title "as the tracker leaves its paths, nothing repaired"
+set xlabel "CPU time of all paths [s]"
+set ylabel "largest relative error of a root"
+set yrange [1e-17:1e1]
+unset key
+unset mytics
+set label "bdf_projection" at screen 0.16,0.15 left offset 1.5,0 noenhanced point pt 7 ps 0.8 lc rgb "#0072b2"
+set label "bdf_projection+newton" at screen 0.16,0.1 left offset 1.5,0 noenhanced point pt 5 ps 0.8 lc rgb "#56b4e9"
+set label "bdf" at screen 0.16,0.05 left offset 1.5,0 noenhanced point pt 9 ps 0.8 lc rgb "#d55e00"
+set label "bdf+newton" at screen 0.41,0.15 left offset 1.5,0 noenhanced point pt 11 ps 0.8 lc rgb "#e69f00"
+set label "adams" at screen 0.41,0.1 left offset 1.5,0 noenhanced point pt 13 ps 0.8 lc rgb "#009e73"
+set label "adams+newton" at screen 0.41,0.05 left offset 1.5,0 noenhanced point pt 15 ps 0.8 lc rgb "#cc79a7"
+set label "lanes" at screen 0.66,0.15 left offset 1.5,0 noenhanced point pt 4 ps 0.8 lc rgb "#000000"
+set label "roots are lost, so many" at screen 0.66,0.1 left offset 1.5,0 noenhanced point pt 2 ps 1.4 lw 2 lc rgb "#555555"
+set label "residuals in plain double" at screen 0.66,0.05 left offset 1.5,0 noenhanced point pt 6 ps 0.9 lc rgb "#555555"
+plot \
+  $own0 using 1:2 with linespoints lw 1.5 ps 0.7 pt 7 lc rgb "#0072b2" notitle, \
+  $own1 using 1:2 with linespoints lw 1.5 ps 0.7 pt 5 lc rgb "#56b4e9" notitle, \
+  $own2 using 1:2 with linespoints lw 1.5 ps 0.7 pt 9 lc rgb "#d55e00" notitle, \
+  $lost_own2 using 1:2 with points pt 2 ps 1.6 lw 2 lc rgb "#d55e00" notitle, \
+  $lost_own2 using 1:2:3 with labels offset 1.2,0.6 font ",10" tc rgb "#d55e00" notitle, \
+  $own3 using 1:2 with linespoints lw 1.5 ps 0.7 pt 11 lc rgb "#e69f00" notitle, \
+  $lost_own3 using 1:2 with points pt 2 ps 1.6 lw 2 lc rgb "#e69f00" notitle, \
+  $lost_own3 using 1:2:3 with labels offset 1.2,0.6 font ",10" tc rgb "#e69f00" notitle, \
+  $own4 using 1:2 with linespoints lw 1.5 ps 0.7 pt 13 lc rgb "#009e73" notitle, \
+  $lost_own4 using 1:2 with points pt 2 ps 1.6 lw 2 lc rgb "#009e73" notitle, \
+  $lost_own4 using 1:2:3 with labels offset 1.2,0.6 font ",10" tc rgb "#009e73" notitle, \
+  $own5 using 1:2 with linespoints lw 1.5 ps 0.7 pt 15 lc rgb "#cc79a7" notitle, \
+  $lost_own5 using 1:2 with points pt 2 ps 1.6 lw 2 lc rgb "#cc79a7" notitle, \
+  $lost_own5 using 1:2:3 with labels offset 1.2,0.6 font ",10" tc rgb "#cc79a7" notitle, \
+  $own6 using 1:2 with linespoints lw 1.5 ps 0.7 pt 4 lc rgb "#000000" notitle
+unset label
+set lmargin at screen 0.575
+set rmargin at screen 0.975
+set title "as solve delivers them"
+set xlabel "CPU time of solve with repairs [s]"
+set yrange [1e-17:1e-14]
+plot \
+  $solve0 using 1:2 with linespoints lw 1.5 ps 0.7 pt 7 lc rgb "#0072b2" notitle, \
+  $plain0 using 1:2 with points pt 6 ps 0.9 lc rgb "#0072b2" notitle, \
+  $solve1 using 1:2 with linespoints lw 1.5 ps 0.7 pt 5 lc rgb "#56b4e9" notitle, \
+  $plain1 using 1:2 with points pt 6 ps 0.9 lc rgb "#56b4e9" notitle, \
+  $solve2 using 1:2 with linespoints lw 1.5 ps 0.7 pt 9 lc rgb "#d55e00" notitle, \
+  $plain2 using 1:2 with points pt 6 ps 0.9 lc rgb "#d55e00" notitle, \
+  $solve3 using 1:2 with linespoints lw 1.5 ps 0.7 pt 11 lc rgb "#e69f00" notitle, \
+  $plain3 using 1:2 with points pt 6 ps 0.9 lc rgb "#e69f00" notitle, \
+  $solve4 using 1:2 with linespoints lw 1.5 ps 0.7 pt 13 lc rgb "#009e73" notitle, \
+  $plain4 using 1:2 with points pt 6 ps 0.9 lc rgb "#009e73" notitle, \
+  $solve5 using 1:2 with linespoints lw 1.5 ps 0.7 pt 15 lc rgb "#cc79a7" notitle, \
+  $plain5 using 1:2 with points pt 6 ps 0.9 lc rgb "#cc79a7" notitle, \
+  $solve6 using 1:2 with linespoints lw 1.5 ps 0.7 pt 4 lc rgb "#000000" notitle, \
+  $plain6 using 1:2 with points pt 6 ps 0.9 lc rgb "#000000" notitle
+unset multiplot
