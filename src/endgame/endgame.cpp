@@ -16,6 +16,8 @@ constexpr double kSightRadius = 0.02;
 constexpr double kSightSpacing = 2;
 constexpr std::size_t kSteadySights = 6;
 constexpr double kSteadyTolerance = 0.01;
+// A coordinate that vanishes as fast as 1 - t or faster is soon all rounding: its valuation says nothing.
+constexpr double kVanishing = 1;
 // The slowest growth that counts: winding numbers up to 20 at infinity.
 constexpr double kLeastValuation = 0.05;
 // Where a path diverges to a singular point at infinity the condition has reached this, and grown; from
@@ -42,8 +44,10 @@ constexpr double kCreepingRadius = 1e-4;
 // So many steps inside it tell creeping from a step that chanced to end there; the first one does where
 // the condition has grown on the way.
 constexpr int kCreepingSteps = 3;
-// One that grows is given until here to show steady valuations.
+// One that grows or is large, and shows no steady valuations until here, descends towards t = 1 in
+// log(1 - t), this far.
 constexpr double kDivergingRadius = 1e-10;
+constexpr double kDescent = 1e-30;
 // Steps inside the watch radius after which circles are tried whatever the radius.
 constexpr int kPatience = 300;
 // One that grows is given more: at infinity circles are harder than the way.
@@ -162,18 +166,25 @@ Watcher::Verdict Endgame::watch(const StepRecord& step, PathSystem& path) noexce
       return Verdict::stop;
     }
   }
-  const bool grows = sights_.back().least < -kLeastValuation;
-  if (radius < (grows ? kDivergingRadius : kCreepingRadius)) ++creeping_;
-  const int patience = grows ? kDivergingPatience : kPatience;
+  if (watched_ > (may_diverge() ? kDivergingPatience : kPatience)) return Verdict::stop;
+  if (phase_ == Phase::descent) return may_diverge() ? Verdict::go_on : Verdict::stop;
+  if (radius < (may_diverge() ? kDivergingRadius : kCreepingRadius)) ++creeping_;
   const bool worsens = sights_.back().condition > kConditionGrowth * sights_.front().condition;
-  const bool creeps = creeping_ >= (worsens ? 1 : kCreepingSteps);
-  return watched_ > patience || creeps ? Verdict::stop : Verdict::go_on;
+  return creeping_ >= (worsens ? 1 : kCreepingSteps) ? Verdict::stop : Verdict::go_on;
 }
 
-// All coordinates have had the same valuations for several sights: the path is in its last phase.
+bool Endgame::may_diverge() const {
+  return sights_.back().least < -kLeastValuation || sights_.back().size > kDivergedSize;
+}
+
+// All coordinates that do not vanish have had the same valuations for several sights: the path is in
+// its last phase.
 bool Endgame::valuations_are_steady(std::size_t sights) const {
   if (sights_.size() < sights) return false;
-  for (std::size_t i = 0; i < sights_.back().valuations.size(); ++i) {
+  const Sight& then = sights_[sights_.size() - sights];
+  const Sight& now = sights_.back();
+  for (std::size_t i = 0; i < now.valuations.size(); ++i) {
+    if (std::min(then.valuations[i], now.valuations[i]) >= kVanishing) continue;
     if (drift(i, sights) > kSteadyTolerance) return false;
   }
   return true;
@@ -234,7 +245,10 @@ std::optional<Departure> Endgame::accept(Arrival&& arrival, PathSystem& path) {
   end_.t = arrival.t.t;
   if (arrival.journey == Journey::cancelled) return fail(Failure::cancelled);
   switch (phase_) {
-    case Phase::whole_way: return judge_arrival(arrival, path);
+    case Phase::whole_way: return judge_arrival(std::move(arrival), path);
+    case Phase::descent:
+      if (cut_) return at_infinity();
+      return is_regular_arrival(arrival, path, landing_condition()) ? std::nullopt : begin_circle();
     case Phase::approach:
       if (arrival.journey != Journey::arrived) return conclude(path);
       outpost_ = std::move(arrival.x);
@@ -248,13 +262,15 @@ std::optional<Departure> Endgame::accept(Arrival&& arrival, PathSystem& path) {
   return std::nullopt;
 }
 
-std::optional<Departure> Endgame::judge_arrival(const Arrival& arrival, PathSystem& path) {
+std::nullopt_t Endgame::at_infinity() {
+  end_.status = PathStatus::at_infinity;
+  end_.condition = sights_.back().condition;
+  return std::nullopt;
+}
+
+std::optional<Departure> Endgame::judge_arrival(Arrival&& arrival, PathSystem& path) {
   end_.x = arrival.x;
-  if (cut_) {
-    end_.status = PathStatus::at_infinity;
-    end_.condition = sights_.back().condition;
-    return std::nullopt;
-  }
+  if (cut_) return at_infinity();
   if (arrival.regular_condition) {
     end_.condition = *arrival.regular_condition;
     end_.accuracy = std::numeric_limits<double>::epsilon();
@@ -266,7 +282,16 @@ std::optional<Departure> Endgame::judge_arrival(const Arrival& arrival, PathSyst
       outpost_.empty() ? std::numeric_limits<double>::infinity() : options_.regular_condition;
   if (is_regular_arrival(arrival, path, condition)) return std::nullopt;
   if (outpost_.empty()) return fail(to_failure(arrival.journey));
+  if (arrival.journey == Journey::stopped && may_diverge()) return descend(std::move(arrival));
   return begin_circle();
+}
+
+// Straight towards t = 1 in log(1 - t): where branch points crowd about t = 1, valuations settle late.
+Departure Endgame::descend(Arrival&& arrival) {
+  phase_ = Phase::descent;
+  watched_ = 0;
+  return Departure{path_, Contour::spiral(arrival.t.rest, std::log(kDescent)), std::move(arrival.x),
+                   care_, 0, this};
 }
 
 // Affine patch a x = 1 through the first outpost: samples of one homogeneous path become points of one chart.

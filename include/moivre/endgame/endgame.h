@@ -10,6 +10,7 @@
 //      x_i / x_0:  v_i < 0 is a coordinate that grows. Valuations come from the tangent, w_i = -r Re(x_i' / x_i).
 //      The path is cut when min v_i is negative and steady, the coordinate has grown by a large factor, and the
 //      condition has grown with it: a large but finite regular root has steady valuations too, but not the last.
+//      A path that grows without being steady at r = 1e-10 descends further, in log r.
 //   3. Otherwise circles t = 1 - r e^{i theta}: after m turns the path closes; m is the winding number, and the mean of
 //      equidistant samples is the end point (Cauchy's integral; the error falls geometrically in the number of samples).
 //      The samples' Laurent series in (1 - t)^{1/m} must have no negative powers: then t = 1 is the only
@@ -83,7 +84,7 @@ class Endgame : public Watcher {
   Verdict watch(const StepRecord& step, PathSystem& path) noexcept override;
 
  private:
-  enum class Phase { whole_way, approach, circle, landing };
+  enum class Phase { whole_way, descent, approach, circle, landing };
 
   /// A watched point.
   struct Sight {
@@ -103,7 +104,10 @@ class Endgame : public Watcher {
   double drift(std::size_t i, std::size_t sights) const;
   bool growth_lasts() const;
   bool diverges() const;
-  std::optional<Departure> judge_arrival(const Arrival& arrival, PathSystem& path);
+  bool may_diverge() const;
+  std::optional<Departure> judge_arrival(Arrival&& arrival, PathSystem& path);
+  Departure descend(Arrival&& arrival);
+  std::nullopt_t at_infinity();
   std::optional<Departure> begin_circle();
   std::optional<Departure> next_turn(Arrival&& arrival, PathSystem& path);
   std::optional<Departure> shrink(PathSystem& path);
