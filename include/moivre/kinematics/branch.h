@@ -66,12 +66,19 @@ struct BranchOptions {
   int maximum_steps = 20000;      ///< accepted and rejected
 };
 
+/// An assembled pose.
+struct BranchPose {
+  double time = 0;
+  Eigen::VectorXd q;
+};
+
 struct Branch {
   BranchStatus status = BranchStatus::failed;
   std::string message = "follow_branch() was not run";
   std::vector<BranchSample> samples;  ///< in the order of the times, up to where the branch ends
   std::optional<BranchEvent> event;   ///< where status is `ended`
-  int steps = 0;                      ///< accepted
+  std::optional<BranchPose> beyond;  ///< dead point: a pose of the branch that meets this one there
+  int steps = 0;                     ///< accepted
   int rejected = 0;
 };
 

@@ -1,0 +1,452 @@
+// SPDX-License-Identifier: MIT
+// How is a branch followed? Steps along the curve, samples in between, and the places where it ends.
+#include "moivre/kinematics/branch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+
+#include "curve.h"
+#include "moivre/kinematics/state.h"
+#include "moivre/mechanism/pose.h"
+#include "segment.h"
+
+namespace moivre {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+// A pose is assembled when every |Phi_i| is this small beside its terms; what is handed over was corrected to rounding.
+constexpr double kAssembled = 1e-9;
+// Steps in y, where an angle counts by radians and a length by the mechanism's.
+constexpr double kFirstStep = 1e-2;
+constexpr double kLongestStep = 0.5;
+constexpr double kShortestStep = 1e-12;
+// No step is longer than this share of the time to go: a driver's law may have detail that the curve does not announce.
+constexpr double kLongestTime = 1.0 / 16;
+// The last step aims a little beyond the end, so that the end lies within it.
+constexpr double kOvershoot = 1.02;
+constexpr double kShrink = 0.5;
+constexpr double kLeastGrowth = 0.3;
+constexpr double kMostGrowth = 2;
+// Aim below the limits: a step that just misses one is done twice.
+constexpr double kAim = 0.6;
+// sigma is halved, no more, on the way to a crossing; at this one it counts as reached. Points there are known to
+// 1e-16 / sigma, so that they still show sigma itself; branches that pass each other by less are not told from crossing ones.
+constexpr double kApproach = 0.5;
+constexpr double kCrossing = 1e-7;
+// Cosine of both singular vectors beyond which a change of sign is a zero of sigma, and not two singular values in turn.
+constexpr double kSameVector = 0.5;
+// A tangent with less of time in it than this stands across.
+constexpr double kAcross = 1e-9;
+// Curve time beside 1: what is nearer to an event than this is the event.
+constexpr double kEventWidth = 1e-12;
+// A sample's correction beside the step, in y; beyond, the step was too long for the cubic.
+constexpr double kSampleMiss = 0.05;
+constexpr double kSampleConverged = 1e-10;
+constexpr int kSampleCorrections = 8;
+// Rotation vectors are shortened beyond this: at 2 pi their derivative is singular.
+constexpr double kLongestRotation = 1.25 * std::numbers::pi;
+
+double mechanism_length(const Mechanism& mechanism, const Phi& phi, const VectorXd& q) {
+  double length = 0;
+  for (const Body& body : mechanism.bodies) {
+    for (const BodyPoint& point : body.points) length = std::max(length, point.at.norm());
+  }
+  for (Index k = 0; k < q.size(); ++k) {
+    const auto kind = phi.coordinates()[static_cast<std::size_t>(k)].kind;
+    if (kind == CoordinateKind::length) length = std::max(length, std::abs(q[k]));
+  }
+  return length > 0 ? length : 1;
+}
+
+CurveScale scale_of(const Mechanism& mechanism, const Phi& phi, const VectorXd& q,
+                    const std::vector<double>& times) {
+  CurveScale scale{VectorXd::Ones(q.size()), times.front(), times.back() - times.front()};
+  const double length = mechanism_length(mechanism, phi, q);
+  for (Index k = 0; k < q.size(); ++k) {
+    const auto kind = phi.coordinates()[static_cast<std::size_t>(k)].kind;
+    if (kind == CoordinateKind::length) scale.w[k] = length;
+  }
+  return scale;
+}
+
+void validate(const Phi& phi, const VectorXd& q0, const std::vector<double>& times) {
+  if (q0.size() != phi.dimension() || !q0.allFinite()) {
+    throw std::invalid_argument("a branch begins at " + std::to_string(phi.dimension()) +
+                                " finite coordinates");
+  }
+  if (times.size() < 2)
+    throw std::invalid_argument("a branch is followed through two times or more");
+  for (std::size_t k = 1; k < times.size(); ++k) {
+    const bool is_forwards = times.back() > times.front();
+    if (!std::isfinite(times[k]) ||
+        !(is_forwards ? times[k] > times[k - 1] : times[k] < times[k - 1])) {
+      throw std::invalid_argument("the times of a branch go one way");
+    }
+  }
+  const double residual = scaled_residual(phi, q0, times.front());
+  if (!(residual <= kAssembled)) {
+    throw std::invalid_argument("a branch begins at an assembled pose; this one leaves " +
+                                std::to_string(residual) + " of the terms");
+  }
+}
+
+/// q with the coordinates that are rounding noise beside the others at 0, where that leaves less of Phi: a row whose terms
+/// are noise has no scale of its own.
+VectorXd without_noise(const Phi& phi, const VectorXd& q, double t) {
+  constexpr double kNoise = 8 * std::numeric_limits<double>::epsilon();
+  const double noise = kNoise * q.lpNorm<Eigen::Infinity>();
+  const VectorXd clean = q.unaryExpr([&](double x) { return std::abs(x) <= noise ? 0 : x; });
+  return scaled_residual(phi, clean, t) < scaled_residual(phi, q, t) ? clean : q;
+}
+
+/// Neville's extrapolation of y(sigma), through the points given, to sigma = 0.
+VectorXd at_zero(const std::vector<CurvePoint>& points, std::size_t first) {
+  std::vector<VectorXd> table;
+  for (std::size_t i = first; i < points.size(); ++i) {
+    table.push_back(points[i].y);
+    for (std::size_t k = table.size() - 1; k-- > 0;) {
+      const double far = points[first + k].sigma;
+      const double near = points[i].sigma;
+      table[k] = (far * table[k + 1] - near * table[k]) / (far - near);
+    }
+  }
+  return table.front();
+}
+
+class Follower {
+ public:
+  Follower(const Mechanism& mechanism, const VectorXd& q0, const std::vector<double>& times,
+           const BranchOptions& options, const std::atomic<bool>& stop)
+      : mechanism_(mechanism),
+        phi_(mechanism),
+        times_(times),
+        options_(options),
+        stop_(stop),
+        curve_(phi_, scale_of(mechanism, phi_, q0, times)) {
+    validate(phi_, q0, times);
+  }
+
+  Branch run(const VectorXd& q0);
+
+ private:
+  bool is_begun(const VectorXd& q0);
+  void step();
+  double step_length() const;
+  bool is_smooth(const CurvePoint& b, const VectorXd& predicted, double h);
+  bool advance(const CurvePoint& b, double h);
+  std::optional<CurvePoint> end_within(const Segment& segment, std::optional<BranchEvent>& event);
+  bool take_samples(const Segment& segment, double until);
+  std::optional<BranchSample> sample(const Segment& segment, double time) const;
+  BranchSample state_at(const VectorXd& assembled, double time) const;
+  const Joint* broken_limit(const VectorXd& q) const;
+  void choose_length(const CurvePoint& b, double h);
+  void watch_approach(const CurvePoint& b);
+  void cross();
+  void shorten_rotations();
+  BranchEvent event_at(EventKind kind, const VectorXd& y) const;
+  void reject();
+  void end(BranchStatus status, std::string message);
+  void end_at(BranchEvent event);
+
+  const Mechanism& mechanism_;
+  const Phi phi_;
+  const std::vector<double>& times_;
+  const BranchOptions& options_;
+  const std::atomic<bool>& stop_;
+  const Curve curve_;
+  CurvePoint at_;
+  std::vector<CurvePoint> approach_;  ///< the last points, sigma falling
+  double h_ = kFirstStep;
+  bool is_done_ = false;
+  Branch result_;
+};
+
+void Follower::end(BranchStatus status, std::string message) {
+  result_.status = status;
+  result_.message = std::move(message);
+  is_done_ = true;
+}
+
+void Follower::end_at(BranchEvent event) {
+  end(BranchStatus::ended,
+      to_string(event.kind) + (event.joint.empty() ? "" : " of " + event.joint));
+  result_.event = std::move(event);
+}
+
+BranchEvent Follower::event_at(EventKind kind, const VectorXd& y) const {
+  BranchEvent event;
+  event.kind = kind;
+  event.time = curve_.t_of(y);
+  event.q = curve_.q_of(y);
+  event.uncertainty = kEventWidth * std::abs(curve_.scale().T);
+  return event;
+}
+
+const Joint* Follower::broken_limit(const VectorXd& q) const {
+  for (const Joint& joint : mechanism_.joints) {
+    if (joint.limits && !is_within_limits(mechanism_, joint, q)) return &joint;
+  }
+  return nullptr;
+}
+
+BranchSample Follower::state_at(const VectorXd& assembled, double time) const {
+  const VectorXd q = without_noise(phi_, assembled, time);
+  const MotionState state = motion_state(phi_, q, time);
+  return {time,
+          q,
+          state.velocity,
+          state.acceleration,
+          scaled_residual(phi_, q, time),
+          state.is_determined};
+}
+
+/// The first sample, and whether the branch can leave it.
+bool Follower::is_begun(const VectorXd& q0) {
+  const VectorXd y = curve_.point(q0, times_.front());
+  result_.samples.push_back(state_at(q0, times_.front()));
+  if (phi_.size() < phi_.dimension()) {
+    end(BranchStatus::failed,
+        "fewer constraints than coordinates: the pose moves though the drivers stand; give "
+        "drivers");
+    return false;
+  }
+  at_ = curve_.begin(y);
+  if (!(at_.sigma > kCrossing)) {
+    end_at(event_at(EventKind::bifurcation, y));
+  } else if (std::abs(at_.time_rate()) < kAcross) {
+    end_at(event_at(EventKind::dead_point, y));
+  } else if (const Joint* joint = broken_limit(q0)) {
+    BranchEvent event = event_at(EventKind::joint_limit, y);
+    event.joint = joint->name;
+    end_at(std::move(event));
+  }
+  h_ = std::min(kFirstStep, kApproach * at_.sigma);
+  approach_ = {at_};
+  return !is_done_;
+}
+
+double Follower::step_length() const {
+  const double rate = at_.time_rate();
+  const double to_go = kOvershoot * (1 - at_.time()) / rate;
+  return std::min({h_, kLongestStep, kLongestTime / rate, std::max(to_go, kShortestStep)});
+}
+
+bool Follower::is_smooth(const CurvePoint& b, const VectorXd& predicted, double h) {
+  const double miss = (b.y - predicted).norm() / h;
+  const double turn = std::acos(std::clamp(at_.tangent.dot(b.tangent), -1.0, 1.0));
+  const double left = at_.u.dot(b.u);
+  const double right = at_.v.dot(b.v);
+  const bool crosses = left * right < 0 && std::min(std::abs(left), std::abs(right)) > kSameVector;
+  return miss <= options_.largest_miss && turn <= options_.largest_turn_rad && !crosses;
+}
+
+void Follower::reject() {
+  ++result_.rejected;
+  if (h_ < kShortestStep) {
+    end(BranchStatus::failed, "the branch cannot be followed further: the step became too small");
+  }
+}
+
+void Follower::step() {
+  h_ = step_length();
+  const double h = h_;
+  const VectorXd predicted = at_.y + h * at_.tangent + (h * h / 2) * at_.curvature;
+  const auto y = curve_.corrected(predicted, at_.tangent, at_.tangent.dot(at_.y) + h);
+  if (y) {
+    const CurvePoint b = curve_.next(*y, at_);
+    if (b.tangent.allFinite() && is_smooth(b, predicted, h) && advance(b, h)) {
+      ++result_.steps;
+      return;
+    }
+  }
+  h_ = kShrink * h;
+  reject();
+}
+
+/// The next step from how well this one went, no further than halfway to where sigma points to zero.
+void Follower::choose_length(const CurvePoint& b, double h) {
+  const VectorXd predicted = at_.y + h * at_.tangent + (h * h / 2) * at_.curvature;
+  const double miss = (b.y - predicted).norm() / h;
+  const double turn = std::acos(std::clamp(at_.tangent.dot(b.tangent), -1.0, 1.0));
+  const double by_miss = miss > 0 ? std::sqrt(kAim * options_.largest_miss / miss) : kMostGrowth;
+  const double by_turn = turn > 0 ? kAim * options_.largest_turn_rad / turn : kMostGrowth;
+  h_ = h * std::clamp(std::min(by_miss, by_turn), kLeastGrowth, kMostGrowth);
+  if (b.sigma < at_.sigma) h_ = std::min(h_, kApproach * b.sigma * h / (at_.sigma - b.sigma));
+}
+
+/// False when the step was too long for what lies within it; nothing has happened then.
+bool Follower::advance(const CurvePoint& b, double h) {
+  const Segment segment{at_, b, h};
+  std::optional<BranchEvent> event;
+  const std::optional<CurvePoint> last = end_within(segment, event);
+  if (!last) return false;
+  const std::size_t sampled = result_.samples.size();
+  const double until = event ? last->time() - kEventWidth : last->time();
+  const Segment whole{at_, *last, at_.tangent.dot(last->y - at_.y)};
+  if (!take_samples(whole, until)) {
+    result_.samples.resize(sampled);
+    return false;
+  }
+  if (result_.samples.size() == times_.size()) {
+    end(BranchStatus::reached, "followed to the end");
+  } else if (event && last->time() <= 1 + kEventWidth) {
+    if (event->kind == EventKind::dead_point) {
+      result_.beyond = BranchPose{curve_.t_of(b.y), curve_.q_of(b.y)};
+    }
+    end_at(std::move(*event));
+  } else {
+    choose_length(b, h);
+    at_ = b;
+    watch_approach(b);
+    shorten_rotations();
+  }
+  return true;
+}
+
+/// Where the branch ends within the segment, with the event; else b. nullopt where that cannot be located.
+std::optional<CurvePoint> Follower::end_within(const Segment& segment,
+                                               std::optional<BranchEvent>& event) {
+  std::optional<CurvePoint> last = segment.b;
+  if (segment.b.time_rate() <= 0) {
+    last = sign_change(curve_, segment, [](const CurvePoint& p) { return p.time_rate(); });
+    if (!last) return last;
+    event = event_at(EventKind::dead_point, last->y);
+  }
+  if (const Joint* joint = broken_limit(curve_.q_of(last->y))) {
+    const Segment up_to_last{segment.a, *last, segment.a.tangent.dot(last->y - segment.a.y)};
+    last = sign_change(curve_, up_to_last, [&](const CurvePoint& p) {
+      return is_within_limits(mechanism_, *joint, curve_.q_of(p.y)) ? 1.0 : -1.0;
+    });
+    if (!last) return last;
+    event = event_at(EventKind::joint_limit, last->y);
+    event->joint = joint->name;
+  }
+  return last;
+}
+
+bool Follower::take_samples(const Segment& segment, double until) {
+  while (result_.samples.size() < times_.size()) {
+    const double t = times_[result_.samples.size()];
+    const double time = (t - curve_.scale().t0) / curve_.scale().T;
+    if (time > until) return true;
+    const std::optional<BranchSample> taken = sample(segment, t);
+    if (!taken) return false;
+    result_.samples.push_back(*taken);
+  }
+  return true;
+}
+
+/// The pose at its own time, corrected from the cubic; nullopt where the correction leads too far away.
+std::optional<BranchSample> Follower::sample(const Segment& segment, double t) const {
+  const double time = (t - curve_.scale().t0) / curve_.scale().T;
+  const VectorXd guess = curve_.q_of(interpolated(segment, place_of_time(segment, time)));
+  VectorXd q = guess;
+  for (int k = 0; k < kSampleCorrections; ++k) {
+    const VectorXd step = Factorisation(phi_.jacobian(q, t)).solve(-phi_.value(q, t));
+    q += step;
+    const VectorXd moved = (q - guess).cwiseQuotient(curve_.scale().w);
+    if (!(moved.norm() <= kSampleMiss * segment.length)) return std::nullopt;
+    if (step.cwiseQuotient(curve_.scale().w).norm() <= kSampleConverged) return state_at(q, t);
+  }
+  return std::nullopt;
+}
+
+void Follower::watch_approach(const CurvePoint& b) {
+  if (b.sigma >= approach_.back().sigma) approach_.clear();
+  approach_.push_back(b);
+  if (b.sigma <= kCrossing) cross();
+}
+
+/// Branches cross ahead, at most a shortest step away: where, the way there tells.
+void Follower::cross() {
+  // Points are known to 1e-16 / sigma, those before this sigma to 1e-12. Eight of them, sigma halved each time, leave a
+  // product of 1e-15 as the extrapolation's error, when the largest is a tenth of what sigma's shape is like.
+  constexpr double kWellKnown = 2e-4;
+  constexpr std::size_t kPoints = 8;
+  constexpr std::size_t kFewest = 4;
+  std::vector<CurvePoint> known = approach_;
+  while (known.size() > kFewest && known.back().sigma < kWellKnown) known.pop_back();
+  const std::size_t first = known.size() > kPoints ? known.size() - kPoints : 0;
+  for (std::size_t k = first; k < known.size(); ++k) known[k].sigma = curve_.sigma(known[k].y);
+  const VectorXd y = at_zero(known, first);
+  const double nearest = (y - at_.y).norm();
+  const bool is_there = y.allFinite() && nearest <= std::sqrt(kCrossing);
+  BranchEvent event = event_at(EventKind::bifurcation, is_there ? y : at_.y);
+  if (!is_there) {
+    event.uncertainty = std::sqrt(kCrossing) * std::abs(curve_.scale().T);
+  } else if (known.size() - first > 1) {
+    const VectorXd other = at_zero(known, first + 1);
+    event.uncertainty += std::abs(curve_.t_of(y) - curve_.t_of(other));
+  }
+  end_at(std::move(event));
+}
+
+void Follower::shorten_rotations() {
+  if (is_done_ || mechanism_.space == Space::planar) return;
+  const VectorXd q = curve_.q_of(at_.y);
+  bool is_long = false;
+  for (Index k = 0; k + 2 < q.size(); ++k) {
+    if (phi_.coordinates()[static_cast<std::size_t>(k)].kind != CoordinateKind::rotation_vector)
+      continue;
+    is_long = is_long || q.segment<3>(k).norm() > kLongestRotation;
+    k += 2;
+  }
+  if (!is_long) return;
+  at_ = curve_.begin(curve_.point(phi_.canonical(q), curve_.t_of(at_.y)));
+  approach_ = {at_};
+}
+
+Branch Follower::run(const VectorXd& q0) {
+  if (!is_begun(q0)) return std::move(result_);
+  while (!is_done_) {
+    if (stop_) {
+      end(BranchStatus::interrupted, "interrupted");
+    } else if (result_.steps + result_.rejected >= options_.maximum_steps) {
+      end(BranchStatus::failed, "not followed further: the limit of steps was reached");
+    } else {
+      step();
+    }
+  }
+  return std::move(result_);
+}
+
+}  // namespace
+
+std::string to_string(EventKind kind) {
+  switch (kind) {
+    case EventKind::dead_point:
+      return "dead point";
+    case EventKind::bifurcation:
+      return "bifurcation";
+    case EventKind::joint_limit:
+      return "joint limit";
+  }
+  return "";
+}
+
+std::string to_string(BranchStatus status) {
+  switch (status) {
+    case BranchStatus::reached:
+      return "reached";
+    case BranchStatus::ended:
+      return "ended";
+    case BranchStatus::failed:
+      return "failed";
+    case BranchStatus::interrupted:
+      return "interrupted";
+  }
+  return "";
+}
+
+Branch follow_branch(const Mechanism& mechanism, const VectorXd& q0,
+                     const std::vector<double>& times, const BranchOptions& options,
+                     const std::atomic<bool>& stop) {
+  return Follower(mechanism, q0, times, options, stop).run(q0);
+}
+
+}  // namespace moivre
