@@ -16,6 +16,7 @@ void add_solve_command(CLI::App& moivre, Chosen& chosen);
 void add_track_command(CLI::App& moivre, Chosen& chosen);
 void add_info_command(CLI::App& moivre, Chosen& chosen);
 void add_closures_command(CLI::App& moivre, Chosen& chosen);
+void add_motion_command(CLI::App& moivre, Chosen& chosen);
 void add_newton_command(CLI::App& moivre, Chosen& chosen);
 void add_mobility_command(CLI::App& moivre, Chosen& chosen);
 void add_guesses_command(CLI::App& moivre, Chosen& chosen);

@@ -88,6 +88,7 @@ int parse_and_run(int argc, char** argv) {
   add_track_command(moivre, chosen);
   add_info_command(moivre, chosen);
   add_closures_command(moivre, chosen);
+  add_motion_command(moivre, chosen);
   add_newton_command(moivre, chosen);
   add_mobility_command(moivre, chosen);
   add_guesses_command(moivre, chosen);

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "canonical_order.h"
+#include "closure_id.h"
 #include "exact.h"
 #include "moivre/kinematics/newton.h"
 #include "moivre/mechanism/pose.h"
@@ -28,16 +29,6 @@ constexpr double kPolish = 1e-4;
 
 double tolerance_of(const Solution& solution) {
   return solution.singular ? kHoldsSingular : kHolds;
-}
-
-/// 0 -> A, 25 -> Z, 26 -> AA.
-std::string letters(std::size_t index) {
-  constexpr std::size_t kLetters = 26;
-  std::string text;
-  for (std::size_t k = index + 1; k > 0; k = (k - 1) / kLetters) {
-    text.insert(text.begin(), static_cast<char>('A' + (k - 1) % kLetters));
-  }
-  return text;
 }
 
 class Search {
@@ -312,7 +303,7 @@ void Search::name_closures() {
   std::vector<Closure> ordered;
   for (const std::size_t k : canonical_order(poses, coordinates(mechanism_))) {
     ordered.push_back(std::move(result_.closures[k]));
-    ordered.back().id = letters(ordered.size() - 1);
+    ordered.back().id = closure_id(ordered.size() - 1);
   }
   result_.closures = std::move(ordered);
 }

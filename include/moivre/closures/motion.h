@@ -27,7 +27,7 @@ struct MotionOptions {
   double from = 0;      ///< seconds
   double to = 1;        ///< seconds; after `from`
   int steps = 100;      ///< samples are at from + k (to - from) / steps, k = 0 .. steps
-  int checkpoints = 4;  ///< evenly spaced after `from`, the last at `to`; 0: none
+  int checkpoints = 4;  ///< after `from`, at samples, the last at `to`; no more than steps
   BranchOptions branch;
   SolveOptions solve;  ///< of the closures, at `from` and at every checkpoint
   /// Called with the share of the work that is done, in [0, 1]; may be empty.
@@ -93,8 +93,9 @@ struct MotionResult {
 /// Value of each driver.
 std::vector<double> driver_values(const Mechanism& mechanism, double time);
 
-/// A duration that shows the whole motion: one turn of the first driver where it turns evenly, else 1 s.
-double natural_duration(const Mechanism& mechanism);
+/// How long to go on from `from` to see the whole motion: one turn of the first driver where that turns by a parabola, the rest
+/// of its table, else 1 s.
+double natural_duration(const Mechanism& mechanism, double from = 0);
 
 /// Throws std::invalid_argument where the mechanism or the options are not supported, before any tracking.
 MotionResult find_motion(const Mechanism& mechanism, const Tracker& tracker,

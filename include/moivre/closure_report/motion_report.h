@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// How is a motion told? As text for people, as JSON and CSV for programs.
+//
+//   text  branches, where they begin and end, events with the drivers' values, whether the checkpoints agree
+//   JSON  docs/json.md shows it: every sample with position, velocity and acceleration of every coordinate and named point
+//   CSV   one sample a line: branch, t, drivers, then for each coordinate and each point's x, y (z) the value, velocity and
+//         acceleration
+// Angles in radians in (-pi, pi], per second and per second squared; lengths in the file's unit; the text in the file's units.
+#pragma once
+
+#include <string>
+
+#include "moivre/closures/motion.h"
+
+namespace moivre {
+
+std::string motion_text(const MotionResult& result, const Mechanism& mechanism,
+                        const std::string& file);
+std::string motion_json(const MotionResult& result, const Mechanism& mechanism,
+                        const std::string& file);
+std::string motion_csv(const MotionResult& result, const Mechanism& mechanism);
+
+}  // namespace moivre

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+// moivre motion FILE: every closure followed along the drivers, or the pose from a guess; text, JSON or CSV.
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+
+#include "command.h"
+#include "common_options.h"
+#include "interruption.h"
+#include "mechanism_input.h"
+#include "moivre/closure_report/motion_report.h"
+#include "output.h"
+#include "progress_line.h"
+#include "tracker_choice.h"
+
+namespace moivre {
+namespace {
+
+struct MotionCommand {
+  std::string file;
+  StartChoice start;
+  TrackerChoice tracker;
+  MotionOptions options;
+  std::optional<double> to;
+  std::vector<std::string> guesses;
+  bool from_guess = false;
+  bool quiet = false;
+  std::string json;
+  std::string csv;
+};
+
+MotionResult closures_moved(const Mechanism& mechanism, const MotionCommand& command,
+                            const MotionOptions& options, const std::atomic<bool>& stop) {
+  const std::unique_ptr<Tracker> tracker = make_tracker(command.tracker);
+  try {
+    return find_motion(mechanism, *tracker, options, stop);
+  } catch (const std::invalid_argument& refusal) {
+    throw std::invalid_argument(std::string(refusal.what()) +
+                                "\nOne pose can be followed without closures: --from-guess takes "
+                                "the one that Newton-Raphson assembles.");
+  }
+}
+
+MotionResult moved(const Mechanism& mechanism, const MotionCommand& command,
+                   const MotionOptions& options) {
+  const Interruption interruption;
+  if (command.guesses.empty() && !command.from_guess) {
+    return closures_moved(mechanism, command, options, interruption.stop());
+  }
+  const GuessChoice choice{options.from, command.guesses};
+  return follow_guesses(mechanism, {chosen_guess(mechanism, choice)}, options, interruption.stop());
+}
+
+int run(const MotionCommand& command) {
+  require_known(command.start);
+  require_distinct({command.json, command.csv}, command.file);
+  const auto begin = std::chrono::steady_clock::now();
+  const Mechanism mechanism = read_any_mechanism(command.file);
+  const double parse_s =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  MotionOptions options = command.options;
+  options.to = command.to.value_or(options.from + natural_duration(mechanism, options.from));
+  options.solve.seed = command.start.seed;
+  const std::unique_ptr<Tracker> fallback = make_fallback(command.tracker);
+  options.solve.fallback = fallback.get();
+  Output json(command.json);
+  Output csv(command.csv);
+  ProgressLine line(!command.quiet);
+  if (line.is_active()) {
+    options.progress = [&](double share) {
+      line.show(std::to_string(static_cast<int>(100 * share)) + " % of the motion");
+    };
+  }
+
+  MotionResult result = moved(mechanism, command, options);
+  result.time_s.parse = parse_s;
+  result.time_s.total += parse_s;
+  if (json.is_wanted()) json.write(motion_json(result, mechanism, command.file));
+  if (csv.is_wanted()) csv.write(motion_csv(result, mechanism));
+  if (!command.quiet && !json.is_stdout() && !csv.is_stdout()) {
+    write_to_stdout(motion_text(result, mechanism, command.file));
+  }
+  return result.complete ? kDecided : kUndecided;
+}
+
+void add_time_options(CLI::App& app, MotionCommand& command) {
+  app.add_option("--from", command.options.from, "time of the drivers to begin at, in seconds")
+      ->capture_default_str();
+  app.add_option("--to", command.to,
+                 "time to end at; default: one turn of the first driver later, where it turns");
+  app.add_option("--steps", command.options.steps, "samples are written at so many equal steps")
+      ->capture_default_str();
+  app.add_option("--checkpoints", command.options.checkpoints,
+                 "how often the closures are solved afresh and compared with the branches")
+      ->capture_default_str();
+}
+
+}  // namespace
+
+void add_motion_command(CLI::App& moivre, Chosen& chosen) {
+  const auto command = std::make_shared<MotionCommand>();
+  CLI::App& app = *moivre.add_subcommand(
+      "motion", "Follow every closure along the drivers: position, velocity, acceleration");
+  add_any_file(app, command->file);
+  add_time_options(app, *command);
+  app.add_option("--guess", command->guesses,
+                 "follow only the pose assembled from the file's guess with this value put in, "
+                 "angles in the file's unit; may be repeated; no closures are solved")
+      ->type_name("NAME=VALUE");
+  app.add_flag("--from-guess", command->from_guess,
+               "follow only the pose assembled from the file's guess as it is");
+  add_start_options(app, command->start);
+  app.add_option("--threads", command->options.solve.threads,
+                 "number of threads; 0: as many as the machine has")
+      ->capture_default_str();
+  add_quiet_flag(app, command->quiet);
+  add_json_option(app, command->json);
+  app.add_option("--csv", command->csv, "write a table of all samples here")->type_name("PATH");
+  add_tracker_options(app, command->tracker);
+  add_examples(app, {"moivre motion four-bar.toml",
+                     "moivre motion four-bar.toml --from 0 --to 0.1 --steps 50 --csv motion.csv",
+                     "moivre motion jansen-leg.toml --checkpoints 12 --json - | jq .events",
+                     "moivre motion rssr.toml --from-guess",
+                     "moivre motion four-bar.toml --guess coupler.phi=-60 --guess rocker.phi=-90"});
+  app.callback([command, &chosen] { chosen = [command] { return run(*command); }; });
+}
+
+}  // namespace moivre

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+// A motion as JSON: the contract of docs/json.md, key by key.
+#include "moivre/closure_report/motion_report.h"
+#include "moivre/mechanism/phi.h"
+#include "moivre/mechanism/pose.h"
+#include "pose_json.h"
+
+namespace moivre {
+namespace {
+
+Json numbers_json(const std::vector<double>& numbers) {
+  return list_json(numbers, [](double x) { return to_json(x); });
+}
+
+Json vector_json(const Mechanism& mechanism, const Eigen::Vector3d& v) {
+  Json json = Json::array({to_json(v.x()), to_json(v.y())});
+  if (mechanism.space == Space::spatial) json.push_back(to_json(v.z()));
+  return json;
+}
+
+/// {"crank.A": {"position": [x, y], "velocity": ..., "acceleration": ...}}, {} for typed equations.
+Json points_motion_json(const Mechanism& mechanism, const BranchSample& sample) {
+  Json json = Json::object();
+  for (std::size_t body = 1; body < mechanism.bodies.size(); ++body) {
+    for (std::size_t k = 0; k < mechanism.bodies[body].points.size(); ++k) {
+      const PointState at =
+          point_state(mechanism, {body, k}, sample.q, sample.velocity, sample.acceleration);
+      json[mechanism.bodies[body].name + "." + mechanism.bodies[body].points[k].name] = {
+          {"position", vector_json(mechanism, at.position)},
+          {"velocity", vector_json(mechanism, at.velocity)},
+          {"acceleration", vector_json(mechanism, at.acceleration)}};
+    }
+  }
+  return json;
+}
+
+Json sample_json(const BranchSample& sample, const Mechanism& mechanism, const Phi& phi) {
+  return {{"t", to_json(sample.time)},
+          {"drivers", numbers_json(driver_values(mechanism, sample.time))},
+          {"coordinates", coordinates_json(mechanism, phi.canonical(sample.q))},
+          {"velocities", coordinates_json(mechanism, sample.velocity)},
+          {"accelerations", coordinates_json(mechanism, sample.acceleration)},
+          {"points", points_motion_json(mechanism, sample)},
+          {"residual", to_json(sample.residual)},
+          {"determined", sample.is_determined}};
+}
+
+Json index_json(const std::optional<std::size_t>& index) {
+  return index ? Json(*index) : Json(nullptr);
+}
+
+Json branch_json(const MotionBranch& branch, const Mechanism& mechanism, const Phi& phi) {
+  return {{"id", branch.id},
+          {"begins", to_json(branch.begins)},
+          {"ends", to_json(branch.ends)},
+          {"begin_event", index_json(branch.begin_event)},
+          {"end_event", index_json(branch.end_event)},
+          {"complete", branch.complete},
+          {"message", branch.message},
+          {"steps", branch.steps},
+          {"retracked", branch.retracked},
+          {"samples", list_json(branch.samples, [&](const BranchSample& sample) {
+             return sample_json(sample, mechanism, phi);
+           })}};
+}
+
+Json event_json(const MotionEvent& event, const Mechanism& mechanism, const Phi& phi) {
+  return {{"kind", to_string(event.at.kind)},
+          {"t", to_json(event.at.time)},
+          {"uncertainty", to_json(event.at.uncertainty)},
+          {"drivers", numbers_json(event.drivers)},
+          {"joint", event.at.joint.empty() ? Json(nullptr) : Json(event.at.joint)},
+          {"ending", event.ending},
+          {"beginning", event.beginning},
+          {"coordinates", coordinates_json(mechanism, phi.canonical(event.at.q))}};
+}
+
+Json checkpoint_json(const Checkpoint& checkpoint) {
+  return {{"t", to_json(checkpoint.time)},
+          {"drivers", numbers_json(checkpoint.drivers)},
+          {"counts",
+           {{"complex", checkpoint.counts.complex},
+            {"real", checkpoint.counts.real},
+            {"filtered", checkpoint.counts.filtered}}},
+          {"branches", checkpoint.branches},
+          {"agrees", checkpoint.agrees},
+          {"message", checkpoint.message}};
+}
+
+}  // namespace
+
+std::string motion_json(const MotionResult& result, const Mechanism& mechanism,
+                        const std::string& file) {
+  const Phi phi(mechanism);
+  Json report = report_head("motion", file);
+  report["seed"] = result.seed;
+  report["complete"] = result.complete;
+  report["message"] = result.message;
+  report["title"] = mechanism.title;
+  report["from"] = to_json(result.from);
+  report["to"] = to_json(result.to);
+  report["steps"] = result.times.empty() ? 0 : result.times.size() - 1;
+  report["units"] = units_json(mechanism);
+  report["drivers"] = list_json(mechanism.drivers, [](const Driver& driver) {
+    return Json{{"name", driver.name}, {"kind", to_string(driver.kind)}};
+  });
+  report["tracker"] =
+      result.tracker.empty() ? Json(nullptr) : tracker_json(result.tracker, result.tracker_options);
+  report["paths"] = to_json(result.paths);
+  report["branches"] = list_json(result.branches, [&](const MotionBranch& branch) {
+    return branch_json(branch, mechanism, phi);
+  });
+  report["events"] = list_json(
+      result.events, [&](const MotionEvent& event) { return event_json(event, mechanism, phi); });
+  report["checkpoints"] = list_json(result.checkpoints, checkpoint_json);
+  report["failures"] = result.failures;
+  report["left_out"] = to_json(result.left_out);
+  report["work"] = {{"steps", result.steps}, {"rejected", result.rejected}};
+  report["time_s"] = to_json(result.time_s);
+  return to_text(report);
+}
+
+}  // namespace moivre

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+// A motion for people: branches from where to where, events with the drivers' values, what the checkpoints say.
+#include <algorithm>
+#include <cstdio>
+
+#include "moivre/closure_report/motion_report.h"
+#include "moivre/report/number_text.h"
+#include "moivre/report/text_blocks.h"
+#include "pose_text.h"
+
+namespace moivre {
+namespace {
+
+std::string seconds(double t) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.8g s", t);
+  return text;
+}
+
+bool is_angle(const Driver& driver, const Mechanism& mechanism) {
+  if (driver.kind == DriverKind::unknown) return mechanism.unknowns[driver.unknown].is_angle;
+  return driver.kind == DriverKind::angle;
+}
+
+/// "crank = 40 deg".
+std::string drivers_text(const Mechanism& mechanism, const std::vector<double>& values) {
+  std::string text;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const Driver& driver = mechanism.drivers[k];
+    const auto kind = is_angle(driver, mechanism) ? CoordinateKind::angle : CoordinateKind::length;
+    text += (k == 0 ? "" : ", ") + driver.name + " = " +
+            coordinate_text(mechanism, {driver.name, kind, 0}, values[k]);
+  }
+  return text;
+}
+
+std::string place(const Mechanism& mechanism, double time) {
+  const std::string drivers = drivers_text(mechanism, driver_values(mechanism, time));
+  return "t = " + seconds(time) + (drivers.empty() ? "" : " (" + drivers + ")");
+}
+
+std::string list(const std::vector<std::string>& ids) {
+  std::string text;
+  for (const std::string& id : ids) text += (text.empty() ? "" : ", ") + id;
+  return text;
+}
+
+std::string branch_text(const MotionBranch& branch, const MotionResult& result,
+                        const Mechanism& mechanism) {
+  const auto kind_at = [&](const std::optional<std::size_t>& event) {
+    return event ? ", " + to_string(result.events[*event].at.kind) : std::string();
+  };
+  std::string text = "branch " + branch.id + ": from " + place(mechanism, branch.begins) +
+                     kind_at(branch.begin_event) + "\n  to " + place(mechanism, branch.ends) +
+                     kind_at(branch.end_event) + "; " + counted(branch.samples.size(), "sample") +
+                     ", " + counted(static_cast<std::uint64_t>(branch.steps), "step");
+  if (branch.retracked > 0) {
+    text += ", followed again " + counted(static_cast<std::uint64_t>(branch.retracked), "time") +
+            " with shorter steps";
+  }
+  return text + (branch.complete ? "\n" : "; " + branch.message + '\n');
+}
+
+std::string event_text(const MotionEvent& event, const Mechanism& mechanism) {
+  std::string text = to_string(event.at.kind);
+  if (!event.at.joint.empty()) text += " of " + event.at.joint;
+  text += " at " + place(mechanism, event.at.time) + ": ";
+  if (!event.ending.empty())
+    text += list(event.ending) + " end" + (event.ending.size() == 1 ? "s" : "");
+  if (!event.ending.empty() && !event.beginning.empty()) text += ", ";
+  if (!event.beginning.empty()) {
+    text += list(event.beginning) + " begin" + (event.beginning.size() == 1 ? "s" : "");
+  }
+  return text + '\n';
+}
+
+std::string checkpoint_text(const Checkpoint& checkpoint, const Mechanism& mechanism) {
+  std::vector<std::string> ids;
+  for (const std::string& id : checkpoint.branches) ids.push_back(id.empty() ? "-" : id);
+  return "checkpoint " + place(mechanism, checkpoint.time) + ": " +
+         counted(checkpoint.counts.complex, "complex closure") + ", " +
+         std::to_string(checkpoint.counts.real) + " real" +
+         (ids.empty() ? "" : " (" + list(ids) + ")") + "; " +
+         (checkpoint.agrees ? "agrees" : "DOES NOT AGREE: " + checkpoint.message) + '\n';
+}
+
+}  // namespace
+
+std::string motion_text(const MotionResult& result, const Mechanism& mechanism,
+                        const std::string& file) {
+  std::string text = (mechanism.title.empty() ? file : mechanism.title + " (" + file + ")") + '\n';
+  text += counted(result.branches.size(), "branch", "branches") + " from " +
+          place(mechanism, result.from) + " to " + place(mechanism, result.to) + '\n' +
+          result.message + "\n\n";
+  for (const MotionBranch& branch : result.branches) {
+    text += branch_text(branch, result, mechanism);
+  }
+  if (!result.events.empty()) text += '\n';
+  for (const MotionEvent& event : result.events) text += event_text(event, mechanism);
+  if (!result.checkpoints.empty()) text += '\n';
+  for (const Checkpoint& checkpoint : result.checkpoints) {
+    text += checkpoint_text(checkpoint, mechanism);
+  }
+  for (const std::string& failure : result.failures) text += "failed: " + failure + '\n';
+  return text + left_out_text(result.left_out);
+}
+
+}  // namespace moivre

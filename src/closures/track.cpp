@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// Tracks: two branches from one anchor, and the distance between poses.
+#include "track.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace moivre {
+namespace {
+
+// A quarter of the step: a branch that was lost at one length is seldom lost at the next.
+constexpr double kTighter = 0.25;
+
+const BranchSample* sample_at(const Branch& branch, double time) {
+  for (const BranchSample& sample : branch.samples) {
+    if (sample.time == time) return &sample;
+  }
+  return nullptr;
+}
+
+/// Where a branch came to: its event, its last sample, or `anchor`.
+double reached(const Branch& branch, double anchor) {
+  if (branch.event) return branch.event->time;
+  return branch.samples.empty() ? anchor : branch.samples.back().time;
+}
+
+}  // namespace
+
+double Track::begins() const { return reached(backwards, anchor.time); }
+
+double Track::ends() const { return reached(forwards, anchor.time); }
+
+const BranchSample* Track::at(double time) const {
+  return sample_at(time < anchor.time ? backwards : forwards, time);
+}
+
+void TrackFollower::run(Track& track) const {
+  BranchOptions steps = options;
+  const double share = std::pow(kTighter, track.retracked);
+  steps.largest_turn_rad *= share;
+  steps.largest_miss *= share;
+  std::vector<double> later{track.anchor.time};
+  std::vector<double> earlier{track.anchor.time};
+  for (const double time : times) {
+    if (time > track.anchor.time) later.push_back(time);
+    if (time < track.anchor.time) earlier.insert(earlier.begin() + 1, time);
+  }
+  track.forwards = {};
+  track.backwards = {};
+  if (later.size() > 1) {
+    track.forwards = follow_branch(mechanism, track.anchor.q, later, steps, stop);
+  }
+  if (earlier.size() > 1) {
+    track.backwards = follow_branch(mechanism, track.anchor.q, earlier, steps, stop);
+  }
+  // At either end of the times one of the two has nothing to do but to hold the anchor.
+  if (later.size() == 1) {
+    track.forwards.status = BranchStatus::reached;
+    track.forwards.samples.push_back(track.backwards.samples.front());
+  }
+  if (earlier.size() == 1) track.backwards.status = BranchStatus::reached;
+}
+
+Track TrackFollower::follow(const BranchPose& anchor) const {
+  Track track;
+  track.anchor = anchor;
+  track.is_from_start = anchor.time == times.front();
+  run(track);
+  return track;
+}
+
+void TrackFollower::follow_again(Track& track) const {
+  ++track.retracked;
+  run(track);
+}
+
+double distance(const Phi& phi, const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+  const Eigen::VectorXd gap = phi.canonical(phi.canonical(a) - phi.canonical(b));
+  double size = 1;
+  for (Eigen::Index k = 0; k < a.size(); ++k) {
+    const auto kind = phi.coordinates()[static_cast<std::size_t>(k)].kind;
+    if (kind == CoordinateKind::length) size = std::max({size, std::abs(a[k]), std::abs(b[k])});
+  }
+  return gap.lpNorm<Eigen::Infinity>() / size;
+}
+
+}  // namespace moivre

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// Where is a branch at each of the times, followed both ways from the pose at which it was found?
+#pragma once
+
+#include <vector>
+
+#include "moivre/closures/motion.h"
+
+namespace moivre {
+
+/// One branch of the motion, as far as it is known.
+struct Track {
+  BranchPose anchor;  ///< a closure of a checkpoint, or a pose behind a dead point
+  Branch forwards;    ///< from the anchor on
+  Branch backwards;   ///< from the anchor back; not run where the anchor is at the beginning
+  bool is_from_start = false;
+  int retracked = 0;
+
+  double begins() const;
+  double ends() const;
+  int steps() const { return forwards.steps + backwards.steps; }
+  int rejected() const { return forwards.rejected + backwards.rejected; }
+  /// The sample at exactly this time; nullptr where the branch is not there.
+  const BranchSample* at(double time) const;
+};
+
+/// How a track is followed: through all `times` (ascending), and shorter steps each time again.
+struct TrackFollower {
+  const Mechanism& mechanism;
+  const std::vector<double>& times;
+  BranchOptions options;
+  const std::atomic<bool>& stop;
+
+  Track follow(const BranchPose& anchor) const;
+  void follow_again(Track& track) const;
+
+ private:
+  void run(Track& track) const;
+};
+
+/// Largest difference of two poses, angles to the nearest turn, beside the larger pose's size (1 at least).
+double distance(const Phi& phi, const Eigen::VectorXd& a, const Eigen::VectorXd& b);
+
+}  // namespace moivre
