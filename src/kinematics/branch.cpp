@@ -74,6 +74,15 @@ CurveScale scale_of(const Mechanism& mechanism, const Phi& phi, const VectorXd& 
   return scale;
 }
 
+/// q with the coordinates that are rounding noise beside the others at 0, where that leaves less of Phi: a row whose terms
+/// are noise has no scale of its own.
+VectorXd without_noise(const Phi& phi, const VectorXd& q, double t) {
+  constexpr double kNoise = 8 * std::numeric_limits<double>::epsilon();
+  const double noise = kNoise * q.lpNorm<Eigen::Infinity>();
+  const VectorXd clean = q.unaryExpr([&](double x) { return std::abs(x) <= noise ? 0 : x; });
+  return scaled_residual(phi, clean, t) < scaled_residual(phi, q, t) ? clean : q;
+}
+
 void validate(const Phi& phi, const VectorXd& q0, const std::vector<double>& times) {
   if (q0.size() != phi.dimension() || !q0.allFinite()) {
     throw std::invalid_argument("a branch begins at " + std::to_string(phi.dimension()) +
@@ -88,20 +97,12 @@ void validate(const Phi& phi, const VectorXd& q0, const std::vector<double>& tim
       throw std::invalid_argument("the times of a branch go one way");
     }
   }
-  const double residual = scaled_residual(phi, q0, times.front());
+  const double residual =
+      scaled_residual(phi, without_noise(phi, q0, times.front()), times.front());
   if (!(residual <= kAssembled)) {
     throw std::invalid_argument("a branch begins at an assembled pose; this one leaves " +
                                 std::to_string(residual) + " of the terms");
   }
-}
-
-/// q with the coordinates that are rounding noise beside the others at 0, where that leaves less of Phi: a row whose terms
-/// are noise has no scale of its own.
-VectorXd without_noise(const Phi& phi, const VectorXd& q, double t) {
-  constexpr double kNoise = 8 * std::numeric_limits<double>::epsilon();
-  const double noise = kNoise * q.lpNorm<Eigen::Infinity>();
-  const VectorXd clean = q.unaryExpr([&](double x) { return std::abs(x) <= noise ? 0 : x; });
-  return scaled_residual(phi, clean, t) < scaled_residual(phi, q, t) ? clean : q;
 }
 
 /// Neville's extrapolation of y(sigma), through the points given, to sigma = 0.
@@ -296,7 +297,8 @@ bool Follower::advance(const CurvePoint& b, double h) {
     end(BranchStatus::reached, "followed to the end");
   } else if (event && last->time() <= 1 + kEventWidth) {
     if (event->kind == EventKind::dead_point) {
-      result_.beyond = BranchPose{curve_.t_of(b.y), curve_.q_of(b.y)};
+      const double time = curve_.t_of(b.y);
+      result_.beyond = BranchPose{time, without_noise(phi_, curve_.q_of(b.y), time)};
     }
     end_at(std::move(*event));
   } else {

@@ -28,14 +28,27 @@ MatrixXd bordered(const MatrixXd& E, const VectorXd& row) {
   return K;
 }
 
-/// The right singular vector of K = Q R that belongs to the smallest singular value.
-VectorXd weakest(const Eigen::HouseholderQR<MatrixXd>& qr, VectorXd v) {
+/// v without its part along the tangent; where that is all there is, another direction across.
+VectorXd across(const VectorXd& tangent, const VectorXd& v) {
+  constexpr double kLittle = 1e-3;
+  VectorXd rest = v - tangent.dot(v) * tangent;
+  if (!(rest.norm() > kLittle)) {
+    Index least = 0;
+    tangent.cwiseAbs().minCoeff(&least);
+    rest = VectorXd::Unit(v.size(), least) - tangent[least] * tangent;
+  }
+  return rest.normalized();
+}
+
+/// The right singular vector of the smallest singular value of K = Q R = [E; tangent], among those of E.
+VectorXd weakest(const Eigen::HouseholderQR<MatrixXd>& qr, const VectorXd& tangent, VectorXd v) {
   const Index size = v.size();
   const auto R = qr.matrixQR().topRows(size).triangularView<Eigen::Upper>();
+  v = across(tangent, v);
   for (int k = 0; k < kInverseIterations; ++k) {
     const VectorXd next = R.solve(R.transpose().solve(v));
     if (!next.allFinite() || !(next.norm() > 0)) break;
-    v = next.normalized();
+    v = across(tangent, next.normalized());
   }
   return v;
 }
@@ -94,7 +107,7 @@ CurvePoint Curve::described(const VectorXd& y, const Rows& rows, const VectorXd&
   VectorXd rhs(rows.E.rows() + 1);
   rhs << -bend(y, tangent).cwiseQuotient(rows.length), 0;
   point.curvature = qr.solve(rhs);
-  point.v = weakest(qr, v);
+  point.v = weakest(qr, tangent, v);
   const VectorXd image = rows.E * point.v;
   point.sigma = image.norm();
   point.u = point.sigma > 0 ? VectorXd(image / point.sigma) : image;

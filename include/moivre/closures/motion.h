@@ -8,7 +8,8 @@
 //   a branch without a closure    a closure that the solver lost, said in `failures`
 // Where a branch ends at a dead point, the branch that meets it there is found by going on round the fold.
 // Ids stay the same through the motion: A, B, ... as find_closures gives them at `from`, then new ones as branches begin.
-// Not seen: branches that begin and end between two checkpoints without meeting one that is known (said in `left_out`).
+// Between two checkpoints where closures are complex, so that a branch could begin and end unseen, closures are solved 16
+// times. Not seen: branches shorter than that which meet no other (said in `left_out`).
 // Not supported: what find_closures does not support; follow_guesses takes those, and solves no polynomials at all.
 #pragma once
 
@@ -27,7 +28,7 @@ struct MotionOptions {
   double from = 0;      ///< seconds
   double to = 1;        ///< seconds; after `from`
   int steps = 100;      ///< samples are at from + k (to - from) / steps, k = 0 .. steps
-  int checkpoints = 4;  ///< after `from`, at samples, the last at `to`; no more than steps
+  int checkpoints = 4;  ///< evenly spaced after `from`, the last at `to`; 0: none after `from`
   BranchOptions branch;
   SolveOptions solve;  ///< of the closures, at `from` and at every checkpoint
   /// Called with the share of the work that is done, in [0, 1]; may be empty.
