@@ -15,6 +15,7 @@ void add_absent(CLI::App& moivre, Chosen& chosen, const std::string& name) {
 void add_closures_command(CLI::App& moivre, Chosen& chosen) {
   add_absent(moivre, chosen, "closures");
 }
+void add_motion_command(CLI::App& moivre, Chosen& chosen) { add_absent(moivre, chosen, "motion"); }
 void add_newton_command(CLI::App& moivre, Chosen& chosen) { add_absent(moivre, chosen, "newton"); }
 void add_mobility_command(CLI::App& moivre, Chosen& chosen) {
   add_absent(moivre, chosen, "mobility");

@@ -74,14 +74,34 @@ std::string event_text(const MotionEvent& event, const Mechanism& mechanism) {
   return text + '\n';
 }
 
-std::string checkpoint_text(const Checkpoint& checkpoint, const Mechanism& mechanism) {
-  std::vector<std::string> ids;
-  for (const std::string& id : checkpoint.branches) ids.push_back(id.empty() ? "-" : id);
-  return "checkpoint " + place(mechanism, checkpoint.time) + ": " +
-         counted(checkpoint.counts.complex, "complex closure") + ", " +
-         std::to_string(checkpoint.counts.real) + " real" +
-         (ids.empty() ? "" : " (" + list(ids) + ")") + "; " +
-         (checkpoint.agrees ? "agrees" : "DOES NOT AGREE: " + checkpoint.message) + '\n';
+std::vector<std::string> sorted(std::vector<std::string> ids) {
+  std::sort(ids.begin(), ids.end());
+  return ids;
+}
+
+bool is_alike(const Checkpoint& a, const Checkpoint& b) {
+  return a.agrees && b.agrees && a.counts.complex == b.counts.complex &&
+         a.counts.real == b.counts.real && sorted(a.branches) == sorted(b.branches);
+}
+
+/// Neighbours with the same counts and branches share a line.
+std::string checkpoints_text(const std::vector<Checkpoint>& all, const Mechanism& mechanism) {
+  std::string text;
+  std::size_t next = 0;
+  for (std::size_t k = 0; k < all.size(); k = next) {
+    for (next = k + 1; next < all.size() && is_alike(all[k], all[next]);) ++next;
+    const Checkpoint& first = all[k];
+    std::vector<std::string> ids;
+    for (const std::string& id : sorted(first.branches)) ids.push_back(id.empty() ? "-" : id);
+    text += next == k + 1 ? "checkpoint " + place(mechanism, first.time)
+                          : counted(next - k, "checkpoint") + ' ' + place(mechanism, first.time) +
+                                " .. " + place(mechanism, all[next - 1].time);
+    text += ": " + counted(first.counts.complex, "complex closure") + ", " +
+            std::to_string(first.counts.real) + " real" +
+            (ids.empty() ? "" : " (" + list(ids) + ")") + "; " +
+            (first.agrees ? "agrees" : "DOES NOT AGREE: " + first.message) + '\n';
+  }
+  return text;
 }
 
 }  // namespace
@@ -98,9 +118,7 @@ std::string motion_text(const MotionResult& result, const Mechanism& mechanism,
   if (!result.events.empty()) text += '\n';
   for (const MotionEvent& event : result.events) text += event_text(event, mechanism);
   if (!result.checkpoints.empty()) text += '\n';
-  for (const Checkpoint& checkpoint : result.checkpoints) {
-    text += checkpoint_text(checkpoint, mechanism);
-  }
+  text += checkpoints_text(result.checkpoints, mechanism);
   for (const std::string& failure : result.failures) text += "failed: " + failure + '\n';
   return text + left_out_text(result.left_out);
 }

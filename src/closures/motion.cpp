@@ -73,7 +73,7 @@ class Motion {
         all_times_(options.checkpoints == 0
                        ? times_
                        : merged(times_, even_times(options, options.checkpoints * kFiner))),
-        follower_{mechanism_, all_times_, options_.branch, stop_} {
+        follower_{mechanism_, all_times_, options_.branch, options_.follow, stop_} {
     result_.from = options.from;
     result_.to = options.to;
     result_.times = times_;
@@ -212,6 +212,8 @@ class ClosureMotion : Motion {
   bool part(std::size_t first, std::size_t second);
   bool is_event_of_a_track(double time, const Eigen::VectorXd& q) const;
   bool add_partners();
+  bool leads_back(const Track& track, bool is_forwards) const;
+  bool verify();
   void check(const Scene& scene);
   void conclude();
 
@@ -229,6 +231,7 @@ Scene ClosureMotion::solve(double time, std::uint64_t seed) {
   scene.closures = find_closures(mechanism_, tracker_, options, stop_);
   scene.track_of.resize(scene.closures.closures.size());
   result_.paths += scene.closures.paths;
+  result_.time_s.threads = std::max(result_.time_s.threads, scene.closures.time_s.threads);
   return scene;
 }
 
@@ -379,11 +382,57 @@ bool ClosureMotion::add_partners() {
   return false;
 }
 
+/// Whether the way back, from the closure that was solved at the track's last checkpoint, is the way there.
+bool ClosureMotion::leads_back(const Track& track, bool is_forwards) const {
+  std::vector<double> backs{track.anchor.time};
+  const Scene* last = nullptr;
+  for (const Scene& scene : scenes_) {
+    const bool is_on_the_way =
+        is_forwards ? scene.time > track.anchor.time : scene.time < track.anchor.time;
+    const BranchSample* sample = track.at(scene.time);
+    if (!is_on_the_way || sample == nullptr || !sample->is_determined) continue;
+    if (last == nullptr || is_forwards) last = &scene;
+    if (is_forwards) {
+      backs.insert(backs.begin(), scene.time);
+    } else {
+      backs.insert(backs.end() - 1, scene.time);
+    }
+  }
+  if (last == nullptr) return true;
+  const Eigen::VectorXd* start = nullptr;
+  for (const Closure& closure : last->closures.closures) {
+    if (distance(phi_, closure.q, track.at(last->time)->q) <= kSamePose) start = &closure.q;
+  }
+  if (start == nullptr) return true;
+  const Branch back = follower_.follow_back({last->time, *start}, backs, track);
+  if (back.samples.size() != backs.size()) return stop_;
+  return std::all_of(back.samples.begin(), back.samples.end(), [&](const BranchSample& sample) {
+    const BranchSample* there = track.at(sample.time);
+    return there != nullptr && distance(phi_, sample.q, there->q) <= kSamePose;
+  });
+}
+
+/// Follows tracks back; those that do not lead back are followed again. True when there were such.
+bool ClosureMotion::verify() {
+  bool is_changed = false;
+  for (Track& track : tracks_) {
+    if (track.is_verified || track.retracked > kMaximumRetracks || stop_) continue;
+    if (leads_back(track, true) && leads_back(track, false)) {
+      track.is_verified = true;
+      continue;
+    }
+    follower_.follow_again(track);
+    is_changed = true;
+  }
+  return is_changed;
+}
+
 void ClosureMotion::reconcile() {
   for (int round = 0; round < kRounds * static_cast<int>(1 + tracks_.size()) && !stop_; ++round) {
     bool is_settled = true;
     for (Scene& scene : scenes_) is_settled = is_settled && !settle(scene);
     if (is_settled) is_settled = !add_partners();
+    if (is_settled) is_settled = !verify();
     if (is_settled) return;
   }
 }
@@ -401,6 +450,11 @@ MotionResult ClosureMotion::run() {
   for (Scene& scene : scenes_) match(scene);
   for (const Track& track : tracks_) take_track(track);
   for (const Scene& scene : scenes_) check(scene);
+  for (std::size_t k = 0; k < tracks_.size() && !stop_; ++k) {
+    if (tracks_[k].is_verified) continue;
+    result_.failures.push_back("branch " + result_.branches[k].id +
+                               ": followed back from its last checkpoint it takes another way");
+  }
   order_events();
   conclude();
   result_.time_s.total = Seconds(std::chrono::steady_clock::now() - begin).count();

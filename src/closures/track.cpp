@@ -10,6 +10,8 @@ namespace {
 
 // A quarter of the step: a branch that was lost at one length is seldom lost at the next.
 constexpr double kTighter = 0.25;
+// Of the steps on the way back: what one length jumps over another does not.
+constexpr double kOther = 0.6;
 
 const BranchSample* sample_at(const Branch& branch, double time) {
   for (const BranchSample& sample : branch.samples) {
@@ -34,11 +36,27 @@ const BranchSample* Track::at(double time) const {
   return sample_at(time < anchor.time ? backwards : forwards, time);
 }
 
-void TrackFollower::run(Track& track) const {
+BranchOptions TrackFollower::options_of(const Track& track) const {
   BranchOptions steps = options;
   const double share = std::pow(kTighter, track.retracked);
   steps.largest_turn_rad *= share;
   steps.largest_miss *= share;
+  steps.longest_step *= share;
+  steps.largest_approach *= share;
+  return steps;
+}
+
+Branch TrackFollower::follow_back(const BranchPose& pose, const std::vector<double>& backs,
+                                  const Track& track) const {
+  BranchOptions steps = options_of(track);
+  steps.largest_turn_rad *= kOther;
+  steps.largest_miss *= kOther;
+  steps.longest_step *= kOther;
+  return follow_branch(mechanism, pose.q, backs, steps, stop);
+}
+
+void TrackFollower::run(Track& track) const {
+  const BranchOptions steps = options_of(track);
   std::vector<double> later{track.anchor.time};
   std::vector<double> earlier{track.anchor.time};
   for (const double time : times) {
@@ -70,6 +88,7 @@ Track TrackFollower::follow(const BranchPose& anchor) const {
 }
 
 void TrackFollower::follow_again(Track& track) const {
+  track.is_verified = false;
   ++track.retracked;
   run(track);
 }

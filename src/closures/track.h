@@ -15,6 +15,7 @@ struct Track {
   Branch backwards;   ///< from the anchor back; not run where the anchor is at the beginning
   bool is_from_start = false;
   int retracked = 0;
+  bool is_verified = false;  ///< followed back from its last checkpoints
 
   double begins() const;
   double ends() const;
@@ -29,12 +30,17 @@ struct TrackFollower {
   const Mechanism& mechanism;
   const std::vector<double>& times;
   BranchOptions options;
+  FollowBranch follow_branch;
   const std::atomic<bool>& stop;
 
   Track follow(const BranchPose& anchor) const;
   void follow_again(Track& track) const;
+  /// From a pose back through `backs` times, with steps that are not those of the way there.
+  Branch follow_back(const BranchPose& pose, const std::vector<double>& backs,
+                     const Track& track) const;
 
  private:
+  BranchOptions options_of(const Track& track) const;
   void run(Track& track) const;
 };
 

@@ -23,10 +23,9 @@ using Eigen::VectorXd;
 constexpr double kAssembled = 1e-9;
 // Steps in y, where an angle counts by radians and a length by the mechanism's.
 constexpr double kFirstStep = 1e-2;
-constexpr double kLongestStep = 0.5;
 constexpr double kShortestStep = 1e-12;
-// No step is longer than this share of the time to go: a driver's law may have detail that the curve does not announce.
-constexpr double kLongestTime = 1.0 / 16;
+// The longest step takes this share of all the time, too: a driver's law may have detail that the curve does not announce.
+constexpr double kLongestTime = 1.0 / 8;
 // The last step aims a little beyond the end, so that the end lies within it.
 constexpr double kOvershoot = 1.02;
 constexpr double kShrink = 0.5;
@@ -34,9 +33,8 @@ constexpr double kLeastGrowth = 0.3;
 constexpr double kMostGrowth = 2;
 // Aim below the limits: a step that just misses one is done twice.
 constexpr double kAim = 0.6;
-// sigma is halved, no more, on the way to a crossing; at this one it counts as reached. Points there are known to
-// 1e-16 / sigma, so that they still show sigma itself; branches that pass each other by less are not told from crossing ones.
-constexpr double kApproach = 0.5;
+// At this sigma branches cross. Points there are known to 1e-16 / sigma, so that they still show sigma itself; branches that
+// pass each other by less are not told from crossing ones.
 constexpr double kCrossing = 1e-7;
 // Cosine of both singular vectors beyond which a change of sign is a zero of sigma, and not two singular values in turn.
 constexpr double kSameVector = 0.5;
@@ -226,7 +224,7 @@ bool Follower::is_begun(const VectorXd& q0) {
     event.joint = joint->name;
     end_at(std::move(event));
   }
-  h_ = std::min(kFirstStep, kApproach * at_.sigma);
+  h_ = std::min(kFirstStep, at_.sigma / 2);
   approach_ = {at_};
   return !is_done_;
 }
@@ -234,7 +232,8 @@ bool Follower::is_begun(const VectorXd& q0) {
 double Follower::step_length() const {
   const double rate = at_.time_rate();
   const double to_go = kOvershoot * (1 - at_.time()) / rate;
-  return std::min({h_, kLongestStep, kLongestTime / rate, std::max(to_go, kShortestStep)});
+  const double longest = options_.longest_step * std::min(1.0, kLongestTime / rate);
+  return std::min({h_, longest, std::max(to_go, kShortestStep)});
 }
 
 bool Follower::is_smooth(const CurvePoint& b, const VectorXd& predicted, double h) {
@@ -269,7 +268,7 @@ void Follower::step() {
   reject();
 }
 
-/// The next step from how well this one went, no further than halfway to where sigma points to zero.
+/// The next step from how well this one went, and no further than a share of the way to where sigma points to zero.
 void Follower::choose_length(const CurvePoint& b, double h) {
   const VectorXd predicted = at_.y + h * at_.tangent + (h * h / 2) * at_.curvature;
   const double miss = (b.y - predicted).norm() / h;
@@ -277,7 +276,9 @@ void Follower::choose_length(const CurvePoint& b, double h) {
   const double by_miss = miss > 0 ? std::sqrt(kAim * options_.largest_miss / miss) : kMostGrowth;
   const double by_turn = turn > 0 ? kAim * options_.largest_turn_rad / turn : kMostGrowth;
   h_ = h * std::clamp(std::min(by_miss, by_turn), kLeastGrowth, kMostGrowth);
-  if (b.sigma < at_.sigma) h_ = std::min(h_, kApproach * b.sigma * h / (at_.sigma - b.sigma));
+  if (b.sigma < at_.sigma) {
+    h_ = std::min(h_, options_.largest_approach * b.sigma * h / (at_.sigma - b.sigma));
+  }
 }
 
 /// False when the step was too long for what lies within it; nothing has happened then.

@@ -6,6 +6,8 @@
 //   two branches at one closure, or a branch whose place another one claims    followed again with shorter steps
 //   a closure without a branch    a branch that begins since the last checkpoint: followed both ways, a new id
 //   a branch without a closure    a closure that the solver lost, said in `failures`
+// Two branches that were exchanged for each other would agree; so each is followed back from its last checkpoint to where it
+// was found, with other steps, and must pass through the same closures.
 // Where a branch ends at a dead point, the branch that meets it there is found by going on round the fold.
 // Ids stay the same through the motion: A, B, ... as find_closures gives them at `from`, then new ones as branches begin.
 // Between two checkpoints where closures are complex, so that a branch could begin and end unseen, closures are solved 16
@@ -24,12 +26,18 @@
 
 namespace moivre {
 
+/// Who follows a branch: follow_branch, or one that a test puts in its place.
+using FollowBranch =
+    std::function<Branch(const Mechanism&, const Eigen::VectorXd&, const std::vector<double>&,
+                         const BranchOptions&, const std::atomic<bool>&)>;
+
 struct MotionOptions {
   double from = 0;      ///< seconds
   double to = 1;        ///< seconds; after `from`
   int steps = 100;      ///< samples are at from + k (to - from) / steps, k = 0 .. steps
   int checkpoints = 4;  ///< evenly spaced after `from`, the last at `to`; 0: none after `from`
   BranchOptions branch;
+  FollowBranch follow = follow_branch;
   SolveOptions solve;  ///< of the closures, at `from` and at every checkpoint
   /// Called with the share of the work that is done, in [0, 1]; may be empty.
   std::function<void(double)> progress;

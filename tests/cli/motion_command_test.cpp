@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: MIT
+// Does `moivre motion` keep its contract: branches, events, tables, refusals, interruption?
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "program.h"
+
+namespace moivre::test {
+namespace {
+
+using Json = nlohmann::json;
+
+/// A crank of 3 and a rocker of 2 on a ground of 4, a rod of 3 between them: dead where the crank stands at 90 degrees.
+constexpr const char* kCrank = R"([units]
+angle = "deg"
+[ground.points]
+O = [0, 0]
+P = [4, 0]
+[body.crank.points]
+O = [0, 0]
+A = [3, 0]
+[body.rocker.points]
+P = [0, 0]
+B = [2, 0]
+[[joint]]
+type = "revolute"
+at = ["ground.O", "crank.O"]
+[[joint]]
+type = "revolute"
+at = ["ground.P", "rocker.P"]
+[[joint]]
+type = "rod"
+at = ["crank.A", "rocker.B"]
+length = 3
+[[driver]]
+angle = "crank"
+start = 60
+velocity = 60
+[guess]
+"rocker.phi" = 80
+)";
+
+constexpr const char* kTranscendental = R"([unknowns]
+angles = ["phi"]
+lengths = ["x"]
+[equations]
+spiral = "x - 0.3*phi"
+[[driver]]
+unknown = "phi"
+start = 0.1
+velocity = 1
+)";
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(MotionCommand, TellsBranchesAndWhereTheyEnd) {
+  Scene scene;
+  scene.write("crank.toml", kCrank);
+  const Outcome outcome = scene.run({"motion", "crank.toml", "--to", "1"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_TRUE(contains(outcome.out, "2 branches from t = 0 s (crank = 60 deg)")) << outcome.out;
+  EXPECT_TRUE(contains(outcome.out, "dead point at t = 0.5 s (crank = 90 deg): A, B end"))
+      << outcome.out;
+}
+
+TEST(MotionCommand, GoesRoundOnceByDefault) {
+  Scene scene;
+  scene.write("crank.toml", kCrank);
+  const Outcome outcome = scene.run({"motion", "crank.toml", "--json", "-"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Json json = Json::parse(outcome.out);
+  EXPECT_NEAR(json["to"].get<double>(), 6, 1e-12);
+  EXPECT_EQ(json["complete"], true);
+  EXPECT_EQ(json["events"].size(), 3U);
+  EXPECT_EQ(json["branches"].size(), 6U);
+}
+
+/// The table, cell by column name, a row a line.
+std::vector<std::map<std::string, std::string>> table_of(const std::string& csv) {
+  std::istringstream lines(csv);
+  std::string line;
+  std::getline(lines, line);
+  const auto cells = [](const std::string& text) {
+    std::vector<std::string> all;
+    std::istringstream stream(text);
+    for (std::string cell; std::getline(stream, cell, ',');) all.push_back(cell);
+    return all;
+  };
+  const std::vector<std::string> names = cells(line);
+  std::vector<std::map<std::string, std::string>> rows;
+  while (std::getline(lines, line)) {
+    const std::vector<std::string> row = cells(line);
+    EXPECT_EQ(row.size(), names.size());
+    rows.emplace_back();
+    for (std::size_t k = 0; k < names.size(); ++k) rows.back()[names[k]] = row[k];
+  }
+  return rows;
+}
+
+TEST(MotionCommand, TableAndJsonSayTheSame) {
+  Scene scene;
+  scene.write("crank.toml", kCrank);
+  const Outcome outcome = scene.run(
+      {"motion", "crank.toml", "--to", "0.4", "--steps", "4", "--json", "m.json", "--csv", "m.csv"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Json json = Json::parse(scene.read("m.json"));
+  const auto rows = table_of(scene.read("m.csv"));
+  ASSERT_EQ(rows.size(), 10U);
+  std::size_t k = 0;
+  for (const Json& branch : json["branches"]) {
+    for (const Json& sample : branch["samples"]) {
+      const auto& row = rows.at(k++);
+      const auto cell = [&](const char* name) { return std::strtod(row.at(name).c_str(), nullptr); };
+      EXPECT_EQ(row.at("branch"), branch["id"]);
+      EXPECT_EQ(cell("t"), sample["t"]);
+      EXPECT_EQ(cell("driver crank"), sample["drivers"][0]);
+      EXPECT_EQ(cell("rocker.phi"), sample["coordinates"]["rocker.phi"]);
+      EXPECT_EQ(cell("rocker.phi.velocity"), sample["velocities"]["rocker.phi"]);
+      EXPECT_EQ(cell("rocker.phi.acceleration"), sample["accelerations"]["rocker.phi"]);
+      EXPECT_EQ(cell("rocker.B.y"), sample["points"]["rocker.B"]["position"][1]);
+      EXPECT_EQ(cell("rocker.B.x.velocity"), sample["points"]["rocker.B"]["velocity"][0]);
+      EXPECT_EQ(cell("rocker.B.y.acceleration"), sample["points"]["rocker.B"]["acceleration"][1]);
+    }
+  }
+}
+
+TEST(MotionCommand, FollowsOneGuessWithoutPolynomials) {
+  Scene scene;
+  scene.write("crank.toml", kCrank);
+  for (const std::vector<std::string>& choice :
+       {std::vector<std::string>{"--from-guess"}, {"--guess", "rocker.phi=-170"}}) {
+    std::vector<std::string> words{"motion", "crank.toml", "--to", "0.25", "--json", "-"};
+    words.insert(words.end(), choice.begin(), choice.end());
+    const Outcome outcome = scene.run(words);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Json json = Json::parse(outcome.out);
+    EXPECT_EQ(json["branches"].size(), 1U);
+    EXPECT_EQ(json["paths"]["tracked"], 0);
+    EXPECT_TRUE(json["tracker"].is_null());
+    const double phi = json["branches"][0]["samples"][0]["coordinates"]["rocker.phi"];
+    EXPECT_NEAR(phi, choice.size() == 1 ? 1.354165 : -2.963433, 1e-6);
+  }
+}
+
+TEST(MotionCommand, TakesByGuessWhatHasNoClosurePolynomials) {
+  Scene scene;
+  scene.write("spiral.toml", kTranscendental);
+  const Outcome refused = scene.run({"motion", "spiral.toml", "--to", "2"});
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_EQ(refused.out, "");
+  EXPECT_TRUE(contains(refused.err, "--from-guess")) << refused.err;
+  const Outcome taken =
+      scene.run({"motion", "spiral.toml", "--to", "2", "--from-guess", "--json", "-"});
+  ASSERT_EQ(taken.exit_code, 0) << taken.err;
+  const Json last = Json::parse(taken.out)["branches"][0]["samples"].back();
+  EXPECT_NEAR(last["coordinates"]["x"].get<double>(), 0.3 * 2.1, 1e-14);
+  EXPECT_NEAR(last["velocities"]["x"].get<double>(), 0.3, 1e-14);
+}
+
+TEST(MotionCommand, WrongCallsAreRefusedWithoutOutput) {
+  Scene scene;
+  scene.write("crank.toml", kCrank);
+  for (const std::vector<std::string>& wrong :
+       {std::vector<std::string>{"--from", "2", "--to", "1"},
+        {"--steps", "0"},
+        {"--checkpoints", "-1"},
+        {"--guess", "rocker.fi=3"},
+        {"--steps", "many"}}) {
+    std::vector<std::string> words{"motion", "crank.toml"};
+    words.insert(words.end(), wrong.begin(), wrong.end());
+    const Outcome outcome = scene.run(words);
+    EXPECT_EQ(outcome.exit_code, 1) << wrong[0];
+    EXPECT_EQ(outcome.out, "") << wrong[0];
+    EXPECT_NE(outcome.err, "") << wrong[0];
+  }
+}
+
+TEST(MotionCommand, GuessThatDoesNotAssembleIsUndecided) {
+  Scene scene;
+  std::string apart = kCrank;
+  apart.replace(apart.find("length = 3"), 10, "length = 30");
+  scene.write("apart.toml", apart);
+  const Outcome outcome = scene.run({"motion", "apart.toml", "--from-guess"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_TRUE(contains(outcome.out, "guess 1: Newton-Raphson")) << outcome.out;
+  EXPECT_EQ(scene.run({"motion", "apart.toml"}).exit_code, 0);
+}
+
+TEST(MotionCommand, InterruptEndsItWithWhatIsFinished) {
+  Scene scene;
+  scene.write("crank.toml", kCrank);
+  const Outcome outcome =
+      scene.run({"motion", "crank.toml", "--to", "1e5", "--steps", "400000", "--from-guess", "--from", "-1e5",
+                 "--guess", "rocker.phi=80", "--json", "-"},
+                false, [](int process) {
+                  EXPECT_TRUE(catches_interrupt(process));
+                  ::kill(process, SIGINT);
+                });
+  EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+}
+
+TEST(MotionCommand, HelpShowsExamples) {
+  const Scene scene;
+  const Outcome outcome = scene.run({"motion", "--help"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_TRUE(contains(outcome.out, "moivre motion four-bar.toml")) << outcome.out;
+}
+
+}  // namespace
+}  // namespace moivre::test

@@ -1,0 +1,397 @@
+// SPDX-License-Identifier: MIT
+// Is every closure followed, on its own branch, to where that ends, and is an exchange of branches found out?
+#include "moivre/closures/motion.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "mechanisms.h"
+
+namespace moivre {
+namespace {
+
+using Eigen::VectorXd;
+
+constexpr double kDegree = std::numbers::pi / 180;
+constexpr double kDriverValue = 1e-10;  // radians: how exactly events are located
+
+MotionOptions options_for(const Mechanism& mechanism, int steps = 60, std::uint64_t seed = 1) {
+  MotionOptions options;
+  options.to = natural_duration(mechanism);
+  options.steps = steps;
+  options.solve.seed = seed;
+  options.solve.threads = 1;
+  return options;
+}
+
+MotionResult motion_of(const Mechanism& mechanism, const MotionOptions& options) {
+  return find_motion(mechanism, *make_cvode_tracker(), options);
+}
+
+double gap(const Mechanism& mechanism, const VectorXd& a, const VectorXd& b) {
+  return Phi(mechanism).canonical(a - b).lpNorm<Eigen::Infinity>();
+}
+
+void expect_whole(const MotionResult& result, const Mechanism& mechanism) {
+  EXPECT_TRUE(result.complete) << result.message;
+  for (const std::string& failure : result.failures) ADD_FAILURE() << failure;
+  for (const Checkpoint& checkpoint : result.checkpoints) {
+    EXPECT_TRUE(checkpoint.agrees) << checkpoint.time << ": " << checkpoint.message;
+  }
+  const Phi phi(mechanism);
+  for (std::size_t k = 0; k < result.branches.size(); ++k) {
+    const MotionBranch& branch = result.branches[k];
+    for (const BranchSample& sample : branch.samples) {
+      EXPECT_GE(sample.time, branch.begins);
+      EXPECT_LE(sample.time, branch.ends);
+      EXPECT_LE(sample.residual, 1e-12) << "branch " << branch.id << ", t = " << sample.time;
+    }
+    EXPECT_TRUE(branch.begin_event || branch.begins == result.from) << branch.id;
+    EXPECT_TRUE(branch.end_event || branch.ends == result.to) << branch.id;
+  }
+}
+
+const Checkpoint& checkpoint_at(const MotionResult& result, double time) {
+  return *std::min_element(result.checkpoints.begin(), result.checkpoints.end(),
+                           [&](const Checkpoint& a, const Checkpoint& b) {
+                             return std::abs(a.time - time) < std::abs(b.time - time);
+                           });
+}
+
+std::vector<double> event_drivers(const MotionResult& result) {
+  std::vector<double> values;
+  for (const MotionEvent& event : result.events) values.push_back(event.drivers.at(0));
+  return values;
+}
+
+TEST(Motion, FourBarsTwoClosuresGoRoundAndComeBackToThemselves) {
+  const Mechanism m = mechanism_file("four-bar");
+  const MotionResult result = motion_of(m, options_for(m));
+  expect_whole(result, m);
+  ASSERT_EQ(result.branches.size(), 2U);
+  EXPECT_TRUE(result.events.empty());
+  EXPECT_EQ(result.branches[0].id, "A");
+  EXPECT_EQ(result.branches[1].id, "B");
+  for (const MotionBranch& branch : result.branches) {
+    ASSERT_EQ(branch.samples.size(), 61U);
+    EXPECT_LE(gap(m, branch.samples.front().q, branch.samples.back().q), 1e-9);
+  }
+  const ClosureResult start = closures_of(m);
+  EXPECT_LE(gap(m, result.branches[0].samples[0].q, start.closures[0].q), 1e-9);
+  EXPECT_LE(gap(m, result.branches[1].samples[0].q, start.closures[1].q), 1e-9);
+}
+
+TEST(Motion, NortonsBothBranchesHaveThePublishedRates) {
+  constexpr double kSixDecimals = 5e-6;
+  const Mechanism m = mechanism_file("four-bar");
+  const MotionResult result = motion_of(m, options_for(m, 10));
+  ASSERT_EQ(result.branches.size(), 2U);
+  for (const MotionBranch& branch : result.branches) {
+    const BranchSample& first = branch.samples.front();
+    const bool is_open = first.q[5] > 0;
+    EXPECT_NEAR(first.q[5] / kDegree, is_open ? 20.2979 : -60.9780, 1e-4);
+    EXPECT_NEAR(first.q[8] / kDegree, is_open ? 57.3249 : -98.0050, 1e-4);
+    EXPECT_NEAR(first.velocity[5], is_open ? -4.120914 : -9.258772, kSixDecimals);
+    EXPECT_NEAR(first.velocity[8], is_open ? 6.997985 : -20.377672, kSixDecimals);
+    EXPECT_NEAR(first.acceleration[5], is_open ? 296.089193 : 597.622400, kSixDecimals);
+    EXPECT_NEAR(first.acceleration[8], is_open ? 470.133530 : 423.578063, kSixDecimals);
+  }
+}
+
+TEST(Motion, JansenLegHasEightEightSixEightRealClosuresAndItsBranchesEndInPairs) {
+  const Mechanism m = mechanism_file("jansen-leg");
+  for (const std::uint64_t seed : {std::uint64_t{1}, std::uint64_t{2}, std::uint64_t{3}}) {
+    const MotionResult result = motion_of(m, options_for(m, 60, seed));
+    expect_whole(result, m);
+    const std::uint64_t real[] = {8, 8, 6, 8};
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Checkpoint& checkpoint = checkpoint_at(result, 1.5 * static_cast<double>(k));
+      EXPECT_NEAR(checkpoint.drivers.at(0) / kDegree, 90.0 * static_cast<double>(k), 1e-9);
+      EXPECT_EQ(checkpoint.counts.real, real[k]) << "seed " << seed;
+      EXPECT_EQ(checkpoint.counts.complex, 8U) << "seed " << seed;
+    }
+    ASSERT_EQ(result.branches.size(), 12U) << "seed " << seed;
+    ASSERT_EQ(result.events.size(), 4U) << "seed " << seed;
+    for (const MotionEvent& event : result.events) {
+      EXPECT_EQ(event.at.kind, EventKind::dead_point);
+      EXPECT_EQ(event.ending.size() + event.beginning.size(), 2U);
+    }
+  }
+}
+
+TEST(Motion, JansenLegsDeadPointsAreThoseOfItsLastDyad) {
+  // Branches meet where D and C are as far apart as f + g; the first two dyads turn all the way round.
+  const Mechanism m = mechanism_file("jansen-leg");
+  const MotionResult result = motion_of(m, options_for(m));
+  const auto body = [&](const std::string& name) {
+    for (std::size_t k = 1; k < m.bodies.size(); ++k) {
+      if (m.bodies[k].name == name) return static_cast<Eigen::Index>(3 * (k - 1));
+    }
+    return Eigen::Index{-1};
+  };
+  for (const MotionEvent& event : result.events) {
+    const VectorXd& q = event.at.q;
+    const double turn = q[body("lower") + 2] - q[body("link_f") + 2];
+    EXPECT_NEAR(std::sin(turn), 0, 1e-8) << "driver " << event.drivers[0] / kDegree;
+  }
+}
+
+TEST(Motion, OffsetSliderCranksTwoRangesAreBothFound) {
+  // b sin(phi1) lies between r - a and r + a twice a turn; the second range lies between two checkpoints.
+  const Mechanism m = mechanism_file("slider-crank");
+  const MotionResult result = motion_of(m, options_for(m));
+  expect_whole(result, m);
+  const double low = std::asin(0.2), high = std::asin(0.6), pi = std::numbers::pi;
+  const double expected[] = {high, pi - high, pi - low, 2 * pi + low};
+  const std::vector<double> found = event_drivers(result);
+  ASSERT_EQ(found.size(), 4U);
+  for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(found[k], expected[k], kDriverValue);
+  EXPECT_EQ(result.branches.size(), 6U);
+  EXPECT_EQ(result.events[1].beginning, (std::vector<std::string>{"C", "D"}));
+  EXPECT_EQ(result.events[2].ending, (std::vector<std::string>{"C", "D"}));
+}
+
+TEST(Motion, ParallelogramBifurcatesAtBothChangePoints) {
+  Mechanism m = mechanism_file("parallelogram");
+  m.drivers[0].law = Parabola{60 * kDegree, 60 * kDegree, 0};
+  const MotionResult result = motion_of(m, options_for(m));
+  expect_whole(result, m);
+  ASSERT_EQ(result.events.size(), 2U);
+  EXPECT_EQ(result.branches.size(), 6U);
+  const double turns[] = {1, 2};
+  for (std::size_t k = 0; k < 2; ++k) {
+    const MotionEvent& event = result.events[k];
+    EXPECT_EQ(event.at.kind, EventKind::bifurcation);
+    EXPECT_NEAR(event.drivers[0], turns[k] * std::numbers::pi, kDriverValue);
+    EXPECT_EQ(event.ending.size(), 2U);
+    EXPECT_EQ(event.beginning.size(), 2U);
+  }
+}
+
+TEST(Motion, StartAtAChangePointBeginsTheBranchesThere) {
+  const Mechanism m = mechanism_file("parallelogram");
+  const MotionResult result = motion_of(m, options_for(m));
+  expect_whole(result, m);
+  ASSERT_FALSE(result.events.empty());
+  EXPECT_NEAR(result.events[0].drivers[0], 0, kDriverValue);
+  EXPECT_EQ(result.events[0].ending, (std::vector<std::string>{"A"}));
+  EXPECT_EQ(result.events[0].beginning, (std::vector<std::string>{"B", "C"}));
+}
+
+TEST(Motion, DoubleParallelCrankBifurcatesAtTheLineAndGoesOnAfterIt) {
+  const Mechanism m = mechanism_file("double-parallel-crank");
+  const MotionResult result = motion_of(m, options_for(m));
+  expect_whole(result, m);
+  ASSERT_EQ(result.events.size(), 2U);
+  EXPECT_NEAR(result.events[0].drivers[0], std::numbers::pi, kDriverValue);
+  EXPECT_NEAR(result.events[1].drivers[0], 2 * std::numbers::pi, kDriverValue);
+  for (const MotionBranch& branch : result.branches) {
+    for (const BranchSample& sample : branch.samples) {
+      EXPECT_NEAR(sample.velocity[5], 60 * kDegree, 1e-10);
+      EXPECT_NEAR(sample.acceleration[5], 0, 1e-9);
+    }
+  }
+}
+
+TEST(Motion, EverySampleIsAClosureSolvedAfresh) {
+  for (const std::string name : {"four-bar", "stephenson-3", "whitworth", "gear-five-bar"}) {
+    const Mechanism m = mechanism_file(name);
+    for (const std::uint64_t seed : {std::uint64_t{1}, std::uint64_t{7}}) {
+      const MotionResult result = motion_of(m, options_for(m, 9, seed));
+      expect_whole(result, m);
+      for (const double time : result.times) {
+        const ClosureResult afresh = closures_of(m, seed + 1, time);
+        std::size_t present = 0;
+        for (const MotionBranch& branch : result.branches) {
+          for (const BranchSample& sample : branch.samples) {
+            if (sample.time != time) continue;
+            ++present;
+            double least = 1;
+            for (const Closure& closure : afresh.closures) {
+              least = std::min(least, gap(m, sample.q, closure.q));
+            }
+            EXPECT_LE(least, 1e-9) << name << ", branch " << branch.id << ", t = " << time;
+          }
+        }
+        EXPECT_EQ(present, afresh.closures.size()) << name << ", t = " << time;
+      }
+    }
+  }
+}
+
+/// Follows faithfully with shortened steps; with the first ones it leaves branch `from` for `to` halfway, and back the same way.
+/// `both`: and `to` for `from`.
+struct Exchange {
+  VectorXd from, to;
+  bool both = false;
+
+  Branch operator()(const Mechanism& m, const VectorXd& q0, const std::vector<double>& times,
+                    const BranchOptions& options, const std::atomic<bool>& stop) const {
+    Branch own = follow_branch(m, q0, times, options, stop);
+    const bool is_first = options.largest_turn_rad == BranchOptions{}.largest_turn_rad;
+    const bool leaves = gap(m, q0, from) < 1e-6 || (both && gap(m, q0, to) < 1e-6);
+    if (!is_first || !leaves || times.front() != 0) return own;
+    const Branch other =
+        follow_branch(m, gap(m, q0, from) < 1e-6 ? to : from, times, options, stop);
+    for (std::size_t k = times.size() / 2; k < times.size(); ++k) own.samples[k] = other.samples[k];
+    return own;
+  }
+};
+
+TEST(Motion, PlantedExchangeOfBranchesIsFoundOutAndRepaired) {
+  const Mechanism m = mechanism_file("four-bar");
+  const MotionResult expected = motion_of(m, options_for(m));
+  for (const bool both : {false, true}) {
+    MotionOptions options = options_for(m);
+    options.follow =
+        Exchange{expected.branches[0].samples[0].q, expected.branches[1].samples[0].q, both};
+    const MotionResult result = motion_of(m, options);
+    expect_whole(result, m);
+    ASSERT_EQ(result.branches.size(), 2U);
+    EXPECT_GT(result.branches[0].retracked, 0);
+    for (std::size_t k = 0; k < 2; ++k) {
+      for (std::size_t i = 0; i < 61; ++i) {
+        EXPECT_LE(gap(m, result.branches[k].samples[i].q, expected.branches[k].samples[i].q), 1e-9);
+      }
+    }
+  }
+}
+
+TEST(Motion, ExchangeThatCannotBeRepairedIsSaid) {
+  const Mechanism m = mechanism_file("four-bar");
+  const MotionResult expected = motion_of(m, options_for(m));
+  const Exchange exchange{expected.branches[0].samples[0].q, expected.branches[1].samples[0].q,
+                          true};
+  MotionOptions options = options_for(m);
+  options.follow = [&](const Mechanism& of, const VectorXd& q0, const std::vector<double>& times,
+                       const BranchOptions&,
+                       const std::atomic<bool>& stop) { return exchange(of, q0, times, {}, stop); };
+  const MotionResult result = motion_of(m, options);
+  EXPECT_FALSE(result.complete);
+  EXPECT_FALSE(result.failures.empty());
+}
+
+TEST(Motion, LongStepsDoNotChangeTheBranches) {
+  // Steps that may turn by anything and miss by anything: the samples and the checkpoints hold them.
+  const Mechanism m = mechanism_file("jansen-leg");
+  const MotionResult expected = motion_of(m, options_for(m));
+  MotionOptions options = options_for(m, 2);
+  options.checkpoints = 8;
+  options.branch.largest_turn_rad = std::numbers::pi;
+  options.branch.largest_miss = 1e3;
+  options.branch.longest_step = 50;
+  options.branch.largest_approach = 1e3;
+  const MotionResult result = motion_of(m, options);
+  expect_whole(result, m);
+  ASSERT_EQ(result.branches.size(), expected.branches.size());
+  for (std::size_t k = 0; k < result.branches.size(); ++k) {
+    EXPECT_NEAR(result.branches[k].ends, expected.branches[k].ends, 1e-9);
+    if (result.branches[k].end_event || result.branches[k].begin_event) continue;
+    EXPECT_LE(gap(m, result.branches[k].samples.back().q, expected.branches[k].samples.back().q),
+              1e-8)
+        << result.branches[k].id;
+  }
+}
+
+TEST(Motion, ResultIsTheSameForEveryNumberOfThreadsAndSeed) {
+  const Mechanism m = mechanism_file("stephenson-3");
+  MotionOptions one = options_for(m, 5);
+  MotionOptions four = one;
+  four.solve.threads = 4;
+  const MotionResult a = motion_of(m, one);
+  const MotionResult b = motion_of(m, four);
+  ASSERT_EQ(a.branches.size(), b.branches.size());
+  for (std::size_t k = 0; k < a.branches.size(); ++k) {
+    EXPECT_EQ(a.branches[k].samples.back().q, b.branches[k].samples.back().q);
+  }
+  const MotionResult other = motion_of(m, options_for(m, 5, 11));
+  ASSERT_EQ(other.events.size(), a.events.size());
+  for (std::size_t k = 0; k < a.events.size(); ++k) {
+    EXPECT_NEAR(other.events[k].drivers[0], a.events[k].drivers[0], kDriverValue);
+  }
+}
+
+TEST(Motion, BranchLeavesAndComesBackThroughAJointsLimit) {
+  Mechanism m = mechanism_file("four-bar");
+  m.joints.at(3).limits = Limits{-100 * kDegree, 0};
+  const MotionResult result = motion_of(m, options_for(m));
+  expect_whole(result, m);
+  ASSERT_EQ(result.events.size(), 2U);
+  EXPECT_EQ(result.branches.size(), 2U);
+  for (const MotionEvent& event : result.events) {
+    EXPECT_EQ(event.at.kind, EventKind::joint_limit);
+    EXPECT_NEAR(event.at.q[8], 100 * kDegree, 1e-9);
+  }
+}
+
+TEST(Motion, UnassemblableMechanismHasNoBranches) {
+  const Mechanism m = mechanism_file("unassemblable-triangle");
+  const MotionResult result = motion_of(m, options_for(m, 3));
+  EXPECT_TRUE(result.complete);
+  EXPECT_TRUE(result.branches.empty());
+  EXPECT_NE(result.message.find("cannot be assembled"), std::string::npos);
+}
+
+TEST(Motion, WithoutDriversAFreeMechanismMoves) {
+  Mechanism m = mechanism_file("four-bar");
+  m.drivers.clear();
+  const MotionResult result = motion_of(m, options_for(m, 3));
+  EXPECT_TRUE(result.branches.empty());
+  EXPECT_NE(result.message.find("moves"), std::string::npos) << result.message;
+}
+
+TEST(Motion, FromGuessesNoPolynomialIsSolved) {
+  const Mechanism m = mechanism_file("rssr");
+  EXPECT_THROW(motion_of(m, options_for(m)), std::invalid_argument);
+  const VectorXd guess = initial_guess(m);
+  const MotionResult result = follow_guesses(m, {guess, guess}, options_for(m));
+  EXPECT_TRUE(result.complete) << result.message;
+  ASSERT_EQ(result.branches.size(), 1U);
+  EXPECT_EQ(result.branches[0].samples.size(), 61U);
+  EXPECT_EQ(result.paths.tracked, 0U);
+  EXPECT_TRUE(result.checkpoints.empty());
+}
+
+TEST(Motion, GuessThatDoesNotAssembleIsAFailureOfItsOwn) {
+  const Mechanism m = mechanism_file("unassemblable-triangle");
+  const MotionResult result = follow_guesses(m, {initial_guess(m)}, options_for(m, 3));
+  EXPECT_FALSE(result.complete);
+  ASSERT_EQ(result.failures.size(), 1U);
+  EXPECT_NE(result.failures[0].find("guess 1"), std::string::npos);
+}
+
+TEST(Motion, InterruptedRunIsNotComplete) {
+  const Mechanism m = mechanism_file("four-bar");
+  const std::atomic<bool> stop{true};
+  const MotionResult result = find_motion(m, *make_cvode_tracker(), options_for(m, 3), stop);
+  EXPECT_FALSE(result.complete);
+  EXPECT_NE(result.message.find("interrupted"), std::string::npos);
+}
+
+TEST(Motion, WrongOptionsAreRefusedAllAtOnce) {
+  MotionOptions options;
+  options.to = options.from;
+  options.steps = 0;
+  options.checkpoints = -1;
+  EXPECT_EQ(validate(options).size(), 3U);
+  EXPECT_THROW(motion_of(mechanism_file("four-bar"), options), std::invalid_argument);
+}
+
+TEST(Motion, NaturalDurationIsOneTurn) {
+  Mechanism m = mechanism_file("parallelogram");
+  EXPECT_NEAR(natural_duration(m), 6, 1e-12);
+  m.drivers[0].law = Parabola{0, -2, -1};
+  const double duration = natural_duration(m, 1);
+  EXPECT_NEAR(driver_values(m, 1 + duration)[0] - driver_values(m, 1)[0], -2 * std::numbers::pi,
+              1e-12);
+  m.drivers[0].law = natural_spline({0, 1, 3}, {0, 1, 2});
+  EXPECT_NEAR(natural_duration(m, 1), 2, 1e-12);
+  m.drivers.clear();
+  EXPECT_EQ(natural_duration(m), 1);
+}
+
+}  // namespace
+}  // namespace moivre
