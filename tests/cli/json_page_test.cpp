@@ -79,8 +79,8 @@ TEST(JsonPage, ShowsWhatTheProgramPrints) {
     ASSERT_NE(outcome.out, "") << outcome.err;
     EXPECT_EQ(shape_of(outcome.out), shape_of(expected)) << "docs/json.md, line " << k + 1;
   }
-  EXPECT_EQ(shown, (std::set<std::string>{"closures", "guesses", "info", "mobility", "newton",
-                                          "solve", "study", "track"}));
+  EXPECT_EQ(shown, (std::set<std::string>{"closures", "guesses", "info", "mobility", "motion",
+                                          "newton", "solve", "study", "track"}));
 }
 
 }  // namespace

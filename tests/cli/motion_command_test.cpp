@@ -108,8 +108,8 @@ std::vector<std::map<std::string, std::string>> table_of(const std::string& csv)
 TEST(MotionCommand, TableAndJsonSayTheSame) {
   Scene scene;
   scene.write("crank.toml", kCrank);
-  const Outcome outcome = scene.run(
-      {"motion", "crank.toml", "--to", "0.4", "--steps", "4", "--json", "m.json", "--csv", "m.csv"});
+  const Outcome outcome = scene.run({"motion", "crank.toml", "--to", "0.4", "--steps", "4",
+                                     "--json", "m.json", "--csv", "m.csv"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const Json json = Json::parse(scene.read("m.json"));
   const auto rows = table_of(scene.read("m.csv"));
@@ -118,7 +118,9 @@ TEST(MotionCommand, TableAndJsonSayTheSame) {
   for (const Json& branch : json["branches"]) {
     for (const Json& sample : branch["samples"]) {
       const auto& row = rows.at(k++);
-      const auto cell = [&](const char* name) { return std::strtod(row.at(name).c_str(), nullptr); };
+      const auto cell = [&](const char* name) {
+        return std::strtod(row.at(name).c_str(), nullptr);
+      };
       EXPECT_EQ(row.at("branch"), branch["id"]);
       EXPECT_EQ(cell("t"), sample["t"]);
       EXPECT_EQ(cell("driver crank"), sample["drivers"][0]);
@@ -198,13 +200,14 @@ TEST(MotionCommand, InterruptEndsItWithWhatIsFinished) {
   Scene scene;
   scene.write("crank.toml", kCrank);
   const Outcome outcome =
-      scene.run({"motion", "crank.toml", "--to", "1e5", "--steps", "400000", "--from-guess", "--from", "-1e5",
-                 "--guess", "rocker.phi=80", "--json", "-"},
+      scene.run({"motion", "crank.toml", "--to", "1e5", "--steps", "400000", "--from-guess",
+                 "--from", "-1e5", "--guess", "rocker.phi=80", "--json", "-"},
                 false, [](int process) {
                   EXPECT_TRUE(catches_interrupt(process));
                   ::kill(process, SIGINT);
                 });
   EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+  EXPECT_TRUE(contains(outcome.out, "\"complete\": false"));
 }
 
 TEST(MotionCommand, HelpShowsExamples) {
