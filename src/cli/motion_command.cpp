@@ -10,6 +10,7 @@
 #include "interruption.h"
 #include "mechanism_input.h"
 #include "moivre/closure_report/motion_report.h"
+#include "moivre/closure_report/picture.h"
 #include "output.h"
 #include "progress_line.h"
 #include "tracker_choice.h"
@@ -28,6 +29,7 @@ struct MotionCommand {
   bool quiet = false;
   std::string json;
   std::string csv;
+  std::string svg;
 };
 
 MotionResult closures_moved(const Mechanism& mechanism, const MotionCommand& command,
@@ -54,7 +56,7 @@ MotionResult moved(const Mechanism& mechanism, const MotionCommand& command,
 
 int run(const MotionCommand& command) {
   require_known(command.start);
-  require_distinct({command.json, command.csv}, command.file);
+  require_distinct({command.json, command.csv, command.svg}, command.file);
   const auto begin = std::chrono::steady_clock::now();
   const Mechanism mechanism = read_any_mechanism(command.file);
   const double parse_s =
@@ -66,6 +68,8 @@ int run(const MotionCommand& command) {
   options.solve.fallback = fallback.get();
   Output json(command.json);
   Output csv(command.csv);
+  Output svg(command.svg);
+  if (svg.is_wanted()) require_drawable_motion(mechanism);
   ProgressLine line(!command.quiet);
   if (line.is_active()) {
     options.progress = [&](double share) {
@@ -78,7 +82,8 @@ int run(const MotionCommand& command) {
   result.time_s.total += parse_s;
   if (json.is_wanted()) json.write(motion_json(result, mechanism, command.file));
   if (csv.is_wanted()) csv.write(motion_csv(result, mechanism));
-  if (!command.quiet && !json.is_stdout() && !csv.is_stdout()) {
+  if (svg.is_wanted()) svg.write(motion_svg(result, mechanism, command.file));
+  if (!command.quiet && !json.is_stdout() && !csv.is_stdout() && !svg.is_stdout()) {
     write_to_stdout(motion_text(result, mechanism, command.file));
   }
   return result.complete ? kDecided : kUndecided;
@@ -117,6 +122,8 @@ void add_motion_command(CLI::App& moivre, Chosen& chosen) {
   add_quiet_flag(app, command->quiet);
   add_json_option(app, command->json);
   app.add_option("--csv", command->csv, "write a table of all samples here")->type_name("PATH");
+  app.add_option("--svg", command->svg, "draw the curves of points, a colour a branch, here")
+      ->type_name("PATH");
   add_tracker_options(app, command->tracker);
   add_examples(app, {"moivre motion four-bar.toml",
                      "moivre motion four-bar.toml --from 0 --to 0.1 --steps 50 --csv motion.csv",

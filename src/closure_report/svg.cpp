@@ -36,6 +36,8 @@ constexpr std::string_view kRules =
     ".rod{fill:#c9d0d8;stroke:#55606e}"
     ".slot{fill:#fff}"
     ".panel{fill:none;stroke:#dfe4e9;stroke-width:1px}"
+    ".k .link{fill:#c9d0d8;stroke:#7a8591}.k .block{fill:#aeb8c2}.k .slot{stroke:#7a8591}"
+    ".event{fill:#fff;stroke-width:1.6px}"
     ".faint{opacity:0.45}"
     ".bar{stroke-width:2px;stroke-linecap:butt}";
 
@@ -186,6 +188,8 @@ std::string figures_svg(const Drawing& drawing, const std::vector<Similarity>& p
 std::string colour_text(std::size_t number) {
   return std::string(kPalette[number % kPalette.size()]);
 }
+
+std::size_t palette_size() { return kPalette.size(); }
 
 std::string colour_class(std::optional<std::size_t> colour) {
   std::string name(1, colour ? 'c' : 'k');

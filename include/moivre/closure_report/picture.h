@@ -1,19 +1,28 @@
 // SPDX-License-Identifier: MIT
-// How do all closures of a mechanism look, side by side to one scale? As one SVG document.
+// How do all closures of a mechanism look, and what curves do its points describe? As SVG documents.
 //
-// A panel a closure with its id, the ground at the same place in each; title, counts, the drivers' values, a scale bar.
-// Where there is no closure, the bodies stand as the initial guess puts them, faintly, and the picture says so.
+// closures  a panel a closure with its id, all to one scale, the ground at the same place in each; title, counts, the drivers'
+//           values, a scale bar. Where there is no closure, the bodies stand as the initial guess puts them, and it is said.
+// motion    the curves of points over the mechanism's first pose, a colour a branch, where branches begin and end, a legend.
+//           The points: those without a joint, else those of bodies that no joint holds to the ground.
 // `file` is the name the user gave to the mechanism. Names are escaped: whatever they hold, the document stays well-formed.
 #pragma once
 
 #include <string>
 
 #include "moivre/closure_report/drawing.h"
-#include "moivre/closures/closures.h"
+#include "moivre/closures/motion.h"
 
 namespace moivre {
 
 std::string closures_svg(const ClosureResult& result, const Mechanism& mechanism,
                          const std::string& file);
+
+/// Throws std::invalid_argument where the mechanism has no points (typed equations).
+std::string motion_svg(const MotionResult& result, const Mechanism& mechanism,
+                       const std::string& file);
+
+/// Throws as motion_svg would, before any work.
+void require_drawable_motion(const Mechanism& mechanism);
 
 }  // namespace moivre

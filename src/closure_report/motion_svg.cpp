@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: MIT
+// The motion's picture: curves over a pale mechanism, marks where branches begin and end, a legend.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <stdexcept>
+
+#include "labels.h"
+#include "moivre/closure_report/picture.h"
+#include "moivre/report/number_text.h"
+#include "panels.h"
+#include "svg.h"
+#include "traces.h"
+
+namespace moivre {
+namespace {
+
+// All in pixels.
+constexpr double kMargin = 16;
+constexpr double kRoom = 34;        // around the curves
+constexpr double kMagnified = 1.6;  // against a panel of closures
+constexpr double kNarrowest = 560;
+constexpr double kLegendLine = 19;
+constexpr double kMarkSize = 5;
+
+/// Beyond the palette, colours come again with dashes.
+std::string dashes(std::size_t branch) {
+  return branch < palette_size() ? "" : branch < 2 * palette_size() ? "7 4" : "2 3";
+}
+
+std::string polyline_data(const std::vector<Complex>& points, const PixelMap& map) {
+  std::string data;
+  for (const Complex z : points) {
+    const Complex at = map(z);
+    data.append(1, data.empty() ? 'M' : 'L').append(pixel_text(at.real())).append(1, ' ');
+    data.append(pixel_text(at.imag()));
+  }
+  return data;
+}
+
+std::string curve_svg(const std::string& data, std::size_t branch) {
+  std::vector<Attribute> attributes{{"class", "curve " + colour_class(branch)}, {"d", data}};
+  if (!dashes(branch).empty()) attributes.push_back({"stroke-dasharray", dashes(branch)});
+  return element("path", attributes) + '\n';
+}
+
+/// Dead point: a diamond. Bifurcation: a square. Joint limit: a triangle.
+std::string event_mark(EventKind kind, Complex at) {
+  std::vector<Complex> corners;
+  switch (kind) {
+    case EventKind::dead_point:
+      corners = {{0, -1.2}, {1.2, 0}, {0, 1.2}, {-1.2, 0}};
+      break;
+    case EventKind::bifurcation:
+      corners = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+      break;
+    case EventKind::joint_limit:
+      corners = {{0, -1.2}, {1.1, 0.9}, {-1.1, 0.9}};
+      break;
+  }
+  std::string data;
+  for (const Complex corner : corners) {
+    const Complex z = at + kMarkSize * corner;
+    data.append(1, data.empty() ? 'M' : 'L').append(pixel_text(z.real())).append(1, ' ');
+    data.append(pixel_text(z.imag()));
+  }
+  return element("path", {{"class", "event"}, {"d", data + "Z"}}) + '\n';
+}
+
+std::string begin_mark(Complex at, std::size_t branch) {
+  return element("g", {{"class", colour_class(branch)}},
+                 element("circle", {{"class", "slot-pin"},
+                                    {"cx", pixel_text(at.real())},
+                                    {"cy", pixel_text(at.imag())},
+                                    {"r", "3.5"}})) +
+         '\n';
+}
+
+/// Without bodies' colours and names; of the points' names those of the ground and of the curves.
+Drawing pale(Drawing drawing, const Mechanism& mechanism, const std::vector<MovingPoint>& traced) {
+  for (Figure& figure : drawing.figures) figure.colour.reset();
+  std::set<std::string> kept;
+  for (const MovingPoint& point : traced) {
+    kept.insert(mechanism.bodies[point.point.body].points[point.point.point].name);
+  }
+  for (const BodyPoint& point : mechanism.bodies[0].points) kept.insert(point.name);
+  std::erase_if(drawing.labels, [&](const Label& label) {
+    return label.kind != LabelKind::point || kept.count(label.text) == 0;
+  });
+  return drawing;
+}
+
+class MotionPicture {
+ public:
+  MotionPicture(const MotionResult& result, const Mechanism& mechanism)
+      : result_(result),
+        mechanism_(mechanism),
+        traced_(traced_points(mechanism)),
+        drawing_(pale(draw(mechanism, all_poses(result)), mechanism, traced_)),
+        first_(result.branches.front().samples.empty() ? all_poses(result).front()
+                                                       : result.branches.front().samples[0].q) {
+    const std::vector<Similarity> places = place(drawing_, mechanism_, first_);
+    box_ = bounds(drawing_, places);
+    for (const MotionBranch& branch : result_.branches) {
+      for (const MovingPoint& point : traced_) {
+        for (const Complex z : curve(mechanism_, point, branch, result_)) box_.include(z);
+      }
+    }
+    map_.scale = kMagnified * pixel_scale(drawing_);
+  }
+
+  std::string document(const std::string& title) {
+    const double drawn = box_.width() * map_.scale + 2 * kRoom;
+    width_ = std::max(kNarrowest, drawn);
+    std::string svg = heading(title);
+    const Complex middle(kMargin + width_ / 2, y_ + kRoom + box_.height() * map_.scale / 2);
+    map_.origin = middle - std::conj((box_.lower + box_.upper) / 2.0) * map_.scale;
+    svg += mechanism_svg() + curves_svg() + labels();
+    y_ += box_.height() * map_.scale + 2 * kRoom;
+    svg += legend();
+    if (drawing_.to_scale) {
+      y_ += kLegendLine;
+      svg += scale_bar({kMargin, y_}, map_.scale, mechanism_.units.length);
+    }
+    return svg_document(width_ + 2 * kMargin, y_ + kMargin, title, svg);
+  }
+
+ private:
+  std::string heading(const std::string& title) {
+    std::string svg;
+    y_ = kMargin / 2;
+    for (const std::string& line : wrapped(title, 17, width_)) {
+      y_ += 22;
+      svg += text_svg({kMargin, y_}, "start", "title", line);
+    }
+    for (const std::string& line : wrapped(summary(), 12, width_)) {
+      y_ += 17;
+      svg += text_svg({kMargin, y_}, "start", "note", line);
+    }
+    return svg;
+  }
+
+  std::string summary() const {
+    std::string names;
+    for (const MovingPoint& point : traced_) names += (names.empty() ? "" : ", ") + point.name;
+    std::string text =
+        "Curves of " + names + " in " + counted(result_.branches.size(), "branch", "branches") +
+        ", t = " + short_text(result_.from) + " s to " + short_text(result_.to) + " s";
+    return result_.complete ? text : text + "; " + result_.message;
+  }
+
+  std::string mechanism_svg() const {
+    return element("g", {{"class", "faint"}},
+                   figures_svg(drawing_, place(drawing_, mechanism_, first_), map_)) +
+           '\n';
+  }
+
+  std::string curves_svg() const {
+    std::string svg;
+    std::string marks;
+    for (std::size_t k = 0; k < result_.branches.size(); ++k) {
+      const MotionBranch& branch = result_.branches[k];
+      for (const MovingPoint& point : traced_) {
+        const std::vector<Complex> places = curve(mechanism_, point, branch, result_);
+        if (places.empty()) continue;
+        svg += curve_svg(polyline_data(places, map_), k);
+        marks += branch.begin_event ? mark_of(*branch.begin_event, places.front())
+                                    : begin_mark(map_(places.front()), k);
+        if (branch.end_event) marks += mark_of(*branch.end_event, places.back());
+      }
+    }
+    return svg + marks;
+  }
+
+  std::string mark_of(std::size_t event, Complex z) const {
+    return event_mark(result_.events[event].at.kind, map_(z));
+  }
+
+  std::string labels() const {
+    Box frame;
+    frame.include(map_(box_.lower), kRoom);
+    frame.include(map_(box_.upper), kRoom);
+    return labels_svg(place_labels(drawing_, mechanism_, first_,
+                                   place(drawing_, mechanism_, first_), map_, frame));
+  }
+
+  std::string branch_text(const MotionBranch& branch) const {
+    const auto end = [&](double time, const std::optional<std::size_t>& event) {
+      std::string text = drivers_text(mechanism_, time);
+      if (text.empty()) text = "t = " + short_text(time) + " s";
+      return event ? text + " (" + to_string(result_.events[*event].at.kind) + ")" : text;
+    };
+    const std::string text = branch.id + ": " + end(branch.begins, branch.begin_event) + " to " +
+                             end(branch.ends, branch.end_event);
+    return branch.complete ? text : text + ", not finished";
+  }
+
+  std::string legend() {
+    std::string svg;
+    std::set<EventKind> kinds;
+    for (const MotionEvent& event : result_.events) kinds.insert(event.at.kind);
+    for (std::size_t k = 0; k < result_.branches.size(); ++k) {
+      y_ += kLegendLine;
+      svg += curve_svg(
+          polyline_data({Complex(kMargin, 4 - y_), Complex(kMargin + 28, 4 - y_)}, PixelMap{}), k);
+      svg += text_svg({kMargin + 38, y_}, "start", "note", branch_text(result_.branches[k]));
+    }
+    y_ += kLegendLine;
+    double x = kMargin;
+    const auto add_entry = [&](const std::string& mark, const std::string& text) {
+      svg += mark + text_svg({x + 16, y_}, "start", "note", text);
+      x += 34 + text_width(text, 12);
+    };
+    add_entry(element("circle", {{"class", "mark"},
+                                 {"cx", pixel_text(x + 5)},
+                                 {"cy", pixel_text(y_ - 4)},
+                                 {"r", "3.5"}}),
+              "begins");
+    for (const EventKind kind : kinds) {
+      add_entry(event_mark(kind, {x + 5, y_ - 4}), to_string(kind));
+    }
+    return svg;
+  }
+
+  const MotionResult& result_;
+  const Mechanism& mechanism_;
+  std::vector<MovingPoint> traced_;
+  Drawing drawing_;
+  Eigen::VectorXd first_;
+  Box box_;
+  PixelMap map_;
+  double width_ = kNarrowest;
+  double y_ = 0;
+};
+
+}  // namespace
+
+void require_drawable_motion(const Mechanism& mechanism) {
+  if (!is_typed(mechanism)) return;
+  throw std::invalid_argument(
+      "--svg draws the curves of points, and typed equations have none; --html plots the unknowns");
+}
+
+std::string motion_svg(const MotionResult& result, const Mechanism& mechanism,
+                       const std::string& file) {
+  require_drawable_motion(mechanism);
+  const std::string title = mechanism.title.empty() ? file : mechanism.title;
+  if (all_poses(result).empty()) {
+    return svg_document(
+        kNarrowest, 4 * kLegendLine, title,
+        text_svg({kMargin, 2 * kLegendLine}, "start", "title", title) +
+            text_svg({kMargin, 3 * kLegendLine}, "start", "note", "no branch: " + result.message));
+  }
+  return MotionPicture(result, mechanism).document(title);
+}
+
+}  // namespace moivre

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// Curves of points along branches.
+#include "traces.h"
+
+#include <algorithm>
+
+#include "moivre/mechanism/pose.h"
+
+namespace moivre {
+namespace {
+
+std::string full_name(const Mechanism& mechanism, const PointOf& point) {
+  const Body& body = mechanism.bodies[point.body];
+  return body.name + "." + body.points[point.point].name;
+}
+
+bool is_held_to_ground(const Mechanism& mechanism, std::size_t body) {
+  return std::any_of(mechanism.joints.begin(), mechanism.joints.end(), [&](const Joint& joint) {
+    const std::size_t a = joint.at[0].body;
+    const std::size_t b = joint.at[1].body;
+    const bool holds = joint.type != JointType::gear && joint.type != JointType::rod;
+    return holds && ((a == 0 && b == body) || (b == 0 && a == body));
+  });
+}
+
+}  // namespace
+
+std::vector<TracedPose> traced_poses(const MotionBranch& branch, const MotionResult& result) {
+  std::vector<TracedPose> poses;
+  const auto add_event = [&](const std::optional<std::size_t>& event) {
+    if (!event) return;
+    const BranchEvent& at = result.events[*event].at;
+    poses.push_back({at.time, &at.q, nullptr});
+  };
+  add_event(branch.begin_event);
+  for (const BranchSample& sample : branch.samples) {
+    poses.push_back({sample.time, &sample.q, &sample});
+  }
+  add_event(branch.end_event);
+  return poses;
+}
+
+std::vector<Eigen::VectorXd> all_poses(const MotionResult& result) {
+  std::vector<Eigen::VectorXd> poses;
+  for (const MotionBranch& branch : result.branches) {
+    for (const TracedPose& pose : traced_poses(branch, result)) poses.push_back(*pose.q);
+  }
+  return poses;
+}
+
+std::vector<MovingPoint> moving_points(const Mechanism& mechanism) {
+  std::vector<MovingPoint> points;
+  for (const bool is_jointed : {false, true}) {
+    for (const Site& site : sites(mechanism)) {
+      const bool moves = std::none_of(site.points.begin(), site.points.end(),
+                                      [](const PointOf& point) { return point.body == 0; });
+      if (!moves || site.is_jointed != is_jointed) continue;
+      points.push_back({full_name(mechanism, site.points.front()), site.points.front()});
+    }
+  }
+  return points;
+}
+
+std::vector<MovingPoint> traced_points(const Mechanism& mechanism) {
+  std::vector<MovingPoint> free;
+  std::vector<MovingPoint> floating;
+  for (const Site& site : sites(mechanism)) {
+    const MovingPoint point{full_name(mechanism, site.points.front()), site.points.front()};
+    const auto body_is_held = [&](const PointOf& p) {
+      return is_held_to_ground(mechanism, p.body);
+    };
+    if (site.points.front().body == 0) continue;
+    if (!site.is_jointed) free.push_back(point);
+    if (std::none_of(site.points.begin(), site.points.end(), body_is_held)) {
+      floating.push_back(point);
+    }
+  }
+  if (!free.empty()) return free;
+  return floating.empty() ? moving_points(mechanism) : floating;
+}
+
+std::vector<Complex> curve(const Mechanism& mechanism, const MovingPoint& point,
+                           const MotionBranch& branch, const MotionResult& result) {
+  std::vector<Complex> places;
+  for (const TracedPose& pose : traced_poses(branch, result)) {
+    places.push_back(seen(mechanism, point_position(mechanism, point.point, *pose.q)));
+  }
+  return places;
+}
+
+}  // namespace moivre
