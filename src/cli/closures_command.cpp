@@ -7,6 +7,7 @@
 #include "common_options.h"
 #include "interruption.h"
 #include "moivre/closure_report/closure_report.h"
+#include "moivre/closure_report/page.h"
 #include "moivre/closure_report/picture.h"
 #include "moivre/mechanism/read.h"
 #include "output.h"
@@ -26,11 +27,27 @@ struct ClosuresCommand {
   std::string json;
   std::string csv;
   std::string svg;
+  std::string html;
 };
+
+/// Drivers that move show the closures in motion, one turn of the first driver long.
+std::string page_of(const ClosureResult& result, const Mechanism& mechanism,
+                    const ClosuresCommand& command, const Tracker& tracker,
+                    const ClosureOptions& options, const std::atomic<bool>& stop) {
+  if (mechanism.drivers.empty() || result.closures.empty() || stop) {
+    return closures_html(result, mechanism, command.file);
+  }
+  MotionOptions motion;
+  motion.from = command.at;
+  motion.to = command.at + natural_duration(mechanism, command.at);
+  motion.solve = options.solve;
+  motion.solve.progress = nullptr;
+  return motion_html(find_motion(mechanism, tracker, motion, stop), mechanism, command.file);
+}
 
 int run(const ClosuresCommand& command) {
   require_known(command.start);
-  require_distinct({command.json, command.csv, command.svg}, command.file);
+  require_distinct({command.json, command.csv, command.svg, command.html}, command.file);
   const std::unique_ptr<Tracker> tracker = make_tracker(command.tracker);
   const auto begin = std::chrono::steady_clock::now();
   const Mechanism mechanism = read_mechanism(read_source(command.file));
@@ -39,6 +56,7 @@ int run(const ClosuresCommand& command) {
   Output json(command.json);
   Output csv(command.csv);
   Output svg(command.svg);
+  Output html(command.html);
 
   ClosureOptions options;
   options.time = command.at;
@@ -58,7 +76,11 @@ int run(const ClosuresCommand& command) {
   if (json.is_wanted()) json.write(closures_json(result, mechanism, command.file));
   if (csv.is_wanted()) csv.write(closures_csv(result, mechanism));
   if (svg.is_wanted()) svg.write(closures_svg(result, mechanism, command.file));
-  if (!command.quiet && !json.is_stdout() && !csv.is_stdout() && !svg.is_stdout()) {
+  if (html.is_wanted()) {
+    html.write(page_of(result, mechanism, command, *tracker, options, interruption.stop()));
+  }
+  if (!command.quiet && !json.is_stdout() && !csv.is_stdout() && !svg.is_stdout() &&
+      !html.is_stdout()) {
     write_to_stdout(closures_text(result, mechanism, command.file));
   }
   return result.complete ? kDecided : kUndecided;
@@ -79,11 +101,15 @@ void add_closures_command(CLI::App& moivre, Chosen& chosen) {
   app.add_option("--csv", command->csv, "write a table of the closures here")->type_name("PATH");
   app.add_option("--svg", command->svg, "draw all closures, side by side to one scale, here")
       ->type_name("PATH");
+  app.add_option("--html", command->html,
+                 "write a page here that shows all closures, and drives them by a slider")
+      ->type_name("PATH");
   add_tracker_options(app, command->tracker);
   add_examples(app, {"moivre closures four-bar.toml", "moivre closures four-bar.toml --at 0.5",
                      "moivre closures four-bar.toml --json - | jq .counts",
                      "moivre closures four-bar.toml --quiet --csv closures.csv",
-                     "moivre closures four-bar.toml --svg closures.svg"});
+                     "moivre closures four-bar.toml --svg closures.svg",
+                     "moivre closures four-bar.toml --html closures.html"});
   app.callback([command, &chosen] { chosen = [command] { return run(*command); }; });
 }
 

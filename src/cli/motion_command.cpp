@@ -10,6 +10,7 @@
 #include "interruption.h"
 #include "mechanism_input.h"
 #include "moivre/closure_report/motion_report.h"
+#include "moivre/closure_report/page.h"
 #include "moivre/closure_report/picture.h"
 #include "output.h"
 #include "progress_line.h"
@@ -30,6 +31,7 @@ struct MotionCommand {
   std::string json;
   std::string csv;
   std::string svg;
+  std::string html;
 };
 
 MotionResult closures_moved(const Mechanism& mechanism, const MotionCommand& command,
@@ -56,7 +58,7 @@ MotionResult moved(const Mechanism& mechanism, const MotionCommand& command,
 
 int run(const MotionCommand& command) {
   require_known(command.start);
-  require_distinct({command.json, command.csv, command.svg}, command.file);
+  require_distinct({command.json, command.csv, command.svg, command.html}, command.file);
   const auto begin = std::chrono::steady_clock::now();
   const Mechanism mechanism = read_any_mechanism(command.file);
   const double parse_s =
@@ -69,6 +71,7 @@ int run(const MotionCommand& command) {
   Output json(command.json);
   Output csv(command.csv);
   Output svg(command.svg);
+  Output html(command.html);
   if (svg.is_wanted()) require_drawable_motion(mechanism);
   ProgressLine line(!command.quiet);
   if (line.is_active()) {
@@ -83,7 +86,9 @@ int run(const MotionCommand& command) {
   if (json.is_wanted()) json.write(motion_json(result, mechanism, command.file));
   if (csv.is_wanted()) csv.write(motion_csv(result, mechanism));
   if (svg.is_wanted()) svg.write(motion_svg(result, mechanism, command.file));
-  if (!command.quiet && !json.is_stdout() && !csv.is_stdout() && !svg.is_stdout()) {
+  if (html.is_wanted()) html.write(motion_html(result, mechanism, command.file));
+  if (!command.quiet && !json.is_stdout() && !csv.is_stdout() && !svg.is_stdout() &&
+      !html.is_stdout()) {
     write_to_stdout(motion_text(result, mechanism, command.file));
   }
   return result.complete ? kDecided : kUndecided;
@@ -124,10 +129,14 @@ void add_motion_command(CLI::App& moivre, Chosen& chosen) {
   app.add_option("--csv", command->csv, "write a table of all samples here")->type_name("PATH");
   app.add_option("--svg", command->svg, "draw the curves of points, a colour a branch, here")
       ->type_name("PATH");
+  app.add_option("--html", command->html,
+                 "write a page here that drives all branches by a slider and plots them")
+      ->type_name("PATH");
   add_tracker_options(app, command->tracker);
   add_examples(app, {"moivre motion four-bar.toml",
                      "moivre motion four-bar.toml --from 0 --to 0.1 --steps 50 --csv motion.csv",
                      "moivre motion jansen-leg.toml --checkpoints 12 --json - | jq .events",
+                     "moivre motion four-bar.toml --svg curves.svg --html motion.html",
                      "moivre motion rssr.toml --from-guess",
                      "moivre motion four-bar.toml --guess coupler.phi=-60 --guess rocker.phi=-90"});
   app.callback([command, &chosen] { chosen = [command] { return run(*command); }; });

@@ -24,11 +24,6 @@ constexpr double kNarrowest = 560;
 constexpr double kLegendLine = 19;
 constexpr double kMarkSize = 5;
 
-/// Beyond the palette, colours come again with dashes.
-std::string dashes(std::size_t branch) {
-  return branch < palette_size() ? "" : branch < 2 * palette_size() ? "7 4" : "2 3";
-}
-
 std::string polyline_data(const std::vector<Complex>& points, const PixelMap& map) {
   std::string data;
   for (const Complex z : points) {
@@ -41,7 +36,8 @@ std::string polyline_data(const std::vector<Complex>& points, const PixelMap& ma
 
 std::string curve_svg(const std::string& data, std::size_t branch) {
   std::vector<Attribute> attributes{{"class", "curve " + colour_class(branch)}, {"d", data}};
-  if (!dashes(branch).empty()) attributes.push_back({"stroke-dasharray", dashes(branch)});
+  const std::string dashes = branch_dashes(branch);
+  if (!dashes.empty()) attributes.push_back({"stroke-dasharray", dashes});
   return element("path", attributes) + '\n';
 }
 
@@ -85,6 +81,7 @@ Drawing pale(Drawing drawing, const Mechanism& mechanism, const std::vector<Movi
     kept.insert(mechanism.bodies[point.point.body].points[point.point.point].name);
   }
   for (const BodyPoint& point : mechanism.bodies[0].points) kept.insert(point.name);
+  if (mechanism.space == Space::spatial) kept.insert({"x", "y", "z"});
   std::erase_if(drawing.labels, [&](const Label& label) {
     return label.kind != LabelKind::point || kept.count(label.text) == 0;
   });
@@ -97,8 +94,8 @@ class MotionPicture {
       : result_(result),
         mechanism_(mechanism),
         traced_(traced_points(mechanism)),
-        drawing_(pale(draw(mechanism, all_poses(result)), mechanism, traced_)),
-        first_(result.branches.front().samples.empty() ? all_poses(result).front()
+        drawing_(pale(draw(mechanism, all_poses(mechanism, result)), mechanism, traced_)),
+        first_(result.branches.front().samples.empty() ? all_poses(mechanism, result).front()
                                                        : result.branches.front().samples[0].q) {
     const std::vector<Similarity> places = place(drawing_, mechanism_, first_);
     box_ = bounds(drawing_, places);
@@ -246,7 +243,7 @@ std::string motion_svg(const MotionResult& result, const Mechanism& mechanism,
                        const std::string& file) {
   require_drawable_motion(mechanism);
   const std::string title = mechanism.title.empty() ? file : mechanism.title;
-  if (all_poses(result).empty()) {
+  if (all_poses(mechanism, result).empty()) {
     return svg_document(
         kNarrowest, 4 * kLegendLine, title,
         text_svg({kMargin, 2 * kLegendLine}, "start", "title", title) +

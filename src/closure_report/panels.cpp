@@ -85,14 +85,17 @@ std::string panel_svg(const Panel& panel, const Drawing& drawing, const Mechanis
 
 double pixel_scale(const Drawing& drawing) { return kPinRadius / drawing.symbol; }
 
+bool drives_angle(const Mechanism& mechanism, const Driver& driver) {
+  if (driver.kind == DriverKind::unknown) return mechanism.unknowns[driver.unknown].is_angle;
+  return driver.kind == DriverKind::angle;
+}
+
 std::string drivers_text(const Mechanism& mechanism, double time) {
   std::string text;
   for (const Driver& driver : mechanism.drivers) {
-    const bool is_angle =
-        driver.kind == DriverKind::angle ||
-        (driver.kind == DriverKind::unknown && mechanism.unknowns[driver.unknown].is_angle);
-    const Coordinate shown{driver.name, is_angle ? CoordinateKind::angle : CoordinateKind::length,
-                           0};
+    const auto kind =
+        drives_angle(mechanism, driver) ? CoordinateKind::angle : CoordinateKind::length;
+    const Coordinate shown{driver.name, kind, 0};
     text += (text.empty() ? "" : ", ") + driver.name + " = " +
             coordinate_text(mechanism, shown, driver_state(driver.law, time).value);
   }

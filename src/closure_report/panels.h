@@ -23,6 +23,9 @@ struct Sheet {
 
 std::string sheet_svg(const Sheet& sheet, const Mechanism& mechanism);
 
+/// Whether it prescribes an angle, or a length.
+bool drives_angle(const Mechanism& mechanism, const Driver& driver);
+
 /// "crank = 40 deg, guide = 12 mm": the drivers at this time; empty without drivers.
 std::string drivers_text(const Mechanism& mechanism, double time);
 

@@ -189,7 +189,9 @@ std::string colour_text(std::size_t number) {
   return std::string(kPalette[number % kPalette.size()]);
 }
 
-std::size_t palette_size() { return kPalette.size(); }
+std::string branch_dashes(std::size_t branch) {
+  return branch < kPalette.size() ? "" : branch < 2 * kPalette.size() ? "7 4" : "2 3";
+}
 
 std::string colour_class(std::optional<std::size_t> colour) {
   std::string name(1, colour ? 'c' : 'k');

@@ -41,8 +41,8 @@ std::string figures_svg(const Drawing& drawing, const std::vector<Similarity>& p
 
 /// Of the body with this number; they repeat.
 std::string colour_text(std::size_t number);
-/// How many colours there are.
-std::size_t palette_size();
+/// Of the line of a branch, as stroke-dasharray: dashed where the palette begins again.
+std::string branch_dashes(std::size_t branch);
 std::string colour_class(std::optional<std::size_t> colour);
 
 /// Rules for the classes that figures and texts have.

@@ -13,20 +13,22 @@ namespace moivre {
 /// A pose of a branch; an event has no velocity.
 struct TracedPose {
   double time = 0;
-  const Eigen::VectorXd* q = nullptr;
+  Eigen::VectorXd q;  ///< of an event: angles brought near those of the sample beside it
   const BranchSample* sample = nullptr;
 };
 
 /// The event where the branch begins, its samples, the event where it ends.
-std::vector<TracedPose> traced_poses(const MotionBranch& branch, const MotionResult& result);
+std::vector<TracedPose> traced_poses(const Mechanism& mechanism, const MotionBranch& branch,
+                                     const MotionResult& result);
 
 /// Poses of all branches, in their order.
-std::vector<Eigen::VectorXd> all_poses(const MotionResult& result);
+std::vector<Eigen::VectorXd> all_poses(const Mechanism& mechanism, const MotionResult& result);
 
 /// A point that moves: its name, "coupler.P", and where it is.
 struct MovingPoint {
   std::string name;
   PointOf point;
+  bool is_jointed = false;
 };
 
 /// One a site that moves, points without a joint first.

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// How can closures be seen and driven in a browser? One self-contained page: drawings, a slider, plots with units on their axes.
+//
+// A panel a branch with its closure, driven by one slider through the samples; position, velocity and acceleration of a
+// quantity of choice over time, a line a branch. Plain inline script and style, nothing from the network (its content policy
+// forbids it); without a script the page shows the first poses. Names are escaped in markup and in the page's data.
+// In the address, #t=1.5 sets the time and #plot=2 the plotted quantity (in the order of the list).
+#pragma once
+
+#include <string>
+
+#include "moivre/closures/motion.h"
+
+namespace moivre {
+
+std::string motion_html(const MotionResult& result, const Mechanism& mechanism,
+                        const std::string& file);
+
+/// The closures that stand still: no slider, no plots.
+std::string closures_html(const ClosureResult& result, const Mechanism& mechanism,
+                          const std::string& file);
+
+}  // namespace moivre

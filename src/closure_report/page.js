@@ -1,0 +1,204 @@
+'use strict';
+// Drives the page: one time for all panels and plots. Data: see page.cpp. Nothing is loaded from elsewhere.
+(() => {
+  const byId = (id) => document.getElementById(id);
+  const data = JSON.parse(byId('data').textContent);
+  const svgElement = (name, attributes, parent) => {
+    const made = document.createElementNS('http://www.w3.org/2000/svg', name);
+    for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, value);
+    parent.appendChild(made);
+    return made;
+  };
+  const text = (x) => String(Number(x.toPrecision(5)));
+
+  // The place k + s, 0 <= s <= 1, of a time among increasing times; clamped to them.
+  const placeAmong = (times, t) => {
+    if (times.length < 2 || t <= times[0]) return [0, 0];
+    let low = 0;
+    let high = times.length - 1;
+    if (t >= times[high]) return [high - 1, 1];
+    while (high - low > 1) {
+      const middle = (low + high) >> 1;
+      if (times[middle] <= t) low = middle; else high = middle;
+    }
+    return [low, (t - times[low]) / (times[high] - times[low])];
+  };
+  const mix = (a, b, s) => (a === null || b === null ? null : a + (b - a) * s);
+  const valueAt = (values, [k, s]) => (s === 0 || values.length === 1 ? values[k] : mix(values[k], values[k + 1], s));
+
+  // A panel: groups [data-frame] get their frame's similarity, labels follow their anchors.
+  const panels = data.branches.map((branch, index) => {
+    const figure = byId('panel-' + index);
+    const groups = [...figure.querySelectorAll('[data-frame]')].map((g) => [g, Number(g.dataset.frame)]);
+    const labels = [...figure.querySelectorAll('text[data-label]')].map((t) => [t, JSON.parse(t.dataset.label)]);
+    const note = figure.querySelector('figcaption span');
+    return (t) => {
+      const place = placeAmong(branch.t, t);
+      const [k, s] = place;
+      const from = branch.frames[k];
+      const to = branch.frames[Math.min(k + 1, branch.frames.length - 1)];
+      const at = (j) => from[j] + (to[j] - from[j]) * s;
+      for (const [g, frame] of groups) {
+        const [a, b, e, f] = [0, 1, 2, 3].map((j) => at(4 * frame + j));
+        g.setAttribute('transform', `matrix(${a} ${b} ${-b} ${a} ${e} ${f})`);
+      }
+      for (const [label, {frame, x, y, dx, dy, series}] of labels) {
+        const [a, b, e, f] = [0, 1, 2, 3].map((j) => at(4 * frame + j));
+        label.setAttribute('x', a * x - b * y + e + dx);
+        label.setAttribute('y', b * x + a * y + f + dy);
+        if (series === undefined) continue;
+        const value = valueAt(branch.series[series][0], place);
+        const {name, units} = data.quantities[series];
+        label.textContent = `${name} = ${value === null ? '?' : text(value)} ${units[0]}`;
+      }
+      const slack = 1e-9 * Math.max(1, Math.abs(data.to - data.from));
+      const early = t < branch.t[0] - slack;
+      const late = t > branch.t[branch.t.length - 1] + slack;
+      figure.classList.toggle('gone', early || late);
+      note.textContent = early ? branch.begins : late ? branch.ends : '';
+    };
+  });
+
+  // Round steps: 1, 2 or 5 times a power of ten, about `wanted` of them.
+  const ticksOf = (low, high, wanted) => {
+    const rough = (high - low) / wanted;
+    const power = 10 ** Math.floor(Math.log10(rough));
+    const step = [1, 2, 5, 10].find((m) => m * power >= rough) * power;
+    const ticks = [];
+    for (let k = Math.ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; ++k) ticks.push(k * step);
+    return ticks;
+  };
+  // What does not vary by more than `noise` is drawn as constant. Where a value runs away (velocities do near a dead point),
+  // the scale is that of the bulk.
+  const largest = (values) => values.reduce((most, v) => (v === null ? most : Math.max(most, Math.abs(v))), 0);
+  const rangeOf = (values, noise) => {
+    const sorted = values.filter((v) => v !== null).sort((a, b) => a - b);
+    if (sorted.length === 0) return [-1, 1];
+    const at = (share) => sorted[Math.round(share * (sorted.length - 1))];
+    let [low, high] = [sorted[0], sorted[sorted.length - 1]];
+    if (high - low <= noise) {
+      const room = Math.max(0.1 * largest(sorted), 1e3 * noise) || 1;
+      return [(low + high) / 2 - room, (low + high) / 2 + room];
+    }
+    const bulk = at(0.95) - at(0.05);
+    if (bulk > 0 && high - low > 6 * bulk) [low, high] = [Math.max(low, at(0.05) - bulk), Math.min(high, at(0.95) + bulk)];
+    const room = 0.06 * (high - low);
+    return [low - room, high + room];
+  };
+
+  const kinds = ['position', 'velocity', 'acceleration'];
+  const cursors = [];
+  const drawPlot = (parent, quantity, kind, setTime) => {
+    const [width, height, left, right, top, bottom] = [420, 240, 64, 10, 24, 36];
+    const unit = data.quantities[quantity].units[kind];
+    const svg = svgElement('svg', {viewBox: `0 0 ${width} ${height}`, role: 'img'}, parent);
+    const lines = data.branches.map((b) => ({t: b.t, values: b.series[quantity][kind]}));
+    const valuesOf = (k) => data.branches.flatMap((b) => b.series[quantity][k]);
+    const before = kind === 0 ? 0 : largest(valuesOf(kind - 1)) / (data.to - data.from);
+    const [low, high] = rangeOf(valuesOf(kind), 1e-7 * Math.max(largest(valuesOf(kind)), before));
+    const x = (t) => left + (t - data.from) / (data.to - data.from) * (width - left - right);
+    const y = (v) => height - bottom - (v - low) / (high - low) * (height - top - bottom);
+    const label = (attributes, content) => {
+      svgElement('text', {class: 'tick', ...attributes}, svg).textContent = content;
+    };
+    for (const v of ticksOf(low, high, 4)) {
+      svgElement('path', {class: 'grid', d: `M${left} ${y(v)}H${width - right}`}, svg);
+      label({x: left - 6, y: y(v) + 4, 'text-anchor': 'end'}, text(v));
+    }
+    for (const t of ticksOf(data.from, data.to, 5)) {
+      svgElement('path', {class: 'grid', d: `M${x(t)} ${top}V${height - bottom}`}, svg);
+      label({x: x(t), y: height - bottom + 15, 'text-anchor': 'middle'}, text(t));
+    }
+    label({x: left, y: 14}, `${kinds[kind]} of ${data.quantities[quantity].name}${unit ? ` [${unit}]` : ''}`);
+    label({x: width - right, y: height - 4, 'text-anchor': 'end'}, 'time t [s]');
+    const clip = svgElement('clipPath', {id: `clip-${kind}`}, svg);
+    svgElement('rect', {x: left, y: top, width: width - left - right, height: height - top - bottom}, clip);
+    const curves = svgElement('g', {'clip-path': `url(#clip-${kind})`}, svg);
+    lines.forEach((line, k) => {
+      let path = '';
+      let isDown = false;
+      line.t.forEach((t, j) => {
+        const v = line.values[j];
+        if (v !== null) path += `${isDown ? 'L' : 'M'}${x(t).toFixed(2)} ${y(v).toFixed(2)}`;
+        isDown = v !== null;
+      });
+      const {colour, dashes} = data.branches[k];
+      svgElement('path', {class: `curve ${colour}`, d: path, 'stroke-dasharray': dashes || 'none'}, curves);
+    });
+    const cursor = svgElement('path', {class: 'cursor'}, svg);
+    cursors.push((t) => cursor.setAttribute('d', `M${x(t)} ${top}V${height - bottom}`));
+    const follow = (event) => {
+      if (event.buttons === 0) return;
+      const box = svg.getBoundingClientRect();
+      const px = (event.clientX - box.left) / box.width * width;
+      setTime(data.from + (px - left) / (width - left - right) * (data.to - data.from));
+    };
+    svg.addEventListener('pointerdown', follow);
+    svg.addEventListener('pointermove', follow);
+  };
+
+  const slider = byId('time');
+  const readout = byId('readout');
+  const setTime = (wanted) => {
+    const t = Math.min(Math.max(wanted, data.from), data.to);
+    for (const show of panels) show(t);
+    if (!slider) return;
+    slider.value = String((t - data.from) / (data.to - data.from));
+    const place = placeAmong(data.times, t);
+    const drivers = data.drivers.map((d) => `${d.name} = ${text(valueAt(d.values, place))} ${d.unit}`);
+    readout.textContent = [`t = ${text(t)} s`, ...drivers].join(', ');
+    for (const show of cursors) show(t);
+    now = t;
+  };
+  let now = data.from;
+
+  const chooser = byId('quantity');
+  const showPlots = () => {
+    cursors.length = 0;
+    kinds.forEach((kind, k) => {
+      const parent = byId('plot-' + kind);
+      parent.replaceChildren();
+      drawPlot(parent, Number(chooser.value), k, setTime);
+    });
+    setTime(now);
+  };
+
+  // Once through all the motion in eight seconds.
+  let playing = null;
+  const play = byId('play');
+  const step = (stamp) => {
+    if (playing === null) return;
+    const span = data.to - data.from;
+    const t = now + span * Math.min(stamp - playing, 100) / 8000;
+    playing = stamp;
+    setTime(t > data.to ? data.from : t);
+    requestAnimationFrame(step);
+  };
+  const togglePlay = () => {
+    playing = playing === null ? performance.now() : null;
+    play.textContent = playing === null ? 'Play' : 'Stop';
+    if (playing !== null) requestAnimationFrame(step);
+  };
+
+  const readAddress = () => {
+    const wanted = new URLSearchParams(location.hash.slice(1));
+    const quantity = Number(wanted.get('plot'));
+    if (chooser && wanted.has('plot') && data.quantities[quantity]) {
+      chooser.value = String(quantity);
+      showPlots();
+    }
+    const t = Number(wanted.get('t'));
+    if (wanted.has('t') && Number.isFinite(t)) setTime(t);
+  };
+
+  if (slider) {
+    slider.addEventListener('input', () => setTime(data.from + Number(slider.value) * (data.to - data.from)));
+    play.addEventListener('click', togglePlay);
+    chooser.addEventListener('change', showPlots);
+    showPlots();
+  }
+  setTime(data.from);
+  readAddress();
+  window.addEventListener('hashchange', readAddress);
+  document.documentElement.dataset.state = 'ready';
+})();

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+// What are the page's style and script? The texts of page.css and page.js, put in by the build.
+#pragma once
+
+#include <string_view>
+
+namespace moivre {
+
+std::string_view page_style();
+std::string_view page_script();
+
+}  // namespace moivre
