@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Is a text well-formed markup? Elements closed in order, attributes quoted, entities known: what an XML parser insists on.
+// HTML's elements without content (input) are taken as closed.
 #pragma once
 
 #include <gtest/gtest.h>
 
+#include <cctype>
 #include <string>
 #include <vector>
 
