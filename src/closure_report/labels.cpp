@@ -175,7 +175,8 @@ std::vector<PlacedLabel> place_labels(const Drawing& drawing, const Mechanism& m
           kind == LabelKind::unknown
               ? anchor
               : placer.best(anchor, text_width(text, font), font, kind == LabelKind::body);
-      placed.push_back({&label, text, centre + Complex(0, kBaseline * font)});
+      const Complex baseline(0, kBaseline * font);
+      placed.push_back({&label, text, centre + baseline, baseline});
     }
   }
   return placed;

@@ -11,11 +11,12 @@
 
 namespace moivre {
 
-/// A text's place in pixels: the middle of its base line.
+/// A text's place in pixels: the middle of its base line, which lies `baseline` below the middle of its letters.
 struct PlacedLabel {
   const Label* label = nullptr;
   std::string text;
   Complex at;
+  Complex baseline;
 };
 
 /// `frame`: pixels that labels should keep to.

@@ -233,18 +233,24 @@ std::string matrix_text(const std::array<double, 4>& m) {
   return text + exact_text(m[3]) + ')';
 }
 
-/// A label keeps the place beside its anchor that it has in the branch's first pose.
+/// A label keeps the place beside its anchor that it has in the branch's first pose; a body's turns with the body.
 std::string label_html(const PlacedLabel& placed, const Canvas& canvas,
                        const std::vector<Similarity>& places,
                        const std::vector<Quantity>& plotted) {
   const Label& label = *placed.label;
   const Complex anchor = canvas.map(places[label.frame](label.at));
   const Complex own = canvas.own(label.at);
+  const bool turns = label.kind == LabelKind::body;
+  const Complex turned = std::conj(places[label.frame].a);
+  const Complex aside = placed.at - placed.baseline - anchor;
+  const Complex kept = turns ? aside * std::abs(turned) / turned : aside;
   Json follow{{"frame", label.frame},
               {"x", at_grid(own.real(), 1e3)},
               {"y", at_grid(own.imag(), 1e3)},
-              {"dx", at_grid((placed.at - anchor).real(), 1e2)},
-              {"dy", at_grid((placed.at - anchor).imag(), 1e2)}};
+              {"dx", at_grid(kept.real(), 1e2)},
+              {"dy", at_grid(kept.imag(), 1e2)},
+              {"base", at_grid(placed.baseline.imag(), 1e2)},
+              {"turns", turns}};
   for (std::size_t k = 0; label.coordinate && k < plotted.size(); ++k) {
     if (plotted[k].coordinate == label.coordinate) follow["series"] = k;
   }

@@ -42,10 +42,11 @@
         const [a, b, e, f] = [0, 1, 2, 3].map((j) => at(4 * frame + j));
         g.setAttribute('transform', `matrix(${a} ${b} ${-b} ${a} ${e} ${f})`);
       }
-      for (const [label, {frame, x, y, dx, dy, series}] of labels) {
+      for (const [label, {frame, x, y, dx, dy, base, turns, series}] of labels) {
         const [a, b, e, f] = [0, 1, 2, 3].map((j) => at(4 * frame + j));
-        label.setAttribute('x', a * x - b * y + e + dx);
-        label.setAttribute('y', b * x + a * y + f + dy);
+        const [u, v] = turns ? [a / Math.hypot(a, b), b / Math.hypot(a, b)] : [1, 0];
+        label.setAttribute('x', a * x - b * y + e + u * dx - v * dy);
+        label.setAttribute('y', b * x + a * y + f + v * dx + u * dy + base);
         if (series === undefined) continue;
         const value = valueAt(branch.series[series][0], place);
         const {name, units} = data.quantities[series];
