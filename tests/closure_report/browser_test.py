@@ -98,7 +98,7 @@ def main():
     moivre, root = sys.argv[1], pathlib.Path(sys.argv[2])
     program = next(filter(None, map(shutil.which, BROWSERS)), None)
     if program is None:
-        print("skipped: no Chromium here (scripts/install-dependencies --developer installs it)")
+        print("skipped: no Chromium here (scripts/install-dependencies --browser installs it)")
         sys.exit(SKIPPED)
     mechanisms = root / "problems/mechanisms"
     with tempfile.TemporaryDirectory() as name:
