@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The study of a mechanism: closures as the subject of a study.
+// The study of a mechanism: closures as the subject of a study, and a table of its motion.
 #include "moivre/closure_study/closure_study.h"
 
+#include "moivre/closure_study/motion_table.h"
 #include "moivre/closures/closures.h"
+#include "moivre/closures/motion.h"
 
 namespace moivre {
 namespace {
@@ -28,14 +30,22 @@ SolveResult as_solve_result(ClosureResult&& closures) {
 StudyResult study_mechanism(const Mechanism& mechanism, const std::vector<StudySetting>& settings,
                             const Tracker& referee, const Tracker* witness,
                             const StudyOptions& options, const std::atomic<bool>& stop) {
+  Eigen::VectorXd first;
   const auto find = [&](const Tracker& tracker, const SolveOptions& solve_options,
                         const std::atomic<bool>& halt) {
     ClosureOptions closure_options;
     closure_options.solve = solve_options;
-    return as_solve_result(find_closures(mechanism, tracker, closure_options, halt));
+    ClosureResult closures = find_closures(mechanism, tracker, closure_options, halt);
+    if (first.size() == 0 && !closures.closures.empty()) first = closures.closures.front().q;
+    return as_solve_result(std::move(closures));
   };
   const StudySubject subject{isotropic_system(mechanism, 0).system, false, find};
-  return study_subject(subject, settings, referee, witness, options, stop);
+  StudyResult result = study_subject(subject, settings, referee, witness, options, stop);
+  if (first.size() > 0 && !stop.load()) {
+    StudyTable motion = motion_table(mechanism, first, natural_duration(mechanism, 0), stop);
+    if (!motion.rows.empty()) result.tables.push_back(std::move(motion));
+  }
+  return result;
 }
 
 }  // namespace moivre

@@ -40,10 +40,22 @@ TEST(ClosureStudy, FindsTheClosuresOfAFourBarWithEverySetting) {
   }
 }
 
+TEST(ClosureStudy, DifferencesOfTheMotionFallWithTheFourthPowerOfTheSpacing) {
+  const StudyResult result = study("four-bar");
+  ASSERT_EQ(result.tables.size(), 1u);
+  const auto& rows = result.tables[0].rows;
+  ASSERT_GE(rows.size(), 3u);
+  for (const std::size_t column : {std::size_t{2}, std::size_t{3}}) {
+    const double ratio = rows[1][column] / rows[2][column];
+    EXPECT_NEAR(ratio, 16, 2) << result.tables[0].columns[column];
+  }
+}
+
 TEST(ClosureStudy, OfAMechanismThatCannotBeAssembledHasAnEmptyReference) {
   const StudyResult result = study("unassemblable-triangle");
   EXPECT_TRUE(result.complete);
   EXPECT_EQ(result.reference.exact, result.reference.roots);
+  EXPECT_TRUE(result.tables.empty());
 }
 
 }  // namespace
