@@ -23,8 +23,6 @@ namespace {
 constexpr double kSimpleTolerance = 1e-13;
 // A singular end is not known better than this; ends nearer than that are one root.
 constexpr double kSingularTolerance = 1e-7;
-// Of a large root that passed for an end at infinity, where it is one.
-constexpr double kLargeRootAccuracy = 1e-5;
 // A singular end known worse than this is not known at all.
 constexpr double kWorstAccuracy = 1e-3;
 // Of a root that is not simple.
@@ -99,10 +97,6 @@ class Run {
   void fail_unsettled();
   Solution solution_of(const std::vector<std::uint64_t>& group, const std::vector<int>& winding);
   bool is_on_set(const Root& root);
-  /// An end that passed for one at infinity because x_0 is not known better than 0, and not because it is 0.
-  bool may_be_large(const PathEnd& end) const {
-    return !end.x.empty() && std::abs(end.x.back()) > endgame_.infinity_floor * max_norm(end.x);
-  }
   /// Terms that no coordinate tells: only a simple root, proved on the system as given, says something about the system.
   bool hides_terms() const { return prepared_.spread_log2 > kHopelessSpread; }
   Root refined_root(Refiner& refiner, std::uint64_t path, const PathEnd& end) const;
@@ -205,16 +199,17 @@ bool Run::decided_without_tracking() {
 void Run::take(std::uint64_t path, PathEnd&& end) {
   result_.work += end.count;
   rungs_.erase(path);
-  if (end.count.work.fine_values > 0) rungs_[path] = Rung::mixed;
-  if (is_fine()) rungs_[path] = Rung::double_double;
+  // Nothing is kept of a path at infinity: memory does not grow with their number.
+  if (end.status != PathStatus::at_infinity) {
+    if (end.count.work.fine_values > 0) rungs_[path] = Rung::mixed;
+    if (is_fine()) rungs_[path] = Rung::double_double;
+  }
   switch (end.status) {
     case PathStatus::finite:
       ends_.emplace_back(path, std::move(end));
       return;
     case PathStatus::at_infinity:
-      if (may_be_large(end)) {
-        ends_.emplace_back(path, std::move(end));
-      } else if (hides_terms()) {
+      if (hides_terms()) {
         ledger_.enter_failure({path, Failure::precision, end.t});
       } else {
         ledger_.enter_infinity(path);
@@ -248,17 +243,16 @@ Root Run::refined_root(Refiner& refiner, std::uint64_t path, const PathEnd& end)
   const Point x = to_original(prepared_, end.x);
   // A relative error of z_0 is one of z / z_0, larger by the size of the affine point.
   const double size = max_norm(end.x) / std::abs(end.x.back());
-  const bool doubtful = end.status == PathStatus::at_infinity;
-  const double accuracy = doubtful ? kLargeRootAccuracy : end.accuracy * std::max(1.0, size);
+  const double accuracy = end.accuracy * std::max(1.0, size);
   Root root;
   root.winding = end.winding;
-  const bool many_sheets = end.winding.value_or(1) > 1 && !doubtful;
+  const bool many_sheets = end.winding.value_or(1) > 1;
   root.point = many_sheets ? refiner.keep(x, accuracy, *end.winding) : refiner.refine(x, accuracy);
   if (!root.point.simple && !many_sheets && rung_of(path) == Rung::double_double) {
     root.point = refiner.refine_fine(x);
   }
   if (!root.point.simple) {
-    if (!many_sheets && !doubtful) root.point = refiner.keep(x, accuracy, kLeastMultiplicity);
+    if (!many_sheets) root.point = refiner.keep(x, accuracy, kLeastMultiplicity);
     root.tolerance = std::max(kSingularTolerance, 10 * root.point.accuracy);
   } else {
     root.tolerance = 4 * root.point.accuracy + kSimpleTolerance;
@@ -285,8 +279,6 @@ void Run::refine_ends() {
       ledger_.enter_root(path, std::move(roots[k]));
     } else if (hides_terms()) {
       ledger_.enter_failure({path, Failure::precision, end.t});
-    } else if (end.status == PathStatus::at_infinity) {
-      ledger_.enter_infinity(path);
     } else if (singular) {
       ledger_.enter_root(path, std::move(roots[k]));
     } else {
@@ -507,6 +499,7 @@ void Run::close_account() {
   for (const auto& [path, rung] : rungs_) {
     ++(rung == Rung::mixed ? counts.mixed : counts.double_double);
   }
+  if (is_fine()) counts.double_double = counts.tracked;
   result_.complete = !interrupted_ && counts.failed == 0 && unsettled_conjugates_ == 0;
   result_.message = interrupted_        ? "interrupted: what is finished is reported"
                     : result_.complete  ? "every path was decided"

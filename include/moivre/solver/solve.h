@@ -86,7 +86,7 @@ struct PathCounts {
   std::uint64_t on_positive_dimensional = 0;
   std::uint64_t retracked = 0;
   std::uint64_t handed_over = 0;  ///< of these, to SolveOptions::fallback
-  std::uint64_t mixed = 0;          ///< that needed residuals in double-double
+  std::uint64_t mixed = 0;          ///< to finite ends, that needed residuals in double-double
   std::uint64_t double_double = 0;  ///< that needed double-double throughout
 
   PathCounts& operator+=(const PathCounts& other);
