@@ -45,17 +45,17 @@ double cost(F&& call) {
   return best;
 }
 
-double flops(const LaneProgram::Sum& sum) {
+double flops(const LaneProgram<double>::Sum& sum) {
   return 4.0 * (sum.real_end - sum.real_begin) + 8.0 * (sum.complex_end - sum.complex_begin);
 }
 
 /// Of LaneHomotopy::linearize in one lane.
-double linearization_flops(const LaneProgram& program) {
+double linearization_flops(const LaneProgram<double>& program) {
   double count = 6.0 * static_cast<double>(program.products.size());
-  for (const LaneProgram::Blend& value : program.values) {
+  for (const LaneProgram<double>::Blend& value : program.values) {
     count += flops(value.f) + flops(value.g) + 14 + 2;
   }
-  for (const LaneProgram::Entry& entry : program.jacobian) {
+  for (const LaneProgram<double>::Entry& entry : program.jacobian) {
     count += flops(entry.blend.f) + 6;
     if (!entry.blend.g.is_empty()) count += flops(entry.blend.g) + 8;
   }
@@ -63,9 +63,9 @@ double linearization_flops(const LaneProgram& program) {
 }
 
 /// Of LaneHomotopy::expand in one lane.
-double expansion_flops(const LaneProgram& program) {
+double expansion_flops(const LaneProgram<double>& program) {
   double count = (6.0 + 14.0) * static_cast<double>(program.value_products);
-  for (const LaneProgram::Blend& value : program.values) {
+  for (const LaneProgram<double>::Blend& value : program.values) {
     count += 2 * (flops(value.f) + flops(value.g)) + 14 + 2 + 22;
   }
   return count;
@@ -128,11 +128,11 @@ double measure_peak() {
 }
 
 void report(const Homotopy& homotopy, const TotalDegreeStart& start) {
-  const LaneProgram program = make_lane_program(homotopy);
+  const LaneProgram<double> program = make_lane_program<double>(homotopy);
   const std::size_t coordinates = homotopy.coordinates();
   const std::size_t n = homotopy.equations();
-  LanePath path(coordinates);
-  LaneTime time;
+  LanePath<V> path(coordinates);
+  LaneTime<V> time;
   LaneReals h;
   for (std::size_t lane = 0; lane < W; ++lane) {
     Point x = start_point(start, lane % start.paths);
@@ -145,19 +145,19 @@ void report(const Homotopy& homotopy, const TotalDegreeStart& start) {
   std::printf("%s, %zu lanes, n = %zu, peak %.1f Gflop/s\n", hwy::TargetName(HWY_TARGET), W, n,
               peak * 1e-9);
 
-  LaneHomotopy evaluator(program);
-  LaneLu lu(coordinates);
-  LaneVector x(coordinates);
-  LaneVector hx(coordinates);
-  LaneVector ht(coordinates);
-  LaneVector slope(coordinates);
+  LaneHomotopy<V> evaluator(program);
+  LaneLu<V> lu(coordinates);
+  LaneVector<V> x(coordinates);
+  LaneVector<V> hx(coordinates);
+  LaneVector<V> ht(coordinates);
+  LaneVector<V> slope(coordinates);
   path.predict(h.value(), x);
   const double linearization = cost([&]() HWY_ATTR { evaluator.linearize(x, time, hx, lu, ht); });
   print("tape: H, H_x, H_t", linearization_flops(program), W, linearization, peak);
   const double expansion = cost([&]() HWY_ATTR { evaluator.expand(x, ht, time, hx, slope); });
   print("tape: H and slope", expansion_flops(program), W, expansion, peak);
 
-  LaneStep step(program);
+  LaneStep<V> step(program);
   const double factorization = cost([&]() HWY_ATTR {
                                  evaluator.linearize(x, time, hx, lu, ht);
                                  for (std::size_t j = 0; j < coordinates; ++j)

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// How are W complex numbers held and multiplied at once? One vector of real and one of imaginary parts.
+// How are W complex numbers held and multiplied at once? One real number of every lane, and one imaginary.
 //
-// W: lanes of the target this file is compiled for. A complex number of all lanes lies in memory as W real parts
-// followed by W imaginary parts. Lane-wise throughout: nothing crosses lanes, so a NaN stays in its own.
+// W: lanes of the target this file is compiled for. V: W doubles, a vector. R: a real number of every lane in the precision
+// that paths are followed in, V itself here; the kernels take it as their parameter. In memory (LaneCell) a complex
+// number of all lanes is the words of its real parts, W doubles each, and then those of its imaginary ones.
+// Sizes, weights and steps are V whatever R is. Lane-wise throughout: nothing crosses lanes, so a NaN stays in its own.
 // Compiled once a target (Highway's foreach_target): no include guard in the usual sense.
 // Not supported: targets whose vectors have no fixed size.
 #if defined(MOIVRE_LANE_COMPLEX_INL_H_) == defined(HWY_TARGET_TOGGLE)
@@ -43,78 +45,126 @@ HWY_INLINE V square_root(V a) { return hn::Sqrt(a); }
 HWY_INLINE bool is_nowhere(Mask mask) { return hn::AllFalse(Tag(), mask); }
 HWY_INLINE V select(Mask mask, V yes, V no) { return hn::IfThenElse(mask, yes, no); }
 
-/// W complex numbers in registers.
-struct LaneComplex {
-  V re, im;
+/// What the kernels need to know of R: doubles a real number, and what one lane holds.
+template <class R>
+struct LaneScalar;
+
+template <>
+struct LaneScalar<V> {
+  static constexpr std::size_t kWords = 1;
+  using Real = double;
+  using Number = Complex;
 };
 
-HWY_INLINE LaneComplex load(const double* p) { return {load_real(p), load_real(p + W)}; }
-HWY_INLINE void store(const LaneComplex& a, double* p) {
-  store_real(a.re, p);
-  store_real(a.im, p + W);
+/// W complex numbers in registers.
+template <class R>
+struct LaneComplex {
+  R re, im;
+};
+
+/// W complex numbers in memory.
+template <class R>
+struct LaneCell {
+  static constexpr std::size_t kWords = LaneScalar<R>::kWords;
+  HWY_ALIGN double at[2 * kWords][W];
+};
+
+HWY_INLINE LaneComplex<V> load(const LaneCell<V>& cell) {
+  return {load_real(cell.at[0]), load_real(cell.at[1])};
 }
-HWY_INLINE LaneComplex zero() { return {zeros(), zeros()}; }
-HWY_INLINE LaneComplex operator+(const LaneComplex& a, const LaneComplex& b) {
+HWY_INLINE void store(const LaneComplex<V>& a, LaneCell<V>& cell) {
+  store_real(a.re, cell.at[0]);
+  store_real(a.im, cell.at[1]);
+}
+/// One lane's number.
+inline void put(const Complex& value, std::size_t lane, LaneCell<V>& cell) {
+  cell.at[0][lane] = value.real();
+  cell.at[1][lane] = value.imag();
+}
+inline Complex take(const LaneCell<V>& cell, std::size_t lane) {
+  return {cell.at[0][lane], cell.at[1][lane]};
+}
+/// a in the scalar R.
+template <class R>
+HWY_INLINE R widen(V a);
+template <>
+HWY_INLINE V widen<V>(V a) {
+  return a;
+}
+template <class R>
+HWY_INLINE LaneComplex<R> zero() {
+  return {widen<R>(zeros()), widen<R>(zeros())};
+}
+template <class R>
+HWY_INLINE LaneComplex<R> one() {
+  return {widen<R>(broadcast(1.0)), widen<R>(zeros())};
+}
+template <class R>
+HWY_INLINE LaneComplex<R> operator+(const LaneComplex<R>& a, const LaneComplex<R>& b) {
   return {a.re + b.re, a.im + b.im};
 }
-HWY_INLINE LaneComplex operator-(const LaneComplex& a, const LaneComplex& b) {
+template <class R>
+HWY_INLINE LaneComplex<R> operator-(const LaneComplex<R>& a, const LaneComplex<R>& b) {
   return {a.re - b.re, a.im - b.im};
 }
-HWY_INLINE LaneComplex operator-(const LaneComplex& a) { return {-a.re, -a.im}; }
-HWY_INLINE LaneComplex operator*(const LaneComplex& a, const LaneComplex& b) {
-  return {subtract_multiply(a.im, b.im, a.re * b.re), multiply_add(a.im, b.re, a.re * b.im)};
+template <class R>
+HWY_INLINE LaneComplex<R> operator-(const LaneComplex<R>& a) {
+  return {-a.re, -a.im};
 }
-HWY_INLINE LaneComplex operator*(V a, const LaneComplex& b) { return {a * b.re, a * b.im}; }
-/// sum + a b.
-HWY_INLINE LaneComplex add_product(const LaneComplex& a, const LaneComplex& b,
-                                   const LaneComplex& sum) {
-  return {subtract_multiply(a.im, b.im, multiply_add(a.re, b.re, sum.re)),
-          multiply_add(a.im, b.re, multiply_add(a.re, b.im, sum.im))};
+template <class R>
+HWY_INLINE LaneComplex<R> conj(const LaneComplex<R>& a) {
+  return {a.re, -a.im};
 }
-HWY_INLINE LaneComplex add_product(V a, const LaneComplex& b, const LaneComplex& sum) {
-  return {multiply_add(a, b.re, sum.re), multiply_add(a, b.im, sum.im)};
-}
-/// sum - a b.
-HWY_INLINE LaneComplex subtract_product(const LaneComplex& a, const LaneComplex& b,
-                                        const LaneComplex& sum) {
-  return {multiply_add(a.im, b.im, subtract_multiply(a.re, b.re, sum.re)),
-          subtract_multiply(a.im, b.re, subtract_multiply(a.re, b.im, sum.im))};
-}
-HWY_INLINE LaneComplex conj(const LaneComplex& a) { return {a.re, -a.im}; }
-HWY_INLINE V squared_magnitude(const LaneComplex& a) {
-  return multiply_add(a.re, a.re, a.im * a.im);
-}
-/// 1/a without scaling: overflows where |a|^2 does.
-HWY_INLINE LaneComplex reciprocal(const LaneComplex& a) {
-  const V scale = broadcast(1.0) / squared_magnitude(a);
-  return {a.re * scale, -a.im * scale};
-}
-HWY_INLINE LaneComplex select(Mask mask, const LaneComplex& yes, const LaneComplex& no) {
+template <class R>
+HWY_INLINE LaneComplex<R> select(Mask mask, const LaneComplex<R>& yes, const LaneComplex<R>& no) {
   return {select(mask, yes.re, no.re), select(mask, yes.im, no.im)};
 }
 
+HWY_INLINE LaneComplex<V> operator*(const LaneComplex<V>& a, const LaneComplex<V>& b) {
+  return {subtract_multiply(a.im, b.im, a.re * b.re), multiply_add(a.im, b.re, a.re * b.im)};
+}
+HWY_INLINE LaneComplex<V> operator*(V a, const LaneComplex<V>& b) { return {a * b.re, a * b.im}; }
+/// sum + a b.
+HWY_INLINE LaneComplex<V> add_product(const LaneComplex<V>& a, const LaneComplex<V>& b,
+                                      const LaneComplex<V>& sum) {
+  return {subtract_multiply(a.im, b.im, multiply_add(a.re, b.re, sum.re)),
+          multiply_add(a.im, b.re, multiply_add(a.re, b.im, sum.im))};
+}
+HWY_INLINE LaneComplex<V> add_product(V a, const LaneComplex<V>& b, const LaneComplex<V>& sum) {
+  return {multiply_add(a, b.re, sum.re), multiply_add(a, b.im, sum.im)};
+}
+/// sum - a b.
+HWY_INLINE LaneComplex<V> subtract_product(const LaneComplex<V>& a, const LaneComplex<V>& b,
+                                           const LaneComplex<V>& sum) {
+  return {multiply_add(a.im, b.im, subtract_multiply(a.re, b.re, sum.re)),
+          subtract_multiply(a.im, b.re, subtract_multiply(a.re, b.im, sum.im))};
+}
+HWY_INLINE V squared_magnitude(const LaneComplex<V>& a) {
+  return multiply_add(a.re, a.re, a.im * a.im);
+}
+/// 1/a without scaling: overflows where |a|^2 does.
+HWY_INLINE LaneComplex<V> reciprocal(const LaneComplex<V>& a) {
+  const V scale = broadcast(1.0) / squared_magnitude(a);
+  return {a.re * scale, -a.im * scale};
+}
+
 /// n complex numbers of every lane, in memory.
+template <class R>
 class LaneVector {
  public:
-  explicit LaneVector(std::size_t n) : data_(hwy::AllocateAligned<double>(2 * W * n)) {
-    std::fill_n(data_.get(), 2 * W * n, 0.0);
-  }
-  double* operator[](std::size_t i) { return data_.get() + 2 * W * i; }
-  const double* operator[](std::size_t i) const { return data_.get() + 2 * W * i; }
+  using Number = typename LaneScalar<R>::Number;
 
-  double* data() { return data_.get(); }
-  const double* data() const { return data_.get(); }
+  explicit LaneVector(std::size_t n) : data_(hwy::AllocateAligned<LaneCell<R>>(n)) {
+    std::fill_n(data_.get(), n, LaneCell<R>{});
+  }
+  LaneCell<R>& operator[](std::size_t i) { return data_[i]; }
+  const LaneCell<R>& operator[](std::size_t i) const { return data_[i]; }
 
-  void set(std::size_t i, std::size_t lane, Complex value) {
-    (*this)[i][lane] = value.real();
-    (*this)[i][lane + W] = value.imag();
-  }
-  Complex get(std::size_t i, std::size_t lane) const {
-    return {(*this)[i][lane], (*this)[i][lane + W]};
-  }
+  void set(std::size_t i, std::size_t lane, const Number& value) { put(value, lane, data_[i]); }
+  Number get(std::size_t i, std::size_t lane) const { return take(data_[i], lane); }
 
  private:
-  hwy::AlignedFreeUniquePtr<double[]> data_;
+  hwy::AlignedFreeUniquePtr<LaneCell<R>[]> data_;
 };
 
 }  // namespace HWY_NAMESPACE

@@ -5,7 +5,7 @@
 //   are broadcast: a real one costs half of a complex one, so terms with real and complex coefficients are kept apart.
 //   expand(): H(x + dx s, t + dt s) to first order in s: its value and its derivative along the direction (dx, dt).
 //
-// x: N, H, H_t: n, H_x: n x N into the rows of a LaneLu. Owns its registers, allocates nothing after construction.
+// R: the scalar. x: N, H, H_t: n, H_x: n x N into the rows of a LaneLu. Owns its registers, allocates nothing after construction.
 // Source: [GriewankWalther08, ch. 13] for the truncated series.
 #if defined(MOIVRE_LANE_HOMOTOPY_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef MOIVRE_LANE_HOMOTOPY_INL_H_
@@ -23,106 +23,113 @@ namespace moivre {
 namespace HWY_NAMESPACE {
 
 /// t, 1 - t and dt/ds of every lane.
+template <class R>
 struct LaneTime {
+  using Number = typename LaneScalar<R>::Number;
+
   LaneTime() : values(3) {}
-  LaneComplex t() const { return load(values[0]); }
-  LaneComplex rest() const { return load(values[1]); }
-  LaneComplex dt() const { return load(values[2]); }
-  void set(std::size_t lane, const PathTime& time, Complex dt) {
+  LaneComplex<R> t() const { return load(values[0]); }
+  LaneComplex<R> rest() const { return load(values[1]); }
+  LaneComplex<R> dt() const { return load(values[2]); }
+  void set(std::size_t lane, const Time<Number>& time, Complex dt) {
     values.set(0, lane, time.t);
     values.set(1, lane, time.rest);
     values.set(2, lane, dt);
   }
 
-  LaneVector values;
+  LaneVector<R> values;
 };
 
+template <class R>
 class LaneHomotopy {
  public:
-  explicit LaneHomotopy(const LaneProgram& program)
+  using Program = LaneProgram<typename LaneScalar<R>::Real>;
+
+  explicit LaneHomotopy(const Program& program)
       : program_(program), registers_(program.register_count), slopes_(program.register_count) {}
 
   /// h <- H, rows 0..n-1 of j <- H_x, ht <- H_t.
-  void linearize(const LaneVector& x, const LaneTime& time, LaneVector& h, LaneLu& j,
-                 LaneVector& ht) {
+  void linearize(const LaneVector<R>& x, const LaneTime<R>& time, LaneVector<R>& h, LaneLu<R>& j,
+                 LaneVector<R>& ht) {
     begin(x, program_.products.size());
-    const LaneComplex t = time.t();
-    const LaneComplex rest = time.rest();
+    const LaneComplex<R> t = time.t();
+    const LaneComplex<R> rest = time.rest();
     for (std::size_t i = 0; i < program_.values.size(); ++i) {
-      const LaneComplex f = sum(program_.values[i].f, registers_);
-      const LaneComplex g = sum(program_.values[i].g, registers_);
+      const LaneComplex<R> f = sum(program_.values[i].f, registers_);
+      const LaneComplex<R> g = sum(program_.values[i].g, registers_);
       store(add_product(t, f, rest * g), h[i]);
       store(f - g, ht[i]);
     }
-    for (const LaneProgram::Entry& entry : program_.jacobian) {
-      LaneComplex value = t * sum(entry.blend.f, registers_);
+    for (const typename Program::Entry& entry : program_.jacobian) {
+      LaneComplex<R> value = t * sum(entry.blend.f, registers_);
       if (!entry.blend.g.is_empty()) {
         value = add_product(rest, sum(entry.blend.g, registers_), value);
       }
       store(value, j.at(entry.row, entry.column));
     }
-    for (const LaneProgram::Position& p : program_.zeros) store(zero(), j.at(p.row, p.column));
+    for (const typename Program::Position& p : program_.zeros)
+      store(zero<R>(), j.at(p.row, p.column));
   }
 
   /// h <- H(x, t), slope <- H_x dx + H_t dt.
-  void expand(const LaneVector& x, const LaneVector& dx, const LaneTime& time, LaneVector& h,
-              LaneVector& slope) {
+  void expand(const LaneVector<R>& x, const LaneVector<R>& dx, const LaneTime<R>& time,
+              LaneVector<R>& h, LaneVector<R>& slope) {
     begin(x, program_.value_products);
     begin_slopes(dx);
-    const LaneComplex t = time.t();
-    const LaneComplex rest = time.rest();
-    const LaneComplex dt = time.dt();
+    const LaneComplex<R> t = time.t();
+    const LaneComplex<R> rest = time.rest();
+    const LaneComplex<R> dt = time.dt();
     for (std::size_t i = 0; i < program_.values.size(); ++i) {
-      const LaneProgram::Blend& value = program_.values[i];
-      const LaneComplex f = sum(value.f, registers_);
-      const LaneComplex g = sum(value.g, registers_);
+      const typename Program::Blend& value = program_.values[i];
+      const LaneComplex<R> f = sum(value.f, registers_);
+      const LaneComplex<R> g = sum(value.g, registers_);
       store(add_product(t, f, rest * g), h[i]);
-      const LaneComplex moving = add_product(t, sum(value.f, slopes_), dt * (f - g));
+      const LaneComplex<R> moving = add_product(t, sum(value.f, slopes_), dt * (f - g));
       store(add_product(rest, sum(value.g, slopes_), moving), slope[i]);
     }
   }
 
  private:
-  void begin(const LaneVector& x, std::size_t products) {
+  void begin(const LaneVector<R>& x, std::size_t products) {
     const std::size_t n = program_.variables;
     for (std::size_t i = 0; i < n; ++i) store(load(x[i]), registers_[i]);
-    store({broadcast(1.0), zeros()}, registers_[n]);
-    double* next = registers_[n + 1];
-    for (std::size_t k = 0; k < products; ++k, next += 2 * W) {
+    store(one<R>(), registers_[n]);
+    LaneCell<R>* next = &registers_[n + 1];
+    for (std::size_t k = 0; k < products; ++k, ++next) {
       const Tape::Product& p = program_.products[k];
-      store(load(registers_[p.a]) * load(registers_[p.b]), next);
+      store(load(registers_[p.a]) * load(registers_[p.b]), *next);
     }
   }
 
-  void begin_slopes(const LaneVector& dx) {
+  void begin_slopes(const LaneVector<R>& dx) {
     const std::size_t n = program_.variables;
     for (std::size_t i = 0; i < n; ++i) store(load(dx[i]), slopes_[i]);
-    store(zero(), slopes_[n]);
-    double* next = slopes_[n + 1];
-    for (std::size_t k = 0; k < program_.value_products; ++k, next += 2 * W) {
+    store(zero<R>(), slopes_[n]);
+    LaneCell<R>* next = &slopes_[n + 1];
+    for (std::size_t k = 0; k < program_.value_products; ++k, ++next) {
       const Tape::Product& p = program_.products[k];
-      const LaneComplex left = load(slopes_[p.a]) * load(registers_[p.b]);
-      store(add_product(load(registers_[p.a]), load(slopes_[p.b]), left), next);
+      const LaneComplex<R> left = load(slopes_[p.a]) * load(registers_[p.b]);
+      store(add_product(load(registers_[p.a]), load(slopes_[p.b]), left), *next);
     }
   }
 
-  LaneComplex sum(const LaneProgram::Sum& terms, const LaneVector& r) const {
-    LaneComplex total = zero();
+  LaneComplex<R> sum(const typename Program::Sum& terms, const LaneVector<R>& r) const {
+    LaneComplex<R> total = zero<R>();
     for (std::uint32_t k = terms.real_begin; k < terms.real_end; ++k) {
-      const LaneProgram::RealTerm& term = program_.real_terms[k];
+      const typename Program::RealTerm& term = program_.real_terms[k];
       total = add_product(broadcast(term.c), load(r[term.monomial]), total);
     }
     for (std::uint32_t k = terms.complex_begin; k < terms.complex_end; ++k) {
-      const LaneProgram::ComplexTerm& term = program_.complex_terms[k];
-      const LaneComplex c{broadcast(term.re), broadcast(term.im)};
+      const typename Program::ComplexTerm& term = program_.complex_terms[k];
+      const LaneComplex<R> c{broadcast(term.re), broadcast(term.im)};
       total = add_product(c, load(r[term.monomial]), total);
     }
     return total;
   }
 
-  const LaneProgram& program_;
-  LaneVector registers_;
-  LaneVector slopes_;  // of the registers along the direction
+  const Program& program_;
+  LaneVector<R> registers_;
+  LaneVector<R> slopes_;  // of the registers along the direction
 };
 
 }  // namespace HWY_NAMESPACE

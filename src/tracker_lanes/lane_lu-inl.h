@@ -28,6 +28,7 @@ namespace HWY_NAMESPACE {
 /// |pivot| over the column's largest: below it rows are exchanged.
 inline constexpr double kPivotThreshold = 0.1;
 
+template <class R>
 class LaneLu {
  public:
   explicit LaneLu(std::size_t n)
@@ -36,13 +37,13 @@ class LaneLu {
   }
 
   /// Entry (i, j) of J; columns n and n + 1 are the appended right-hand sides.
-  double* at(std::size_t i, std::size_t j) { return a_[i * columns_ + j]; }
+  LaneCell<R>& at(std::size_t i, std::size_t j) { return a_[i * columns_ + j]; }
 
   void factor() {
     exchanges_.clear();
     for (std::size_t k = 0; k < n_; ++k) {
       exchange_rows(k);
-      const LaneComplex inverse = reciprocal(load(at(k, k)));
+      const LaneComplex<R> inverse = reciprocal(load(at(k, k)));
       store(inverse, reciprocal_[k]);
       std::size_t i = k + 1;
       for (; i + 1 < n_; i += 2) eliminate_two(k, i, inverse);
@@ -51,7 +52,7 @@ class LaneLu {
   }
 
   /// x, y <- J^{-1} b for the two appended right-hand sides.
-  void solve_appended(LaneVector& x, LaneVector& y) {
+  void solve_appended(LaneVector<R>& x, LaneVector<R>& y) {
     for (std::size_t k = 0; k < n_; ++k) {
       store(load(at(k, n_)), x[k]);
       store(load(at(k, n_ + 1)), y[k]);
@@ -60,17 +61,17 @@ class LaneLu {
   }
 
   /// b <- J^{-1} b and c <- J^{-1} c.
-  void solve(LaneVector& b, LaneVector& c) {
+  void solve(LaneVector<R>& b, LaneVector<R>& c) {
     auto next = exchanges_.begin();
     for (std::size_t k = 0; k < n_; ++k) {
       for (; next != exchanges_.end() && next->upper == k; ++next) {
         exchange(*next, b);
         exchange(*next, c);
       }
-      const LaneComplex bk = load(b[k]);
-      const LaneComplex ck = load(c[k]);
+      const LaneComplex<R> bk = load(b[k]);
+      const LaneComplex<R> ck = load(c[k]);
       for (std::size_t i = k + 1; i < n_; ++i) {
-        const LaneComplex l = load(at(i, k));
+        const LaneComplex<R> l = load(at(i, k));
         store(subtract_product(l, bk, load(b[i])), b[i]);
         store(subtract_product(l, ck, load(c[i])), c[i]);
       }
@@ -84,27 +85,27 @@ class LaneLu {
   };
 
   // Takes row k's multiple from row i; two rows at once read row k once.
-  void eliminate(std::size_t k, std::size_t i, const LaneComplex& inverse) {
-    const LaneComplex l = load(at(i, k)) * inverse;
+  void eliminate(std::size_t k, std::size_t i, const LaneComplex<R>& inverse) {
+    const LaneComplex<R> l = load(at(i, k)) * inverse;
     store(l, at(i, k));
-    const double* u = at(k, k + 1);
-    double* row = at(i, k + 1);
-    for (std::size_t j = k + 1; j < columns_; ++j, u += 2 * W, row += 2 * W) {
-      store(subtract_product(l, load(u), load(row)), row);
+    const LaneCell<R>* u = &at(k, k + 1);
+    LaneCell<R>* row = &at(i, k + 1);
+    for (std::size_t j = k + 1; j < columns_; ++j, ++u, ++row) {
+      store(subtract_product(l, load(*u), load(*row)), *row);
     }
   }
-  void eliminate_two(std::size_t k, std::size_t i, const LaneComplex& inverse) {
-    const LaneComplex l0 = load(at(i, k)) * inverse;
-    const LaneComplex l1 = load(at(i + 1, k)) * inverse;
+  void eliminate_two(std::size_t k, std::size_t i, const LaneComplex<R>& inverse) {
+    const LaneComplex<R> l0 = load(at(i, k)) * inverse;
+    const LaneComplex<R> l1 = load(at(i + 1, k)) * inverse;
     store(l0, at(i, k));
     store(l1, at(i + 1, k));
-    const double* u = at(k, k + 1);
-    double* row0 = at(i, k + 1);
-    double* row1 = at(i + 1, k + 1);
-    for (std::size_t j = k + 1; j < columns_; ++j, u += 2 * W, row0 += 2 * W, row1 += 2 * W) {
-      const LaneComplex uj = load(u);
-      store(subtract_product(l0, uj, load(row0)), row0);
-      store(subtract_product(l1, uj, load(row1)), row1);
+    const LaneCell<R>* u = &at(k, k + 1);
+    LaneCell<R>* row0 = &at(i, k + 1);
+    LaneCell<R>* row1 = &at(i + 1, k + 1);
+    for (std::size_t j = k + 1; j < columns_; ++j, ++u, ++row0, ++row1) {
+      const LaneComplex<R> uj = load(*u);
+      store(subtract_product(l0, uj, load(*row0)), *row0);
+      store(subtract_product(l1, uj, load(*row1)), *row1);
     }
   }
 
@@ -130,35 +131,35 @@ class LaneLu {
   void exchange(std::size_t k, std::size_t i, Mask mask) {
     const auto slot = static_cast<std::uint32_t>(exchanges_.size());
     exchanges_.push_back({static_cast<std::uint32_t>(k), static_cast<std::uint32_t>(i), slot});
-    store_real(select(mask, broadcast(1.0), zeros()), masks_[slot]);
-    double* upper = at(k, k);
-    double* lower = at(i, k);
-    for (std::size_t j = 2 * k; j < 2 * columns_; ++j, upper += W, lower += W) {
-      const V a = load_real(upper);
-      const V b = load_real(lower);
-      store_real(select(mask, b, a), upper);
-      store_real(select(mask, a, b), lower);
+    store_real(select(mask, broadcast(1.0), zeros()), masks_[slot].at[0]);
+    LaneCell<R>* upper = &at(k, k);
+    LaneCell<R>* lower = &at(i, k);
+    for (std::size_t j = k; j < columns_; ++j, ++upper, ++lower) {
+      const LaneComplex<R> a = load(*upper);
+      const LaneComplex<R> b = load(*lower);
+      store(select(mask, b, a), *upper);
+      store(select(mask, a, b), *lower);
     }
   }
 
-  void exchange(const Exchange& e, LaneVector& b) const {
-    const Mask mask = load_real(masks_[e.mask]) > zeros();
-    const LaneComplex upper = load(b[e.upper]);
-    const LaneComplex lower = load(b[e.lower]);
+  void exchange(const Exchange& e, LaneVector<R>& b) const {
+    const Mask mask = load_real(masks_[e.mask].at[0]) > zeros();
+    const LaneComplex<R> upper = load(b[e.upper]);
+    const LaneComplex<R> lower = load(b[e.lower]);
     store(select(mask, lower, upper), b[e.upper]);
     store(select(mask, upper, lower), b[e.lower]);
   }
 
-  void substitute_back(LaneVector& b, LaneVector& c) {
+  void substitute_back(LaneVector<R>& b, LaneVector<R>& c) {
     for (std::size_t k = n_; k-- > 0;) {
-      LaneComplex bk = load(b[k]);
-      LaneComplex ck = load(c[k]);
+      LaneComplex<R> bk = load(b[k]);
+      LaneComplex<R> ck = load(c[k]);
       for (std::size_t j = n_; --j > k;) {
-        const LaneComplex u = load(at(k, j));
+        const LaneComplex<R> u = load(at(k, j));
         bk = subtract_product(u, load(b[j]), bk);
         ck = subtract_product(u, load(c[j]), ck);
       }
-      const LaneComplex inverse = load(reciprocal_[k]);
+      const LaneComplex<R> inverse = load(reciprocal_[k]);
       store(bk * inverse, b[k]);
       store(ck * inverse, c[k]);
     }
@@ -166,9 +167,9 @@ class LaneLu {
 
   std::size_t n_;
   std::size_t columns_;
-  LaneVector a_;                     // n x (n + 2), L below the diagonal (unit), U on and above
-  LaneVector reciprocal_;            // 1/U_kk
-  LaneVector masks_;                 // of the exchanges made
+  LaneVector<R> a_;                  // n x (n + 2), L below the diagonal (unit), U on and above
+  LaneVector<R> reciprocal_;         // 1/U_kk
+  LaneVector<V> masks_;              // of the exchanges made
   std::vector<Exchange> exchanges_;  // in their order
 };
 

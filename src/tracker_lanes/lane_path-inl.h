@@ -24,31 +24,34 @@ namespace HWY_NAMESPACE {
 /// |a| |x| above which a patch is renewed: 1 where a was taken.
 inline constexpr double kPatchReach = 1.2;
 
+template <class R>
 class LanePath {
  public:
+  using Number = typename LaneScalar<R>::Number;
+
   explicit LanePath(std::size_t coordinates)
       : n_(coordinates), patch_(coordinates), nodes_{Node(n_), Node(n_), Node(n_)}, gaps_(1) {}
 
-  const LaneVector& patch() const { return patch_; }
+  const LaneVector<R>& patch() const { return patch_; }
   /// The last point and its tangent.
-  LaneVector& x() { return nodes_[0].x; }
-  LaneVector& tangent() { return nodes_[0].dx; }
+  LaneVector<R>& x() { return nodes_[0].x; }
+  LaneVector<R>& tangent() { return nodes_[0].dx; }
 
   /// Sets a lane's point, of norm 1, before its departure.
-  void place(std::size_t lane, std::span<const Complex> x) {
+  void place(std::size_t lane, std::span<const Number> x) {
     for (std::size_t i = 0; i < n_; ++i) {
-      patch_.set(i, lane, std::conj(x[i]));
+      patch_.set(i, lane, conj(x[i]));
       for (Node& node : nodes_) {
         node.x.set(i, lane, x[i]);
-        node.dx.set(i, lane, 0);
+        node.dx.set(i, lane, Number(0.0));
       }
     }
     gaps_.set(0, lane, Complex(1, 2));
   }
 
   /// predicted <- x(s + h).
-  void predict(V h, LaneVector& predicted) const {
-    const LaneComplex g = load(gaps_[0]);
+  void predict(V h, LaneVector<R>& predicted) const {
+    const LaneComplex<V> g = load(gaps_[0]);
     const V one = broadcast(1.0);
     const V between = g.im - g.re;
     const V after1 = h + g.re;
@@ -63,7 +66,7 @@ class LanePath {
     const Weights w1 = weights(l1, rb - r1, after1);
     const Weights w2 = weights(l2, -(r2 + rb), after2);
     for (std::size_t i = 0; i < n_; ++i) {
-      LaneComplex x = w0.a * load(nodes_[0].x[i]);
+      LaneComplex<R> x = w0.a * load(nodes_[0].x[i]);
       x = add_product(w0.b, load(nodes_[0].dx[i]), x);
       x = add_product(w1.a, load(nodes_[1].x[i]), x);
       x = add_product(w1.b, load(nodes_[1].dx[i]), x);
@@ -74,28 +77,28 @@ class LanePath {
   }
 
   /// Where `stepped`, nodes move up after a step h; where `replaced` as well, the last node becomes (x, dx).
-  void advance(Mask stepped, Mask replaced, V h, const LaneVector& x, const LaneVector& dx) {
+  void advance(Mask stepped, Mask replaced, V h, const LaneVector<R>& x, const LaneVector<R>& dx) {
     for (std::size_t i = 0; i < n_; ++i) {
       advance_entry(stepped, replaced, load(x[i]), nodes_[0].x[i], nodes_[1].x[i], nodes_[2].x[i]);
       advance_entry(stepped, replaced, load(dx[i]), nodes_[0].dx[i], nodes_[1].dx[i],
                     nodes_[2].dx[i]);
     }
-    const LaneComplex g = load(gaps_[0]);
-    store(select(stepped, {h, g.re + h}, g), gaps_[0]);
+    const LaneComplex<V> g = load(gaps_[0]);
+    store(select(stepped, LaneComplex<V>{h, g.re + h}, g), gaps_[0]);
   }
 
   /// Where `mask`, lays the past back along the tangent, a step h and two of them.
   void forget(Mask mask, V h) {
     const V two_h = h + h;
     for (std::size_t i = 0; i < n_; ++i) {
-      const LaneComplex x = load(nodes_[0].x[i]);
-      const LaneComplex dx = load(nodes_[0].dx[i]);
+      const LaneComplex<R> x = load(nodes_[0].x[i]);
+      const LaneComplex<R> dx = load(nodes_[0].dx[i]);
       store(select(mask, x - h * dx, load(nodes_[1].x[i])), nodes_[1].x[i]);
       store(select(mask, x - two_h * dx, load(nodes_[2].x[i])), nodes_[2].x[i]);
       store(select(mask, dx, load(nodes_[1].dx[i])), nodes_[1].dx[i]);
       store(select(mask, dx, load(nodes_[2].dx[i])), nodes_[2].dx[i]);
     }
-    store(select(mask, {h, two_h}, load(gaps_[0])), gaps_[0]);
+    store(select(mask, LaneComplex<V>{h, two_h}, load(gaps_[0])), gaps_[0]);
   }
 
   /// Renews the patch in the lanes that have left its reach.
@@ -110,15 +113,15 @@ class LanePath {
     if (is_nowhere(far)) return;
     const V scale = broadcast(1.0) / square_root(size);
     for (std::size_t i = 0; i < n_; ++i) {
-      const LaneComplex own = conj(scale * load(nodes_[0].x[i]));
+      const LaneComplex<R> own = conj(scale * load(nodes_[0].x[i]));
       store(select(far, own, load(patch_[i])), patch_[i]);
     }
     for (Node& node : nodes_) into_patch(far, node);
   }
 
   /// 1 - a x, how far x is off the patch.
-  LaneComplex distance(const LaneVector& x) const {
-    LaneComplex result{broadcast(1.0), zeros()};
+  LaneComplex<R> distance(const LaneVector<R>& x) const {
+    LaneComplex<R> result = one<R>();
     for (std::size_t i = 0; i < n_; ++i) {
       result = subtract_product(load(patch_[i]), load(x[i]), result);
     }
@@ -128,8 +131,8 @@ class LanePath {
  private:
   struct Node {
     explicit Node(std::size_t n) : x(n), dx(n) {}
-    LaneVector x;
-    LaneVector dx;
+    LaneVector<R> x;
+    LaneVector<R> dx;
   };
   struct Weights {
     V a, b;
@@ -141,10 +144,10 @@ class LanePath {
     return {factor * squared, distance * squared};
   }
 
-  static void advance_entry(Mask stepped, Mask replaced, const LaneComplex& value, double* node0,
-                            double* node1, double* node2) {
-    const LaneComplex newest = load(node0);
-    const LaneComplex middle = load(node1);
+  static void advance_entry(Mask stepped, Mask replaced, const LaneComplex<R>& value,
+                            LaneCell<R>& node0, LaneCell<R>& node1, LaneCell<R>& node2) {
+    const LaneComplex<R> newest = load(node0);
+    const LaneComplex<R> middle = load(node1);
     store(select(stepped, middle, load(node2)), node2);
     store(select(stepped, newest, middle), node1);
     store(select(replaced, value, newest), node0);
@@ -152,26 +155,26 @@ class LanePath {
 
   // x / (a x) and its derivative.
   void into_patch(Mask mask, Node& node) {
-    LaneComplex ax = zero();
-    LaneComplex adx = zero();
+    LaneComplex<R> ax = zero<R>();
+    LaneComplex<R> adx = zero<R>();
     for (std::size_t i = 0; i < n_; ++i) {
-      const LaneComplex a = load(patch_[i]);
+      const LaneComplex<R> a = load(patch_[i]);
       ax = add_product(a, load(node.x[i]), ax);
       adx = add_product(a, load(node.dx[i]), adx);
     }
-    const LaneComplex scale = reciprocal(ax);
+    const LaneComplex<R> scale = reciprocal(ax);
     for (std::size_t i = 0; i < n_; ++i) {
-      const LaneComplex x = scale * load(node.x[i]);
-      const LaneComplex dx = scale * subtract_product(x, adx, load(node.dx[i]));
+      const LaneComplex<R> x = scale * load(node.x[i]);
+      const LaneComplex<R> dx = scale * subtract_product(x, adx, load(node.dx[i]));
       store(select(mask, x, load(node.x[i])), node.x[i]);
       store(select(mask, dx, load(node.dx[i])), node.dx[i]);
     }
   }
 
   std::size_t n_;
-  LaneVector patch_;
+  LaneVector<R> patch_;
   Node nodes_[3];
-  LaneVector gaps_;  // g_1 and g_2 in the place of real and imaginary part
+  LaneVector<V> gaps_;  // g_1 and g_2 in the place of real and imaginary part
 };
 
 }  // namespace HWY_NAMESPACE

@@ -8,6 +8,11 @@
 namespace moivre {
 namespace {
 
+template <class Real>
+struct Rounded {
+  Real re, im;
+};
+
 System both_sides(const Homotopy& homotopy) {
   System both = homotopy.target().system;
   const auto& start = homotopy.start().system.polynomials;
@@ -15,15 +20,24 @@ System both_sides(const Homotopy& homotopy) {
   return both;
 }
 
+Rounded<double> round(const Coefficient& c, double) { return {to_double(c.re), to_double(c.im)}; }
+Rounded<DoubleDouble> round(const Coefficient& c, DoubleDouble) {
+  return {to_double_double(c.re), to_double_double(c.im)};
+}
+bool is_zero(double a) { return a == 0; }
+bool is_zero(const DoubleDouble& a) { return a.hi == 0; }
+
+template <class Real>
 class Writer {
  public:
   explicit Writer(const Homotopy& homotopy)
       : n_(static_cast<std::uint32_t>(homotopy.equations())),
         system_(both_sides(homotopy)),
         tape_(make_tape(system_)),
-        c_(complex_coefficients(tape_, system_)) {}
+        c_(round_coefficients<Rounded<Real>>(
+            tape_, system_, [](const Coefficient& c) { return round(c, Real()); })) {}
 
-  LaneProgram write() {
+  LaneProgram<Real> write() {
     program_.variables = tape_.variables;
     program_.register_count = static_cast<std::uint32_t>(tape_.register_count());
     program_.products = tape_.products;
@@ -36,17 +50,18 @@ class Writer {
   }
 
  private:
-  LaneProgram::Sum sum(const std::vector<Tape::Summand>& summands, std::uint32_t begin,
-                       std::uint32_t end) {
-    LaneProgram::Sum result;
+  using Sum = typename LaneProgram<Real>::Sum;
+
+  Sum sum(const std::vector<Tape::Summand>& summands, std::uint32_t begin, std::uint32_t end) {
+    Sum result;
     result.real_begin = static_cast<std::uint32_t>(program_.real_terms.size());
     result.complex_begin = static_cast<std::uint32_t>(program_.complex_terms.size());
     for (std::uint32_t k = begin; k < end; ++k) {
-      const Complex c = c_[summands[k].coefficient];
-      if (c.imag() == 0) {
-        program_.real_terms.push_back({c.real(), summands[k].monomial});
+      const Rounded<Real>& c = c_[summands[k].coefficient];
+      if (is_zero(c.im)) {
+        program_.real_terms.push_back({c.re, summands[k].monomial});
       } else {
-        program_.complex_terms.push_back({c.real(), c.imag(), summands[k].monomial});
+        program_.complex_terms.push_back({c.re, c.im, summands[k].monomial});
       }
     }
     result.real_end = static_cast<std::uint32_t>(program_.real_terms.size());
@@ -54,7 +69,7 @@ class Writer {
     return result;
   }
 
-  LaneProgram::Sum value_sum(std::uint32_t i) {
+  Sum value_sum(std::uint32_t i) {
     return sum(tape_.value_summands, tape_.value_begin[i], tape_.value_begin[i + 1]);
   }
 
@@ -76,27 +91,31 @@ class Writer {
           program_.zeros.push_back({i, j});
           continue;
         }
-        const LaneProgram::Sum f = entry_sum(found->second.first);
-        const LaneProgram::Sum g = entry_sum(found->second.second);
+        const Sum f = entry_sum(found->second.first);
+        const Sum g = entry_sum(found->second.second);
         program_.jacobian.push_back({i, j, {f, g}});
       }
     }
   }
 
-  LaneProgram::Sum entry_sum(const Tape::Entry* entry) {
-    return entry == nullptr ? LaneProgram::Sum{}
-                            : sum(tape_.jacobian_summands, entry->begin, entry->end);
+  Sum entry_sum(const Tape::Entry* entry) {
+    return entry == nullptr ? Sum{} : sum(tape_.jacobian_summands, entry->begin, entry->end);
   }
 
   std::uint32_t n_;
   System system_;
   Tape tape_;
-  std::vector<Complex> c_;
-  LaneProgram program_;
+  std::vector<Rounded<Real>> c_;
+  LaneProgram<Real> program_;
 };
 
 }  // namespace
 
-LaneProgram make_lane_program(const Homotopy& homotopy) { return Writer(homotopy).write(); }
+template <class Real>
+LaneProgram<Real> make_lane_program(const Homotopy& homotopy) {
+  return Writer<Real>(homotopy).write();
+}
+template LaneProgram<double> make_lane_program(const Homotopy&);
+template LaneProgram<DoubleDouble> make_lane_program(const Homotopy&);
 
 }  // namespace moivre

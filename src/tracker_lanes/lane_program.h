@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What does a lane interpreter run? The tapes of F and G as one, coefficients rounded, written out in the order of use.
 //
+//   Real: what coefficients are rounded to, double or DoubleDouble
 //   products: as in polynomial/tape.h, shared by F and G
 //   values: H_i from F_i and G_i;  jacobian: H_ij likewise, where not structurally zero;  zeros: the others
 #pragma once
@@ -12,13 +13,14 @@
 
 namespace moivre {
 
+template <class Real>
 struct LaneProgram {
   struct RealTerm {
-    double c;
+    Real c;
     std::uint32_t monomial;
   };
   struct ComplexTerm {
-    double re, im;
+    Real re, im;
     std::uint32_t monomial;
   };
   /// A sum of terms c r_m.
@@ -50,6 +52,8 @@ struct LaneProgram {
   std::vector<Position> zeros;
 };
 
-LaneProgram make_lane_program(const Homotopy& homotopy);
+/// For double and DoubleDouble.
+template <class Real>
+LaneProgram<Real> make_lane_program(const Homotopy& homotopy);
 
 }  // namespace moivre

@@ -26,7 +26,7 @@ class LaneSession : public TrackerSession {
  public:
   LaneSession(const LaneOptions& options, const Homotopy& homotopy)
       : options_(options),
-        program_(make_lane_program(homotopy)),
+        program_(make_lane_program<double>(homotopy)),
         scalar_(homotopy),
         path_(scalar_.coordinates()),
         step_(program_),
@@ -146,11 +146,11 @@ class LaneSession : public TrackerSession {
   }
 
   LaneOptions options_;
-  LaneProgram program_;
+  LaneProgram<double> program_;
   PathSystem scalar_;  // for watchers and rescues
-  LanePath path_;
-  LaneStep step_;
-  LaneTime time_;
+  LanePath<V> path_;
+  LaneStep<V> step_;
+  LaneTime<V> time_;
   LaneReals h_;
   LaneReals back_;
   LaneReals stepped_;

@@ -28,9 +28,12 @@ struct LaneReals {
   V value() const { return load_real(at); }
 };
 
+template <class R>
 class LaneStep {
  public:
-  explicit LaneStep(const LaneProgram& program)
+  using Number = typename LaneScalar<R>::Number;
+
+  explicit LaneStep(const typename LaneHomotopy<R>::Program& program)
       : n_(program.values.size()),
         homotopy_(program),
         lu_(n_ + 1),
@@ -41,8 +44,8 @@ class LaneStep {
         tangent(n_ + 1) {}
 
   /// Takes every lane of `path` a step h ahead, to the times given. Results are the members below; `path` is not changed.
-  void take(const LanePath& path, const LaneReals& h, const LaneTime& time) {
-    LaneVector& x = corrected;
+  void take(const LanePath<R>& path, const LaneReals& h, const LaneTime<R>& time) {
+    LaneVector<R>& x = corrected;
     path.predict(h.value(), x);
     homotopy_.linearize(x, time, h_, lu_, ht_);
     measure_residual();
@@ -62,32 +65,32 @@ class LaneStep {
   }
 
   /// Puts x, its scale its own, and its tangent in the place of a lane's results.
-  void replace(std::size_t lane, const LaneVector& patch, std::span<const Complex> x,
-               std::span<const Complex> dx) {
-    Complex ax = 0;
-    Complex adx = 0;
+  void replace(std::size_t lane, const LaneVector<R>& patch, std::span<const Number> x,
+               std::span<const Number> dx) {
+    Number ax(0.0);
+    Number adx(0.0);
     for (std::size_t i = 0; i <= n_; ++i) {
       ax += product(patch.get(i, lane), x[i]);
       adx += product(patch.get(i, lane), dx[i]);
     }
-    const Complex scale = moivre::reciprocal(ax);
+    const Number scale = moivre::reciprocal(ax);
     for (std::size_t i = 0; i <= n_; ++i) {
-      const Complex xi = product(scale, x[i]);
+      const Number xi = product(scale, x[i]);
       corrected.set(i, lane, xi);
       tangent.set(i, lane, product(scale, dx[i] - product(xi, adx)));
     }
   }
 
  private:
-  void append_patch(const LanePath& path, const LaneTime& time) {
-    const LaneComplex dt = time.dt();
+  void append_patch(const LanePath<R>& path, const LaneTime<R>& time) {
+    const LaneComplex<R> dt = time.dt();
     for (std::size_t i = 0; i < n_; ++i) {
       store(-load(h_[i]), lu_.at(i, n_ + 1));
       store(-(dt * load(ht_[i])), lu_.at(i, n_ + 2));
     }
     for (std::size_t j = 0; j <= n_; ++j) store(load(path.patch()[j]), lu_.at(n_, j));
     store(path.distance(corrected), lu_.at(n_, n_ + 1));
-    store(zero(), lu_.at(n_, n_ + 2));
+    store(zero<R>(), lu_.at(n_, n_ + 2));
   }
 
   void measure_residual() {
@@ -99,7 +102,7 @@ class LaneStep {
   }
 
   // 1 / w_i^2.
-  void find_weights(const LaneVector& x) {
+  void find_weights(const LaneVector<R>& x) {
     V largest = zeros();
     for (std::size_t i = 0; i <= n_; ++i) {
       largest = larger(largest, squared_magnitude(load(x[i])));
@@ -107,16 +110,16 @@ class LaneStep {
     const V floor = largest * broadcast(kRelativeFloor * kRelativeFloor);
     for (std::size_t i = 0; i <= n_; ++i) {
       const V squared = larger(squared_magnitude(load(x[i])), floor);
-      store_real(broadcast(1.0) / squared, weights_[i]);
+      store_real(broadcast(1.0) / squared, weights_[i].at[0]);
     }
   }
 
   // A sum tells a NaN that a maximum might drop.
-  V weighted(const LaneVector& dx) const {
+  V weighted(const LaneVector<R>& dx) const {
     V largest = zeros();
     V sum = zeros();
     for (std::size_t i = 0; i <= n_; ++i) {
-      const V squared = squared_magnitude(load(dx[i])) * load_real(weights_[i]);
+      const V squared = squared_magnitude(load(dx[i])) * load_real(weights_[i].at[0]);
       largest = larger(largest, squared);
       sum = sum + squared;
     }
@@ -124,27 +127,27 @@ class LaneStep {
     return select(finite, square_root(largest), sum);
   }
 
-  void add(const LaneVector& dx, LaneVector& x) const {
+  void add(const LaneVector<R>& dx, LaneVector<R>& x) const {
     for (std::size_t i = 0; i <= n_; ++i) store(load(x[i]) + load(dx[i]), x[i]);
   }
-  void negate(LaneVector& b) const {
+  void negate(LaneVector<R>& b) const {
     for (std::size_t i = 0; i < n_; ++i) store(-load(b[i]), b[i]);
-    store(zero(), b[n_]);
+    store(zero<R>(), b[n_]);
   }
 
   std::size_t n_;
-  LaneHomotopy homotopy_;
-  LaneLu lu_;
-  LaneVector h_;
-  LaneVector ht_;
-  LaneVector weights_;
+  LaneHomotopy<R> homotopy_;
+  LaneLu<R> lu_;
+  LaneVector<R> h_;
+  LaneVector<R> ht_;
+  LaneVector<V> weights_;
 
  public:
-  LaneVector corrected;  ///< x_2
-  LaneVector tangent;    ///< x'
-  LaneReals first;       ///< |dx_1|_w
-  LaneReals second;      ///< |dx_2|_w
-  LaneReals residual;    ///< max_i |H_i(x_p)|
+  LaneVector<R> corrected;  ///< x_2
+  LaneVector<R> tangent;    ///< x'
+  LaneReals first;          ///< |dx_1|_w
+  LaneReals second;         ///< |dx_2|_w
+  LaneReals residual;       ///< max_i |H_i(x_p)|
 };
 
 }  // namespace HWY_NAMESPACE
