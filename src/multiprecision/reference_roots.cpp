@@ -147,6 +147,15 @@ class Climb {
   ReferenceRoot root_;
 };
 
+/// MPFR keeps constants and free limbs for each thread; they go with the thread that asked for them.
+class MpfrCaches {
+ public:
+  MpfrCaches() = default;
+  MpfrCaches(const MpfrCaches&) = delete;
+  MpfrCaches& operator=(const MpfrCaches&) = delete;
+  ~MpfrCaches() { mpfr_free_cache2(MPFR_FREE_LOCAL_CACHE); }
+};
+
 void require_usable(const System& f, const std::vector<Point>& approximations, int digits) {
   const std::size_t n = f.variables.size();
   if (digits < 1 || digits > kMostDigits) {
@@ -177,6 +186,7 @@ std::vector<ReferenceRoot> reference_roots(const System& f,
   const auto workers = std::clamp<std::size_t>(static_cast<std::size_t>(std::max(threads, 1)), 1,
                                                std::max<std::size_t>(roots.size(), 1));
   const auto work = [&](std::size_t first) {
+    const MpfrCaches caches;
     Climb climb(f, tape, norms, digits);
     for (std::size_t k = first; k < roots.size(); k += workers) {
       roots[k] = climb.from(approximations[k]);
