@@ -174,6 +174,7 @@ Watcher::Verdict Endgame::watch(const StepRecord& step, PathSystem& path) noexce
 }
 
 bool Endgame::may_diverge() const {
+  if (sights_.empty()) return false;  // stopped before anything was seen
   return sights_.back().least < -kLeastValuation || sights_.back().size > kDivergedSize;
 }
 

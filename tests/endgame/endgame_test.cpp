@@ -83,6 +83,23 @@ class Paths {
     return endgame.end();
   }
 
+  /// The tracker has left the path, and shows a point without an inverse of H_x as the first it sees near t = 1.
+  std::optional<Departure> stop_at_first_sight() const {
+    PathSystem scratch(homotopy_);
+    Endgame endgame({}, 0, 0);
+    endgame.depart(start_point(start_, 0));
+    const Point nowhere(f_.variables.size() + 1, 0.0);
+    Arrival stopped;
+    stopped.t = Contour::segment(0, 1).at(0.99);
+    stopped.x = nowhere;
+    StepRecord step;
+    step.t = stopped.t;
+    step.x = nowhere;
+    if (endgame.watch(step, scratch) != Watcher::Verdict::stop) return std::nullopt;
+    stopped.journey = Journey::stopped;
+    return endgame.accept(std::move(stopped), scratch);
+  }
+
   std::vector<Followed> follow_all() const {
     std::vector<Followed> all;
     for (std::uint64_t path = 0; path < count(); ++path) all.push_back(follow_path(path));
@@ -124,6 +141,13 @@ std::vector<const Followed*> ending_at(const std::vector<Followed>& all, const P
 int count_of(const std::vector<Followed>& all, PathStatus status) {
   return static_cast<int>(std::count_if(
       all.begin(), all.end(), [&](const Followed& path) { return path.end.status == status; }));
+}
+
+TEST(Endgame, CirclesWhereATrackerThatLeftItsPathIsStoppedBeforeAnythingWasSeen) {
+  const std::optional<Departure> next =
+      Paths("2\n x^2 + y^2 - 5;\n x*y - 2;\n", 1).stop_at_first_sight();
+  ASSERT_TRUE(next);
+  EXPECT_GT(next->samples, 0);
 }
 
 TEST(Endgame, IsLeftOutOnRegularEnds) {
