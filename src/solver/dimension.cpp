@@ -1,115 +1,228 @@
 // SPDX-License-Identifier: MIT
-// The moved slice and Gauss-Newton on it.
+// Planes across the null space, Gauss-Newton on them when moved, and the way back to x.
 #include "dimension.h"
 
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "moivre/numeric/double_double.h"
 #include "moivre/numeric/random.h"
 #include "moivre/polynomial/tape.h"
 
 namespace moivre {
-namespace {
 
-constexpr double kSliceStep = 0.1;
-constexpr double kOnTheSet = 1e-14;
-// A root found further away than this many steps is not the neighbour that is looked for.
-constexpr double kNeighbourhood = 8;
-constexpr int kMaximumIterations = 60;
-// A set nearly parallel to one plane has its neighbour too far away, and beside a root of multiplicity 8 the residual on
-// one plane may be rounding: three of five decide.
-constexpr int kSlices = 5;
-constexpr int kAgreeing = 3;
-
-/// F with its rows scaled by the sizes of their terms at x, and its Jacobian. Coordinates below `floor` count as of
-/// that size: where one vanishes on the set, the terms would vanish with the values.
-class ScaledSystem {
- public:
-  ScaledSystem(const System& f, double floor)
-      : floor_(floor),
-        tape_(make_tape(f)),
-        c_(complex_coefficients(tape_, f)),
-        registers_(tape_.register_count()),
-        size_registers_(tape_.register_count()),
-        value_(tape_.equations),
-        jacobian_(tape_.jacobian.size()),
-        size_(tape_.equations) {
-    for (const Complex& ck : c_) magnitude_.push_back(std::abs(ck));
-  }
-
-  void evaluate_at(const Eigen::VectorXcd& y, Eigen::VectorXcd& value, Eigen::MatrixXcd& j) {
-    const auto n = static_cast<std::size_t>(y.size());
-    std::vector<double> size_y(n);
-    for (std::size_t i = 0; i < n; ++i) {
-      size_y[i] = std::max(std::abs(y[static_cast<Eigen::Index>(i)]), floor_);
-    }
-    evaluate<double, double>(tape_, magnitude_, size_y, size_registers_, size_);
-    evaluate<Complex, Complex>(tape_, c_, std::span<const Complex>(y.data(), n), registers_, value_,
-                               jacobian_);
-    const auto scale = [&](std::size_t i) { return size_[i] > 0 ? 1 / size_[i] : 1.0; };
-    j.topRows(static_cast<Eigen::Index>(tape_.equations)).setZero();
-    for (std::size_t i = 0; i < value_.size(); ++i) {
-      value[static_cast<Eigen::Index>(i)] = value_[i] * scale(i);
-    }
-    for (std::size_t k = 0; k < jacobian_.size(); ++k) {
-      const Tape::Entry& entry = tape_.jacobian[k];
-      j(entry.row, entry.column) = jacobian_[k] * scale(entry.row);
-    }
-  }
-
- private:
-  double floor_;
-  Tape tape_;
-  std::vector<Complex> c_;
-  std::vector<double> magnitude_;
-  std::vector<Complex> registers_;
-  std::vector<double> size_registers_;
-  std::vector<Complex> value_;
-  std::vector<Complex> jacobian_;
-  std::vector<double> size_;
+struct DimensionTest::Program {
+  Tape tape;
+  std::vector<Complex> c;
+  std::vector<ComplexDoubleDouble> exact;
+  std::vector<double> size;  ///< |c|
+  std::vector<double> unit;
 };
 
-double step_from(const Eigen::VectorXcd& x) {
-  return kSliceStep * std::max(1.0, x.lpNorm<Eigen::Infinity>());
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXcd;
+using Eigen::VectorXcd;
+
+constexpr double kStep = 0.1;
+// The last step: sets that pass x at a few times this distance are told from sets through it.
+constexpr double kLastStep = 5e-4;
+// A root further away than so many steps is not the neighbour that is looked for.
+constexpr double kNeighbourhood = 20;
+constexpr int kMaximumIterations = 60;
+// An iteration count within which |F| halves wherever Gauss-Newton converges, to a multiple curve as well.
+constexpr int kPatience = 6;
+// |F| beside its terms: below the first a root without doubt; below the second one of a system whose coefficients were
+// rounded, provided that |F| falls by no more than kFall when the step is halved. An isolated root with |F| below the second
+// has an order of 6 at least, and its |F| falls by 64.
+constexpr double kOnTheSet = 1e-24;
+constexpr double kNearTheSet = 1e-14;
+constexpr double kFall = 16;
+// Singular values of J, whose rows are relative to their terms, of directions in which a set may lie: x is known to 1e-3 at worst.
+constexpr double kNullSpace = 1e-2;
+// Where sets cross, a start near each is a matter of luck.
+constexpr int kStarts = 8;
+constexpr double kWander = 2;  // steps
+// A set nearly parallel to one plane has its neighbour too far away: two of six decide.
+constexpr int kSlices = 6;
+constexpr int kAgreeing = 2;
+
+/// The neighbourhood of one root, y = x + s z with s the natural sizes of the coordinates.
+class Neighbourhood {
+ public:
+  Neighbourhood(const DimensionTest::Program& program, const Point& x, std::uint64_t seed);
+
+  /// Does a plane, moved, meet a set through x?
+  bool meets(int slice);
+
+ private:
+  using Number = ComplexDoubleDouble;
+  using FinePoint = std::vector<Number>;
+
+  Index dimension() const { return static_cast<Index>(x_.size()); }
+  void evaluate_at(const FinePoint& z);
+  VectorXcd rounded(const FinePoint& z) const;
+  VectorXcd random_vector(Index size, int number) const;
+  FinePoint start_on(const VectorXcd& plane, int number) const;
+  bool leads_to_x(const VectorXcd& plane, FinePoint z);
+  std::optional<double> settle(const VectorXcd& plane, double step, FinePoint& z);
+
+  const DimensionTest::Program& program_;
+  const Point& x_;
+  std::uint64_t seed_;
+  std::vector<double> scale_;
+  MatrixXcd null_space_;
+  std::vector<double> size_y_, size_registers_, size_;
+  std::vector<Complex> y_, registers_, ignored_, jacobian_;
+  FinePoint fine_y_, fine_registers_, fine_value_;
+  VectorXcd value_;  ///< n + 1: F relative to its terms, the plane
+  MatrixXcd j_;      ///< (n + 1) x n, of value_ with respect to z
+};
+
+Neighbourhood::Neighbourhood(const DimensionTest::Program& program, const Point& x,
+                             std::uint64_t seed)
+    : program_(program),
+      x_(x),
+      seed_(seed),
+      size_y_(x.size()),
+      size_registers_(program.tape.register_count()),
+      size_(program.tape.equations),
+      y_(x.size()),
+      registers_(program.tape.register_count()),
+      ignored_(program.tape.equations),
+      jacobian_(program.tape.jacobian.size()),
+      fine_y_(x.size()),
+      fine_registers_(program.tape.register_count()),
+      fine_value_(program.tape.equations),
+      value_(static_cast<Index>(program.tape.equations + 1)),
+      j_(MatrixXcd::Zero(static_cast<Index>(program.tape.equations + 1), dimension())) {
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    scale_.push_back(std::max(std::abs(x[i]), program.unit[i]));
+  }
+  evaluate_at(FinePoint(x.size()));
+  const Eigen::JacobiSVD<MatrixXcd> svd(j_.topRows(value_.size() - 1), Eigen::ComputeFullV);
+  const Eigen::VectorXd& s = svd.singularValues();
+  const Index rank = (s.array() > kNullSpace).count();
+  const Index width = rank < dimension() ? dimension() - rank : dimension();
+  null_space_ = svd.matrixV().rightCols(width);
 }
 
-bool has_root_on_moved_slice(ScaledSystem& f, const Eigen::VectorXcd& x, std::uint64_t seed,
-                             std::uint64_t slice) {
-  const Eigen::Index n = x.size();
-  const double step = step_from(x);
-  Eigen::VectorXcd value(n + 1);
-  Eigen::MatrixXcd j(n + 1, n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const auto index = slice * static_cast<std::uint64_t>(n) + static_cast<std::uint64_t>(i);
-    j(n, i) = random_phase(seed, RandomStream::slice, index);
+// F in double-double, J in double, each row relative to the sizes of its terms. Coordinates below their step count as of that
+// size: where one vanishes on the set, the terms would vanish with the values.
+void Neighbourhood::evaluate_at(const FinePoint& z) {
+  const Tape& tape = program_.tape;
+  for (std::size_t i = 0; i < x_.size(); ++i) {
+    fine_y_[i] = Number(x_[i]) + product(DoubleDouble(scale_[i]), z[i]);
+    y_[i] = to_complex(fine_y_[i]);
+    size_y_[i] = std::max(std::abs(y_[i]), kStep * scale_[i]);
   }
-  const Complex target = (j.row(n) * x)(0) + step;
-  Eigen::VectorXcd y = x;
-  for (int k = 0; k < kMaximumIterations; ++k) {
-    f.evaluate_at(y, value, j);
-    value[n] = (j.row(n) * y)(0) - target;
-    if (k > 0 && value.head(n).lpNorm<Eigen::Infinity>() < kOnTheSet &&
-        std::abs(value[n]) < kOnTheSet * (1 + std::abs(target))) {
-      return true;
-    }
-    const Eigen::VectorXcd dy = j.completeOrthogonalDecomposition().solve(-value);
-    y += dy;
-    if (!y.allFinite() || (y - x).lpNorm<Eigen::Infinity>() > kNeighbourhood * step) return false;
+  evaluate<double, double>(tape, program_.size, size_y_, size_registers_, size_);
+  evaluate<Number, Number>(tape, program_.exact, fine_y_, fine_registers_, fine_value_);
+  evaluate<Complex, Complex>(tape, program_.c, y_, registers_, ignored_, jacobian_);
+  for (double& size : size_) size = size > 0 ? size : 1;
+  for (std::size_t i = 0; i < fine_value_.size(); ++i) {
+    value_[static_cast<Index>(i)] = to_complex(fine_value_[i]) / size_[i];
+  }
+  for (std::size_t k = 0; k < jacobian_.size(); ++k) {
+    const Tape::Entry& entry = tape.jacobian[k];
+    j_(entry.row, entry.column) = jacobian_[k] * (scale_[entry.column] / size_[entry.row]);
+  }
+}
+
+VectorXcd Neighbourhood::rounded(const FinePoint& z) const {
+  VectorXcd result(dimension());
+  std::transform(z.begin(), z.end(), result.data(),
+                 [](const Number& zi) { return to_complex(zi); });
+  return result;
+}
+
+VectorXcd Neighbourhood::random_vector(Index size, int number) const {
+  VectorXcd v(size);
+  for (Index i = 0; i < size; ++i) {
+    const auto index = static_cast<std::uint64_t>(number * size + i);
+    v[i] = random_unit(seed_, RandomStream::slice, 2 * index) *
+           random_phase(seed_, RandomStream::slice, 2 * index + 1);
+  }
+  return v;
+}
+
+// N c with plane N c = step, the rest of c at random; least for the first start.
+Neighbourhood::FinePoint Neighbourhood::start_on(const VectorXcd& plane, int number) const {
+  VectorXcd c = VectorXcd::Zero(plane.size());
+  if (number % kStarts > 0) c = kWander * kStep * random_vector(plane.size(), kSlices + number);
+  c += plane * (kStep - plane.dot(c));
+  const VectorXcd z = null_space_ * c;
+  return FinePoint(z.begin(), z.end());
+}
+
+bool Neighbourhood::meets(int slice) {
+  const VectorXcd plane = random_vector(null_space_.cols(), slice).normalized();
+  for (int start = 0; start < kStarts; ++start) {
+    if (leads_to_x(plane, start_on(plane, slice * kStarts + start))) return true;
   }
   return false;
 }
 
+bool Neighbourhood::leads_to_x(const VectorXcd& plane, FinePoint z) {
+  std::optional<double> before = settle(plane, kStep, z);
+  if (!before) return false;
+  for (double step = kStep / 2; step > kLastStep; step /= 2) {
+    for (Number& zi : z) zi = product(DoubleDouble(0.5), zi);
+    const std::optional<double> now = settle(plane, step, z);
+    if (!now || (*now > kOnTheSet && *now * kFall < *before)) return false;
+    before = now;
+  }
+  return true;
+}
+
+// Gauss-Newton from z on the plane N^H z = step. |F| where it ends; nullopt where that is no root nearby.
+std::optional<double> Neighbourhood::settle(const VectorXcd& plane, double step, FinePoint& z) {
+  const Index m = value_.size() - 1;
+  j_.row(m) = (null_space_ * plane).adjoint();
+  double best = std::numeric_limits<double>::infinity();
+  double aim = best;
+  int waited = 0;
+  for (int k = 0; k < kMaximumIterations && waited < kPatience; ++k) {
+    evaluate_at(z);
+    const VectorXcd here = rounded(z);
+    if (!here.allFinite() || here.lpNorm<Eigen::Infinity>() > kNeighbourhood * step) return {};
+    value_[m] = (j_.row(m) * here)(0) - step;
+    const double size = value_.head(m).lpNorm<Eigen::Infinity>();
+    if (k > 0) best = std::min(best, size);
+    if (k > 0 && size < kOnTheSet) break;
+    waited = size < aim / 2 ? 0 : waited + 1;
+    aim = std::min(aim, size);
+    const VectorXcd dz = j_.completeOrthogonalDecomposition().solve(-value_);
+    for (Index i = 0; i < dz.size(); ++i) z[static_cast<std::size_t>(i)] += Number(dz[i]);
+  }
+  return best <= kNearTheSet ? std::optional(best) : std::nullopt;
+}
+
 }  // namespace
 
-bool lies_on_positive_dimensional_set(const System& f, const Point& x, std::uint64_t seed) {
+DimensionTest::DimensionTest(const System& f, std::vector<double> unit) {
+  Program program;
+  program.tape = make_tape(f);
+  program.c = complex_coefficients(program.tape, f);
+  program.exact =
+      round_coefficients<ComplexDoubleDouble>(program.tape, f, to_complex_double_double);
+  for (const Complex& ck : program.c) program.size.push_back(std::abs(ck));
+  program.unit = std::move(unit);
+  program_ = std::make_unique<const Program>(std::move(program));
+}
+
+DimensionTest::~DimensionTest() = default;
+
+bool DimensionTest::lies_on_positive_dimensional_set(const Point& x, std::uint64_t seed) const {
   if (x.size() < 2) return false;
-  const Eigen::VectorXcd point =
-      Eigen::Map<const Eigen::VectorXcd>(x.data(), static_cast<Eigen::Index>(x.size()));
-  ScaledSystem scaled(f, step_from(point));
+  Neighbourhood neighbourhood(*program_, x, seed);
   int found = 0;
-  for (std::uint64_t slice = 0; slice < kSlices; ++slice) {
-    found += has_root_on_moved_slice(scaled, point, seed, slice) ? 1 : 0;
+  for (int slice = 0; slice < kSlices && found < kAgreeing; ++slice) {
+    found += neighbourhood.meets(slice) ? 1 : 0;
+    if (found + (kSlices - 1 - slice) < kAgreeing) return false;
   }
   return found >= kAgreeing;
 }

@@ -1,19 +1,42 @@
 // SPDX-License-Identifier: MIT
 // Is a singular root isolated, or does it lie on a curve of roots?
 //
-// A random hyperplane through x is moved by a small step, and Gauss-Newton looks for a root near x
-// on the moved plane: F(y) = 0, l(y) = l(x) + step. On a curve (or more) there is one, and its residual is
-// rounding; beside an isolated root of multiplicity m the residual stays near step^m. Three planes of
-// five have to agree.
-// Not supported: isolated roots of multiplicity above 12, whose residual is rounding as well.
+// Through x lies a plane l (y - x) = 0; moved by a step h, does it meet roots beside x? On a curve (or more) it does, and the
+// root comes to x as h -> 0; beside an isolated root of multiplicity m, |F| stays near h^m.
+//
+//   start    at x + N c, N the null space of J(x), c random on the moved plane: where curves cross, N is wider
+//            than each of them, and which is met depends on where one starts
+//   settle   Gauss-Newton on F(y) = 0, l (y - x) = h; J in double, y and F in double-double from the exact coefficients
+//   descend  h is halved, again and again, and the root followed: it has to come to x as fast. One that does
+//            not belongs to another set nearby.
+//
+// |F| not quite 0 is a set all the same where it does not fall as h^m does: coefficients that were rounded, as those of an
+// angle's cosine, leave no exact set. Most of several planes have to agree.
+// x: n, F: n rows, each relative to its terms; J with columns scaled by the natural sizes of the coordinates.
+// Not supported: isolated roots at which F vanishes along a curve to an order above 12.
 // Source: [SommeseWampler05, ch. 13], local dimension by slicing.
 #pragma once
+
+#include <memory>
 
 #include "refine.h"
 
 namespace moivre {
 
-/// F: as given. x: a singular root of it, n coordinates.
-bool lies_on_positive_dimensional_set(const System& f, const Point& x, std::uint64_t seed);
+/// Immutable; may be asked by many threads.
+class DimensionTest {
+ public:
+  /// F: as given. unit: n, the natural size of each unknown; 1 where nothing is known.
+  DimensionTest(const System& f, std::vector<double> unit);
+  ~DimensionTest();
+
+  /// x: a singular root of F, n coordinates.
+  bool lies_on_positive_dimensional_set(const Point& x, std::uint64_t seed) const;
+
+  struct Program;
+
+ private:
+  std::unique_ptr<const Program> program_;
+};
 
 }  // namespace moivre

@@ -118,6 +118,7 @@ class Run {
   int threads_;
   Prepared prepared_;
   std::shared_ptr<const RefinerProgram> refiner_program_;
+  std::optional<DimensionTest> dimension_test_;  // made when it is first needed
   Ledger ledger_;
   std::vector<std::pair<std::uint64_t, PathEnd>> ends_;  // finite, to be refined
   std::set<std::uint64_t> retracked_;
@@ -325,7 +326,8 @@ void Run::resolve_clusters() {
 
 bool Run::is_on_set(const Root& root) {
   if (!root.on_set) {
-    root.on_set = lies_on_positive_dimensional_set(unit_f_, root.point.x, options_.seed);
+    if (!dimension_test_) dimension_test_.emplace(unit_f_, natural_sizes(prepared_));
+    root.on_set = dimension_test_->lies_on_positive_dimensional_set(root.point.x, options_.seed);
   }
   return *root.on_set;
 }

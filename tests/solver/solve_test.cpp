@@ -154,6 +154,16 @@ TEST(Solve, CountsPathsThatEndOnACurveOfRoots) {
   }
 }
 
+TEST(Solve, TellsNoIsolatedRootWhereCurvesCross) {
+  // Every root of cyclic-4 lies on its two curves; at eight points more paths end than one to a point.
+  for (const std::uint64_t seed : {15, 27, 41, 49, 59, 64, 79, 91}) {
+    const SolveResult result = solve_with_cvode(system_of(problem("cyclic-4")), with_seed(seed));
+    expect_conservation(result);
+    EXPECT_TRUE(result.complete) << "seed " << seed;
+    EXPECT_TRUE(result.solutions.empty()) << "seed " << seed;
+  }
+}
+
 TEST(Solve, RefusesMoreEquationsThanUnknownsWithTheReason) {
   try {
     solve_with_cvode(read("3 2\n x - 1;\n y - 1;\n x*y - 1;\n"));
