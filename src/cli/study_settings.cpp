@@ -30,21 +30,22 @@ std::vector<std::string> built_curves() {
   }
 #endif
 #if MOIVRE_WITH_LANES
-  curves.push_back("lanes");
+  curves.insert(curves.end(), {"lanes", "lanes+cubic", "lanes+tangent"});
 #endif
   return curves;
 }
 
 TrackerChoice choice_of(const std::string& curve, double tolerance) {
   TrackerChoice choice;
-  if (curve == "lanes") {
+  const std::size_t plus = curve.find('+');
+  if (curve.starts_with("lanes")) {
     choice.kind = "lanes";
     choice.tolerance = tolerance;
+    if (plus != std::string::npos) choice.predictor = curve.substr(plus + 1);
     return choice;
   }
   choice.kind = "cvode";
   choice.rtol = tolerance;
-  const std::size_t plus = curve.find(kNewton);
   choice.method = curve.substr(0, plus);
   if (plus != std::string::npos) choice.iteration = "newton";
   return choice;

@@ -3,7 +3,8 @@
 //
 //   bdf_projection, bdf, adams           CVODE's methods, formulas solved by fixed-point iteration
 //   the same with +newton                by Newton's iteration with a Jacobian by difference quotients
-//   lanes                                the SIMD tracker; its tolerance is that of the first correction
+//   lanes, lanes+cubic, lanes+tangent    the SIMD tracker with its three predictors; its tolerance is that of the first
+//                                        correction
 #pragma once
 
 #include <memory>

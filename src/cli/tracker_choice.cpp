@@ -68,8 +68,18 @@ void take_defaults_of_lanes(TrackerChoice& choice) {
   choice.maximum_steps = options.maximum_steps;
 }
 
+LanePredictor lane_predictor(const std::string& name) {
+  for (const LanePredictor predictor :
+       {LanePredictor::tangent, LanePredictor::cubic, LanePredictor::quintic}) {
+    if (name == to_string(predictor)) return predictor;
+  }
+  throw std::invalid_argument("--predictor " + name +
+                              ": the predictors are tangent, cubic and quintic");
+}
+
 std::unique_ptr<Tracker> make_lanes(const TrackerChoice& choice) {
   LaneOptions options;
+  options.predictor = lane_predictor(choice.predictor);
   options.tolerance = choice.tolerance;
   options.maximum_steps = choice.maximum_steps;
   return make_lane_tracker(options);
@@ -108,6 +118,11 @@ void add_tracker_options(CLI::App& command, TrackerChoice& choice) {
   command
       .add_option("--tolerance", choice.tolerance,
                   "lanes: relative size of Newton's first correction that steps aim at")
+      ->capture_default_str()
+      ->group(group);
+  command
+      .add_option("--predictor", choice.predictor,
+                  "lanes: tangent, cubic or quintic, through one, two or three points and tangents")
       ->capture_default_str()
       ->group(group);
   command.add_option("--max-steps", choice.maximum_steps, "steps of one journey")

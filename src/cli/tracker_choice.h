@@ -15,8 +15,9 @@ struct TrackerChoice {
   std::string kind;  ///< default: cvode where it was built
   std::string method = "bdf_projection";
   std::string iteration = "fixed_point";
-  double rtol = 0;                 ///< default: the tracker's own
-  double tolerance = 0;            ///< default: the tracker's own
+  double rtol = 0;       ///< default: the tracker's own
+  double tolerance = 0;  ///< default: the tracker's own
+  std::string predictor = "quintic";
   std::int64_t maximum_steps = 0;  ///< default: the tracker's own
   TrackerChoice();
 };

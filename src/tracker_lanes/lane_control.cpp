@@ -45,7 +45,18 @@ constexpr double kRoundingResidual = 1e-12;
 // The largest ratio that a step is sized by, so that no division overflows.
 constexpr double kAmpleRoom = 1e6;
 
-double sixth_root(double a) { return std::cbrt(std::sqrt(a)); }
+/// a^{1/p}, p the predictor's order.
+double root_of_order(LanePredictor predictor, double a) {
+  switch (predictor) {
+    case LanePredictor::tangent:
+      return std::sqrt(a);
+    case LanePredictor::cubic:
+      return std::sqrt(std::sqrt(a));
+    case LanePredictor::quintic:
+      return std::cbrt(std::sqrt(a));
+  }
+  return 0;
+}
 
 }  // namespace
 
@@ -54,6 +65,7 @@ void LaneControl::depart(Departure&& departure, const LaneOptions& options) {
   const double care = std::pow(kCareFactor, -departure_->care);
   arrival_ = Arrival{};
   maximum_steps_ = options.maximum_steps;
+  predictor_ = options.predictor;
   tolerance_ = options.tolerance * care;
   end_tolerance_ = std::min(options.tolerance, kEndTolerance) * care;
   h_ = kFirstStep;
@@ -152,7 +164,7 @@ LaneControl::Move LaneControl::judge_step(const Outcome& outcome) {
   const double tolerance = is_near_end() ? end_tolerance_ : tolerance_;
   double room = e * kAmpleRoom > tolerance ? tolerance / e : kAmpleRoom;
   if (outcome.second > kRounding) room = std::min(room, kContractionAimedAt / contraction);
-  factor_ = kSafety * sixth_root(room);
+  factor_ = kSafety * root_of_order(predictor_, room);
   if (e > kSlack * tolerance) return reject(factor_);
   if (contraction <= kContraction || outcome.second <= kStagnation) return accept(outcome);
   last_ = outcome;
@@ -228,7 +240,7 @@ void LaneControl::observe(std::span<const Complex> x, PathSystem& path) {
   record.t = contour().at(arrival_.s);
   record.x = x;
   record.step = last_step_;
-  record.order = kLaneOrder;
+  record.order = order_of(predictor_);
   record.drift = last_.residual;
   record.correction = last_.first;
   const auto verdict = departure_->watcher->watch(record, path);

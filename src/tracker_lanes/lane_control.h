@@ -3,8 +3,8 @@
 //
 //   e = |dx_1|_w: how far the prediction was off the path;  theta = |dx_2|_w / |dx_1|_w: Newton's contraction
 //   accepted: e <= kSlack tolerance and theta <= kContraction: the prediction lies where Newton converges at once
-//   next step: h <- h min(tolerance / e, kContractionAimedAt / theta)^{1/6}, within bounds: both e and theta grow like the
-//   predictor's error, of order 6.
+//   next step: h <- h min(tolerance / e, kContractionAimedAt / theta)^{1/p}, within bounds: both e and theta grow like the
+//   predictor's error, of order p.
 //
 // theta is proportional to the distance from the path over the distance to the nearest other path or singularity (the
 // Newton-Kantorovich quantity), so where paths come close it shortens the steps before e does.
@@ -81,6 +81,7 @@ class LaneControl {
   std::optional<Departure> departure_;
   Arrival arrival_;
   std::int64_t maximum_steps_ = 0;
+  LanePredictor predictor_ = LanePredictor::quintic;
   double tolerance_ = 0;
   double end_tolerance_ = 0;  // near t = 1
   double h_ = 0;              // the step the control would like

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Where will each lane's path be a step ahead? Quintic Hermite extrapolation through its last three points and tangents.
+// Where will each lane's path be a step ahead? Hermite extrapolation through its last points and tangents.
 //
 //   nodes 0, 1, 2 at s, s - g_1, s - g_2;  x(s + h) ~ sum_i A_i(h) x_i + B_i(h) x_i',  local order 6
 //   A_i = (1 - 2 l_i'(s_i)(s + h - s_i)) l_i^2,  B_i = (s + h - s_i) l_i^2,  l_i Lagrange's polynomials
+//   over the first one or two nodes alone: order 2 (Euler's step) or 4
 //
 // Homogeneous points are extrapolated in a fixed affine patch a x = 1, where the path is holomorphic in s. The patch is
 // a = x^H / |x|^2 of a point of the path; it is renewed, and the nodes with it, when |a| |x| leaves kPatchReach.
@@ -15,7 +16,10 @@
 #define MOIVRE_LANE_PATH_INL_H_
 #endif
 
+#include <array>
+
 #include "lane_complex-inl.h"
+#include "moivre/tracker_lanes/lane_tracker.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace moivre {
@@ -29,8 +33,12 @@ class LanePath {
  public:
   using Number = typename LaneScalar<R>::Number;
 
-  explicit LanePath(std::size_t coordinates)
-      : n_(coordinates), patch_(coordinates), nodes_{Node(n_), Node(n_), Node(n_)}, gaps_(1) {}
+  explicit LanePath(std::size_t coordinates, LanePredictor predictor = LanePredictor::quintic)
+      : n_(coordinates),
+        predictor_(predictor),
+        patch_(coordinates),
+        nodes_{Node(n_), Node(n_), Node(n_)},
+        gaps_(1) {}
 
   const LaneVector<R>& patch() const { return patch_; }
   /// The last point and its tangent.
@@ -51,28 +59,13 @@ class LanePath {
 
   /// predicted <- x(s + h).
   void predict(V h, LaneVector<R>& predicted) const {
-    const LaneComplex<V> g = load(gaps_[0]);
-    const V one = broadcast(1.0);
-    const V between = g.im - g.re;
-    const V after1 = h + g.re;
-    const V after2 = h + g.im;
-    const V r1 = one / g.re;
-    const V r2 = one / g.im;
-    const V rb = one / between;
-    const V l0 = after1 * r1 * (after2 * r2);
-    const V l1 = -(h * r1 * (after2 * rb));
-    const V l2 = h * r2 * (after1 * rb);
-    const Weights w0 = weights(l0, r1 + r2, h);
-    const Weights w1 = weights(l1, rb - r1, after1);
-    const Weights w2 = weights(l2, -(r2 + rb), after2);
-    for (std::size_t i = 0; i < n_; ++i) {
-      LaneComplex<R> x = w0.a * load(nodes_[0].x[i]);
-      x = add_product(w0.b, load(nodes_[0].dx[i]), x);
-      x = add_product(w1.a, load(nodes_[1].x[i]), x);
-      x = add_product(w1.b, load(nodes_[1].dx[i]), x);
-      x = add_product(w2.a, load(nodes_[2].x[i]), x);
-      x = add_product(w2.b, load(nodes_[2].dx[i]), x);
-      store(x, predicted[i]);
+    switch (predictor_) {
+      case LanePredictor::tangent:
+        return combine<1>({Weights{broadcast(1.0), h}}, predicted);
+      case LanePredictor::cubic:
+        return combine<2>(cubic_weights(h), predicted);
+      case LanePredictor::quintic:
+        return combine<3>(quintic_weights(h), predicted);
     }
   }
 
@@ -144,6 +137,41 @@ class LanePath {
     return {factor * squared, distance * squared};
   }
 
+  std::array<Weights, 2> cubic_weights(V h) const {
+    const V g = load(gaps_[0]).re;
+    const V r = broadcast(1.0) / g;
+    const V after = h + g;
+    return {weights(after * r, r, h), weights(-(h * r), -r, after)};
+  }
+
+  std::array<Weights, 3> quintic_weights(V h) const {
+    const LaneComplex<V> g = load(gaps_[0]);
+    const V one = broadcast(1.0);
+    const V between = g.im - g.re;
+    const V after1 = h + g.re;
+    const V after2 = h + g.im;
+    const V r1 = one / g.re;
+    const V r2 = one / g.im;
+    const V rb = one / between;
+    const V l0 = after1 * r1 * (after2 * r2);
+    const V l1 = -(h * r1 * (after2 * rb));
+    const V l2 = h * r2 * (after1 * rb);
+    return {weights(l0, r1 + r2, h), weights(l1, rb - r1, after1), weights(l2, -(r2 + rb), after2)};
+  }
+
+  // predicted <- sum_i A_i x_i + B_i x_i' over the first nodes.
+  template <std::size_t Nodes>
+  void combine(const std::array<Weights, Nodes>& w, LaneVector<R>& predicted) const {
+    for (std::size_t i = 0; i < n_; ++i) {
+      LaneComplex<R> x = add_product(w[0].b, load(nodes_[0].dx[i]), w[0].a * load(nodes_[0].x[i]));
+      for (std::size_t k = 1; k < Nodes; ++k) {
+        x = add_product(w[k].a, load(nodes_[k].x[i]), x);
+        x = add_product(w[k].b, load(nodes_[k].dx[i]), x);
+      }
+      store(x, predicted[i]);
+    }
+  }
+
   static void advance_entry(Mask stepped, Mask replaced, const LaneComplex<R>& value,
                             LaneCell<R>& node0, LaneCell<R>& node1, LaneCell<R>& node2) {
     const LaneComplex<R> newest = load(node0);
@@ -172,6 +200,7 @@ class LanePath {
   }
 
   std::size_t n_;
+  LanePredictor predictor_;
   LaneVector<R> patch_;
   Node nodes_[3];
   LaneVector<V> gaps_;  // g_1 and g_2 in the place of real and imaginary part

@@ -28,7 +28,7 @@ class LaneSession : public TrackerSession {
       : options_(options),
         program_(make_lane_program<double>(homotopy)),
         scalar_(homotopy),
-        path_(scalar_.coordinates()),
+        path_(scalar_.coordinates(), options.predictor),
         step_(program_),
         point_(scalar_.coordinates()),
         tangent_(scalar_.coordinates()) {}

@@ -46,6 +46,7 @@ class LaneTracker : public Tracker {
     std::snprintf(tolerance, sizeof tolerance, "%g", options_.tolerance);
     return {{"target", lane_target()},
             {"lanes", std::to_string(lane_width())},
+            {"predictor", to_string(options_.predictor)},
             {"tolerance", tolerance},
             {"maximum_steps", std::to_string(options_.maximum_steps)}};
   }
@@ -58,6 +59,30 @@ class LaneTracker : public Tracker {
 };
 
 }  // namespace
+
+std::string to_string(LanePredictor predictor) {
+  switch (predictor) {
+    case LanePredictor::tangent:
+      return "tangent";
+    case LanePredictor::cubic:
+      return "cubic";
+    case LanePredictor::quintic:
+      return "quintic";
+  }
+  return "";
+}
+
+int order_of(LanePredictor predictor) {
+  switch (predictor) {
+    case LanePredictor::tangent:
+      return 2;
+    case LanePredictor::cubic:
+      return 4;
+    case LanePredictor::quintic:
+      return 6;
+  }
+  return 0;
+}
 
 std::string lane_target() { return HWY_DYNAMIC_DISPATCH(target_name)(); }
 std::size_t lane_width() { return HWY_DYNAMIC_DISPATCH(width)(); }

@@ -252,6 +252,7 @@ TEST(SolveCommand, RefusesEachWrongOptionWithItsReason) {
       {{"--method", "euler"}, "the methods are bdf_projection, bdf and adams"},
       {{"--iteration", "halley"}, "the iterations are fixed_point and newton"},
       {{"--start", "polyhedral"}, "the start system is total-degree"},
+      {{"--tracker", "lanes", "--predictor", "x"}, "the predictors are tangent, cubic and quintic"},
       {{"--rtol", "0"}, "rtol must lie in (0, 0.5]"},
       {{"--rtol", "nan"}, "rtol must lie in (0, 0.5]"},
       {{"--max-steps", "0"}, "maximum_steps must be at least 1"},

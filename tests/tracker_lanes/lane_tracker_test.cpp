@@ -6,6 +6,7 @@
 #include <hwy/highway.h>
 #include <hwy/targets.h>
 
+#include <cmath>
 #include <map>
 #include <numbers>
 #include <thread>
@@ -213,6 +214,33 @@ TEST(LaneTracker, MoreCareTakesShorterSteps) {
   const auto plain = run(scene, {scene.departure(2)}).at(2);
   const auto tight = run(scene, {careful}).at(2);
   EXPECT_GT(tight.count.accepted, plain.count.accepted);
+}
+
+std::uint64_t steps_of(LanePredictor predictor, double tolerance) {
+  Scene scene(kCubics, {.tolerance = tolerance, .maximum_steps = 1000000, .predictor = predictor});
+  std::uint64_t steps = 0;
+  for (const auto& [path, arrival] : run(scene, all_departures(scene))) {
+    EXPECT_EQ(arrival.journey, Journey::arrived) << to_string(predictor) << ' ' << path;
+    steps += arrival.count.accepted;
+  }
+  return steps;
+}
+
+// The error of a step h is of order h^p: a tolerance 10^4 times tighter takes 10^(4/p) times the steps.
+TEST(LaneTracker, StepsOfAPredictorGrowByItsOrder) {
+  for (const LanePredictor predictor :
+       {LanePredictor::tangent, LanePredictor::cubic, LanePredictor::quintic}) {
+    const auto loose = static_cast<double>(steps_of(predictor, 1e-4));
+    const auto tight = static_cast<double>(steps_of(predictor, 1e-8));
+    EXPECT_NEAR(std::log10(tight / loose), 4.0 / order_of(predictor), 0.25) << to_string(predictor);
+  }
+}
+
+TEST(LaneTracker, APredictorOfHigherOrderTakesFewerSteps) {
+  const double tolerance = 1e-5;
+  const std::uint64_t cubic = steps_of(LanePredictor::cubic, tolerance);
+  EXPECT_LT(steps_of(LanePredictor::quintic, tolerance), cubic);
+  EXPECT_LT(2 * cubic, steps_of(LanePredictor::tangent, tolerance));
 }
 
 TEST(LaneTracker, ManySessionsArriveWhereOneDoes) {

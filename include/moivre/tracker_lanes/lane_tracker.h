@@ -2,7 +2,7 @@
 // How are many paths followed at once on one core? W of them in SIMD lanes, each with its own t and step.
 //
 //   W: 8 with AVX-512, 4 with AVX2, 2 with SSE4 and SSSE3; chosen when the program runs, so one build serves every machine
-//   a step: quintic Hermite prediction, one evaluation of H, H_x, H_t, one factorization, two Newton updates, tangent
+//   a step: Hermite prediction, one evaluation of H, H_x, H_t, one factorization, two Newton updates, tangent
 //
 // A journey depends on its departure alone: not on its lane, its neighbours, or the number of threads. Two machines with
 // different W follow the same paths, rounded differently.
@@ -19,13 +19,23 @@
 
 namespace moivre {
 
-/// Local order of the lanes' predictor.
-inline constexpr int kLaneOrder = 6;
+/// Hermite extrapolation through the last points and tangents of a path: how many of them.
+enum class LanePredictor {
+  tangent,  ///< one: Euler's, local order 2
+  cubic,    ///< two: local order 4
+  quintic   ///< three: local order 6
+};
+
+/// "tangent", "cubic", "quintic".
+std::string to_string(LanePredictor predictor);
+/// Local order.
+int order_of(LanePredictor predictor);
 
 struct LaneOptions {
   /// |dx|_w of the first Newton correction that steps aim at, in (0, 0.1].
   double tolerance = 3e-3;
   std::int64_t maximum_steps = 20000;  ///< accepted and rejected steps of one journey
+  LanePredictor predictor = LanePredictor::quintic;
 };
 
 /// Every broken rule as a sentence; empty when the options can be used.
