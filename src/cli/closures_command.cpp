@@ -46,9 +46,13 @@ std::string page_of(const ClosureResult& result, const Mechanism& mechanism,
 }
 
 int run(const ClosuresCommand& command) {
-  require_known(command.start);
-  require_distinct({command.json, command.csv, command.svg, command.html}, command.file);
-  const std::unique_ptr<Tracker> tracker = make_tracker(command.tracker);
+  std::unique_ptr<Tracker> tracker;
+  require_all(
+      {[&] { require_known(command.start); }, [&] { require_threads(command.threads); },
+       [&] {
+         require_distinct({command.json, command.csv, command.svg, command.html}, command.file);
+       },
+       [&] { tracker = make_tracker(command.tracker); }});
   const auto begin = std::chrono::steady_clock::now();
   const Mechanism mechanism = read_mechanism(read_source(command.file));
   const double parse_s =

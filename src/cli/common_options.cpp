@@ -2,7 +2,11 @@
 // The options that commands share, in CLI11's terms.
 #include "common_options.h"
 
+#include <cerrno>
+#include <cstdlib>
 #include <stdexcept>
+
+#include "moivre/solver/solve.h"
 
 namespace moivre {
 void add_file(CLI::App& command, std::string& file) {
@@ -26,7 +30,7 @@ void add_any_file(CLI::App& command, std::string& file) {
 void add_start_options(CLI::App& command, StartChoice& choice) {
   command.add_option("--start", choice.kind, "start system: total-degree")->capture_default_str();
   command.add_option("--seed", choice.seed, "of the random numbers in the start system")
-      ->check(CLI::Validator(not_negative, ""))
+      ->check(CLI::Validator(not_64_bits, ""))
       ->capture_default_str();
 }
 
@@ -43,8 +47,29 @@ void add_quiet_flag(CLI::App& command, bool& quiet) {
   command.add_flag("--quiet", quiet, "print no text and no progress line");
 }
 
-std::string not_negative(const std::string& number) {
-  return number.find('-') == std::string::npos ? "" : number + " is negative";
+std::string not_64_bits(const std::string& number) {
+  if (number.find('-') != std::string::npos) return number + " is negative";
+  errno = 0;
+  std::strtoull(number.c_str(), nullptr, 0);
+  return errno == ERANGE ? number + " is beyond 64 bits" : "";
+}
+
+void require_all(const std::vector<std::function<void()>>& checks) {
+  std::string refusals;
+  for (const auto& check : checks) {
+    try {
+      check();
+    } catch (const std::invalid_argument& refusal) {
+      refusals += (refusals.empty() ? "" : "\nmoivre: ") + std::string(refusal.what());
+    }
+  }
+  if (!refusals.empty()) throw std::invalid_argument(refusals);
+}
+
+void require_threads(int threads) {
+  SolveOptions options;
+  options.threads = threads;
+  for (const std::string& sentence : validate(options)) throw std::invalid_argument(sentence);
 }
 
 void add_examples(CLI::App& command, const std::vector<std::string>& examples) {

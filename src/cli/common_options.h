@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -26,8 +27,14 @@ void require_known(const StartChoice& choice);
 void add_json_option(CLI::App& command, std::string& path);
 void add_quiet_flag(CLI::App& command, bool& quiet);
 
-/// A sentence when the text is a negative number, which CLI11 would wrap around; else empty.
-std::string not_negative(const std::string& number);
+/// A sentence when the text is an integer below 0 or beyond 64 bits, which CLI11 would wrap around or cut; else empty.
+std::string not_64_bits(const std::string& number);
+
+/// Runs every check. What they refuse by std::invalid_argument is thrown as one, a line each.
+void require_all(const std::vector<std::function<void()>>& checks);
+
+/// Throws std::invalid_argument when no run can have so many.
+void require_threads(int threads);
 
 /// Examples at the end of a command's --help.
 void add_examples(CLI::App& command, const std::vector<std::string>& examples);

@@ -58,9 +58,12 @@ Found find(const GuessesCommand& command, const Tracker& tracker) {
 }
 
 int run(const GuessesCommand& command) {
-  require_known(command.start);
-  require_distinct({command.json, command.csv}, command.file);
-  const std::unique_ptr<Tracker> tracker = make_tracker(command.tracker);
+  std::unique_ptr<Tracker> tracker;
+  require_all({[&] { require_known(command.start); }, [&] { require_threads(command.threads); },
+               [&] {
+                 require_distinct({command.json, command.csv}, command.file);
+               },
+               [&] { tracker = make_tracker(command.tracker); }});
   Output json(command.json);
   Output csv(command.csv);
   const Found found = find(command, *tracker);

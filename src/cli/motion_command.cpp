@@ -57,8 +57,11 @@ MotionResult moved(const Mechanism& mechanism, const MotionCommand& command,
 }
 
 int run(const MotionCommand& command) {
-  require_known(command.start);
-  require_distinct({command.json, command.csv, command.svg, command.html}, command.file);
+  require_all(
+      {[&] { require_known(command.start); },
+       [&] {
+         require_distinct({command.json, command.csv, command.svg, command.html}, command.file);
+       }});
   const auto begin = std::chrono::steady_clock::now();
   const Mechanism mechanism = read_any_mechanism(command.file);
   const double parse_s =

@@ -76,13 +76,20 @@ SolveResult solve_interruptibly(const SolveCommand& command, const Problem& prob
 }
 
 int run(const SolveCommand& command) {
-  require_known(command.start);
-  precision_of(command.precision);
-  if (command.digits) require_digits(*command.digits);
-  require_distinct({command.json, command.csv, command.phc}, command.file);
-  const std::unique_ptr<Tracker> tracker = make_tracker(command.tracker);
-  const std::unique_ptr<Tracker> witness =
-      command.cross_check ? make_witness(command.tracker) : nullptr;
+  std::unique_ptr<Tracker> tracker;
+  std::unique_ptr<Tracker> witness;
+  require_all({[&] { require_known(command.start); }, [&] { require_threads(command.threads); },
+               [&] { precision_of(command.precision); },
+               [&] {
+                 if (command.digits) require_digits(*command.digits);
+               },
+               [&] {
+                 require_distinct({command.json, command.csv, command.phc}, command.file);
+               },
+               [&] { tracker = make_tracker(command.tracker); },
+               [&] {
+                 if (command.cross_check) witness = make_witness(command.tracker);
+               }});
   const Problem problem = read_problem(command.file);
   Output json(command.json);
   Output csv(command.csv);

@@ -26,7 +26,7 @@ void add_study_command(CLI::App& moivre, Chosen& chosen) {
       ->type_name("NUMBER,...");
   app.add_flag("--full", command->choice.full, "every decade of tolerance from 1e-1 to 1e-10");
   app.add_option("--seed", command->seed, "the first seed")
-      ->check(CLI::Validator(not_negative, ""))
+      ->check(CLI::Validator(not_64_bits, ""))
       ->capture_default_str();
   app.add_option("--seeds", command->seeds, "how many seeds, one after another")
       ->capture_default_str();

@@ -26,6 +26,7 @@ struct TrackCommand {
   TrackerChoice tracker;
   std::string json;
   std::string csv;
+  int threads = 0;
   bool quiet = false;
 };
 
@@ -44,14 +45,19 @@ Trace follow_path(const TrackCommand& command, const System& f, const Tracker& t
   return trace;
 }
 
+void require_own_start(const TrackCommand& command) {
+  if (command.from.empty() == command.points.empty()) return;
+  throw std::invalid_argument("--from and --points belong together: a start system and its roots");
+}
+
 int run(const TrackCommand& command) {
-  require_known(command.start);
-  require_distinct({command.json, command.csv}, command.file);
-  if (command.from.empty() != command.points.empty()) {
-    throw std::invalid_argument(
-        "--from and --points belong together: a start system and its roots");
-  }
-  const std::unique_ptr<Tracker> tracker = make_tracker(command.tracker);
+  std::unique_ptr<Tracker> tracker;
+  require_all({[&] { require_known(command.start); }, [&] { require_threads(command.threads); },
+               [&] {
+                 require_distinct({command.json, command.csv}, command.file);
+               },
+               [&] { require_own_start(command); },
+               [&] { tracker = make_tracker(command.tracker); }});
   const System f = read_system(read_source(command.file));
   Output json(command.json);
   Output csv(command.csv);
@@ -75,7 +81,7 @@ void add_track_command(CLI::App& moivre, Chosen& chosen) {
       "track", "Follow one path of a polynomial file and print every step as CSV");
   add_file(app, command->file);
   app.add_option("--path", command->path, "number of the path, as in solve; counts from 0")
-      ->check(CLI::Validator(not_negative, ""))
+      ->check(CLI::Validator(not_64_bits, ""))
       ->required();
   app.add_option("--from", command->from, "a start system of your own, used as it is")
       ->type_name("FILE");
@@ -84,6 +90,8 @@ void add_track_command(CLI::App& moivre, Chosen& chosen) {
                  "each variable, a point a line)")
       ->type_name("FILE");
   add_start_options(app, command->start);
+  app.add_option("--threads", command->threads, "as in solve; one path runs on one thread")
+      ->capture_default_str();
   add_json_option(app, command->json);
   app.add_option("--csv", command->csv, "write the steps here instead of to standard output")
       ->type_name("PATH");

@@ -4,6 +4,8 @@
 
 #include <stdexcept>
 
+#include "common_options.h"
+
 #if MOIVRE_WITH_CVODE
 #include "moivre/tracker_cvode/cvode_tracker.h"
 #endif
@@ -46,11 +48,13 @@ CvodeIteration cvode_iteration(const std::string& name) {
 
 std::unique_ptr<Tracker> make_cvode(const TrackerChoice& choice) {
   CvodeOptions options;
-  options.method = cvode_method(choice.method);
-  options.iteration = cvode_iteration(choice.iteration);
   options.rtol = choice.rtol;
   options.maximum_steps = choice.maximum_steps;
-  return make_cvode_tracker(options);
+  std::unique_ptr<Tracker> tracker;
+  require_all({[&] { options.method = cvode_method(choice.method); },
+               [&] { options.iteration = cvode_iteration(choice.iteration); },
+               [&] { tracker = make_cvode_tracker(options); }});
+  return tracker;
 }
 #else
 void take_defaults_of_cvode(TrackerChoice&) {}

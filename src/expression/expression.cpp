@@ -3,9 +3,11 @@
 #include "moivre/expression/expression.h"
 
 #include <iterator>
+#include <optional>
 #include <tao/pegtl.hpp>
 #include <utility>
 
+#include "next_summand.h"
 #include "number.h"
 
 namespace moivre {
@@ -75,8 +77,12 @@ SourcePosition position_of(const AnyInput& in) {
   return {.offset = at.byte, .line = at.line, .column = at.column};
 }
 
+constexpr const char* kUnclosed = "unbalanced parenthesis: this `(` is never closed";
+constexpr const char* kUnopened = "unbalanced parenthesis: this `)` closes nothing";
+
 struct SyntaxFault {
   Diagnostic diagnostic;
+  SourcePosition reached;  ///< where reading stopped; an unclosed `(` stands before
 };
 
 /// The tree under construction: finished operands on a stack, and where the unfinished nodes begin
@@ -96,10 +102,19 @@ struct Builder {
   std::vector<Opening> openings = {};
   int exponents = 0;
 
+  /// As before the first character.
+  void restart() {
+    stack.clear();
+    unfinished.clear();
+    openings.clear();
+    exponents = 0;
+  }
+
   void check_depth(const SourcePosition& at) const {
     if (openings.size() + static_cast<std::size_t>(exponents) <= kMaximumDepth) return;
     throw SyntaxFault{{at, "parentheses, calls and exponents stand more than " +
-                               std::to_string(kMaximumDepth) + " deep in one another"}};
+                               std::to_string(kMaximumDepth) + " deep in one another"},
+                      at};
   }
 
   /// The top of the stack becomes the operand of a new node.
@@ -143,7 +158,10 @@ struct Action<grammar::number> {
   template <class Match>
   static void apply(const Match& in, Builder& b) {
     ParsedNumber parsed = parse_number(in.string_view());
-    if (!parsed.refusal.empty()) b.faults.push_back({position_of(in), parsed.refusal});
+    if (!parsed.refusal.empty()) {
+      b.faults.push_back({position_of(in), parsed.refusal});
+      parsed.value = 1;  // so that what stands around it is judged by itself
+    }
     b.stack.push_back({.kind = Expression::Kind::number,
                        .at = position_of(in),
                        .number = std::move(parsed.value),
@@ -316,7 +334,7 @@ std::string juxtaposition(std::string_view text, std::size_t at, std::size_t lin
 /// Why the expression does not go on with text[at].
 std::string unexpected(std::string_view text, std::size_t at, std::size_t line) {
   const char c = text[at];
-  if (c == ')') return "unbalanced parenthesis: this `)` closes nothing";
+  if (c == ')') return kUnopened;
   if (c == '(' || c == '.' || is_name_character(c)) return juxtaposition(text, at, line);
   if (c == '=')
     return "`=` has no place in an expression; write the left side minus the right side";
@@ -333,11 +351,9 @@ std::string missing_operand(std::string_view text, std::size_t at) {
 
 SyntaxFault fault_at(const SourcePosition& at, Expected what, const Builder& b) {
   const std::size_t index = at.offset - b.begin.offset;
-  if (what == Expected::operand) return {{at, missing_operand(b.text, index)}};
-  if (index == b.text.size()) {
-    return {{b.openings.back().at, "unbalanced parenthesis: this `(` is never closed"}};
-  }
-  return {{at, unexpected(b.text, index, at.line)}};
+  if (what == Expected::operand) return {{at, missing_operand(b.text, index)}, at};
+  if (index == b.text.size()) return {{b.openings.back().at, kUnclosed}, at};
+  return {{at, unexpected(b.text, index, at.line)}, at};
 }
 
 template <class Rule>
@@ -363,16 +379,58 @@ struct NameAction<grammar::name> {
   }
 };
 
-/// False after a fault of the grammar, which is then among the faults.
-bool build(Builder& builder) {
-  Input input = input_of(builder.text, builder.begin);
+/// Reads from `from` to the end of the text; the fault that stopped it, if any.
+std::optional<SyntaxFault> build_from(const SourcePosition& from, Builder& builder) {
+  Input input = input_of(builder.text.substr(from.offset - builder.begin.offset), from);
   try {
     pegtl::parse<grammar::expression, Action, Control>(input, builder);
-    return true;
+    return std::nullopt;
   } catch (const SyntaxFault& fault) {
-    builder.faults.push_back(fault.diagnostic);
-    return false;
+    return fault;
   }
+}
+
+/// Notes `fault` and what it hides of parentheses. Where reading goes on, in a builder as new; none: the text is done.
+std::optional<SourcePosition> recover(const SyntaxFault& fault, Builder& builder) {
+  const std::size_t begin = builder.begin.offset;
+  std::size_t from = fault.reached.offset - begin;
+  std::vector<std::size_t> open;
+  for (const Builder::Opening& opening : builder.openings)
+    open.push_back(opening.at.offset - begin);
+  // A parenthesis is on its way to the stack only when it is the fault itself, beyond the depth allowed.
+  if (!open.empty() && open.back() == from) ++from;
+  builder.faults.push_back(fault.diagnostic);
+  const bool is_told = fault.diagnostic.message == kUnopened;
+  const NextSummand next = next_summand(builder.text, is_told ? from + 1 : from, open);
+
+  SourcePosition here = fault.reached;
+  const auto walk_to = [&](std::size_t index) {
+    here = after(here, builder.text.substr(here.offset - begin, index - (here.offset - begin)));
+  };
+  for (const std::size_t index : next.unopened) {
+    walk_to(index);
+    builder.faults.push_back({here, kUnopened});
+  }
+  if (next.unclosed && fault.diagnostic.message != kUnclosed) {
+    builder.faults.push_back(
+        {after(builder.begin, builder.text.substr(0, *next.unclosed)), kUnclosed});
+  }
+  builder.restart();
+  if (!next.begin) return std::nullopt;
+  walk_to(*next.begin);
+  return here;
+}
+
+/// False after faults of the grammar, which are then among the faults.
+bool build(Builder& builder) {
+  std::optional<SyntaxFault> fault = build_from(builder.begin, builder);
+  const bool is_sound = !fault;
+  while (fault) {
+    const std::optional<SourcePosition> from = recover(*fault, builder);
+    if (!from) break;
+    fault = build_from(*from, builder);
+  }
+  return is_sound;
 }
 
 }  // namespace

@@ -236,12 +236,10 @@ Expander::Value Expander::refuse(const SourcePosition& at, const std::string& me
 std::optional<Polynomial> Expander::expand(std::string_view text, const SourcePosition& begin,
                                            const Environment& names) {
   const std::size_t faults_before = faults_.size();
-  std::size_t faults_seen = faults_before;
   Sum sum;
   parse_summands(text, begin, faults_, [&](const Expression& summand) {
-    const bool is_parsed = faults_.size() == faults_seen;  // else a number in it was refused
-    if (is_parsed) add_summand(summand, names, sum);
-    faults_seen = faults_.size();
+    sum.is_sound = faults_.size() == faults_before;
+    add_summand(summand, names, sum);
   });
   if (faults_.size() > faults_before) return std::nullopt;
   Polynomial polynomial = to_polynomial(std::move(sum.terms));

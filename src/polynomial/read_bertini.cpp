@@ -69,6 +69,21 @@ Statement behind(const Statement& statement, std::size_t count) {
   return rest;
 }
 
+constexpr std::string_view kInput = "INPUT";
+constexpr const char* kOpenConfig = "CONFIG is not closed by `END;`";
+
+/// Where a line of `text` begins with the word INPUT; npos when none does.
+std::size_t input_heading(std::string_view text) {
+  std::size_t begin = 0;
+  while (begin < text.size()) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    const std::string_view line = trimmed(text.substr(begin, end - begin));
+    if (word_at_front(line) == kInput) return static_cast<std::size_t>(line.data() - text.data());
+    begin = end + 1;
+  }
+  return std::string_view::npos;
+}
+
 /// The statements of the INPUT section, or of the whole text when it has no sections.
 std::vector<Statement> input_statements(std::string_view text, std::vector<Diagnostic>& faults) {
   enum class Section { none, config, input };
@@ -90,10 +105,19 @@ std::vector<Statement> input_statements(std::string_view text, std::vector<Diagn
       section = Section::none;
       continue;
     }
-    if (section == Section::config || (statement.text.empty() && !statement.is_ended)) continue;
+    if (section == Section::config) {
+      // A CONFIG that lost its `END;` would swallow the whole file, and the faults in it.
+      const std::size_t input = input_heading(statement.text);
+      if (input == std::string_view::npos) continue;
+      faults.push_back({opened, kOpenConfig});
+      section = Section::input;
+      opened = after(statement.begin, statement.text.substr(0, input));
+      statement = behind(statement, input + kInput.size());
+    }
+    if ((statement.text.empty() && !statement.is_ended)) continue;
     statements.push_back(statement);
   }
-  if (section == Section::config) faults.push_back({opened, "CONFIG is not closed by `END;`"});
+  if (section == Section::config) faults.push_back({opened, kOpenConfig});
   if (section == Section::input) faults.push_back({opened, "INPUT is not closed by `END;`"});
   return statements;
 }

@@ -191,6 +191,19 @@ bool is_identity(const Scaling& scaling) {
          std::all_of(scaling.equation_log2.begin(), scaling.equation_log2.end(), is_zero);
 }
 
+std::string to_text(const Scaling& scaling) {
+  std::string text;
+  const auto tell = [&](const char* what, const std::vector<int>& exponents) {
+    const auto [low, high] = std::minmax_element(exponents.begin(), exponents.end());
+    if (exponents.empty() || (*low == 0 && *high == 0)) return;
+    text += (text.empty() ? "" : ", ") + std::string(what) + " by 2^" + std::to_string(*low);
+    if (*low < *high) text += " to 2^" + std::to_string(*high);
+  };
+  tell("unknowns", scaling.variable_log2);
+  tell("equations", scaling.equation_log2);
+  return text;
+}
+
 std::vector<std::complex<double>> restore(const Scaling& scaling,
                                           const std::vector<std::complex<double>>& y) {
   if (scaling.variable_log2.size() != y.size()) {

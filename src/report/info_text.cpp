@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The structure of a system for people.
-#include <algorithm>
+#include <string>
 
+#include "moivre/polynomial/scale.h"
 #include "moivre/report/info.h"
 #include "moivre/report/number_text.h"
 #include "moivre/report/text_blocks.h"
@@ -24,15 +25,6 @@ std::string degrees_line(const SystemFacts& facts) {
   return degrees_text(facts.degrees) + "; total degree " + count_text(facts.total_degree);
 }
 
-std::string range_text(const std::vector<int>& exponents) {
-  const auto [low, high] = std::minmax_element(exponents.begin(), exponents.end());
-  return "2^" + std::to_string(*low) + " to 2^" + std::to_string(*high);
-}
-
-bool is_scaled(const std::vector<int>& exponents) {
-  return std::any_of(exponents.begin(), exponents.end(), [](int e) { return e != 0; });
-}
-
 }  // namespace
 
 std::string info_text(const SystemInfo& info, const std::string& file) {
@@ -50,13 +42,8 @@ std::string info_text(const SystemInfo& info, const std::string& file) {
         size_text(info.reduced.degrees.size(), info.reduced.variables.size(), info.reduced_terms) +
         ", degrees " + degrees_line(info.reduced) + '\n';
   }
-  text += "scaling       ";
-  if (is_scaled(info.variable_log2) || is_scaled(info.equation_log2)) {
-    text += "unknowns by " + range_text(info.variable_log2) + ", equations by " +
-            range_text(info.equation_log2) + '\n';
-  } else {
-    text += "none needed\n";
-  }
+  const std::string scaling = to_text(Scaling{info.variable_log2, info.equation_log2});
+  text += "scaling       " + (scaling.empty() ? "none needed" : scaling) + '\n';
   text += "\nPaths of each start system\n";
   for (const StartCost& start : info.start_systems) {
     text += "  " + start.kind + ": " +

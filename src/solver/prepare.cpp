@@ -19,11 +19,6 @@ Reduction keep_everything(const System& f) {
   return whole;
 }
 
-std::string span_text(const std::vector<int>& exponents) {
-  const auto [low, high] = std::minmax_element(exponents.begin(), exponents.end());
-  return "2^" + std::to_string(*low) + " to 2^" + std::to_string(*high);
-}
-
 /// log2 of the sizes of the smallest and the largest coefficient; zeros of the zero polynomial.
 std::pair<double, double> size_range_log2(const Polynomial& p) {
   if (p.terms.empty()) return {0, 0};
@@ -68,8 +63,7 @@ Prepared prepare(const System& f, const SolveOptions& options) {
                                              std::vector<int>(reduced.polynomials.size())};
   if (!is_identity(prepared.scaling)) {
     prepared.left_out.push_back(
-        {"unknowns scaled by " + span_text(prepared.scaling.variable_log2) + ", equations by " +
-             span_text(prepared.scaling.equation_log2),
+        {"scaled: " + to_text(prepared.scaling),
          "coefficients far from 1 would hide roots from the tracker's tolerances"});
   }
   const System scaled = with_unit_rows(scale(reduced, prepared.scaling));

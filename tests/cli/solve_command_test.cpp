@@ -259,6 +259,7 @@ TEST(SolveCommand, RefusesEachWrongOptionWithItsReason) {
       {{"--threads", "-1"}, "threads must lie between 0 (all cores) and 1024"},
       {{"--threads", "100000"}, "threads must lie between 0 (all cores) and 1024"},
       {{"--seed", "-1"}, "--seed: -1 is negative"},
+      {{"--seed", "18446744073709551616"}, "18446744073709551616 is beyond 64 bits"},
       {{"--seed", "x"}, "--seed"},
       {{"--jsn", "-"}, "unknown option --jsn; did you mean --json?"},
       {{"--tread=2"}, "unknown option --tread; did you mean --threads?"}};
@@ -269,6 +270,20 @@ TEST(SolveCommand, RefusesEachWrongOptionWithItsReason) {
     EXPECT_EQ(outcome.exit_code, 1) << refusal.options[0];
     EXPECT_EQ(outcome.out, "") << refusal.options[0];
     EXPECT_TRUE(contains(outcome.err, refusal.message)) << outcome.err;
+  }
+}
+
+TEST(SolveCommand, NamesEveryWrongOptionAtOnce) {
+  Scene scene;
+  scene.write("f.phc", kCircleAndHyperbola);
+  const Outcome outcome = scene.run({"solve", "f.phc", "--start", "polyhedral", "--threads", "-1",
+                                     "--precision", "half", "--method", "euler", "--iteration",
+                                     "halley", "--rtol", "7", "--max-steps", "0"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  for (const char* fault :
+       {"--start polyhedral", "threads must lie", "--precision half", "--method euler",
+        "--iteration halley", "rtol must lie", "maximum_steps must"}) {
+    EXPECT_TRUE(contains(outcome.err, fault)) << fault << "\n" << outcome.err;
   }
 }
 

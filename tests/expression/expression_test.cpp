@@ -101,6 +101,25 @@ TEST(Expression, NamesEveryNumberOutOfRange) {
   EXPECT_EQ(faults[1].at.column, 11U);
 }
 
+TEST(Expression, NamesTheFaultOfEverySummand) {
+  const auto columns = [](const std::string& text) {
+    std::vector<Diagnostic> faults;
+    parse_expression(text, {}, faults);
+    std::vector<std::size_t> all;
+    for (const Diagnostic& one : faults) all.push_back(one.at.column);
+    return all;
+  };
+  using Columns = std::vector<std::size_t>;
+  EXPECT_EQ(columns("2x + 3y - 1e400*z"), (Columns{2, 7, 11}));
+  EXPECT_EQ(columns("2x^1e-3 - 1e+5y"), (Columns{2, 15}))
+      << "the sign of a number begins no summand";
+  EXPECT_EQ(columns("x*(y - 1 + 2 z"), (Columns{14, 3})) << "and the parenthesis is not closed";
+  EXPECT_EQ(columns("(2 z + 3 y)*x) + 4 t + u)"), (Columns{4, 14, 20, 25}));
+  EXPECT_EQ(columns("x y +"), (Columns{3, 6}));
+  EXPECT_EQ(columns(std::string(257, '(') + "x" + std::string(257, ')') + "+ 2y"),
+            (Columns{257, 519}));
+}
+
 TEST(Expression, RefusesMoreDigitsThanAnyDataHas) {
   EXPECT_NE(fault("0." + std::string(6000, '3')).message.find("more than 5000 digits"),
             std::string::npos);
@@ -122,7 +141,7 @@ TEST(Expression, MayNestAsDeepAsStatedAndNoDeeper) {
   EXPECT_NE(nested(257).find("more than 256 deep"), std::string::npos);
 }
 
-TEST(Summands, AreHandedOnWithTheirSignsUpToAFault) {
+TEST(Summands, AreHandedOnWithTheirSignsAndBehindAFaultAsWell) {
   const auto summands = [](const std::string& text) {
     std::vector<Diagnostic> faults;
     std::string trees;
@@ -131,7 +150,7 @@ TEST(Summands, AreHandedOnWithTheirSignsUpToAFault) {
   };
   EXPECT_EQ(summands("-a*b + (c - d)^2 - 3"), "(- (* a b))\n(^ (+ c (- d)) 2)\n(- 3)\n");
   EXPECT_EQ(summands("+f(a + b, c)"), "(f (+ a b) c)\n");
-  EXPECT_EQ(summands("a + b^(c + d) ++ e"), "a\n(^ b (+ c d))\nfault");
+  EXPECT_EQ(summands("a + b^(c + d) ++ e"), "a\n(^ b (+ c d))\ne\nfault");
 }
 
 TEST(NamesIn, FindsEveryNameEvenInTextThatDoesNotParse) {

@@ -115,6 +115,15 @@ TEST(BertiniReader, RefusesSectionsThatAreNotClosed) {
       {{1, 1, "CONFIG is not closed by `END;`"}, {1, 1, "no variable"}, {1, 1, "no function"}});
 }
 
+TEST(BertiniReader, GoesOnAtInputBehindAConfigThatIsNotClosed) {
+  expect_faults(
+      "CONFIG\nTRACKTYPE: 0;\nEND\n INPUT\nvariable_group x;\nfunction f;\nf = x^y;\nEND;\n",
+      {{1, 1, "CONFIG is not closed by `END;`"}, {7, 7, "the name `y` is not declared"}});
+  expect_faults(
+      "CONFIG\nINPUTS: 0;\n% INPUT\nEND\nINPUT\nvariable_group x;\nfunction f;\nf = x;\n",
+      {{1, 1, "CONFIG is not closed by `END;`"}, {5, 1, "INPUT is not closed by `END;`"}});
+}
+
 TEST(BertiniReader, ShowsTheLineWithItsComment) {
   const std::string text = "variable_group x;\nfunction f;\nf = x ++ 1; % stray\n";
   try {

@@ -179,7 +179,8 @@ TEST(PhcReader, RefusesUnbalancedParentheses) {
 }
 
 TEST(PhcReader, RefusesStrayAndMissingOperators) {
-  expect_faults("2\nx^2 ++ *y - 1;\nx - y;\n", {{2, 6, "found the operator `+`"}});
+  expect_faults("2\nx^2 ++ *y - 1;\nx - y;\n",
+                {{2, 6, "found the operator `+`"}, {2, 8, "found the operator `*`"}});
   expect_faults("2\nx y - 1;\nx - y;\n", {{2, 3, "an operator is missing before `y`"}});
   expect_faults("1\n2x - 1;\n", {{2, 2, "an operator is missing before `x`"}});
   expect_faults("1\n2(x - 1);\n", {{2, 2, "an operator is missing before `(`"}});
@@ -192,6 +193,17 @@ TEST(PhcReader, RefusesStrayAndMissingOperators) {
   expect_faults("1\nx \xE2\x88\x92 1;\n", {{2, 3, "unexpected character: the byte 0xE2"}});
   expect_faults("1\n;\n",
                 {{1, 1, "expected 1 unknown, found 0 names"}, {2, 1, "a polynomial is missing"}});
+}
+
+TEST(PhcReader, NamesWhatStandsBehindAFaultOfTheSamePolynomial) {
+  expect_faults("2\nx y + x^2.5 - 1e400 + y/x + (x;\n2x - 3y;\n",
+                {{2, 3, "an operator is missing before `y`"},
+                 {2, 9, "the exponent is not an integer"},
+                 {2, 15, "`1e400` is beyond the range of double"},
+                 {2, 24, "division by a variable"},
+                 {2, 29, "this `(` is never closed"},
+                 {3, 2, "an operator is missing before `x`"},
+                 {3, 7, "an operator is missing before `y`"}});
 }
 
 TEST(PhcReader, RefusesFunctionCalls) {
@@ -219,11 +231,12 @@ TEST(PhcReader, NamesEveryFaultOfAFile) {
                  {5, 3, "an operator is missing"}});
 }
 
-TEST(PhcReader, NamesTheFaultsBeforeAFaultOfTheGrammarToo) {
+TEST(PhcReader, NamesTheFaultsAroundAFaultOfTheGrammarToo) {
   expect_faults("1\nx^2.5 + 1/x - 1/1e400 ++ x^-1;\n", {{2, 3, "not an integer"},
                                                         {2, 10, "division by a variable"},
                                                         {2, 17, "`1e400`"},
-                                                        {2, 24, "found the operator `+`"}});
+                                                        {2, 24, "found the operator `+`"},
+                                                        {2, 28, "negative exponent -1"}});
 }
 
 TEST(PhcReader, RefusesEmptyAndBinaryFiles) {

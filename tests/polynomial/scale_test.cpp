@@ -160,6 +160,13 @@ TEST(Scaling, AHugeExponentIsNotTurnedIntoAHugeCoefficient) {
   EXPECT_EQ(choose_scaling(f).variable_log2, (std::vector<int>{0}));
 }
 
+TEST(Scaling, IsToldInWordsWithoutWhatStays) {
+  EXPECT_EQ(to_text(Scaling{{-3, 0, 2}, {5, 5}}), "unknowns by 2^-3 to 2^2, equations by 2^5");
+  EXPECT_EQ(to_text(Scaling{{0, 0}, {0, 1}}), "equations by 2^0 to 2^1");
+  EXPECT_EQ(to_text(Scaling{{0}, {0}}), "");
+  EXPECT_EQ(to_text(Scaling{}), "");
+}
+
 TEST(Scaling, PointsComeBackInTheOriginalUnits) {
   const Scaling scaling{{20, -20}, {0}};
   const std::vector<std::complex<double>> x = restore(scaling, {{1.5, -1}, {0, 2}});

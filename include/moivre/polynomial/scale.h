@@ -19,6 +19,7 @@
 #pragma once
 
 #include <complex>
+#include <string>
 #include <vector>
 
 #include "moivre/polynomial/system.h"
@@ -44,6 +45,8 @@ Scaling choose_scaling(const System& f);
 System scale(const System& f, const Scaling& scaling);
 
 bool is_identity(const Scaling& scaling);
+/// "unknowns by 2^-3 to 2^2, equations by 2^5": what is scaled, in words; empty for the identity.
+std::string to_text(const Scaling& scaling);
 
 /// x = 2^v y: a point of the scaled system in the units of the original one.
 std::vector<std::complex<double>> restore(const Scaling& scaling,
