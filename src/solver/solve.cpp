@@ -47,6 +47,9 @@ constexpr int kFallbackCare = 2;
 // Followed in double-double until it is this large, and to no regular end, a path is one to infinity.
 constexpr double kBeyondRoots = 1e-18;
 
+// So few climb one by one: a step of many lanes takes several times as long as one of a single path.
+constexpr std::size_t kFewClimbers = 2;
+
 class Stopwatch {
  public:
   double lap() {
@@ -75,6 +78,7 @@ class Run {
                                      : static_cast<int>(std::thread::hardware_concurrency())) {
     if (options.precision != Precision::double_precision) {
       fine_tracker_ = make_double_double_tracker();
+      fine_own_ = tracker.in_double_double();
     }
   }
 
@@ -91,7 +95,8 @@ class Run {
   void track_again(const std::set<std::uint64_t>& paths, int care);
   void resolve_clusters();
   std::set<std::uint64_t> paths_failed_by(const std::set<Failure>& reasons) const;
-  void climb(const std::set<std::uint64_t>& paths);
+  void climb(std::set<std::uint64_t> paths);
+  std::set<std::uint64_t> climb(const std::set<std::uint64_t>& paths, const Tracker& tracker);
   Rung rung_of(std::uint64_t path) const;
   void close_account();
   void fail_unsettled();
@@ -103,7 +108,10 @@ class Run {
   void take(std::uint64_t path, PathEnd&& end);
   bool falls_back(int care) const { return options_.fallback != nullptr && care >= kFallbackCare; }
   bool is_fine() const { return options_.precision == Precision::double_double; }
-  const Tracker& tracker() const { return is_fine() ? *fine_tracker_ : tracker_; }
+  const Tracker& tracker() const {
+    if (!is_fine()) return tracker_;
+    return fine_own_ ? *fine_own_ : *fine_tracker_;
+  }
   PathProblem problem(int care) const {
     return {*prepared_.homotopy, prepared_.start, falls_back(care) ? *options_.fallback : tracker(),
             endgame_};
@@ -125,8 +133,9 @@ class Run {
   std::set<std::uint64_t> handed_over_;
   std::uint64_t unsettled_conjugates_ = 0;
   bool interrupted_ = false;
-  std::unique_ptr<Tracker> fine_tracker_;  // nullptr: no path is to be climbed
-  std::map<std::uint64_t, Rung> rungs_;  // of paths that needed more than double
+  std::unique_ptr<Tracker> fine_tracker_;  // one path at a time; nullptr: no path is to be climbed
+  std::unique_ptr<Tracker> fine_own_;      // tracker_ in double-double; nullptr where it has none
+  std::map<std::uint64_t, Rung> rungs_;    // of paths that needed more than double
   SolveResult result_;
 };
 
@@ -392,10 +401,19 @@ bool has_left_for_infinity(const PathEnd& end) {
   return std::abs(end.x.back()) < kBeyondRoots * max_norm(end.x);
 }
 
-// The whole path in double-double. Where that finds no regular end either, the path's entry stays as it is.
-void Run::climb(const std::set<std::uint64_t>& paths) {
-  if (paths.empty() || interrupted_ || !fine_tracker_) return;
-  const PathProblem fine{*prepared_.homotopy, prepared_.start, *fine_tracker_, endgame_, false};
+// The whole path in double-double. Where that finds no regular end either, the path's entry stays as it is. Several paths
+// go together where the tracker can; what it leaves goes one by one.
+void Run::climb(std::set<std::uint64_t> paths) {
+  if (!fine_tracker_) return;
+  if (fine_own_ && paths.size() > kFewClimbers) paths = climb(paths, *fine_own_);
+  climb(paths, *fine_tracker_);
+}
+
+/// Returns the paths that came to no verdict.
+std::set<std::uint64_t> Run::climb(const std::set<std::uint64_t>& paths, const Tracker& tracker) {
+  std::set<std::uint64_t> left;
+  if (paths.empty() || interrupted_) return left;
+  const PathProblem fine{*prepared_.homotopy, prepared_.start, tracker, endgame_, false};
   const std::vector<std::uint64_t> list(paths.begin(), paths.end());
   retracked_.insert(list.begin(), list.end());
   const EndSink sink = [&](std::uint64_t path, PathEnd&& end) {
@@ -409,15 +427,17 @@ void Run::climb(const std::set<std::uint64_t>& paths) {
     }
     if (end.status == PathStatus::failed) {
       result_.work += end.count;
+      left.insert(path);
       return;
     }
     ledger_.strike(path);
     take(path, std::move(end));
     rungs_[path] = Rung::double_double;
   };
-  track_paths(fine, list.size(), [&](std::uint64_t k) { return list[k]; }, 0, threads_, sink,
-              stop_);
+  track_paths(
+      fine, list.size(), [&](std::uint64_t k) { return list[k]; }, 0, threads_, sink, stop_);
   refine_ends();
+  return left;
 }
 
 Rung Run::rung_of(std::uint64_t path) const {
@@ -513,9 +533,12 @@ void Run::close_account() {
 
 std::string to_string(Rung rung) {
   switch (rung) {
-    case Rung::double_precision: return "double";
-    case Rung::mixed: return "mixed";
-    case Rung::double_double: return "double-double";
+    case Rung::double_precision:
+      return "double";
+    case Rung::mixed:
+      return "mixed";
+    case Rung::double_double:
+      return "double-double";
   }
   return "";
 }

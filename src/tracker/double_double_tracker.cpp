@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "fine_path_system.h"
+#include "moivre/tracker/fine_path_system.h"
 
 namespace moivre {
 namespace {
@@ -23,26 +23,11 @@ constexpr double kOrder = 4;  // Hermite's cubic
 constexpr double kCareFactor = 10;
 // A step is refused when its first correction is so many times the tolerance.
 constexpr double kLargestOvershoot = 30;
-// Newton's method has to contract by this factor, which no multiple root allows (a double root: 1/2).
-constexpr double kContraction = 0.1;
-constexpr int kIterations = 8;
-// The correction at which a point is on its path, and an end is known beyond double.
-constexpr double kOnPath = 1e-12;
-constexpr double kAtEnd = 1e-26;
-// Equations have coefficients near 1 and |x| is near 1: a residual below this is made of rounding errors. Corrections that
-// stop contracting there pass below these: on the way, and at a regular end.
-constexpr double kRoundingResidual = 1e-27;
-constexpr double kRoundingOnPath = 1e-9;
-constexpr double kRoundingAtEnd = 1e-10;
-// At an end they are also to be no larger than rounding makes them: so many times the condition.
-constexpr double kNoise = 1e-30;
+// A first correction below this fraction of the tolerance lengthens the step no further.
+constexpr double kLeastCorrection = 1e-12;
 // A regular end that double-double can tell attracts from further away than this; nearer to a double root, corrections
 // drown in rounding.
 constexpr double kLeastStep = 1e-26;
-// How far the departure may be from its path.
-constexpr double kStartReach = 1e-2;
-// From here on J, evaluated in double-double, says nothing about the end.
-constexpr double kHopelessCondition = 1e26;
 
 /// A place on the contour, from both ends.
 struct Place {
@@ -53,18 +38,8 @@ struct Place {
     if (h >= left) return {1, 0};
     return s < 0.5 ? Place{s + h, 1 - (s + h)} : Place{1 - (left - h), left - h};
   }
-  PathTime on(const Contour& contour) const {
-    return s < 0.5 ? contour.at(s) : contour.before_end(left);
-  }
+  PathTime on(const Contour& contour) const { return contour.at(s, left); }
   double step_to(const Place& other) const { return s < 0.5 ? other.s - s : left - other.left; }
-};
-
-/// What Newton's method did.
-struct Settling {
-  bool converged = false;
-  double first = 0;
-  double last = 0;
-  double drift = 0;
 };
 
 class DoubleDoubleSession : public TrackerSession {
@@ -91,9 +66,7 @@ class DoubleDoubleSession : public TrackerSession {
   Journey go(const Departure& departure, const std::atomic<bool>& stop, Arrival& arrival);
   bool depart(const Departure& departure);
   void predict(double h);
-  Settling settle(FinePoint& x, const PathTime& t, double reach, double aim, double rounding);
   bool step(const Departure& departure, const Place& next, double h, Settling& settling);
-  bool is_regular_end(const Settling& settling);
   bool is_watched(const Departure& departure, const Settling& settling, double h);
   Point rounded() const;
 
@@ -115,30 +88,6 @@ Point DoubleDoubleSession::rounded() const {
   return result;
 }
 
-Settling DoubleDoubleSession::settle(FinePoint& x, const PathTime& t, double reach, double aim,
-                                     double rounding) {
-  Settling result;
-  double previous = reach;
-  for (int k = 0; k < kIterations; ++k) {
-    if (!path_.linearize(x, t)) return result;
-    if (k == 0) result.drift = path_.residual();
-    const double size = path_.correct(x);
-    if (!std::isfinite(size)) return result;
-    if (k == 0) result.first = size;
-    result.last = size;
-    if (size > (k == 0 ? 1 : kContraction) * previous) {
-      result.converged = k > 0 && size <= rounding && path_.residual() < kRoundingResidual;
-      return result;
-    }
-    if (size <= aim) {
-      result.converged = true;
-      return result;
-    }
-    previous = size;
-  }
-  return result;
-}
-
 bool DoubleDoubleSession::depart(const Departure& departure) {
   place_ = Place();
   last_step_ = 0;
@@ -148,7 +97,7 @@ bool DoubleDoubleSession::depart(const Departure& departure) {
   for (Number& xi : x_) xi = product(scale, xi);
   path_.set_patch(x_);
   const PathTime t = place_.on(departure.contour);
-  if (!settle(x_, t, kStartReach, kOnPath, kRoundingOnPath).converged) return false;
+  if (!path_.settle(x_, t, kSettledOnPath).converged) return false;
   path_.tangent(departure.contour.dt(0), dx_);
   return true;
 }
@@ -172,11 +121,6 @@ void DoubleDoubleSession::predict(double h) {
   }
 }
 
-bool DoubleDoubleSession::is_regular_end(const Settling& settling) {
-  const double condition = path_.condition();
-  return condition <= kHopelessCondition && settling.last <= std::max(kAtEnd, kNoise * condition);
-}
-
 /// Takes the step to `next` when Newton's method finds the path there.
 bool DoubleDoubleSession::step(const Departure& departure, const Place& next, double h,
                                Settling& settling) {
@@ -185,9 +129,10 @@ bool DoubleDoubleSession::step(const Departure& departure, const Place& next, do
   const PathTime t = next.on(departure.contour);
   predict(h);
   const bool is_end = t.rest == 0.0;
-  settling = settle(trial_, t, reach, is_end ? kAtEnd : kOnPath,
-                    is_end ? kRoundingAtEnd : kRoundingOnPath);
-  if (!settling.converged || (is_end && !is_regular_end(settling))) return false;
+  SettlingRules rules = is_end ? kSettledAtEnd : kSettledOnPath;
+  rules.reach = reach;
+  settling = path_.settle(trial_, t, rules);
+  if (!settling.converged || (is_end && !path_.is_regular_end(settling))) return false;
   std::swap(previous_x_, x_);
   std::swap(previous_dx_, dx_);
   std::swap(x_, trial_);
@@ -241,7 +186,8 @@ Journey DoubleDoubleSession::go(const Departure& departure, const std::atomic<bo
       ++sample;
     }
     const double growth =
-        kSafety * std::pow(tolerance / std::max(settling.first, kOnPath * tolerance), 1 / kOrder);
+        kSafety *
+        std::pow(tolerance / std::max(settling.first, kLeastCorrection * tolerance), 1 / kOrder);
     h = std::max(is_sample ? h : 0, taken * std::clamp(growth, kLeastGrowth, kLargestGrowth));
     if (is_watched(departure, settling, taken)) return Journey::stopped;
   }

@@ -1,12 +1,22 @@
 // SPDX-License-Identifier: MIT
 // The bordered system of a path in double-double.
-#include "fine_path_system.h"
+#include "moivre/tracker/fine_path_system.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace moivre {
 namespace {
+
+// Newton's method has to contract by this factor, which no multiple root allows (a double root: 1/2).
+constexpr double kContraction = 0.1;
+constexpr int kIterations = 8;
+// Equations have coefficients near 1 and |x| is near 1: a residual below this is made of rounding errors.
+constexpr double kRoundingResidual = 1e-27;
+// At an end corrections are also to be no larger than rounding makes them: so many times the condition.
+constexpr double kNoise = 1e-30;
+// From here on J, evaluated in double-double, says nothing about the end.
+constexpr double kHopelessCondition = 1e26;
 
 ComplexDoubleDouble dot(std::span<const ComplexDoubleDouble> a,
                         std::span<const ComplexDoubleDouble> x) {
@@ -68,6 +78,36 @@ double FinePathSystem::correct(std::span<ComplexDoubleDouble> x) {
   round_into(dx_, rounded_dx_);
   for (std::size_t i = 0; i <= n_; ++i) x[i] += dx_[i];
   return weighted_norm(rounded_dx_, rounded_x_);
+}
+
+Settling FinePathSystem::settle(std::span<ComplexDoubleDouble> x, const PathTime& t,
+                                const SettlingRules& rules) {
+  Settling result;
+  double previous = rules.reach;
+  for (int k = 0; k < kIterations; ++k) {
+    if (!linearize(x, t)) return result;
+    if (k == 0) result.drift = residual();
+    const double size = correct(x);
+    if (!std::isfinite(size)) return result;
+    if (k == 0) result.first = size;
+    result.last = size;
+    if (size > (k == 0 ? 1 : kContraction) * previous) {
+      result.converged = k > 0 && size <= rules.rounding && residual() < kRoundingResidual;
+      return result;
+    }
+    if (size <= rules.aim) {
+      result.converged = true;
+      return result;
+    }
+    previous = size;
+  }
+  return result;
+}
+
+bool FinePathSystem::is_regular_end(const Settling& settling) {
+  const double bearable = condition();
+  return bearable <= kHopelessCondition &&
+         settling.last <= std::max(kSettledAtEnd.aim, kNoise * bearable);
 }
 
 void FinePathSystem::tangent(Complex dt, std::span<ComplexDoubleDouble> dx) {

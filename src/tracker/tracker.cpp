@@ -6,13 +6,20 @@ namespace moivre {
 
 std::string to_string(Journey journey) {
   switch (journey) {
-    case Journey::arrived: return "arrived";
-    case Journey::stopped: return "stopped";
-    case Journey::bad_start: return "bad start";
-    case Journey::step_limit: return "step limit";
-    case Journey::step_too_small: return "step too small";
-    case Journey::off_path: return "off the path";
-    case Journey::cancelled: return "cancelled";
+    case Journey::arrived:
+      return "arrived";
+    case Journey::stopped:
+      return "stopped";
+    case Journey::bad_start:
+      return "bad start";
+    case Journey::step_limit:
+      return "step limit";
+    case Journey::step_too_small:
+      return "step too small";
+    case Journey::off_path:
+      return "off the path";
+    case Journey::cancelled:
+      return "cancelled";
   }
   return "";
 }

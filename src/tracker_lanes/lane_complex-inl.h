@@ -45,7 +45,8 @@ HWY_INLINE V square_root(V a) { return hn::Sqrt(a); }
 HWY_INLINE bool is_nowhere(Mask mask) { return hn::AllFalse(Tag(), mask); }
 HWY_INLINE V select(Mask mask, V yes, V no) { return hn::IfThenElse(mask, yes, no); }
 
-/// What the kernels need to know of R: doubles a real number, and what one lane holds.
+/// What the kernels need to know of R: doubles a real number, what one lane holds, and how doubles and what a lane holds
+/// become an R.
 template <class R>
 struct LaneScalar;
 
@@ -54,6 +55,8 @@ struct LaneScalar<V> {
   static constexpr std::size_t kWords = 1;
   using Real = double;
   using Number = Complex;
+  static HWY_INLINE V widen(V a) { return a; }
+  static HWY_INLINE V spread(double a) { return broadcast(a); }
 };
 
 /// W complex numbers in registers.
@@ -84,20 +87,13 @@ inline void put(const Complex& value, std::size_t lane, LaneCell<V>& cell) {
 inline Complex take(const LaneCell<V>& cell, std::size_t lane) {
   return {cell.at[0][lane], cell.at[1][lane]};
 }
-/// a in the scalar R.
-template <class R>
-HWY_INLINE R widen(V a);
-template <>
-HWY_INLINE V widen<V>(V a) {
-  return a;
-}
 template <class R>
 HWY_INLINE LaneComplex<R> zero() {
-  return {widen<R>(zeros()), widen<R>(zeros())};
+  return {LaneScalar<R>::widen(zeros()), LaneScalar<R>::widen(zeros())};
 }
 template <class R>
 HWY_INLINE LaneComplex<R> one() {
-  return {widen<R>(broadcast(1.0)), widen<R>(zeros())};
+  return {LaneScalar<R>::widen(broadcast(1.0)), LaneScalar<R>::widen(zeros())};
 }
 template <class R>
 HWY_INLINE LaneComplex<R> operator+(const LaneComplex<R>& a, const LaneComplex<R>& b) {

@@ -28,20 +28,11 @@ constexpr double kLeastCut = 0.6;
 constexpr double kFirstStep = 1.0 / 64;
 // A step below this multiple of the spacing of numbers at s does not move the path.
 constexpr double kLeastStep = 4;
-// Newton at the start and the end of a journey, and at samples, which go into Cauchy's integral.
-constexpr double kPointTolerance = 1e-9;
-constexpr double kSampleTolerance = 1e-14;
-// A correction that no longer contracts passes below this.
-constexpr double kStagnation = 1e-6;
 constexpr double kPolishContraction = 0.25;
 constexpr double kFarthestStart = 0.1;
 constexpr int kMaximumRounds = 4;
 // Each level of care divides the tolerance by so much.
 constexpr double kCareFactor = 10;
-// Where a second correction is smaller than this, rounding has a part in it: it does not tell how Newton contracts.
-constexpr double kRounding = 1e-6;
-// A residual below this is made of rounding errors: equations have coefficients near 1.
-constexpr double kRoundingResidual = 1e-12;
 // The largest ratio that a step is sized by, so that no division overflows.
 constexpr double kAmpleRoom = 1e6;
 
@@ -60,8 +51,11 @@ double root_of_order(LanePredictor predictor, double a) {
 
 }  // namespace
 
-void LaneControl::depart(Departure&& departure, const LaneOptions& options) {
+void LaneControl::depart(Departure&& departure, const LaneOptions& options,
+                         const LaneRules& rules) {
   departure_ = std::move(departure);
+  rules_ = rules;
+  left_ = 1;
   const double care = std::pow(kCareFactor, -departure_->care);
   arrival_ = Arrival{};
   maximum_steps_ = options.maximum_steps;
@@ -81,23 +75,44 @@ double LaneControl::next_landing() const {
   return (taken + 1) / departure_->samples;
 }
 
-bool LaneControl::has_landed() const { return arrival_.s == next_landing(); }
+bool LaneControl::has_landed() const {
+  const double landing = next_landing();
+  return landing == 1 ? has_arrived() : arrival_.s == landing;
+}
+
+PathTime LaneControl::time(double s, double left) const {
+  return rules_.least_step > 0 ? contour().at(s, left) : contour().at(s);
+}
+
+double LaneControl::least_step() const {
+  if (rules_.least_step > 0 && arrival_.s >= 0.5) return rules_.least_step;
+  return kLeastStep * std::numeric_limits<double>::epsilon() * std::max(arrival_.s, kFirstStep);
+}
 
 bool LaneControl::prepare() {
   complete_ = false;
   if (state_ == State::idle) return false;
   step_ = 0;
   next_s_ = arrival_.s;
+  next_left_ = left_;
   if (state_ != State::under_way) return true;
   const double landing = next_landing();
-  const double remaining = landing - arrival_.s;
+  const double remaining = landing == 1 ? left_ : landing - arrival_.s;
   if (h_ >= remaining) {
     step_ = remaining;
     next_s_ = landing;
+    next_left_ = 1 - landing;
+    return true;
+  }
+  // No crumb is left over: two equal steps where one and a bit would do.
+  step_ = std::min(h_, remaining / 2);
+  if (rules_.least_step > 0 && arrival_.s >= 0.5) {
+    next_left_ = left_ - step_;
+    next_s_ = 1 - next_left_;
+    step_ = left_ - next_left_;
   } else {
-    // No crumb is left over: two equal steps where one and a bit would do.
-    step_ = std::min(h_, remaining / 2);
     next_s_ = arrival_.s + step_;
+    next_left_ = 1 - next_s_;
     step_ = next_s_ - arrival_.s;
   }
   return true;
@@ -124,11 +139,11 @@ LaneControl::Move LaneControl::judge(const Outcome& outcome) {
 bool LaneControl::is_watched() const {
   if (departure_->watcher == nullptr) return false;
   const double radius = departure_->watch_radius;
-  return std::norm(contour().at(arrival_.s).rest) <= radius * radius;
+  return std::norm(time().rest) <= radius * radius;
 }
 
 double LaneControl::wanted_accuracy() const {
-  return departure_->samples > 0 ? kSampleTolerance : kPointTolerance;
+  return departure_->samples > 0 ? rules_.sample_tolerance : rules_.point_tolerance;
 }
 
 LaneControl::Move LaneControl::judge_departure(const Outcome& outcome) {
@@ -137,7 +152,7 @@ LaneControl::Move LaneControl::judge_departure(const Outcome& outcome) {
     end(Journey::bad_start);
     return Move::stay;
   }
-  if (outcome.second <= kPointTolerance) {
+  if (outcome.second <= rules_.point_tolerance) {
     state_ = State::under_way;
     return Move::depart;
   }
@@ -148,14 +163,11 @@ LaneControl::Move LaneControl::judge_departure(const Outcome& outcome) {
 LaneControl::Move LaneControl::reject(double factor) {
   ++arrival_.count.rejected;
   h_ = step_ * std::clamp(factor, kLargestCut, kLeastCut);
-  const double spacing = std::numeric_limits<double>::epsilon() * std::max(arrival_.s, kFirstStep);
-  if (h_ < kLeastStep * spacing) end(Journey::step_too_small);
+  if (h_ < least_step()) end(Journey::step_too_small);
   return Move::stay;
 }
 
-bool LaneControl::is_near_end() const {
-  return std::norm(contour().at(arrival_.s).rest) < kEndRadius * kEndRadius;
-}
+bool LaneControl::is_near_end() const { return std::norm(time().rest) < kEndRadius * kEndRadius; }
 
 LaneControl::Move LaneControl::judge_step(const Outcome& outcome) {
   const double e = outcome.first;
@@ -163,12 +175,14 @@ LaneControl::Move LaneControl::judge_step(const Outcome& outcome) {
   const double contraction = outcome.second / e;
   const double tolerance = is_near_end() ? end_tolerance_ : tolerance_;
   double room = e * kAmpleRoom > tolerance ? tolerance / e : kAmpleRoom;
-  if (outcome.second > kRounding) room = std::min(room, kContractionAimedAt / contraction);
+  if (outcome.second > rules_.rounding) room = std::min(room, kContractionAimedAt / contraction);
   factor_ = kSafety * root_of_order(predictor_, room);
   if (e > kSlack * tolerance) return reject(factor_);
-  if (contraction <= kContraction || outcome.second <= kStagnation) return accept(outcome);
   last_ = outcome;
-  return outcome.residual <= kRoundingResidual ? Move::rescue : reject(factor_);
+  if (contraction <= kContraction || outcome.second <= rules_.stagnation) {
+    return is_proving_end() ? Move::rescue : accept(outcome);
+  }
+  return outcome.residual <= rules_.rounding_residual ? Move::rescue : reject(factor_);
 }
 
 LaneControl::Move LaneControl::accept(const Outcome& outcome) {
@@ -176,12 +190,13 @@ LaneControl::Move LaneControl::accept(const Outcome& outcome) {
   last_step_ = step_;
   last_ = outcome;
   arrival_.s = next_s_;
+  left_ = next_left_;
   // A step that was cut short to land says nothing against the longer one.
   const double uncut = step_ < h_ ? h_ * std::min(factor_, 1.0) : 0.0;
   h_ = std::max(step_ * std::clamp(factor_, kLargestCut, kLargestGrowth), uncut);
   const double error = outcome.second * std::min(outcome.second / outcome.first, 1.0);
   if (has_landed() ? error > wanted_accuracy()
-                   : error > kPointTolerance && is_watched() && is_near_end()) {
+                   : error > rules_.point_tolerance && is_watched() && is_near_end()) {
     rounds_ = 0;
     state_ = State::polishing;
   } else {
@@ -200,26 +215,27 @@ LaneControl::Move LaneControl::judge_polish(const Outcome& outcome) {
   if (outcome.second > wanted_accuracy() && contracts && rounds_ < kMaximumRounds) {
     return Move::correct;
   }
-  if (outcome.second > kPointTolerance) return Move::rescue;
+  if (outcome.second > rules_.point_tolerance) return Move::rescue;
   state_ = State::under_way;
   complete_ = true;
   return Move::correct;
 }
 
-CorrectorOptions LaneControl::rescue_options() const {
-  CorrectorOptions options;
-  if (departure_->samples > 0) options.tolerance = kSampleTolerance;
-  return options;
+double LaneControl::rescue_tolerance() const { return wanted_accuracy(); }
+
+bool LaneControl::is_proving_end() const {
+  return rules_.proves_ends && next_left_ == 0 && next_time().rest == 0.0;
 }
 
-LaneControl::Move LaneControl::judge_rescue(const Correction& correction, const WorkCount& work) {
-  arrival_.count.work += work;
+LaneControl::Move LaneControl::judge_rescue(const Rescue& rescue) {
+  arrival_.count.work += rescue.work;
   const State before = state_;
-  if (!correction.converged) {
-    if (before == State::under_way) return reject(factor_);
+  if (!rescue.converged) {
+    if (before == State::under_way) return reject(is_proving_end() ? kLargestCut : factor_);
     end(before == State::departing ? Journey::bad_start : Journey::off_path);
     return Move::stay;
   }
+  arrival_.regular_condition = rescue.regular_condition;
   if (before == State::under_way) return accept({last_.first, 0, last_.residual});
   state_ = State::under_way;
   if (before == State::departing) return Move::depart;
@@ -232,12 +248,12 @@ bool LaneControl::is_to_be_observed() const {
 }
 
 void LaneControl::observe(std::span<const Complex> x, PathSystem& path) {
-  const bool at_end = arrival_.s == 1;
+  const bool at_end = has_arrived();
   if (departure_->samples > 0 && has_landed()) arrival_.samples.emplace_back(x.begin(), x.end());
   if (!is_watched()) return;
   StepRecord record;
   record.s = arrival_.s;
-  record.t = contour().at(arrival_.s);
+  record.t = time();
   record.x = x;
   record.step = last_step_;
   record.order = order_of(predictor_);
@@ -248,7 +264,7 @@ void LaneControl::observe(std::span<const Complex> x, PathSystem& path) {
 }
 
 void LaneControl::close_step() {
-  if (complete_ && arrival_.s == 1) end(Journey::arrived);
+  if (complete_ && has_arrived()) end(Journey::arrived);
   const std::uint64_t steps = arrival_.count.accepted + arrival_.count.rejected;
   if (static_cast<std::int64_t>(steps) >= maximum_steps_) end(Journey::step_limit);
 }
@@ -261,7 +277,7 @@ void LaneControl::end(Journey journey) {
 
 Arrival LaneControl::arrive(std::span<const Complex> x) {
   arrival_.x.assign(x.begin(), x.end());
-  arrival_.t = contour().at(arrival_.s);
+  arrival_.t = time();
   return std::move(arrival_);
 }
 

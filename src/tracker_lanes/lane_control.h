@@ -10,7 +10,9 @@
 // Newton-Kantorovich quantity), so where paths come close it shortens the steps before e does.
 // A sample, the end, and what a watcher sees near t = 1 are polished by steps of length 0. Where rounding stops Newton
 // in a lane, the point is handed to scalar Newton with residuals in double-double (tracker/path_system.h) and goes on
-// from there. Source: [Timme21] for contraction as the measure.
+// from there. In double-double the scalar Newton says whether a point at t = 1 is a regular end; where it is none the step is
+// rejected, so that no path arrives at a singular end (tracker/fine_path_system.h).
+// Source: [Timme21] for contraction as the measure.
 #pragma once
 
 #include <cstdint>
@@ -21,6 +23,29 @@
 #include "moivre/tracker_lanes/lane_tracker.h"
 
 namespace moivre {
+
+/// What the lanes' scalar allows.
+struct LaneRules {
+  double point_tolerance =
+      0;  ///< of Newton at the start and the end of a journey, and where a watcher looks
+  double sample_tolerance = 0;  ///< the same at samples, which go into Cauchy's integral
+  double stagnation = 0;        ///< a correction that no longer contracts passes below this
+  double rounding = 0;  ///< a second correction below this does not tell how Newton contracts
+  double rounding_residual =
+      0;  ///< |H| below this is made of rounding errors: equations have coefficients near 1
+  double least_step =
+      0;  ///< near s = 1, where 1 - s is known to more digits than s; 0: no more than s is
+  bool proves_ends = false;  ///< a point at t = 1 is to be a regular end
+};
+inline constexpr LaneRules kDoubleRules{1e-9, 1e-14, 1e-6, 1e-6, 1e-12, 0, false};
+inline constexpr LaneRules kDoubleDoubleRules{1e-9, 1e-14, 1e-9, 1e-18, 1e-27, 1e-26, true};
+
+/// What scalar Newton made of a lane's point.
+struct Rescue {
+  bool converged = false;
+  WorkCount work;
+  std::optional<double> regular_condition;  ///< of a regular end
+};
 
 class LaneControl {
  public:
@@ -34,20 +59,22 @@ class LaneControl {
   /// or it is to be corrected more finely first, see judge_rescue().
   enum class Move { stay, correct, depart, step, rescue };
 
-  void depart(Departure&& departure, const LaneOptions& options);
+  void depart(Departure&& departure, const LaneOptions& options, const LaneRules& rules);
   bool is_idle() const { return state_ == State::idle; }
   bool has_ended() const { return state_ == State::ended; }
 
   /// Chooses the next step. False when the lane is idle.
   bool prepare();
   double step() const { return step_; }
-  double next_s() const { return next_s_; }
-  const Contour& contour() const { return departure_->contour; }
+  PathTime next_time() const { return time(next_s_, next_left_); }
+  Complex next_dt() const { return contour().dt(next_s_); }
 
   Move judge(const Outcome& outcome);
-  /// After Move::rescue: Newton options for the point at next_s(), and what becomes of it then.
-  CorrectorOptions rescue_options() const;
-  Move judge_rescue(const Correction& correction, const WorkCount& work);
+  /// After Move::rescue: how finely the point at next_time() is wanted, whether it is to be a regular end, and what becomes
+  /// of it then.
+  double rescue_tolerance() const;
+  bool is_proving_end() const;
+  Move judge_rescue(const Rescue& rescue);
   /// The step with which a past is made up for a path that departs.
   double past_step() const { return h_; }
 
@@ -76,10 +103,17 @@ class LaneControl {
   bool is_near_end() const;
   double next_landing() const;
   bool has_landed() const;
+  bool has_arrived() const { return left_ == 0; }
+  double least_step() const;
+  const Contour& contour() const { return departure_->contour; }
+  PathTime time(double s, double left) const;
+  PathTime time() const { return time(arrival_.s, left_); }
 
   State state_ = State::idle;
   std::optional<Departure> departure_;
+  LaneRules rules_;
   Arrival arrival_;
+  double left_ = 1;  // 1 - arrival_.s
   std::int64_t maximum_steps_ = 0;
   LanePredictor predictor_ = LanePredictor::quintic;
   double tolerance_ = 0;
@@ -87,6 +121,7 @@ class LaneControl {
   double h_ = 0;              // the step the control would like
   double step_ = 0;           // the step being taken, cut short where it would pass a landing
   double next_s_ = 0;
+  double next_left_ = 0;
   double last_step_ = 0;
   double factor_ = 1;  // by which the control would change the step
   Outcome last_{};

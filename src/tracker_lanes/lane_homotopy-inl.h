@@ -117,11 +117,11 @@ class LaneHomotopy {
     LaneComplex<R> total = zero<R>();
     for (std::uint32_t k = terms.real_begin; k < terms.real_end; ++k) {
       const typename Program::RealTerm& term = program_.real_terms[k];
-      total = add_product(broadcast(term.c), load(r[term.monomial]), total);
+      total = add_product(LaneScalar<R>::spread(term.c), load(r[term.monomial]), total);
     }
     for (std::uint32_t k = terms.complex_begin; k < terms.complex_end; ++k) {
       const typename Program::ComplexTerm& term = program_.complex_terms[k];
-      const LaneComplex<R> c{broadcast(term.re), broadcast(term.im)};
+      const LaneComplex<R> c{LaneScalar<R>::spread(term.re), LaneScalar<R>::spread(term.im)};
       total = add_product(c, load(r[term.monomial]), total);
     }
     return total;

@@ -15,6 +15,7 @@
 #include <optional>
 
 #include "lane_control.h"
+#include "lane_newton.h"
 #include "lane_step-inl.h"
 #include "moivre/tracker/tracker.h"
 
@@ -22,16 +23,17 @@ HWY_BEFORE_NAMESPACE();
 namespace moivre {
 namespace HWY_NAMESPACE {
 
+template <class R>
 class LaneSession : public TrackerSession {
  public:
   LaneSession(const LaneOptions& options, const Homotopy& homotopy)
       : options_(options),
-        program_(make_lane_program<double>(homotopy)),
-        scalar_(homotopy),
-        path_(scalar_.coordinates(), options.predictor),
+        program_(make_lane_program<Real>(homotopy)),
+        newton_(homotopy),
+        path_(newton_.coordinates(), options.predictor),
         step_(program_),
-        point_(scalar_.coordinates()),
-        tangent_(scalar_.coordinates()) {}
+        point_(newton_.coordinates()),
+        tangent_(newton_.coordinates()) {}
 
   void run(DepartureSource& source, const std::atomic<bool>& stop) noexcept override {
     bool may_have_more = true;
@@ -60,15 +62,18 @@ class LaneSession : public TrackerSession {
   }
 
  private:
+  using Real = typename LaneScalar<R>::Real;
+  using Number = typename LaneScalar<R>::Number;
+
   bool refill(DepartureSource& source) {
     for (std::size_t lane = 0; lane < W; ++lane) {
       if (!lanes_[lane].is_idle()) continue;
       std::optional<Departure> departure = source.next();
       if (!departure) return false;
       std::copy(departure->x.begin(), departure->x.end(), point_.begin());
-      normalize(point_);
+      newton_.normalize(point_);
       path_.place(lane, point_);
-      lanes_[lane].depart(std::move(*departure), options_);
+      lanes_[lane].depart(std::move(*departure), options_, LaneNewton<Number>::kRules);
     }
     return true;
   }
@@ -78,8 +83,7 @@ class LaneSession : public TrackerSession {
       const LaneControl& control = lanes_[lane];
       if (control.is_idle()) continue;
       h_.at[lane] = control.step();
-      const double s = control.next_s();
-      time_.set(lane, control.contour().at(s), control.contour().dt(s));
+      time_.set(lane, newton_.time(control.next_time()), control.next_dt());
     }
     step_.take(path_, h_, time_);
   }
@@ -94,18 +98,13 @@ class LaneSession : public TrackerSession {
     back_.at[lane] = lanes_[lane].past_step();
   }
 
-  // Corrects the lane's point by scalar Newton, whose residuals have more digits where they are needed.
+  // Corrects the lane's point by scalar Newton.
   LaneControl::Move rescue(std::size_t lane) {
     LaneControl& control = lanes_[lane];
     for (std::size_t i = 0; i < point_.size(); ++i) point_[i] = step_.corrected.get(i, lane);
-    normalize(point_);
-    const WorkCount before = scalar_.work();
-    const PathTime t = control.contour().at(control.next_s());
-    const Correction correction = scalar_.correct(point_, t, control.rescue_options(), true);
-    const LaneControl::Move move = control.judge_rescue(correction, scalar_.work() - before);
-    if (move == LaneControl::Move::stay) return move;
-    scalar_.tangent(control.contour().dt(control.next_s()), tangent_);
-    step_.replace(lane, path_.patch(), point_, tangent_);
+    newton_.normalize(point_);
+    const LaneControl::Move move = control.judge_rescue(newton_.rescue(point_, tangent_, control));
+    if (move != LaneControl::Move::stay) step_.replace(lane, path_.patch(), point_, tangent_);
     return move;
   }
 
@@ -119,46 +118,39 @@ class LaneSession : public TrackerSession {
     stepped_ = replaced_ = departed_ = LaneReals{};
   }
 
-  // The point in the lane, of norm 1.
-  void extract(std::size_t lane) {
+  // The point in the lane, of norm 1, rounded to double.
+  const Point& extract(std::size_t lane) {
     for (std::size_t i = 0; i < point_.size(); ++i) point_[i] = path_.x().get(i, lane);
-    normalize(point_);
-  }
-  static void normalize(Point& x) {
-    const double scale = 1 / euclidean_norm(x);
-    for (Complex& xi : x) xi *= scale;
+    newton_.normalize(point_);
+    return newton_.rounded(point_);
   }
 
   void report(std::size_t lane) {
     LaneControl& control = lanes_[lane];
-    if (control.is_to_be_observed()) {
-      extract(lane);
-      control.observe(point_, scalar_);
-    }
+    if (control.is_to_be_observed()) control.observe(extract(lane), newton_.watched());
     control.close_step();
   }
 
   void hand_in(std::size_t lane, DepartureSource& source) {
-    extract(lane);
-    Arrival arrival = lanes_[lane].arrive(point_);
+    Arrival arrival = lanes_[lane].arrive(extract(lane));
     const Departure departure = lanes_[lane].leave();
     source.arrived(departure, std::move(arrival));
   }
 
   LaneOptions options_;
-  LaneProgram<double> program_;
-  PathSystem scalar_;  // for watchers and rescues
-  LanePath<V> path_;
-  LaneStep<V> step_;
-  LaneTime<V> time_;
+  LaneProgram<Real> program_;
+  LaneNewton<Number> newton_;  // for watchers and rescues
+  LanePath<R> path_;
+  LaneStep<R> step_;
+  LaneTime<R> time_;
   LaneReals h_;
   LaneReals back_;
   LaneReals stepped_;
   LaneReals replaced_;
   LaneReals departed_;
   std::array<LaneControl, W> lanes_;
-  Point point_;
-  Point tangent_;
+  std::vector<Number> point_;
+  std::vector<Number> tangent_;
 };
 
 }  // namespace HWY_NAMESPACE

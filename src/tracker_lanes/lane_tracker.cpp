@@ -7,6 +7,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "lane_double_double-inl.h"
 #include "lane_session-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -14,7 +15,10 @@ namespace moivre {
 namespace HWY_NAMESPACE {
 
 TrackerSession* open_session(const LaneOptions& options, const Homotopy& homotopy) {
-  return new LaneSession(options, homotopy);
+  return new LaneSession<V>(options, homotopy);
+}
+TrackerSession* open_fine_session(const LaneOptions& options, const Homotopy& homotopy) {
+  return new LaneSession<LaneDoubleDouble>(options, homotopy);
 }
 
 std::size_t width() { return W; }
@@ -26,6 +30,7 @@ const char* target_name() { return hwy::TargetName(HWY_TARGET); }
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
+#include <algorithm>
 #include <cstdio>
 #include <stdexcept>
 
@@ -33,30 +38,44 @@ namespace moivre {
 namespace {
 
 HWY_EXPORT(open_session);
+HWY_EXPORT(open_fine_session);
 HWY_EXPORT(width);
 HWY_EXPORT(target_name);
 
 class LaneTracker : public Tracker {
  public:
-  explicit LaneTracker(const LaneOptions& options) : options_(options) {}
+  LaneTracker(const LaneOptions& options, bool fine) : options_(options), fine_(fine) {}
 
   std::string kind() const override { return "lanes"; }
-  std::vector<std::pair<std::string, std::string>> options_in_force() const override {
-    char tolerance[32];
-    std::snprintf(tolerance, sizeof tolerance, "%g", options_.tolerance);
-    return {{"target", lane_target()},
-            {"lanes", std::to_string(lane_width())},
-            {"predictor", to_string(options_.predictor)},
-            {"tolerance", tolerance},
-            {"maximum_steps", std::to_string(options_.maximum_steps)}};
-  }
+  std::vector<std::pair<std::string, std::string>> options_in_force() const override;
   std::unique_ptr<TrackerSession> open(const Homotopy& homotopy) const override {
-    return std::unique_ptr<TrackerSession>(HWY_DYNAMIC_DISPATCH(open_session)(options_, homotopy));
+    return std::unique_ptr<TrackerSession>(
+        fine_ ? HWY_DYNAMIC_DISPATCH(open_fine_session)(options_, homotopy)
+              : HWY_DYNAMIC_DISPATCH(open_session)(options_, homotopy));
+  }
+  std::unique_ptr<Tracker> in_double_double() const override {
+    LaneOptions options = options_;
+    options.tolerance = std::min(options.tolerance, kFineLaneTolerance);
+    return std::make_unique<LaneTracker>(options, true);
   }
 
  private:
   LaneOptions options_;
+  bool fine_;  // in double-double
 };
+
+std::vector<std::pair<std::string, std::string>> LaneTracker::options_in_force() const {
+  char tolerance[32];
+  std::snprintf(tolerance, sizeof tolerance, "%g", options_.tolerance);
+  std::vector<std::pair<std::string, std::string>> options = {
+      {"target", lane_target()},
+      {"lanes", std::to_string(lane_width())},
+      {"predictor", to_string(options_.predictor)},
+      {"tolerance", tolerance},
+      {"maximum_steps", std::to_string(options_.maximum_steps)}};
+  if (fine_) options.emplace_back("precision", "double-double");
+  return options;
+}
 
 }  // namespace
 
@@ -110,7 +129,7 @@ std::unique_ptr<Tracker> make_lane_tracker(const LaneOptions& options) {
     message += (message.empty() ? "" : "; ") + sentence;
   }
   if (!message.empty()) throw std::invalid_argument(message);
-  return std::make_unique<LaneTracker>(options);
+  return std::make_unique<LaneTracker>(options, false);
 }
 
 }  // namespace moivre

@@ -42,6 +42,8 @@ class Contour {
     if (kind_ == Kind::segment) return {to_ - rate_ * left, (1.0 - to_) + rate_ * left};
     return at(1 - left);
   }
+  /// The point s, given left = 1 - s too: with all the digits of the smaller one.
+  PathTime at(double s, double left) const { return s < 0.5 ? at(s) : before_end(left); }
   /// dt/ds.
   Complex dt(double s) const {
     if (kind_ == Kind::segment) return rate_;

@@ -112,6 +112,8 @@ class Tracker {
   virtual std::vector<std::pair<std::string, std::string>> options_in_force() const = 0;
   /// A session on `homotopy`, which must outlive it. Thread-safe.
   virtual std::unique_ptr<TrackerSession> open(const Homotopy& homotopy) const = 0;
+  /// The same tracker with every number of a path in double-double; nullptr where there is none.
+  virtual std::unique_ptr<Tracker> in_double_double() const { return nullptr; }
 };
 
 /// Follows a single departure in a session of its own.

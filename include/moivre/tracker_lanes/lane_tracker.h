@@ -2,6 +2,7 @@
 // How are many paths followed at once on one core? W of them in SIMD lanes, each with its own t and step.
 //
 //   W: 8 with AVX-512, 4 with AVX2, 2 with SSE4 and SSSE3; chosen when the program runs, so one build serves every machine
+//   in_double_double(): the same lanes with two doubles a number, for what double cannot tell
 //   a step: Hermite prediction, one evaluation of H, H_x, H_t, one factorization, two Newton updates, tangent
 //
 // A journey depends on its departure alone: not on its lane, its neighbours, or the number of threads. Two machines with
@@ -37,6 +38,9 @@ struct LaneOptions {
   std::int64_t maximum_steps = 20000;  ///< accepted and rejected steps of one journey
   LanePredictor predictor = LanePredictor::quintic;
 };
+
+/// The largest tolerance in double-double: who needs the digits needs no jumps.
+inline constexpr double kFineLaneTolerance = 1e-5;
 
 /// Every broken rule as a sentence; empty when the options can be used.
 std::vector<std::string> validate(const LaneOptions& options);

@@ -26,6 +26,24 @@ inline void round_into(std::span<const ComplexDoubleDouble> x, Point& rounded) {
   for (std::size_t i = 0; i < x.size(); ++i) rounded[i] = to_complex(x[i]);
 }
 
+/// When a point counts as found by Newton's method.
+struct SettlingRules {
+  double reach = 0;     ///< |dx_1|_w above which the point is refused
+  double aim = 0;       ///< |dx_k|_w that ends it
+  double rounding = 0;  ///< |dx_k|_w that passes where rounding stops it
+};
+/// Of a point on the way, and of a regular end at t = 1, known beyond double.
+inline constexpr SettlingRules kSettledOnPath{1e-2, 1e-12, 1e-9};
+inline constexpr SettlingRules kSettledAtEnd{1e-2, 1e-26, 1e-10};
+
+/// What Newton's method did.
+struct Settling {
+  bool converged = false;
+  double first = 0;  ///< |dx_1|_w
+  double last = 0;   ///< |dx_k|_w of the last correction
+  double drift = 0;  ///< max_i |H_i| before the first one
+};
+
 class FinePathSystem {
  public:
   explicit FinePathSystem(const Homotopy& homotopy);
@@ -43,6 +61,13 @@ class FinePathSystem {
 
   /// x <- x + J^{-1} [-H; 1 - a x] with the last linearize(); |dx|_w of tracker/path_system.h.
   double correct(std::span<ComplexDoubleDouble> x);
+
+  /// Newton's method from x at fixed t, x replaced. It is to contract by ten at least, as it does at no multiple root.
+  Settling settle(std::span<ComplexDoubleDouble> x, const PathTime& t, const SettlingRules& rules);
+
+  /// A point that settled at t = 1 by kSettledAtEnd: is its last correction what rounding makes of a condition that
+  /// double-double can bear?
+  bool is_regular_end(const Settling& settling);
 
   /// dx <- J^{-1} [-H_t dt; 0] with the last linearize().
   void tangent(Complex dt, std::span<ComplexDoubleDouble> dx);
