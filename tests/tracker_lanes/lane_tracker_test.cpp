@@ -3,19 +3,21 @@
 #include "moivre/tracker_lanes/lane_tracker.h"
 
 #include <gtest/gtest.h>
-#include <hwy/highway.h>
-#include <hwy/targets.h>
 
 #include <cmath>
 #include <map>
 #include <numbers>
 #include <thread>
 
+#include "every_target.h"
 #include "moivre/polynomial/read.h"
 #include "moivre/start/total_degree.h"
 
 namespace moivre {
 namespace {
+
+using test::Target;
+using test::targets;
 
 // Arrivals are corrected to 1e-9 and less (tracker/path_system.h).
 constexpr double kArrivalAccuracy = 1e-8;
@@ -264,29 +266,6 @@ TEST(LaneTracker, ManySessionsArriveWhereOneDoes) {
   for (const auto& part : parts) {
     for (const auto& [path, arrival] : part) EXPECT_EQ(arrival.x, together.at(path).x) << path;
   }
-}
-
-/// Chooses an instruction set for as long as it lives.
-class Target {
- public:
-  explicit Target(std::int64_t target) { choose(target); }
-  ~Target() { choose(0); }
-  Target(const Target&) = delete;
-  Target& operator=(const Target&) = delete;
-
- private:
-  static void choose(std::int64_t target) {
-    hwy::SetSupportedTargetsForTest(target);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-  }
-};
-
-/// Every instruction set that the machine runs and the library was compiled for, the scalar one among them.
-std::vector<std::int64_t> targets() {
-  std::vector<std::int64_t> all;
-  std::int64_t rest = hwy::SupportedTargets() & HWY_TARGETS;
-  for (; rest != 0; rest &= rest - 1) all.push_back(rest & -rest);
-  return all;
 }
 
 TEST(EveryTarget, ArrivesAtTheSamePointsWithinAccuracy) {
