@@ -63,7 +63,14 @@ class CountingTracker : public Tracker {
     return std::make_unique<Session>(*this, inner_->open(homotopy));
   }
 
+  std::unique_ptr<Tracker> in_double_double() const override {
+    auto fine = inner_->in_double_double();
+    if (fine == nullptr) return nullptr;
+    return std::make_unique<Fine>(*this, std::move(fine));
+  }
+
   mutable int sessions = 0;
+  mutable int fine_sessions = 0;  // in double-double
   mutable int departures = 0;
   mutable int samples = 0;
 
@@ -103,6 +110,25 @@ class CountingTracker : public Tracker {
     std::unique_ptr<TrackerSession> inner_;
   };
 
+  class Fine : public Tracker {
+   public:
+    Fine(const CountingTracker& counts, std::unique_ptr<Tracker> inner)
+        : counts_(counts), inner_(std::move(inner)) {}
+    std::string kind() const override { return inner_->kind(); }
+    std::vector<std::pair<std::string, std::string>> options_in_force() const override {
+      return inner_->options_in_force();
+    }
+    std::unique_ptr<TrackerSession> open(const Homotopy& homotopy) const override {
+      const std::lock_guard lock(counts_.mutex_);
+      ++counts_.fine_sessions;
+      return inner_->open(homotopy);
+    }
+
+   private:
+    const CountingTracker& counts_;
+    std::unique_ptr<Tracker> inner_;
+  };
+
   std::unique_ptr<Tracker> inner_;
   mutable std::mutex mutex_;
 };
@@ -139,12 +165,31 @@ TEST(LeaveOut, AnEndgameRunsWhereARootIsMultiple) {
 }
 
 TEST(LeaveOut, WellConditionedPathsNeedNoDoubleDouble) {
-  for (const auto& tracker : both_trackers()) {
-    const SolveResult result = solve(problem("katsura-5"), *tracker, on_threads(1));
+  for (auto& inner : both_trackers()) {
+    const CountingTracker tracker(std::move(inner));
+    const SolveResult result = solve(problem("katsura-5"), tracker, on_threads(1));
     ASSERT_TRUE(result.complete);
     EXPECT_GT(result.work.work.linearizations, 0U);
-    EXPECT_EQ(result.work.work.fine_values, 0U) << tracker->kind();
+    EXPECT_EQ(result.work.work.fine_values, 0U) << tracker.kind();
+    EXPECT_EQ(tracker.fine_sessions, 0) << tracker.kind();
   }
+}
+
+TEST(LeaveOut, OnePathInDoubleDoubleNeedsNoLanes) {
+  const System two_near = read_system({"test", "1\n(x - 1)*(x - 1.0000001)*(x - 5);\n"});
+  const CountingTracker tracker(make_lane_tracker());
+  const SolveResult result = solve(two_near, tracker, on_threads(1));
+  ASSERT_TRUE(result.complete);
+  ASSERT_EQ(result.paths.double_double,
+            2U);  // one after the other: the second where the first ends regularly
+  EXPECT_EQ(tracker.fine_sessions, 0);
+}
+
+TEST(LeaveOut, ManyPathsInDoubleDoubleTakeTheLanes) {
+  const CountingTracker tracker(make_lane_tracker());
+  const SolveResult result = solve(problem("wilkinson-20"), tracker, on_threads(1));
+  ASSERT_GT(result.paths.double_double, 2U);
+  EXPECT_GT(tracker.fine_sessions, 0);
 }
 
 TEST(LeaveOut, FourPathsNeedNoThreadPool) {
