@@ -27,7 +27,7 @@ set(MOIVRE_USES_closure_report closures report)
 set(MOIVRE_USES_study_report study report)
 set(MOIVRE_USES_cli closure_study multiprecision report study_report closure_report tracker_cvode tracker_lanes)
 
-# Third-party packages, each private to the modules that name it. Eigen and Boost's rationals are
+# Third-party packages, each private to the modules that name it. Eigen and Boost's integers are
 # the exception: they are vocabulary of the public headers.
 set(MOIVRE_THIRD_PARTY_numeric Eigen3::Eigen Boost::headers)
 set(MOIVRE_THIRD_PARTY_expression taocpp::pegtl)

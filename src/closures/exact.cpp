@@ -8,13 +8,14 @@
 #include <numbers>
 #include <string>
 
+#include "moivre/numeric/integer.h"
+
 namespace moivre {
 namespace {
 
 Rational power_of_ten(int exponent) {
-  const Integer power =
-      boost::multiprecision::pow(Integer(10), static_cast<unsigned>(std::abs(exponent)));
-  return exponent < 0 ? Rational(Integer(1), power) : Rational(power);
+  const Integer power = pow(Integer(10), static_cast<unsigned>(std::abs(exponent)));
+  return exponent < 0 ? ratio(1, power) : ratio(power);
 }
 
 }  // namespace
@@ -36,8 +37,8 @@ Rational typed_decimal(double x) {
   const bool is_negative = digits.front() == '-';
   const std::size_t first = digits.find_first_of("123456789");
   if (first == std::string::npos) return Rational(0);
-  const Rational value = Rational(Integer(digits.substr(first))) * power_of_ten(exponent);
-  return is_negative ? Rational(-value) : value;
+  const Rational value = ratio(Integer(digits.substr(first))) * power_of_ten(exponent);
+  return is_negative ? -value : value;
 }
 
 Coefficient typed_decimal(double x, double y) { return {typed_decimal(x), typed_decimal(y)}; }
@@ -49,30 +50,24 @@ Coefficient unit_at(double phi) {
   const double turns = std::nearbyint(phi / kQuarter);
   double rest = std::remainder(phi, kQuarter);
   if (std::abs(rest) <= rounding) rest = 0;
-  Rational tangent;
-  tangent = std::tan(rest / 2);
+  const Rational tangent(std::tan(rest / 2));
   const Rational square = tangent * tangent;
   const Rational scale = 1 / (1 + square);
   const Coefficient c{(1 - square) * scale, 2 * tangent * scale};
   switch (static_cast<int>(std::fmod(turns, 4.0) + 4) % 4) {
     case 1:
-      return {Rational(-c.im), c.re};
+      return {-c.im, c.re};
     case 2:
-      return {Rational(-c.re), Rational(-c.im)};
+      return {-c.re, -c.im};
     case 3:
-      return {c.im, Rational(-c.re)};
+      return {c.im, -c.re};
     default:
       return c;
   }
 }
 
-Coefficient exactly(Complex z) {
-  Coefficient c;
-  c.re = z.real();
-  c.im = z.imag();
-  return c;
-}
+Coefficient exactly(Complex z) { return {Rational(z.real()), Rational(z.imag())}; }
 
-Coefficient conjugate(const Coefficient& c) { return {c.re, Rational(-c.im)}; }
+Coefficient conjugate(const Coefficient& c) { return {c.re, -c.im}; }
 
 }  // namespace moivre

@@ -21,12 +21,8 @@ constexpr std::size_t kLongFraction = 2048;
 // A coefficient that cancelled to this, beside the terms it was added from, is zero.
 constexpr double kCancelled = 1e-13;
 
-std::size_t bits(const Rational& r) {
-  return std::max(msb(boost::multiprecision::abs(numerator(r)) + 1), msb(denominator(r)));
-}
-
 Coefficient shortened(const Coefficient& c) {
-  return std::max(bits(c.re), bits(c.im)) > kLongFraction ? exactly(to_complex(c)) : c;
+  return std::max(bit_length(c.re), bit_length(c.im)) > kLongFraction ? exactly(to_complex(c)) : c;
 }
 
 /// p with the known values put in; `place` maps the other variables to those of the result.

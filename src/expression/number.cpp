@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "moivre/numeric/integer.h"
+
 namespace moivre {
 
 namespace {
@@ -61,7 +63,7 @@ Decimal split(std::string_view text) {
 Rational value_of(const Decimal& decimal) {
   const Integer digits(decimal.digits);
   const Integer scale = pow(Integer(10), static_cast<unsigned>(std::abs(decimal.exponent)));
-  return decimal.exponent < 0 ? Rational(digits, scale) : Rational(Integer(digits * scale));
+  return decimal.exponent < 0 ? ratio(digits, scale) : ratio(digits * scale);
 }
 
 std::string quoted(std::string_view text) {

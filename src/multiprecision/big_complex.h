@@ -5,7 +5,7 @@
 #include <boost/multiprecision/mpfr.hpp>
 
 #include "moivre/numeric/complex.h"
-#include "moivre/numeric/rational.h"
+#include "moivre/numeric/integer.h"
 
 namespace moivre {
 

@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <ostream>
 #include <stdexcept>
+
+#include "moivre/numeric/integer.h"
 
 namespace moivre {
 
@@ -50,7 +53,89 @@ double positive_quotient_to_double(const Integer& n, const Integer& d) {
                     static_cast<int>(ulp_exponent));
 }
 
+using Fraction = decltype(Rational::Number::value);
+
+Rational from(Fraction&& value) { return Rational(Rational::Number{std::move(value)}); }
+
+void require_divisor(bool is_zero) {
+  if (is_zero) throw std::invalid_argument("division of an exact number by zero");
+}
+
+Fraction fraction(const Integer& numerator, const Integer& denominator) {
+  require_divisor(denominator.is_zero());
+  return {numerator, denominator};
+}
+
 }  // namespace
+
+Rational::Rational() noexcept = default;
+Rational::Rational(Rational&& other) noexcept = default;
+Rational& Rational::operator=(Rational&& other) noexcept = default;
+Rational::~Rational() = default;
+
+Rational::Rational(double value) : Rational(from(Fraction(value))) {}
+Rational::Rational(std::int64_t numerator, std::int64_t denominator)
+    : Rational(from(fraction(numerator, denominator))) {}
+Rational::Rational(Number&& number)
+    : number_(number.value.is_zero() ? nullptr : std::make_unique<Number>(std::move(number))) {}
+Rational::Rational(const Rational& other)
+    : number_(other.is_zero() ? nullptr : std::make_unique<Number>(*other.number_)) {}
+Rational& Rational::operator=(const Rational& other) { return *this = Rational(other); }
+
+Rational Rational::whole(std::uint64_t value) { return from(Fraction(value)); }
+
+const Rational::Number& Rational::number() const {
+  static const Number kZero;
+  return number_ ? *number_ : kZero;
+}
+
+template <class Step>
+Rational& Rational::changed_by(const Step& step) {
+  if (!number_) number_ = std::make_unique<Number>();
+  step(number_->value);
+  if (number_->value.is_zero()) number_.reset();
+  return *this;
+}
+
+Rational& Rational::operator+=(const Rational& other) {
+  if (other.is_zero()) return *this;
+  return changed_by([&](Fraction& value) { value += other.number().value; });
+}
+Rational& Rational::operator-=(const Rational& other) {
+  if (other.is_zero()) return *this;
+  return changed_by([&](Fraction& value) { value -= other.number().value; });
+}
+Rational& Rational::operator*=(const Rational& other) {
+  if (is_zero()) return *this;
+  return changed_by([&](Fraction& value) { value *= other.number().value; });
+}
+Rational& Rational::operator/=(const Rational& other) {
+  require_divisor(other.is_zero());
+  return changed_by([&](Fraction& value) { value /= other.number().value; });
+}
+
+Rational operator-(const Rational& a) { return from(-a.number().value); }
+Rational abs(const Rational& a) { return from(abs(a.number().value)); }
+bool operator==(const Rational& a, const Rational& b) {
+  return a.number().value == b.number().value;
+}
+std::strong_ordering operator<=>(const Rational& a, const Rational& b) {
+  return a.number().value.compare(b.number().value) <=> 0;
+}
+std::ostream& operator<<(std::ostream& out, const Rational& a) { return out << a.number().value; }
+
+Rational ratio(const Integer& numerator, const Integer& denominator) {
+  return from(fraction(numerator, denominator));
+}
+Integer numerator(const Rational& a) { return numerator(a.number().value); }
+Integer denominator(const Rational& a) { return denominator(a.number().value); }
+
+std::size_t bit_length(const Integer& a) {
+  return a.is_zero() ? 0 : static_cast<std::size_t>(msb(Integer(abs(a)))) + 1;
+}
+std::size_t bit_length(const Rational& a) {
+  return a.is_zero() ? 0 : std::max(bit_length(numerator(a)), bit_length(denominator(a)));
+}
 
 Coefficient operator+(const Coefficient& a, const Coefficient& b) {
   return {a.re + b.re, a.im + b.im};
@@ -68,7 +153,7 @@ Coefficient operator*(const Coefficient& a, const Coefficient& b) {
 }
 
 Coefficient operator/(const Coefficient& a, const Coefficient& b) {
-  if (is_zero(b)) throw std::invalid_argument("division of an exact number by zero");
+  require_divisor(is_zero(b));
   if (is_real(b)) return {a.re / b.re, a.im / b.re};
   const Rational squared_modulus = b.re * b.re + b.im * b.im;
   return {(a.re * b.re + a.im * b.im) / squared_modulus,

@@ -274,7 +274,7 @@ double estimated_fill(const State& s, const Census& census, std::uint32_t variab
 }
 
 double log2_size(const GaussianInteger& c, int shift) {
-  return log2_size(Coefficient{Rational(c.re), Rational(c.im)}) + shift;
+  return log2_size(Coefficient{ratio(c.re), ratio(c.im)}) + shift;
 }
 
 /// The unknowns of a linear row that are large enough to divide by.
@@ -323,7 +323,7 @@ Substitution to_substitution(const IntegerTerms& form, const Integer& divisor,
   Substitution result;
   result.variable = variable;
   for (const auto& [m, c] : form) {
-    const Coefficient value{Rational(c.re, divisor), Rational(c.im, divisor)};
+    const Coefficient value{ratio(c.re, divisor), ratio(c.im, divisor)};
     if (m.empty()) {
       result.constant = value;
     } else {

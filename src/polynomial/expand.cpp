@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "moivre/numeric/integer.h"
+
 namespace moivre {
 
 namespace {
@@ -18,13 +20,7 @@ struct Excess : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-std::size_t bits(const Integer& n) { return n.is_zero() ? 0 : msb(abs(n)) + 1; }
-
-std::size_t bits(const Rational& r) {
-  return r.is_zero() ? 0 : std::max(bits(numerator(r)), bits(denominator(r)));
-}
-
-std::size_t bits(const Coefficient& c) { return std::max(bits(c.re), bits(c.im)); }
+std::size_t bits(const Coefficient& c) { return std::max(bit_length(c.re), bit_length(c.im)); }
 
 /// Counts the work of a file against kMaximumWork.
 class Account {
@@ -192,7 +188,7 @@ constexpr std::int64_t kMaximumExponent = std::numeric_limits<std::uint32_t>::ma
 
 std::string quoted(const Integer& n) {
   constexpr std::size_t kQuotedBits = 200;
-  return bits(n) > kQuotedBits ? std::string() : ' ' + n.str();
+  return bit_length(n) > kQuotedBits ? std::string() : ' ' + n.str();
 }
 
 bool is_out_of_range(const Rational& r) {

@@ -8,14 +8,6 @@
 namespace moivre {
 namespace {
 
-std::size_t bits(const Integer& a) {
-  return a.is_zero() ? 0 : static_cast<std::size_t>(msb(Integer(abs(a)))) + 1;
-}
-
-std::size_t bits(const Rational& a) {
-  return std::max(bits(Integer(numerator(a))), bits(Integer(denominator(a))));
-}
-
 void add_to(IntegerTerms& sum, const Monomial& m, const GaussianInteger& c) {
   const auto [at, is_new] = sum.try_emplace(m, c);
   if (is_new) return;
@@ -46,7 +38,7 @@ void make_real(IntegerPolynomial& p, const Monomial& m) {
   const GaussianInteger multiplier =
       c.im.is_zero() ? GaussianInteger{c.re < 0 ? -1 : 1, 0} : conjugate(c);
   for (auto& [n, d] : p.terms) d = d * multiplier;
-  p.factor = p.factor / Coefficient{Rational(multiplier.re), Rational(multiplier.im)};
+  p.factor = p.factor / Coefficient{ratio(multiplier.re), ratio(multiplier.im)};
 }
 
 /// gcd for a divisor that is often much shorter than `a`: one division first, since Boost's gcd only subtracts.
@@ -65,7 +57,7 @@ void remove_common_divisor(IntegerPolynomial& p) {
     c.re /= divisor;
     c.im /= divisor;
   }
-  p.factor = p.factor * Coefficient{Rational(divisor), 0};
+  p.factor = p.factor * Coefficient{ratio(divisor), 0};
 }
 
 }  // namespace
@@ -84,8 +76,8 @@ GaussianInteger conjugate(const GaussianInteger& a) { return {a.re, -a.im}; }
 IntegerPolynomial to_integer(const Polynomial& p) {
   Integer common = 1;
   for (const Term& term : p.terms) {
-    common = lcm(common, Integer(denominator(term.coefficient.re)));
-    common = lcm(common, Integer(denominator(term.coefficient.im)));
+    common = lcm(common, denominator(term.coefficient.re));
+    common = lcm(common, denominator(term.coefficient.im));
   }
   const auto scaled = [&common](const Rational& a) {
     return Integer(numerator(a) * (common / denominator(a)));
@@ -95,7 +87,7 @@ IntegerPolynomial to_integer(const Polynomial& p) {
     result.terms.emplace(term.monomial,
                          GaussianInteger{scaled(term.coefficient.re), scaled(term.coefficient.im)});
   }
-  result.factor = {Rational(1, common), 0};
+  result.factor = {ratio(1, common), 0};
   make_primitive(result);
   return result;
 }
@@ -103,7 +95,7 @@ IntegerPolynomial to_integer(const Polynomial& p) {
 Polynomial to_polynomial(const IntegerPolynomial& p) {
   Polynomial result;
   for (const auto& [m, c] : p.terms) {
-    result.terms.push_back({p.factor * Coefficient{Rational(c.re), Rational(c.im)}, m});
+    result.terms.push_back({p.factor * Coefficient{ratio(c.re), ratio(c.im)}, m});
   }
   return result;
 }
@@ -138,7 +130,7 @@ IntegerPolynomial without_monomial(const IntegerPolynomial& p, const IntegerPoly
     c.im *= leading;
   }
   for (const auto& [n, c] : pivot.terms) add_to(result.terms, n, multiplier * c);
-  result.factor = result.factor / Coefficient{Rational(leading), 0};
+  result.factor = result.factor / Coefficient{ratio(leading), 0};
   make_primitive(result);
   return result;
 }
@@ -167,7 +159,7 @@ IntegerPolynomial substituted(const IntegerPolynomial& p, std::uint32_t variable
       add_to(result.terms, m, {c.re * power, c.im * power});
     }
   }
-  result.factor = p.factor / Coefficient{Rational(power), 0};
+  result.factor = p.factor / Coefficient{ratio(power), 0};
   make_primitive(result);
   return result;
 }
@@ -180,8 +172,9 @@ std::uint32_t exponent_of(const Monomial& m, std::uint32_t variable) {
 }
 
 std::size_t bit_length(const IntegerPolynomial& p) {
-  std::size_t longest = std::max(bits(p.factor.re), bits(p.factor.im));
-  for (const auto& [m, c] : p.terms) longest = std::max({longest, bits(c.re), bits(c.im)});
+  std::size_t longest = std::max(bit_length(p.factor.re), bit_length(p.factor.im));
+  for (const auto& [m, c] : p.terms)
+    longest = std::max({longest, bit_length(c.re), bit_length(c.im)});
   return longest;
 }
 

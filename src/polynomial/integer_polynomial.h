@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <map>
 
+#include "moivre/numeric/integer.h"
 #include "moivre/polynomial/system.h"
 
 namespace moivre {

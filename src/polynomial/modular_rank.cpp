@@ -7,6 +7,8 @@
 #include <map>
 #include <utility>
 
+#include "moivre/numeric/integer.h"
+
 namespace moivre {
 namespace {
 

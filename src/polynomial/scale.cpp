@@ -9,6 +9,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "moivre/numeric/integer.h"
+
 namespace moivre {
 namespace {
 
@@ -32,7 +34,7 @@ double log2_size(const Integer& a) {
 }
 
 double log2_size(const Rational& a) {
-  return log2_size(Integer(abs(numerator(a)))) - log2_size(Integer(denominator(a)));
+  return log2_size(Integer(abs(numerator(a)))) - log2_size(denominator(a));
 }
 
 double shift(const Monomial& m, const std::vector<double>& v) {
@@ -136,15 +138,15 @@ std::vector<double> variable_exponents(const System& f, const Sizes& sizes) {
 
 Rational times_power_of_two(const Rational& a, std::int64_t exponent) {
   const auto bits = static_cast<unsigned>(std::abs(exponent));
-  return exponent >= 0 ? Rational(numerator(a) << bits, denominator(a))
-                       : Rational(numerator(a), denominator(a) << bits);
+  return exponent >= 0 ? ratio(numerator(a) << bits, denominator(a))
+                       : ratio(numerator(a), denominator(a) << bits);
 }
 
 }  // namespace
 
 double log2_size(const Coefficient& c) {
   if (is_real(c)) return log2_size(c.re);
-  return log2_size(Rational(c.re * c.re + c.im * c.im)) / 2;
+  return log2_size(c.re * c.re + c.im * c.im) / 2;
 }
 
 Scaling choose_scaling(const System& f) {

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "moivre/expression/expression.h"
+#include "moivre/numeric/integer.h"
 #include "read_formats.h"
 
 namespace moivre {

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <sstream>
+
 namespace moivre {
 namespace {
 
@@ -15,8 +17,11 @@ std::string prefix(const Expression& e) {
     return text + ')';
   };
   switch (e.kind) {
-    case Expression::Kind::number:
-      return e.number.str();
+    case Expression::Kind::number: {
+      std::ostringstream text;
+      text << e.number;
+      return text.str();
+    }
     case Expression::Kind::name:
       return e.name;
     case Expression::Kind::sum:

@@ -7,6 +7,7 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 
+#include "moivre/numeric/integer.h"
 #include "moivre/polynomial/read.h"
 
 namespace moivre::test {

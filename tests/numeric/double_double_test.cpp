@@ -7,10 +7,12 @@
 #include <limits>
 #include <random>
 
+#include "moivre/numeric/integer.h"
+
 namespace moivre {
 namespace {
 
-const Rational kRelativeError(Integer(1), Integer(1) << 102U);
+const Rational kRelativeError = ratio(1, Integer(1) << 102U);
 // Each part of a complex product is made of three operations on numbers of at most |a||b|.
 const Rational kComplexError = 4 * kRelativeError;
 constexpr int kCount = 2000;
@@ -62,7 +64,7 @@ TEST(DoubleDouble, SumsDifferencesAndProductsKeepTheirRelativeError) {
 }
 
 TEST(DoubleDouble, QuotientsKeepTheirRelativeError) {
-  const Rational bound(Integer(1), Integer(1) << 100U);
+  const Rational bound = ratio(1, Integer(1) << 100U);
   RandomDoubleDouble next;
   for (int k = 0; k < kCount; ++k) {
     const DoubleDouble a = next();
@@ -86,7 +88,7 @@ TEST(DoubleDouble, KeepsItsRelativeErrorWhereLeadingDigitsCancel) {
 
 TEST(DoubleDouble, RoundsARationalToTheLastBit) {
   RandomDoubleDouble next;
-  const Rational half_last_bit(Integer(1), Integer(1) << 106U);
+  const Rational half_last_bit = ratio(1, Integer(1) << 106U);
   for (int k = 0; k < kCount; ++k) {
     const Rational r = exact(next()) / (exact(next()) + Rational(1, 3));
     expect_within(to_double_double(r), r, abs(r) * half_last_bit);
@@ -97,7 +99,7 @@ TEST(DoubleDouble, RoundsARationalToTheLastBit) {
 }
 
 TEST(DoubleDouble, BeyondTheRangeOfDoubleIsInfinite) {
-  const DoubleDouble huge = to_double_double(Rational(Integer(1) << 2000U));
+  const DoubleDouble huge = to_double_double(ratio(Integer(1) << 2000U));
   EXPECT_EQ(to_double(huge), std::numeric_limits<double>::infinity());
 }
 

@@ -9,7 +9,10 @@
 #include <cstring>
 #include <limits>
 #include <random>
+#include <sstream>
 #include <stdexcept>
+
+#include "moivre/numeric/integer.h"
 
 namespace moivre {
 namespace {
@@ -18,15 +21,14 @@ using Double = std::numeric_limits<double>;
 
 Rational power_of_two(int e) {
   const Integer p = Integer(1) << static_cast<unsigned>(std::abs(e));
-  return e < 0 ? Rational(Integer(1), p) : Rational(p);
+  return e < 0 ? ratio(1, p) : ratio(p);
 }
 
 /// The rational that a double is.
 Rational exactly(double x) {
   int e = 0;
   const double mantissa = std::frexp(x, &e);
-  return Rational(Integer(static_cast<std::int64_t>(std::ldexp(mantissa, 53)))) *
-         power_of_two(e - 53);
+  return Rational(static_cast<std::int64_t>(std::ldexp(mantissa, 53))) * power_of_two(e - 53);
 }
 
 TEST(Coefficient, MultipliesTheImaginaryUnitToMinusOne) {
@@ -46,6 +48,45 @@ TEST(Coefficient, DivisionUndoesMultiplication) {
 
 TEST(Coefficient, RefusesDivisionByZero) {
   EXPECT_THROW((Coefficient{1, 0} / Coefficient{}), std::invalid_argument);
+}
+
+TEST(Rational, KeepsWhatItWasMadeOfInLowestTerms) {
+  const Rational a = ratio(Integer(-6), Integer(4));
+  EXPECT_EQ(numerator(a), -3);
+  EXPECT_EQ(denominator(a), 2);
+  EXPECT_EQ(bit_length(a), 2U);
+  EXPECT_EQ(numerator(Rational()), 0);
+  EXPECT_EQ(denominator(Rational()), 1);
+  EXPECT_EQ(Rational(~std::uint64_t{0}) + 1, ratio(Integer(1) << 64U));
+  EXPECT_EQ(Rational(std::numeric_limits<std::int64_t>::min()), -ratio(Integer(1) << 63U));
+  EXPECT_EQ(Rational(-0.375), Rational(-3, 8));
+}
+
+TEST(Rational, IsOrderedAndPrintedAsANumber) {
+  EXPECT_LT(Rational(-1, 2), Rational(-1, 3));
+  EXPECT_GT(Rational(1, 7), 0);
+  EXPECT_LT(Rational(), Rational(1, 7));
+  std::ostringstream text;
+  text << Rational(-31, 10) << ' ' << Rational(5) << ' ' << Rational();
+  EXPECT_EQ(text.str(), "-31/10 5 0");
+}
+
+TEST(Rational, RefusesAZeroDenominator) {
+  EXPECT_THROW(Rational(1, 0), std::invalid_argument);
+  EXPECT_THROW(ratio(Integer(1), Integer(0)), std::invalid_argument);
+  EXPECT_THROW(Rational(1) / Rational(), std::invalid_argument);
+}
+
+TEST(Rational, IsNotChangedByWorkOnItsCopy) {
+  const Rational a(1, 3);
+  Rational b = a;
+  b += 1;
+  b = b * b - b;
+  EXPECT_EQ(a, Rational(1, 3));
+  EXPECT_EQ(b, Rational(4, 9));
+  const Rational& self = b;
+  b = self;
+  EXPECT_EQ(b, Rational(4, 9));
 }
 
 TEST(ToDouble, GivesTheDoubleThatADecimalLiteralGives) {
@@ -86,7 +127,7 @@ TEST(ToDouble, OverflowsToInfinityOnlyBeyondHalfAnUlpOfTheGreatest) {
 
 TEST(ToDouble, IsFiniteForAQuotientOfHugeNumbers) {
   const Integer huge = pow(Integer(10), 5000U);
-  EXPECT_EQ(to_double(Rational(huge * 31, huge * 10 + 1)), 3.1);
+  EXPECT_EQ(to_double(ratio(huge * 31, huge * 10 + 1)), 3.1);
 }
 
 TEST(ToDouble, ReturnsEveryDoubleToItself) {

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "build.h"
+#include "moivre/numeric/integer.h"
 
 namespace moivre {
 namespace {
@@ -344,9 +345,9 @@ TEST(Elimination, ASubstitutionThatDoesNotPayIsMadeWhereItProvesADependence) {
 
 TEST(Elimination, CoefficientsOfThousandsOfDigitsAreNotMade) {
   constexpr unsigned kDigits = 600;
-  const Integer huge = boost::multiprecision::pow(Integer(10), kDigits);
+  const Integer huge = pow(Integer(10), kDigits);
   const Polynomial curve = power(x, 6) + power(y, 6) + x * y - one;
-  const System f = system(2, {Rational(huge + 7, huge + 1) * x + y - one, curve});
+  const System f = system(2, {ratio(huge + 7, huge + 1) * x + y - one, curve});
   EXPECT_EQ(eliminate(f).system, f);
   EXPECT_EQ(eliminate(system(2, {Rational(2) * x + y - one, curve})).system.variables.size(), 1U);
 }

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "build.h"
+#include "moivre/numeric/integer.h"
 
 namespace moivre {
 namespace {
@@ -15,9 +16,8 @@ namespace {
 using namespace build;
 
 Rational ten_to(int exponent) {
-  const Integer power =
-      boost::multiprecision::pow(Integer(10), static_cast<unsigned>(std::abs(exponent)));
-  return exponent < 0 ? Rational(Integer(1), power) : Rational(power);
+  const Integer power = pow(Integer(10), static_cast<unsigned>(std::abs(exponent)));
+  return exponent < 0 ? ratio(1, power) : ratio(power);
 }
 
 /// Unknowns of size 1e6 and 1e-6: X^2+Y^2 = size^2, U^2+V^2 = size^-2, XU-YV = 1/2, X/size - size U
@@ -52,8 +52,8 @@ double largest_log2(const System& f) {
 Point times_powers_of_two(const Point& y, const std::vector<int>& exponents) {
   Point x = y;
   for (std::size_t j = 0; j < x.size(); ++j) {
-    const Coefficient factor{Rational(Integer(1) << 40, 1), 0};
-    const Coefficient shifted{Rational(Integer(1) << (40 + exponents[j]), 1), 0};
+    const Coefficient factor{ratio(Integer(1) << 40), 0};
+    const Coefficient shifted{ratio(Integer(1) << (40 + exponents[j])), 0};
     x[j] = x[j] * shifted / factor;
   }
   return x;
@@ -70,7 +70,7 @@ TEST(Scaling, SizesOfNumbersThatNoDoubleHolds) {
     EXPECT_NEAR(log2_size(Coefficient{3 * ten_to(exponent), -4 * ten_to(exponent)}),
                 expected + std::log2(5.0), allowed);
   }
-  EXPECT_EQ(log2_size(Coefficient{Rational(Integer(1), Integer(1) << 1074), 0}), -1074);
+  EXPECT_EQ(log2_size(Coefficient{ratio(1, Integer(1) << 1074), 0}), -1074);
 }
 
 TEST(Scaling, WellScaledSystemsAreLeftAlone) {

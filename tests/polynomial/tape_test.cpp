@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "build.h"
+#include "moivre/numeric/integer.h"
 #include "moivre/numeric/scalar.h"
 
 namespace moivre {
@@ -184,7 +185,7 @@ TEST(Tape, ValuesAloneAreTheValuesBesideTheJacobian) {
 
 TEST(Tape, GivesTwiceTheDigitsInDoubleDouble) {
   // 2^-100: a few bits less than one operation keeps.
-  const Rational bound(Integer(1), Integer(1) << 94U);
+  const Rational bound = ratio(1, Integer(1) << 94U);
   const auto exact = [](DoubleDouble a) { return Rational(a.hi) + Rational(a.lo); };
   for (const Case& c : cases(false)) {
     const Tape tape = make_tape(c.f);
@@ -197,8 +198,8 @@ TEST(Tape, GivesTwiceTheDigitsInDoubleDouble) {
     const auto expect_near = [&](const ComplexDoubleDouble& computed, const Polynomial& p) {
       const Coefficient wanted = build::value(p, c.x);
       const Rational error = bound * Rational(size(p, c.x));
-      EXPECT_LE(abs(Rational(exact(computed.re) - wanted.re)), error);
-      EXPECT_LE(abs(Rational(exact(computed.im) - wanted.im)), error);
+      EXPECT_LE(abs(exact(computed.re) - wanted.re), error);
+      EXPECT_LE(abs(exact(computed.im) - wanted.im), error);
     };
     for (std::size_t i = 0; i < n; ++i) {
       expect_near(evaluated.value[i], c.f.polynomials[i]);

@@ -6,6 +6,7 @@
 
 #include <stdexcept>
 
+#include "moivre/numeric/integer.h"
 #include "read_support.h"
 
 namespace moivre {
@@ -51,11 +52,10 @@ TEST(Writer, KeepsCoefficientsOfAnySizeExactly) {
   const Integer large = pow(Integer(7), 400U);
   const System f{
       {"x", "y"},
-      {Coefficient{Rational(huge, huge + 1), Rational(-1, 3)} * x +
-           Coefficient{0, Rational(large, large + 2)} * y + number(Rational(1, huge) * huge * 2),
-       number(Rational(1, pow(Integer(2), 1070U))) * x +
-           number(Rational(pow(Integer(10), 307U))) * y +
-           number(Rational(pow(Integer(10), 307U) + 1, 3))}};
+      {Coefficient{ratio(huge, huge + 1), Rational(-1, 3)} * x +
+           Coefficient{0, ratio(large, large + 2)} * y + number(ratio(1, huge) * ratio(huge) * 2),
+       number(ratio(1, pow(Integer(2), 1070U))) * x + number(ratio(pow(Integer(10), 307U))) * y +
+           number(ratio(pow(Integer(10), 307U) + 1, 3))}};
   expect_round_trip(f);
 }
 

@@ -6,6 +6,7 @@
 #include <boost/multiprecision/cpp_complex.hpp>
 #include <cmath>
 
+#include "moivre/numeric/integer.h"
 #include "problem_set.h"
 
 namespace moivre {
@@ -23,7 +24,8 @@ constexpr double kUnit = 0x1p-52;
 using Fine = boost::multiprecision::cpp_complex_50;
 using FineReal = boost::multiprecision::cpp_bin_float_50;
 
-Fine to_fine(const Coefficient& c) { return Fine(FineReal(c.re), FineReal(c.im)); }
+FineReal to_fine(const Rational& r) { return FineReal(numerator(r)) / FineReal(denominator(r)); }
+Fine to_fine(const Coefficient& c) { return Fine(to_fine(c.re), to_fine(c.im)); }
 
 Fine power(const Fine& x, std::uint32_t exponent) {
   Fine result = 1;

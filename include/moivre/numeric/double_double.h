@@ -73,7 +73,7 @@ inline double to_double(DoubleDouble a) { return a.hi + a.lo; }
 inline DoubleDouble to_double_double(const Rational& r) {
   const double hi = to_double(r);
   if (!std::isfinite(hi)) return {hi, 0};
-  return {hi, to_double(Rational(r - Rational(hi)))};
+  return {hi, to_double(r - Rational(hi))};
 }
 
 struct ComplexDoubleDouble {

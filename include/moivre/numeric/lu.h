@@ -50,13 +50,13 @@ class Lu {
   double norm_of_inverse(bool row_scaled) noexcept;
 
   std::size_t n_;
-  std::vector<Complex> a_;            // n x n, L below the diagonal (unit), U on and above
-  std::vector<double> row_scale_;     // r_i
-  std::vector<std::size_t> pivot_;    // row exchanged with k at step k
-  std::vector<Complex> reciprocal_;   // 1/U_kk
+  std::vector<Complex> a_;           // n x n, L below the diagonal (unit), U on and above
+  std::vector<double> row_scale_;    // r_i
+  std::vector<std::size_t> pivot_;   // row exchanged with k at step k
+  std::vector<Complex> reciprocal_;  // 1/U_kk
   std::vector<Complex> work_;
-  double norm_ = 0;                   // |J|_inf
-  double scaled_norm_ = 0;            // |R J|_inf
+  double norm_ = 0;         // |J|_inf
+  double scaled_norm_ = 0;  // |R J|_inf
   bool singular_ = true;
 };
 

@@ -1,21 +1,74 @@
 // SPDX-License-Identifier: MIT
-// Exact numbers: how a coefficient is kept as it was read, and rounded once, to the scalar that
-// asks.
+// Exact numbers: how a coefficient is kept as it was read, and rounded once, to the scalar that asks.
 //
-// A decimal such as 3.1 is the rational 31/10; rounding it to double before arithmetic would change
-// the problem. Boost's cpp_rational carries the arithmetic.
+// A decimal such as 3.1 is the rational 31/10; rounding it to double before arithmetic would change the problem. Boost's
+// cpp_rational carries the arithmetic, out of this header's sight, since its own headers take a second to compile; who
+// works with numerators and denominators of any length includes integer.h.
 #pragma once
 
-#include <boost/multiprecision/cpp_int.hpp>
+#include <compare>
 #include <complex>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <iosfwd>
+#include <memory>
+#include <utility>
 
 namespace moivre {
 
-// Without expression templates: `auto c = a * b` is a number, not a formula that refers to a and b.
-using Integer = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>,
-                                              boost::multiprecision::et_off>;
-using Rational = boost::multiprecision::number<boost::multiprecision::cpp_rational_backend,
-                                               boost::multiprecision::et_off>;
+/// A fraction of integers of any length, in lowest terms.
+class Rational {
+ public:
+  Rational() noexcept;
+  template <std::signed_integral I>
+  Rational(I value) : Rational(std::int64_t{value}, 1) {}
+  template <std::unsigned_integral I>
+  Rational(I value) : Rational(whole(value)) {}
+  /// The double itself, which must be finite.
+  explicit Rational(double value);
+  /// Throws std::invalid_argument where the denominator is zero.
+  Rational(std::int64_t numerator, std::int64_t denominator);
+
+  Rational(const Rational& other);
+  Rational(Rational&& other) noexcept;
+  Rational& operator=(const Rational& other);
+  Rational& operator=(Rational&& other) noexcept;
+  ~Rational();
+
+  bool is_zero() const { return number_ == nullptr; }
+
+  Rational& operator+=(const Rational& other);
+  Rational& operator-=(const Rational& other);
+  Rational& operator*=(const Rational& other);
+  /// Throws std::invalid_argument where `other` is zero.
+  Rational& operator/=(const Rational& other);
+
+  struct Number;  ///< Boost's number; complete where integer.h is included
+  explicit Rational(Number&& number);
+  const Number& number() const;
+
+ private:
+  static Rational whole(std::uint64_t value);
+  template <class Step>
+  Rational& changed_by(const Step& step);
+
+  std::unique_ptr<Number> number_;  // null: zero, as nearly every imaginary part is
+};
+
+inline Rational operator+(Rational a, const Rational& b) { return std::move(a += b); }
+inline Rational operator-(Rational a, const Rational& b) { return std::move(a -= b); }
+inline Rational operator*(Rational a, const Rational& b) { return std::move(a *= b); }
+inline Rational operator/(Rational a, const Rational& b) { return std::move(a /= b); }
+Rational operator-(const Rational& a);
+Rational abs(const Rational& a);
+bool operator==(const Rational& a, const Rational& b);
+std::strong_ordering operator<=>(const Rational& a, const Rational& b);
+/// As "31/10", or "31".
+std::ostream& operator<<(std::ostream& out, const Rational& a);
+
+/// The bits of the longer of numerator and denominator.
+std::size_t bit_length(const Rational& a);
 
 /// Gaussian rational re + i*im: the exact complex coefficient.
 struct Coefficient {
