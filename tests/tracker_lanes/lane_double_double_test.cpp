@@ -7,6 +7,7 @@
 
 #include "lane_double_double-inl.h"
 #include "lane_step-inl.h"
+#include "moivre/numeric/integer.h"
 #include "moivre/start/total_degree.h"
 
 #ifndef MOIVRE_LANE_DOUBLE_DOUBLE_TEST_ONCE
@@ -124,8 +125,8 @@ HWY_EXPORT(polish);
 HWY_EXPORT(lanes);
 
 // Of a product, a sum of products, and a quotient (lane_double_double-inl.h).
-const Rational kProductError = Rational(1, Integer(1) << 102);
-const Rational kScalarProductError = Rational(1, Integer(1) << 100);
+const Rational kProductError = ratio(1, Integer(1) << 102U);
+const Rational kScalarProductError = ratio(1, Integer(1) << 100U);
 // To how many digits points of a path agree, whichever way they were corrected.
 constexpr double kSamePoint = 1e-28;
 
