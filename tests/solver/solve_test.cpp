@@ -156,7 +156,7 @@ TEST(Solve, CountsPathsThatEndOnACurveOfRoots) {
 
 TEST(Solve, TellsNoIsolatedRootWhereCurvesCross) {
   // Every root of cyclic-4 lies on its two curves; at eight points more paths end than one to a point.
-  for (const std::uint64_t seed : {15, 27, 41, 49, 59, 64, 79, 91}) {
+  for (const std::uint64_t seed : {15U, 27U, 41U, 49U, 59U, 64U, 79U, 91U}) {
     const SolveResult result = solve_with_cvode(system_of(problem("cyclic-4")), with_seed(seed));
     expect_conservation(result);
     EXPECT_TRUE(result.complete) << "seed " << seed;
