@@ -117,8 +117,10 @@ int run_study(const StudyCommand& command) {
         line.show(names[k] + ": " + progress.now + ", " + std::to_string(progress.done) + " of " +
                   std::to_string(progress.total));
       };
-      studies.push_back({command.files[k], names[k],
-                         subjects[k](settings, referees, options, interruption.stop()), ""});
+      studies.push_back({command.files[k],
+                         names[k],
+                         subjects[k](settings, referees, options, interruption.stop()),
+                         {}});
     }
   }
   remark = folder.write(studies);

@@ -38,9 +38,10 @@ void add_study_command(CLI::App& moivre, Chosen& chosen) {
   add_json_option(app, command->json);
   app.add_option("--csv", command->csv, "write a table here, one row a file and setting")
       ->type_name("PATH");
-  app.add_option("--out", command->out,
-                 "write study.csv, index.html and each file's diagram with its gnuplot script into "
-                 "this folder")
+  app.add_option(
+         "--out", command->out,
+         "write study.csv, index.html and each file's diagrams with their gnuplot scripts into "
+         "this folder")
       ->type_name("FOLDER");
   add_examples(app,
                {"moivre study katsura.phc", "moivre study katsura.phc four-bar.toml --out study",

@@ -48,12 +48,15 @@ std::string StudyFolder::write(std::vector<StudiedFile>& studies) {
   if (folder_.empty()) return "";
   std::string message;
   for (StudiedFile& study : studies) {
-    const std::string script = study.name + ".gp";
-    Output(folder_ + '/' + script).write(study_gnuplot(study));
-    if (study.result.rows.empty()) continue;
-    const Drawing drawing = run_gnuplot(folder_, script);
-    if (drawing == Drawing::drawn) study.diagram = content_of(folder_ + '/' + study.name + ".svg");
-    if (message.empty()) message = told(drawing, script);
+    study.diagrams = study_diagrams(study);
+    for (StudyDiagram& diagram : study.diagrams) {
+      const std::string script = diagram.name + ".gp";
+      Output(folder_ + '/' + script).write(diagram.script);
+      const Drawing drawing = run_gnuplot(folder_, script);
+      if (drawing == Drawing::drawn)
+        diagram.svg = content_of(folder_ + '/' + diagram.name + ".svg");
+      if (message.empty()) message = told(drawing, script);
+    }
   }
   csv_->write(study_csv(studies));
   page_->write(study_html(studies));

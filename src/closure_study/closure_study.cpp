@@ -42,7 +42,8 @@ StudyResult study_mechanism(const Mechanism& mechanism, const std::vector<StudyS
   const StudySubject subject{isotropic_system(mechanism, 0).system, false, find};
   StudyResult result = study_subject(subject, settings, referee, witness, options, stop);
   if (first.size() > 0 && !stop.load()) {
-    StudyTable motion = motion_table(mechanism, first, natural_duration(mechanism, 0), stop);
+    StudyTable motion =
+        motion_table(mechanism, first, natural_duration(mechanism, 0), referee, stop);
     if (!motion.rows.empty()) result.tables.push_back(std::move(motion));
   }
   return result;

@@ -65,7 +65,7 @@ std::vector<StudyCell> study_cells(const StudyRow& row) {
           number("drift_after", "|H| after", of_walk(row, &StudyWalk::drift_after)),
           integer("steps", "steps", all.work.accepted),
           integer("rejected", "rejected", all.work.rejected),
-          integer("evaluations", "", all.work.work.values),
+          integer("evaluations", "evaluated", all.work.work.values),
           integer("fine_evaluations", "", all.work.work.fine_values),
           integer("linearizations", "", all.work.work.linearizations),
           integer("factorizations", "factored", all.work.work.factorizations)};

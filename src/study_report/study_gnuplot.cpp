@@ -5,28 +5,19 @@
 #include <iterator>
 #include <limits>
 
+#include "gnuplot_axes.h"
 #include "moivre/report/number_text.h"
 #include "moivre/study_report/study_report.h"
 
 namespace moivre {
 namespace {
 
-// Errors below this are drawn here: a logarithm has no place for 0.
-constexpr double kLeastDrawn = 1e-18;
 // The legend's rows, and where it stands, in thousandths of the picture.
 constexpr std::size_t kLegendRows = 3;
-constexpr int kLegendLeft = 160;
-constexpr int kLegendColumn = 250;
-constexpr int kLegendTop = 150;
-constexpr int kLegendRow = 50;
-// Where nothing was found the cross stands at the top: an error as large as the root.
-constexpr double kMostDrawn = 1;
-
-/// Colours that are told apart with any colour vision [Okabe and Ito], and black for the last.
-const std::vector<std::string> kColours{"#0072b2", "#56b4e9", "#d55e00", "#e69f00",
-                                        "#009e73", "#cc79a7", "#000000"};
-/// Filled symbols of gnuplot's SVG terminal, one a curve.
-const std::vector<int> kSymbols{7, 5, 9, 11, 13, 15, 4};
+constexpr int kLegendLeft = 75;
+constexpr int kLegendColumn = 230;
+constexpr int kLegendTop = 125;
+constexpr int kLegendRow = 42;
 
 struct Mark {
   double cpu_s;
@@ -57,32 +48,14 @@ std::vector<Curve> curves_of(const StudyResult& result) {
   return curves;
 }
 
-double drawn(const std::optional<double>& error) {
-  return std::clamp(error.value_or(kMostDrawn), kLeastDrawn, kMostDrawn);
-}
+double drawn(const std::optional<double>& error) { return drawn_error(error.value_or(kMostDrawn)); }
 
-struct Range {
-  double low = std::numeric_limits<double>::infinity();
-  double high = 0;
-
-  void take(double x) {
-    low = std::min(low, x);
-    high = std::max(high, x);
-  }
-  /// From a power of ten to another, a decade at least, and `margin` more decades at both ends.
-  std::string text(double margin) const {
-    const double first = std::floor(std::log10(low)) - margin;
-    const double last = std::max(std::ceil(std::log10(high)), first + 1) + margin;
-    return "[1e" + exact_text(first) + ":1e" + exact_text(last) + "]";
-  }
-};
-
-/// A data block, a line a mark: CPU seconds, error, and roots lost where that is asked for.
-std::string block(const std::string& name, const std::vector<Mark>& marks, bool lost) {
+/// A data block, a line a mark: CPU seconds, error, roots lost.
+std::string block(const std::string& name, const std::vector<Mark>& marks) {
   std::string text = "$" + name + " << EOD\n";
   for (const Mark& mark : marks) {
-    text += exact_text(mark.cpu_s) + ' ' + exact_text(drawn(mark.error)) +
-            (lost ? ' ' + std::to_string(mark.lost) : "") + '\n';
+    text += exact_text(mark.cpu_s) + ' ' + exact_text(drawn(mark.error)) + ' ' +
+            std::to_string(mark.lost) + '\n';
   }
   return text + "EOD\n";
 }
@@ -94,22 +67,21 @@ std::vector<Mark> lossy(const std::vector<Mark>& marks) {
   return chosen;
 }
 
-std::string style(std::size_t k) { return " lc rgb \"" + kColours[k % kColours.size()] + "\""; }
-
-std::string symbol(std::size_t k) { return std::to_string(kSymbols[k % kSymbols.size()]); }
-
-std::string line_plot(const std::string& data, std::size_t k) {
-  return "  $" + data + " using 1:2 with linespoints lw 1.5 ps 0.7 pt " + symbol(k) + style(k) +
-         " notitle";
+/// The curve as a line, dashed for a variant ("+newton"), and its symbol where no root is lost.
+std::string line_plot(const std::string& data, std::size_t k, const Curve& curve) {
+  const std::string dashes = curve.name.find('+') == std::string::npos ? "" : " dt 2";
+  return "  $" + data + " using 1:2 with lines lw 1.5 lc rgb \"" + curve_colour(k) + "\"" + dashes +
+         " notitle, \\\n  $" + data + " using 1:($3 > 0 ? NaN : $2) with points ps 0.7 " +
+         curve_style(k) + " notitle";
 }
 
 /// Crosses on the marks that lost roots, and their numbers beside them. A block without marks is not to be drawn:
 /// gnuplot 5.4 crashes on labels without data.
 std::string cross_plots(const std::string& data, std::size_t k) {
-  return ", \\\n  $lost_" + data + " using 1:2 with points pt 2 ps 1.6 lw 2" + style(k) +
-         " notitle, \\\n  $lost_" + data +
-         " using 1:2:3 with labels offset 1.2,0.6 font \",10\" tc rgb \"" +
-         kColours[k % kColours.size()] + "\" notitle";
+  return ", \\\n  $lost_" + data + " using 1:2 with points pt 2 ps 0.9 lw 1.5 lc rgb \"" +
+         curve_colour(k) + "\" notitle, \\\n  $lost_" + data +
+         " using 1:2:3 with labels offset 0.9,0.5 font \",9\" tc rgb \"" + curve_colour(k) +
+         "\" notitle";
 }
 
 std::string panel(const std::string& kind, const std::vector<Curve>& curves,
@@ -117,10 +89,10 @@ std::string panel(const std::string& kind, const std::vector<Curve>& curves,
   std::string text = "plot";
   for (std::size_t k = 0; k < curves.size(); ++k) {
     const std::string number = std::to_string(k);
-    text += (k == 0 ? " \\\n" : ", \\\n") + line_plot(kind + number, k);
+    text += (k == 0 ? " \\\n" : ", \\\n") + line_plot(kind + number, k, curves[k]);
     if (kind == "solve" && !curves[k].plain.empty()) {
-      text +=
-          ", \\\n  $plain" + number + " using 1:2 with points pt 6 ps 0.9" + style(k) + " notitle";
+      text += ", \\\n  $plain" + number + " using 1:2 with points pt 6 ps 0.9 lc rgb \"" +
+              curve_colour(k) + "\" notitle";
     }
     if (!lossy(curves[k].*marks).empty()) text += cross_plots(kind + number, k);
   }
@@ -130,9 +102,9 @@ std::string panel(const std::string& kind, const std::vector<Curve>& curves,
 /// Every block that the panels draw, and how far the axes have to reach.
 struct DiagramData {
   std::string blocks;
-  Range time;
-  Range end;
-  Range delivered;
+  DiagramRange time;
+  DiagramRange end;
+  DiagramRange delivered;
 };
 
 DiagramData data_of(const std::vector<Curve>& curves) {
@@ -140,11 +112,10 @@ DiagramData data_of(const std::vector<Curve>& curves) {
   for (std::size_t k = 0; k < curves.size(); ++k) {
     const Curve& curve = curves[k];
     const std::string number = std::to_string(k);
-    data.blocks += block("own" + number, curve.own, false) +
-                   block("lost_own" + number, lossy(curve.own), true) +
-                   block("solve" + number, curve.solve, false) +
-                   block("lost_solve" + number, lossy(curve.solve), true) +
-                   block("plain" + number, curve.plain, false);
+    data.blocks += block("own" + number, curve.own) + block("lost_own" + number, lossy(curve.own)) +
+                   block("solve" + number, curve.solve) +
+                   block("lost_solve" + number, lossy(curve.solve)) +
+                   block("plain" + number, curve.plain);
     for (const Mark& mark : curve.own) data.end.take(drawn(mark.error));
     for (const Mark& mark : curve.solve) data.delivered.take(drawn(mark.error));
     for (const Mark& mark : curve.plain) data.delivered.take(drawn(mark.error));
@@ -163,7 +134,7 @@ std::string legend(const std::vector<Curve>& curves) {
   };
   std::vector<Entry> entries;
   for (std::size_t k = 0; k < curves.size(); ++k) {
-    entries.push_back({curves[k].name, "pt " + symbol(k) + " ps 0.8" + style(k)});
+    entries.push_back({curves[k].name, "ps 0.8 " + curve_style(k)});
   }
   entries.push_back({"roots are lost, so many", "pt 2 ps 1.4 lw 2 lc rgb \"#555555\""});
   entries.push_back({"residuals in plain double", "pt 6 ps 0.9 lc rgb \"#555555\""});
@@ -188,25 +159,15 @@ std::string remark(const StudyReference& reference) {
   return reference.exact > 0 ? "" : "; errors not known, since no root is simple: drawn as 1";
 }
 
-}  // namespace
-
-std::string study_gnuplot(const StudiedFile& study) {
+std::string settings_gnuplot(const StudiedFile& study) {
   const std::vector<Curve> curves = curves_of(study.result);
-  if (curves.empty()) return "# No setting was finished: there is nothing to draw.\n";
   const DiagramData data = data_of(curves);
-  return "# SPDX-License-Identifier: MIT\n# Error against run time of " + study.name +
-         ": run `gnuplot " + study.name + ".gp` in this folder.\n" + data.blocks +
-         "set terminal svg size 1180,620 dynamic font \"sans-serif,13\" background \"white\"\n"
-         "set output \"" +
-         study.name +
-         ".svg\"\n"
-         "set datafile missing \"?\"\n"
-         "set logscale xy 10\nset format xy \"10^{%T}\"\nset grid lc rgb \"#dddddd\"\n"
-         "set multiplot title \"" +
-         study.name + ": " + counted(study.result.reference.roots, "root") + ", " +
+  return gnuplot_head(study.name) + data.blocks + gnuplot_terminal(study.name, 1180, 700) +
+         "set multiplot title \"" + study.name + ": " +
+         counted(study.result.reference.roots, "root") + ", " +
          counted(study.result.paths, "path") + remark(study.result.reference) +
          "\" noenhanced\n"
-         "set tmargin at screen 0.86\nset bmargin at screen 0.30\n"
+         "set tmargin at screen 0.88\nset bmargin at screen 0.25\n"
          "set xrange " +
          data.time.text(0) +
          "\n"
@@ -228,6 +189,19 @@ std::string study_gnuplot(const StudiedFile& study) {
          "set yrange " +
          data.delivered.text(1) + "\n" + panel("solve", curves, &Curve::solve) +
          "unset multiplot\n";
+}
+
+}  // namespace
+
+std::vector<StudyDiagram> study_diagrams(const StudiedFile& study) {
+  std::vector<StudyDiagram> diagrams;
+  if (!study.result.rows.empty()) diagrams.push_back({study.name, settings_gnuplot(study), ""});
+  for (const StudyTable& table : study.result.tables) {
+    if (!is_drawn(table)) continue;
+    const std::string name = study.name + "-motion";
+    diagrams.push_back({name, table_gnuplot(name, table), ""});
+  }
+  return diagrams;
 }
 
 }  // namespace moivre

@@ -69,9 +69,11 @@ std::string section(const StudiedFile& study) {
   for (const std::string& fact : study_facts(study)) text += escaped(fact) + "<br>\n";
   if (!study.result.complete) text += escaped(study.result.message) + "<br>\n";
   text += "</p>\n";
-  text += study.diagram.empty() ? "<p>No diagram was drawn. Its script for gnuplot is " +
-                                      escaped(study.name) + ".gp.</p>\n"
-                                : inline_svg(study.diagram);
+  for (const StudyDiagram& diagram : study.diagrams) {
+    text += diagram.svg.empty() ? "<p>No diagram was drawn. Its script for gnuplot is " +
+                                      escaped(diagram.name) + ".gp.</p>\n"
+                                : inline_svg(diagram.svg);
+  }
   text += table(study.result);
   for (const StudyTable& other : study.result.tables) text += table(other);
   return text;

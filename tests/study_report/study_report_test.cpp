@@ -56,26 +56,49 @@ TEST(StudyReport, CsvRowsHaveAsManyFieldsAsTheHeadAndQuoteCommas) {
 }
 
 TEST(StudyReport, ScriptMarksSettingsThatLoseRootsWithTheirNumber) {
-  const std::string script = study_gnuplot(study_by_hand());
-  EXPECT_TRUE(contains(script, "$own0 << EOD\n0.003 1e-05\nEOD"));
-  EXPECT_TRUE(contains(script, "$solve0 << EOD\n0.03 1e-16\nEOD"));
-  EXPECT_TRUE(contains(script, "$solve1 << EOD\n0.03 1\nEOD"));
+  const std::string script = study_diagrams(study_by_hand()).at(0).script;
+  EXPECT_TRUE(contains(script, "$own0 << EOD\n0.003 1e-05 2\nEOD"));
+  EXPECT_TRUE(contains(script, "$solve0 << EOD\n0.03 1e-16 0\nEOD"));
+  EXPECT_TRUE(contains(script, "$solve1 << EOD\n0.03 1 0\nEOD"));
   EXPECT_TRUE(contains(script, "$lost_own0 << EOD\n0.003 1e-05 2\nEOD"));
   EXPECT_TRUE(contains(script, "$lost_own0 using 1:2:3 with labels"));
   EXPECT_FALSE(contains(script, "$lost_solve0 using"));
   EXPECT_TRUE(contains(script, "CPU time of all paths [s]"));
 }
 
-TEST(StudyReport, ScriptWithoutRowsDrawsNothing) {
+TEST(StudyReport, WithoutRowsThereIsNothingToDraw) {
   StudiedFile study = study_by_hand();
   study.result.rows.clear();
-  EXPECT_FALSE(contains(study_gnuplot(study), "plot"));
+  EXPECT_TRUE(study_diagrams(study).empty());
+}
+
+TEST(StudyReport, AMotionHasADiagramOfItsErrorsOverItsTime) {
+  StudiedFile study = study_by_hand();
+  study.result.tables.push_back(
+      {"motion", {"samples", "cpu_s", "velocity_error"}, {{50, 0.01, 1e-5}, {100, 0.02, 0}}});
+  study.result.tables.push_back({"without errors", {"samples", "cpu_s"}, {{50, 0.01}}});
+  const std::vector<StudyDiagram> diagrams = study_diagrams(study);
+  ASSERT_EQ(diagrams.size(), 2u);
+  EXPECT_EQ(diagrams[1].name, study.name + "-motion");
+  EXPECT_TRUE(contains(diagrams[1].script, "0.01 1e-05 50\n0.02 1e-18 100\nEOD"));
+  EXPECT_TRUE(contains(diagrams[1].script, "CPU time of the motion [s]"));
+  EXPECT_TRUE(contains(diagrams[1].script, "title \"velocity\""));
+}
+
+TEST(StudyReport, TheTableHasEveryQuantityThatIsPromised) {
+  const std::string text = study_text(study_by_hand());
+  for (const char* heading :
+       {"own s", "least", "most", "error", "plain err", "|H| before", "|H| after", "lost", "jumped",
+        "again", "steps", "evaluated", "factored"}) {
+    EXPECT_TRUE(contains(text, heading)) << heading;
+  }
 }
 
 TEST(StudyReport, PageHoldsTheDiagramAndEscapesNames) {
   StudiedFile study = study_by_hand();
+  study.diagrams = study_diagrams(study);
   EXPECT_TRUE(contains(study_html({study}), "No diagram"));
-  study.diagram = "<?xml version=\"1.0\"?>\n<svg>drawn</svg>";
+  study.diagrams.at(0).svg = "<?xml version=\"1.0\"?>\n<svg>drawn</svg>";
   const std::string page = study_html({study});
   EXPECT_TRUE(contains(page, "<svg>drawn</svg>"));
   EXPECT_FALSE(contains(page, "<?xml"));

@@ -99,7 +99,8 @@ struct StudyOptions {
 /// Every broken rule as a sentence; empty when the options can be used.
 std::vector<std::string> validate(const StudyOptions& options);
 
-/// Numbers beside the settings: a measurement of another kind, as a table.
+/// Numbers beside the settings: a measurement of another kind, as a table. Columns named ..._error are drawn over cpu_s, the
+/// first column beside each point.
 struct StudyTable {
   std::string title;
   std::vector<std::string> columns;
