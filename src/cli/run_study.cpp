@@ -8,6 +8,7 @@
 #include "command_line.h"
 #include "interruption.h"
 #include "moivre/polynomial/read.h"
+#include "moivre/report/number_text.h"
 #include "moivre/study_report/study_report.h"
 #include "output.h"
 #include "progress_line.h"
@@ -37,7 +38,9 @@ using Study = std::function<StudyResult(const std::vector<StudySetting>&, const 
 Study study_of_system(const std::string& file) {
   System system = read_system(read_source(file));
   if (system.polynomials.size() != system.variables.size()) {
-    throw std::invalid_argument(file + ": as many equations as unknowns are needed");
+    throw std::invalid_argument(file + ": " + counted(system.polynomials.size(), "equation") +
+                                " in " + counted(system.variables.size(), "unknown") +
+                                "; as many equations as unknowns are needed");
   }
   return [system = std::move(system)](const auto& settings, const Referees& referees,
                                       const StudyOptions& options, const auto& stop) {

@@ -15,9 +15,10 @@ void add_study_command(CLI::App& moivre, Chosen& chosen) {
   app.add_option("FILE", command->files,
                  "mechanisms (.toml), else polynomial systems in PHCpack's or Bertini's text form")
       ->required();
-  app.add_option(
-         "--settings", command->choice.curves,
-         "bdf_projection, bdf, adams, each with +newton or without, and lanes; default: all")
+  app.add_option("--settings", command->choice.curves,
+                 "bdf_projection, bdf, adams, each with +newton or without; lanes, with +cubic or "
+                 "+tangent or "
+                 "without; default: all")
       ->delimiter(',')
       ->type_name("NAME,...");
   app.add_option("--tolerances", command->choice.tolerances,

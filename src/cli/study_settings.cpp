@@ -61,10 +61,13 @@ TrackerChoice choice_of(const std::string& curve, double tolerance) {
 void require_built(const std::vector<std::string>& curves, const std::vector<std::string>& built) {
   std::string names;
   for (const std::string& name : built) names += (names.empty() ? "" : ", ") + name;
+  std::string unknown;
   for (const std::string& curve : curves) {
     if (std::find(built.begin(), built.end(), curve) != built.end()) continue;
-    throw std::invalid_argument("--settings " + curve + ": the settings are " + names);
+    unknown += (unknown.empty() ? "" : ",") + curve;
   }
+  if (unknown.empty()) return;
+  throw std::invalid_argument("--settings " + unknown + ": the settings are " + names);
 }
 
 }  // namespace

@@ -41,10 +41,19 @@ StudyResult study_mechanism(const Mechanism& mechanism, const std::vector<StudyS
   };
   const StudySubject subject{isotropic_system(mechanism, 0).system, false, find};
   StudyResult result = study_subject(subject, settings, referee, witness, options, stop);
-  if (first.size() > 0 && !stop.load()) {
-    StudyTable motion =
-        motion_table(mechanism, first, natural_duration(mechanism, 0), referee, stop);
-    if (!motion.rows.empty()) result.tables.push_back(std::move(motion));
+  if (stop.load()) return result;
+  if (first.size() == 0) {
+    result.remarks.push_back(
+        "no closure is real: the mechanism cannot be assembled, and has no motion");
+    return result;
+  }
+  const double duration = natural_duration(mechanism, 0);
+  StudyTable motion = motion_table(mechanism, first, duration, referee, stop);
+  if (motion.rows.empty()) {
+    result.remarks.push_back(
+        "the first closure stands or cannot be followed: no motion is compared");
+  } else {
+    result.tables.push_back(std::move(motion));
   }
   return result;
 }

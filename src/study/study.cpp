@@ -77,6 +77,9 @@ StudyResult Study::run(const std::vector<StudySetting>& settings, const Tracker&
   result_.seed = options_.seed;
   result_.seeds = options_.seeds;
   find_reference(referee, witness);
+  if (result_.reference.roots == 0 && !is_stopped()) {
+    result_.remarks.push_back("there is no isolated root: only times can be compared");
+  }
   for (std::size_t k = 0; k < settings.size() && !is_stopped(); ++k) {
     tell(settings[k].curve, k, settings.size());
     StudyRow row = study(settings[k]);

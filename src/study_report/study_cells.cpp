@@ -10,20 +10,20 @@ namespace moivre {
 namespace {
 
 StudyCell number(const std::string& key, const std::string& heading, double x) {
-  return {key, heading, exact_text(x), rough_text(x)};
+  return {key, heading, exact_text(x), rough_text(x), CellTable::outcome};
 }
 
 StudyCell number(const std::string& key, const std::string& heading, std::optional<double> x) {
-  return x ? number(key, heading, *x) : StudyCell{key, heading, "", "-"};
+  return x ? number(key, heading, *x) : StudyCell{key, heading, "", "-", CellTable::outcome};
 }
 
 StudyCell integer(const std::string& key, const std::string& heading, std::uint64_t n) {
-  return {key, heading, std::to_string(n), std::to_string(n)};
+  return {key, heading, std::to_string(n), std::to_string(n), CellTable::outcome};
 }
 
 StudyCell integer(const std::string& key, const std::string& heading,
                   std::optional<std::uint64_t> n) {
-  return n ? integer(key, heading, *n) : StudyCell{key, heading, "", "-"};
+  return n ? integer(key, heading, *n) : StudyCell{key, heading, "", "-", CellTable::outcome};
 }
 
 /// `member` of the walk, where there was one.
@@ -41,34 +41,41 @@ std::optional<double> of_walk(const StudyRow& row, std::optional<double> StudyWa
 std::vector<StudyCell> study_cells(const StudyRow& row) {
   const StudyOutcome& own = row.own;
   const StudyOutcome& all = row.repaired;
-  return {{"curve", "curve", row.curve, row.curve},
-          {"tolerance", "tol", exact_text(row.tolerance), exact_text(row.tolerance)},
-          number("own_cpu_s", "own s", own.cpu_s.median),
-          number("own_cpu_s_least", "", own.cpu_s.least),
-          number("own_cpu_s_most", "", own.cpu_s.most),
-          integer("own_lost", "lost", own.lost),
-          integer("jumped", "jumped", of_walk(row, &StudyWalk::jumped)),
-          integer("stuck", "", of_walk(row, &StudyWalk::stuck)),
-          integer("own_failed", "failed", own.failed),
-          integer("own_strangers", "", own.strangers),
-          number("cpu_s", "solve s", all.cpu_s.median),
-          number("cpu_s_least", "least", all.cpu_s.least),
-          number("cpu_s_most", "most", all.cpu_s.most),
-          integer("lost", "lost", all.lost),
-          integer("retracked", "again", all.retracked),
-          integer("failed", "failed", all.failed),
-          integer("strangers", "strange", all.strangers),
-          number("end_error", "end err", of_walk(row, &StudyWalk::end_error)),
-          number("plain_error", "plain err", all.plain_error),
-          number("error", "error", all.error),
-          number("drift_before", "|H| before", of_walk(row, &StudyWalk::drift_before)),
-          number("drift_after", "|H| after", of_walk(row, &StudyWalk::drift_after)),
-          integer("steps", "steps", all.work.accepted),
-          integer("rejected", "rejected", all.work.rejected),
-          integer("evaluations", "evaluated", all.work.work.values),
-          integer("fine_evaluations", "", all.work.work.fine_values),
-          integer("linearizations", "", all.work.work.linearizations),
-          integer("factorizations", "factored", all.work.work.factorizations)};
+  const std::string tolerance = exact_text(row.tolerance);
+  std::vector<StudyCell> cells{{"curve", "curve", row.curve, row.curve, CellTable::both},
+                               {"tolerance", "tol", tolerance, tolerance, CellTable::both},
+                               number("own_cpu_s", "own s", own.cpu_s.median),
+                               number("own_cpu_s_least", "", own.cpu_s.least),
+                               number("own_cpu_s_most", "", own.cpu_s.most),
+                               integer("own_lost", "lost", own.lost),
+                               integer("jumped", "jumped", of_walk(row, &StudyWalk::jumped)),
+                               integer("stuck", "", of_walk(row, &StudyWalk::stuck)),
+                               integer("own_failed", "failed", own.failed),
+                               integer("own_strangers", "", own.strangers),
+                               number("cpu_s", "solve s", all.cpu_s.median),
+                               number("cpu_s_least", "least", all.cpu_s.least),
+                               number("cpu_s_most", "most", all.cpu_s.most),
+                               integer("lost", "lost", all.lost),
+                               integer("retracked", "again", all.retracked),
+                               integer("failed", "failed", all.failed),
+                               integer("strangers", "strange", all.strangers)};
+  const std::vector<StudyCell> quality{
+      number("end_error", "end err", of_walk(row, &StudyWalk::end_error)),
+      number("plain_error", "plain err", all.plain_error),
+      number("error", "error", all.error),
+      number("drift_before", "|H| before", of_walk(row, &StudyWalk::drift_before)),
+      number("drift_after", "|H| after", of_walk(row, &StudyWalk::drift_after)),
+      integer("steps", "steps", all.work.accepted),
+      integer("rejected", "rejected", all.work.rejected),
+      integer("evaluations", "evaluated", all.work.work.values),
+      integer("fine_evaluations", "", all.work.work.fine_values),
+      integer("linearizations", "", all.work.work.linearizations),
+      integer("factorizations", "factored", all.work.work.factorizations)};
+  for (const StudyCell& cell : quality) {
+    cells.push_back(cell);
+    cells.back().table = CellTable::quality;
+  }
+  return cells;
 }
 
 std::vector<std::string> study_facts(const StudiedFile& study) {
@@ -76,12 +83,14 @@ std::vector<std::string> study_facts(const StudiedFile& study) {
   const StudyReference& reference = result.reference;
   const std::string last =
       std::to_string(result.seed + static_cast<std::uint64_t>(result.seeds) - 1);
-  return {counted(result.system.variables.size(), "unknown") + ", " +
-              counted(result.paths, "path") + ", seeds " + std::to_string(result.seed) + " to " +
-              last + ", CPU time of one thread",
-          "reference: " + counted(reference.roots, "isolated root") + ", " +
-              std::to_string(reference.exact) + " of them to " + std::to_string(reference.digits) +
-              " digits; " + reference.completeness};
+  std::vector<std::string> facts{
+      counted(result.system.variables.size(), "unknown") + ", " + counted(result.paths, "path") +
+          ", seeds " + std::to_string(result.seed) + " to " + last + ", CPU time of one thread",
+      "reference: " + counted(reference.roots, "isolated root") + ", " +
+          std::to_string(reference.exact) + " of them to " + std::to_string(reference.digits) +
+          " digits; " + reference.completeness};
+  facts.insert(facts.end(), result.remarks.begin(), result.remarks.end());
+  return facts;
 }
 
 std::vector<std::string> study_legend() {

@@ -9,11 +9,15 @@
 
 namespace moivre {
 
+/// Which table for people a column stands in: both, the one of times and losses, or that of errors and work.
+enum class CellTable { both, outcome, quality };
+
 struct StudyCell {
   std::string key;      ///< the column's name in CSV
   std::string heading;  ///< over the column in tables for people; empty: in CSV only
   std::string exact;    ///< every digit; empty where unknown
   std::string rough;    ///< two digits; "-" where unknown
+  CellTable table = CellTable::outcome;
 };
 
 std::vector<StudyCell> study_cells(const StudyRow& row);

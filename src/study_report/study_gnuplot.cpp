@@ -195,7 +195,8 @@ std::string settings_gnuplot(const StudiedFile& study) {
 
 std::vector<StudyDiagram> study_diagrams(const StudiedFile& study) {
   std::vector<StudyDiagram> diagrams;
-  if (!study.result.rows.empty()) diagrams.push_back({study.name, settings_gnuplot(study), ""});
+  if (!study.result.rows.empty() && study.result.reference.roots > 0)
+    diagrams.push_back({study.name, settings_gnuplot(study), ""});
   for (const StudyTable& table : study.result.tables) {
     if (!is_drawn(table)) continue;
     const std::string name = study.name + "-motion";

@@ -69,6 +69,7 @@ Json file_json(const StudiedFile& study) {
           {"reference", reference_json(result.reference)},
           {"settings", list_json(result.rows, row_json)},
           {"tables", list_json(result.tables, table_json)},
+          {"remarks", result.remarks},
           {"time_s", {{"total", result.cpu_s}}}};
 }
 

@@ -16,7 +16,7 @@ std::string quoted(const std::string& text) {
   return result + '"';
 }
 
-std::vector<std::vector<std::string>> table_of(const StudyResult& result) {
+std::vector<std::vector<std::string>> table_of(const StudyResult& result, CellTable table) {
   std::vector<std::vector<std::string>> lines;
   for (const StudyRow& row : result.rows) {
     const std::vector<StudyCell> cells = study_cells(row);
@@ -24,7 +24,7 @@ std::vector<std::vector<std::string>> table_of(const StudyResult& result) {
     const bool is_first = lines.size() == 1;
     std::vector<std::string> line;
     for (const StudyCell& cell : cells) {
-      if (cell.heading.empty()) continue;
+      if (cell.heading.empty() || (cell.table != CellTable::both && cell.table != table)) continue;
       if (is_first) lines.front().push_back(cell.heading);
       line.push_back(cell.rough);
     }
@@ -64,7 +64,11 @@ std::vector<std::vector<std::string>> lines_of(const StudyTable& table) {
 std::string study_text(const StudiedFile& study) {
   std::string text = study.file + '\n';
   for (const std::string& fact : study_facts(study)) text += fact + '\n';
-  text += '\n' + aligned(table_of(study.result)) + '\n';
+  if (!study.result.rows.empty()) {
+    text += '\n' + aligned(table_of(study.result, CellTable::outcome)) + '\n' +
+            aligned(table_of(study.result, CellTable::quality));
+  }
+  text += '\n';
   for (const StudyTable& table : study.result.tables) {
     text += table.title + '\n' + aligned(lines_of(table)) + '\n';
   }

@@ -106,13 +106,15 @@ TEST(StudyCommand, RefusesEachWrongOptionWithItsReason) {
   Scene scene;
   scene.write("f.phc", kCircleAndHyperbola);
   scene.write("wide.phc", "1 2\nx + y;\n");
+  scene.write("torn.phc", "1\nx - ;\n");
   scene.write("file", "");
   struct Refusal {
     std::vector<std::string> arguments;
     std::string message;
   };
   const std::vector<Refusal> refusals = {
-      {{"f.phc", "--settings", "euler"}, "the settings are bdf_projection"},
+      {{"f.phc", "--settings", "euler,lanes,heun"},
+       "--settings euler,heun: the settings are bdf_projection"},
       {{"f.phc", "--tolerances", "0"}, "rtol must lie in (0, 0.5]"},
       {{"f.phc", "--tolerances", "1e-2,2"}, "rtol must lie in (0, 0.5]"},
       {{"f.phc", "--seeds", "0"}, "seeds must lie between 1 and"},
@@ -122,7 +124,8 @@ TEST(StudyCommand, RefusesEachWrongOptionWithItsReason) {
       {{"f.phc", "--csv", "no/folder/x.csv"}, "no/folder/x.csv"},
       {{"f.phc", "--json", "f.phc"}, "f.phc"},
       {{"f.phc", "absent.phc"}, "absent.phc"},
-      {{"wide.phc"}, "as many equations as unknowns"},
+      {{"wide.phc"}, "wide.phc: 1 equation in 2 unknowns"},
+      {{"torn.phc"}, "torn.phc:2:"},
       {{}, "FILE"}};
   for (const Refusal& refusal : refusals) {
     std::vector<std::string> arguments = {"study"};
@@ -132,6 +135,18 @@ TEST(StudyCommand, RefusesEachWrongOptionWithItsReason) {
     EXPECT_EQ(outcome.out, "") << refusal.message;
     EXPECT_TRUE(contains(outcome.err, refusal.message)) << outcome.err;
   }
+}
+
+TEST(StudyCommand, SaysWhereThereIsNothingToCompare) {
+  Scene scene;
+  scene.write("line.phc", "2\nx + y - 1;\n2*x + 2*y - 2;\n");
+  const std::string triangle =
+      std::string(MOIVRE_SOURCE_DIR) + "/problems/mechanisms/unassemblable-triangle.toml";
+  const Outcome outcome = scene.run(study({"line.phc", triangle, "--out", "folder"}));
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_TRUE(contains(outcome.out, "there is no isolated root")) << outcome.out;
+  EXPECT_TRUE(contains(outcome.out, "the mechanism cannot be assembled")) << outcome.out;
+  EXPECT_FALSE(scene.has("folder/line.gp"));
 }
 
 TEST(StudyCommand, GivesWhatIsFinishedWhenItIsInterrupted) {

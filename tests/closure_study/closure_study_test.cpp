@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "moivre/closures/closures.h"
 #include "moivre/mechanism/read.h"
 #include "moivre/tracker_cvode/cvode_tracker.h"
@@ -40,15 +42,41 @@ TEST(ClosureStudy, FindsTheClosuresOfAFourBarWithEverySetting) {
   }
 }
 
+std::vector<double> column(const StudyTable& table, const std::string& name) {
+  const auto at = std::find(table.columns.begin(), table.columns.end(), name);
+  std::vector<double> values;
+  for (const auto& row : table.rows) values.push_back(row.at(at - table.columns.begin()));
+  return values;
+}
+
 TEST(ClosureStudy, DifferencesOfTheMotionFallWithTheFourthPowerOfTheSpacing) {
   const StudyResult result = study("four-bar");
   ASSERT_EQ(result.tables.size(), 1u);
-  const auto& rows = result.tables[0].rows;
-  ASSERT_GE(rows.size(), 3u);
-  for (const std::size_t column : {std::size_t{2}, std::size_t{3}}) {
-    const double ratio = rows[1][column] / rows[2][column];
-    EXPECT_NEAR(ratio, 16, 2) << result.tables[0].columns[column];
+  for (const char* name : {"velocity_error", "acceleration_error"}) {
+    const std::vector<double> errors = column(result.tables[0], name);
+    ASSERT_GE(errors.size(), 3u);
+    EXPECT_NEAR(errors[1] / errors[2], 16, 2) << name;
   }
+}
+
+TEST(ClosureStudy, PositionsOfTheMotionAreClosuresSolvedAfresh) {
+  const StudyResult result = study("four-bar");
+  ASSERT_EQ(result.tables.size(), 1u);
+  for (const double error : column(result.tables[0], "position_error")) EXPECT_LT(error, 1e-14);
+}
+
+TEST(ClosureStudy, ABranchThatEndsIsComparedBeforeItsDeadPoint) {
+  const StudyResult result = study("slider-crank");
+  ASSERT_EQ(result.tables.size(), 1u);
+  EXPECT_NE(result.tables[0].title.find("of a branch that ends at 0.1199 s"), std::string::npos);
+  const std::vector<double> errors = column(result.tables[0], "velocity_error");
+  EXPECT_LT(errors.at(4), 1e-9);
+}
+
+TEST(ClosureStudy, OfAMechanismThatStandsHasNoMotion) {
+  const StudyResult result = study("3-rpr");
+  EXPECT_TRUE(result.tables.empty());
+  ASSERT_EQ(result.remarks.size(), 1u);
 }
 
 TEST(ClosureStudy, OfAMechanismThatCannotBeAssembledHasAnEmptyReference) {
@@ -56,6 +84,7 @@ TEST(ClosureStudy, OfAMechanismThatCannotBeAssembledHasAnEmptyReference) {
   EXPECT_TRUE(result.complete);
   EXPECT_EQ(result.reference.exact, result.reference.roots);
   EXPECT_TRUE(result.tables.empty());
+  EXPECT_EQ(result.remarks.size(), 1u);
 }
 
 }  // namespace

@@ -35,6 +35,9 @@ StudiedFile study_by_hand() {
   return study;
 }
 
+/// Columns of a wide terminal: no row of a table is broken there.
+constexpr std::size_t kTerminal = 132;
+
 bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
@@ -42,6 +45,9 @@ bool contains(const std::string& text, const std::string& part) {
 TEST(StudyReport, TextHasARowASetting) {
   const std::string text = study_text(study_by_hand());
   EXPECT_TRUE(contains(text, "\nbdf "));
+  for (std::size_t at = 0; at < text.find("\n\nown:"); at = text.find('\n', at) + 1) {
+    EXPECT_LE(text.find('\n', at) - at, kTerminal) << text.substr(at, kTerminal);
+  }
   EXPECT_TRUE(contains(text, "\nlanes "));
   EXPECT_TRUE(contains(text, "seeds 1 to 2"));
 }

@@ -118,6 +118,7 @@ struct StudyResult {
   StudyReference reference;
   std::vector<StudyRow> rows;  ///< in the order of the settings; those that were finished
   std::vector<StudyTable> tables;
+  std::vector<std::string> remarks;  ///< what there was nothing to compare of, and why; a sentence each
   double cpu_s = 0;  ///< of all of it
 };
 

@@ -36,7 +36,7 @@ std::string processor_name();
 std::string study_text(const StudiedFile& study);
 std::string study_csv(const std::vector<StudiedFile>& studies);
 std::string study_json(const std::vector<StudiedFile>& studies);
-/// Of the settings, and of the motion, where there is something to draw; none is drawn yet.
+/// Of the settings where there are roots, and of the motion where there is one; none is drawn yet.
 std::vector<StudyDiagram> study_diagrams(const StudiedFile& study);
 std::string study_html(const std::vector<StudiedFile>& studies);
 
