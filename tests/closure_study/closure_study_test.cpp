@@ -44,8 +44,9 @@ TEST(ClosureStudy, FindsTheClosuresOfAFourBarWithEverySetting) {
 
 std::vector<double> column(const StudyTable& table, const std::string& name) {
   const auto at = std::find(table.columns.begin(), table.columns.end(), name);
+  const auto index = static_cast<std::size_t>(at - table.columns.begin());
   std::vector<double> values;
-  for (const auto& row : table.rows) values.push_back(row.at(at - table.columns.begin()));
+  for (const auto& row : table.rows) values.push_back(row.at(index));
   return values;
 }
 
