@@ -120,8 +120,8 @@ std::string to_string(Failure failure) {
   return "";
 }
 
-Endgame::Endgame(const EndgameOptions& options, std::uint64_t path, int care)
-    : options_(options), path_(path), care_(care) {}
+Endgame::Endgame(const EndgameOptions& options, std::uint64_t path, int care, Manner manner)
+    : options_(options), path_(path), care_(care), manner_(manner) {}
 
 Departure Endgame::depart(Point start) {
   tangent_.resize(start.size());
@@ -152,6 +152,7 @@ Endgame::Sight Endgame::sight(const StepRecord& step, PathSystem& path) {
 Watcher::Verdict Endgame::watch(const StepRecord& step, PathSystem& path) noexcept {
   const double radius = std::abs(step.t.rest);
   if (radius > options_.watch_radius || radius == 0) return Verdict::go_on;
+  if (manner_ == Manner::straight) return watch_straight(step, path);
   ++watched_;
   if (outpost_.empty() || radius > kCreepingRadius / kShrink) {
     outpost_.assign(step.x.begin(), step.x.end());
@@ -171,6 +172,36 @@ Watcher::Verdict Endgame::watch(const StepRecord& step, PathSystem& path) noexce
   if (radius < (may_diverge() ? kDivergingRadius : kCreepingRadius)) ++creeping_;
   const bool worsens = sights_.back().condition > kConditionGrowth * sights_.front().condition;
   return creeping_ >= (worsens ? 1 : kCreepingSteps) ? Verdict::stop : Verdict::go_on;
+}
+
+// Only infinity ends a straight way. A sight lies between two points and holds the mean valuations.
+Watcher::Verdict Endgame::watch_straight(const StepRecord& step, PathSystem& path) noexcept {
+  const double radius = std::abs(step.t.rest);
+  if (radius > kSightRadius || (!sizes_.empty() && radius * kSightSpacing > sizes_radius_)) {
+    return Verdict::go_on;
+  }
+  const std::size_t n = step.x.size() - 1;
+  const auto size = [&](std::size_t i) {
+    return std::max(std::abs(step.x[i]), std::numeric_limits<double>::min());
+  };
+  std::vector<double> sizes(n);
+  for (std::size_t i = 0; i < n; ++i) sizes[i] = std::log(size(i) / size(n));
+  if (!sizes_.empty()) {
+    const double condition = path.linearize(step.x, step.t)
+                                 ? path.condition()
+                                 : std::numeric_limits<double>::infinity();
+    const double largest = *std::max_element(sizes.begin(), sizes.end());
+    Sight now{radius, {}, 0, condition, std::exp(largest)};
+    for (std::size_t i = 0; i < n; ++i) {
+      now.valuations.push_back((sizes[i] - sizes_[i]) / std::log(radius / sizes_radius_));
+      now.least = std::min(now.least, now.valuations.back());
+    }
+    sights_.push_back(std::move(now));
+    cut_ = diverges_beyond_double();
+  }
+  sizes_ = std::move(sizes);
+  sizes_radius_ = radius;
+  return cut_ ? Verdict::stop : Verdict::go_on;
 }
 
 bool Endgame::may_diverge() const {
@@ -202,7 +233,7 @@ double Endgame::drift(std::size_t i, std::size_t sights) const {
 }
 
 // What grows does so evenly, and some of it has faded less than it does before any finite singular end.
-bool Endgame::growth_lasts() const {
+bool Endgame::growth_lasts(double tolerance) const {
   const Sight& then = sights_[sights_.size() - kSteadySights];
   const Sight& now = sights_.back();
   const double fading = std::pow(now.radius / then.radius, 0.5 / options_.maximum_winding);
@@ -210,7 +241,7 @@ bool Endgame::growth_lasts() const {
   for (std::size_t i = 0; i < now.valuations.size(); ++i) {
     const double v = now.valuations[i];
     if (v > -kLeastValuation) continue;
-    if (drift(i, kSteadySights) > kDriftTolerance) return false;
+    if (drift(i, kSteadySights) > tolerance) return false;
     const bool whole = std::abs(v - std::round(v)) < kWhole;
     if (!whole && v < fading * then.valuations[i]) lasts = true;
   }
@@ -226,13 +257,18 @@ bool Endgame::diverges() const {
   const bool beyond = now.size * options_.infinity_floor > 1 && now.radius < kBeyondRadius;
   if (beyond && now.size > then.size) return true;
   const bool hopeless = now.condition > kHopelessCondition && now.condition > then.condition;
-  if (hopeless && growth_lasts()) return true;
+  if (hopeless && growth_lasts(kDriftTolerance)) return true;
   if (!valuations_are_steady(kSteadySights)) return false;
   const bool whole = std::abs(now.least - std::round(now.least)) < kWhole;
   const bool far = whole ? now.size > kWholeSize
                          : now.size > kDivergedSize && valuations_are_steady(kLongSights);
   return (far || now.condition > kSingularCondition) && now.condition > kDivergedCondition &&
          now.condition > kConditionGrowth * first.condition && now.condition > then.condition;
+}
+
+bool Endgame::diverges_beyond_double() const {
+  return sights_.size() >= kSteadySights && sights_.back().condition > kHopelessCondition &&
+         growth_lasts(kSteadyTolerance);
 }
 
 std::nullopt_t Endgame::fail(Failure failure) {

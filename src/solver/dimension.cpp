@@ -7,19 +7,9 @@
 #include <cmath>
 #include <optional>
 
-#include "moivre/numeric/double_double.h"
 #include "moivre/numeric/random.h"
-#include "moivre/polynomial/tape.h"
 
 namespace moivre {
-
-struct DimensionTest::Program {
-  Tape tape;
-  std::vector<Complex> c;
-  std::vector<ComplexDoubleDouble> exact;
-  std::vector<double> size;  ///< |c|
-  std::vector<double> unit;
-};
 
 namespace {
 
@@ -46,14 +36,14 @@ constexpr double kNullSpace = 1e-2;
 // Where sets cross, a start near each is a matter of luck.
 constexpr int kStarts = 8;
 constexpr double kWander = 2;  // steps
-// A set nearly parallel to one plane has its neighbour too far away: two of six decide.
-constexpr int kSlices = 6;
+// A set nearly parallel to one plane has its neighbour too far away: two of ten decide.
+constexpr int kSlices = 10;
 constexpr int kAgreeing = 2;
 
 /// The neighbourhood of one root, y = x + s z with s the natural sizes of the coordinates.
 class Neighbourhood {
  public:
-  Neighbourhood(const DimensionTest::Program& program, const Point& x, std::uint64_t seed);
+  Neighbourhood(const RefinerProgram& program, const Point& x, std::uint64_t seed);
 
   /// Does a plane, moved, meet a set through x?
   bool meets(int slice);
@@ -70,7 +60,7 @@ class Neighbourhood {
   bool leads_to_x(const VectorXcd& plane, FinePoint z);
   std::optional<double> settle(const VectorXcd& plane, double step, FinePoint& z);
 
-  const DimensionTest::Program& program_;
+  const RefinerProgram& program_;
   const Point& x_;
   std::uint64_t seed_;
   std::vector<double> scale_;
@@ -82,8 +72,7 @@ class Neighbourhood {
   MatrixXcd j_;      ///< (n + 1) x n, of value_ with respect to z
 };
 
-Neighbourhood::Neighbourhood(const DimensionTest::Program& program, const Point& x,
-                             std::uint64_t seed)
+Neighbourhood::Neighbourhood(const RefinerProgram& program, const Point& x, std::uint64_t seed)
     : program_(program),
       x_(x),
       seed_(seed),
@@ -203,22 +192,10 @@ std::optional<double> Neighbourhood::settle(const VectorXcd& plane, double step,
 
 }  // namespace
 
-DimensionTest::DimensionTest(const System& f, std::vector<double> unit) {
-  Program program;
-  program.tape = make_tape(f);
-  program.c = complex_coefficients(program.tape, f);
-  program.exact =
-      round_coefficients<ComplexDoubleDouble>(program.tape, f, to_complex_double_double);
-  for (const Complex& ck : program.c) program.size.push_back(std::abs(ck));
-  program.unit = std::move(unit);
-  program_ = std::make_unique<const Program>(std::move(program));
-}
-
-DimensionTest::~DimensionTest() = default;
-
-bool DimensionTest::lies_on_positive_dimensional_set(const Point& x, std::uint64_t seed) const {
+bool lies_on_positive_dimensional_set(const RefinerProgram& program, const Point& x,
+                                      std::uint64_t seed) {
   if (x.size() < 2) return false;
-  Neighbourhood neighbourhood(*program_, x, seed);
+  Neighbourhood neighbourhood(program, x, seed);
   int found = 0;
   for (int slice = 0; slice < kSlices && found < kAgreeing; ++slice) {
     found += neighbourhood.meets(slice) ? 1 : 0;

@@ -17,26 +17,12 @@
 // Source: [SommeseWampler05, ch. 13], local dimension by slicing.
 #pragma once
 
-#include <memory>
-
 #include "refine.h"
 
 namespace moivre {
 
-/// Immutable; may be asked by many threads.
-class DimensionTest {
- public:
-  /// F: as given. unit: n, the natural size of each unknown; 1 where nothing is known.
-  DimensionTest(const System& f, std::vector<double> unit);
-  ~DimensionTest();
-
-  /// x: a singular root of F, n coordinates.
-  bool lies_on_positive_dimensional_set(const Point& x, std::uint64_t seed) const;
-
-  struct Program;
-
- private:
-  std::unique_ptr<const Program> program_;
-};
+/// program: F as given. x: a singular root of F, n coordinates.
+bool lies_on_positive_dimensional_set(const RefinerProgram& program, const Point& x,
+                                      std::uint64_t seed);
 
 }  // namespace moivre

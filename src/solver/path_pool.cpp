@@ -44,10 +44,8 @@ class SessionSource : public DepartureSource {
     if (k >= shared_.count) return std::nullopt;
     const std::uint64_t path = shared_.path_of(k);
     auto& endgame = under_way_[path];
-    endgame = std::make_unique<Endgame>(problem_.endgame, path, shared_.care);
-    Departure departure = endgame->depart(start_point(problem_.start, path));
-    if (!problem_.watched) departure.watcher = nullptr;
-    return departure;
+    endgame = std::make_unique<Endgame>(problem_.endgame, path, shared_.care, problem_.manner);
+    return endgame->depart(start_point(problem_.start, path));
   }
 
   void arrived(const Departure& departure, Arrival&& arrival) override {

@@ -20,7 +20,7 @@ struct PathProblem {
   const TotalDegreeStart& start;
   const Tracker& tracker;
   const EndgameOptions& endgame;
-  bool watched = true;  ///< false: every path goes straight to t = 1, and fails where its end is not regular
+  Endgame::Manner manner = Endgame::Manner::full;
 };
 
 /// Receives the verdict on a path; called by one thread at a time, in any order of paths.

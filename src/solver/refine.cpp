@@ -7,9 +7,7 @@
 #include <limits>
 
 #include "moivre/numeric/dense_lu.h"
-#include "moivre/numeric/double_double.h"
 #include "moivre/numeric/lu.h"
-#include "moivre/polynomial/tape.h"
 
 namespace moivre {
 namespace {
@@ -46,22 +44,12 @@ constexpr double kSingularSnap = 10;
 
 }  // namespace
 
-class RefinerProgram {
- public:
-  RefinerProgram(const System& f, std::vector<double> natural_sizes)
-      : tape(make_tape(f)), c(complex_coefficients(tape, f)), unit(std::move(natural_sizes)) {
-    exact = round_coefficients<ComplexDoubleDouble>(tape, f, to_complex_double_double);
-    for (const Complex& ck : c) size.push_back(std::abs(ck));
-    for (const std::uint64_t d : degrees(f)) degree = std::max(degree, static_cast<double>(d));
-  }
-
-  Tape tape;
-  std::vector<Complex> c;
-  std::vector<ComplexDoubleDouble> exact;
-  std::vector<double> size;
-  std::vector<double> unit;
-  double degree = 1;  ///< the largest
-};
+RefinerProgram::RefinerProgram(const System& f, std::vector<double> natural_sizes)
+    : tape(make_tape(f)), c(complex_coefficients(tape, f)), unit(std::move(natural_sizes)) {
+  exact = round_coefficients<ComplexDoubleDouble>(tape, f, to_complex_double_double);
+  for (const Complex& ck : c) size.push_back(std::abs(ck));
+  for (const std::uint64_t d : degrees(f)) degree = std::max(degree, static_cast<double>(d));
+}
 
 std::shared_ptr<const RefinerProgram> make_refiner_program(const System& f,
                                                            std::vector<double> unit) {

@@ -10,6 +10,8 @@
 
 #include <memory>
 
+#include "moivre/numeric/double_double.h"
+#include "moivre/polynomial/tape.h"
 #include "moivre/solver/solve.h"
 
 namespace moivre {
@@ -23,8 +25,18 @@ struct Refined {
 };
 
 /// Immutable and shared: the tape of a system and its coefficients in three scalars.
-/// unit: n, the natural size of each unknown (from the presolve's scaling); 1 where nothing is known.
-class RefinerProgram;
+struct RefinerProgram {
+  RefinerProgram(const System& f, std::vector<double> natural_sizes);
+
+  Tape tape;
+  std::vector<Complex> c;
+  std::vector<ComplexDoubleDouble> exact;
+  std::vector<double> size;  ///< |c|
+  std::vector<double> unit;  ///< n, the natural size of each unknown
+  double degree = 1;         ///< the largest
+};
+
+/// unit: from the presolve's scaling; 1 where nothing is known.
 std::shared_ptr<const RefinerProgram> make_refiner_program(const System& f,
                                                            std::vector<double> unit);
 

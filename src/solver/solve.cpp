@@ -21,10 +21,14 @@ namespace {
 
 // A simple root is known this much better than ends of different paths are apart.
 constexpr double kSimpleTolerance = 1e-13;
+// On a curve of roots J is singular; as rounded it may still pass for a simple root's, of a condition above this.
+constexpr double kDoubtfulCondition = 1e14;
 // A singular end is not known better than this; ends nearer than that are one root.
 constexpr double kSingularTolerance = 1e-7;
 // A singular end known worse than this is not known at all.
 constexpr double kWorstAccuracy = 1e-3;
+// One on a set of roots may be: it names no root, and where the set crosses itself residuals tell little of the error.
+constexpr double kWorstAccuracyOnSet = 3e-2;
 // Of a root that is not simple.
 constexpr int kLeastMultiplicity = 2;
 
@@ -126,7 +130,6 @@ class Run {
   int threads_;
   Prepared prepared_;
   std::shared_ptr<const RefinerProgram> refiner_program_;
-  std::optional<DimensionTest> dimension_test_;  // made when it is first needed
   Ledger ledger_;
   std::vector<std::pair<std::uint64_t, PathEnd>> ends_;  // finite, to be refined
   std::set<std::uint64_t> retracked_;
@@ -261,6 +264,10 @@ Root Run::refined_root(Refiner& refiner, std::uint64_t path, const PathEnd& end)
   if (!root.point.simple && !many_sheets && rung_of(path) == Rung::double_double) {
     root.point = refiner.refine_fine(x);
   }
+  if (root.point.simple && root.point.condition > kDoubtfulCondition) {
+    root.on_set = lies_on_positive_dimensional_set(*refiner_program_, root.point.x, options_.seed);
+    root.point.simple = !*root.on_set;
+  }
   if (!root.point.simple) {
     if (!many_sheets) root.point = refiner.keep(x, accuracy, kLeastMultiplicity);
     root.tolerance = std::max(kSingularTolerance, 10 * root.point.accuracy);
@@ -284,7 +291,9 @@ void Run::refine_ends() {
   });
   for (std::size_t k = 0; k < ends_.size(); ++k) {
     const auto& [path, end] = ends_[k];
-    const bool singular = roots[k].winding && roots[k].point.accuracy <= kWorstAccuracy;
+    const bool singular = roots[k].winding &&
+                          (roots[k].point.accuracy <= kWorstAccuracy ||
+                           (roots[k].point.accuracy <= kWorstAccuracyOnSet && is_on_set(roots[k])));
     if (roots[k].point.simple) {
       ledger_.enter_root(path, std::move(roots[k]));
     } else if (hides_terms()) {
@@ -335,8 +344,7 @@ void Run::resolve_clusters() {
 
 bool Run::is_on_set(const Root& root) {
   if (!root.on_set) {
-    if (!dimension_test_) dimension_test_.emplace(unit_f_, natural_sizes(prepared_));
-    root.on_set = dimension_test_->lies_on_positive_dimensional_set(root.point.x, options_.seed);
+    root.on_set = lies_on_positive_dimensional_set(*refiner_program_, root.point.x, options_.seed);
   }
   return *root.on_set;
 }
@@ -413,7 +421,8 @@ void Run::climb(std::set<std::uint64_t> paths) {
 std::set<std::uint64_t> Run::climb(const std::set<std::uint64_t>& paths, const Tracker& tracker) {
   std::set<std::uint64_t> left;
   if (paths.empty() || interrupted_) return left;
-  const PathProblem fine{*prepared_.homotopy, prepared_.start, tracker, endgame_, false};
+  const PathProblem fine{*prepared_.homotopy, prepared_.start, tracker, endgame_,
+                         Endgame::Manner::straight};
   const std::vector<std::uint64_t> list(paths.begin(), paths.end());
   retracked_.insert(list.begin(), list.end());
   const EndSink sink = [&](std::uint64_t path, PathEnd&& end) {

@@ -20,14 +20,14 @@ System read(const std::string& text) { return read_system({"test", text}); }
 
 /// At x and, by each of the errors, beside it.
 void expect_on_set(const System& f, const Point& x, bool expected) {
-  const DimensionTest test(f, std::vector<double>(x.size(), 1.0));
+  const RefinerProgram program(f, std::vector<double>(x.size(), 1.0));
   for (const double error : kEndgameErrors) {
     for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
       Point end = x;
       for (std::size_t i = 0; i < x.size(); ++i) {
         end[i] += error * random_phase(seed, RandomStream::test, i);
       }
-      EXPECT_EQ(test.lies_on_positive_dimensional_set(end, seed), expected)
+      EXPECT_EQ(lies_on_positive_dimensional_set(program, end, seed), expected)
           << "seed " << seed << ", error " << error;
     }
   }
@@ -132,12 +132,12 @@ TEST(DimensionTest, SeesNoCurveWhereTheJacobianVanishesAltogether) {
 }
 
 TEST(DimensionTest, MeasuresInTheUnitsOfTheUnknowns) {
-  const DimensionTest crossing(
+  const RefinerProgram crossing(
       read("2\n (1e6*x - 1)*(y - 1e6);\n (1e6*x - 1)*(y - 1e6)*(1e6*x + 1e-6*y);\n"), {1e-6, 1e6});
-  const DimensionTest isolated(read("2\n (1e6*x - 1)^2;\n (1e-6*y - 1)^2;\n"), {1e-6, 1e6});
+  const RefinerProgram isolated(read("2\n (1e6*x - 1)^2;\n (1e-6*y - 1)^2;\n"), {1e-6, 1e6});
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
-    EXPECT_TRUE(crossing.lies_on_positive_dimensional_set({1e-6, 1e6}, seed)) << seed;
-    EXPECT_FALSE(isolated.lies_on_positive_dimensional_set({1e-6, 1e6}, seed)) << seed;
+    EXPECT_TRUE(lies_on_positive_dimensional_set(crossing, {1e-6, 1e6}, seed)) << seed;
+    EXPECT_FALSE(lies_on_positive_dimensional_set(isolated, {1e-6, 1e6}, seed)) << seed;
   }
 }
 

@@ -4,6 +4,10 @@
 
 #include <set>
 
+#include "moivre/tracker/double_double_tracker.h"
+#include "moivre/tracker_cvode/cvode_tracker.h"
+#include "path_pool.h"
+#include "prepare.h"
 #include "problem_set.h"
 
 namespace moivre {
@@ -42,6 +46,31 @@ TEST(Precision, TellsTheRungOfEveryRoot) {
   for (const Solution& s : result.solutions) ++roots[s.precision];
   EXPECT_EQ(roots[Rung::mixed], result.paths.mixed);
   EXPECT_EQ(roots[Rung::double_double], result.paths.double_double);
+}
+
+/// Verdicts on these paths of kin1 with seed 1, followed by `tracker` in this manner.
+std::vector<PathStatus> ends_of_kin1(const std::vector<std::uint64_t>& paths,
+                                     const Tracker& tracker, Endgame::Manner manner) {
+  const SolveOptions options = with_seed(1);
+  const Prepared prepared = prepare(system_of(problem("kin1")), options);
+  const PathProblem path_problem{*prepared.homotopy, prepared.start, tracker, options.endgame,
+                                 manner};
+  std::vector<PathStatus> ends;
+  track_paths(
+      path_problem, paths.size(), [&](std::uint64_t k) { return paths[k]; }, 0, 1,
+      [&](std::uint64_t, PathEnd&& end) { ends.push_back(end.status); }, std::atomic<bool>{false});
+  return ends;
+}
+
+// They grow like r^(-7/4) with r = 1 - t. Where that can be seen, from r = 1e-5 on, J's condition has passed 1e16.
+TEST(Precision, TellsInfinityWhereTheJacobianInDoubleSaysNothing) {
+  const std::vector<std::uint64_t> paths{14, 43, 99};
+  const std::vector<PathStatus> in_double =
+      ends_of_kin1(paths, *make_cvode_tracker(), Endgame::Manner::full);
+  const std::vector<PathStatus> beyond =
+      ends_of_kin1(paths, *make_double_double_tracker(), Endgame::Manner::straight);
+  EXPECT_EQ(beyond, std::vector<PathStatus>(3, PathStatus::at_infinity));
+  EXPECT_EQ(std::count(in_double.begin(), in_double.end(), PathStatus::finite), 0);
 }
 
 TEST(Precision, StaysDoubleWhereThatIsAskedForAndSaysWhatItLacks) {

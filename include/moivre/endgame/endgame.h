@@ -18,6 +18,9 @@
 //   4. Several turns about a mean that is not clearly a singular root: a landing from the last radius
 //      to t = 1 tells whether simple roots close to each other were taken for one.
 //
+// Straight, for trackers beyond double: the way only, no circles. The end is regular, at infinity or has failed. Valuations come
+// from differences of log |x_i / x_0| then, since J in double says nothing where such trackers are needed.
+//
 // x: N homogeneous coordinates, the last one x_0. accuracy: relative, |x - x*|_inf / |x|_inf in homogeneous coordinates.
 // Edges: a path that breaks off far from t = 1 has failed, with the reason. Not supported: winding numbers above maximum_winding.
 // Source: [MSW91] for the Cauchy integral, [HuberVerschelde98] and [Timme21] for valuations.
@@ -70,7 +73,9 @@ struct PathEnd {
 
 class Endgame : public Watcher {
  public:
-  Endgame(const EndgameOptions& options, std::uint64_t path, int care);
+  enum class Manner { full, straight };
+  Endgame(const EndgameOptions& options, std::uint64_t path, int care,
+          Manner manner = Manner::full);
 
   /// The first departure, from a start point at t = 0.
   Departure depart(Point start);
@@ -100,10 +105,12 @@ class Endgame : public Watcher {
   };
 
   Sight sight(const StepRecord& step, PathSystem& path);
+  Verdict watch_straight(const StepRecord& step, PathSystem& path) noexcept;
   bool valuations_are_steady(std::size_t sights) const;
   double drift(std::size_t i, std::size_t sights) const;
-  bool growth_lasts() const;
+  bool growth_lasts(double tolerance) const;
   bool diverges() const;
+  bool diverges_beyond_double() const;
   bool may_diverge() const;
   std::optional<Departure> judge_arrival(Arrival&& arrival, PathSystem& path);
   Departure descend(Arrival&& arrival);
@@ -126,6 +133,7 @@ class Endgame : public Watcher {
   EndgameOptions options_;
   std::uint64_t path_;
   int care_;
+  Manner manner_;
   Phase phase_ = Phase::whole_way;
   PathEnd end_;
 
@@ -137,6 +145,8 @@ class Endgame : public Watcher {
   Point outpost_;         // last watched point, from which circles begin
   double radius_ = 0;     // its |1 - t|
   Point tangent_;
+  std::vector<double> sizes_;  // log |x_i / x_0| where the last sight was begun
+  double sizes_radius_ = 0;
 
   // Circles.
   Point patch_;                  // fixed affine patch of all samples
