@@ -129,7 +129,8 @@ void add_solve_command(CLI::App& moivre, Chosen& chosen) {
   app.add_option("--phc", command->phc, "write PHCpack's solution list here")->type_name("PATH");
   add_tracker_options(app, command->tracker);
   app.add_option("--precision", command->precision,
-                 "of the paths: auto (double-double where double fails), double or double-double")
+                 "of the paths: auto (double-double where double fails), double or double-double; "
+                 "lanes stay lanes in each")
       ->capture_default_str()
       ->group("Tracker");
   add_examples(
