@@ -13,12 +13,15 @@ namespace {
 
 struct InfoCommand {
   std::string file;
+  StartChoice start;
+  int threads = 0;
   std::string json;
   bool quiet = false;
 };
 
 int run(const InfoCommand& command) {
-  require_distinct({command.json}, command.file);
+  require_all({[&] { require_known(command.start); }, [&] { require_threads(command.threads); },
+               [&] { require_distinct({command.json}, command.file); }});
   const System f = read_system(read_source(command.file));
   Output json(command.json);
   const SystemInfo info = inspect(f);
@@ -34,6 +37,9 @@ void add_info_command(CLI::App& moivre, Chosen& chosen) {
   CLI::App& app =
       *moivre.add_subcommand("info", "Tell the structure of a polynomial file; solve nothing");
   add_file(app, command->file);
+  add_start_options(app, command->start);
+  app.add_option("--threads", command->threads, "as in solve; there is nothing to share out here")
+      ->capture_default_str();
   add_json_option(app, command->json);
   add_quiet_flag(app, command->quiet);
   add_examples(app,

@@ -432,20 +432,6 @@ std::string to_string(EventKind kind) {
   return "";
 }
 
-std::string to_string(BranchStatus status) {
-  switch (status) {
-    case BranchStatus::reached:
-      return "reached";
-    case BranchStatus::ended:
-      return "ended";
-    case BranchStatus::failed:
-      return "failed";
-    case BranchStatus::interrupted:
-      return "interrupted";
-  }
-  return "";
-}
-
 Branch follow_branch(const Mechanism& mechanism, const VectorXd& q0,
                      const std::vector<double>& times, const BranchOptions& options,
                      const std::atomic<bool>& stop) {

@@ -120,7 +120,7 @@ System to_system(const State& s, const std::vector<std::string>& names) {
   return f;
 }
 
-/// Multiply-adds of value and gradient of the terms, and the dimension; see step_work.
+/// Multiply-adds of value and gradient of the terms, and the dimension: what a tracker's step costs.
 struct Work {
   double terms = 0;
   double unknowns = 0;
@@ -496,15 +496,6 @@ Reduction eliminate(const System& f) {
   result.dependent_equations = last.dependent.size();
   result.left_out = account(last, result.system, f);
   return result;
-}
-
-double step_work(const System& f) {
-  Work work;
-  work.unknowns = static_cast<double>(f.variables.size());
-  for (const Polynomial& p : f.polynomials) {
-    for (const Term& term : p.terms) work.terms += work_of(term.monomial);
-  }
-  return total(work);
 }
 
 std::vector<std::complex<double>> restore(const Reduction& reduction,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The arithmetic of expand.h: every step is charged before it can cost more memory or time than
-// allowed.
+// The arithmetic of expand.h, charged for its memory and time.
+// Every step is charged before it can cost more than allowed.
 #include "expand.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which polynomial is an expression? Products and powers multiplied out exactly, within stated
-// limits.
+// Which polynomial is an expression?
+// Products and powers multiplied out exactly, within stated limits.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Telling the formats apart, and what holds for both: text it must be, and every fault is thrown at
-// once.
+// Telling the formats apart, and what holds for both.
+// Text it must be, and every fault is thrown at once.
 #include "moivre/polynomial/read.h"
 
 #include <algorithm>

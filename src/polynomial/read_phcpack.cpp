@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reading PHCpack's text: count line, polynomials, headings behind them, and what a lost `;` looks
-// like.
+// Reading PHCpack's text: count line, polynomials, headings behind them.
+// And what a lost `;` looks like.
 #include <algorithm>
 #include <array>
 #include <charconv>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Writing a system so that reading it gives the same exact coefficients and the same order of
-// variables.
+// Writing a system as text that reads back as the same system.
+// Exact coefficients and the order of variables are kept.
 #include "moivre/polynomial/write.h"
 
 #include <algorithm>

@@ -1,28 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The trackers' shared vocabulary: names of journeys' ends, sums of counts, a single journey.
+// The trackers' shared vocabulary: sums of counts, a single journey.
 #include "moivre/tracker/tracker.h"
 
 namespace moivre {
-
-std::string to_string(Journey journey) {
-  switch (journey) {
-    case Journey::arrived:
-      return "arrived";
-    case Journey::stopped:
-      return "stopped";
-    case Journey::bad_start:
-      return "bad start";
-    case Journey::step_limit:
-      return "step limit";
-    case Journey::step_too_small:
-      return "step too small";
-    case Journey::off_path:
-      return "off the path";
-    case Journey::cancelled:
-      return "cancelled";
-  }
-  return "";
-}
 
 StepCount& StepCount::operator+=(const StepCount& other) {
   accepted += other.accepted;

@@ -59,6 +59,26 @@ TEST(CommandLine, AsksForACommandAndForAFile) {
   EXPECT_TRUE(contains(scene.run({"solve"}).err, "FILE"));
 }
 
+TEST(CommandLine, TakesTheCommonOptionsWhereverAPolynomialFileIsRead) {
+  Scene scene;
+  scene.write("f.phc", "1\nx^2 - 1;\n");
+  for (const std::vector<std::string>& command : {std::vector<std::string>{"solve", "f.phc"},
+                                                  {"info", "f.phc"},
+                                                  {"track", "f.phc", "--path", "0"}}) {
+    std::vector<std::string> arguments = command;
+    for (const char* word :
+         {"--start", "total-degree", "--seed", "3", "--threads", "2", "--quiet", "--json", "-"}) {
+      arguments.emplace_back(word);
+    }
+    const Outcome outcome = scene.run(arguments);
+    EXPECT_EQ(outcome.exit_code, 0) << command[0] << outcome.err;
+    EXPECT_EQ(outcome.err, "") << command[0];
+    EXPECT_EQ(outcome.out.front(), '{') << command[0];
+    arguments[command.size() + 1] = "magic";
+    EXPECT_EQ(scene.run(arguments).exit_code, 1) << command[0];
+  }
+}
+
 TEST(CommandLine, RefusesASecondFile) {
   Scene scene;
   scene.write("f.phc", "1\nx - 1;\n");

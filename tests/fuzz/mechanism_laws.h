@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What must hold for any bytes that the mechanism reader is given: a mechanism whose Phi can be evaluated, or a ParseError
-// with faults in the text.
+// What must hold for any bytes that the mechanism reader is given?
+// A mechanism whose Phi can be evaluated, or a ParseError with faults in the text.
 //
 // Shared by the fuzz target and by the test that replays its corpus.
 #pragma once

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Elimination: the numbered properties of the header at random exact points, and each verdict on a
-// tiny problem.
+// Does elimination keep what its header promises?
+// The numbered properties at random exact points, and each verdict on a tiny problem.
 #include "moivre/polynomial/eliminate.h"
 
 #include <gtest/gtest.h>

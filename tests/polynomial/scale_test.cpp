@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Scaling: exact, by powers of two, left alone where nothing is wrong, and right where sizes are
-// far apart.
+// Is scaling exact, and right where sizes are far apart?
+// By powers of two, and left alone where nothing is wrong.
 #include "moivre/polynomial/scale.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Do sparse polynomials keep their canonical form, and are degrees and counts what the definition
-// says?
+// Do sparse polynomials keep their canonical form?
+// And are degrees and counts what the definition says?
 #include "moivre/polynomial/system.h"
 
 #include <gtest/gtest.h>

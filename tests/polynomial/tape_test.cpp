@@ -131,6 +131,17 @@ TEST(Tape, GivesTheExactValuesAndDerivativesOfComplexSystemsToRounding) {
   }
 }
 
+TEST(Tape, GivesHighPowersAndTheirDerivatives) {
+  for (std::uint32_t e = 1; e <= 70; ++e) {
+    SCOPED_TRACE(e);
+    const Polynomial p{{{Coefficient{3, 1}, {{0, e}, {1, 2}}}, {Coefficient{1, 0}, {{1, e}}}}};
+    Case c{build::system(2, {p, p}), {}};
+    c.x = {{Rational(3, 4), Rational(1, 2)}, {Rational(-7, 8), Rational(1, 4)}};
+    const Tape tape = make_tape(c.f);
+    expect_exact_to_rounding(c, run(tape, complex_coefficients(tape, c.f), rounded(c.x)));
+  }
+}
+
 TEST(Tape, TakesRealCoefficientsOfRealSystems) {
   for (const Case& c : cases(true)) {
     const Tape tape = make_tape(c.f);

@@ -32,6 +32,29 @@ TEST(PathSystem, RefusesAFarPoint) {
   EXPECT_FALSE(scene.path.correct(x, Complex(0.5), {}, true).converged);
 }
 
+TEST(PathSystem, RefusesADoubleRootThatItWouldReachInTheEnd) {
+  const Homotopy homotopy(read_system({"f", "1\n(x - 1)^2;\n"}),
+                          read_system({"g", "1\nx^2 - 1;\n"}));
+  PathSystem path(homotopy);
+  Point x{1.001, 1.0};
+  const Correction correction = path.correct(x, Complex(1), {.maximum_iterations = 60}, true);
+  EXPECT_FALSE(correction.converged);
+  EXPECT_EQ(path.work().factorizations, 1u);
+}
+
+TEST(PathSystem, TakesTheTimeFromWhatIsLeftOfItWhereDoubleIsTooCoarse) {
+  // x(t) = 1 + sqrt(1 - t): at 1 - t = 1e-12 a double's t would move x by 1e-11.
+  constexpr double kRest = 1e-12;
+  const Homotopy homotopy(read_system({"f", "1\n(x - 1)^2;\n"}),
+                          read_system({"g", "1\n(x - 1)^2 - 1;\n"}));
+  PathSystem path(homotopy);
+  Point x{1 + std::sqrt(kRest), 1.0};
+  const PathTime t(Complex(1 - kRest), Complex(kRest));
+  EXPECT_TRUE(path.correct(x, t, {.tolerance = 1e-14}, true).converged);
+  EXPECT_GT(path.work().fine_values, 0u);
+  EXPECT_LT(std::abs(affine(x) - (1 + std::sqrt(kRest))), 1e-14);
+}
+
 TEST(PathSystem, OneFreshCorrectionSquaresTheError) {
   const CorrectorOptions once{.tolerance = 1, .maximum_iterations = 1};
   double constant[2];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What was typed? A mathematical expression as a tree of plain nodes that remember their place in
-// the file.
+// What was typed? A mathematical expression, read into a tree.
+// Its nodes are plain and remember their place in the file.
 //
 // Sums and products are n-ary, so that a line of a million terms is a wide tree, not a deep one.
 // The reader limits the depth to kMaximumDepth; recursion over a tree is therefore safe.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where in a file did it go wrong, and what is to be done? Positions, diagnostics and the error
-// that carries them.
+// Where in a file did it go wrong, and what is to be done?
+// Positions, diagnostics and the error that carries them.
 //
 // A reader collects every fault as a Diagnostic and throws one ParseError with all of them.
 #pragma once

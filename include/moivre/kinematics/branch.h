@@ -58,7 +58,6 @@ enum class BranchStatus {
   interrupted
 };
 
-std::string to_string(BranchStatus status);
 
 struct BranchOptions {
   double largest_turn_rad = 0.2;  ///< of the tangent in one step

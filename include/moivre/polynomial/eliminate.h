@@ -17,7 +17,8 @@
 //
 // Which unknown: of the pivots of at least kPivotThreshold times the equation's largest coefficient (sizes measured under
 // choose_scaling), the one that makes the fewest new terms. How far: substitution goes on while it can, and the state of
-// least work (step_work times the product of the degrees) is kept; equations whose substitution did not pay stay, unless
+// least work (multiply-adds of a tracker's step times the product of the degrees,
+// docs/decisions/0003-when-elimination-pays.md) is kept; equations whose substitution did not pay stay, unless
 // it proves a contradiction or a dependence. Where an integer would outgrow the limits below, a move is not made.
 // Not supported: products of equations with polynomials (Groebner bases), factors of an equation.
 #pragma once
@@ -79,10 +80,6 @@ struct Reduction {
 std::string to_string(Reduction::Verdict verdict);
 
 Reduction eliminate(const System& f);
-
-/// What a tracker's step costs, in complex multiply-adds: the model by which eliminate decides whether a substitution pays
-/// (docs/decisions/0003-when-elimination-pays.md).
-double step_work(const System& f);
 
 /// x from y, over any scalar with + and *: `round` makes the scalar of an exact coefficient.
 template <typename Scalar, typename Round>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How is a system written down again? PHCpack's and Bertini's text; reading it back gives the same
-// System.
+// How is a system written down again? In PHCpack's and Bertini's text.
+// Reading it back gives the same System.
 #pragma once
 
 #include <string>

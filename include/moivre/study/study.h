@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What does accuracy cost? One system solved with many trackers and tolerances, over several seeds, against roots known to 50
-// digits.
+// What does accuracy cost? One system solved with many trackers and tolerances, over several seeds.
+// Errors are against roots known to 50 digits.
 //
 //   error(x) = |x - x*|_inf / max(1, |x*|_inf), the largest over the simple roots and all seeds, in three places:
 //     end_error    where the tracker's last step left the path (solver/drift.h)

@@ -63,7 +63,6 @@ enum class Journey {
   off_path,        ///< the integrator reached s = 1, but Newton does not converge there
   cancelled        ///< the stop token was set
 };
-std::string to_string(Journey journey);
 
 struct StepCount {
   std::uint64_t accepted = 0;
