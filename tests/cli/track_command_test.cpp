@@ -43,6 +43,18 @@ TEST(TrackCommand, EndsWhereSolveSaysThatThePathEnds) {
   }
 }
 
+TEST(TrackCommand, FollowsThePathOfTheSeedGiven) {
+  Scene scene;
+  scene.write("f.phc", kCircleAndHyperbola);
+  const auto start = [&](const char* seed) {
+    const Outcome outcome =
+        scene.run({"track", "f.phc", "--path", "0", "--seed", seed, "--json", "-"});
+    return Json::parse(outcome.out)["steps"][0]["x"];
+  };
+  EXPECT_EQ(start("1"), start("1"));
+  EXPECT_GT(distance(start("1"), start("2")), 1e-3);
+}
+
 TEST(TrackCommand, ShowsThatTheNewtonCorrectionReducesTheDrift) {
   Scene scene;
   scene.write("f.phc", kCircleAndHyperbola);
