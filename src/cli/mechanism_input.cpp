@@ -88,7 +88,14 @@ Eigen::VectorXd named_values(const Mechanism& mechanism, const std::vector<std::
       is_given[k] = true;
       const bool in_degrees =
           in_units && all[k].kind != CoordinateKind::length && mechanism.units.angle == "deg";
-      values[static_cast<Eigen::Index>(k)] = in_degrees ? value * std::numbers::pi / 180 : value;
+      const double held = in_degrees ? value * std::numbers::pi / 180 : value;
+      const bool is_angle = all[k].kind != CoordinateKind::length;
+      if (in_units && is_angle && !is_workable_angle(held)) {
+        add_fault(setting + " is more than a million turns");
+      } else if (!is_workable(held)) {
+        add_fault(setting + " is beyond 1e50");
+      }
+      values[static_cast<Eigen::Index>(k)] = held;
     }
   }
   if (!faults.empty()) throw std::invalid_argument(faults);

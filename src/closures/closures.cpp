@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <map>
+#include <stdexcept>
 
 #include "canonical_order.h"
 #include "closure_id.h"
@@ -365,6 +366,12 @@ ClosureResult Search::run() {
 
 ClosureResult find_closures(const Mechanism& mechanism, const Tracker& tracker,
                             const ClosureOptions& options, const std::atomic<bool>& stop) {
+  require_drivers(mechanism, options.time);
+  std::string broken;
+  for (const std::string& rule : validate(options.solve)) {
+    broken += (broken.empty() ? "" : "; ") + rule;
+  }
+  if (!broken.empty()) throw std::invalid_argument(broken);
   return Search(mechanism, tracker, options, stop).run();
 }
 

@@ -25,6 +25,8 @@ constexpr double kSameTime = 1e-7;
 constexpr int kMaximumRetracks = 4;
 // Between two checkpoints, where closures are complex and a branch could begin and end: closures are solved so often.
 constexpr int kFiner = 16;
+// More samples than a plot shows, or a table is read by, only cost memory.
+constexpr int kMostSamples = 100000;
 // New tracks bring new partners and new conflicts; each round settles all it sees.
 constexpr int kRounds = 20;
 
@@ -53,10 +55,11 @@ std::vector<double> merged(const std::vector<double>& a, const std::vector<doubl
   return all;
 }
 
-void require_valid(const MotionOptions& options) {
+void require_valid(const Mechanism& mechanism, const MotionOptions& options) {
   std::string broken;
   for (const std::string& rule : validate(options)) broken += (broken.empty() ? "" : "; ") + rule;
   if (!broken.empty()) throw std::invalid_argument(broken);
+  for (const double time : {options.from, options.to}) require_drivers(mechanism, time);
 }
 
 std::string at_time(double time) { return "at t = " + std::to_string(time) + " s"; }
@@ -579,8 +582,12 @@ std::vector<std::string> validate(const MotionOptions& options) {
   if (!std::isfinite(options.from) || !std::isfinite(options.to) || !(options.to > options.from)) {
     broken.emplace_back("`to` must be later than `from`, both finite");
   }
-  if (options.steps < 1) broken.emplace_back("`steps` must be 1 or more");
-  if (options.checkpoints < 0) broken.emplace_back("`checkpoints` must be 0 or more");
+  if (options.steps < 1 || options.steps > kMostSamples) {
+    broken.emplace_back("`steps` must lie between 1 and 100000");
+  }
+  if (options.checkpoints < 0 || options.checkpoints > kMostSamples) {
+    broken.emplace_back("`checkpoints` must lie between 0 and 100000");
+  }
   return broken;
 }
 
@@ -616,13 +623,13 @@ double natural_duration(const Mechanism& mechanism, double from) {
 
 MotionResult find_motion(const Mechanism& mechanism, const Tracker& tracker,
                          const MotionOptions& options, const std::atomic<bool>& stop) {
-  require_valid(options);
+  require_valid(mechanism, options);
   return ClosureMotion(mechanism, tracker, options, stop).run();
 }
 
 MotionResult follow_guesses(const Mechanism& mechanism, const std::vector<Eigen::VectorXd>& guesses,
                             const MotionOptions& options, const std::atomic<bool>& stop) {
-  require_valid(options);
+  require_valid(mechanism, options);
   return GuessMotion(mechanism, options, stop).run(guesses);
 }
 

@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <stdexcept>
 
 #include "curve.h"
 #include "moivre/kinematics/state.h"
 #include "moivre/mechanism/pose.h"
+#include "noise.h"
 #include "segment.h"
 
 namespace moivre {
@@ -74,10 +74,8 @@ CurveScale scale_of(const Mechanism& mechanism, const Phi& phi, const VectorXd& 
 
 /// q with the coordinates that are rounding noise beside the others at 0, where that leaves less of Phi: a row whose terms
 /// are noise has no scale of its own.
-VectorXd without_noise(const Phi& phi, const VectorXd& q, double t) {
-  constexpr double kNoise = 8 * std::numeric_limits<double>::epsilon();
-  const double noise = kNoise * q.lpNorm<Eigen::Infinity>();
-  const VectorXd clean = q.unaryExpr([&](double x) { return std::abs(x) <= noise ? 0 : x; });
+VectorXd least_residual(const Phi& phi, const VectorXd& q, double t) {
+  const VectorXd clean = without_noise(phi, q);
   return scaled_residual(phi, clean, t) < scaled_residual(phi, q, t) ? clean : q;
 }
 
@@ -96,7 +94,7 @@ void validate(const Phi& phi, const VectorXd& q0, const std::vector<double>& tim
     }
   }
   const double residual =
-      scaled_residual(phi, without_noise(phi, q0, times.front()), times.front());
+      scaled_residual(phi, least_residual(phi, q0, times.front()), times.front());
   if (!(residual <= kAssembled)) {
     throw std::invalid_argument("a branch begins at an assembled pose; this one leaves " +
                                 std::to_string(residual) + " of the terms");
@@ -194,7 +192,7 @@ const Joint* Follower::broken_limit(const VectorXd& q) const {
 }
 
 BranchSample Follower::state_at(const VectorXd& assembled, double time) const {
-  const VectorXd q = without_noise(phi_, assembled, time);
+  const VectorXd q = least_residual(phi_, assembled, time);
   const MotionState state = motion_state(phi_, q, time);
   return {time,
           q,
@@ -299,7 +297,7 @@ bool Follower::advance(const CurvePoint& b, double h) {
   } else if (event && last->time() <= 1 + kEventWidth) {
     if (event->kind == EventKind::dead_point) {
       const double time = curve_.t_of(b.y);
-      result_.beyond = BranchPose{time, without_noise(phi_, curve_.q_of(b.y), time)};
+      result_.beyond = BranchPose{time, least_residual(phi_, curve_.q_of(b.y), time)};
     }
     end_at(std::move(*event));
   } else {

@@ -80,6 +80,13 @@ Index numerical_rank(const MatrixXd& A) {
   return qr.rank();
 }
 
+VectorXd singular_values(const MatrixXd& A) {
+  if (std::min(A.rows(), A.cols()) <= kJacobiSize) {
+    return Eigen::JacobiSVD<MatrixXd>(A).singularValues();
+  }
+  return Eigen::BDCSVD<MatrixXd>(A).singularValues();
+}
+
 Factorisation::Factorisation(const MatrixXd& A, const LinearOptions& options)
     : A_(A), root_weights_(VectorXd::Ones(A.cols())), rank_(numerical_rank(A)) {
   if (options.weights.size() != 0) {

@@ -155,8 +155,7 @@ Mobility mobility(const Phi& phi, const VectorXd& q, double t) {
   m.degrees_of_freedom = m.coordinates - m.rank;
   m.gruebler = m.coordinates - m.constraints;
   m.driven_freedoms = m.coordinates - numerical_rank(all_rows);
-  if (J.size() != 0)
-    m.singular_values = Eigen::JacobiSVD<MatrixXd>(equilibrated(J)).singularValues();
+  if (J.size() != 0) m.singular_values = singular_values(equilibrated(J));
   const double floor = m.singular_values.size() == 0 ? 0 : kRankTolerance * m.singular_values[0];
   m.rank_by_svd = (m.singular_values.array() > floor).count();
   m.redundant = redundant_rows(joints, J, m.rank);

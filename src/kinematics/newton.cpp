@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
+
+#include "noise.h"
 
 namespace moivre {
 namespace {
@@ -55,17 +56,6 @@ MatrixXd jacobian(const Phi& phi, const VectorXd& q, double t, const std::vector
 
 double size_of(const VectorXd& q) { return std::max(1.0, q.lpNorm<Eigen::Infinity>()); }
 
-/// q with the coordinates that are rounding noise beside the others at 0.
-VectorXd without_noise(const VectorXd& q, const NewtonOptions& options) {
-  constexpr double kNoise = 8 * std::numeric_limits<double>::epsilon();
-  const double noise = kNoise * q.lpNorm<Eigen::Infinity>();
-  VectorXd clean = q;
-  for (Index k = 0; k < q.size(); ++k) {
-    if (!is_held(options, k) && std::abs(q[k]) <= noise) clean[k] = 0;
-  }
-  return clean;
-}
-
 NewtonIteration measured(const Phi& phi, const VectorXd& q, double t) {
   NewtonIteration row;
   row.q = q;
@@ -79,7 +69,7 @@ NewtonIteration measured(const Phi& phi, const VectorXd& q, double t) {
 NewtonIteration look(const Phi& phi, const VectorXd& q, double t, const NewtonOptions& options) {
   NewtonIteration row = measured(phi, q, t);
   if (!q.allFinite() || row.scaled_residual <= options.residual_tolerance) return row;
-  const NewtonIteration clean = measured(phi, without_noise(q, options), t);
+  const NewtonIteration clean = measured(phi, without_noise(phi, q, options.held), t);
   return clean.scaled_residual <= options.residual_tolerance ? clean : row;
 }
 
@@ -144,8 +134,8 @@ void describe_end(const Phi& phi, double t, const std::vector<Index>& free, Newt
   if (!last.q.allFinite()) return;
   const MatrixXd J = jacobian(phi, last.q, t, free);
   if (J.size() == 0 || !J.allFinite()) return;
-  const VectorXd raw = Eigen::JacobiSVD<MatrixXd>(J).singularValues();
-  const VectorXd scaled = Eigen::JacobiSVD<MatrixXd>(equilibrated(J)).singularValues();
+  const VectorXd raw = singular_values(J);
+  const VectorXd scaled = singular_values(equilibrated(J));
   run.rank = numerical_rank(J);
   last.rank = run.rank;
   run.is_singular = run.rank < std::min(J.rows(), J.cols());

@@ -2,6 +2,8 @@
 // How is a null space found? The last right singular vectors, as many as the rank leaves over.
 #include "moivre/kinematics/null_space.h"
 
+#include <algorithm>
+
 #include "moivre/kinematics/linear.h"
 
 namespace moivre {
@@ -10,8 +12,11 @@ using Eigen::MatrixXd;
 
 MatrixXd null_space(const MatrixXd& A) {
   if (A.rows() == 0 || A.cols() == 0) return MatrixXd::Identity(A.cols(), A.cols());
-  const Eigen::JacobiSVD<MatrixXd> svd(A, Eigen::ComputeFullV);
-  return svd.matrixV().rightCols(A.cols() - numerical_rank(A));
+  const Eigen::Index freedoms = A.cols() - numerical_rank(A);
+  if (std::min(A.rows(), A.cols()) <= kJacobiSize) {
+    return Eigen::JacobiSVD<MatrixXd>(A, Eigen::ComputeFullV).matrixV().rightCols(freedoms);
+  }
+  return Eigen::BDCSVD<MatrixXd>(A, Eigen::ComputeFullV).matrixV().rightCols(freedoms);
 }
 
 MatrixXd left_null_space(const MatrixXd& A) { return null_space(A.transpose()); }

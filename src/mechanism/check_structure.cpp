@@ -78,6 +78,28 @@ void check_welds(Reading& reading, const Mechanism& mechanism) {
   }
 }
 
+/// What is counted for zero, in rank and in what moves, is so beside lengths near 1.
+void check_size(Reading& reading, const Mechanism& mechanism) {
+  constexpr double kLongest = 1e9;
+  double longest = 0;
+  for (const Body& body : mechanism.bodies) {
+    for (const BodyPoint& point : body.points) longest = std::max(longest, point.at.norm());
+  }
+  for (const Joint& joint : mechanism.joints) longest = std::max(longest, joint.length);
+  if (longest == 0 || (longest <= kLongest && longest >= 1 / kLongest)) return;
+  reading.fault(SourcePosition{},
+                "the largest length must lie between 1e-9 and 1e9; give lengths in another unit");
+}
+
+/// Rank, null spaces and singular values are those of dense matrices: more bodies take minutes a pose.
+void check_count(Reading& reading, const Mechanism& mechanism) {
+  constexpr std::size_t kMostBodies = 300;
+  if (mechanism.bodies.size() <= kMostBodies + 1) return;
+  reading.fault(mechanism.bodies[kMostBodies + 1].where,
+                "there are " + std::to_string(mechanism.bodies.size() - 1) + " bodies, at most " +
+                    std::to_string(kMostBodies) + " are taken");
+}
+
 /// A body that is held at one place only, by pins twice or more, turns about it for nothing.
 void check_lengths(Reading& reading, const Mechanism& mechanism) {
   for (std::size_t body = 1; body < mechanism.bodies.size(); ++body) {
@@ -198,6 +220,8 @@ void check_structure(Reading& reading, Mechanism& mechanism) {
   check_connected(reading, mechanism);
   check_welds(reading, mechanism);
   check_lengths(reading, mechanism);
+  check_size(reading, mechanism);
+  check_count(reading, mechanism);
   check_twin_joints(reading, mechanism);
   check_drivers(reading, mechanism);
   warn_of_count(mechanism);

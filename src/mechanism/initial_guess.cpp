@@ -144,6 +144,7 @@ void write_pose(const Pose& pose, Space space, double* q) {
 }  // namespace
 
 Eigen::VectorXd initial_guess(const Mechanism& mechanism, double t) {
+  require_drivers(mechanism, t);
   const std::vector<Coordinate> names = coordinates(mechanism);
   Eigen::VectorXd q = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(names.size()));
   if (is_typed(mechanism)) {

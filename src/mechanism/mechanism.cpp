@@ -2,6 +2,11 @@
 // Which coordinates has a mechanism, and what are its parts called?
 #include "moivre/mechanism/mechanism.h"
 
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <stdexcept>
+
 namespace moivre {
 
 std::string to_string(JointType type) {
@@ -46,7 +51,46 @@ std::string to_string(DriverKind kind) {
   return "";
 }
 
+namespace {
+
+std::string time_text(double t) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%g", t);
+  return text;
+}
+
+}  // namespace
+
 bool is_typed(const Mechanism& mechanism) { return !mechanism.unknowns.empty(); }
+
+bool is_workable(double number) { return std::abs(number) <= kLargestSize; }
+
+bool is_workable_angle(double angle_rad) {
+  return std::abs(angle_rad) <= kMostTurns * 2 * std::numbers::pi;
+}
+
+void require_drivers(const Mechanism& mechanism, double t) {
+  if (!std::isfinite(t)) throw std::invalid_argument("the time of the drivers must be finite");
+  std::string broken;
+  for (const Driver& driver : mechanism.drivers) {
+    const double value = driver_state(driver.law, t).value;
+    const bool is_angle =
+        driver.kind == DriverKind::angle ||
+        (driver.kind == DriverKind::unknown && mechanism.unknowns[driver.unknown].is_angle);
+    std::string fault;
+    if (!std::isfinite(value)) {
+      fault = "no finite value";
+    } else if (is_angle && !is_workable_angle(value)) {
+      fault = "more than a million turns";
+    } else if (!is_angle && !is_workable(value)) {
+      fault = "a length beyond 1e50";
+    }
+    if (fault.empty()) continue;
+    broken += (broken.empty() ? "at t = " + time_text(t) + " s driver '" : ", driver '") +
+              driver.name + "' prescribes " + fault;
+  }
+  if (!broken.empty()) throw std::invalid_argument(broken);
+}
 
 std::vector<Coordinate> coordinates(const Mechanism& mechanism) {
   std::vector<Coordinate> q;

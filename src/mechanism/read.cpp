@@ -90,6 +90,21 @@ std::string advice(const std::string& fault) {
                    {{reading.position(error.source().begin), fault + advice(fault)}});
 }
 
+/// The TOML parser calls itself for each part of a dotted key: as deep as for brackets, and no deeper.
+void refuse_deep_keys(const Source& source) {
+  constexpr std::ptrdiff_t kDeepest = 256;
+  std::size_t begin = 0;
+  for (std::size_t line = 1; begin < source.text.size(); ++line) {
+    const std::size_t end = std::min(source.text.find('\n', begin), source.text.size());
+    const std::size_t value = std::min(source.text.find('=', begin), end);
+    const auto at = source.text.begin() + static_cast<std::ptrdiff_t>(begin);
+    if (std::count(at, at + static_cast<std::ptrdiff_t>(value - begin), '.') > kDeepest) {
+      throw ParseError(source, {{{begin, line, 1}, "a key has more than 256 parts"}});
+    }
+    begin = end + 1;
+  }
+}
+
 }  // namespace
 
 double angle_unit(const Mechanism& mechanism) {
@@ -98,6 +113,7 @@ double angle_unit(const Mechanism& mechanism) {
 }
 
 Mechanism read_mechanism(const Source& source) {
+  refuse_deep_keys(source);
   Reading reading(source);
   toml::table document;
   try {

@@ -234,6 +234,9 @@ void collect_guess(Reading& reading, const toml::table& in, const std::string& p
     }
     const double unit = found->kind == CoordinateKind::length ? 1 : angle_unit(mechanism);
     if (const auto value = reading.number(node, "the guess of '" + name + "'")) {
+      if (found->kind != CoordinateKind::length && !is_workable_angle(*value * unit)) {
+        reading.fault(node, "the guess of '" + name + "' is more than a million turns");
+      }
       mechanism.guess[name] = *value * unit;
     }
   }

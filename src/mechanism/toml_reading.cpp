@@ -6,6 +6,7 @@
 #include <cctype>
 #include <cmath>
 
+#include "moivre/mechanism/mechanism.h"
 #include "nearest.h"
 
 namespace moivre {
@@ -93,6 +94,10 @@ std::optional<double> Reading::number(const toml::node& node, const std::string&
   }
   if (!std::isfinite(*value)) {
     fault(node, what + " must be finite, not inf or nan");
+    return std::nullopt;
+  }
+  if (!is_workable(*value)) {
+    fault(node, what + " must not be beyond 1e50; choose another unit");
     return std::nullopt;
   }
   return value;

@@ -24,8 +24,9 @@ constexpr double kContraction = 0.2;
 constexpr double kRounding = 1e-11;
 // The probe is this much nearer than sensitivity and degree suggest, within bounds.
 constexpr double kProbe = 1e-2;
-// Up to this degree the sensitivity alone tells how near is near enough.
-constexpr double kLowDegree = 10;
+// Beside a probe at kProbe / (sensitivity (d / kLowDegree)^2) the curvature of degree d leaves (kProbe / 2) kLowDegree^2 =
+// 0.08 of the offset at most. Up to this degree the sensitivity alone tells how near is near enough.
+constexpr double kLowDegree = 4;
 constexpr double kLeastProbe = 1e-13;
 // From here on the Jacobian, evaluated in double, says nothing about the root.
 constexpr double kHopelessSensitivity = 1e16;
@@ -48,7 +49,9 @@ RefinerProgram::RefinerProgram(const System& f, std::vector<double> natural_size
     : tape(make_tape(f)), c(complex_coefficients(tape, f)), unit(std::move(natural_sizes)) {
   exact = round_coefficients<ComplexDoubleDouble>(tape, f, to_complex_double_double);
   for (const Complex& ck : c) size.push_back(std::abs(ck));
-  for (const std::uint64_t d : degrees(f)) degree = std::max(degree, static_cast<double>(d));
+  for (const std::uint64_t d : degrees(f)) {
+    curvature = std::max(curvature, std::pow(static_cast<double>(d) / kLowDegree, 2));
+  }
 }
 
 std::shared_ptr<const RefinerProgram> make_refiner_program(const System& f,
@@ -280,8 +283,8 @@ bool Refiner::is_simple(const Point& x) {
   if (!w.factor(x)) return false;
   const double sensitive = sensitivity(x);
   if (!(sensitive < kHopelessSensitivity)) return false;
-  const double curvature = std::max(1.0, std::pow(w.program->degree / kLowDegree, 2));
-  const double relative_offset = std::clamp(kProbe / (sensitive * curvature), kLeastProbe, kProbe);
+  const double relative_offset =
+      std::clamp(kProbe / (sensitive * w.program->curvature), kLeastProbe, kProbe);
   Point probe = x;
   for (std::size_t i = 0; i < probe.size(); ++i) {
     const double offset = relative_offset * std::max(std::abs(x[i]), w.program->unit[i]);
@@ -298,7 +301,8 @@ bool Refiner::is_simple(const Point& x) {
 bool Refiner::contracts_beside(double sensitivity) {
   Workspace& w = *w_;
   const double least = kFineStagnation * sensitivity * kFineRoundoff;
-  const double offset = std::clamp(kProbe / sensitivity, least, std::max(least, kProbe));
+  const double offset =
+      std::clamp(kProbe / (sensitivity * w.program->curvature), least, std::max(least, kProbe));
   std::vector<ComplexDoubleDouble> probe = w.fine_x;
   Point x(w.n);
   Point rest(w.n);

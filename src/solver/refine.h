@@ -33,7 +33,7 @@ struct RefinerProgram {
   std::vector<ComplexDoubleDouble> exact;
   std::vector<double> size;  ///< |c|
   std::vector<double> unit;  ///< n, the natural size of each unknown
-  double degree = 1;         ///< the largest
+  double curvature = 1;      ///< of the equation of the highest degree, beside one of low degree
 };
 
 /// unit: from the presolve's scaling; 1 where nothing is known.

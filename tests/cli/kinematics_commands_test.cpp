@@ -134,6 +134,20 @@ TEST_F(KinematicsCommands, AValueHasToBeOneFiniteNumber) {
   }
 }
 
+TEST_F(KinematicsCommands, TimesThreadsAndGuessesBeyondReasonAreRefused) {
+  for (const std::string command : {"closures", "newton", "mobility", "guesses"}) {
+    expect_refusal({command, "bodies.toml", "--at", "nan"},
+                   {"the time of the drivers must be finite"});
+  }
+  expect_refusal({"closures", "bodies.toml", "--threads", "-3"}, {"threads must lie between"});
+  for (const std::string command : {"newton", "mobility"}) {
+    expect_refusal({command, "bodies.toml", "--guess", "left.phi=1e300"},
+                   {"more than a million turns"});
+    expect_refusal({command, "bodies.toml", "--guess", "left.x=1e300"},
+                   {"left.x=1e300 is beyond 1e50"});
+  }
+}
+
 TEST_F(KinematicsCommands, EveryFaultyValueIsNamedAtOnce) {
   expect_refusal({"newton", "f.phc", "--guess", "x=nan", "--guess", "z=1"},
                  {"x=nan is not NAME=VALUE", "there is no coordinate z"});

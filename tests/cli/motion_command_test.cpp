@@ -172,8 +172,15 @@ TEST(MotionCommand, WrongCallsAreRefusedWithoutOutput) {
   scene.write("crank.toml", kCrank);
   for (const std::vector<std::string>& wrong :
        {std::vector<std::string>{"--from", "2", "--to", "1"},
+        {"--from", "1", "--to", "1"},
+        {"--to", "inf"},
+        {"--from", "-1e308", "--to", "1e308"},
+        {"--to", "1e9"},
         {"--steps", "0"},
+        {"--steps", "1000000000"},
         {"--checkpoints", "-1"},
+        {"--checkpoints", "1000000"},
+        {"--guess", "rocker.phi=1e300"},
         {"--guess", "rocker.fi=3"},
         {"--steps", "many"}}) {
     std::vector<std::string> words{"motion", "crank.toml"};

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <stdexcept>
 
 #include "../mechanism/files.h"
@@ -105,6 +106,17 @@ TEST(Newton, AcceptsARowWhoseTermsAreAllRoundingNoise) {
   const NewtonResult run = newton(Phi(m), initial_guess(m));
   EXPECT_EQ(run.status, NewtonStatus::converged);
   EXPECT_LE(run.scaled_residual, 1e-13);
+}
+
+TEST(Newton, AnAngleOfManyTurnsMakesNoNoiseOfLengths) {
+  const Mechanism m = typed(
+      "[unknowns]\nangles = [\"a\"]\nlengths = [\"d\"]\n[equations]\n"
+      "across = \"1e-9*cos(a) - d\"\nup = \"1e-9*sin(a) - 5e-10\"\n");
+  VectorXd guess(2);
+  guess << 6e6, 9e-10;
+  const NewtonResult run = newton(Phi(m), guess);
+  ASSERT_EQ(run.status, NewtonStatus::converged);
+  EXPECT_NEAR(std::abs(run.q[1]) / 1e-9, std::sqrt(0.75), 1e-9);
 }
 
 TEST(Newton, UnassemblableTriangleDoesNotConverge) {

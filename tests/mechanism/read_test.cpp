@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <stdexcept>
+
 #include "files.h"
 
 namespace moivre {
@@ -127,6 +130,47 @@ TEST(MechanismReader, ColumnsCountBytesBehindLettersOfSeveralBytes) {
     EXPECT_EQ(error.diagnostics()[0].at.line, 4U);
     EXPECT_EQ(error.diagnostics()[0].at.column, 11U);
   }
+}
+
+TEST(MechanismReader, RefusesMoreBodiesThanDenseMatricesBear) {
+  std::string text = "[ground.points]\nO = [0, 0]\n";
+  for (int body = 0; body <= 300; ++body) {
+    const std::string name = "b" + std::to_string(body);
+    text +=
+        "[body." + name +
+        ".points]\nO = [0, 0]\nP = [1, 0]\n[[joint]]\ntype = \"revolute\"\nat = [\"ground.O\", \"" +
+        name + ".O\"]\n";
+  }
+  try {
+    typed(text);
+    FAIL() << "301 bodies";
+  } catch (const ParseError& error) {
+    EXPECT_EQ(error.diagnostics()[0].message, "there are 301 bodies, at most 300 are taken");
+  }
+}
+
+TEST(Drivers, ThatPrescribeNothingToWorkWithAreNamed) {
+  const auto driven = [](const std::string& law) {
+    return typed(
+        "[unknowns]\nangles = [\"a\"]\nlengths = [\"b\"]\n[equations]\ne = \"b - cos(a)\"\n"
+        "[[driver]]\nunknown = \"a\"\n" +
+        law + "\n");
+  };
+  const auto refusal = [](const Mechanism& mechanism, double t) -> std::string {
+    try {
+      require_drivers(mechanism, t);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(refusal(driven("velocity = 1"), 1e6), "");
+  EXPECT_EQ(refusal(driven("velocity = 1"), 1e7),
+            "at t = 1e+07 s driver 'a' prescribes more than a million turns");
+  EXPECT_EQ(refusal(driven("value = \"1/t\""), 0),
+            "at t = 0 s driver 'a' prescribes no finite value");
+  EXPECT_EQ(refusal(driven("velocity = 1"), std::nan("")),
+            "the time of the drivers must be finite");
 }
 
 }  // namespace

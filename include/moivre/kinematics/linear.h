@@ -31,6 +31,11 @@ Eigen::MatrixXd equilibrated(const Eigen::MatrixXd& A);
 /// Rank by column-pivoted QR of the equilibrated matrix.
 Eigen::Index numerical_rank(const Eigen::MatrixXd& A);
 
+/// Singular values, descending: by Jacobi's rotations, which know the small ones best, up to kJacobiSize; else by
+/// bidiagonalization, which is a hundred times faster there.
+Eigen::VectorXd singular_values(const Eigen::MatrixXd& A);
+inline constexpr Eigen::Index kJacobiSize = 64;
+
 struct LinearOptions {
   std::optional<LinearMethod> method;  ///< none: chosen by shape and rank
   Eigen::VectorXd weights;             ///< diagonal of W, empty: all 1

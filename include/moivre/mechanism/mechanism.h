@@ -147,6 +147,17 @@ struct Mechanism {
 
 bool is_typed(const Mechanism& mechanism);
 
+/// A number beyond this is refused: products of half a dozen lengths stay within double.
+inline constexpr double kLargestSize = 1e50;
+bool is_workable(double number);
+
+/// An angle further from 0 than so many turns (in radians: 6e6) is refused: double rounds it by 1e-9 rad.
+inline constexpr double kMostTurns = 1e6;
+bool is_workable_angle(double angle_rad);
+
+/// Throws std::invalid_argument, which names every driver, where t or what a driver prescribes at t cannot be worked with.
+void require_drivers(const Mechanism& mechanism, double t);
+
 enum class CoordinateKind { length, angle, rotation_vector };
 
 struct Coordinate {

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// How is noise taken off a pose? One largest size for the lengths, one for the angles.
+#include "noise.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace moivre {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+VectorXd without_noise(const Phi& phi, const VectorXd& q, const std::vector<Index>& held) {
+  constexpr double kNoise = 8 * std::numeric_limits<double>::epsilon();
+  const auto is_length = [&phi](Index k) {
+    return phi.coordinates()[static_cast<std::size_t>(k)].kind == CoordinateKind::length;
+  };
+  double largest_angle = 0;
+  double largest_length = 0;
+  for (Index k = 0; k < q.size(); ++k) {
+    double& largest = is_length(k) ? largest_length : largest_angle;
+    largest = std::max(largest, std::abs(q[k]));
+  }
+  VectorXd clean = q;
+  for (Index k = 0; k < q.size(); ++k) {
+    const double noise = kNoise * (is_length(k) ? largest_length : largest_angle);
+    const bool is_held = std::find(held.begin(), held.end(), k) != held.end();
+    if (!is_held && std::abs(q[k]) <= noise) clean[k] = 0;
+  }
+  return clean;
+}
+
+}  // namespace moivre
