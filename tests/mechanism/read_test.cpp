@@ -135,7 +135,7 @@ TEST(MechanismReader, ColumnsCountBytesBehindLettersOfSeveralBytes) {
 TEST(MechanismReader, RefusesMoreBodiesThanDenseMatricesBear) {
   std::string text = "[ground.points]\nO = [0, 0]\n";
   for (int body = 0; body <= 300; ++body) {
-    const std::string name = "b" + std::to_string(body);
+    const std::string name = std::string("b").append(std::to_string(body));
     text +=
         "[body." + name +
         ".points]\nO = [0, 0]\nP = [1, 0]\n[[joint]]\ntype = \"revolute\"\nat = [\"ground.O\", \"" +
