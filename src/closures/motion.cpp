@@ -26,7 +26,7 @@ constexpr int kMaximumRetracks = 4;
 // Between two checkpoints, where closures are complex and a branch could begin and end: closures are solved so often.
 constexpr int kFiner = 16;
 // More samples than a plot shows, or a table is read by, only cost memory.
-constexpr int kMostSamples = 100000;
+constexpr int kMostSamples = 1000000;
 // New tracks bring new partners and new conflicts; each round settles all it sees.
 constexpr int kRounds = 20;
 
@@ -583,10 +583,10 @@ std::vector<std::string> validate(const MotionOptions& options) {
     broken.emplace_back("`to` must be later than `from`, both finite");
   }
   if (options.steps < 1 || options.steps > kMostSamples) {
-    broken.emplace_back("`steps` must lie between 1 and 100000");
+    broken.emplace_back("`steps` must lie between 1 and a million");
   }
   if (options.checkpoints < 0 || options.checkpoints > kMostSamples) {
-    broken.emplace_back("`checkpoints` must lie between 0 and 100000");
+    broken.emplace_back("`checkpoints` must lie between 0 and a million");
   }
   return broken;
 }

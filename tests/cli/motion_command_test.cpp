@@ -179,7 +179,7 @@ TEST(MotionCommand, WrongCallsAreRefusedWithoutOutput) {
         {"--steps", "0"},
         {"--steps", "1000000000"},
         {"--checkpoints", "-1"},
-        {"--checkpoints", "1000000"},
+        {"--checkpoints", "2000000"},
         {"--guess", "rocker.phi=1e300"},
         {"--guess", "rocker.fi=3"},
         {"--steps", "many"}}) {
