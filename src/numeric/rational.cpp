@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <ostream>
 #include <stdexcept>
 
@@ -43,7 +44,21 @@ Integer rounded_quotient(Integer n, Integer d, long exponent) {
   return up ? Integer(quotient + 1) : quotient;
 }
 
+/// n > 0 as a double, where it is one and its quotient by another such is neither too large nor denormal.
+std::optional<double> as_double(const Integer& n) {
+  constexpr auto kMostBits = static_cast<std::size_t>(Double::max_exponent / 2);
+  const std::size_t high = msb(n);
+  const std::size_t low = lsb(n);
+  if (high - low >= Double::digits || high >= kMostBits) return std::nullopt;
+  const Integer digits = n >> static_cast<unsigned>(low);
+  return std::ldexp(static_cast<double>(static_cast<std::uint64_t>(digits)), static_cast<int>(low));
+}
+
 double positive_quotient_to_double(const Integer& n, const Integer& d) {
+  // IEEE division of two doubles is rounded once: long division is left out.
+  if (const auto a = as_double(n)) {
+    if (const auto b = as_double(d)) return *a / *b;
+  }
   const long magnitude = floor_log2_of_quotient(n, d);
   if (magnitude >= Double::max_exponent) return Double::infinity();
   if (magnitude < kLeastUlpExponent - 1) return 0.0;

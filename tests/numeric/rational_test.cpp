@@ -144,9 +144,10 @@ TEST(ToDouble, ReturnsEveryDoubleToItself) {
 TEST(ToDouble, LiesWithinHalfAnUlpOfRandomQuotients) {
   std::mt19937_64 random(2);
   for (int k = 0; k < 2000; ++k) {
-    Rational r = random();
-    r *= random();
-    r /= (random() >> (k % 60)) + 1;
+    // Every other one has so few digits that numerator and denominator are doubles themselves.
+    Rational r = random() >> (k % 2 == 0 ? 0 : 11);
+    if (k % 2 == 0) r *= random();
+    r /= (random() >> (11 + k % 50)) + 1;
     const double x = to_double(r);
     const Rational error = abs(Rational(exactly(x) - r));
     const Rational gap_above = exactly(std::nextafter(x, Double::infinity())) - exactly(x);

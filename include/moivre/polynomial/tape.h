@@ -61,8 +61,12 @@ std::vector<C> round_coefficients(const Tape& tape, const System& f, Round round
   c.reserve(tape.coefficients.size());
   for (const Tape::Origin& origin : tape.coefficients) {
     const Coefficient& exact = f.polynomials[origin.equation].terms[origin.term].coefficient;
-    const Rational factor(origin.factor);
-    c.push_back(round(Coefficient{exact.re * factor, exact.im * factor}));
+    if (origin.factor == 1) {
+      c.push_back(round(exact));
+    } else {
+      const Rational factor(origin.factor);
+      c.push_back(round(Coefficient{exact.re * factor, exact.im * factor}));
+    }
   }
   return c;
 }
