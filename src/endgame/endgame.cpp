@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace moivre {
 namespace {
@@ -129,24 +130,39 @@ Departure Endgame::depart(Point start) {
           0,     this,                   options_.watch_radius};
 }
 
-// Valuations from the tangent at the step's point; J is linearized there.
-Endgame::Sight Endgame::sight(const StepRecord& step, PathSystem& path) {
+// Valuations from the tangent at x; J is linearized there.
+Endgame::Sight Endgame::sight(const Point& x, double radius, PathSystem& path) {
   path.tangent(1.0, tangent_);
-  const double radius = std::abs(step.t.rest);
   const auto logarithmic_slope = [&](std::size_t i) {
-    const double size = std::norm(step.x[i]);
-    return size > 0 ? -radius * conjugate_product(step.x[i], tangent_[i]).real() / size : 0.0;
+    const double size = std::norm(x[i]);
+    return size > 0 ? -radius * conjugate_product(x[i], tangent_[i]).real() / size : 0.0;
   };
-  const std::size_t n = step.x.size() - 1;
+  const std::size_t n = x.size() - 1;
   const double homogenizing = logarithmic_slope(n);
   Sight now{radius, {}, 0, path.condition(), 0};
   for (std::size_t i = 0; i < n; ++i) {
     now.valuations.push_back(logarithmic_slope(i) - homogenizing);
     now.least = std::min(now.least, now.valuations.back());
-    now.size = std::max(now.size, std::abs(step.x[i]));
+    now.size = std::max(now.size, std::abs(x[i]));
   }
-  now.size /= std::max(std::abs(step.x[n]), std::numeric_limits<double>::min());
+  now.size /= std::max(std::abs(x[n]), std::numeric_limits<double>::min());
   return now;
+}
+
+// A sight costs several steps, and a regular path arrives before there are enough of them to tell anything: until then
+// the points are kept, to be seen together.
+bool Endgame::is_time_to_look(double radius) const {
+  return sights_.size() + unseen_.size() >= kSteadySights || radius < kCreepingRadius ||
+         watched_ > kPatience || phase_ == Phase::descent;
+}
+
+bool Endgame::look(PathSystem& path) {
+  const std::vector<Unseen> points = std::exchange(unseen_, {});
+  for (const Unseen& point : points) {
+    if (!path.linearize(point.x, point.t)) return false;
+    sights_.push_back(sight(point.x, std::abs(point.t.rest), path));
+  }
+  return true;
 }
 
 Watcher::Verdict Endgame::watch(const StepRecord& step, PathSystem& path) noexcept {
@@ -159,9 +175,13 @@ Watcher::Verdict Endgame::watch(const StepRecord& step, PathSystem& path) noexce
     radius_ = radius;
   }
   if (radius > kSightRadius) return watched_ > kPatience ? Verdict::stop : Verdict::go_on;
-  if (sights_.empty() || radius * kSightSpacing <= sights_.back().radius) {
-    if (!path.linearize(step.x, step.t)) return Verdict::stop;
-    sights_.push_back(sight(step, path));
+  if (radius * kSightSpacing <= last_kept_) {
+    unseen_.push_back({Point(step.x.begin(), step.x.end()), step.t});
+    last_kept_ = radius;
+  }
+  if (!is_time_to_look(radius)) return Verdict::go_on;
+  if (!unseen_.empty()) {
+    if (!look(path)) return Verdict::stop;
     if (diverges()) {
       cut_ = true;
       return Verdict::stop;

@@ -90,7 +90,7 @@ class Paths {
     endgame.depart(start_point(start_, 0));
     const Point nowhere(f_.variables.size() + 1, 0.0);
     Arrival stopped;
-    stopped.t = Contour::segment(0, 1).at(0.99);
+    stopped.t = Contour::segment(0, 1).at(1 - 1e-5);
     stopped.x = nowhere;
     StepRecord step;
     step.t = stopped.t;

@@ -26,6 +26,7 @@
 // Source: [MSW91] for the Cauchy integral, [HuberVerschelde98] and [Timme21] for valuations.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -99,12 +100,19 @@ class Endgame : public Watcher {
     double condition = 0;
     double size = 0;  ///< of the largest affine coordinate
   };
+  /// A watched point whose sight nobody has asked for yet.
+  struct Unseen {
+    Point x;
+    PathTime t;
+  };
   struct Estimate {
     Point x;
     int winding = 0;
   };
 
-  Sight sight(const StepRecord& step, PathSystem& path);
+  bool is_time_to_look(double radius) const;
+  bool look(PathSystem& path);
+  Sight sight(const Point& x, double radius, PathSystem& path);
   Verdict watch_straight(const StepRecord& step, PathSystem& path) noexcept;
   bool valuations_are_steady(std::size_t sights) const;
   double drift(std::size_t i, std::size_t sights) const;
@@ -139,6 +147,8 @@ class Endgame : public Watcher {
 
   // Watching.
   std::vector<Sight> sights_;
+  std::vector<Unseen> unseen_;  // after the last sight
+  double last_kept_ = std::numeric_limits<double>::infinity();  // |1 - t| of the last point kept to be seen
   int watched_ = 0;
   int creeping_ = 0;  ///< watched steps within the radius of the singular ends
   bool cut_ = false;
