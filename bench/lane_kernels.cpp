@@ -55,8 +55,10 @@ double linearization_flops(const LaneProgram<double>& program) {
   for (const LaneProgram<double>::Blend& value : program.values) {
     count += flops(value.f) + flops(value.g) + 14 + 2;
   }
+  count += 6.0 * static_cast<double>(program.weighted_count());
+  const double blending = program.has_weighted_registers() ? 0 : 6;
   for (const LaneProgram<double>::Entry& entry : program.jacobian) {
-    count += flops(entry.blend.f) + 6;
+    count += flops(entry.blend.f) + blending;
     if (!entry.blend.g.is_empty()) count += flops(entry.blend.g) + 8;
   }
   return count;
@@ -100,20 +102,24 @@ namespace HWY_NAMESPACE {
 double measure_peak() {
   constexpr std::size_t kChains = 12;  // latency times throughput of FMA units, and some
   constexpr int kTurns = 256;
-  LaneVector start(kChains);
+  LaneVector<V> start(kChains);
   for (std::size_t k = 0; k < kChains; ++k) {
     for (std::size_t lane = 0; lane < W; ++lane) {
       start.set(k, lane, Complex(1.0 + 0.1 * static_cast<double>(k + lane), 0));
     }
   }
-  LaneVector sink(kChains);
+  LaneVector<V> sink(kChains);
   const V a = hn::Set(Tag(), 0.999);
   const V b = hn::Set(Tag(), 0.001);
   const double seconds = cost([&]() HWY_ATTR {
-    V s0 = load_real(start[0]), s1 = load_real(start[1]), s2 = load_real(start[2]);
-    V s3 = load_real(start[3]), s4 = load_real(start[4]), s5 = load_real(start[5]);
-    V s6 = load_real(start[6]), s7 = load_real(start[7]), s8 = load_real(start[8]);
-    V s9 = load_real(start[9]), s10 = load_real(start[10]), s11 = load_real(start[11]);
+    V s0 = load_real(start[0].at[0]), s1 = load_real(start[1].at[0]),
+      s2 = load_real(start[2].at[0]);
+    V s3 = load_real(start[3].at[0]), s4 = load_real(start[4].at[0]),
+      s5 = load_real(start[5].at[0]);
+    V s6 = load_real(start[6].at[0]), s7 = load_real(start[7].at[0]),
+      s8 = load_real(start[8].at[0]);
+    V s9 = load_real(start[9].at[0]), s10 = load_real(start[10].at[0]),
+      s11 = load_real(start[11].at[0]);
     for (int k = 0; k < kTurns; ++k) {
       s0 = hn::MulAdd(s0, a, b);
       s1 = hn::MulAdd(s1, a, b);
@@ -128,12 +134,12 @@ double measure_peak() {
       s10 = hn::MulAdd(s10, a, b);
       s11 = hn::MulAdd(s11, a, b);
     }
-    store({s0, s1}, sink[0]);
-    store({s2, s3}, sink[1]);
-    store({s4, s5}, sink[2]);
-    store({s6, s7}, sink[3]);
-    store({s8, s9}, sink[4]);
-    store({s10, s11}, sink[5]);
+    store(LaneComplex<V>{s0, s1}, sink[0]);
+    store(LaneComplex<V>{s2, s3}, sink[1]);
+    store(LaneComplex<V>{s4, s5}, sink[2]);
+    store(LaneComplex<V>{s6, s7}, sink[3]);
+    store(LaneComplex<V>{s8, s9}, sink[4]);
+    store(LaneComplex<V>{s10, s11}, sink[5]);
   });
   return 2.0 * static_cast<double>(kChains) * kTurns * static_cast<double>(W) / seconds;
 }

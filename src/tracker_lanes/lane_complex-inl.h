@@ -17,6 +17,8 @@
 #include <hwy/aligned_allocator.h>
 #include <hwy/highway.h>
 
+#include <algorithm>
+
 #include "moivre/numeric/complex.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -150,7 +152,8 @@ class LaneVector {
  public:
   using Number = typename LaneScalar<R>::Number;
 
-  explicit LaneVector(std::size_t n) : data_(hwy::AllocateAligned<LaneCell<R>>(n)) {
+  explicit LaneVector(std::size_t n)
+      : data_(hwy::AllocateAligned<LaneCell<R>>(std::max<std::size_t>(n, 1))) {
     std::fill_n(data_.get(), n, LaneCell<R>{});
   }
   LaneCell<R>& operator[](std::size_t i) { return data_[i]; }

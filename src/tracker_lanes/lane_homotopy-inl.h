@@ -3,6 +3,7 @@
 //
 //   H = t F + (1 - t) G; monomials that F and G share are multiplied out once. Coefficients are the same in all lanes and
 //   are broadcast: a real one costs half of a complex one, so terms with real and complex coefficients are kept apart.
+//   H_x is summed over registers that t and 1 - t have been multiplied into, where these are fewer than its entries.
 //   expand(): H(x + dx s, t + dt s) to first order in s: its value and its derivative along the direction (dx, dt).
 //
 // R: the scalar. x: N, H, H_t: n, H_x: n x N into the rows of a LaneLu. Owns its registers, allocates nothing after construction.
@@ -46,7 +47,10 @@ class LaneHomotopy {
   using Program = LaneProgram<typename LaneScalar<R>::Real>;
 
   explicit LaneHomotopy(const Program& program)
-      : program_(program), registers_(program.register_count), slopes_(program.register_count) {}
+      : program_(program),
+        registers_(program.register_count),
+        slopes_(program.register_count),
+        weighted_(program.weighted_count()) {}
 
   /// h <- H, rows 0..n-1 of j <- H_x, ht <- H_t.
   void linearize(const LaneVector<R>& x, const LaneTime<R>& time, LaneVector<R>& h, LaneLu<R>& j,
@@ -60,12 +64,10 @@ class LaneHomotopy {
       store(add_product(t, f, rest * g), h[i]);
       store(f - g, ht[i]);
     }
-    for (const typename Program::Entry& entry : program_.jacobian) {
-      LaneComplex<R> value = t * sum(entry.blend.f, registers_);
-      if (!entry.blend.g.is_empty()) {
-        value = add_product(rest, sum(entry.blend.g, registers_), value);
-      }
-      store(value, j.at(entry.row, entry.column));
+    if (program_.has_weighted_registers()) {
+      sum_weighted(t, rest, j);
+    } else {
+      sum_blends(t, rest, j);
     }
     for (const typename Program::Position& p : program_.zeros)
       store(zero<R>(), j.at(p.row, p.column));
@@ -74,18 +76,16 @@ class LaneHomotopy {
   /// h <- H(x, t), slope <- H_x dx + H_t dt.
   void expand(const LaneVector<R>& x, const LaneVector<R>& dx, const LaneTime<R>& time,
               LaneVector<R>& h, LaneVector<R>& slope) {
-    begin(x, program_.value_products);
-    begin_slopes(dx);
+    begin(x, dx);
     const LaneComplex<R> t = time.t();
     const LaneComplex<R> rest = time.rest();
     const LaneComplex<R> dt = time.dt();
     for (std::size_t i = 0; i < program_.values.size(); ++i) {
-      const typename Program::Blend& value = program_.values[i];
-      const LaneComplex<R> f = sum(value.f, registers_);
-      const LaneComplex<R> g = sum(value.g, registers_);
-      store(add_product(t, f, rest * g), h[i]);
-      const LaneComplex<R> moving = add_product(t, sum(value.f, slopes_), dt * (f - g));
-      store(add_product(rest, sum(value.g, slopes_), moving), slope[i]);
+      const Series f = sum_series(program_.values[i].f);
+      const Series g = sum_series(program_.values[i].g);
+      store(add_product(t, f.value, rest * g.value), h[i]);
+      const LaneComplex<R> moving = add_product(t, f.slope, dt * (f.value - g.value));
+      store(add_product(rest, g.slope, moving), slope[i]);
     }
   }
 
@@ -101,15 +101,41 @@ class LaneHomotopy {
     }
   }
 
-  void begin_slopes(const LaneVector<R>& dx) {
+  void begin(const LaneVector<R>& x, const LaneVector<R>& dx) {
     const std::size_t n = program_.variables;
-    for (std::size_t i = 0; i < n; ++i) store(load(dx[i]), slopes_[i]);
+    for (std::size_t i = 0; i < n; ++i) {
+      store(load(x[i]), registers_[i]);
+      store(load(dx[i]), slopes_[i]);
+    }
+    store(one<R>(), registers_[n]);
     store(zero<R>(), slopes_[n]);
-    LaneCell<R>* next = &slopes_[n + 1];
-    for (std::size_t k = 0; k < program_.value_products; ++k, ++next) {
+    LaneCell<R>* next = &registers_[n + 1];
+    LaneCell<R>* next_slope = &slopes_[n + 1];
+    for (std::size_t k = 0; k < program_.value_products; ++k, ++next, ++next_slope) {
       const Tape::Product& p = program_.products[k];
-      const LaneComplex<R> left = load(slopes_[p.a]) * load(registers_[p.b]);
-      store(add_product(load(registers_[p.a]), load(slopes_[p.b]), left), *next);
+      const LaneComplex<R> a = load(registers_[p.a]);
+      const LaneComplex<R> b = load(registers_[p.b]);
+      store(a * b, *next);
+      store(add_product(a, load(slopes_[p.b]), load(slopes_[p.a]) * b), *next_slope);
+    }
+  }
+
+  void sum_weighted(const LaneComplex<R>& t, const LaneComplex<R>& rest, LaneLu<R>& j) {
+    LaneCell<R>* next = &weighted_[0];
+    for (const std::uint32_t r : program_.by_t) store(t * load(registers_[r]), *next++);
+    for (const std::uint32_t r : program_.by_rest) store(rest * load(registers_[r]), *next++);
+    for (const typename Program::Entry& entry : program_.jacobian) {
+      store(sum(entry.blend.f, weighted_), j.at(entry.row, entry.column));
+    }
+  }
+
+  void sum_blends(const LaneComplex<R>& t, const LaneComplex<R>& rest, LaneLu<R>& j) {
+    for (const typename Program::Entry& entry : program_.jacobian) {
+      LaneComplex<R> value = t * sum(entry.blend.f, registers_);
+      if (!entry.blend.g.is_empty()) {
+        value = add_product(rest, sum(entry.blend.g, registers_), value);
+      }
+      store(value, j.at(entry.row, entry.column));
     }
   }
 
@@ -127,9 +153,30 @@ class LaneHomotopy {
     return total;
   }
 
+  /// The first two terms of a series in s.
+  struct Series {
+    LaneComplex<R> value, slope;
+  };
+  Series sum_series(const typename Program::Sum& terms) const {
+    Series total{zero<R>(), zero<R>()};
+    for (std::uint32_t k = terms.real_begin; k < terms.real_end; ++k) {
+      const typename Program::RealTerm& term = program_.real_terms[k];
+      total.value = add_product(broadcast(term.c), load(registers_[term.monomial]), total.value);
+      total.slope = add_product(broadcast(term.c), load(slopes_[term.monomial]), total.slope);
+    }
+    for (std::uint32_t k = terms.complex_begin; k < terms.complex_end; ++k) {
+      const typename Program::ComplexTerm& term = program_.complex_terms[k];
+      const LaneComplex<R> c{broadcast(term.re), broadcast(term.im)};
+      total.value = add_product(c, load(registers_[term.monomial]), total.value);
+      total.slope = add_product(c, load(slopes_[term.monomial]), total.slope);
+    }
+    return total;
+  }
+
   const Program& program_;
   LaneVector<R> registers_;
-  LaneVector<R> slopes_;  // of the registers along the direction
+  LaneVector<R> slopes_;    // of the registers along the direction
+  LaneVector<R> weighted_;  // registers times t or 1 - t
 };
 
 }  // namespace HWY_NAMESPACE

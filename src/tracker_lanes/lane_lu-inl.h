@@ -5,8 +5,9 @@
 //   P J = L U in each lane; J: n x n, with two right-hand sides as further columns, so that elimination and
 //   exchanges carry them along and only the back substitution is left.
 //   Pivot: the row at hand unless another is larger by 1/kPivotThreshold; growth stays bounded by
-//   (1 + 1/kPivotThreshold)^(n-1), and lanes rarely exchange rows. Multipliers stay where they arose: a later exchange
-//   moves only what is still to be eliminated, and solve() repeats exchanges and multiplications in their order.
+//   (1 + 1/kPivotThreshold)^(n-1), and lanes rarely exchange rows.
+//   Elimination goes row by row of what is left; substitution takes inner products, two rows and two right-hand sides at
+//   once, so that four sums in registers hide the multiply-add's latency.
 //
 // Singular or not finite: the lane's solutions are infinite or NaN, other lanes are untouched.
 // Source: [Higham02, ch. 9].
@@ -17,6 +18,7 @@
 #define MOIVRE_LANE_LU_INL_H_
 #endif
 
+#include <algorithm>
 #include <vector>
 
 #include "lane_complex-inl.h"
@@ -62,20 +64,11 @@ class LaneLu {
 
   /// b <- J^{-1} b and c <- J^{-1} c.
   void solve(LaneVector<R>& b, LaneVector<R>& c) {
-    auto next = exchanges_.begin();
-    for (std::size_t k = 0; k < n_; ++k) {
-      for (; next != exchanges_.end() && next->upper == k; ++next) {
-        exchange(*next, b);
-        exchange(*next, c);
-      }
-      const LaneComplex<R> bk = load(b[k]);
-      const LaneComplex<R> ck = load(c[k]);
-      for (std::size_t i = k + 1; i < n_; ++i) {
-        const LaneComplex<R> l = load(at(i, k));
-        store(subtract_product(l, bk, load(b[i])), b[i]);
-        store(subtract_product(l, ck, load(c[i])), c[i]);
-      }
+    for (const Exchange& e : exchanges_) {
+      exchange(e, b);
+      exchange(e, c);
     }
+    substitute_forward(b, c);
     substitute_back(b, c);
   }
 
@@ -112,19 +105,15 @@ class LaneLu {
   void exchange_rows(std::size_t k) {
     const V own = squared_magnitude(load(at(k, k)));
     V largest = own;
-    V row = broadcast(static_cast<double>(k));
     for (std::size_t i = k + 1; i < n_; ++i) {
-      const V size = squared_magnitude(load(at(i, k)));
-      const Mask exceeds = size > largest;
-      largest = larger(size, largest);
-      row = select(exceeds, broadcast(static_cast<double>(i)), row);
+      largest = larger(squared_magnitude(load(at(i, k))), largest);
     }
-    const Mask wanted = largest * broadcast(kPivotThreshold * kPivotThreshold) > own;
-    if (is_nowhere(wanted)) return;
-    row = select(wanted, row, broadcast(static_cast<double>(k)));
-    for (std::size_t i = k + 1; i < n_; ++i) {
-      const Mask here = row == broadcast(static_cast<double>(i));
-      if (!is_nowhere(here)) exchange(k, i, here);
+    Mask wanted = largest * broadcast(kPivotThreshold * kPivotThreshold) > own;
+    for (std::size_t i = k + 1; i < n_ && !is_nowhere(wanted); ++i) {
+      const Mask here = hn::And(wanted, squared_magnitude(load(at(i, k))) == largest);
+      if (is_nowhere(here)) continue;
+      wanted = hn::AndNot(here, wanted);
+      exchange(k, i, here);
     }
   }
 
@@ -132,9 +121,9 @@ class LaneLu {
     const auto slot = static_cast<std::uint32_t>(exchanges_.size());
     exchanges_.push_back({static_cast<std::uint32_t>(k), static_cast<std::uint32_t>(i), slot});
     store_real(select(mask, broadcast(1.0), zeros()), masks_[slot].at[0]);
-    LaneCell<R>* upper = &at(k, k);
-    LaneCell<R>* lower = &at(i, k);
-    for (std::size_t j = k; j < columns_; ++j, ++upper, ++lower) {
+    LaneCell<R>* upper = &at(k, 0);
+    LaneCell<R>* lower = &at(i, 0);
+    for (std::size_t j = 0; j < columns_; ++j, ++upper, ++lower) {
       const LaneComplex<R> a = load(*upper);
       const LaneComplex<R> b = load(*lower);
       store(select(mask, b, a), *upper);
@@ -150,18 +139,56 @@ class LaneLu {
     store(select(mask, upper, lower), b[e.lower]);
   }
 
-  void substitute_back(LaneVector<R>& b, LaneVector<R>& c) {
-    for (std::size_t k = n_; k-- > 0;) {
-      LaneComplex<R> bk = load(b[k]);
-      LaneComplex<R> ck = load(c[k]);
-      for (std::size_t j = n_; --j > k;) {
-        const LaneComplex<R> u = load(at(k, j));
-        bk = subtract_product(u, load(b[j]), bk);
-        ck = subtract_product(u, load(c[j]), ck);
-      }
-      const LaneComplex<R> inverse = load(reciprocal_[k]);
-      store(bk * inverse, b[k]);
-      store(ck * inverse, c[k]);
+  struct Sums {
+    LaneComplex<R> b0, b1, c0, c1;  // of the rows 0 and 1
+  };
+  HWY_INLINE Sums begin_rows(std::size_t i0, std::size_t i1, const LaneVector<R>& b,
+                             const LaneVector<R>& c) const {
+    return {load(b[i0]), load(b[i1]), load(c[i0]), load(c[i1])};
+  }
+  HWY_INLINE void subtract_column(std::size_t i0, std::size_t i1, std::size_t j,
+                                  const LaneVector<R>& b, const LaneVector<R>& c,
+                                  Sums& sums) const {
+    const LaneComplex<R> bj = load(b[j]);
+    const LaneComplex<R> cj = load(c[j]);
+    const LaneComplex<R> a0 = load(a_[i0 * columns_ + j]);
+    const LaneComplex<R> a1 = load(a_[i1 * columns_ + j]);
+    sums.b0 = subtract_product(a0, bj, sums.b0);
+    sums.b1 = subtract_product(a1, bj, sums.b1);
+    sums.c0 = subtract_product(a0, cj, sums.c0);
+    sums.c1 = subtract_product(a1, cj, sums.c1);
+  }
+
+  void substitute_forward(LaneVector<R>& b, LaneVector<R>& c) const {
+    for (std::size_t i = 0; i < n_; i += 2) {
+      const std::size_t next = std::min(i + 1, n_ - 1);  // the last row twice where n is odd
+      Sums sums = begin_rows(i, next, b, c);
+      for (std::size_t j = 0; j < i; ++j) subtract_column(i, next, j, b, c, sums);
+      store(sums.b0, b[i]);
+      store(sums.c0, c[i]);
+      if (next == i) return;
+      const LaneComplex<R> l = load(a_[next * columns_ + i]);
+      store(subtract_product(l, sums.b0, sums.b1), b[next]);
+      store(subtract_product(l, sums.c0, sums.c1), c[next]);
+    }
+  }
+
+  void substitute_back(LaneVector<R>& b, LaneVector<R>& c) const {
+    for (std::size_t k = n_; k > 0; k -= std::min<std::size_t>(k, 2)) {
+      const std::size_t i = k - 1;
+      const std::size_t above = i == 0 ? 0 : i - 1;  // the first row twice where n is odd
+      Sums sums = begin_rows(i, above, b, c);
+      for (std::size_t j = n_; --j > i;) subtract_column(i, above, j, b, c, sums);
+      const LaneComplex<R> inverse = load(reciprocal_[i]);
+      const LaneComplex<R> bi = sums.b0 * inverse;
+      const LaneComplex<R> ci = sums.c0 * inverse;
+      store(bi, b[i]);
+      store(ci, c[i]);
+      if (above == i) return;
+      const LaneComplex<R> u = load(a_[above * columns_ + i]);
+      const LaneComplex<R> inverse_above = load(reciprocal_[above]);
+      store(subtract_product(u, bi, sums.b1) * inverse_above, b[above]);
+      store(subtract_product(u, ci, sums.c1) * inverse_above, c[above]);
     }
   }
 

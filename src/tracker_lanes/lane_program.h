@@ -36,6 +36,7 @@ struct LaneProgram {
   struct Position {
     std::uint32_t row, column;
   };
+  /// Of H_x: a blend of registers, or where the program has weighted registers, blend.f over those and no blend.g.
   struct Entry {
     std::uint32_t row, column;
     Blend blend;
@@ -48,8 +49,14 @@ struct LaneProgram {
   std::vector<RealTerm> real_terms;
   std::vector<ComplexTerm> complex_terms;
   std::vector<Blend> values;
-  std::vector<Entry> jacobian;
+  std::vector<std::uint32_t>
+      by_t;  ///< registers whose products by t are the first weighted registers
+  std::vector<std::uint32_t> by_rest;  ///< by 1 - t, those that follow
+  std::vector<Entry> jacobian;         ///< entries with equally many terms one after another
   std::vector<Position> zeros;
+
+  bool has_weighted_registers() const { return !by_t.empty(); }
+  std::size_t weighted_count() const { return by_t.size() + by_rest.size(); }
 };
 
 /// For double and DoubleDouble.
