@@ -161,12 +161,14 @@ class LaneHomotopy {
     Series total{zero<R>(), zero<R>()};
     for (std::uint32_t k = terms.real_begin; k < terms.real_end; ++k) {
       const typename Program::RealTerm& term = program_.real_terms[k];
-      total.value = add_product(broadcast(term.c), load(registers_[term.monomial]), total.value);
-      total.slope = add_product(broadcast(term.c), load(slopes_[term.monomial]), total.slope);
+      total.value =
+          add_product(LaneScalar<R>::spread(term.c), load(registers_[term.monomial]), total.value);
+      total.slope =
+          add_product(LaneScalar<R>::spread(term.c), load(slopes_[term.monomial]), total.slope);
     }
     for (std::uint32_t k = terms.complex_begin; k < terms.complex_end; ++k) {
       const typename Program::ComplexTerm& term = program_.complex_terms[k];
-      const LaneComplex<R> c{broadcast(term.re), broadcast(term.im)};
+      const LaneComplex<R> c{LaneScalar<R>::spread(term.re), LaneScalar<R>::spread(term.im)};
       total.value = add_product(c, load(registers_[term.monomial]), total.value);
       total.slope = add_product(c, load(slopes_[term.monomial]), total.slope);
     }
