@@ -2,6 +2,7 @@
 // How close do the lanes' kernels come to what one core can do? Counted flops over time, as a share of the FMA peak.
 //
 //   lane_kernels FILE.phc     the file's total-degree homotopy, not eliminated; one thread, every target of the machine
+//   lane_kernels_native FILE.phc     the same compiled with -march=native and without run-time dispatch
 //
 // Flops are those of the mathematics: a complex product 6, a complex product added to a sum 8, real times complex added 4;
 // pivot search, exchanges of rows and weights count nothing, so a share of 1 is out of reach. The peak is measured:
