@@ -87,13 +87,17 @@ double difference(const Point& a, const Point& b) {
 
 Failure to_failure(Journey journey) {
   switch (journey) {
-    case Journey::bad_start: return Failure::bad_start;
-    case Journey::step_limit: return Failure::step_limit;
-    case Journey::cancelled: return Failure::cancelled;
+    case Journey::bad_start:
+      return Failure::bad_start;
+    case Journey::step_limit:
+      return Failure::step_limit;
+    case Journey::cancelled:
+      return Failure::cancelled;
     case Journey::arrived:
     case Journey::stopped:
     case Journey::step_too_small:
-    case Journey::off_path: return Failure::step_too_small;
+    case Journey::off_path:
+      return Failure::step_too_small;
   }
   return Failure::step_too_small;
 }
@@ -102,21 +106,30 @@ Failure to_failure(Journey journey) {
 
 std::string to_string(PathStatus status) {
   switch (status) {
-    case PathStatus::finite: return "finite";
-    case PathStatus::at_infinity: return "at infinity";
-    case PathStatus::failed: return "failed";
+    case PathStatus::finite:
+      return "finite";
+    case PathStatus::at_infinity:
+      return "at infinity";
+    case PathStatus::failed:
+      return "failed";
   }
   return "";
 }
 
 std::string to_string(Failure failure) {
   switch (failure) {
-    case Failure::step_limit: return "step limit";
-    case Failure::step_too_small: return "step too small";
-    case Failure::precision: return "precision";
-    case Failure::bad_start: return "bad start";
-    case Failure::cancelled: return "cancelled";
-    case Failure::jumped: return "jumped";
+    case Failure::step_limit:
+      return "step limit";
+    case Failure::step_too_small:
+      return "step too small";
+    case Failure::precision:
+      return "precision";
+    case Failure::bad_start:
+      return "bad start";
+    case Failure::cancelled:
+      return "cancelled";
+    case Failure::jumped:
+      return "jumped";
   }
   return "";
 }
@@ -126,8 +139,7 @@ Endgame::Endgame(const EndgameOptions& options, std::uint64_t path, int care, Ma
 
 Departure Endgame::depart(Point start) {
   tangent_.resize(start.size());
-  return {path_, Contour::segment(0, 1), std::move(start),     care_,
-          0,     this,                   options_.watch_radius};
+  return {path_, Contour::segment(0, 1), std::move(start), care_, 0, this, options_.watch_radius};
 }
 
 // Valuations from the tangent at x; J is linearized there.
@@ -135,13 +147,15 @@ Endgame::Sight Endgame::sight(const Point& x, double radius, PathSystem& path) {
   path.tangent(1.0, tangent_);
   const auto logarithmic_slope = [&](std::size_t i) {
     const double size = std::norm(x[i]);
-    return size > 0 ? -radius * conjugate_product(x[i], tangent_[i]).real() / size : 0.0;
+    return size > 0 ? -radius * conjugate_product(x[i], tangent_[i]) / size : Complex();
   };
   const std::size_t n = x.size() - 1;
-  const double homogenizing = logarithmic_slope(n);
-  Sight now{radius, {}, 0, path.condition(), 0};
+  const Complex homogenizing = logarithmic_slope(n);
+  Sight now{radius, {}, {}, 0, path.condition(), 0};
   for (std::size_t i = 0; i < n; ++i) {
-    now.valuations.push_back(logarithmic_slope(i) - homogenizing);
+    const Complex slope = logarithmic_slope(i) - homogenizing;
+    now.valuations.push_back(slope.real());
+    now.turning.push_back(std::abs(slope.imag()));
     now.least = std::min(now.least, now.valuations.back());
     now.size = std::max(now.size, std::abs(x[i]));
   }
@@ -242,10 +256,12 @@ bool Endgame::valuations_are_steady(std::size_t sights) const {
   return true;
 }
 
-// How far coordinate i's valuation has been from the last, of that many sights.
+// How far coordinate i's valuation has been from the last, of that many sights. A leading power of 1 - t turns no
+// coordinate in the complex plane: what turns it comes of the next term, be it the finite root that is left in the end,
+// and shows to first order where the valuation may show it only to second.
 double Endgame::drift(std::size_t i, std::size_t sights) const {
   const double now = sights_.back().valuations[i];
-  double farthest = 0;
+  double farthest = sights_.back().turning[i];
   for (auto s = sights_.end() - static_cast<std::ptrdiff_t>(sights); s != sights_.end(); ++s) {
     farthest = std::max(farthest, std::abs(s->valuations[i] - now));
   }
@@ -303,7 +319,8 @@ std::optional<Departure> Endgame::accept(Arrival&& arrival, PathSystem& path) {
   end_.t = arrival.t.t;
   if (arrival.journey == Journey::cancelled) return fail(Failure::cancelled);
   switch (phase_) {
-    case Phase::whole_way: return judge_arrival(std::move(arrival), path);
+    case Phase::whole_way:
+      return judge_arrival(std::move(arrival), path);
     case Phase::descent:
       if (cut_) return at_infinity();
       return is_regular_arrival(arrival, path, landing_condition()) ? std::nullopt : begin_circle();
@@ -312,10 +329,10 @@ std::optional<Departure> Endgame::accept(Arrival&& arrival, PathSystem& path) {
       outpost_ = std::move(arrival.x);
       radius_ /= kShrink;
       return begin_circle();
-    case Phase::circle: return next_turn(std::move(arrival), path);
+    case Phase::circle:
+      return next_turn(std::move(arrival), path);
     case Phase::landing:
-      return is_regular_arrival(arrival, path, landing_condition()) ? std::nullopt
-                                                                    : conclude(path);
+      return is_regular_arrival(arrival, path, landing_condition()) ? std::nullopt : conclude(path);
   }
   return std::nullopt;
 }
@@ -348,8 +365,9 @@ std::optional<Departure> Endgame::judge_arrival(Arrival&& arrival, PathSystem& p
 Departure Endgame::descend(Arrival&& arrival) {
   phase_ = Phase::descent;
   watched_ = 0;
-  return Departure{path_, Contour::spiral(arrival.t.rest, std::log(kDescent)), std::move(arrival.x),
-                   care_, 0, this};
+  return Departure{
+      path_, Contour::spiral(arrival.t.rest, std::log(kDescent)), std::move(arrival.x), care_, 0,
+      this};
 }
 
 // Affine patch a x = 1 through the first outpost: samples of one homogeneous path become points of one chart.
@@ -456,7 +474,7 @@ std::optional<Departure> Endgame::shrink(PathSystem& path) {
     return conclude(path);
   }
   phase_ = Phase::approach;
-  return Departure{path_, Contour::spiral(radius_, -std::log(kShrink)), outpost_, care_, 0,
+  return Departure{path_,  Contour::spiral(radius_, -std::log(kShrink)), outpost_, care_, 0,
                    nullptr};
 }
 
@@ -476,9 +494,8 @@ std::optional<Departure> Endgame::conclude(PathSystem& path) {
     if (phase_ == Phase::landing) return fail(Failure::precision);
     return land();
   }
-  const double condition = path.linearize(best_->x, kEnd)
-                               ? path.condition()
-                               : std::numeric_limits<double>::infinity();
+  const double condition =
+      path.linearize(best_->x, kEnd) ? path.condition() : std::numeric_limits<double>::infinity();
   const bool singular = condition >= kBranchCondition && path.residual() < kBranchResidual;
   if (best_->winding > 1 && !singular && phase_ != Phase::landing) return land();
   end_.x = best_->x;

@@ -49,26 +49,28 @@ enum class Failure {
 std::string to_string(Failure failure);
 
 struct EndgameOptions {
-  double watch_radius = 0.1;        ///< |1 - t| from which the path is watched
-  double regular_condition = 1e8;   ///< condition at t = 1 up to which an arrival is regular without more ado
-  double singular_condition = 1e11; ///< condition from which an end of winding number 1 is called singular
-  int samples = 16;                 ///< of one turn
-  int maximum_winding = 32;         ///< turns tried before a circle counts as not closing
-  int maximum_radii = 20;           ///< circles tried
+  double watch_radius = 0.1;  ///< |1 - t| from which the path is watched
+  double regular_condition =
+      1e8;  ///< condition at t = 1 up to which an arrival is regular without more ado
+  double singular_condition =
+      1e11;                  ///< condition from which an end of winding number 1 is called singular
+  int samples = 16;          ///< of one turn
+  int maximum_winding = 32;  ///< turns tried before a circle counts as not closing
+  int maximum_radii = 20;    ///< circles tried
   std::uint64_t maximum_steps = 6000;  ///< of all journeys of one path, then the endgame concludes
-  double infinity_floor = 1e-9;     ///< |x_0| / |x|_inf below which an end is at infinity
+  double infinity_floor = 1e-9;        ///< |x_0| / |x|_inf below which an end is at infinity
 };
 
 /// The verdict on one path.
 struct PathEnd {
   PathStatus status = PathStatus::failed;
   std::optional<Failure> failure;
-  Point x;                     ///< homogeneous end point; the last point when failed
+  Point x;  ///< homogeneous end point; the last point when failed
   bool singular = false;
   std::optional<int> winding;  ///< nullopt: Newton landed on the end, and it is to prove simple
   double accuracy = 0;
-  double condition = 0;        ///< of the bordered, row-scaled Jacobian
-  Complex t = 0;               ///< how far it came
+  double condition = 0;  ///< of the bordered, row-scaled Jacobian
+  Complex t = 0;         ///< how far it came
   StepCount count;
 };
 
@@ -95,8 +97,10 @@ class Endgame : public Watcher {
   /// A watched point.
   struct Sight {
     double radius = 0;
-    std::vector<double> valuations;  ///< v_i of the affine coordinates
-    double least = 0;                ///< the least of them, or 0
+    std::vector<double>
+        valuations;  ///< v_i of the affine coordinates: real parts of their logarithmic slopes
+    std::vector<double> turning;  ///< sizes of the imaginary parts
+    double least = 0;             ///< the least of them, or 0
     double condition = 0;
     double size = 0;  ///< of the largest affine coordinate
   };
@@ -152,16 +156,16 @@ class Endgame : public Watcher {
   int watched_ = 0;
   int creeping_ = 0;  ///< watched steps within the radius of the singular ends
   bool cut_ = false;
-  Point outpost_;         // last watched point, from which circles begin
-  double radius_ = 0;     // its |1 - t|
+  Point outpost_;      // last watched point, from which circles begin
+  double radius_ = 0;  // its |1 - t|
   Point tangent_;
   std::vector<double> sizes_;  // log |x_i / x_0| where the last sight was begun
   double sizes_radius_ = 0;
 
   // Circles.
-  Point patch_;                  // fixed affine patch of all samples
-  Point turn_begin_;             // normalized point at angle 0
-  std::vector<Point> samples_;   // normalized, over all turns so far
+  Point patch_;                 // fixed affine patch of all samples
+  Point turn_begin_;            // normalized point at angle 0
+  std::vector<Point> samples_;  // normalized, over all turns so far
   int turns_ = 0;
   int radii_ = 0;
   std::optional<Estimate> last_;
