@@ -38,6 +38,8 @@ constexpr double kWholeSize = 1e8;
 // fades like r^{1/m}; before a regular one, of conditions up to 1e14 (rps10), some of it fades sooner than the rest.
 constexpr double kHopelessCondition = 1e12;
 constexpr double kDriftTolerance = 0.05;  // relative, of the valuations of what grows
+// Beyond rounding at such conditions a drift has to be fading.
+constexpr double kSettledTolerance = 1e-3;
 // So near the end a growing path that is larger than any finite root may be has left for infinity.
 constexpr double kBeyondRadius = 1e-3;
 // A path that still creeps at this radius ends singular: to a regular end it would have jumped.
@@ -83,6 +85,11 @@ double difference(const Point& a, const Point& b) {
     size = std::max(size, std::abs(b[i]));
   }
   return largest / size;
+}
+
+/// Of 0 that of the smallest double.
+Complex logarithm(const Complex& z) {
+  return {std::log(std::max(std::abs(z), std::numeric_limits<double>::min())), std::arg(z)};
 }
 
 Failure to_failure(Journey journey) {
@@ -155,7 +162,7 @@ Endgame::Sight Endgame::sight(const Point& x, double radius, PathSystem& path) {
   for (std::size_t i = 0; i < n; ++i) {
     const Complex slope = logarithmic_slope(i) - homogenizing;
     now.valuations.push_back(slope.real());
-    now.turning.push_back(std::abs(slope.imag()));
+    now.turning.push_back(slope.imag());
     now.least = std::min(now.least, now.valuations.back());
     now.size = std::max(now.size, std::abs(x[i]));
   }
@@ -211,30 +218,32 @@ Watcher::Verdict Endgame::watch(const StepRecord& step, PathSystem& path) noexce
 // Only infinity ends a straight way. A sight lies between two points and holds the mean valuations.
 Watcher::Verdict Endgame::watch_straight(const StepRecord& step, PathSystem& path) noexcept {
   const double radius = std::abs(step.t.rest);
-  if (radius > kSightRadius || (!sizes_.empty() && radius * kSightSpacing > sizes_radius_)) {
+  if (radius > kSightRadius ||
+      (!logarithms_.empty() && radius * kSightSpacing > logarithms_radius_)) {
     return Verdict::go_on;
   }
   const std::size_t n = step.x.size() - 1;
-  const auto size = [&](std::size_t i) {
-    return std::max(std::abs(step.x[i]), std::numeric_limits<double>::min());
-  };
-  std::vector<double> sizes(n);
-  for (std::size_t i = 0; i < n; ++i) sizes[i] = std::log(size(i) / size(n));
-  if (!sizes_.empty()) {
-    const double condition = path.linearize(step.x, step.t)
-                                 ? path.condition()
-                                 : std::numeric_limits<double>::infinity();
-    const double largest = *std::max_element(sizes.begin(), sizes.end());
-    Sight now{radius, {}, 0, condition, std::exp(largest)};
+  // The logarithms, imaginary parts included, of the affine coordinates.
+  std::vector<Complex> logarithms(n);
+  for (std::size_t i = 0; i < n; ++i) logarithms[i] = logarithm(step.x[i]) - logarithm(step.x[n]);
+  if (!logarithms_.empty()) {
+    const double condition =
+        path.linearize(step.x, step.t) ? path.condition() : std::numeric_limits<double>::infinity();
+    Sight now{radius, {}, {}, 0, condition, 0};
     for (std::size_t i = 0; i < n; ++i) {
-      now.valuations.push_back((sizes[i] - sizes_[i]) / std::log(radius / sizes_radius_));
+      const Complex change = logarithms[i] - logarithms_[i];
+      const double turn = std::remainder(change.imag(), 2 * std::numbers::pi);
+      const double decline = std::log(logarithms_radius_ / radius);
+      now.valuations.push_back(-change.real() / decline);
+      now.turning.push_back(-turn / decline);
       now.least = std::min(now.least, now.valuations.back());
+      now.size = std::max(now.size, std::exp(logarithms[i].real()));
     }
     sights_.push_back(std::move(now));
     cut_ = diverges_beyond_double();
   }
-  sizes_ = std::move(sizes);
-  sizes_radius_ = radius;
+  logarithms_ = std::move(logarithms);
+  logarithms_radius_ = radius;
   return cut_ ? Verdict::stop : Verdict::go_on;
 }
 
@@ -261,11 +270,25 @@ bool Endgame::valuations_are_steady(std::size_t sights) const {
 // and shows to first order where the valuation may show it only to second.
 double Endgame::drift(std::size_t i, std::size_t sights) const {
   const double now = sights_.back().valuations[i];
-  double farthest = sights_.back().turning[i];
+  double farthest = std::abs(sights_.back().turning[i]);
   for (auto s = sights_.end() - static_cast<std::ptrdiff_t>(sights); s != sights_.end(); ++s) {
     farthest = std::max(farthest, std::abs(s->valuations[i] - now));
   }
   return farthest / (1 + std::abs(now));
+}
+
+// What disturbs the leading power of coordinate i changes ever less, over equal factors of 1 - t: it fades on the way to
+// infinity, as a power of 1 - t, and grows on the way to a finite point.
+bool Endgame::settles(std::size_t i) const {
+  const Sight& then = sights_[sights_.size() - kSteadySights];
+  const Sight& between = sights_[sights_.size() - kSteadySights / 2];
+  const Sight& now = sights_.back();
+  const auto rate = [i](const Sight& from, const Sight& to) {
+    const double change =
+        std::hypot(to.valuations[i] - from.valuations[i], to.turning[i] - from.turning[i]);
+    return change / std::log(from.radius / to.radius);
+  };
+  return rate(between, now) <= rate(then, between);
 }
 
 // What grows does so evenly, and none of it, but by whole powers, has faded as it does before a finite singular end.
@@ -277,7 +300,8 @@ bool Endgame::growth_lasts(double tolerance) const {
   for (std::size_t i = 0; i < now.valuations.size(); ++i) {
     const double v = now.valuations[i];
     if (v > -kLeastValuation) continue;
-    if (drift(i, kSteadySights) > tolerance) return false;
+    const double change = drift(i, kSteadySights);
+    if (change > tolerance || (change > kSettledTolerance && !settles(i))) return false;
     if (std::abs(v - std::round(v)) < kWhole) continue;
     if (v > fading * then.valuations[i]) return false;
     lasts = true;

@@ -99,7 +99,7 @@ class Endgame : public Watcher {
     double radius = 0;
     std::vector<double>
         valuations;  ///< v_i of the affine coordinates: real parts of their logarithmic slopes
-    std::vector<double> turning;  ///< sizes of the imaginary parts
+    std::vector<double> turning;  ///< their imaginary parts
     double least = 0;             ///< the least of them, or 0
     double condition = 0;
     double size = 0;  ///< of the largest affine coordinate
@@ -120,6 +120,7 @@ class Endgame : public Watcher {
   Verdict watch_straight(const StepRecord& step, PathSystem& path) noexcept;
   bool valuations_are_steady(std::size_t sights) const;
   double drift(std::size_t i, std::size_t sights) const;
+  bool settles(std::size_t i) const;
   bool growth_lasts(double tolerance) const;
   bool diverges() const;
   bool diverges_beyond_double() const;
@@ -159,8 +160,8 @@ class Endgame : public Watcher {
   Point outpost_;      // last watched point, from which circles begin
   double radius_ = 0;  // its |1 - t|
   Point tangent_;
-  std::vector<double> sizes_;  // log |x_i / x_0| where the last sight was begun
-  double sizes_radius_ = 0;
+  std::vector<Complex> logarithms_;  // of x_i / x_0, where the last sight was begun
+  double logarithms_radius_ = 0;
 
   // Circles.
   Point patch_;                 // fixed affine patch of all samples
