@@ -31,7 +31,7 @@ Eigen::VectorXd turned_near(const Mechanism& mechanism, Eigen::VectorXd q,
                             const Eigen::VectorXd& other) {
   const std::vector<Coordinate> names = coordinates(mechanism);
   for (Eigen::Index k = 0; k < q.size(); ++k) {
-    if (names[static_cast<std::size_t>(k)].kind != CoordinateKind::angle) continue;
+    if (!names[static_cast<std::size_t>(k)].is_periodic) continue;
     q[k] = other[k] + std::remainder(q[k] - other[k], 2 * std::numbers::pi);
   }
   return q;

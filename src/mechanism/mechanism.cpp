@@ -2,6 +2,7 @@
 // Which coordinates has a mechanism, and what are its parts called?
 #include "moivre/mechanism/mechanism.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
@@ -96,14 +97,19 @@ std::vector<Coordinate> coordinates(const Mechanism& mechanism) {
   std::vector<Coordinate> q;
   if (is_typed(mechanism)) {
     for (const Unknown& unknown : mechanism.unknowns) {
+      const std::size_t k = q.size();
       const auto kind = unknown.is_angle ? CoordinateKind::angle : CoordinateKind::length;
-      q.push_back({unknown.name, kind, q.size()});
+      const bool repeats = std::all_of(
+          mechanism.equations.begin(), mechanism.equations.end(),
+          [&](const Equation& equation) { return repeats_by_turns(equation.formula, k); });
+      q.push_back({unknown.name, kind, k, unknown.is_angle && repeats});
     }
     return q;
   }
   for (std::size_t body = 1; body < mechanism.bodies.size(); ++body) {
     const auto add = [&](const char* name, CoordinateKind kind) {
-      q.push_back({mechanism.bodies[body].name + "." + name, kind, body - 1});
+      q.push_back({mechanism.bodies[body].name + "." + name, kind, body - 1,
+                   kind == CoordinateKind::angle});
     };
     add("x", CoordinateKind::length);
     add("y", CoordinateKind::length);

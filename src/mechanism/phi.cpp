@@ -24,11 +24,11 @@ std::shared_ptr<const Constraint> typed_equation(const Equation& equation) {
 
 std::shared_ptr<const Constraint> unknown_driver(const Mechanism& mechanism, const Driver& driver) {
   const std::size_t k = driver.unknown;
-  const bool is_angle = mechanism.unknowns[k].is_angle;
+  const bool is_periodic = coordinates(mechanism)[k].is_periodic;
   return make_constraint({"driver " + driver.name + ": unknown"}, {k},
-                         [law = driver.law, k, is_angle](const auto& at, auto* row) {
+                         [law = driver.law, k, is_periodic](const auto& at, auto* row) {
                            const auto gap = at.q[k] - law_at(law, at.t);
-                           row[0] = is_angle ? within_half_turn(gap) : gap;
+                           row[0] = is_periodic ? within_half_turn(gap) : gap;
                          });
 }
 
@@ -169,10 +169,10 @@ VectorXd Phi::canonical(const VectorXd& q) const {
   constexpr double kTurn = 2 * std::numbers::pi;
   VectorXd result = q;
   for (Index k = 0; k < dimension(); ++k) {
-    const CoordinateKind kind = coordinates_[static_cast<std::size_t>(k)].kind;
-    if (kind == CoordinateKind::angle) {
+    const Coordinate& coordinate = coordinates_[static_cast<std::size_t>(k)];
+    if (coordinate.is_periodic) {
       result[k] -= kTurn * std::ceil((result[k] - std::numbers::pi) / kTurn);
-    } else if (kind == CoordinateKind::rotation_vector) {
+    } else if (coordinate.kind == CoordinateKind::rotation_vector) {
       const double length = result.segment<3>(k).norm();
       if (length > std::numbers::pi) {
         result.segment<3>(k) *= 1 - kTurn * std::round(length / kTurn) / length;
@@ -181,6 +181,16 @@ VectorXd Phi::canonical(const VectorXd& q) const {
     }
   }
   return result;
+}
+
+bool Phi::has_long_rotation(const VectorXd& q) const {
+  constexpr double kLongest = 1.25 * std::numbers::pi;
+  for (Index k = 0; k < dimension(); ++k) {
+    if (coordinates_[static_cast<std::size_t>(k)].kind != CoordinateKind::rotation_vector) continue;
+    if (q.segment<3>(k).norm() > kLongest) return true;
+    k += 2;
+  }
+  return false;
 }
 
 double scaled_residual(const Phi& phi, const VectorXd& q, double t) {

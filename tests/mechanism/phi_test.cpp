@@ -131,6 +131,26 @@ TEST(Phi, CanonicalPoseIsTheSamePoseWithSmallAngles) {
   EXPECT_LT(difference.head(rows).norm(), 1e-12);  // a quaternion's sign may turn tilt rows over
 }
 
+TEST(Phi, CanonicalPoseKeepsAnglesForWhichATurnIsAnotherPose) {
+  const Mechanism m = typed(
+      "[unknowns]\nangles = [\"half\", \"bare\", \"whole\", \"timed\"]\n[constants]\nthird = "
+      "3\n[equations]\n"
+      "a = \"cos(half/2) + sin(2*whole - pi)\"\n"
+      "b = \"bare*cos(whole) + tan(third*whole/3 + t)\"\n"
+      "c = \"sin(-(half + whole)) + cos(t*timed)\"\n[[driver]]\nunknown = \"half\"\nstart = 9\n");
+  const Phi phi(m);
+  const VectorXd q = VectorXd::Constant(4, 8.0);
+  const VectorXd canonical = phi.canonical(q);
+  EXPECT_DOUBLE_EQ(canonical[0], 8);
+  EXPECT_DOUBLE_EQ(canonical[1], 8);
+  EXPECT_NEAR(canonical[2], 8 - 2 * std::acos(-1.0), 1e-14);
+  EXPECT_DOUBLE_EQ(canonical[3], 8);
+  EXPECT_LT((phi.value(canonical, 0.3) - phi.value(q, 0.3)).norm(), 1e-12);
+  // Nor does its driver take an angle a turn away for the one it asks for.
+  EXPECT_DOUBLE_EQ(phi.value(VectorXd::Constant(4, 9 - 2 * std::acos(-1.0)), 0)[3],
+                   -2 * std::acos(-1.0));
+}
+
 TEST(Phi, TermMagnitudesScaleTheResidual) {
   const Phi phi(typed("[unknowns]\nlengths = [\"x\"]\n[equations]\ne = \"1e6*x - 1e6\"\n"));
   const VectorXd q = VectorXd::Constant(1, 1 + 1e-12);

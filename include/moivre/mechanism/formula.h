@@ -56,6 +56,9 @@ Formula resolve(const Expression& expression, const Names& names, std::vector<Di
 std::vector<std::size_t> unknowns_of(const Formula& formula);
 bool depends_on_time(const Formula& formula);
 
+/// Whether 2 pi more in the unknown change nothing: it stands in sin, cos and tan only, with whole factors.
+bool repeats_by_turns(const Formula& formula, std::size_t unknown);
+
 /// The formula at q and t in the scalar S (Jet or Magnitude).
 template <class S>
 S evaluate(const Formula& formula, std::span<const S> q, const S& t);

@@ -163,10 +163,12 @@ enum class CoordinateKind { length, angle, rotation_vector };
 struct Coordinate {
   std::string name;  ///< "crank.phi", or the unknown's name
   CoordinateKind kind = CoordinateKind::length;
-  std::size_t group = 0;  ///< which moving body (0 the first behind ground), or which unknown
+  std::size_t group = 0;     ///< which moving body (0 the first behind ground), or which unknown
+  bool is_periodic = false;  ///< an angle for which a whole turn more is the same pose
 };
 
-/// q, in its order.
+/// q, in its order. An unknown angle that equations use outside sin, cos and tan, or with a factor that is not whole, is not
+/// periodic.
 std::vector<Coordinate> coordinates(const Mechanism& mechanism);
 
 /// A start for Newton's method: the file's guess where it names a coordinate, driven angles at time t where a driver

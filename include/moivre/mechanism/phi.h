@@ -56,8 +56,11 @@ class Phi {
   /// The same constraints without the driver rows.
   Phi without_drivers() const;
 
-  /// The same pose with angles in (-pi, pi] and rotation vectors no longer than pi.
+  /// The same pose with periodic angles in (-pi, pi] and rotation vectors no longer than pi.
   Eigen::VectorXd canonical(const Eigen::VectorXd& q) const;
+
+  /// Whether a rotation vector is longer than 5 pi / 4, and on its way to 2 pi, where its derivative is singular.
+  bool has_long_rotation(const Eigen::VectorXd& q) const;
 
  private:
   Phi() = default;
