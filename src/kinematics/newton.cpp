@@ -15,10 +15,9 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kEscape = 1e9;        // times the guess's size: nothing assembles out there
-constexpr double kStandstill = 1e-12;  // step beside q: the run has come to rest
-constexpr double kRestResidual =
-    1e-12;                        // |Phi| beside the largest term: rounding, for a run at rest
+constexpr double kEscape = 1e9;          // times the guess's size: nothing assembles out there
+constexpr double kStandstill = 1e-12;    // step beside q: the run has come to rest
+constexpr double kRestResidual = 1e-12;  // |Phi_i| beside its scale: rounding, for a run at rest
 constexpr double kReturn = 1e-9;  // distance beside q at which an earlier iterate has come back
 constexpr double kMoving = 1e-6;  // step beside q: a cycle's steps are larger than this
 
@@ -95,10 +94,28 @@ std::optional<NewtonStatus> verdict(const NewtonResult& run, const VectorXd& gue
   return std::nullopt;
 }
 
-/// The verdict on a step that hardly moves q. Phi is zero to rounding when it is small beside its largest terms.
+/// What each row would be worth at poses of this size: its terms, and its derivatives times the largest length, or a radian.
+/// Unlike its terms alone it is no noise where they are.
+VectorXd row_scales(const Phi& phi, const VectorXd& q, double t) {
+  double length = 0;
+  for (Index k = 0; k < q.size(); ++k) {
+    const auto kind = phi.coordinates()[static_cast<std::size_t>(k)].kind;
+    if (kind == CoordinateKind::length) length = std::max(length, std::abs(q[k]));
+  }
+  VectorXd size = VectorXd::Ones(q.size());
+  for (Index k = 0; k < q.size(); ++k) {
+    const auto kind = phi.coordinates()[static_cast<std::size_t>(k)].kind;
+    if (kind == CoordinateKind::length) size[k] = length;
+  }
+  return phi.term_magnitudes(q, t) + phi.jacobian(q, t).cwiseAbs() * size;
+}
+
+/// The verdict on a step that hardly moves q.
 NewtonStatus at_rest(const Phi& phi, const NewtonIteration& row, double t, Index full_rank) {
-  const double scale = phi.size() == 0 ? 0 : phi.term_magnitudes(row.q, t).maxCoeff();
-  if (row.residual <= kRestResidual * scale) return NewtonStatus::converged;
+  const VectorXd residual = phi.value(row.q, t).cwiseAbs();
+  const VectorXd scale = row_scales(phi, row.q, t);
+  const bool is_zero = (residual.array() <= kRestResidual * scale.array()).all();
+  if (is_zero) return NewtonStatus::converged;
   return row.rank < full_rank ? NewtonStatus::singular : NewtonStatus::no_solution;
 }
 
@@ -183,6 +200,7 @@ NewtonResult newton(const Phi& phi, const VectorXd& guess, double t, const Newto
     row.method = factors.method();
     VectorXd next = row.q;
     next(free) += step;
+    if (options.held.empty() && phi.has_long_rotation(next)) next = phi.canonical(next);
     const bool rests = row.step <= kStandstill * size_of(row.q);
     const NewtonStatus rest_verdict = at_rest(phi, row, t, std::min(J.rows(), J.cols()));
     run.iterations.push_back(look(phi, next, t, options));

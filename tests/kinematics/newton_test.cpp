@@ -120,6 +120,103 @@ TEST(Newton, AnAngleOfManyTurnsMakesNoNoiseOfLengths) {
   EXPECT_NEAR(std::abs(run.q[1]) / 1e-9, std::sqrt(0.75), kRoundingOfTheAngle);
 }
 
+// A lift under a plate on a ball, its corners held by three rods. From here an earlier version came to rest off the
+// constraints, its rotation vectors billions long, and called that converged.
+TEST(Newton, RotationVectorsStayShortOnTheWayFromAFarGuess) {
+  const Mechanism m = typed(R"toml(
+space = "spatial"
+[units]
+angle = "deg"
+[ground.points]
+A = [0, 0, 0]
+B = [4, 0, 0]
+C = [0, 4, 0]
+[body.ram.points]
+R = [0, 0, 0]
+[body.cap.points]
+K = [0, 0, 0]
+T = [0, 0, 1]
+[body.plate.points]
+P = [0, 0, 0]
+Q = [3, 0, 0]
+S = [0, 3, 0]
+[[joint]]
+type = "prismatic"
+name = "lift"
+at = ["ground.A", "ram.R"]
+axis = [0, 0, 1]
+turn = 15
+[[joint]]
+type = "weld"
+at = ["ram.R", "cap.K"]
+axis = [0, 0, 1]
+turn = 30
+[[joint]]
+type = "spherical"
+at = ["cap.T", "plate.P"]
+[[joint]]
+type = "rod"
+at = ["ground.B", "plate.Q"]
+length = 4
+[[joint]]
+type = "rod"
+at = ["ground.C", "plate.S"]
+length = 4.2
+[[joint]]
+type = "rod"
+at = ["ground.B", "plate.S"]
+length = 6
+[[driver]]
+slide = "lift"
+start = 2
+[guess]
+"ram.z" = 2
+"plate.z" = 3
+"plate.rz" = 10
+)toml");
+  const Phi phi(m);
+  const NewtonResult run = newton(phi, initial_guess(m));
+  EXPECT_EQ(run.status, NewtonStatus::converged) << run.message;
+  EXPECT_LE(phi.value(run.q, 0).lpNorm<Eigen::Infinity>(), 1e-12);
+  constexpr double kLongest = 1.25 * 3.15;
+  for (const NewtonIteration& row : run.iterations) {
+    EXPECT_LE(row.q.tail(3).norm(), kLongest);
+  }
+}
+
+TEST(Newton, ALongRodBesideDoesNotHideAContradiction) {
+  // The bar of 2 does not reach from P to Q; a rod of 1e7 stands elsewhere.
+  const Mechanism m = typed(R"toml(
+[ground.points]
+P = [0, 0]
+Q = [2.5, 0]
+[body.bar.points]
+P = [0, 0]
+Q = [2, 0]
+[body.far.points]
+F = [0, 0]
+G = [3, 0]
+[[joint]]
+type = "revolute"
+at = ["ground.P", "bar.P"]
+[[joint]]
+type = "revolute"
+at = ["ground.Q", "bar.Q"]
+[[joint]]
+type = "revolute"
+name = "foot"
+at = ["ground.P", "far.F"]
+[[joint]]
+type = "rod"
+at = ["ground.Q", "far.G"]
+length = 1e7
+[guess]
+"bar.phi" = 1
+"far.phi" = 2
+)toml");
+  EXPECT_NE(newton(Phi(m), initial_guess(m)).status, NewtonStatus::converged);
+}
+
 TEST(Newton, UnassemblableTriangleDoesNotConverge) {
   const Mechanism m = example("unassemblable-triangle");
   EXPECT_NE(newton(Phi(m), initial_guess(m)).status, NewtonStatus::converged);

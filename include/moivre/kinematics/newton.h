@@ -3,6 +3,7 @@
 //
 // The step is solved as kinematics/linear.h chooses (or as asked): LU where Phi_q is square and regular, least squares
 // where rows are redundant, weighted minimum norm where coordinates are free.
+// Rotation vectors that grow long are replaced by the short ones of the same pose: a step from far out means little.
 // Edges: a cycle, a flight to infinity, a singular Phi_q and a least-squares minimum that is no solution each end the run
 // with a status of their own. An unassemblable mechanism typically ends in no_solution or iteration_limit.
 // Not supported: damping; the run is the textbook's.
