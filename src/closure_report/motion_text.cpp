@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A motion for people: branches from where to where, events with the drivers' values, what the checkpoints say.
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "moivre/closure_report/motion_report.h"
@@ -61,10 +62,17 @@ std::string branch_text(const MotionBranch& branch, const MotionResult& result,
   return text + (branch.complete ? "\n" : "; " + branch.message + '\n');
 }
 
+/// Where an event's time is known to fewer digits than are printed.
+std::string doubt_text(const BranchEvent& event) {
+  constexpr double kPrinted = 1e-8;
+  if (event.uncertainty <= kPrinted * std::max(1.0, std::abs(event.time))) return "";
+  return " to within " + rough_text(event.uncertainty) + " s";
+}
+
 std::string event_text(const MotionEvent& event, const Mechanism& mechanism) {
   std::string text = to_string(event.at.kind);
   if (!event.at.joint.empty()) text += " of " + event.at.joint;
-  text += " at " + place(mechanism, event.at.time) + ": ";
+  text += " at " + place(mechanism, event.at.time) + doubt_text(event.at) + ": ";
   if (!event.ending.empty())
     text += list(event.ending) + " end" + (event.ending.size() == 1 ? "s" : "");
   if (!event.ending.empty() && !event.beginning.empty()) text += ", ";
@@ -111,7 +119,8 @@ std::string motion_text(const MotionResult& result, const Mechanism& mechanism,
   std::string text = (mechanism.title.empty() ? file : mechanism.title + " (" + file + ")") + '\n';
   text += counted(result.branches.size(), "branch", "branches") + " from " +
           place(mechanism, result.from) + " to " + place(mechanism, result.to) + '\n' +
-          result.message + "\n\n";
+          result.message + '\n';
+  if (!result.branches.empty()) text += '\n';
   for (const MotionBranch& branch : result.branches) {
     text += branch_text(branch, result, mechanism);
   }

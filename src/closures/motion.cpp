@@ -86,6 +86,8 @@ class Motion {
  protected:
   double same_time() const { return kSameTime * std::abs(options_.to - options_.from); }
   bool is_same_event(const BranchEvent& a, const BranchEvent& b) const;
+  bool is_at(const BranchEvent& event, double time, const Eigen::VectorXd& q,
+             double uncertainty = 0) const;
   void show_progress(double share) const {
     if (options_.progress) options_.progress(share);
   }
@@ -105,14 +107,28 @@ class Motion {
   MotionResult result_;
 };
 
+/// Whether the event is at that pose, as far as both are known. A pose moves with the root of the time beside a dead point.
+bool Motion::is_at(const BranchEvent& event, double time, const Eigen::VectorXd& q,
+                   double uncertainty) const {
+  const double doubt = event.uncertainty + uncertainty;
+  const double place = std::sqrt(doubt / std::abs(options_.to - options_.from));
+  return std::abs(event.time - time) <= std::max(same_time(), doubt) &&
+         distance(phi_, event.q, q) <= std::max(kSamePlace, place);
+}
+
 bool Motion::is_same_event(const BranchEvent& a, const BranchEvent& b) const {
-  return a.kind == b.kind && std::abs(a.time - b.time) <= same_time() &&
-         distance(phi_, a.q, b.q) <= kSamePlace;
+  return a.kind == b.kind && is_at(a, b.time, b.q, b.uncertainty);
 }
 
 std::size_t Motion::event_index(const BranchEvent& event) {
   for (std::size_t k = 0; k < result_.events.size(); ++k) {
-    if (is_same_event(result_.events[k].at, event)) return k;
+    BranchEvent& known = result_.events[k].at;
+    if (!is_same_event(known, event)) continue;
+    if (event.uncertainty < known.uncertainty) {
+      known = event;
+      result_.events[k].drivers = driver_values(mechanism_, event.time);
+    }
+    return k;
   }
   result_.events.push_back({event, driver_values(mechanism_, event.time), {}, {}});
   return result_.events.size() - 1;
@@ -293,10 +309,7 @@ void ClosureMotion::begin_tracks() {
 bool ClosureMotion::is_event_of_a_track(double time, const Eigen::VectorXd& q) const {
   return std::any_of(tracks_.begin(), tracks_.end(), [&](const Track& track) {
     for (const Branch* way : {&track.forwards, &track.backwards}) {
-      if (way->event && std::abs(way->event->time - time) <= same_time() &&
-          distance(phi_, way->event->q, q) <= kSamePlace) {
-        return true;
-      }
+      if (way->event && is_at(*way->event, time, q)) return true;
     }
     return false;
   });

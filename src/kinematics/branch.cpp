@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <limits>
 #include <stdexcept>
 
 #include "curve.h"
@@ -46,8 +46,6 @@ constexpr double kEventWidth = 1e-12;
 constexpr double kSampleMiss = 0.05;
 constexpr double kSampleConverged = 1e-10;
 constexpr int kSampleCorrections = 8;
-// Rotation vectors are shortened beyond this: at 2 pi their derivative is singular.
-constexpr double kLongestRotation = 1.25 * std::numbers::pi;
 
 double mechanism_length(const Mechanism& mechanism, const Phi& phi, const VectorXd& q) {
   double length = 0;
@@ -101,18 +99,59 @@ void validate(const Phi& phi, const VectorXd& q0, const std::vector<double>& tim
   }
 }
 
-/// Neville's extrapolation of y(sigma), through the points given, to sigma = 0.
-VectorXd at_zero(const std::vector<CurvePoint>& points, std::size_t first) {
+/// Neville's extrapolation of y(tau), through the points given, to tau = 0; tau = sigma^(1 / order).
+VectorXd at_zero(const std::vector<CurvePoint>& points, std::size_t first, int order) {
   std::vector<VectorXd> table;
+  const auto tau = [&](std::size_t k) { return std::pow(points[k].sigma, 1.0 / order); };
   for (std::size_t i = first; i < points.size(); ++i) {
     table.push_back(points[i].y);
     for (std::size_t k = table.size() - 1; k-- > 0;) {
-      const double far = points[first + k].sigma;
-      const double near = points[i].sigma;
+      const double far = tau(first + k);
+      const double near = tau(i);
       table[k] = (far * table[k + 1] - near * table[k]) / (far - near);
     }
   }
   return table.front();
+}
+
+/// Where the way points to.
+struct Meeting {
+  VectorXd y;
+  double doubt = std::numeric_limits<double>::infinity();  ///< how far off without the first point
+  int order = 1;
+};
+
+/// The last of the points that are known well enough to extrapolate from.
+std::vector<CurvePoint> well_known(const std::vector<CurvePoint>& approach, int order,
+                                   const Curve& curve) {
+  // Points are known to 1e-16 / sigma, those before this sigma to 1e-12. Eight of them, sigma halved each time, leave a
+  // product of 1e-15 as the extrapolation's error, when the largest is a tenth of what sigma's shape is like.
+  constexpr double kWellKnown = 2e-4;
+  // Where branches touch, tau falls more slowly: points nearer by, known to 1e-11, make up for it.
+  constexpr double kWellKnownTouching = 2e-5;
+  constexpr std::size_t kPoints = 8;
+  constexpr std::size_t kFewest = 4;
+  const double smallest = order == 1 ? kWellKnown : kWellKnownTouching;
+  std::vector<CurvePoint> points = approach;
+  while (points.size() > kFewest && points.back().sigma < smallest) points.pop_back();
+  if (points.size() > kPoints) points.erase(points.begin(), points.end() - kPoints);
+  for (CurvePoint& point : points) point.sigma = curve.sigma(point.y);
+  return points;
+}
+
+/// sigma falls like the distance where branches cross, like its square where they touch, and so on: the order whose
+/// extrapolation depends least on the first point. A higher one has to be clearly better: it fits the lower ones' way too.
+Meeting meeting_of(const std::vector<CurvePoint>& approach, const Curve& curve) {
+  constexpr int kHighestOrder = 4;
+  constexpr double kClearly = 0.1;
+  Meeting best{at_zero(well_known(approach, 1, curve), 0, 1)};
+  for (int order = 1; order <= kHighestOrder && approach.size() > 1; ++order) {
+    const std::vector<CurvePoint> points = well_known(approach, order, curve);
+    const VectorXd y = at_zero(points, 0, order);
+    const double doubt = (y - at_zero(points, 1, order)).norm();
+    if (y.allFinite() && doubt < kClearly * best.doubt) best = {y, doubt, order};
+  }
+  return best;
 }
 
 class Follower {
@@ -179,6 +218,9 @@ BranchEvent Follower::event_at(EventKind kind, const VectorXd& y) const {
   BranchEvent event;
   event.kind = kind;
   event.time = curve_.t_of(y);
+  const bool is_late =
+      curve_.scale().T > 0 ? event.time > times_.back() : event.time < times_.back();
+  if (is_late) event.time = times_.back();  // found there, but for rounding
   event.q = curve_.q_of(y);
   event.uncertainty = kEventWidth * std::abs(curve_.scale().T);
   return event;
@@ -365,39 +407,22 @@ void Follower::watch_approach(const CurvePoint& b) {
 
 /// Branches cross ahead, at most a shortest step away: where, the way there tells.
 void Follower::cross() {
-  // Points are known to 1e-16 / sigma, those before this sigma to 1e-12. Eight of them, sigma halved each time, leave a
-  // product of 1e-15 as the extrapolation's error, when the largest is a tenth of what sigma's shape is like.
-  constexpr double kWellKnown = 2e-4;
-  constexpr std::size_t kPoints = 8;
-  constexpr std::size_t kFewest = 4;
-  std::vector<CurvePoint> known = approach_;
-  while (known.size() > kFewest && known.back().sigma < kWellKnown) known.pop_back();
-  const std::size_t first = known.size() > kPoints ? known.size() - kPoints : 0;
-  for (std::size_t k = first; k < known.size(); ++k) known[k].sigma = curve_.sigma(known[k].y);
-  const VectorXd y = at_zero(known, first);
-  const double nearest = (y - at_.y).norm();
-  const bool is_there = y.allFinite() && nearest <= std::sqrt(kCrossing);
-  BranchEvent event = event_at(EventKind::bifurcation, is_there ? y : at_.y);
+  const Meeting meeting = meeting_of(approach_, curve_);
+  const double reach = std::pow(kCrossing, 0.5 / meeting.order);
+  const bool is_there = meeting.y.allFinite() && (meeting.y - at_.y).norm() <= reach;
+  BranchEvent event = event_at(EventKind::bifurcation, is_there ? meeting.y : at_.y);
   if (!is_there) {
     event.uncertainty = std::sqrt(kCrossing) * std::abs(curve_.scale().T);
-  } else if (known.size() - first > 1) {
-    const VectorXd other = at_zero(known, first + 1);
-    event.uncertainty += std::abs(curve_.t_of(y) - curve_.t_of(other));
+  } else if (std::isfinite(meeting.doubt)) {
+    event.uncertainty += meeting.doubt * std::abs(curve_.scale().T);
   }
   end_at(std::move(event));
 }
 
 void Follower::shorten_rotations() {
-  if (is_done_ || mechanism_.space == Space::planar) return;
+  if (is_done_) return;
   const VectorXd q = curve_.q_of(at_.y);
-  bool is_long = false;
-  for (Index k = 0; k + 2 < q.size(); ++k) {
-    if (phi_.coordinates()[static_cast<std::size_t>(k)].kind != CoordinateKind::rotation_vector)
-      continue;
-    is_long = is_long || q.segment<3>(k).norm() > kLongestRotation;
-    k += 2;
-  }
-  if (!is_long) return;
+  if (!phi_.has_long_rotation(q)) return;
   at_ = curve_.begin(curve_.point(phi_.canonical(q), curve_.t_of(at_.y)));
   approach_ = {at_};
 }

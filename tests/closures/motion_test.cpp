@@ -327,6 +327,40 @@ TEST(Motion, BranchLeavesAndComesBackThroughAJointsLimit) {
   }
 }
 
+TEST(Motion, EquationsOfHalfAnglesAreFollowedBeyondATurn) {
+  const Mechanism m = mechanism_text(
+      "[unknowns]\nangles = [\"a\", \"b\"]\n[equations]\ne = \"cos(b/2) - 0.8*cos(a)\"\n"
+      "[[driver]]\nunknown = \"a\"\nstart = 0.7\nvelocity = 0.1\n[guess]\nb = 8\n");
+  const MotionResult result = follow_guesses(m, {initial_guess(m)}, options_for(m, 4));
+  ASSERT_EQ(result.branches.size(), 1U) << result.message;
+  for (const BranchSample& sample : result.branches[0].samples) {
+    EXPECT_GT(sample.q[1], 2 * std::numbers::pi);
+    EXPECT_NEAR(std::cos(sample.q[1] / 2), 0.8 * std::cos(sample.q[0]), 1e-12);
+  }
+}
+
+// The links of a stretched toggle pass through the line as slowly as the square of the time: branches touch.
+TEST(Motion, BranchesThatTouchMeetInOneEvent) {
+  const Mechanism m = mechanism_text(
+      "[ground.points]\nG = [0, 0]\n[body.a.points]\nG = [0, 0]\nM = [1, 0]\n"
+      "[body.b.points]\nM = [0, 0]\nS = [1, 0]\n[body.slider.points]\nS = [0, 0]\n"
+      "[[joint]]\ntype = \"revolute\"\nat = [\"ground.G\", \"a.G\"]\n"
+      "[[joint]]\ntype = \"revolute\"\nat = [\"a.M\", \"b.M\"]\n"
+      "[[joint]]\ntype = \"revolute\"\nat = [\"b.S\", \"slider.S\"]\n"
+      "[[joint]]\ntype = \"prismatic\"\nat = [\"ground.G\", \"slider.S\"]\nalong = [1, 0]\nname = "
+      "\"guide\"\n"
+      "[[driver]]\nslide = \"guide\"\nvalue = \"2 - (t - 1.1)^4\"\n");
+  MotionOptions options = options_for(m, 20);
+  options.to = 2;
+  const MotionResult result = motion_of(m, options);
+  expect_whole(result, m);
+  ASSERT_EQ(result.events.size(), 1U);
+  EXPECT_EQ(result.events[0].ending.size(), 2U);
+  EXPECT_EQ(result.events[0].beginning.size(), 2U);
+  constexpr double kLocated = 1e-5;
+  EXPECT_NEAR(result.events[0].at.time, 1.1, kLocated);
+}
+
 TEST(Motion, UnassemblableMechanismHasNoBranches) {
   const Mechanism m = mechanism_file("unassemblable-triangle");
   const MotionResult result = motion_of(m, options_for(m, 3));

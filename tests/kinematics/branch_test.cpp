@@ -216,6 +216,37 @@ TEST(Branch, BifurcationExactlyAtTheLastTimeIsReported) {
   EXPECT_EQ(branch.samples.size(), 12U);
 }
 
+/// Two links of 1 between a pivot and a slider at a distance that `value` gives: stretched out where that is 2.
+Mechanism toggle(const std::string& value) {
+  return typed(
+      "[ground.points]\nG = [0, 0]\n[body.a.points]\nG = [0, 0]\nM = [1, 0]\n"
+      "[body.b.points]\nM = [0, 0]\nS = [1, 0]\n[body.slider.points]\nS = [0, 0]\n"
+      "[[joint]]\ntype = \"revolute\"\nat = [\"ground.G\", \"a.G\"]\n"
+      "[[joint]]\ntype = \"revolute\"\nat = [\"a.M\", \"b.M\"]\n"
+      "[[joint]]\ntype = \"revolute\"\nat = [\"b.S\", \"slider.S\"]\n"
+      "[[joint]]\ntype = \"prismatic\"\nat = [\"ground.G\", \"slider.S\"]\nalong = [1, 0]\nname = "
+      "\"guide\"\n"
+      "[[driver]]\nslide = \"guide\"\nvalue = \"" +
+      value + "\"\n[guess]\n\"a.phi\" = 1\n\"b.phi\" = -1\n");
+}
+
+// The elbow's height is the root of 1 - s^2 / 4: like the time to go, its square, its cube.
+TEST(Branch, LocatesWhereBranchesCrossAndWhereTheyTouch) {
+  for (const char* value : {"2 - (t - 1)^2", "2 - (t - 1)^4", "2 - 8*(t - 1)^4", "2 - (t - 1)^6"}) {
+    for (const double from : {0.3, 0.5, 0.8}) {
+      const Mechanism m = toggle(value);
+      if (driver_rad(m, from) < 0.1) continue;  // too far in for Newton's method
+      const Branch branch = followed(m, from, 2 - from, 10);
+      ASSERT_EQ(branch.status, BranchStatus::ended) << value << ": " << branch.message;
+      EXPECT_EQ(branch.event->kind, EventKind::bifurcation) << value;
+      constexpr double kOften = 10;  // an estimate
+      constexpr double kUseful = 2e-6;
+      EXPECT_NEAR(branch.event->time, 1, kOften * branch.event->uncertainty) << value;
+      EXPECT_LE(branch.event->uncertainty, kUseful) << value;
+    }
+  }
+}
+
 TEST(Branch, DoubleParallelCrankWithItsRedundantRowEndsAtTheLine) {
   const Mechanism m = example("double-parallel-crank");
   const Branch branch = followed(m, 0, 6, 60);

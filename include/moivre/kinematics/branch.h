@@ -13,7 +13,8 @@
 //   bifurcation   [Phi_q Phi_t] loses rank: branches cross (a change point), which of them goes on is not determined.
 //   joint limit   a joint stands at the end of its range.
 // Dead points are located by the secant method on the curve; bifurcations, where no point can be corrected, by extrapolation
-// of the approach to smallest singular value 0.
+// of the approach to smallest singular value 0, which falls like a whole power of the way to go: 1 where branches cross, 2 where
+// they touch.
 // Not supported: fewer independent equations than coordinates (the pose would move with the drivers held): `failed`.
 #pragma once
 
