@@ -20,11 +20,6 @@
 namespace moivre {
 namespace {
 
-// A root of all equations leaves no more than this on the scale of the terms; those of spare equations that do not hold
-// are larger by far.
-constexpr double kHolds = 1e-8;
-// Of a multiple root, which is known to the square root of that at best.
-constexpr double kHoldsSingular = 1e-5;
 // Newton-Raphson polishes a pose; it does not look for another.
 constexpr double kPolish = 1e-4;
 
@@ -51,7 +46,6 @@ class Search {
   void solve_free(const std::vector<Block>& blocks);
   bool shows_motion();
   StageRun solve_combined(StageRun first);
-  bool may_be_real(const Branch& branch) const;
   void take_run(const StageRun& run);
   void take_branch(const Branch& branch);
   void check_images();
@@ -121,20 +115,6 @@ bool Search::shows_motion() {
   return true;
 }
 
-/// False where the image of a value that is known differs from it.
-bool Search::may_be_real(const Branch& branch) const {
-  double size = 1;
-  double apart = 0;
-  for (std::size_t v = 0; v < branch.value.size(); ++v) {
-    const auto& image = branch.value[isotropic_.mirror[v]];
-    if (!branch.value[v] || !image) continue;
-    const Complex x = to_complex(*branch.value[v]);
-    size = std::max(size, std::abs(x));
-    apart = std::max(apart, std::abs(x - std::conj(to_complex(*image))));
-  }
-  return apart <= (branch.singular ? kHoldsSingular : kHolds) * size;
-}
-
 // With fewer equations than unknowns no closure is isolated. What no free unknown has a say in is solved first: where it
 // closes in complex numbers only, so does the whole.
 void Search::solve_free(const std::vector<Block>& blocks) {
@@ -144,8 +124,9 @@ void Search::solve_free(const std::vector<Block>& blocks) {
   const StageRun run = solve_blocks(isotropic_, determined, tracker_, options_.solve, stop_);
   take_run(run);
   if (run.complete && !run.moves) {
-    part_is_complex_ = std::none_of(run.branches.begin(), run.branches.end(),
-                                    [&](const Branch& branch) { return may_be_real(branch); });
+    part_is_complex_ =
+        std::none_of(run.branches.begin(), run.branches.end(),
+                     [&](const Branch& branch) { return may_be_real(isotropic_, branch); });
   }
   if (part_is_complex_ || shows_motion()) return;
   result_.complete = false;
@@ -179,16 +160,21 @@ void Search::solve_stages() {
          "there are more than unknowns; every root is checked on all of them"});
   }
   StageRun run = solve_blocks(isotropic_, structure.blocks, tracker_, options_.solve, stop_);
-  bool is_undecided = run.moves && !shows_motion();
-  if (is_undecided && run.complete && !structure.spare_equations.empty()) {
+  bool has_unseen_sets = run.moves && !(run.may_move && shows_motion());
+  if (has_unseen_sets && run.complete && !structure.spare_equations.empty()) {
     run = solve_combined(std::move(run));
-    is_undecided = run.moves;
+    has_unseen_sets = run.moves;
   }
   take_run(run);
   for (const Branch& branch : run.branches) take_branch(branch);
-  if (is_undecided) {
+  if (!has_unseen_sets) return;
+  if (run.may_move) {
     result_.complete = false;
     undecided_motion_ = true;
+  } else {
+    result_.left_out.push_back({"closures that form sets of positive dimension",
+                                "parts of them close in complex numbers only"});
+    part_is_complex_ = result_.solutions.empty();
   }
 }
 

@@ -46,6 +46,10 @@ Polynomial substituted(const Polynomial& p, const std::vector<std::optional<Coef
   return to_polynomial(std::move(terms));
 }
 
+bool is_lone_linear(const System& f) {
+  return f.polynomials.size() == 1 && degree(f.polynomials.front()) == 1;
+}
+
 class Stages {
  public:
   Stages(const IsotropicSystem& isotropic, const Tracker& tracker, const SolveOptions& options,
@@ -60,7 +64,9 @@ class Stages {
   StageRun take() && {
     run_.time.threads = std::max(1, run_.time.threads);
     if (lone_ > 0) {
-      run_.left_out.push_back({std::to_string(lone_) + " linear equations solved one by one",
+      run_.left_out.push_back(
+          lone_ == 1 ? LeftOut{"1 linear equation solved alone", "it has a single unknown left"}
+                     : LeftOut{std::to_string(lone_) + " linear equations solved one by one",
                                "each has a single unknown left"});
     }
     return std::move(run_);
@@ -68,6 +74,7 @@ class Stages {
 
  private:
   System system_at(const Block& block, const Branch& branch) const;
+  void note_set(const Branch& branch);
   void solve_lone(const Block& block);
   void add_roots(const Block& block, const Branch& branch, const System& f, Stage& stage,
                  std::vector<Branch>& next);
@@ -109,8 +116,10 @@ std::string Stages::group_name(const Block& block) const {
   return text;
 }
 
-bool is_lone_linear(const System& f) {
-  return f.polynomials.size() == 1 && degree(f.polynomials.front()) == 1;
+/// The block has a set of roots of positive dimension above the branch.
+void Stages::note_set(const Branch& branch) {
+  run_.moves = true;
+  run_.may_move = run_.may_move || may_be_real(isotropic_, branch);
 }
 
 /// a x + b = 0 with a the sum of `parts`: x, or nothing where a is zero.
@@ -127,7 +136,7 @@ void Stages::solve_lone(const Block& block) {
       size = std::max(size, std::abs(to_complex(term.coefficient)));
     }
     if (std::abs(to_complex(a)) <= kCancelled * size) {
-      if (std::abs(to_complex(b)) <= kCancelled * size) run_.moves = true;
+      if (std::abs(to_complex(b)) <= kCancelled * size) note_set(branch);
       continue;
     }
     branch.value[block.variables.front()] = shortened(-b / a);
@@ -171,10 +180,9 @@ void Stages::add_roots(const Block& block, const Branch& branch, const System& f
   run_.time.track_cpu += result.time.track_cpu;
   run_.time.refine += result.time.refine;
   run_.complete = run_.complete && result.complete;
-  run_.moves = run_.moves || result.paths.on_positive_dimensional > 0;
-  if (result.paths.tracked == 0 && result.complete) {
-    run_.moves = run_.moves || eliminate(f).verdict == Reduction::Verdict::dependent;
-  }
+  const bool is_dependent = result.paths.tracked == 0 && result.complete &&
+                            eliminate(f).verdict == Reduction::Verdict::dependent;
+  if (is_dependent || result.paths.on_positive_dimensional > 0) note_set(branch);
 }
 
 void Stages::solve_block(const Block& block) {
@@ -194,6 +202,19 @@ void Stages::solve_block(const Block& block) {
 }
 
 }  // namespace
+
+bool may_be_real(const IsotropicSystem& isotropic, const Branch& branch) {
+  double size = 1;
+  double apart = 0;
+  for (std::size_t v = 0; v < branch.value.size(); ++v) {
+    const auto& image = branch.value[isotropic.mirror[v]];
+    if (!branch.value[v] || !image) continue;
+    const Complex x = to_complex(*branch.value[v]);
+    size = std::max(size, std::abs(x));
+    apart = std::max(apart, std::abs(x - std::conj(to_complex(*image))));
+  }
+  return apart <= (branch.singular ? kHoldsSingular : kHolds) * size;
+}
 
 StageRun solve_blocks(const IsotropicSystem& isotropic, const std::vector<Block>& blocks,
                       const Tracker& tracker, const SolveOptions& options,

@@ -30,8 +30,18 @@ struct StageRun {
   StepCount work;
   SolveTime time;
   bool complete = true;
-  bool moves = false;  ///< a block had a set of roots of positive dimension
+  bool moves = false;     ///< a block had a set of roots of positive dimension
+  bool may_move = false;  ///< so it had, above a branch that may be real
 };
+
+// A root of all equations leaves no more than this on the scale of the terms; those of spare equations that do not hold
+// are larger by far.
+inline constexpr double kHolds = 1e-8;
+// Of a multiple root, which is known to the square root of that at best.
+inline constexpr double kHoldsSingular = 1e-5;
+
+/// False where the image of a value that is known differs from it.
+bool may_be_real(const IsotropicSystem& isotropic, const Branch& branch);
 
 /// Solves the blocks in turn.
 StageRun solve_blocks(const IsotropicSystem& isotropic, const std::vector<Block>& blocks,

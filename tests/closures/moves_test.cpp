@@ -129,6 +129,51 @@ TEST(Moves, NotWhatDanglesFromATriangleThatCannotBeAssembled) {
   EXPECT_NE(result.message.find("cannot be assembled"), std::string::npos) << result.message;
 }
 
+/// Links 3 and 4 over `base`; two links of 2, pinned to their tip and to each other, turn about it as one.
+Mechanism triangle_with_a_folded_pair(const std::string& base) {
+  return mechanism_text("[ground.points]\nP = [0, 0]\nQ = [" + base + R"toml(, 0]
+[body.left.points]
+P = [0, 0]
+R = [3, 0]
+[body.right.points]
+Q = [0, 0]
+R = [4, 0]
+[body.one.points]
+R = [0, 0]
+T = [2, 0]
+[body.other.points]
+R = [0, 0]
+T = [2, 0]
+[[joint]]
+type = "revolute"
+at = ["ground.P", "left.P"]
+[[joint]]
+type = "revolute"
+at = ["ground.Q", "right.Q"]
+[[joint]]
+type = "revolute"
+at = ["left.R", "right.R"]
+[[joint]]
+type = "revolute"
+at = ["left.R", "one.R"]
+[[joint]]
+type = "revolute"
+at = ["right.R", "other.R"]
+[[joint]]
+type = "revolute"
+at = ["one.T", "other.T"]
+)toml");
+}
+
+TEST(Moves, AFoldedPairOnATriangle) { expect_moves(triangle_with_a_folded_pair("5"), 1); }
+
+TEST(Moves, NotAFoldedPairOnATriangleThatCannotBeAssembled) {
+  const ClosureResult result = closures_of(triangle_with_a_folded_pair("10"));
+  EXPECT_TRUE(result.complete);
+  EXPECT_FALSE(result.moves);
+  EXPECT_EQ(result.message, "cannot be assembled: a part of it closes in complex numbers only");
+}
+
 TEST(Moves, IsUndecidedWhereNoRealPoseIsFound) {
   const ClosureResult result = closures_of(mechanism_text(
       "[unknowns]\nlengths = [\"x\", \"y\"]\n[equations]\ncircle = \"x^2 + y^2 + 1\"\n"));
