@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "nearest.h"
+#include "refusals.h"
 
 namespace moivre {
 namespace {
@@ -36,19 +37,15 @@ std::vector<std::string> known_names(const Names& names) {
   return known;
 }
 
-/// Whether a name or a function looks like a derivative: phi_dot, dphi_dt, der(phi), diff(phi, t).
+/// Whether a name or a function looks like a derivative: phi_dot, dot(phi), dphi_dt, dphi/dt, der(phi), diff(phi, t).
 bool is_derivative(const std::string& name) {
-  static const std::vector<std::string> words{"der", "diff",     "deriv",        "derivative",
-                                              "d",   "velocity", "acceleration", "D"};
+  static const std::vector<std::string> words{"der", "diff", "deriv",    "derivative",
+                                              "d",   "D",    "velocity", "acceleration",
+                                              "dot", "ddot", "dt"};
   const bool ends_in_dot = name.size() > 3 && name.substr(name.size() - 3) == "dot";
   const bool ends_in_dt = name.size() > 3 && name.substr(name.size() - 3) == "_dt";
   return ends_in_dot || ends_in_dt || std::find(words.begin(), words.end(), name) != words.end();
 }
-
-const std::string kNonHolonomic =
-    "' looks like a derivative: a constraint on velocities (rolling, non-holonomic) does not say "
-    "where "
-    "the mechanism can be and is not supported; write constraints between coordinates";
 
 Formula resolve_name(const Expression& expression, const Names& names,
                      std::vector<Diagnostic>& faults) {
@@ -64,7 +61,7 @@ Formula resolve_name(const Expression& expression, const Names& names,
   } else if (names.has_time && expression.name == "t") {
     result.kind = Kind::time;
   } else if (is_derivative(expression.name)) {
-    faults.push_back({expression.at, "'" + expression.name + kNonHolonomic});
+    faults.push_back({expression.at, "'" + expression.name + "'" + kLooksLikeADerivative});
   } else {
     faults.push_back({expression.at, "'" + expression.name +
                                          "' is neither an unknown nor a constant" +
@@ -77,7 +74,7 @@ Kind function_of(const Expression& call, std::vector<Diagnostic>& faults) {
   const auto found = functions().find(call.name);
   if (found == functions().end()) {
     faults.push_back({call.at, is_derivative(call.name)
-                                   ? "'" + call.name + kNonHolonomic
+                                   ? "'" + call.name + "'" + kLooksLikeADerivative
                                    : "unknown function '" + call.name + "'" +
                                          suggestion(call.name, function_names())});
     return Kind::sin;

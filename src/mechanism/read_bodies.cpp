@@ -7,6 +7,7 @@
 
 #include "nearest.h"
 #include "read_parts.h"
+#include "refusals.h"
 
 namespace moivre {
 namespace {
@@ -43,14 +44,10 @@ std::string refusal(const std::string& type) {
   };
   if (is_one_of(
           {"rolling", "wheel", "velocity", "nonholonomic", "non-holonomic", "skate", "knife"})) {
-    return "a constraint on velocities (non-holonomic) does not say where the mechanism can be; it "
-           "is "
-           "not supported (a 'gear' holds the ratio of two angles)";
+    return kVelocityJoint;
   }
   if (is_one_of({"contact", "stop", "unilateral", "cam", "impact", "bump", "cable", "rope"})) {
-    return "a one-sided constraint (Phi >= 0) holds only at times; it is not supported ('limits' "
-           "on a "
-           "joint filter closures)";
+    return kOneSidedJoint;
   }
   return "";
 }

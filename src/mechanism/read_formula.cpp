@@ -2,24 +2,24 @@
 // How are typed equations parsed? Both sides of an equals sign, inequalities and derivatives refused with the reason.
 #include "read_formula.h"
 
+#include "refusals.h"
+
 namespace moivre {
 
-bool refuse_inequality(Reading& reading, const toml::node& node, const std::string& text) {
-  const std::size_t found = text.find_first_of("<>");
+bool refuse_constraint(Reading& reading, const toml::node& node, const std::string& text) {
+  const std::size_t found = text.find_first_of("<>'");
   if (found == std::string::npos) return false;
   SourcePosition at = reading.text_begin(node, text);
   at.offset += found;
   at.column += found;
-  reading.fault(
-      at,
-      "an inequality is a one-sided constraint (contact): it holds only at times and is not "
-      "supported; write an equation, or 'limits' on a joint to filter closures");
+  const bool is_prime = text[found] == '\'';
+  reading.fault(at, is_prime ? std::string("`'`") + kLooksLikeADerivative : kOneSidedEquation);
   return true;
 }
 
 std::optional<Expression> read_expression(Reading& reading, const toml::node& node,
                                           const std::string& text) {
-  if (refuse_inequality(reading, node, text)) return std::nullopt;
+  if (refuse_constraint(reading, node, text)) return std::nullopt;
   const std::size_t faults_before = reading.faults().size();
   const SourcePosition begin = reading.text_begin(node, text);
   const std::size_t equals = text.find('=');

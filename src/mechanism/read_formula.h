@@ -6,8 +6,8 @@
 
 namespace moivre {
 
-/// What is refused in an equation before it is parsed: inequalities. Returns whether there was one.
-bool refuse_inequality(Reading& reading, const toml::node& node, const std::string& text);
+/// What is refused in an equation before it is parsed: inequalities, primes. Returns whether there was one.
+bool refuse_constraint(Reading& reading, const toml::node& node, const std::string& text);
 
 /// `text`, or `left = right` as left - right, parsed; nothing and faults where it cannot be.
 std::optional<Expression> read_expression(Reading& reading, const toml::node& node,
