@@ -55,19 +55,24 @@ std::string mobility_text(const Mobility& mobility, const NewtonResult& pose,
       (mechanism.title.empty() ? "" : mechanism.title + " ") + "(" + heading.file + ")\n";
   if (!is_assembled(pose)) {
     text += "not assembled: Newton-Raphson ended with " + to_string(pose.status) +
-            "; what follows is of its last iterate\n";
+            "; what follows is of its last iterate. --guess gives it another start" +
+            (mechanism.space == Space::planar ? ", moivre guesses lists good ones" : "") + "\n";
   }
   text += count(mobility.coordinates, "coordinate") + ", " +
           count(mobility.constraints, "constraint") + " of rank " + std::to_string(mobility.rank) +
           (mobility.rank_by_svd == mobility.rank
                ? ""
                : " (" + std::to_string(mobility.rank_by_svd) + " by singular values)") +
-          ": " + std::to_string(mobility.degrees_of_freedom) + " degree(s) of freedom\n" +
-          "Gruebler's count: " + std::to_string(mobility.gruebler) + "; " +
+          ": " +
+          counted(static_cast<std::uint64_t>(mobility.degrees_of_freedom), "degree of freedom",
+                  "degrees of freedom") +
+          '\n' + "Gruebler's count: " + std::to_string(mobility.gruebler) + "; " +
           count(mobility.drivers, "driver") + ", which leave " +
           std::to_string(mobility.driven_freedoms) + " free\n";
   for (const RedundantRow& row : mobility.redundant) text += "redundant: " + to_text(row) + '\n';
-  for (const IdleFreedom& idle : mobility.idle) text += "idle: " + idle.name + '\n';
+  for (const IdleFreedom& idle : mobility.idle) {
+    text += "idle: " + idle.name + ", along " + direction_text(idle.direction, mechanism) + '\n';
+  }
   for (const std::string& warning : mobility.warnings) text += "warning: " + warning + '\n';
   text += "independent coordinates: " + list_text(names_of(mobility.independent, mechanism)) + '\n';
   for (Eigen::Index k = 0; k < mobility.null_space.cols(); ++k) {

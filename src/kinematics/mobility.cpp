@@ -118,11 +118,12 @@ std::vector<std::string> warnings_of(const Mobility& m, bool is_assembled) {
   if (m.gruebler != m.degrees_of_freedom) {
     warnings.push_back("Gruebler's count says " + std::to_string(m.gruebler) + ", the rank says " +
                        std::to_string(m.degrees_of_freedom) + ": " +
-                       std::to_string(m.degrees_of_freedom - m.gruebler) +
-                       " redundant constraint(s)");
+                       std::to_string(m.degrees_of_freedom - m.gruebler) + " redundant constraint" +
+                       (m.degrees_of_freedom - m.gruebler == 1 ? "" : "s"));
   }
-  for (const IdleFreedom& idle : m.idle) {
-    warnings.push_back("'" + idle.name + "' can move while everything else stands still");
+  for (std::size_t k = 0; k < m.idle.size(); ++k) {
+    if (k > 0 && m.idle[k].name == m.idle[k - 1].name) continue;
+    warnings.push_back("'" + m.idle[k].name + "' can move while everything else stands still");
   }
   return warnings;
 }
