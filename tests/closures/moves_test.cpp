@@ -158,7 +158,8 @@ type = "revolute"
 at = ["left.R", "one.R"]
 [[joint]]
 type = "revolute"
-at = ["right.R", "other.R"]
+at = ["left.R", "other.R"]
+name = "R2"
 [[joint]]
 type = "revolute"
 at = ["one.T", "other.T"]
