@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The account of all paths: where each ended, which ends are in doubt, and the closing of the books.
+// Where did each path end, and which paths ended at one point? The ledger of all paths.
 //
 // A path has exactly one entry: a root (finite), a failure, or one more at infinity; the number of
-// paths at infinity is kept, not the paths. Doubts are: failed paths; simple roots where two paths
-// end; singular roots whose winding numbers do not make whole cycles; and, where the system is real,
-// roots whose conjugate is missing.
+// paths at infinity is kept, not the paths.
 #pragma once
 
 #include <cstdint>
@@ -17,11 +15,14 @@
 
 namespace moivre {
 
+/// Numbers of paths.
+using PathSet = std::set<std::uint64_t>;
+
 /// The finite end of one path, on the system as given.
 struct Root {
   Refined point;
-  std::optional<int> winding;  ///< nullopt: the end needed no circle, so it counts as 1
-  double tolerance = 0;        ///< relative, within which another end is the same root
+  std::optional<int> winding;          ///< nullopt: the end needed no circle, so it counts as 1
+  double tolerance = 0;                ///< relative, within which another end is the same root
   mutable std::optional<bool> on_set;  ///< lies on a positive-dimensional set, once asked
 };
 

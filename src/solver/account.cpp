@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// The closing of the books: solutions from groups of ends, counts, and the verdict.
+#include "account.h"
+
+#include <algorithm>
+
+namespace moivre {
+namespace {
+
+void enter_solutions(const Run& run, SolveResult& result) {
+  for (const auto& group : run.ledger.groups()) {
+    result.paths.finite += group.size();
+    const Root& first = run.ledger.roots().at(group.front());
+    if (!first.point.simple && is_on_set(run, first)) {
+      result.paths.on_positive_dimensional += group.size();
+      continue;
+    }
+    const auto whole = cycles(run.ledger, group);
+    result.solutions.push_back(
+        solution_of(run, group, whole.value_or(std::vector<int>(group.size(), 1))));
+  }
+  std::sort(result.solutions.begin(), result.solutions.end(),
+            [](const Solution& a, const Solution& b) { return a.path < b.path; });
+}
+
+void count_paths(const Run& run, PathCounts& counts) {
+  counts.failed = run.ledger.failures().size();
+  counts.at_infinity = run.ledger.at_infinity();
+  counts.tracked = run.ledger.tracked();
+  counts.retracked = run.retracked.size();
+  counts.handed_over = run.handed_over.size();
+  for (const auto& [path, rung] : run.rungs) {
+    ++(rung == Rung::mixed ? counts.mixed : counts.double_double);
+  }
+  if (run.setting.is_fine()) counts.double_double = counts.tracked;
+}
+
+}  // namespace
+
+PathCounts& PathCounts::operator+=(const PathCounts& other) {
+  tracked += other.tracked;
+  finite += other.finite;
+  at_infinity += other.at_infinity;
+  failed += other.failed;
+  on_positive_dimensional += other.on_positive_dimensional;
+  retracked += other.retracked;
+  handed_over += other.handed_over;
+  mixed += other.mixed;
+  double_double += other.double_double;
+  return *this;
+}
+
+Solution solution_of(const Run& run, const std::vector<std::uint64_t>& group,
+                     const std::vector<int>& winding) {
+  const auto& roots = run.ledger.roots();
+  const auto best = std::min_element(group.begin(), group.end(), [&](auto a, auto b) {
+    return roots.at(a).point.accuracy < roots.at(b).point.accuracy;
+  });
+  const Refined& point = roots.at(*best).point;
+  Solution solution;
+  solution.path = group.front();
+  solution.x = point.x;
+  solution.real = is_real(point);
+  solution.singular = !point.simple;
+  solution.multiplicity = group.size();
+  solution.winding = winding;
+  solution.residual = point.residual;
+  solution.accuracy = point.accuracy;
+  solution.condition = point.condition;
+  for (const std::uint64_t path : group) {
+    solution.precision = std::max(solution.precision, rung_of(run, path));
+  }
+  if (solution.real && is_real(run.setting.f)) {
+    for (Complex& xi : solution.x) xi.imag(0);
+  }
+  return solution;
+}
+
+void close_account(const Run& run, SolveResult& result) {
+  enter_solutions(run, result);
+  count_paths(run, result.paths);
+  for (const auto& [path, failure] : run.ledger.failures()) result.failures.push_back(failure);
+  result.work = run.work;
+  const bool all_decided = result.paths.failed == 0 && run.unsettled_conjugates == 0;
+  result.complete = !run.interrupted && all_decided;
+  result.message = run.interrupted           ? "interrupted: what is finished is reported"
+                   : all_decided             ? "every path was decided"
+                   : result.paths.failed > 0 ? "some paths failed"
+                                             : "a root's conjugate is missing among the roots";
+}
+
+}  // namespace moivre

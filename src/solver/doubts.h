@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// Which ends cannot be right, and how are they settled? Paths that failed, jumped or met too close to be told apart.
+//
+// In doubt are
+//   failed paths
+//   simple roots at which two paths end: one of them has jumped
+//   singular isolated roots whose winding numbers make no whole cycles: a path is missing or one is too many
+//   where the system is real, the path to a root's conjugate that no path has found
+// They are followed again with more care, level by level, then in double-double. What stays in doubt has failed.
+// Bounded: SolveOptions::maximum_care levels. An interrupted run is left as it is.
+#pragma once
+
+#include "run.h"
+
+namespace moivre {
+
+void settle_doubts(Run& run);
+
+}  // namespace moivre

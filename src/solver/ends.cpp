@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+// From the verdict on a path to its entry in the ledger, through the refinement of finite ends.
+#include "ends.h"
+
+#include <algorithm>
+
+#include "dimension.h"
+
+namespace moivre {
+namespace {
+
+// A simple root is known this much better than ends of different paths are apart.
+constexpr double kSimpleTolerance = 1e-13;
+// On a curve of roots J is singular; as rounded it may still pass for a simple root's, of a condition above this.
+constexpr double kDoubtfulCondition = 1e14;
+// A singular end is not known better than this; ends nearer than that are one root.
+constexpr double kSingularTolerance = 1e-7;
+// A singular end known worse than this is not known at all.
+constexpr double kWorstAccuracy = 1e-3;
+// One on a set of roots may be: it names no root, and where the set crosses itself residuals tell little of the error.
+constexpr double kWorstAccuracyOnSet = 3e-2;
+// Of a root that is not simple.
+constexpr int kLeastMultiplicity = 2;
+
+// A thread is worth waking for so many ends to refine.
+constexpr std::size_t kEndsOfAThread = 16;
+
+Root refined_root(const Run& run, Refiner& refiner, std::uint64_t path, const PathEnd& end) {
+  const Setting& setting = run.setting;
+  const Point x = to_original(setting.prepared, end.x);
+  // A relative error of z_0 is one of z / z_0, larger by the size of the affine point.
+  const double size = max_norm(end.x) / std::abs(end.x.back());
+  const double accuracy = end.accuracy * std::max(1.0, size);
+  Root root;
+  root.winding = end.winding;
+  const bool many_sheets = end.winding.value_or(1) > 1;
+  root.point = many_sheets ? refiner.keep(x, accuracy, *end.winding) : refiner.refine(x, accuracy);
+  if (!root.point.simple && !many_sheets && rung_of(run, path) == Rung::double_double) {
+    root.point = refiner.refine_fine(x);
+  }
+  if (root.point.simple && root.point.condition > kDoubtfulCondition) {
+    root.point.simple = !is_on_set(run, root);
+  }
+  if (!root.point.simple) {
+    if (!many_sheets) root.point = refiner.keep(x, accuracy, kLeastMultiplicity);
+    root.tolerance = std::max(kSingularTolerance, 10 * root.point.accuracy);
+  } else {
+    root.tolerance = 4 * root.point.accuracy + kSimpleTolerance;
+  }
+  return root;
+}
+
+std::vector<Root> refined_roots(const Run& run) {
+  std::vector<Root> roots(run.ends.size());
+  const auto threads = static_cast<std::size_t>(run.setting.threads);
+  const std::size_t chunks = std::min(threads, 1 + roots.size() / kEndsOfAThread);
+  for_each_parallel(chunks, run.setting.threads, [&](std::size_t chunk) {
+    Refiner refiner(run.setting.refiner_program);
+    for (std::size_t k = chunk; k < roots.size(); k += chunks) {
+      roots[k] = refined_root(run, refiner, run.ends[k].first, run.ends[k].second);
+    }
+  });
+  return roots;
+}
+
+bool is_known_singular(const Run& run, const Root& root) {
+  if (!root.winding) return false;
+  if (root.point.accuracy <= kWorstAccuracy) return true;
+  return root.point.accuracy <= kWorstAccuracyOnSet && is_on_set(run, root);
+}
+
+}  // namespace
+
+void take_end(Run& run, std::uint64_t path, PathEnd&& end) {
+  run.work += end.count;
+  run.rungs.erase(path);
+  // Nothing is kept of a path at infinity: memory does not grow with their number.
+  if (end.status != PathStatus::at_infinity) {
+    if (end.count.work.fine_values > 0) run.rungs[path] = Rung::mixed;
+    if (run.setting.is_fine()) run.rungs[path] = Rung::double_double;
+  }
+  switch (end.status) {
+    case PathStatus::finite:
+      run.ends.emplace_back(path, std::move(end));
+      return;
+    case PathStatus::at_infinity:
+      if (run.setting.hides_terms()) {
+        run.ledger.enter_failure({path, Failure::precision, end.t});
+      } else {
+        run.ledger.enter_infinity(path);
+      }
+      return;
+    case PathStatus::failed:
+      if (end.failure == Failure::cancelled) {
+        run.interrupted = true;
+      } else {
+        run.ledger.enter_failure({path, *end.failure, end.t});
+      }
+      return;
+  }
+}
+
+void refine_ends(Run& run) {
+  std::sort(run.ends.begin(), run.ends.end(),
+            [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<Root> roots = refined_roots(run);
+  for (std::size_t k = 0; k < roots.size(); ++k) {
+    const auto& [path, end] = run.ends[k];
+    const bool is_root =
+        roots[k].point.simple || (!run.setting.hides_terms() && is_known_singular(run, roots[k]));
+    if (is_root) {
+      run.ledger.enter_root(path, std::move(roots[k]));
+    } else {
+      run.ledger.enter_failure({path, Failure::precision, end.t});
+    }
+  }
+  run.ends.clear();
+}
+
+}  // namespace moivre

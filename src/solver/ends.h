@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// What does the end of a path say? Its verdict is entered in the ledger; a finite end must first prove a root of the system.
+//
+//   simple       Newton's method on the system as given contracts: a root, known to its last digit
+//   singular     sheets meet, and the endgame has told how many: a root as accurate as the endgame found it
+//   otherwise    it shows no root in this precision: the path has failed
+//
+// J is singular along a curve of roots, but as rounded it may pass for a simple root's; the slices of dimension.h decide.
+#pragma once
+
+#include "run.h"
+
+namespace moivre {
+
+/// Enters the verdict on a path; a finite end waits for refine_ends(). A path that was cut short has no entry.
+void take_end(Run& run, std::uint64_t path, PathEnd&& end);
+
+/// Enters all finite ends that wait, on all threads.
+void refine_ends(Run& run);
+
+}  // namespace moivre

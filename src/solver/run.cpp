@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// What a run knows of one path and of one root.
+#include "run.h"
+
+#include "dimension.h"
+
+namespace moivre {
+
+std::string to_string(Rung rung) {
+  switch (rung) {
+    case Rung::double_precision:
+      return "double";
+    case Rung::mixed:
+      return "mixed";
+    case Rung::double_double:
+      return "double-double";
+  }
+  return "";
+}
+
+Rung rung_of(const Run& run, std::uint64_t path) {
+  const auto found = run.rungs.find(path);
+  return found == run.rungs.end() ? Rung::double_precision : found->second;
+}
+
+bool is_on_set(const Run& run, const Root& root) {
+  if (!root.on_set) {
+    const Setting& setting = run.setting;
+    root.on_set = lies_on_positive_dimensional_set(*setting.refiner_program, root.point.x,
+                                                   setting.options.seed);
+  }
+  return *root.on_set;
+}
+
+}  // namespace moivre

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// What has become of the paths so far? The state of one solve, between its setting and its result.
+//
+// A path is in one of three places: not yet followed to its end, among `ends` (finite, but not yet a root of the system as
+// given), or in the ledger. Who changes what: tracking.h and ends.h bring paths in, doubts.h sends them out again,
+// account.h only reads.
+#pragma once
+
+#include <map>
+#include <set>
+#include <vector>
+
+#include "ledger.h"
+#include "setting.h"
+
+namespace moivre {
+
+struct Run {
+  explicit Run(const Setting& the_setting) : setting(the_setting) {}
+
+  const Setting& setting;
+  Ledger ledger;
+  std::vector<std::pair<std::uint64_t, PathEnd>> ends;  ///< finite, to be refined
+  std::map<std::uint64_t, Rung> rungs;                  ///< of paths that needed more than double
+  PathSet retracked;
+  PathSet handed_over;                     ///< of these, to the fallback
+  std::uint64_t unsettled_conjugates = 0;  ///< simple roots that no path was found to lead to
+  StepCount work;
+  bool interrupted = false;
+};
+
+/// How many digits the path needed.
+Rung rung_of(const Run& run, std::uint64_t path);
+
+/// Whether the root lies on a positive-dimensional set; asked once a root.
+bool is_on_set(const Run& run, const Root& root);
+
+}  // namespace moivre

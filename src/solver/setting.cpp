@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// The system prepared, the trackers at hand, and how far the coefficients' spread lets ends be believed.
+#include "setting.h"
+
+#include <thread>
+
+#include "moivre/tracker/double_double_tracker.h"
+
+namespace moivre {
+namespace {
+
+// A root may be larger than the others by the spread of an equation's coefficients. From the first spread on (as log2) a
+// path is taken for one to infinity only where x_0 is rounding noise; from the second on the smallest terms are noise too,
+// and ends at infinity, at multiple roots and on sets may be those of the system without them.
+constexpr double kWideSpread = 20;
+constexpr double kHopelessSpread = 36;
+constexpr double kNoiseFloor = 1e-12;
+
+// The tracker itself tries first, with one level of care, before a path goes to the fallback.
+constexpr int kFallbackCare = 2;
+
+Trackers trackers_of(const Tracker& tracker, const SolveOptions& options) {
+  if (options.precision == Precision::double_precision) {
+    return {tracker, options.fallback, nullptr, nullptr};
+  }
+  return {tracker, options.fallback, tracker.in_double_double(), make_double_double_tracker()};
+}
+
+EndgameOptions endgame_of(const Prepared& prepared, const SolveOptions& options) {
+  EndgameOptions endgame = options.endgame;
+  if (prepared.spread_log2 > kWideSpread) endgame.infinity_floor = kNoiseFloor;
+  return endgame;
+}
+
+}  // namespace
+
+Setting::Setting(const System& system, const Tracker& tracker, const SolveOptions& solve_options,
+                 const std::atomic<bool>& stop_flag)
+    : f(system),
+      options(solve_options),
+      stop(stop_flag),
+      threads(options.threads > 0 ? options.threads
+                                  : static_cast<int>(std::thread::hardware_concurrency())),
+      trackers(trackers_of(tracker, options)),
+      prepared(prepare(f, options)),
+      endgame(endgame_of(prepared, options)),
+      refiner_program(make_refiner_program(with_unit_rows(f), natural_sizes(prepared))) {}
+
+bool Setting::hides_terms() const { return prepared.spread_log2 > kHopelessSpread; }
+
+const Tracker& Setting::tracker() const {
+  if (!is_fine()) return trackers.first;
+  return trackers.fine_own ? *trackers.fine_own : *trackers.fine;
+}
+
+bool Setting::falls_back(int care) const {
+  return trackers.fallback != nullptr && care >= kFallbackCare;
+}
+
+PathProblem Setting::problem(int care) const {
+  return {*prepared.homotopy, prepared.start, falls_back(care) ? *trackers.fallback : tracker(),
+          endgame};
+}
+
+}  // namespace moivre

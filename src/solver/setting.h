@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// What does a solve work on, and with which trackers? All that stays the same from its first path to its last.
+//
+//   first       the tracker that solve() was given: every path, in double
+//   fallback    SolveOptions::fallback, where there is one: what `first` could not settle with one level more of care
+//   fine_own    `first` in double-double, several paths at once; nullptr where it has none
+//   fine        double-double, one path at a time; nullptr where no path is to be followed beyond double
+//
+// Edges: where the elimination decided the system, prepared.homotopy is nullopt and there are no paths.
+#pragma once
+
+#include <atomic>
+#include <memory>
+
+#include "path_pool.h"
+#include "prepare.h"
+#include "refine.h"
+
+namespace moivre {
+
+struct Trackers {
+  const Tracker& first;
+  const Tracker* fallback;
+  std::unique_ptr<Tracker> fine_own;
+  std::unique_ptr<Tracker> fine;
+};
+
+struct Setting {
+  /// Prepares the system. Throws std::overflow_error when the number of paths leaves 64 bits.
+  Setting(const System& f, const Tracker& tracker, const SolveOptions& options,
+          const std::atomic<bool>& stop);
+
+  const System& f;
+  const SolveOptions& options;
+  const std::atomic<bool>& stop;
+  const int threads;
+  const Trackers trackers;
+  const Prepared prepared;
+  const EndgameOptions endgame;
+  const std::shared_ptr<const RefinerProgram> refiner_program;
+
+  /// Every path in double-double from the start.
+  bool is_fine() const { return options.precision == Precision::double_double; }
+  /// Terms that no coordinate tells: only a simple root, proved on the system as given, says something about the system.
+  bool hides_terms() const;
+  /// Who follows all paths at first.
+  const Tracker& tracker() const;
+  bool falls_back(int care) const;
+  /// All paths, by who follows them with that care.
+  PathProblem problem(int care) const;
+};
+
+}  // namespace moivre

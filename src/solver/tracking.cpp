@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+// The three ways to follow paths: all, some again with more care, some again with more digits.
+#include "tracking.h"
+
+#include "ends.h"
+
+namespace moivre {
+namespace {
+
+// Followed in double-double until it is this large, and to no regular end, a path is one to infinity.
+constexpr double kBeyondRoots = 1e-18;
+
+// So few climb one by one: a step of many lanes takes several times as long as one of a single path.
+constexpr std::size_t kFewClimbers = 2;
+
+/// Verdicts go to `sink`, but for those that the run's end cut short; what is finite is refined.
+void track_these(Run& run, const PathProblem& problem, const PathSet& paths, int care,
+                 const EndSink& sink) {
+  const std::vector<std::uint64_t> list(paths.begin(), paths.end());
+  run.retracked.insert(list.begin(), list.end());
+  const EndSink sink_unless_cancelled = [&](std::uint64_t path, PathEnd&& end) {
+    if (end.failure == Failure::cancelled) {
+      run.interrupted = true;
+    } else {
+      sink(path, std::move(end));
+    }
+  };
+  track_paths(
+      problem, list.size(), [&](std::uint64_t k) { return list[k]; }, care, run.setting.threads,
+      sink_unless_cancelled, run.setting.stop);
+  refine_ends(run);
+}
+
+bool has_left_for_infinity(const PathEnd& end) {
+  return std::abs(end.x.back()) < kBeyondRoots * max_norm(end.x);
+}
+
+/// Returns the paths that came to no verdict.
+PathSet climb_with(Run& run, const Tracker& tracker, const PathSet& paths) {
+  PathSet left;
+  if (paths.empty() || run.interrupted) return left;
+  const Setting& setting = run.setting;
+  const PathProblem straight{*setting.prepared.homotopy, setting.prepared.start, tracker,
+                             setting.endgame, Endgame::Manner::straight};
+  track_these(run, straight, paths, 0, [&](std::uint64_t path, PathEnd&& end) {
+    if (end.failure == Failure::step_too_small && has_left_for_infinity(end)) {
+      end.status = PathStatus::at_infinity;
+      end.failure.reset();
+    }
+    if (end.status == PathStatus::failed) {
+      run.work += end.count;
+      left.insert(path);
+      return;
+    }
+    run.ledger.strike(path);
+    take_end(run, path, std::move(end));
+    run.rungs[path] = Rung::double_double;
+  });
+  return left;
+}
+
+}  // namespace
+
+void track_all(Run& run) {
+  const Setting& setting = run.setting;
+  Progress progress{0, setting.prepared.start.paths, 0};
+  const EndSink sink = [&](std::uint64_t path, PathEnd&& end) {
+    ++progress.done;
+    if (end.status == PathStatus::finite) ++progress.finite;
+    take_end(run, path, std::move(end));
+    if (setting.options.progress) setting.options.progress(progress);
+  };
+  track_paths(
+      setting.problem(0), progress.total, [](std::uint64_t k) { return k; }, setting.options.care,
+      setting.threads, sink, setting.stop);
+  if (progress.done < progress.total) run.interrupted = true;
+}
+
+void track_again(Run& run, const PathSet& paths, int care) {
+  if (run.setting.falls_back(care)) run.handed_over.insert(paths.begin(), paths.end());
+  track_these(run, run.setting.problem(care), paths, care, [&](std::uint64_t path, PathEnd&& end) {
+    run.ledger.strike(path);
+    take_end(run, path, std::move(end));
+  });
+}
+
+void climb(Run& run, const PathSet& paths) {
+  const Trackers& trackers = run.setting.trackers;
+  if (!trackers.fine) return;
+  const bool together = trackers.fine_own && paths.size() > kFewClimbers;
+  climb_with(run, *trackers.fine, together ? climb_with(run, *trackers.fine_own, paths) : paths);
+}
+
+}  // namespace moivre

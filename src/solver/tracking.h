@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// Which paths are followed, by whom and how carefully? All of them once; those in doubt again, and again in double-double.
+//
+// Every verdict goes to ends.h. A path that is followed again loses its entry in the ledger only when the new verdict is
+// there: an interruption leaves no path without one. What `stop` cuts short marks the run as interrupted.
+#pragma once
+
+#include "run.h"
+
+namespace moivre {
+
+/// Follows every path of the start system, and reports the progress. Finite ends wait for refine_ends().
+void track_all(Run& run);
+
+/// Follows these with that care: by the same tracker first, by the fallback later.
+void track_again(Run& run, const PathSet& paths, int care);
+
+/// Follows these in double-double, straight to t = 1. Where that finds no regular end either, the path's entry stays as it
+/// is. Does nothing where no path may be followed beyond double.
+void climb(Run& run, const PathSet& paths);
+
+}  // namespace moivre
