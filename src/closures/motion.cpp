@@ -64,19 +64,26 @@ void require_valid(const Mechanism& mechanism, const MotionOptions& options) {
 
 std::string at_time(double time) { return "at t = " + std::to_string(time) + " s"; }
 
+/// Velocities are for the samples; where closures may be compared poses do.
+BranchOptions with_velocities_at(const std::vector<double>& times, BranchOptions options) {
+  options.velocity_times = times;
+  return options;
+}
+
 /// What is common to motions with and without closures: tracks become branches, their ends become events.
 class Motion {
  public:
-  Motion(const Mechanism& mechanism, const MotionOptions& options, const std::atomic<bool>& stop)
+  Motion(const Mechanism& mechanism, const MotionOptions& options, int checkpoints,
+         const std::atomic<bool>& stop)
       : mechanism_(mechanism),
         options_(options),
         stop_(stop),
         phi_(mechanism),
         times_(even_times(options, options.steps)),
-        all_times_(options.checkpoints == 0
-                       ? times_
-                       : merged(times_, even_times(options, options.checkpoints * kFiner))),
-        follower_{mechanism_, all_times_, options_.branch, options_.follow, stop_} {
+        all_times_(checkpoints == 0 ? times_
+                                    : merged(times_, even_times(options, checkpoints * kFiner))),
+        follower_{mechanism_, all_times_, with_velocities_at(times_, options_.branch),
+                  options_.follow, stop_} {
     result_.from = options.from;
     result_.to = options.to;
     result_.times = times_;
@@ -213,7 +220,7 @@ class ClosureMotion : Motion {
  public:
   ClosureMotion(const Mechanism& mechanism, const Tracker& tracker, const MotionOptions& options,
                 const std::atomic<bool>& stop)
-      : Motion(mechanism, options, stop), tracker_(tracker) {}
+      : Motion(mechanism, options, options.checkpoints, stop), tracker_(tracker) {}
 
   MotionResult run();
 
@@ -546,7 +553,9 @@ void ClosureMotion::conclude() {
 
 class GuessMotion : Motion {
  public:
-  using Motion::Motion;
+  GuessMotion(const Mechanism& mechanism, const MotionOptions& options,
+              const std::atomic<bool>& stop)
+      : Motion(mechanism, options, 0, stop) {}
   MotionResult run(const std::vector<Eigen::VectorXd>& guesses);
 
  private:

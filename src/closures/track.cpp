@@ -52,6 +52,7 @@ Branch TrackFollower::follow_back(const BranchPose& pose, const std::vector<doub
   steps.largest_turn_rad *= kOther;
   steps.largest_miss *= kOther;
   steps.longest_step *= kOther;
+  steps.velocity_times.emplace();
   return follow_branch(mechanism, pose.q, backs, steps, stop);
 }
 

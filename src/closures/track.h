@@ -25,7 +25,7 @@ struct Track {
   const BranchSample* at(double time) const;
 };
 
-/// How a track is followed: through all `times` (ascending), and shorter steps each time again.
+/// How a track is followed: through all `times` (ascending), and shorter steps each time again. The way back is for poses.
 struct TrackFollower {
   const Mechanism& mechanism;
   const std::vector<double>& times;

@@ -179,6 +179,10 @@ class Follower {
   bool take_samples(const Segment& segment, double until);
   std::optional<BranchSample> sample(const Segment& segment, double time) const;
   BranchSample state_at(const VectorXd& assembled, double time) const;
+  bool is_velocity_wanted(double time) const {
+    const auto& wanted = options_.velocity_times;
+    return !wanted || std::binary_search(wanted->begin(), wanted->end(), time);
+  }
   const Joint* broken_limit(const VectorXd& q) const;
   void choose_length(const CurvePoint& b, double h);
   void watch_approach(const CurvePoint& b);
@@ -234,14 +238,19 @@ const Joint* Follower::broken_limit(const VectorXd& q) const {
 }
 
 BranchSample Follower::state_at(const VectorXd& assembled, double time) const {
-  const VectorXd q = least_residual(phi_, assembled, time);
-  const MotionState state = motion_state(phi_, q, time);
-  return {time,
-          q,
-          state.velocity,
-          state.acceleration,
-          scaled_residual(phi_, q, time),
-          state.is_determined};
+  BranchSample sample;
+  sample.time = time;
+  sample.q = least_residual(phi_, assembled, time);
+  sample.residual = scaled_residual(phi_, sample.q, time);
+  if (!is_velocity_wanted(time)) {
+    sample.is_determined = Factorisation(phi_.jacobian(sample.q, time)).rank() == phi_.dimension();
+    return sample;
+  }
+  MotionState state = motion_state(phi_, sample.q, time);
+  sample.velocity = std::move(state.velocity);
+  sample.acceleration = std::move(state.acceleration);
+  sample.is_determined = state.is_determined;
+  return sample;
 }
 
 /// The first sample, and whether the branch can leave it.

@@ -70,6 +70,25 @@ Mechanism norton(double at) {
   return m;
 }
 
+TEST(Branch, HasVelocitiesWhereTheyAreAskedForAndTheSamePosesElsewhere) {
+  const Mechanism m = norton(0.05);
+  const Branch all = followed(m, 0, 0.1, 10);
+  const std::vector<double> times = even_times(0, 0.1, 10);
+  BranchOptions options;
+  options.velocity_times = {times[3], times[7]};
+  const Branch some = follow_branch(m, assembled(m, 0), times, options);
+  ASSERT_EQ(some.samples.size(), all.samples.size());
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    const BranchSample& sample = some.samples[k];
+    EXPECT_EQ(sample.q, all.samples[k].q);
+    EXPECT_EQ(sample.residual, all.samples[k].residual);
+    EXPECT_TRUE(sample.is_determined);
+    const bool is_asked_for = k == 3 || k == 7;
+    EXPECT_EQ(sample.velocity, is_asked_for ? all.samples[k].velocity : VectorXd());
+    EXPECT_EQ(sample.acceleration, is_asked_for ? all.samples[k].acceleration : VectorXd());
+  }
+}
+
 TEST(Branch, NortonsVelocitiesAndAccelerationsAreMetOnTheWay) {
   constexpr double kThreeDecimals = 5e-4;  // as printed
   const Mechanism m = norton(0.05);

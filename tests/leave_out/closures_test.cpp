@@ -1,19 +1,99 @@
 // SPDX-License-Identifier: MIT
-// Do closures leave out velocities and accelerations? Nobody asked for them.
+// Do closures leave out velocities and accelerations, and a motion from a given guess the closures? Nobody asked for them.
 #include "moivre/closures/closures.h"
 
 #include <gtest/gtest.h>
 
+#include "moivre/closures/motion.h"
 #include "moivre/mechanism/read.h"
 #include "moivre/tracker_cvode/cvode_tracker.h"
 #include "wrapped_kinematics.h"
+#include "wrapped_polynomials.h"
 
 namespace moivre {
 namespace {
 
-TEST(LeaveOut, ClosuresAskForNoVelocity) {
-  const Mechanism mechanism = read_mechanism(
+Mechanism four_bar() {
+  return read_mechanism(
       read_source(std::string(MOIVRE_SOURCE_DIR) + "/problems/mechanisms/four-bar.toml"));
+}
+
+/// How often each stage over polynomials was entered.
+struct PolynomialCalls {
+  int closure_searches = 0;
+  int closure_polynomials = 0;
+  int solves = 0;
+};
+
+PolynomialCalls polynomial_calls_of(auto&& action) {
+  PolynomialCalls calls;
+  calls.closure_searches = test::closure_searches.calls_of([&] {
+    calls.closure_polynomials =
+        test::closure_polynomials.calls_of([&] { calls.solves = test::solves.calls_of(action); });
+  });
+  return calls;
+}
+
+MotionOptions short_motion() {
+  MotionOptions options;
+  options.to = 0.1;
+  options.steps = 4;
+  options.checkpoints = 1;
+  options.solve.threads = 1;
+  return options;
+}
+
+TEST(LeaveOut, MotionFromAGivenGuessHasNoPolynomialStage) {
+  const Mechanism mechanism = four_bar();
+  MotionResult result;
+  const PolynomialCalls calls = polynomial_calls_of(
+      [&] { result = follow_guesses(mechanism, {initial_guess(mechanism)}, short_motion()); });
+  ASSERT_TRUE(result.complete) << result.message;
+  EXPECT_EQ(result.branches.size(), 1U);
+  EXPECT_EQ(calls.closure_searches, 0);
+  EXPECT_EQ(calls.closure_polynomials, 0);
+  EXPECT_EQ(calls.solves, 0);
+  ASSERT_EQ(result.left_out.size(), 1U);
+  EXPECT_EQ(result.left_out[0].what, "closures and checkpoints");
+}
+
+TEST(LeaveOut, MotionOfAllClosuresSolvesThemAtTheBeginningAndAtEachCheckpoint) {
+  const Mechanism mechanism = four_bar();
+  MotionResult result;
+  const PolynomialCalls calls = polynomial_calls_of(
+      [&] { result = find_motion(mechanism, *make_cvode_tracker(), short_motion()); });
+  ASSERT_TRUE(result.complete) << result.message;
+  EXPECT_EQ(calls.closure_searches, 2);
+  EXPECT_EQ(calls.closure_polynomials, 2);
+  EXPECT_GT(calls.solves, 0);
+}
+
+TEST(LeaveOut, AMotionAsksForVelocityAndAccelerationOnceASample) {
+  const Mechanism mechanism = four_bar();
+  int velocity_calls = 0;
+  MotionResult result;
+  const int acceleration_calls = test::accelerations.calls_of([&] {
+    velocity_calls = test::velocities.calls_of(
+        [&] { result = follow_guesses(mechanism, {initial_guess(mechanism)}, short_motion()); });
+  });
+  ASSERT_EQ(result.branches.size(), 1U);
+  const auto samples = static_cast<int>(result.branches[0].samples.size());
+  EXPECT_EQ(samples, short_motion().steps + 1);
+  EXPECT_EQ(velocity_calls, samples);
+  EXPECT_EQ(acceleration_calls, samples);
+}
+
+TEST(LeaveOut, CheckpointsAndTheWayBackAskForNoVelocity) {
+  const Mechanism mechanism = four_bar();
+  MotionResult result;
+  const int velocity_calls = test::velocities.calls_of(
+      [&] { result = find_motion(mechanism, *make_cvode_tracker(), short_motion()); });
+  ASSERT_EQ(result.branches.size(), 2U);
+  EXPECT_EQ(velocity_calls, 2 * (short_motion().steps + 1));
+}
+
+TEST(LeaveOut, ClosuresAskForNoVelocity) {
+  const Mechanism mechanism = four_bar();
   ClosureOptions options;
   options.solve.threads = 1;
   ClosureResult result;

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: MIT
 // Does a run over polynomials leave TOML alone, and with the lanes SUNDIALS? The command line, run inside this program.
 #include <gtest/gtest.h>
-#include <sundials/sundials_context.h>
+
+#include <fstream>
 
 #include "command_line.h"
-#include "counted_calls.h"
 #include "moivre/mechanism/read.h"
+#include "wrapped_polynomials.h"
+#include "wrapped_sundials.h"
+#include "wrapped_tbb.h"
 
 namespace {
 
-moivre::test::CallCounter toml_files;
-moivre::test::CallCounter sundials_contexts;
+moivre::test::CallCounter toml_counter;
 
 }  // namespace
 
@@ -19,16 +21,8 @@ moivre::Mechanism real_read(const moivre::Source& source) __asm__(
 moivre::Mechanism wrap_read(const moivre::Source& source) __asm__(
     "__wrap__ZN6moivre14read_mechanismERKNS_6SourceE");
 moivre::Mechanism wrap_read(const moivre::Source& source) {
-  toml_files.raise();
+  toml_counter.raise();
   return real_read(source);
-}
-
-extern "C" {
-int __real_SUNContext_Create(void* communicator, SUNContext* context);
-int __wrap_SUNContext_Create(void* communicator, SUNContext* context) {
-  sundials_contexts.raise();
-  return __real_SUNContext_Create(communicator, context);
-}
 }
 
 namespace moivre {
@@ -37,42 +31,71 @@ namespace {
 const std::string kProblems = MOIVRE_SOURCE_DIR "/problems";
 
 struct Calls {
-  int exit_code = -1;
-  int toml = 0;
-  int sundials = 0;
+  int toml_files = toml_counter.calls();
+  int sundials_contexts = test::sundials_contexts.calls();
+  int thread_pools = test::thread_pools.calls();
+  int closure_searches = test::closure_searches.calls();
+  int solves = test::solves.calls();
 };
 
-Calls run(std::vector<std::string> words) {
+/// The calls that a command made; it must decide everything.
+Calls calls_of(std::vector<std::string> words) {
   words.insert(words.begin(), "moivre");
   words.push_back("--quiet");
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
-  Calls calls;
-  calls.toml = toml_files.calls_of([&] {
-    calls.sundials = sundials_contexts.calls_of([&] {
-      calls.exit_code = run_command_line(static_cast<int>(arguments.size()), arguments.data());
-    });
-  });
-  return calls;
+  const Calls before;
+  EXPECT_EQ(run_command_line(static_cast<int>(arguments.size()), arguments.data()), kDecided);
+  const Calls after;
+  return {after.toml_files - before.toml_files, after.sundials_contexts - before.sundials_contexts,
+          after.thread_pools - before.thread_pools,
+          after.closure_searches - before.closure_searches, after.solves - before.solves};
 }
 
 TEST(LeaveOut, APolynomialRunReadsNoToml) {
-  const Calls calls = run({"solve", kProblems + "/polynomials/katsura-5.phc"});
-  EXPECT_EQ(calls.exit_code, kDecided);
-  EXPECT_EQ(calls.toml, 0);
+  const std::string file = kProblems + "/polynomials/katsura-5.phc";
+  for (const std::string command : {"solve", "info", "newton", "guesses"}) {
+    EXPECT_EQ(calls_of({command, file}).toml_files, 0) << command;
+  }
+  EXPECT_EQ(calls_of({"mobility", kProblems + "/mechanisms/four-bar.toml"}).toml_files, 1);
 }
 
 TEST(LeaveOut, TheCommandWithLanesInitialisesNothingOfSundials) {
   const std::string file = kProblems + "/polynomials/katsura-5.phc";
-  EXPECT_EQ(run({"solve", file, "--tracker", "lanes"}).sundials, 0);
-  EXPECT_GT(run({"solve", file, "--tracker", "cvode", "--threads", "1"}).sundials, 0);
+  EXPECT_EQ(calls_of({"solve", file, "--tracker", "lanes"}).sundials_contexts, 0);
+  EXPECT_GT(calls_of({"solve", file, "--tracker", "cvode"}).sundials_contexts, 0);
+  const std::string four_bar = kProblems + "/mechanisms/four-bar.toml";
+  EXPECT_EQ(calls_of({"closures", four_bar, "--tracker", "lanes"}).sundials_contexts, 0);
+  EXPECT_EQ(calls_of({"motion", four_bar, "--tracker", "lanes"}).sundials_contexts, 0);
+}
+
+TEST(LeaveOut, TheCommandOnFourPathsOpensNoThreadPool) {
+  const std::string four_paths = testing::TempDir() + "moivre-four-paths.phc";
+  std::ofstream(four_paths) << "2\nx^2 + y^2 - 5;\nx*y - 2;\n";
+  EXPECT_EQ(calls_of({"solve", four_paths, "--threads", "4"}).thread_pools, 0);
+  const std::string many_paths = kProblems + "/polynomials/katsura-5.phc";
+  EXPECT_GT(calls_of({"solve", many_paths, "--threads", "4"}).thread_pools, 0);
 }
 
 TEST(LeaveOut, MobilityTracksNoPath) {
-  const Calls calls = run({"mobility", kProblems + "/mechanisms/four-bar.toml"});
-  EXPECT_EQ(calls.exit_code, kDecided);
-  EXPECT_EQ(calls.toml, 1);
-  EXPECT_EQ(calls.sundials, 0);
+  const Calls calls = calls_of({"mobility", kProblems + "/mechanisms/four-bar.toml"});
+  EXPECT_EQ(calls.sundials_contexts, 0);
+  EXPECT_EQ(calls.solves, 0);
+}
+
+TEST(LeaveOut, TheCommandForMotionFromAGuessSolvesNoPolynomials) {
+  const std::string four_bar = kProblems + "/mechanisms/four-bar.toml";
+  for (const std::vector<std::string>& given :
+       {std::vector<std::string>{"--from-guess"}, {"--guess", "coupler.phi=-60"}}) {
+    std::vector<std::string> words{"motion", four_bar, "--to", "0.1", "--steps", "4"};
+    words.insert(words.end(), given.begin(), given.end());
+    const Calls calls = calls_of(words);
+    EXPECT_EQ(calls.closure_searches, 0);
+    EXPECT_EQ(calls.solves, 0);
+    EXPECT_EQ(calls.sundials_contexts, 0);
+    EXPECT_EQ(calls.thread_pools, 0);
+  }
+  EXPECT_GT(calls_of({"motion", four_bar, "--to", "0.1", "--steps", "4"}).closure_searches, 0);
 }
 
 }  // namespace

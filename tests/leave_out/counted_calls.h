@@ -4,10 +4,11 @@
 
 namespace moivre::test {
 
-/// Calls since the last reset. Constant-initialised, so that a call before main counts as well.
+/// Calls from the beginning of the program. Constant-initialised, so that a call before main counts as well.
 class CallCounter {
  public:
   void raise() noexcept { ++calls_; }
+  int calls() const noexcept { return calls_; }
   int calls_of(auto&& action) {
     const int before = calls_;
     action();

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Does a solve leave out endgames, double-double, threads and SUNDIALS where its paths do not need them? Calls are counted.
 #include <gtest/gtest.h>
-#include <sundials/sundials_context.h>
 
 #include <mutex>
 
@@ -10,33 +9,8 @@
 #include "moivre/solver/solve.h"
 #include "moivre/tracker_cvode/cvode_tracker.h"
 #include "moivre/tracker_lanes/lane_tracker.h"
-
-namespace {
-
-moivre::test::CallCounter sundials_contexts;
-moivre::test::CallCounter cvode_memories;
-moivre::test::CallCounter thread_arenas;
-
-}  // namespace
-
-extern "C" {
-int __real_SUNContext_Create(void* communicator, SUNContext* context);
-int __wrap_SUNContext_Create(void* communicator, SUNContext* context) {
-  sundials_contexts.raise();
-  return __real_SUNContext_Create(communicator, context);
-}
-void* __real_CVodeCreate(int method, SUNContext context);
-void* __wrap_CVodeCreate(int method, SUNContext context) {
-  cvode_memories.raise();
-  return __real_CVodeCreate(method, context);
-}
-// tbb::detail::r1::initialize(task_arena_base&): every arena begins here.
-void __real__ZN3tbb6detail2r110initializeERNS0_2d115task_arena_baseE(void* arena);
-void __wrap__ZN3tbb6detail2r110initializeERNS0_2d115task_arena_baseE(void* arena) {
-  thread_arenas.raise();
-  __real__ZN3tbb6detail2r110initializeERNS0_2d115task_arena_baseE(arena);
-}
-}
+#include "wrapped_sundials.h"
+#include "wrapped_tbb.h"
 
 namespace moivre {
 namespace {
@@ -197,20 +171,20 @@ TEST(LeaveOut, FourPathsNeedNoThreadPool) {
   for (auto& inner : both_trackers()) {
     const CountingTracker tracker(std::move(inner));
     SolveResult result;
-    const int arenas =
-        thread_arenas.calls_of([&] { result = solve(four, tracker, on_threads(kThreads)); });
+    const int pools =
+        test::thread_pools.calls_of([&] { result = solve(four, tracker, on_threads(kThreads)); });
     ASSERT_TRUE(result.complete);
     ASSERT_EQ(result.start.paths, 4U);
-    EXPECT_EQ(arenas, 0) << tracker.kind();
+    EXPECT_EQ(pools, 0) << tracker.kind();
     EXPECT_EQ(tracker.sessions, 1) << tracker.kind();
   }
 }
 
 TEST(LeaveOut, ManyPathsTakeTheThreads) {
   const CountingTracker tracker(make_cvode_tracker());
-  const int arenas =
-      thread_arenas.calls_of([&] { solve(problem("katsura-5"), tracker, on_threads(kThreads)); });
-  EXPECT_GT(arenas, 0);
+  const int pools = test::thread_pools.calls_of(
+      [&] { solve(problem("katsura-5"), tracker, on_threads(kThreads)); });
+  EXPECT_GT(pools, 0);
   EXPECT_EQ(tracker.sessions, kThreads);
 }
 
@@ -220,8 +194,8 @@ TEST(LeaveOut, LanesInitialiseNothingOfSundials) {
   SolveOptions options = on_threads(1);
   options.fallback = fallback.get();
   int memories = 0;
-  const int contexts = sundials_contexts.calls_of([&] {
-    memories = cvode_memories.calls_of([&] { solve(problem("katsura-5"), *lanes, options); });
+  const int contexts = test::sundials_contexts.calls_of([&] {
+    memories = test::cvode_memories.calls_of([&] { solve(problem("katsura-5"), *lanes, options); });
   });
   EXPECT_EQ(contexts, 0);
   EXPECT_EQ(memories, 0);
@@ -230,7 +204,7 @@ TEST(LeaveOut, LanesInitialiseNothingOfSundials) {
 TEST(LeaveOut, CvodeHasOneMemoryASession) {
   const auto tracker = make_cvode_tracker();
   const int memories =
-      cvode_memories.calls_of([&] { solve(problem("katsura-5"), *tracker, on_threads(1)); });
+      test::cvode_memories.calls_of([&] { solve(problem("katsura-5"), *tracker, on_threads(1)); });
   EXPECT_EQ(memories, 1);
 }
 

@@ -46,8 +46,8 @@ struct BranchEvent {
 struct BranchSample {
   double time = 0;
   Eigen::VectorXd q;
-  Eigen::VectorXd velocity;      ///< q'
-  Eigen::VectorXd acceleration;  ///< q''
+  Eigen::VectorXd velocity;      ///< q'; empty where it was not asked for
+  Eigen::VectorXd acceleration;  ///< q''; likewise
   double residual = 0;           ///< max_i |Phi_i| / sum |terms of Phi_i|
   bool is_determined = true;  ///< Phi_q has full rank: velocity and acceleration are the only ones
 };
@@ -59,13 +59,14 @@ enum class BranchStatus {
   interrupted
 };
 
-
 struct BranchOptions {
   double largest_turn_rad = 0.2;  ///< of the tangent in one step
   double largest_miss = 0.05;     ///< of the prediction beside the step
   double longest_step = 0.5;      ///< in y: a radian, or the mechanism's length, is 1
   double largest_approach = 0.5;  ///< share of the way to where branches seem to cross, in one step
   int maximum_steps = 20000;      ///< accepted and rejected
+  /// Where velocity and acceleration are asked for, ascending: of the other times the pose alone is found. nullopt: at all.
+  std::optional<std::vector<double>> velocity_times;
 };
 
 /// An assembled pose.
