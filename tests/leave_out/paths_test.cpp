@@ -12,6 +12,24 @@
 #include "wrapped_sundials.h"
 #include "wrapped_tbb.h"
 
+namespace {
+
+moivre::test::CallCounter linearizations;
+
+}  // namespace
+
+bool real_linearize(moivre::PathSystem* path, std::span<const moivre::Complex> x, const moivre::PathTime& t) __asm__(
+    "__real__ZN6moivre10PathSystem9linearizeESt4spanIKSt7complexIdELm18446744073709551615EERKNS_"
+    "4TimeIS3_EE");
+bool wrap_linearize(moivre::PathSystem* path, std::span<const moivre::Complex> x, const moivre::PathTime& t) __asm__(
+    "__wrap__ZN6moivre10PathSystem9linearizeESt4spanIKSt7complexIdELm18446744073709551615EERKNS_"
+    "4TimeIS3_EE");
+bool wrap_linearize(moivre::PathSystem* path, std::span<const moivre::Complex> x,
+                    const moivre::PathTime& t) {
+  linearizations.raise();
+  return real_linearize(path, x, t);
+}
+
 namespace moivre {
 namespace {
 
@@ -129,6 +147,22 @@ TEST(LeaveOut, NoEndgameRunsOnRegularEnds) {
     EXPECT_EQ(tracker.departures, static_cast<int>(result.start.paths)) << tracker.kind();
     EXPECT_EQ(tracker.samples, 0) << tracker.kind();
   }
+}
+
+// The lanes have factors of their own: where they track, only an endgame asks PathSystem for any.
+// Near t = 1 a path that creeps is looked at, most are not.
+TEST(LeaveOut, AnEndgameFactorsLessThanOnceAPathOnTheWayToRegularEnds) {
+  const auto tracker = make_lane_tracker();
+  const auto factorisations_of = [&](const std::string& name) {
+    return linearizations.calls_of([&] {
+      const SolveResult result = solve(problem(name), *tracker, on_threads(1));
+      EXPECT_TRUE(result.complete);
+    });
+  };
+  constexpr int kPathsOfKatsura = 32;
+  constexpr int kPathsOfMultiplicity = 9;
+  EXPECT_LT(factorisations_of("katsura-5"), kPathsOfKatsura);
+  EXPECT_GT(factorisations_of("multiplicity-3"), kPathsOfMultiplicity);
 }
 
 TEST(LeaveOut, AnEndgameRunsWhereARootIsMultiple) {
