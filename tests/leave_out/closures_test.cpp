@@ -57,6 +57,20 @@ TEST(LeaveOut, MotionFromAGivenGuessHasNoPolynomialStage) {
   EXPECT_EQ(result.left_out[0].what, "closures and checkpoints");
 }
 
+TEST(LeaveOut, MotionFromAGivenGuessIsFollowedThroughItsSamplesAlone) {
+  const Mechanism mechanism = four_bar();
+  MotionOptions options = short_motion();
+  std::size_t times_asked_for = 0;
+  options.follow = [&](const Mechanism& m, const Eigen::VectorXd& q,
+                       const std::vector<double>& times, const BranchOptions& branch,
+                       const std::atomic<bool>& stop) {
+    times_asked_for += times.size();
+    return follow_branch(m, q, times, branch, stop);
+  };
+  follow_guesses(mechanism, {initial_guess(mechanism)}, options);
+  EXPECT_EQ(times_asked_for, static_cast<std::size_t>(options.steps + 1));
+}
+
 TEST(LeaveOut, MotionOfAllClosuresSolvesThemAtTheBeginningAndAtEachCheckpoint) {
   const Mechanism mechanism = four_bar();
   MotionResult result;
