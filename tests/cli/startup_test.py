@@ -5,8 +5,9 @@
 #   startup_test.py [--runs N] [--limit-ms MS] PROGRAM [OPTION...]     options go to solve
 #
 # Prints the medians of processor time (user and system, as the kernel charged it) and of wall time, and the shortest wall
-# time. Exit: 0, 1 usage, 2 the median of processor time or the shortest wall time is over the limit: other work on the
-# machine lengthens the median of wall time, not these two. Python's standard library only.
+# time. Exit: 0, 1 usage, 2 the median of processor time or the shortest wall time is over the limit: some other work on the
+# machine lengthens the median of wall time, not these two. Where more processes want to run than there are cores, wall
+# time is a measure of the others, and processor time alone is judged. Python's standard library only.
 import argparse
 import os
 import statistics
@@ -47,7 +48,11 @@ def main():
     wall = statistics.median(t[1] for t in times)
     least = min(t[1] for t in times)
     print(f"{options.runs} runs: processor time {cpu:.2f} ms, wall time {wall:.2f} ms (median), {least:.2f} ms (least)")
-    return 2 if options.limit_ms and max(cpu, least) > options.limit_ms else 0
+    is_overloaded = os.getloadavg()[0] > os.cpu_count()
+    if is_overloaded:
+        print("more processes than cores: wall time is not judged")
+    judged = cpu if is_overloaded else max(cpu, least)
+    return 2 if options.limit_ms and judged > options.limit_ms else 0
 
 
 if __name__ == "__main__":
