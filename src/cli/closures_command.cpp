@@ -6,10 +6,10 @@
 #include "command.h"
 #include "common_options.h"
 #include "interruption.h"
+#include "mechanism_input.h"
 #include "moivre/closure_report/closure_report.h"
 #include "moivre/closure_report/page.h"
 #include "moivre/closure_report/picture.h"
-#include "moivre/mechanism/read.h"
 #include "output.h"
 #include "progress_line.h"
 #include "tracker_choice.h"
@@ -54,7 +54,7 @@ int run(const ClosuresCommand& command) {
        },
        [&] { tracker = make_tracker(command.tracker); }});
   const auto begin = std::chrono::steady_clock::now();
-  const Mechanism mechanism = read_mechanism(read_source(command.file));
+  const Mechanism mechanism = read_mechanism_file(command.file);
   const double parse_s =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   Output json(command.json);
@@ -77,16 +77,16 @@ int run(const ClosuresCommand& command) {
   result.time_s.parse = parse_s;
   result.time_s.total += parse_s;
 
-  if (json.is_wanted()) json.write(closures_json(result, mechanism, command.file));
-  if (csv.is_wanted()) csv.write(closures_csv(result, mechanism));
-  if (svg.is_wanted()) svg.write(closures_svg(result, mechanism, command.file));
-  if (html.is_wanted()) {
-    html.write(page_of(result, mechanism, command, *tracker, options, interruption.stop()));
-  }
-  if (!command.quiet && !json.is_stdout() && !csv.is_stdout() && !svg.is_stdout() &&
-      !html.is_stdout()) {
-    write_to_stdout(closures_text(result, mechanism, command.file));
-  }
+  const auto page = [&] {
+    return page_of(result, mechanism, command, *tracker, options, interruption.stop());
+  };
+  deliver(
+      {{&json, [&] { return closures_json(result, mechanism, command.file); }},
+       {&csv, [&] { return closures_csv(result, mechanism); }},
+       {&svg, [&] { return closures_svg(result, mechanism, command.file); }},
+       {&html, page}},
+      command.quiet, [&] { return closures_text(result, mechanism, command.file); },
+      result.complete ? "" : result.message);
   return result.complete ? kDecided : kUndecided;
 }
 

@@ -2,10 +2,13 @@
 // The command line as a whole: its commands, its errors, its exit codes.
 #include <algorithm>
 #include <cstdio>
+#include <new>
+#include <sstream>
 #include <string_view>
 
 #include "command.h"
 #include "moivre/expression/source.h"
+#include "output.h"
 #include "suggest.h"
 #include "version_text.h"
 
@@ -67,6 +70,18 @@ std::string unknown_words(const CLI::App& moivre, const std::vector<std::string>
   return text;
 }
 
+/// A sentence where a word is empty, as a shell writes a variable without a value; else empty.
+std::string empty_words(const std::vector<std::string>& words) {
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    const std::string& word = words[k];
+    const bool has_empty_value = word.starts_with("--") && word.find('=') + 1 == word.size();
+    if (!word.empty() && !has_empty_value) continue;
+    const std::string behind = k > 0 ? " behind " + words[k - 1] : "";
+    return "moivre: " + (word.empty() ? "an argument" + behind : word) + " is empty\n";
+  }
+  return "";
+}
+
 int refuse(const std::string& text) {
   std::fputs(text.c_str(), stderr);
   return kUsage;
@@ -93,13 +108,18 @@ int parse_and_run(int argc, char** argv) {
   add_mobility_command(moivre, chosen);
   add_guesses_command(moivre, chosen);
   add_study_command(moivre, chosen);
+  const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+  const std::string empty = empty_words(words);
+  if (!empty.empty()) return refuse(empty);
   try {
     moivre.parse(argc, argv);
   } catch (const CLI::Success& asked_for_text) {
-    return moivre.exit(asked_for_text);
+    std::ostringstream text;
+    const int code = moivre.exit(asked_for_text, text, text);
+    write_to_stdout(text.str());
+    return code;
   } catch (const CLI::ParseError& error) {
-    const std::string unknown =
-        unknown_words(moivre, std::vector<std::string>(argv + 1, argv + argc));
+    const std::string unknown = unknown_words(moivre, words);
     return refuse(!unknown.empty() ? unknown
                                    : std::string("moivre: ") + error.what() +
                                          "\nmoivre --help shows how to call it.\n");
@@ -118,6 +138,8 @@ int run_command_line(int argc, char** argv) noexcept {
     return refuse(std::string("moivre: ") + error.what() + '\n');
   } catch (const std::overflow_error& error) {
     return refuse(std::string("moivre: ") + error.what() + '\n');
+  } catch (const std::bad_alloc&) {
+    return refuse("moivre: there is not enough memory\n");
   } catch (const std::exception& error) {
     std::fprintf(stderr, "moivre: internal error: %s\n", error.what());
   } catch (...) {

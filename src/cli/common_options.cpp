@@ -6,16 +6,21 @@
 #include <cstdlib>
 #include <stdexcept>
 
+#include "moivre/polynomial/read.h"
 #include "moivre/solver/solve.h"
 
 namespace moivre {
 void add_file(CLI::App& command, std::string& file) {
-  command.add_option("FILE", file, "polynomial system, in PHCpack's or Bertini's text form")
+  command
+      .add_option("FILE", file,
+                  "polynomial system, in PHCpack's or Bertini's text form; - is standard input")
       ->required();
 }
 
 void add_mechanism_file(CLI::App& command, std::string& file) {
-  command.add_option("FILE", file, "mechanism: bodies and joints, or typed equations (.toml)")
+  command
+      .add_option("FILE", file,
+                  "mechanism: bodies and joints, or typed equations (.toml); - is standard input")
       ->required();
 }
 
@@ -25,6 +30,16 @@ void add_any_file(CLI::App& command, std::string& file) {
                   "mechanism or typed equations (.toml), else a polynomial system in PHCpack's or "
                   "Bertini's text form")
       ->required();
+}
+
+System read_polynomial_file(const std::string& file) {
+  const Source source = read_source(file);
+  if (file.ends_with(".toml")) {
+    throw std::invalid_argument(file +
+                                ": this command takes polynomial systems; mechanisms (.toml) are "
+                                "for closures, motion, newton, mobility, guesses and study");
+  }
+  return read_system(source);
 }
 
 void add_start_options(CLI::App& command, StartChoice& choice) {

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "moivre/polynomial/system.h"
+
 namespace moivre {
 
 void add_file(CLI::App& command, std::string& file);
@@ -20,6 +22,9 @@ struct StartChoice {
   std::string kind = "total-degree";
   std::uint64_t seed = 1;
 };
+/// Throws ParseError, and std::invalid_argument also for a mechanism file, with the commands that take one.
+System read_polynomial_file(const std::string& file);
+
 void add_start_options(CLI::App& command, StartChoice& choice);
 /// Throws std::invalid_argument when there is no such start system.
 void require_known(const StartChoice& choice);

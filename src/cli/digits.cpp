@@ -22,22 +22,33 @@ void require_digits(int digits) {
                               std::to_string(kMostDigits));
 }
 
-void give_digits(const System& f, int digits, SolveResult& result) {
+void give_digits(const System& f, int digits, SolveResult& result, const std::atomic<bool>& stop) {
   const auto begin = std::chrono::steady_clock::now();
   result.digits = digits;
   std::vector<Point> points;
   for (const Solution& solution : result.solutions) points.push_back(solution.x);
-  const auto roots = reference_roots(f, points, digits, result.time.threads);
+  const auto roots = reference_roots(f, points, digits, result.time.threads, stop);
   std::uint64_t without = 0;
+  std::uint64_t not_begun = 0;
   for (std::size_t k = 0; k < roots.size(); ++k) {
     result.solutions[k].x_digits = roots[k].x;
-    if (!roots[k].converged) ++without;
+    if (roots[k].working_digits == 0) {
+      ++not_begun;
+    } else if (!roots[k].converged) {
+      ++without;
+    }
   }
   if (without > 0) {
     result.left_out.push_back(
         {std::to_string(digits) + " digits of " + counted(without, "root"),
          "Newton's method does not converge quadratically there, as at every singular root, so no "
          "bound would vouch for the digits"});
+  }
+  if (not_begun > 0) {
+    result.complete = false;
+    result.message = "interrupted: what is finished is reported";
+    result.left_out.push_back({std::to_string(digits) + " digits of " + counted(not_begun, "root"),
+                               "the run was interrupted before"});
   }
   result.time.total +=
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -49,7 +60,7 @@ void require_digits(int) {
   throw std::invalid_argument("--digits: this program was built without multiprecision");
 }
 
-void give_digits(const System&, int, SolveResult&) {}
+void give_digits(const System&, int, SolveResult&, const std::atomic<bool>&) {}
 
 #endif
 

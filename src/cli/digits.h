@@ -2,6 +2,8 @@
 // How are the roots of a solve written with more digits than a double has? By Newton's method in multiprecision.
 #pragma once
 
+#include <atomic>
+
 #include "moivre/polynomial/system.h"
 #include "moivre/solver/solve.h"
 
@@ -10,7 +12,8 @@ namespace moivre {
 /// Throws std::invalid_argument when this program was built without multiprecision or `digits` is out of range.
 void require_digits(int digits);
 
-/// Fills `x_digits` of every root to which Newton's method converges; what has none, and why, joins `left_out`.
-void give_digits(const System& f, int digits, SolveResult& result);
+/// Fills `x_digits` of every root to which Newton's method converges; what has none, and why, joins `left_out`. Once `stop` is
+/// true no further root is begun, and the result is not complete.
+void give_digits(const System& f, int digits, SolveResult& result, const std::atomic<bool>& stop);
 
 }  // namespace moivre

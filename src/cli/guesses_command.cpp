@@ -29,11 +29,10 @@ struct GuessesCommand {
 struct Found {
   Mechanism mechanism;
   InitialGuesses guesses;
-  bool complete = false;
+  Completeness completeness;
 };
 
-Found find(const GuessesCommand& command, const Tracker& tracker) {
-  const Interruption interruption;
+Found find(const GuessesCommand& command, const Tracker& tracker, const std::atomic<bool>& stop) {
   ClosureOptions options;
   options.time = command.at;
   options.solve.seed = command.start.seed;
@@ -43,16 +42,15 @@ Found find(const GuessesCommand& command, const Tracker& tracker) {
   Found found;
   if (is_mechanism_file(command.file)) {
     found.mechanism = read_mechanism(read_source(command.file));
-    const ClosureResult result =
-        find_closures(found.mechanism, tracker, options, interruption.stop());
+    const ClosureResult result = find_closures(found.mechanism, tracker, options, stop);
     found.guesses = initial_guesses(result, found.mechanism);
-    found.complete = result.complete;
+    found.completeness = {result.complete, result.message};
   } else {
     const System f = read_system(read_source(command.file));
-    const SolveResult result = solve(f, tracker, options.solve, interruption.stop());
+    const SolveResult result = solve(f, tracker, options.solve, stop);
     found.mechanism = typed_mechanism(f);
     found.guesses = initial_guesses(result);
-    found.complete = result.complete;
+    found.completeness = {result.complete, result.message};
   }
   return found;
 }
@@ -66,14 +64,16 @@ int run(const GuessesCommand& command) {
                [&] { tracker = make_tracker(command.tracker); }});
   Output json(command.json);
   Output csv(command.csv);
-  const Found found = find(command, *tracker);
+  const Interruption interruption;
+  const Found found = find(command, *tracker, interruption.stop());
   const KinematicsHeading heading{command.file, command.at};
-  if (json.is_wanted()) json.write(guesses_json(found.guesses, found.complete, heading));
-  if (csv.is_wanted()) csv.write(guesses_csv(found.guesses));
-  if (!command.quiet && !json.is_stdout() && !csv.is_stdout()) {
-    write_to_stdout(guesses_text(found.guesses, found.mechanism, heading));
-  }
-  return found.complete ? kDecided : kUndecided;
+  deliver(
+      {{&json, [&] { return guesses_json(found.guesses, found.completeness, heading); }},
+       {&csv, [&] { return guesses_csv(found.guesses); }}},
+      command.quiet,
+      [&] { return guesses_text(found.guesses, found.completeness, found.mechanism, heading); },
+      found.completeness.complete ? "" : found.completeness.message);
+  return found.completeness.complete ? kDecided : kUndecided;
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 
 #include "command.h"
 #include "common_options.h"
-#include "moivre/polynomial/read.h"
 #include "moivre/report/info.h"
 #include "output.h"
 
@@ -22,11 +21,11 @@ struct InfoCommand {
 int run(const InfoCommand& command) {
   require_all({[&] { require_known(command.start); }, [&] { require_threads(command.threads); },
                [&] { require_distinct({command.json}, command.file); }});
-  const System f = read_system(read_source(command.file));
+  const System f = read_polynomial_file(command.file);
   Output json(command.json);
   const SystemInfo info = inspect(f);
-  if (json.is_wanted()) json.write(info_json(info, command.file));
-  if (!command.quiet && !json.is_stdout()) write_to_stdout(info_text(info, command.file));
+  deliver({{&json, [&] { return info_json(info, command.file); }}}, command.quiet,
+          [&] { return info_text(info, command.file); });
   return kDecided;
 }
 

@@ -43,6 +43,18 @@ bool is_mechanism_file(const std::string& file) {
   return file.size() >= kEnding.size() && file.ends_with(kEnding);
 }
 
+Mechanism read_mechanism_file(const std::string& file) {
+  const Source source = read_source(file);
+  try {
+    return read_mechanism(source);
+  } catch (const ParseError& error) {
+    if (is_mechanism_file(file)) throw;
+    std::vector<Diagnostic> faults = error.diagnostics();
+    faults.back().message += " (a mechanism is wanted; moivre solve takes a polynomial system)";
+    throw ParseError(source, std::move(faults));
+  }
+}
+
 Mechanism read_any_mechanism(const std::string& file) {
   return is_mechanism_file(file) ? read_mechanism(read_source(file))
                                  : typed_mechanism(read_system(read_source(file)));

@@ -14,6 +14,9 @@ namespace moivre {
 /// By the file's ending: .toml is a mechanism.
 bool is_mechanism_file(const std::string& file);
 
+/// A mechanism file, whatever its name. Throws ParseError, std::invalid_argument.
+Mechanism read_mechanism_file(const std::string& file);
+
 /// A mechanism file, or a polynomial file as a typed mechanism. Throws ParseError, std::invalid_argument.
 Mechanism read_any_mechanism(const std::string& file);
 

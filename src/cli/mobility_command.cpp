@@ -27,10 +27,8 @@ int run(const MobilityCommand& command) {
   const NewtonResult pose = newton(phi, chosen_guess(mechanism, command.guess), t);
   const Mobility result = mobility(phi, pose.q, t);
   const KinematicsHeading heading{command.file, t};
-  if (json.is_wanted()) json.write(mobility_json(result, pose, mechanism, heading));
-  if (!command.quiet && !json.is_stdout()) {
-    write_to_stdout(mobility_text(result, pose, mechanism, heading));
-  }
+  deliver({{&json, [&] { return mobility_json(result, pose, mechanism, heading); }}}, command.quiet,
+          [&] { return mobility_text(result, pose, mechanism, heading); });
   return pose.status == NewtonStatus::converged ? kDecided : kUndecided;
 }
 

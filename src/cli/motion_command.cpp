@@ -34,11 +34,17 @@ struct MotionCommand {
   std::string html;
 };
 
-MotionResult closures_moved(const Mechanism& mechanism, const MotionCommand& command,
+void require_workable(const Mechanism& mechanism, const MotionOptions& options) {
+  std::string broken;
+  for (const std::string& rule : validate(options)) broken += (broken.empty() ? "" : "; ") + rule;
+  if (!broken.empty()) throw std::invalid_argument(broken);
+  for (const double time : {options.from, options.to}) require_drivers(mechanism, time);
+}
+
+MotionResult closures_moved(const Mechanism& mechanism, const Tracker& tracker,
                             const MotionOptions& options, const std::atomic<bool>& stop) {
-  const std::unique_ptr<Tracker> tracker = make_tracker(command.tracker);
   try {
-    return find_motion(mechanism, *tracker, options, stop);
+    return find_motion(mechanism, tracker, options, stop);
   } catch (const std::invalid_argument& refusal) {
     throw std::invalid_argument(std::string(refusal.what()) +
                                 "\nOne pose can be followed without closures: --from-guess takes "
@@ -46,22 +52,24 @@ MotionResult closures_moved(const Mechanism& mechanism, const MotionCommand& com
   }
 }
 
-MotionResult moved(const Mechanism& mechanism, const MotionCommand& command,
-                   const MotionOptions& options) {
-  const Interruption interruption;
+MotionResult moved(const Mechanism& mechanism, const MotionCommand& command, const Tracker& tracker,
+                   const MotionOptions& options, const std::atomic<bool>& stop) {
   if (command.guesses.empty() && !command.from_guess) {
-    return closures_moved(mechanism, command, options, interruption.stop());
+    return closures_moved(mechanism, tracker, options, stop);
   }
   const GuessChoice choice{options.from, command.guesses};
-  return follow_guesses(mechanism, {chosen_guess(mechanism, choice)}, options, interruption.stop());
+  return follow_guesses(mechanism, {chosen_guess(mechanism, choice)}, options, stop);
 }
 
 int run(const MotionCommand& command) {
+  std::unique_ptr<Tracker> tracker;
   require_all(
       {[&] { require_known(command.start); },
+       [&] { require_threads(command.options.solve.threads); },
        [&] {
          require_distinct({command.json, command.csv, command.svg, command.html}, command.file);
-       }});
+       },
+       [&] { tracker = make_tracker(command.tracker); }});
   const auto begin = std::chrono::steady_clock::now();
   const Mechanism mechanism = read_any_mechanism(command.file);
   const double parse_s =
@@ -71,6 +79,7 @@ int run(const MotionCommand& command) {
   options.solve.seed = command.start.seed;
   const std::unique_ptr<Tracker> fallback = make_fallback(command.tracker);
   options.solve.fallback = fallback.get();
+  require_workable(mechanism, options);
   Output json(command.json);
   Output csv(command.csv);
   Output svg(command.svg);
@@ -83,17 +92,17 @@ int run(const MotionCommand& command) {
     };
   }
 
-  MotionResult result = moved(mechanism, command, options);
+  const Interruption interruption;
+  MotionResult result = moved(mechanism, command, *tracker, options, interruption.stop());
   result.time_s.parse = parse_s;
   result.time_s.total += parse_s;
-  if (json.is_wanted()) json.write(motion_json(result, mechanism, command.file));
-  if (csv.is_wanted()) csv.write(motion_csv(result, mechanism));
-  if (svg.is_wanted()) svg.write(motion_svg(result, mechanism, command.file));
-  if (html.is_wanted()) html.write(motion_html(result, mechanism, command.file));
-  if (!command.quiet && !json.is_stdout() && !csv.is_stdout() && !svg.is_stdout() &&
-      !html.is_stdout()) {
-    write_to_stdout(motion_text(result, mechanism, command.file));
-  }
+  deliver(
+      {{&json, [&] { return motion_json(result, mechanism, command.file); }},
+       {&csv, [&] { return motion_csv(result, mechanism); }},
+       {&svg, [&] { return motion_svg(result, mechanism, command.file); }},
+       {&html, [&] { return motion_html(result, mechanism, command.file); }}},
+      command.quiet, [&] { return motion_text(result, mechanism, command.file); },
+      result.complete ? "" : result.message);
   return result.complete ? kDecided : kUndecided;
 }
 

@@ -35,11 +35,9 @@ int run(const NewtonCommand& command) {
   const NewtonResult result =
       newton(phi, chosen_guess(mechanism, command.guess), command.guess.at, options);
   const KinematicsHeading heading{command.file, command.guess.at};
-  if (json.is_wanted()) json.write(newton_json(result, mechanism, heading));
-  if (csv.is_wanted()) csv.write(newton_csv(result, mechanism));
-  if (!command.quiet && !json.is_stdout() && !csv.is_stdout()) {
-    write_to_stdout(newton_text(result, mechanism, heading));
-  }
+  deliver({{&json, [&] { return newton_json(result, mechanism, heading); }},
+           {&csv, [&] { return newton_csv(result, mechanism); }}},
+          command.quiet, [&] { return newton_text(result, mechanism, heading); });
   return result.status == NewtonStatus::converged ? kDecided : kUndecided;
 }
 

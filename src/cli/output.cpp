@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Output files by POSIX descriptors: opened early, cut to length and written late.
+// Output files by POSIX descriptors: tried early, written late, beside their place and moved there when they are whole.
 #include "output.h"
 
 #include <fcntl.h>
@@ -7,60 +7,184 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
+#include <utility>
 
 namespace moivre {
 namespace {
+
+constexpr mode_t kReadWriteForAll = 0666;  // less what the umask takes away
 
 [[noreturn]] void refuse(const std::string& path) {
   throw std::invalid_argument("cannot write " + path + ": " + std::strerror(errno));
 }
 
-void write_all(int descriptor, std::string_view text, const std::string& name) {
+/// A descriptor, closed at the end. Never 0, 1 or 2: where those are closed, messages would go into the file.
+class Descriptor {
+ public:
+  explicit Descriptor(int descriptor) : descriptor_(descriptor) {
+    constexpr int kFirstFree = STDERR_FILENO + 1;
+    if (descriptor_ < 0 || descriptor_ >= kFirstFree) return;
+    descriptor_ = ::fcntl(descriptor, F_DUPFD_CLOEXEC, kFirstFree);
+    ::close(descriptor);
+  }
+  ~Descriptor() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+
+  bool is_open() const { return descriptor_ >= 0; }
+  int number() const { return descriptor_; }
+  int release() { return std::exchange(descriptor_, -1); }
+
+ private:
+  int descriptor_;
+};
+
+int open_to_write(const std::string& path, int flags) {
+  return Descriptor(::open(path.c_str(), O_WRONLY | O_CLOEXEC | flags, kReadWriteForAll)).release();
+}
+
+/// False, with errno, when not all could be written.
+bool has_written_all(int descriptor, std::string_view text) {
   while (!text.empty()) {
     const ssize_t written = ::write(descriptor, text.data(), text.size());
     if (written < 0 && errno == EINTR) continue;
-    if (written < 0) refuse(name);
+    if (written < 0) return false;
     text.remove_prefix(static_cast<std::size_t>(written));
   }
+  return true;
 }
 
-bool is_regular(int descriptor) {
-  struct stat status;
-  return ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
+/// False, with errno. A full disk may be told no earlier than here.
+bool has_closed(Descriptor& file) { return ::close(file.release()) == 0; }
+
+std::optional<struct stat> status_of(const std::string& path) {
+  struct stat status = {};
+  if (::stat(path.c_str(), &status) != 0) return std::nullopt;
+  return status;
+}
+
+/// A name of this process's own in the folder of `path`.
+std::string name_beside(const std::string& path) {
+  const std::string folder = std::filesystem::path(path).parent_path().string();
+  return (folder.empty() ? "" : folder + '/') + ".moivre-" + std::to_string(::getpid());
+}
+
+/// Where the file itself is, or would be, behind links.
+std::string behind_links(const std::string& path) {
+  std::filesystem::path target = path;
+  std::error_code error;
+  while (std::filesystem::is_symlink(target, error)) {
+    target = target.parent_path() / std::filesystem::read_symlink(target, error);
+    if (error) return path;
+  }
+  return target.string();
+}
+
+/// Whether a new file in its place would be the same to everybody: no other name, no other owner.
+bool takes_place_of(const Descriptor& file, const struct stat& old) {
+  return old.st_nlink == 1 && ::fchown(file.number(), old.st_uid, old.st_gid) == 0 &&
+         ::fchmod(file.number(), old.st_mode & 07777U) == 0;
+}
+
+/// Written beside and moved: false where that cannot be done here. Throws when the text cannot be written.
+bool is_replaced(const std::string& path, std::string_view text) {
+  const std::string target = behind_links(path);
+  const std::string beside = name_beside(target);
+  ::unlink(beside.c_str());
+  Descriptor file(open_to_write(beside, O_CREAT | O_EXCL));
+  if (!file.is_open()) return false;
+  const auto old = status_of(target);
+  if (old && !takes_place_of(file, *old)) {
+    ::unlink(beside.c_str());
+    return false;
+  }
+  if (has_written_all(file.number(), text) && has_closed(file) &&
+      ::rename(beside.c_str(), target.c_str()) == 0) {
+    return true;
+  }
+  const int error = errno;
+  ::unlink(beside.c_str());
+  errno = error;
+  refuse(path);
+}
+
+void write_in_place(const std::string& path, std::string_view text) {
+  Descriptor file(open_to_write(path, O_CREAT | O_TRUNC));
+  if (!file.is_open() || !has_written_all(file.number(), text) || !has_closed(file)) refuse(path);
+}
+
+/// Refuses a path at which no new file can be made.
+void require_room_for(const std::string& path) {
+  const std::string target = behind_links(path);
+  const Descriptor file(open_to_write(target, O_CREAT | O_EXCL));
+  if (!file.is_open()) refuse(path);
+  ::unlink(target.c_str());
 }
 
 }  // namespace
 
 Output::Output(const std::string& path) : path_(path) {
   if (!is_wanted() || is_stdout()) return;
-  constexpr mode_t kReadWriteForAll = 0666;  // less what the umask takes away
-  descriptor_ = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kReadWriteForAll);
-  is_new_ = descriptor_ >= 0;
-  if (!is_new_ && errno == EEXIST)
-    descriptor_ = ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, kReadWriteForAll);
-  if (descriptor_ < 0) refuse(path);
+  const auto old = status_of(path);
+  if (!old) {
+    if (errno != ENOENT) refuse(path);
+    require_room_for(path);
+    return;
+  }
+  Descriptor file(open_to_write(path, 0));
+  if (!file.is_open()) refuse(path);
+  if (!S_ISREG(old->st_mode)) device_ = file.release();
 }
 
 Output::~Output() {
-  if (descriptor_ < 0) return;
-  ::close(descriptor_);
-  if (is_new_) ::unlink(path_.c_str());
+  if (device_ >= 0) ::close(device_);
 }
 
 void Output::write(std::string_view text) {
   if (is_stdout()) return write_to_stdout(text);
-  if (is_regular(descriptor_) && ::ftruncate(descriptor_, 0) != 0) refuse(path_);
-  is_new_ = false;
-  write_all(descriptor_, text, path_);
-  const int descriptor = descriptor_;
-  descriptor_ = -1;
-  if (::close(descriptor) != 0) refuse(path_);
+  if (device_ < 0) {
+    if (!is_replaced(path_, text)) write_in_place(path_, text);
+    return;
+  }
+  Descriptor device(std::exchange(device_, -1));
+  if (!has_written_all(device.number(), text) || !has_closed(device)) refuse(path_);
 }
 
-void write_to_stdout(std::string_view text) { write_all(STDOUT_FILENO, text, "standard output"); }
+void deliver(const std::vector<Form>& forms, bool quiet, const std::function<std::string()>& text,
+             const std::string& unfinished) {
+  std::string failures;
+  const auto tried = [&failures](const std::function<void()>& write) {
+    try {
+      write();
+    } catch (const std::invalid_argument& failure) {
+      failures += (failures.empty() ? "" : "\nmoivre: ") + std::string(failure.what());
+    }
+  };
+  const Form* to_stdout = nullptr;
+  for (const Form& form : forms) {
+    if (form.output->is_stdout()) to_stdout = &form;
+    if (!form.output->is_wanted() || form.output->is_stdout()) continue;
+    tried([&form] { form.output->write(form.text()); });
+  }
+  if (to_stdout != nullptr) {
+    tried([to_stdout] { write_to_stdout(to_stdout->text()); });
+    if (!quiet && !unfinished.empty()) std::fprintf(stderr, "moivre: %s\n", unfinished.c_str());
+  } else if (!quiet || !failures.empty()) {
+    tried([&text] { write_to_stdout(text()); });
+  }
+  if (!failures.empty()) throw std::invalid_argument(failures);
+}
+
+void write_to_stdout(std::string_view text) {
+  if (!has_written_all(STDOUT_FILENO, text)) refuse("standard output");
+}
 
 void require_distinct(const std::vector<std::string>& outputs, const std::string& input) {
   std::error_code ignored;

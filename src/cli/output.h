@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Where do results go? Files that are known to be writable before a long run begins, or stdout.
+// Where do results go? Files that are known to be writable before a long run begins, or stdout; no result is lost for another.
 //
-// A file is opened when the Output is made, and neither cut short nor written before write(): a run that is refused
-// leaves an old file as it was and no new one behind. "-" is stdout.
+// Nothing is touched before write(). A regular file is then written beside its place and moved there when it is whole, so
+// that an old file stays until then and no half of a new one is ever seen; where that cannot be done (a link's other name,
+// a folder that cannot be written) it is written in place. "-" is stdout.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,14 +23,25 @@ class Output {
 
   bool is_wanted() const { return !path_.empty(); }
   bool is_stdout() const { return path_ == "-"; }
-  /// Replaces the file's content. Throws std::invalid_argument when the disk is full and the like.
+  /// Replaces the file's content. Throws std::invalid_argument when the disk is full and the like; the old content stands then.
   void write(std::string_view text);
 
  private:
   std::string path_;
-  int descriptor_ = -1;
-  bool is_new_ = false;
+  int device_ = -1;  ///< held open: what is no regular file (a pipe, a terminal)
 };
+
+/// One form of a result, made when it is written.
+struct Form {
+  Output* output;
+  std::function<std::string()> text;
+};
+
+/// Writes every wanted form, files first, stdout last; then `text`, for people, to stdout, unless it is `quiet` or stdout is
+/// taken. Where a file cannot be written all the others are, `text` is printed in any case, and std::invalid_argument is
+/// thrown at the end. `unfinished`, a sentence or empty, goes to stderr where no text tells it.
+void deliver(const std::vector<Form>& forms, bool quiet, const std::function<std::string()>& text,
+             const std::string& unfinished = "");
 
 /// All of the text to stdout. Throws std::invalid_argument when it cannot be written.
 void write_to_stdout(std::string_view text);

@@ -96,6 +96,25 @@ bool all_complete(const std::vector<StudiedFile>& studies, std::size_t files) {
   return true;
 }
 
+struct FolderWritten {
+  std::string remark;
+  std::string failure;
+};
+
+FolderWritten write_folder(StudyFolder& folder, std::vector<StudiedFile>& studies) {
+  try {
+    return {folder.write(studies), ""};
+  } catch (const std::invalid_argument& failure) {
+    return {"", failure.what()};
+  }
+}
+
+std::string study_texts(const std::vector<StudiedFile>& studies) {
+  std::string text;
+  for (const StudiedFile& study : studies) text += study_text(study) + '\n';
+  return text;
+}
+
 }  // namespace
 
 int run_study(const StudyCommand& command) {
@@ -110,10 +129,9 @@ int run_study(const StudyCommand& command) {
 
   const std::vector<std::string> names = names_of(command.files);
   std::vector<StudiedFile> studies;
-  std::string remark;
+  const Interruption interruption;
   {
     ProgressLine line(!command.quiet);
-    const Interruption interruption;
     for (std::size_t k = 0; k < subjects.size() && !interruption.stop().load(); ++k) {
       options.known_roots = command.count ? command.count : known_count(command.files[k]);
       options.progress = [&](const StudyProgress& progress) {
@@ -126,13 +144,12 @@ int run_study(const StudyCommand& command) {
                          {}});
     }
   }
-  remark = folder.write(studies);
-  if (json.is_wanted()) json.write(study_json(studies));
-  if (csv.is_wanted()) csv.write(study_csv(studies));
-  if (!command.quiet && !json.is_stdout() && !csv.is_stdout()) {
-    for (const StudiedFile& study : studies) write_to_stdout(study_text(study) + '\n');
-  }
-  if (!command.quiet) std::fputs(remark.c_str(), stderr);
+  const FolderWritten written = write_folder(folder, studies);
+  deliver(
+      {{&json, [&] { return study_json(studies); }}, {&csv, [&] { return study_csv(studies); }}},
+      command.quiet && written.failure.empty(), [&] { return study_texts(studies); });
+  if (!written.failure.empty()) throw std::invalid_argument(written.failure);
+  if (!command.quiet) std::fputs(written.remark.c_str(), stderr);
   return all_complete(studies, command.files.size()) ? kDecided : kUndecided;
 }
 

@@ -9,7 +9,6 @@
 #include "common_options.h"
 #include "digits.h"
 #include "interruption.h"
-#include "moivre/polynomial/read.h"
 #include "moivre/report/solve_report.h"
 #include "moivre/solver/cross_check.h"
 #include "output.h"
@@ -41,7 +40,7 @@ struct Problem {
 
 Problem read_problem(const std::string& file) {
   const auto begin = std::chrono::steady_clock::now();
-  Problem problem{read_system(read_source(file))};
+  Problem problem{read_polynomial_file(file)};
   problem.parse_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return problem;
 }
@@ -55,7 +54,8 @@ Precision precision_of(const std::string& name) {
 }
 
 SolveResult solve_interruptibly(const SolveCommand& command, const Problem& problem,
-                                const Tracker& tracker, const Tracker* witness) {
+                                const Tracker& tracker, const Tracker* witness,
+                                const std::atomic<bool>& stop) {
   SolveOptions options;
   options.seed = command.start.seed;
   options.threads = command.threads;
@@ -64,12 +64,11 @@ SolveResult solve_interruptibly(const SolveCommand& command, const Problem& prob
   options.fallback = fallback.get();
   ProgressLine line(!command.quiet);
   if (line.is_active()) options.progress = [&](const Progress& progress) { line.show(progress); };
-  const Interruption interruption;
-  SolveResult result = solve(problem.system, tracker, options, interruption.stop());
-  if (witness != nullptr && !interruption.stop().load()) {
-    cross_check(problem.system, result, tracker, *witness, options, interruption.stop());
+  SolveResult result = solve(problem.system, tracker, options, stop);
+  if (witness != nullptr && !stop.load()) {
+    cross_check(problem.system, result, tracker, *witness, options, stop);
   }
-  if (command.digits) give_digits(problem.system, *command.digits, result);
+  if (command.digits) give_digits(problem.system, *command.digits, result, stop);
   result.time.parse = problem.parse_s;
   result.time.total += problem.parse_s;
   return result;
@@ -86,7 +85,7 @@ int run(const SolveCommand& command) {
                [&] {
                  require_distinct({command.json, command.csv, command.phc}, command.file);
                },
-               [&] { tracker = make_tracker(command.tracker); },
+               [&] { tracker = make_tracker(command.tracker, command.cross_check); },
                [&] {
                  if (command.cross_check) witness = make_witness(command.tracker);
                }});
@@ -95,15 +94,19 @@ int run(const SolveCommand& command) {
   Output csv(command.csv);
   Output phc(command.phc);
 
-  const SolveResult result = solve_interruptibly(command, problem, *tracker, witness.get());
+  const Interruption interruption;
+  const SolveResult result =
+      solve_interruptibly(command, problem, *tracker, witness.get(), interruption.stop());
 
-  if (json.is_wanted()) json.write(solve_json(result, command.file));
-  if (csv.is_wanted()) csv.write(solve_csv(result));
-  if (phc.is_wanted()) phc.write(solve_phc(result, problem.system));
-  if (!command.quiet && !json.is_stdout() && !csv.is_stdout() && !phc.is_stdout()) {
-    write_to_stdout(
-        solve_text(result, command.file, command.all ? ListedRoots::all : ListedRoots::real));
-  }
+  deliver(
+      {{&json, [&] { return solve_json(result, command.file); }},
+       {&csv, [&] { return solve_csv(result); }},
+       {&phc, [&] { return solve_phc(result, problem.system); }}},
+      command.quiet,
+      [&] {
+        return solve_text(result, command.file, command.all ? ListedRoots::all : ListedRoots::real);
+      },
+      result.complete ? "" : result.message);
   return result.complete ? kDecided : kUndecided;
 }
 

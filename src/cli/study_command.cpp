@@ -34,6 +34,7 @@ void add_study_command(CLI::App& moivre, Chosen& chosen) {
   app.add_option("--count", command->count,
                  "isolated roots with multiplicity, where they are known; default: as the "
                  "index.json beside the file says")
+      ->check(CLI::Validator(not_64_bits, ""))
       ->type_name("N");
   add_quiet_flag(app, command->quiet);
   add_json_option(app, command->json);

@@ -7,7 +7,6 @@
 #include "command.h"
 #include "common_options.h"
 #include "interruption.h"
-#include "moivre/polynomial/read.h"
 #include "moivre/report/track_report.h"
 #include "moivre/solver/trace.h"
 #include "output.h"
@@ -30,16 +29,15 @@ struct TrackCommand {
   bool quiet = false;
 };
 
-Trace follow_path(const TrackCommand& command, const System& f, const Tracker& tracker) {
+Trace follow_path(const TrackCommand& command, const System& f, const Tracker& tracker,
+                  const std::atomic<bool>& stop) {
   SolveOptions options;
   options.seed = command.start.seed;
   if (command.from.empty()) {
-    const Interruption interruption;
-    return trace_path(f, tracker, options, command.path, interruption.stop());
+    return trace_path(f, tracker, options, command.path, stop);
   }
   const OwnStart own = read_own_start(command.from, command.points, command.path, f);
-  const Interruption interruption;
-  Trace trace = trace_path(f, own.system, own.point, tracker, options, interruption.stop());
+  Trace trace = trace_path(f, own.system, own.point, tracker, options, stop);
   trace.path = command.path;
   trace.paths = own.points;
   return trace;
@@ -58,17 +56,18 @@ int run(const TrackCommand& command) {
                },
                [&] { require_own_start(command); },
                [&] { tracker = make_tracker(command.tracker); }});
-  const System f = read_system(read_source(command.file));
+  const System f = read_polynomial_file(command.file);
   Output json(command.json);
   Output csv(command.csv);
 
-  const Trace trace = follow_path(command, f, *tracker);
+  const Interruption interruption;
+  const Trace trace = follow_path(command, f, *tracker, interruption.stop());
 
-  if (json.is_wanted()) {
-    json.write(track_json(trace, {command.file, command.start.seed, command.from, command.points}));
-  }
-  if (csv.is_wanted()) csv.write(track_csv(trace));
-  if (!csv.is_wanted() && !json.is_stdout()) write_to_stdout(track_csv(trace));
+  const auto report = [&] {
+    return track_json(trace, {command.file, command.start.seed, command.from, command.points});
+  };
+  const auto table = [&] { return track_csv(trace); };
+  deliver({{&json, report}, {&csv, table}}, csv.is_wanted(), table);
   if (!command.quiet) std::fputs(track_verdict(trace).c_str(), stderr);
   return trace.end.status == PathStatus::failed ? kUndecided : kDecided;
 }

@@ -122,11 +122,13 @@ void add_tracker_options(CLI::App& command, TrackerChoice& choice) {
   command
       .add_option("--tolerance", choice.tolerance,
                   "lanes: relative size of Newton's first correction that steps aim at")
+      ->each([&choice](const std::string&) { choice.of_lanes.emplace_back("--tolerance"); })
       ->capture_default_str()
       ->group(group);
   command
       .add_option("--predictor", choice.predictor,
                   "lanes: tangent, cubic or quintic, through one, two or three points and tangents")
+      ->each([&choice](const std::string&) { choice.of_lanes.emplace_back("--predictor"); })
       ->capture_default_str()
       ->group(group);
   command.add_option("--max-steps", choice.maximum_steps, "steps of one journey")
@@ -134,7 +136,11 @@ void add_tracker_options(CLI::App& command, TrackerChoice& choice) {
       ->group(group);
 }
 
-std::unique_ptr<Tracker> make_tracker(const TrackerChoice& choice) {
+std::unique_ptr<Tracker> make_tracker(const TrackerChoice& choice, bool has_witness) {
+  if (choice.kind == "cvode" && !has_witness && !choice.of_lanes.empty()) {
+    throw std::invalid_argument(choice.of_lanes.front() +
+                                ": only the lanes take it (--tracker lanes)");
+  }
   if (choice.kind == "cvode") return make_cvode(choice);
   if (choice.kind == "lanes") return make_lanes(choice);
   throw std::invalid_argument("--tracker " + choice.kind + ": the trackers are cvode and lanes");

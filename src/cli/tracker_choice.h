@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "moivre/tracker/tracker.h"
 
@@ -18,12 +19,14 @@ struct TrackerChoice {
   double rtol = 0;       ///< default: the tracker's own
   double tolerance = 0;  ///< default: the tracker's own
   std::string predictor = "quintic";
-  std::int64_t maximum_steps = 0;  ///< default: the tracker's own
+  std::int64_t maximum_steps = 0;     ///< default: the tracker's own
+  std::vector<std::string> of_lanes;  ///< the options given that only the lanes take
   TrackerChoice();
 };
 void add_tracker_options(CLI::App& command, TrackerChoice& choice);
-/// Throws std::invalid_argument with the reason when there is no such tracker or its options are out of range.
-std::unique_ptr<Tracker> make_tracker(const TrackerChoice& choice);
+/// Throws std::invalid_argument with the reason when there is no such tracker, an option is out of range, or one is given that
+/// the tracker does not take and no `witness` does.
+std::unique_ptr<Tracker> make_tracker(const TrackerChoice& choice, bool has_witness = false);
 /// The tracker that takes over what the chosen one cannot settle: CVODE behind the lanes, where it was built; else nullptr.
 std::unique_ptr<Tracker> make_fallback(const TrackerChoice& choice);
 /// The other tracker. Throws std::invalid_argument when this program was built without it.

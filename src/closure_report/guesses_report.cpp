@@ -9,13 +9,14 @@
 
 namespace moivre {
 
-std::string guesses_text(const InitialGuesses& guesses, const Mechanism& mechanism,
-                         const KinematicsHeading& heading) {
+std::string guesses_text(const InitialGuesses& guesses, const Completeness& completeness,
+                         const Mechanism& mechanism, const KinematicsHeading& heading) {
   const std::vector<Coordinate> all = coordinates(mechanism);
   const bool in_degrees = mechanism.units.angle == "deg";
   std::string text = "# " + heading.file + ": " +
                      counted(guesses.guesses.size(), "initial guess", "initial guesses") +
                      " for a Newton solve\n";
+  if (!completeness.complete) text += "# not complete: " + completeness.message + '\n';
   for (const InitialGuess& guess : guesses.guesses) {
     text += "\n[guess]  # " + guess.id + '\n';
     for (std::size_t k = 0; k < all.size(); ++k) {
@@ -28,11 +29,12 @@ std::string guesses_text(const InitialGuesses& guesses, const Mechanism& mechani
   return text;
 }
 
-std::string guesses_json(const InitialGuesses& guesses, bool complete,
+std::string guesses_json(const InitialGuesses& guesses, const Completeness& completeness,
                          const KinematicsHeading& heading) {
   Json report = report_head("guesses", heading.file);
   report["at"] = to_json(heading.time);
-  report["complete"] = complete;
+  report["complete"] = completeness.complete;
+  report["message"] = completeness.message;
   report["names"] = guesses.names;
   report["guesses"] = list_json(guesses.guesses, [](const InitialGuess& guess) {
     Json q = Json::array();

@@ -7,7 +7,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
+#include <iostream>
 #include <system_error>
 
 namespace moivre {
@@ -18,6 +18,12 @@ namespace {
 constexpr std::size_t kWindow = 96;
 /// Beyond this many faults the text says how many more there are; the list itself keeps them all.
 constexpr std::size_t kMaximumFaultsInText = 1000;
+
+constexpr std::size_t kMegabyte = 1'000'000;
+/// Far more than a system at the limit of a million terms takes; a device without end is not read for ever.
+constexpr std::size_t kLongestText = 256 * kMegabyte;
+/// Read at a time.
+constexpr std::size_t kPiece = 1 << 20;
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
@@ -68,6 +74,25 @@ std::string all_texts(const Source& source, const std::vector<Diagnostic>& fault
   return text;
 }
 
+Source read_whole(const std::string& name, std::istream& stream) {
+  std::string text;
+  std::vector<char> piece(kPiece);
+  while (stream.read(piece.data(), kPiece) || stream.gcount() > 0) {
+    text.append(piece.data(), static_cast<std::size_t>(stream.gcount()));
+    if (text.size() <= kLongestText) continue;
+    throw std::invalid_argument(name + ": is longer than " +
+                                std::to_string(kLongestText / kMegabyte) +
+                                " MB, more than any system or mechanism that can be solved");
+  }
+  if (stream.bad()) {
+    throw std::invalid_argument(name + ": cannot be read: " + std::strerror(errno));
+  }
+  if (text.compare(0, kByteOrderMark.size(), kByteOrderMark) == 0) {
+    text.erase(0, kByteOrderMark.size());
+  }
+  return {.name = name, .text = std::move(text)};
+}
+
 }  // namespace
 
 SourcePosition after(SourcePosition begin, std::string_view text) {
@@ -81,6 +106,7 @@ SourcePosition after(SourcePosition begin, std::string_view text) {
 }
 
 Source read_source(const std::string& path) {
+  if (path == "-") return read_whole("standard input", std::cin);
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) {
     throw std::invalid_argument(path + ": cannot be read: it is a directory");
@@ -90,14 +116,7 @@ Source read_source(const std::string& path) {
   if (!file) {
     throw std::invalid_argument(path + ": cannot be opened: " + std::strerror(errno));
   }
-  std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  if (file.bad()) {
-    throw std::invalid_argument(path + ": cannot be read: " + std::strerror(errno));
-  }
-  if (text.compare(0, kByteOrderMark.size(), kByteOrderMark) == 0) {
-    text.erase(0, kByteOrderMark.size());
-  }
-  return {.name = path, .text = std::move(text)};
+  return read_whole(path, file);
 }
 
 std::string to_text(const Diagnostic& diagnostic, const Source& source) {

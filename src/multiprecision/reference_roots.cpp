@@ -178,7 +178,7 @@ void require_usable(const System& f, const std::vector<Point>& approximations, i
 
 std::vector<ReferenceRoot> reference_roots(const System& f,
                                            const std::vector<Point>& approximations, int digits,
-                                           int threads) {
+                                           int threads, const std::atomic<bool>& stop) {
   require_usable(f, approximations, digits);
   const Tape tape = make_tape(f);
   const RowNorms norms = row_norms(f);
@@ -188,7 +188,7 @@ std::vector<ReferenceRoot> reference_roots(const System& f,
   const auto work = [&](std::size_t first) {
     const MpfrCaches caches;
     Climb climb(f, tape, norms, digits);
-    for (std::size_t k = first; k < roots.size(); k += workers) {
+    for (std::size_t k = first; k < roots.size() && !stop; k += workers) {
       roots[k] = climb.from(approximations[k]);
     }
   };

@@ -72,6 +72,8 @@ using Fraction = decltype(Rational::Number::value);
 
 Rational from(Fraction&& value) { return Rational(Rational::Number{std::move(value)}); }
 
+bool is_whole(const Fraction& x) { return denominator(x) == 1; }
+
 void require_divisor(bool is_zero) {
   if (is_zero) throw std::invalid_argument("division of an exact number by zero");
 }
@@ -114,7 +116,15 @@ Rational& Rational::changed_by(const Step& step) {
 
 Rational& Rational::operator+=(const Rational& other) {
   if (other.is_zero()) return *this;
-  return changed_by([&](Fraction& value) { value += other.number().value; });
+  return changed_by([&](Fraction& a) {
+    const Fraction& b = other.number().value;
+    // Boost looks for a common divisor with 1 as well, in most of the time that long integers take.
+    if (is_whole(a) && is_whole(b)) {
+      a = Fraction(Integer(numerator(a) + numerator(b)));
+    } else {
+      a += b;
+    }
+  });
 }
 Rational& Rational::operator-=(const Rational& other) {
   if (other.is_zero()) return *this;
@@ -122,7 +132,14 @@ Rational& Rational::operator-=(const Rational& other) {
 }
 Rational& Rational::operator*=(const Rational& other) {
   if (is_zero()) return *this;
-  return changed_by([&](Fraction& value) { value *= other.number().value; });
+  return changed_by([&](Fraction& a) {
+    const Fraction& b = other.number().value;
+    if (is_whole(a) && is_whole(b)) {
+      a = Fraction(Integer(numerator(a) * numerator(b)));
+    } else {
+      a *= b;
+    }
+  });
 }
 Rational& Rational::operator/=(const Rational& other) {
   require_divisor(other.is_zero());

@@ -35,6 +35,8 @@ std::string content(const fs::path& file) {
   const int err = terminal >= 0
                       ? terminal
                       : ::open((here / ".err").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+  const int in = ::open((here / Scene::kInput).c_str(), O_RDONLY);
+  if (in >= 0) ::dup2(in, STDIN_FILENO);
   ::dup2(out, STDOUT_FILENO);
   ::dup2(err, STDERR_FILENO);
   if (::chdir(folder.c_str()) != 0) ::_exit(127);
@@ -77,6 +79,18 @@ void Scene::write(const std::string& name, const std::string& text) const {
 std::string Scene::read(const std::string& name) const { return content(fs::path(folder_) / name); }
 
 bool Scene::has(const std::string& name) const { return fs::exists(fs::path(folder_) / name); }
+
+std::string Scene::path(const std::string& name) const {
+  return (fs::path(folder_) / name).string();
+}
+
+std::string Scene::listing() const {
+  std::string names;
+  for (const auto& entry : fs::directory_iterator(folder_)) {
+    names += entry.path().filename().string() + '\n';
+  }
+  return names;
+}
 
 Outcome Scene::run(const std::vector<std::string>& arguments) const {
   return run(arguments, false, [](int) {});

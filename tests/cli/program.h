@@ -17,6 +17,9 @@ struct Outcome {
 /// A folder for one test, with the files that it writes.
 class Scene {
  public:
+  /// The file that the program reads as standard input, where it was written; else the tests' own.
+  static constexpr const char* kInput = ".in";
+
   Scene();
   ~Scene();
   Scene(const Scene&) = delete;
@@ -25,6 +28,9 @@ class Scene {
   void write(const std::string& name, const std::string& text) const;
   std::string read(const std::string& name) const;
   bool has(const std::string& name) const;
+  std::string path(const std::string& name) const;
+  /// The names of all files, each on a line.
+  std::string listing() const;
 
   /// Runs `moivre` with these arguments in the folder.
   Outcome run(const std::vector<std::string>& arguments) const;

@@ -119,6 +119,7 @@ TEST(StudyCommand, RefusesEachWrongOptionWithItsReason) {
       {{"f.phc", "--tolerances", "1e-2,2"}, "rtol must lie in (0, 0.5]"},
       {{"f.phc", "--seeds", "0"}, "seeds must lie between 1 and"},
       {{"f.phc", "--seed", "-1"}, "--seed: -1 is negative"},
+      {{"f.phc", "--count", "-1"}, "--count: -1 is negative"},
       {{"f.phc", "--out", "file"}, "--out file: cannot make this folder"},
       {{"f.phc", "--out", "/proc/nowhere"}, "--out /proc/nowhere: cannot make this folder"},
       {{"f.phc", "--csv", "no/folder/x.csv"}, "no/folder/x.csv"},

@@ -32,10 +32,16 @@ std::string mobility_json(const Mobility& mobility, const NewtonResult& pose,
                           const Mechanism& mechanism, const KinematicsHeading& heading);
 
 /// As [guess] blocks of a mechanism file, angles in the file's unit.
-std::string guesses_text(const InitialGuesses& guesses, const Mechanism& mechanism,
-                         const KinematicsHeading& heading);
+/// Whether these are all, and what the solve said of it.
+struct Completeness {
+  bool complete = false;
+  std::string message;
+};
+
+std::string guesses_text(const InitialGuesses& guesses, const Completeness& completeness,
+                         const Mechanism& mechanism, const KinematicsHeading& heading);
 /// `complete`: of the solve; whether every path was decided.
-std::string guesses_json(const InitialGuesses& guesses, bool complete,
+std::string guesses_json(const InitialGuesses& guesses, const Completeness& completeness,
                          const KinematicsHeading& heading);
 std::string guesses_csv(const InitialGuesses& guesses);
 

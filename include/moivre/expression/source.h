@@ -36,8 +36,8 @@ struct Source {
   std::string text;
 };
 
-/// Reads the whole file, without a UTF-8 byte order mark. Throws std::invalid_argument with the
-/// reason when it cannot be read (a directory, no permission, not there).
+/// Reads the whole file, "-": standard input, without a UTF-8 byte order mark. Throws std::invalid_argument with the
+/// reason when it cannot be read (a directory, no permission, not there, more than 256 MB).
 Source read_source(const std::string& path);
 
 /// "file:line:column: error: message", the line (a window of it, when it is long) and a caret below

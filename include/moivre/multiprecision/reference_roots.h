@@ -12,6 +12,7 @@
 // Not supported: systems that are not square. Source: [ShubSmale93], [HauensteinSottile12].
 #pragma once
 
+#include <atomic>
 #include <limits>
 #include <vector>
 
@@ -34,14 +35,15 @@ struct ReferenceRoot {
   double forward_error = std::numeric_limits<double>::quiet_NaN();
   /// log10 of each Newton correction, relative to max(1, |x|_inf).
   std::vector<double> corrections_log10;
-  int working_digits = 0;  ///< of the highest precision that was needed
+  int working_digits = 0;  ///< of the highest precision that was needed; 0: not begun
 };
 
 /// The root that Newton's method reaches from each of `approximations`, to `digits` significant digits.
-/// threads: how many work on it; the result does not depend on them. Throws std::invalid_argument when digits is not
+/// threads: how many work on it; the result does not depend on them. Once `stop` is true no further root is begun; those have
+/// working_digits = 0. Throws std::invalid_argument when digits is not
 /// in [1, kMostDigits], F is not square or an approximation has another dimension.
-std::vector<ReferenceRoot> reference_roots(const System& f,
-                                           const std::vector<Point>& approximations, int digits,
-                                           int threads = 1);
+std::vector<ReferenceRoot> reference_roots(
+    const System& f, const std::vector<Point>& approximations, int digits, int threads = 1,
+    const std::atomic<bool>& stop = std::atomic<bool>{false});
 
 }  // namespace moivre

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+// Does the program lose nothing when it is stopped, when it cannot write, and when it is called carelessly?
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "problems.h"
+#include "program.h"
+
+namespace moivre::test {
+namespace {
+
+using Json = nlohmann::json;
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+std::string rest_of(std::ifstream& stream) {
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+void interrupt_soon(int process) {
+  ASSERT_TRUE(catches_interrupt(process));
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  kill(process, SIGINT);
+}
+
+TEST(Robustness, TellsTheRootsWhereTheFileCannotBeWritten) {
+  Scene scene;
+  scene.write("f.phc", kCircleAndHyperbola);
+  const Outcome outcome =
+      scene.run({"solve", "f.phc", "--quiet", "--json", "/dev/full", "--csv", "roots.csv"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_TRUE(contains(outcome.err, "cannot write /dev/full: No space left")) << outcome.err;
+  EXPECT_TRUE(contains(outcome.out, "4 isolated roots")) << outcome.out;
+  EXPECT_TRUE(contains(scene.read("roots.csv"), "x.re")) << scene.read("roots.csv");
+}
+
+TEST(Robustness, PutsAWholeFileInTheOldOnesPlace) {
+  Scene scene;
+  scene.write("f.phc", kCircleAndHyperbola);
+  scene.write("old.json", "what was there");
+  std::ifstream old(scene.path("old.json"));
+  EXPECT_EQ(scene.run({"solve", "f.phc", "--json", "old.json"}).exit_code, 0);
+  EXPECT_EQ(rest_of(old), "what was there");
+  EXPECT_EQ(Json::parse(scene.read("old.json"))["paths"]["finite"], 4);
+  EXPECT_FALSE(contains(scene.listing(), ".moivre-")) << scene.listing();
+}
+
+TEST(Robustness, WritesThroughALink) {
+  Scene scene;
+  scene.write("f.phc", kCircleAndHyperbola);
+  std::filesystem::create_symlink("there.json", scene.path("link.json"));
+  EXPECT_EQ(scene.run({"solve", "f.phc", "--json", "link.json"}).exit_code, 0);
+  EXPECT_TRUE(std::filesystem::is_symlink(scene.path("link.json")));
+  EXPECT_EQ(Json::parse(scene.read("there.json"))["paths"]["finite"], 4);
+}
+
+#if MOIVRE_WITH_MULTIPRECISION
+TEST(Robustness, InterruptedDigitsLeaveTheRoots) {
+  Scene scene;
+  scene.write("f.phc", katsura(9));
+  const Outcome outcome =
+      scene.run({"solve", "f.phc", "--threads", "1", "--digits", "1000", "--json", "-"}, false,
+                interrupt_soon);
+  EXPECT_EQ(outcome.exit_code, 2);
+  const Json json = Json::parse(outcome.out);
+  EXPECT_EQ(json["complete"], false);
+  EXPECT_FALSE(json["solutions"].empty());
+  EXPECT_EQ(json["left_out"].back()["why"], "the run was interrupted before");
+  EXPECT_TRUE(contains(outcome.err, "moivre: interrupted")) << outcome.err;
+}
+#endif
+
+TEST(Robustness, InterruptedGuessesSayThatTheyAreNotAll) {
+  Scene scene;
+  scene.write("f.phc", katsura(13));
+  const Outcome outcome = scene.run({"guesses", "f.phc", "--threads", "1"}, false, interrupt_soon);
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_TRUE(contains(outcome.out, "# not complete: interrupted")) << outcome.out.substr(0, 200);
+}
+
+TEST(Robustness, ReadsStandardInput) {
+  Scene scene;
+  scene.write(Scene::kInput, kCircleAndHyperbola);
+  const Outcome outcome = scene.run({"solve", "-"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_TRUE(contains(outcome.out, "4 isolated roots")) << outcome.out;
+  scene.write(Scene::kInput, "1\nx^2 - ;\n");
+  EXPECT_TRUE(contains(scene.run({"solve", "-"}).err, "standard input:2:")) << "names the input";
+}
+
+struct Careless {
+  std::vector<std::string> arguments;
+  std::string message;
+};
+
+TEST(Robustness, RefusesWhatWouldBeIgnored) {
+  Scene scene;
+  scene.write("f.phc", kCircleAndHyperbola);
+  scene.write("crank.toml", "[ground.points]\nO = [0, 0]\n");
+  const std::vector<Careless> calls = {
+      {{"solve", "f.phc", "--json", ""}, "an argument behind --json is empty"},
+      {{"solve", "f.phc", "--seed="}, "--seed= is empty"},
+      {{"solve", "f.phc", "--tolerance", "0.01"}, "--tolerance: only the lanes take it"},
+      {{"track", "f.phc", "--path", "0", "--predictor", "x"}, "--predictor: only the lanes"},
+      {{"solve", "crank.toml"}, "this command takes polynomial systems"},
+      {{"closures", "f.phc"}, "moivre solve takes a polynomial system"},
+      {{"motion", "crank.toml", "--threads", "-1", "--tracker", "x"}, "threads must lie between"},
+      {{"motion", "crank.toml", "--threads", "-1", "--tracker", "x"}, "the trackers are cvode"}};
+  for (const Careless& call : calls) {
+    const Outcome outcome = scene.run(call.arguments);
+    EXPECT_EQ(outcome.exit_code, 1) << call.message;
+    EXPECT_EQ(outcome.out, "") << call.message;
+    EXPECT_TRUE(contains(outcome.err, call.message)) << outcome.err;
+  }
+}
+
+}  // namespace
+}  // namespace moivre::test
