@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Where is a branch at each of the times, followed both ways from the pose at which it was found?
+//
+// Times in seconds, ascending; q: n coordinates as in Phi. Followed again, a track takes steps a quarter as long each time.
+// Edges: an anchor at either end of the times is followed one way only, the other holds the anchor alone.
 #pragma once
 
 #include <vector>
@@ -43,6 +46,9 @@ struct TrackFollower {
   BranchOptions options_of(const Track& track) const;
   void run(Track& track) const;
 };
+
+/// Poses nearer than this are the same: both are corrected to rounding, unless they are nearly singular.
+inline constexpr double kSamePose = 1e-6;
 
 /// Largest difference of two poses, angles to the nearest turn, beside the larger pose's size (1 at least).
 double distance(const Phi& phi, const Eigen::VectorXd& a, const Eigen::VectorXd& b);

@@ -2,7 +2,6 @@
 // The solve: prepare, track, refine, settle doubts, close the account.
 #include "moivre/solver/solve.h"
 
-#include <chrono>
 #include <ctime>
 #include <stdexcept>
 
@@ -10,23 +9,11 @@
 #include "doubts.h"
 #include "ends.h"
 #include "facts.h"
+#include "moivre/numeric/stopwatch.h"
 #include "tracking.h"
 
 namespace moivre {
 namespace {
-
-class Stopwatch {
- public:
-  double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    const double seconds = std::chrono::duration<double>(now - last_).count();
-    last_ = now;
-    return seconds;
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
 
 void require_valid(const SolveOptions& options) {
   std::string message;
@@ -96,7 +83,6 @@ SolveResult solve(const System& f, const Tracker& tracker, const SolveOptions& o
                   const std::atomic<bool>& stop) {
   require_valid(options);
   require_square(f);
-  Stopwatch total;
   Stopwatch watch;
   const Setting setting(f, tracker, options, stop);
   SolveResult result = described(setting);
@@ -112,7 +98,7 @@ SolveResult solve(const System& f, const Tracker& tracker, const SolveOptions& o
     close_account(run, result);
     result.time.refine = watch.lap();
   }
-  result.time.total = total.lap();
+  result.time.total = watch.total();
   return result;
 }
 

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+// From tracks to branches, events, rows of checkpoints, and sentences about what failed.
+#include "motion_record.h"
+
+#include <algorithm>
+
+#include "closure_id.h"
+
+namespace moivre {
+namespace {
+
+std::string at_time(double time) { return "at t = " + std::to_string(time) + " s"; }
+
+/// Index of the event in result.events, where it is entered if it is new.
+std::size_t event_index(const MotionRun& run, const BranchEvent& event, MotionResult& result) {
+  for (std::size_t k = 0; k < result.events.size(); ++k) {
+    BranchEvent& known = result.events[k].at;
+    if (!is_same_event(run, known, event)) continue;
+    if (event.uncertainty < known.uncertainty) {
+      known = event;
+      result.events[k].drivers = driver_values(run.mechanism, event.time);
+    }
+    return k;
+  }
+  result.events.push_back({event, driver_values(run.mechanism, event.time), {}, {}});
+  return result.events.size() - 1;
+}
+
+/// At the output times, by time; the anchor, which both ways begin with, once.
+std::vector<BranchSample> samples_of(const MotionRun& run, const Track& track) {
+  std::vector<BranchSample> samples;
+  const auto take = [&](const BranchSample& sample) {
+    if (run.times.is_sample(sample.time)) samples.push_back(sample);
+  };
+  for (std::size_t k = track.backwards.samples.size(); k-- > 1;) take(track.backwards.samples[k]);
+  for (const BranchSample& sample : track.forwards.samples) take(sample);
+  return samples;
+}
+
+void enter_events(const MotionRun& run, const Track& track, MotionBranch& branch,
+                  MotionResult& result) {
+  if (track.backwards.event) {
+    branch.begin_event = event_index(run, *track.backwards.event, result);
+    result.events[*branch.begin_event].beginning.push_back(branch.id);
+  }
+  if (track.forwards.event) {
+    branch.end_event = event_index(run, *track.forwards.event, result);
+    result.events[*branch.end_event].ending.push_back(branch.id);
+  }
+}
+
+void enter_branch(const MotionRun& run, const Track& track, MotionResult& result) {
+  MotionBranch branch;
+  branch.id = closure_id(result.branches.size());
+  branch.begins = track.begins();
+  branch.ends = track.ends();
+  branch.steps = track.steps();
+  branch.retracked = track.retracked;
+  branch.samples = samples_of(run, track);
+  enter_events(run, track, branch, result);
+  const auto is_decided = [](const Branch& way) {
+    return way.status == BranchStatus::reached || way.status == BranchStatus::ended;
+  };
+  branch.complete = is_decided(track.forwards) && is_decided(track.backwards);
+  branch.message = track.forwards.message;
+  for (const Branch* way : {&track.backwards, &track.forwards}) {
+    if (way->status == BranchStatus::failed) {
+      const double time = way == &track.forwards ? branch.ends : branch.begins;
+      result.failures.push_back("branch " + branch.id + " " + at_time(time) + ": " + way->message);
+    }
+  }
+  result.steps += track.steps();
+  result.rejected += track.rejected();
+  result.branches.push_back(std::move(branch));
+}
+
+void order_events(MotionResult& result) {
+  std::vector<std::size_t> order(result.events.size());
+  for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return result.events[a].at.time < result.events[b].at.time;
+  });
+  std::vector<MotionEvent> sorted;
+  std::vector<std::size_t> place(order.size());
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    place[order[k]] = k;
+    sorted.push_back(std::move(result.events[order[k]]));
+  }
+  result.events = std::move(sorted);
+  for (MotionBranch& branch : result.branches) {
+    if (branch.begin_event) branch.begin_event = place[*branch.begin_event];
+    if (branch.end_event) branch.end_event = place[*branch.end_event];
+  }
+}
+
+/// Enters closures that no branch is at; returns the number of the others.
+std::size_t enter_lone_closures(const MotionRun& run, const Scene& scene, Checkpoint& row,
+                                MotionResult& result) {
+  std::size_t matched = 0;
+  for (std::size_t j = 0; j < scene.track_of.size(); ++j) {
+    const auto& owner = scene.track_of[j];
+    const Closure& closure = scene.closures.closures[j];
+    row.branches.push_back(owner ? result.branches[*owner].id : "");
+    matched += owner ? 1 : 0;
+    if (owner || is_event_of_a_track(run, scene.time, closure.q)) continue;
+    row.agrees = false;
+    result.failures.push_back("closure " + closure.id + " " + at_time(scene.time) +
+                              " is on no branch");
+  }
+  return matched;
+}
+
+/// Enters branches that are at no closure of their own; returns the number of all branches that are there.
+std::size_t enter_lone_branches(const MotionRun& run, const Scene& scene, Checkpoint& row,
+                                MotionResult& result) {
+  const auto& found = scene.track_of;
+  std::size_t present = 0;
+  for (std::size_t k = 0; k < run.tracks.size(); ++k) {
+    if (run.tracks[k].at(scene.time) == nullptr) continue;
+    ++present;
+    const bool is_found = std::find(found.begin(), found.end(), k) != found.end();
+    if (is_found || scene.closures.moves) continue;
+    row.agrees = false;
+    result.failures.push_back("branch " + result.branches[k].id + " " + at_time(scene.time) +
+                              " is at no closure of its own that was found there");
+  }
+  return present;
+}
+
+}  // namespace
+
+MotionResult empty_result(const MotionRun& run) {
+  MotionResult result;
+  result.from = run.options.from;
+  result.to = run.options.to;
+  result.times = run.times.samples;
+  result.seed = run.options.solve.seed;
+  return result;
+}
+
+void order_tracks(MotionRun& run) {
+  std::stable_sort(run.tracks.begin(), run.tracks.end(), [](const Track& a, const Track& b) {
+    if (a.is_from_start != b.is_from_start) return a.is_from_start;
+    return !a.is_from_start && a.begins() < b.begins();
+  });
+}
+
+void enter_branches(const MotionRun& run, MotionResult& result) {
+  for (const Track& track : run.tracks) enter_branch(run, track, result);
+  order_events(result);
+}
+
+void enter_checkpoint(const MotionRun& run, const Scene& scene, MotionResult& result) {
+  Checkpoint row;
+  row.time = scene.time;
+  row.drivers = driver_values(run.mechanism, scene.time);
+  row.counts = scene.closures.counts;
+  row.paths = scene.closures.paths;
+  row.agrees = scene.closures.complete;
+  row.message = scene.closures.message;
+  const std::size_t matched = enter_lone_closures(run, scene, row, result);
+  const std::size_t present = enter_lone_branches(run, scene, row, result);
+  if (row.agrees) {
+    row.message = "one to one: " + std::to_string(matched) + " closures, " +
+                  std::to_string(present) + " branches";
+  } else if (!scene.closures.complete) {
+    result.failures.push_back("closures " + at_time(scene.time) + ": " + scene.closures.message);
+  }
+  result.checkpoints.push_back(std::move(row));
+}
+
+void enter_unverified(const MotionRun& run, MotionResult& result) {
+  for (std::size_t k = 0; k < run.tracks.size() && !run.stop; ++k) {
+    if (run.tracks[k].is_verified) continue;
+    result.failures.push_back("branch " + result.branches[k].id +
+                              ": followed back from its last checkpoint it takes another way");
+  }
+}
+
+}  // namespace moivre

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// What does the result say of the tracks? Branches with ids, events that they share, a row for every checkpoint.
+//
+// Tracks that begin at `from` keep their order and so the ids of the closures there; later ones follow by where they begin.
+// One event stands for all branches that begin or end there; the best known time and pose of it is kept.
+// A closure without a branch, a branch without a closure, and a branch that does not lead back are failures, a sentence each.
+#pragma once
+
+#include "scene.h"
+
+namespace moivre {
+
+/// A result of nothing yet: times and seed.
+MotionResult empty_result(const MotionRun& run);
+
+/// Sorts the tracks into the order of their ids.
+void order_tracks(MotionRun& run);
+
+/// Enters a branch for every track, in their order, and the events, by time.
+void enter_branches(const MotionRun& run, MotionResult& result);
+
+/// Enters the checkpoint's row, and what does not agree there; after enter_branches(), which gives the ids.
+void enter_checkpoint(const MotionRun& run, const Scene& scene, MotionResult& result);
+
+/// Enters the branches that do not lead back to where they were found.
+void enter_unverified(const MotionRun& run, MotionResult& result);
+
+}  // namespace moivre

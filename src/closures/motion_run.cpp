@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// A motion before any track is followed, and which events are one.
+#include "motion_run.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace moivre {
+namespace {
+
+// Poses where branches meet are known to the root of kSamePose.
+constexpr double kSamePlace = 1e-3;
+// Of the motion's duration: events nearer than this to each other, or to a checkpoint, may be one.
+constexpr double kSameTime = 1e-7;
+
+/// Whether the event is at that time and pose. `uncertainty`: of `time`, beside the event's own.
+bool is_at(const MotionRun& run, const BranchEvent& event, double time, const Eigen::VectorXd& q,
+           double uncertainty) {
+  const double duration = std::abs(run.times.to - run.times.from);
+  const double doubt = event.uncertainty + uncertainty;
+  const double place = std::sqrt(doubt / duration);
+  return std::abs(event.time - time) <= std::max(kSameTime * duration, doubt) &&
+         distance(run.phi, event.q, q) <= std::max(kSamePlace, place);
+}
+
+/// Velocities are for the samples; where closures may be compared poses do.
+BranchOptions with_velocities_at(const std::vector<double>& times, BranchOptions options) {
+  options.velocity_times = times;
+  return options;
+}
+
+}  // namespace
+
+MotionRun::MotionRun(const Mechanism& the_mechanism, const MotionOptions& the_options,
+                     MotionTimes the_times, const std::atomic<bool>& the_stop)
+    : mechanism(the_mechanism),
+      options(the_options),
+      stop(the_stop),
+      phi(mechanism),
+      times(std::move(the_times)),
+      follower{mechanism, times.all, with_velocities_at(times.samples, options.branch),
+               options.follow, stop} {}
+
+bool is_same_event(const MotionRun& run, const BranchEvent& a, const BranchEvent& b) {
+  return a.kind == b.kind && is_at(run, a, b.time, b.q, b.uncertainty);
+}
+
+bool is_event_of_a_track(const MotionRun& run, double time, const Eigen::VectorXd& q) {
+  return std::any_of(run.tracks.begin(), run.tracks.end(), [&](const Track& track) {
+    for (const Branch* way : {&track.forwards, &track.backwards}) {
+      if (way->event && is_at(run, *way->event, time, q, 0)) return true;
+    }
+    return false;
+  });
+}
+
+}  // namespace moivre

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// What is known of a motion while it is being found? The mechanism, the times, and the tracks that were followed so far.
+//
+// Tracks have a pose at all times, and velocities at those of the samples alone.
+// Events are the same where they are of one kind, at one time and at one pose, as far as both are known: beside a dead point a pose
+// moves with the root of the time.
+#pragma once
+
+#include "motion_times.h"
+#include "track.h"
+
+namespace moivre {
+
+struct MotionRun {
+  /// The mechanism, the options and `the_stop` must outlive it.
+  MotionRun(const Mechanism& the_mechanism, const MotionOptions& the_options, MotionTimes the_times,
+            const std::atomic<bool>& the_stop);
+  MotionRun(const MotionRun&) = delete;  // the follower refers to the times
+  MotionRun& operator=(const MotionRun&) = delete;
+
+  const Mechanism& mechanism;
+  const MotionOptions& options;
+  const std::atomic<bool>& stop;
+  const Phi phi;
+  const MotionTimes times;
+  const TrackFollower follower;
+  std::vector<Track> tracks;
+
+  void show_progress(double share) const {
+    if (options.progress) options.progress(share);
+  }
+};
+
+bool is_same_event(const MotionRun& run, const BranchEvent& a, const BranchEvent& b);
+
+/// Whether a track ends, either way, at that time in the pose q.
+bool is_event_of_a_track(const MotionRun& run, double time, const Eigen::VectorXd& q);
+
+}  // namespace moivre

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+// Conflicts at checkpoints, closures without tracks, partners at dead points, and the way back.
+#include "reconcile.h"
+
+#include <algorithm>
+
+namespace moivre {
+namespace {
+
+// Each round follows with a quarter of the step.
+constexpr int kMaximumRetracks = 4;
+// New tracks bring new partners and new conflicts; each round settles all it sees.
+constexpr int kRounds = 20;
+
+bool is_same_all_along(const MotionRun& run, const std::vector<Scene>& scenes, const Track& a,
+                       const Track& b) {
+  return std::all_of(scenes.begin(), scenes.end(), [&](const Scene& scene) {
+    const BranchSample* of_a = a.at(scene.time);
+    const BranchSample* of_b = b.at(scene.time);
+    if (of_a == nullptr || of_b == nullptr) return of_a == of_b;
+    return distance(run.phi, of_a->q, of_b->q) <= kSamePose;
+  });
+}
+
+/// Two tracks at one closure: the younger goes where it is a copy, else both are followed again with shorter steps.
+/// False when nothing more can be done.
+bool part(MotionRun& run, const std::vector<Scene>& scenes, std::size_t first, std::size_t second) {
+  Track& older = run.tracks[first];
+  Track& younger = run.tracks[second];
+  if (!younger.is_from_start && is_same_all_along(run, scenes, older, younger)) {
+    run.tracks.erase(run.tracks.begin() + static_cast<std::ptrdiff_t>(second));
+    return true;
+  }
+  if (younger.retracked >= kMaximumRetracks) return false;
+  run.follower.follow_again(older);
+  run.follower.follow_again(younger);
+  return true;
+}
+
+/// True when a track was changed or added, so that the checkpoints want another look.
+bool settle(MotionRun& run, const std::vector<Scene>& scenes, Scene& scene) {
+  const auto conflict = match(run, scene);
+  if (conflict && part(run, scenes, conflict->first, conflict->second)) return true;
+  for (std::size_t j = 0; j < scene.track_of.size() && !run.stop; ++j) {
+    const Eigen::VectorXd& q = scene.closures.closures[j].q;
+    if (scene.track_of[j] || is_event_of_a_track(run, scene.time, q)) continue;
+    run.tracks.push_back(run.follower.follow({scene.time, q}));
+    return true;
+  }
+  return false;
+}
+
+/// Whether another track ends, the same way, where `track` does.
+bool is_met(const MotionRun& run, const Track& track, bool is_forwards) {
+  const BranchEvent& event = *(is_forwards ? track.forwards : track.backwards).event;
+  return std::any_of(run.tracks.begin(), run.tracks.end(), [&](const Track& other) {
+    const Branch& its_way = is_forwards ? other.forwards : other.backwards;
+    return &other != &track && its_way.event && is_same_event(run, *its_way.event, event);
+  });
+}
+
+/// A branch that meets another at its dead point may live between two checkpoints only. True when one was found.
+bool add_partner(MotionRun& run) {
+  for (std::size_t k = 0; k < run.tracks.size() && !run.stop; ++k) {
+    for (const bool is_forwards : {true, false}) {
+      const Branch& way = is_forwards ? run.tracks[k].forwards : run.tracks[k].backwards;
+      if (!way.event || !way.beyond) continue;
+      const BranchPose beyond = *way.beyond;
+      if (!(beyond.time > run.times.from && beyond.time < run.times.to)) continue;
+      if (is_met(run, run.tracks[k], is_forwards)) continue;
+      run.tracks.push_back(run.follower.follow(beyond));
+      return true;
+    }
+  }
+  return false;
+}
+
+/// The checkpoints that a track passes, determined, one way from its anchor: where to turn back, and the times of the way.
+struct WayBack {
+  const Scene* last = nullptr;  ///< the farthest from the anchor; nullptr: there is none
+  std::vector<double> times;    ///< from there to the anchor
+};
+
+WayBack way_back(const std::vector<Scene>& scenes, const Track& track, bool is_forwards) {
+  WayBack back;
+  back.times.push_back(track.anchor.time);
+  for (const Scene& scene : scenes) {
+    const bool is_on_the_way =
+        is_forwards ? scene.time > track.anchor.time : scene.time < track.anchor.time;
+    const BranchSample* sample = track.at(scene.time);
+    if (!is_on_the_way || sample == nullptr || !sample->is_determined) continue;
+    if (back.last == nullptr || is_forwards) back.last = &scene;
+    back.times.insert(is_forwards ? back.times.begin() : back.times.end() - 1, scene.time);
+  }
+  return back;
+}
+
+/// Whether the way back, from the closure that was solved at the track's last checkpoint, is the way there.
+bool leads_back(const MotionRun& run, const std::vector<Scene>& scenes, const Track& track,
+                bool is_forwards) {
+  const WayBack way = way_back(scenes, track, is_forwards);
+  if (way.last == nullptr) return true;
+  const Eigen::VectorXd* start = nullptr;
+  for (const Closure& closure : way.last->closures.closures) {
+    const BranchSample* sample = track.at(way.last->time);
+    if (distance(run.phi, closure.q, sample->q) <= kSamePose) start = &closure.q;
+  }
+  if (start == nullptr) return true;
+  const Branch back = run.follower.follow_back({way.last->time, *start}, way.times, track);
+  if (back.samples.size() != way.times.size()) return run.stop;
+  return std::all_of(back.samples.begin(), back.samples.end(), [&](const BranchSample& sample) {
+    const BranchSample* there = track.at(sample.time);
+    return there != nullptr && distance(run.phi, sample.q, there->q) <= kSamePose;
+  });
+}
+
+/// Follows tracks back; those that do not lead back are followed again. True when there were such.
+bool verify(MotionRun& run, const std::vector<Scene>& scenes) {
+  bool is_changed = false;
+  for (Track& track : run.tracks) {
+    if (track.is_verified || track.retracked > kMaximumRetracks || run.stop) continue;
+    if (leads_back(run, scenes, track, true) && leads_back(run, scenes, track, false)) {
+      track.is_verified = true;
+      continue;
+    }
+    run.follower.follow_again(track);
+    is_changed = true;
+  }
+  return is_changed;
+}
+
+}  // namespace
+
+void reconcile(MotionRun& run, std::vector<Scene>& scenes) {
+  for (int round = 0; round < kRounds * static_cast<int>(1 + run.tracks.size()) && !run.stop;
+       ++round) {
+    bool is_settled = true;
+    for (Scene& scene : scenes) is_settled = is_settled && !settle(run, scenes, scene);
+    if (is_settled) is_settled = !add_partner(run);
+    if (is_settled) is_settled = !verify(run, scenes);
+    if (is_settled) return;
+  }
+}
+
+}  // namespace moivre

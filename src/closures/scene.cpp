@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// Closures solved at checkpoints and between them, and the tracks that are there.
+#include "scene.h"
+
+#include <algorithm>
+
+namespace moivre {
+namespace {
+
+Scene solve_scene(const MotionRun& run, const Tracker& tracker, int fine_time) {
+  ClosureOptions options;
+  options.time = run.times.fine(fine_time);
+  options.solve = run.options.solve;
+  Scene scene;
+  scene.time = options.time;
+  scene.closures = find_closures(run.mechanism, tracker, options, run.stop);
+  scene.track_of.resize(scene.closures.closures.size());
+  return scene;
+}
+
+/// Whether every closure, complex ones too, is on a track from `a` to `b`: none is left from which a branch could begin.
+bool is_filled(const MotionRun& run, const Scene& a, const Scene& b) {
+  const auto whole = static_cast<std::uint64_t>(
+      std::count_if(run.tracks.begin(), run.tracks.end(),
+                    [&](const Track& track) { return track.at(a.time) && track.at(b.time); }));
+  return whole >= a.closures.counts.complex && whole >= b.closures.counts.complex;
+}
+
+std::optional<std::size_t> nearest_closure(const MotionRun& run, const Scene& scene,
+                                           const Eigen::VectorXd& q) {
+  const auto& closures = scene.closures.closures;
+  std::optional<std::size_t> nearest;
+  double least = kSamePose;
+  for (std::size_t j = 0; j < closures.size(); ++j) {
+    const double gap = distance(run.phi, q, closures[j].q);
+    if (gap > least) continue;
+    least = gap;
+    nearest = j;
+  }
+  return nearest;
+}
+
+}  // namespace
+
+std::vector<Scene> solve_scenes(const MotionRun& run, const Tracker& tracker) {
+  std::vector<Scene> scenes;
+  for (int c = 0; c <= run.options.checkpoints && !run.stop; ++c) {
+    scenes.push_back(solve_scene(run, tracker, c * kFiner));
+    run.show_progress(0.5 * (c + 1) / (run.options.checkpoints + 1));
+  }
+  return scenes;
+}
+
+bool look_closer(const MotionRun& run, const Tracker& tracker, std::vector<Scene>& scenes) {
+  if (run.mechanism.drivers.empty() || scenes.empty()) return false;
+  std::vector<Scene> all;
+  for (std::size_t c = 0; c < scenes.size(); ++c) {
+    if (c > 0 && !is_filled(run, scenes[c - 1], scenes[c])) {
+      const int before = static_cast<int>(c - 1) * kFiner;
+      for (int k = 1; k < kFiner && !run.stop; ++k) {
+        all.push_back(solve_scene(run, tracker, before + k));
+      }
+    }
+    all.push_back(scenes[c]);
+  }
+  const bool is_new = all.size() > scenes.size();
+  scenes = std::move(all);
+  return is_new;
+}
+
+std::optional<std::pair<std::size_t, std::size_t>> match(const MotionRun& run, Scene& scene) {
+  std::optional<std::pair<std::size_t, std::size_t>> conflict;
+  std::fill(scene.track_of.begin(), scene.track_of.end(), std::nullopt);
+  for (std::size_t k = 0; k < run.tracks.size(); ++k) {
+    const BranchSample* sample = run.tracks[k].at(scene.time);
+    if (sample == nullptr) continue;
+    const auto nearest = nearest_closure(run, scene, sample->q);
+    if (!nearest) continue;
+    auto& owner = scene.track_of[*nearest];
+    if (!owner) {
+      owner = k;
+    } else if (!conflict) {
+      conflict = {*owner, k};
+    }
+  }
+  return conflict;
+}
+
+}  // namespace moivre

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// Which closures are there at a checkpoint, and which track is at each?
+//
+// A track is at the closure nearest to its pose, where that is the same pose. Two tracks at one closure are a conflict: one
+// of them has left its branch. Half of the progress that is shown is for the scenes at first, half for the tracks.
+#pragma once
+
+#include <optional>
+#include <utility>
+
+#include "motion_run.h"
+
+namespace moivre {
+
+struct Scene {
+  double time = 0;
+  ClosureResult closures;
+  std::vector<std::optional<std::size_t>> track_of;  ///< one a closure: index into the tracks
+};
+
+/// The scenes at `from` and at every checkpoint, ascending; fewer where the run was stopped.
+std::vector<Scene> solve_scenes(const MotionRun& run, const Tracker& tracker);
+
+/// Solves closures in between where a branch could begin and end unseen. True when there was such a place.
+bool look_closer(const MotionRun& run, const Tracker& tracker, std::vector<Scene>& scenes);
+
+/// Sets scene.track_of. Two tracks that are at one closure are returned, the older first.
+std::optional<std::pair<std::size_t, std::size_t>> match(const MotionRun& run, Scene& scene);
+
+}  // namespace moivre
