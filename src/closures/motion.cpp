@@ -9,6 +9,7 @@
 #include "moivre/numeric/stopwatch.h"
 #include "motion_record.h"
 #include "reconcile.h"
+#include "short_branches.h"
 
 namespace moivre {
 namespace {
@@ -73,11 +74,20 @@ void tell_why_nothing_moves(const std::vector<Scene>& scenes, MotionResult& resu
   }
 }
 
+void tell_instants(const std::vector<double>& instants, MotionResult& result) {
+  for (const double time : instants) {
+    result.left_out.push_back({"closures " + at_time(time),
+                               "complex ones meet there and part again: a pose for an instant"});
+  }
+}
+
 LeftOut left_unseen(const MotionOptions& options) {
   static_assert(kFiner == 16, "update the sentence below");
   if (options.checkpoints > 0) {
-    return {"branches that begin and end between two checkpoints and meet no other",
-            "closures are solved at checkpoints, and 16 times as often where some are complex"};
+    return {
+        "branches that begin and end between two checkpoints and meet no other",
+        "closures are solved at checkpoints, 16 times as often where some are complex, and where "
+        "those come near to real"};
   }
   return {"checkpoints",
           "none were asked for: branches that begin later are not seen, and an exchange would not "
@@ -98,7 +108,13 @@ MotionResult find_motion(const Mechanism& mechanism, const Tracker& tracker,
   result.time_s.track = watch.total();
   begin_tracks(run, scenes);
   reconcile(run, scenes);
-  if (look_closer(run, tracker, scenes)) reconcile(run, scenes);
+  if (look_closer(run, tracker, scenes)) {
+    reconcile(run, scenes);
+    const ShortBranches found = follow_short_branches(run, tracker, scenes);
+    count_work(found.solved, result);
+    tell_instants(found.instants, result);
+    reconcile(run, scenes);
+  }
   order_tracks(run);
   for (Scene& scene : scenes) match(run, scene);
   enter_branches(run, result);

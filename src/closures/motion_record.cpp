@@ -9,8 +9,6 @@
 namespace moivre {
 namespace {
 
-std::string at_time(double time) { return "at t = " + std::to_string(time) + " s"; }
-
 /// Index of the event in result.events, where it is entered if it is new.
 std::size_t event_index(const MotionRun& run, const BranchEvent& event, MotionResult& result) {
   for (std::size_t k = 0; k < result.events.size(); ++k) {

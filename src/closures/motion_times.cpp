@@ -55,4 +55,6 @@ MotionTimes motion_times(const MotionOptions& options, int checkpoints) {
   return times;
 }
 
+std::string at_time(double time) { return "at t = " + std::to_string(time) + " s"; }
+
 }  // namespace moivre

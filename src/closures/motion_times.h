@@ -9,6 +9,7 @@
 // Edges: without checkpoints after `from` there is one fine time, `from` itself.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "moivre/closures/motion.h"
@@ -29,6 +30,9 @@ struct MotionTimes {
   double fine(int k) const;
   bool is_sample(double time) const;
 };
+
+/// As a message says it.
+std::string at_time(double time);
 
 /// checkpoints: after `from`; 0 where no closures are solved.
 MotionTimes motion_times(const MotionOptions& options, int checkpoints);

@@ -7,17 +7,6 @@
 namespace moivre {
 namespace {
 
-Scene solve_scene(const MotionRun& run, const Tracker& tracker, int fine_time) {
-  ClosureOptions options;
-  options.time = run.times.fine(fine_time);
-  options.solve = run.options.solve;
-  Scene scene;
-  scene.time = options.time;
-  scene.closures = find_closures(run.mechanism, tracker, options, run.stop);
-  scene.track_of.resize(scene.closures.closures.size());
-  return scene;
-}
-
 /// Whether every closure, complex ones too, is on a track from `a` to `b`: none is left from which a branch could begin.
 bool is_filled(const MotionRun& run, const Scene& a, const Scene& b) {
   const auto whole = static_cast<std::uint64_t>(
@@ -42,10 +31,21 @@ std::optional<std::size_t> nearest_closure(const MotionRun& run, const Scene& sc
 
 }  // namespace
 
+Scene solve_scene(const MotionRun& run, const Tracker& tracker, double time) {
+  ClosureOptions options;
+  options.time = time;
+  options.solve = run.options.solve;
+  Scene scene;
+  scene.time = time;
+  scene.closures = find_closures(run.mechanism, tracker, options, run.stop);
+  scene.track_of.resize(scene.closures.closures.size());
+  return scene;
+}
+
 std::vector<Scene> solve_scenes(const MotionRun& run, const Tracker& tracker) {
   std::vector<Scene> scenes;
   for (int c = 0; c <= run.options.checkpoints && !run.stop; ++c) {
-    scenes.push_back(solve_scene(run, tracker, c * kFiner));
+    scenes.push_back(solve_scene(run, tracker, run.times.fine(c * kFiner)));
     run.show_progress(0.5 * (c + 1) / (run.options.checkpoints + 1));
   }
   return scenes;
@@ -58,7 +58,7 @@ bool look_closer(const MotionRun& run, const Tracker& tracker, std::vector<Scene
     if (c > 0 && !is_filled(run, scenes[c - 1], scenes[c])) {
       const int before = static_cast<int>(c - 1) * kFiner;
       for (int k = 1; k < kFiner && !run.stop; ++k) {
-        all.push_back(solve_scene(run, tracker, before + k));
+        all.push_back(solve_scene(run, tracker, run.times.fine(before + k)));
       }
     }
     all.push_back(scenes[c]);

@@ -18,6 +18,8 @@ struct Scene {
   std::vector<std::optional<std::size_t>> track_of;  ///< one a closure: index into the tracks
 };
 
+Scene solve_scene(const MotionRun& run, const Tracker& tracker, double time);
+
 /// The scenes at `from` and at every checkpoint, ascending; fewer where the run was stopped.
 std::vector<Scene> solve_scenes(const MotionRun& run, const Tracker& tracker);
 

@@ -427,5 +427,80 @@ TEST(Motion, NaturalDurationIsOneTurn) {
   EXPECT_EQ(natural_duration(m), 1);
 }
 
+/// Crank of 1, coupler of 1.5, pivots 4 apart: with a rocker of 1.5 it closes at the crank's angle 0 alone.
+std::string nearly_too_short(const std::string& rocker) {
+  return R"([units]
+angle = "rad"
+[ground.points]
+A = [0, 0]
+D = [4, 0]
+[body.crank.points]
+A = [0, 0]
+B = [1, 0]
+[body.coupler.points]
+B = [0, 0]
+C = [1.5, 0]
+[body.rocker.points]
+D = [0, 0]
+C = [)" + rocker +
+         R"(, 0]
+[[joint]]
+type = "revolute"
+at = ["ground.A", "crank.A"]
+[[joint]]
+type = "revolute"
+at = ["crank.B", "coupler.B"]
+[[joint]]
+type = "revolute"
+at = ["coupler.C", "rocker.C"]
+[[joint]]
+type = "revolute"
+at = ["ground.D", "rocker.D"]
+[[driver]]
+angle = "crank"
+start = -1.03
+velocity = 1
+)";
+}
+
+MotionResult motion_past_the_instant(const Mechanism& m) {
+  MotionOptions options = options_for(m, 50);
+  options.to = 2;
+  return motion_of(m, options);
+}
+
+TEST(Motion, BranchesThatLiveForAMillionthOfTheMotionAreFoundWhereComplexClosuresComeNearToReal) {
+  for (const std::string rocker : {"1.501", "1.50001", "1.5000001", "1.50000000001"}) {
+    const Mechanism m = mechanism_text(nearly_too_short(rocker));
+    const MotionResult result = motion_past_the_instant(m);
+    expect_whole(result, m);
+    ASSERT_EQ(result.branches.size(), 2U) << rocker;
+    ASSERT_EQ(result.events.size(), 2U) << rocker;
+    // The pivots' distance, 17 - 8 cos(phi) squared, is coupler and rocker stretched.
+    const double stretched = 1.5 + std::stod(rocker);
+    const double crank = std::acos((17 - stretched * stretched) / 8);
+    for (const MotionEvent& event : result.events) {
+      EXPECT_EQ(event.at.kind, EventKind::dead_point);
+      EXPECT_NEAR(std::abs(event.drivers.at(0)), crank, 1e-4 * crank) << rocker;
+    }
+  }
+}
+
+TEST(Motion, APoseForAnInstantIsNoBranchButSaid) {
+  const MotionResult result = motion_past_the_instant(mechanism_text(nearly_too_short("1.5")));
+  EXPECT_TRUE(result.complete) << result.message;
+  EXPECT_TRUE(result.branches.empty());
+  EXPECT_TRUE(std::any_of(result.left_out.begin(), result.left_out.end(), [](const LeftOut& out) {
+    return out.what == "closures at t = 1.030000 s";
+  }));
+}
+
+TEST(Motion, ClosuresThatStayComplexAreSolvedAFewTimesMore) {
+  const MotionResult result = motion_past_the_instant(mechanism_text(nearly_too_short("1.499")));
+  EXPECT_TRUE(result.complete) << result.message;
+  EXPECT_TRUE(result.branches.empty());
+  EXPECT_LE(result.paths.tracked, 2 * (65 + 8));
+}
+
 }  // namespace
 }  // namespace moivre

@@ -11,7 +11,8 @@
 // Where a branch ends at a dead point, the branch that meets it there is found by going on round the fold.
 // Ids stay the same through the motion: A, B, ... as find_closures gives them at `from`, then new ones as branches begin.
 // Between two checkpoints where closures are complex, so that a branch could begin and end unseen, closures are solved 16
-// times. Not seen: branches shorter than that which meet no other (said in `left_out`).
+// times, and again where the distance of a complex pair from real, as it runs through three of these, is about to vanish. A pose
+// for an instant is no branch (said in `left_out`). Not seen: a short branch that meets no other and does not show that way.
 // Not supported: what find_closures does not support; follow_guesses takes those, and solves no polynomials at all.
 #pragma once
 
