@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // moivre closures FILE: every way a mechanism can be assembled, told as text, JSON or CSV.
-#include <chrono>
 #include <memory>
 
 #include "command.h"
@@ -10,6 +9,7 @@
 #include "moivre/closure_report/closure_report.h"
 #include "moivre/closure_report/page.h"
 #include "moivre/closure_report/picture.h"
+#include "moivre/numeric/stopwatch.h"
 #include "output.h"
 #include "progress_line.h"
 #include "tracker_choice.h"
@@ -53,10 +53,9 @@ int run(const ClosuresCommand& command) {
          require_distinct({command.json, command.csv, command.svg, command.html}, command.file);
        },
        [&] { tracker = make_tracker(command.tracker); }});
-  const auto begin = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   const Mechanism mechanism = read_mechanism_file(command.file);
-  const double parse_s =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  const double parse_s = watch.total();
   Output json(command.json);
   Output csv(command.csv);
   Output svg(command.svg);

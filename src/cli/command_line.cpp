@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "command.h"
+#include "moivre/expression/joined.h"
 #include "moivre/expression/source.h"
 #include "output.h"
 #include "suggest.h"
@@ -42,12 +43,6 @@ std::string did_you_mean(const std::string& word, const std::vector<std::string>
   return suggestion ? "; did you mean " + *suggestion + "?" : "";
 }
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
-}
-
 /// A sentence for each word that is neither a command nor an option; empty when all are known.
 std::string unknown_words(const CLI::App& moivre, const std::vector<std::string>& words) {
   const CLI::App* command = nullptr;
@@ -64,7 +59,7 @@ std::string unknown_words(const CLI::App& moivre, const std::vector<std::string>
       command = find_command(moivre, word);
       if (command != nullptr) continue;
       return "moivre: unknown command " + word + did_you_mean(word, command_names(moivre)) +
-             "\nThe commands are " + joined(command_names(moivre)) + ".\n";
+             "\nThe commands are " + joined(command_names(moivre), ", ") + ".\n";
     }
   }
   return text;

@@ -2,9 +2,9 @@
 // The roots' digits from the module multiprecision, where it was built.
 #include "digits.h"
 
-#include <chrono>
 #include <stdexcept>
 
+#include "moivre/numeric/stopwatch.h"
 #include "moivre/report/number_text.h"
 
 #if MOIVRE_WITH_MULTIPRECISION
@@ -23,7 +23,7 @@ void require_digits(int digits) {
 }
 
 void give_digits(const System& f, int digits, SolveResult& result, const std::atomic<bool>& stop) {
-  const auto begin = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   result.digits = digits;
   std::vector<Point> points;
   for (const Solution& solution : result.solutions) points.push_back(solution.x);
@@ -50,8 +50,7 @@ void give_digits(const System& f, int digits, SolveResult& result, const std::at
     result.left_out.push_back({std::to_string(digits) + " digits of " + counted(not_begun, "root"),
                                "the run was interrupted before"});
   }
-  result.time.total +=
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  result.time.total += watch.total();
 }
 
 #else

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // moivre motion FILE: every closure followed along the drivers, or the pose from a guess; text, JSON or CSV.
-#include <chrono>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -12,6 +11,7 @@
 #include "moivre/closure_report/motion_report.h"
 #include "moivre/closure_report/page.h"
 #include "moivre/closure_report/picture.h"
+#include "moivre/numeric/stopwatch.h"
 #include "output.h"
 #include "progress_line.h"
 #include "tracker_choice.h"
@@ -33,13 +33,6 @@ struct MotionCommand {
   std::string svg;
   std::string html;
 };
-
-void require_workable(const Mechanism& mechanism, const MotionOptions& options) {
-  std::string broken;
-  for (const std::string& rule : validate(options)) broken += (broken.empty() ? "" : "; ") + rule;
-  if (!broken.empty()) throw std::invalid_argument(broken);
-  for (const double time : {options.from, options.to}) require_drivers(mechanism, time);
-}
 
 MotionResult closures_moved(const Mechanism& mechanism, const Tracker& tracker,
                             const MotionOptions& options, const std::atomic<bool>& stop) {
@@ -70,10 +63,9 @@ int run(const MotionCommand& command) {
          require_distinct({command.json, command.csv, command.svg, command.html}, command.file);
        },
        [&] { tracker = make_tracker(command.tracker); }});
-  const auto begin = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   const Mechanism mechanism = read_any_mechanism(command.file);
-  const double parse_s =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  const double parse_s = watch.total();
   MotionOptions options = command.options;
   options.to = command.to.value_or(options.from + natural_duration(mechanism, options.from));
   options.solve.seed = command.start.seed;

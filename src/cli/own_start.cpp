@@ -5,17 +5,12 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "moivre/expression/joined.h"
 #include "moivre/polynomial/read.h"
 #include "moivre/report/point_list.h"
 
 namespace moivre {
 namespace {
-
-std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : " ") + name;
-  return text;
-}
 
 /// The same polynomials, with the variables in the order of `names`.
 System in_order_of(const System& g, const std::vector<std::string>& names,
@@ -24,8 +19,8 @@ System in_order_of(const System& g, const std::vector<std::string>& names,
   for (const std::string& name : g.variables) {
     const auto found = std::find(names.begin(), names.end(), name);
     if (found == names.end() || g.variables.size() != names.size()) {
-      throw std::invalid_argument(file + ": the start system is in " + listed(g.variables) +
-                                  ", the problem in " + listed(names));
+      throw std::invalid_argument(file + ": the start system is in " + joined(g.variables, " ") +
+                                  ", the problem in " + joined(names, " "));
     }
     place.push_back(static_cast<std::uint32_t>(found - names.begin()));
   }

@@ -7,6 +7,7 @@
 
 #include "command_line.h"
 #include "interruption.h"
+#include "moivre/expression/refusal.h"
 #include "moivre/polynomial/read.h"
 #include "moivre/report/number_text.h"
 #include "moivre/study_report/study_report.h"
@@ -80,11 +81,7 @@ StudyOptions options_of(const StudyCommand& command) {
   StudyOptions options;
   options.seed = command.seed;
   options.seeds = command.seeds;
-  std::string message;
-  for (const std::string& sentence : validate(options)) {
-    message += (message.empty() ? "" : "; ") + sentence;
-  }
-  if (!message.empty()) throw std::invalid_argument(message);
+  require_unbroken(validate(options));
   return options;
 }
 

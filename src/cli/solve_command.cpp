@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // moivre solve FILE: all roots of a polynomial file, told as text, JSON, CSV or PHCpack's solution list.
-#include <chrono>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -9,6 +8,7 @@
 #include "common_options.h"
 #include "digits.h"
 #include "interruption.h"
+#include "moivre/numeric/stopwatch.h"
 #include "moivre/report/solve_report.h"
 #include "moivre/solver/cross_check.h"
 #include "output.h"
@@ -39,9 +39,9 @@ struct Problem {
 };
 
 Problem read_problem(const std::string& file) {
-  const auto begin = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   Problem problem{read_polynomial_file(file)};
-  problem.parse_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  problem.parse_s = watch.total();
   return problem;
 }
 

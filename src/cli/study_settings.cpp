@@ -6,6 +6,7 @@
 #include <functional>
 #include <stdexcept>
 
+#include "moivre/expression/joined.h"
 #include "tracker_choice.h"
 
 namespace moivre {
@@ -59,15 +60,13 @@ TrackerChoice choice_of(const std::string& curve, double tolerance) {
 }
 
 void require_built(const std::vector<std::string>& curves, const std::vector<std::string>& built) {
-  std::string names;
-  for (const std::string& name : built) names += (names.empty() ? "" : ", ") + name;
-  std::string unknown;
+  std::vector<std::string> unknown;
   for (const std::string& curve : curves) {
-    if (std::find(built.begin(), built.end(), curve) != built.end()) continue;
-    unknown += (unknown.empty() ? "" : ",") + curve;
+    if (std::find(built.begin(), built.end(), curve) == built.end()) unknown.push_back(curve);
   }
   if (unknown.empty()) return;
-  throw std::invalid_argument("--settings " + unknown + ": the settings are " + names);
+  throw std::invalid_argument("--settings " + joined(unknown, ",") + ": the settings are " +
+                              joined(built, ", "));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "moivre/report/version.h"
 
 #if MOIVRE_WITH_LANES
+#include "moivre/expression/joined.h"
 #include "moivre/tracker_lanes/lane_tracker.h"
 #endif
 
@@ -13,12 +14,8 @@ namespace {
 
 #if MOIVRE_WITH_LANES
 std::string lanes_text() {
-  std::string others;
-  for (const std::string& target : lane_targets()) {
-    others += (others.empty() ? "" : ", ") + target;
-  }
   return lane_target() + " with " + std::to_string(lane_width()) +
-         " doubles; built in and runnable here: " + others;
+         " doubles; built in and runnable here: " + joined(lane_targets(), ", ");
 }
 #else
 std::string lanes_text() { return "not built"; }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A mobility: counts, redundant rows by name, directions that are free.
 #include "moivre/closure_report/kinematics_report.h"
+#include "moivre/expression/joined.h"
 #include "moivre/report/number_text.h"
 #include "pose_json.h"
 #include "pose_text.h"
@@ -25,12 +26,6 @@ std::vector<std::string> names_of(const std::vector<Eigen::Index>& indices,
   return names;
 }
 
-std::string list_text(const std::vector<std::string>& items) {
-  std::string text;
-  for (const std::string& item : items) text += (text.empty() ? "" : ", ") + item;
-  return text;
-}
-
 /// Entries that are not rounding noise, as "coupler.phi 0.3".
 std::string direction_text(const Eigen::VectorXd& direction, const Mechanism& mechanism) {
   constexpr double kNoise = 1e-12;
@@ -41,7 +36,7 @@ std::string direction_text(const Eigen::VectorXd& direction, const Mechanism& me
     parts.push_back(names[static_cast<std::size_t>(k)].name + " " +
                     known_digits(direction[k], 1e-6));
   }
-  return list_text(parts);
+  return joined(parts, ", ");
 }
 
 }  // namespace
@@ -74,7 +69,8 @@ std::string mobility_text(const Mobility& mobility, const NewtonResult& pose,
     text += "idle: " + idle.name + ", along " + direction_text(idle.direction, mechanism) + '\n';
   }
   for (const std::string& warning : mobility.warnings) text += "warning: " + warning + '\n';
-  text += "independent coordinates: " + list_text(names_of(mobility.independent, mechanism)) + '\n';
+  text +=
+      "independent coordinates: " + joined(names_of(mobility.independent, mechanism), ", ") + '\n';
   for (Eigen::Index k = 0; k < mobility.null_space.cols(); ++k) {
     text += "moves along: " + direction_text(mobility.null_space.col(k), mechanism) + '\n';
   }

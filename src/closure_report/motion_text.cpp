@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "moivre/closure_report/motion_report.h"
+#include "moivre/expression/joined.h"
 #include "moivre/report/number_text.h"
 #include "moivre/report/text_blocks.h"
 #include "pose_text.h"
@@ -40,12 +41,6 @@ std::string place(const Mechanism& mechanism, double time) {
   return "t = " + seconds(time) + (drivers.empty() ? "" : " (" + drivers + ")");
 }
 
-std::string list(const std::vector<std::string>& ids) {
-  std::string text;
-  for (const std::string& id : ids) text += (text.empty() ? "" : ", ") + id;
-  return text;
-}
-
 std::string branch_text(const MotionBranch& branch, const MotionResult& result,
                         const Mechanism& mechanism) {
   const auto kind_at = [&](const std::optional<std::size_t>& event) {
@@ -74,10 +69,10 @@ std::string event_text(const MotionEvent& event, const Mechanism& mechanism) {
   if (!event.at.joint.empty()) text += " of " + event.at.joint;
   text += " at " + place(mechanism, event.at.time) + doubt_text(event.at) + ": ";
   if (!event.ending.empty())
-    text += list(event.ending) + " end" + (event.ending.size() == 1 ? "s" : "");
+    text += joined(event.ending, ", ") + " end" + (event.ending.size() == 1 ? "s" : "");
   if (!event.ending.empty() && !event.beginning.empty()) text += ", ";
   if (!event.beginning.empty()) {
-    text += list(event.beginning) + " begin" + (event.beginning.size() == 1 ? "s" : "");
+    text += joined(event.beginning, ", ") + " begin" + (event.beginning.size() == 1 ? "s" : "");
   }
   return text + '\n';
 }
@@ -106,7 +101,7 @@ std::string checkpoints_text(const std::vector<Checkpoint>& all, const Mechanism
                                 " .. " + place(mechanism, all[next - 1].time);
     text += ": " + counted(first.counts.complex, "complex closure") + ", " +
             std::to_string(first.counts.real) + " real" +
-            (ids.empty() ? "" : " (" + list(ids) + ")") + "; " +
+            (ids.empty() ? "" : " (" + joined(ids, ", ") + ")") + "; " +
             (first.agrees ? "agrees" : "DOES NOT AGREE: " + first.message) + '\n';
   }
   return text;

@@ -3,16 +3,16 @@
 #include "moivre/closures/closures.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <map>
-#include <stdexcept>
 
 #include "canonical_order.h"
 #include "closure_id.h"
 #include "exact.h"
+#include "moivre/expression/refusal.h"
 #include "moivre/kinematics/newton.h"
 #include "moivre/mechanism/pose.h"
+#include "moivre/numeric/stopwatch.h"
 #include "moving_pose.h"
 #include "squared_up.h"
 #include "stages.h"
@@ -327,7 +327,7 @@ void Search::conclude() {
 }
 
 ClosureResult Search::run() {
-  const auto begin = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   describe();
   if (isotropic_.contradictions.empty()) solve_stages();
   check_images();
@@ -343,8 +343,7 @@ ClosureResult Search::run() {
   for (const std::string& name : isotropic_.contradictions) {
     result_.message += "; " + name + " holds an angle that is held at another value already";
   }
-  result_.time_s.total =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  result_.time_s.total = watch.total();
   return std::move(result_);
 }
 
@@ -353,11 +352,7 @@ ClosureResult Search::run() {
 ClosureResult find_closures(const Mechanism& mechanism, const Tracker& tracker,
                             const ClosureOptions& options, const std::atomic<bool>& stop) {
   require_drivers(mechanism, options.time);
-  std::string broken;
-  for (const std::string& rule : validate(options.solve)) {
-    broken += (broken.empty() ? "" : "; ") + rule;
-  }
-  if (!broken.empty()) throw std::invalid_argument(broken);
+  require_unbroken(validate(options.solve));
   return Search(mechanism, tracker, options, stop).run();
 }
 

@@ -3,7 +3,6 @@
 #include "moivre/closures/motion.h"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "moivre/kinematics/newton.h"
 #include "moivre/numeric/stopwatch.h"
@@ -13,13 +12,6 @@
 
 namespace moivre {
 namespace {
-
-void require_valid(const Mechanism& mechanism, const MotionOptions& options) {
-  std::string broken;
-  for (const std::string& rule : validate(options)) broken += (broken.empty() ? "" : "; ") + rule;
-  if (!broken.empty()) throw std::invalid_argument(broken);
-  for (const double time : {options.from, options.to}) require_drivers(mechanism, time);
-}
 
 /// A track from every closure at `from`.
 void begin_tracks(MotionRun& run, const std::vector<Scene>& scenes) {
@@ -98,7 +90,7 @@ LeftOut left_unseen(const MotionOptions& options) {
 
 MotionResult find_motion(const Mechanism& mechanism, const Tracker& tracker,
                          const MotionOptions& options, const std::atomic<bool>& stop) {
-  require_valid(mechanism, options);
+  require_workable(mechanism, options);
   const Stopwatch watch;
   MotionRun run(mechanism, options, motion_times(options, options.checkpoints), stop);
   MotionResult result = empty_result(run);
@@ -130,7 +122,7 @@ MotionResult find_motion(const Mechanism& mechanism, const Tracker& tracker,
 
 MotionResult follow_guesses(const Mechanism& mechanism, const std::vector<Eigen::VectorXd>& guesses,
                             const MotionOptions& options, const std::atomic<bool>& stop) {
-  require_valid(mechanism, options);
+  require_workable(mechanism, options);
   const Stopwatch watch;
   MotionRun run(mechanism, options, motion_times(options, 0), stop);
   MotionResult result = empty_result(run);

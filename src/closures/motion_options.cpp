@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Which options does a motion refuse? Every broken rule, as a sentence.
+// Which motions are refused before any work? Every broken rule, as a sentence.
 #include <cmath>
 
 #include "moivre/closures/motion.h"
+#include "moivre/expression/refusal.h"
 
 namespace moivre {
 namespace {
@@ -24,6 +25,11 @@ std::vector<std::string> validate(const MotionOptions& options) {
     broken.emplace_back("`checkpoints` must lie between 0 and a million");
   }
   return broken;
+}
+
+void require_workable(const Mechanism& mechanism, const MotionOptions& options) {
+  require_unbroken(validate(options));
+  for (const double time : {options.from, options.to}) require_drivers(mechanism, time);
 }
 
 }  // namespace moivre

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "moivre/expression/expression.h"
+#include "moivre/expression/joined.h"
 #include "moivre/numeric/integer.h"
 #include "read_formats.h"
 
@@ -199,12 +200,6 @@ std::string function_prefix(const System& f) {
   return prefix;
 }
 
-std::string joined(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
-}
-
 std::string bertini_text(const System& f) {
   require_writable(f, {"I"});
   const Writer writer(f, "I");
@@ -212,8 +207,8 @@ std::string bertini_text(const System& f) {
   const std::string prefix = function_prefix(f);
   for (std::size_t k = 1; k <= f.polynomials.size(); ++k)
     functions.push_back(prefix + std::to_string(k));
-  std::string text = "CONFIG\nEND;\nINPUT\nvariable_group " + joined(f.variables) + ";\nfunction " +
-                     joined(functions) + ";\n";
+  std::string text = "CONFIG\nEND;\nINPUT\nvariable_group " + joined(f.variables, ", ") +
+                     ";\nfunction " + joined(functions, ", ") + ";\n";
   for (std::size_t k = 0; k < f.polynomials.size(); ++k) {
     text += functions[k] + " = " + writer.polynomial(f.polynomials[k], {}) + ";\n";
   }

@@ -2,6 +2,7 @@
 // The structure of a system for people.
 #include <string>
 
+#include "moivre/expression/joined.h"
 #include "moivre/polynomial/scale.h"
 #include "moivre/report/info.h"
 #include "moivre/report/number_text.h"
@@ -9,12 +10,6 @@
 
 namespace moivre {
 namespace {
-
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
-  return text;
-}
 
 std::string size_text(std::uint64_t equations, std::uint64_t unknowns, std::uint64_t terms) {
   return counted(equations, "equation") + " in " + counted(unknowns, "unknown") + ", " +
@@ -30,7 +25,7 @@ std::string degrees_line(const SystemFacts& facts) {
 std::string info_text(const SystemInfo& info, const std::string& file) {
   std::string text =
       file + ": " + size_text(info.equations, info.system.variables.size(), info.terms) + '\n';
-  text += "unknowns      " + joined(info.system.variables) + '\n';
+  text += "unknowns      " + joined(info.system.variables, " ") + '\n';
   text += "degrees       " + degrees_line(info.system) + '\n';
   text += std::string("coefficients  ") + (info.real ? "real" : "complex") + '\n';
   text += std::string("homogeneous   ") + (info.homogeneous ? "yes" : "no") + '\n';

@@ -9,19 +9,12 @@
 #include "doubts.h"
 #include "ends.h"
 #include "facts.h"
+#include "moivre/expression/refusal.h"
 #include "moivre/numeric/stopwatch.h"
 #include "tracking.h"
 
 namespace moivre {
 namespace {
-
-void require_valid(const SolveOptions& options) {
-  std::string message;
-  for (const std::string& sentence : validate(options)) {
-    message += (message.empty() ? "" : "; ") + sentence;
-  }
-  if (!message.empty()) throw std::invalid_argument(message);
-}
 
 /// All that is known before any path is followed.
 SolveResult described(const Setting& setting) {
@@ -81,7 +74,7 @@ bool decided_without_tracking(const Setting& setting, SolveResult& result) {
 
 SolveResult solve(const System& f, const Tracker& tracker, const SolveOptions& options,
                   const std::atomic<bool>& stop) {
-  require_valid(options);
+  require_unbroken(validate(options));
   require_square(f);
   Stopwatch watch;
   const Setting setting(f, tracker, options, stop);

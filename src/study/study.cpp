@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
+#include "moivre/expression/refusal.h"
 #include "moivre/solver/drift.h"
 #include "moivre/study/cpu_time.h"
 #include "plain_newton.h"
@@ -235,11 +235,7 @@ std::vector<std::string> validate(const StudyOptions& options) {
 StudyResult study_subject(const StudySubject& subject, const std::vector<StudySetting>& settings,
                           const Tracker& referee, const Tracker* witness,
                           const StudyOptions& options, const std::atomic<bool>& stop) {
-  std::string message;
-  for (const std::string& sentence : validate(options)) {
-    message += (message.empty() ? "" : "; ") + sentence;
-  }
-  if (!message.empty()) throw std::invalid_argument(message);
+  require_unbroken(validate(options));
   return Study(subject, options, stop).run(settings, referee, witness);
 }
 

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "cvode_memory.h"
+#include "moivre/expression/refusal.h"
 
 namespace moivre {
 namespace {
@@ -294,11 +294,7 @@ std::vector<std::string> validate(const CvodeOptions& options) {
 }
 
 std::unique_ptr<Tracker> make_cvode_tracker(const CvodeOptions& options) {
-  std::string message;
-  for (const std::string& sentence : validate(options)) {
-    message += (message.empty() ? "" : "; ") + sentence;
-  }
-  if (!message.empty()) throw std::invalid_argument(message);
+  require_unbroken(validate(options));
   return std::make_unique<CvodeTracker>(options);
 }
 

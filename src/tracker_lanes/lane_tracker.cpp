@@ -32,7 +32,8 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 #include <algorithm>
 #include <cstdio>
-#include <stdexcept>
+
+#include "moivre/expression/refusal.h"
 
 namespace moivre {
 namespace {
@@ -124,11 +125,7 @@ std::vector<std::string> validate(const LaneOptions& options) {
 }
 
 std::unique_ptr<Tracker> make_lane_tracker(const LaneOptions& options) {
-  std::string message;
-  for (const std::string& sentence : validate(options)) {
-    message += (message.empty() ? "" : "; ") + sentence;
-  }
-  if (!message.empty()) throw std::invalid_argument(message);
+  require_unbroken(validate(options));
   return std::make_unique<LaneTracker>(options, false);
 }
 

@@ -47,6 +47,9 @@ struct MotionOptions {
 /// Every broken rule as a sentence; empty when the options can be used.
 std::vector<std::string> validate(const MotionOptions& options);
 
+/// Throws std::invalid_argument with every broken rule, or where a driver has no value at `from` or `to`.
+void require_workable(const Mechanism& mechanism, const MotionOptions& options);
+
 struct MotionBranch {
   std::string id;
   std::vector<BranchSample> samples;  ///< by time, at the output times within [begins, ends]
