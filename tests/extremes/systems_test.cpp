@@ -2,7 +2,7 @@
 // Does each extreme system give the right answer with both trackers, or an honest failure? Multiprecision is the judge.
 //
 // Whatever the case: the account is closed, every root called simple is one by Smale's alpha test, no two are the same, and
-// none is further from the truth than its accuracy says.
+// none is further from the truth than its accuracy says; a root called singular is where the index has one.
 #include <gtest/gtest.h>
 
 #include "moivre/multiprecision/reference_roots.h"
@@ -23,6 +23,7 @@ struct Case {
   std::string expect;
   std::uint64_t simple = 0;
   std::vector<std::uint64_t> multiple;
+  std::vector<std::vector<double>> multiple_at;
 };
 
 std::vector<Case> cases() {
@@ -33,34 +34,83 @@ std::vector<Case> cases() {
     if (!entry.at("test").get<bool>()) continue;
     all.push_back({entry.at("name"), entry.at("file"), entry.at("expect"),
                    entry.value("simple", std::uint64_t{0}),
-                   entry.value("multiple", std::vector<std::uint64_t>{})});
+                   entry.value("multiple", std::vector<std::uint64_t>{}),
+                   entry.value("multiple_at", std::vector<std::vector<double>>{})});
   }
   return all;
 }
 
 void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
 
-/// Every root called simple is a root, known as well as it says, and no other's twin.
-void expect_true_roots(const System& f, const SolveResult& result) {
+Point rounded(const std::vector<ComplexDoubleDouble>& x) {
+  Point point;
+  for (const ComplexDoubleDouble& xi : x) point.push_back(to_complex(xi));
+  return point;
+}
+
+/// Largest difference of a coordinate, relative to that coordinate.
+double apart(const Point& x, const Point& y) {
+  double largest = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const double size = std::max(std::abs(x[i]), std::abs(y[i]));
+    if (size > 0) largest = std::max(largest, std::abs(x[i] - y[i]) / size);
+  }
+  return largest;
+}
+
+/// Judges the roots of one system; what it proved for one tracker it knows for the next.
+class Judge {
+ public:
+  explicit Judge(const System& f) : f_(f) {}
+
+  /// Every root called simple is a root, known as well as it says, and no other's twin.
+  void expect_true_roots(const SolveResult& result);
+
+ private:
+  /// In every coordinate at a root that was proved: it needs no proof of its own.
+  bool is_proved(const Solution& s) const {
+    return std::any_of(proved_.begin(), proved_.end(), [&](const Point& root) {
+      return apart(s.x, root) <= kSame && test::distance(s.x, root) <= s.accuracy;
+    });
+  }
+
+  const System& f_;
+  std::vector<Point> proved_;
+};
+
+void Judge::expect_true_roots(const SolveResult& result) {
   std::vector<Point> points;
+  std::vector<Point> to_prove;
   std::vector<double> accuracy;
   for (const Solution& s : result.solutions) {
     if (s.singular) continue;
     points.push_back(s.x);
+    if (is_proved(s)) continue;
+    to_prove.push_back(s.x);
     accuracy.push_back(s.accuracy);
   }
-  const std::vector<ReferenceRoot> roots = reference_roots(f, points, kDigits);
+  const std::vector<ReferenceRoot> roots = reference_roots(f_, to_prove, kDigits);
   for (std::size_t k = 0; k < roots.size(); ++k) {
     ASSERT_TRUE(roots[k].converged) << "root " << k;
     EXPECT_LE(roots[k].forward_error, accuracy[k]) << "root " << k;
+    proved_.push_back(rounded(roots[k].nearest));
+  }
+  for (std::size_t k = 0; k < points.size(); ++k) {
     for (std::size_t other = 0; other < k; ++other) {
-      double apart = 0;
-      for (std::size_t i = 0; i < points[k].size(); ++i) {
-        const double size = std::max(std::abs(points[k][i]), std::abs(points[other][i]));
-        if (size > 0) apart = std::max(apart, std::abs(points[k][i] - points[other][i]) / size);
-      }
-      EXPECT_GT(apart, kSame) << "roots " << k << " and " << other;
+      EXPECT_GT(apart(points[k], points[other]), kSame) << "roots " << k << " and " << other;
     }
+  }
+}
+
+/// Every root called singular is one of the index, known as well as it says.
+void expect_singular_roots_of_the_index(const Case& c, const SolveResult& result) {
+  for (const Solution& s : result.solutions) {
+    if (!s.singular) continue;
+    EXPECT_TRUE(std::any_of(c.multiple_at.begin(), c.multiple_at.end(),
+                            [&](const auto& at) {
+                              return test::distance(s.x, Point(at.begin(), at.end())) <= s.accuracy;
+                            }))
+        << "a singular root at " << s.x[0];
   }
 }
 
@@ -102,6 +152,7 @@ TEST_P(Extreme, IsAnsweredRightlyOrHonestly) {
   std::vector<std::unique_ptr<Tracker>> trackers;
   trackers.push_back(make_cvode_tracker());
   trackers.push_back(make_lane_tracker());
+  Judge judge(f);
   for (const auto& tracker : trackers) {
     SCOPED_TRACE(tracker->kind());
     if (c.expect == "refused") {
@@ -110,9 +161,69 @@ TEST_P(Extreme, IsAnsweredRightlyOrHonestly) {
     }
     const SolveResult result = solve(f, *tracker, test::with_seed(1));
     test::expect_conservation(result);
-    expect_true_roots(f, result);
+    judge.expect_true_roots(result);
+    expect_singular_roots_of_the_index(c, result);
     expect_answer(c, result);
   }
+}
+
+/// Cyclic n-roots: sums of the products of k neighbours on a circle of n unknowns, and the product of all of them less 1.
+System cyclic(int n) {
+  std::string text = std::to_string(n) + "\n";
+  for (int k = 1; k <= n; ++k) {
+    for (int first = 0; first < (k == n ? 1 : n); ++first) {
+      text += first == 0 ? "" : " + ";
+      for (int i = 0; i < k; ++i) text += (i ? "*z" : "z") + std::to_string((first + i) % n);
+    }
+    text += k == n ? " - 1;\n" : ";\n";
+  }
+  return test::read(text);
+}
+
+// 40320 paths, the most of them to curves and to infinity; whoever stops them has an account of what was finished.
+TEST(CyclicEight, InterruptedItTellsNoRootThatIsNone) {
+  constexpr std::uint64_t kPatience = 400;  // paths
+  const System f = cyclic(8);
+  const auto cvode = make_cvode_tracker();
+  const auto lanes = make_lane_tracker();
+  for (const Tracker* tracker : {cvode.get(), lanes.get()}) {
+    SCOPED_TRACE(tracker->kind());
+    std::atomic<bool> stop{false};
+    SolveOptions options = test::with_seed(1);
+    options.progress = [&](const Progress& progress) { stop = progress.done >= kPatience; };
+    const SolveResult result = solve(f, *tracker, options, stop);
+    EXPECT_EQ(result.start.paths, 40320U);
+    EXPECT_FALSE(result.complete);
+    EXPECT_GE(result.paths.tracked, kPatience);
+    test::expect_conservation(result);
+    Judge(f).expect_true_roots(result);
+    expect_singular_roots_of_the_index({}, result);
+  }
+}
+
+/// The discretised H-equation: 2 n H_i - c H_i (1 + sum_j i/(i+j) H_j) - 2 n, j = 1..n-1 [Chandrasekhar60].
+System chandra(int n) {
+  std::string text = std::to_string(n) + "\n";
+  for (int i = 1; i <= n; ++i) {
+    const std::string H = "H" + std::to_string(i);
+    text += std::to_string(2 * n) + "*" + H + " - 0.51234*" + H + "*(1";
+    for (int j = 1; j < n; ++j) {
+      text += " + (" + std::to_string(i) + "/" + std::to_string(i + j) + ")*H" + std::to_string(j);
+    }
+    text += ") - " + std::to_string(2 * n) + ";\n";
+  }
+  return test::read(text);
+}
+
+// Roots up to 5e6; one half of the 1024 paths goes to infinity.
+TEST(ChandraTen, HasEveryRootInLanes) {
+  const System f = chandra(10);
+  const SolveResult result = solve(f, *make_lane_tracker(), test::with_seed(1));
+  EXPECT_TRUE(result.complete) << result.message;
+  EXPECT_EQ(result.solutions.size(), 512U);
+  EXPECT_EQ(result.paths.at_infinity, 512U);
+  test::expect_conservation(result);
+  Judge(f).expect_true_roots(result);
 }
 
 TEST(ClusterOfTwo, LiesWithinItsAccuracy) {
