@@ -8,10 +8,6 @@
 namespace moivre::test {
 namespace {
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 TEST(CommandLine, ShowsExamplesInTheHelpOfEveryCommand) {
   const Scene scene;
   for (const char* command : {"solve", "track", "info"}) {

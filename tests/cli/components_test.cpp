@@ -13,10 +13,6 @@ constexpr bool kWithMechanism = MOIVRE_WITH_MECHANISM;
 
 const std::string kConics = "2\nx^2 + y^2 - 5;\nx*y - 2;\n";
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 TEST(Components, AreListedWithTheVerboseVersion) {
   const Outcome outcome = Scene().run({"--version", "--verbose"});
   EXPECT_EQ(outcome.exit_code, 0);

@@ -11,10 +11,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 const std::string kTriangle = R"toml([units]
 angle = "deg"
 [ground.points]

@@ -56,10 +56,6 @@ start = 0.1
 velocity = 1
 )";
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 TEST(MotionCommand, TellsBranchesAndWhereTheyEnd) {
   Scene scene;
   scene.write("crank.toml", kCrank);

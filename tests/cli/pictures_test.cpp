@@ -9,10 +9,6 @@ namespace {
 
 constexpr const char* kFourBar = MOIVRE_SOURCE_DIR "/problems/mechanisms/four-bar.toml";
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 TEST(Pictures, OfClosuresGoToAFileBesideTheText) {
   const Scene scene;
   const Outcome outcome = scene.run({"closures", kFourBar, "--svg", "closures.svg"});

@@ -42,6 +42,10 @@ class Scene {
   std::string folder_;
 };
 
+inline bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
 /// Waits until the process catches SIGINT. False when it does not within ten seconds.
 bool catches_interrupt(int process);
 

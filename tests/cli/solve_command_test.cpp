@@ -16,10 +16,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 TEST(SolveCommand, PrintsTheRootsOfAFile) {
   Scene scene;
   scene.write("f.phc", kCircleAndHyperbola);

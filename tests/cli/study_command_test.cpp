@@ -14,10 +14,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 const std::vector<std::string> kShort{"--seeds", "1",          "--tolerances",
                                       "1e-2",    "--settings", "bdf_projection,adams"};
 

@@ -13,10 +13,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 double distance(const Json& a, const Json& b) {
   double largest = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {

@@ -4,20 +4,15 @@
 
 #include <string>
 
+#include "../mechanism/files.h"
 #include "moivre/closures/closures.h"
-#include "moivre/mechanism/read.h"
 #include "moivre/tracker_cvode/cvode_tracker.h"
 
 namespace moivre {
 
-inline Mechanism mechanism_file(const std::string& name) {
-  return read_mechanism(
-      read_source(std::string(MOIVRE_SOURCE_DIR) + "/problems/mechanisms/" + name + ".toml"));
-}
+inline Mechanism mechanism_file(const std::string& name) { return test::example(name); }
 
-inline Mechanism mechanism_text(const std::string& text) {
-  return read_mechanism({"mechanism.toml", text});
-}
+inline Mechanism mechanism_text(const std::string& text) { return test::typed(text); }
 
 /// The file's driver number `driver` starts at `start_rad` instead.
 inline Mechanism driven_from(Mechanism mechanism, double start_rad, std::size_t driver = 0) {

@@ -341,15 +341,7 @@ TEST(Motion, EquationsOfHalfAnglesAreFollowedBeyondATurn) {
 
 // The links of a stretched toggle pass through the line as slowly as the square of the time: branches touch.
 TEST(Motion, BranchesThatTouchMeetInOneEvent) {
-  const Mechanism m = mechanism_text(
-      "[ground.points]\nG = [0, 0]\n[body.a.points]\nG = [0, 0]\nM = [1, 0]\n"
-      "[body.b.points]\nM = [0, 0]\nS = [1, 0]\n[body.slider.points]\nS = [0, 0]\n"
-      "[[joint]]\ntype = \"revolute\"\nat = [\"ground.G\", \"a.G\"]\n"
-      "[[joint]]\ntype = \"revolute\"\nat = [\"a.M\", \"b.M\"]\n"
-      "[[joint]]\ntype = \"revolute\"\nat = [\"b.S\", \"slider.S\"]\n"
-      "[[joint]]\ntype = \"prismatic\"\nat = [\"ground.G\", \"slider.S\"]\nalong = [1, 0]\nname = "
-      "\"guide\"\n"
-      "[[driver]]\nslide = \"guide\"\nvalue = \"2 - (t - 1.1)^4\"\n");
+  const Mechanism m = mechanism_text(test::toggle_text("2 - (t - 1.1)^4"));
   MotionOptions options = options_for(m, 20);
   options.to = 2;
   const MotionResult result = motion_of(m, options);

@@ -29,36 +29,16 @@ void expect_moves(const Mechanism& mechanism, std::uint64_t dimension) {
   }
 }
 
-/// A triangle of links 2 and 1 on pivots `base` apart, with a link of length 1 that dangles from its tip.
-Mechanism triangle(const std::string& base, bool has_tail) {
-  const std::string tail = R"toml(
+/// The triangle, with a link of length 1 that dangles from its tip.
+Mechanism triangle_with_a_tail(const std::string& base) {
+  return mechanism_text(test::triangle_text(base) + R"toml(
 [body.tail.points]
 A = [0, 0]
 T = [1, 0]
 [[joint]]
 type = "revolute"
 at = ["left.A", "tail.A"]
-)toml";
-  return mechanism_text(R"toml(
-[ground.points]
-O = [0, 0]
-P = [)toml" + base + R"toml(, 0]
-[body.left.points]
-O = [0, 0]
-A = [2, 0]
-[body.right.points]
-P = [0, 0]
-A = [-1, 0]
-[[joint]]
-type = "revolute"
-at = ["ground.O", "left.O"]
-[[joint]]
-type = "revolute"
-at = ["ground.P", "right.P"]
-[[joint]]
-type = "revolute"
-at = ["left.A", "right.A"]
-)toml" + (has_tail ? tail : ""));
+)toml");
 }
 
 TEST(Moves, AFourBarWithoutDriver) {
@@ -97,7 +77,7 @@ TEST(Moves, TypedEquationsToo) { expect_moves(undriven("slider-crank-equations")
 
 TEST(Moves, NotATriangleThatLiesFolded) {
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
-    const ClosureResult result = closures_of(triangle("3", false), seed);
+    const ClosureResult result = closures_of(mechanism_text(test::triangle_text("3")), seed);
     EXPECT_TRUE(result.complete) << result.message;
     EXPECT_FALSE(result.moves);
     ASSERT_EQ(result.closures.size(), 1u);
@@ -120,10 +100,12 @@ TEST(Moves, AParallelogramAtItsChangePointOnceItsCrankIsFree) {
   expect_moves(undriven("parallelogram"), 1);
 }
 
-TEST(Moves, ALinkThatDanglesFromAnAssembledTriangle) { expect_moves(triangle("2.5", true), 1); }
+TEST(Moves, ALinkThatDanglesFromAnAssembledTriangle) {
+  expect_moves(triangle_with_a_tail("2.5"), 1);
+}
 
 TEST(Moves, NotWhatDanglesFromATriangleThatCannotBeAssembled) {
-  const ClosureResult result = closures_of(triangle("4", true));
+  const ClosureResult result = closures_of(triangle_with_a_tail("4"));
   EXPECT_TRUE(result.complete) << result.message;
   EXPECT_FALSE(result.moves);
   EXPECT_NE(result.message.find("cannot be assembled"), std::string::npos) << result.message;

@@ -235,18 +235,9 @@ TEST(Branch, BifurcationExactlyAtTheLastTimeIsReported) {
   EXPECT_EQ(branch.samples.size(), 12U);
 }
 
-/// Two links of 1 between a pivot and a slider at a distance that `value` gives: stretched out where that is 2.
+/// The toggle with its elbow up.
 Mechanism toggle(const std::string& value) {
-  return typed(
-      "[ground.points]\nG = [0, 0]\n[body.a.points]\nG = [0, 0]\nM = [1, 0]\n"
-      "[body.b.points]\nM = [0, 0]\nS = [1, 0]\n[body.slider.points]\nS = [0, 0]\n"
-      "[[joint]]\ntype = \"revolute\"\nat = [\"ground.G\", \"a.G\"]\n"
-      "[[joint]]\ntype = \"revolute\"\nat = [\"a.M\", \"b.M\"]\n"
-      "[[joint]]\ntype = \"revolute\"\nat = [\"b.S\", \"slider.S\"]\n"
-      "[[joint]]\ntype = \"prismatic\"\nat = [\"ground.G\", \"slider.S\"]\nalong = [1, 0]\nname = "
-      "\"guide\"\n"
-      "[[driver]]\nslide = \"guide\"\nvalue = \"" +
-      value + "\"\n[guess]\n\"a.phi\" = 1\n\"b.phi\" = -1\n");
+  return typed(test::toggle_text(value) + "[guess]\n\"a.phi\" = 1\n\"b.phi\" = -1\n");
 }
 
 // The elbow's height is the root of 1 - s^2 / 4: like the time to go, its square, its cube.

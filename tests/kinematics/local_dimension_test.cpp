@@ -15,37 +15,13 @@ namespace {
 using Eigen::VectorXd;
 using test::example;
 using test::kDegree;
+using test::triangle_text;
 using test::typed;
 
 VectorXd pose_of(const Mechanism& mechanism) {
   const NewtonResult run = newton(Phi(mechanism), initial_guess(mechanism));
   EXPECT_EQ(run.status, NewtonStatus::converged) << run.message;
   return run.q;
-}
-
-/// Two links of lengths 2 and 1 between pivots that are `base` apart: at 3 the triangle lies folded.
-Mechanism triangle(const std::string& base) {
-  return typed(R"toml(
-[ground.points]
-O = [0, 0]
-P = [)toml" + base +
-               R"toml(, 0]
-[body.left.points]
-O = [0, 0]
-A = [2, 0]
-[body.right.points]
-P = [0, 0]
-A = [-1, 0]
-[[joint]]
-type = "revolute"
-at = ["ground.O", "left.O"]
-[[joint]]
-type = "revolute"
-at = ["ground.P", "right.P"]
-[[joint]]
-type = "revolute"
-at = ["left.A", "right.A"]
-)toml");
 }
 
 TEST(LocalDimension, OfAnAssembledDrivenMechanismIsZero) {
@@ -63,7 +39,7 @@ TEST(LocalDimension, CountsTheCoordinatesThatIndependentConstraintsLeave) {
 }
 
 TEST(LocalDimension, AFoldedTriangleStandsThoughItsNullSpaceDoesNot) {
-  const Phi phi(triangle("3"));
+  const Phi phi(typed(triangle_text("3")));
   VectorXd q(6);
   q << 0, 0, 0, 3, 0, 0;
   ASSERT_LT(phi.value(q, 0).norm(), 1e-15);

@@ -18,6 +18,60 @@ inline Mechanism typed(const std::string& text) {
   return read_mechanism(Source{"typed.toml", text});
 }
 
+/// Links of 2 and 1 on pivots `base` apart, pinned at their tips: from 1 to 3 a triangle, there and at 1 folded.
+inline std::string triangle_text(const std::string& base) {
+  return "[ground.points]\nO = [0, 0]\nP = [" + base + R"toml(, 0]
+[body.left.points]
+O = [0, 0]
+A = [2, 0]
+[body.right.points]
+P = [0, 0]
+A = [-1, 0]
+[[joint]]
+type = "revolute"
+at = ["ground.O", "left.O"]
+[[joint]]
+type = "revolute"
+at = ["ground.P", "right.P"]
+[[joint]]
+type = "revolute"
+at = ["left.A", "right.A"]
+)toml";
+}
+
+/// Two links of 1 between a pivot and a slider at a distance that `value` gives: stretched out where that is 2.
+inline std::string toggle_text(const std::string& value) {
+  return R"toml(
+[ground.points]
+G = [0, 0]
+[body.a.points]
+G = [0, 0]
+M = [1, 0]
+[body.b.points]
+M = [0, 0]
+S = [1, 0]
+[body.slider.points]
+S = [0, 0]
+[[joint]]
+type = "revolute"
+at = ["ground.G", "a.G"]
+[[joint]]
+type = "revolute"
+at = ["a.M", "b.M"]
+[[joint]]
+type = "revolute"
+at = ["b.S", "slider.S"]
+[[joint]]
+type = "prismatic"
+at = ["ground.G", "slider.S"]
+along = [1, 0]
+name = "guide"
+[[driver]]
+slide = "guide"
+value = ")toml" +
+         value + "\"\n";
+}
+
 inline constexpr double kDegree = 0.017453292519943295769;
 
 }  // namespace moivre::test

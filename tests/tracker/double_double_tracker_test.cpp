@@ -6,30 +6,20 @@
 
 #include <numbers>
 
-#include "moivre/polynomial/read.h"
+#include "journeys.h"
 
 namespace moivre {
 namespace {
 
-const std::atomic<bool> kGoOn{false};
+using test::affine;
+using test::from;
+using test::from_square_roots_of_one;
 
-/// x^2 = 1 becomes `target`.
-Homotopy from_square_roots_of_one(const std::string& target) {
-  return {read_system({"f", "1\n" + target + ";\n"}), read_system({"g", "1\nx^2 - 1;\n"})};
-}
+const std::atomic<bool> kGoOn{false};
 
 Arrival follow_from(const Homotopy& homotopy, const Departure& departure,
                     const DoubleDoubleOptions& options = {}) {
   return follow(*make_double_double_tracker(options)->open(homotopy), departure, kGoOn);
-}
-
-Complex affine(const Point& x) { return x[0] / x[1]; }
-
-Departure from(const Point& x, const Contour& contour = Contour::segment(0, 1)) {
-  Departure departure;
-  departure.contour = contour;
-  departure.x = x;
-  return departure;
 }
 
 TEST(DoubleDoubleTracker, ArrivesAtARegularEnd) {

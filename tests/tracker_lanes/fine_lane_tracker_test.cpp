@@ -5,8 +5,8 @@
 #include <map>
 #include <numbers>
 
+#include "../tracker/journeys.h"
 #include "every_target.h"
-#include "moivre/polynomial/read.h"
 #include "moivre/start/total_degree.h"
 #include "moivre/tracker/double_double_tracker.h"
 #include "moivre/tracker_lanes/lane_tracker.h"
@@ -14,15 +14,15 @@
 namespace moivre {
 namespace {
 
+using test::affine;
+using test::from;
+using test::from_square_roots_of_one;
+using test::Journeys;
+
 // Of an end, rounded to double.
 constexpr double kArrivalAccuracy = 1e-15;
 
 const std::atomic<bool> kGoOn{false};
-
-/// x^2 = 1 becomes `target`.
-Homotopy from_square_roots_of_one(const std::string& target) {
-  return {read_system({"f", "1\n" + target + ";\n"}), read_system({"g", "1\nx^2 - 1;\n"})};
-}
 
 std::unique_ptr<Tracker> fine_lanes(const LaneOptions& options = {}) {
   return make_lane_tracker(options)->in_double_double();
@@ -31,15 +31,6 @@ std::unique_ptr<Tracker> fine_lanes(const LaneOptions& options = {}) {
 Arrival follow_from(const Homotopy& homotopy, const Departure& departure,
                     const LaneOptions& options = {}) {
   return follow(*fine_lanes(options)->open(homotopy), departure, kGoOn);
-}
-
-Complex affine(const Point& x) { return x[0] / x[1]; }
-
-Departure from(const Point& x, const Contour& contour = Contour::segment(0, 1)) {
-  Departure departure;
-  departure.contour = contour;
-  departure.x = x;
-  return departure;
 }
 
 TEST(FineLanes, SayWhatTheyAre) {
@@ -133,24 +124,6 @@ TEST(FineLanes, SayWhyTheyStop) {
   const auto session = fine_lanes()->open(homotopy);
   EXPECT_EQ(follow(*session, from({1, 1}), stop).journey, Journey::cancelled);
 }
-
-class Journeys : public DepartureSource {
- public:
-  explicit Journeys(std::vector<Departure> departures) : departures_(std::move(departures)) {}
-  std::optional<Departure> next() override {
-    if (next_ == departures_.size()) return std::nullopt;
-    return departures_[next_++];
-  }
-  void arrived(const Departure& departure, Arrival&& arrival) override {
-    arrivals[departure.path] = std::move(arrival);
-  }
-
-  std::map<std::uint64_t, Arrival> arrivals;
-
- private:
-  std::vector<Departure> departures_;
-  std::size_t next_ = 0;
-};
 
 TEST(FineLanes, FollowManyPathsToTheEndsThatEachHasAlone) {
   // Nine paths: more than any target has lanes.

@@ -9,13 +9,14 @@
 #include <numbers>
 #include <thread>
 
+#include "../tracker/journeys.h"
 #include "every_target.h"
-#include "moivre/polynomial/read.h"
 #include "moivre/start/total_degree.h"
 
 namespace moivre {
 namespace {
 
+using test::Journeys;
 using test::Target;
 using test::targets;
 
@@ -40,24 +41,6 @@ struct Scene {
   Homotopy homotopy;
   std::unique_ptr<Tracker> tracker;
   std::unique_ptr<TrackerSession> session;
-};
-
-class Journeys : public DepartureSource {
- public:
-  explicit Journeys(std::vector<Departure> departures) : departures_(std::move(departures)) {}
-  std::optional<Departure> next() override {
-    if (next_ == departures_.size()) return std::nullopt;
-    return departures_[next_++];
-  }
-  void arrived(const Departure& departure, Arrival&& arrival) override {
-    arrivals[departure.path] = std::move(arrival);
-  }
-
-  std::map<std::uint64_t, Arrival> arrivals;
-
- private:
-  std::vector<Departure> departures_;
-  std::size_t next_ = 0;
 };
 
 std::map<std::uint64_t, Arrival> run(Scene& scene, std::vector<Departure> departures) {
