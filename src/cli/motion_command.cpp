@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // moivre motion FILE: every closure followed along the drivers, or the pose from a guess; text, JSON or CSV.
+#include <cmath>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <stdexcept>
 
@@ -12,6 +14,7 @@
 #include "moivre/closure_report/page.h"
 #include "moivre/closure_report/picture.h"
 #include "moivre/numeric/stopwatch.h"
+#include "moivre/report/number_text.h"
 #include "output.h"
 #include "progress_line.h"
 #include "tracker_choice.h"
@@ -33,6 +36,29 @@ struct MotionCommand {
   std::string svg;
   std::string html;
 };
+
+bool prescribes_angle(const Mechanism& mechanism, const Driver& driver) {
+  return driver.kind == DriverKind::angle ||
+         (driver.kind == DriverKind::unknown && mechanism.unknowns[driver.unknown].is_angle);
+}
+
+/// A branch takes a step of `longest_step` at most for a radian of a body, or of half a turn in a quaternion.
+void require_reachable(const Mechanism& mechanism, const MotionOptions& options) {
+  constexpr double kTurn = 2 * std::numbers::pi;
+  const double most = 2 * options.branch.maximum_steps * options.branch.longest_step / kTurn;
+  const std::vector<double> begin = driver_values(mechanism, options.from);
+  const std::vector<double> end = driver_values(mechanism, options.to);
+  for (std::size_t k = 0; k < begin.size(); ++k) {
+    const Driver& driver = mechanism.drivers[k];
+    const double turns = std::abs(end[k] - begin[k]) / kTurn;
+    if (!prescribes_angle(mechanism, driver) || turns <= most) continue;
+    throw std::invalid_argument(
+        "from t = " + rough_text(options.from) + " s to " + rough_text(options.to) + " s driver '" +
+        driver.name + "' turns " + std::to_string(std::llround(turns)) +
+        " times; a branch is followed for " + std::to_string(std::llround(most)) +
+        " turns at most: take a nearer --to");
+  }
+}
 
 MotionResult closures_moved(const Mechanism& mechanism, const Tracker& tracker,
                             const MotionOptions& options, const std::atomic<bool>& stop) {
@@ -72,6 +98,7 @@ int run(const MotionCommand& command) {
   const std::unique_ptr<Tracker> fallback = make_fallback(command.tracker);
   options.solve.fallback = fallback.get();
   require_workable(mechanism, options);
+  require_reachable(mechanism, options);
   Output json(command.json);
   Output csv(command.csv);
   Output svg(command.svg);

@@ -189,6 +189,12 @@ std::string counted(std::size_t n, const std::string& singular, const std::strin
   return std::to_string(n) + ' ' + (n == 1 ? singular : plural);
 }
 
+/// "3 unknowns"; of a saturated number what is known of it.
+std::string expected_count(std::size_t n, const std::string& one, const std::string& many) {
+  return n == std::numeric_limits<std::size_t>::max() ? "more than 1.8e19 " + many
+                                                      : counted(n, one, many);
+}
+
 std::string missing_end_hint(const Statement& rest) {
   return "\n  the text at line " + std::to_string(rest.begin.line) +
          " has no `;` behind it: " + first_line(rest.text);
@@ -210,7 +216,7 @@ void check_polynomial_count(const Layout& layout, std::vector<Diagnostic>& fault
   if (found == expected && expected > 0) return;
   std::string message = expected == 0
                             ? "the count line announces no polynomial"
-                            : "expected " + counted(expected, "polynomial", "polynomials");
+                            : "expected " + expected_count(expected, "polynomial", "polynomials");
   message += ", found " + std::to_string(found) + (found > 0 ? ":" : "");
   for (std::size_t k = 0; k < std::min(found, kListed); ++k) {
     const Statement& polynomial = layout.polynomials[k];
@@ -245,8 +251,9 @@ void check_unknown_count(const Layout& layout, const std::vector<NamePlace>& unk
   if (!layout.count || layout.count->unknowns == unknowns.size()) return;
   // Polynomials too many may be prose; its words are no unknowns.
   if (layout.polynomials.size() > layout.count->polynomials) return;
-  std::string message = "expected " + counted(layout.count->unknowns, "unknown", "unknowns") +
-                        ", found " + counted(unknowns.size(), "name", "names");
+  std::string message = "expected " +
+                        expected_count(layout.count->unknowns, "unknown", "unknowns") + ", found " +
+                        counted(unknowns.size(), "name", "names");
   for (std::size_t k = 0; k < std::min(unknowns.size(), kListed); ++k) {
     message += (k == 0 ? ": " : ", ") + std::string(unknowns[k].name) + " (line " +
                std::to_string(unknowns[k].at.line) + ", column " +

@@ -118,5 +118,24 @@ TEST(Robustness, RefusesWhatWouldBeIgnored) {
   }
 }
 
+TEST(Robustness, SaysBeforehandThatAMotionIsTooLong) {
+  const Scene scene;
+  const std::string four_bar =
+      std::string(MOIVRE_SOURCE_DIR) + "/problems/mechanisms/four-bar.toml";
+  const Outcome outcome = scene.run({"motion", four_bar, "--to", "100"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_TRUE(contains(outcome.err, "driver 'crank' turns 12335 times")) << outcome.err;
+  EXPECT_FALSE(contains(outcome.err, "--from-guess")) << outcome.err;
+}
+
+TEST(Robustness, NamesACountBeyondSixtyFourBitsByWhatIsKnown) {
+  Scene scene;
+  scene.write("f.phc", "99999999999999999999999\nx;\n");
+  const Outcome outcome = scene.run({"solve", "f.phc"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_TRUE(contains(outcome.err, "expected more than 1.8e19 polynomials")) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "expected more than 1.8e19 unknowns")) << outcome.err;
+}
+
 }  // namespace
 }  // namespace moivre::test
