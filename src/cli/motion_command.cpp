@@ -53,7 +53,7 @@ void require_reachable(const Mechanism& mechanism, const MotionOptions& options)
     const double turns = std::abs(end[k] - begin[k]) / kTurn;
     if (!prescribes_angle(mechanism, driver) || turns <= most) continue;
     throw std::invalid_argument(
-        "from t = " + rough_text(options.from) + " s to " + rough_text(options.to) + " s driver '" +
+        "from t = " + exact_text(options.from) + " s to " + exact_text(options.to) + " s driver '" +
         driver.name + "' turns " + std::to_string(std::llround(turns)) +
         " times; a branch is followed for " + std::to_string(std::llround(most)) +
         " turns at most: take a nearer --to");

@@ -1,19 +1,24 @@
 // SPDX-License-Identifier: MIT
 // Bodies, planar joints and drivers as closure polynomials.
+#include <algorithm>
 #include <numeric>
 #include <stdexcept>
+#include <utility>
 
+#include "block_structure.h"
 #include "isotropic_frame.h"
+#include "shared_pins.h"
 
 namespace moivre {
 namespace {
 
 class Bodies {
  public:
-  Bodies(const Mechanism& mechanism, double t)
-      : mechanism_(mechanism), t_(t), frame_(names(mechanism)) {}
+  Bodies(const Mechanism& mechanism, double t, JointEnds ends)
+      : mechanism_(mechanism), t_(t), ends_(std::move(ends)), frame_(names(mechanism)) {}
 
   IsotropicSystem build() &&;
+  JointEnds ends_by_order_of_blocks() &&;
 
  private:
   static std::vector<std::string> names(const Mechanism& mechanism);
@@ -24,6 +29,7 @@ class Bodies {
   void add_gear(const Joint& joint);
   void add_driver(const Driver& driver);
   void read_coordinates();
+  void write();
 
   /// A place or direction of a body's frame as a complex number, turned with the body.
   Mirrored turned(std::size_t body, const Eigen::Vector3d& at) const {
@@ -34,13 +40,17 @@ class Bodies {
            turned(point.body, mechanism_.bodies[point.body].points[point.point].at);
   }
   /// From the joint's first point to its second.
-  Mirrored gap(const Joint& joint) const { return place(joint.at[1]) - place(joint.at[0]); }
+  Mirrored gap(const Joint& joint) const {
+    const auto& ends = ends_[static_cast<std::size_t>(&joint - mechanism_.joints.data())];
+    return place(ends[1]) - place(ends[0]);
+  }
   std::string label(const Joint& joint) const { return to_string(joint.type) + " " + joint.name; }
   /// The driver that moves along this joint's line, if there is one.
   const Driver* slide_of(const Joint& joint) const;
 
   const Mechanism& mechanism_;
   double t_;
+  JointEnds ends_;
   IsotropicFrame frame_;
   std::vector<Mirrored> positions_;
 };
@@ -152,14 +162,36 @@ void Bodies::read_coordinates() {
   }
 }
 
-IsotropicSystem Bodies::build() && {
+void Bodies::write() {
   hold_angles();
   add_positions();
   frame_.add_angles("_");
   for (const Driver& driver : mechanism_.drivers) add_driver(driver);
   for (const Joint& joint : mechanism_.joints) add_joint(joint);
+}
+
+IsotropicSystem Bodies::build() && {
+  write();
   read_coordinates();
   return std::move(frame_).take();
+}
+
+/// Pins begin at the ground, else at the body of the earliest block.
+JointEnds Bodies::ends_by_order_of_blocks() && {
+  write();
+  const System& f = frame_.result().system;
+  const BlockStructure structure = block_structure(f);
+  std::vector<std::size_t> block_of(f.variables.size(), structure.blocks.size());
+  for (std::size_t b = 0; b < structure.blocks.size(); ++b) {
+    for (const std::size_t v : structure.blocks[b].variables) block_of[v] = b;
+  }
+  return star_ends(mechanism_, [&](PointOf point) {
+    std::size_t rank = 0;  // the ground's, which holds no variable; of others the block, from 1 on
+    for (const Term& term : place(point).z.terms) {
+      for (const Power& power : term.monomial) rank = std::max(rank, block_of[power.variable] + 1);
+    }
+    return rank;
+  });
 }
 
 }  // namespace
@@ -170,7 +202,9 @@ IsotropicSystem isotropic_bodies(const Mechanism& mechanism, double t) {
         "closures of spatial mechanisms are not supported yet; newton, mobility and motion take "
         "them");
   }
-  return Bodies(mechanism, t).build();
+  JointEnds ends = typed_ends(mechanism);
+  if (has_shared_pins(mechanism)) ends = Bodies(mechanism, t, ends).ends_by_order_of_blocks();
+  return Bodies(mechanism, t, std::move(ends)).build();
 }
 
 }  // namespace moivre

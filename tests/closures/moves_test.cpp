@@ -155,6 +155,22 @@ TEST(Moves, AFoldedPairOnATriangle) {
   EXPECT_EQ(result.moves->dimension, 1U);
 }
 
+// The pair hangs on two links whose common place is known by two roundings: a star of joints makes it one.
+TEST(Moves, AFoldedPairTypedOnTwoLinksOfOnePin) {
+  Mechanism mechanism = triangle_with_a_folded_pair("5");
+  const auto right = mechanism.joints[2].at[1];
+  Joint& second = mechanism.joints[4];
+  ASSERT_EQ(second.name, "R2");
+  second.at[0] = right;
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    const ClosureResult result = closures_of(mechanism, seed);
+    EXPECT_TRUE(result.complete) << result.message;
+    ASSERT_TRUE(result.moves) << result.message;
+    EXPECT_EQ(result.moves->dimension, 1U);
+    EXPECT_EQ(result.paths.failed, 0U);
+  }
+}
+
 TEST(Moves, NotAFoldedPairOnATriangleThatCannotBeAssembled) {
   const ClosureResult result = closures_of(triangle_with_a_folded_pair("10"));
   EXPECT_TRUE(result.complete);
