@@ -20,7 +20,7 @@ void begin_tracks(MotionRun& run, const std::vector<Scene>& scenes) {
   const auto count = static_cast<double>(closures.size());
   for (const Closure& closure : closures) {
     if (run.stop) return;
-    run.tracks.push_back(run.follower.follow({scenes.front().time, closure.q}));
+    run.tracks.push_back(run.follower.follow({scenes.front().time, closure.q}, !closure.singular));
     run.show_progress(0.5 + 0.5 * static_cast<double>(run.tracks.size()) / count);
   }
 }

@@ -42,9 +42,9 @@ bool settle(MotionRun& run, const std::vector<Scene>& scenes, Scene& scene) {
   const auto conflict = match(run, scene);
   if (conflict && part(run, scenes, conflict->first, conflict->second)) return true;
   for (std::size_t j = 0; j < scene.track_of.size() && !run.stop; ++j) {
-    const Eigen::VectorXd& q = scene.closures.closures[j].q;
-    if (scene.track_of[j] || is_event_of_a_track(run, scene.time, q)) continue;
-    run.tracks.push_back(run.follower.follow({scene.time, q}));
+    const Closure& closure = scene.closures.closures[j];
+    if (scene.track_of[j] || is_event_of_a_track(run, scene.time, closure.q)) continue;
+    run.tracks.push_back(run.follower.follow({scene.time, closure.q}, !closure.singular));
     return true;
   }
   return false;

@@ -26,6 +26,18 @@ double reached(const Branch& branch, double anchor) {
   return branch.samples.empty() ? anchor : branch.samples.back().time;
 }
 
+void refuse_crossing_at(double time, Branch& branch) {
+  if (!branch.event || branch.event->kind != EventKind::bifurcation || branch.event->time != time) {
+    return;
+  }
+  branch.event.reset();
+  branch.status = BranchStatus::failed;
+  branch.message =
+      "not followed: the pose is so nearly singular, or its lengths so different, that Phi does "
+      "not "
+      "tell it from one where branches cross";
+}
+
 }  // namespace
 
 double Track::begins() const { return reached(backwards, anchor.time); }
@@ -78,11 +90,15 @@ void TrackFollower::run(Track& track) const {
     track.forwards.samples.push_back(track.backwards.samples.front());
   }
   if (earlier.size() == 1) track.backwards.status = BranchStatus::reached;
+  if (!track.is_simple) return;
+  refuse_crossing_at(track.anchor.time, track.forwards);
+  refuse_crossing_at(track.anchor.time, track.backwards);
 }
 
-Track TrackFollower::follow(const BranchPose& anchor) const {
+Track TrackFollower::follow(const BranchPose& anchor, bool is_simple) const {
   Track track;
   track.anchor = anchor;
+  track.is_simple = is_simple;
   track.is_from_start = anchor.time == times.front();
   run(track);
   return track;

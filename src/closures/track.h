@@ -16,6 +16,8 @@ struct Track {
   BranchPose anchor;  ///< a closure of a checkpoint, or a pose behind a dead point
   Branch forwards;    ///< from the anchor on
   Branch backwards;   ///< from the anchor back; not run where the anchor is at the beginning
+  bool is_simple =
+      false;  ///< the anchor is a simple root of the closure polynomials: no branches cross there
   bool is_from_start = false;
   int retracked = 0;
   bool is_verified = false;  ///< followed back from its last checkpoints
@@ -36,7 +38,8 @@ struct TrackFollower {
   FollowBranch follow_branch;
   const std::atomic<bool>& stop;
 
-  Track follow(const BranchPose& anchor) const;
+  /// A way that ends at the anchor of a simple closure, as if branches crossed there, has failed: it cannot be followed.
+  Track follow(const BranchPose& anchor, bool is_simple = false) const;
   void follow_again(Track& track) const;
   /// From a pose back through `backs` times, with steps that are not those of the way there.
   Branch follow_back(const BranchPose& pose, const std::vector<double>& backs,

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "noise.h"
@@ -18,6 +19,8 @@ using Eigen::VectorXd;
 constexpr double kEscape = 1e9;          // times the guess's size: nothing assembles out there
 constexpr double kStandstill = 1e-12;    // step beside q: the run has come to rest
 constexpr double kRestResidual = 1e-12;  // |Phi_i| beside its scale: rounding, for a run at rest
+// Where rows are given up as dependent, they may be short links beside long ones: only rounding itself is zero there.
+constexpr double kRestResidualOfLostRows = 64 * std::numeric_limits<double>::epsilon();
 constexpr double kReturn = 1e-9;  // distance beside q at which an earlier iterate has come back
 constexpr double kMoving = 1e-6;  // step beside q: a cycle's steps are larger than this
 
@@ -114,9 +117,10 @@ VectorXd row_scales(const Phi& phi, const VectorXd& q, double t) {
 NewtonStatus at_rest(const Phi& phi, const NewtonIteration& row, double t, Index full_rank) {
   const VectorXd residual = phi.value(row.q, t).cwiseAbs();
   const VectorXd scale = row_scales(phi, row.q, t);
-  const bool is_zero = (residual.array() <= kRestResidual * scale.array()).all();
-  if (is_zero) return NewtonStatus::converged;
-  return row.rank < full_rank ? NewtonStatus::singular : NewtonStatus::no_solution;
+  const bool has_lost_rows = row.rank < full_rank;
+  const double rounding = has_lost_rows ? kRestResidualOfLostRows : kRestResidual;
+  if ((residual.array() <= rounding * scale.array()).all()) return NewtonStatus::converged;
+  return has_lost_rows ? NewtonStatus::singular : NewtonStatus::no_solution;
 }
 
 std::string message_of(const NewtonResult& run) {
