@@ -71,7 +71,8 @@ double shortest_link(const Mechanism& mechanism) {
 
 TEST(ExtremeMechanisms, ANewtonRunThatConvergesClosesEveryJoint) {
   std::ifstream file(kFolder + "index.json");
-  for (const nlohmann::json& entry : nlohmann::json::parse(file).at("mechanisms")) {
+  const nlohmann::json index = nlohmann::json::parse(file);
+  for (const nlohmann::json& entry : index.at("mechanisms")) {
     SCOPED_TRACE(entry.at("name").get<std::string>());
     const Mechanism mechanism =
         read_mechanism(read_source(kFolder + entry.at("file").get<std::string>()));
