@@ -95,10 +95,9 @@ void add_closures_command(CLI::App& moivre, Chosen& chosen) {
   const auto command = std::make_shared<ClosuresCommand>();
   CLI::App& app = *moivre.add_subcommand("closures", "Find every way a mechanism can be assembled");
   add_mechanism_file(app, command->file);
-  app.add_option("--at", command->at, "time of the drivers, in seconds")->capture_default_str();
+  add_time_option(app, command->at);
   add_start_options(app, command->start);
-  app.add_option("--threads", command->threads, "number of threads; 0: as many as the machine has")
-      ->capture_default_str();
+  add_threads_option(app, command->threads);
   add_quiet_flag(app, command->quiet);
   add_json_option(app, command->json);
   app.add_option("--csv", command->csv, "write a table of the closures here")->type_name("PATH");

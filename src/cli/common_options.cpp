@@ -58,6 +58,15 @@ void add_json_option(CLI::App& command, std::string& path) {
   command.add_option("--json", path, "write JSON here; - is standard output")->type_name("PATH");
 }
 
+void add_threads_option(CLI::App& command, int& threads) {
+  command.add_option("--threads", threads, "number of threads; 0: as many as the machine has")
+      ->capture_default_str();
+}
+
+void add_time_option(CLI::App& command, double& at) {
+  command.add_option("--at", at, "time of the drivers, in seconds")->capture_default_str();
+}
+
 void add_quiet_flag(CLI::App& command, bool& quiet) {
   command.add_flag("--quiet", quiet, "print no text and no progress line");
 }

@@ -30,6 +30,10 @@ void add_start_options(CLI::App& command, StartChoice& choice);
 void require_known(const StartChoice& choice);
 
 void add_json_option(CLI::App& command, std::string& path);
+/// "--threads" of a command that solves.
+void add_threads_option(CLI::App& command, int& threads);
+/// "--at" of a mechanism.
+void add_time_option(CLI::App& command, double& at);
 void add_quiet_flag(CLI::App& command, bool& quiet);
 
 /// A sentence when the text is an integer below 0 or beyond 64 bits, which CLI11 would wrap around or cut; else empty.

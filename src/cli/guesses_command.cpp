@@ -83,10 +83,9 @@ void add_guesses_command(CLI::App& moivre, Chosen& chosen) {
   CLI::App& app = *moivre.add_subcommand(
       "guesses", "Write every closure or real root as an initial guess for a Newton solve");
   add_any_file(app, command->file);
-  app.add_option("--at", command->at, "time of the drivers, in seconds")->capture_default_str();
+  add_time_option(app, command->at);
   add_start_options(app, command->start);
-  app.add_option("--threads", command->threads, "number of threads; 0: as many as the machine has")
-      ->capture_default_str();
+  add_threads_option(app, command->threads);
   add_quiet_flag(app, command->quiet);
   add_json_option(app, command->json);
   app.add_option("--csv", command->csv, "write a table of the guesses here")->type_name("PATH");

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "common_options.h"
 #include "moivre/closures/guesses.h"
 #include "moivre/mechanism/read.h"
 #include "moivre/polynomial/read.h"
@@ -61,7 +62,7 @@ Mechanism read_any_mechanism(const std::string& file) {
 }
 
 void add_guess_options(CLI::App& command, GuessChoice& choice) {
-  command.add_option("--at", choice.at, "time of the drivers, in seconds")->capture_default_str();
+  add_time_option(command, choice.at);
   command
       .add_option("--guess", choice.guesses,
                   "start value of a coordinate, angles in the file's unit; may be repeated")

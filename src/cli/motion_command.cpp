@@ -152,9 +152,7 @@ void add_motion_command(CLI::App& moivre, Chosen& chosen) {
   app.add_flag("--from-guess", command->from_guess,
                "follow only the pose assembled from the file's guess as it is");
   add_start_options(app, command->start);
-  app.add_option("--threads", command->options.solve.threads,
-                 "number of threads; 0: as many as the machine has")
-      ->capture_default_str();
+  add_threads_option(app, command->options.solve.threads);
   add_quiet_flag(app, command->quiet);
   add_json_option(app, command->json);
   app.add_option("--csv", command->csv, "write a table of all samples here")->type_name("PATH");

@@ -117,8 +117,7 @@ void add_solve_command(CLI::App& moivre, Chosen& chosen) {
   CLI::App& app = *moivre.add_subcommand("solve", "Find all roots of a polynomial file");
   add_file(app, command->file);
   add_start_options(app, command->start);
-  app.add_option("--threads", command->threads, "number of threads; 0: as many as the machine has")
-      ->capture_default_str();
+  add_threads_option(app, command->threads);
   app.add_flag("--all", command->all, "print the roots that are not real as well");
   app.add_option(
          "--digits", command->digits,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The folder of a study: study.csv, index.html, and of each file diagrams with their scripts. Known to be writable beforehand.
+// What is in the folder of a study? study.csv, index.html, each file's diagrams with scripts. Known to be writable beforehand.
 #pragma once
 
 #include <optional>

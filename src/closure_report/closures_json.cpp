@@ -62,10 +62,8 @@ std::string closures_json(const ClosureResult& result, const Mechanism& mechanis
   report["units"] = units_json(mechanism);
   report["mobility"] = mobility_summary(result);
   report["system"] = to_json(result.system);
-  report["reduced"] = {{"variables", result.reduced.variables.size()},
-                       {"degrees", result.reduced.degrees}};
-  report["start"] = {
-      {"kind", result.start.kind}, {"paths", result.start.paths}, {"why", result.start.why}};
+  report["reduced"] = reduced_json(result.reduced);
+  report["start"] = to_json(result.start);
   report["tracker"] = tracker_json(result.tracker, result.tracker_options);
   report["paths"] = to_json(result.paths);
   report["stages"] = list_json(result.stages, stage_json);

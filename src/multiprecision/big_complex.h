@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Complex numbers of D decimal digits, as a scalar of tapes and of elimination.
+// How are complex numbers of D decimal digits a scalar of tapes and of elimination?
 #pragma once
 
 #include <boost/multiprecision/mpfr.hpp>

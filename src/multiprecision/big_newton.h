@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Newton's method on F in D digits, and the bound that its last correction gives.
+// How near does Newton's method on F come in D digits? With the bound that its last correction gives.
 #pragma once
 
 #include <cmath>

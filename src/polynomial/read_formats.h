@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The reader of each text format, one file each, behind read_system.
+// Which reader takes which text format? One file each, behind read_system.
 #pragma once
 
 #include <vector>

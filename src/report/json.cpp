@@ -114,6 +114,14 @@ Json to_json(const SystemFacts& system) {
           {"total_degree", to_json(system.total_degree)}};
 }
 
+Json to_json(const StartFacts& start) {
+  return {{"kind", start.kind}, {"paths", start.paths}, {"why", start.why}};
+}
+
+Json reduced_json(const SystemFacts& reduced) {
+  return {{"variables", reduced.variables.size()}, {"degrees", reduced.degrees}};
+}
+
 Json report_head(const std::string& command, const std::string& file) {
   return {{"moivre", std::string(version())}, {"command", command}, {"file", file}};
 }

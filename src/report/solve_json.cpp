@@ -35,10 +35,8 @@ std::string solve_json(const SolveResult& result, const std::string& file) {
   report["complete"] = result.complete;
   report["message"] = result.message;
   report["system"] = to_json(result.system);
-  report["reduced"] = {{"variables", result.reduced.variables.size()},
-                       {"degrees", result.reduced.degrees}};
-  report["start"] = {
-      {"kind", result.start.kind}, {"paths", result.start.paths}, {"why", result.start.why}};
+  report["reduced"] = reduced_json(result.reduced);
+  report["start"] = to_json(result.start);
   report["tracker"] = tracker_json(result.tracker, result.tracker_options);
   report["paths"] = to_json(result.paths);
   if (result.digits) report["digits"] = *result.digits;

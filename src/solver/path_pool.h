@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tracks many paths to their ends, on all threads.
+// How are many paths followed to their ends on all threads?
 // Every thread has a session, a scratch and the endgames of the paths it has under way.
 //
 // Results do not depend on the number of threads: a path's journey depends on its number and care

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// SUNDIALS objects with owners: context, vector, nonlinear solver and CVODE memory, freed in the right order.
+// Who owns SUNDIALS' objects? Context, vector, nonlinear solver and CVODE memory are freed in the right order.
 //
 // y: real state of length 2N. Newton's iteration has a dense matrix, 2N x 2N, and its LU as well; the fixed-point iteration
 // makes neither. Private to tracker_cvode.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One step of all lanes: predict, correct twice, tangent. One evaluation with Jacobian, one factorization, one value.
+// What is one step of all lanes? Predict, correct twice, tangent. One evaluation with Jacobian, one factorization, one value.
 //
 //   x_p  from the nodes                               H, H_x, H_t at x_p; J = [H_x; a] factored
 //   J dx_1 = [-H; 1 - a x_p],  J x' = [-H_t dt; 0]    x_1 = x_p + dx_1

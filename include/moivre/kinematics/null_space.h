@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Which directions does a matrix not see? Orthonormal null spaces from the singular value decomposition, rank given by QR.
+//
+// A: m x n. The rank is kinematics/linear.h's, that of A with rows and columns brought to unit length; the null space is A's own.
+// Edges: of full rank, and of no rows or columns, the null space has as many columns as are left, 0 to n.
 #pragma once
 
 #include <Eigen/Dense>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Complex arithmetic for inner loops: the textbook product, in which a NaN stays a NaN.
+// How are complex numbers multiplied in inner loops? By the textbook product, in which a NaN stays a NaN.
 //
 // std::complex's operator* looks for NaN after every product (C99 Annex G) and costs several times as much.
 // `product` is what the tape, the LU and the homotopy multiply with; other scalars overload it.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A complex number written out in decimal: digits beyond any machine number, as plain text.
+// How is a complex number held whose digits are beyond any machine number? Written out in decimal, as plain text.
 #pragma once
 
 #include <string>

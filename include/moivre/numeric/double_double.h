@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Twice the digits of double: a number as an unevaluated sum hi + lo of two doubles (106 bits).
+// How has a number twice the digits of double? As an unevaluated sum hi + lo of two doubles (106 bits).
 //
 //   |lo| <= ulp(hi)/2;  sums and products by error-free transformations [Dekker71], [Knuth98];
 //   relative error of a sum or product at most 2^-102, of a quotient 2^-100. The exponent range is double's: values

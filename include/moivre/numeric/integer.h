@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Exact integers of any length, and how a rational is made of two of them and taken apart.
+// Which integers is a rational made of? Exact ones of any length; how it is made of two of them and taken apart.
 //
 // Boost's cpp_int carries the arithmetic. Its headers are heavy: only sources that need numerators include this one.
 #pragma once

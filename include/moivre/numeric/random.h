@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Random numbers that depend on nothing but (seed, stream, index): the same on every machine and thread.
+// Which random number is this? One that depends on nothing but (seed, stream, index): the same on every machine and thread.
 //
 // A counter is hashed by SplitMix64's finaliser; there is no state to share, so the k-th number of path i
 // is the same whoever asks for it and when.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Exact numbers: how a coefficient is kept as it was read, and rounded once, to the scalar that asks.
+// How is a coefficient kept as it was read? As an exact number, rounded once, to the scalar that asks.
 //
 // A decimal such as 3.1 is the rational 31/10; rounding it to double before arithmetic would change the problem. Boost's
 // cpp_rational carries the arithmetic, out of this header's sight, since its own headers take a second to compile; who

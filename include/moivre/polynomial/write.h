@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How is a system written down again? In PHCpack's and Bertini's text.
-// Reading it back gives the same System.
+// How is a system written down again? In PHCpack's and Bertini's text. Reading it back gives the same System:
+// coefficients are written exactly, and so that the variables come in their order.
 #pragma once
 
 #include <string>
@@ -9,6 +9,7 @@
 
 namespace moivre {
 
+/// Throws std::invalid_argument when there is nothing to write, or a variable's name has a meaning of its own in the format.
 std::string to_text(const System& f, PolynomialFormat format);
 
 }  // namespace moivre

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What is the structure of a system, and how many paths would a solve follow? Solves nothing.
+//
+// As solve() prepares it: eliminated, then scaled. Edges: a system that is not square has no start system's paths, but a verdict.
 #pragma once
 
 #include <optional>
