@@ -23,6 +23,11 @@ constexpr double kMagnified = 1.6;  // against a panel of closures
 constexpr double kNarrowest = 560;
 constexpr double kLegendLine = 19;
 constexpr double kMarkSize = 5;
+constexpr double kDash = 9;        // of each of the branches that share a curve, in turn
+constexpr double kSampleDash = 5;  // in the legend
+constexpr double kSameCurve = 1;   // apart, everywhere: less than a line is wide
+// Pairs of points, so that a long table is drawn at once: curves of more are told alike by their times alone.
+constexpr std::size_t kMostPairs = 4'000'000;
 
 std::string polyline_data(const std::vector<Complex>& points, const PixelMap& map) {
   std::string data;
@@ -34,11 +39,67 @@ std::string polyline_data(const std::vector<Complex>& points, const PixelMap& ma
   return data;
 }
 
-std::string curve_svg(const std::string& data, std::size_t branch) {
+/// Of the branches that take one and the same curve: which is this, of how many?
+struct Share {
+  std::size_t number = 0;
+  std::size_t of = 1;
+};
+
+/// Shares of a curve are dashes in turn, so that every branch is seen.
+std::string curve_svg(const std::string& data, std::size_t branch, Share share = {}) {
   std::vector<Attribute> attributes{{"class", "curve " + colour_class(branch)}, {"d", data}};
-  const std::string dashes = branch_dashes(branch);
-  if (!dashes.empty()) attributes.push_back({"stroke-dasharray", dashes});
+  const auto dashes_of = [](std::size_t count) {
+    return pixel_text(kDash * static_cast<double>(count));
+  };
+  if (share.of > 1) {
+    attributes.push_back({"stroke-dasharray", dashes_of(1) + ' ' + dashes_of(share.of - 1)});
+    attributes.push_back({"stroke-dashoffset", dashes_of(share.of - share.number)});
+  } else if (const std::string dashes = branch_dashes(branch); !dashes.empty()) {
+    attributes.push_back({"stroke-dasharray", dashes});
+  }
   return element("path", attributes) + '\n';
+}
+
+double distance_to_segment(Complex z, Complex from, Complex to) {
+  const Complex way = to - from;
+  const double along =
+      std::norm(way) > 0 ? ((z - from) * std::conj(way)).real() / std::norm(way) : 0;
+  return std::abs(z - from - std::clamp(along, 0.0, 1.0) * way);
+}
+
+/// Whether every point of `a` lies on `b`.
+bool lies_on(const std::vector<Complex>& a, const std::vector<Complex>& b, double apart) {
+  return std::all_of(a.begin(), a.end(), [&](Complex z) {
+    if (std::abs(z - b.front()) <= apart) return true;
+    for (std::size_t k = 1; k < b.size(); ++k) {
+      if (distance_to_segment(z, b[k - 1], b[k]) <= apart) return true;
+    }
+    return false;
+  });
+}
+
+/// One place at one time, or the same places at other times.
+bool is_same_curve(const std::vector<Complex>& a, const std::vector<Complex>& b, double apart) {
+  const bool is_same_motion = a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(),
+                                                                 [apart](Complex x, Complex y) {
+                                                                   return std::abs(x - y) <= apart;
+                                                                 });
+  if (is_same_motion || a.empty() || b.empty()) return is_same_motion;
+  return a.size() * b.size() <= kMostPairs && lies_on(a, b, apart) && lies_on(b, a, apart);
+}
+
+/// Of each curve; an empty one shares nothing.
+std::vector<Share> shares_of(const std::vector<std::vector<Complex>>& curves, double apart) {
+  std::vector<Share> shares(curves.size());
+  for (std::size_t k = 0; k < curves.size(); ++k) {
+    std::vector<std::size_t> alike;
+    for (std::size_t j = 0; j < curves.size() && !curves[k].empty(); ++j) {
+      if (is_same_curve(curves[j], curves[k], apart)) alike.push_back(j);
+    }
+    const auto at = std::find(alike.begin(), alike.end(), k);
+    if (at != alike.end()) shares[k] = {static_cast<std::size_t>(at - alike.begin()), alike.size()};
+  }
+  return shares;
 }
 
 /// Dead point: a diamond. Bifurcation: a square. Joint limit: a triangle.
@@ -99,12 +160,17 @@ class MotionPicture {
                                                        : result.branches.front().samples[0].q) {
     const std::vector<Similarity> places = place(drawing_, mechanism_, first_);
     box_ = bounds(drawing_, places);
-    for (const MotionBranch& branch : result_.branches) {
-      for (const MovingPoint& point : traced_) {
-        for (const Complex z : curve(mechanism_, point, branch, result_)) box_.include(z);
+    for (const MovingPoint& point : traced_) {
+      auto& curves = curves_.emplace_back();
+      for (const MotionBranch& branch : result_.branches) {
+        curves.push_back(curve(mechanism_, point, branch, result_));
+        for (const Complex z : curves.back()) box_.include(z);
       }
     }
     map_.scale = kMagnified * pixel_scale(drawing_);
+    for (const auto& curves : curves_) {
+      shares_.push_back(shares_of(curves, kSameCurve / map_.scale));
+    }
   }
 
   std::string document(const std::string& title) {
@@ -158,10 +224,10 @@ class MotionPicture {
     std::string marks;
     for (std::size_t k = 0; k < result_.branches.size(); ++k) {
       const MotionBranch& branch = result_.branches[k];
-      for (const MovingPoint& point : traced_) {
-        const std::vector<Complex> places = curve(mechanism_, point, branch, result_);
+      for (std::size_t p = 0; p < traced_.size(); ++p) {
+        const std::vector<Complex>& places = curves_[p][k];
         if (places.empty()) continue;
-        svg += curve_svg(polyline_data(places, map_), k);
+        svg += curve_svg(polyline_data(places, map_), k, shares_[p][k]);
         marks += branch.begin_event ? mark_of(*branch.begin_event, places.front())
                                     : begin_mark(map_(places.front()), k);
         if (branch.end_event) marks += mark_of(*branch.end_event, places.back());
@@ -193,6 +259,22 @@ class MotionPicture {
     return branch.complete ? text : text + ", not finished";
   }
 
+  bool has_shared_curve() const {
+    return std::any_of(shares_.begin(), shares_.end(), [](const std::vector<Share>& shares) {
+      return std::any_of(shares.begin(), shares.end(), [](Share share) { return share.of > 1; });
+    });
+  }
+
+  /// Two dashes, one a colour.
+  static std::string shared_sample(Complex at) {
+    const auto dash = [at](std::size_t branch) {
+      const double x = at.real() + kSampleDash * static_cast<double>(branch);
+      return curve_svg(polyline_data({{x, -at.imag()}, {x + kSampleDash, -at.imag()}}, PixelMap{}),
+                       branch);
+    };
+    return dash(0) + dash(1);
+  }
+
   std::string legend() {
     std::string svg;
     std::set<EventKind> kinds;
@@ -214,6 +296,7 @@ class MotionPicture {
                                  {"cy", pixel_text(y_ - 4)},
                                  {"r", "3.5"}}),
               "begins");
+    if (has_shared_curve()) add_entry(shared_sample({x, y_ - 4}), "several branches on one curve");
     for (const EventKind kind : kinds) {
       add_entry(event_mark(kind, {x + 5, y_ - 4}), to_string(kind));
     }
@@ -225,6 +308,8 @@ class MotionPicture {
   std::vector<MovingPoint> traced_;
   Drawing drawing_;
   Eigen::VectorXd first_;
+  std::vector<std::vector<std::vector<Complex>>> curves_;  ///< of each traced point, of each branch
+  std::vector<std::vector<Share>> shares_;                 ///< likewise
   Box box_;
   PixelMap map_;
   double width_ = kNarrowest;

@@ -87,6 +87,11 @@ bool is_alike(const Checkpoint& a, const Checkpoint& b) {
          a.counts.real == b.counts.real && sorted(a.branches) == sorted(b.branches);
 }
 
+std::string verdict_text(const Checkpoint& row) {
+  if (row.agrees) return "agrees";
+  return row.message == kNotCompared ? row.message : "DOES NOT AGREE: " + row.message;
+}
+
 /// Neighbours with the same counts and branches share a line.
 std::string checkpoints_text(const std::vector<Checkpoint>& all, const Mechanism& mechanism) {
   std::string text;
@@ -101,8 +106,7 @@ std::string checkpoints_text(const std::vector<Checkpoint>& all, const Mechanism
                                 " .. " + place(mechanism, all[next - 1].time);
     text += ": " + counted(first.counts.complex, "complex closure") + ", " +
             std::to_string(first.counts.real) + " real" +
-            (ids.empty() ? "" : " (" + joined(ids, ", ") + ")") + "; " +
-            (first.agrees ? "agrees" : "DOES NOT AGREE: " + first.message) + '\n';
+            (ids.empty() ? "" : " (" + joined(ids, ", ") + ")") + "; " + verdict_text(first) + '\n';
   }
   return text;
 }

@@ -74,6 +74,19 @@ TEST(Robustness, InterruptedDigitsLeaveTheRoots) {
 }
 #endif
 
+TEST(Robustness, AnInterruptedMotionDisputesNoCheckpoint) {
+  const Scene scene;
+  const std::string jansen =
+      std::string(MOIVRE_SOURCE_DIR) + "/problems/mechanisms/jansen-leg.toml";
+  const Outcome outcome =
+      scene.run({"motion", jansen, "--checkpoints", "10000"}, false, interrupt_soon);
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_TRUE(contains(outcome.out, "interrupted: what is finished is reported")) << outcome.out;
+  EXPECT_TRUE(contains(outcome.out, "interrupted before it was compared")) << outcome.out;
+  EXPECT_FALSE(contains(outcome.out, "DOES NOT AGREE")) << outcome.out;
+  EXPECT_FALSE(contains(outcome.out, "is on no branch")) << outcome.out;
+}
+
 TEST(Robustness, InterruptedGuessesSayThatTheyAreNotAll) {
   Scene scene;
   scene.write("f.phc", katsura(13));

@@ -183,6 +183,18 @@ TEST(MotionPicture, MarksDeadPointsAndNamesThem) {
   EXPECT_EQ(count(svg, "A: crank = 30 deg to crank = 36.869898 deg (dead point)"), 1U);
 }
 
+/// The crank's pin goes the same way in both branches, the slide of each has a way of its own.
+TEST(MotionPicture, BranchesThatShareACurveAreDashesInTurn) {
+  const Mechanism mechanism = mechanism_file("whitworth");
+  const std::string svg = motion_svg(motion_of(mechanism), mechanism, "file");
+  EXPECT_TRUE(test::Markup(svg).is_well_formed());
+  EXPECT_EQ(count(svg, "stroke-dasharray=\"9 9\" stroke-dashoffset=\"18\""), 2U);
+  EXPECT_EQ(count(svg, "stroke-dasharray=\"9 9\" stroke-dashoffset=\"9\""), 2U);
+  EXPECT_EQ(count(svg, "several branches on one curve"), 1U);
+  const Mechanism four_bar = mechanism_file("four-bar");
+  EXPECT_EQ(count(motion_svg(motion_of(four_bar), four_bar, "file"), "dashoffset"), 0U);
+}
+
 TEST(MotionPicture, OfTypedEquationsIsRefused) {
   EXPECT_THROW(require_drawable_motion(mechanism_file("redundant-system")), std::invalid_argument);
   EXPECT_NO_THROW(require_drawable_motion(mechanism_file("rssr")));

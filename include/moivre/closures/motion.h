@@ -71,6 +71,9 @@ struct MotionEvent {
   std::vector<std::string> beginning;
 };
 
+/// What a checkpoint says that was not reached before the run was stopped.
+inline constexpr const char* kNotCompared = "interrupted before it was compared";
+
 /// Closures solved afresh, and the branches that were there.
 struct Checkpoint {
   double time = 0;
@@ -79,7 +82,7 @@ struct Checkpoint {
   PathCounts paths;
   std::vector<std::string>
       branches;         ///< ids, one a real closure, in the closures' order; "" without a branch
-  bool agrees = false;  ///< one to one
+  bool agrees = false;  ///< one to one; false also where it was not compared
   std::string message;
 };
 
