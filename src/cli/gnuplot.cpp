@@ -10,7 +10,7 @@
 
 namespace moivre {
 
-Drawing run_gnuplot(const std::string& folder, const std::string& script) {
+GnuplotOutcome run_gnuplot(const std::string& folder, const std::string& script) {
   std::string program = "gnuplot";
   std::string argument = script;
   char* arguments[]{program.data(), argument.data(), nullptr};
@@ -20,12 +20,13 @@ Drawing run_gnuplot(const std::string& folder, const std::string& script) {
   pid_t process = 0;
   const int error = posix_spawnp(&process, program.c_str(), &actions, nullptr, arguments, environ);
   posix_spawn_file_actions_destroy(&actions);
-  if (error != 0) return error == ENOENT ? Drawing::no_gnuplot : Drawing::failed;
+  if (error != 0) return error == ENOENT ? GnuplotOutcome::no_gnuplot : GnuplotOutcome::failed;
   int status = 0;
   while (waitpid(process, &status, 0) < 0) {
-    if (errno != EINTR) return Drawing::failed;
+    if (errno != EINTR) return GnuplotOutcome::failed;
   }
-  return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? Drawing::drawn : Drawing::failed;
+  return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? GnuplotOutcome::drawn
+                                                       : GnuplotOutcome::failed;
 }
 
 }  // namespace moivre

@@ -6,9 +6,9 @@
 
 namespace moivre {
 
-enum class Drawing { drawn, no_gnuplot, failed };
+enum class GnuplotOutcome { drawn, no_gnuplot, failed };
 
 /// Runs `gnuplot SCRIPT` in `folder`, and waits for it. What it has to say goes to stderr.
-Drawing run_gnuplot(const std::string& folder, const std::string& script);
+GnuplotOutcome run_gnuplot(const std::string& folder, const std::string& script);
 
 }  // namespace moivre

@@ -18,13 +18,13 @@ std::string content_of(const std::string& path) {
   return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
-std::string told(Drawing drawing, const std::string& script) {
-  switch (drawing) {
-    case Drawing::drawn:
+std::string told(GnuplotOutcome outcome, const std::string& script) {
+  switch (outcome) {
+    case GnuplotOutcome::drawn:
       return "";
-    case Drawing::no_gnuplot:
+    case GnuplotOutcome::no_gnuplot:
       return "no diagrams: gnuplot is not installed; its scripts are there for later\n";
-    case Drawing::failed:
+    case GnuplotOutcome::failed:
       return "gnuplot failed on " + script + '\n';
   }
   return "";
@@ -52,10 +52,10 @@ std::string StudyFolder::write(std::vector<StudiedFile>& studies) {
     for (StudyDiagram& diagram : study.diagrams) {
       const std::string script = diagram.name + ".gp";
       Output(folder_ + '/' + script).write(diagram.script);
-      const Drawing drawing = run_gnuplot(folder_, script);
-      if (drawing == Drawing::drawn)
+      const GnuplotOutcome outcome = run_gnuplot(folder_, script);
+      if (outcome == GnuplotOutcome::drawn)
         diagram.svg = content_of(folder_ + '/' + diagram.name + ".svg");
-      if (message.empty()) message = told(drawing, script);
+      if (message.empty()) message = told(outcome, script);
     }
   }
   csv_->write(study_csv(studies));

@@ -47,7 +47,7 @@ class Search {
   bool shows_motion();
   StageRun solve_combined(StageRun first);
   void take_run(const StageRun& run);
-  void take_branch(const Branch& branch);
+  void take_branch(const PartialRoot& branch);
   void check_images();
   bool lies_on_motion(const Eigen::VectorXd& q);
   bool is_isolated_pose(const Solution& solution);
@@ -126,7 +126,7 @@ void Search::solve_free(const std::vector<Block>& blocks) {
   if (run.complete && !run.moves) {
     part_is_complex_ =
         std::none_of(run.branches.begin(), run.branches.end(),
-                     [&](const Branch& branch) { return may_be_real(isotropic_, branch); });
+                     [&](const PartialRoot& branch) { return may_be_real(isotropic_, branch); });
   }
   if (part_is_complex_ || shows_motion()) return;
   result_.complete = false;
@@ -166,7 +166,7 @@ void Search::solve_stages() {
     has_unseen_sets = run.moves;
   }
   take_run(run);
-  for (const Branch& branch : run.branches) take_branch(branch);
+  for (const PartialRoot& branch : run.branches) take_branch(branch);
   if (!has_unseen_sets) return;
   if (run.may_move) {
     result_.complete = false;
@@ -178,7 +178,7 @@ void Search::solve_stages() {
   }
 }
 
-void Search::take_branch(const Branch& branch) {
+void Search::take_branch(const PartialRoot& branch) {
   Solution solution;
   solution.path = branch.path;
   for (const auto& value : branch.value) solution.x.push_back(to_complex(value.value()));

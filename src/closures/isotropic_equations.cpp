@@ -134,8 +134,8 @@ LinearAngle Equations::linear(const Formula& f) const {
 }
 
 Mirrored Equations::unit(const Formula& angle) const {
-  constexpr double kWhole =
-      1e-12;  // thirds and the like, multiplied back, miss whole numbers by rounding
+  // Thirds and the like, multiplied back, miss whole numbers by rounding.
+  constexpr double kWhole = 1e-12;
   const LinearAngle parts = linear(angle);
   const Coefficient c = unit_at(parts.offset);
   Mirrored product{constant(c), constant(conjugate(c))};

@@ -40,7 +40,7 @@ inline Mirrored swapped(const Mirrored& a) { return {a.conjugate, a.z}; }
 class IsotropicFrame {
  public:
   /// Nodes of the angle classes: 0 the ground, then one a name.
-  IsotropicFrame(std::vector<std::string> names);
+  explicit IsotropicFrame(std::vector<std::string> names);
 
   /// t_j = factor t_i, noted as a repetition or a contradiction of `name` where the angle is held already.
   void hold_angle(std::size_t i, std::size_t j, const Coefficient& factor, const std::string& name);

@@ -55,7 +55,7 @@ class Stages {
   Stages(const IsotropicSystem& isotropic, const Tracker& tracker, const SolveOptions& options,
          const std::atomic<bool>& stop)
       : isotropic_(isotropic), tracker_(tracker), options_(options), stop_(stop) {
-    Branch root;
+    PartialRoot root;
     root.value.resize(isotropic.system.variables.size());
     run_.branches.push_back(std::move(root));
   }
@@ -73,11 +73,11 @@ class Stages {
   }
 
  private:
-  System system_at(const Block& block, const Branch& branch) const;
-  void note_set(const Branch& branch);
+  System system_at(const Block& block, const PartialRoot& branch) const;
+  void note_set(const PartialRoot& branch);
   void solve_lone(const Block& block);
-  void add_roots(const Block& block, const Branch& branch, const System& f, Stage& stage,
-                 std::vector<Branch>& next);
+  void add_roots(const Block& block, const PartialRoot& branch, const System& f, Stage& stage,
+                 std::vector<PartialRoot>& next);
   std::string group_name(const Block& block) const;
 
   const IsotropicSystem& isotropic_;
@@ -88,7 +88,7 @@ class Stages {
   std::size_t lone_ = 0;
 };
 
-System Stages::system_at(const Block& block, const Branch& branch) const {
+System Stages::system_at(const Block& block, const PartialRoot& branch) const {
   std::vector<std::uint32_t> place(isotropic_.system.variables.size());
   System f;
   for (const std::size_t v : block.variables) {
@@ -117,16 +117,16 @@ std::string Stages::group_name(const Block& block) const {
 }
 
 /// The block has a set of roots of positive dimension above the branch.
-void Stages::note_set(const Branch& branch) {
+void Stages::note_set(const PartialRoot& branch) {
   run_.moves = true;
   run_.may_move = run_.may_move || may_be_real(isotropic_, branch);
 }
 
-/// a x + b = 0 with a the sum of `parts`: x, or nothing where a is zero.
+/// One equation a x + b = 0, its x put in above every root so far. Where a vanishes there is none, where b does too a set of them.
 void Stages::solve_lone(const Block& block) {
   ++lone_;
-  std::vector<Branch> next;
-  for (Branch& branch : run_.branches) {
+  std::vector<PartialRoot> next;
+  for (PartialRoot& branch : run_.branches) {
     const Polynomial p = system_at(block, branch).polynomials.front();
     Coefficient a{0, 0};
     Coefficient b{0, 0};
@@ -145,15 +145,15 @@ void Stages::solve_lone(const Block& block) {
   run_.branches = std::move(next);
 }
 
-void Stages::add_roots(const Block& block, const Branch& branch, const System& f, Stage& stage,
-                       std::vector<Branch>& next) {
+void Stages::add_roots(const Block& block, const PartialRoot& branch, const System& f, Stage& stage,
+                       std::vector<PartialRoot>& next) {
   SolveOptions options = options_;
   const auto paths = total_degree(degrees(f));
   if (paths && *paths <= kPathsForOneThread) options.threads = 1;
   const SolveResult result = solve(f, tracker_, options, stop_);
   const std::uint64_t first_path = stage.paths.tracked;
   for (const Solution& solution : result.solutions) {
-    Branch child = branch;
+    PartialRoot child = branch;
     for (std::size_t k = 0; k < block.variables.size(); ++k) {
       child.value[block.variables[k]] = exactly(solution.x[k]);
     }
@@ -190,8 +190,8 @@ void Stages::solve_block(const Block& block) {
   if (is_lone_linear(system_at(block, run_.branches.front()))) return solve_lone(block);
   Stage stage;
   stage.group = group_name(block);
-  std::vector<Branch> next;
-  for (const Branch& branch : run_.branches) {
+  std::vector<PartialRoot> next;
+  for (const PartialRoot& branch : run_.branches) {
     if (stop_) run_.complete = false;
     if (stop_) break;
     add_roots(block, branch, system_at(block, branch), stage, next);
@@ -203,7 +203,7 @@ void Stages::solve_block(const Block& block) {
 
 }  // namespace
 
-bool may_be_real(const IsotropicSystem& isotropic, const Branch& branch) {
+bool may_be_real(const IsotropicSystem& isotropic, const PartialRoot& branch) {
   double size = 1;
   double apart = 0;
   for (std::size_t v = 0; v < branch.value.size(); ++v) {

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: MIT
-// What are all roots of a system that is solved block by block? A tree of branches, one solve a block and branch.
+// What are all roots of a system that is solved block by block? A tree of partial roots, one solve a block and partial root.
+//
+// A lone linear equation is solved exactly; other blocks by solve(), with the known values put in as exact numbers. Paths are
+// numbered through each stage, solve after solve.
+// Edges: a block with a set of roots of positive dimension adds what is isolated in it, and `moves` says so.
 #pragma once
 
 #include <atomic>
@@ -12,7 +16,7 @@
 namespace moivre {
 
 /// A root of the blocks solved so far; a value that needed no solve is exact.
-struct Branch {
+struct PartialRoot {
   std::vector<std::optional<Coefficient>> value;  ///< of each variable
   std::uint64_t path = 0;                         ///< of the last stage
   std::uint64_t multiplicity = 1;
@@ -22,7 +26,7 @@ struct Branch {
 };
 
 struct StageRun {
-  std::vector<Branch> branches;  ///< with all blocks solved, by path
+  std::vector<PartialRoot> branches;  ///< with all blocks solved, by path
   std::vector<Stage> stages;
   PathCounts paths;
   std::vector<FailedPath> failures;
@@ -41,7 +45,7 @@ inline constexpr double kHolds = 1e-8;
 inline constexpr double kHoldsSingular = 1e-5;
 
 /// False where the image of a value that is known differs from it.
-bool may_be_real(const IsotropicSystem& isotropic, const Branch& branch);
+bool may_be_real(const IsotropicSystem& isotropic, const PartialRoot& branch);
 
 /// Solves the blocks in turn.
 StageRun solve_blocks(const IsotropicSystem& isotropic, const std::vector<Block>& blocks,

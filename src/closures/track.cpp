@@ -26,6 +26,7 @@ double reached(const Branch& branch, double anchor) {
   return branch.samples.empty() ? anchor : branch.samples.back().time;
 }
 
+/// An event at the anchor of a simple closure: the branch fails instead, since no branches cross there.
 void refuse_crossing_at(double time, Branch& branch) {
   if (!branch.event || branch.event->kind != EventKind::bifurcation || branch.event->time != time) {
     return;
@@ -33,9 +34,8 @@ void refuse_crossing_at(double time, Branch& branch) {
   branch.event.reset();
   branch.status = BranchStatus::failed;
   branch.message =
-      "not followed: the pose is so nearly singular, or its lengths so different, that Phi does "
-      "not "
-      "tell it from one where branches cross";
+      "not followed: the pose is so nearly singular, or its lengths so different, "
+      "that Phi does not tell it from one where branches cross";
 }
 
 }  // namespace

@@ -13,11 +13,10 @@ namespace moivre {
 
 /// One branch of the motion, as far as it is known.
 struct Track {
-  BranchPose anchor;  ///< a closure of a checkpoint, or a pose behind a dead point
-  Branch forwards;    ///< from the anchor on
-  Branch backwards;   ///< from the anchor back; not run where the anchor is at the beginning
-  bool is_simple =
-      false;  ///< the anchor is a simple root of the closure polynomials: no branches cross there
+  BranchPose anchor;       ///< a closure of a checkpoint, or a pose behind a dead point
+  Branch forwards;         ///< from the anchor on
+  Branch backwards;        ///< from the anchor back; not run where the anchor is at the beginning
+  bool is_simple = false;  ///< the anchor is a simple closure: no branches cross there
   bool is_from_start = false;
   int retracked = 0;
   bool is_verified = false;  ///< followed back from its last checkpoints

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "coincidence.h"
 #include "moivre/solver/trace.h"
 
 namespace moivre {
@@ -18,16 +19,9 @@ constexpr double kLooseTolerance = 1e-6;
 constexpr std::size_t kMostSettled = 64;
 constexpr int kSettlingCare = 2;
 
-/// |a - b|_inf / max(1, |b|_inf).
-double distance(const Point& a, const Point& b) {
-  double largest = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
-  return largest / std::max(1.0, max_norm(b));
-}
-
 bool is_same(const Solution& a, const Solution& b) {
   const double tolerance = a.singular || b.singular ? kLooseTolerance : kSimpleTolerance;
-  return distance(a.x, b.x) <= tolerance + a.accuracy + b.accuracy;
+  return relative_distance(b.x, a.x) <= tolerance + a.accuracy + b.accuracy;
 }
 
 using ByPath = std::map<std::uint64_t, const Solution*>;
@@ -67,7 +61,7 @@ End end_of(const Trace& trace) {
 
 bool agree(const std::optional<Point>& a, const std::optional<Point>& b) {
   if (!a || !b) return !a && !b;
-  return distance(*a, *b) <= kLooseTolerance;
+  return relative_distance(*b, *a) <= kLooseTolerance;
 }
 
 void settle(Disagreement& difference, const System& f, const Tracker& tracker,

@@ -23,14 +23,11 @@ std::vector<std::vector<std::uint64_t>> Ledger::groups() const {
     paths.push_back(path);
     points.push_back({&root.point.x, root.tolerance});
   }
-  std::vector<std::vector<std::uint64_t>> groups = [&] {
-    std::vector<std::vector<std::uint64_t>> result;
-    for (const auto& indices : coincidence_groups(points)) {
-      auto& group = result.emplace_back();
-      for (const std::size_t k : indices) group.push_back(paths[k]);
-    }
-    return result;
-  }();
+  std::vector<std::vector<std::uint64_t>> groups;
+  for (const auto& indices : coincidence_groups(points)) {
+    auto& group = groups.emplace_back();
+    for (const std::size_t k : indices) group.push_back(paths[k]);
+  }
   return groups;
 }
 

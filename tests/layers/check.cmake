@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: MIT
 # Does every #include under ROOT/include/moivre and ROOT/src keep to ROOT/cmake/layers.cmake? Prints each breach and fails if any.
 #
-# Run as: cmake -D ROOT=<tree> -P check.cmake. Three rules:
+# Run as: cmake -D ROOT=<tree> -P check.cmake. Four rules:
 #   1. a module includes headers of itself and of its closure of USES, by their full name "moivre/<module>/...", or a file
 #      beside it;
 #   2. a third-party header stands only in a module that names its package, or above the vocabulary (Eigen, Boost);
-#   3. any other header in angle brackets belongs to the language's library (no slash, no ".h" but C's own).
+#   3. any other header in angle brackets belongs to the language's library (no slash, no ".h" but C's own);
+#   4. a type has one definition: two of one name in one namespace are one to the linker, wherever they stand.
 cmake_minimum_required(VERSION 3.25)
 include(${ROOT}/cmake/layers.cmake)
 
@@ -66,6 +67,25 @@ macro(check_include module file line header bracket)
   endif()
 endmacro()
 
+# Types defined at the outer level of a file, but in no anonymous namespace.
+macro(check_types file)
+  file(STRINGS ${file} heads REGEX "^(namespace [a-zA-Z_:]* ?{|}  // namespace|(struct|class|enum class) [A-Za-z_]+( .*|)$)")
+  set(namespaces "")
+  foreach(line IN LISTS heads)
+    if(line MATCHES "^namespace ([a-zA-Z_:]*)")
+      list(APPEND namespaces "<${CMAKE_MATCH_1}>")
+    elseif(line MATCHES "^}")
+      list(POP_BACK namespaces)
+    elseif(line MATCHES "^(struct|class|enum class) ([A-Za-z_]+)" AND NOT "<>" IN_LIST namespaces)
+      set(type "${namespaces}${CMAKE_MATCH_2}")
+      if(DEFINED "home_of_${type}")
+        breach(${file} "${line}" "${CMAKE_MATCH_2} has another definition in ${home_of_${type}}")
+      endif()
+      file(RELATIVE_PATH "home_of_${type}" ${ROOT} ${file})
+    endif()
+  endforeach()
+endmacro()
+
 # Headers of the platform, not of a package: POSIX's and the compiler's.
 set(system_headers "^(fcntl|unistd|signal|spawn|immintrin)\\.h$|^sys/[a-z]+\\.h$")
 
@@ -83,6 +103,7 @@ foreach(folder IN LISTS source_folders)
   allowed_packages(allowed ${module})
   file(GLOB_RECURSE sources ${folder}/*.h ${folder}/*.cpp)
   foreach(file IN LISTS sources)
+    check_types(${file})
     file(STRINGS ${file} includes REGEX "^[ \t]*#[ \t]*include")
     foreach(line IN LISTS includes)
       if(line MATCHES "include[ \t]*([<\"])([^>\"]+)[>\"]")

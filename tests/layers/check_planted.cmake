@@ -52,3 +52,5 @@ expect_refusal(src/polynomial/planted.cpp "#include \"moivre/polynomial/nowhere.
 expect_refusal(src/polynomial/planted.cpp "#include \"../numeric/CMakeLists.txt\"" "nor a file beside this one")
 expect_refusal(src/planted/planted.cpp "" "no module 'planted'")
 expect_refusal(cmake/layers.cmake "set(MOIVRE_USES_numeric solver)" "solver does not stand before numeric")
+expect_refusal(src/polynomial/planted.h "namespace moivre {\nstruct Term {\n" "Term has another definition in include/moivre")
+expect_refusal(src/polynomial/planted.cpp "namespace moivre {\nenum class PathStatus { lost }" "PathStatus has another definition")
