@@ -12,21 +12,41 @@ namespace {
 // A root's image under conjugation is known as well as the root; Newton's method takes it from there.
 constexpr double kImageAccuracy = 1e-12;
 
+/// The paths of a group whose ends are simple roots, and those whose ends are not. Where there are both, several roots lie
+/// nearer to each other than the latter are known: no path but one ends at a simple root.
+struct Ends {
+  std::vector<std::uint64_t> simple;
+  std::vector<std::uint64_t> singular;
+  bool are_mixed() const { return !simple.empty() && !singular.empty(); }
+};
+
+Ends ends_of(const Run& run, const std::vector<std::uint64_t>& group) {
+  Ends ends;
+  for (const std::uint64_t path : group) {
+    (run.ledger.roots().at(path).point.simple ? ends.simple : ends.singular).push_back(path);
+  }
+  return ends;
+}
+
 /// Simple roots nearer to each other than double can tell pass for one singular root. One path to each such root is
 /// followed in double-double: where it finds a regular end, so do the others.
 void resolve_clusters(Run& run) {
   std::map<std::uint64_t, std::vector<std::uint64_t>> clusters;
   PathSet first;
   for (const auto& group : run.ledger.groups()) {
-    const Root& root = run.ledger.roots().at(group.front());
-    if (group.size() == 1 || root.point.simple || is_on_set(run, root)) continue;
-    first.insert(group.front());
-    clusters[group.front()] = group;
+    const Ends ends = ends_of(run, group);
+    if (group.size() == 1 || ends.singular.empty()) continue;
+    const std::uint64_t path = ends.singular.front();
+    if (is_on_set(run, run.ledger.roots().at(path))) continue;
+    first.insert(path);
+    clusters[path] = ends.singular;
   }
   climb(run, first);
   PathSet others;
-  for (const auto& [path, group] : clusters) {
-    if (rung_of(run, path) == Rung::double_double) others.insert(group.begin() + 1, group.end());
+  for (const auto& [path, singular] : clusters) {
+    if (rung_of(run, path) == Rung::double_double) {
+      others.insert(singular.begin() + 1, singular.end());
+    }
   }
   climb(run, others);
 }
@@ -58,12 +78,10 @@ PathSet paths_to_missing_conjugates(Run& run, int care) {
 }
 
 bool is_in_doubt(const Run& run, const std::vector<std::uint64_t>& group) {
-  const auto is_simple = [&](std::uint64_t path) {
-    return run.ledger.roots().at(path).point.simple;
-  };
-  if (std::all_of(group.begin(), group.end(), is_simple)) return group.size() > 1;
-  const bool is_whole = group.size() > 1 && cycles(run.ledger, group);
-  return !is_whole && !is_on_set(run, run.ledger.roots().at(group.front()));
+  const Ends ends = ends_of(run, group);
+  if (ends.singular.empty()) return group.size() > 1;
+  const bool is_whole = group.size() > 1 && !ends.are_mixed() && cycles(run.ledger, group);
+  return !is_whole && !is_on_set(run, run.ledger.roots().at(ends.singular.front()));
 }
 
 PathSet doubtful_paths(Run& run, int care) {
@@ -81,15 +99,16 @@ void fail(Run& run, std::uint64_t path, Failure reason) {
   run.ledger.enter_failure({path, reason, 1});
 }
 
-/// Two paths cannot end at one simple root: all but the first are lost. And one path alone cannot end
-/// at an isolated root that is not simple: what it ends at is no root that this precision can show.
+/// One path alone cannot end at an isolated root that is not simple, nor can paths that end beside a simple root: what they
+/// end at is no root that this precision can show. And two paths cannot end at one simple root: all but the first are lost.
 void fail_unsettled(Run& run) {
   for (const auto& group : run.ledger.groups()) {
-    const Root& first = run.ledger.roots().at(group.front());
-    if (group.size() == 1 && !first.point.simple && !is_on_set(run, first)) {
-      fail(run, group.front(), Failure::precision);
-      continue;
-    }
+    const Ends ends = ends_of(run, group);
+    const bool may_be_none = ends.are_mixed() || (group.size() == 1 && !ends.singular.empty());
+    if (!may_be_none || is_on_set(run, run.ledger.roots().at(ends.singular.front()))) continue;
+    for (const std::uint64_t path : ends.singular) fail(run, path, Failure::precision);
+  }
+  for (const auto& group : run.ledger.groups()) {
     for (std::size_t k = 1; k < group.size(); ++k) {
       if (run.ledger.roots().at(group[k]).point.simple) fail(run, group[k], Failure::jumped);
     }

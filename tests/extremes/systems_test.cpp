@@ -226,6 +226,24 @@ TEST(ChandraTen, HasEveryRootInLanes) {
   Judge(f).expect_true_roots(result);
 }
 
+// With these seeds ends that double blurs lie beside one of the four that it does not.
+TEST(ClusterOfFour, IsNoRootOfMultiplicityFour) {
+  const System f = read_system(read_source(kFolder + "four-near.phc"));
+  Judge judge(f);
+  const auto cvode = make_cvode_tracker();
+  const auto lanes = make_lane_tracker();
+  for (const std::uint64_t seed : {4U, 11U, 18U, 36U}) {
+    for (const Tracker* tracker : {cvode.get(), lanes.get()}) {
+      SCOPED_TRACE(tracker->kind() + ", seed " + std::to_string(seed));
+      const SolveResult result = solve(f, *tracker, test::with_seed(seed));
+      test::expect_conservation(result);
+      judge.expect_true_roots(result);
+      EXPECT_TRUE(result.complete) << result.message;
+      EXPECT_EQ(counts(result).second, 6U);
+    }
+  }
+}
+
 TEST(ClusterOfTwo, LiesWithinItsAccuracy) {
   const System f = read_system(read_source(kFolder + "two-near.phc"));
   const SolveResult result = test::solve_with_cvode(f);
