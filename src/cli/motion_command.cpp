@@ -60,6 +60,29 @@ void require_reachable(const Mechanism& mechanism, const MotionOptions& options)
   }
 }
 
+/// Refuses so many samples that a branch of them would not fit into memory.
+void require_room(const Mechanism& mechanism, const MotionCommand& command) {
+  constexpr double kMostInTree =
+      3e6;  // numbers with their names, as JSON and the page: half a gigabyte
+  constexpr double kMostInTable = 3e7;  // as text, likewise
+  std::size_t places = 0;
+  for (const Body& body : mechanism.bodies) places += body.points.size();
+  const std::size_t components = mechanism.space == Space::planar ? 2 : 3;
+  constexpr double kDerivatives = 3;  // position, velocity, acceleration
+  const double numbers =
+      kDerivatives * static_cast<double>(coordinates(mechanism).size() + components * places);
+  const auto require = [&](const std::string& path, const char* option, double most) {
+    if (path.empty() || command.options.steps * numbers <= most) return;
+    throw std::invalid_argument(std::string(option) + ": " + std::to_string(command.options.steps) +
+                                " steps would not fit into memory; take " +
+                                std::to_string(std::llround(std::floor(most / numbers))) +
+                                " at most");
+  };
+  require_all({[&] { require(command.json, "--json", kMostInTree); },
+               [&] { require(command.html, "--html", kMostInTree); },
+               [&] { require(command.csv, "--csv", kMostInTable); }});
+}
+
 MotionResult closures_moved(const Mechanism& mechanism, const Tracker& tracker,
                             const MotionOptions& options, const std::atomic<bool>& stop) {
   try {
@@ -99,6 +122,7 @@ int run(const MotionCommand& command) {
   options.solve.fallback = fallback.get();
   require_workable(mechanism, options);
   require_reachable(mechanism, options);
+  require_room(mechanism, command);
   Output json(command.json);
   Output csv(command.csv);
   Output svg(command.svg);

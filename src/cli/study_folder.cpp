@@ -2,11 +2,13 @@
 // Writes the folder of a study.
 #include "study_folder.h"
 
+#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <map>
+#include <set>
 #include <stdexcept>
+#include <string_view>
 
 #include "gnuplot.h"
 
@@ -28,6 +30,18 @@ std::string told(GnuplotOutcome outcome, const std::string& script) {
       return "gnuplot failed on " + script + '\n';
   }
   return "";
+}
+
+/// The stem without what gnuplot, or the shell that it asks in quotes, reads as a command.
+std::string harmless(std::string stem) {
+  for (char& c : stem) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool is_plain = std::isalnum(byte) != 0 || byte >= 0x80 ||
+                          std::string_view(" .+-_").find(c) != std::string_view::npos;
+    if (!is_plain) c = '_';
+  }
+  if (stem.starts_with('-')) stem.front() = '_';
+  return stem;
 }
 
 }  // namespace
@@ -64,12 +78,13 @@ std::string StudyFolder::write(std::vector<StudiedFile>& studies) {
 }
 
 std::vector<std::string> names_of(const std::vector<std::string>& files) {
-  std::map<std::string, int> used;
+  std::set<std::string> used;
   std::vector<std::string> names;
   for (const std::string& file : files) {
-    const std::string stem = std::filesystem::path(file).stem().string();
-    const int times = ++used[stem];
-    names.push_back(times == 1 ? stem : stem + '-' + std::to_string(times));
+    const std::string stem = harmless(std::filesystem::path(file).stem().string());
+    std::string name = stem;
+    for (int k = 2; !used.insert(name).second; ++k) name = stem + '-' + std::to_string(k);
+    names.push_back(name);
   }
   return names;
 }

@@ -203,7 +203,7 @@ TEST(MotionCommand, InterruptEndsItWithWhatIsFinished) {
   Scene scene;
   scene.write("crank.toml", kCrank);
   const Outcome outcome =
-      scene.run({"motion", "crank.toml", "--to", "9000", "--steps", "1000000", "--from-guess",
+      scene.run({"motion", "crank.toml", "--to", "9000", "--steps", "20000", "--from-guess",
                  "--from", "-9000", "--guess", "rocker.phi=80", "--json", "-"},
                 false, [](int process) {
                   EXPECT_TRUE(catches_interrupt(process));

@@ -141,6 +141,17 @@ TEST(Robustness, SaysBeforehandThatAMotionIsTooLong) {
   EXPECT_FALSE(contains(outcome.err, "--from-guess")) << outcome.err;
 }
 
+TEST(Robustness, SaysBeforehandThatSamplesWouldNotFitIntoMemory) {
+  const Scene scene;
+  const std::string four_bar =
+      std::string(MOIVRE_SOURCE_DIR) + "/problems/mechanisms/four-bar.toml";
+  const Outcome outcome = scene.run(
+      {"motion", four_bar, "--steps", "1000000", "--json", "motion.json", "--csv", "motion.csv"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_TRUE(contains(outcome.err, "--json: 1000000 steps would not fit")) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "--csv: 1000000 steps would not fit")) << outcome.err;
+}
+
 TEST(Robustness, NamesACountBeyondSixtyFourBitsByWhatIsKnown) {
   Scene scene;
   scene.write("f.phc", "99999999999999999999999\nx;\n");

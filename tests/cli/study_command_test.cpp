@@ -86,6 +86,16 @@ TEST(StudyCommand, FillsAFolderWithScriptsAndDrawsThemWhereGnuplotIs) {
   }
 }
 
+TEST(StudyCommand, NamesItsFilesSoThatGnuplotReadsNoCommandInThem) {
+  Scene scene;
+  const std::string name = "-a`touch b`\"c.phc";
+  scene.write(name, kCircleAndHyperbola);
+  const Outcome outcome = scene.run(study({"./" + name, "--out", "folder"}));
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_TRUE(scene.has("folder/_a_touch b__c.gp")) << outcome.err;
+  EXPECT_FALSE(scene.has("folder/b"));
+}
+
 TEST(StudyCommand, LeavesTheScriptWhereGnuplotIsNot) {
   Scene scene;
   scene.write("f.phc", kCircleAndHyperbola);
