@@ -202,13 +202,11 @@ TEST(MotionCommand, GuessThatDoesNotAssembleIsUndecided) {
 TEST(MotionCommand, InterruptEndsItWithWhatIsFinished) {
   Scene scene;
   scene.write("crank.toml", kCrank);
-  const Outcome outcome =
-      scene.run({"motion", "crank.toml", "--to", "9000", "--steps", "20000", "--from-guess",
-                 "--from", "-9000", "--guess", "rocker.phi=80", "--json", "-"},
-                false, [](int process) {
-                  EXPECT_TRUE(catches_interrupt(process));
-                  ::kill(process, SIGINT);
-                });
+  const Outcome outcome = scene.run(
+      {"motion", "crank.toml", "--checkpoints", "100000", "--json", "-"}, false, [](int process) {
+        EXPECT_TRUE(catches_interrupt(process));
+        ::kill(process, SIGINT);
+      });
   EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
   EXPECT_TRUE(contains(outcome.out, "\"complete\": false"));
 }
