@@ -57,7 +57,7 @@ class Stages {
       : isotropic_(isotropic), tracker_(tracker), options_(options), stop_(stop) {
     PartialRoot root;
     root.value.resize(isotropic.system.variables.size());
-    run_.branches.push_back(std::move(root));
+    run_.roots.push_back(std::move(root));
   }
 
   void solve_block(const Block& block);
@@ -73,10 +73,10 @@ class Stages {
   }
 
  private:
-  System system_at(const Block& block, const PartialRoot& branch) const;
-  void note_set(const PartialRoot& branch);
+  System system_at(const Block& block, const PartialRoot& root) const;
+  void note_set(const PartialRoot& root);
   void solve_lone(const Block& block);
-  void add_roots(const Block& block, const PartialRoot& branch, const System& f, Stage& stage,
+  void add_roots(const Block& block, const PartialRoot& root, const System& f, Stage& stage,
                  std::vector<PartialRoot>& next);
   std::string group_name(const Block& block) const;
 
@@ -88,7 +88,7 @@ class Stages {
   std::size_t lone_ = 0;
 };
 
-System Stages::system_at(const Block& block, const PartialRoot& branch) const {
+System Stages::system_at(const Block& block, const PartialRoot& root) const {
   std::vector<std::uint32_t> place(isotropic_.system.variables.size());
   System f;
   for (const std::size_t v : block.variables) {
@@ -96,7 +96,7 @@ System Stages::system_at(const Block& block, const PartialRoot& branch) const {
     f.variables.push_back(isotropic_.system.variables[v]);
   }
   for (const std::size_t e : block.equations) {
-    f.polynomials.push_back(substituted(isotropic_.system.polynomials[e], branch.value, place));
+    f.polynomials.push_back(substituted(isotropic_.system.polynomials[e], root.value, place));
   }
   return f;
 }
@@ -116,18 +116,18 @@ std::string Stages::group_name(const Block& block) const {
   return text;
 }
 
-/// The block has a set of roots of positive dimension above the branch.
-void Stages::note_set(const PartialRoot& branch) {
+/// The block has a set of roots of positive dimension above the root.
+void Stages::note_set(const PartialRoot& root) {
   run_.moves = true;
-  run_.may_move = run_.may_move || may_be_real(isotropic_, branch);
+  run_.may_move = run_.may_move || may_be_real(isotropic_, root);
 }
 
 /// One equation a x + b = 0, its x put in above every root so far. Where a vanishes there is none, where b does too a set of them.
 void Stages::solve_lone(const Block& block) {
   ++lone_;
   std::vector<PartialRoot> next;
-  for (PartialRoot& branch : run_.branches) {
-    const Polynomial p = system_at(block, branch).polynomials.front();
+  for (PartialRoot& root : run_.roots) {
+    const Polynomial p = system_at(block, root).polynomials.front();
     Coefficient a{0, 0};
     Coefficient b{0, 0};
     for (const Term& term : p.terms) (term.monomial.empty() ? b : a) = term.coefficient;
@@ -136,16 +136,16 @@ void Stages::solve_lone(const Block& block) {
       size = std::max(size, std::abs(to_complex(term.coefficient)));
     }
     if (std::abs(to_complex(a)) <= kCancelled * size) {
-      if (std::abs(to_complex(b)) <= kCancelled * size) note_set(branch);
+      if (std::abs(to_complex(b)) <= kCancelled * size) note_set(root);
       continue;
     }
-    branch.value[block.variables.front()] = shortened(-b / a);
-    next.push_back(std::move(branch));
+    root.value[block.variables.front()] = shortened(-b / a);
+    next.push_back(std::move(root));
   }
-  run_.branches = std::move(next);
+  run_.roots = std::move(next);
 }
 
-void Stages::add_roots(const Block& block, const PartialRoot& branch, const System& f, Stage& stage,
+void Stages::add_roots(const Block& block, const PartialRoot& root, const System& f, Stage& stage,
                        std::vector<PartialRoot>& next) {
   SolveOptions options = options_;
   const auto paths = total_degree(degrees(f));
@@ -153,7 +153,7 @@ void Stages::add_roots(const Block& block, const PartialRoot& branch, const Syst
   const SolveResult result = solve(f, tracker_, options, stop_);
   const std::uint64_t first_path = stage.paths.tracked;
   for (const Solution& solution : result.solutions) {
-    PartialRoot child = branch;
+    PartialRoot child = root;
     for (std::size_t k = 0; k < block.variables.size(); ++k) {
       child.value[block.variables[k]] = exactly(solution.x[k]);
     }
@@ -175,45 +175,49 @@ void Stages::add_roots(const Block& block, const PartialRoot& branch, const Syst
   stage.paths += result.paths;
   run_.work += result.work;
   run_.time.threads = std::max(run_.time.threads, result.time.threads);
-  run_.time.start += result.time.start;
-  run_.time.track += result.time.track;
-  run_.time.track_cpu += result.time.track_cpu;
-  run_.time.refine += result.time.refine;
+  add_solving(result.time, run_.time);
   run_.complete = run_.complete && result.complete;
   const bool is_dependent = result.paths.tracked == 0 && result.complete &&
                             eliminate(f).verdict == Reduction::Verdict::dependent;
-  if (is_dependent || result.paths.on_positive_dimensional > 0) note_set(branch);
+  if (is_dependent || result.paths.on_positive_dimensional > 0) note_set(root);
 }
 
 void Stages::solve_block(const Block& block) {
-  if (run_.branches.empty()) return;
-  if (is_lone_linear(system_at(block, run_.branches.front()))) return solve_lone(block);
+  if (run_.roots.empty()) return;
+  if (is_lone_linear(system_at(block, run_.roots.front()))) return solve_lone(block);
   Stage stage;
   stage.group = group_name(block);
   std::vector<PartialRoot> next;
-  for (const PartialRoot& branch : run_.branches) {
+  for (const PartialRoot& root : run_.roots) {
     if (stop_) run_.complete = false;
     if (stop_) break;
-    add_roots(block, branch, system_at(block, branch), stage, next);
+    add_roots(block, root, system_at(block, root), stage, next);
   }
   run_.paths += stage.paths;
   run_.stages.push_back(std::move(stage));
-  run_.branches = std::move(next);
+  run_.roots = std::move(next);
 }
 
 }  // namespace
 
-bool may_be_real(const IsotropicSystem& isotropic, const PartialRoot& branch) {
+bool may_be_real(const IsotropicSystem& isotropic, const PartialRoot& root) {
   double size = 1;
   double apart = 0;
-  for (std::size_t v = 0; v < branch.value.size(); ++v) {
-    const auto& image = branch.value[isotropic.mirror[v]];
-    if (!branch.value[v] || !image) continue;
-    const Complex x = to_complex(*branch.value[v]);
+  for (std::size_t v = 0; v < root.value.size(); ++v) {
+    const auto& image = root.value[isotropic.mirror[v]];
+    if (!root.value[v] || !image) continue;
+    const Complex x = to_complex(*root.value[v]);
     size = std::max(size, std::abs(x));
     apart = std::max(apart, std::abs(x - std::conj(to_complex(*image))));
   }
-  return apart <= (branch.singular ? kHoldsSingular : kHolds) * size;
+  return apart <= (root.singular ? kHoldsSingular : kHolds) * size;
+}
+
+void add_solving(const SolveTime& part, SolveTime& sum) {
+  sum.start += part.start;
+  sum.track += part.track;
+  sum.track_cpu += part.track_cpu;
+  sum.refine += part.refine;
 }
 
 StageRun solve_blocks(const IsotropicSystem& isotropic, const std::vector<Block>& blocks,

@@ -26,7 +26,7 @@ struct PartialRoot {
 };
 
 struct StageRun {
-  std::vector<PartialRoot> branches;  ///< with all blocks solved, by path
+  std::vector<PartialRoot> roots;  ///< with all blocks solved, by path
   std::vector<Stage> stages;
   PathCounts paths;
   std::vector<FailedPath> failures;
@@ -35,7 +35,7 @@ struct StageRun {
   SolveTime time;
   bool complete = true;
   bool moves = false;     ///< a block had a set of roots of positive dimension
-  bool may_move = false;  ///< so it had, above a branch that may be real
+  bool may_move = false;  ///< so it had, above a partial root that may be real
 };
 
 // A root of all equations leaves no more than this on the scale of the terms; those of spare equations that do not hold
@@ -45,7 +45,10 @@ inline constexpr double kHolds = 1e-8;
 inline constexpr double kHoldsSingular = 1e-5;
 
 /// False where the image of a value that is known differs from it.
-bool may_be_real(const IsotropicSystem& isotropic, const PartialRoot& branch);
+bool may_be_real(const IsotropicSystem& isotropic, const PartialRoot& root);
+
+/// Adds the seconds of starting, tracking and refining: what solves one after another have in common.
+void add_solving(const SolveTime& part, SolveTime& sum);
 
 /// Solves the blocks in turn.
 StageRun solve_blocks(const IsotropicSystem& isotropic, const std::vector<Block>& blocks,

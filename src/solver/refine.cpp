@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "moivre/numeric/dense_lu.h"
+#include "fine_newton.h"
 #include "moivre/numeric/lu.h"
 
 namespace moivre {
@@ -43,6 +43,10 @@ constexpr double kSingularAccuracy = 5e-14;
 // Coordinates of a singular root are taken for 0 within so many times its accuracy.
 constexpr double kSingularSnap = 10;
 
+void add(Point& x, const Point& dx) {
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] += dx[i];
+}
+
 }  // namespace
 
 RefinerProgram::RefinerProgram(const System& f, std::vector<double> natural_sizes)
@@ -58,75 +62,6 @@ std::shared_ptr<const RefinerProgram> make_refiner_program(const System& f,
                                                            std::vector<double> unit) {
   return std::make_shared<const RefinerProgram>(f, std::move(unit));
 }
-
-/// F, J and Newton's method in double-double; made when it is first needed.
-class FineNewton {
- public:
-  using Number = ComplexDoubleDouble;
-
-  explicit FineNewton(const RefinerProgram& program)
-      : program_(program),
-        n_(program.tape.variables),
-        registers_(program.tape.register_count()),
-        value_(n_),
-        jacobian_(program.tape.jacobian.size()),
-        lu_(n_),
-        dx_(n_),
-        rounded(n_) {}
-
-  /// rounded <- dx = -J^{-1} F(x). False where J is singular.
-  bool correction(const std::vector<Number>& x) {
-    evaluate<Number, Number>(program_.tape, program_.exact, x, registers_, value_, jacobian_);
-    const auto j = lu_.matrix();
-    std::fill(j.begin(), j.end(), Number(0.0));
-    for (std::size_t k = 0; k < jacobian_.size(); ++k) {
-      const Tape::Entry& entry = program_.tape.jacobian[k];
-      j[entry.row * n_ + entry.column] = jacobian_[k];
-    }
-    row_.assign(n_, 0);
-    for (std::size_t i = 0; i < n_ * n_; ++i) row_[i / n_] += magnitude1(j[i]);
-    if (!lu_.factor()) return false;
-    for (std::size_t i = 0; i < n_; ++i) dx_[i] = -value_[i];
-    solve();
-    return true;
-  }
-  /// rounded <- J^{-1} b, J as in the last correction().
-  void solve(std::span<const double> b) {
-    for (std::size_t i = 0; i < n_; ++i) dx_[i] = b[i];
-    solve();
-  }
-  void add_to(std::vector<Number>& x) const {
-    for (std::size_t i = 0; i < n_; ++i) x[i] += dx_[i];
-  }
-  /// Infinity-norm condition number of J with rows of size 1.
-  double condition() {
-    std::vector<double> sum(n_);
-    for (std::size_t k = 0; k < n_; ++k) {
-      std::fill(dx_.begin(), dx_.end(), Number(0.0));
-      dx_[k] = row_[k];
-      solve();
-      for (std::size_t i = 0; i < n_; ++i) sum[i] += std::abs(rounded[i]);
-    }
-    return *std::max_element(sum.begin(), sum.end());
-  }
-
- private:
-  void solve() {
-    lu_.solve(dx_);
-    std::transform(dx_.begin(), dx_.end(), rounded.begin(),
-                   [](const Number& d) { return to_complex(d); });
-  }
-
-  const RefinerProgram& program_;
-  std::size_t n_;
-  std::vector<Number> registers_, value_, jacobian_;
-  DenseLu<Number> lu_;
-  std::vector<double> row_;
-  std::vector<Number> dx_;
-
- public:
-  Point rounded;
-};
 
 struct Refiner::Workspace {
   explicit Workspace(std::shared_ptr<const RefinerProgram> shared)
@@ -196,7 +131,7 @@ struct Refiner::Workspace {
   std::vector<double> size_x, size_registers, size_value;
   std::vector<Complex> relative;
   Point dx;
-  std::unique_ptr<FineNewton> fine;
+  std::unique_ptr<FineNewton> fine;  ///< made when it is first needed
 };
 
 Refiner::Refiner(std::shared_ptr<const RefinerProgram> program)
@@ -214,14 +149,6 @@ const std::vector<Complex>& Refiner::relative_values(const Point& x) {
   }
   return w.relative;
 }
-
-namespace {
-
-void add(Point& x, const Point& dx) {
-  for (std::size_t i = 0; i < x.size(); ++i) x[i] += dx[i];
-}
-
-}  // namespace
 
 // Newton from x while the corrections stay within reach; true when they ended at rounding.
 bool Refiner::newton(Point& x, double reach) {
@@ -311,7 +238,7 @@ bool Refiner::contracts_beside(double sensitivity) {
     const double size = offset * std::max(std::abs(x[i]), w.program->unit[i]);
     probe[i] += ComplexDoubleDouble(std::polar(size, static_cast<double>(i + 1)));
   }
-  if (!w.fine->correction(probe)) return false;
+  if (!w.fine->correct(probe)) return false;
   w.fine->add_to(probe);
   for (std::size_t i = 0; i < w.n; ++i) rest[i] = to_complex(probe[i] - w.fine_x[i]);
   return w.size_at(rest, x) < kContraction * offset;
@@ -328,18 +255,18 @@ Refined Refiner::refine_fine(const Point& x) {
   double last = kLeastTravel;
   bool contracts = true;
   for (int k = 0; k < kMaximumIterations && contracts; ++k) {
-    if (!w.fine->correction(w.fine_x)) return result;
-    const double size = w.size_at(w.fine->rounded, x);
+    if (!w.fine->correct(w.fine_x)) return result;
+    const double size = w.size_at(w.fine->rounded(), x);
     if (!(size <= (k == 0 ? kLeastTravel : kFineNoise))) return result;
     contracts = k == 0 || size <= kContraction * last;
     last = size;
     if (contracts) w.fine->add_to(w.fine_x);
   }
-  const double moved = max_norm(w.fine->rounded);
+  const double moved = max_norm(w.fine->rounded());
   w.evaluate_sizes(x, w.program->unit);
   w.fine->solve(w.size_value);
-  const double sensitive = w.size_at(w.fine->rounded, x);
-  const double noise = max_norm(w.fine->rounded) * kFineRoundoff;
+  const double sensitive = w.size_at(w.fine->rounded(), x);
+  const double noise = max_norm(w.fine->rounded()) * kFineRoundoff;
   if (!(sensitive * kFineRoundoff < kFineNoise) ||
       last > std::max(kFineStagnation * sensitive * kFineRoundoff, kUnitRoundoff)) {
     return result;

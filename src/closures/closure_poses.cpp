@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+// From real roots to closures: polished, told from motion, filtered by limits, put in order.
+#include "closure_poses.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "canonical_order.h"
+#include "closure_id.h"
+#include "moivre/kinematics/local_dimension.h"
+#include "moivre/kinematics/newton.h"
+#include "moivre/mechanism/pose.h"
+
+namespace moivre {
+namespace {
+
+// Newton-Raphson polishes a pose; it does not look for another.
+constexpr double kPolish = 1e-4;
+
+/// Joint -> closures that its limits filtered.
+using BeyondLimits = std::map<std::size_t, std::uint64_t>;
+
+/// Is this pose of a multiple root one of many? Then the root is not isolated.
+bool lies_on_motion(ClosureSearch& search, const Eigen::VectorXd& q) {
+  const LocalDimension local =
+      local_dimension(search.phi, q, search.options.time, search.options.solve.seed);
+  if (local.dimension == 0) return false;
+  search.result.moves = Moves{static_cast<std::uint64_t>(local.dimension), local.shown, q};
+  return true;
+}
+
+void take_pose(ClosureSearch& search, const Solution& solution, const NewtonResult& polished,
+               BeyondLimits& beyond_limits) {
+  ClosureResult& result = search.result;
+  const Eigen::VectorXd q = search.phi.canonical(polished.q);
+  ++result.counts.real;
+  const auto& joints = search.mechanism.joints;
+  const auto beyond = std::find_if(joints.begin(), joints.end(), [&](const Joint& joint) {
+    return !is_within_limits(search.mechanism, joint, q);
+  });
+  if (beyond != joints.end()) {
+    ++result.counts.filtered;
+    ++beyond_limits[static_cast<std::size_t>(beyond - joints.begin())];
+    return;
+  }
+  Closure closure;
+  closure.q = q;
+  closure.residual = scaled_residual(search.phi, q, search.options.time);
+  closure.newton_iterations = polished.steps();
+  closure.smallest_singular_value = polished.smallest_singular_value;
+  closure.path = solution.path;
+  closure.multiplicity = solution.multiplicity;
+  closure.singular = solution.singular;
+  result.closures.push_back(std::move(closure));
+}
+
+/// Polishes a real root to a pose. False where the pose is one of a set.
+bool is_isolated_pose(ClosureSearch& search, const Solution& solution,
+                      BeyondLimits& beyond_limits) {
+  const Phi& phi = search.phi;
+  const Eigen::VectorXd guess = coordinates_of_root(search.isotropic, solution.x);
+  const NewtonResult polished = newton(phi, guess, search.options.time);
+  const double moved = (phi.canonical(polished.q) - phi.canonical(guess)).cwiseAbs().maxCoeff();
+  const double size = std::max(1.0, guess.cwiseAbs().maxCoeff());
+  // At half a turn the same angle has two names.
+  const bool stayed = moved <= kPolish * size || (polished.q - guess).norm() <= kPolish * size;
+  if (polished.status != NewtonStatus::converged || !stayed) {
+    ++search.unpolished;
+    return true;
+  }
+  if (polished.is_singular && lies_on_motion(search, phi.canonical(polished.q))) return false;
+  take_pose(search, solution, polished, beyond_limits);
+  return true;
+}
+
+void tell_limits(const BeyondLimits& beyond_limits, ClosureSearch& search) {
+  for (const auto& [joint, count] : beyond_limits) {
+    const Joint& at = search.mechanism.joints[joint];
+    search.result.left_out.push_back(
+        {std::to_string(count) + (count == 1 ? " closure" : " closures"),
+         "outside the limits of " + to_string(at.type) + " " + at.name});
+  }
+}
+
+void letter(std::vector<Closure>& closures, const Mechanism& mechanism) {
+  std::vector<Eigen::VectorXd> poses;
+  for (const Closure& closure : closures) poses.push_back(closure.q);
+  std::vector<Closure> ordered;
+  for (const std::size_t k : canonical_order(poses, coordinates(mechanism))) {
+    ordered.push_back(std::move(closures[k]));
+    ordered.back().id = closure_id(ordered.size() - 1);
+  }
+  closures = std::move(ordered);
+}
+
+}  // namespace
+
+// A root where motions cross may look isolated to the solver; its pose tells, and its paths are counted anew.
+void find_poses(ClosureSearch& search) {
+  ClosureResult& result = search.result;
+  BeyondLimits beyond_limits;
+  std::vector<Solution> isolated;
+  for (Solution& solution : result.solutions) {
+    if (!solution.real || is_isolated_pose(search, solution, beyond_limits)) {
+      isolated.push_back(std::move(solution));
+    } else {
+      result.paths.on_positive_dimensional += solution.multiplicity;
+      result.stages.back().paths.on_positive_dimensional += solution.multiplicity;
+    }
+  }
+  result.solutions = std::move(isolated);
+  result.counts.complex = result.solutions.size();
+  tell_limits(beyond_limits, search);
+  letter(result.closures, search.mechanism);
+}
+
+}  // namespace moivre

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// Which poses are the real roots? Each polished by Newton-Raphson on Phi, told from poses that move, held against the limits.
+//
+// Poses stand in canonical order (canonical_order.h) and are lettered in it.
+// Edges: a root whose pose is one of many is no isolated root after all; its paths are counted anew. A real root that
+// Newton-Raphson does not confirm has no pose, and is counted as unpolished.
+#pragma once
+
+#include "closure_search.h"
+
+namespace moivre {
+
+/// Fills closures and counts; leaves the isolated roots alone among the solutions.
+void find_poses(ClosureSearch& search);
+
+}  // namespace moivre

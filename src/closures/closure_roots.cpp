@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+// From closure polynomials to their isolated roots, by the way that their block structure allows.
+#include "closure_roots.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "moving_pose.h"
+#include "squared_up.h"
+#include "stages.h"
+
+namespace moivre {
+namespace {
+
+double tolerance_of(const Solution& solution) {
+  return solution.singular ? kHoldsSingular : kHolds;
+}
+
+void take_account(ClosureResult& result, const StageRun& run) {
+  result.stages = run.stages;
+  result.paths = run.paths;
+  result.failures = run.failures;
+  result.work = run.work;
+  result.time_s = run.time;
+  result.complete = run.complete;
+  result.start.paths = run.paths.tracked;
+  result.left_out.insert(result.left_out.end(), run.left_out.begin(), run.left_out.end());
+  for (const Stage& stage : run.stages) {
+    auto& all = result.reduced;
+    const auto& of_stage = stage.reduced;
+    all.variables.insert(all.variables.end(), of_stage.variables.begin(), of_stage.variables.end());
+    all.degrees.insert(all.degrees.end(), of_stage.degrees.begin(), of_stage.degrees.end());
+  }
+  result.reduced.total_degree = total_degree(result.reduced.degrees);
+}
+
+/// Enters the root, or counts it as rejected where it does not satisfy every equation.
+void take_root(ClosureSearch& search, const PartialRoot& root) {
+  Solution solution;
+  solution.path = root.path;
+  for (const auto& value : root.value) solution.x.push_back(to_complex(value.value()));
+  solution.singular = root.singular;
+  solution.multiplicity = root.multiplicity;
+  solution.winding = {static_cast<int>(root.multiplicity)};
+  solution.accuracy = root.accuracy;
+  solution.condition = root.condition;
+  solution.residual = residual_of_root(search.isotropic, solution.x);
+  if (solution.residual > tolerance_of(solution)) {
+    ++search.result.counts.rejected;
+    return;
+  }
+  solution.real = distance_from_real(search.isotropic, solution.x) <= tolerance_of(solution);
+  search.result.solutions.push_back(std::move(solution));
+}
+
+bool shows_motion(ClosureSearch& search) {
+  const auto found =
+      moving_pose(search.mechanism, search.phi, search.options.time, search.options.solve.seed);
+  if (!found) return false;
+  search.result.moves =
+      Moves{static_cast<std::uint64_t>(found->moves.dimension), found->moves.shown, found->q};
+  return true;
+}
+
+StageRun solve_blocks(const ClosureSearch& search, const IsotropicSystem& isotropic,
+                      const std::vector<Block>& blocks) {
+  return solve_blocks(isotropic, blocks, search.tracker, search.options.solve, search.stop);
+}
+
+/// With fewer equations than unknowns no closure is isolated. What no free unknown has a say in is solved first: where it
+/// closes in complex numbers only, so does the whole.
+void solve_free(ClosureSearch& search, const std::vector<Block>& blocks) {
+  std::vector<Block> determined;
+  std::copy_if(blocks.begin(), blocks.end(), std::back_inserter(determined),
+               [](const Block& block) { return block.is_determined; });
+  const StageRun run = solve_blocks(search, search.isotropic, determined);
+  take_account(search.result, run);
+  if (run.complete && !run.moves) {
+    search.part_is_complex =
+        std::none_of(run.roots.begin(), run.roots.end(),
+                     [&](const PartialRoot& root) { return may_be_real(search.isotropic, root); });
+  }
+  if (search.part_is_complex || shows_motion(search)) return;
+  search.result.complete = false;
+  search.undecided_motion = true;
+}
+
+/// The equations that were solved have a set of roots that the spare ones may cut to isolated ones.
+StageRun solve_combined(const ClosureSearch& search, const StageRun& first) {
+  IsotropicSystem combined = search.isotropic;
+  combined.system = squared_up(search.isotropic.system, search.options.solve.seed);
+  StageRun run = solve_blocks(search, combined, block_structure(combined.system).blocks);
+  for (Stage& stage : run.stages) stage.group += ", equations combined";
+  run.stages.insert(run.stages.begin(), first.stages.begin(), first.stages.end());
+  run.paths += first.paths;
+  run.work += first.work;
+  add_solving(first.time, run.time);
+  return run;
+}
+
+void solve_determined(ClosureSearch& search, const BlockStructure& structure) {
+  ClosureResult& result = search.result;
+  if (!structure.spare_equations.empty()) {
+    result.left_out.push_back(
+        {std::to_string(structure.spare_equations.size()) + " of " +
+             std::to_string(search.isotropic.system.polynomials.size()) + " equations",
+         "there are more than unknowns; every root is checked on all of them"});
+  }
+  StageRun run = solve_blocks(search, search.isotropic, structure.blocks);
+  bool has_unseen_sets = run.moves && !(run.may_move && shows_motion(search));
+  if (has_unseen_sets && run.complete && !structure.spare_equations.empty()) {
+    run = solve_combined(search, run);
+    has_unseen_sets = run.moves;
+  }
+  take_account(result, run);
+  for (const PartialRoot& root : run.roots) take_root(search, root);
+  if (!has_unseen_sets) return;
+  if (run.may_move) {
+    result.complete = false;
+    search.undecided_motion = true;
+  } else {
+    result.left_out.push_back({"closures that form sets of positive dimension",
+                               "parts of them close in complex numbers only"});
+    search.part_is_complex = result.solutions.empty();
+  }
+}
+
+/// The image of an isolated root is a root: one that is not there was lost.
+std::uint64_t lost_images(const IsotropicSystem& isotropic, const std::vector<Solution>& roots) {
+  std::uint64_t lost = 0;
+  for (const Solution& root : roots) {
+    if (root.real || root.singular) continue;
+    const Point image = mirrored(isotropic, root.x);
+    const bool found = std::any_of(roots.begin(), roots.end(), [&](const Solution& other) {
+      double distance = 0;
+      for (std::size_t v = 0; v < image.size(); ++v) {
+        distance = std::max(distance, std::abs(image[v] - other.x[v]));
+      }
+      return distance <= kHolds * std::max(1.0, max_norm(image));
+    });
+    if (!found) ++lost;
+  }
+  return lost;
+}
+
+}  // namespace
+
+void find_roots(ClosureSearch& search) {
+  if (!search.isotropic.contradictions.empty()) return;
+  const BlockStructure structure = block_structure(search.isotropic.system);
+  if (!structure.free_variables.empty()) {
+    solve_free(search, structure.blocks);
+  } else {
+    solve_determined(search, structure);
+  }
+  search.lost_images = lost_images(search.isotropic, search.result.solutions);
+}
+
+}  // namespace moivre

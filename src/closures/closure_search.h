@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// What is known of a mechanism's closures while they are being found?
+//
+// The order: roots of the closure polynomials (closure_roots.h), poses of the real ones (closure_poses.h), then the verdict
+// (closures.cpp), which is drawn from what stands here.
+#pragma once
+
+#include "moivre/closures/closures.h"
+
+namespace moivre {
+
+struct ClosureSearch {
+  ClosureSearch(const Mechanism& the_mechanism, const Tracker& the_tracker,
+                const ClosureOptions& the_options, const std::atomic<bool>& the_stop)
+      : mechanism(the_mechanism),
+        tracker(the_tracker),
+        options(the_options),
+        stop(the_stop),
+        phi(mechanism),
+        isotropic(isotropic_system(mechanism, options.time)) {}
+
+  const Mechanism& mechanism;
+  const Tracker& tracker;
+  const ClosureOptions& options;
+  const std::atomic<bool>& stop;
+  const Phi phi;
+  const IsotropicSystem isotropic;
+  ClosureResult result;
+  std::uint64_t lost_images = 0;  ///< roots whose mirror image is not among the roots
+  std::uint64_t unpolished = 0;   ///< real roots that Newton-Raphson does not confirm
+  bool undecided_motion = false;  ///< no closure is isolated, and no pose that moves was found
+  bool part_is_complex = false;   ///< a part of the mechanism closes in complex numbers only
+};
+
+}  // namespace moivre
