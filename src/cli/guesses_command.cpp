@@ -10,6 +10,7 @@
 #include "moivre/mechanism/read.h"
 #include "moivre/polynomial/read.h"
 #include "output.h"
+#include "progress_line.h"
 #include "tracker_choice.h"
 
 namespace moivre {
@@ -39,6 +40,10 @@ Found find(const GuessesCommand& command, const Tracker& tracker, const std::ato
   options.solve.threads = command.threads;
   const std::unique_ptr<Tracker> fallback = make_fallback(command.tracker);
   options.solve.fallback = fallback.get();
+  ProgressLine line(!command.quiet);
+  if (line.is_active()) {
+    options.solve.progress = [&](const Progress& progress) { line.show(progress); };
+  }
   Found found;
   if (is_mechanism_file(command.file)) {
     found.mechanism = read_mechanism(read_source(command.file));

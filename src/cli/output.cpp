@@ -186,12 +186,28 @@ void write_to_stdout(std::string_view text) {
   if (!has_written_all(STDOUT_FILENO, text)) refuse("standard output");
 }
 
+namespace {
+
+/// Whether both paths lead to one file, there already or not.
+bool is_same_place(const std::string& a, const std::string& b) {
+  if (a == b) return true;
+  if (a == "-" || b == "-") return false;
+  std::error_code ignored;
+  const bool is_file = std::filesystem::is_regular_file(a, ignored);
+  if (is_file) return std::filesystem::equivalent(a, b, ignored);
+  return std::filesystem::weakly_canonical(std::filesystem::absolute(a), ignored) ==
+             std::filesystem::weakly_canonical(std::filesystem::absolute(b), ignored) &&
+         !std::filesystem::exists(a, ignored);
+}
+
+}  // namespace
+
 void require_distinct(const std::vector<std::string>& outputs, const std::string& input) {
   std::error_code ignored;
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     if (outputs[i].empty()) continue;
     for (std::size_t j = 0; j < i; ++j) {
-      if (outputs[i] != outputs[j]) continue;
+      if (outputs[j].empty() || !is_same_place(outputs[i], outputs[j])) continue;
       throw std::invalid_argument(outputs[i] == "-" ? "only one result can go to standard output"
                                                     : "two results would go to " + outputs[i]);
     }

@@ -93,6 +93,15 @@ bool all_complete(const std::vector<StudiedFile>& studies, std::size_t files) {
   return true;
 }
 
+/// The files asked for by name, and those of the folder that a problem may be named like.
+std::vector<std::string> outputs_of(const StudyCommand& command) {
+  std::vector<std::string> outputs{command.json, command.csv};
+  if (!command.out.empty()) {
+    for (const char* name : {"/study.csv", "/index.html"}) outputs.push_back(command.out + name);
+  }
+  return outputs;
+}
+
 struct FolderWritten {
   std::string remark;
   std::string failure;
@@ -115,7 +124,7 @@ std::string study_texts(const std::vector<StudiedFile>& studies) {
 }  // namespace
 
 int run_study(const StudyCommand& command) {
-  for (const std::string& file : command.files) require_distinct({command.json, command.csv}, file);
+  for (const std::string& file : command.files) require_distinct(outputs_of(command), file);
   const std::vector<StudySetting> settings = settings_of(command.choice);
   const Referees referees = make_referees();
   StudyOptions options = options_of(command);

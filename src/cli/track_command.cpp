@@ -52,7 +52,9 @@ int run(const TrackCommand& command) {
   std::unique_ptr<Tracker> tracker;
   require_all({[&] { require_known(command.start); }, [&] { require_threads(command.threads); },
                [&] {
-                 require_distinct({command.json, command.csv}, command.file);
+                 for (const std::string& input : {command.file, command.from, command.points}) {
+                   require_distinct({command.json, command.csv}, input);
+                 }
                },
                [&] { require_own_start(command); },
                [&] { tracker = make_tracker(command.tracker); }});

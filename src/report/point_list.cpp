@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <optional>
 #include <string_view>
 
@@ -195,8 +196,9 @@ class PointReader {
     Point x(variables_.size());
     for (std::size_t k = 0; k < words.size(); ++k) {
       const std::optional<double> number = to_number(words[k]);
-      if (!number) {
-        fault(line, "not a number", static_cast<std::size_t>(words[k].data() - line.text.data()));
+      if (!number || !std::isfinite(*number)) {
+        fault(line, number ? "not a finite number" : "not a number",
+              static_cast<std::size_t>(words[k].data() - line.text.data()));
         continue;
       }
       Complex& xi = x[k / 2];

@@ -95,6 +95,22 @@ TEST(Robustness, InterruptedGuessesSayThatTheyAreNotAll) {
   EXPECT_TRUE(contains(outcome.out, "# not complete: interrupted")) << outcome.out.substr(0, 200);
 }
 
+TEST(Robustness, OneFileTakesOneResultByWhateverName) {
+  Scene scene;
+  scene.write("f.phc", kCircleAndHyperbola);
+  scene.write("points.csv", "1 0 1 0\n");
+  EXPECT_TRUE(contains(scene.run({"solve", "f.phc", "--json", "x", "--csv", "./x"}).err,
+                       "two results would go to ./x"));
+  EXPECT_FALSE(scene.has("x"));
+  scene.write("x", "");
+  EXPECT_EQ(scene.run({"solve", "f.phc", "--json", "x", "--csv", "./x"}).exit_code, 1);
+  EXPECT_TRUE(contains(scene
+                           .run({"track", "f.phc", "--path", "0", "--from", "f.phc", "--points",
+                                 "points.csv", "--csv", "points.csv"})
+                           .err,
+                       "would overwrite the problem file points.csv"));
+}
+
 TEST(Robustness, ReadsStandardInput) {
   Scene scene;
   scene.write(Scene::kInput, kCircleAndHyperbola);

@@ -65,9 +65,10 @@ TEST(PointList, NamesTheLineThatIsTooShort) {
 }
 
 TEST(PointList, NamesEveryWordThatIsNoNumber) {
-  const std::string fault = fault_of("1 2 3 four\n1 two 3 4\n");
+  const std::string fault = fault_of("1 2 3 four\n1 two 3 4\n1 2 nan 4\n");
   EXPECT_NE(fault.find("points:1:7: error: not a number"), std::string::npos) << fault;
   EXPECT_NE(fault.find("points:2:3: error: not a number"), std::string::npos) << fault;
+  EXPECT_NE(fault.find("points:3:5: error: not a finite number"), std::string::npos) << fault;
 }
 
 TEST(PointList, NamesAMissingColumn) {
