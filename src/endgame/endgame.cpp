@@ -203,7 +203,7 @@ Watcher::Verdict Endgame::watch(const StepRecord& step, PathSystem& path) noexce
   if (!is_time_to_look(radius)) return Verdict::go_on;
   if (!unseen_.empty()) {
     if (!look(path)) return Verdict::stop;
-    if (diverges()) {
+    if (diverges(kSteadyTolerance)) {
       cut_ = true;
       return Verdict::stop;
     }
@@ -215,7 +215,8 @@ Watcher::Verdict Endgame::watch(const StepRecord& step, PathSystem& path) noexce
   return creeping_ >= (worsens ? 1 : kCreepingSteps) ? Verdict::stop : Verdict::go_on;
 }
 
-// Only infinity ends a straight way. A sight lies between two points and holds the mean valuations.
+// Only infinity ends a straight way. A sight lies between two points and holds the mean valuations; rounding hardly
+// disturbs them, so that what is steady is steadier than in double.
 Watcher::Verdict Endgame::watch_straight(const StepRecord& step, PathSystem& path) noexcept {
   const double radius = std::abs(step.t.rest);
   if (radius > kSightRadius ||
@@ -240,7 +241,7 @@ Watcher::Verdict Endgame::watch_straight(const StepRecord& step, PathSystem& pat
       now.size = std::max(now.size, std::exp(logarithms[i].real()));
     }
     sights_.push_back(std::move(now));
-    cut_ = diverges_beyond_double();
+    cut_ = diverges(kSettledTolerance) || diverges_beyond_double();
   }
   logarithms_ = std::move(logarithms);
   logarithms_radius_ = radius;
@@ -254,13 +255,13 @@ bool Endgame::may_diverge() const {
 
 // All coordinates that do not vanish have had the same valuations for several sights: the path is in
 // its last phase.
-bool Endgame::valuations_are_steady(std::size_t sights) const {
+bool Endgame::valuations_are_steady(std::size_t sights, double tolerance) const {
   if (sights_.size() < sights) return false;
   const Sight& then = sights_[sights_.size() - sights];
   const Sight& now = sights_.back();
   for (std::size_t i = 0; i < now.valuations.size(); ++i) {
     if (std::min(then.valuations[i], now.valuations[i]) >= kVanishing) continue;
-    if (drift(i, sights) > kSteadyTolerance) return false;
+    if (drift(i, sights) > tolerance) return false;
   }
   return true;
 }
@@ -309,7 +310,7 @@ bool Endgame::growth_lasts(double tolerance) const {
   return lasts;
 }
 
-bool Endgame::diverges() const {
+bool Endgame::diverges(double tolerance) const {
   if (sights_.size() < kSteadySights) return false;
   const Sight& first = sights_.front();
   const Sight& then = sights_[sights_.size() - kSteadySights];
@@ -319,10 +320,11 @@ bool Endgame::diverges() const {
   if (beyond && now.size > then.size) return true;
   const bool hopeless = now.condition > kHopelessCondition && now.condition > then.condition;
   if (hopeless && growth_lasts(kDriftTolerance)) return true;
-  if (!valuations_are_steady(kSteadySights)) return false;
+  if (!valuations_are_steady(kSteadySights, tolerance)) return false;
   const bool whole = std::abs(now.least - std::round(now.least)) < kWhole;
-  const bool far = whole ? now.size > kWholeSize
-                         : now.size > kDivergedSize && valuations_are_steady(kLongSights);
+  const bool far = whole
+                       ? now.size > kWholeSize
+                       : now.size > kDivergedSize && valuations_are_steady(kLongSights, tolerance);
   return (far || now.condition > kSingularCondition) && now.condition > kDivergedCondition &&
          now.condition > kConditionGrowth * first.condition && now.condition > then.condition;
 }
@@ -347,6 +349,7 @@ std::optional<Departure> Endgame::accept(Arrival&& arrival, PathSystem& path) {
       return judge_arrival(std::move(arrival), path);
     case Phase::descent:
       if (cut_) return at_infinity();
+      if (is_handed_on(arrival)) return fail(Failure::precision);
       return is_regular_arrival(arrival, path, landing_condition()) ? std::nullopt : begin_circle();
     case Phase::approach:
       if (arrival.journey != Journey::arrived) return conclude(path);
@@ -381,8 +384,17 @@ std::optional<Departure> Endgame::judge_arrival(Arrival&& arrival, PathSystem& p
       outpost_.empty() ? std::numeric_limits<double>::infinity() : options_.regular_condition;
   if (is_regular_arrival(arrival, path, condition)) return std::nullopt;
   if (outpost_.empty()) return fail(to_failure(arrival.journey));
+  if (is_handed_on(arrival)) return fail(Failure::precision);
   if (arrival.journey == Journey::stopped && may_diverge()) return descend(std::move(arrival));
   return begin_circle();
+}
+
+// It grows, and breaks off where double tells little of J.
+bool Endgame::is_handed_on(const Arrival& arrival) const {
+  const bool breaks_off =
+      arrival.journey == Journey::step_too_small || arrival.journey == Journey::off_path;
+  return manner_ == Manner::thrifty && breaks_off && may_diverge() &&
+         sights_.back().condition > kSingularCondition;
 }
 
 // Straight towards t = 1 in log(1 - t): where branch points crowd about t = 1, valuations settle late.

@@ -84,9 +84,12 @@ bool is_in_doubt(const Run& run, const std::vector<std::uint64_t>& group) {
   return !is_whole && !is_on_set(run, run.ledger.roots().at(ends.singular.front()));
 }
 
-PathSet doubtful_paths(Run& run, int care) {
+/// Failed paths of `beyond` are not asked for again.
+PathSet doubtful_paths(Run& run, int care, const PathSet& beyond) {
   PathSet doubtful;
-  for (const auto& [path, failure] : run.ledger.failures()) doubtful.insert(path);
+  for (const auto& [path, failure] : run.ledger.failures()) {
+    if (!beyond.contains(path)) doubtful.insert(path);
+  }
   for (const auto& group : run.ledger.groups()) {
     if (is_in_doubt(run, group)) doubtful.insert(group.begin(), group.end());
   }
@@ -124,14 +127,20 @@ void fail_unsettled(Run& run) {
 void settle_doubts(Run& run) {
   const SolveOptions& options = run.setting.options;
   resolve_clusters(run);
+  // Where many paths go at once digits cost less than care, and care helps none that they do not.
+  const PathSet beyond = climb_together(run, paths_failed_by(run, Failure::precision));
+  const bool climbs_later = !run.setting.trackers.fine_own;
   for (int care = options.care + 1; care <= options.maximum_care && !run.interrupted; ++care) {
-    const PathSet doubtful = doubtful_paths(run, care);
-    if (doubtful.empty()) return;
+    const PathSet doubtful = doubtful_paths(run, care, beyond);
+    if (doubtful.empty() && beyond.empty()) return;
+    if (doubtful.empty()) break;
     track_again(run, doubtful, care);
-    if (care == options.care + 1) climb(run, paths_failed_by(run, Failure::precision));
+    if (climbs_later && care == options.care + 1) {
+      climb(run, paths_failed_by(run, Failure::precision));
+    }
   }
   if (run.interrupted) return;
-  PathSet last = doubtful_paths(run, options.maximum_care + 1);
+  PathSet last = doubtful_paths(run, options.maximum_care + 1, {});
   // More digits save no steps: the caller's budget stands.
   for (const std::uint64_t path : paths_failed_by(run, Failure::step_limit)) last.erase(path);
   climb(run, last);

@@ -10,9 +10,6 @@ namespace {
 // Followed in double-double until it is this large, and to no regular end, a path is one to infinity.
 constexpr double kBeyondRoots = 1e-18;
 
-// So few climb one by one: a step of many lanes takes several times as long as one of a single path.
-constexpr std::size_t kFewClimbers = 2;
-
 /// Verdicts go to `sink`, but for those that the run's end cut short; what is finite is refined.
 void track_these(Run& run, const PathProblem& problem, const PathSet& paths, int care,
                  const EndSink& sink) {
@@ -36,13 +33,13 @@ bool has_left_for_infinity(const PathEnd& end) {
 }
 
 /// Returns the paths that came to no verdict.
-PathSet climb_with(Run& run, const Tracker& tracker, const PathSet& paths) {
+PathSet climb_with(Run& run, const Tracker& tracker, Endgame::Manner manner, const PathSet& paths) {
   PathSet left;
   if (paths.empty() || run.interrupted) return left;
   const Setting& setting = run.setting;
-  const PathProblem straight{*setting.prepared.homotopy, setting.prepared.start, tracker,
-                             setting.endgame, Endgame::Manner::straight};
-  track_these(run, straight, paths, 0, [&](std::uint64_t path, PathEnd&& end) {
+  const PathProblem problem{*setting.prepared.homotopy, setting.prepared.start, tracker,
+                            setting.endgame, manner};
+  track_these(run, problem, paths, 0, [&](std::uint64_t path, PathEnd&& end) {
     if (end.failure == Failure::step_too_small && has_left_for_infinity(end)) {
       end.status = PathStatus::at_infinity;
       end.failure.reset();
@@ -70,8 +67,11 @@ void track_all(Run& run) {
     take_end(run, path, std::move(end));
     if (setting.options.progress) setting.options.progress(progress);
   };
+  PathProblem problem = setting.problem(0);
+  const bool hands_on = setting.trackers.fine_own != nullptr && !setting.is_fine();
+  if (hands_on) problem.manner = Endgame::Manner::thrifty;
   track_paths(
-      setting.problem(0), progress.total, [](std::uint64_t k) { return k; }, setting.options.care,
+      problem, progress.total, [](std::uint64_t k) { return k; }, setting.options.care,
       setting.threads, sink, setting.stop);
   if (progress.done < progress.total) run.interrupted = true;
 }
@@ -87,8 +87,18 @@ void track_again(Run& run, const PathSet& paths, int care) {
 void climb(Run& run, const PathSet& paths) {
   const Trackers& trackers = run.setting.trackers;
   if (!trackers.fine) return;
-  const bool together = trackers.fine_own && paths.size() > kFewClimbers;
-  climb_with(run, *trackers.fine, together ? climb_with(run, *trackers.fine_own, paths) : paths);
+  constexpr auto kStraight = Endgame::Manner::straight;
+  const PathSet left =
+      trackers.fine_own ? climb_with(run, *trackers.fine_own, kStraight, paths) : paths;
+  climb_with(run, *trackers.fine, kStraight, left);
+}
+
+PathSet climb_together(Run& run, const PathSet& paths) {
+  const Trackers& trackers = run.setting.trackers;
+  if (!trackers.fine_own) return {};
+  PathSet left = climb_with(run, *trackers.fine_own, Endgame::Manner::straight, paths);
+  if (run.setting.is_fine()) return left;
+  return climb_with(run, *trackers.fine_own, Endgame::Manner::full, left);
 }
 
 }  // namespace moivre

@@ -77,5 +77,16 @@ TEST(LanesInDoubleDouble, AreClimbedToByNoPathOfAWellConditionedSystem) {
   }
 }
 
+TEST(LanesInDoubleDouble, DecideWhatFailedByPrecisionBeforeAnyPathIsFollowedWithMoreCare) {
+  for (const char* name : {"eco-8", "cyclic-6"}) {
+    SCOPED_TRACE(name);
+    const SolveResult result =
+        solve_in_lanes(test::system_of(test::problem(name)), Precision::automatic);
+    test::expect_counts_of_index(result, test::problem(name));
+    EXPECT_GT(result.paths.retracked, 0U);
+    EXPECT_EQ(result.paths.retracked, result.paths.double_double);
+  }
+}
+
 }  // namespace
 }  // namespace moivre

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "moivre/polynomial/read.h"
 #include "moivre/start/total_degree.h"
@@ -18,6 +19,14 @@ constexpr std::uint64_t kSeeds = 4;
 /// Simple ends are known nearly to the last digit; an end of winding number m by Cauchy's integral.
 constexpr double kRegularAccuracy = 1e-12;
 constexpr double kSingularAccuracy = 1e-6;
+
+/// 1 - t of the first and the last point of a way that is made up. Where it ends, no condition has reached 1e12 yet.
+constexpr double kSightsBegin = 0x1p-6;
+constexpr double kNearest = 0x1p-31;
+
+/// |1 - t| of the first of the circles that are made up. A ripple of this order is the highest that the samples resolve.
+constexpr double kOutpost = 1e-5;
+constexpr double kRippleOrder = 7;
 
 System read(const std::string& text) { return read_system({"test", text}); }
 
@@ -98,6 +107,53 @@ class Paths {
     if (endgame.watch(step, scratch) != Watcher::Verdict::stop) return std::nullopt;
     stopped.journey = Journey::stopped;
     return endgame.accept(std::move(stopped), scratch);
+  }
+
+  /// 1 - t where a straight way along x(1 - t) is cut as one to infinity; 0 where it goes on to kNearest.
+  template <class Way>
+  double straight_way_cut_at(const Way& x) const {
+    PathSystem scratch(homotopy_);
+    Endgame endgame({}, 0, 0, Endgame::Manner::straight);
+    endgame.depart(start_point(start_, 0));
+    for (double radius = kSightsBegin; radius > kNearest; radius /= 2) {
+      const Point point = x(radius);
+      StepRecord step;
+      step.t = PathTime(1 - radius, radius);
+      step.x = point;
+      if (endgame.watch(step, scratch) == Watcher::Verdict::stop) return radius;
+    }
+    return 0;
+  }
+
+  /// Circles of one turn about (shift : 1 : x_0), the shift another for each radius, whose samples have a ripple.
+  PathEnd end_of_circles(double x0, const std::vector<double>& shifts, double ripple) const {
+    PathSystem scratch(homotopy_);
+    Endgame endgame({}, 0, 0);
+    endgame.depart(start_point(start_, 0));
+    const auto point = [&](std::size_t circle, double turn) {
+      const double angle = 2 * std::numbers::pi * kRippleOrder * turn;
+      return Point{shifts[std::min(circle, shifts.size() - 1)] + std::polar(ripple, angle), 1, x0};
+    };
+    StepRecord step;
+    const Point first = point(0, 0);
+    step.t = PathTime(1 - kOutpost, kOutpost);
+    step.x = first;
+    endgame.watch(step, scratch);
+    Arrival arrival;
+    arrival.t = step.t;
+    arrival.x = first;
+    arrival.journey = Journey::step_too_small;
+    std::size_t circle = 0;
+    while (const auto next = endgame.accept(std::move(arrival), scratch)) {
+      arrival = Arrival{};
+      arrival.journey = Journey::arrived;
+      for (int k = 1; k <= next->samples; ++k) {
+        arrival.samples.push_back(point(circle, static_cast<double>(k) / next->samples));
+      }
+      if (next->samples > 0) ++circle;
+      arrival.x = point(circle, 0);
+    }
+    return endgame.end();
   }
 
   std::vector<Followed> follow_all() const {
@@ -249,6 +305,29 @@ TEST(Endgame, SingularEndsAtInfinityAreAtInfinity) {
   });
 }
 
+const char* const kTangentCubics = "2\n x^3 + 1 - y^2;\n x^3 + x + 2 - y^2;\n";
+
+/// (x : y : x_0) = (r : 1 : r^w r^(bend log r)), r = 1 - t, near an end of the cubics at infinity, where J's condition is
+/// |x_0|^-2: y grows by a valuation that drifts by 2 bend log 2 while r is halved.
+auto way_to_infinity(double bend) {
+  constexpr double kValuation = 0.6;
+  return [=](double r) {
+    return Point{r, 1, std::exp((kValuation + bend * std::log(r)) * std::log(r))};
+  };
+}
+
+TEST(StraightWay, LeadsToInfinityWhereValuationsKeepStill) {
+  EXPECT_GT(Paths(kTangentCubics, 1).straight_way_cut_at(way_to_infinity(0)), 0);
+}
+
+// So they drift, for ten decades, on the way to some roots of rps10.
+TEST(StraightWay, DoesNotLeadToInfinityWhereValuationsDriftByATwoThousandthEachTimeRIsHalved) {
+  const Paths cubics(kTangentCubics, 1);
+  const double bend = 0.0005 / (2 * std::log(2.0));
+  EXPECT_EQ(cubics.straight_way_cut_at(way_to_infinity(bend)), 0);
+  EXPECT_EQ(cubics.straight_way_cut_at(way_to_infinity(-bend)), 0);
+}
+
 TEST(Endgame, TwoNearRootsAreTwoRegularEnds) {
   constexpr double kHalfGap = 1e-5;
   for_seeds("2\n x^2 - 2*x + 1 - 1e-10;\n y - x;\n", [](const Paths& paths) {
@@ -258,6 +337,20 @@ TEST(Endgame, TwoNearRootsAreTwoRegularEnds) {
       ASSERT_EQ(found.size(), 1U);
       EXPECT_FALSE(found.front()->end.singular);
       EXPECT_EQ(found.front()->end.winding.value_or(1), 1);
+    }
+  });
+}
+
+TEST(Endgame, RootsNearerThanAnyCircleTellsAreNeverOneDoubleRoot) {
+  // Their branch point is 1e-12 from t = 1: a circle closes after two turns, as round a double root.
+  constexpr double kHalfGap = 1e-6;
+  for_seeds("2\n x^2 - 2*x + 1 - 1e-12;\n y - x;\n", [](const Paths& paths) {
+    const auto all = paths.follow_all();
+    EXPECT_GE(count_of(all, PathStatus::finite), 1);
+    for (const Followed& path : all) {
+      if (path.end.status == PathStatus::failed) continue;
+      EXPECT_EQ(path.end.winding.value_or(1), 1);
+      EXPECT_NEAR(std::abs(path.affine()[0] - 1.0), kHalfGap, kHalfGap / 10);
     }
   });
 }
@@ -329,6 +422,19 @@ TEST(Endgame, CirclesThatCannotBeWalkedFailForPrecision) {
     EXPECT_EQ(end.status, PathStatus::failed);
     EXPECT_EQ(end.failure, Failure::precision);
   });
+}
+
+// Circles agree to 2e-7: x_0 is 0 or not for all that they tell.
+TEST(Endgame, EndWhoseAccuracyDoesNotTellItFromInfinityHasFailedForPrecision) {
+  const Paths parabolas("2\n x^2 + 1 - y;\n x^2 + x + 2 - y;\n", 1);
+  const std::vector<double> shifts{0, 2e-7, 6e-7};
+  const auto end = [&](double x0) { return parabolas.end_of_circles(x0, shifts, 1e-6); };
+  const PathEnd in_doubt = end(1e-6);
+  EXPECT_NEAR(in_doubt.accuracy, shifts[1], shifts[1] / 100);
+  EXPECT_EQ(in_doubt.status, PathStatus::failed);
+  EXPECT_EQ(in_doubt.failure, Failure::precision);
+  EXPECT_EQ(end(1e-3).status, PathStatus::finite);
+  EXPECT_EQ(end(1e-10).status, PathStatus::at_infinity);
 }
 
 TEST(Endgame, EveryVerdictHasItsName) {

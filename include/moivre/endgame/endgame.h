@@ -18,6 +18,8 @@
 //   4. Several turns about a mean that is not clearly a singular root: a landing from the last radius
 //      to t = 1 tells whether simple roots close to each other were taken for one.
 //
+// Thrifty, where paths that fail by precision go on in double-double at once: one that grows to the last is not circled.
+//
 // Straight, for trackers beyond double: the way only, no circles. The end is regular, at infinity or has failed. Valuations come
 // from differences of log |x_i / x_0| then, since J in double says nothing where such trackers are needed.
 //
@@ -76,7 +78,11 @@ struct PathEnd {
 
 class Endgame : public Watcher {
  public:
-  enum class Manner { full, straight };
+  enum class Manner {
+    full,
+    thrifty,  ///< where a path that grows to the last is handed on, it has failed by precision without a circle
+    straight
+  };
   Endgame(const EndgameOptions& options, std::uint64_t path, int care,
           Manner manner = Manner::full);
 
@@ -118,14 +124,15 @@ class Endgame : public Watcher {
   bool look(PathSystem& path);
   Sight sight(const Point& x, double radius, PathSystem& path);
   Verdict watch_straight(const StepRecord& step, PathSystem& path) noexcept;
-  bool valuations_are_steady(std::size_t sights) const;
+  bool valuations_are_steady(std::size_t sights, double tolerance) const;
   double drift(std::size_t i, std::size_t sights) const;
   bool settles(std::size_t i) const;
   bool growth_lasts(double tolerance) const;
-  bool diverges() const;
+  bool diverges(double tolerance) const;
   bool diverges_beyond_double() const;
   bool may_diverge() const;
   std::optional<Departure> judge_arrival(Arrival&& arrival, PathSystem& path);
+  bool is_handed_on(const Arrival& arrival) const;
   Departure descend(Arrival&& arrival);
   std::nullopt_t at_infinity();
   std::optional<Departure> begin_circle();
@@ -153,7 +160,8 @@ class Endgame : public Watcher {
   // Watching.
   std::vector<Sight> sights_;
   std::vector<Unseen> unseen_;  // after the last sight
-  double last_kept_ = std::numeric_limits<double>::infinity();  // |1 - t| of the last point kept to be seen
+  double last_kept_ =
+      std::numeric_limits<double>::infinity();  // |1 - t| of the last point kept to be seen
   int watched_ = 0;
   int creeping_ = 0;  ///< watched steps within the radius of the singular ends
   bool cut_ = false;
