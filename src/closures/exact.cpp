@@ -53,7 +53,7 @@ Coefficient unit_at(double phi) {
   const Rational tangent(std::tan(rest / 2));
   const Rational square = tangent * tangent;
   const Rational scale = 1 / (1 + square);
-  const Coefficient c{(1 - square) * scale, 2 * tangent * scale};
+  Coefficient c{(1 - square) * scale, 2 * tangent * scale};
   switch (static_cast<int>(std::fmod(turns, 4.0) + 4) % 4) {
     case 1:
       return {-c.im, c.re};

@@ -70,7 +70,8 @@ inline Magnitude law_at(const DriverLaw& law, const Magnitude& t) {
 }
 
 /// Indices of the coordinates of the moving ones among `bodies`; `size` coordinates a body, ground has none.
-inline std::vector<std::size_t> coordinates_of(std::vector<std::size_t> bodies, std::size_t size) {
+inline std::vector<std::size_t> coordinates_of(const std::vector<std::size_t>& bodies,
+                                               std::size_t size) {
   std::vector<std::size_t> indices;
   for (const std::size_t body : bodies) {
     if (body == 0) continue;

@@ -53,8 +53,11 @@ std::shared_ptr<const Constraint> gear(const Joint& joint, const std::string& la
   const std::size_t j = joint.at[1].body;
   const std::size_t c = joint.gear.carrier;
   const int common = std::gcd(joint.gear.teeth[0], joint.gear.teeth[1]);
-  const double zi = joint.gear.teeth[0] / common;
-  const double zj = joint.gear.teeth[1] / common;
+  // Whole numbers, without their common factor.
+  const int wheel_i = joint.gear.teeth[0] / common;
+  const int wheel_j = joint.gear.teeth[1] / common;
+  const double zi = wheel_i;
+  const double zj = wheel_j;
   return make_constraint({label + ": turn"}, coordinates_of({i, j, c}, kSize),
                          [=, phase = joint.gear.phase_rad](const auto& at, auto* row) {
                            using S = std::remove_reference_t<decltype(*row)>;

@@ -111,8 +111,7 @@ std::optional<double> Reading::number(const toml::table& in, const std::string& 
 std::optional<std::string> Reading::text(const toml::table& in, const std::string& key) {
   const toml::node* node = in.get(key);
   if (node == nullptr) return std::nullopt;
-  if (const auto value = node->is_string() ? node->value<std::string>() : std::nullopt)
-    return value;
+  if (node->is_string()) return node->value<std::string>();
   fault(*node, "'" + key + "' must be a string, not " + kind_of(*node));
   return std::nullopt;
 }

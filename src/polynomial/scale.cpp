@@ -120,7 +120,7 @@ Eigen::VectorXd least_squares(const System& f, const Sizes& sizes) {
 /// Integers nearest to the minimum, or zeros where they do not pay or would make coefficients of
 /// megabytes.
 std::vector<double> variable_exponents(const System& f, const Sizes& sizes) {
-  const std::vector<double> none(f.variables.size(), 0.0);
+  std::vector<double> none(f.variables.size(), 0.0);
   if (none.empty()) return none;
   const Eigen::VectorXd best = least_squares(f, sizes);
   std::vector<double> v(none.size());

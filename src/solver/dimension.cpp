@@ -86,8 +86,8 @@ Neighbourhood::Neighbourhood(const RefinerProgram& program, const Point& x, std:
       fine_y_(x.size()),
       fine_registers_(program.tape.register_count()),
       fine_value_(program.tape.equations),
-      value_(static_cast<Index>(program.tape.equations + 1)),
-      j_(MatrixXcd::Zero(static_cast<Index>(program.tape.equations + 1), dimension())) {
+      value_(static_cast<Index>(program.tape.equations) + 1),
+      j_(MatrixXcd::Zero(static_cast<Index>(program.tape.equations) + 1, dimension())) {
   for (std::size_t i = 0; i < x.size(); ++i) {
     scale_.push_back(std::max(std::abs(x[i]), program.unit[i]));
   }
