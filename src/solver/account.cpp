@@ -4,8 +4,14 @@
 
 #include <algorithm>
 
+#include "coincidence.h"
+
 namespace moivre {
 namespace {
+
+// A singular root may be the mean of near ones. Where three of them are together and one apart, that one is 2.3 times as far
+// away as the m-th root of the residual says, which is what the accuracy comes from; and circles have little margin.
+constexpr double kSingularMargin = 4;
 
 void enter_solutions(const Run& run, SolveResult& result) {
   for (const auto& group : run.ledger.groups()) {
@@ -33,6 +39,19 @@ void count_paths(const Run& run, PathCounts& counts) {
     ++(rung == Rung::mixed ? counts.mixed : counts.double_double);
   }
   if (run.setting.is_fine()) counts.double_double = counts.tracked;
+}
+
+/// Of a singular root that is told as `best`. Ends further away than both are known to be may be those of other roots, which
+/// the accuracy then covers.
+double accuracy_of_group(const Run& run, const std::vector<std::uint64_t>& group,
+                         const Refined& best) {
+  double accuracy = kSingularMargin * best.accuracy;
+  for (const std::uint64_t path : group) {
+    const Refined& end = run.ledger.roots().at(path).point;
+    const double apart = relative_distance(best.x, end.x);
+    if (apart > best.accuracy + end.accuracy) accuracy = std::max(accuracy, apart + end.accuracy);
+  }
+  return accuracy;
 }
 
 }  // namespace
@@ -65,7 +84,7 @@ Solution solution_of(const Run& run, const std::vector<std::uint64_t>& group,
   solution.multiplicity = group.size();
   solution.winding = winding;
   solution.residual = point.residual;
-  solution.accuracy = point.accuracy;
+  solution.accuracy = point.simple ? point.accuracy : accuracy_of_group(run, group, point);
   solution.condition = point.condition;
   for (const std::uint64_t path : group) {
     solution.precision = std::max(solution.precision, rung_of(run, path));
