@@ -118,11 +118,11 @@ std::string sheet_svg(const Sheet& sheet, const Mechanism& mechanism) {
   std::string svg = heading(sheet, layout.width(), y);
   y += kGap;
   for (std::size_t k = 0; k < sheet.panels.size(); ++k) {
-    const auto column = static_cast<double>(k % layout.columns);
-    const auto row = static_cast<double>(k / layout.columns);
+    const std::size_t row = k / layout.columns;
+    const std::size_t column = k % layout.columns;
     Box frame;
-    const Complex corner(kMargin + column * (layout.panel_width + kGap),
-                         y + row * (layout.panel_height + kGap));
+    const Complex corner(kMargin + static_cast<double>(column) * (layout.panel_width + kGap),
+                         y + static_cast<double>(row) * (layout.panel_height + kGap));
     frame.include(corner);
     frame.include(corner + Complex(layout.panel_width, layout.panel_height));
     const Complex middle =
