@@ -85,6 +85,7 @@ void tell_limits(const BeyondLimits& beyond_limits, ClosureSearch& search) {
 
 void letter(std::vector<Closure>& closures, const Mechanism& mechanism) {
   std::vector<Eigen::VectorXd> poses;
+  poses.reserve(closures.size());
   for (const Closure& closure : closures) poses.push_back(closure.q);
   std::vector<Closure> ordered;
   for (const std::size_t k : canonical_order(poses, coordinates(mechanism))) {

@@ -77,9 +77,7 @@ std::vector<PathDrift> measure_drift(const System& f, const Tracker& tracker,
                                      const std::atomic<bool>& stop) {
   require_square(f);
   const Prepared prepared = prepare(f, options);
-  if (!prepared.homotopy) {
-    throw std::invalid_argument("there is no path to follow: elimination alone decides the system");
-  }
+  require_paths(prepared);
   std::vector<PathDrift> drifts(paths.size());
   for (std::size_t k = 0; k < paths.size(); ++k) {
     if (paths[k] >= prepared.start.paths) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <stdexcept>
 
 namespace moivre {
 namespace {
@@ -71,6 +72,11 @@ Prepared prepare(const System& f, const SolveOptions& options) {
   prepared.start = total_degree_start(degrees(scaled), options.seed);
   prepared.homotopy.emplace(scaled, start_system(prepared.start, scaled.variables));
   return prepared;
+}
+
+void require_paths(const Prepared& prepared) {
+  if (prepared.homotopy) return;
+  throw std::invalid_argument("there is no path to follow: elimination alone decides the system");
 }
 
 Point to_original(const Prepared& prepared, const Point& homogeneous) {

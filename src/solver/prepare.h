@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From the system as given to the homotopy that is tracked, and back: elimination, scaling, start.
+// How does the system as given become the homotopy that is tracked, and a point of it a point of the system again?
 //
 //   F (x, n unknowns) --eliminate--> R (y, k unknowns) --scale--> S (z)  ==>  H = t S + (1 - t) G
 //   Coordinates of a path: (z_1, ..., z_k, z_0);  y = 2^v z / z_0;  x = restore(y).
@@ -19,12 +19,16 @@ struct Prepared {
   Scaling scaling;
   std::vector<LeftOut> left_out;
   TotalDegreeStart start;
-  double spread_log2 = 0;  ///< log2 of the largest over the smallest coefficient of an equation of S
+  double spread_log2 =
+      0;  ///< log2 of the largest over the smallest coefficient of an equation of S
   std::optional<Homotopy> homotopy;  ///< nullopt when nothing is left to track
 };
 
 /// Throws std::overflow_error when the number of paths leaves 64 bits.
 Prepared prepare(const System& f, const SolveOptions& options);
+
+/// Throws std::invalid_argument where elimination alone decides the system, so that there is no path to follow.
+void require_paths(const Prepared& prepared);
 
 /// Every equation's largest coefficient in [1, 2), so that rows of F and G are of one size, and none too small for double.
 System with_unit_rows(const System& f);

@@ -87,9 +87,7 @@ Trace trace_path(const System& f, const Tracker& tracker, const SolveOptions& op
                  std::uint64_t path, const std::atomic<bool>& stop) {
   require_square(f);
   const Prepared prepared = prepare(f, options);
-  if (!prepared.homotopy) {
-    throw std::invalid_argument("there is no path to follow: elimination alone decides the system");
-  }
+  require_paths(prepared);
   if (path >= prepared.start.paths) {
     throw std::invalid_argument("there is no path " + std::to_string(path) +
                                 ": the start system has " + std::to_string(prepared.start.paths) +
