@@ -66,6 +66,14 @@ void tell_why_nothing_moves(const std::vector<Scene>& scenes, MotionResult& resu
   }
 }
 
+/// Closures between checkpoints that were not all found: a short branch may have been missed there.
+void enter_undecided(const MotionRun& run, const std::vector<Scene>& solved, MotionResult& result) {
+  for (const Scene& scene : solved) {
+    if (scene.closures.complete || run.stop) continue;
+    result.failures.push_back("closures " + at_time(scene.time) + ": " + scene.closures.message);
+  }
+}
+
 void tell_instants(const std::vector<double>& instants, MotionResult& result) {
   for (const double time : instants) {
     result.left_out.push_back({"closures " + at_time(time),
@@ -104,6 +112,7 @@ MotionResult find_motion(const Mechanism& mechanism, const Tracker& tracker,
     reconcile(run, scenes);
     const ShortBranches found = follow_short_branches(run, tracker, scenes);
     count_work(found.solved, result);
+    enter_undecided(run, found.solved, result);
     tell_instants(found.instants, result);
     reconcile(run, scenes);
   }

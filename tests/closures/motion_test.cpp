@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "mechanisms.h"
@@ -492,6 +494,65 @@ TEST(Motion, ClosuresThatStayComplexAreSolvedAFewTimesMore) {
   EXPECT_TRUE(result.complete) << result.message;
   EXPECT_TRUE(result.branches.empty());
   EXPECT_LE(result.paths.tracked, 2 * (65 + 8));
+}
+
+/// Every journey is told to have failed.
+class FailingSource : public DepartureSource {
+ public:
+  explicit FailingSource(DepartureSource& source) : source_(source) {}
+  std::optional<Departure> next() override { return source_.next(); }
+  void arrived(const Departure& departure, Arrival&& arrival) override {
+    arrival.journey = Journey::step_too_small;
+    source_.arrived(departure, std::move(arrival));
+  }
+
+ private:
+  DepartureSource& source_;
+};
+
+/// CVODE, whose sessions fail from number `limit` on.
+class TiringTracker : public Tracker {
+ public:
+  explicit TiringTracker(int limit) : limit_(limit) {}
+  std::string kind() const override { return inner_->kind(); }
+  std::vector<std::pair<std::string, std::string>> options_in_force() const override { return {}; }
+  std::unique_ptr<TrackerSession> open(const Homotopy& homotopy) const override {
+    class Session : public TrackerSession {
+     public:
+      explicit Session(std::unique_ptr<TrackerSession> inner) : inner_(std::move(inner)) {}
+      void run(DepartureSource& source, const std::atomic<bool>& stop) noexcept override {
+        FailingSource failing(source);
+        inner_->run(failing, stop);
+      }
+
+     private:
+      std::unique_ptr<TrackerSession> inner_;
+    };
+    auto session = inner_->open(homotopy);
+    if (opened++ < limit_) return session;
+    return std::make_unique<Session>(std::move(session));
+  }
+
+  mutable std::atomic<int> opened{0};
+
+ private:
+  std::unique_ptr<Tracker> inner_ = make_cvode_tracker();
+  int limit_;
+};
+
+TEST(Motion, PathsThatFailWhereAShortBranchIsSoughtLeaveTheMotionUndecided) {
+  const Mechanism m = mechanism_text(nearly_too_short("1.5000001"));
+  MotionOptions options = options_for(m, 50);
+  options.to = 2;
+  // Double-double would find what these sessions lose.
+  options.solve.precision = Precision::double_precision;
+  const TiringTracker tireless(std::numeric_limits<int>::max());
+  EXPECT_TRUE(find_motion(m, tireless, options).complete);
+  // The last sessions are those of the search.
+  const MotionResult result = find_motion(m, TiringTracker(tireless.opened - 1), options);
+  EXPECT_FALSE(result.complete);
+  ASSERT_FALSE(result.failures.empty());
+  EXPECT_EQ(result.failures.front().rfind("closures at t = 1.0", 0), 0U) << result.failures.front();
 }
 
 }  // namespace
