@@ -92,23 +92,6 @@ Complex logarithm(const Complex& z) {
   return {std::log(std::max(std::abs(z), std::numeric_limits<double>::min())), std::arg(z)};
 }
 
-Failure to_failure(Journey journey) {
-  switch (journey) {
-    case Journey::bad_start:
-      return Failure::bad_start;
-    case Journey::step_limit:
-      return Failure::step_limit;
-    case Journey::cancelled:
-      return Failure::cancelled;
-    case Journey::arrived:
-    case Journey::stopped:
-    case Journey::step_too_small:
-    case Journey::off_path:
-      return Failure::step_too_small;
-  }
-  return Failure::step_too_small;
-}
-
 }  // namespace
 
 std::string to_string(PathStatus status) {
@@ -141,8 +124,26 @@ std::string to_string(Failure failure) {
   return "";
 }
 
-Endgame::Endgame(const EndgameOptions& options, std::uint64_t path, int care, Manner manner)
-    : options_(options), path_(path), care_(care), manner_(manner) {}
+Failure to_failure(Journey journey) {
+  switch (journey) {
+    case Journey::bad_start:
+      return Failure::bad_start;
+    case Journey::step_limit:
+      return Failure::step_limit;
+    case Journey::cancelled:
+      return Failure::cancelled;
+    case Journey::arrived:
+    case Journey::stopped:
+    case Journey::step_too_small:
+    case Journey::off_path:
+      return Failure::step_too_small;
+  }
+  return Failure::step_too_small;
+}
+
+Endgame::Endgame(const EndgameOptions& options, const Chart& chart, std::uint64_t path, int care,
+                 Manner manner)
+    : options_(options), chart_(chart), path_(path), care_(care), manner_(manner) {}
 
 Departure Endgame::depart(Point start) {
   tangent_.resize(start.size());
@@ -156,8 +157,8 @@ Endgame::Sight Endgame::sight(const Point& x, double radius, PathSystem& path) {
     const double size = std::norm(x[i]);
     return size > 0 ? -radius * conjugate_product(x[i], tangent_[i]) / size : Complex();
   };
-  const std::size_t n = x.size() - 1;
-  const Complex homogenizing = logarithmic_slope(n);
+  const std::size_t n = chart_.unknowns;
+  const Complex homogenizing = logarithmic_slope(chart_.homogenizing());
   Sight now{radius, {}, {}, 0, path.condition(), 0};
   for (std::size_t i = 0; i < n; ++i) {
     const Complex slope = logarithmic_slope(i) - homogenizing;
@@ -166,7 +167,7 @@ Endgame::Sight Endgame::sight(const Point& x, double radius, PathSystem& path) {
     now.least = std::min(now.least, now.valuations.back());
     now.size = std::max(now.size, std::abs(x[i]));
   }
-  now.size /= std::max(std::abs(x[n]), std::numeric_limits<double>::min());
+  now.size /= std::max(std::abs(chart_.x0(x)), std::numeric_limits<double>::min());
   return now;
 }
 
@@ -223,10 +224,11 @@ Watcher::Verdict Endgame::watch_straight(const StepRecord& step, PathSystem& pat
       (!logarithms_.empty() && radius * kSightSpacing > logarithms_radius_)) {
     return Verdict::go_on;
   }
-  const std::size_t n = step.x.size() - 1;
+  const std::size_t n = chart_.unknowns;
   // The logarithms, imaginary parts included, of the affine coordinates.
   std::vector<Complex> logarithms(n);
-  for (std::size_t i = 0; i < n; ++i) logarithms[i] = logarithm(step.x[i]) - logarithm(step.x[n]);
+  for (std::size_t i = 0; i < n; ++i)
+    logarithms[i] = logarithm(step.x[i]) - logarithm(chart_.x0(step.x));
   if (!logarithms_.empty()) {
     const double condition =
         path.linearize(step.x, step.t) ? path.condition() : std::numeric_limits<double>::infinity();
@@ -546,7 +548,7 @@ std::optional<Departure> Endgame::conclude(PathSystem& path) {
 
 // An end that is finite or not for all that its accuracy tells has failed: more digits decide.
 void Endgame::decide_infinity() {
-  const double size = std::abs(end_.x.back()) / max_norm(end_.x);
+  const double size = chart_.finiteness(end_.x);
   if (size > std::max(options_.infinity_floor, 10 * end_.accuracy)) {
     end_.status = PathStatus::finite;
   } else if (size > options_.infinity_floor) {

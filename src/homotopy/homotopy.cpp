@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Brings target and start system to common degrees in projective coordinates and compiles both.
+// One support for all t, the union of what both ends have, and the coefficients at both ends.
 #include "moivre/homotopy/homotopy.h"
 
 #include <algorithm>
@@ -10,29 +10,109 @@
 namespace moivre {
 namespace {
 
-HomotopySide make_side(const System& f, const std::vector<std::uint64_t>& degrees) {
-  HomotopySide side;
-  side.system = homogenize(f, degrees);
-  side.tape = make_tape(side.system);
-  side.real = is_real(f);
-  return side;
+void require_square_pair(const System& f, const System& g) {
+  const std::size_t n = f.variables.size();
+  if (f.polynomials.size() == n && g.variables.size() == n && g.polynomials.size() == n) return;
+  throw std::invalid_argument("a homotopy needs two systems of n polynomials in n variables; got " +
+                              std::to_string(f.polynomials.size()) + " in " + std::to_string(n) +
+                              " and " + std::to_string(g.polynomials.size()) + " in " +
+                              std::to_string(g.variables.size()));
+}
+
+/// The terms of both, with coefficient 1.
+Polynomial united(const Polynomial& a, const Polynomial& b) {
+  TermMap terms;
+  for (const Polynomial* p : {&a, &b}) {
+    for (const Term& term : p->terms) terms[term.monomial] = Coefficient{1, 0};
+  }
+  return to_polynomial(terms);
+}
+
+/// The coefficient of each term of `support` in p, zero where p has none.
+void append_coefficients(const Polynomial& support, const Polynomial& p,
+                         std::vector<Coefficient>& c) {
+  auto own = p.terms.begin();
+  for (const Term& term : support.terms) {
+    const bool has_it = own != p.terms.end() && own->monomial == term.monomial;
+    c.push_back(has_it ? (own++)->coefficient : Coefficient{});
+  }
+}
+
+/// A polynomial in n unknowns and the parameters behind them, by monomials of the unknowns.
+std::map<Monomial, TermMap, MonomialOrder> by_unknowns(const Polynomial& p, std::uint32_t n) {
+  std::map<Monomial, TermMap, MonomialOrder> parts;
+  for (const Term& term : p.terms) {
+    Monomial unknowns;
+    Monomial parameters;
+    for (const Power& power : term.monomial) {
+      if (power.variable < n) {
+        unknowns.push_back(power);
+      } else {
+        parameters.push_back({power.variable - n, power.exponent});
+      }
+    }
+    parts[unknowns][parameters] = term.coefficient;
+  }
+  return parts;
 }
 
 }  // namespace
 
-Homotopy::Homotopy(const System& f, const System& g) {
-  const std::size_t n = f.variables.size();
-  if (f.polynomials.size() != n || g.variables.size() != n || g.polynomials.size() != n) {
-    throw std::invalid_argument("a homotopy needs two systems of n polynomials in n variables; got " +
-                                std::to_string(f.polynomials.size()) + " in " + std::to_string(n) +
-                                " and " + std::to_string(g.polynomials.size()) + " in " +
-                                std::to_string(g.variables.size()));
+void Homotopy::set_support(const System& affine) {
+  support_ = homogenize(affine, degrees(affine));
+  tape_ = make_tape(support_);
+  chart_.unknowns = affine.variables.size();
+  std::size_t next = 0;
+  for (const Polynomial& p : support_.polynomials) {
+    first_.push_back(next);
+    next += p.terms.size();
   }
-  std::vector<std::uint64_t> common = degrees(f);
-  const std::vector<std::uint64_t> own = degrees(g);
-  for (std::size_t i = 0; i < n; ++i) common[i] = std::max(common[i], own[i]);
-  target_ = make_side(f, common);
-  start_ = make_side(g, common);
+}
+
+Homotopy::Homotopy(const System& f, const System& g) {
+  require_square_pair(f, g);
+  System support{f.variables, {}};
+  for (std::size_t i = 0; i < f.polynomials.size(); ++i) {
+    support.polynomials.push_back(united(f.polynomials[i], g.polynomials[i]));
+    append_coefficients(support.polynomials[i], f.polynomials[i], f_);
+    append_coefficients(support.polynomials[i], g.polynomials[i], g_);
+  }
+  set_support(support);
+}
+
+Homotopy Homotopy::toric(const System& g) {
+  Homotopy homotopy(g, g);
+  homotopy.law_ = CoefficientLaw::toric;
+  return homotopy;
+}
+
+Homotopy Homotopy::parameters(const System& family, const Point& from, const Point& to) {
+  const std::size_t n = family.polynomials.size();
+  if (from.size() != to.size() || family.variables.size() != n + from.size()) {
+    throw std::invalid_argument("a parameter homotopy needs n polynomials in n unknowns and the " +
+                                std::to_string(from.size()) + " parameters; got " +
+                                std::to_string(n) + " in " +
+                                std::to_string(family.variables.size()) + " variables");
+  }
+  const auto unknowns = family.variables.begin() + static_cast<std::ptrdiff_t>(n);
+  System support{{family.variables.begin(), unknowns}, {}};
+  ParameterLaw law{{{unknowns, family.variables.end()}, {}}, {}, from, to};
+  for (const Polynomial& p : family.polynomials) {
+    TermMap terms;
+    for (auto& [monomial, coefficient] : by_unknowns(p, static_cast<std::uint32_t>(n))) {
+      terms[monomial] = Coefficient{1, 0};
+      law.coefficients.polynomials.push_back(to_polynomial(coefficient));
+    }
+    support.polynomials.push_back(to_polynomial(terms));
+  }
+  law.tape = make_tape(law.coefficients);
+  Homotopy homotopy;
+  homotopy.law_ = CoefficientLaw::parameters;
+  homotopy.f_.resize(law.coefficients.polynomials.size());
+  homotopy.g_ = homotopy.f_;
+  homotopy.parameters_ = std::move(law);
+  homotopy.set_support(support);
+  return homotopy;
 }
 
 }  // namespace moivre

@@ -13,7 +13,7 @@ System homogenize(const System& f, const std::vector<std::uint64_t>& degrees) {
   result.variables = f.variables;
   result.variables.push_back("homogenizing coordinate");
   for (std::size_t i = 0; i < f.polynomials.size(); ++i) {
-    TermMap terms;
+    Polynomial& homogeneous = result.polynomials.emplace_back();
     for (const Term& term : f.polynomials[i].terms) {
       const std::uint64_t own = degree(term.monomial);
       if (own > degrees[i] || degrees[i] > std::numeric_limits<std::uint32_t>::max()) {
@@ -23,9 +23,8 @@ System homogenize(const System& f, const std::vector<std::uint64_t>& degrees) {
       }
       Monomial m = term.monomial;
       if (own < degrees[i]) m.push_back({n, static_cast<std::uint32_t>(degrees[i] - own)});
-      terms[std::move(m)] = term.coefficient;
+      homogeneous.terms.push_back({term.coefficient, std::move(m)});
     }
-    result.polynomials.push_back(to_polynomial(terms));
   }
   return result;
 }

@@ -59,6 +59,13 @@ PathSet paths_failed_by(const Run& run, Failure reason) {
   return paths;
 }
 
+/// Whose start point on the last stage is this?
+std::optional<std::uint64_t> path_from(const Run& run, const Point& start) {
+  const StartPlan& plan = *run.setting.prepared.plan;
+  return plan.stages.size() == 1 ? plan.points->number_of(start)
+                                 : run.marks.path_of(mark_of(start));
+}
+
 /// The image of a root is a root; one that no path found was lost by the path that leads to it. Counts those roots too.
 PathSet paths_to_missing_conjugates(Run& run, int care) {
   PathSet paths;
@@ -70,9 +77,10 @@ PathSet paths_to_missing_conjugates(Run& run, int care) {
     const Refined root = refiner.refine(image, kImageAccuracy);
     if (!root.simple) continue;
     ++run.unsettled_conjugates;
-    const auto path = path_through(setting.problem(care), to_homogeneous(setting.prepared, root.x),
-                                   care, setting.stop);
-    if (path) paths.insert(*path);
+    const auto start = followed_back(setting.problem(care),
+                                     to_homogeneous(setting.prepared, root.x), care, setting.stop);
+    if (!start) continue;
+    if (const auto path = path_from(run, *start)) paths.insert(*path);
   }
   return paths;
 }
@@ -94,6 +102,8 @@ PathSet doubtful_paths(Run& run, int care, const PathSet& beyond) {
     if (is_in_doubt(run, group)) doubtful.insert(group.begin(), group.end());
   }
   doubtful.merge(paths_to_missing_conjugates(run, care));
+  // Two paths that set out on the last stage from one point: one of them jumped before.
+  for (const std::uint64_t path : run.marks.shared()) doubtful.insert(path);
   return doubtful;
 }
 
@@ -115,6 +125,9 @@ void fail_unsettled(Run& run) {
     for (std::size_t k = 1; k < group.size(); ++k) {
       if (run.ledger.roots().at(group[k]).point.simple) fail(run, group[k], Failure::jumped);
     }
+  }
+  for (const std::uint64_t path : run.marks.shared()) {
+    if (!run.ledger.failures().contains(path)) fail(run, path, Failure::jumped);
   }
   for (const std::uint64_t path :
        paths_to_missing_conjugates(run, run.setting.options.maximum_care)) {

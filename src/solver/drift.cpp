@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "beginnings.h"
 #include "facts.h"
 #include "prepare.h"
 
@@ -36,18 +37,19 @@ class DriftWatcher : public Watcher {
 class DriftSource : public DepartureSource {
  public:
   DriftSource(const Prepared& prepared, int care, std::vector<PathDrift>& drifts,
-              const std::atomic<bool>& stop)
-      : prepared_(prepared), care_(care), drifts_(drifts), stop_(stop) {
+              Beginnings& beginnings)
+      : prepared_(prepared), care_(care), drifts_(drifts), beginnings_(beginnings) {
     watchers_.reserve(drifts.size());
     for (PathDrift& drift : drifts) watchers_.emplace_back(drift);
   }
 
   std::optional<Departure> next() override {
-    if (next_ == drifts_.size() || stop_.load(std::memory_order_relaxed)) return std::nullopt;
-    Departure departure;
+    std::optional<Beginning> beginning = beginnings_.next();
+    while (beginning && beginning->lost) beginning = beginnings_.next();
+    if (!beginning) return std::nullopt;
+    while (drifts_[next_].path != beginning->path) ++next_;
+    Departure departure = departure_of(*beginning, care_);
     departure.path = next_;
-    departure.x = start_point(prepared_.start, drifts_[next_].path);
-    departure.care = care_;
     departure.watcher = &watchers_[next_++];
     return departure;
   }
@@ -56,7 +58,7 @@ class DriftSource : public DepartureSource {
     PathDrift& drift = drifts_[departure.path];
     const Point& end = watchers_[departure.path].end();
     drift.count = arrival.count;
-    drift.arrived = !end.empty() && end.back() != Complex(0);
+    drift.arrived = !end.empty() && prepared_.plan->last().chart().x0(end) != 0.0;
     if (drift.arrived) drift.end = to_original(prepared_, end);
   }
 
@@ -64,7 +66,7 @@ class DriftSource : public DepartureSource {
   const Prepared& prepared_;
   int care_;
   std::vector<PathDrift>& drifts_;
-  const std::atomic<bool>& stop_;
+  Beginnings& beginnings_;
   std::vector<DriftWatcher> watchers_;
   std::size_t next_ = 0;
 };
@@ -80,13 +82,20 @@ std::vector<PathDrift> measure_drift(const System& f, const Tracker& tracker,
   require_paths(prepared);
   std::vector<PathDrift> drifts(paths.size());
   for (std::size_t k = 0; k < paths.size(); ++k) {
-    if (paths[k] >= prepared.start.paths) {
+    if (paths[k] >= prepared.plan->paths) {
       throw std::invalid_argument("there is no path " + std::to_string(paths[k]));
     }
     drifts[k].path = paths[k];
   }
-  DriftSource source(prepared, options.care, drifts, stop);
-  tracker.open(*prepared.homotopy)->run(source, stop);
+  std::size_t drawn = 0;
+  const auto draw = [&]() -> std::optional<std::uint64_t> {
+    if (drawn == paths.size() || stop.load(std::memory_order_relaxed)) return std::nullopt;
+    return paths[drawn++];
+  };
+  Beginnings beginnings(*prepared.plan, tracker, options.care, paths.size(), draw);
+  DriftSource source(prepared, options.care, drifts, beginnings);
+  beginnings.advance(stop);
+  tracker.open(prepared.plan->last())->run(source, stop);
   return drifts;
 }
 

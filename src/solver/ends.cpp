@@ -29,7 +29,7 @@ Root refined_root(const Run& run, Refiner& refiner, std::uint64_t path, const Pa
   const Setting& setting = run.setting;
   const Point x = to_original(setting.prepared, end.x);
   // A relative error of z_0 is one of z / z_0, larger by the size of the affine point.
-  const double size = max_norm(end.x) / std::abs(end.x.back());
+  const double size = 1 / setting.prepared.plan->last().chart().finiteness(end.x);
   const double accuracy = end.accuracy * std::max(1.0, size);
   Root root;
   root.winding = end.winding;
@@ -74,6 +74,13 @@ bool is_known_singular(const Run& run, const Root& root) {
 void take_end(Run& run, std::uint64_t path, PathEnd&& end) {
   run.work += end.count;
   run.rungs.erase(path);
+  if (run.setting.prepared.plan->stages.size() > 1) {
+    if (end.stage + 1 == run.setting.prepared.plan->stages.size()) {
+      run.marks.set(path, end.mark);
+    } else {
+      run.marks.forget(path);
+    }
+  }
   // Nothing is kept of a path at infinity: memory does not grow with their number.
   if (end.status != PathStatus::at_infinity) {
     if (end.count.work.fine_values > 0) run.rungs[path] = Rung::mixed;
@@ -85,7 +92,7 @@ void take_end(Run& run, std::uint64_t path, PathEnd&& end) {
       return;
     case PathStatus::at_infinity:
       if (run.setting.hides_terms()) {
-        run.ledger.enter_failure({path, Failure::precision, end.t});
+        run.ledger.enter_failure({path, Failure::precision, end.t, end.stage});
       } else {
         run.ledger.enter_infinity(path);
       }
@@ -94,7 +101,7 @@ void take_end(Run& run, std::uint64_t path, PathEnd&& end) {
       if (end.failure == Failure::cancelled) {
         run.interrupted = true;
       } else {
-        run.ledger.enter_failure({path, *end.failure, end.t});
+        run.ledger.enter_failure({path, *end.failure, end.t, end.stage});
       }
       return;
   }
@@ -111,7 +118,7 @@ void refine_ends(Run& run) {
     if (is_root) {
       run.ledger.enter_root(path, std::move(roots[k]));
     } else {
-      run.ledger.enter_failure({path, Failure::precision, end.t});
+      run.ledger.enter_failure({path, Failure::precision, end.t, end.stage});
     }
   }
   run.ends.clear();

@@ -8,13 +8,19 @@
 
 #include <map>
 #include <mutex>
-#include <numbers>
+
+#include "beginnings.h"
+#include "marks.h"
 
 namespace moivre {
 namespace {
 
 // To wake the threads of a pool takes longer than to follow so few paths, unless these were found to be hard.
 constexpr std::uint64_t kFewPaths = 4;
+
+// Paths that a thread takes through the early stages of a plan together: many times the lanes there are.
+constexpr std::uint64_t kBlock = 128;
+constexpr std::uint64_t kBlocksOfAThread = 4;
 
 /// What the threads share: the next path to begin and the sink.
 struct Shared {
@@ -25,13 +31,23 @@ struct Shared {
   const std::atomic<bool>& stop;
   std::atomic<std::uint64_t> next{0};
   std::mutex sink_mutex;
+
+  std::optional<std::uint64_t> draw() {
+    if (stop.load(std::memory_order_relaxed)) return std::nullopt;
+    const std::uint64_t k = next.fetch_add(1, std::memory_order_relaxed);
+    if (k >= count) return std::nullopt;
+    return path_of(k);
+  }
 };
 
-/// Feeds one session: first what its endgames ask for, then new paths.
+/// Feeds the session of the last stage: first what its endgames ask for, then new paths.
 class SessionSource : public DepartureSource {
  public:
-  SessionSource(const PathProblem& problem, Shared& shared)
-      : problem_(problem), shared_(shared), scratch_(problem.homotopy) {}
+  SessionSource(const PathProblem& problem, Shared& shared, Beginnings& beginnings)
+      : problem_(problem),
+        shared_(shared),
+        beginnings_(beginnings),
+        scratch_(problem.plan.last()) {}
 
   std::optional<Departure> next() override {
     if (!ready_.empty()) {
@@ -39,13 +55,11 @@ class SessionSource : public DepartureSource {
       ready_.pop_back();
       return departure;
     }
-    if (shared_.stop.load(std::memory_order_relaxed)) return std::nullopt;
-    const std::uint64_t k = shared_.next.fetch_add(1, std::memory_order_relaxed);
-    if (k >= shared_.count) return std::nullopt;
-    const std::uint64_t path = shared_.path_of(k);
-    auto& endgame = under_way_[path];
-    endgame = std::make_unique<Endgame>(problem_.endgame, path, shared_.care, problem_.manner);
-    return endgame->depart(start_point(problem_.start, path));
+    while (std::optional<Beginning> beginning = beginnings_.next()) {
+      if (!beginning->lost) return depart(std::move(*beginning));
+      hand_in(beginning->path, std::move(*beginning->lost));
+    }
+    return std::nullopt;
   }
 
   void arrived(const Departure& departure, Arrival&& arrival) override {
@@ -54,18 +68,45 @@ class SessionSource : public DepartureSource {
       ready_.push_back(std::move(*next));
       return;
     }
-    const std::lock_guard lock(shared_.sink_mutex);
-    shared_.sink(departure.path, std::move(found->second->end()));
+    hand_in(departure.path, std::move(found->second->end()));
     under_way_.erase(found);
   }
 
  private:
+  Departure depart(Beginning&& beginning) {
+    const std::uint64_t path = beginning.path;
+    auto& endgame = under_way_[path];
+    endgame = std::make_unique<Endgame>(problem_.endgame, problem_.plan.last().chart(), path,
+                                        shared_.care, problem_.manner);
+    PathEnd& end = endgame->end();
+    end.count = beginning.count;
+    end.stage = problem_.plan.stages.size() - 1;
+    if (end.stage > 0) end.mark = mark_of(beginning.x);
+    return endgame->depart(std::move(beginning.x));
+  }
+
+  void hand_in(std::uint64_t path, PathEnd&& end) {
+    const std::lock_guard lock(shared_.sink_mutex);
+    shared_.sink(path, std::move(end));
+  }
+
   const PathProblem& problem_;
   Shared& shared_;
+  Beginnings& beginnings_;
   PathSystem scratch_;
   std::vector<Departure> ready_;
   std::map<std::uint64_t, std::unique_ptr<Endgame>> under_way_;
 };
+
+void track_on_one_thread(const PathProblem& problem, std::uint64_t threads, Shared& shared) {
+  const std::uint64_t share = shared.count / (threads * kBlocksOfAThread) + 1;
+  Beginnings beginnings(problem.plan, problem.tracker, shared.care, std::min(kBlock, share),
+                        [&] { return shared.draw(); });
+  SessionSource source(problem, shared, beginnings);
+  const auto session = problem.tracker.open(problem.plan.last());
+  if (problem.plan.stages.size() == 1) return session->run(source, shared.stop);
+  while (beginnings.advance(shared.stop)) session->run(source, shared.stop);
+}
 
 }  // namespace
 
@@ -89,29 +130,16 @@ void track_paths(const PathProblem& problem, std::uint64_t count,
   const std::uint64_t sessions =
       few ? std::min<std::uint64_t>(count, 1)
           : std::min<std::uint64_t>(static_cast<std::uint64_t>(threads), count);
-  for_each_parallel(sessions, threads, [&](std::size_t) {
-    SessionSource source(problem, shared);
-    problem.tracker.open(problem.homotopy)->run(source, stop);
-  });
+  for_each_parallel(sessions, threads,
+                    [&](std::size_t) { track_on_one_thread(problem, sessions, shared); });
 }
 
-std::optional<std::uint64_t> path_through(const PathProblem& problem, const Point& x, int care,
-                                          const std::atomic<bool>& stop) {
-  const auto session = problem.tracker.open(problem.homotopy);
-  const Arrival back = follow(*session, {0, Contour::segment(1, 0), x, care, 0, nullptr}, stop);
+std::optional<Point> followed_back(const PathProblem& problem, const Point& x, int care,
+                                   const std::atomic<bool>& stop) {
+  const auto session = problem.tracker.open(problem.plan.last());
+  Arrival back = follow(*session, {0, Contour::segment(1, 0), x, care, 0, nullptr}, stop);
   if (back.journey != Journey::arrived) return std::nullopt;
-  std::uint64_t path = 0;
-  std::uint64_t weight = 1;
-  for (std::size_t j = 0; j < problem.start.degrees.size(); ++j) {
-    const std::uint64_t d = problem.start.degrees[j];
-    const Complex first = de_moivre_root(problem.start.c2[j] / problem.start.c1[j], d, 0);
-    const double turn = std::arg(back.x[j] / back.x.back() / first) / (2 * std::numbers::pi);
-    const auto k = std::llround(turn * static_cast<double>(d));
-    path += weight *
-            static_cast<std::uint64_t>((k + static_cast<long long>(d)) % static_cast<long long>(d));
-    weight *= d;
-  }
-  return path;
+  return std::move(back.x);
 }
 
 }  // namespace moivre

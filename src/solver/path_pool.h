@@ -10,14 +10,13 @@
 #include <functional>
 
 #include "moivre/solver/solve.h"
-#include "moivre/start/total_degree.h"
+#include "moivre/start/start_plan.h"
 
 namespace moivre {
 
-/// The paths of one homotopy and how to set out on them.
+/// The paths of a plan and who follows them.
 struct PathProblem {
-  const Homotopy& homotopy;
-  const TotalDegreeStart& start;
+  const StartPlan& plan;
   const Tracker& tracker;
   const EndgameOptions& endgame;
   Endgame::Manner manner = Endgame::Manner::full;
@@ -32,10 +31,10 @@ void track_paths(const PathProblem& problem, std::uint64_t count,
                  const std::function<std::uint64_t(std::uint64_t)>& path_of, int care, int threads,
                  const EndSink& sink, const std::atomic<bool>& stop);
 
-/// Number of the path on which `x` (homogeneous, an end point at t = 1) lies: it is followed back to
-/// t = 0 and compared with the start points. nullopt when the way back does not lead to one.
-std::optional<std::uint64_t> path_through(const PathProblem& problem, const Point& x, int care,
-                                          const std::atomic<bool>& stop);
+/// The start point of the last stage from which `x` (homogeneous, an end point at t = 1) is reached: x is followed back to
+/// t = 0. nullopt when the way back breaks off.
+std::optional<Point> followed_back(const PathProblem& problem, const Point& x, int care,
+                                   const std::atomic<bool>& stop);
 
 /// f(k) for k in [0, count) on `threads` threads; in order on the caller's thread when that is one.
 void for_each_parallel(std::size_t count, int threads, const std::function<void(std::size_t)>& f);

@@ -69,20 +69,18 @@ Prepared prepare(const System& f, const SolveOptions& options) {
   }
   const System scaled = with_unit_rows(scale(reduced, prepared.scaling));
   prepared.spread_log2 = spread_log2(scaled);
-  prepared.start = total_degree_start(degrees(scaled), options.seed);
-  prepared.homotopy.emplace(scaled, start_system(prepared.start, scaled.variables));
+  prepared.plan = total_degree_plan(scaled, options.seed);
   return prepared;
 }
 
 void require_paths(const Prepared& prepared) {
-  if (prepared.homotopy) return;
+  if (prepared.plan) return;
   throw std::invalid_argument("there is no path to follow: elimination alone decides the system");
 }
 
 Point to_original(const Prepared& prepared, const Point& homogeneous) {
-  Point y(homogeneous.begin(), homogeneous.end() - 1);
+  Point y = prepared.plan->last().chart().affine(homogeneous);
   for (std::size_t j = 0; j < y.size(); ++j) {
-    y[j] /= homogeneous.back();
     const int e = prepared.scaling.variable_log2[j];
     y[j] = {std::ldexp(y[j].real(), e), std::ldexp(y[j].imag(), e)};
   }
@@ -105,8 +103,7 @@ Point to_homogeneous(const Prepared& prepared, const Point& x) {
     const int e = -prepared.scaling.variable_log2[j];
     z.push_back({std::ldexp(y.real(), e), std::ldexp(y.imag(), e)});
   }
-  z.push_back(1);
-  return z;
+  return prepared.plan->last().chart().homogeneous(z);
 }
 
 }  // namespace moivre

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How does the system as given become the homotopy that is tracked, and a point of it a point of the system again?
 //
-//   F (x, n unknowns) --eliminate--> R (y, k unknowns) --scale--> S (z)  ==>  H = t S + (1 - t) G
+//   F (x, n unknowns) --eliminate--> R (y, k unknowns) --scale--> S (z)  ==>  a plan of homotopies to S
 //   Coordinates of a path: (z_1, ..., z_k, z_0);  y = 2^v z / z_0;  x = restore(y).
 #pragma once
 
@@ -10,7 +10,7 @@
 #include "moivre/polynomial/eliminate.h"
 #include "moivre/polynomial/scale.h"
 #include "moivre/solver/solve.h"
-#include "moivre/start/total_degree.h"
+#include "moivre/start/start_plan.h"
 
 namespace moivre {
 
@@ -18,10 +18,9 @@ struct Prepared {
   Reduction reduction;
   Scaling scaling;
   std::vector<LeftOut> left_out;
-  TotalDegreeStart start;
   double spread_log2 =
       0;  ///< log2 of the largest over the smallest coefficient of an equation of S
-  std::optional<Homotopy> homotopy;  ///< nullopt when nothing is left to track
+  std::optional<StartPlan> plan;  ///< nullopt when nothing is left to track
 };
 
 /// Throws std::overflow_error when the number of paths leaves 64 bits.

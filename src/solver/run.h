@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "ledger.h"
+#include "marks.h"
 #include "setting.h"
 
 namespace moivre {
@@ -22,6 +23,7 @@ struct Run {
   Ledger ledger;
   std::vector<std::pair<std::uint64_t, PathEnd>> ends;  ///< finite, to be refined
   std::map<std::uint64_t, Rung> rungs;                  ///< of paths that needed more than double
+  Marks marks;  ///< of the points where paths set out on the last of several stages
   PathSet retracked;
   PathSet handed_over;                     ///< of these, to the fallback
   std::uint64_t unsettled_conjugates = 0;  ///< simple roots that no path was found to lead to

@@ -58,8 +58,13 @@ bool Setting::falls_back(int care) const {
 }
 
 PathProblem Setting::problem(int care) const {
-  return {*prepared.homotopy, prepared.start, falls_back(care) ? *trackers.fallback : tracker(),
-          endgame};
+  return {*prepared.plan, falls_back(care) ? *trackers.fallback : tracker(), endgame};
+}
+
+PathProblem Setting::first_problem() const {
+  PathProblem first = problem(0);
+  if (trackers.fine_own != nullptr && !is_fine()) first.manner = Endgame::Manner::thrifty;
+  return first;
 }
 
 }  // namespace moivre

@@ -6,7 +6,7 @@
 //   fine_own    `first` in double-double, several paths at once; nullptr where it has none
 //   fine        double-double, one path at a time; nullptr where no path is to be followed beyond double
 //
-// Edges: where the elimination decided the system, prepared.homotopy is nullopt and there are no paths.
+// Edges: where the elimination decided the system, prepared.plan is nullopt and there are no paths.
 #pragma once
 
 #include <atomic>
@@ -48,6 +48,8 @@ struct Setting {
   bool falls_back(int care) const;
   /// All paths, by who follows them with that care.
   PathProblem problem(int care) const;
+  /// All paths, by who follows them at first: one that fails by precision then may go on in double-double at once.
+  PathProblem first_problem() const;
 };
 
 }  // namespace moivre

@@ -22,7 +22,7 @@ SolveResult described(const Setting& setting) {
   result.seed = setting.options.seed;
   result.system = facts_of(setting.f);
   result.reduced = facts_of(setting.prepared.reduction.system);
-  result.start.paths = setting.prepared.start.paths;
+  if (setting.prepared.plan) result.start.paths = setting.prepared.plan->paths;
   result.start.why =
       "the product of the degrees bounds the number of isolated roots; its start "
       "system is solved by De Moivre's theorem";

@@ -6,8 +6,9 @@
 #include <limits>
 #include <stdexcept>
 
+#include "beginnings.h"
 #include "facts.h"
-#include "prepare.h"
+#include "setting.h"
 
 namespace moivre {
 namespace {
@@ -20,6 +21,8 @@ class Recorder : public Watcher {
  public:
   Recorder(const ToAffine& to_affine, std::vector<TraceStep>& steps)
       : to_affine_(to_affine), steps_(steps) {}
+
+  int next_journey() const { return journey_ + 1; }
 
   void begin_journey(Watcher* inner) {
     inner_ = inner;
@@ -48,37 +51,64 @@ class Recorder : public Watcher {
   int journey_ = -1;
 };
 
-/// The start point itself, before any step.
-TraceStep first_row(PathSystem& path, const Point& start, const ToAffine& to_affine) {
-  Point unit = start;
+/// The start point of a stage, before any step.
+TraceStep first_row(const Homotopy& homotopy, const Beginning& beginning,
+                    const ToAffine& to_affine) {
+  PathSystem path(homotopy);
+  if (beginning.weights) path.set_weights(*beginning.weights);
+  Point unit = beginning.x;
   const double length = euclidean_norm(unit);
   for (Complex& xi : unit) xi /= length;
   path.linearize(unit, Complex(0));
   TraceStep step;
-  step.x = to_affine(start);
+  step.x = to_affine(beginning.x);
   step.h_before = step.h_after = path.residual();
   return step;
 }
 
-void follow_to_the_end(const Homotopy& homotopy, const Tracker& tracker, const Point& start,
-                       const SolveOptions& options, const ToAffine& to_affine,
-                       const std::atomic<bool>& stop, Trace& trace) {
-  const auto session = tracker.open(homotopy);
-  PathSystem scratch(homotopy);
-  trace.steps.push_back(first_row(scratch, start, to_affine));
-  Recorder recorder(to_affine, trace.steps);
-  Endgame endgame(options.endgame, trace.path, options.care);
-  std::optional<Departure> departure = endgame.depart(start);
-  while (departure) {
-    recorder.begin_journey(departure->watcher);
-    departure->watcher = &recorder;
-    departure->watch_radius = std::numeric_limits<double>::infinity();
-    departure = endgame.accept(follow(*session, std::move(*departure), stop), scratch);
+/// Through the stages before the last: where the path begins there, or how it was lost.
+Beginning follow_early_stages(const PathProblem& problem, std::uint64_t path, int care,
+                              Recorder& recorder, const ToAffine& to_affine,
+                              const std::atomic<bool>& stop, Trace& trace) {
+  Beginning beginning = first_beginning(problem.plan, path);
+  for (std::size_t stage = 0; stage + 1 < problem.plan.stages.size() && !beginning.lost; ++stage) {
+    const Homotopy& homotopy = problem.plan.stages[stage];
+    trace.steps.push_back(first_row(homotopy, beginning, to_affine));
+    recorder.begin_journey(nullptr);
+    const auto session = problem.tracker.open(homotopy);
+    Arrival arrival = follow(*session, departure_of(beginning, care, &recorder), stop);
+    take_arrival(std::move(arrival), stage, beginning);
   }
-  trace.end = std::move(endgame.end());
+  return beginning;
+}
+
+void follow_to_the_end(const PathProblem& problem, int care, const ToAffine& to_affine,
+                       const std::atomic<bool>& stop, Trace& trace) {
+  const Homotopy& last = problem.plan.last();
+  Recorder recorder(to_affine, trace.steps);
+  Beginning beginning =
+      follow_early_stages(problem, trace.path, care, recorder, to_affine, stop, trace);
+  if (beginning.lost) {
+    trace.end = std::move(*beginning.lost);
+  } else {
+    const auto session = problem.tracker.open(last);
+    PathSystem scratch(last);
+    const TraceStep start = first_row(last, beginning, to_affine);
+    trace.steps.push_back(start);
+    trace.steps.back().journey = recorder.next_journey();
+    Endgame endgame(problem.endgame, last.chart(), trace.path, care, problem.manner);
+    std::optional<Departure> departure = endgame.depart(std::move(beginning.x));
+    while (departure) {
+      recorder.begin_journey(departure->watcher);
+      departure->watcher = &recorder;
+      departure->watch_radius = std::numeric_limits<double>::infinity();
+      departure = endgame.accept(follow(*session, std::move(*departure), stop), scratch);
+    }
+    trace.end = std::move(endgame.end());
+  }
   if (trace.end.status != PathStatus::at_infinity) trace.x = to_affine(trace.end.x);
-  trace.tracker = tracker.kind();
-  trace.tracker_options = tracker.options_in_force();
+  trace.tracker = problem.tracker.kind();
+  trace.tracker_options = problem.tracker.options_in_force();
 }
 
 }  // namespace
@@ -86,21 +116,22 @@ void follow_to_the_end(const Homotopy& homotopy, const Tracker& tracker, const P
 Trace trace_path(const System& f, const Tracker& tracker, const SolveOptions& options,
                  std::uint64_t path, const std::atomic<bool>& stop) {
   require_square(f);
-  const Prepared prepared = prepare(f, options);
-  require_paths(prepared);
-  if (path >= prepared.start.paths) {
+  const Setting setting(f, tracker, options, stop);
+  require_paths(setting.prepared);
+  const StartPlan& plan = *setting.prepared.plan;
+  if (path >= plan.paths) {
     throw std::invalid_argument("there is no path " + std::to_string(path) +
-                                ": the start system has " + std::to_string(prepared.start.paths) +
-                                ", numbered from 0 to " + std::to_string(prepared.start.paths - 1));
+                                ": the start system has " + std::to_string(plan.paths) +
+                                ", numbered from 0 to " + std::to_string(plan.paths - 1));
   }
   Trace trace;
   trace.system = facts_of(f);
-  trace.paths = prepared.start.paths;
+  trace.paths = plan.paths;
   trace.path = path;
-  trace.left_out = prepared.left_out;
+  trace.left_out = setting.prepared.left_out;
   follow_to_the_end(
-      *prepared.homotopy, tracker, start_point(prepared.start, path), options,
-      [&](const Point& x) { return to_original(prepared, x); }, stop, trace);
+      setting.first_problem(), options.care,
+      [&](const Point& x) { return to_original(setting.prepared, x); }, stop, trace);
   return trace;
 }
 
@@ -112,19 +143,14 @@ Trace trace_path(const System& f, const System& g, const Point& start, const Tra
         "the start system and its point must be in the variables of the system");
   }
   require_square(g);
-  const Homotopy homotopy(f, g);
-  Trace trace;
-  trace.system = facts_of(f);
   Point homogeneous = start;
   homogeneous.push_back(1);
+  const StartPlan plan = own_plan(f, g, std::move(homogeneous));
+  Trace trace;
+  trace.system = facts_of(f);
   follow_to_the_end(
-      homotopy, tracker, homogeneous, options,
-      [](const Point& x) {
-        Point affine(x.begin(), x.end() - 1);
-        for (Complex& xi : affine) xi /= x.back();
-        return affine;
-      },
-      stop, trace);
+      {plan, tracker, options.endgame}, options.care,
+      [&](const Point& x) { return plan.last().chart().affine(x); }, stop, trace);
   return trace;
 }
 

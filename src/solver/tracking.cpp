@@ -28,8 +28,8 @@ void track_these(Run& run, const PathProblem& problem, const PathSet& paths, int
   refine_ends(run);
 }
 
-bool has_left_for_infinity(const PathEnd& end) {
-  return std::abs(end.x.back()) < kBeyondRoots * max_norm(end.x);
+bool has_left_for_infinity(const Run& run, const PathEnd& end) {
+  return run.setting.prepared.plan->last().chart().finiteness(end.x) < kBeyondRoots;
 }
 
 /// Returns the paths that came to no verdict.
@@ -37,10 +37,9 @@ PathSet climb_with(Run& run, const Tracker& tracker, Endgame::Manner manner, con
   PathSet left;
   if (paths.empty() || run.interrupted) return left;
   const Setting& setting = run.setting;
-  const PathProblem problem{*setting.prepared.homotopy, setting.prepared.start, tracker,
-                            setting.endgame, manner};
+  const PathProblem problem{*setting.prepared.plan, tracker, setting.endgame, manner};
   track_these(run, problem, paths, 0, [&](std::uint64_t path, PathEnd&& end) {
-    if (end.failure == Failure::step_too_small && has_left_for_infinity(end)) {
+    if (end.failure == Failure::step_too_small && has_left_for_infinity(run, end)) {
       end.status = PathStatus::at_infinity;
       end.failure.reset();
     }
@@ -60,19 +59,16 @@ PathSet climb_with(Run& run, const Tracker& tracker, Endgame::Manner manner, con
 
 void track_all(Run& run) {
   const Setting& setting = run.setting;
-  Progress progress{0, setting.prepared.start.paths, 0};
+  Progress progress{0, setting.prepared.plan->paths, 0};
   const EndSink sink = [&](std::uint64_t path, PathEnd&& end) {
     ++progress.done;
     if (end.status == PathStatus::finite) ++progress.finite;
     take_end(run, path, std::move(end));
     if (setting.options.progress) setting.options.progress(progress);
   };
-  PathProblem problem = setting.problem(0);
-  const bool hands_on = setting.trackers.fine_own != nullptr && !setting.is_fine();
-  if (hands_on) problem.manner = Endgame::Manner::thrifty;
   track_paths(
-      problem, progress.total, [](std::uint64_t k) { return k; }, setting.options.care,
-      setting.threads, sink, setting.stop);
+      setting.first_problem(), progress.total, [](std::uint64_t k) { return k; },
+      setting.options.care, setting.threads, sink, setting.stop);
   if (progress.done < progress.total) run.interrupted = true;
 }
 

@@ -45,6 +45,12 @@ PathSystem::PathSystem(const Homotopy& homotopy)
       dx_(n_ + 1),
       weights_(n_ + 1) {}
 
+void PathSystem::set_weights(std::span<const double> weights) noexcept {
+  path_weights_ = weights;
+  homotopy_.set_weights(weights);
+  if (fine_) fine_->homotopy.set_weights(weights);
+}
+
 bool PathSystem::linearize(std::span<const Complex> x, const PathTime& t) noexcept {
   const std::span<Complex> j = lu_.matrix();
   homotopy_.linearization(x, t, h_, j, ht_);
@@ -77,7 +83,10 @@ bool PathSystem::newton_step(std::span<Complex> x, double& size) noexcept {
 }
 
 void PathSystem::evaluate_fine(std::span<const Complex> x, const PathTime& t) noexcept {
-  if (!fine_) fine_ = std::make_unique<Fine>(definition_);
+  if (!fine_) {
+    fine_ = std::make_unique<Fine>(definition_);
+    fine_->homotopy.set_weights(path_weights_);
+  }
   std::copy(x.begin(), x.end(), fine_->x.begin());
   // t is taken from 1 - t near t = 1, where that has more digits than double's t.
   const ComplexDoubleDouble one(1.0);

@@ -132,6 +132,7 @@ int CvodeSession::weights(N_Vector y, N_Vector weight, void* self) {
 bool CvodeSession::depart(const Departure& departure) {
   const double care = std::pow(kCareFactor, -departure.care);
   contour_ = departure.contour;
+  path_.set_weights(departure.weights);
   rtol_ = options_.rtol * care;
   newton_ = CorrectorOptions{};
   newton_.largest_correction *= care;

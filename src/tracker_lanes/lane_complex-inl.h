@@ -47,6 +47,12 @@ HWY_INLINE V square_root(V a) { return hn::Sqrt(a); }
 HWY_INLINE bool is_nowhere(Mask mask) { return hn::AllFalse(Tag(), mask); }
 HWY_INLINE V select(Mask mask, V yes, V no) { return hn::IfThenElse(mask, yes, no); }
 
+/// W real numbers in memory.
+struct LaneReals {
+  HWY_ALIGN double at[W] = {};
+  V value() const { return load_real(at); }
+};
+
 /// What the kernels need to know of R: doubles a real number, what one lane holds, and how doubles and what a lane holds
 /// become an R.
 template <class R>
@@ -60,6 +66,9 @@ struct LaneScalar<V> {
   static HWY_INLINE V widen(V a) { return a; }
   static HWY_INLINE V spread(double a) { return broadcast(a); }
 };
+
+/// A real number, rounded to double.
+HWY_INLINE V rounded(V a) { return a; }
 
 /// W complex numbers in registers.
 template <class R>

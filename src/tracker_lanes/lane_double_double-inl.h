@@ -40,6 +40,8 @@ struct LaneScalar<LaneDoubleDouble> {
   }
 };
 
+HWY_INLINE V rounded(const LaneDoubleDouble& a) { return a.hi; }
+
 HWY_INLINE LaneDoubleDouble two_sum(V a, V b) {
   const V sum = a + b;
   const V part = sum - a;

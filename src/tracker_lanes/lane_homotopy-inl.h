@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// What are H, H_x and H_t of W points at once, each at its own t? The tape of F and G together, over lanes.
+// What are H, H_x and H_t of W points at once, each at its own t? The program of a homotopy, over lanes.
 //
-//   H = t F + (1 - t) G; monomials that F and G share are multiplied out once. Coefficients are the same in all lanes and
-//   are broadcast: a real one costs half of a complex one, so terms with real and complex coefficients are kept apart.
+//   Coefficients that stand still are the same in all lanes and are broadcast: a real one costs half of a complex one, so
+//   terms with real and complex coefficients are kept apart. Those that move are every lane's own (lane_moving-inl.h).
 //   H_x is summed over registers that t and 1 - t have been multiplied into, where these are fewer than its entries.
 //   expand(): H(x + dx s, t + dt s) to first order in s: its value and its derivative along the direction (dx, dt).
 //
-// R: the scalar. x: N, H, H_t: n, H_x: n x N into the rows of a LaneLu. Owns its registers, allocates nothing after construction.
+// R: the scalar. x: N, H, H_t: n, H_x: n x N into the rows of a LaneLu. move() comes before the others wherever t changes.
+// Owns its registers, allocates nothing after construction.
 // Source: [GriewankWalther08, ch. 13] for the truncated series.
 #if defined(MOIVRE_LANE_HOMOTOPY_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef MOIVRE_LANE_HOMOTOPY_INL_H_
@@ -17,40 +18,31 @@
 
 #include "lane_complex-inl.h"
 #include "lane_lu-inl.h"
-#include "lane_program.h"
+#include "lane_moving-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace moivre {
 namespace HWY_NAMESPACE {
 
-/// t, 1 - t and dt/ds of every lane.
-template <class R>
-struct LaneTime {
-  using Number = typename LaneScalar<R>::Number;
-
-  LaneTime() : values(3) {}
-  LaneComplex<R> t() const { return load(values[0]); }
-  LaneComplex<R> rest() const { return load(values[1]); }
-  LaneComplex<R> dt() const { return load(values[2]); }
-  void set(std::size_t lane, const Time<Number>& time, Complex dt) {
-    values.set(0, lane, time.t);
-    values.set(1, lane, time.rest);
-    values.set(2, lane, dt);
-  }
-
-  LaneVector<R> values;
-};
-
 template <class R>
 class LaneHomotopy {
  public:
-  using Program = LaneProgram<typename LaneScalar<R>::Real>;
+  using Program = HomotopyProgram<typename LaneScalar<R>::Real>;
 
-  explicit LaneHomotopy(const Program& program)
+  LaneHomotopy(const Homotopy& homotopy, const Program& program)
       : program_(program),
+        moving_(homotopy, program),
         registers_(program.register_count),
         slopes_(program.register_count),
         weighted_(program.weighted_count()) {}
+
+  /// Of the path in `lane`, where the homotopy is toric.
+  void set_weights(std::size_t lane, std::span<const double> weights) {
+    moving_.set_weights(lane, weights);
+  }
+
+  /// Takes the coefficients to the times given.
+  void move(const LaneTime<R>& time) { moving_.move(time); }
 
   /// h <- H, rows 0..n-1 of j <- H_x, ht <- H_t.
   void linearize(const LaneVector<R>& x, const LaneTime<R>& time, LaneVector<R>& h, LaneLu<R>& j,
@@ -59,10 +51,19 @@ class LaneHomotopy {
     const LaneComplex<R> t = time.t();
     const LaneComplex<R> rest = time.rest();
     for (std::size_t i = 0; i < program_.values.size(); ++i) {
-      const LaneComplex<R> f = sum(program_.values[i].f, registers_);
-      const LaneComplex<R> g = sum(program_.values[i].g, registers_);
-      store(add_product(t, f, rest * g), h[i]);
-      store(f - g, ht[i]);
+      const typename Program::Blend& value = program_.values[i];
+      const LaneComplex<R> f = sum(value.f, registers_);
+      const LaneComplex<R> g = sum(value.g, registers_);
+      LaneComplex<R> total = add_product(t, f, rest * g);
+      LaneComplex<R> rate = f - g;
+      for (std::uint32_t k = value.moving_begin; k < value.moving_end; ++k) {
+        const typename Program::MovingTerm& term = program_.moving_terms[k];
+        const LaneComplex<R> r = load(registers_[term.monomial]);
+        total = add_product(load(moving_.c()[term.coefficient]), r, total);
+        rate = add_product(load(moving_.slope()[term.coefficient]), r, rate);
+      }
+      store(total, h[i]);
+      store(rate, ht[i]);
     }
     if (program_.has_weighted_registers()) {
       sum_weighted(t, rest, j);
@@ -81,11 +82,22 @@ class LaneHomotopy {
     const LaneComplex<R> rest = time.rest();
     const LaneComplex<R> dt = time.dt();
     for (std::size_t i = 0; i < program_.values.size(); ++i) {
-      const Series f = sum_series(program_.values[i].f);
-      const Series g = sum_series(program_.values[i].g);
-      store(add_product(t, f.value, rest * g.value), h[i]);
-      const LaneComplex<R> moving = add_product(t, f.slope, dt * (f.value - g.value));
-      store(add_product(rest, g.slope, moving), slope[i]);
+      const typename Program::Blend& value = program_.values[i];
+      const Series f = sum_series(value.f);
+      const Series g = sum_series(value.g);
+      LaneComplex<R> total = add_product(t, f.value, rest * g.value);
+      LaneComplex<R> direction = add_product(t, f.slope, rest * g.slope);
+      LaneComplex<R> rate = f.value - g.value;
+      for (std::uint32_t k = value.moving_begin; k < value.moving_end; ++k) {
+        const typename Program::MovingTerm& term = program_.moving_terms[k];
+        const LaneComplex<R> c = load(moving_.c()[term.coefficient]);
+        const LaneComplex<R> r = load(registers_[term.monomial]);
+        total = add_product(c, r, total);
+        direction = add_product(c, load(slopes_[term.monomial]), direction);
+        rate = add_product(load(moving_.slope()[term.coefficient]), r, rate);
+      }
+      store(total, h[i]);
+      store(add_product(dt, rate, direction), slope[i]);
     }
   }
 
@@ -125,18 +137,28 @@ class LaneHomotopy {
     for (const std::uint32_t r : program_.by_t) store(t * load(registers_[r]), *next++);
     for (const std::uint32_t r : program_.by_rest) store(rest * load(registers_[r]), *next++);
     for (const typename Program::Entry& entry : program_.jacobian) {
-      store(sum(entry.blend.f, weighted_), j.at(entry.row, entry.column));
+      store(add_moving(entry.blend, sum(entry.blend.f, weighted_)), j.at(entry.row, entry.column));
     }
   }
 
   void sum_blends(const LaneComplex<R>& t, const LaneComplex<R>& rest, LaneLu<R>& j) {
     for (const typename Program::Entry& entry : program_.jacobian) {
-      LaneComplex<R> value = t * sum(entry.blend.f, registers_);
+      LaneComplex<R> value = zero<R>();
+      if (!entry.blend.f.is_empty()) value = t * sum(entry.blend.f, registers_);
       if (!entry.blend.g.is_empty()) {
         value = add_product(rest, sum(entry.blend.g, registers_), value);
       }
-      store(value, j.at(entry.row, entry.column));
+      store(add_moving(entry.blend, value), j.at(entry.row, entry.column));
     }
+  }
+
+  LaneComplex<R> add_moving(const typename Program::Blend& blend, LaneComplex<R> total) const {
+    for (std::uint32_t k = blend.moving_begin; k < blend.moving_end; ++k) {
+      const typename Program::MovingTerm& term = program_.moving_terms[k];
+      total =
+          add_product(load(moving_.c()[term.coefficient]), load(registers_[term.monomial]), total);
+    }
+    return total;
   }
 
   LaneComplex<R> sum(const typename Program::Sum& terms, const LaneVector<R>& r) const {
@@ -176,6 +198,7 @@ class LaneHomotopy {
   }
 
   const Program& program_;
+  LaneMoving<R> moving_;
   LaneVector<R> registers_;
   LaneVector<R> slopes_;    // of the registers along the direction
   LaneVector<R> weighted_;  // registers times t or 1 - t

@@ -25,6 +25,8 @@ class LaneNewton<Complex> {
   std::size_t coordinates() const { return path_.coordinates(); }
   /// For watchers.
   PathSystem& watched() { return path_; }
+  /// Of the path that the next call is about.
+  void set_weights(std::span<const double> weights) { path_.set_weights(weights); }
   static const PathTime& time(const PathTime& t) { return t; }
 
   /// Corrects x, the point that `control` is to have next, and dx, the tangent there.
@@ -47,6 +49,10 @@ class LaneNewton<ComplexDoubleDouble> {
 
   std::size_t coordinates() const { return path_.coordinates(); }
   PathSystem& watched() { return path_; }
+  void set_weights(std::span<const double> weights) {
+    fine_.set_weights(weights);
+    path_.set_weights(weights);
+  }
   static Time<ComplexDoubleDouble> time(const PathTime& t) { return fine_time(t); }
 
   Rescue rescue(FinePoint& x, FinePoint& dx, const LaneControl& control);

@@ -28,10 +28,10 @@ class LaneSession : public TrackerSession {
  public:
   LaneSession(const LaneOptions& options, const Homotopy& homotopy)
       : options_(options),
-        program_(make_lane_program<Real>(homotopy)),
+        program_(make_program<Real>(homotopy)),
         newton_(homotopy),
         path_(newton_.coordinates(), options.predictor),
-        step_(program_),
+        step_(homotopy, program_),
         point_(newton_.coordinates()),
         tangent_(newton_.coordinates()) {}
 
@@ -73,6 +73,7 @@ class LaneSession : public TrackerSession {
       std::copy(departure->x.begin(), departure->x.end(), point_.begin());
       newton_.normalize(point_);
       path_.place(lane, point_);
+      step_.set_weights(lane, departure->weights);
       lanes_[lane].depart(std::move(*departure), options_, LaneNewton<Number>::kRules);
     }
     return true;
@@ -103,6 +104,7 @@ class LaneSession : public TrackerSession {
     LaneControl& control = lanes_[lane];
     for (std::size_t i = 0; i < point_.size(); ++i) point_[i] = step_.corrected.get(i, lane);
     newton_.normalize(point_);
+    newton_.set_weights(control.weights());
     const LaneControl::Move move = control.judge_rescue(newton_.rescue(point_, tangent_, control));
     if (move != LaneControl::Move::stay) step_.replace(lane, path_.patch(), point_, tangent_);
     return move;
@@ -127,7 +129,10 @@ class LaneSession : public TrackerSession {
 
   void report(std::size_t lane) {
     LaneControl& control = lanes_[lane];
-    if (control.is_to_be_observed()) control.observe(extract(lane), newton_.watched());
+    if (control.is_to_be_observed()) {
+      newton_.set_weights(control.weights());
+      control.observe(extract(lane), newton_.watched());
+    }
     control.close_step();
   }
 
@@ -138,7 +143,7 @@ class LaneSession : public TrackerSession {
   }
 
   LaneOptions options_;
-  LaneProgram<Real> program_;
+  HomotopyProgram<Real> program_;
   LaneNewton<Number> newton_;  // for watchers and rescues
   LanePath<R> path_;
   LaneStep<R> step_;

@@ -22,20 +22,14 @@ HWY_BEFORE_NAMESPACE();
 namespace moivre {
 namespace HWY_NAMESPACE {
 
-/// W real numbers in memory.
-struct LaneReals {
-  HWY_ALIGN double at[W] = {};
-  V value() const { return load_real(at); }
-};
-
 template <class R>
 class LaneStep {
  public:
   using Number = typename LaneScalar<R>::Number;
 
-  explicit LaneStep(const typename LaneHomotopy<R>::Program& program)
+  LaneStep(const Homotopy& homotopy, const typename LaneHomotopy<R>::Program& program)
       : n_(program.values.size()),
-        homotopy_(program),
+        homotopy_(homotopy, program),
         lu_(n_ + 1),
         h_(n_ + 1),
         ht_(n_ + 1),
@@ -43,10 +37,16 @@ class LaneStep {
         corrected(n_ + 1),
         tangent(n_ + 1) {}
 
+  /// Of the path in `lane`, where the homotopy is toric.
+  void set_weights(std::size_t lane, std::span<const double> weights) {
+    homotopy_.set_weights(lane, weights);
+  }
+
   /// Takes every lane of `path` a step h ahead, to the times given. Results are the members below; `path` is not changed.
   void take(const LanePath<R>& path, const LaneReals& h, const LaneTime<R>& time) {
     LaneVector<R>& x = corrected;
     path.predict(h.value(), x);
+    homotopy_.move(time);
     homotopy_.linearize(x, time, h_, lu_, ht_);
     measure_residual();
     append_patch(path, time);

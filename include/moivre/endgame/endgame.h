@@ -23,7 +23,7 @@
 // Straight, for trackers beyond double: the way only, no circles. The end is regular, at infinity or has failed. Valuations come
 // from differences of log |x_i / x_0| then, since J in double says nothing where such trackers are needed.
 //
-// x: N homogeneous coordinates, the last one x_0. accuracy: relative, |x - x*|_inf / |x|_inf in homogeneous coordinates.
+// x: N homogeneous coordinates of a chart, which knows x_0. accuracy: relative, |x - x*|_inf / |x|_inf in homogeneous coordinates.
 // Edges: a path that breaks off far from t = 1 has failed, with the reason. Not supported: winding numbers above maximum_winding.
 // Source: [MSW91] for the Cauchy integral, [HuberVerschelde98] and [Timme21] for valuations.
 #pragma once
@@ -49,6 +49,8 @@ enum class Failure {
   jumped           ///< its end belongs to another path, and tracking it again did not help
 };
 std::string to_string(Failure failure);
+/// Why a path failed whose journey ended so, short of its end.
+Failure to_failure(Journey journey);
 
 struct EndgameOptions {
   double watch_radius = 0.1;  ///< |1 - t| from which the path is watched
@@ -71,8 +73,11 @@ struct PathEnd {
   bool singular = false;
   std::optional<int> winding;  ///< nullopt: Newton landed on the end, and it is to prove simple
   double accuracy = 0;
-  double condition = 0;  ///< of the bordered, row-scaled Jacobian
-  Complex t = 0;         ///< how far it came
+  double condition = 0;   ///< of the bordered, row-scaled Jacobian
+  Complex t = 0;          ///< how far it came
+  std::size_t stage = 0;  ///< of the plan, on which it ended
+  Complex
+      mark;  ///< of the point from which it set out on the last stage, where there are several (solver/marks.h)
   StepCount count;
 };
 
@@ -83,7 +88,7 @@ class Endgame : public Watcher {
     thrifty,  ///< where a path that grows to the last is handed on, it has failed by precision without a circle
     straight
   };
-  Endgame(const EndgameOptions& options, std::uint64_t path, int care,
+  Endgame(const EndgameOptions& options, const Chart& chart, std::uint64_t path, int care,
           Manner manner = Manner::full);
 
   /// The first departure, from a start point at t = 0.
@@ -151,6 +156,7 @@ class Endgame : public Watcher {
   std::nullopt_t fail(Failure failure);
 
   EndgameOptions options_;
+  Chart chart_;
   std::uint64_t path_;
   int care_;
   Manner manner_;

@@ -22,6 +22,8 @@ struct DoubleDouble {
   constexpr DoubleDouble() = default;
   constexpr DoubleDouble(double value) : hi(value) {}
   constexpr DoubleDouble(double high, double low) : hi(high), lo(low) {}
+
+  friend bool operator==(const DoubleDouble&, const DoubleDouble&) = default;
 };
 
 namespace detail {
@@ -85,6 +87,8 @@ struct ComplexDoubleDouble {
   constexpr ComplexDoubleDouble(DoubleDouble real, DoubleDouble imaginary)
       : re(real), im(imaginary) {}
   ComplexDoubleDouble(const Complex& value) : re(value.real()), im(value.imag()) {}
+
+  friend bool operator==(const ComplexDoubleDouble&, const ComplexDoubleDouble&) = default;
 };
 
 inline ComplexDoubleDouble operator+(const ComplexDoubleDouble& a, const ComplexDoubleDouble& b) {

@@ -97,6 +97,7 @@ struct FailedPath {
   std::uint64_t path = 0;
   Failure failure = Failure::step_limit;
   Complex t;  ///< how far it came
+  std::size_t stage = 0;  ///< of the plan, on which it was lost
 };
 
 /// Something that this scene did not need, or that was done instead.

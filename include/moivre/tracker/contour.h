@@ -11,7 +11,7 @@
 
 #include <cmath>
 
-#include "moivre/homotopy/homotopy.h"
+#include "moivre/homotopy/time.h"
 
 namespace moivre {
 
@@ -21,9 +21,7 @@ class Contour {
     return Contour(Kind::segment, from, 1.0 - from, to - from, to);
   }
   /// Straight from t = 1 - rest to t = 1.
-  static Contour landing(Complex rest) {
-    return Contour(Kind::segment, 1.0 - rest, rest, rest, 1);
-  }
+  static Contour landing(Complex rest) { return Contour(Kind::segment, 1.0 - rest, rest, rest, 1); }
   /// About t = 1, from t = 1 - rest.
   static Contour spiral(Complex rest, Complex lambda) {
     return Contour(Kind::spiral, 1.0 - rest, rest, lambda, 1);

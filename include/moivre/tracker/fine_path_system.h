@@ -50,6 +50,9 @@ class FinePathSystem {
 
   std::size_t coordinates() const { return n_ + 1; }
 
+  /// The weights of the path, where the homotopy is toric; they have to stay where they are.
+  void set_weights(std::span<const double> weights) { homotopy_.set_weights(weights); }
+
   /// a <- x^H / |x|^2.
   void set_patch(std::span<const ComplexDoubleDouble> x);
 

@@ -19,7 +19,7 @@
 #include <memory>
 #include <span>
 
-#include "moivre/homotopy/homotopy.h"
+#include "moivre/homotopy/evaluator.h"
 #include "moivre/numeric/lu.h"
 
 namespace moivre {
@@ -32,30 +32,31 @@ double weighted_norm(std::span<const Complex> v, std::span<const Complex> x);
 
 /// What was evaluated and factored.
 struct WorkCount {
-  std::uint64_t values = 0;         ///< H alone
-  std::uint64_t fine_values = 0;    ///< H alone, in double-double
-  std::uint64_t linearizations = 0; ///< H, H_x, H_t
+  std::uint64_t values = 0;          ///< H alone
+  std::uint64_t fine_values = 0;     ///< H alone, in double-double
+  std::uint64_t linearizations = 0;  ///< H, H_x, H_t
   std::uint64_t factorizations = 0;
 
   WorkCount& operator+=(const WorkCount& other);
   friend WorkCount operator-(const WorkCount& a, const WorkCount& b) {
-    return {a.values - b.values, a.fine_values - b.fine_values,
-            a.linearizations - b.linearizations, a.factorizations - b.factorizations};
+    return {a.values - b.values, a.fine_values - b.fine_values, a.linearizations - b.linearizations,
+            a.factorizations - b.factorizations};
   }
 };
 
 struct CorrectorOptions {
-  double tolerance = 1e-9;           ///< |dx|_w at which the point counts as on the path
-  double largest_correction = 0.1;   ///< |dx|_w of the first correction above which the point is refused
-  double largest_contraction = 0.25; ///< |dx_k+1|_w / |dx_k|_w above which Newton is refused
-  double stagnation = 1e-6;          ///< |dx|_w that passes where rounding stops the contraction
+  double tolerance = 1e-9;  ///< |dx|_w at which the point counts as on the path
+  double largest_correction =
+      0.1;  ///< |dx|_w of the first correction above which the point is refused
+  double largest_contraction = 0.25;  ///< |dx_k+1|_w / |dx_k|_w above which Newton is refused
+  double stagnation = 1e-6;           ///< |dx|_w that passes where rounding stops the contraction
   int maximum_iterations = 8;
 };
 
 struct Correction {
   bool converged = false;
-  double first = 0;  ///< |dx_1|_w, how far the point was from the path
-  double last = 0;   ///< |dx_k|_w of the last correction
+  double first = 0;     ///< |dx_1|_w, how far the point was from the path
+  double last = 0;      ///< |dx_k|_w of the last correction
   double residual = 0;  ///< max_i |H_i| before the first correction
 };
 
@@ -64,6 +65,10 @@ class PathSystem {
   explicit PathSystem(const Homotopy& homotopy);
 
   std::size_t coordinates() const { return n_ + 1; }
+  const Chart& chart() const { return definition_.chart(); }
+
+  /// The weights of the path that is looked at, where the homotopy is toric; they have to stay where they are.
+  void set_weights(std::span<const double> weights) noexcept;
 
   /// Evaluates H, H_x, H_t at (x, t) and factors J. False when J is singular or something is not finite.
   bool linearize(std::span<const Complex> x, const PathTime& t) noexcept;
@@ -92,6 +97,7 @@ class PathSystem {
   const Homotopy& definition_;
   std::size_t n_;
   HomotopyEvaluator<Complex> homotopy_;
+  std::span<const double> path_weights_;
   Lu lu_;
   std::vector<Complex> h_;
   std::vector<Complex> ht_;
@@ -99,8 +105,7 @@ class PathSystem {
   std::vector<double> weights_;
   /// In double-double; made when it is first needed.
   struct Fine {
-    explicit Fine(const Homotopy& h)
-        : homotopy(h), x(h.coordinates()), value(h.equations()) {}
+    explicit Fine(const Homotopy& h) : homotopy(h), x(h.coordinates()), value(h.equations()) {}
     HomotopyEvaluator<ComplexDoubleDouble> homotopy;
     std::vector<ComplexDoubleDouble> x;
     std::vector<ComplexDoubleDouble> value;

@@ -29,10 +29,10 @@ struct StepRecord {
   double s = 0;
   PathTime t{0.0};
   std::span<const Complex> x;
-  double step = 0;           ///< in s
-  int order = 0;             ///< of the predictor or integrator
-  double drift = 0;          ///< max_i |H_i| before the Newton correction
-  double correction = 0;     ///< |dx_1|_w of the first Newton correction; 0 without correction
+  double step = 0;        ///< in s
+  int order = 0;          ///< of the predictor or integrator
+  double drift = 0;       ///< max_i |H_i| before the Newton correction
+  double correction = 0;  ///< |dx_1|_w of the first Newton correction; 0 without correction
 };
 
 /// Sees every accepted step of one departure, and may end it. Called by the thread that tracks; must not throw.
@@ -46,12 +46,14 @@ class Watcher {
 struct Departure {
   std::uint64_t path = 0;
   Contour contour = Contour::segment(0, 1);
-  Point x;                     ///< N coordinates, on the path at contour(0) or near it
-  int care = 0;                ///< 0: as the options say; each level more tracks with tighter tolerances
-  int samples = 0;             ///< points wanted at s = 1/samples, 2/samples, ..., 1; 0: none
+  Point x;          ///< N coordinates, on the path at contour(0) or near it
+  int care = 0;     ///< 0: as the options say; each level more tracks with tighter tolerances
+  int samples = 0;  ///< points wanted at s = 1/samples, 2/samples, ..., 1; 0: none
   Watcher* watcher = nullptr;  ///< not owned; nullptr: nobody watches
   /// The watcher sees the steps that end with |1 - t| up to this.
   double watch_radius = std::numeric_limits<double>::infinity();
+  /// Of the terms of a toric homotopy, one each, else none; they have to stay where they are until the arrival.
+  std::span<const double> weights;
 };
 
 enum class Journey {
@@ -74,11 +76,12 @@ struct StepCount {
 
 struct Arrival {
   Journey journey = Journey::cancelled;
-  Point x;             ///< last point on the path
-  double s = 0;        ///< where on the contour
+  Point x;       ///< last point on the path
+  double s = 0;  ///< where on the contour
   PathTime t{0.0};
   StepCount count;
-  std::vector<Point> samples;  ///< in the order of s; all of them when arrived, else what was passed
+  std::vector<Point>
+      samples;  ///< in the order of s; all of them when arrived, else what was passed
   /// At t = 1, by trackers that work beyond double: condition of J where Newton's method ended quadratically, at a
   /// point known better than double tells. nullopt: nobody looked.
   std::optional<double> regular_condition;

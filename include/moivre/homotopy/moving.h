@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+// What are the moving coefficients at t, and how fast do they move? c_k(t) and dc_k/dt, by the homotopy's law.
+//
+//   straight     c = t f + (1 - t) g          dc = f - g
+//   toric        c = g e^{-w (1 - t)}         dc = w c        w: the weights of the path, one a term of the homotopy
+//   parameters   c = q((1 - t) p + t p')      dc = q_p (p' - p)
+//
+// The toric exponential is that of double in every scalar: it is the same function of t wherever it is asked for, and exactly 1
+// at t = 1, which is all that a path needs.
+// Source: [HuberSturmfels95] for the toric law.
+#pragma once
+
+#include <cmath>
+#include <span>
+
+#include "moivre/homotopy/program.h"
+#include "moivre/numeric/scalar.h"
+
+namespace moivre {
+
+/// In the scalar S. Owns its memory; one a thread.
+template <class S>
+class MovingCoefficients {
+ public:
+  using Real = typename Scalar<S>::Real;
+  using Program = HomotopyProgram<Real>;
+
+  MovingCoefficients(const Homotopy& homotopy, const Program& program)
+      : program_(program), c(program.moving_count()), slope(program.moving.size()) {
+    if (homotopy.parameter_law()) parameters_.emplace(*homotopy.parameter_law());
+  }
+
+  /// weights: one a term of the homotopy where its law is toric, else nothing. Fills `c` and `slope`.
+  void move(const Time<S>& t, std::span<const double> weights) {
+    switch (program_.law) {
+      case CoefficientLaw::straight:
+        move_straight(t);
+        break;
+      case CoefficientLaw::toric:
+        move_toric(t, weights);
+        break;
+      case CoefficientLaw::parameters:
+        parameters_->evaluate(t, c, slope);
+        break;
+    }
+    for (std::size_t k = 0; k < program_.multiples.size(); ++k) {
+      const typename Program::Multiple& multiple = program_.multiples[k];
+      c[program_.moving.size() + k] = product(Real(multiple.factor), c[multiple.base]);
+    }
+  }
+
+ private:
+  /// q(p(t)) by a tape of its own.
+  struct Parameters {
+    explicit Parameters(const ParameterLaw& the_law)
+        : law(the_law),
+          coefficients(round_coefficients<S>(law.tape, law.coefficients, Scalar<S>::round)),
+          p(law.from.size()),
+          registers(law.tape.register_count()),
+          jacobian(law.tape.jacobian.size()) {}
+
+    void evaluate(const Time<S>& t, std::vector<S>& c, std::vector<S>& slope) {
+      for (std::size_t j = 0; j < p.size(); ++j) {
+        p[j] = product(t.rest, S(law.from[j])) + product(t.t, S(law.to[j]));
+      }
+      const std::size_t count = slope.size();
+      moivre::evaluate<S, S>(law.tape, std::span<const S>(coefficients), std::span<const S>(p),
+                             std::span<S>(registers), std::span<S>(c).first(count),
+                             std::span<S>(jacobian));
+      std::fill(slope.begin(), slope.end(), S(0.0));
+      for (std::size_t k = 0; k < jacobian.size(); ++k) {
+        const Tape::Entry& entry = law.tape.jacobian[k];
+        const S speed = S(law.to[entry.column]) - S(law.from[entry.column]);
+        slope[entry.row] += product(jacobian[k], speed);
+      }
+    }
+
+    const ParameterLaw& law;
+    std::vector<S> coefficients, p, registers, jacobian;
+  };
+
+  void move_straight(const Time<S>& t) {
+    for (std::size_t k = 0; k < program_.moving.size(); ++k) {
+      const typename Program::Moving& moving = program_.moving[k];
+      const S f(moving.f_re, moving.f_im);
+      const S g(moving.g_re, moving.g_im);
+      c[k] = product(t.t, f) + product(t.rest, g);
+      slope[k] = f - g;
+    }
+  }
+
+  void move_toric(const Time<S>& t, std::span<const double> weights) {
+    const Complex rest = to_complex(t.rest);
+    for (std::size_t k = 0; k < program_.moving.size(); ++k) {
+      const typename Program::Moving& moving = program_.moving[k];
+      const double w = weights[moving.term];
+      const Complex decay = w == 0 ? Complex(1) : std::exp(-w * rest);
+      c[k] = product(S(decay), S(moving.g_re, moving.g_im));
+      slope[k] = product(Real(w), c[k]);
+    }
+  }
+
+  const Program& program_;
+  std::optional<Parameters> parameters_;
+
+ public:
+  std::vector<S> c;      ///< c_k of all moving coefficients, multiples too
+  std::vector<S> slope;  ///< dc_k/dt of those of the values
+};
+
+}  // namespace moivre

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// How late is it on a path? t beside 1 - t: near t = 1 the difference would lose the digits of 1 - t.
+#pragma once
+
+#include "moivre/numeric/complex.h"
+
+namespace moivre {
+
+template <class S>
+struct Time {
+  Time(const S& value) : t(value), rest(S(1.0) - value) {}
+  Time(const S& value, const S& one_minus_value) : t(value), rest(one_minus_value) {}
+
+  S t;
+  S rest;
+};
+using PathTime = Time<Complex>;
+
+}  // namespace moivre

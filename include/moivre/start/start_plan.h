@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// By which homotopies do all roots come, and where do their paths begin? A plan of stages; it tracks nothing itself.
+//
+//   path 0..paths-1 --start point--> stage 1 --its end at t = 1--> stage 2 --> ... --> the target's roots
+//
+// Every path goes through all stages. Start points are computed from the path's number, never stored; where the first stage
+// is toric a path brings the weights of its cell (homotopy/homotopy.h). Immutable and shared by all threads.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "moivre/homotopy/homotopy.h"
+#include "moivre/start/total_degree.h"
+
+namespace moivre {
+
+/// Weights of a toric stage, one a term; nullptr where there are none. Whoever follows a path holds its weights.
+using PathWeights = std::shared_ptr<const std::vector<double>>;
+
+/// The start points of the first stage.
+class StartPoints {
+ public:
+  virtual ~StartPoints() = default;
+  /// Homogeneous coordinates.
+  virtual Point point(std::uint64_t path) const = 0;
+  virtual PathWeights weights(std::uint64_t path) const;
+  /// Which path has this start point, known to some digits? nullopt where that can't be computed.
+  virtual std::optional<std::uint64_t> number_of(const Point& x) const = 0;
+};
+
+struct StartPlan {
+  std::string kind;  ///< "total-degree", "multihomogeneous", "polyhedral", "own"
+  std::uint64_t paths = 0;
+  std::vector<Homotopy> stages;
+  std::shared_ptr<const StartPoints> points;
+
+  const Homotopy& last() const { return stages.back(); }
+};
+
+/// t F + (1 - t) G from the degrees. Throws as total_degree_start() does.
+StartPlan total_degree_plan(const System& f, std::uint64_t seed);
+
+/// t F + (1 - t) G from one point near a root of G, homogeneous; path 0.
+StartPlan own_plan(const System& f, const System& g, Point start);
+
+}  // namespace moivre

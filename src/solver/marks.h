@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// By what is a point known again among many, at 16 bytes each? By its mark, a ratio of two fixed linear forms.
+//
+//   mark = (a x) / (b x), a and b of random phases: the same for all multiples of a homogeneous point, and different for
+//   different points but by chance
+//
+// A plan of several stages computes no path number from a start point of its last stage. The marks of all such points are
+// kept instead: two equal ones are a jump on an earlier stage, and a point is looked up by its mark.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "moivre/numeric/complex.h"
+
+namespace moivre {
+
+Complex mark_of(const Point& x);
+
+/// Of paths by number; a path without a mark has none. Two marks are one when they agree to `kMarkTolerance`.
+class Marks {
+ public:
+  static constexpr double kMarkTolerance = 1e-7;
+
+  void set(std::uint64_t path, Complex mark);
+  void forget(std::uint64_t path);
+  bool is_empty() const { return marks_.empty(); }
+
+  /// The path whose mark this is; nullopt where it is none's or not one's alone.
+  std::optional<std::uint64_t> path_of(Complex mark) const;
+  /// Paths that share a mark with another path, ascending.
+  std::vector<std::uint64_t> shared() const;
+
+ private:
+  std::vector<Complex> marks_;  // NaN: none
+};
+
+}  // namespace moivre

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+// What are the moving coefficients of W paths, each at its own t? As homotopy/moving.h, over lanes.
+//
+//   straight     of two ends broadcast to all lanes
+//   toric        by Highway's exponential where t is real in all lanes; every lane has weights of its own
+//   else         lane by lane, in the scalar of one lane
+//
+// R: the scalar. Owns its memory, allocates nothing after construction.
+#if defined(MOIVRE_LANE_MOVING_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef MOIVRE_LANE_MOVING_INL_H_
+#undef MOIVRE_LANE_MOVING_INL_H_
+#else
+#define MOIVRE_LANE_MOVING_INL_H_
+#endif
+
+#include <hwy/contrib/math/math-inl.h>
+
+#include <vector>
+
+#include "lane_complex-inl.h"
+#include "moivre/homotopy/moving.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace moivre {
+namespace HWY_NAMESPACE {
+
+/// t, 1 - t and dt/ds of every lane.
+template <class R>
+struct LaneTime {
+  using Number = typename LaneScalar<R>::Number;
+
+  LaneTime() : values(3) {}
+  LaneComplex<R> t() const { return load(values[0]); }
+  LaneComplex<R> rest() const { return load(values[1]); }
+  LaneComplex<R> dt() const { return load(values[2]); }
+  void set(std::size_t lane, const Time<Number>& time, Complex dt) {
+    values.set(0, lane, time.t);
+    values.set(1, lane, time.rest);
+    values.set(2, lane, dt);
+  }
+  Time<Number> get(std::size_t lane) const { return {values.get(0, lane), values.get(1, lane)}; }
+
+  LaneVector<R> values;
+};
+
+template <class R>
+class LaneMoving {
+ public:
+  using Number = typename LaneScalar<R>::Number;
+  using Program = HomotopyProgram<typename LaneScalar<R>::Real>;
+
+  LaneMoving(const Homotopy& homotopy, const Program& program)
+      : program_(program),
+        scalar_(homotopy, program),
+        c_(program.moving_count()),
+        slope_(program.moving.size()) {
+    if (program.law == CoefficientLaw::toric) {
+      weights_.resize(program.moving.size());
+      path_weights_.assign(W, std::vector<double>(homotopy.terms()));
+    }
+    if (program.law != CoefficientLaw::straight) return;
+    for (std::size_t k = 0; k < program.moving.size(); ++k) {
+      store(f(program.moving[k]) - g(program.moving[k]), slope_[k]);
+    }
+  }
+
+  /// Those of the path in `lane`; nothing where the homotopy is not toric.
+  void set_weights(std::size_t lane, std::span<const double> weights) {
+    if (weights_.empty()) return;
+    std::copy(weights.begin(), weights.end(), path_weights_[lane].begin());
+    for (std::size_t k = 0; k < weights_.size(); ++k) {
+      weights_[k].at[lane] = weights[program_.moving[k].term];
+    }
+  }
+
+  void move(const LaneTime<R>& time) {
+    if (program_.stands_still()) return;
+    switch (program_.law) {
+      case CoefficientLaw::straight:
+        move_straight(time);
+        break;
+      case CoefficientLaw::toric:
+        if (is_real(time)) {
+          move_toric(time);
+          break;
+        }
+        [[fallthrough]];
+      case CoefficientLaw::parameters:
+        move_each(time);
+        return;
+    }
+    for (std::size_t k = 0; k < program_.multiples.size(); ++k) {
+      const typename Program::Multiple& multiple = program_.multiples[k];
+      store(broadcast(multiple.factor) * load(c_[multiple.base]), c_[program_.moving.size() + k]);
+    }
+  }
+
+  const LaneVector<R>& c() const { return c_; }
+  const LaneVector<R>& slope() const { return slope_; }
+
+ private:
+  static LaneComplex<R> f(const typename Program::Moving& moving) {
+    return {LaneScalar<R>::spread(moving.f_re), LaneScalar<R>::spread(moving.f_im)};
+  }
+  static LaneComplex<R> g(const typename Program::Moving& moving) {
+    return {LaneScalar<R>::spread(moving.g_re), LaneScalar<R>::spread(moving.g_im)};
+  }
+
+  static bool is_real(const LaneTime<R>& time) {
+    const LaneCell<R>& rest = time.values[1];
+    bool result = true;
+    for (std::size_t lane = 0; lane < W; ++lane) {
+      result &= to_complex(take(rest, lane)).imag() == 0;
+    }
+    return result;
+  }
+
+  void move_straight(const LaneTime<R>& time) {
+    const LaneComplex<R> t = time.t();
+    const LaneComplex<R> rest = time.rest();
+    for (std::size_t k = 0; k < program_.moving.size(); ++k) {
+      const typename Program::Moving& moving = program_.moving[k];
+      store(add_product(t, f(moving), rest * g(moving)), c_[k]);
+    }
+  }
+
+  void move_toric(const LaneTime<R>& time) {
+    const V rest = rounded(time.rest().re);
+    for (std::size_t k = 0; k < program_.moving.size(); ++k) {
+      const V w = weights_[k].value();
+      const LaneComplex<R> c = hn::Exp(Tag(), -(w * rest)) * g(program_.moving[k]);
+      store(c, c_[k]);
+      store(w * c, slope_[k]);
+    }
+  }
+
+  void move_each(const LaneTime<R>& time) {
+    for (std::size_t lane = 0; lane < W; ++lane) {
+      const std::span<const double> weights =
+          weights_.empty() ? std::span<const double>() : path_weights_[lane];
+      scalar_.move(time.get(lane), weights);
+      for (std::size_t k = 0; k < scalar_.c.size(); ++k) c_.set(k, lane, scalar_.c[k]);
+      for (std::size_t k = 0; k < scalar_.slope.size(); ++k) slope_.set(k, lane, scalar_.slope[k]);
+    }
+  }
+
+  const Program& program_;
+  MovingCoefficients<Number> scalar_;
+  LaneVector<R> c_;
+  LaneVector<R> slope_;
+  std::vector<LaneReals> weights_;                 // of the moving coefficients, in all lanes
+  std::vector<std::vector<double>> path_weights_;  // of the terms, lane by lane
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace moivre
+HWY_AFTER_NAMESPACE();
+
+#endif
