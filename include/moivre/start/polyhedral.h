@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// Which start has no more paths than the monomials allow? The polyhedral one: as many as the mixed volume.
+//
+//   G       a generic member: F's supports with 0 added, so that roots with zero coordinates are found too; coefficients of
+//           F's moduli and of random phases (modulus 1 for terms that F has not)
+//   cell    alpha, w >= 0: with x_j = y_j e^{alpha_j tau} term k of G carries e^{w_k tau}, and two terms of each equation w = 0
+//   stage 1 toric, from G's binomials at tau = -T to G at tau = 0:  c_k(t) = g_k e^{-W_k (1 - t)}, W = w T
+//   stage 2 the straight line from G to F
+//
+// T, a cell's own, makes every other term at the start at most kLeastPart of the two it is beside. A path is told by its number:
+// cell and root of the cell's binomials (start/path_index.h); start points are De Moivre's (start/binomial.h).
+// Moduli like F's keep the roots of G of the sizes of F's roots, so that a wide range of coefficients bends no path.
+//
+// Edges: a mixed volume of 0 is a plan without paths: no isolated roots. Not supported: stable cells as starts.
+// Sources: [HuberSturmfels95], [LiWang96] for the 0 in every support.
+#pragma once
+
+#include "moivre/start/mixed_cells.h"
+#include "moivre/start/start_plan.h"
+
+namespace moivre {
+
+/// The supports whose cells polyhedral_plan() takes: those of F, with 0 added.
+std::vector<Support> start_supports(const System& f);
+
+/// `cells`: of start_supports(f).
+StartPlan polyhedral_plan(const System& f, MixedSubdivision cells, std::uint64_t seed);
+
+}  // namespace moivre

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+// The generic member of a support, and the toric start points and weights of each path.
+#include "moivre/start/polyhedral.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "moivre/numeric/random.h"
+#include "moivre/start/binomial.h"
+#include "moivre/start/cell_geometry.h"
+#include "moivre/start/path_index.h"
+
+namespace moivre {
+namespace {
+
+// Where a path begins, the terms that its binomials leave out are at most this beside them: Newton's method begins there.
+constexpr double kLeastPart = 1e-4;
+
+Coefficient exactly(Complex c) { return {Rational(c.real()), Rational(c.imag())}; }
+
+double modulus_of(const Coefficient& c) { return is_zero(c) ? 1 : std::exp2(log2_size(c)); }
+
+/// Number by number of all terms, in the order of the supports.
+std::vector<Complex> generic_coefficients(const System& f, const std::vector<Support>& supports,
+                                          std::uint64_t seed) {
+  std::vector<Complex> g;
+  for (std::size_t i = 0; i < supports.size(); ++i) {
+    const std::vector<Term>& own = f.polynomials[i].terms;
+    for (std::size_t k = 0; k < supports[i].terms.size(); ++k) {
+      const double modulus = k < own.size() ? modulus_of(own[k].coefficient) : 1;
+      g.push_back(modulus * random_phase(seed, RandomStream::generic_member, g.size()));
+    }
+  }
+  return g;
+}
+
+Monomial monomial_of(const Exponents& exponents) {
+  Monomial m;
+  for (std::uint32_t j = 0; j < exponents.size(); ++j) {
+    if (exponents[j] > 0) m.push_back({j, exponents[j]});
+  }
+  return m;
+}
+
+System generic_member(const System& f, const std::vector<Support>& supports,
+                      const std::vector<Complex>& g) {
+  System member{f.variables, {}};
+  auto next = g.begin();
+  for (const Support& support : supports) {
+    Polynomial& p = member.polynomials.emplace_back();
+    for (const Exponents& exponents : support.terms) {
+      p.terms.push_back({exactly(*next++), monomial_of(exponents)});
+    }
+  }
+  return member;
+}
+
+class PolyhedralPoints : public StartPoints {
+ public:
+  PolyhedralPoints(MixedSubdivision cells, std::vector<Complex> g)
+      : cells_(std::move(cells)), index_(make_path_index(cells_.cells)), g_(std::move(g)) {}
+
+  std::uint64_t paths() const { return index_.paths(); }
+
+  Point point(std::uint64_t path) const override {
+    const StartRoot root = start_root(index_, path);
+    Point x = binomial_root(binomials(root.cell), root.root);
+    x.push_back(1);
+    return x;
+  }
+
+  PathWeights weights(std::uint64_t path) const override {
+    const StartRoot root = start_root(index_, path);
+    auto weights = std::make_shared<std::vector<double>>(
+        cell_weights(cells_, cells_.cells[root.cell]));
+    const double span = toric_span(root.cell, *weights);
+    for (double& w : *weights) w *= span;
+    return weights;
+  }
+
+  std::optional<std::uint64_t> number_of(const Point&) const override { return std::nullopt; }
+
+ private:
+  BinomialSystem binomials(std::size_t cell) const {
+    return binomial_system(cells_, cells_.cells[cell], g_);
+  }
+
+  // T: log |term k| - log |binomial's terms| - w_k T <= log kLeastPart for all terms that the binomials leave out.
+  double toric_span(std::size_t cell, const std::vector<double>& weights) const {
+    const BinomialSystem system = binomials(cell);
+    double span = 0;
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < cells_.supports.size(); ++i) {
+      const std::vector<Exponents>& terms = cells_.supports[i].terms;
+      const auto size = [&](std::size_t k) {
+        double log_size = std::log(std::abs(g_[next + k]));
+        for (std::size_t j = 0; j < terms[k].size(); ++j) {
+          log_size += static_cast<double>(terms[k][j]) * system.log_modulus[j];
+        }
+        return log_size;
+      };
+      const double binomial = size(cells_.cells[cell].edges[i][0]);
+      for (std::size_t k = 0; k < terms.size(); ++k) {
+        if (weights[next + k] == 0) continue;
+        span = std::max(span, (size(k) - binomial - std::log(kLeastPart)) / weights[next + k]);
+      }
+      next += terms.size();
+    }
+    return span;
+  }
+
+  MixedSubdivision cells_;
+  PathIndex index_;
+  std::vector<Complex> g_;
+};
+
+}  // namespace
+
+std::vector<Support> start_supports(const System& f) {
+  return with_origin(supports_of(f), f.variables.size()).supports;
+}
+
+StartPlan polyhedral_plan(const System& f, MixedSubdivision cells, std::uint64_t seed) {
+  std::vector<Complex> coefficients = generic_coefficients(f, cells.supports, seed);
+  const System g = generic_member(f, cells.supports, coefficients);
+  auto points = std::make_shared<PolyhedralPoints>(std::move(cells), std::move(coefficients));
+  StartPlan plan{"polyhedral", points->paths(), {}, points};
+  plan.stages.push_back(Homotopy::toric(g));
+  plan.stages.emplace_back(f, g);
+  return plan;
+}
+
+}  // namespace moivre

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+// Do mixed volumes and stable mixed volumes agree with PHCpack's, between liftings, and with what is known by hand?
+#include "moivre/start/mixed_volume.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+#include "families.h"
+#include "moivre/polynomial/read.h"
+
+namespace moivre {
+namespace {
+
+const std::string kFolder = MOIVRE_SOURCE_DIR;
+
+struct Row {
+  std::string name;
+  std::uint64_t common = 0;
+  std::uint64_t stable = 0;
+  std::uint64_t total = 0;
+  std::vector<Support> supports;
+};
+
+std::vector<Support> parse_supports(std::istream& words) {
+  std::vector<Support> supports(1);
+  for (std::string word; words >> word;) {
+    if (word == ";") {
+      supports.emplace_back();
+      continue;
+    }
+    Exponents& term = supports.back().terms.emplace_back();
+    for (const char digit : word) term.push_back(static_cast<std::uint32_t>(digit - '0'));
+  }
+  return supports;
+}
+
+/// The lines of bench/mixed_volumes, PHCpack 2.4.86.
+std::vector<Row> phcpack_rows() {
+  std::ifstream file(kFolder + "/tests/start/phcpack_mixed_volumes.txt");
+  std::vector<Row> rows;
+  for (std::string line; std::getline(file, line);) {
+    std::istringstream words(line);
+    std::string kind;
+    words >> kind;
+    Row& row = rows.emplace_back();
+    if (kind == "file") words >> row.name;
+    words >> row.common >> row.stable >> row.total;
+    if (kind == "file") {
+      row.supports =
+          supports_of(read_system(read_source(kFolder + "/problems/polynomials/" + row.name)));
+    } else {
+      row.name = line;
+      row.supports = parse_supports(words);
+    }
+  }
+  return rows;
+}
+
+TEST(MixedVolume, AgreesWithPhcpackOnTheProblemsAndOnRandomSupports) {
+  const std::vector<Row> rows = phcpack_rows();
+  ASSERT_GE(rows.size(), 250u);
+  for (const Row& row : rows) {
+    const auto total = with_origin(row.supports, row.supports.size()).supports;
+    EXPECT_EQ(mixed_volume(row.supports, 1).value, row.common) << row.name;
+    EXPECT_EQ(mixed_volume(total, 1).value, row.total) << row.name;
+    EXPECT_EQ(stable_mixed_volume(row.supports, 1).value, row.stable) << row.name;
+  }
+}
+
+TEST(MixedVolume, TwoLiftingsAgree) {
+  for (const auto& supports : {cyclic(7), noon(6), eco(8), katsura(6), reimer(5)}) {
+    const MixedVolume one = mixed_volume(supports, 3);
+    const MixedVolume two = verified_mixed_volume(supports, 3);
+    EXPECT_EQ(one.value, two.value);
+    EXPECT_GT(two.steps, one.steps);
+  }
+}
+
+TEST(MixedVolume, CassouNoguesHas24) {
+  const System f = read_system(Source{"cassou", R"(4
+ 15*b^4*c*d^2 + 6*b^4*c^3 + 21*b^4*c^2*d - 144*b^2*c - 8*b^2*c^2*e - 28*b^2*c*d*e - 648*b^2*d + 36*b^2*d^2*e
+ + 9*b^4*d^3 - 120;
+ 30*c^3*b^4*d - 32*d*e^2*c - 720*d*b^2*c - 24*c^3*b^2*e - 432*c^2*b^2 + 576*e*c - 576*d*e + 16*c*b^2*d^2*e
+ + 16*d^2*e^2 + 16*e^2*c^2 + 9*c^4*b^4 + 5184 + 39*d^2*b^4*c^2 + 18*d^3*b^4*c - 432*d^2*b^2 + 24*d^3*b^2*e
+ - 16*c^2*b^2*d*e - 240*c;
+ 216*d*b^2*c - 162*d^2*b^2 - 81*c^2*b^2 + 5184 + 1008*e*c - 1008*d*e + 15*c^2*b^2*d*e - 15*c^3*b^2*e
+ - 80*d*e^2*c + 40*d^2*e^2 + 40*e^2*c^2;
+ 261 + 4*d*b^2*c - 3*d^2*b^2 - 4*c^2*b^2 + 22*e*c - 22*d*e;
+)"});
+  EXPECT_EQ(verified_mixed_volume(supports_of(f), 1).value, 24u);
+}
+
+TEST(MixedVolume, AVolumeThatIsNotComputedHasItsReason) {
+  CellSearchOptions options;
+  options.most_steps = 50;
+  for (const MixedVolume& v :
+       {mixed_volume(cyclic(7), 1, options), verified_mixed_volume(cyclic(7), 1, options),
+        stable_mixed_volume(cyclic(7), 1, options)}) {
+    EXPECT_FALSE(v.value);
+    EXPECT_EQ(v.end, CellSearchEnd::too_many_steps);
+    EXPECT_EQ(v.steps, 50u);
+  }
+}
+
+TEST(StableMixedVolume, CountsTheRootsWithZeroCoordinatesThatTheTorusMisses) {
+  // x (x - a)(y - b), y (x - c): roots (0, 0), (a, 0) and (c, b).
+  const std::vector<Support> supports{{{{2, 1}, {2, 0}, {1, 1}, {1, 0}}}, {{{1, 1}, {0, 1}}}};
+  EXPECT_EQ(mixed_volume(supports, 1).value, 1u);
+  EXPECT_EQ(stable_mixed_volume(supports, 1).value, 3u);
+}
+
+TEST(StableMixedVolume, LiesBetweenTheMixedVolumesWithoutAndWithZero) {
+  for (const Row& row : phcpack_rows()) {
+    for (const std::uint64_t seed : {2u, 3u}) {
+      const MixedVolume stable = stable_mixed_volume(row.supports, seed);
+      ASSERT_TRUE(stable.value) << row.name;
+      EXPECT_GE(*stable.value, row.common) << row.name;
+      EXPECT_LE(*stable.value, row.total) << row.name;
+    }
+  }
+}
+
+TEST(StableMixedVolume, ItsCellsAreCellsOfTheSupportsWithZeroAdded) {
+  const CellSearch search = stable_mixed_cells(katsura(4), 1);
+  ASSERT_TRUE(search.subdivision);
+  EXPECT_EQ(search.subdivision->supports, with_origin(katsura(4), 5).supports);
+  EXPECT_EQ(search.subdivision->mixed_volume, 16u);
+}
+
+TEST(StableMixedVolume, RefusesSupportsThatAreNotSquare) {
+  EXPECT_THROW(stable_mixed_cells({Support{{{1, 0}}}}, 1), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace moivre
