@@ -8,9 +8,11 @@
 // The coefficient is found over the table of exponent vectors: c(r) = sum_j d_ij c(r - e_j), i = n - |r|, the number of
 // ways in which equations i, i+1, ... take r_j factors of group j. Numbers beyond 64 bits are seen.
 //
-// Which groups: all partitions are tried for n <= kExhaustiveUnknowns, after [Wampler92]. For more unknowns good ones are
-// looked for from several beginnings, and improved by moving one unknown or joining two groups while that helps, in the
-// spirit of [LiLinBai03]; work is bounded, the answer the same every time, and not always the least.
+// Which groups: all partitions of few unknowns are tried, after [Wampler92]. Of more unknowns good ones are looked for from
+// several beginnings (unknowns that never multiply each other, that stand in the same equations, ...), and improved by moving
+// or exchanging unknowns and joining groups while that helps, in the spirit of [LiLinBai03]. The answer is the same every
+// time, and not always the least. Work is bounded, and in proportion to the paths of the total degree: a search that took
+// longer than they do would save nothing.
 //
 // Edges: the number 0 says that F has no isolated root in C^n. F must be square, with no zero polynomial
 // (std::invalid_argument). Not supported: groups that overlap, supporting hyperplanes (mixed volumes).
@@ -30,12 +32,15 @@ using Partition = std::vector<std::vector<std::uint32_t>>;
 /// d_ij, row i = equation i, column j = group j.
 using GroupDegrees = std::vector<std::vector<std::uint64_t>>;
 
-/// All partitions are tried up to so many unknowns (Bell's number of 8: 4140).
+/// All partitions are tried of at most so many unknowns (Bell's number of 8: 4140), if the work allows it.
 inline constexpr std::size_t kExhaustiveUnknowns = 8;
 /// Most entries of the table, prod_j (n_j + 1); a partition that needs more has no number here.
 inline constexpr std::uint64_t kMaximumTable = std::uint64_t{1} << 20;
-/// Products and sums that one search may cost: about a tenth of a second.
-inline constexpr std::uint64_t kSearchWork = 50'000'000;
+/// Products and sums that one search may cost (some 4 ns each): a path of the total degree takes longer than
+/// kSearchWorkPerPath of them; no less than a millisecond, no more than a fifth of a second.
+inline constexpr std::uint64_t kSearchWorkPerPath = 2'000;
+inline constexpr std::uint64_t kLeastSearchWork = 250'000;
+inline constexpr std::uint64_t kMostSearchWork = 50'000'000;
 
 Partition one_group(std::size_t unknowns);
 
