@@ -11,6 +11,7 @@
 #pragma once
 
 #include <cstdint>
+#include <set>
 #include <vector>
 
 #include "moivre/numeric/complex.h"
@@ -29,7 +30,10 @@ bool has_homogeneous_groups(const System& f);
 /// Throws std::invalid_argument where a polynomial is not homogeneous in such a group.
 System with_patches(const System& f, std::uint64_t seed);
 
-/// Are all terms of one degree in these variables? (The zero polynomial: yes.)
+/// The degrees that p's terms have in these variables (ascending).
+std::set<std::uint64_t> degrees_in(const Polynomial& p,
+                                   const std::vector<std::uint32_t>& variables);
+/// Are they one? (The zero polynomial: yes.)
 bool is_homogeneous(const Polynomial& p, const std::vector<std::uint32_t>& variables);
 
 /// x, all n coordinates, with each homogeneous group scaled; a group that is zero or not finite stays as it is.
