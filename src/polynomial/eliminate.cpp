@@ -102,14 +102,29 @@ std::vector<std::uint64_t> degrees_of(const std::vector<Row>& rows) {
   return result;
 }
 
-System to_system(const State& s, const std::vector<std::string>& names) {
+/// The groups of the unknowns that are left, by their new places.
+std::vector<VariableGroup> groups_left(const State& s, const std::vector<VariableGroup>& groups,
+                                       const std::vector<std::uint32_t>& place) {
+  std::vector<VariableGroup> left;
+  for (const VariableGroup& group : groups) {
+    VariableGroup rest{{}, group.is_homogeneous};
+    for (const std::uint32_t v : group.variables) {
+      if (!s.is_eliminated[v]) rest.variables.push_back(place[v]);
+    }
+    if (!rest.variables.empty()) left.push_back(std::move(rest));
+  }
+  return left;
+}
+
+System to_system(const State& s, const System& given) {
   System f;
-  std::vector<std::uint32_t> place(names.size(), 0);
-  for (std::size_t j = 0; j < names.size(); ++j) {
+  std::vector<std::uint32_t> place(given.variables.size(), 0);
+  for (std::size_t j = 0; j < given.variables.size(); ++j) {
     if (s.is_eliminated[j]) continue;
     place[j] = static_cast<std::uint32_t>(f.variables.size());
-    f.variables.push_back(names[j]);
+    f.variables.push_back(given.variables[j]);
   }
+  f.groups = groups_left(s, given.groups, place);
   for (const Row& row : s.rows) {
     Polynomial p = to_polynomial(row.p);
     for (Term& term : p.terms) {
@@ -486,7 +501,7 @@ Reduction eliminate(const System& f) {
   const State last = least_work(first, choose_limits(first, f));
 
   Reduction result;
-  result.system = to_system(last, f.variables);
+  result.system = to_system(last, f);
   result.verdict = judge(last, result.system, f);
   for (std::size_t j = 0; j < last.is_eliminated.size(); ++j) {
     if (!last.is_eliminated[j]) result.kept.push_back(j);

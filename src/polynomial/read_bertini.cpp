@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "expand.h"
+#include "moivre/polynomial/patches.h"
 #include "read_formats.h"
 #include "statements.h"
 
@@ -37,14 +38,15 @@ struct Keyword {
   std::string_view refusal;
 };
 
+constexpr std::string_view kAffineGroup = "variable_group";
+constexpr std::string_view kHomogeneousGroup = "hom_variable_group";
+
 constexpr std::array<Keyword, 10> kKeywords = {{
-    {"variable_group", ""},
+    {kAffineGroup, ""},
     {"variable", ""},
     {"function", ""},
     {"constant", ""},
-    {"hom_variable_group",
-     "homogeneous coordinates are not supported: set one coordinate of the group to 1 and declare "
-     "the others by variable_group"},
+    {kHomogeneousGroup, ""},
     {"pathvariable",
      "the file describes a homotopy of its own; only systems are read, without a path variable"},
     {"parameter",
@@ -53,6 +55,10 @@ constexpr std::array<Keyword, 10> kKeywords = {{
     {"random_real", "a number drawn at random is not part of a file's system; give its value"},
     {"definedSubfunction", "functions defined in other files are not read"},
 }};
+
+bool is_group(const Keyword& keyword) {
+  return keyword.word == kAffineGroup || keyword.word == kHomogeneousGroup;
+}
 
 const Keyword* find_keyword(std::string_view word) {
   const auto* const found = std::find_if(kKeywords.begin(), kKeywords.end(),
@@ -136,7 +142,7 @@ class BertiniReader {
   struct Declared {
     Role role;
     SourcePosition at;
-    bool is_assigned = false;
+    std::optional<SourcePosition> value_at = {};  // of what is assigned
   };
 
   void declare(const Statement& statement);
@@ -144,6 +150,9 @@ class BertiniReader {
   void assign(const Statement& statement);
   bool may_assign(const std::string& name, const SourcePosition& at);
   void check_complete();
+  void check_groups();
+  void check_homogeneous(const std::string& function, const Polynomial& value);
+  std::vector<VariableGroup> complete_groups() const;
   void refuse(const SourcePosition& at, const std::string& message) {
     faults_.push_back({at, message});
   }
@@ -154,6 +163,8 @@ class BertiniReader {
   std::map<std::string, Declared, std::less<>> declared_;
   std::vector<std::string> variables_;
   std::vector<std::string> functions_;
+  std::vector<VariableGroup> groups_;
+  std::vector<SourcePosition> groups_at_;  // of the declarations of groups_
 };
 
 void BertiniReader::declare(std::string_view name, const SourcePosition& at,
@@ -172,7 +183,7 @@ void BertiniReader::declare(std::string_view name, const SourcePosition& at,
     return;
   }
   Role role = Role::refused;
-  if (keyword.word == "variable_group" || keyword.word == "variable") role = Role::variable;
+  if (is_group(keyword) || keyword.word == "variable") role = Role::variable;
   if (keyword.word == "function") role = Role::function;
   if (keyword.word == "constant") role = Role::constant;
   const auto [place, is_new] = declared_.try_emplace(text, Declared{role, at});
@@ -182,8 +193,10 @@ void BertiniReader::declare(std::string_view name, const SourcePosition& at,
     return;
   }
   if (role == Role::variable) {
-    names_.emplace(text, unknown(static_cast<std::uint32_t>(variables_.size())));
+    const auto index = static_cast<std::uint32_t>(variables_.size());
+    names_.emplace(text, unknown(index));
     variables_.push_back(text);
+    if (is_group(keyword)) groups_.back().variables.push_back(index);
   }
   if (role == Role::function) functions_.push_back(text);
   if (role == Role::refused) names_.emplace(text, std::nullopt);
@@ -194,6 +207,10 @@ void BertiniReader::declare(const Statement& statement) {
   if (!keyword.refusal.empty()) {
     refuse(statement.begin, std::string(keyword.word) + ": " + std::string(keyword.refusal));
   }
+  if (is_group(keyword)) {
+    groups_.push_back({{}, keyword.word == kHomogeneousGroup});
+    groups_at_.push_back(statement.begin);
+  }
   Statement rest = behind(statement, keyword.word.size());
   for (;;) {
     const std::size_t comma = rest.text.find(',');
@@ -201,6 +218,33 @@ void BertiniReader::declare(const Statement& statement) {
     if (comma == std::string_view::npos) return;
     rest = behind(rest, comma + 1);
   }
+}
+
+void BertiniReader::check_groups() {
+  if (!faults_.empty()) return;  // a name at fault may be one of a group
+  for (std::size_t k = 0; k < groups_.size(); ++k) {
+    const VariableGroup& group = groups_[k];
+    if (!group.is_homogeneous || group.variables.size() != 1) continue;
+    const std::string& name = variables_[group.variables.front()];
+    refuse(groups_at_[k], "hom_variable_group: one homogeneous coordinate has only one point, `" +
+                              name + "` = 1; give that value as a constant");
+  }
+}
+
+/// The unknowns of `variable` are a group too, the last one, where the file declares others.
+std::vector<VariableGroup> BertiniReader::complete_groups() const {
+  std::vector<VariableGroup> groups;
+  std::vector<bool> is_in_group(variables_.size(), false);
+  for (const VariableGroup& group : groups_) {
+    if (!group.variables.empty()) groups.push_back(group);
+    for (const std::uint32_t v : group.variables) is_in_group[v] = true;
+  }
+  VariableGroup rest;
+  for (std::uint32_t v = 0; v < variables_.size(); ++v) {
+    if (!is_in_group[v]) rest.variables.push_back(v);
+  }
+  if (!groups.empty() && !rest.variables.empty()) groups.push_back(std::move(rest));
+  return groups;
 }
 
 bool BertiniReader::may_assign(const std::string& name, const SourcePosition& at) {
@@ -214,11 +258,11 @@ bool BertiniReader::may_assign(const std::string& name, const SourcePosition& at
     refuse(at, "`" + name + "` is a variable and cannot be assigned");
     return false;
   }
-  if (declared.is_assigned) {
+  if (declared.value_at) {
     refuse(at, "`" + name + "` is assigned already");
     return false;
   }
-  declared.is_assigned = true;
+  declared.value_at = at;
   return true;
 }
 
@@ -232,6 +276,7 @@ void BertiniReader::assign(const Statement& statement) {
   }
   if (!may_assign(name, statement.begin)) return;
   const Statement right = behind(sign, 1);
+  declared_.find(name)->second.value_at = right.begin;
   std::optional<Polynomial> value = expander_.expand(right.text, right.begin, names_);
   if (value && declared_.find(name)->second.role == Role::constant && degree(*value) > 0) {
     refuse(right.begin, "the constant `" + name + "` holds a variable");
@@ -239,10 +284,23 @@ void BertiniReader::assign(const Statement& statement) {
   names_.insert_or_assign(name, std::move(value));
 }
 
+void BertiniReader::check_homogeneous(const std::string& function, const Polynomial& value) {
+  for (std::size_t k = 0; k < groups_.size(); ++k) {
+    if (!groups_[k].is_homogeneous) continue;
+    const std::set<std::uint64_t> found = degrees_in(value, groups_[k].variables);
+    if (found.size() <= 1) continue;
+    refuse(*declared_.find(function)->second.value_at,
+           "`" + function + "` is not homogeneous in the hom_variable_group of line " +
+               std::to_string(groups_at_[k].line) + ": it has terms of degree " +
+               std::to_string(*found.rbegin()) + " and of degree " +
+               std::to_string(*found.begin()));
+  }
+}
+
 void BertiniReader::check_complete() {
   for (const auto& [name, declared] : declared_) {
     const bool needs_value = declared.role == Role::function || declared.role == Role::constant;
-    if (needs_value && !declared.is_assigned) {
+    if (needs_value && !declared.value_at) {
       refuse(declared.at, "`" + name + "` is declared, but nothing is assigned to it");
     }
   }
@@ -269,10 +327,13 @@ System BertiniReader::read(const std::vector<Statement>& statements) {
     if (!is_declaration(statement)) assign(statement);
   }
   check_complete();
-  System system{.variables = variables_, .polynomials = {}};
+  check_groups();
+  System system{.variables = variables_, .polynomials = {}, .groups = complete_groups()};
   for (const std::string& name : functions_) {
     const auto value = names_.find(name);
-    if (value != names_.end() && value->second) system.polynomials.push_back(*value->second);
+    if (value == names_.end() || !value->second) continue;
+    check_homogeneous(name, *value->second);
+    system.polynomials.push_back(*value->second);
   }
   return system;
 }

@@ -136,13 +136,13 @@ std::vector<double> variable_exponents(const System& f, const Sizes& sizes) {
   return deviation(shifted(f, sizes, v)) <= kWorthwhile * deviation(sizes) ? v : none;
 }
 
+}  // namespace
+
 Rational times_power_of_two(const Rational& a, std::int64_t exponent) {
   const auto bits = static_cast<unsigned>(std::abs(exponent));
   return exponent >= 0 ? ratio(numerator(a) << bits, denominator(a))
                        : ratio(numerator(a), denominator(a) << bits);
 }
-
-}  // namespace
 
 double log2_size(const Coefficient& c) {
   if (is_real(c)) return log2_size(c.re);

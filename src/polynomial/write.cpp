@@ -200,6 +200,28 @@ std::string function_prefix(const System& f) {
   return prefix;
 }
 
+constexpr const char* kGroupsOutOfOrder =
+    "groups whose variables do not stand one behind another, and hold all of them, cannot be "
+    "written";
+
+/// Declarations that give the variables in their order.
+std::string group_declarations(const System& f) {
+  std::string text;
+  std::uint32_t next = 0;
+  for (const VariableGroup& group : f.groups) {
+    std::vector<std::string> names;
+    for (const std::uint32_t v : group.variables) {
+      if (v != next++) throw std::invalid_argument(kGroupsOutOfOrder);
+      names.push_back(f.variables[v]);
+    }
+    text += (group.is_homogeneous ? "hom_variable_group " : "variable_group ") +
+            joined(names, ", ") + ";\n";
+  }
+  if (f.groups.empty()) return "variable_group " + joined(f.variables, ", ") + ";\n";
+  if (next != f.variables.size()) throw std::invalid_argument(kGroupsOutOfOrder);
+  return text;
+}
+
 std::string bertini_text(const System& f) {
   require_writable(f, {"I"});
   const Writer writer(f, "I");
@@ -207,8 +229,8 @@ std::string bertini_text(const System& f) {
   const std::string prefix = function_prefix(f);
   for (std::size_t k = 1; k <= f.polynomials.size(); ++k)
     functions.push_back(prefix + std::to_string(k));
-  std::string text = "CONFIG\nEND;\nINPUT\nvariable_group " + joined(f.variables, ", ") +
-                     ";\nfunction " + joined(functions, ", ") + ";\n";
+  std::string text = "CONFIG\nEND;\nINPUT\n" + group_declarations(f) + "function " +
+                     joined(functions, ", ") + ";\n";
   for (std::size_t k = 0; k < f.polynomials.size(); ++k) {
     text += functions[k] + " = " + writer.polynomial(f.polynomials[k], {}) + ";\n";
   }

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "exact_coefficient.h"
 #include "moivre/numeric/random.h"
 
 namespace moivre {
@@ -33,19 +34,14 @@ TotalDegreeStart total_degree_start(const std::vector<std::uint64_t>& degrees, s
   return start;
 }
 
-namespace {
-
-Coefficient exactly(Complex c) { return {Rational(c.real()), Rational(c.imag())}; }
-
-}  // namespace
-
 System start_system(const TotalDegreeStart& start, const std::vector<std::string>& variables) {
   System g;
   g.variables = variables;
   for (std::uint32_t j = 0; j < start.degrees.size(); ++j) {
     TermMap terms;
-    terms[Monomial{{j, static_cast<std::uint32_t>(start.degrees[j])}}] = exactly(start.c1[j]);
-    terms[Monomial{}] = exactly(-start.c2[j]);
+    terms[Monomial{{j, static_cast<std::uint32_t>(start.degrees[j])}}] =
+        exact_coefficient(start.c1[j]);
+    terms[Monomial{}] = exact_coefficient(-start.c2[j]);
     g.polynomials.push_back(to_polynomial(terms));
   }
   return g;

@@ -55,13 +55,48 @@ TEST(BertiniReader, IsToldFromPhcpackByContent) {
 }
 
 TEST(BertiniReader, RefusesWhatIsNoPlainSystemWithTheReason) {
-  expect_faults("hom_variable_group x, y;\nfunction f;\nf = x - y;",
-                {{1, 1, "hom_variable_group: homogeneous coordinates are not supported"}});
   expect_faults("variable x;\npathvariable t;\nparameter s;\nfunction f;\ns = t;\nf = x - s;",
                 {{2, 1, "pathvariable: the file describes a homotopy"},
                  {3, 1, "parameter: the file describes a family of systems"}});
   expect_faults("variable_group x;\nfunction f;\nrandom a;\nf = x - a;",
                 {{3, 1, "random: a number drawn at random"}});
+}
+
+TEST(BertiniReader, TellsTheGroupsInTheirOrder) {
+  EXPECT_EQ(system_of(kConics).groups, (std::vector<VariableGroup>{{{0}, false}, {{1}, false}}));
+  const System f = system_of(
+      "variable u; hom_variable_group x, y;\nvariable_group z, w;\nvariable v;\nfunction f, g;\n"
+      "f = (x^2 + 3*x*y)*z - y^2*w*v; g = x*u + y;");
+  EXPECT_EQ(f.variables, (std::vector<std::string>{"u", "x", "y", "z", "w", "v"}));
+  EXPECT_EQ(f.groups,
+            (std::vector<VariableGroup>{{{1, 2}, true}, {{3, 4}, false}, {{0, 5}, false}}));
+  EXPECT_TRUE(system_of("variable x, y; function f, g; f = x; g = y;").groups.empty());
+  EXPECT_TRUE(system_of("1\nx^2-1;\n").groups.empty());
+}
+
+TEST(BertiniReader, WantsFunctionsHomogeneousInAHomogeneousGroup) {
+  expect_faults(
+      "hom_variable_group x, y;\nvariable_group z;\nfunction f, g;\nsquare = x^2 + 1;\n"
+      "f = z*x*y - y*square;\n  g =  (x + y)^2 - z*x + 0*z;\n",
+      {{5, 5,
+        "`f` is not homogeneous in the hom_variable_group of line 1: it has terms of degree 3 and "
+        "of degree 1"},
+       {6, 8,
+        "`g` is not homogeneous in the hom_variable_group of line 1: it has terms of degree 2 and "
+        "of degree 1"}});
+  expect_faults("hom_variable_group x;\nfunction f;\nf = x;",
+                {{1, 1, "one homogeneous coordinate has only one point, `x` = 1"}});
+}
+
+TEST(BertiniReader, RefusesGroupsWithNamesThatAreTakenOrMissing) {
+  expect_faults("variable_group x, y;\nhom_variable_group z, y;\nfunction f;\nf = x*z;",
+                {{2, 23, "`y` is declared already, at line 1"}});
+  expect_faults("function f;\nvariable_group x, f;\nf = x;",
+                {{2, 19, "`f` is declared already, at line 1"}});
+  expect_faults("hom_variable_group x, 2y;\nfunction f;\nf = x;",
+                {{1, 23, "2y: this is not a name"}});
+  expect_faults("variable_group x;\nvariable_group y;\nfunction f;\nf = x*y - z;",
+                {{4, 11, "the name `z` is not declared"}});
 }
 
 TEST(BertiniReader, RefusesNamesBeforeTheyAreAssigned) {

@@ -75,6 +75,19 @@ TEST(Writer, GivesFunctionsNamesThatNoVariableHas) {
   expect_round_trip({{"f1", "f_2"}, {x + y, x * y}});
 }
 
+TEST(Writer, KeepsGroupsInBertinisText) {
+  System f{{"x", "y", "z"}, {x * x + number(3) * x * y, unknown(2) * x + y}};
+  f.groups = {{{0, 1}, true}, {{2}, false}};
+  const std::string text = to_text(f, PolynomialFormat::bertini);
+  EXPECT_NE(text.find("hom_variable_group x, y;\nvariable_group z;\n"), std::string::npos) << text;
+  EXPECT_EQ(system_of(text).groups, f.groups);
+  expect_round_trip(f);
+  f.groups = {{{2}, false}, {{0, 1}, true}};
+  EXPECT_THROW(to_text(f, PolynomialFormat::bertini), std::invalid_argument);
+  f.groups = {{{0, 1}, true}};
+  EXPECT_THROW(to_text(f, PolynomialFormat::bertini), std::invalid_argument);
+}
+
 TEST(Writer, RefusesNamesThatTheFormatCannotHold) {
   const System f{{"i"}, {x}};
   EXPECT_THROW(to_text(f, PolynomialFormat::phcpack), std::invalid_argument);

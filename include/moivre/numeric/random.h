@@ -18,9 +18,18 @@ enum class RandomStream : std::uint64_t {
   start_system = 1,
   slice = 2,
   test = 3,
+enum class RandomStream : std::uint64_t {
+  start_system = 1,
+  slice = 2,
+  test = 3,
   lifting = 4,
   mark = 5,
   generic_member = 6,
+  linear_product = 8,
+  square_up = 9,
+  patch = 10,
+  section = 11
+};
   linear_product = 8,
   square_up = 9,
   patch = 10,

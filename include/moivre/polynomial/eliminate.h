@@ -67,7 +67,7 @@ struct Reduction {
   };
 
   Verdict verdict = Verdict::square;
-  System system;                  ///< R
+  System system;                  ///< R, with F's groups as far as their unknowns are kept
   std::vector<std::size_t> kept;  ///< places of the kept unknowns, ascending
   std::vector<Substitution>
       substitutions;  ///< in order: each names kept unknowns and those of later ones

@@ -4,9 +4,12 @@
 // PHCpack: an optional count line `n` or `n m`, polynomials ended by `;`, `i`/`I` the imaginary
 // unit, `^` or `**`, text behind the last polynomial (TITLE, THE SOLUTIONS, ...) ignored. The
 // format declares no variables: they are the names in order of first appearance. Bertini:
-// CONFIG/INPUT sections, `variable_group`, `function`, `constant`, subfunctions, `%` comments.
-// Every fault is named in one ParseError (expression/source.h). Not supported: Bertini's
-// hom_variable_group, pathvariable and parameters (refused with the reason), negative exponents.
+// CONFIG/INPUT sections, `variable_group`, `hom_variable_group`, `function`, `constant`, subfunctions,
+// `%` comments. Its groups are System::groups, in the file's order; unknowns of `variable` are the
+// last group where there are others. In a hom_variable_group every function must be homogeneous;
+// such a system has an equation less than unknowns a group (polynomial/patches.h). Every fault is
+// named in one ParseError (expression/source.h). Not supported: Bertini's pathvariable and
+// parameters (refused with the reason), negative exponents.
 #pragma once
 
 #include <string>

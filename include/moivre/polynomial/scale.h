@@ -19,6 +19,7 @@
 #pragma once
 
 #include <complex>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,9 @@ struct Scaling {
 
 /// log2|c| from the exact rationals: right for sizes no double can hold. Requires c != 0.
 double log2_size(const Coefficient& c);
+
+/// 2^exponent a. |exponent| < 2^32.
+Rational times_power_of_two(const Rational& a, std::int64_t exponent);
 
 Scaling choose_scaling(const System& f);
 

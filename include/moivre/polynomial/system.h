@@ -73,11 +73,24 @@ Polynomial operator+(const Polynomial& a, const Polynomial& b);
 Polynomial operator*(const Polynomial& a, const Polynomial& b);
 Polynomial operator*(const Coefficient& c, const Polynomial& p);
 
+/// Variables that belong together: coordinates of one affine space, or homogeneous ones of one projective space.
+struct VariableGroup {
+  std::vector<std::uint32_t> variables;  ///< ascending
+  bool is_homogeneous = false;
+
+  friend bool operator==(const VariableGroup&, const VariableGroup&) = default;
+};
+
 struct System {
   std::vector<std::string> variables;
   std::vector<Polynomial> polynomials;
+  /// As declared by the file: every variable in one group; empty: none declared.
+  std::vector<VariableGroup> groups = {};
 
-  friend bool operator==(const System&, const System&) = default;
+  /// The same equations in the same unknowns. Groups tell how to look for roots, not which equations hold.
+  friend bool operator==(const System& a, const System& b) {
+    return a.variables == b.variables && a.polynomials == b.polynomials;
+  }
 };
 
 std::vector<std::uint64_t> degrees(const System& f);

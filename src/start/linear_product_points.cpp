@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// A path's number becomes a choice of factors, the choice a point: one small linear system a group.
+#include <stdexcept>
+
+#include "moivre/numeric/lu.h"
+#include "moivre/start/linear_product.h"
+#include "moivre/start/total_degree.h"
+
+namespace moivre {
+namespace {
+
+/// Equation i takes factor `factor` of group `group`.
+struct Chosen {
+  std::size_t group = 0;
+  std::uint64_t factor = 0;
+};
+
+/// Equation by equation: a group j that may still be taken stands for d_ij c(r - e_j) numbers, c(r - e_j) a factor.
+std::vector<Chosen> choice(const LinearProductStart& start, std::uint64_t number) {
+  std::vector<std::uint64_t> left;
+  std::vector<std::uint64_t> strides;
+  std::uint64_t entries = 1;
+  for (const auto& group : start.groups) {
+    left.push_back(group.size());
+    strides.push_back(entries);
+    entries *= group.size() + 1;
+  }
+  std::uint64_t at = entries - 1;
+  std::vector<Chosen> chosen;
+  for (const std::vector<std::uint64_t>& d : start.degrees) {
+    for (std::size_t j = 0; j < left.size(); ++j) {
+      if (left[j] == 0 || d[j] == 0) continue;
+      const std::uint64_t rest = start.completions[at - strides[j]];
+      if (rest == 0) continue;
+      if (number / rest < d[j]) {
+        chosen.push_back({j, number / rest});
+        number %= rest;
+        --left[j];
+        at -= strides[j];
+        break;
+      }
+      number -= rest * d[j];
+    }
+  }
+  return chosen;
+}
+
+/// The point of one group: the linear equations of those that chose it.
+void solve_group(const LinearProductStart& start, const std::vector<Chosen>& chosen, std::size_t j,
+                 Point& x) {
+  const std::vector<std::uint32_t>& group = start.groups[j];
+  Lu lu(group.size());
+  Point b;
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    if (chosen[i].group != j) continue;
+    const std::vector<Point>& forms = start.factors[i][j].forms;
+    if (group.size() == 1) {
+      const Complex z = -forms[0][1] / forms[0][0];
+      x[group[0]] = de_moivre_root(z, start.degrees[i][j], chosen[i].factor);
+      return;
+    }
+    const Point& form = forms[chosen[i].factor];
+    for (std::size_t l = 0; l < group.size(); ++l)
+      lu.matrix()[b.size() * group.size() + l] = form[l];
+    b.push_back(-form.back());
+  }
+  lu.factor();
+  lu.solve(b);
+  for (std::size_t l = 0; l < group.size(); ++l) x[group[l]] = b[l];
+}
+
+}  // namespace
+
+Point start_point(const LinearProductStart& start, std::uint64_t number) {
+  if (number >= start.paths) {
+    throw std::invalid_argument("path " + std::to_string(number) + " of " +
+                                std::to_string(start.paths));
+  }
+  const std::vector<Chosen> chosen = choice(start, number);
+  Point x(start.degrees.size() + 1, 1.0);
+  for (std::size_t j = 0; j < start.groups.size(); ++j) solve_group(start, chosen, j, x);
+  return x;
+}
+
+}  // namespace moivre
