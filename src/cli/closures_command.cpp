@@ -64,6 +64,7 @@ int run(const ClosuresCommand& command) {
   ClosureOptions options;
   options.time = command.at;
   options.solve.seed = command.start.seed;
+  options.solve.start = kind_of(command.start);
   options.solve.threads = command.threads;
   const std::unique_ptr<Tracker> fallback = make_fallback(command.tracker);
   options.solve.fallback = fallback.get();

@@ -43,16 +43,20 @@ System read_polynomial_file(const std::string& file) {
 }
 
 void add_start_options(CLI::App& command, StartChoice& choice) {
-  command.add_option("--start", choice.kind, "start system: total-degree")->capture_default_str();
+  command.add_option("--start", choice.kind, "start system: auto, total-degree, multihomogeneous or polyhedral")->capture_default_str();
   command.add_option("--seed", choice.seed, "of the random numbers in the start system")
       ->check(CLI::Validator(not_64_bits, ""))
       ->capture_default_str();
 }
 
 void require_known(const StartChoice& choice) {
-  if (choice.kind == "total-degree") return;
-  throw std::invalid_argument("--start " + choice.kind + ": the start system is total-degree");
+  if (start_kind(choice.kind)) return;
+  throw std::invalid_argument("--start " + choice.kind +
+                              ": the start systems are auto, total-degree, multihomogeneous and "
+                              "polyhedral");
 }
+
+StartKind kind_of(const StartChoice& choice) { return start_kind(choice.kind).value(); }
 
 void add_json_option(CLI::App& command, std::string& path) {
   command.add_option("--json", path, "write JSON here; - is standard output")->type_name("PATH");

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "moivre/polynomial/system.h"
+#include "moivre/start/choose_start.h"
 
 namespace moivre {
 
@@ -19,7 +20,7 @@ void add_mechanism_file(CLI::App& command, std::string& file);
 void add_any_file(CLI::App& command, std::string& file);
 
 struct StartChoice {
-  std::string kind = "total-degree";
+  std::string kind = "auto";
   std::uint64_t seed = 1;
 };
 /// Throws ParseError, and std::invalid_argument also for a mechanism file, with the commands that take one.
@@ -28,6 +29,8 @@ System read_polynomial_file(const std::string& file);
 void add_start_options(CLI::App& command, StartChoice& choice);
 /// Throws std::invalid_argument when there is no such start system.
 void require_known(const StartChoice& choice);
+/// Of a known choice.
+StartKind kind_of(const StartChoice& choice);
 
 void add_json_option(CLI::App& command, std::string& path);
 /// "--threads" of a command that solves.

@@ -37,6 +37,7 @@ Found find(const GuessesCommand& command, const Tracker& tracker, const std::ato
   ClosureOptions options;
   options.time = command.at;
   options.solve.seed = command.start.seed;
+  options.solve.start = kind_of(command.start);
   options.solve.threads = command.threads;
   const std::unique_ptr<Tracker> fallback = make_fallback(command.tracker);
   options.solve.fallback = fallback.get();

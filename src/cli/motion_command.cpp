@@ -118,6 +118,7 @@ int run(const MotionCommand& command) {
   MotionOptions options = command.options;
   options.to = command.to.value_or(options.from + natural_duration(mechanism, options.from));
   options.solve.seed = command.start.seed;
+  options.solve.start = kind_of(command.start);
   const std::unique_ptr<Tracker> fallback = make_fallback(command.tracker);
   options.solve.fallback = fallback.get();
   require_workable(mechanism, options);

@@ -25,6 +25,11 @@ ProgressLine::~ProgressLine() {
 
 void ProgressLine::show(const Progress& progress) {
   if (!active_ || Clock::now() < next_) return;
+  if (progress.search) {
+    const int percent = static_cast<int>(100 * *progress.search);
+    return show(std::to_string(progress.cells) + " mixed cells, search about " +
+                std::to_string(percent) + " % done");
+  }
   show(std::to_string(progress.done) + " of " + std::to_string(progress.total) + " paths, " +
        std::to_string(progress.finite) + " finite");
 }

@@ -58,6 +58,7 @@ SolveResult solve_interruptibly(const SolveCommand& command, const Problem& prob
                                 const std::atomic<bool>& stop) {
   SolveOptions options;
   options.seed = command.start.seed;
+  options.start = kind_of(command.start);
   options.threads = command.threads;
   options.precision = precision_of(command.precision);
   const std::unique_ptr<Tracker> fallback = make_fallback(command.tracker);

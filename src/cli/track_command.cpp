@@ -33,6 +33,7 @@ Trace follow_path(const TrackCommand& command, const System& f, const Tracker& t
                   const std::atomic<bool>& stop) {
   SolveOptions options;
   options.seed = command.start.seed;
+  options.start = kind_of(command.start);
   if (command.from.empty()) {
     return trace_path(f, tracker, options, command.path, stop);
   }

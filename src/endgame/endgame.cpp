@@ -8,6 +8,8 @@
 #include <numbers>
 #include <utility>
 
+#include "face.h"
+
 namespace moivre {
 namespace {
 
@@ -40,8 +42,14 @@ constexpr double kHopelessCondition = 1e12;
 constexpr double kDriftTolerance = 0.05;  // relative, of the valuations of what grows
 // Beyond rounding at such conditions a drift has to be fading.
 constexpr double kSettledTolerance = 1e-3;
-// So near the end a growing path that is larger than any finite root may be has left for infinity.
+// So near the end a growing path of this size is asked whether it has left for infinity.
 constexpr double kBeyondRadius = 1e-3;
+constexpr double kBeyondSize = 1e9;
+// |x_0| / |x|_inf that rounding leaves of 0, and the relative correction from which x_0 is made of rounding errors.
+constexpr double kRoundedZero = 1e-13;
+constexpr double kUnknownCorrection = 1e-2;
+// Of an end that double-double has found.
+constexpr double kFineAccuracy = 1e-24;
 // A path that still creeps at this radius ends singular: to a regular end it would have jumped.
 constexpr double kCreepingRadius = 1e-4;
 // So many steps inside it tell creeping from a step that chanced to end there; the first one does where
@@ -145,9 +153,24 @@ Endgame::Endgame(const EndgameOptions& options, const Chart& chart, std::uint64_
                  Manner manner)
     : options_(options), chart_(chart), path_(path), care_(care), manner_(manner) {}
 
-Departure Endgame::depart(Point start) {
+Departure Endgame::depart(Point start, FramePointer frame) {
   tangent_.resize(start.size());
-  return {path_, Contour::segment(0, 1), std::move(start), care_, 0, this, options_.watch_radius};
+  frame_ = std::move(frame);
+  Departure departure = along(Contour::segment(0, 1), std::move(start), 0, this);
+  departure.watch_radius = options_.watch_radius;
+  return departure;
+}
+
+Departure Endgame::along(const Contour& contour, Point x, int samples, Watcher* watcher) {
+  Departure departure;
+  departure.path = path_;
+  departure.contour = contour;
+  departure.x = std::move(x);
+  departure.care = care_;
+  departure.samples = samples;
+  departure.watcher = watcher;
+  departure.frame = frame_;
+  return departure;
 }
 
 // Valuations from the tangent at x; J is linearized there.
@@ -204,7 +227,8 @@ Watcher::Verdict Endgame::watch(const StepRecord& step, PathSystem& path) noexce
   if (!is_time_to_look(radius)) return Verdict::go_on;
   if (!unseen_.empty()) {
     if (!look(path)) return Verdict::stop;
-    if (diverges(kSteadyTolerance)) {
+    if (diverges(kSteadyTolerance) &&
+        leads_to_infinity(Point(step.x.begin(), step.x.end()), radius, path)) {
       cut_ = true;
       return Verdict::stop;
     }
@@ -243,7 +267,8 @@ Watcher::Verdict Endgame::watch_straight(const StepRecord& step, PathSystem& pat
       now.size = std::max(now.size, std::exp(logarithms[i].real()));
     }
     sights_.push_back(std::move(now));
-    cut_ = diverges(kSettledTolerance) || diverges_beyond_double();
+    cut_ = (diverges(kSettledTolerance) || diverges_beyond_double()) &&
+           leads_to_infinity(Point(step.x.begin(), step.x.end()), radius, path);
   }
   logarithms_ = std::move(logarithms);
   logarithms_radius_ = radius;
@@ -318,7 +343,7 @@ bool Endgame::diverges(double tolerance) const {
   const Sight& then = sights_[sights_.size() - kSteadySights];
   const Sight& now = sights_.back();
   if (now.least > -kLeastValuation) return false;
-  const bool beyond = now.size * options_.infinity_floor > 1 && now.radius < kBeyondRadius;
+  const bool beyond = now.size > kBeyondSize && now.radius < kBeyondRadius;
   if (beyond && now.size > then.size) return true;
   const bool hopeless = now.condition > kHopelessCondition && now.condition > then.condition;
   if (hopeless && growth_lasts(kDriftTolerance)) return true;
@@ -336,6 +361,13 @@ bool Endgame::diverges_beyond_double() const {
          growth_lasts(kSteadyTolerance);
 }
 
+// Growth that was found to lead nowhere is asked again further on.
+bool Endgame::leads_to_infinity(const Point& x, double radius, const PathSystem& path) {
+  if (radius * kShrink > doubted_) return false;
+  doubted_ = radius;
+  return has_face_root(path.homotopy(), outside(frame_, x), radius, sights_.back().valuations);
+}
+
 std::nullopt_t Endgame::fail(Failure failure) {
   end_.status = PathStatus::failed;
   end_.failure = failure;
@@ -343,6 +375,16 @@ std::nullopt_t Endgame::fail(Failure failure) {
 }
 
 std::optional<Departure> Endgame::accept(Arrival&& arrival, PathSystem& path) {
+  path.set_frame(frame_.get());
+  std::optional<Departure> next = proceed(std::move(arrival), path);
+  if (!next && !end_.x.empty()) {
+    end_.size = 1 / chart_.finiteness(end_.x);
+    end_.x = outside(frame_, std::move(end_.x));
+  }
+  return next;
+}
+
+std::optional<Departure> Endgame::proceed(Arrival&& arrival, PathSystem& path) {
   end_.count += arrival.count;
   end_.t = arrival.t.t;
   if (arrival.journey == Journey::cancelled) return fail(Failure::cancelled);
@@ -377,9 +419,8 @@ std::optional<Departure> Endgame::judge_arrival(Arrival&& arrival, PathSystem& p
   if (cut_) return at_infinity();
   if (arrival.regular_condition) {
     end_.condition = *arrival.regular_condition;
-    end_.accuracy = std::numeric_limits<double>::epsilon();
-    decide_infinity();
-    return std::nullopt;
+    end_.accuracy = kFineAccuracy;
+    return decide_infinity(path);
   }
   // Without a watched point there is nowhere to turn back to: the root it arrived at proves itself later.
   const double condition =
@@ -403,9 +444,7 @@ bool Endgame::is_handed_on(const Arrival& arrival) const {
 Departure Endgame::descend(Arrival&& arrival) {
   phase_ = Phase::descent;
   watched_ = 0;
-  return Departure{
-      path_, Contour::spiral(arrival.t.rest, std::log(kDescent)), std::move(arrival.x), care_, 0,
-      this};
+  return along(Contour::spiral(arrival.t.rest, std::log(kDescent)), std::move(arrival.x), 0, this);
 }
 
 // Affine patch a x = 1 through the first outpost: samples of one homogeneous path become points of one chart.
@@ -426,12 +465,8 @@ std::optional<Departure> Endgame::begin_circle() {
     for (const Complex& xi : outpost_) patch_.push_back(std::conj(xi));
   }
   turn_begin_ = normalized(outpost_);
-  return Departure{path_,
-                   Contour::spiral(radius_, Complex(0, 2 * std::numbers::pi)),
-                   outpost_,
-                   care_,
-                   options_.samples,
-                   nullptr};
+  return along(Contour::spiral(radius_, Complex(0, 2 * std::numbers::pi)), outpost_,
+               options_.samples);
 }
 
 std::optional<Departure> Endgame::next_turn(Arrival&& arrival, PathSystem& path) {
@@ -442,12 +477,8 @@ std::optional<Departure> Endgame::next_turn(Arrival&& arrival, PathSystem& path)
   if (turns_ >= options_.maximum_winding || end_.count.accepted > options_.maximum_steps) {
     return shrink(path);
   }
-  return Departure{path_,
-                   Contour::spiral(radius_, Complex(0, 2 * std::numbers::pi)),
-                   std::move(arrival.x),
-                   care_,
-                   options_.samples,
-                   nullptr};
+  return along(Contour::spiral(radius_, Complex(0, 2 * std::numbers::pi)), std::move(arrival.x),
+               options_.samples);
 }
 
 // Coefficient c_j of the Laurent series in u = (1 - t)^{1/m} / r^{1/m}, from the samples on |u| = 1.
@@ -512,8 +543,7 @@ std::optional<Departure> Endgame::shrink(PathSystem& path) {
     return conclude(path);
   }
   phase_ = Phase::approach;
-  return Departure{path_,  Contour::spiral(radius_, -std::log(kShrink)), outpost_, care_, 0,
-                   nullptr};
+  return along(Contour::spiral(radius_, -std::log(kShrink)), outpost_);
 }
 
 // With an estimate at hand a landing has to prove it wrong; without one, any landing is welcome, and the
@@ -524,7 +554,7 @@ double Endgame::landing_condition() const {
 
 std::optional<Departure> Endgame::land() {
   phase_ = Phase::landing;
-  return Departure{path_, Contour::landing(radius_), outpost_, care_, 0, nullptr};
+  return along(Contour::landing(radius_), outpost_);
 }
 
 std::optional<Departure> Endgame::conclude(PathSystem& path) {
@@ -542,20 +572,21 @@ std::optional<Departure> Endgame::conclude(PathSystem& path) {
   end_.t = 1;
   end_.condition = condition;
   end_.singular = best_->winding > 1 || condition > options_.singular_condition;
-  decide_infinity();
-  return std::nullopt;
+  return decide_infinity(path);
 }
 
-// An end that is finite or not for all that its accuracy tells has failed: more digits decide.
-void Endgame::decide_infinity() {
+// x_0 beside its error tells; where it may be 0, the face of the path's direction.
+std::nullopt_t Endgame::decide_infinity(const PathSystem& path) {
   const double size = chart_.finiteness(end_.x);
-  if (size > std::max(options_.infinity_floor, 10 * end_.accuracy)) {
-    end_.status = PathStatus::finite;
-  } else if (size > options_.infinity_floor) {
-    fail(Failure::precision);
-  } else {
-    end_.status = PathStatus::at_infinity;
-  }
+  end_.status = PathStatus::finite;
+  if (size > 10 * end_.accuracy) return std::nullopt;
+  const bool is_infinite =
+      end_.accuracy <= kRoundedZero ||
+      (!sights_.empty() && has_face_root(path.homotopy(), outside(frame_, outpost_), radius_,
+                                         sights_.back().valuations));
+  if (!is_infinite) return fail(Failure::precision);
+  end_.status = PathStatus::at_infinity;
+  return std::nullopt;
 }
 
 bool Endgame::is_regular_arrival(const Arrival& arrival, PathSystem& path, double condition) {
@@ -568,9 +599,13 @@ bool Endgame::is_regular_arrival(const Arrival& arrival, PathSystem& path, doubl
   if (end_.condition > condition || !(correction.converged || correction.last < kStagnation)) {
     return false;
   }
+  const double size = chart_.finiteness(x);
+  const double moved = std::abs(chart_.x0(path.last_correction()));
+  const bool is_known = moved <= kUnknownCorrection * std::abs(chart_.x0(x));
+  if (!is_known && size > kRoundedZero) return false;
   end_.x = std::move(x);
   end_.accuracy = correction.last;
-  decide_infinity();
+  end_.status = is_known ? PathStatus::finite : PathStatus::at_infinity;
   return true;
 }
 

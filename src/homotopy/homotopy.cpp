@@ -80,8 +80,14 @@ Homotopy::Homotopy(const System& f, const System& g) {
   set_support(support);
 }
 
+Homotopy Homotopy::framed(const System& f, const System& g) {
+  Homotopy homotopy(f, g);
+  homotopy.is_framed_ = true;
+  return homotopy;
+}
+
 Homotopy Homotopy::toric(const System& g) {
-  Homotopy homotopy(g, g);
+  Homotopy homotopy = framed(g, g);
   homotopy.law_ = CoefficientLaw::toric;
   return homotopy;
 }

@@ -32,6 +32,7 @@ class Writer {
 
   HomotopyProgram<Real> write() {
     program_.law = homotopy_.law();
+    program_.is_framed = homotopy_.is_framed();
     program_.variables = tape_.variables;
     program_.register_count = static_cast<std::uint32_t>(tape_.register_count());
     program_.products = tape_.products;
@@ -53,7 +54,7 @@ class Writer {
   }
 
   Side side_of(std::size_t term) const {
-    if (homotopy_.law() != CoefficientLaw::straight) return Side::both;
+    if (homotopy_.law() != CoefficientLaw::straight || homotopy_.is_framed()) return Side::both;
     if (is_zero(homotopy_.g(term))) return Side::f;
     return is_zero(homotopy_.f(term)) ? Side::g : Side::both;
   }

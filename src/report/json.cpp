@@ -114,8 +114,25 @@ Json to_json(const SystemFacts& system) {
           {"total_degree", to_json(system.total_degree)}};
 }
 
+Json to_json(const StartCounts& counts) {
+  Json json;
+  Json reasons = Json::object();
+  const auto add = [&](const char* name, const StartCount& count) {
+    json[name] = to_json(count.paths);
+    if (!count.paths) reasons[name] = count.missing;
+  };
+  add("total_degree", counts.total_degree);
+  add("multihomogeneous", counts.multihomogeneous);
+  add("mixed_volume", counts.mixed_volume);
+  if (!reasons.empty()) json["not_computed"] = reasons;
+  return json;
+}
+
 Json to_json(const StartFacts& start) {
-  return {{"kind", start.kind}, {"paths", start.paths}, {"why", start.why}};
+  return {{"kind", start.kind},
+          {"paths", start.paths},
+          {"why", start.why},
+          {"counts", to_json(start.counts)}};
 }
 
 Json reduced_json(const SystemFacts& reduced) {

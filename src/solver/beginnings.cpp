@@ -8,8 +8,8 @@ namespace {
 /// Hands out a block's paths on one stage and takes them back at its end.
 class StageSource : public DepartureSource {
  public:
-  StageSource(std::vector<Beginning>& block, std::size_t stage, int care)
-      : block_(block), stage_(stage), care_(care) {}
+  StageSource(const StartPlan& plan, std::vector<Beginning>& block, std::size_t stage, int care)
+      : plan_(plan), block_(block), stage_(stage), care_(care) {}
 
   std::optional<Departure> next() override {
     while (next_ < block_.size() && block_[next_].lost) ++next_;
@@ -20,10 +20,11 @@ class StageSource : public DepartureSource {
   }
 
   void arrived(const Departure& departure, Arrival&& arrival) override {
-    take_arrival(std::move(arrival), stage_, block_[departure.path]);
+    take_arrival(plan_, stage_, std::move(arrival), block_[departure.path]);
   }
 
  private:
+  const StartPlan& plan_;
   std::vector<Beginning>& block_;
   std::size_t stage_;
   int care_;
@@ -33,7 +34,9 @@ class StageSource : public DepartureSource {
 }  // namespace
 
 Beginning first_beginning(const StartPlan& plan, std::uint64_t path) {
-  return {path, plan.points->point(path), plan.points->weights(path), std::nullopt, {}};
+  FramePointer frame = plan.points->frame(path);
+  Point x = inside(frame, plan.points->point(path));
+  return {path, std::move(x), std::move(frame), std::nullopt, {}};
 }
 
 Departure departure_of(const Beginning& beginning, int care, Watcher* watcher) {
@@ -42,15 +45,22 @@ Departure departure_of(const Beginning& beginning, int care, Watcher* watcher) {
   departure.x = beginning.x;
   departure.care = care;
   departure.watcher = watcher;
-  if (beginning.weights) departure.weights = *beginning.weights;
+  departure.frame = beginning.frame;
   return departure;
 }
 
-void take_arrival(Arrival&& arrival, std::size_t stage, Beginning& beginning) {
+void take_arrival(const StartPlan& plan, std::size_t stage, Arrival&& arrival,
+                  Beginning& beginning) {
   beginning.count += arrival.count;
-  beginning.weights.reset();
-  beginning.x = std::move(arrival.x);
-  if (arrival.journey == Journey::arrived) return;
+  beginning.x = outside(beginning.frame, std::move(arrival.x));
+  beginning.frame.reset();
+  if (arrival.journey == Journey::arrived) {
+    const Homotopy& next = plan.stages[stage + 1];
+    if (!next.is_framed()) return;
+    beginning.frame = std::make_shared<PathFrame>(frame_at(next, beginning.x));
+    beginning.x = inside(beginning.frame, std::move(beginning.x));
+    return;
+  }
   PathEnd& end = beginning.lost.emplace();
   end.failure = to_failure(arrival.journey);
   end.x = beginning.x;
@@ -77,7 +87,7 @@ bool Beginnings::advance(const std::atomic<bool>& stop) {
     block_.push_back(first_beginning(plan_, *path));
   }
   for (std::size_t stage = 0; stage < early_.size(); ++stage) {
-    StageSource source(block_, stage, care_);
+    StageSource source(plan_, block_, stage, care_);
     early_[stage]->run(source, stop);
   }
   return !block_.empty();

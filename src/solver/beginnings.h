@@ -19,8 +19,8 @@ namespace moivre {
 /// A path at the beginning of a stage, or the verdict on one that did not come so far.
 struct Beginning {
   std::uint64_t path = 0;
-  Point x;
-  PathWeights weights;
+  Point x;  ///< in the frame
+  FramePointer frame;
   std::optional<PathEnd> lost;
   StepCount count;  ///< of the stages before
 };
@@ -31,8 +31,9 @@ Beginning first_beginning(const StartPlan& plan, std::uint64_t path);
 /// Where the path departs on a stage, by whatever follows it there: `watcher` sees its steps on early stages too.
 Departure departure_of(const Beginning& beginning, int care, Watcher* watcher = nullptr);
 
-/// Takes an early stage's arrival into the beginning of the next one.
-void take_arrival(Arrival&& arrival, std::size_t stage, Beginning& beginning);
+/// Takes the arrival on an early stage of the plan into the beginning of the next one.
+void take_arrival(const StartPlan& plan, std::size_t stage, Arrival&& arrival,
+                  Beginning& beginning);
 
 /// Of one thread. `draw` gives the next path's number, or nullopt when there are no more.
 class Beginnings {

@@ -59,7 +59,7 @@ class DriftSource : public DepartureSource {
     const Point& end = watchers_[departure.path].end();
     drift.count = arrival.count;
     drift.arrived = !end.empty() && prepared_.plan->last().chart().x0(end) != 0.0;
-    if (drift.arrived) drift.end = to_original(prepared_, end);
+    if (drift.arrived) drift.end = to_original(prepared_, outside(departure.frame, end));
   }
 
  private:
@@ -78,7 +78,7 @@ std::vector<PathDrift> measure_drift(const System& f, const Tracker& tracker,
                                      const std::vector<std::uint64_t>& paths,
                                      const std::atomic<bool>& stop) {
   require_square(f);
-  const Prepared prepared = prepare(f, options);
+  const Prepared prepared = prepare(f, options, stop);
   require_paths(prepared);
   std::vector<PathDrift> drifts(paths.size());
   for (std::size_t k = 0; k < paths.size(); ++k) {

@@ -29,8 +29,7 @@ Root refined_root(const Run& run, Refiner& refiner, std::uint64_t path, const Pa
   const Setting& setting = run.setting;
   const Point x = to_original(setting.prepared, end.x);
   // A relative error of z_0 is one of z / z_0, larger by the size of the affine point.
-  const double size = 1 / setting.prepared.plan->last().chart().finiteness(end.x);
-  const double accuracy = end.accuracy * std::max(1.0, size);
+  const double accuracy = end.accuracy * std::max(1.0, end.size);
   Root root;
   root.winding = end.winding;
   const bool many_sheets = end.winding.value_or(1) > 1;

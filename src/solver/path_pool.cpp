@@ -81,8 +81,8 @@ class SessionSource : public DepartureSource {
     PathEnd& end = endgame->end();
     end.count = beginning.count;
     end.stage = problem_.plan.stages.size() - 1;
-    if (end.stage > 0) end.mark = mark_of(beginning.x);
-    return endgame->depart(std::move(beginning.x));
+    if (end.stage > 0) end.mark = mark_of(outside(beginning.frame, beginning.x));
+    return endgame->depart(std::move(beginning.x), std::move(beginning.frame));
   }
 
   void hand_in(std::uint64_t path, PathEnd&& end) {
@@ -136,10 +136,19 @@ void track_paths(const PathProblem& problem, std::uint64_t count,
 
 std::optional<Point> followed_back(const PathProblem& problem, const Point& x, int care,
                                    const std::atomic<bool>& stop) {
-  const auto session = problem.tracker.open(problem.plan.last());
-  Arrival back = follow(*session, {0, Contour::segment(1, 0), x, care, 0, nullptr}, stop);
+  const Homotopy& homotopy = problem.plan.last();
+  const auto session = problem.tracker.open(homotopy);
+  Departure departure;
+  departure.contour = Contour::segment(1, 0);
+  if (homotopy.is_framed()) {
+    departure.frame = std::make_shared<PathFrame>(frame_at(homotopy, x));
+  }
+  departure.x = inside(departure.frame, x);
+  departure.care = care;
+  const FramePointer frame = departure.frame;
+  Arrival back = follow(*session, std::move(departure), stop);
   if (back.journey != Journey::arrived) return std::nullopt;
-  return std::move(back.x);
+  return outside(frame, std::move(back.x));
 }
 
 }  // namespace moivre

@@ -41,6 +41,24 @@ double spread_log2(const System& f) {
   return spread;
 }
 
+void take_start(const System& f, const SolveOptions& options, const std::atomic<bool>& stop,
+                Prepared& prepared) {
+  StartChoiceOptions choice{options.start, options.seed, &stop, {}};
+  if (options.progress) {
+    choice.progress = [&](const CellSearchProgress& search) {
+      options.progress({0, 0, 0, search.cells, search.fraction});
+    };
+  }
+  ChosenStart chosen = choose_start(f, choice);
+  prepared.interrupted = !chosen.plan;
+  prepared.start.counts = chosen.counts;
+  if (!chosen.plan) return;
+  prepared.start.kind = chosen.plan->kind;
+  prepared.start.paths = chosen.plan->paths;
+  prepared.start.why = chosen.why;
+  prepared.plan = std::move(chosen.plan);
+}
+
 }  // namespace
 
 System with_unit_rows(const System& f) {
@@ -51,7 +69,7 @@ System with_unit_rows(const System& f) {
   return scale(f, rows);
 }
 
-Prepared prepare(const System& f, const SolveOptions& options) {
+Prepared prepare(const System& f, const SolveOptions& options, const std::atomic<bool>& stop) {
   Prepared prepared;
   prepared.reduction = options.eliminate ? eliminate(f) : keep_everything(f);
   for (const Omission& omission : prepared.reduction.left_out) {
@@ -69,7 +87,7 @@ Prepared prepare(const System& f, const SolveOptions& options) {
   }
   const System scaled = with_unit_rows(scale(reduced, prepared.scaling));
   prepared.spread_log2 = spread_log2(scaled);
-  prepared.plan = total_degree_plan(scaled, options.seed);
+  take_start(scaled, options, stop, prepared);
   return prepared;
 }
 

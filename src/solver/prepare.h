@@ -20,11 +20,14 @@ struct Prepared {
   std::vector<LeftOut> left_out;
   double spread_log2 =
       0;  ///< log2 of the largest over the smallest coefficient of an equation of S
-  std::optional<StartPlan> plan;  ///< nullopt when nothing is left to track
+  std::optional<StartPlan>
+      plan;  ///< nullopt when nothing is left to track, or the search for a start was interrupted
+  StartFacts start;
+  bool interrupted = false;
 };
 
-/// Throws std::overflow_error when the number of paths leaves 64 bits.
-Prepared prepare(const System& f, const SolveOptions& options);
+/// Throws as choose_start() does. A set `stop` ends the search for a start.
+Prepared prepare(const System& f, const SolveOptions& options, const std::atomic<bool>& stop);
 
 /// Throws std::invalid_argument where elimination alone decides the system, so that there is no path to follow.
 void require_paths(const Prepared& prepared);

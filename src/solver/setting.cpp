@@ -9,12 +9,8 @@
 namespace moivre {
 namespace {
 
-// A root may be larger than the others by the spread of an equation's coefficients. From the first spread on (as log2) a
-// path is taken for one to infinity only where x_0 is rounding noise; from the second on the smallest terms are noise too,
-// and ends at infinity, at multiple roots and on sets may be those of the system without them.
-constexpr double kWideSpread = 20;
+// From this spread of an equation's coefficients on (as log2) the smallest terms are noise, and ends at infinity, at multiple roots and on sets may be those of the system without them.
 constexpr double kHopelessSpread = 36;
-constexpr double kNoiseFloor = 1e-12;
 
 // The tracker itself tries first, with one level of care, before a path goes to the fallback.
 constexpr int kFallbackCare = 2;
@@ -24,12 +20,6 @@ Trackers trackers_of(const Tracker& tracker, const SolveOptions& options) {
     return {tracker, options.fallback, nullptr, nullptr};
   }
   return {tracker, options.fallback, tracker.in_double_double(), make_double_double_tracker()};
-}
-
-EndgameOptions endgame_of(const Prepared& prepared, const SolveOptions& options) {
-  EndgameOptions endgame = options.endgame;
-  if (prepared.spread_log2 > kWideSpread) endgame.infinity_floor = kNoiseFloor;
-  return endgame;
 }
 
 }  // namespace
@@ -42,8 +32,8 @@ Setting::Setting(const System& system, const Tracker& tracker, const SolveOption
       threads(options.threads > 0 ? options.threads
                                   : static_cast<int>(std::thread::hardware_concurrency())),
       trackers(trackers_of(tracker, options)),
-      prepared(prepare(f, options)),
-      endgame(endgame_of(prepared, options)),
+      prepared(prepare(f, options, stop)),
+      endgame(options.endgame),
       refiner_program(make_refiner_program(with_unit_rows(f), natural_sizes(prepared))) {}
 
 bool Setting::hides_terms() const { return prepared.spread_log2 > kHopelessSpread; }

@@ -22,10 +22,7 @@ SolveResult described(const Setting& setting) {
   result.seed = setting.options.seed;
   result.system = facts_of(setting.f);
   result.reduced = facts_of(setting.prepared.reduction.system);
-  if (setting.prepared.plan) result.start.paths = setting.prepared.plan->paths;
-  result.start.why =
-      "the product of the degrees bounds the number of isolated roots; its start "
-      "system is solved by De Moivre's theorem";
+  result.start = setting.prepared.start;
   result.tracker = setting.tracker().kind();
   result.tracker_options = setting.tracker().options_in_force();
   result.left_out = setting.prepared.left_out;
@@ -45,6 +42,10 @@ Solution eliminated_root(const Setting& setting) {
 
 /// False where paths have to be followed.
 bool decided_without_tracking(const Setting& setting, SolveResult& result) {
+  if (setting.prepared.interrupted) {
+    result.message = "interrupted: no path was followed";
+    return true;
+  }
   result.complete = true;
   switch (setting.prepared.reduction.verdict) {
     case Reduction::Verdict::square:

@@ -24,8 +24,9 @@ class Recorder : public Watcher {
 
   int next_journey() const { return journey_ + 1; }
 
-  void begin_journey(Watcher* inner) {
+  void begin_journey(Watcher* inner, FramePointer frame) {
     inner_ = inner;
+    frame_ = std::move(frame);
     ++journey_;
   }
 
@@ -34,7 +35,7 @@ class Recorder : public Watcher {
     step.journey = journey_;
     step.s = record.s;
     step.t = record.t.t;
-    step.x = to_affine_(Point(record.x.begin(), record.x.end()));
+    step.x = to_affine_(outside(frame_, Point(record.x.begin(), record.x.end())));
     path.linearize(record.x, record.t);
     step.h_after = path.residual();
     step.h_before = record.correction > 0 ? record.drift : step.h_after;
@@ -48,6 +49,7 @@ class Recorder : public Watcher {
   const ToAffine& to_affine_;
   std::vector<TraceStep>& steps_;
   Watcher* inner_ = nullptr;
+  FramePointer frame_;
   int journey_ = -1;
 };
 
@@ -55,13 +57,13 @@ class Recorder : public Watcher {
 TraceStep first_row(const Homotopy& homotopy, const Beginning& beginning,
                     const ToAffine& to_affine) {
   PathSystem path(homotopy);
-  if (beginning.weights) path.set_weights(*beginning.weights);
+  path.set_frame(beginning.frame.get());
   Point unit = beginning.x;
   const double length = euclidean_norm(unit);
   for (Complex& xi : unit) xi /= length;
   path.linearize(unit, Complex(0));
   TraceStep step;
-  step.x = to_affine(beginning.x);
+  step.x = to_affine(outside(beginning.frame, beginning.x));
   step.h_before = step.h_after = path.residual();
   return step;
 }
@@ -74,10 +76,10 @@ Beginning follow_early_stages(const PathProblem& problem, std::uint64_t path, in
   for (std::size_t stage = 0; stage + 1 < problem.plan.stages.size() && !beginning.lost; ++stage) {
     const Homotopy& homotopy = problem.plan.stages[stage];
     trace.steps.push_back(first_row(homotopy, beginning, to_affine));
-    recorder.begin_journey(nullptr);
+    recorder.begin_journey(nullptr, beginning.frame);
     const auto session = problem.tracker.open(homotopy);
     Arrival arrival = follow(*session, departure_of(beginning, care, &recorder), stop);
-    take_arrival(std::move(arrival), stage, beginning);
+    take_arrival(problem.plan, stage, std::move(arrival), beginning);
   }
   return beginning;
 }
@@ -97,9 +99,10 @@ void follow_to_the_end(const PathProblem& problem, int care, const ToAffine& to_
     trace.steps.push_back(start);
     trace.steps.back().journey = recorder.next_journey();
     Endgame endgame(problem.endgame, last.chart(), trace.path, care, problem.manner);
-    std::optional<Departure> departure = endgame.depart(std::move(beginning.x));
+    std::optional<Departure> departure =
+        endgame.depart(std::move(beginning.x), std::move(beginning.frame));
     while (departure) {
-      recorder.begin_journey(departure->watcher);
+      recorder.begin_journey(departure->watcher, departure->frame);
       departure->watcher = &recorder;
       departure->watch_radius = std::numeric_limits<double>::infinity();
       departure = endgame.accept(follow(*session, std::move(*departure), stop), scratch);

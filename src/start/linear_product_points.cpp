@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A path's number becomes a choice of factors, the choice a point: one small linear system a group.
+#include <limits>
 #include <stdexcept>
 
 #include "moivre/numeric/lu.h"
@@ -15,34 +16,74 @@ struct Chosen {
   std::uint64_t factor = 0;
 };
 
-/// Equation by equation: a group j that may still be taken stands for d_ij c(r - e_j) numbers, c(r - e_j) a factor.
-std::vector<Chosen> choice(const LinearProductStart& start, std::uint64_t number) {
-  std::vector<std::uint64_t> left;
-  std::vector<std::uint64_t> strides;
-  std::uint64_t entries = 1;
-  for (const auto& group : start.groups) {
-    left.push_back(group.size());
-    strides.push_back(entries);
-    entries *= group.size() + 1;
+/// The way through the numbers, equation by equation: a group j that may still be taken stands for d_ij c(r - e_j) of them,
+/// c(r - e_j) a factor.
+class Way {
+ public:
+  explicit Way(const LinearProductStart& start) : start_(start) {
+    std::uint64_t entries = 1;
+    for (const auto& group : start.groups) {
+      left_.push_back(group.size());
+      strides_.push_back(entries);
+      entries *= group.size() + 1;
+    }
+    at_ = entries - 1;
   }
-  std::uint64_t at = entries - 1;
+
+  /// c(r - e_j), 0 where equation i can't take group j.
+  std::uint64_t numbers(std::size_t i, std::size_t j) const {
+    if (left_[j] == 0 || start_.degrees[i][j] == 0) return 0;
+    return start_.completions[at_ - strides_[j]];
+  }
+  void take(std::size_t j) {
+    --left_[j];
+    at_ -= strides_[j];
+  }
+
+ private:
+  const LinearProductStart& start_;
+  std::vector<std::uint64_t> left_;
+  std::vector<std::uint64_t> strides_;
+  std::uint64_t at_ = 0;
+};
+
+std::vector<Chosen> choice(const LinearProductStart& start, std::uint64_t number) {
+  Way way(start);
   std::vector<Chosen> chosen;
-  for (const std::vector<std::uint64_t>& d : start.degrees) {
-    for (std::size_t j = 0; j < left.size(); ++j) {
-      if (left[j] == 0 || d[j] == 0) continue;
-      const std::uint64_t rest = start.completions[at - strides[j]];
-      if (rest == 0) continue;
-      if (number / rest < d[j]) {
+  for (std::size_t i = 0; i < start.degrees.size(); ++i) {
+    for (std::size_t j = 0; j < start.groups.size(); ++j) {
+      const std::uint64_t rest = way.numbers(i, j);
+      const std::uint64_t d = start.degrees[i][j];
+      if (rest > 0 && number / rest < d) {
         chosen.push_back({j, number / rest});
         number %= rest;
-        --left[j];
-        at -= strides[j];
+        way.take(j);
         break;
       }
-      number -= rest * d[j];
+      number -= rest * d;
     }
   }
   return chosen;
+}
+
+/// How nearly the factor vanishes at x, relative to its terms.
+double size_at(const LinearProductStart& start, std::size_t i, const Chosen& factor,
+               const Point& x) {
+  const std::vector<std::uint32_t>& group = start.groups[factor.group];
+  const std::vector<Point>& forms = start.factors[i][factor.group].forms;
+  if (group.size() == 1) {
+    const Complex z = -forms[0][1] / forms[0][0];
+    const Complex root = de_moivre_root(z, start.degrees[i][factor.group], factor.factor);
+    return std::abs(x[group[0]] / x.back() - root) / std::abs(root);
+  }
+  const Point& form = forms[factor.factor];
+  Complex value = form.back() * x.back();
+  double terms = std::abs(value);
+  for (std::size_t l = 0; l < group.size(); ++l) {
+    value += form[l] * x[group[l]];
+    terms += std::abs(form[l] * x[group[l]]);
+  }
+  return std::abs(value) / terms;
 }
 
 /// The point of one group: the linear equations of those that chose it.
@@ -80,6 +121,30 @@ Point start_point(const LinearProductStart& start, std::uint64_t number) {
   Point x(start.degrees.size() + 1, 1.0);
   for (std::size_t j = 0; j < start.groups.size(); ++j) solve_group(start, chosen, j, x);
   return x;
+}
+
+std::uint64_t path_number(const LinearProductStart& start, const Point& x) {
+  Way way(start);
+  std::uint64_t number = 0;
+  for (std::size_t i = 0; i < start.degrees.size(); ++i) {
+    double least = std::numeric_limits<double>::infinity();
+    Chosen nearest;
+    std::uint64_t before = 0;
+    std::uint64_t nearest_before = 0;
+    for (std::size_t j = 0; j < start.groups.size(); ++j) {
+      const std::uint64_t rest = way.numbers(i, j);
+      for (std::uint64_t k = 0; rest > 0 && k < start.degrees[i][j]; ++k, before += rest) {
+        const double size = size_at(start, i, {j, k}, x);
+        if (size >= least) continue;
+        least = size;
+        nearest = {j, k};
+        nearest_before = before;
+      }
+    }
+    number += nearest_before;
+    way.take(nearest.group);
+  }
+  return number;
 }
 
 }  // namespace moivre

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "exact_coefficient.h"
 #include "moivre/numeric/random.h"
+#include "moivre/polynomial/scale.h"
 #include "moivre/start/binomial.h"
 #include "moivre/start/cell_geometry.h"
 #include "moivre/start/path_index.h"
@@ -15,8 +17,6 @@ namespace {
 
 // Where a path begins, the terms that its binomials leave out are at most this beside them: Newton's method begins there.
 constexpr double kLeastPart = 1e-4;
-
-Coefficient exactly(Complex c) { return {Rational(c.real()), Rational(c.imag())}; }
 
 double modulus_of(const Coefficient& c) { return is_zero(c) ? 1 : std::exp2(log2_size(c)); }
 
@@ -49,7 +49,7 @@ System generic_member(const System& f, const std::vector<Support>& supports,
   for (const Support& support : supports) {
     Polynomial& p = member.polynomials.emplace_back();
     for (const Exponents& exponents : support.terms) {
-      p.terms.push_back({exactly(*next++), monomial_of(exponents)});
+      p.terms.push_back({exact_coefficient(*next++), monomial_of(exponents)});
     }
   }
   return member;
@@ -57,8 +57,11 @@ System generic_member(const System& f, const std::vector<Support>& supports,
 
 class PolyhedralPoints : public StartPoints {
  public:
-  PolyhedralPoints(MixedSubdivision cells, std::vector<Complex> g)
-      : cells_(std::move(cells)), index_(make_path_index(cells_.cells)), g_(std::move(g)) {}
+  PolyhedralPoints(Homotopy toric, MixedSubdivision cells, std::vector<Complex> g)
+      : toric_(std::move(toric)),
+        cells_(std::move(cells)),
+        index_(make_path_index(cells_.cells)),
+        g_(std::move(g)) {}
 
   std::uint64_t paths() const { return index_.paths(); }
 
@@ -69,13 +72,13 @@ class PolyhedralPoints : public StartPoints {
     return x;
   }
 
-  PathWeights weights(std::uint64_t path) const override {
+  FramePointer frame(std::uint64_t path) const override {
     const StartRoot root = start_root(index_, path);
-    auto weights = std::make_shared<std::vector<double>>(
-        cell_weights(cells_, cells_.cells[root.cell]));
-    const double span = toric_span(root.cell, *weights);
-    for (double& w : *weights) w *= span;
-    return weights;
+    auto frame = std::make_shared<PathFrame>(frame_at(toric_, point(path)));
+    frame->weights = cell_weights(cells_, cells_.cells[root.cell]);
+    const double span = toric_span(root.cell, frame->weights);
+    for (double& w : frame->weights) w *= span;
+    return frame;
   }
 
   std::optional<std::uint64_t> number_of(const Point&) const override { return std::nullopt; }
@@ -109,6 +112,7 @@ class PolyhedralPoints : public StartPoints {
     return span;
   }
 
+  Homotopy toric_;
   MixedSubdivision cells_;
   PathIndex index_;
   std::vector<Complex> g_;
@@ -123,10 +127,12 @@ std::vector<Support> start_supports(const System& f) {
 StartPlan polyhedral_plan(const System& f, MixedSubdivision cells, std::uint64_t seed) {
   std::vector<Complex> coefficients = generic_coefficients(f, cells.supports, seed);
   const System g = generic_member(f, cells.supports, coefficients);
-  auto points = std::make_shared<PolyhedralPoints>(std::move(cells), std::move(coefficients));
+  const Homotopy toric = Homotopy::toric(g);
+  auto points =
+      std::make_shared<PolyhedralPoints>(toric, std::move(cells), std::move(coefficients));
   StartPlan plan{"polyhedral", points->paths(), {}, points};
-  plan.stages.push_back(Homotopy::toric(g));
-  plan.stages.emplace_back(f, g);
+  plan.stages.push_back(toric);
+  plan.stages.push_back(Homotopy::framed(f, g));
   return plan;
 }
 

@@ -45,7 +45,7 @@ class OwnPoint : public StartPoints {
 
 }  // namespace
 
-PathWeights StartPoints::weights(std::uint64_t) const { return nullptr; }
+FramePointer StartPoints::frame(std::uint64_t) const { return nullptr; }
 
 StartPlan total_degree_plan(const System& f, std::uint64_t seed) {
   TotalDegreeStart start = total_degree_start(degrees(f), seed);

@@ -91,8 +91,8 @@ Point DoubleDoubleSession::rounded() const {
 bool DoubleDoubleSession::depart(const Departure& departure) {
   place_ = Place();
   last_step_ = 0;
-  path_.set_weights(departure.weights);
-  watched_.set_weights(departure.weights);
+  path_.set_frame(departure.frame.get());
+  watched_.set_frame(departure.frame.get());
   std::transform(departure.x.begin(), departure.x.end(), x_.begin(),
                  [](const Complex& xi) { return Number(xi); });
   const Number scale(1 / max_norm(departure.x));

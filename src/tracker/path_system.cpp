@@ -45,10 +45,10 @@ PathSystem::PathSystem(const Homotopy& homotopy)
       dx_(n_ + 1),
       weights_(n_ + 1) {}
 
-void PathSystem::set_weights(std::span<const double> weights) noexcept {
-  path_weights_ = weights;
-  homotopy_.set_weights(weights);
-  if (fine_) fine_->homotopy.set_weights(weights);
+void PathSystem::set_frame(const PathFrame* frame) noexcept {
+  frame_ = frame;
+  homotopy_.set_frame(frame);
+  if (fine_) fine_->homotopy.set_frame(frame);
 }
 
 bool PathSystem::linearize(std::span<const Complex> x, const PathTime& t) noexcept {
@@ -85,7 +85,7 @@ bool PathSystem::newton_step(std::span<Complex> x, double& size) noexcept {
 void PathSystem::evaluate_fine(std::span<const Complex> x, const PathTime& t) noexcept {
   if (!fine_) {
     fine_ = std::make_unique<Fine>(definition_);
-    fine_->homotopy.set_weights(path_weights_);
+    fine_->homotopy.set_frame(frame_);
   }
   std::copy(x.begin(), x.end(), fine_->x.begin());
   // t is taken from 1 - t near t = 1, where that has more digits than double's t.

@@ -132,7 +132,7 @@ int CvodeSession::weights(N_Vector y, N_Vector weight, void* self) {
 bool CvodeSession::depart(const Departure& departure) {
   const double care = std::pow(kCareFactor, -departure.care);
   contour_ = departure.contour;
-  path_.set_weights(departure.weights);
+  path_.set_frame(departure.frame.get());
   rtol_ = options_.rtol * care;
   newton_ = CorrectorOptions{};
   newton_.largest_correction *= care;

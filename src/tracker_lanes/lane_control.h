@@ -66,7 +66,7 @@ class LaneControl {
   /// Chooses the next step. False when the lane is idle.
   bool prepare();
   double step() const { return step_; }
-  std::span<const double> weights() const { return departure_->weights; }
+  const PathFrame* frame() const { return departure_->frame.get(); }
   PathTime next_time() const { return time(next_s_, next_left_); }
   Complex next_dt() const { return contour().dt(next_s_); }
 

@@ -36,10 +36,8 @@ class LaneHomotopy {
         slopes_(program.register_count),
         weighted_(program.weighted_count()) {}
 
-  /// Of the path in `lane`, where the homotopy is toric.
-  void set_weights(std::size_t lane, std::span<const double> weights) {
-    moving_.set_weights(lane, weights);
-  }
+  /// Of the path in `lane`, where the homotopy is framed.
+  void set_frame(std::size_t lane, const FramePointer& frame) { moving_.set_frame(lane, frame); }
 
   /// Takes the coefficients to the times given.
   void move(const LaneTime<R>& time) { moving_.move(time); }

@@ -15,6 +15,7 @@
 
 #include <hwy/contrib/math/math-inl.h>
 
+#include <array>
 #include <vector>
 
 #include "lane_complex-inl.h"
@@ -54,9 +55,9 @@ class LaneMoving {
         scalar_(homotopy, program),
         c_(program.moving_count()),
         slope_(program.moving.size()) {
-    if (program.law == CoefficientLaw::toric) {
+    if (program.is_framed) {
+      factors_.resize(program.moving.size());
       weights_.resize(program.moving.size());
-      path_weights_.assign(W, std::vector<double>(homotopy.terms()));
     }
     if (program.law != CoefficientLaw::straight) return;
     for (std::size_t k = 0; k < program.moving.size(); ++k) {
@@ -64,12 +65,19 @@ class LaneMoving {
     }
   }
 
-  /// Those of the path in `lane`; nothing where the homotopy is not toric.
-  void set_weights(std::size_t lane, std::span<const double> weights) {
-    if (weights_.empty()) return;
-    std::copy(weights.begin(), weights.end(), path_weights_[lane].begin());
-    for (std::size_t k = 0; k < weights_.size(); ++k) {
-      weights_[k].at[lane] = weights[program_.moving[k].term];
+  /// Of the path in `lane`.
+  void set_frame(std::size_t lane, const FramePointer& frame) {
+    if (!program_.is_framed) return;
+    frames_[lane] = frame;
+    for (std::size_t k = 0; k < program_.moving.size(); ++k) {
+      const typename Program::Moving& moving = program_.moving[k];
+      factors_[k].at[lane] = frame->factors[moving.term];
+      if (!frame->weights.empty()) weights_[k].at[lane] = frame->weights[moving.term];
+    }
+    if (program_.law != CoefficientLaw::straight) return;
+    for (std::size_t k = 0; k < program_.moving.size(); ++k) {
+      const typename Program::Moving& moving = program_.moving[k];
+      store(factors_[k].value() * (f(moving) - g(moving)), slope_[k]);
     }
   }
 
@@ -120,7 +128,8 @@ class LaneMoving {
     const LaneComplex<R> rest = time.rest();
     for (std::size_t k = 0; k < program_.moving.size(); ++k) {
       const typename Program::Moving& moving = program_.moving[k];
-      store(add_product(t, f(moving), rest * g(moving)), c_[k]);
+      const LaneComplex<R> c = add_product(t, f(moving), rest * g(moving));
+      store(program_.is_framed ? factors_[k].value() * c : c, c_[k]);
     }
   }
 
@@ -128,7 +137,8 @@ class LaneMoving {
     const V rest = rounded(time.rest().re);
     for (std::size_t k = 0; k < program_.moving.size(); ++k) {
       const V w = weights_[k].value();
-      const LaneComplex<R> c = hn::Exp(Tag(), -(w * rest)) * g(program_.moving[k]);
+      const V decay = hn::Exp(Tag(), -(w * rest));
+      const LaneComplex<R> c = (factors_[k].value() * decay) * g(program_.moving[k]);
       store(c, c_[k]);
       store(w * c, slope_[k]);
     }
@@ -136,9 +146,8 @@ class LaneMoving {
 
   void move_each(const LaneTime<R>& time) {
     for (std::size_t lane = 0; lane < W; ++lane) {
-      const std::span<const double> weights =
-          weights_.empty() ? std::span<const double>() : path_weights_[lane];
-      scalar_.move(time.get(lane), weights);
+      if (program_.is_framed && !frames_[lane]) continue;  // idle
+      scalar_.move(time.get(lane), frames_[lane].get());
       for (std::size_t k = 0; k < scalar_.c.size(); ++k) c_.set(k, lane, scalar_.c[k]);
       for (std::size_t k = 0; k < scalar_.slope.size(); ++k) slope_.set(k, lane, scalar_.slope[k]);
     }
@@ -148,8 +157,9 @@ class LaneMoving {
   MovingCoefficients<Number> scalar_;
   LaneVector<R> c_;
   LaneVector<R> slope_;
-  std::vector<LaneReals> weights_;                 // of the moving coefficients, in all lanes
-  std::vector<std::vector<double>> path_weights_;  // of the terms, lane by lane
+  std::vector<LaneReals> factors_;  // of the moving coefficients
+  std::vector<LaneReals> weights_;
+  std::array<FramePointer, W> frames_;
 };
 
 }  // namespace HWY_NAMESPACE

@@ -26,7 +26,7 @@ class LaneNewton<Complex> {
   /// For watchers.
   PathSystem& watched() { return path_; }
   /// Of the path that the next call is about.
-  void set_weights(std::span<const double> weights) { path_.set_weights(weights); }
+  void set_frame(const PathFrame* frame) { path_.set_frame(frame); }
   static const PathTime& time(const PathTime& t) { return t; }
 
   /// Corrects x, the point that `control` is to have next, and dx, the tangent there.
@@ -49,9 +49,9 @@ class LaneNewton<ComplexDoubleDouble> {
 
   std::size_t coordinates() const { return path_.coordinates(); }
   PathSystem& watched() { return path_; }
-  void set_weights(std::span<const double> weights) {
-    fine_.set_weights(weights);
-    path_.set_weights(weights);
+  void set_frame(const PathFrame* frame) {
+    fine_.set_frame(frame);
+    path_.set_frame(frame);
   }
   static Time<ComplexDoubleDouble> time(const PathTime& t) { return fine_time(t); }
 

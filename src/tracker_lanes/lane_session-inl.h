@@ -73,7 +73,7 @@ class LaneSession : public TrackerSession {
       std::copy(departure->x.begin(), departure->x.end(), point_.begin());
       newton_.normalize(point_);
       path_.place(lane, point_);
-      step_.set_weights(lane, departure->weights);
+      step_.set_frame(lane, departure->frame);
       lanes_[lane].depart(std::move(*departure), options_, LaneNewton<Number>::kRules);
     }
     return true;
@@ -104,7 +104,7 @@ class LaneSession : public TrackerSession {
     LaneControl& control = lanes_[lane];
     for (std::size_t i = 0; i < point_.size(); ++i) point_[i] = step_.corrected.get(i, lane);
     newton_.normalize(point_);
-    newton_.set_weights(control.weights());
+    newton_.set_frame(control.frame());
     const LaneControl::Move move = control.judge_rescue(newton_.rescue(point_, tangent_, control));
     if (move != LaneControl::Move::stay) step_.replace(lane, path_.patch(), point_, tangent_);
     return move;
@@ -130,7 +130,7 @@ class LaneSession : public TrackerSession {
   void report(std::size_t lane) {
     LaneControl& control = lanes_[lane];
     if (control.is_to_be_observed()) {
-      newton_.set_weights(control.weights());
+      newton_.set_frame(control.frame());
       control.observe(extract(lane), newton_.watched());
     }
     control.close_step();

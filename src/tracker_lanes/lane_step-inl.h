@@ -37,10 +37,8 @@ class LaneStep {
         corrected(n_ + 1),
         tangent(n_ + 1) {}
 
-  /// Of the path in `lane`, where the homotopy is toric.
-  void set_weights(std::size_t lane, std::span<const double> weights) {
-    homotopy_.set_weights(lane, weights);
-  }
+  /// Of the path in `lane`, where the homotopy is framed.
+  void set_frame(std::size_t lane, const FramePointer& frame) { homotopy_.set_frame(lane, frame); }
 
   /// Takes every lane of `path` a step h ahead, to the times given. Results are the members below; `path` is not changed.
   void take(const LanePath<R>& path, const LaneReals& h, const LaneTime<R>& time) {

@@ -8,8 +8,9 @@
 //      An arrival at t = 1 with J well conditioned is regular: done, no endgame is run.
 //   2. Infinity told early. With r = 1 - t, x_i ~ a r^{w_i}, and v_i = w_i - w_0 the valuation of the affine coordinate
 //      x_i / x_0:  v_i < 0 is a coordinate that grows. Valuations come from the tangent, w_i = -r Re(x_i' / x_i).
-//      The path is cut when min v_i is negative and steady, the coordinate has grown by a large factor, and the
-//      condition has grown with it: a large but finite regular root has steady valuations too, but not the last.
+//      Where min v_i is negative and steady, the coordinate has grown by a large factor, and the condition with it, the path
+//      is a candidate. It is cut where the face of its direction has a root beside it, without which nothing is at
+//      infinity (face.h): growth alone decides nothing.
 //      A path that grows without being steady at r = 1e-10 descends further, in log r.
 //   3. Otherwise circles t = 1 - r e^{i theta}: after m turns the path closes; m is the winding number, and the mean of
 //      equidistant samples is the end point (Cauchy's integral; the error falls geometrically in the number of samples).
@@ -62,7 +63,6 @@ struct EndgameOptions {
   int maximum_winding = 32;  ///< turns tried before a circle counts as not closing
   int maximum_radii = 20;    ///< circles tried
   std::uint64_t maximum_steps = 6000;  ///< of all journeys of one path, then the endgame concludes
-  double infinity_floor = 1e-9;        ///< |x_0| / |x|_inf below which an end is at infinity
 };
 
 /// The verdict on one path.
@@ -73,6 +73,7 @@ struct PathEnd {
   bool singular = false;
   std::optional<int> winding;  ///< nullopt: Newton landed on the end, and it is to prove simple
   double accuracy = 0;
+  double size = 1;  ///< |x|_inf / |x_0|, in the path's frame
   double condition = 0;   ///< of the bordered, row-scaled Jacobian
   Complex t = 0;          ///< how far it came
   std::size_t stage = 0;  ///< of the plan, on which it ended
@@ -91,8 +92,8 @@ class Endgame : public Watcher {
   Endgame(const EndgameOptions& options, const Chart& chart, std::uint64_t path, int care,
           Manner manner = Manner::full);
 
-  /// The first departure, from a start point at t = 0.
-  Departure depart(Point start);
+  /// The first departure, from a start point at t = 0, in the frame where there is one.
+  Departure depart(Point start, FramePointer frame = nullptr);
 
   /// Takes an arrival. The next departure, or nullopt when the verdict stands. `path`: scratch for evaluations.
   std::optional<Departure> accept(Arrival&& arrival, PathSystem& path);
@@ -135,7 +136,10 @@ class Endgame : public Watcher {
   bool growth_lasts(double tolerance) const;
   bool diverges(double tolerance) const;
   bool diverges_beyond_double() const;
+  bool leads_to_infinity(const Point& x, double radius, const PathSystem& path);
   bool may_diverge() const;
+  std::optional<Departure> proceed(Arrival&& arrival, PathSystem& path);
+  Departure along(const Contour& contour, Point x, int samples = 0, Watcher* watcher = nullptr);
   std::optional<Departure> judge_arrival(Arrival&& arrival, PathSystem& path);
   bool is_handed_on(const Arrival& arrival) const;
   Departure descend(Arrival&& arrival);
@@ -151,7 +155,7 @@ class Endgame : public Watcher {
   std::optional<Departure> land();
   bool is_power_series(const Point& constant, PathSystem& path) const;
   bool is_regular_arrival(const Arrival& arrival, PathSystem& path, double condition);
-  void decide_infinity();
+  std::nullopt_t decide_infinity(const PathSystem& path);
   Point normalized(const Point& x) const;
   std::nullopt_t fail(Failure failure);
 
@@ -160,6 +164,7 @@ class Endgame : public Watcher {
   std::uint64_t path_;
   int care_;
   Manner manner_;
+  FramePointer frame_;
   Phase phase_ = Phase::whole_way;
   PathEnd end_;
 
@@ -171,8 +176,10 @@ class Endgame : public Watcher {
   int watched_ = 0;
   int creeping_ = 0;  ///< watched steps within the radius of the singular ends
   bool cut_ = false;
-  Point outpost_;      // last watched point, from which circles begin
-  double radius_ = 0;  // its |1 - t|
+  double doubted_ = std::numeric_limits<
+      double>::infinity();  // |1 - t| where growth was last found to lead nowhere
+  Point outpost_;           // last watched point, from which circles begin
+  double radius_ = 0;       // its |1 - t|
   Point tangent_;
   std::vector<Complex> logarithms_;  // of x_i / x_0, where the last sight was begun
   double logarithms_radius_ = 0;

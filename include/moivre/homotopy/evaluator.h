@@ -28,9 +28,9 @@ class HomotopyEvaluator {
   HomotopyEvaluator(const HomotopyEvaluator&) = delete;
   HomotopyEvaluator& operator=(const HomotopyEvaluator&) = delete;
 
-  /// The weights of the path that is looked at, where the homotopy is toric: one a term; they have to stay where they are.
-  void set_weights(std::span<const double> weights) {
-    weights_ = weights;
+  /// The frame of the path that is looked at, where the homotopy is framed; it has to stay where it is.
+  void set_frame(const PathFrame* frame) {
+    frame_ = frame;
     has_moved_ = false;
   }
 
@@ -73,7 +73,7 @@ class HomotopyEvaluator {
   void move(const Time<S>& t) {
     if (program_.stands_still()) return;
     if (has_moved_ && t.t == moved_.t && t.rest == moved_.rest) return;
-    coefficients_.move(t, weights_);
+    coefficients_.move(t, frame_);
     moved_ = t;
     has_moved_ = true;
   }
@@ -130,7 +130,7 @@ class HomotopyEvaluator {
 
   Program program_;
   MovingCoefficients<S> coefficients_;
-  std::span<const double> weights_;
+  const PathFrame* frame_ = nullptr;
   Time<S> moved_{S(0.0)};
   bool has_moved_ = false;
   std::vector<S> registers_;

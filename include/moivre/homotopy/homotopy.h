@@ -10,8 +10,8 @@
 //   H: n,  H_x: n x N,  H_t: n
 //
 // A path to infinity is a path to x_0 = 0: it ends like any other. The randomness that keeps paths apart for t in [0, 1) is
-// in G's coefficients (start/). t is complex because an endgame walks circles around t = 1. A toric homotopy belongs to a
-// path, which brings its weights along (tracker/tracker.h); at t = 1 it is G for all of them.
+// in G's coefficients (start/). t is complex because an endgame walks circles around t = 1. A homotopy that is framed is every
+// path's own: the path brings its units and, where the law is toric, its weights along (homotopy/frame.h).
 // Immutable; every thread owns an evaluator (homotopy/evaluator.h).
 // Not supported: coefficients that are no polynomials of the parameters.
 // Source: [Morgan87, ch. 1 and 3], [SommeseWampler05, ch. 3, 7 and 8], [HuberSturmfels95].
@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "moivre/homotopy/chart.h"
+#include "moivre/homotopy/frame.h"
 #include "moivre/homotopy/time.h"
 #include "moivre/polynomial/tape.h"
 
@@ -40,7 +41,9 @@ class Homotopy {
  public:
   /// t F + (1 - t) G. Throws std::invalid_argument when F and G are not both n polynomials in n variables.
   Homotopy(const System& f, const System& g);
-  /// G's toric homotopy. Throws std::invalid_argument when G is not n polynomials in n variables.
+  /// The same, followed by every path in a frame of its own.
+  static Homotopy framed(const System& f, const System& g);
+  /// G's toric homotopy, framed. Throws std::invalid_argument when G is not n polynomials in n variables.
   static Homotopy toric(const System& g);
   /// From F(x; p = from) to F(x; p = to). `family`: n polynomials in n unknowns and, after these, as many parameters as
   /// `from` and `to` have. Throws std::invalid_argument when the numbers do not fit.
@@ -50,6 +53,7 @@ class Homotopy {
   std::size_t coordinates() const { return tape_.variables; }
   std::size_t terms() const { return g_.size(); }
   CoefficientLaw law() const { return law_; }
+  bool is_framed() const { return is_framed_; }
   const Chart& chart() const { return chart_; }
   const Tape& tape() const { return tape_; }
   /// The union of the supports, homogenized, its terms in the order of the affine polynomials' ones; its own coefficients
@@ -67,6 +71,7 @@ class Homotopy {
   void set_support(const System& affine);
 
   CoefficientLaw law_ = CoefficientLaw::straight;
+  bool is_framed_ = false;
   Chart chart_;
   System support_;
   Tape tape_;

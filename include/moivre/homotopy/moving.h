@@ -3,6 +3,7 @@
 //
 //   straight     c = t f + (1 - t) g          dc = f - g
 //   toric        c = g e^{-w (1 - t)}         dc = w c        w: the weights of the path, one a term of the homotopy
+//   framed       as said, times the factor of the term in the path's frame
 //   parameters   c = q((1 - t) p + t p')      dc = q_p (p' - p)
 //
 // The toric exponential is that of double in every scalar: it is the same function of t wherever it is asked for, and exactly 1
@@ -30,19 +31,20 @@ class MovingCoefficients {
     if (homotopy.parameter_law()) parameters_.emplace(*homotopy.parameter_law());
   }
 
-  /// weights: one a term of the homotopy where its law is toric, else nothing. Fills `c` and `slope`.
-  void move(const Time<S>& t, std::span<const double> weights) {
+  /// frame: the path's where the homotopy is framed, else nullptr. Fills `c` and `slope`.
+  void move(const Time<S>& t, const PathFrame* frame) {
     switch (program_.law) {
       case CoefficientLaw::straight:
         move_straight(t);
         break;
       case CoefficientLaw::toric:
-        move_toric(t, weights);
+        move_toric(t, frame->weights);
         break;
       case CoefficientLaw::parameters:
         parameters_->evaluate(t, c, slope);
         break;
     }
+    if (program_.is_framed) scale(frame->factors);
     for (std::size_t k = 0; k < program_.multiples.size(); ++k) {
       const typename Program::Multiple& multiple = program_.multiples[k];
       c[program_.moving.size() + k] = product(Real(multiple.factor), c[multiple.base]);
@@ -89,7 +91,15 @@ class MovingCoefficients {
     }
   }
 
-  void move_toric(const Time<S>& t, std::span<const double> weights) {
+  void scale(const std::vector<double>& factors) {
+    for (std::size_t k = 0; k < program_.moving.size(); ++k) {
+      const Real factor(factors[program_.moving[k].term]);
+      c[k] = product(factor, c[k]);
+      slope[k] = product(factor, slope[k]);
+    }
+  }
+
+  void move_toric(const Time<S>& t, const std::vector<double>& weights) {
     const Complex rest = to_complex(t.rest);
     for (std::size_t k = 0; k < program_.moving.size(); ++k) {
       const typename Program::Moving& moving = program_.moving[k];

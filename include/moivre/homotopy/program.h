@@ -8,7 +8,7 @@
 //       t sum c r  +  (1 - t) sum c r  +  sum c(t) r          r: registers
 //
 // A straight line's term that only one end has stands still but for the factor t or 1 - t, which its sum shares: a coefficient
-// that is real then costs half of a complex one. The other terms have moving coefficients, which are evaluated once a t
+// that is real then costs half of a complex one. The other terms, and all of a framed homotopy, have moving coefficients, which are evaluated once a t
 // (homotopy/moving.h), those of the Jacobian as integer multiples of the values' own.
 #pragma once
 
@@ -64,6 +64,7 @@ struct HomotopyProgram {
   };
 
   CoefficientLaw law = CoefficientLaw::straight;
+  bool is_framed = false;
   std::uint32_t variables = 0;
   std::uint32_t register_count = 0;
   std::vector<Tape::Product> products;

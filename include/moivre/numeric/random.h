@@ -18,18 +18,10 @@ enum class RandomStream : std::uint64_t {
   start_system = 1,
   slice = 2,
   test = 3,
-enum class RandomStream : std::uint64_t {
-  start_system = 1,
-  slice = 2,
-  test = 3,
   lifting = 4,
   mark = 5,
   generic_member = 6,
-  linear_product = 8,
-  square_up = 9,
-  patch = 10,
-  section = 11
-};
+  leading_forms = 7,
   linear_product = 8,
   square_up = 9,
   patch = 10,
@@ -38,14 +30,14 @@ enum class RandomStream : std::uint64_t {
 
 namespace detail {
 
-inline constexpr std::uint64_t kGoldenGamma = 0x9E3779B97F4A7C15;
+  inline constexpr std::uint64_t kGoldenGamma = 0x9E3779B97F4A7C15;
 
-/// SplitMix64's finaliser: a bijection of 64-bit words that keeps 0.
-inline std::uint64_t mix(std::uint64_t z) {
-  z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9;
-  z = (z ^ (z >> 27)) * 0x94D049BB133111EB;
-  return z ^ (z >> 31);
-}
+  /// SplitMix64's finaliser: a bijection of 64-bit words that keeps 0.
+  inline std::uint64_t mix(std::uint64_t z) {
+    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9;
+    z = (z ^ (z >> 27)) * 0x94D049BB133111EB;
+    return z ^ (z >> 31);
+  }
 
 }  // namespace detail
 

@@ -28,6 +28,7 @@ Json to_json(const PathCounts& paths);
 Json to_json(const FailedPath& failure);
 Json to_json(const SolveTime& time);
 Json to_json(const SystemFacts& system);
+Json to_json(const StartCounts& counts);
 Json to_json(const StartFacts& start);
 /// What was tracked: the number of its variables, which have no names of their own, and its degrees.
 Json reduced_json(const SystemFacts& reduced);

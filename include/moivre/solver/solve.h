@@ -20,6 +20,7 @@
 #include "moivre/endgame/endgame.h"
 #include "moivre/numeric/decimal.h"
 #include "moivre/polynomial/system.h"
+#include "moivre/start/choose_start.h"
 #include "moivre/tracker/tracker.h"
 
 namespace moivre {
@@ -28,6 +29,9 @@ struct Progress {
   std::uint64_t done = 0;
   std::uint64_t total = 0;
   std::uint64_t finite = 0;
+  /// While mixed cells are looked for, before any path: how many were found, and how far the search is, 0 to 1.
+  std::uint64_t cells = 0;
+  std::optional<double> search;
 };
 
 /// With how many digits a path was followed: the rung of the ladder that it needed.
@@ -47,6 +51,7 @@ enum class Precision {
 
 struct SolveOptions {
   std::uint64_t seed = 1;
+  StartKind start = StartKind::automatic;
   int threads = 0;        ///< 0: as many as the machine has
   int care = 0;           ///< of the first tracking; each level tightens the tolerances tenfold
   int maximum_care = 3;   ///< how often a doubtful path is tracked again, tighter each time
@@ -116,6 +121,7 @@ struct StartFacts {
   std::string kind = "total-degree";
   std::uint64_t paths = 0;
   std::string why;
+  StartCounts counts;
 };
 
 /// Wall seconds.

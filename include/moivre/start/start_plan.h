@@ -4,7 +4,7 @@
 //   path 0..paths-1 --start point--> stage 1 --its end at t = 1--> stage 2 --> ... --> the target's roots
 //
 // Every path goes through all stages. Start points are computed from the path's number, never stored; where the first stage
-// is toric a path brings the weights of its cell (homotopy/homotopy.h). Immutable and shared by all threads.
+// is toric a path brings the weights of its cell in its frame (homotopy/frame.h). Immutable and shared by all threads.
 #pragma once
 
 #include <cstdint>
@@ -18,16 +18,14 @@
 
 namespace moivre {
 
-/// Weights of a toric stage, one a term; nullptr where there are none. Whoever follows a path holds its weights.
-using PathWeights = std::shared_ptr<const std::vector<double>>;
-
 /// The start points of the first stage.
 class StartPoints {
  public:
   virtual ~StartPoints() = default;
   /// Homogeneous coordinates.
   virtual Point point(std::uint64_t path) const = 0;
-  virtual PathWeights weights(std::uint64_t path) const;
+  /// The path's frame on the first stage, where that is framed; else nullptr.
+  virtual FramePointer frame(std::uint64_t path) const;
   /// Which path has this start point, known to some digits? nullopt where that can't be computed.
   virtual std::optional<std::uint64_t> number_of(const Point& x) const = 0;
 };

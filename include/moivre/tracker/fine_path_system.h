@@ -50,8 +50,8 @@ class FinePathSystem {
 
   std::size_t coordinates() const { return n_ + 1; }
 
-  /// The weights of the path, where the homotopy is toric; they have to stay where they are.
-  void set_weights(std::span<const double> weights) { homotopy_.set_weights(weights); }
+  /// The frame of the path, where the homotopy is framed; it has to stay where it is.
+  void set_frame(const PathFrame* frame) { homotopy_.set_frame(frame); }
 
   /// a <- x^H / |x|^2.
   void set_patch(std::span<const ComplexDoubleDouble> x);

@@ -65,10 +65,12 @@ class PathSystem {
   explicit PathSystem(const Homotopy& homotopy);
 
   std::size_t coordinates() const { return n_ + 1; }
-  const Chart& chart() const { return definition_.chart(); }
+  const Homotopy& homotopy() const { return definition_; }
+  /// The correction that the last step of correct() took.
+  std::span<const Complex> last_correction() const { return dx_; }
 
-  /// The weights of the path that is looked at, where the homotopy is toric; they have to stay where they are.
-  void set_weights(std::span<const double> weights) noexcept;
+  /// The frame of the path that is looked at, where the homotopy is framed; it has to stay where it is.
+  void set_frame(const PathFrame* frame) noexcept;
 
   /// Evaluates H, H_x, H_t at (x, t) and factors J. False when J is singular or something is not finite.
   bool linearize(std::span<const Complex> x, const PathTime& t) noexcept;
@@ -97,7 +99,7 @@ class PathSystem {
   const Homotopy& definition_;
   std::size_t n_;
   HomotopyEvaluator<Complex> homotopy_;
-  std::span<const double> path_weights_;
+  const PathFrame* frame_ = nullptr;
   Lu lu_;
   std::vector<Complex> h_;
   std::vector<Complex> ht_;

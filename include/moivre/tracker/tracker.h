@@ -52,8 +52,7 @@ struct Departure {
   Watcher* watcher = nullptr;  ///< not owned; nullptr: nobody watches
   /// The watcher sees the steps that end with |1 - t| up to this.
   double watch_radius = std::numeric_limits<double>::infinity();
-  /// Of the terms of a toric homotopy, one each, else none; they have to stay where they are until the arrival.
-  std::span<const double> weights;
+  FramePointer frame = nullptr;  ///< the path's, where the homotopy is framed; x is in it
 };
 
 enum class Journey {

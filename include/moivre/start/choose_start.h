@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// Which start has the paths that take the least time? A plan, the counts of all that were computed, and the reason.
+//
+//   total-degree       the degrees' product; never more to find out
+//   multihomogeneous   the best partition found (start/multihomogeneous.h), at most the total degree
+//   polyhedral         the mixed volume with 0 added, at most any multihomogeneous number; two stages a path
+//
+// automatic: the least expected time, in units of one path of one stage to a finite root,
+//
+//     one stage:   M + kInfinityCost (paths - M)      M: mixed volume, which bounds the roots; the other paths go to infinity
+//     polyhedral:  kPolyhedralCost M
+//
+// Mixed cells are looked for where a generic member has roots at infinity (start/infinity.h), until the search has cost what
+// the paths of the best other start are expected to. The constants were fitted on a corpus (decision 15).
+// Edges: a start that cannot be had (a count beyond 64 bits, G with too many terms) is passed over, with the reason; all of
+// them: std::overflow_error. Asked for by name, it is refused with the reason (std::invalid_argument).
+#pragma once
+
+#include <atomic>
+#include <functional>
+
+#include "moivre/start/mixed_cells.h"
+#include "moivre/start/start_plan.h"
+
+namespace moivre {
+
+enum class StartKind { automatic, total_degree, multihomogeneous, polyhedral };
+/// "auto", "total-degree", "multihomogeneous", "polyhedral".
+std::string to_string(StartKind kind);
+std::optional<StartKind> start_kind(const std::string& name);
+
+/// A number of paths, or why there is none.
+struct StartCount {
+  std::optional<std::uint64_t> paths;
+  std::string missing;  ///< the reason, where paths is nullopt
+};
+
+struct StartCounts {
+  StartCount total_degree;
+  StartCount multihomogeneous;
+  StartCount mixed_volume;  ///< with 0 added
+};
+
+struct StartChoiceOptions {
+  StartKind kind = StartKind::automatic;
+  std::uint64_t seed = 1;
+  const std::atomic<bool>* stop = nullptr;
+  std::function<void(const CellSearchProgress&)> progress;
+};
+
+struct ChosenStart {
+  std::optional<StartPlan> plan;  ///< nullopt where the search for cells was interrupted
+  StartCounts counts;
+  std::string why;
+};
+
+/// f: n polynomials in n variables (std::invalid_argument otherwise).
+ChosenStart choose_start(const System& f, const StartChoiceOptions& options);
+
+/// All counts, each as far as a bounded search comes.
+StartCounts count_starts(const System& f, const StartChoiceOptions& options);
+
+}  // namespace moivre
