@@ -91,25 +91,15 @@ TEST(Patches, OfCoordinatesOfOneSizeTheFirstBecomesOne) {
   EXPECT_EQ(normalised(groups, {0, 0, 0, 2}), (Point{0, 0, 0, 2}));
 }
 
-TEST(Patches, KeepTheGroupsThroughElimination) {
-  System f = with_patches(two_planes(), 5);
-  f.variables.push_back("w");
-  f.groups.push_back({{4}, false});
-  f.polynomials.push_back(unknown(4) + constant({-3, 0}));
-  const Reduction reduction = eliminate(f);
-  EXPECT_EQ(reduction.verdict, Reduction::Verdict::square);
-  std::size_t grouped = 0;
-  for (const VariableGroup& group : reduction.system.groups) {
-    ASSERT_FALSE(group.variables.empty());
-    for (const std::uint32_t v : group.variables) {
-      const std::string& name = reduction.system.variables[v];
-      const bool is_first = name == "x" || name == "y";
-      EXPECT_EQ(is_first, &group == &reduction.system.groups.front()) << name;
-      ++grouped;
-    }
-  }
-  EXPECT_EQ(grouped, reduction.system.variables.size());
-  EXPECT_LT(grouped, f.variables.size());
+TEST(Groups, FollowTheirUnknownsThroughElimination) {
+  const System f = system_of(
+      "variable_group w, a;\nvariable_group x, y;\nvariable_group b;\nvariable_group z;\n"
+      "function f1, f2, f3, f4, f5, f6;\nf1 = w - 3;\nf2 = b + 2;\nf3 = a^2 + w*x*y + 1;\n"
+      "f4 = x^2*b - z;\nf5 = y^2 + a*z + 5;\nf6 = z^2 - x*y + a;\n");
+  const System reduced = eliminate(f).system;
+  ASSERT_EQ(reduced.variables, (std::vector<std::string>{"a", "x", "y", "z"}));
+  EXPECT_EQ(reduced.groups,
+            (std::vector<VariableGroup>{{{0}, false}, {{1, 2}, false}, {{3}, false}}));
 }
 
 }  // namespace
