@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Faces from rounded valuations, and Gauss-Newton in logarithms on them.
+// Faces from rounded valuations, and Gauss-Newton in logarithms on them: faces in double-double, their slopes in double.
 #include "face.h"
 
 #include <Eigen/Dense>
@@ -8,22 +8,26 @@
 #include <limits>
 #include <optional>
 
+#include "moivre/numeric/scalar.h"
+#include "moivre/polynomial/scale.h"
+
 namespace moivre {
 namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXcd;
 using Eigen::VectorXcd;
+using Number = ComplexDoubleDouble;
 
 // Valuations are known this well where they are steady.
 constexpr double kValuationError = 0.03;
 constexpr int kLargestDenominator = 32;
-// Faces vanish to rounding: this, beside their largest terms.
-constexpr double kVanished = 1e-12;
+// Faces vanish to the rounding of double-double, a little more than its products make of it.
+constexpr double kVanished = 1e-26;
 // The root lies near the path: its logarithms no further away than this.
 constexpr double kNeighbourhood = 3;
-// Enough for a double root, whose error halves with each iteration.
-constexpr int kIterations = 50;
+// Enough for a double root, whose residual falls by four with each iteration.
+constexpr int kIterations = 60;
 // Below this beside the largest, a singular value of the Jacobian is one of the torus that acts on all roots of a face.
 constexpr double kRankThreshold = 1e-9;
 
@@ -48,19 +52,21 @@ std::optional<Direction> direction_of(const std::vector<double>& valuations) {
   return std::nullopt;
 }
 
-/// A term of a face: c e^{<a, z>}, z = log x.
+/// A term of a face in the units of the point, beside the largest of its equation.
 struct FaceTerm {
-  Complex log_c;
+  Number c;
   const Monomial* monomial;
 };
 using Face = std::vector<FaceTerm>;
 
 class Faces {
  public:
-  Faces(const Homotopy& homotopy, double radius, const Direction& direction)
+  /// log2: units of the affine coordinates.
+  Faces(const Homotopy& homotopy, double radius, const Direction& direction,
+        const std::vector<int>& log2)
       : x0_(homotopy.chart().homogenizing()) {
     for (std::size_t i = 0; i < homotopy.equations(); ++i) {
-      faces_.push_back(face(homotopy, i, radius, direction));
+      faces_.push_back(face(homotopy, i, radius, direction, log2));
     }
   }
 
@@ -69,74 +75,91 @@ class Faces {
                        [](const Face& face) { return face.size() > 1; });
   }
 
-  /// Gauss-Newton from z.
-  bool vanish_near(VectorXcd z) {
-    const VectorXcd begin = z;
+  /// Gauss-Newton from y, in the units.
+  bool vanish_near(std::vector<Number> y) {
     VectorXcd value(static_cast<Index>(faces_.size()));
-    MatrixXcd jacobian(value.size(), z.size());
+    MatrixXcd jacobian(value.size(), static_cast<Index>(y.size()));
+    VectorXcd moved = VectorXcd::Zero(jacobian.cols());
     for (int k = 0; k < kIterations; ++k) {
-      evaluate(z, value, jacobian);
+      evaluate(y, value, jacobian);
       if (value.lpNorm<Eigen::Infinity>() <= kVanished) return true;
       Eigen::CompleteOrthogonalDecomposition<MatrixXcd> qr;
       qr.setThreshold(kRankThreshold);
-      z -= qr.compute(jacobian).solve(value);
-      if (!z.allFinite() || (z - begin).lpNorm<Eigen::Infinity>() > kNeighbourhood) return false;
+      const VectorXcd dz = qr.compute(jacobian).solve(-value);
+      moved += dz;
+      if (!dz.allFinite() || moved.lpNorm<Eigen::Infinity>() > kNeighbourhood) return false;
+      for (std::size_t j = 0; j < y.size(); ++j) {
+        y[j] = product(Number(std::exp(dz[static_cast<Index>(j)])), y[j]);
+      }
     }
     return false;
   }
 
  private:
-  Face face(const Homotopy& homotopy, std::size_t i, double radius,
-            const Direction& direction) const {
+  Face face(const Homotopy& homotopy, std::size_t i, double radius, const Direction& direction,
+            const std::vector<int>& log2) const {
     const std::vector<Term>& terms = homotopy.support().polynomials[i].terms;
+    const std::size_t first = homotopy.first_term(i);
     std::vector<long> orders;
+    std::vector<int> shifts;
     for (std::size_t k = 0; k < terms.size(); ++k) {
-      long order = is_zero(homotopy.f(homotopy.first_term(i) + k)) ? direction.denominator : 0;
+      long order = is_zero(homotopy.f(first + k)) ? direction.denominator : 0;
+      int shift = 0;
       for (const Power& power : terms[k].monomial) {
         if (power.variable == x0_) continue;
         order += static_cast<long>(power.exponent) * direction.w[power.variable];
+        shift += static_cast<int>(power.exponent) * log2[power.variable];
       }
       orders.push_back(order);
+      shifts.push_back(shift);
     }
     const long least = *std::min_element(orders.begin(), orders.end());
     Face face;
+    double largest = -std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < terms.size(); ++k) {
       if (orders[k] != least) continue;
-      const Coefficient& f = homotopy.f(homotopy.first_term(i) + k);
-      const Complex c =
-          is_zero(f) ? radius * to_complex(homotopy.g(homotopy.first_term(i) + k)) : to_complex(f);
-      face.push_back({std::log(c), &terms[k].monomial});
+      const bool is_start = is_zero(homotopy.f(first + k));
+      const Coefficient& c = is_start ? homotopy.g(first + k) : homotopy.f(first + k);
+      const Number value = product(DoubleDouble(is_start ? radius : 1.0), Scalar<Number>::round(c));
+      largest = std::max(largest, std::log2(magnitude1(value)) + shifts[k]);
+      face.push_back({value, &terms[k].monomial});
+    }
+    std::size_t next = 0;
+    for (std::size_t k = 0; k < terms.size(); ++k) {
+      if (orders[k] != least) continue;
+      const double factor = std::exp2(shifts[k] - std::floor(largest));
+      face[next].c = product(DoubleDouble(factor), face[next].c);
+      ++next;
     }
     return face;
   }
 
-  // Each face beside its largest term.
-  void evaluate(const VectorXcd& z, VectorXcd& value, MatrixXcd& jacobian) const {
-    value.setZero();
+  // Each face beside its largest term; derivatives in log y.
+  void evaluate(const std::vector<Number>& y, VectorXcd& value, MatrixXcd& jacobian) const {
     jacobian.setZero();
-    std::vector<Complex> exponents;
     for (std::size_t i = 0; i < faces_.size(); ++i) {
-      exponents.clear();
-      double largest = -std::numeric_limits<double>::infinity();
+      const auto row = static_cast<Index>(i);
+      Number sum(0.0);
+      double largest = 0;
       for (const FaceTerm& term : faces_[i]) {
-        Complex e = term.log_c;
+        Number product_of_powers = term.c;
         for (const Power& power : *term.monomial) {
           if (power.variable == x0_) continue;
-          e += static_cast<double>(power.exponent) * z[static_cast<Index>(power.variable)];
+          for (std::uint32_t e = 0; e < power.exponent; ++e) {
+            product_of_powers = product(product_of_powers, y[power.variable]);
+          }
         }
-        largest = std::max(largest, e.real());
-        exponents.push_back(e);
-      }
-      const auto row = static_cast<Index>(i);
-      for (std::size_t k = 0; k < faces_[i].size(); ++k) {
-        const Complex size = std::exp(exponents[k] - largest);
-        value[row] += size;
-        for (const Power& power : *faces_[i][k].monomial) {
+        sum += product_of_powers;
+        const Complex size = to_complex(product_of_powers);
+        largest = std::max(largest, std::abs(size));
+        for (const Power& power : *term.monomial) {
           if (power.variable == x0_) continue;
           jacobian(row, static_cast<Index>(power.variable)) +=
               static_cast<double>(power.exponent) * size;
         }
       }
+      value[row] = to_complex(sum) / largest;
+      jacobian.row(row) /= largest;
     }
   }
 
@@ -150,15 +173,17 @@ bool has_face_root(const Homotopy& homotopy, const Point& x, double radius,
                    const std::vector<double>& valuations) {
   const std::optional<Direction> direction = direction_of(valuations);
   if (!direction) return false;
-  Faces faces(homotopy, radius, *direction);
-  if (!faces.may_vanish()) return false;
   const Chart& chart = homotopy.chart();
-  VectorXcd z(static_cast<Index>(chart.unknowns));
+  std::vector<int> log2;
+  std::vector<Number> y;
   for (std::size_t j = 0; j < chart.unknowns; ++j) {
     if (x[j] == 0.0) return false;
-    z[static_cast<Index>(j)] = std::log(x[j]) - std::log(chart.x0(x));
+    const Complex z = std::log(x[j]) - std::log(chart.x0(x));
+    log2.push_back(static_cast<int>(std::lround(z.real() / std::log(2.0))));
+    y.push_back(Number(std::exp(z - log2.back() * std::log(2.0))));
   }
-  return faces.vanish_near(z);
+  Faces faces(homotopy, radius, *direction, log2);
+  return faces.may_vanish() && faces.vanish_near(std::move(y));
 }
 
 }  // namespace moivre

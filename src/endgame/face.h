@@ -7,7 +7,7 @@
 // A path to infinity makes the faces vanish together, at a point of the torus near its own: by [Bernstein75], theorem B, a
 // generic system has no such point in any direction, since the faces are n equations for what are n - 1 unknowns. A path that
 // merely grows for a while, to a large finite root, finds none. So its direction is taken for that of an end at infinity where
-// Newton's method in log x, from the path's own point, makes all faces vanish to rounding, and nowhere else.
+// Newton's method in log x, from the path's own point, makes all faces vanish to the rounding of double-double, and nowhere else.
 //
 //   w: valuations, rounded to fractions of the least denominator that they allow
 //   Edges: a face of one term cannot vanish. Coordinates that are 0 have no valuation, and terms with them no part.

@@ -22,13 +22,13 @@ bool are_one(Complex a, Complex b) { return std::abs(a - b) <= tolerance_at(a); 
 }  // namespace
 
 Complex mark_of(const Point& x) {
-  Complex a = 0;
-  Complex b = 0;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    a += random_phase(kSeed, RandomStream::mark, 2 * i) * x[i];
-    b += random_phase(kSeed, RandomStream::mark, 2 * i + 1) * x[i];
+  Complex mark = 0;
+  for (std::size_t j = 0; j + 1 < x.size(); ++j) {
+    const Complex log_z = std::log(x[j]) - std::log(x.back());
+    mark += random_phase(kSeed, RandomStream::mark, 2 * j) * std::polar(1.0, log_z.imag());
+    mark += random_phase(kSeed, RandomStream::mark, 2 * j + 1) * log_z.real();
   }
-  return a / b;
+  return mark;
 }
 
 void Marks::set(std::uint64_t path, Complex mark) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// By what is a point known again among many, at 16 bytes each? By its mark, a ratio of two fixed linear forms.
+// By what is a point known again among many, at 16 bytes each? By its mark, a number that all its coordinates have a part in.
 //
-//   mark = (a x) / (b x), a and b of random phases: the same for all multiples of a homogeneous point, and different for
-//   different points but by chance
+//   mark = sum_j a_j z_j / |z_j| + b_j log |z_j|,  z_j = x_j / x_0,  a_j and b_j of random phases: the same for all multiples of
+//   a homogeneous point, and for different points different but by chance, however small the coordinates in which they differ
 //
 // A plan of several stages computes no path number from a start point of its last stage. The marks of all such points are
 // kept instead: two equal ones are a jump on an earlier stage, and a point is looked up by its mark.
@@ -16,6 +16,7 @@
 
 namespace moivre {
 
+/// x: homogeneous coordinates, none of them 0, the last one x_0.
 Complex mark_of(const Point& x);
 
 /// Of paths by number; a path without a mark has none. Two marks are one when they agree to `kMarkTolerance`.

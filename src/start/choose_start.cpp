@@ -86,7 +86,7 @@ class Chooser {
     search.stop = options_.stop;
     search.progress = options_.progress;
     search.most_steps = most_steps;
-    CellSearch found = mixed_cells(start_supports(f_), options_.seed, search);
+    CellSearch found = start_cells(f_, options_.seed, search);
     StartCount& count = chosen_.counts.mixed_volume;
     count.missing = found.subdivision ? "" : description(found.end);
     was_interrupted_ = found.end == CellSearchEnd::interrupted;

@@ -17,6 +17,10 @@ namespace {
 
 // Where a path begins, the terms that its binomials leave out are at most this beside them: Newton's method begins there.
 constexpr double kLeastPart = 1e-4;
+// Of the lifting: ties are rare, slacks stay within 64 bits; random parts of up to four binary orders of magnitude.
+constexpr double kLiftingUnit = 0x1p20;
+constexpr double kRandomPart = 4;
+constexpr std::uint64_t kMostLiftings = 8;
 
 double modulus_of(const Coefficient& c) { return is_zero(c) ? 1 : std::exp2(log2_size(c)); }
 
@@ -32,6 +36,24 @@ std::vector<Complex> generic_coefficients(const System& f, const std::vector<Sup
     }
   }
   return g;
+}
+
+/// -log2 of the coefficients' moduli and random numbers in [0, kRandomPart), in units of 1 / kLiftingUnit.
+Lifting coefficient_lifting(const System& f, const std::vector<Support>& supports,
+                            std::uint64_t seed, std::uint64_t attempt) {
+  std::uint64_t index = attempt << 48;  // terms are fewer
+  Lifting lifting;
+  for (std::size_t i = 0; i < supports.size(); ++i) {
+    const std::vector<Term>& own = f.polynomials[i].terms;
+    std::vector<std::int64_t>& block = lifting.emplace_back();
+    for (std::size_t k = 0; k < supports[i].terms.size(); ++k) {
+      const double size = k < own.size() ? log2_size(own[k].coefficient) : 0;
+      const double part =
+          kRandomPart * random_unit(seed, RandomStream::coefficient_lifting, index++);
+      block.push_back(std::llround(kLiftingUnit * (part - size)));
+    }
+  }
+  return lifting;
 }
 
 Monomial monomial_of(const Exponents& exponents) {
@@ -122,6 +144,17 @@ class PolyhedralPoints : public StartPoints {
 
 std::vector<Support> start_supports(const System& f) {
   return with_origin(supports_of(f), f.variables.size()).supports;
+}
+
+CellSearch start_cells(const System& f, std::uint64_t seed, const CellSearchOptions& options) {
+  const std::vector<Support> supports = start_supports(f);
+  CellSearch search;
+  for (std::uint64_t attempt = 0; attempt < kMostLiftings; ++attempt) {
+    const Lifting lifting = coefficient_lifting(f, supports, seed, attempt);
+    search = mixed_cells_of_lifting(supports, lifting, seed, options);
+    if (search.end != CellSearchEnd::not_generic) return search;
+  }
+  return mixed_cells(supports, seed, options);
 }
 
 StartPlan polyhedral_plan(const System& f, MixedSubdivision cells, std::uint64_t seed) {

@@ -25,7 +25,8 @@ enum class RandomStream : std::uint64_t {
   linear_product = 8,
   square_up = 9,
   patch = 10,
-  section = 11
+  section = 11,
+  coefficient_lifting = 12
 };
 
 namespace detail {

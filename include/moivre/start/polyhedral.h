@@ -7,6 +7,8 @@
 //   stage 1 toric, from G's binomials at tau = -T to G at tau = 0:  c_k(t) = g_k e^{-W_k (1 - t)}, W = w T
 //   stage 2 the straight line from G to F
 //
+// The lifting is -log |f_k| and a random part of a few units: along such a path sizes change little, whatever range the
+// coefficients have, since its cells are those of the roots' own sizes.
 // T, a cell's own, makes every other term at the start at most kLeastPart of the two it is beside. A path is told by its number:
 // cell and root of the cell's binomials (start/path_index.h); start points are De Moivre's (start/binomial.h).
 // Moduli like F's keep the roots of G of the sizes of F's roots, so that a wide range of coefficients bends no path.
@@ -22,6 +24,9 @@ namespace moivre {
 
 /// The supports whose cells polyhedral_plan() takes: those of F, with 0 added.
 std::vector<Support> start_supports(const System& f);
+
+/// The mixed cells of start_supports(f) for a lifting by the coefficients of F.
+CellSearch start_cells(const System& f, std::uint64_t seed, const CellSearchOptions& options);
 
 /// `cells`: of start_supports(f).
 StartPlan polyhedral_plan(const System& f, MixedSubdivision cells, std::uint64_t seed);
