@@ -22,14 +22,20 @@ using Number = ComplexDoubleDouble;
 // Valuations are known this well where they are steady.
 constexpr double kValuationError = 0.03;
 constexpr int kLargestDenominator = 32;
-// Faces vanish to the rounding of double-double, a little more than its products make of it.
-constexpr double kVanished = 1e-26;
+// Faces vanish to this beside their largest terms: a double would stop at 1e-16, and near a triple root, where the Jacobian in
+// double says no more from a distance of 1e-6 on, double-double stops here.
+constexpr double kVanished = 1e-18;
 // The root lies near the path: its logarithms no further away than this.
 constexpr double kNeighbourhood = 3;
 // Enough for a double root, whose residual falls by four with each iteration.
 constexpr int kIterations = 60;
-// Below this beside the largest, a singular value of the Jacobian is one of the torus that acts on all roots of a face.
-constexpr double kRankThreshold = 1e-9;
+// Corrections fall evenly where two falls in a row are alike, and slowly from here on.
+constexpr double kSlowFall = 0.3;
+constexpr double kEvenFall = 0.02;
+// Singular values of the Jacobian below this, beside the largest, are those of the torus that acts on all roots of a face, or
+// of directions in which a step would lead astray; where that leads nowhere, only what is rounding is left out.
+constexpr double kWideThreshold = 1e-5;
+constexpr double kRoundingThreshold = 1e-13;
 
 /// Valuations as integers over one denominator.
 struct Direction {
@@ -59,6 +65,13 @@ struct FaceTerm {
 };
 using Face = std::vector<FaceTerm>;
 
+/// e^z - 1 without loss where z is small.
+Complex exp_minus_1(const Complex& z) {
+  const double half_sine = std::sin(z.imag() / 2);
+  const double real = std::expm1(z.real());
+  return {real - 2 * half_sine * half_sine * (real + 1), (real + 1) * std::sin(z.imag())};
+}
+
 class Faces {
  public:
   /// log2: units of the affine coordinates.
@@ -75,21 +88,31 @@ class Faces {
                        [](const Face& face) { return face.size() > 1; });
   }
 
-  /// Gauss-Newton from y, in the units.
-  bool vanish_near(std::vector<Number> y) {
+  /// Gauss-Newton from y, in the units. Towards an m-fold root corrections fall by (m - 1) / m only; where they fall evenly
+  /// one is taken m times.
+  bool vanish_near(std::vector<Number> y, double rank_threshold) const {
     VectorXcd value(static_cast<Index>(faces_.size()));
     MatrixXcd jacobian(value.size(), static_cast<Index>(y.size()));
     VectorXcd moved = VectorXcd::Zero(jacobian.cols());
+    double size = 0;
+    double fall = 0;
     for (int k = 0; k < kIterations; ++k) {
       evaluate(y, value, jacobian);
       if (value.lpNorm<Eigen::Infinity>() <= kVanished) return true;
       Eigen::CompleteOrthogonalDecomposition<MatrixXcd> qr;
-      qr.setThreshold(kRankThreshold);
-      const VectorXcd dz = qr.compute(jacobian).solve(-value);
+      qr.setThreshold(rank_threshold);
+      VectorXcd dz = qr.compute(jacobian).solve(-value);
+      const double now = dz.norm();
+      const double ratio = size > 0 ? now / size : 0;
+      const bool is_even = ratio > kSlowFall && ratio < 1 && std::abs(ratio - fall) < kEvenFall;
+      if (is_even) dz /= 1 - ratio;
+      size = is_even ? 0 : now;
+      fall = is_even ? 0 : ratio;
       moved += dz;
       if (!dz.allFinite() || moved.lpNorm<Eigen::Infinity>() > kNeighbourhood) return false;
       for (std::size_t j = 0; j < y.size(); ++j) {
-        y[j] = product(Number(std::exp(dz[static_cast<Index>(j)])), y[j]);
+        // 1 + (e^dz - 1) keeps all digits of double-double where dz is small.
+        y[j] += product(Number(exp_minus_1(dz[static_cast<Index>(j)])), y[j]);
       }
     }
     return false;
@@ -134,32 +157,47 @@ class Faces {
     return face;
   }
 
-  // Each face beside its largest term; derivatives in log y.
+  // Each face over its largest term, and its derivatives in log y: the torus that acts on the roots of a face is exactly
+  // their null space.
   void evaluate(const std::vector<Number>& y, VectorXcd& value, MatrixXcd& jacobian) const {
     jacobian.setZero();
+    std::vector<Number> terms;
     for (std::size_t i = 0; i < faces_.size(); ++i) {
+      terms.clear();
+      for (const FaceTerm& term : faces_[i]) terms.push_back(value_of(term, y));
+      const auto largest = std::max_element(
+          terms.begin(), terms.end(),
+          [](const Number& a, const Number& b) { return magnitude1(a) < magnitude1(b); });
+      const FaceTerm& reference = faces_[i][static_cast<std::size_t>(largest - terms.begin())];
+      const Complex scale = 1.0 / to_complex(*largest);
       const auto row = static_cast<Index>(i);
       Number sum(0.0);
-      double largest = 0;
-      for (const FaceTerm& term : faces_[i]) {
-        Number product_of_powers = term.c;
-        for (const Power& power : *term.monomial) {
-          if (power.variable == x0_) continue;
-          for (std::uint32_t e = 0; e < power.exponent; ++e) {
-            product_of_powers = product(product_of_powers, y[power.variable]);
-          }
-        }
-        sum += product_of_powers;
-        const Complex size = to_complex(product_of_powers);
-        largest = std::max(largest, std::abs(size));
-        for (const Power& power : *term.monomial) {
-          if (power.variable == x0_) continue;
-          jacobian(row, static_cast<Index>(power.variable)) +=
-              static_cast<double>(power.exponent) * size;
-        }
+      for (std::size_t k = 0; k < terms.size(); ++k) {
+        sum += terms[k];
+        const Complex share = to_complex(terms[k]) * scale;
+        add_exponents(*faces_[i][k].monomial, share, jacobian, row);
+        add_exponents(*reference.monomial, -share, jacobian, row);
       }
-      value[row] = to_complex(sum) / largest;
-      jacobian.row(row) /= largest;
+      value[row] = to_complex(sum) * scale;
+    }
+  }
+
+  Number value_of(const FaceTerm& term, const std::vector<Number>& y) const {
+    Number result = term.c;
+    for (const Power& power : *term.monomial) {
+      if (power.variable == x0_) continue;
+      for (std::uint32_t e = 0; e < power.exponent; ++e)
+        result = product(result, y[power.variable]);
+    }
+    return result;
+  }
+
+  void add_exponents(const Monomial& monomial, Complex share, MatrixXcd& jacobian,
+                     Index row) const {
+    for (const Power& power : monomial) {
+      if (power.variable == x0_) continue;
+      jacobian(row, static_cast<Index>(power.variable)) +=
+          static_cast<double>(power.exponent) * share;
     }
   }
 
@@ -182,8 +220,9 @@ bool has_face_root(const Homotopy& homotopy, const Point& x, double radius,
     log2.push_back(static_cast<int>(std::lround(z.real() / std::log(2.0))));
     y.push_back(Number(std::exp(z - log2.back() * std::log(2.0))));
   }
-  Faces faces(homotopy, radius, *direction, log2);
-  return faces.may_vanish() && faces.vanish_near(std::move(y));
+  const Faces faces(homotopy, radius, *direction, log2);
+  return faces.may_vanish() &&
+         (faces.vanish_near(y, kWideThreshold) || faces.vanish_near(y, kRoundingThreshold));
 }
 
 }  // namespace moivre
