@@ -429,6 +429,11 @@ std::optional<Departure> Endgame::judge_arrival(Arrival&& arrival, PathSystem& p
   if (outpost_.empty()) return fail(to_failure(arrival.journey));
   if (is_handed_on(arrival)) return fail(Failure::precision);
   if (arrival.journey == Journey::stopped && may_diverge()) return descend(std::move(arrival));
+  if (arrival.journey == Journey::arrived && chart_.finiteness(arrival.x) <= kRoundedZero) {
+    arrival.x = outpost_;
+    arrival.t = PathTime(1.0 - radius_, radius_);
+    return descend(std::move(arrival));
+  }
   return begin_circle();
 }
 
@@ -581,7 +586,7 @@ std::nullopt_t Endgame::decide_infinity(const PathSystem& path) {
   end_.status = PathStatus::finite;
   if (size > 10 * end_.accuracy) return std::nullopt;
   const bool is_infinite =
-      end_.accuracy <= kRoundedZero ||
+      end_.accuracy <= kFineAccuracy ||
       (!sights_.empty() && has_face_root(path.homotopy(), outside(frame_, outpost_), radius_,
                                          sights_.back().valuations));
   if (!is_infinite) return fail(Failure::precision);
@@ -599,13 +604,12 @@ bool Endgame::is_regular_arrival(const Arrival& arrival, PathSystem& path, doubl
   if (end_.condition > condition || !(correction.converged || correction.last < kStagnation)) {
     return false;
   }
-  const double size = chart_.finiteness(x);
+  // x_0 that is made of rounding errors may be 0: not here is it to be told.
   const double moved = std::abs(chart_.x0(path.last_correction()));
-  const bool is_known = moved <= kUnknownCorrection * std::abs(chart_.x0(x));
-  if (!is_known && size > kRoundedZero) return false;
+  if (moved > kUnknownCorrection * std::abs(chart_.x0(x))) return false;
   end_.x = std::move(x);
   end_.accuracy = correction.last;
-  end_.status = is_known ? PathStatus::finite : PathStatus::at_infinity;
+  end_.status = PathStatus::finite;
   return true;
 }
 

@@ -22,9 +22,8 @@ using Number = ComplexDoubleDouble;
 // Valuations are known this well where they are steady.
 constexpr double kValuationError = 0.03;
 constexpr int kLargestDenominator = 32;
-// Faces vanish to this beside their largest terms: a double would stop at 1e-16, and near a triple root, where the Jacobian in
-// double says no more from a distance of 1e-6 on, double-double stops here.
-constexpr double kVanished = 1e-18;
+// Faces vanish to the rounding of double-double, a little more than its products make of it.
+constexpr double kVanished = 1e-26;
 // The root lies near the path: its logarithms no further away than this.
 constexpr double kNeighbourhood = 3;
 // Enough for a double root, whose residual falls by four with each iteration.
