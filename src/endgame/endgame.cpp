@@ -380,6 +380,7 @@ std::optional<Departure> Endgame::accept(Arrival&& arrival, PathSystem& path) {
   if (!next && !end_.x.empty()) {
     end_.size = 1 / chart_.finiteness(end_.x);
     end_.x = outside(frame_, std::move(end_.x));
+    end_.frame = frame_;
   }
   return next;
 }

@@ -32,6 +32,7 @@ Root refined_root(const Run& run, Refiner& refiner, std::uint64_t path, const Pa
   const double accuracy = end.accuracy * std::max(1.0, end.size);
   Root root;
   root.winding = end.winding;
+  refiner.measure_by(natural_sizes(setting.prepared, end.frame));
   const bool many_sheets = end.winding.value_or(1) > 1;
   root.point = many_sheets ? refiner.keep(x, accuracy, *end.winding) : refiner.refine(x, accuracy);
   if (!root.point.simple && !many_sheets && rung_of(run, path) == Rung::double_double) {

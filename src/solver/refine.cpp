@@ -67,6 +67,7 @@ struct Refiner::Workspace {
   explicit Workspace(std::shared_ptr<const RefinerProgram> shared)
       : program(std::move(shared)),
         n(program->tape.variables),
+        unit(program->unit),
         lu(n),
         registers(program->tape.register_count()),
         value(program->tape.equations),
@@ -88,7 +89,9 @@ struct Refiner::Workspace {
       const Tape::Entry& entry = program->tape.jacobian[k];
       j[entry.row * n + entry.column] = jacobian[k];
     }
-    return lu.factor();
+    if (!has_own_units) return lu.factor();
+    for (std::size_t i = 0; i < n; ++i) size_x[i] = std::max(std::abs(x[i]), unit[i]);
+    return lu.factor(size_x);
   }
 
   void evaluate_fine(const Point& x) {
@@ -117,7 +120,7 @@ struct Refiner::Workspace {
   double size_at(const Point& v, const Point& x) const {
     double largest = 0;
     for (std::size_t i = 0; i < n; ++i) {
-      const double size = std::abs(v[i]) / std::max(std::abs(x[i]), program->unit[i]);
+      const double size = std::abs(v[i]) / std::max(std::abs(x[i]), unit[i]);
       if (!(size <= largest)) largest = size;
     }
     return largest;
@@ -125,6 +128,8 @@ struct Refiner::Workspace {
 
   std::shared_ptr<const RefinerProgram> program;
   std::size_t n;
+  std::vector<double> unit;    ///< in force
+  bool has_own_units = false;  ///< not the program's
   Lu lu;
   std::vector<Complex> registers, value, jacobian;
   std::vector<ComplexDoubleDouble> fine_x, fine_registers, fine_value;
@@ -138,6 +143,11 @@ Refiner::Refiner(std::shared_ptr<const RefinerProgram> program)
     : w_(std::make_unique<Workspace>(std::move(program))) {}
 Refiner::~Refiner() = default;
 Refiner::Refiner(Refiner&&) noexcept = default;
+
+void Refiner::measure_by(std::vector<double> units) {
+  w_->has_own_units = !units.empty();
+  w_->unit = units.empty() ? w_->program->unit : std::move(units);
+}
 
 const std::vector<Complex>& Refiner::relative_values(const Point& x) {
   Workspace& w = *w_;
@@ -190,7 +200,7 @@ Refined Refiner::refine(const Point& x, double accuracy) {
 double Refiner::sensitivity(const Point& x) {
   Workspace& w = *w_;
   double largest = 0;
-  w.evaluate_sizes(x, w.program->unit);
+  w.evaluate_sizes(x, w.unit);
   for (int sample = 0; sample < 2; ++sample) {
     for (std::size_t i = 0; i < w.n; ++i) {
       w.dx[i] = std::polar(w.size_value[i], static_cast<double>(sample) * static_cast<double>(i));
@@ -214,7 +224,7 @@ bool Refiner::is_simple(const Point& x) {
       std::clamp(kProbe / (sensitive * w.program->curvature), kLeastProbe, kProbe);
   Point probe = x;
   for (std::size_t i = 0; i < probe.size(); ++i) {
-    const double offset = relative_offset * std::max(std::abs(x[i]), w.program->unit[i]);
+    const double offset = relative_offset * std::max(std::abs(x[i]), w.unit[i]);
     probe[i] += std::polar(offset, static_cast<double>(i + 1));
   }
   if (!w.factor(probe)) return false;
@@ -235,7 +245,7 @@ bool Refiner::contracts_beside(double sensitivity) {
   Point rest(w.n);
   for (std::size_t i = 0; i < w.n; ++i) {
     x[i] = to_complex(w.fine_x[i]);
-    const double size = offset * std::max(std::abs(x[i]), w.program->unit[i]);
+    const double size = offset * std::max(std::abs(x[i]), w.unit[i]);
     probe[i] += ComplexDoubleDouble(std::polar(size, static_cast<double>(i + 1)));
   }
   if (!w.fine->correct(probe)) return false;
@@ -263,7 +273,7 @@ Refined Refiner::refine_fine(const Point& x) {
     if (contracts) w.fine->add_to(w.fine_x);
   }
   const double moved = max_norm(w.fine->rounded());
-  w.evaluate_sizes(x, w.program->unit);
+  w.evaluate_sizes(x, w.unit);
   w.fine->solve(w.size_value);
   const double sensitive = w.size_at(w.fine->rounded(), x);
   const double noise = max_norm(w.fine->rounded()) * kFineRoundoff;
@@ -296,7 +306,7 @@ Refined Refiner::keep(const Point& x, double accuracy, int sheets) {
 double Refiner::natural_residual(const Point& x) {
   Workspace& w = *w_;
   w.evaluate_fine(x);
-  w.evaluate_sizes(x, w.program->unit);
+  w.evaluate_sizes(x, w.unit);
   double largest = 0;
   for (std::size_t i = 0; i < w.size_value.size(); ++i) {
     if (w.size_value[i] > 0) {

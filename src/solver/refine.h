@@ -47,6 +47,9 @@ class Refiner {
   ~Refiner();
   Refiner(Refiner&&) noexcept;
 
+  /// The sizes that coordinates are measured by where they are smaller, from now on; empty: the program's.
+  void measure_by(std::vector<double> units);
+
   /// From x, of relative accuracy `accuracy`. Where Newton does not contract, x is left as it was.
   /// Parts of coordinates that vanish to within the accuracy are set to 0 if that fits F as well.
   Refined refine(const Point& x, double accuracy);

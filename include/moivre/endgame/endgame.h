@@ -76,6 +76,7 @@ struct PathEnd {
   double size = 1;  ///< |x|_inf / |x_0|, in the path's frame
   double condition = 0;   ///< of the bordered, row-scaled Jacobian
   Complex t = 0;          ///< how far it came
+  FramePointer frame;     ///< in which the path was followed; nullptr: in none
   std::size_t stage = 0;  ///< of the plan, on which it ended
   Complex
       mark;  ///< of the point from which it set out on the last stage, where there are several (solver/marks.h)
