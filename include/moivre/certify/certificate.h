@@ -18,7 +18,7 @@ namespace moivre {
 enum class Verdict {
   certified,  ///< exactly one root in B, and not farther from the given point than was asked for
   elsewhere,  ///< exactly one root in B, but Newton's method went farther from the given point for it
-  undecided   ///< nothing was proved; every other field says nothing
+  undecided  ///< nothing was proved; every other field says nothing
 };
 
 enum class Reality {

@@ -42,7 +42,7 @@ struct CertifyOptions {
 /// F compiled for certificates: immutable, shared by all threads.
 class CertifyProgram;
 
-/// Throws std::invalid_argument when F is not square or has more than 2^32 - 1 registers.
+/// Throws std::invalid_argument when F is not square, has no unknowns or more than 2^32 - 1 registers.
 std::shared_ptr<const CertifyProgram> make_certify_program(const System& f);
 
 /// The memory for certificates of one program; one a thread, made and ended by that thread.
@@ -55,6 +55,7 @@ class Certifier {
   ~Certifier();
 
   std::size_t dimension() const noexcept;
+  int most_bits() const noexcept;
 
   /// What can be proved of the root near x, n coordinates (else std::invalid_argument). Nothing is allocated where double
   /// is enough and `result` was filled before.

@@ -30,7 +30,7 @@ Relation relation(const Certificate& a, const Certificate& b);
 struct Distinctness {
   /// For each certificate the first one with the same root; itself where it is the first, or holds none.
   std::vector<std::size_t> first_of;
-  std::vector<IndexPair> same;      ///< pairs proved to be one root; chains of them make up first_of
+  std::vector<IndexPair> same;  ///< pairs proved to be one root; chains of them make up first_of
   std::vector<IndexPair> doubtful;  ///< neither proved distinct nor proved the same, in order
   std::size_t holding = 0;          ///< certificates that hold a root
   /// So many different roots are proved: exactly those of all certificates where nothing is in doubt.

@@ -14,7 +14,7 @@
 namespace moivre {
 
 /// What a stream of random numbers is for; each purpose has numbers of its own.
-enum class RandomStream : std::uint64_t { start_system = 1, slice = 2, test = 3 };
+enum class RandomStream : std::uint64_t { start_system = 1, slice = 2, test = 3, certify = 4 };
 
 namespace detail {
 
