@@ -26,11 +26,17 @@ constexpr double kSettledShare = 0.6;
 // Where corrections have not become smaller so many times in a row, this precision has no more to give.
 constexpr int kMostStalls = 4;
 
-// Radii: 2^(b/8) times the error, 2^(-3b/4) of the point; then narrow ones, as in double.
-constexpr double kWideErrorShare = 1.0 / 8;
-constexpr double kWidePointShare = 3.0 / 4;
-constexpr double kNarrowError = 2;
+/// Radii to begin with, b bits: 2^(error_bits b) times the error, 2^(point_bits b) of the coordinates, each taken for no smaller
+/// than a share of the largest. The order is that of double.
+struct Start {
+  double error_bits, point_bits, least_weight;
+};
+constexpr Start kStarts[] = {{0.125, -0.75, 0x1p-10}, {0.125, -0.75, 0}, {0.02, -1, 0}};
 constexpr int kAttempts = 6;
+// The image shrinks by |I - Y J| each time that it is taken for the ball.
+constexpr int kTightenings = 2;
+// The size of an unknown is at least this share of the largest one: less is no scale for a correction.
+constexpr double kLeastWeight = 0x1p-40;
 constexpr double kHopeless = 0x1p30;
 constexpr double kHuge = 0x1p900;
 // mag_get_d ends there, and a radius must be positive.
@@ -97,6 +103,16 @@ double modulus_of(acb_srcptr z) {
   return result;
 }
 
+/// |a - b|, to the precision of a bound.
+double distance(acb_srcptr a, acb_srcptr b) {
+  acb_t difference;
+  acb_init(difference);
+  acb_sub(difference, a, b, kBitsOfDouble);
+  const double result = modulus_of(difference);
+  acb_clear(difference);
+  return result;
+}
+
 }  // namespace
 
 ArbStage::ArbStage(const CertifyProgram& program)
@@ -158,6 +174,12 @@ void ArbStage::evaluate_at(const std::vector<ArbBall>& x) {
   }
 }
 
+double ArbStage::largest_coordinate() const {
+  double largest = 0;
+  for (const ArbBall& mj : m_) largest = std::max(largest, modulus_of(mj.get()));
+  return largest;
+}
+
 /// Newton's method until its correction is small enough. False where J is singular, it left, or it does not converge.
 bool ArbStage::approach(double farthest) {
   const double settled = std::exp2(-kSettledShare * static_cast<double>(bits_));
@@ -167,6 +189,7 @@ bool ArbStage::approach(double farthest) {
     evaluate_at(m_);
     acb_mat_zero(step_.get());  // approximate functions leave radii as they are
     if (!acb_mat_approx_solve(step_.get(), j_.get(), f_.get(), bits_ + kGuardBits)) return false;
+    const double least = std::max(kLeastWeight * largest_coordinate(), kLeastRadius);
     double share = 0;
     double moved = 0;
     for (std::size_t j = 0; j < n_; ++j) {
@@ -176,13 +199,8 @@ bool ArbStage::approach(double farthest) {
       const double step = modulus_of(step_.entry(j, 0));
       const double size = modulus_of(mj);
       if (!std::isfinite(step) || !std::isfinite(size)) return false;
-      // A coordinate near 0 has no size of its own.
-      share = std::max(share, step / std::max(size, kLeastRadius));
-      acb_t distance;
-      acb_init(distance);
-      acb_sub(distance, mj, start_[j].get(), kBitsOfDouble);
-      moved = std::max(moved, modulus_of(distance));
-      acb_clear(distance);
+      share = std::max(share, step / std::max(size, least));
+      moved = std::max(moved, distance(mj, start_[j].get()));
     }
     if (moved > farthest) return false;
     if (share <= settled) return true;
@@ -224,15 +242,14 @@ bool ArbStage::find_radii(Certificate& result) {
     fixed_[j] = size.upper();
   }
   const auto b = static_cast<double>(bits_);
-  const double wide_error = std::exp2(kWideErrorShare * b);
-  const double wide_point = std::exp2(-kWidePointShare * b);
+  const double largest = largest_coordinate();
   std::vector<double>& rho = result.radius;
   rho.resize(n_);
-  for (const bool wide : {true, false}) {
+  for (const Start& start : kStarts) {
     for (std::size_t j = 0; j < n_; ++j) {
-      const double point = wide ? wide_point : std::exp2(-b);
-      rho[j] = (wide ? wide_error : kNarrowError) * fixed_[j] + point * modulus_of(m_[j].get()) +
-               kLeastRadius;
+      const double size = std::max(modulus_of(m_[j].get()), start.least_weight * largest);
+      rho[j] = std::exp2(start.error_bits * b) * fixed_[j] +
+               std::exp2(start.point_bits * b) * size + kLeastRadius;
     }
     for (int attempt = 0; attempt < kAttempts; ++attempt) {
       image(rho, result.error);
@@ -245,14 +262,17 @@ bool ArbStage::find_radii(Certificate& result) {
         hopeless = hopeless || !(result.error[j] < most);
         rho[j] = 2 * result.error[j];
       }
-      if (inside) return true;
+      if (inside) {
+        for (int k = 0; k < kTightenings; ++k) tighten(result.error);
+        return true;
+      }
       if (hopeless) break;
     }
   }
   return false;
 }
 
-/// kappa = |Y F(m)| + |I - Y J(B)| rho, rounded up. B's discs are enclosed in squares.
+/// kappa of rho; g_ <- I - Y J(B). B's discs are enclosed in squares.
 void ArbStage::image(const std::vector<double>& rho, std::vector<double>& kappa) {
   const slong bits = bits_ + kGuardBits;
   x_ = m_;
@@ -262,19 +282,30 @@ void ArbStage::image(const std::vector<double>& rho, std::vector<double>& kappa)
   }
   evaluate_at(x_);
   acb_mat_mul(g_.get(), y_.get(), j_.get(), bits);
-  kappa.resize(n_);
+  for (std::size_t j = 0; j < n_; ++j) acb_sub_si(g_.entry(j, j), g_.entry(j, j), 1, bits);
+  kappa = apply(rho);
+}
+
+/// The root lies within kappa of m: so it lies within the image of that, too.
+void ArbStage::tighten(std::vector<double>& kappa) {
+  const std::vector<double> again = apply(kappa);
+  for (std::size_t j = 0; j < n_; ++j) kappa[j] = std::min(kappa[j], again[j]);
+}
+
+/// |Y F(m)| + |I - Y J(B)| reach, rounded up.
+std::vector<double> ArbStage::apply(const std::vector<double>& reach) {
+  std::vector<double> result(n_);
   for (std::size_t j = 0; j < n_; ++j) {
     ArbSize sum(fixed_[j]);
     for (std::size_t k = 0; k < n_; ++k) {
-      acb_ptr entry = g_.entry(j, k);
-      if (j == k) acb_sub_si(entry, entry, 1, bits);
       ArbSize size;
-      acb_get_mag(size.get(), entry);
-      const ArbSize radius(rho[k]);
-      mag_addmul(sum.get(), size.get(), radius.get());
+      acb_get_mag(size.get(), g_.entry(j, k));
+      const ArbSize part(reach[k]);
+      mag_addmul(sum.get(), size.get(), part.get());
     }
-    kappa[j] = sum.upper();
+    result[j] = sum.upper();
   }
+  return result;
 }
 
 }  // namespace moivre

@@ -46,9 +46,12 @@ class ArbStage {
 
  private:
   bool approach(double farthest);
+  double largest_coordinate() const;
   void split_midpoint(Certificate& result);
   bool find_radii(Certificate& result);
   void image(const std::vector<double>& rho, std::vector<double>& kappa);
+  void tighten(std::vector<double>& kappa);
+  std::vector<double> apply(const std::vector<double>& reach);
   void evaluate_at(const std::vector<ArbBall>& x);
   const std::vector<ArbBall>& coefficients();
 

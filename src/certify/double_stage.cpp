@@ -15,15 +15,17 @@ constexpr double kSettled = 0x1p-50;
 // The size of an unknown is at least this share of the largest one: less is no scale for a correction.
 constexpr double kLeastWeight = 0x1p-40;
 
-// Wide radii: this many times the error, and this share of the point; then narrow ones.
-constexpr double kWideError = 512;
-constexpr double kWidePoint = 0x1p-44;
-constexpr double kNarrowError = 2;
-constexpr double kNarrowPoint = 0x1p-52;
-constexpr int kWideAttempts = 3;
-constexpr int kNarrowAttempts = 8;
+/// Radii to begin with: shares of the error and of the point's coordinates, each taken for no smaller than a share of the largest.
+struct Start {
+  double of_error, of_point, least_weight;
+  int attempts;
+};
+// The first one serves nearly all. The second: coordinates much smaller than others bend F. The third: J is nearly singular.
+constexpr Start kStarts[] = {{512, 0x1p-44, 0x1p-10, 2}, {512, 0x1p-44, 0, 3}, {2, 0x1p-52, 0, 8}};
 // A radius must be positive where the point is 0 and F vanishes there exactly.
-constexpr double kLeastRadius = 0x1p-200;
+constexpr double kLeastRadius = 0x1p-900;
+// The image shrinks by |I - Y J| each time that it is taken for the ball.
+constexpr int kTightenings = 2;
 // Beyond this quotient of kappa and rho no wider ball will hold its image; but a radius of the first attempt may be far too
 // small, that of a coordinate that vanishes.
 constexpr double kHopeless = 0x1p30;
@@ -61,7 +63,8 @@ DoubleStage::DoubleStage(const CertifyProgram& program)
       fixed_(n_),
       load_(n_),
       rho_(n_),
-      kappa_(n_) {}
+      kappa_(n_),
+      image_(n_) {}
 
 bool DoubleStage::prove(std::span<const Complex> x, double accuracy, Certificate& result) {
   if (n_ > kLargestDimension || !approach(x, accuracy)) return false;
@@ -108,11 +111,10 @@ void DoubleStage::residual() {
 
 /// The LU of J(m). False where it is singular.
 bool DoubleStage::linearize() {
-  double largest = 0;
-  for (const Complex& mj : m_) largest = std::max(largest, modulus(mj));
-  if (!std::isfinite(largest)) return false;
+  largest_ = max_norm(m_);
+  if (!std::isfinite(largest_)) return false;
   for (std::size_t j = 0; j < n_; ++j) {
-    weights_[j] = std::max(modulus(m_[j]), kLeastWeight * largest);
+    weights_[j] = std::max(modulus(m_[j]), kLeastWeight * largest_);
     if (!(weights_[j] > 0)) weights_[j] = 1;
   }
   jacobian_of_ball(false);
@@ -171,16 +173,16 @@ void DoubleStage::invert() {
 }
 
 bool DoubleStage::find_radii() {
-  start_radii(kWideError, kWidePoint);
-  if (inflate(kWideAttempts)) return true;
-  start_radii(kNarrowError, kNarrowPoint);
-  return inflate(kNarrowAttempts);
-}
-
-void DoubleStage::start_radii(double share_of_error, double share_of_point) {
-  for (std::size_t j = 0; j < n_; ++j) {
-    rho_[j] = share_of_error * fixed_[j] + share_of_point * modulus(m_[j]) + kLeastRadius;
+  for (const Start& start : kStarts) {
+    for (std::size_t j = 0; j < n_; ++j) {
+      const double size = std::max(modulus(m_[j]), start.least_weight * largest_);
+      rho_[j] = start.of_error * fixed_[j] + start.of_point * size + kLeastRadius;
+    }
+    if (!inflate(start.attempts)) continue;
+    for (int k = 0; k < kTightenings; ++k) tighten();
+    return true;
   }
+  return false;
 }
 
 /// True where kappa < rho in every coordinate, after radii were doubled as often as that helped.
@@ -211,20 +213,32 @@ void DoubleStage::jacobian_of_ball(bool with_radii) {
 /// kappa of rho.
 void DoubleStage::image() {
   jacobian_of_ball(true);
+  apply(rho_);
+  std::swap(kappa_, image_);
+}
+
+/// The root lies within kappa of m: so it lies within the image of that, too. J(B) holds there as well.
+void DoubleStage::tighten() {
+  apply(kappa_);
+  for (std::size_t j = 0; j < n_; ++j) kappa_[j] = std::min(kappa_[j], image_[j]);
+}
+
+/// image_ <- |Y F(m)| + |I - Y J(B)| reach.
+void DoubleStage::apply(std::span<const double> reach) {
   std::fill(load_.begin(), load_.end(), 0.0);
   for (std::size_t s = 0; s < jacobian_.size(); ++s) {
     const Tape::Entry& entry = program_.tape.jacobian[s];
     const Ball& a = jacobian_[s];
-    load_[entry.row] += (a.radius + rounding_ * size_bound(a.re, a.im)) * rho_[entry.column];
+    load_[entry.row] += (a.radius + rounding_ * size_bound(a.re, a.im)) * reach[entry.column];
   }
   for (double& l : load_) l = raised(l);
-  for (std::size_t j = 0; j < n_; ++j) kappa_[j] = rounding_ * rho_[j];
+  for (std::size_t j = 0; j < n_; ++j) image_[j] = rounding_ * reach[j];
   for (std::size_t k = 0; k < n_; ++k) {
     for (std::size_t j = 0; j < n_; ++j) {
-      kappa_[j] += size_y_[k * n_ + j] * load_[k] + size_g_[k * n_ + j] * rho_[k];
+      image_[j] += size_y_[k * n_ + j] * load_[k] + size_g_[k * n_ + j] * reach[k];
     }
   }
-  for (std::size_t j = 0; j < n_; ++j) kappa_[j] = raised(raised(kappa_[j]) + fixed_[j]);
+  for (std::size_t j = 0; j < n_; ++j) image_[j] = raised(raised(image_[j]) + fixed_[j]);
 }
 
 }  // namespace moivre

@@ -32,16 +32,18 @@ class DoubleStage {
   double correction();
   void invert();
   bool find_radii();
-  void start_radii(double share_of_error, double share_of_point);
   bool inflate(int attempts);
   void jacobian_of_ball(bool with_radii);
   void image();
+  void tighten();
+  void apply(std::span<const double> reach);
 
   const CertifyProgram& program_;
   std::size_t n_;
   double rounding_;  // k_n
   Lu lu_;
   Point m_;                      // midpoint
+  double largest_ = 0;           // |m|_inf
   Point f_, step_;               // F(m), Newton's correction J^{-1} F(m)
   std::vector<double> e_;        // what f_ may differ from F(m)
   std::vector<double> weights_;  // sizes of the unknowns
@@ -52,7 +54,7 @@ class DoubleStage {
   std::vector<double> size_y_, size_g_;
   std::vector<double> fixed_;  // the part of kappa that is free of rho
   std::vector<double> load_;   // a vector that |Y| is applied to
-  std::vector<double> rho_, kappa_;
+  std::vector<double> rho_, kappa_, image_;
 };
 
 }  // namespace moivre
