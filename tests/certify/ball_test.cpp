@@ -10,6 +10,7 @@ namespace moivre::test {
 namespace {
 
 constexpr std::uint64_t kSeeds = 3;
+constexpr int kDraws = 150;
 
 /// Numbers of sizes from 2^-size to 2^size.
 class Draw {
@@ -53,7 +54,7 @@ class BallsOfSize : public testing::TestWithParam<double> {};
 TEST_P(BallsOfSize, ProductsAndSumsEnclose) {
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
     Draw draw(seed, GetParam());
-    for (int k = 0; k < 500; ++k) {
+    for (int k = 0; k < kDraws; ++k) {
       const Complex m = draw.complex(), w = draw.complex();
       const double r = k % 2 == 0 ? 0 : std::abs(draw.real()),
                    s = k % 3 == 0 ? 0 : std::abs(draw.real());
@@ -79,7 +80,7 @@ TEST_P(BallsOfSize, FineProductsAndSumsEnclose) {
       };
       return ComplexDoubleDouble(part(hi.real()), part(hi.imag()));
     };
-    for (int k = 0; k < 500; ++k) {
+    for (int k = 0; k < kDraws; ++k) {
       const FineBall a(fine(), 0), b(fine(), 0);
       const FineBall ab = product(a, b);
       ASSERT_TRUE(contains(ab, exact(a.middle) * exact(b.middle))) << seed << ' ' << k;
@@ -99,7 +100,7 @@ INSTANTIATE_TEST_SUITE_P(Sizes, BallsOfSize, testing::Values(1.0, 40.0, 300.0, 4
 TEST(Upward, SizesAreBoundsAndTight) {
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
     Draw draw(seed, 500);
-    for (int k = 0; k < 500; ++k) {
+    for (int k = 0; k < kDraws; ++k) {
       const Complex z = draw.complex();
       const double bound = size_bound(z);
       const Coefficient c = exact(z);

@@ -69,8 +69,8 @@ TEST(Certifier, ProvesEverySimpleRootOfPlantedSystemsInDouble) {
 }
 
 TEST(Certifier, TellsRealFromNearlyReal) {
-  // Real and imaginary parts of the pairs from 1/2 to 2^-400 apart: what separates them passes through every radius tried.
-  for (int k = 1; k <= 400; ++k) {
+  // Pairs from 1/2 to 2^-400 from their real part: the distance passes through every radius that double tries.
+  for (int k = 1; k <= 400; k += k < 60 ? 1 : 17) {
     for (const int sign : {1, -1}) {
       const System f = pair_at_distance(sign, k);
       const double delta = std::ldexp(1.0, -k);

@@ -143,7 +143,7 @@ Planted planted(std::uint64_t seed, std::uint32_t dimension, Factors kind) {
   Planted p;
   std::vector<std::vector<Line>> lines;
   for (std::uint32_t i = 0; i < dimension; ++i) {
-    p.f.variables.push_back("x" + std::to_string(i));
+    p.f.variables.emplace_back(1, static_cast<char>('a' + i));
     lines.push_back(lines_of(draw, kind, i));
     Polynomial f = constant({1, 0});
     for (const Line& line : lines.back()) {
