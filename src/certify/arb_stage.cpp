@@ -142,8 +142,8 @@ const std::vector<ArbBall>& ArbStage::coefficients() {
   return position->second;
 }
 
-bool ArbStage::prove(std::span<const Complex> midpoint, std::span<const Point> finer, int bits,
-                     double farthest, Certificate& result) {
+ArbOutcome ArbStage::prove(std::span<const Complex> midpoint, std::span<const Point> finer,
+                           int bits, double farthest, Certificate& result) {
   bits_ = bits;
   for (std::size_t j = 0; j < n_; ++j) {
     acb_zero(m_[j].get());
@@ -156,11 +156,11 @@ bool ArbStage::prove(std::span<const Complex> midpoint, std::span<const Point> f
     m_[j].set_bits(bits_ + kGuardBits);
   }
   start_ = m_;
-  if (!approach(farthest)) return false;
+  if (approach(farthest) == ArbOutcome::left) return ArbOutcome::left;
   split_midpoint(result);
-  if (!find_radii(result)) return false;
+  if (!find_radii(result)) return ArbOutcome::not_proved;
   result.bits = bits;
-  return true;
+  return ArbOutcome::proved;
 }
 
 /// values_ and jacobian_ at x; F and J as matrices.
@@ -180,15 +180,17 @@ double ArbStage::largest_coordinate() const {
   return largest;
 }
 
-/// Newton's method until its correction is small enough. False where J is singular, it left, or it does not converge.
-bool ArbStage::approach(double farthest) {
+/// Newton's method until its correction is small enough, or no better; the test is left to say what the point is worth.
+ArbOutcome ArbStage::approach(double farthest) {
   const double settled = std::exp2(-kSettledShare * static_cast<double>(bits_));
   double last = HUGE_VAL;
   int stalls = 0;
   for (slong k = 0; k < kIterationsPerBit * bits_; ++k) {
     evaluate_at(m_);
     acb_mat_zero(step_.get());  // approximate functions leave radii as they are
-    if (!acb_mat_approx_solve(step_.get(), j_.get(), f_.get(), bits_ + kGuardBits)) return false;
+    if (!acb_mat_approx_solve(step_.get(), j_.get(), f_.get(), bits_ + kGuardBits)) {
+      return ArbOutcome::not_proved;
+    }
     const double least = std::max(kLeastWeight * largest_coordinate(), kLeastRadius);
     double share = 0;
     double moved = 0;
@@ -198,18 +200,17 @@ bool ArbStage::approach(double farthest) {
       acb_get_mid(mj, mj);
       const double step = modulus_of(step_.entry(j, 0));
       const double size = modulus_of(mj);
-      if (!std::isfinite(step) || !std::isfinite(size)) return false;
+      if (!std::isfinite(step) || !std::isfinite(size)) return ArbOutcome::not_proved;
       share = std::max(share, step / std::max(size, least));
       moved = std::max(moved, distance(mj, start_[j].get()));
     }
-    if (moved > farthest) return false;
-    if (share <= settled) return true;
+    if (moved > farthest) return ArbOutcome::left;
+    if (share <= settled) break;
     stalls = share < last ? 0 : stalls + 1;
     last = share;
-    // Ball arithmetic itself says what the corrections are worth: leave the rest to the test.
-    if (stalls > kMostStalls) return true;
+    if (stalls > kMostStalls) break;
   }
-  return true;
+  return ArbOutcome::not_proved;
 }
 
 /// m_ <- a sum of doubles near it, exactly what `result` then holds.

@@ -35,17 +35,24 @@ class ArbMatrix {
   acb_mat_t value_;
 };
 
+/// What came of a precision.
+enum class ArbOutcome {
+  proved,
+  not_proved,
+  left  ///< Newton's method left the neighbourhood: with more digits it would, too
+};
+
 class ArbStage {
  public:
   explicit ArbStage(const CertifyProgram& program);
 
-  /// True where a root is proved in b bits, beginning at the point `midpoint + finer`; then `result` has midpoint, finer, radius,
-  /// error and bits. farthest: where Newton's method has gone farther than this, |x|_inf, nothing is sought.
-  bool prove(std::span<const Complex> midpoint, std::span<const Point> finer, int bits,
-             double farthest, Certificate& result);
+  /// Seeks a proof in b bits, beginning at the point `midpoint + finer`; where it is found, `result` has midpoint, finer, radius,
+  /// error and bits. farthest: Newton's method has left where it went farther than this, |x|_inf.
+  ArbOutcome prove(std::span<const Complex> midpoint, std::span<const Point> finer, int bits,
+                   double farthest, Certificate& result);
 
  private:
-  bool approach(double farthest);
+  ArbOutcome approach(double farthest);
   double largest_coordinate() const;
   void split_midpoint(Certificate& result);
   bool find_radii(Certificate& result);

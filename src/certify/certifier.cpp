@@ -11,6 +11,7 @@
 #include "arb_stage.h"
 #include "double_stage.h"
 #include "moivre/certify/distinct.h"
+#include "reality.h"
 
 namespace moivre {
 namespace {
@@ -46,31 +47,6 @@ double distance_bound(std::span<const Complex> x, const Certificate& c) {
   return largest;
 }
 
-/// The midpoint's imaginary part lies between these two.
-struct ImaginarySize {
-  double least, most;
-};
-
-ImaginarySize imaginary_size(const Certificate& c, std::size_t j) {
-  const double leading = std::abs(c.midpoint[j].imag());
-  double rest = 0;
-  for (const Point& part : c.finer) rest += std::abs(part[j].imag());
-  rest = c.finer.empty() ? 0 : raised(rest);
-  return {leading - raised(rest + leading * kUnitRoundoff), raised(leading + rest)};
-}
-
-/// Requires a certificate that holds a root of a system that is real, or `real` false.
-Reality reality_of(const Certificate& c, bool real) {
-  bool conjugate_inside = real;
-  for (std::size_t j = 0; j < c.midpoint.size(); ++j) {
-    const ImaginarySize size = imaginary_size(c, j);
-    if (size.least > c.error[j]) return Reality::not_real;
-    // |conj(x*) - m| <= |conj(x*) - conj(m)| + |conj(m) - m|.
-    conjugate_inside = conjugate_inside && raised(2 * size.most + c.error[j]) < c.radius[j];
-  }
-  return conjugate_inside ? Reality::real : Reality::unknown;
-}
-
 }  // namespace
 
 class Certifier::Work {
@@ -93,13 +69,15 @@ class Certifier::Work {
     const double farthest = 2 * options_.accuracy * scale_of(x);
     for (int bits = kFirstArbBits; bits <= options_.most_bits; bits *= 2) {
       Certificate finer;
-      if (arb().prove(x, {}, bits, farthest, finer)) {
+      const ArbOutcome outcome = arb().prove(x, {}, bits, farthest, finer);
+      if (outcome == ArbOutcome::proved) {
         judge(x, finer);
         result = std::move(finer);
         if (is_settled(result)) return;
       } else if (!result.holds_root()) {
         result.bits = bits;
       }
+      if (outcome == ArbOutcome::left) return;
     }
   }
 
@@ -108,7 +86,10 @@ class Certifier::Work {
     if (!certificate.holds_root()) throw std::invalid_argument("no root is proved to sharpen");
     Certificate finer;
     const double farthest = *std::max_element(certificate.radius.begin(), certificate.radius.end());
-    if (!arb().prove(certificate.midpoint, certificate.finer, bits, farthest, finer)) return false;
+    if (arb().prove(certificate.midpoint, certificate.finer, bits, farthest, finer) !=
+        ArbOutcome::proved) {
+      return false;
+    }
     finer.verdict = certificate.verdict;
     if (relation(finer, certificate) != Relation::same) return false;
     finer.reality = reality_of(finer, program_->real);

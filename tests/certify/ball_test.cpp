@@ -12,17 +12,24 @@ namespace {
 constexpr std::uint64_t kSeeds = 3;
 constexpr int kDraws = 150;
 
-/// Numbers of sizes from 2^-size to 2^size.
+/// The logarithms of sizes lie between these two.
+struct Sizes {
+  double least, most;
+};
+
 class Draw {
  public:
-  Draw(std::uint64_t seed, double size) : seed_(seed), size_(size) {}
+  Draw(std::uint64_t seed, Sizes sizes) : seed_(seed), sizes_(sizes) {}
   double unit() { return random_unit(seed_, RandomStream::test, next_++); }
-  double real() { return (2 * unit() - 1) * std::exp2(std::floor(size_ * (2 * unit() - 1))); }
+  double real() {
+    return (2 * unit() - 1) *
+           std::exp2(std::floor(sizes_.least + (sizes_.most - sizes_.least) * unit()));
+  }
   Complex complex() { return {real(), real()}; }
 
  private:
   std::uint64_t seed_;
-  double size_;
+  Sizes sizes_;
   std::uint64_t next_ = 0;
 };
 
@@ -49,7 +56,7 @@ Coefficient edge(const Complex& middle, double radius, double turn) {
 }
 
 // Besides sizes that sums of squares can hold, those that fall below the smallest number.
-class BallsOfSize : public testing::TestWithParam<double> {};
+class BallsOfSize : public testing::TestWithParam<Sizes> {};
 
 TEST_P(BallsOfSize, ProductsAndSumsEnclose) {
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
@@ -95,11 +102,13 @@ TEST_P(BallsOfSize, FineProductsAndSumsEnclose) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Sizes, BallsOfSize, testing::Values(1.0, 40.0, 300.0, 490.0));
+INSTANTIATE_TEST_SUITE_P(Sizes, BallsOfSize,
+                         testing::Values(Sizes{-1, 1}, Sizes{-40, 40}, Sizes{-490, 490},
+                                         Sizes{-560, -480}, Sizes{-1060, -20}));
 
 TEST(Upward, SizesAreBoundsAndTight) {
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
-    Draw draw(seed, 500);
+    Draw draw(seed, {-500, 500});
     for (int k = 0; k < kDraws; ++k) {
       const Complex z = draw.complex();
       const double bound = size_bound(z);

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "moivre/numeric/double_double.h"
 #include "planted.h"
 
 namespace moivre::test {
@@ -66,6 +67,34 @@ TEST(Certifier, ProvesEverySimpleRootOfPlantedSystemsInDouble) {
       }
     }
   }
+}
+
+TEST(Certifier, CoversWhatDoubleDoubleRoundsOfAResidual) {
+  // c is m^3 rounded to double-double, so that the residual at m vanishes there, but not exactly.
+  const double m = 1.1;
+  const DoubleDouble rounded = DoubleDouble(m) * DoubleDouble(m) * DoubleDouble(m);
+  const Rational c = Rational(rounded.hi) + Rational(rounded.lo);
+  System f = system_of("1\nx^3 - 1;\n");
+  f.polynomials[0] = unknown(0) * unknown(0) * unknown(0) + constant({-c, 0});
+  const Certificate proved = Certifier(make_certify_program(f)).certify(Point{m});
+  ASSERT_EQ(proved.bits, kDoubleBits);
+  const Rational middle(proved.midpoint[0].real()), e(proved.error[0]);
+  const Rational below = middle - e, above = middle + e;
+  EXPECT_LT(below * below * below, c);
+  EXPECT_GT(above * above * above, c);
+  EXPECT_LT(proved.error[0], 1e-28);
+}
+
+TEST(Certifier, CoversWhatDoubleDoubleRoundsOfACoefficient) {
+  // x / 3 = 1/3 + 2^-112: both sides have the same double-double, and the root is 1 + 3 2^-112.
+  const Rational third(1, 3), beyond(0x1p-112);
+  System f = system_of("1\nx - 1;\n");
+  f.polynomials[0] = Coefficient{third, 0} * unknown(0) + constant({-(third + beyond), 0});
+  const Certificate c = Certifier(make_certify_program(f)).certify(Point{1});
+  ASSERT_EQ(c.bits, kDoubleBits);
+  EXPECT_EQ(c.midpoint[0], 1.0);
+  EXPECT_TRUE(lies_within({{1 + 3 * beyond, 0}}, c, c.error));
+  EXPECT_LT(c.error[0], 1e-29);
 }
 
 TEST(Certifier, TellsRealFromNearlyReal) {
@@ -159,6 +188,10 @@ TEST(Certifier, NeverCertifiesMultipleRoots) {
               Verdict::undecided);
     EXPECT_EQ(certified("1\nx^5;\n", {off}).verdict, Verdict::undecided);
   }
+  // Double roots that Newton's method never meets exactly: it has a J to work with until the end.
+  EXPECT_EQ(certified("1\nx^4 - 4*x^2 + 4;\n", {1.41421356}).verdict, Verdict::undecided);
+  EXPECT_EQ(certified("2\nx^2 - 2/3*x + 1/9;\n3*y - x;\n", {1.0 / 3, 1.0 / 9}).verdict,
+            Verdict::undecided);
   // Griewank and Osborne: multiplicity 3 at the origin.
   EXPECT_EQ(certified("2\n29/16*x^3 - 2*x*y;\ny - x^2;\n", {1e-8, 1e-9}).verdict,
             Verdict::undecided);
@@ -203,6 +236,20 @@ TEST(Certifier, SharpensTheSameRoot) {
       EXPECT_LT(*std::max_element(c.error.begin(), c.error.end()), std::exp2(-0.8 * bits));
     }
   }
+}
+
+TEST(Certifier, SharpensNoOtherRootThanThatOfTheBall) {
+  // True, but wide: x = 0 is the one root of x^3 - x within 0.49 of 0.48, and Newton's method goes from there to -1.
+  Certificate c;
+  c.verdict = Verdict::certified;
+  c.bits = kDoubleBits;
+  c.midpoint = {0.48, 0};
+  c.radius = {0.49, 10};
+  c.error = {0.485, 9};
+  Certifier certifier(make_certify_program(system_of("2\nx^3 - x;\ny;\n")));
+  EXPECT_FALSE(certifier.sharpen(c, 128));
+  EXPECT_EQ(c.midpoint[0], 0.48);
+  EXPECT_EQ(c.bits, kDoubleBits);
 }
 
 TEST(Certifier, GivesTheSameForAnyNumberOfThreads) {
