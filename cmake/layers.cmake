@@ -3,13 +3,14 @@
 # components by it, and tests/layers checks every include by it. It only sets variables, so that `cmake -P` can read it too.
 # A module may use what its line names and what those use (one way only).
 
-set(MOIVRE_MODULES numeric expression polynomial multiprecision homotopy tracker tracker_cvode tracker_lanes endgame start
-    solver study mechanism kinematics closures closure_study report closure_report study_report cli)
+set(MOIVRE_MODULES numeric expression polynomial multiprecision certify homotopy tracker tracker_cvode tracker_lanes endgame
+    start solver study mechanism kinematics closures closure_study report closure_report study_report cli)
 
 set(MOIVRE_USES_numeric "")
 set(MOIVRE_USES_expression numeric)
 set(MOIVRE_USES_polynomial expression)
 set(MOIVRE_USES_multiprecision polynomial)
+set(MOIVRE_USES_certify polynomial)
 set(MOIVRE_USES_homotopy polynomial)
 set(MOIVRE_USES_tracker homotopy)
 set(MOIVRE_USES_tracker_cvode tracker)
@@ -32,6 +33,7 @@ set(MOIVRE_USES_cli closure_study multiprecision report study_report closure_rep
 set(MOIVRE_THIRD_PARTY_numeric Eigen3::Eigen Boost::headers)
 set(MOIVRE_THIRD_PARTY_expression taocpp::pegtl)
 set(MOIVRE_THIRD_PARTY_multiprecision MPFR::MPFR)
+set(MOIVRE_THIRD_PARTY_certify Arb::Arb)
 set(MOIVRE_THIRD_PARTY_tracker_cvode SUNDIALS::cvode)
 set(MOIVRE_THIRD_PARTY_tracker_lanes hwy::hwy)
 set(MOIVRE_THIRD_PARTY_solver TBB::tbb)
@@ -48,6 +50,7 @@ set(MOIVRE_FIND_Eigen3::Eigen Eigen3 3.4)
 set(MOIVRE_FIND_Boost::headers Boost 1.74)
 set(MOIVRE_FIND_taocpp::pegtl pegtl 3.2)
 set(MOIVRE_FIND_MPFR::MPFR MPFR 4.0)
+set(MOIVRE_FIND_Arb::Arb Arb 2.23)
 set(MOIVRE_FIND_SUNDIALS::cvode SUNDIALS 6.4)
 set(MOIVRE_FIND_hwy::hwy hwy 1.0)
 set(MOIVRE_FIND_TBB::tbb TBB 2021.8)
@@ -59,6 +62,7 @@ set(MOIVRE_HEADERS_Eigen3::Eigen "(Eigen|unsupported/Eigen)/")
 set(MOIVRE_HEADERS_Boost::headers "boost/")
 set(MOIVRE_HEADERS_taocpp::pegtl "tao/pegtl")
 set(MOIVRE_HEADERS_MPFR::MPFR "(boost/multiprecision/)?(mpfr|gmp|mpc)\\.h")
+set(MOIVRE_HEADERS_Arb::Arb "(flint/|(arb|acb|arf|mag|acb_mat)\\.h)")
 set(MOIVRE_HEADERS_SUNDIALS::cvode "(cvode|sundials|nvector|sunmatrix|sunlinsol|sunnonlinsol)/")
 set(MOIVRE_HEADERS_hwy::hwy "hwy/")
 set(MOIVRE_HEADERS_TBB::tbb "(tbb|oneapi)/")

@@ -4,6 +4,7 @@
 option(MOIVRE_WITH_CVODE "Build the CVODE tracker (needs SUNDIALS)" ON)
 option(MOIVRE_WITH_LANES "Build the lane tracker (needs Highway)" ON)
 option(MOIVRE_WITH_MULTIPRECISION "Build the roots to many digits (needs MPFR)" ON)
+option(MOIVRE_WITH_CERTIFY "Build the certificates of roots (needs Arb)" ON)
 option(MOIVRE_WITH_STUDY "Build the study of error against run time (needs multiprecision)" ON)
 option(MOIVRE_WITH_MECHANISM "Build mechanisms, and all that needs them (needs toml++)" ON)
 
@@ -19,8 +20,8 @@ macro(moivre_switch_off module)
   list(REMOVE_ITEM MOIVRE_MODULES ${switched_off})
 endmacro()
 
-set(switches CVODE LANES MULTIPRECISION STUDY MECHANISM)
-set(switched_modules tracker_cvode tracker_lanes multiprecision study mechanism)
+set(switches CVODE LANES MULTIPRECISION CERTIFY STUDY MECHANISM)
+set(switched_modules tracker_cvode tracker_lanes multiprecision certify study mechanism)
 foreach(switch module IN ZIP_LISTS switches switched_modules)
   if(NOT MOIVRE_WITH_${switch})
     moivre_switch_off(${module})

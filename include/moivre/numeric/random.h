@@ -26,7 +26,8 @@ enum class RandomStream : std::uint64_t {
   square_up = 9,
   patch = 10,
   section = 11,
-  coefficient_lifting = 12
+  coefficient_lifting = 12,
+  certify = 13
 };
 
 namespace detail {

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// How many isolated roots can there be at most? Bezout's number, from the degrees of the exact system.
+//
+//   isolated roots, counted with multiplicity  <=  d_1 d_2 ... d_n        (n polynomials in n unknowns)
+//
+// As many certified roots, pairwise distinct, as a proved bound are all the isolated roots, and all simple. The degrees are
+// those of exact coefficients: none is taken for zero that is small. A constant polynomial makes the bound 0, rightly: where it
+// is zero no root is isolated, otherwise there is none. Not supported: sharper bounds; systems that are not square.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "moivre/polynomial/system.h"
+
+namespace moivre {
+
+/// nullopt when it leaves 64 bits. Throws std::invalid_argument when F is not square.
+std::optional<std::uint64_t> bezout_bound(const System& f);
+
+}  // namespace moivre

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// What was proved of a root? Exactly one lies in this ball, so near its middle, and it is real or is not.
+//
+//   B = {x : |x_j - m_j| <= radius_j for all j}, discs of the complex plane, one a coordinate
+//   proved:  F has exactly one root x* in B, J(x*) is regular, and |x*_j - m_j| <= error_j < radius_j
+//
+// m: the midpoint, an exact sum of doubles, midpoint + finer[0] + finer[1] + ...; `finer` is empty where double was enough.
+// radius, error: n numbers in the units of the file. What is proved holds for the exact coefficients, as they were read.
+// A certificate says nothing of other roots outside B. A multiple root has none: there J is singular.
+#pragma once
+
+#include <vector>
+
+#include "moivre/numeric/complex.h"
+
+namespace moivre {
+
+enum class Verdict {
+  certified,  ///< exactly one root in B, and not farther from the given point than was asked for
+  elsewhere,  ///< exactly one root in B, but Newton's method went farther from the given point for it
+  undecided  ///< nothing was proved; every other field says nothing
+};
+
+enum class Reality {
+  unknown,  ///< not proved; also: the point and its conjugate cannot be compared, F is not real
+  real,     ///< every coordinate of the root is real
+  not_real  ///< some coordinate of the root has an imaginary part that is not 0
+};
+
+struct Certificate {
+  Verdict verdict = Verdict::undecided;
+  Reality reality = Reality::unknown;
+  int bits = 0;  ///< of the arithmetic that proved it: 53 is double
+  Point midpoint;
+  std::vector<Point> finer;  ///< what the midpoint has beyond double, largest first
+  std::vector<double> radius;
+  std::vector<double> error;
+
+  /// One root is proved to lie in B, near the given point or not.
+  bool holds_root() const { return verdict != Verdict::undecided; }
+};
+
+}  // namespace moivre

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// Is there provably exactly one root near this point, and is it real? Krawczyk's operator in balls, on the exact system.
+//
+//   K(B) = m - Y F(m) + (I - Y J(B)) (B - m),   Y near J(m)^{-1}, any matrix
+//   kappa_j = |Y F(m)|_j + sum_k |I - Y J(B)|_jk rho_k < rho_j for all j   ==>   exactly one root in B, within kappa of m
+//
+// B: the polydisc of radii rho around m. Proof: the inequality makes x -> x - Y F(x) a contraction of B into itself in the
+// norm max_j |v_j| / rho_j (the mean-value form, J(B) a convex set), and Y regular, since |I - Y J| < 1 in that norm.
+// Real, for real F: the conjugate of the ball of radii kappa lies in B, so that conj(x*) is a root in B, and there is but one.
+// Not real: some |Im m_j| > kappa_j. Neither: more digits.
+// First in double: m a point of doubles after Newton's method, F(m) in double-double, J(B) in discs, every rounding bounded
+// beforehand (src/certify/ball.h). What double does not decide goes to Arb's balls, of 128 bits, then 256, ... `most_bits`.
+// F: n polynomials in n unknowns. Not supported: systems that are not square; radii that no double holds.
+// The processor's rounding mode must be "to nearest", and denormal numbers must not be flushed to zero.
+// Sources: [Krawczyk69], [Rump10], [BRT23], [Johansson17].
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "moivre/certify/certificate.h"
+#include "moivre/numeric/complex.h"
+#include "moivre/polynomial/system.h"
+
+namespace moivre {
+
+inline constexpr int kDoubleBits = 53;
+inline constexpr int kFirstArbBits = 128;
+inline constexpr int kMostArbBits = 1024;  ///< radii of more bits fall below the smallest double
+
+struct CertifyOptions {
+  /// A root counts as found where |x* - x|_inf <= accuracy max(1, |x|_inf), x the given point.
+  double accuracy = 1e-6;
+  int most_bits = kMostArbBits;  ///< kDoubleBits: nothing but double
+  /// Of a real F: go on with more digits until the root is proved real or not.
+  bool decide_reality = true;
+};
+
+/// F compiled for certificates: immutable, shared by all threads.
+class CertifyProgram;
+
+/// Throws std::invalid_argument when F is not square, has no unknowns or more than 2^32 - 1 registers.
+std::shared_ptr<const CertifyProgram> make_certify_program(const System& f);
+
+/// The memory for certificates of one program; one a thread, made and ended by that thread.
+class Certifier {
+ public:
+  /// Throws std::invalid_argument when an option lies outside its range.
+  explicit Certifier(std::shared_ptr<const CertifyProgram> program, CertifyOptions options = {});
+  Certifier(Certifier&& other) noexcept;
+  Certifier& operator=(Certifier&& other) noexcept;
+  ~Certifier();
+
+  std::size_t dimension() const noexcept;
+  int most_bits() const noexcept;
+
+  /// What can be proved of the root near x, n coordinates (else std::invalid_argument). Nothing is allocated where double
+  /// is enough and `result` was filled before.
+  void certify(std::span<const Complex> x, Certificate& result);
+  Certificate certify(std::span<const Complex> x);
+
+  /// Proves the same root again in `bits` of precision, which makes its ball smaller; true where that came off. Else the
+  /// certificate stays as it was. Requires holds_root().
+  bool sharpen(Certificate& certificate, int bits);
+
+ private:
+  class Work;
+  std::unique_ptr<Work> work_;
+};
+
+/// A certificate for each point. threads: how many work on it; the result does not depend on them. Once `stop` is true no
+/// further point is begun; those are undecided, with bits = 0. Throws as Certifier does.
+std::vector<Certificate> certify(const System& f, const std::vector<Point>& points,
+                                 const CertifyOptions& options = {}, int threads = 1,
+                                 const std::atomic<bool>& stop = std::atomic<bool>{false});
+
+}  // namespace moivre

@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: MIT
+// Krawczyk's operator in Arb's balls: the rounding is Arb's care, the points and radii are chosen here.
+#include "arb_stage.h"
+
+#include <flint/flint.h>
+#include <flint/fmpz.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <iterator>
+
+#include "moivre/numeric/integer.h"
+
+namespace moivre {
+namespace {
+
+static_assert(sizeof(ulong) == sizeof(std::uint64_t), "FLINT's limbs have 64 bits");
+
+// The evaluations have so many bits more than the points.
+constexpr slong kGuardBits = 32;
+// Newton's method gains a bit an iteration at a double root and near a cluster, until it converges quadratically.
+constexpr slong kIterationsPerBit = 1;
+// A correction of fewer than 0.6 bits of the precision leaves, squared, an error below the rounding.
+constexpr double kSettledShare = 0.6;
+// Where corrections have not become smaller so many times in a row, this precision has no more to give.
+constexpr int kMostStalls = 4;
+
+/// Radii to begin with, b bits: 2^(error_bits b) times the error, 2^(point_bits b) of the coordinates, each taken for no smaller
+/// than a share of the largest. The order is that of double.
+struct Start {
+  double error_bits, point_bits, least_weight;
+};
+constexpr Start kStarts[] = {{0.125, -0.75, 0x1p-10}, {0.125, -0.75, 0}, {0.02, -1, 0}};
+constexpr int kAttempts = 6;
+// The image shrinks by |I - Y J| each time that it is taken for the ball.
+constexpr int kTightenings = 2;
+// The size of an unknown is at least this share of the largest one: less is no scale for a correction.
+constexpr double kLeastWeight = 0x1p-40;
+constexpr double kHopeless = 0x1p30;
+constexpr double kHuge = 0x1p900;
+// mag_get_d ends there, and a radius must be positive.
+constexpr double kLeastRadius = 0x1p-900;
+
+constexpr slong kBitsOfDouble = 53;
+
+/// FLINT keeps free memory for each thread; it goes with the thread that used it.
+struct FlintCaches {
+  FlintCaches() = default;
+  FlintCaches(const FlintCaches&) = delete;
+  FlintCaches& operator=(const FlintCaches&) = delete;
+  ~FlintCaches() { flint_cleanup(); }
+};
+
+void set(fmpz_t result, const Integer& value) {
+  std::vector<std::uint64_t> limbs;
+  export_bits(abs(value), std::back_inserter(limbs), 64, false);  // least significant first
+  fmpz_set_ui_array(result, limbs.data(), static_cast<slong>(limbs.size()));
+  if (value < 0) fmpz_neg(result, result);
+}
+
+void set(arb_t result, const Rational& value, slong bits) {
+  fmpz_t over, under;
+  fmpz_init(over);
+  fmpz_init(under);
+  set(over, numerator(value));
+  set(under, denominator(value));
+  arb_fmpz_div_fmpz(result, over, under, bits);
+  fmpz_clear(over);
+  fmpz_clear(under);
+}
+
+ArbBall to_arb(const Coefficient& c, slong bits) {
+  ArbBall result;
+  set(acb_realref(result.get()), c.re, bits);
+  set(acb_imagref(result.get()), c.im, bits);
+  result.set_bits(bits);
+  return result;
+}
+
+/// Adds a double, exactly.
+void add_exactly(arb_t sum, double value) {
+  arf_t term;
+  arf_init_set_ui(term, 0);
+  arf_set_d(term, value);
+  arb_add_arf(sum, sum, term, ARF_PREC_EXACT);
+  arf_clear(term);
+}
+
+/// Takes the double nearest to the midpoint off it, exactly.
+double take_double(arb_t rest) {
+  const double part = arf_get_d(arb_midref(rest), ARF_RND_NEAR);
+  if (std::isfinite(part)) add_exactly(rest, -part);
+  return part;
+}
+
+double modulus_of(acb_srcptr z) {
+  mag_t size;
+  mag_init(size);
+  acb_get_mag(size, z);
+  const double result = mag_get_d(size);
+  mag_clear(size);
+  return result;
+}
+
+/// |a - b|, to the precision of a bound.
+double distance(acb_srcptr a, acb_srcptr b) {
+  acb_t difference;
+  acb_init(difference);
+  acb_sub(difference, a, b, kBitsOfDouble);
+  const double result = modulus_of(difference);
+  acb_clear(difference);
+  return result;
+}
+
+}  // namespace
+
+ArbStage::ArbStage(const CertifyProgram& program)
+    : program_(program),
+      n_(program.dimension()),
+      m_(n_),
+      x_(n_),
+      registers_(program.tape.register_count()),
+      values_(n_),
+      jacobian_(program.tape.jacobian.size()),
+      j_(n_, n_),
+      y_(n_, n_),
+      g_(n_, n_),
+      f_(n_, 1),
+      step_(n_, 1),
+      fixed_(n_) {
+  thread_local const FlintCaches caches;
+}
+
+const std::vector<ArbBall>& ArbStage::coefficients() {
+  const slong bits = bits_ + kGuardBits;
+  auto [position, is_new] = coefficients_.try_emplace(bits);
+  if (is_new) {
+    position->second = round_coefficients<ArbBall>(
+        program_.tape, program_.system, [&](const Coefficient& c) { return to_arb(c, bits); });
+  }
+  return position->second;
+}
+
+ArbOutcome ArbStage::prove(std::span<const Complex> midpoint, std::span<const Point> finer,
+                           int bits, double farthest, Certificate& result) {
+  bits_ = bits;
+  for (std::size_t j = 0; j < n_; ++j) {
+    acb_zero(m_[j].get());
+    const auto add = [&](const Complex& part) {
+      add_exactly(acb_realref(m_[j].get()), part.real());
+      add_exactly(acb_imagref(m_[j].get()), part.imag());
+    };
+    add(midpoint[j]);
+    for (const Point& part : finer) add(part[j]);
+    m_[j].set_bits(bits_ + kGuardBits);
+  }
+  start_ = m_;
+  if (approach(farthest) == ArbOutcome::left) return ArbOutcome::left;
+  split_midpoint(result);
+  if (!find_radii(result)) return ArbOutcome::not_proved;
+  result.bits = bits;
+  return ArbOutcome::proved;
+}
+
+/// values_ and jacobian_ at x; F and J as matrices.
+void ArbStage::evaluate_at(const std::vector<ArbBall>& x) {
+  evaluate<ArbBall, ArbBall>(program_.tape, coefficients(), x, registers_, values_, jacobian_);
+  acb_mat_zero(j_.get());
+  for (std::size_t i = 0; i < n_; ++i) acb_set(f_.entry(i, 0), values_[i].get());
+  for (std::size_t k = 0; k < jacobian_.size(); ++k) {
+    const Tape::Entry& entry = program_.tape.jacobian[k];
+    acb_set(j_.entry(entry.row, entry.column), jacobian_[k].get());
+  }
+}
+
+double ArbStage::largest_coordinate() const {
+  double largest = 0;
+  for (const ArbBall& mj : m_) largest = std::max(largest, modulus_of(mj.get()));
+  return largest;
+}
+
+/// Newton's method until its correction is small enough, or no better; the test is left to say what the point is worth.
+ArbOutcome ArbStage::approach(double farthest) {
+  const double settled = std::exp2(-kSettledShare * static_cast<double>(bits_));
+  double last = HUGE_VAL;
+  int stalls = 0;
+  for (slong k = 0; k < kIterationsPerBit * bits_; ++k) {
+    evaluate_at(m_);
+    acb_mat_zero(step_.get());  // approximate functions leave radii as they are
+    if (!acb_mat_approx_solve(step_.get(), j_.get(), f_.get(), bits_ + kGuardBits)) {
+      return ArbOutcome::not_proved;
+    }
+    const double least = std::max(kLeastWeight * largest_coordinate(), kLeastRadius);
+    double share = 0;
+    double moved = 0;
+    for (std::size_t j = 0; j < n_; ++j) {
+      acb_ptr mj = m_[j].get();
+      acb_sub(mj, mj, step_.entry(j, 0), bits_ + kGuardBits);
+      acb_get_mid(mj, mj);
+      const double step = modulus_of(step_.entry(j, 0));
+      const double size = modulus_of(mj);
+      if (!std::isfinite(step) || !std::isfinite(size)) return ArbOutcome::not_proved;
+      share = std::max(share, step / std::max(size, least));
+      moved = std::max(moved, distance(mj, start_[j].get()));
+    }
+    if (moved > farthest) return ArbOutcome::left;
+    if (share <= settled) break;
+    stalls = share < last ? 0 : stalls + 1;
+    last = share;
+    if (stalls > kMostStalls) break;
+  }
+  return ArbOutcome::not_proved;
+}
+
+/// m_ <- a sum of doubles near it, exactly what `result` then holds.
+void ArbStage::split_midpoint(Certificate& result) {
+  const auto parts = static_cast<std::size_t>((bits_ + kBitsOfDouble - 1) / kBitsOfDouble);
+  result.midpoint.assign(n_, Complex(0));
+  result.finer.assign(parts, Point(n_));
+  for (std::size_t j = 0; j < n_; ++j) {
+    ArbBall rest = m_[j];
+    acb_zero(m_[j].get());
+    for (std::size_t k = 0; k <= parts; ++k) {
+      const Complex part(take_double(acb_realref(rest.get())),
+                         take_double(acb_imagref(rest.get())));
+      (k == 0 ? result.midpoint[j] : result.finer[k - 1][j]) = part;
+      add_exactly(acb_realref(m_[j].get()), part.real());
+      add_exactly(acb_imagref(m_[j].get()), part.imag());
+    }
+  }
+  while (!result.finer.empty() && result.finer.back() == Point(n_)) result.finer.pop_back();
+}
+
+bool ArbStage::find_radii(Certificate& result) {
+  const slong bits = bits_ + kGuardBits;
+  evaluate_at(m_);
+  if (!acb_mat_approx_inv(y_.get(), j_.get(), bits)) return false;
+  acb_mat_mul(step_.get(), y_.get(), f_.get(), bits);
+  for (std::size_t j = 0; j < n_; ++j) {
+    ArbSize size;
+    acb_get_mag(size.get(), step_.entry(j, 0));
+    fixed_[j] = size.upper();
+  }
+  const auto b = static_cast<double>(bits_);
+  const double largest = largest_coordinate();
+  std::vector<double>& rho = result.radius;
+  rho.resize(n_);
+  for (const Start& start : kStarts) {
+    for (std::size_t j = 0; j < n_; ++j) {
+      const double size = std::max(modulus_of(m_[j].get()), start.least_weight * largest);
+      rho[j] = std::exp2(start.error_bits * b) * fixed_[j] +
+               std::exp2(start.point_bits * b) * size + kLeastRadius;
+    }
+    for (int attempt = 0; attempt < kAttempts; ++attempt) {
+      image(rho, result.error);
+      bool inside = true;
+      bool hopeless = false;
+      for (std::size_t j = 0; j < n_; ++j) {
+        if (result.error[j] < rho[j]) continue;
+        inside = false;
+        const double most = attempt == 0 ? kHuge : kHopeless * rho[j];
+        hopeless = hopeless || !(result.error[j] < most);
+        rho[j] = 2 * result.error[j];
+      }
+      if (inside) {
+        for (int k = 0; k < kTightenings; ++k) tighten(result.error);
+        return true;
+      }
+      if (hopeless) break;
+    }
+  }
+  return false;
+}
+
+/// kappa of rho; g_ <- I - Y J(B). B's discs are enclosed in squares.
+void ArbStage::image(const std::vector<double>& rho, std::vector<double>& kappa) {
+  const slong bits = bits_ + kGuardBits;
+  x_ = m_;
+  for (std::size_t j = 0; j < n_; ++j) {
+    const ArbSize radius(rho[j]);
+    acb_add_error_mag(x_[j].get(), radius.get());
+  }
+  evaluate_at(x_);
+  acb_mat_mul(g_.get(), y_.get(), j_.get(), bits);
+  for (std::size_t j = 0; j < n_; ++j) acb_sub_si(g_.entry(j, j), g_.entry(j, j), 1, bits);
+  kappa = apply(rho);
+}
+
+/// The root lies within kappa of m: so it lies within the image of that, too.
+void ArbStage::tighten(std::vector<double>& kappa) {
+  const std::vector<double> again = apply(kappa);
+  for (std::size_t j = 0; j < n_; ++j) kappa[j] = std::min(kappa[j], again[j]);
+}
+
+/// |Y F(m)| + |I - Y J(B)| reach, rounded up.
+std::vector<double> ArbStage::apply(const std::vector<double>& reach) {
+  std::vector<double> result(n_);
+  for (std::size_t j = 0; j < n_; ++j) {
+    ArbSize sum(fixed_[j]);
+    for (std::size_t k = 0; k < n_; ++k) {
+      ArbSize size;
+      acb_get_mag(size.get(), g_.entry(j, k));
+      const ArbSize part(reach[k]);
+      mag_addmul(sum.get(), size.get(), part.get());
+    }
+    result[j] = sum.upper();
+  }
+  return result;
+}
+
+}  // namespace moivre

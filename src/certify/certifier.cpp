@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+// Double first, then Arb's precisions one after the other, until the root is proved and known to be real or not.
+#include "moivre/certify/certifier.h"
+
+#include <algorithm>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <thread>
+
+#include "arb_stage.h"
+#include "double_stage.h"
+#include "moivre/certify/distinct.h"
+#include "reality.h"
+
+namespace moivre {
+namespace {
+
+CertifyOptions checked(CertifyOptions options) {
+  if (!(options.accuracy > 0) || !std::isfinite(options.accuracy)) {
+    throw std::invalid_argument("the accuracy of a certificate must be a positive number");
+  }
+  if (options.most_bits < kDoubleBits || options.most_bits > kMostArbBits) {
+    throw std::invalid_argument(
+        "bits of a certificate must lie between " + std::to_string(kDoubleBits) + " and " +
+        std::to_string(kMostArbBits) + ", not " + std::to_string(options.most_bits));
+  }
+  return options;
+}
+
+/// max(1, |x|_inf).
+double scale_of(std::span<const Complex> x) {
+  double scale = 1;
+  for (const Complex& xi : x) scale = std::max(scale, modulus(xi));
+  return scale;
+}
+
+/// Bound on |x* - x|_inf.
+double distance_bound(std::span<const Complex> x, const Certificate& c) {
+  double largest = 0;
+  for (std::size_t j = 0; j < x.size(); ++j) {
+    double beyond = c.error[j];
+    for (const Point& part : c.finer) beyond += size_bound(part[j]);
+    // The difference is rounded to a share of itself.
+    largest = std::max(largest, raised(raised(size_bound(c.midpoint[j] - x[j])) + raised(beyond)));
+  }
+  return largest;
+}
+
+}  // namespace
+
+class Certifier::Work {
+ public:
+  Work(std::shared_ptr<const CertifyProgram> program, CertifyOptions options)
+      : program_(std::move(program)), options_(checked(options)), double_stage_(*program_) {}
+
+  std::size_t dimension() const { return program_->dimension(); }
+  int most_bits() const { return options_.most_bits; }
+
+  void certify(std::span<const Complex> x, Certificate& result) {
+    require_dimension(x.size());
+    result.verdict = Verdict::undecided;
+    result.reality = Reality::unknown;
+    result.bits = kDoubleBits;
+    if (double_stage_.prove(x, options_.accuracy, result)) {
+      judge(x, result);
+      if (is_settled(result)) return;
+    }
+    const double farthest = 2 * options_.accuracy * scale_of(x);
+    for (int bits = kFirstArbBits; bits <= options_.most_bits; bits *= 2) {
+      Certificate finer;
+      const ArbOutcome outcome = arb().prove(x, {}, bits, farthest, finer);
+      if (outcome == ArbOutcome::proved) {
+        judge(x, finer);
+        result = std::move(finer);
+        if (is_settled(result)) return;
+      } else if (!result.holds_root()) {
+        result.bits = bits;
+      }
+      if (outcome == ArbOutcome::left) return;
+    }
+  }
+
+  bool sharpen(Certificate& certificate, int bits) {
+    require_dimension(certificate.midpoint.size());
+    if (!certificate.holds_root()) throw std::invalid_argument("no root is proved to sharpen");
+    Certificate finer;
+    const double farthest = *std::max_element(certificate.radius.begin(), certificate.radius.end());
+    if (arb().prove(certificate.midpoint, certificate.finer, bits, farthest, finer) !=
+        ArbOutcome::proved) {
+      return false;
+    }
+    finer.verdict = certificate.verdict;
+    if (relation(finer, certificate) != Relation::same) return false;
+    finer.reality = reality_of(finer, program_->real);
+    if (finer.reality == Reality::unknown) finer.reality = certificate.reality;
+    certificate = std::move(finer);
+    return true;
+  }
+
+ private:
+  void require_dimension(std::size_t n) const {
+    if (n == dimension()) return;
+    throw std::invalid_argument("a point has " + std::to_string(n) + " coordinates, the system " +
+                                std::to_string(dimension()) + " unknowns");
+  }
+
+  ArbStage& arb() {
+    if (!arb_stage_) arb_stage_.emplace(*program_);
+    return *arb_stage_;
+  }
+
+  void judge(std::span<const Complex> x, Certificate& result) const {
+    const bool near = distance_bound(x, result) <= options_.accuracy * scale_of(x);
+    result.verdict = near ? Verdict::certified : Verdict::elsewhere;
+    result.reality = reality_of(result, program_->real);
+  }
+
+  bool is_settled(const Certificate& result) const {
+    return !options_.decide_reality || !program_->real || result.reality != Reality::unknown;
+  }
+
+  std::shared_ptr<const CertifyProgram> program_;
+  CertifyOptions options_;
+  DoubleStage double_stage_;
+  std::optional<ArbStage> arb_stage_;
+};
+
+Certifier::Certifier(std::shared_ptr<const CertifyProgram> program, CertifyOptions options)
+    : work_(std::make_unique<Work>(std::move(program), options)) {}
+Certifier::Certifier(Certifier&&) noexcept = default;
+Certifier& Certifier::operator=(Certifier&&) noexcept = default;
+Certifier::~Certifier() = default;
+
+std::size_t Certifier::dimension() const noexcept { return work_->dimension(); }
+int Certifier::most_bits() const noexcept { return work_->most_bits(); }
+
+void Certifier::certify(std::span<const Complex> x, Certificate& result) {
+  work_->certify(x, result);
+}
+
+Certificate Certifier::certify(std::span<const Complex> x) {
+  Certificate result;
+  work_->certify(x, result);
+  return result;
+}
+
+bool Certifier::sharpen(Certificate& certificate, int bits) {
+  return work_->sharpen(certificate, bits);
+}
+
+std::vector<Certificate> certify(const System& f, const std::vector<Point>& points,
+                                 const CertifyOptions& options, int threads,
+                                 const std::atomic<bool>& stop) {
+  const auto program = make_certify_program(f);
+  checked(options);
+  for (const Point& x : points) {
+    if (x.size() == program->dimension()) continue;
+    throw std::invalid_argument("a point has " + std::to_string(x.size()) +
+                                " coordinates, the system " + std::to_string(program->dimension()) +
+                                " unknowns");
+  }
+  std::vector<Certificate> certificates(points.size());
+  const auto workers = std::clamp<std::size_t>(static_cast<std::size_t>(std::max(threads, 1)), 1,
+                                               std::max<std::size_t>(points.size(), 1));
+  const auto work = [&](std::size_t first) {
+    Certifier certifier(program, options);
+    for (std::size_t k = first; k < points.size() && !stop; k += workers) {
+      certifier.certify(points[k], certificates[k]);
+    }
+  };
+  std::vector<std::jthread> others;
+  for (std::size_t first = 1; first < workers; ++first) others.emplace_back(work, first);
+  work(0);
+  others.clear();
+  return certificates;
+}
+
+}  // namespace moivre

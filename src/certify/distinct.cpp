@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+// The sweep over projections, the exact comparison of a pair, and the climb of what stays in doubt.
+#include "moivre/certify/distinct.h"
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+
+#include "moivre/numeric/random.h"
+#include "moivre/numeric/rational.h"
+#include "upward.h"
+
+namespace moivre {
+namespace {
+
+struct Difference {
+  Rational re, im;
+  Rational norm() const { return re * re + im * im; }
+};
+
+/// m_a - m_b in coordinate j, exactly.
+Difference difference(const Certificate& a, const Certificate& b, std::size_t j) {
+  Difference d{Rational(a.midpoint[j].real()) - Rational(b.midpoint[j].real()),
+               Rational(a.midpoint[j].imag()) - Rational(b.midpoint[j].imag())};
+  for (const Point& part : a.finer) {
+    d.re += Rational(part[j].real());
+    d.im += Rational(part[j].imag());
+  }
+  for (const Point& part : b.finer) {
+    d.re -= Rational(part[j].real());
+    d.im -= Rational(part[j].imag());
+  }
+  return d;
+}
+
+/// The root of a lies in the ball of b; norms: |m_a - m_b|_j^2.
+bool lies_within(const Certificate& a, const Certificate& b, const std::vector<Rational>& norms) {
+  for (std::size_t j = 0; j < norms.size(); ++j) {
+    if (a.error[j] > b.radius[j]) return false;
+    const Rational room = Rational(b.radius[j]) - Rational(a.error[j]);
+    if (norms[j] > room * room) return false;
+  }
+  return true;
+}
+
+/// An interval that the projection of a root lies in.
+struct Shadow {
+  double least, most;
+  std::size_t index;
+};
+
+/// Of all certificates that hold a root, in the order of their lower ends.
+std::vector<Shadow> shadows(std::span<const Certificate> certificates, std::uint64_t seed) {
+  std::vector<double> sizes;
+  for (const Certificate& c : certificates) {
+    if (!c.holds_root()) continue;
+    sizes.resize(c.midpoint.size());
+    for (std::size_t j = 0; j < sizes.size(); ++j) {
+      sizes[j] = std::max(sizes[j], modulus(c.midpoint[j]));
+    }
+  }
+  // Every coordinate counts alike.
+  std::vector<Complex> direction;
+  for (std::size_t j = 0; j < sizes.size(); ++j) {
+    direction.push_back(random_phase(seed, RandomStream::certify, j) /
+                        (sizes[j] > 0 ? sizes[j] : 1));
+  }
+  std::vector<Shadow> result;
+  for (std::size_t k = 0; k < certificates.size(); ++k) {
+    const Certificate& c = certificates[k];
+    if (!c.holds_root()) continue;
+    // The share of each term covers its rounding, that of the sum, and the parts of the midpoint beyond double.
+    const double share = 8 * kUnitRoundoff * static_cast<double>(sizes.size() + 8);
+    double middle = 0;
+    double reach = 0;
+    for (std::size_t j = 0; j < sizes.size(); ++j) {
+      const double weight = size_bound(direction[j]);
+      middle += conjugate_product(direction[j], c.midpoint[j]).real();
+      reach += raised(weight * (c.error[j] + share * size_bound(c.midpoint[j])));
+    }
+    result.push_back({middle - reach, middle + reach, k});
+  }
+  std::sort(result.begin(), result.end(),
+            [](const Shadow& a, const Shadow& b) { return a.least < b.least; });
+  return result;
+}
+
+std::size_t root_of(std::vector<std::size_t>& first_of, std::size_t k) {
+  while (first_of[k] != k) k = first_of[k] = first_of[first_of[k]];
+  return k;
+}
+
+void join(std::vector<std::size_t>& first_of, const IndexPair& pair) {
+  const std::size_t a = root_of(first_of, pair.first);
+  const std::size_t b = root_of(first_of, pair.second);
+  first_of[std::max(a, b)] = std::min(a, b);
+}
+
+/// Drops doubts that chains of the same pairs settle, and counts the roots; what is in doubt counts as one.
+void settle(std::span<const Certificate> certificates, Distinctness& result) {
+  for (std::size_t& first : result.first_of) first = root_of(result.first_of, first);
+  std::erase_if(result.doubtful, [&](const IndexPair& pair) {
+    return result.first_of[pair.first] == result.first_of[pair.second];
+  });
+  std::sort(result.same.begin(), result.same.end());
+  std::sort(result.doubtful.begin(), result.doubtful.end());
+  std::vector<std::size_t> first_of = result.first_of;
+  for (const IndexPair& pair : result.doubtful) join(first_of, pair);
+  for (std::size_t k = 0; k < certificates.size(); ++k) {
+    if (certificates[k].holds_root() && first_of[k] == k) ++result.distinct_roots;
+  }
+}
+
+}  // namespace
+
+Relation relation(const Certificate& a, const Certificate& b) {
+  std::vector<Rational> norms;
+  for (std::size_t j = 0; j < a.midpoint.size(); ++j) {
+    norms.push_back(difference(a, b, j).norm());
+    const Rational reach = Rational(a.error[j]) + Rational(b.error[j]);
+    if (norms.back() > reach * reach) return Relation::distinct;
+  }
+  const bool is_same = lies_within(a, b, norms) || lies_within(b, a, norms);
+  return is_same ? Relation::same : Relation::doubtful;
+}
+
+Distinctness compare(std::span<const Certificate> certificates, std::uint64_t seed) {
+  Distinctness result;
+  result.first_of.resize(certificates.size());
+  std::iota(result.first_of.begin(), result.first_of.end(), std::size_t{0});
+  std::vector<Shadow> active;
+  for (const Shadow& next : shadows(certificates, seed)) {
+    ++result.holding;
+    std::erase_if(active, [&](const Shadow& s) { return s.most < next.least; });
+    for (const Shadow& s : active) {
+      const IndexPair pair = std::minmax(s.index, next.index);
+      const Relation found = relation(certificates[pair.first], certificates[pair.second]);
+      if (found == Relation::doubtful) result.doubtful.push_back(pair);
+      if (found != Relation::same) continue;
+      result.same.push_back(pair);
+      join(result.first_of, pair);
+    }
+    active.push_back(next);
+  }
+  settle(certificates, result);
+  return result;
+}
+
+Distinctness tell_apart(Certifier& certifier, std::span<Certificate> certificates,
+                        std::uint64_t seed) {
+  Distinctness result = compare(certificates, seed);
+  while (!result.doubtful.empty()) {
+    std::set<std::size_t> in_doubt;
+    for (const IndexPair& pair : result.doubtful) {
+      in_doubt.insert(pair.first);
+      in_doubt.insert(pair.second);
+    }
+    bool sharper = false;
+    for (const std::size_t k : in_doubt) {
+      const int bits = std::max(2 * certificates[k].bits, kFirstArbBits);
+      if (bits > certifier.most_bits()) continue;
+      sharper = certifier.sharpen(certificates[k], bits) || sharper;
+    }
+    if (!sharper) return result;
+    result = compare(certificates, seed);
+  }
+  return result;
+}
+
+}  // namespace moivre

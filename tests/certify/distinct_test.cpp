@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+// Are roots told apart that are distinct, and known again that are one; however near, in whatever order?
+#include "moivre/certify/distinct.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "moivre/certify/bounds.h"
+#include "planted.h"
+
+namespace moivre::test {
+namespace {
+
+Certificate ball(const Point& midpoint, double radius, double error) {
+  Certificate c;
+  c.verdict = Verdict::certified;
+  c.bits = kDoubleBits;
+  c.midpoint = midpoint;
+  c.radius.assign(midpoint.size(), radius);
+  c.error.assign(midpoint.size(), error);
+  return c;
+}
+
+TEST(Distinct, RelationsFollowFromErrorsAndRadii) {
+  const Certificate a = ball({0, 0}, 1, 0.1);
+  EXPECT_EQ(relation(a, ball({0, 5}, 1, 0.1)), Relation::distinct);
+  EXPECT_EQ(relation(a, ball({0, 0.2}, 1, 0.05)), Relation::distinct);
+  EXPECT_EQ(relation(a, ball({0.05, 0}, 1, 0.1)), Relation::same);
+  // Overlapping balls alone prove nothing.
+  EXPECT_EQ(relation(ball({0, 0}, 0.1, 0.09), ball({0.12, 0}, 0.1, 0.09)), Relation::doubtful);
+  // One image inside the other's ball is enough, whichever it is.
+  EXPECT_EQ(relation(ball({0, 0}, 0.02, 0.01), ball({0.05, 0}, 1, 0.9)), Relation::same);
+  EXPECT_EQ(relation(ball({0.05, 0}, 1, 0.9), ball({0, 0}, 0.02, 0.01)), Relation::same);
+}
+
+TEST(Distinct, RelationsAreExactAtTheEdge) {
+  const double e = 0x1p-54;
+  EXPECT_EQ(relation(ball({1}, 0x1p-53, e), ball({1 + 0x1p-52}, 0x1p-53, e)), Relation::distinct);
+  // They touch at a point.
+  EXPECT_EQ(relation(ball({0}, 2, 1), ball({2}, 1.5, 1)), Relation::doubtful);
+  Certificate finer = ball({1}, 1e-30, 1e-31);
+  finer.finer = {{1e-29}};
+  EXPECT_EQ(relation(finer, ball({1}, 1e-30, 1e-31)), Relation::distinct);
+}
+
+TEST(Distinct, RootsOfPlantedSystemsAreAllDistinct) {
+  const Planted p = planted(7, 3, Factors::conjugate_pairs);
+  ASSERT_EQ(p.roots.size(), 27U);
+  std::vector<Point> points;
+  for (const ExactPoint& root : p.roots) points.push_back(to_double(root));
+  const std::vector<Certificate> certificates = certify(p.f, points);
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    const Distinctness d = compare(certificates, seed);
+    EXPECT_EQ(d.holding, 27U);
+    EXPECT_EQ(d.distinct_roots, 27U);
+    EXPECT_TRUE(d.doubtful.empty());
+    // As many as Bezout's number: these are all the roots.
+    EXPECT_EQ(bezout_bound(p.f), 27U);
+  }
+}
+
+TEST(Distinct, TheSameRootFromTwoPointsIsOne) {
+  const System f = problem("katsura-5.phc");
+  const Certificate root = certify(f, {{1, 0, 0, 0, 0, 0}})[0];
+  ASSERT_EQ(root.verdict, Verdict::certified);
+  std::vector<Point> points;
+  for (const double off : {0.0, 1e-9, -1e-8, 1e-13})
+    points.push_back({1 + off, off, -off, off, 0, 0});
+  std::vector<Certificate> certificates = certify(f, points);
+  certificates.push_back(Certificate());
+  Certifier certifier(make_certify_program(f));
+  const Distinctness d = tell_apart(certifier, certificates);
+  EXPECT_EQ(d.distinct_roots, 1U);
+  EXPECT_EQ(d.holding, 4U);
+  EXPECT_EQ(d.first_of, (std::vector<std::size_t>{0, 0, 0, 0, 4}));
+}
+
+TEST(Distinct, NeighboursOfAnyDistanceAreToldApart) {
+  for (const char* squared : {"1e-20", "1e-30", "1e-40", "1e-100"}) {
+    const System f = system_of(std::string("2\nx^2 - 2*x + 1 - ") + squared + ";\ny - x;\n");
+    std::vector<Certificate> certificates =
+        certify(f, {{1 + 1e-7, 1 + 1e-7}, {1 - 1e-7, 1 - 1e-7}, {1 + 2e-7, 1 + 2e-7}});
+    for (const Certificate& c : certificates) ASSERT_EQ(c.verdict, Verdict::certified) << squared;
+    Certifier certifier(make_certify_program(f));
+    const Distinctness d = tell_apart(certifier, certificates);
+    EXPECT_EQ(d.distinct_roots, 2U) << squared;
+    EXPECT_EQ(d.same, (std::vector<IndexPair>{{0, 2}})) << squared;
+    EXPECT_TRUE(d.doubtful.empty()) << squared;
+  }
+}
+
+TEST(Distinct, DoubtsAreTakenAwayByMoreDigits) {
+  const System f = system_of("1\nx^2 - 2;\n");
+  Certifier certifier(make_certify_program(f));
+  // True, but made so wide that they cannot be compared: -sqrt(2) and sqrt(2), and sqrt(2) off its middle.
+  const double root = std::sqrt(2.0);
+  std::vector<Certificate> certificates = {ball({root}, 1.42, 1.415), ball({-root}, 1.42, 1.415),
+                                           ball({root + 1.4}, 1.42, 1.415)};
+  const Distinctness before = compare(certificates);
+  EXPECT_FALSE(before.doubtful.empty());
+  EXPECT_LT(before.distinct_roots, 2U);
+  const Distinctness after = tell_apart(certifier, certificates);
+  EXPECT_TRUE(after.doubtful.empty());
+  EXPECT_EQ(after.distinct_roots, 2U);
+  EXPECT_EQ(after.same, (std::vector<IndexPair>{{0, 2}}));
+}
+
+TEST(Distinct, TheSweepFindsEveryPairThatMeets) {
+  // A grid of balls, each of which meets its neighbours; all pairs compared one by one give the same.
+  std::vector<Certificate> certificates;
+  for (int a = 0; a < 12; ++a) {
+    for (int b = 0; b < 12; ++b) {
+      certificates.push_back(ball({Complex(a, b), 1e6}, 0.61, 0.6));
+    }
+  }
+  std::vector<IndexPair> expected;
+  for (std::size_t i = 0; i < certificates.size(); ++i) {
+    for (std::size_t j = i + 1; j < certificates.size(); ++j) {
+      if (relation(certificates[i], certificates[j]) == Relation::doubtful)
+        expected.emplace_back(i, j);
+    }
+  }
+  ASSERT_GT(expected.size(), 100U);
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    EXPECT_EQ(compare(certificates, seed).doubtful, expected);
+  }
+}
+
+TEST(Distinct, BezoutsNumberBoundsTheRoots) {
+  EXPECT_EQ(bezout_bound(problem("katsura-10.phc")), 1024U);
+  EXPECT_EQ(bezout_bound(system_of("2\nx*y - 1;\n3;\n")), 0U);
+  EXPECT_THROW(bezout_bound(system_of("1 2\nx*y - 1;\n")), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace moivre::test
