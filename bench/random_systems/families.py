@@ -1,65 +1,20 @@
 # SPDX-License-Identifier: MIT
 # Which random systems are asked of a solver? One function a family; a system follows from (seed, family, number) alone.
 #
-# A polynomial is {exponents: (re, im)} with Fractions, as in bench/polynomial_text.py. Every family gives square systems of at
+# A polynomial is {exponents: (re, im)}, as in bench/polynomial_algebra.py. Every family gives square systems of at
 # most MOST_PATHS total-degree paths that use all their unknowns. What is asked is written beside each family below.
 # Python's standard library only.
 import random
+import sys
 from fractions import Fraction
-from itertools import product
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
+from polynomial_algebra import constant, degree, plus, scaled, substituted, times, variable
 
 MOST_PATHS = 300        # of total degree: a system is seconds of work, not minutes
 MOST_TRIES = 1000       # of a family before it is said to give nothing
 LEAST_TERMS = 2         # of an equation: x^2 = 0 alone asks little
-LONG_INTEGER = 10 ** 9  # from here on zeros at the end are written as a power of ten
-
-
-def constant(n, c):
-    return {(0,) * n: (Fraction(c), Fraction(0))}
-
-
-def variable(n, i):
-    return {tuple(int(i == j) for j in range(n)): (Fraction(1), Fraction(0))}
-
-
-def plus(*polynomials):
-    total = {}
-    for p in polynomials:
-        for m, c in p.items():
-            old = total.get(m, (0, 0))
-            total[m] = (old[0] + c[0], old[1] + c[1])
-    return {m: c for m, c in total.items() if c != (0, 0)}
-
-
-def times(*polynomials):
-    result = polynomials[0]
-    for q in polynomials[1:]:
-        terms = []
-        for m, c in result.items():
-            terms += [{tuple(map(sum, zip(m, k))): (c[0] * d[0] - c[1] * d[1], c[0] * d[1] + c[1] * d[0])} for k, d in q.items()]
-        result = plus(*terms)
-    return result
-
-
-def scaled(p, c):
-    return {m: (a[0] * c, a[1] * c) for m, a in p.items() if c}
-
-
-def degree(p):
-    return max(map(sum, p), default=0)
-
-
-def substituted(p, images):
-    """p at x_i = images[i], polynomials all."""
-    n = len(next(iter(images[0])))
-    parts = []
-    for m, c in p.items():
-        term = {(0,) * n: c}
-        for image, exponent in zip(images, m):
-            for _ in range(exponent):
-                term = times(term, image)
-        parts.append(term)
-    return plus(*parts)
 
 
 class Dice(random.Random):
@@ -327,34 +282,3 @@ def system_of(seed, family, number):
         if is_usable(f):
             return f
     raise ValueError(f"{family} {number}: no usable system in {MOST_TRIES} tries")
-
-
-def _decimal(value):
-    """The exact text of a Fraction: an integer, a decimal with its power of ten, or a quotient."""
-    power = 0
-    while value.denominator > 1 and value.denominator % 2 * (value.denominator % 5) == 0:
-        value, power = value * 10, power - 1
-    if value.denominator > 1:
-        return f"({value.numerator}/{value.denominator * 10 ** -power})"
-    number = value.numerator
-    while abs(number) >= LONG_INTEGER and number % 10 == 0:
-        number, power = number // 10, power + 1
-    return f"{number}e{power}" if power else str(number)
-
-
-def _term_text(m, c):
-    powers = [f"x{i + 1}" if e == 1 else f"x{i + 1}^{e}" for i, e in enumerate(m) if e]
-    if c[1]:
-        sign, number = "+", f"({_decimal(c[0])}{'-' if c[1] < 0 else '+'}{_decimal(abs(c[1]))}*i)"
-    else:
-        sign, number = "-" if c[0] < 0 else "+", _decimal(abs(c[0]))
-    return sign + "*".join(powers if number == "1" and powers else [number, *powers])
-
-
-def phc_text(f):
-    """The system in PHCpack's format; highest terms first."""
-    lines = []
-    for p in f:
-        text = "".join(_term_text(m, p[m]) for m in sorted(p, key=lambda m: (sum(m), m), reverse=True))
-        lines.append(text.removeprefix("+"))
-    return f"{len(f)}\n" + "".join(line + ";\n" for line in lines)
