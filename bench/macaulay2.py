@@ -35,7 +35,8 @@ values1 = J -> (
 distinct = J -> max apply(3, i -> values1 J);
 tell = I -> (
   prepare I; d := dim I; J := isolated I; e := dim J;
-  << "ANSWER " << d << " " << (if d < 0 then 0 else degree I) << " " << (if e < 0 then 0 else degree J) << " " << (if e < 0 then 0 else distinct J) << endl;);
+  << "ANSWER " << d << " " << (if d < 0 then 0 else degree I) << " "
+     << (if e < 0 then 0 else degree J) << " " << (if e < 0 then 0 else distinct J) << endl;);
 """
 
 
