@@ -69,9 +69,12 @@ System with_unit_rows(const System& f) {
   return scale(f, rows);
 }
 
-Prepared prepare(const System& f, const SolveOptions& options, const std::atomic<bool>& stop) {
+namespace {
+
+Prepared prepare_reduced(Reduction reduction, const SolveOptions& options,
+                         const std::atomic<bool>& stop) {
   Prepared prepared;
-  prepared.reduction = options.eliminate ? eliminate(f) : keep_everything(f);
+  prepared.reduction = std::move(reduction);
   for (const Omission& omission : prepared.reduction.left_out) {
     prepared.left_out.push_back({omission.what, omission.why});
   }
@@ -89,6 +92,44 @@ Prepared prepare(const System& f, const SolveOptions& options, const std::atomic
   prepared.spread_log2 = spread_log2(scaled);
   take_start(scaled, options, stop, prepared);
   return prepared;
+}
+
+/// Substituted linear equations fill the others with monomials, so that there may be fewer paths without it.
+bool may_have_fewer_paths_whole(const Prepared& prepared, const SolveOptions& options) {
+  if (!prepared.plan || prepared.reduction.substitutions.empty()) return false;
+  switch (options.start) {
+    case StartKind::polyhedral:
+      return true;
+    case StartKind::automatic:
+      return prepared.start.counts.mixed_volume.paths != prepared.start.counts.total_degree.paths;
+    case StartKind::total_degree:
+    case StartKind::multihomogeneous:
+      return false;
+  }
+  return false;
+}
+
+double expected_cost(const Prepared& prepared) {
+  const auto n = static_cast<double>(prepared.plan->last().coordinates());
+  const auto stages = static_cast<double>(prepared.plan->stages.size());
+  return static_cast<double>(prepared.plan->paths) * stages * n * n * n;
+}
+
+}  // namespace
+
+Prepared prepare(const System& f, const SolveOptions& options, const std::atomic<bool>& stop) {
+  Prepared reduced =
+      prepare_reduced(options.eliminate ? eliminate(f) : keep_everything(f), options, stop);
+  if (!may_have_fewer_paths_whole(reduced, options)) return reduced;
+  Prepared whole = prepare_reduced(keep_everything(f), options, stop);
+  if (whole.interrupted) return whole;
+  if (whole.start.kind != "polyhedral" || expected_cost(whole) >= expected_cost(reduced)) {
+    return reduced;
+  }
+  whole.left_out.push_back({"elimination of linear equations",
+                            "without it there are " + std::to_string(whole.plan->paths) +
+                                " paths, with it " + std::to_string(reduced.plan->paths)});
+  return whole;
 }
 
 void require_paths(const Prepared& prepared) {

@@ -16,7 +16,7 @@ namespace {
 
 // In units of one path of one stage to a finite root.
 constexpr double kInfinityCost = 3;
-constexpr double kPolyhedralCost = 2;
+constexpr double kPolyhedralCost = 1.2;
 // Multiply-adds of one path: steps, each an elimination and some products a term.
 constexpr double kStepsOfAPath = 80;
 constexpr double kProductsOfATerm = 20;
