@@ -24,6 +24,7 @@ struct SolveCommand {
   TrackerChoice tracker;
   int threads = 0;
   bool all = false;
+  bool slice = false;
   bool cross_check = false;
   std::optional<int> digits;
   std::string precision = "auto";
@@ -60,6 +61,7 @@ SolveResult solve_interruptibly(const SolveCommand& command, const Problem& prob
   options.seed = command.start.seed;
   options.start = kind_of(command.start);
   options.threads = command.threads;
+  options.slice = command.slice;
   options.precision = precision_of(command.precision);
   const std::unique_ptr<Tracker> fallback = make_fallback(command.tracker);
   options.fallback = fallback.get();
@@ -120,6 +122,9 @@ void add_solve_command(CLI::App& moivre, Chosen& chosen) {
   add_start_options(app, command->start);
   add_threads_option(app, command->threads);
   app.add_flag("--all", command->all, "print the roots that are not real as well");
+  app.add_flag(
+      "--slice", command->slice,
+      "cut a system of fewer equations than unknowns by random linear ones: witness points");
   app.add_option(
          "--digits", command->digits,
          "give every root to so many significant digits, 1 to 1000; a singular root has none")
@@ -138,7 +143,8 @@ void add_solve_command(CLI::App& moivre, Chosen& chosen) {
       ->group("Tracker");
   add_examples(
       app, {"moivre solve katsura.phc", "moivre solve katsura.phc --all --seed 7",
-            "moivre solve katsura.phc --digits 50", "moivre solve katsura.phc --json - | jq .paths",
+            "moivre solve cassou.phc --start polyhedral", "moivre solve katsura.phc --digits 50",
+            "moivre solve katsura.phc --json - | jq .paths",
             "moivre solve katsura.phc --quiet --csv roots.csv --phc roots.phc"});
   app.callback([command, &chosen] { chosen = [command] { return run(*command); }; });
 }

@@ -15,6 +15,9 @@ namespace {
 // Few paths are followed by one thread: starting others takes longer.
 constexpr std::uint64_t kPathsForOneThread = 8;
 
+// So few paths are followed before a better start is found: closure polynomials have hardly more of them than roots.
+constexpr std::uint64_t kPathsWithoutSearch = 32;
+
 // An exact value is rounded once its fractions are this long (in bits): a chain of lengths and directions stays below.
 constexpr std::size_t kLongFraction = 2048;
 
@@ -150,6 +153,8 @@ void Stages::add_roots(const Block& block, const PartialRoot& root, const System
   SolveOptions options = options_;
   const auto paths = total_degree(degrees(f));
   if (paths && *paths <= kPathsForOneThread) options.threads = 1;
+  const bool are_few = paths && *paths <= kPathsWithoutSearch;
+  if (options.start == StartKind::automatic && are_few) options.start = StartKind::total_degree;
   const SolveResult result = solve(f, tracker_, options, stop_);
   const std::uint64_t first_path = stage.paths.tracked;
   for (const Solution& solution : result.solutions) {

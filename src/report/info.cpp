@@ -36,10 +36,15 @@ StartCost total_degree_cost(Reduction::Verdict verdict, const SystemFacts& reduc
       cost.why = "fewer equations than unknowns: roots are not isolated";
       break;
     case Reduction::Verdict::overdetermined:
-      cost.why = "more equations than unknowns: a total-degree start needs as many";
+      cost.why = "more equations than unknowns: solve squares them up by random combinations";
       break;
   }
   return cost;
+}
+
+void add_cost(const std::string& kind, const StartCount& count, const std::string& why,
+              SystemInfo& info) {
+  info.start_systems.push_back({kind, count.paths, count.paths ? why : count.missing});
 }
 
 }  // namespace
@@ -60,6 +65,13 @@ SystemInfo inspect(const System& f) {
   info.variable_log2 = scaling.variable_log2;
   info.equation_log2 = scaling.equation_log2;
   info.start_systems.push_back(total_degree_cost(reduction.verdict, info.reduced));
+  if (reduction.verdict == Reduction::Verdict::square) {
+    info.counts = count_starts(scale(reduction.system, scaling), {});
+    add_cost("multihomogeneous", info.counts.multihomogeneous,
+             "the least of the partitions of the unknowns that were tried", info);
+    add_cost("polyhedral", info.counts.mixed_volume,
+             "the mixed volume of the monomials, a constant added to each equation", info);
+  }
   for (const Omission& omission : reduction.left_out) {
     info.left_out.push_back({omission.what, omission.why});
   }

@@ -94,8 +94,10 @@ Json to_json(const PathCounts& paths) {
 }
 
 Json to_json(const FailedPath& failure) {
-  return {
-      {"path", failure.path}, {"reason", to_string(failure.failure)}, {"t", to_json(failure.t)}};
+  return {{"path", failure.path},
+          {"reason", to_string(failure.failure)},
+          {"t", to_json(failure.t)},
+          {"stage", failure.stage}};
 }
 
 Json to_json(const SolveTime& time) {

@@ -45,6 +45,7 @@ std::string solve_json(const SolveResult& result, const std::string& file) {
     if (result.digits) solution["x_digits"] = digits_json(s.x_digits);
     return solution;
   });
+  report["excess"] = result.excess;
   report["failures"] = list_json(result.failures, [](const FailedPath& f) { return to_json(f); });
   if (result.cross_check) report["cross_check"] = cross_check_json(*result.cross_check);
   report["left_out"] = to_json(result.left_out);

@@ -63,6 +63,9 @@ std::string roots_line(const SolveResult& result) {
                      " real, " + std::to_string(roots.size() - real) + " not real";
   const std::uint64_t singular = count([](const Solution& root) { return root.singular; });
   if (singular > 0) text += "; " + std::to_string(singular) + " singular";
+  if (result.excess > 0) {
+    text += "; " + std::to_string(result.excess) + " of the squared-up system fail an equation";
+  }
   return text + '\n';
 }
 

@@ -18,8 +18,11 @@ void require_square(const System& f) {
       "the system has " + std::to_string(equations) + " equations in " + std::to_string(unknowns) +
       " unknowns: " +
       (equations > unknowns
-           ? "it is overdetermined, and a total-degree homotopy needs as many as unknowns"
-           : "it is underdetermined, so that its roots are not isolated"));
+           ? "it is overdetermined, and paths belong to the system that solve squares it up to"
+           : "it is underdetermined: its roots form sets of dimension " +
+                 std::to_string(unknowns - equations) +
+                 " or more, and none is isolated. moivre solve --slice cuts them by random linear "
+                 "equations"));
 }
 
 }  // namespace moivre

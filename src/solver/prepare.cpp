@@ -46,7 +46,10 @@ void take_start(const System& f, const SolveOptions& options, const std::atomic<
   StartChoiceOptions choice{options.start, options.seed, &stop, {}};
   if (options.progress) {
     choice.progress = [&](const CellSearchProgress& search) {
-      options.progress({0, 0, 0, search.cells, search.fraction});
+      Progress progress;
+      progress.cells = search.cells;
+      progress.search = search.fraction;
+      options.progress(progress);
     };
   }
   ChosenStart chosen = choose_start(f, choice);

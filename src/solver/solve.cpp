@@ -11,6 +11,8 @@
 #include "facts.h"
 #include "moivre/expression/refusal.h"
 #include "moivre/numeric/stopwatch.h"
+#include "moivre/polynomial/patches.h"
+#include "squared.h"
 #include "tracking.h"
 
 namespace moivre {
@@ -71,12 +73,8 @@ bool decided_without_tracking(const Setting& setting, SolveResult& result) {
   return false;
 }
 
-}  // namespace
-
-SolveResult solve(const System& f, const Tracker& tracker, const SolveOptions& options,
-                  const std::atomic<bool>& stop) {
-  require_unbroken(validate(options));
-  require_square(f);
+SolveResult solve_square(const System& f, const Tracker& tracker, const SolveOptions& options,
+                         const std::atomic<bool>& stop) {
   Stopwatch watch;
   const Setting setting(f, tracker, options, stop);
   SolveResult result = described(setting);
@@ -93,6 +91,18 @@ SolveResult solve(const System& f, const Tracker& tracker, const SolveOptions& o
     result.time.refine = watch.lap();
   }
   result.time.total = watch.total();
+  return result;
+}
+
+}  // namespace
+
+SolveResult solve(const System& f, const Tracker& tracker, const SolveOptions& options,
+                  const std::atomic<bool>& stop) {
+  require_unbroken(validate(options));
+  const bool is_square = f.polynomials.size() == f.variables.size() && !has_homogeneous_groups(f);
+  if (is_square) return solve_square(f, tracker, options, stop);
+  SolveResult result = solve_square(squared(f, options), tracker, options, stop);
+  take_back(f, result);
   return result;
 }
 

@@ -59,7 +59,8 @@ PathSet climb_with(Run& run, const Tracker& tracker, Endgame::Manner manner, con
 
 void track_all(Run& run) {
   const Setting& setting = run.setting;
-  Progress progress{0, setting.prepared.plan->paths, 0};
+  Progress progress;
+  progress.total = setting.prepared.plan->paths;
   const EndSink sink = [&](std::uint64_t path, PathEnd&& end) {
     ++progress.done;
     if (end.status == PathStatus::finite) ++progress.finite;

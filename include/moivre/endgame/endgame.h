@@ -73,7 +73,7 @@ struct PathEnd {
   bool singular = false;
   std::optional<int> winding;  ///< nullopt: Newton landed on the end, and it is to prove simple
   double accuracy = 0;
-  double size = 1;  ///< |x|_inf / |x_0|, in the path's frame
+  double size = 1;        ///< |x|_inf / |x_0|, in the path's frame
   double condition = 0;   ///< of the bordered, row-scaled Jacobian
   Complex t = 0;          ///< how far it came
   FramePointer frame;     ///< in which the path was followed; nullptr: in none

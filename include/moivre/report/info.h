@@ -31,6 +31,7 @@ struct SystemInfo {
   std::vector<int> variable_log2;  ///< scaling of what would be tracked
   std::vector<int> equation_log2;
   std::vector<StartCost> start_systems;
+  StartCounts counts;  ///< of what would be tracked, where there is something
   std::vector<LeftOut> left_out;
 };
 

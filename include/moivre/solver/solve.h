@@ -5,9 +5,10 @@
 // all paths on all cores -> ends refined on the system as given -> jumps found and tracked again -> isolated roots.
 //
 // Conservation, on every run:   tracked = finite + at_infinity + failed
-//                               finite  = sum of multiplicities + on_positive_dimensional
+//                               finite  = sum of multiplicities + on_positive_dimensional + excess
 // A path that is lost is counted as failed. `complete` is true when every path was decided.
-// The result does not depend on the number of threads. Not supported: systems that are not square.
+// The result does not depend on the number of threads. A system of more equations than unknowns is squared up by random
+// combinations, whose roots that fail an equation are `excess`; one of fewer is refused, or cut by SolveOptions::slice.
 #pragma once
 
 #include <atomic>
@@ -57,6 +58,7 @@ struct SolveOptions {
   int maximum_care = 3;   ///< how often a doubtful path is tracked again, tighter each time
   bool eliminate = true;  ///< linear equations before tracking
   bool scale = true;      ///< rows and variables, by powers of two
+  bool slice = false;  ///< fewer equations than unknowns: cut by random linear ones, else refused
   Precision precision = Precision::automatic;
   EndgameOptions endgame;
   /// Tracks again what `tracker` could not settle with a little more care; not owned, may be nullptr.
@@ -80,7 +82,8 @@ struct Solution {
   double accuracy = 0;          ///< bound on |x - x*|_inf / max(1, |x|_inf)
   double condition = 0;         ///< infinity-norm condition number of the row-scaled Jacobian
   Rung precision = Rung::double_precision;  ///< that its paths needed
-  std::vector<ComplexDecimal> x_digits;  ///< x in SolveResult::digits digits; empty where there are none
+  std::vector<ComplexDecimal>
+      x_digits;  ///< x in SolveResult::digits digits; empty where there are none
 };
 
 struct PathCounts {
@@ -90,7 +93,7 @@ struct PathCounts {
   std::uint64_t failed = 0;
   std::uint64_t on_positive_dimensional = 0;
   std::uint64_t retracked = 0;
-  std::uint64_t handed_over = 0;  ///< of these, to SolveOptions::fallback
+  std::uint64_t handed_over = 0;    ///< of these, to SolveOptions::fallback
   std::uint64_t mixed = 0;          ///< to finite ends, that needed residuals in double-double
   std::uint64_t double_double = 0;  ///< that needed double-double throughout
 
@@ -101,7 +104,7 @@ struct PathCounts {
 struct FailedPath {
   std::uint64_t path = 0;
   Failure failure = Failure::step_limit;
-  Complex t;  ///< how far it came
+  Complex t;              ///< how far it came
   std::size_t stage = 0;  ///< of the plan, on which it was lost
 };
 
@@ -131,7 +134,7 @@ struct SolveTime {
   double start = 0;  ///< presolve, start system, tape
   double track = 0;
   double track_cpu = 0;  ///< CPU seconds of all threads while tracking
-  double refine = 0;  ///< refinement, jumps, accounting
+  double refine = 0;     ///< refinement, jumps, accounting
   double total = 0;
 };
 
@@ -164,16 +167,19 @@ struct SolveResult {
   std::vector<std::pair<std::string, std::string>> tracker_options;
   PathCounts paths;
   std::vector<Solution> solutions;  ///< by path number
+  std::uint64_t excess =
+      0;  ///< roots that squaring up added, with multiplicity: they fail an equation of F
   std::vector<FailedPath> failures;
   std::vector<LeftOut> left_out;
-  std::optional<int> digits;  ///< how many the roots were given beyond double, where any were asked for
+  std::optional<int>
+      digits;  ///< how many the roots were given beyond double, where any were asked for
   std::optional<CrossCheck> cross_check;  ///< where one was made (solver/cross_check.h)
   StepCount work;
   SolveTime time;
 };
 
-/// Throws std::invalid_argument when the system is not square or an option is out of range, std::overflow_error when the
-/// number of paths leaves 64 bits; both before any tracking. A set `stop` ends the run with what is finished.
+/// Throws std::invalid_argument when there are fewer equations than unknowns and they are not to be sliced, or an option is out
+/// of range; std::overflow_error when the number of paths leaves 64 bits; all before any tracking. A set `stop` ends the run with what is finished.
 SolveResult solve(const System& f, const Tracker& tracker, const SolveOptions& options = {},
                   const std::atomic<bool>& stop = std::atomic<bool>{false});
 

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// Square systems for others, and their roots judged by the system as given.
+#include "squared.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "facts.h"
+#include "moivre/polynomial/patches.h"
+#include "moivre/polynomial/square_up.h"
+#include "refine.h"
+
+namespace moivre {
+namespace {
+
+// A root rounded to double leaves this of an equation, beside its terms; a random system's other roots leave far more.
+constexpr double kHolds = 1e-11;
+// What the root's error makes of it, at most so many times the error.
+constexpr double kMargin = 1e3;
+
+bool holds(Refiner& refiner, const Solution& root) {
+  const std::vector<Complex>& values = refiner.relative_values(root.x);
+  const double allowed = kHolds + kMargin * root.accuracy;
+  return std::all_of(values.begin(), values.end(),
+                     [&](const Complex& value) { return std::abs(value) <= allowed; });
+}
+
+void drop_excess(const System& f, SolveResult& result) {
+  Refiner refiner(make_refiner_program(f, std::vector<double>(f.variables.size(), 1.0)));
+  const auto is_excess = [&](const Solution& root) {
+    if (holds(refiner, root)) return false;
+    result.excess += root.multiplicity;
+    return true;
+  };
+  std::erase_if(result.solutions, is_excess);
+}
+
+std::string counted_equations(std::size_t count) {
+  return std::to_string(count) + (count == 1 ? " equation" : " equations");
+}
+
+}  // namespace
+
+System squared(const System& f, const SolveOptions& options) {
+  System g = has_homogeneous_groups(f) ? with_patches(f, options.seed) : f;
+  if (g.polynomials.size() > g.variables.size()) return square_up(g, options.seed);
+  if (g.polynomials.size() < g.variables.size() && options.slice) {
+    return with_slices(g, options.seed);
+  }
+  require_square(g);
+  return g;
+}
+
+void take_back(const System& f, SolveResult& result) {
+  const bool has_patches = has_homogeneous_groups(f);
+  const System g = has_patches ? with_patches(f, result.seed) : f;
+  const std::size_t m = g.polynomials.size();
+  const std::size_t n = g.variables.size();
+  result.system = facts_of(f);
+  if (m > n) {
+    drop_excess(g, result);
+    result.left_out.push_back({counted_equations(m) + " squared up to " + std::to_string(n),
+                               std::to_string(result.excess) +
+                                   " roots of the combinations fail an equation of the file"});
+  }
+  if (m < n) {
+    result.left_out.push_back(
+        {"cut by " + counted_equations(n - m),
+         "asked for by --slice: the roots are witness points of sets of dimension " +
+             std::to_string(n - m)});
+  }
+  if (!has_patches) return;
+  for (Solution& root : result.solutions) root.x = normalised(f.groups, std::move(root.x));
+  result.left_out.push_back({"a patch for each homogeneous group",
+                             "roots are told with one coordinate of each group equal to 1"});
+}
+
+}  // namespace moivre
