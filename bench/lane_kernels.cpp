@@ -46,30 +46,34 @@ double cost(F&& call) {
   return best;
 }
 
-double flops(const LaneProgram<double>::Sum& sum) {
+double flops(const HomotopyProgram<double>::Sum& sum) {
   return 4.0 * (sum.real_end - sum.real_begin) + 8.0 * (sum.complex_end - sum.complex_begin);
 }
 
+std::uint32_t moving_terms(const HomotopyProgram<double>::Blend& blend) {
+  return blend.moving_end - blend.moving_begin;
+}
+
 /// Of LaneHomotopy::linearize in one lane.
-double linearization_flops(const LaneProgram<double>& program) {
+double linearization_flops(const HomotopyProgram<double>& program) {
   double count = 6.0 * static_cast<double>(program.products.size());
-  for (const LaneProgram<double>::Blend& value : program.values) {
-    count += flops(value.f) + flops(value.g) + 14 + 2;
+  for (const HomotopyProgram<double>::Blend& value : program.values) {
+    count += flops(value.f) + flops(value.g) + 14 + 2 + 16.0 * moving_terms(value);
   }
   count += 6.0 * static_cast<double>(program.weighted_count());
   const double blending = program.has_weighted_registers() ? 0 : 6;
-  for (const LaneProgram<double>::Entry& entry : program.jacobian) {
-    count += flops(entry.blend.f) + blending;
+  for (const HomotopyProgram<double>::Entry& entry : program.jacobian) {
+    count += flops(entry.blend.f) + blending + 8.0 * moving_terms(entry.blend);
     if (!entry.blend.g.is_empty()) count += flops(entry.blend.g) + 8;
   }
   return count;
 }
 
 /// Of LaneHomotopy::expand in one lane.
-double expansion_flops(const LaneProgram<double>& program) {
+double expansion_flops(const HomotopyProgram<double>& program) {
   double count = (6.0 + 14.0) * static_cast<double>(program.value_products);
-  for (const LaneProgram<double>::Blend& value : program.values) {
-    count += 2 * (flops(value.f) + flops(value.g)) + 14 + 2 + 22;
+  for (const HomotopyProgram<double>::Blend& value : program.values) {
+    count += 2 * (flops(value.f) + flops(value.g)) + 14 + 2 + 22 + 24.0 * moving_terms(value);
   }
   return count;
 }
@@ -146,7 +150,7 @@ double measure_peak() {
 }
 
 void report(const Homotopy& homotopy, const TotalDegreeStart& start) {
-  const LaneProgram<double> program = make_lane_program<double>(homotopy);
+  const HomotopyProgram<double> program = make_program<double>(homotopy);
   const std::size_t coordinates = homotopy.coordinates();
   const std::size_t n = homotopy.equations();
   LanePath<V> path(coordinates);
@@ -163,7 +167,7 @@ void report(const Homotopy& homotopy, const TotalDegreeStart& start) {
   std::printf("%s, %zu lanes, n = %zu, peak %.1f Gflop/s\n", hwy::TargetName(HWY_TARGET), W, n,
               peak * 1e-9);
 
-  LaneHomotopy<V> evaluator(program);
+  LaneHomotopy<V> evaluator(homotopy, program);
   LaneLu<V> lu(coordinates);
   LaneVector<V> x(coordinates);
   LaneVector<V> hx(coordinates);
@@ -175,7 +179,7 @@ void report(const Homotopy& homotopy, const TotalDegreeStart& start) {
   const double expansion = cost([&]() HWY_ATTR { evaluator.expand(x, ht, time, hx, slope); });
   print("tape: H and slope", expansion_flops(program), W, expansion, peak);
 
-  LaneStep<V> step(program);
+  LaneStep<V> step(homotopy, program);
   const double factorization = cost([&]() HWY_ATTR {
                                  evaluator.linearize(x, time, hx, lu, ht);
                                  for (std::size_t j = 0; j < coordinates; ++j)

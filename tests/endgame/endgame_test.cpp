@@ -63,7 +63,7 @@ class Paths {
     const auto tracker = make_cvode_tracker(cvode);
     const auto session = tracker->open(homotopy_);
     PathSystem scratch(homotopy_);
-    Endgame endgame(options, path, 0);
+    Endgame endgame(options, homotopy_.chart(), path, 0);
     std::optional<Departure> departure = endgame.depart(start);
     Followed followed;
     while (departure) {
@@ -80,7 +80,7 @@ class Paths {
     const auto tracker = make_cvode_tracker();
     const auto session = tracker->open(homotopy_);
     PathSystem scratch(homotopy_);
-    Endgame endgame({}, path, 0);
+    Endgame endgame({}, homotopy_.chart(), path, 0);
     Departure first = endgame.depart(start_point(start_, path));
     auto next = endgame.accept(follow(*session, std::move(first), go_on), scratch);
     while (next) {
@@ -95,7 +95,7 @@ class Paths {
   /// The tracker has left the path, and shows a point without an inverse of H_x as the first it sees near t = 1.
   std::optional<Departure> stop_at_first_sight() const {
     PathSystem scratch(homotopy_);
-    Endgame endgame({}, 0, 0);
+    Endgame endgame({}, homotopy_.chart(), 0, 0);
     endgame.depart(start_point(start_, 0));
     const Point nowhere(f_.variables.size() + 1, 0.0);
     Arrival stopped;
@@ -113,7 +113,7 @@ class Paths {
   template <class Way>
   double straight_way_cut_at(const Way& x) const {
     PathSystem scratch(homotopy_);
-    Endgame endgame({}, 0, 0, Endgame::Manner::straight);
+    Endgame endgame({}, homotopy_.chart(), 0, 0, Endgame::Manner::straight);
     endgame.depart(start_point(start_, 0));
     for (double radius = kSightsBegin; radius > kNearest; radius /= 2) {
       const Point point = x(radius);
@@ -128,7 +128,7 @@ class Paths {
   /// Circles of one turn about (shift : 1 : x_0), the shift another for each radius, whose samples have a ripple.
   PathEnd end_of_circles(double x0, const std::vector<double>& shifts, double ripple) const {
     PathSystem scratch(homotopy_);
-    Endgame endgame({}, 0, 0);
+    Endgame endgame({}, homotopy_.chart(), 0, 0);
     endgame.depart(start_point(start_, 0));
     const auto point = [&](std::size_t circle, double turn) {
       const double angle = 2 * std::numbers::pi * kRippleOrder * turn;
@@ -389,7 +389,7 @@ TEST(Endgame, PathThatEndsOnTheWayFailsWithAStepTooSmall) {
   const auto tracker = make_cvode_tracker();
   const auto session = tracker->open(homotopy);
   PathSystem scratch(homotopy);
-  Endgame endgame({}, 0, 0);
+  Endgame endgame({}, homotopy.chart(), 0, 0);
   // x^2 = 1 - 2 t: both paths meet at x = 0 for t = 1/2, where the tangent is infinite.
   std::optional<Departure> departure = endgame.depart({1, 1});
   while (departure) {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Is H = t F + (1 - t) G at complex t, with derivatives that are limits of differences, in both scalars?
-#include "moivre/homotopy/homotopy.h"
-
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 
+#include "moivre/homotopy/evaluator.h"
 #include "moivre/numeric/double_double.h"
 #include "moivre/polynomial/read.h"
 
@@ -53,12 +52,74 @@ TEST(Homotopy, IsTheTargetAtOneTheStartAtZeroAndTheirBlendBetween) {
 
 TEST(Homotopy, BringsBothSidesToOneDegreeAnEquation) {
   const Homotopy homotopy(system("2\nx + y; y^2 - x;\n"), system("2\nx^3 - 1; y - 1;\n"));
-  for (const System& side : {homotopy.target().system, homotopy.start().system}) {
-    EXPECT_EQ(degrees(side), (std::vector<std::uint64_t>{3, 2}));
-    for (const Polynomial& p : side.polynomials) EXPECT_TRUE(is_homogeneous(p));
-  }
+  EXPECT_EQ(degrees(homotopy.support()), (std::vector<std::uint64_t>{3, 2}));
+  for (const Polynomial& p : homotopy.support().polynomials) EXPECT_TRUE(is_homogeneous(p));
   EXPECT_EQ(homotopy.coordinates(), 3u);
   EXPECT_THROW(Homotopy(system("1\nx;\n"), system("2\nx; y;\n")), std::invalid_argument);
+}
+
+TEST(Homotopy, OfAToricLawDecaysTermByTermAndIsTheStartAtOne) {
+  const System g = system("2\nx*y - 3*x + i; y^2 + x*y - 2;\n");
+  const Homotopy homotopy = Homotopy::toric(g);
+  PathFrame frame{{0, 0, 0}, std::vector<double>(6, 1.0), {0, 0, 1.5, 0, 2, 0}};
+  HomotopyEvaluator<Complex> evaluator(homotopy);
+  evaluator.set_frame(&frame);
+  const auto [x, y, z] = std::array<Complex, 3>{kPoint[0], kPoint[1], kPoint[2]};
+  const Complex i(0, 1);
+  for (const Complex t : {Complex(0), Complex(0.7), kTime, Complex(1)}) {
+    Point h(2);
+    evaluator.value(kPoint, t, h);
+    const Complex first = x * y - 3.0 * x * z + std::exp(-1.5 * (1.0 - t)) * i * z * z;
+    EXPECT_LT(std::abs(h[0] - first), kRounding) << t;
+    // Terms in canonical order: x y, y^2, 1.
+    const Complex second = x * y + std::exp(-2.0 * (1.0 - t)) * y * y - 2.0 * z * z;
+    EXPECT_LT(std::abs(h[1] - second), kRounding) << t;
+  }
+}
+
+TEST(Homotopy, OfParametersIsTheFamilysMemberAtEveryTime) {
+  // x^2 + a b x - b^2 with (a, b) from (1, 2) to (i, 3).
+  const System family = read_system({"test", "1 3\nx^2 + a*b*x - b^2;\n"});
+  const Homotopy homotopy = Homotopy::parameters(family, {1.0, 2.0}, {Complex(0, 1), 3.0});
+  HomotopyEvaluator<Complex> evaluator(homotopy);
+  const Point point{kPoint[0], kPoint[2]};
+  const auto value_at = [&](Complex t) {
+    Point h(1);
+    evaluator.value(point, t, h);
+    return h[0];
+  };
+  for (const Complex t : {Complex(0), kTime, Complex(1)}) {
+    const Complex a = (1.0 - t) + t * Complex(0, 1);
+    const Complex b = 2.0 * (1.0 - t) + 3.0 * t;
+    const Complex expected =
+        point[0] * point[0] + a * b * point[0] * point[1] - b * b * point[1] * point[1];
+    EXPECT_LT(std::abs(value_at(t) - expected), kRounding);
+    Point h(1), hx(2), ht(1);
+    evaluator.linearization(point, t, h, hx, ht);
+    const double step = 1e-5;
+    const Complex quotient = (value_at(t + step) - value_at(t - step)) / (2 * step);
+    EXPECT_LT(std::abs(quotient - ht[0]), 4 * step * step + kRounding / step);
+  }
+}
+
+TEST(Homotopy, InAFrameHasTheSameZeros) {
+  const System f = system("2\nx*y - 3*x + i; y^2 + x*y - 2;\n");
+  const Homotopy plain(f, f);
+  const Homotopy framed = Homotopy::framed(f, f);
+  const auto frame = std::make_shared<const PathFrame>(frame_at(framed, {1e8, 1e-5, 1.0}));
+  EXPECT_EQ(frame->log2, (std::vector<int>{27, -17, 0}));
+  HomotopyEvaluator<Complex> evaluator(framed);
+  evaluator.set_frame(frame.get());
+  const Point x{3e7, 2e-5, 0.5};
+  Point in_frame(2);
+  evaluator.value(inside(frame, x), Complex(0.25), in_frame);
+  const Point outside_frame = value(plain, x, Complex(0.25));
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Complex ratio = in_frame[i] / outside_frame[i];
+    EXPECT_LT(std::abs(ratio.imag()), kRounding);
+    EXPECT_NEAR(std::log2(ratio.real()), std::round(std::log2(ratio.real())), kRounding);
+  }
+  EXPECT_EQ(outside(frame, inside(frame, x)), x);
 }
 
 TEST(Homotopy, DerivativesAreLimitsOfDifferences) {

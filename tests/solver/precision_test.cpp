@@ -51,10 +51,11 @@ TEST(Precision, TellsTheRungOfEveryRoot) {
 /// Verdicts on these paths of kin1 with seed 1, followed by `tracker` in this manner.
 std::vector<PathStatus> ends_of_kin1(const std::vector<std::uint64_t>& paths,
                                      const Tracker& tracker, Endgame::Manner manner) {
-  const SolveOptions options = with_seed(1);
-  const Prepared prepared = prepare(system_of(problem("kin1")), options);
-  const PathProblem path_problem{*prepared.homotopy, prepared.start, tracker, options.endgame,
-                                 manner};
+  SolveOptions options = with_seed(1);
+  options.start = StartKind::total_degree;
+  const std::atomic<bool> go_on{false};
+  const Prepared prepared = prepare(system_of(problem("kin1")), options, go_on);
+  const PathProblem path_problem{*prepared.plan, tracker, options.endgame, manner};
   std::vector<PathStatus> ends;
   track_paths(
       path_problem, paths.size(), [&](std::uint64_t k) { return paths[k]; }, 0, 1,

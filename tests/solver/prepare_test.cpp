@@ -26,10 +26,15 @@ double greatest_difference(const Point& a, const Point& b) {
   return largest;
 }
 
+Prepared prepared_from(const System& f, SolveOptions options = {}) {
+  options.start = StartKind::total_degree;
+  return prepare(f, options, std::atomic<bool>{false});
+}
+
 TEST(Prepare, MapsAPointOfTheSystemThereAndBack) {
-  const Prepared prepared = prepare(badly_scaled(), {});
-  ASSERT_TRUE(prepared.homotopy);
-  EXPECT_EQ(prepared.start.degrees.size(), 2U);
+  const Prepared prepared = prepared_from(badly_scaled());
+  ASSERT_TRUE(prepared.plan);
+  EXPECT_EQ(prepared.plan->last().equations(), 2U);
   const Point x{3e5, 1e5, Complex(1e-6, 2e-6)};
   const Point homogeneous = to_homogeneous(prepared, x);
   ASSERT_EQ(homogeneous.size(), 3U);
@@ -37,7 +42,7 @@ TEST(Prepare, MapsAPointOfTheSystemThereAndBack) {
 }
 
 TEST(Prepare, MapsEveryMultipleOfAHomogeneousPointToOnePoint) {
-  const Prepared prepared = prepare(badly_scaled(), {});
+  const Prepared prepared = prepared_from(badly_scaled());
   const Point x{3e5, 1e5, Complex(1e-6, 2e-6)};
   Point homogeneous = to_homogeneous(prepared, x);
   for (Complex& xi : homogeneous) xi *= Complex(0.3, -0.7);
@@ -45,8 +50,8 @@ TEST(Prepare, MapsEveryMultipleOfAHomogeneousPointToOnePoint) {
 }
 
 TEST(Prepare, MakesTheRootsOfTheSystemRootsAtTheEndOfThePaths) {
-  const Prepared prepared = prepare(badly_scaled(), {});
-  PathSystem path(*prepared.homotopy);
+  const Prepared prepared = prepared_from(badly_scaled());
+  PathSystem path(prepared.plan->last());
   const double y = std::sqrt(2e-12);
   ASSERT_TRUE(path.linearize(to_homogeneous(prepared, {1e6, 1e6 / 3, y}), PathTime(1.0, 0.0)));
   EXPECT_LT(path.residual(), kRounding);
@@ -55,7 +60,7 @@ TEST(Prepare, MakesTheRootsOfTheSystemRootsAtTheEndOfThePaths) {
 }
 
 TEST(Prepare, GivesUnknownsOfSizeOneToThePaths) {
-  const Prepared prepared = prepare(badly_scaled(), {});
+  const Prepared prepared = prepared_from(badly_scaled());
   const double y = std::sqrt(2e-12);
   for (const Complex& z : to_homogeneous(prepared, {1e6, 1e6 / 3, y})) {
     EXPECT_GT(std::abs(z), 1e-2);
@@ -63,14 +68,14 @@ TEST(Prepare, GivesUnknownsOfSizeOneToThePaths) {
   }
 }
 
-TEST(Prepare, SaysWhatItLeftOut) { EXPECT_GE(prepare(badly_scaled(), {}).left_out.size(), 2U); }
+TEST(Prepare, SaysWhatItLeftOut) { EXPECT_GE(prepared_from(badly_scaled()).left_out.size(), 2U); }
 
 TEST(Prepare, LeavesEverythingAsItIsWhereThatIsAskedFor) {
   SolveOptions options;
   options.eliminate = false;
   options.scale = false;
-  const Prepared prepared = prepare(badly_scaled(), options);
-  EXPECT_EQ(prepared.start.degrees, (std::vector<std::uint64_t>{1, 2, 2}));
+  const Prepared prepared = prepared_from(badly_scaled(), options);
+  EXPECT_EQ(degrees(prepared.reduction.system), (std::vector<std::uint64_t>{1, 2, 2}));
   EXPECT_TRUE(prepared.left_out.empty());
   EXPECT_EQ(natural_sizes(prepared), (std::vector<double>{1, 1, 1}));
 }
@@ -78,7 +83,7 @@ TEST(Prepare, LeavesEverythingAsItIsWhereThatIsAskedFor) {
 TEST(Prepare, HasNothingToTrackWhereEliminationDecides) {
   EXPECT_FALSE(prepare(read("2\n x + y - 3;\n x - y - 1;\n"), {}).homotopy);
   EXPECT_FALSE(prepare(read("2\n x + y - 1;\n x + y - 2;\n"), {}).homotopy);
-  EXPECT_FALSE(prepare(System{}, {}).homotopy);
+  EXPECT_FALSE(prepared_from(System{}).plan);
 }
 
 }  // namespace

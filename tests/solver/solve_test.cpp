@@ -164,14 +164,28 @@ TEST(Solve, TellsNoIsolatedRootWhereCurvesCross) {
   }
 }
 
-TEST(Solve, RefusesMoreEquationsThanUnknownsWithTheReason) {
-  try {
-    solve_with_cvode(read("3 2\n x - 1;\n y - 1;\n x*y - 1;\n"));
-    FAIL() << "an overdetermined system was taken";
-  } catch (const std::invalid_argument& refusal) {
-    EXPECT_NE(std::string(refusal.what()).find("3 equations in 2 unknowns"), std::string::npos);
-    EXPECT_NE(std::string(refusal.what()).find("overdetermined"), std::string::npos);
+TEST(Solve, SquaresUpMoreEquationsThanUnknownsAndCountsWhatThatAdds) {
+  // (1, 2) and (-1, -2) satisfy all three; the squared-up quadrics have two more roots.
+  const System f = read("3 2\n x^2 + y^2 - 5;\n x*y - 2;\n 2*x^2 - x*y;\n");
+  for (const std::uint64_t seed : {1UL, 2UL, 3UL}) {
+    const SolveResult result = solve_with_cvode(f, with_seed(seed));
+    EXPECT_TRUE(result.complete);
+    EXPECT_EQ(result.solutions.size(), 2U);
+    EXPECT_EQ(result.excess, 2U);
+    EXPECT_EQ(result.paths.finite, 4U);
   }
+  const SolveResult none = solve_with_cvode(read("3 2\n x^2 + y^2 - 5;\n x*y - 2;\n x + y - 9;\n"));
+  EXPECT_TRUE(none.complete);
+  EXPECT_TRUE(none.solutions.empty());
+}
+
+TEST(Solve, CutsFewerEquationsThanUnknownsWhereThatIsAskedFor) {
+  SolveOptions options = with_seed(1);
+  options.slice = true;
+  // The twisted cubic has degree 3.
+  const SolveResult result = solve_with_cvode(read("2 3\n y - x^2;\n z - x*y;\n"), options);
+  EXPECT_TRUE(result.complete);
+  EXPECT_EQ(result.solutions.size(), 3U);
 }
 
 TEST(Solve, RefusesFewerEquationsThanUnknownsWithTheReason) {

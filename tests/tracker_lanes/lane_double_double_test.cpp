@@ -75,9 +75,9 @@ void add_all_products(const Numbers& a, const Numbers& b, const Numbers& c, Numb
 /// The points of W paths at time t, from points near them, by lane steps of length 0.
 void polish(const Homotopy& homotopy, const std::vector<Numbers>& points,
             const Time<ComplexDoubleDouble>& t, std::vector<Numbers>& results) {
-  const LaneProgram<DoubleDouble> program = make_lane_program<DoubleDouble>(homotopy);
+  const HomotopyProgram<DoubleDouble> program = make_program<DoubleDouble>(homotopy);
   LanePath<Wide> path(homotopy.coordinates());
-  LaneStep<Wide> step(program);
+  LaneStep<Wide> step(homotopy, program);
   LaneTime<Wide> time;
   LaneReals none;
   for (std::size_t lane = 0; lane < W; ++lane) {
