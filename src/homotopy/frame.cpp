@@ -7,15 +7,9 @@
 #include <limits>
 
 #include "moivre/homotopy/homotopy.h"
-#include "moivre/polynomial/scale.h"
 
 namespace moivre {
 namespace {
-
-double log2_size_of_term(const Homotopy& homotopy, std::size_t k) {
-  const Coefficient& c = is_zero(homotopy.g(k)) ? homotopy.f(k) : homotopy.g(k);
-  return is_zero(c) ? 0 : log2_size(c);
-}
 
 Point scaled(Point x, const std::vector<int>& log2, int sign) {
   for (std::size_t j = 0; j < x.size(); ++j) {
@@ -44,9 +38,10 @@ PathFrame frame_at(const Homotopy& homotopy, const Point& x) {
         sum += static_cast<double>(power.exponent) * frame.log2[power.variable];
       }
       shift.push_back(sum);
-      largest = std::max(largest, sum + log2_size_of_term(homotopy, homotopy.first_term(i) + k));
+      largest = std::max(largest, sum + homotopy.log2_size(homotopy.first_term(i) + k));
     }
-    for (const double sum : shift) frame.factors.push_back(std::exp2(sum - std::floor(largest)));
+    for (const double sum : shift)
+      frame.factors.push_back(std::ldexp(1.0, static_cast<int>(sum - std::floor(largest))));
   }
   return frame;
 }

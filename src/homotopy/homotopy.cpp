@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "moivre/polynomial/homogenize.h"
+#include "moivre/polynomial/scale.h"
 
 namespace moivre {
 namespace {
@@ -83,6 +84,10 @@ Homotopy::Homotopy(const System& f, const System& g) {
 Homotopy Homotopy::framed(const System& f, const System& g) {
   Homotopy homotopy(f, g);
   homotopy.is_framed_ = true;
+  for (std::size_t k = 0; k < homotopy.terms(); ++k) {
+    const Coefficient& c = is_zero(homotopy.g(k)) ? homotopy.f(k) : homotopy.g(k);
+    homotopy.log2_sizes_.push_back(moivre::log2_size(c));
+  }
   return homotopy;
 }
 

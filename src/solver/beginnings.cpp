@@ -34,9 +34,8 @@ class StageSource : public DepartureSource {
 }  // namespace
 
 Beginning first_beginning(const StartPlan& plan, std::uint64_t path) {
-  FramePointer frame = plan.points->frame(path);
-  Point x = inside(frame, plan.points->point(path));
-  return {path, std::move(x), std::move(frame), std::nullopt, {}};
+  StartPoint start = plan.points->at(path);
+  return {path, std::move(start.x), std::move(start.frame), std::nullopt, {}};
 }
 
 Departure departure_of(const Beginning& beginning, int care, Watcher* watcher) {

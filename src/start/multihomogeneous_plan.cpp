@@ -8,7 +8,7 @@ namespace {
 class LinearProductPoints : public StartPoints {
  public:
   explicit LinearProductPoints(LinearProductStart start) : start_(std::move(start)) {}
-  Point point(std::uint64_t path) const override { return start_point(start_, path); }
+  StartPoint at(std::uint64_t path) const override { return {start_point(start_, path), nullptr}; }
   std::optional<std::uint64_t> number_of(const Point& x) const override {
     return path_number(start_, x);
   }

@@ -87,32 +87,26 @@ class PolyhedralPoints : public StartPoints {
 
   std::uint64_t paths() const { return index_.paths(); }
 
-  Point point(std::uint64_t path) const override {
+  StartPoint at(std::uint64_t path) const override {
     const StartRoot root = start_root(index_, path);
-    Point x = binomial_root(binomials(root.cell), root.root);
+    const MixedCell& cell = cells_.cells[root.cell];
+    const BinomialSystem binomials = binomial_system(cells_, cell, g_);
+    Point x = binomial_root(binomials, root.root);
     x.push_back(1);
-    return x;
-  }
-
-  FramePointer frame(std::uint64_t path) const override {
-    const StartRoot root = start_root(index_, path);
-    auto frame = std::make_shared<PathFrame>(frame_at(toric_, point(path)));
-    frame->weights = cell_weights(cells_, cells_.cells[root.cell]);
-    const double span = toric_span(root.cell, frame->weights);
+    auto frame = std::make_shared<PathFrame>(frame_at(toric_, x));
+    frame->weights = cell_weights(cells_, cell);
+    const double span = toric_span(cell, binomials.log_modulus, frame->weights);
     for (double& w : frame->weights) w *= span;
-    return frame;
+    x = inside(frame, std::move(x));
+    return {std::move(x), std::move(frame)};
   }
 
   std::optional<std::uint64_t> number_of(const Point&) const override { return std::nullopt; }
 
  private:
-  BinomialSystem binomials(std::size_t cell) const {
-    return binomial_system(cells_, cells_.cells[cell], g_);
-  }
-
   // T: log |term k| - log |binomial's terms| - w_k T <= log kLeastPart for all terms that the binomials leave out.
-  double toric_span(std::size_t cell, const std::vector<double>& weights) const {
-    const BinomialSystem system = binomials(cell);
+  double toric_span(const MixedCell& cell, const std::vector<double>& log_modulus,
+                    const std::vector<double>& weights) const {
     double span = 0;
     std::size_t next = 0;
     for (std::size_t i = 0; i < cells_.supports.size(); ++i) {
@@ -120,11 +114,11 @@ class PolyhedralPoints : public StartPoints {
       const auto size = [&](std::size_t k) {
         double log_size = std::log(std::abs(g_[next + k]));
         for (std::size_t j = 0; j < terms[k].size(); ++j) {
-          log_size += static_cast<double>(terms[k][j]) * system.log_modulus[j];
+          log_size += static_cast<double>(terms[k][j]) * log_modulus[j];
         }
         return log_size;
       };
-      const double binomial = size(cells_.cells[cell].edges[i][0]);
+      const double binomial = size(cell.edges[i][0]);
       for (std::size_t k = 0; k < terms.size(); ++k) {
         if (weights[next + k] == 0) continue;
         span = std::max(span, (size(k) - binomial - std::log(kLeastPart)) / weights[next + k]);

@@ -12,7 +12,7 @@ class TotalDegreePoints : public StartPoints {
  public:
   explicit TotalDegreePoints(TotalDegreeStart start) : start_(std::move(start)) {}
 
-  Point point(std::uint64_t path) const override { return start_point(start_, path); }
+  StartPoint at(std::uint64_t path) const override { return {start_point(start_, path), nullptr}; }
 
   // x_j is the k-th of d roots: its angle from the first one tells k.
   std::optional<std::uint64_t> number_of(const Point& x) const override {
@@ -36,7 +36,7 @@ class TotalDegreePoints : public StartPoints {
 class OwnPoint : public StartPoints {
  public:
   explicit OwnPoint(Point x) : x_(std::move(x)) {}
-  Point point(std::uint64_t) const override { return x_; }
+  StartPoint at(std::uint64_t) const override { return {x_, nullptr}; }
   std::optional<std::uint64_t> number_of(const Point&) const override { return std::nullopt; }
 
  private:
@@ -44,8 +44,6 @@ class OwnPoint : public StartPoints {
 };
 
 }  // namespace
-
-FramePointer StartPoints::frame(std::uint64_t) const { return nullptr; }
 
 StartPlan total_degree_plan(const System& f, std::uint64_t seed) {
   TotalDegreeStart start = total_degree_start(degrees(f), seed);

@@ -26,7 +26,7 @@ struct PathFrame {
 /// Who follows the path holds it; nullptr: x itself.
 using FramePointer = std::shared_ptr<const PathFrame>;
 
-/// The frame in which x, homogeneous, has coordinates near 1. Coordinates of x that are 0 stay as they are.
+/// Of a framed homotopy: the frame in which x, homogeneous, has coordinates near 1. Coordinates of x that are 0 stay as they are.
 PathFrame frame_at(const Homotopy& homotopy, const Point& x);
 
 /// y of x, and x of y; the point itself where there is no frame.

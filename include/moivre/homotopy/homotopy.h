@@ -62,6 +62,8 @@ class Homotopy {
   /// Of term k, counted over all equations: f_k and g_k, zero where a side has no such term.
   const Coefficient& f(std::size_t k) const { return f_[k]; }
   const Coefficient& g(std::size_t k) const { return g_[k]; }
+  /// log2 of the size of g_k, or of f_k where the start has no such term; of a framed homotopy only.
+  double log2_size(std::size_t k) const { return log2_sizes_[k]; }
   /// The first term of equation i.
   std::size_t first_term(std::size_t i) const { return first_[i]; }
   const std::optional<ParameterLaw>& parameter_law() const { return parameters_; }
@@ -78,6 +80,7 @@ class Homotopy {
   std::vector<std::size_t> first_;
   std::vector<Coefficient> f_;
   std::vector<Coefficient> g_;
+  std::vector<double> log2_sizes_;
   std::optional<ParameterLaw> parameters_;
 };
 

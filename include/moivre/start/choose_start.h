@@ -11,7 +11,7 @@
 //     polyhedral:  kPolyhedralCost M
 //
 // Mixed cells are looked for where a generic member has roots at infinity (start/infinity.h), until the search has cost what
-// the paths of the best other start are expected to. The constants were fitted on a corpus (decision 15).
+// the paths of the best other start are expected to. The constants were fitted on a corpus (decision 18).
 // Edges: a start that cannot be had (a count beyond 64 bits, G with too many terms) is passed over, with the reason; all of
 // them: std::overflow_error. Asked for by name, it is refused with the reason (std::invalid_argument).
 #pragma once

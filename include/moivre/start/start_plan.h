@@ -18,14 +18,17 @@
 
 namespace moivre {
 
+/// Where a path begins.
+struct StartPoint {
+  Point x;             ///< homogeneous coordinates, in the frame
+  FramePointer frame;  ///< of the first stage, where that is framed; else nullptr
+};
+
 /// The start points of the first stage.
 class StartPoints {
  public:
   virtual ~StartPoints() = default;
-  /// Homogeneous coordinates.
-  virtual Point point(std::uint64_t path) const = 0;
-  /// The path's frame on the first stage, where that is framed; else nullptr.
-  virtual FramePointer frame(std::uint64_t path) const;
+  virtual StartPoint at(std::uint64_t path) const = 0;
   /// Which path has this start point, known to some digits? nullopt where that can't be computed.
   virtual std::optional<std::uint64_t> number_of(const Point& x) const = 0;
 };
