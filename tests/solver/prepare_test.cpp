@@ -81,8 +81,8 @@ TEST(Prepare, LeavesEverythingAsItIsWhereThatIsAskedFor) {
 }
 
 TEST(Prepare, HasNothingToTrackWhereEliminationDecides) {
-  EXPECT_FALSE(prepare(read("2\n x + y - 3;\n x - y - 1;\n"), {}).homotopy);
-  EXPECT_FALSE(prepare(read("2\n x + y - 1;\n x + y - 2;\n"), {}).homotopy);
+  EXPECT_FALSE(prepared_from(read("2\n x + y - 3;\n x - y - 1;\n")).plan);
+  EXPECT_FALSE(prepared_from(read("2\n x + y - 1;\n x + y - 2;\n")).plan);
   EXPECT_FALSE(prepared_from(System{}).plan);
 }
 
