@@ -124,6 +124,35 @@ TEST(StableMixedVolume, LiesBetweenTheMixedVolumesWithoutAndWithZero) {
   }
 }
 
+TEST(StableMixedVolume, GrowsLikeAVolumeWithTheExponents) {
+  const std::uint32_t m = 1000;
+  std::size_t compared = 0;
+  for (const Row& row : phcpack_rows()) {
+    const std::size_t n = row.supports.size();
+    if (n > 3) continue;
+    std::uint64_t factor = 1;
+    for (std::size_t j = 0; j < n; ++j) factor *= m;
+    EXPECT_EQ(stable_mixed_volume(stretched(row.supports, m), 1).value, row.stable * factor)
+        << row.name;
+    ++compared;
+  }
+  EXPECT_GT(compared, 50u);
+}
+
+TEST(StableMixedVolume, TheAddedZerosAreLiftedHighEnoughWhateverTheExponents) {
+  // x^{d-1} (a x + b): the slack of x^d over the edge {0, x^{d-1}} is only 1/(d-1) of the zero's height.
+  for (const std::uint32_t d : {10u, 1000u, 100000u, 100000000u}) {
+    const std::vector<Support> supports{{{{d}, {d - 1}}}};
+    EXPECT_EQ(mixed_volume(supports, 1).value, 1u);
+    for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+      const CellSearch search = stable_mixed_cells(supports, seed);
+      ASSERT_TRUE(search.subdivision) << d;
+      EXPECT_EQ(search.subdivision->mixed_volume, d);
+      EXPECT_EQ(search.subdivision->cells.size(), 2u);
+    }
+  }
+}
+
 TEST(StableMixedVolume, ItsCellsAreCellsOfTheSupportsWithZeroAdded) {
   const CellSearch search = stable_mixed_cells(katsura(4), 1);
   ASSERT_TRUE(search.subdivision);
