@@ -607,7 +607,8 @@ bool Endgame::is_regular_arrival(const Arrival& arrival, PathSystem& path, doubl
   }
   // x_0 that is made of rounding errors may be 0: not here is it to be told.
   const double moved = std::abs(chart_.x0(path.last_correction()));
-  if (moved > kUnknownCorrection * std::abs(chart_.x0(x))) return false;
+  const bool is_known = moved <= kUnknownCorrection * std::abs(chart_.x0(x));
+  if (!is_known || chart_.finiteness(x) <= kRoundedZero) return false;
   end_.x = std::move(x);
   end_.accuracy = correction.last;
   end_.status = PathStatus::finite;

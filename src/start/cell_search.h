@@ -77,7 +77,7 @@ class CellWalk {
   /// Block s, so far a simplex, becomes A_s with d_s times that simplex.
   void enter(MovingCell<Word> cell, std::size_t s) {
     const std::size_t n = stages_.n;
-    const Stage& stage = stages_.stages[s];
+    const CellStage& stage = stages_.stages[s];
     const Word d = Word(stages_.degrees[s]);
     require_room(Word(), approximate(d) * (approximate(cell.det) + magnitude(cell.inverse)));
     cell.stage = s;
@@ -147,7 +147,7 @@ class CellWalk {
 
   /// The second lifting may have decided; the cell must be one of the first alone.
   void check_strict(const MovingCell<Word>& cell) const {
-    const Stage& stage = stages_.stages.back();
+    const CellStage& stage = stages_.stages.back();
     for (std::size_t j = 0; j < stages_.n; ++j) {
       for (std::size_t k = 0; k < sizes_[j]; ++k) {
         const bool end = k == cell.a[j] || k == cell.b[j];
@@ -190,7 +190,7 @@ class CellWalk {
 
   /// det * slack of point g in the second lifting at t = 0.
   Integer tie_slack(const MovingCell<Word>& cell, std::size_t g) const {
-    const Stage& stage = stages_.stages[cell.stage];
+    const CellStage& stage = stages_.stages[cell.stage];
     const auto omega = [&stage](std::size_t block, std::uint32_t point) {
       return to_integer(stage.tie_lifting[stage.block_begin[block] + point]);
     };
@@ -205,7 +205,7 @@ class CellWalk {
 
   /// The event of point g. False: another cell goes on in this one's place.
   bool pass(MovingCell<Word>& cell, std::size_t g) {
-    const Stage& stage = stages_.stages[cell.stage];
+    const CellStage& stage = stages_.stages[cell.stage];
     const std::size_t j = stage.block_of[g];
     const auto g_in_block = static_cast<std::uint32_t>(g - stage.block_begin[j]);
     const Word c = edge_coordinate(stage, cell, j, g);

@@ -21,17 +21,17 @@
 namespace moivre {
 
 /// variable^exponent of a point; sparse, as most exponents are 0.
-struct Coordinate {
+struct ShiftedCoordinate {
   std::uint32_t variable;
   std::int64_t exponent;
 };
 
 /// The points of one stage. Point numbers count through the blocks.
-struct Stage {
+struct CellStage {
   std::vector<std::uint32_t> block_begin;  ///< n + 1 point numbers
   std::vector<std::uint32_t> block_of;     ///< of each point
   std::vector<std::uint32_t> coordinate_begin;
-  std::vector<Coordinate> coordinates;  ///< of all points
+  std::vector<ShiftedCoordinate> coordinates;  ///< of all points
   std::vector<Int128> lifting;          ///< omega at t = 0
   std::vector<Int128> tie_lifting;      ///< the infinitely smaller second lifting
   double largest_exponent_sum = 0;      ///< max over points
@@ -44,7 +44,7 @@ struct Stages {
   std::size_t n = 0;
   std::vector<std::size_t> order;     ///< support of block s, as the caller numbers them
   std::vector<std::int64_t> degrees;  ///< d_s
-  std::vector<Stage> stages;
+  std::vector<CellStage> stages;
 };
 
 /// Requires square supports of two terms at least, and a lifting of their shape.

@@ -32,10 +32,10 @@ struct MovingCell {
 };
 
 template <class Word>
-Word times_point(const Stage& stage, const Word* row, std::size_t point) {
+Word times_point(const CellStage& stage, const Word* row, std::size_t point) {
   Word sum = 0;
   for (std::size_t k = stage.coordinate_begin[point]; k < stage.coordinate_begin[point + 1]; ++k) {
-    const Coordinate& c = stage.coordinates[k];
+    const ShiftedCoordinate& c = stage.coordinates[k];
     sum += row[c.variable] * Word(c.exponent);
   }
   return sum;
@@ -43,7 +43,7 @@ Word times_point(const Stage& stage, const Word* row, std::size_t point) {
 
 /// values of all points, each block's counted from its end a.
 template <class Word>
-void count_from_ends(const Stage& stage, const std::vector<std::uint32_t>& a,
+void count_from_ends(const CellStage& stage, const std::vector<std::uint32_t>& a,
                      std::vector<Word>& values) {
   for (std::size_t j = 0; j < a.size(); ++j) {
     const Word base = values[stage.block_begin[j] + a[j]];
@@ -53,7 +53,7 @@ void count_from_ends(const Stage& stage, const std::vector<std::uint32_t>& a,
 
 /// C_gi of all points g.
 template <class Word>
-void edge_coordinates(const Stage& stage, const MovingCell<Word>& cell, std::size_t i,
+void edge_coordinates(const CellStage& stage, const MovingCell<Word>& cell, std::size_t i,
                       std::vector<Word>& column) {
   const std::size_t n = cell.a.size();
   const Word* row = &cell.inverse[i * n];
@@ -65,7 +65,7 @@ void edge_coordinates(const Stage& stage, const MovingCell<Word>& cell, std::siz
 
 /// C_gi of one point.
 template <class Word>
-Word edge_coordinate(const Stage& stage, const MovingCell<Word>& cell, std::size_t i,
+Word edge_coordinate(const CellStage& stage, const MovingCell<Word>& cell, std::size_t i,
                      std::size_t g) {
   const std::size_t n = cell.a.size();
   const std::size_t j = stage.block_of[g];
@@ -84,7 +84,7 @@ void turn_edge(MovingCell<Word>& cell, std::size_t j) {
 
 /// Point g takes the place of b_j; requires C_gj > 0. `column` is room for all points.
 template <class Word>
-void exchange_end(const Stage& stage, MovingCell<Word>& cell, std::size_t j, std::size_t g,
+void exchange_end(const CellStage& stage, MovingCell<Word>& cell, std::size_t j, std::size_t g,
                   std::vector<Word>& column) {
   const std::size_t n = cell.a.size();
   edge_coordinates(stage, cell, j, column);
@@ -105,7 +105,7 @@ void exchange_end(const Stage& stage, MovingCell<Word>& cell, std::size_t j, std
 
 /// det * alpha, from the edges' liftings at t = 0.
 template <class Word>
-std::vector<Word> scaled_normal(const Stage& stage, const MovingCell<Word>& cell) {
+std::vector<Word> scaled_normal(const CellStage& stage, const MovingCell<Word>& cell) {
   const std::size_t n = cell.a.size();
   require_room(Word(),
                2 * static_cast<double>(n) * magnitude(cell.inverse) * stage.largest_lifting);
@@ -121,7 +121,7 @@ std::vector<Word> scaled_normal(const Stage& stage, const MovingCell<Word>& cell
 
 /// det * slack of all points for given det * alpha and lifting.
 template <class Word>
-std::vector<Word> scaled_slacks(const Stage& stage, const MovingCell<Word>& cell,
+std::vector<Word> scaled_slacks(const CellStage& stage, const MovingCell<Word>& cell,
                                 const std::vector<Word>& alpha) {
   require_room(Word(), 2 * (approximate(cell.det) * stage.largest_lifting +
                             magnitude(alpha) * stage.largest_exponent_sum));

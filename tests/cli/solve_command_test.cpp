@@ -168,17 +168,25 @@ TEST(SolveCommand, ExitsWithTwoAndNamesThePathsThatFailed) {
   EXPECT_EQ(json["failures"][0]["reason"], "step limit");
 }
 
-TEST(SolveCommand, RefusesASystemThatIsNotSquareWithoutJson) {
+TEST(SolveCommand, RefusesAnUnderdeterminedSystemWithoutJson) {
   Scene scene;
   scene.write("under.phc", "1 2\nx*y - 1;\n");
+  const Outcome outcome = scene.run({"solve", "under.phc", "--json", "f.json"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_TRUE(contains(outcome.err, "underdetermined")) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "--slice")) << outcome.err;
+  EXPECT_FALSE(scene.has("f.json"));
+}
+
+TEST(SolveCommand, CountsTheRootsThatSquaringUpAdded) {
+  Scene scene;
   scene.write("over.phc", "2 1\nx^2 - 1;\nx - 1;\n");
-  for (const char* kind : {"under", "over"}) {
-    const Outcome outcome = scene.run({"solve", std::string(kind) + ".phc", "--json", "f.json"});
-    EXPECT_EQ(outcome.exit_code, 1);
-    EXPECT_EQ(outcome.out, "");
-    EXPECT_TRUE(contains(outcome.err, std::string(kind) + "determined")) << outcome.err;
-    EXPECT_FALSE(scene.has("f.json"));
-  }
+  const Outcome outcome = scene.run({"solve", "over.phc", "--json", "-"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  const Json json = Json::parse(outcome.out);
+  EXPECT_EQ(json["excess"], 1);
+  EXPECT_EQ(json["solutions"].size(), 1U);
 }
 
 TEST(SolveCommand, NamesTheLineOfAFault) {
@@ -247,7 +255,8 @@ TEST(SolveCommand, RefusesEachWrongOptionWithItsReason) {
       {{"--method", "adams_projection"}, "projection is only supported with BDF"},
       {{"--method", "euler"}, "the methods are bdf_projection, bdf and adams"},
       {{"--iteration", "halley"}, "the iterations are fixed_point and newton"},
-      {{"--start", "polyhedral"}, "the start system is total-degree"},
+      {{"--start", "magic"},
+       "the start systems are auto, total-degree, multihomogeneous and polyhedral"},
       {{"--tracker", "lanes", "--predictor", "x"}, "the predictors are tangent, cubic and quintic"},
       {{"--rtol", "0"}, "rtol must lie in (0, 0.5]"},
       {{"--rtol", "nan"}, "rtol must lie in (0, 0.5]"},
@@ -272,12 +281,12 @@ TEST(SolveCommand, RefusesEachWrongOptionWithItsReason) {
 TEST(SolveCommand, NamesEveryWrongOptionAtOnce) {
   Scene scene;
   scene.write("f.phc", kCircleAndHyperbola);
-  const Outcome outcome = scene.run({"solve", "f.phc", "--start", "polyhedral", "--threads", "-1",
+  const Outcome outcome = scene.run({"solve", "f.phc", "--start", "magic", "--threads", "-1",
                                      "--precision", "half", "--method", "euler", "--iteration",
                                      "halley", "--rtol", "7", "--max-steps", "0"});
   EXPECT_EQ(outcome.exit_code, 1);
   for (const char* fault :
-       {"--start polyhedral", "threads must lie", "--precision half", "--method euler",
+       {"--start magic", "threads must lie", "--precision half", "--method euler",
         "--iteration halley", "rtol must lie", "maximum_steps must"}) {
     EXPECT_TRUE(contains(outcome.err, fault)) << fault << "\n" << outcome.err;
   }

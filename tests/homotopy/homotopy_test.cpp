@@ -158,8 +158,8 @@ TEST(Homotopy, InDoubleDoubleRoundsToTheSameAtComplexTime) {
 }
 
 TEST(PathTime, KeepsTheDigitsOfOneMinusTWhereTRoundsToOne) {
-  // F vanishes at x = 1, so H there is (1 - t) G.
-  const Homotopy homotopy(system("2\nx - 1; y - 1;\n"), system("2\nx + 1; y + 1;\n"));
+  // F vanishes at x = y, so H there is (1 - t) G.
+  const Homotopy homotopy(system("2\nx - y; y - x;\n"), system("2\nx^2 + 1; y^2 + 1;\n"));
   const Complex rest = 1e-20;
   const Point h = value(homotopy, {1.0, 1.0, 1.0}, {1.0 - rest, rest});
   EXPECT_EQ(h[0], 2e-20);

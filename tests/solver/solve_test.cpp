@@ -272,6 +272,7 @@ TEST(Solve, TellsItsProgressPathByPath) {
   std::uint64_t calls = 0;
   Progress last;
   SolveOptions options = with_seed(1, 2);
+  options.start = StartKind::total_degree;
   options.progress = [&](const Progress& progress) {
     EXPECT_EQ(progress.done, ++calls);
     last = progress;
@@ -296,8 +297,10 @@ TEST(Solve, FailsForPrecisionWhereCirclesMayNotClose) {
 TEST(Solve, FailsAtTheStepLimitAndSaysHowFarEachPathCame) {
   CvodeOptions cvode;
   cvode.maximum_steps = 3;
+  SolveOptions options = with_seed(1);
+  options.start = StartKind::total_degree;
   const SolveResult result =
-      solve(system_of(problem("noon-3")), *make_cvode_tracker(cvode), with_seed(1));
+      solve(system_of(problem("noon-3")), *make_cvode_tracker(cvode), options);
   EXPECT_FALSE(result.complete);
   EXPECT_EQ(result.paths.failed, 27U);
   expect_conservation(result);
