@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Which mixed cells are there at the end of the last stage? A walk through the tree of cells that pass into each other.
 //
-// Within a stage the cell's slacks are w + t rate (over det). The next event is the least t = w_g / -rate_g over the points
-// g with rate_g < 0: there g reaches the lower hull of its block j, on a line with the edge {a_j, b_j}. Let g divide the edge in
-// lambda = C_gj / det:
+// Within a stage the cell's slacks are w + t rate (over det). The next event is the least t = w_g / -rate_g over the
+// points g with rate_g < 0: there g reaches the lower hull of its block j, on a line with the edge {a_j, b_j}. Let g
+// divide the edge in lambda = C_gj / det:
 //   0 < lambda < 1  the cell splits into {a_j, g} and {g, b_j};
 //   lambda <= 0     {g, b_j}; for lambda < 0 it comes from two cells, this one and {g, a_j};
 //   lambda >= 1     {a_j, g}; for lambda > 1 it comes from two cells, this one and {b_j, g}.
-// Of two cells that merge the larger one goes on (of equal ones that whose point off the other edge has the lower number):
-// both can tell, so that every cell is met exactly once, without a memory of those met.
+// Of two cells that merge the larger one goes on (of equal ones that whose point off the other edge has the lower
+// number): both can tell, so that every cell is met exactly once, without a memory of those met.
 // A stage is over for a cell when both ends of its edge s are terms of A_s; where no event is left before that, the
 // cell goes to infinity with the simplex and is dropped.
 // Equal t of two points: the second lifting, infinitely smaller, decides; equal again: NotGeneric.
@@ -41,7 +41,7 @@ template <class Word>
 class CellWalk {
  public:
   /// `steps` counts on from where an earlier walk left off.
-  CellWalk(const Stages& stages, const std::vector<std::size_t>& sizes,
+  CellWalk(const CellStages& stages, const std::vector<std::size_t>& sizes,
            const CellSearchOptions& options, std::uint64_t& steps)
       : stages_(stages), sizes_(sizes), options_(options), steps_(steps) {}
 
@@ -77,7 +77,7 @@ class CellWalk {
   /// Block s, so far a simplex, becomes A_s with d_s times that simplex.
   void enter(MovingCell<Word> cell, std::size_t s) {
     const std::size_t n = stages_.n;
-    const Stage& stage = stages_.stages[s];
+    const CellStage& stage = stages_.stages[s];
     const Word d = Word(stages_.degrees[s]);
     require_room(Word(), approximate(d) * (approximate(cell.det) + magnitude(cell.inverse)));
     cell.stage = s;
@@ -147,7 +147,7 @@ class CellWalk {
 
   /// The second lifting may have decided; the cell must be one of the first alone.
   void check_strict(const MovingCell<Word>& cell) const {
-    const Stage& stage = stages_.stages.back();
+    const CellStage& stage = stages_.stages.back();
     for (std::size_t j = 0; j < stages_.n; ++j) {
       for (std::size_t k = 0; k < sizes_[j]; ++k) {
         const bool end = k == cell.a[j] || k == cell.b[j];
@@ -190,7 +190,7 @@ class CellWalk {
 
   /// det * slack of point g in the second lifting at t = 0.
   Integer tie_slack(const MovingCell<Word>& cell, std::size_t g) const {
-    const Stage& stage = stages_.stages[cell.stage];
+    const CellStage& stage = stages_.stages[cell.stage];
     const auto omega = [&stage](std::size_t block, std::uint32_t point) {
       return to_integer(stage.tie_lifting[stage.block_begin[block] + point]);
     };
@@ -205,7 +205,7 @@ class CellWalk {
 
   /// The event of point g. False: another cell goes on in this one's place.
   bool pass(MovingCell<Word>& cell, std::size_t g) {
-    const Stage& stage = stages_.stages[cell.stage];
+    const CellStage& stage = stages_.stages[cell.stage];
     const std::size_t j = stage.block_of[g];
     const auto g_in_block = static_cast<std::uint32_t>(g - stage.block_begin[j]);
     const Word c = edge_coordinate(stage, cell, j, g);
@@ -234,7 +234,7 @@ class CellWalk {
     return volume > sibling || (volume == sibling && outer < outer_of_sibling);
   }
 
-  const Stages& stages_;
+  const CellStages& stages_;
   const std::vector<std::size_t>& sizes_;  // of A_s, in the order of the stages
   const CellSearchOptions& options_;
   std::uint64_t& steps_;

@@ -60,7 +60,7 @@ struct Ingredients {
   CornerLifting corners;
 };
 
-void add_point(Stage& stage, std::size_t block, const std::vector<std::int64_t>& point,
+void add_point(CellStage& stage, std::size_t block, const std::vector<std::int64_t>& point,
                Int128 lifting, Int128 tie) {
   double sum = 0;
   for (std::uint32_t j = 0; j < point.size(); ++j) {
@@ -76,9 +76,9 @@ void add_point(Stage& stage, std::size_t block, const std::vector<std::int64_t>&
   stage.largest_lifting = std::max(stage.largest_lifting, std::abs(approximate(lifting)));
 }
 
-Stage make_stage(const Ingredients& in, std::size_t s, std::int64_t degree) {
+CellStage make_stage(const Ingredients& in, std::size_t s, std::int64_t degree) {
   const std::size_t n = in.points.size();
-  Stage stage;
+  CellStage stage;
   stage.coordinate_begin.push_back(0);
   for (std::size_t b = 0; b < n; ++b) {
     stage.block_begin.push_back(static_cast<std::uint32_t>(stage.points()));
@@ -99,8 +99,8 @@ Stage make_stage(const Ingredients& in, std::size_t s, std::int64_t degree) {
 
 }  // namespace
 
-Stages make_stages(const std::vector<Support>& supports, const Lifting& lifting,
-                   std::uint64_t seed) {
+CellStages make_stages(const std::vector<Support>& supports, const Lifting& lifting,
+                       std::uint64_t seed) {
   const std::size_t n = supports.size();
   std::vector<Points> moved;
   std::vector<std::size_t> sizes;
@@ -110,7 +110,7 @@ Stages make_stages(const std::vector<Support>& supports, const Lifting& lifting,
   }
   const Lifting tie = random_lifting(sizes, seed, LiftingPurpose::ties);
 
-  Stages stages;
+  CellStages stages;
   stages.n = n;
   stages.order.resize(n);
   std::iota(stages.order.begin(), stages.order.end(), std::size_t{0});

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// How does a mixed cell pass into its neighbour? One end of one edge is exchanged, by one step of fraction-free elimination.
+// How does a mixed cell pass into its neighbour? One end of one edge is exchanged, by one step of fraction-free
+// elimination.
 //
 //   V: rows v_i = b_i - a_i of the cell's edges; det = |det V| > 0; inverse = det V^{-1}, integers;
-//   coordinates of point g of block j in the edges: g - a_j = sum_i (C_gi / det) v_i, C_gi = <g - a_j, column i of inverse>;
+//   point g of block j in the edges: g - a_j = sum_i (C_gi / det) v_i, C_gi = <g - a_j, column i of inverse>;
 //   w_g = det * slack of g at t = 0, rate_g = det * d(slack)/dt.
 // Replacing b_j by g, p = C_gj > 0:
 //   det' = p,  w' = (p w - C_.j w_g) / det, rate' and the other columns of the inverse alike, column j stays:
@@ -32,10 +33,10 @@ struct MovingCell {
 };
 
 template <class Word>
-Word times_point(const Stage& stage, const Word* row, std::size_t point) {
+Word times_point(const CellStage& stage, const Word* row, std::size_t point) {
   Word sum = 0;
   for (std::size_t k = stage.coordinate_begin[point]; k < stage.coordinate_begin[point + 1]; ++k) {
-    const Coordinate& c = stage.coordinates[k];
+    const PointExponent& c = stage.coordinates[k];
     sum += row[c.variable] * Word(c.exponent);
   }
   return sum;
@@ -43,7 +44,7 @@ Word times_point(const Stage& stage, const Word* row, std::size_t point) {
 
 /// values of all points, each block's counted from its end a.
 template <class Word>
-void count_from_ends(const Stage& stage, const std::vector<std::uint32_t>& a,
+void count_from_ends(const CellStage& stage, const std::vector<std::uint32_t>& a,
                      std::vector<Word>& values) {
   for (std::size_t j = 0; j < a.size(); ++j) {
     const Word base = values[stage.block_begin[j] + a[j]];
@@ -53,7 +54,7 @@ void count_from_ends(const Stage& stage, const std::vector<std::uint32_t>& a,
 
 /// C_gi of all points g.
 template <class Word>
-void edge_coordinates(const Stage& stage, const MovingCell<Word>& cell, std::size_t i,
+void edge_coordinates(const CellStage& stage, const MovingCell<Word>& cell, std::size_t i,
                       std::vector<Word>& column) {
   const std::size_t n = cell.a.size();
   const Word* row = &cell.inverse[i * n];
@@ -65,7 +66,7 @@ void edge_coordinates(const Stage& stage, const MovingCell<Word>& cell, std::siz
 
 /// C_gi of one point.
 template <class Word>
-Word edge_coordinate(const Stage& stage, const MovingCell<Word>& cell, std::size_t i,
+Word edge_coordinate(const CellStage& stage, const MovingCell<Word>& cell, std::size_t i,
                      std::size_t g) {
   const std::size_t n = cell.a.size();
   const std::size_t j = stage.block_of[g];
@@ -84,7 +85,7 @@ void turn_edge(MovingCell<Word>& cell, std::size_t j) {
 
 /// Point g takes the place of b_j; requires C_gj > 0. `column` is room for all points.
 template <class Word>
-void exchange_end(const Stage& stage, MovingCell<Word>& cell, std::size_t j, std::size_t g,
+void exchange_end(const CellStage& stage, MovingCell<Word>& cell, std::size_t j, std::size_t g,
                   std::vector<Word>& column) {
   const std::size_t n = cell.a.size();
   edge_coordinates(stage, cell, j, column);
@@ -105,7 +106,7 @@ void exchange_end(const Stage& stage, MovingCell<Word>& cell, std::size_t j, std
 
 /// det * alpha, from the edges' liftings at t = 0.
 template <class Word>
-std::vector<Word> scaled_normal(const Stage& stage, const MovingCell<Word>& cell) {
+std::vector<Word> scaled_normal(const CellStage& stage, const MovingCell<Word>& cell) {
   const std::size_t n = cell.a.size();
   require_room(Word(),
                2 * static_cast<double>(n) * magnitude(cell.inverse) * stage.largest_lifting);
@@ -121,7 +122,7 @@ std::vector<Word> scaled_normal(const Stage& stage, const MovingCell<Word>& cell
 
 /// det * slack of all points for given det * alpha and lifting.
 template <class Word>
-std::vector<Word> scaled_slacks(const Stage& stage, const MovingCell<Word>& cell,
+std::vector<Word> scaled_slacks(const CellStage& stage, const MovingCell<Word>& cell,
                                 const std::vector<Word>& alpha) {
   require_room(Word(), 2 * (approximate(cell.det) * stage.largest_lifting +
                             magnitude(alpha) * stage.largest_exponent_sum));
