@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// What do mixed cells cost? Mixed volumes, cells, steps and CPU seconds of families, beside PHCpack's MixedVol and DEMiCs.
+// What do mixed cells cost? Mixed volumes, cells, steps and CPU seconds of families, beside PHCpack's MixedVol and
+// DEMiCs.
 //
 //   mixed_cells [--seeds N] [--no-peer] [FAMILY-N...]    families: cyclic, noon, eco, katsura, reimer
 //
-// volume, cells, steps: seed 1; cpu_s: a seed's mean. zero: mixed volume with 0 added to every support; stable: the stable
-// one. phc: `phc -m` where it is on the PATH, its own figure of user seconds for the cells alone; a run of more than
-// ten minutes is left out.
+// volume, cells, steps: seed 1; cpu_s: a seed's mean. zero: mixed volume with 0 added to every support; stable: the
+// stable one. phc: `phc -m` where it is on the PATH, its own figure of user seconds for the cells alone; a run of more
+// than ten minutes is left out.
 // Exit: 0 every peer's mixed volume is ours, 1 some differ, 2 usage.
 #include <cstdio>
 #include <cstdlib>

@@ -99,8 +99,8 @@ CellStage make_stage(const Ingredients& in, std::size_t s, std::int64_t degree) 
 
 }  // namespace
 
-Stages make_stages(const std::vector<Support>& supports, const Lifting& lifting,
-                   std::uint64_t seed) {
+CellStages make_stages(const std::vector<Support>& supports, const Lifting& lifting,
+                       std::uint64_t seed) {
   const std::size_t n = supports.size();
   std::vector<Points> moved;
   std::vector<std::size_t> sizes;
@@ -110,7 +110,7 @@ Stages make_stages(const std::vector<Support>& supports, const Lifting& lifting,
   }
   const Lifting tie = random_lifting(sizes, seed, LiftingPurpose::ties);
 
-  Stages stages;
+  CellStages stages;
   stages.n = n;
   stages.order.resize(n);
   std::iota(stages.order.begin(), stages.order.end(), std::size_t{0});

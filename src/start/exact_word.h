@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// How is integer arithmetic exact and fast at once? In words of 64 or 128 bits while bounds show that nothing overflows.
+// How is integer arithmetic exact and fast at once? In words of 64 or 128 bits while bounds show that nothing
+// overflows.
 //
 // A kernel works on whole vectors. Before it runs, a bound on everything it will form is computed in double, from the
-// largest magnitudes; `require_room` throws WordTooShort where the bound comes near the word's range. The caller then begins
-// again with the next longer word: std::int64_t, Int128, Integer (any length, no bound). The bounds are rounded
+// largest magnitudes; `require_room` throws WordTooShort where the bound comes near the word's range. The caller then
+// begins again with the next longer word: std::int64_t, Int128, Integer (any length, no bound). The bounds are rounded
 // sums and products of a few hundred terms at most: a factor 2 of the range is far more than their rounding.
 #pragma once
 
@@ -66,11 +67,7 @@ double magnitude(const std::vector<Word>& v) {
 }
 
 inline Integer to_integer(std::int64_t a) { return Integer(a); }
-inline Integer to_integer(Int128 a) {
-  const auto low = static_cast<std::uint64_t>(a);
-  const auto high = static_cast<std::int64_t>(a >> 64);
-  return (Integer(high) << 64) + Integer(low);
-}
+inline Integer to_integer(Int128 a) { return Integer(a); }
 inline Integer to_integer(const Integer& a) { return a; }
 
 /// The number as a word that has room for it.

@@ -57,7 +57,7 @@ bool is_trivial(const std::vector<Support>& supports, MixedSubdivision& subdivis
 }
 
 template <class Word>
-CellSearchEnd walk(const Stages& stages, const std::vector<std::size_t>& sizes,
+CellSearchEnd walk(const CellStages& stages, const std::vector<std::size_t>& sizes,
                    const CellSearchOptions& options, std::uint64_t& steps,
                    MixedSubdivision& subdivision) {
   CellWalk<Word> cells(stages, sizes, options, steps);
@@ -67,7 +67,7 @@ CellSearchEnd walk(const Stages& stages, const std::vector<std::size_t>& sizes,
   return end;
 }
 
-CellSearchEnd walk_in_any_word(const Stages& stages, const CellSearchOptions& options,
+CellSearchEnd walk_in_any_word(const CellStages& stages, const CellSearchOptions& options,
                                std::uint64_t& steps, MixedSubdivision& subdivision) {
   std::vector<std::size_t> sizes;
   for (const std::size_t support : stages.order) {
@@ -87,7 +87,7 @@ CellSearch mixed_cells_of_lifting(const std::vector<Support>& supports, const Li
   MixedSubdivision subdivision{supports, lifting, {}, 0};
   if (!is_trivial(supports, subdivision)) {
     try {
-      const Stages stages = make_stages(supports, lifting, seed);
+      const CellStages stages = make_stages(supports, lifting, seed);
       search.end = walk_in_any_word(stages, options, search.steps, subdivision);
     } catch (const NotGeneric&) {
       search.end = CellSearchEnd::not_generic;

@@ -4,66 +4,19 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <sstream>
 #include <stdexcept>
-#include <string>
 
 #include "families.h"
 #include "moivre/polynomial/read.h"
+#include "phcpack_rows.h"
 
 namespace moivre {
 namespace {
 
-const std::string kFolder = MOIVRE_SOURCE_DIR;
-
-struct Row {
-  std::string name;
-  std::uint64_t common = 0;
-  std::uint64_t stable = 0;
-  std::uint64_t total = 0;
-  std::vector<Support> supports;
-};
-
-std::vector<Support> parse_supports(std::istream& words) {
-  std::vector<Support> supports(1);
-  for (std::string word; words >> word;) {
-    if (word == ";") {
-      supports.emplace_back();
-      continue;
-    }
-    Exponents& term = supports.back().terms.emplace_back();
-    for (const char digit : word) term.push_back(static_cast<std::uint32_t>(digit - '0'));
-  }
-  return supports;
-}
-
-/// The lines of bench/mixed_volumes, PHCpack 2.4.86.
-std::vector<Row> phcpack_rows() {
-  std::ifstream file(kFolder + "/tests/start/phcpack_mixed_volumes.txt");
-  std::vector<Row> rows;
-  for (std::string line; std::getline(file, line);) {
-    std::istringstream words(line);
-    std::string kind;
-    words >> kind;
-    Row& row = rows.emplace_back();
-    if (kind == "file") words >> row.name;
-    words >> row.common >> row.stable >> row.total;
-    if (kind == "file") {
-      row.supports =
-          supports_of(read_system(read_source(kFolder + "/problems/polynomials/" + row.name)));
-    } else {
-      row.name = line;
-      row.supports = parse_supports(words);
-    }
-  }
-  return rows;
-}
-
 TEST(MixedVolume, AgreesWithPhcpackOnTheProblemsAndOnRandomSupports) {
-  const std::vector<Row> rows = phcpack_rows();
+  const std::vector<PhcpackRow> rows = phcpack_rows();
   ASSERT_GE(rows.size(), 250u);
-  for (const Row& row : rows) {
+  for (const PhcpackRow& row : rows) {
     const auto total = with_origin(row.supports, row.supports.size()).supports;
     EXPECT_EQ(mixed_volume(row.supports, 1).value, row.common) << row.name;
     EXPECT_EQ(mixed_volume(total, 1).value, row.total) << row.name;
@@ -113,21 +66,10 @@ TEST(StableMixedVolume, CountsTheRootsWithZeroCoordinatesThatTheTorusMisses) {
   EXPECT_EQ(stable_mixed_volume(supports, 1).value, 3u);
 }
 
-TEST(StableMixedVolume, LiesBetweenTheMixedVolumesWithoutAndWithZero) {
-  for (const Row& row : phcpack_rows()) {
-    for (const std::uint64_t seed : {2u, 3u}) {
-      const MixedVolume stable = stable_mixed_volume(row.supports, seed);
-      ASSERT_TRUE(stable.value) << row.name;
-      EXPECT_GE(*stable.value, row.common) << row.name;
-      EXPECT_LE(*stable.value, row.total) << row.name;
-    }
-  }
-}
-
 TEST(StableMixedVolume, GrowsLikeAVolumeWithTheExponents) {
   const std::uint32_t m = 1000;
   std::size_t compared = 0;
-  for (const Row& row : phcpack_rows()) {
+  for (const PhcpackRow& row : phcpack_rows()) {
     const std::size_t n = row.supports.size();
     if (n > 3) continue;
     std::uint64_t factor = 1;

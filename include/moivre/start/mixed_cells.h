@@ -3,18 +3,20 @@
 //
 //   A_1, ..., A_n: supports in n variables; omega_ik: integer lifting of term a_ik.
 //   Mixed cell: an edge {a_i, b_i} of every A_i and alpha in Q^n with, for all k,
-//     w_ik = omega_ik + <alpha, a_ik> - min_l (omega_il + <alpha, a_il>) = 0 at the two ends of the edge, > 0 elsewhere.
-//   Volume of a cell: |det V|, row i of V = b_i - a_i. The volumes add up to the mixed volume, which bounds the number of
-//   isolated roots without zero coordinates and is it for generic coefficients (Bernstein).
+//     w_ik = omega_ik + <alpha, a_ik> - min_l (omega_il + <alpha, a_il>) = 0 at the two ends of the edge, > 0
+//     elsewhere.
+//   Volume of a cell: |det V|, row i of V = b_i - a_i. The volumes add up to the mixed volume, which bounds the number
+//   of isolated roots without zero coordinates and is it for generic coefficients (Bernstein).
 //
 // The cells are followed while the lifting moves (tropical homotopy continuation): standard simplices, which have one
-// cell, give way to the supports one after the other. Every decision is made in exact integers: of 64 bits, then of 128,
-// then of any length where those would overflow. Ties are broken by a second lifting, infinitely smaller; a lifting
-// whose own cells are not strict is given up for another. The result depends on supports, seed and lifting alone.
+// cell, give way to the supports one after the other. Every decision is made in exact integers: of 64 bits, then of
+// 128, then of any length where those would overflow. Ties are broken by a second lifting, infinitely smaller; a
+// lifting whose own cells are not strict is given up for another. The result depends on supports, seed and lifting
+// alone.
 //
 // Edges: a support of fewer than two terms, or supports of too low a dimension, have mixed volume 0 and no cell; no
-// variables at all: one cell, of volume 1. Equal terms in a support are allowed. Not supported: supports that are not square
-// (std::invalid_argument).
+// variables at all: one cell, of volume 1. Equal terms in a support are allowed. Not supported: supports that are not
+// square (std::invalid_argument).
 // Sources: [HuberSturmfels95], [Jensen16].
 #pragma once
 

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 // How many isolated roots can a sparse system have? At most its mixed volume, or its stable mixed volume.
 //
-//   mixed volume of A_1, ..., A_n: roots without zero coordinates (Bernstein); of A_i with 0 added: roots in C^n [LiWang96].
-//   Stable mixed volume: roots in C^n too, and at most as large. Lift the zeros that were added by 1 and all other terms
-//   by 0; cells of this subdivision whose inner normal alpha^0 has no negative coordinate are stable; their mixed
-//   volumes add up to it [HuberSturmfels97]. Roots are counted with multiplicity, for generic coefficients.
+//   mixed volume of A_1, ..., A_n: roots without zero coordinates (Bernstein); of A_i with 0 added: roots in C^n
+//   [LiWang96]. Stable mixed volume: roots in C^n too, and at most as large. Lift the zeros that were added by 1 and
+//   all other terms by 0; cells of this subdivision whose inner normal alpha^0 has no negative coordinate are stable;
+//   their mixed volumes add up to it [HuberSturmfels97]. Roots are counted with multiplicity, for generic coefficients.
 //
-// That lifting is refined by a random one: omega = height * (1 at added zeros) + random. The refinement is verified, not
-// assumed: for every cell found alpha^0 is computed exactly, with all slacks for the lifting 0/1 at least 0. Where
+// That lifting is refined by a random one: omega = height * (1 at added zeros) + random. The refinement is verified,
+// not assumed: for every cell found alpha^0 is computed exactly, with all slacks for the lifting 0/1 at least 0. Where
 // one is not, the height is doubled and the search begins again.
 //
-// `verified`: the sum of the cells found is a lower bound if a cell were ever missed; two liftings whose cells have nothing in
-// common must agree.
+// `verified`: the sum of the cells found is a lower bound if a cell were ever missed; two liftings whose cells have
+// nothing in common must agree.
 #pragma once
 
 #include <cstdint>

@@ -3,9 +3,9 @@
 //
 //   A_i = {a_i1, a_i2, ...}: n integers >= 0 each, a_ik the exponents of term k of F_i.
 //
-// Coefficients do not matter here: what is computed from supports holds for generic coefficients on them. A support that is
-// made by hand may have terms in any order. The roots with zero coordinates are counted too when every support has
-// the exponent vector 0 [LiWang96]: `with_origin`. Not supported: negative exponents.
+// Coefficients do not matter here: what is computed from supports holds for generic coefficients on them. A support
+// that is made by hand may have terms in any order. The roots with zero coordinates are counted too when every support
+// has the exponent vector 0 [LiWang96]: `with_origin`. Not supported: negative exponents.
 #pragma once
 
 #include <cstddef>
