@@ -20,6 +20,11 @@ ClosureResult described(const ClosureSearch& search) {
   result.system = {f.variables, degrees(f), total_degree(degrees(f))};
   result.start.why =
       "each group of bodies is solved on its own, once a branch of the groups before it";
+  for (StartCount* count :
+       {&result.start.counts.total_degree, &result.start.counts.multihomogeneous,
+        &result.start.counts.mixed_volume}) {
+    count->missing = "each group of bodies has counts of its own";
+  }
   result.tracker = search.tracker.kind();
   result.tracker_options = search.tracker.options_in_force();
   result.coordinates = search.phi.dimension();

@@ -583,13 +583,13 @@ std::optional<Departure> Endgame::conclude(PathSystem& path) {
 
 // x_0 beside its error tells; where it may be 0, the face of the path's direction.
 std::nullopt_t Endgame::decide_infinity(const PathSystem& path) {
-  const double size = chart_.finiteness(end_.x);
   end_.status = PathStatus::finite;
-  if (size > 10 * end_.accuracy) return std::nullopt;
+  if (chart_.finiteness(end_.x) > 10 * end_.accuracy) return std::nullopt;
   const bool is_infinite =
       end_.accuracy <= kFineAccuracy ||
-      (!sights_.empty() && has_face_root(path.homotopy(), outside(frame_, outpost_), radius_,
-                                         sights_.back().valuations));
+      (!sights_.empty() && !outpost_.empty() &&
+       has_face_root(path.homotopy(), outside(frame_, outpost_), radius_,
+                     sights_.back().valuations));
   if (!is_infinite) return fail(Failure::precision);
   end_.status = PathStatus::at_infinity;
   return std::nullopt;

@@ -65,6 +65,10 @@ SystemInfo inspect(const System& f) {
   info.variable_log2 = scaling.variable_log2;
   info.equation_log2 = scaling.equation_log2;
   info.start_systems.push_back(total_degree_cost(reduction.verdict, info.reduced));
+  for (StartCount* count :
+       {&info.counts.total_degree, &info.counts.multihomogeneous, &info.counts.mixed_volume}) {
+    count->missing = "there are no paths to count: " + info.verdict;
+  }
   if (reduction.verdict == Reduction::Verdict::square) {
     info.counts = count_starts(scale(reduction.system, scaling), {});
     add_cost("multihomogeneous", info.counts.multihomogeneous,
