@@ -9,6 +9,7 @@
 #include "digits.h"
 #include "interruption.h"
 #include "moivre/numeric/stopwatch.h"
+#include "moivre/polynomial/patches.h"
 #include "moivre/report/solve_report.h"
 #include "moivre/solver/cross_check.h"
 #include "output.h"
@@ -77,6 +78,14 @@ SolveResult solve_interruptibly(const SolveCommand& command, const Problem& prob
   return result;
 }
 
+/// Roots are refined on the equations as they are.
+void require_digits_possible(const SolveCommand& command, const System& f) {
+  if (!command.digits) return;
+  if (f.polynomials.size() == f.variables.size() && !has_homogeneous_groups(f)) return;
+  throw std::invalid_argument(
+      "--digits needs as many equations as unknowns, and no homogeneous groups");
+}
+
 int run(const SolveCommand& command) {
   std::unique_ptr<Tracker> tracker;
   std::unique_ptr<Tracker> witness;
@@ -93,6 +102,7 @@ int run(const SolveCommand& command) {
                  if (command.cross_check) witness = make_witness(command.tracker);
                }});
   const Problem problem = read_problem(command.file);
+  require_digits_possible(command, problem.system);
   Output json(command.json);
   Output csv(command.csv);
   Output phc(command.phc);

@@ -89,7 +89,9 @@ void Judge::expect_true_roots(const SolveResult& result) {
     to_prove.push_back(s.x);
     accuracy.push_back(s.accuracy);
   }
-  const std::vector<ReferenceRoot> roots = reference_roots(f_, to_prove, kDigits);
+  const bool is_over = f_.polynomials.size() > f_.variables.size();
+  const System g = is_over ? square_up(f_, 1) : f_;
+  const std::vector<ReferenceRoot> roots = reference_roots(g, to_prove, kDigits);
   for (std::size_t k = 0; k < roots.size(); ++k) {
     ASSERT_TRUE(roots[k].converged) << "root " << k;
     EXPECT_LE(roots[k].forward_error, accuracy[k]) << "root " << k;

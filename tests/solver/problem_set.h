@@ -63,7 +63,8 @@ inline std::uint64_t sum_of_multiplicities(const SolveResult& result) {
 inline void expect_conservation(const SolveResult& result) {
   const PathCounts& paths = result.paths;
   EXPECT_EQ(paths.tracked, paths.finite + paths.at_infinity + paths.failed);
-  EXPECT_EQ(paths.finite, sum_of_multiplicities(result) + paths.on_positive_dimensional);
+  EXPECT_EQ(paths.finite,
+            sum_of_multiplicities(result) + paths.on_positive_dimensional + result.excess);
   EXPECT_EQ(paths.failed, result.failures.size());
   EXPECT_LE(paths.retracked, result.start.paths);
   if (result.complete) {
