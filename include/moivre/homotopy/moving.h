@@ -61,19 +61,19 @@ class MovingCoefficients {
           registers(law.tape.register_count()),
           jacobian(law.tape.jacobian.size()) {}
 
-    void evaluate(const Time<S>& t, std::vector<S>& c, std::vector<S>& slope) {
+    void evaluate(const Time<S>& t, std::vector<S>& values, std::vector<S>& rates) {
       for (std::size_t j = 0; j < p.size(); ++j) {
         p[j] = product(t.rest, S(law.from[j])) + product(t.t, S(law.to[j]));
       }
-      const std::size_t count = slope.size();
+      const std::size_t count = rates.size();
       moivre::evaluate<S, S>(law.tape, std::span<const S>(coefficients), std::span<const S>(p),
-                             std::span<S>(registers), std::span<S>(c).first(count),
+                             std::span<S>(registers), std::span<S>(values).first(count),
                              std::span<S>(jacobian));
-      std::fill(slope.begin(), slope.end(), S(0.0));
+      std::fill(rates.begin(), rates.end(), S(0.0));
       for (std::size_t k = 0; k < jacobian.size(); ++k) {
         const Tape::Entry& entry = law.tape.jacobian[k];
         const S speed = S(law.to[entry.column]) - S(law.from[entry.column]);
-        slope[entry.row] += product(jacobian[k], speed);
+        rates[entry.row] += product(jacobian[k], speed);
       }
     }
 
