@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "moivre/multiprecision/reference_roots.h"
+#include "moivre/polynomial/square_up.h"
 #include "moivre/tracker_lanes/lane_tracker.h"
 #include "problem_set.h"
 
