@@ -25,7 +25,10 @@ TEST_P(EveryProblem, HasTheSameRootsOnTheSamePathsWithBothTrackers) {
   for (std::uint64_t seed = 1; seed <= kSeedsForBoth; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const auto options = test::with_seed(seed, kThreads);
-    const SolveResult lanes = solve(f, *make_lane_tracker(), options);
+    const auto fallback = make_cvode_tracker();
+    SolveOptions handing_over = options;
+    handing_over.fallback = fallback.get();
+    const SolveResult lanes = solve(f, *make_lane_tracker(), handing_over);
     const SolveResult cvode = test::solve_with_cvode(f, options);
     if (!cvode.complete) continue;
     EXPECT_TRUE(lanes.complete);
