@@ -211,7 +211,9 @@ TEST(ArrivalAtInfinity, IsNotBelievedWhereNoFaceConfirmsIt) {
       expect_conservation(result);
       // The path goes on from where it was last seen, or is said to be lost.
       EXPECT_TRUE(!result.complete || result.solutions.size() == 3U);
-      if (greatest_care == 0) EXPECT_TRUE(result.complete);
+      if (greatest_care == 0) {
+        EXPECT_TRUE(result.complete);
+      }
     }
   }
 }
