@@ -5,7 +5,9 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <numeric>
 #include <optional>
 
 #include "moivre/numeric/scalar.h"
@@ -36,10 +38,22 @@ constexpr double kEvenFall = 0.02;
 constexpr double kWideThreshold = 1e-5;
 constexpr double kRoundingThreshold = 1e-13;
 
+// A root of the faces with a Jacobian more singular than this, beside its largest singular value, may be several that are near
+// each other.
+constexpr double kRegularRank = 1e-6;
+// Newton's method, from a point so many times nearer than the Jacobian is from a singular one, stays with its root.
+constexpr double kBasin = 0.1;
+
 /// Valuations as integers over one denominator.
 struct Direction {
   int denominator = 1;
   std::vector<long> w;
+
+  bool is_primitive() const {
+    long divisor = 0;
+    for (const long wj : w) divisor = std::gcd(divisor, wj);
+    return denominator == 1 && divisor == 1;
+  }
 };
 
 std::optional<Direction> direction_of(const std::vector<double>& valuations) {
@@ -57,12 +71,25 @@ std::optional<Direction> direction_of(const std::vector<double>& valuations) {
   return std::nullopt;
 }
 
-/// A term of a face in the units of the point, beside the largest of its equation.
+/// A term in the units of the point, beside the largest of its equation's face.
 struct FaceTerm {
   Number c;
   const Monomial* monomial;
 };
-using Face = std::vector<FaceTerm>;
+
+/// The terms of least order of one equation, and those of F of the order above it.
+struct Face {
+  std::vector<FaceTerm> terms;
+  std::vector<FaceTerm> next;
+  bool has_start_terms = false;
+  bool has_start_terms_beyond =
+      false;  ///< some term of G would be of less order if its coefficient did not vanish
+};
+
+struct Root {
+  std::vector<Number> y;
+  double moved = 0;  ///< max |dz|, z = log y, from the point where the search began
+};
 
 /// e^z - 1 without loss where z is small.
 Complex exp_minus_1(const Complex& z) {
@@ -84,12 +111,12 @@ class Faces {
 
   bool may_vanish() const {
     return std::all_of(faces_.begin(), faces_.end(),
-                       [](const Face& face) { return face.size() > 1; });
+                       [](const Face& face) { return face.terms.size() > 1; });
   }
 
   /// Gauss-Newton from y, in the units. Towards an m-fold root corrections fall by (m - 1) / m only; where they fall evenly
   /// one is taken m times.
-  bool vanish_near(std::vector<Number> y, double rank_threshold) const {
+  std::optional<Root> root_near(std::vector<Number> y, double rank_threshold) const {
     VectorXcd value(static_cast<Index>(faces_.size()));
     MatrixXcd jacobian(value.size(), static_cast<Index>(y.size()));
     VectorXcd moved = VectorXcd::Zero(jacobian.cols());
@@ -97,7 +124,9 @@ class Faces {
     double fall = 0;
     for (int k = 0; k < kIterations; ++k) {
       evaluate(y, value, jacobian);
-      if (value.lpNorm<Eigen::Infinity>() <= kVanished) return true;
+      if (value.lpNorm<Eigen::Infinity>() <= kVanished) {
+        return Root{std::move(y), moved.lpNorm<Eigen::Infinity>()};
+      }
       Eigen::CompleteOrthogonalDecomposition<MatrixXcd> qr;
       qr.setThreshold(rank_threshold);
       VectorXcd dz = qr.compute(jacobian).solve(-value);
@@ -108,13 +137,33 @@ class Faces {
       size = is_even ? 0 : now;
       fall = is_even ? 0 : ratio;
       moved += dz;
-      if (!dz.allFinite() || moved.lpNorm<Eigen::Infinity>() > kNeighbourhood) return false;
+      if (!dz.allFinite() || moved.lpNorm<Eigen::Infinity>() > kNeighbourhood) return std::nullopt;
       for (std::size_t j = 0; j < y.size(); ++j) {
         // 1 + (e^dz - 1) keeps all digits of double-double where dz is small.
         y[j] += product(Number(exp_minus_1(dz[static_cast<Index>(j)])), y[j]);
       }
     }
-    return false;
+    return std::nullopt;
+  }
+
+  /// The faces determine the path: by the implicit function theorem one path leads to this root, and it is this one. Where
+  /// terms of G are among them they are n equations for n unknowns. Where none is, a torus acts on the roots, and the order
+  /// above has to fix the n-th unknown, sigma: x_j = y_j sigma^w_j, sigma proportional to 1 - t.
+  bool is_regular(const Root& root, const Direction& direction) const {
+    VectorXcd value(static_cast<Index>(faces_.size()));
+    MatrixXcd jacobian(value.size(), static_cast<Index>(root.y.size()));
+    evaluate(root.y, value, jacobian);
+    const auto any = [&](bool Face::*property) {
+      return std::any_of(faces_.begin(), faces_.end(), std::mem_fn(property));
+    };
+    if (!any(&Face::has_start_terms)) {
+      if (any(&Face::has_start_terms_beyond) || !direction.is_primitive()) return false;
+      jacobian.conservativeResize(Eigen::NoChange, jacobian.cols() + 1);
+      jacobian.rightCols(1) = slope_in_sigma(root.y);
+    }
+    const auto singular_values = Eigen::JacobiSVD<MatrixXcd>(jacobian).singularValues();
+    const double least = singular_values[value.size() - 1] / singular_values[0];
+    return least > kRegularRank && root.moved < kBasin * least;
   }
 
  private:
@@ -138,20 +187,24 @@ class Faces {
     const long least = *std::min_element(orders.begin(), orders.end());
     Face face;
     double largest = -std::numeric_limits<double>::infinity();
-    for (std::size_t k = 0; k < terms.size(); ++k) {
-      if (orders[k] != least) continue;
+    const auto value_of_term = [&](std::size_t k) {
       const bool is_start = is_zero(homotopy.f(first + k));
       const Coefficient& c = is_start ? homotopy.g(first + k) : homotopy.f(first + k);
-      const Number value = product(DoubleDouble(is_start ? radius : 1.0), Scalar<Number>::round(c));
-      largest = std::max(largest, std::log2(magnitude1(value)) + shifts[k]);
-      face.push_back({value, &terms[k].monomial});
-    }
-    std::size_t next = 0;
+      return product(DoubleDouble(is_start ? radius : 1.0), Scalar<Number>::round(c));
+    };
     for (std::size_t k = 0; k < terms.size(); ++k) {
       if (orders[k] != least) continue;
+      largest = std::max(largest, std::log2(magnitude1(value_of_term(k))) + shifts[k]);
+    }
+    for (std::size_t k = 0; k < terms.size(); ++k) {
+      const bool is_start = is_zero(homotopy.f(first + k));
+      const bool is_next = !is_start && orders[k] == least + direction.denominator;
+      face.has_start_terms |= is_start && orders[k] == least;
+      face.has_start_terms_beyond |= is_start && orders[k] < least + direction.denominator;
+      if (orders[k] != least && !is_next) continue;
       const double factor = std::exp2(shifts[k] - std::floor(largest));
-      face[next].c = product(DoubleDouble(factor), face[next].c);
-      ++next;
+      (is_next ? face.next : face.terms)
+          .push_back({product(DoubleDouble(factor), value_of_term(k)), &terms[k].monomial});
     }
     return face;
   }
@@ -160,25 +213,54 @@ class Faces {
   // their null space.
   void evaluate(const std::vector<Number>& y, VectorXcd& value, MatrixXcd& jacobian) const {
     jacobian.setZero();
-    std::vector<Number> terms;
     for (std::size_t i = 0; i < faces_.size(); ++i) {
-      terms.clear();
-      for (const FaceTerm& term : faces_[i]) terms.push_back(value_of(term, y));
-      const auto largest = std::max_element(
-          terms.begin(), terms.end(),
-          [](const Number& a, const Number& b) { return magnitude1(a) < magnitude1(b); });
-      const FaceTerm& reference = faces_[i][static_cast<std::size_t>(largest - terms.begin())];
-      const Complex scale = 1.0 / to_complex(*largest);
+      const std::vector<Number> terms = values_of(faces_[i].terms, y);
+      const std::size_t largest = index_of_largest(terms);
+      const Monomial& reference = *faces_[i].terms[largest].monomial;
+      const Complex scale = 1.0 / to_complex(terms[largest]);
       const auto row = static_cast<Index>(i);
       Number sum(0.0);
       for (std::size_t k = 0; k < terms.size(); ++k) {
         sum += terms[k];
         const Complex share = to_complex(terms[k]) * scale;
-        add_exponents(*faces_[i][k].monomial, share, jacobian, row);
-        add_exponents(*reference.monomial, -share, jacobian, row);
+        add_exponents(*faces_[i].terms[k].monomial, share, jacobian, row);
+        add_exponents(reference, -share, jacobian, row);
       }
       value[row] = to_complex(sum) * scale;
     }
+  }
+
+  // In the unit of sigma that makes the largest sum of moduli 1.
+  VectorXcd slope_in_sigma(const std::vector<Number>& y) const {
+    VectorXcd slope = VectorXcd::Zero(static_cast<Index>(faces_.size()));
+    double unit = std::numeric_limits<double>::min();
+    for (std::size_t i = 0; i < faces_.size(); ++i) {
+      const std::vector<Number> terms = values_of(faces_[i].terms, y);
+      const Complex scale = 1.0 / to_complex(terms[index_of_largest(terms)]);
+      double moduli = 0;
+      for (const Number& term : values_of(faces_[i].next, y)) {
+        const Complex share = to_complex(term) * scale;
+        slope[static_cast<Index>(i)] += share;
+        moduli += std::abs(share);
+      }
+      unit = std::max(unit, moduli);
+    }
+    return slope / unit;
+  }
+
+  static std::size_t index_of_largest(const std::vector<Number>& terms) {
+    const auto smaller = [](const Number& a, const Number& b) {
+      return magnitude1(a) < magnitude1(b);
+    };
+    return static_cast<std::size_t>(std::max_element(terms.begin(), terms.end(), smaller) -
+                                    terms.begin());
+  }
+
+  std::vector<Number> values_of(const std::vector<FaceTerm>& terms,
+                                const std::vector<Number>& y) const {
+    std::vector<Number> values;
+    for (const FaceTerm& term : terms) values.push_back(value_of(term, y));
+    return values;
   }
 
   Number value_of(const FaceTerm& term, const std::vector<Number>& y) const {
@@ -206,22 +288,26 @@ class Faces {
 
 }  // namespace
 
-bool has_face_root(const Homotopy& homotopy, const Point& x, double radius,
+FaceRoot face_root(const Homotopy& homotopy, const Point& x, double radius,
                    const std::vector<double>& valuations) {
   const std::optional<Direction> direction = direction_of(valuations);
-  if (!direction) return false;
+  if (!direction) return FaceRoot::none;
   const Chart& chart = homotopy.chart();
   std::vector<int> log2;
   std::vector<Number> y;
   for (std::size_t j = 0; j < chart.unknowns; ++j) {
-    if (x[j] == 0.0) return false;
+    if (x[j] == 0.0) return FaceRoot::none;
     const Complex z = std::log(x[j]) - std::log(chart.x0(x));
     log2.push_back(static_cast<int>(std::lround(z.real() / std::log(2.0))));
     y.push_back(Number(std::exp(z - log2.back() * std::log(2.0))));
   }
   const Faces faces(homotopy, radius, *direction, log2);
-  return faces.may_vanish() &&
-         (faces.vanish_near(y, kWideThreshold) || faces.vanish_near(y, kRoundingThreshold));
+  if (!faces.may_vanish()) return FaceRoot::none;
+  for (const double threshold : {kWideThreshold, kRoundingThreshold}) {
+    const std::optional<Root> root = faces.root_near(y, threshold);
+    if (root) return faces.is_regular(*root, *direction) ? FaceRoot::regular : FaceRoot::singular;
+  }
+  return FaceRoot::none;
 }
 
 }  // namespace moivre

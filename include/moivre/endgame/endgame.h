@@ -178,9 +178,10 @@ class Endgame : public Watcher {
   int creeping_ = 0;  ///< watched steps within the radius of the singular ends
   bool cut_ = false;
   double doubted_ = std::numeric_limits<
-      double>::infinity();  // |1 - t| where growth was last found to lead nowhere
-  Point outpost_;           // last watched point, from which circles begin
-  double radius_ = 0;       // its |1 - t|
+      double>::infinity();          // |1 - t| where growth was last found to lead nowhere
+  std::optional<Sight> suspected_;  // where it first grew towards a singular root of its faces
+  Point outpost_;                   // last watched point, from which circles begin
+  double radius_ = 0;               // its |1 - t|
   Point tangent_;
   std::vector<Complex> logarithms_;  // of x_i / x_0, where the last sight was begun
   double logarithms_radius_ = 0;
