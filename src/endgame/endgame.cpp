@@ -42,10 +42,6 @@ constexpr double kHopelessCondition = 1e12;
 constexpr double kDriftTolerance = 0.05;  // relative, of the valuations of what grows
 // Beyond rounding at such conditions a drift has to be fading.
 constexpr double kSettledTolerance = 1e-3;
-// A path that came near a singular root of its faces grows so many times more, in one direction up to this, before it is
-// believed: a finite root that attracts it is as much larger, or it would have been seen.
-constexpr double kLongWay = 1e4;
-constexpr double kParallel = 0.1;
 // So near the end a growing path of this size is asked whether it has left for infinity.
 constexpr double kBeyondRadius = 1e-3;
 constexpr double kBeyondSize = 1e9;
@@ -88,13 +84,6 @@ constexpr double kAgreementAtOnce = 1e-10;
 constexpr double kAgreementAtLast = 1e-5;
 
 const PathTime kEnd(1.0, 0.0);
-
-bool is_parallel(const std::vector<double>& v, const std::vector<double>& w) {
-  for (std::size_t i = 0; i < v.size(); ++i) {
-    if (std::abs(v[i] - w[i]) > kParallel) return false;
-  }
-  return true;
-}
 
 double difference(const Point& a, const Point& b) {
   double largest = 0;
@@ -372,20 +361,21 @@ bool Endgame::diverges_beyond_double() const {
          growth_lasts(kSteadyTolerance);
 }
 
-// Growth that was found to lead nowhere is asked again further on. A path that came near a singular root of its faces has to
-// stay in that direction while it grows: finite roots beside it would turn it away.
+// Growth that was found to lead nowhere is asked again further on.
 bool Endgame::leads_to_infinity(const Point& x, double radius, const PathSystem& path) {
   if (radius * kShrink > doubted_) return false;
   doubted_ = radius;
-  const Sight& now = sights_.back();
-  const FaceRoot root = face_root(path.homotopy(), outside(frame_, x), radius, now.valuations);
-  if (root == FaceRoot::regular) return true;
-  if (root == FaceRoot::none) {
-    suspected_.reset();
-    return false;
-  }
-  if (!suspected_ || !is_parallel(suspected_->valuations, now.valuations)) suspected_ = now;
-  return now.size > kLongWay * suspected_->size;
+  return stays_at_infinity(x, radius, path);
+}
+
+// Of a path on its way from a singular root of its faces to a large finite root beside it valuations are nowhere nearer to
+// those of the faces than the inverse square root of that size.
+bool Endgame::stays_at_infinity(const Point& x, double radius, const PathSystem& path) const {
+  const FaceRoot root =
+      face_root(path.homotopy(), outside(frame_, x), radius, sights_.back().valuations);
+  if (root.kind != FaceRoot::Kind::singular) return root.kind == FaceRoot::Kind::regular;
+  return root.misfit <= kSettledTolerance &&
+         valuations_are_steady(kSteadySights, kSettledTolerance);
 }
 
 std::nullopt_t Endgame::fail(Failure failure) {
@@ -605,10 +595,9 @@ std::optional<Departure> Endgame::conclude(PathSystem& path) {
 std::nullopt_t Endgame::decide_infinity(const PathSystem& path) {
   end_.status = PathStatus::finite;
   if (chart_.finiteness(end_.x) > 10 * end_.accuracy) return std::nullopt;
-  const bool is_infinite = end_.accuracy <= kFineAccuracy ||
-                           (!sights_.empty() && !outpost_.empty() &&
-                            face_root(path.homotopy(), outside(frame_, outpost_), radius_,
-                                      sights_.back().valuations) == FaceRoot::regular);
+  const bool is_infinite =
+      end_.accuracy <= kFineAccuracy ||
+      (!sights_.empty() && !outpost_.empty() && stays_at_infinity(outpost_, radius_, path));
   if (!is_infinite) return fail(Failure::precision);
   end_.status = PathStatus::at_infinity;
   return std::nullopt;

@@ -24,6 +24,8 @@ using Number = ComplexDoubleDouble;
 // Valuations are known this well where they are steady.
 constexpr double kValuationError = 0.03;
 constexpr int kLargestDenominator = 32;
+// A coordinate that vanishes as fast as 1 - t or faster is soon all rounding: its valuation says little.
+constexpr double kVanishing = 1;
 // Faces vanish to the rounding of double-double, a little more than its products make of it.
 constexpr double kVanished = 1e-26;
 // The root lies near the path: its logarithms no further away than this.
@@ -48,6 +50,16 @@ constexpr double kBasin = 0.1;
 struct Direction {
   int denominator = 1;
   std::vector<long> w;
+
+  double misfit(const std::vector<double>& valuations) const {
+    double largest = 0;
+    for (std::size_t j = 0; j < w.size(); ++j) {
+      if (valuations[j] >= kVanishing) continue;
+      const double rounded = static_cast<double>(w[j]) / denominator;
+      largest = std::max(largest, std::abs(valuations[j] - rounded));
+    }
+    return largest;
+  }
 
   bool is_primitive() const {
     long divisor = 0;
@@ -291,23 +303,26 @@ class Faces {
 FaceRoot face_root(const Homotopy& homotopy, const Point& x, double radius,
                    const std::vector<double>& valuations) {
   const std::optional<Direction> direction = direction_of(valuations);
-  if (!direction) return FaceRoot::none;
+  if (!direction) return {};
   const Chart& chart = homotopy.chart();
   std::vector<int> log2;
   std::vector<Number> y;
   for (std::size_t j = 0; j < chart.unknowns; ++j) {
-    if (x[j] == 0.0) return FaceRoot::none;
+    if (x[j] == 0.0) return {};
     const Complex z = std::log(x[j]) - std::log(chart.x0(x));
     log2.push_back(static_cast<int>(std::lround(z.real() / std::log(2.0))));
     y.push_back(Number(std::exp(z - log2.back() * std::log(2.0))));
   }
   const Faces faces(homotopy, radius, *direction, log2);
-  if (!faces.may_vanish()) return FaceRoot::none;
+  if (!faces.may_vanish()) return {};
   for (const double threshold : {kWideThreshold, kRoundingThreshold}) {
     const std::optional<Root> root = faces.root_near(y, threshold);
-    if (root) return faces.is_regular(*root, *direction) ? FaceRoot::regular : FaceRoot::singular;
+    if (!root) continue;
+    const bool is_regular = faces.is_regular(*root, *direction);
+    return {is_regular ? FaceRoot::Kind::regular : FaceRoot::Kind::singular,
+            direction->misfit(valuations)};
   }
-  return FaceRoot::none;
+  return {};
 }
 
 }  // namespace moivre

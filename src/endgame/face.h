@@ -23,10 +23,14 @@
 
 namespace moivre {
 
-enum class FaceRoot {
-  none,
-  singular,  ///< finite roots may lie near it: a path that comes near may leave it again
-  regular    ///< the path leads there, and no other
+struct FaceRoot {
+  enum class Kind {
+    none,
+    singular,  ///< finite roots may lie near it: a path that comes near may leave it again
+    regular    ///< the path leads there, and no other
+  };
+  Kind kind = Kind::none;
+  double misfit = 0;  ///< max |v_j - w_j| of valuations v_j below 1, w rounded
 };
 
 /// x: homogeneous, not in a frame, at 1 - t = radius. valuations: of x_j / x_0, n of them.

@@ -138,6 +138,7 @@ class Endgame : public Watcher {
   bool diverges(double tolerance) const;
   bool diverges_beyond_double() const;
   bool leads_to_infinity(const Point& x, double radius, const PathSystem& path);
+  bool stays_at_infinity(const Point& x, double radius, const PathSystem& path) const;
   bool may_diverge() const;
   std::optional<Departure> proceed(Arrival&& arrival, PathSystem& path);
   Departure along(const Contour& contour, Point x, int samples = 0, Watcher* watcher = nullptr);
@@ -178,10 +179,9 @@ class Endgame : public Watcher {
   int creeping_ = 0;  ///< watched steps within the radius of the singular ends
   bool cut_ = false;
   double doubted_ = std::numeric_limits<
-      double>::infinity();          // |1 - t| where growth was last found to lead nowhere
-  std::optional<Sight> suspected_;  // where it first grew towards a singular root of its faces
-  Point outpost_;                   // last watched point, from which circles begin
-  double radius_ = 0;               // its |1 - t|
+      double>::infinity();  // |1 - t| where growth was last found to lead nowhere
+  Point outpost_;           // last watched point, from which circles begin
+  double radius_ = 0;       // its |1 - t|
   Point tangent_;
   std::vector<Complex> logarithms_;  // of x_i / x_0, where the last sight was begun
   double logarithms_radius_ = 0;
