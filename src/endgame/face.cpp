@@ -5,9 +5,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
-#include <numeric>
 #include <optional>
 
 #include "moivre/numeric/scalar.h"
@@ -24,8 +22,6 @@ using Number = ComplexDoubleDouble;
 // Valuations are known this well where they are steady.
 constexpr double kValuationError = 0.03;
 constexpr int kLargestDenominator = 32;
-// A coordinate that vanishes as fast as 1 - t or faster is soon all rounding: its valuation says little.
-constexpr double kVanishing = 1;
 // Faces vanish to the rounding of double-double, a little more than its products make of it.
 constexpr double kVanished = 1e-26;
 // The root lies near the path: its logarithms no further away than this.
@@ -40,32 +36,10 @@ constexpr double kEvenFall = 0.02;
 constexpr double kWideThreshold = 1e-5;
 constexpr double kRoundingThreshold = 1e-13;
 
-// A root of the faces with a Jacobian more singular than this, beside its largest singular value, may be several that are near
-// each other.
-constexpr double kRegularRank = 1e-6;
-// Newton's method, from a point so many times nearer than the Jacobian is from a singular one, stays with its root.
-constexpr double kBasin = 0.1;
-
 /// Valuations as integers over one denominator.
 struct Direction {
   int denominator = 1;
   std::vector<long> w;
-
-  double misfit(const std::vector<double>& valuations) const {
-    double largest = 0;
-    for (std::size_t j = 0; j < w.size(); ++j) {
-      if (valuations[j] >= kVanishing) continue;
-      const double rounded = static_cast<double>(w[j]) / denominator;
-      largest = std::max(largest, std::abs(valuations[j] - rounded));
-    }
-    return largest;
-  }
-
-  bool is_primitive() const {
-    long divisor = 0;
-    for (const long wj : w) divisor = std::gcd(divisor, wj);
-    return denominator == 1 && divisor == 1;
-  }
 };
 
 std::optional<Direction> direction_of(const std::vector<double>& valuations) {
@@ -83,25 +57,12 @@ std::optional<Direction> direction_of(const std::vector<double>& valuations) {
   return std::nullopt;
 }
 
-/// A term in the units of the point, beside the largest of its equation's face.
+/// A term of a face in the units of the point, beside the largest of its equation.
 struct FaceTerm {
   Number c;
   const Monomial* monomial;
 };
-
-/// The terms of least order of one equation, and those of F of the order above it.
-struct Face {
-  std::vector<FaceTerm> terms;
-  std::vector<FaceTerm> next;
-  bool has_start_terms = false;
-  bool has_start_terms_beyond =
-      false;  ///< some term of G would be of less order if its coefficient did not vanish
-};
-
-struct Root {
-  std::vector<Number> y;
-  double moved = 0;  ///< max |dz|, z = log y, from the point where the search began
-};
+using Face = std::vector<FaceTerm>;
 
 /// e^z - 1 without loss where z is small.
 Complex exp_minus_1(const Complex& z) {
@@ -123,12 +84,12 @@ class Faces {
 
   bool may_vanish() const {
     return std::all_of(faces_.begin(), faces_.end(),
-                       [](const Face& face) { return face.terms.size() > 1; });
+                       [](const Face& face) { return face.size() > 1; });
   }
 
   /// Gauss-Newton from y, in the units. Towards an m-fold root corrections fall by (m - 1) / m only; where they fall evenly
   /// one is taken m times.
-  std::optional<Root> root_near(std::vector<Number> y, double rank_threshold) const {
+  bool vanish_near(std::vector<Number> y, double rank_threshold) const {
     VectorXcd value(static_cast<Index>(faces_.size()));
     MatrixXcd jacobian(value.size(), static_cast<Index>(y.size()));
     VectorXcd moved = VectorXcd::Zero(jacobian.cols());
@@ -136,9 +97,7 @@ class Faces {
     double fall = 0;
     for (int k = 0; k < kIterations; ++k) {
       evaluate(y, value, jacobian);
-      if (value.lpNorm<Eigen::Infinity>() <= kVanished) {
-        return Root{std::move(y), moved.lpNorm<Eigen::Infinity>()};
-      }
+      if (value.lpNorm<Eigen::Infinity>() <= kVanished) return true;
       Eigen::CompleteOrthogonalDecomposition<MatrixXcd> qr;
       qr.setThreshold(rank_threshold);
       VectorXcd dz = qr.compute(jacobian).solve(-value);
@@ -149,33 +108,13 @@ class Faces {
       size = is_even ? 0 : now;
       fall = is_even ? 0 : ratio;
       moved += dz;
-      if (!dz.allFinite() || moved.lpNorm<Eigen::Infinity>() > kNeighbourhood) return std::nullopt;
+      if (!dz.allFinite() || moved.lpNorm<Eigen::Infinity>() > kNeighbourhood) return false;
       for (std::size_t j = 0; j < y.size(); ++j) {
         // 1 + (e^dz - 1) keeps all digits of double-double where dz is small.
         y[j] += product(Number(exp_minus_1(dz[static_cast<Index>(j)])), y[j]);
       }
     }
-    return std::nullopt;
-  }
-
-  /// The faces determine the path: by the implicit function theorem one path leads to this root, and it is this one. Where
-  /// terms of G are among them they are n equations for n unknowns. Where none is, a torus acts on the roots, and the order
-  /// above has to fix the n-th unknown, sigma: x_j = y_j sigma^w_j, sigma proportional to 1 - t.
-  bool is_regular(const Root& root, const Direction& direction) const {
-    VectorXcd value(static_cast<Index>(faces_.size()));
-    MatrixXcd jacobian(value.size(), static_cast<Index>(root.y.size()));
-    evaluate(root.y, value, jacobian);
-    const auto any = [&](bool Face::*property) {
-      return std::any_of(faces_.begin(), faces_.end(), std::mem_fn(property));
-    };
-    if (!any(&Face::has_start_terms)) {
-      if (any(&Face::has_start_terms_beyond) || !direction.is_primitive()) return false;
-      jacobian.conservativeResize(Eigen::NoChange, jacobian.cols() + 1);
-      jacobian.rightCols(1) = slope_in_sigma(root.y);
-    }
-    const auto singular_values = Eigen::JacobiSVD<MatrixXcd>(jacobian).singularValues();
-    const double least = singular_values[value.size() - 1] / singular_values[0];
-    return least > kRegularRank && root.moved < kBasin * least;
+    return false;
   }
 
  private:
@@ -199,24 +138,20 @@ class Faces {
     const long least = *std::min_element(orders.begin(), orders.end());
     Face face;
     double largest = -std::numeric_limits<double>::infinity();
-    const auto value_of_term = [&](std::size_t k) {
-      const bool is_start = is_zero(homotopy.f(first + k));
-      const Coefficient& c = is_start ? homotopy.g(first + k) : homotopy.f(first + k);
-      return product(DoubleDouble(is_start ? radius : 1.0), Scalar<Number>::round(c));
-    };
     for (std::size_t k = 0; k < terms.size(); ++k) {
       if (orders[k] != least) continue;
-      largest = std::max(largest, std::log2(magnitude1(value_of_term(k))) + shifts[k]);
-    }
-    for (std::size_t k = 0; k < terms.size(); ++k) {
       const bool is_start = is_zero(homotopy.f(first + k));
-      const bool is_next = !is_start && orders[k] == least + direction.denominator;
-      face.has_start_terms |= is_start && orders[k] == least;
-      face.has_start_terms_beyond |= is_start && orders[k] < least + direction.denominator;
-      if (orders[k] != least && !is_next) continue;
+      const Coefficient& c = is_start ? homotopy.g(first + k) : homotopy.f(first + k);
+      const Number value = product(DoubleDouble(is_start ? radius : 1.0), Scalar<Number>::round(c));
+      largest = std::max(largest, std::log2(magnitude1(value)) + shifts[k]);
+      face.push_back({value, &terms[k].monomial});
+    }
+    std::size_t next = 0;
+    for (std::size_t k = 0; k < terms.size(); ++k) {
+      if (orders[k] != least) continue;
       const double factor = std::exp2(shifts[k] - std::floor(largest));
-      (is_next ? face.next : face.terms)
-          .push_back({product(DoubleDouble(factor), value_of_term(k)), &terms[k].monomial});
+      face[next].c = product(DoubleDouble(factor), face[next].c);
+      ++next;
     }
     return face;
   }
@@ -225,54 +160,25 @@ class Faces {
   // their null space.
   void evaluate(const std::vector<Number>& y, VectorXcd& value, MatrixXcd& jacobian) const {
     jacobian.setZero();
+    std::vector<Number> terms;
     for (std::size_t i = 0; i < faces_.size(); ++i) {
-      const std::vector<Number> terms = values_of(faces_[i].terms, y);
-      const std::size_t largest = index_of_largest(terms);
-      const Monomial& reference = *faces_[i].terms[largest].monomial;
-      const Complex scale = 1.0 / to_complex(terms[largest]);
+      terms.clear();
+      for (const FaceTerm& term : faces_[i]) terms.push_back(value_of(term, y));
+      const auto largest = std::max_element(
+          terms.begin(), terms.end(),
+          [](const Number& a, const Number& b) { return magnitude1(a) < magnitude1(b); });
+      const FaceTerm& reference = faces_[i][static_cast<std::size_t>(largest - terms.begin())];
+      const Complex scale = 1.0 / to_complex(*largest);
       const auto row = static_cast<Index>(i);
       Number sum(0.0);
       for (std::size_t k = 0; k < terms.size(); ++k) {
         sum += terms[k];
         const Complex share = to_complex(terms[k]) * scale;
-        add_exponents(*faces_[i].terms[k].monomial, share, jacobian, row);
-        add_exponents(reference, -share, jacobian, row);
+        add_exponents(*faces_[i][k].monomial, share, jacobian, row);
+        add_exponents(*reference.monomial, -share, jacobian, row);
       }
       value[row] = to_complex(sum) * scale;
     }
-  }
-
-  // In the unit of sigma that makes the largest sum of moduli 1.
-  VectorXcd slope_in_sigma(const std::vector<Number>& y) const {
-    VectorXcd slope = VectorXcd::Zero(static_cast<Index>(faces_.size()));
-    double unit = std::numeric_limits<double>::min();
-    for (std::size_t i = 0; i < faces_.size(); ++i) {
-      const std::vector<Number> terms = values_of(faces_[i].terms, y);
-      const Complex scale = 1.0 / to_complex(terms[index_of_largest(terms)]);
-      double moduli = 0;
-      for (const Number& term : values_of(faces_[i].next, y)) {
-        const Complex share = to_complex(term) * scale;
-        slope[static_cast<Index>(i)] += share;
-        moduli += std::abs(share);
-      }
-      unit = std::max(unit, moduli);
-    }
-    return slope / unit;
-  }
-
-  static std::size_t index_of_largest(const std::vector<Number>& terms) {
-    const auto smaller = [](const Number& a, const Number& b) {
-      return magnitude1(a) < magnitude1(b);
-    };
-    return static_cast<std::size_t>(std::max_element(terms.begin(), terms.end(), smaller) -
-                                    terms.begin());
-  }
-
-  std::vector<Number> values_of(const std::vector<FaceTerm>& terms,
-                                const std::vector<Number>& y) const {
-    std::vector<Number> values;
-    for (const FaceTerm& term : terms) values.push_back(value_of(term, y));
-    return values;
   }
 
   Number value_of(const FaceTerm& term, const std::vector<Number>& y) const {
@@ -300,29 +206,22 @@ class Faces {
 
 }  // namespace
 
-FaceRoot face_root(const Homotopy& homotopy, const Point& x, double radius,
+bool has_face_root(const Homotopy& homotopy, const Point& x, double radius,
                    const std::vector<double>& valuations) {
   const std::optional<Direction> direction = direction_of(valuations);
-  if (!direction) return {};
+  if (!direction) return false;
   const Chart& chart = homotopy.chart();
   std::vector<int> log2;
   std::vector<Number> y;
   for (std::size_t j = 0; j < chart.unknowns; ++j) {
-    if (x[j] == 0.0) return {};
+    if (x[j] == 0.0) return false;
     const Complex z = std::log(x[j]) - std::log(chart.x0(x));
     log2.push_back(static_cast<int>(std::lround(z.real() / std::log(2.0))));
     y.push_back(Number(std::exp(z - log2.back() * std::log(2.0))));
   }
   const Faces faces(homotopy, radius, *direction, log2);
-  if (!faces.may_vanish()) return {};
-  for (const double threshold : {kWideThreshold, kRoundingThreshold}) {
-    const std::optional<Root> root = faces.root_near(y, threshold);
-    if (!root) continue;
-    const bool is_regular = faces.is_regular(*root, *direction);
-    return {is_regular ? FaceRoot::Kind::regular : FaceRoot::Kind::singular,
-            direction->misfit(valuations)};
-  }
-  return {};
+  return faces.may_vanish() &&
+         (faces.vanish_near(y, kWideThreshold) || faces.vanish_near(y, kRoundingThreshold));
 }
 
 }  // namespace moivre

@@ -9,9 +9,6 @@
 // merely grows for a while, to a large finite root, finds none. So its direction is taken for that of an end at infinity where
 // Newton's method in log x, from the path's own point, makes all faces vanish to the rounding of double-double, and nowhere else.
 //
-// Where that root is regular, the implicit function theorem gives one path to it; where it is singular, it may have finite roots
-// for neighbours, to which paths go by way of it: then the path has to stay with it.
-//
 //   w: valuations, rounded to fractions of the least denominator that they allow
 //   Edges: a face of one term cannot vanish. Coordinates that are 0 have no valuation, and terms with them no part.
 // Private to the module. Source: [Bernstein75], [HuberVerschelde98].
@@ -23,18 +20,8 @@
 
 namespace moivre {
 
-struct FaceRoot {
-  enum class Kind {
-    none,
-    singular,  ///< finite roots may lie near it: a path that comes near may leave it again
-    regular    ///< the path leads there, and no other
-  };
-  Kind kind = Kind::none;
-  double misfit = 0;  ///< max |v_j - w_j| of valuations v_j below 1, w rounded
-};
-
 /// x: homogeneous, not in a frame, at 1 - t = radius. valuations: of x_j / x_0, n of them.
-FaceRoot face_root(const Homotopy& homotopy, const Point& x, double radius,
+bool has_face_root(const Homotopy& homotopy, const Point& x, double radius,
                    const std::vector<double>& valuations);
 
 }  // namespace moivre

@@ -77,7 +77,7 @@ class SessionSource : public DepartureSource {
     const std::uint64_t path = beginning.path;
     auto& endgame = under_way_[path];
     endgame = std::make_unique<Endgame>(problem_.endgame, problem_.plan.last().chart(), path,
-                                        shared_.care, problem_.manner);
+                                        shared_.care);
     PathEnd& end = endgame->end();
     end.count = beginning.count;
     end.stage = problem_.plan.stages.size() - 1;

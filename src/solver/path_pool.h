@@ -19,7 +19,6 @@ struct PathProblem {
   const StartPlan& plan;
   const Tracker& tracker;
   const EndgameOptions& endgame;
-  Endgame::Manner manner = Endgame::Manner::full;
 };
 
 /// Receives the verdict on a path; called by one thread at a time, in any order of paths.

@@ -51,10 +51,4 @@ PathProblem Setting::problem(int care) const {
   return {*prepared.plan, falls_back(care) ? *trackers.fallback : tracker(), endgame};
 }
 
-PathProblem Setting::first_problem() const {
-  PathProblem first = problem(0);
-  if (trackers.fine_own != nullptr && !is_fine()) first.manner = Endgame::Manner::thrifty;
-  return first;
-}
-
 }  // namespace moivre

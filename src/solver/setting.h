@@ -48,8 +48,6 @@ struct Setting {
   bool falls_back(int care) const;
   /// All paths, by who follows them with that care.
   PathProblem problem(int care) const;
-  /// All paths, by who follows them at first: one that fails by precision then may go on in double-double at once.
-  PathProblem first_problem() const;
 };
 
 }  // namespace moivre

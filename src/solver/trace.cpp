@@ -98,7 +98,7 @@ void follow_to_the_end(const PathProblem& problem, int care, const ToAffine& to_
     const TraceStep start = first_row(last, beginning, to_affine);
     trace.steps.push_back(start);
     trace.steps.back().journey = recorder.next_journey();
-    Endgame endgame(problem.endgame, last.chart(), trace.path, care, problem.manner);
+    Endgame endgame(problem.endgame, last.chart(), trace.path, care);
     std::optional<Departure> departure =
         endgame.depart(std::move(beginning.x), std::move(beginning.frame));
     while (departure) {
@@ -133,7 +133,7 @@ Trace trace_path(const System& f, const Tracker& tracker, const SolveOptions& op
   trace.path = path;
   trace.left_out = setting.prepared.left_out;
   follow_to_the_end(
-      setting.first_problem(), options.care,
+      setting.problem(0), options.care,
       [&](const Point& x) { return to_original(setting.prepared, x); }, stop, trace);
   return trace;
 }

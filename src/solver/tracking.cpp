@@ -7,9 +7,6 @@
 namespace moivre {
 namespace {
 
-// Followed in double-double until it is this large, and to no regular end, a path is one to infinity.
-constexpr double kBeyondRoots = 1e-18;
-
 /// Verdicts go to `sink`, but for those that the run's end cut short; what is finite is refined.
 void track_these(Run& run, const PathProblem& problem, const PathSet& paths, int care,
                  const EndSink& sink) {
@@ -28,21 +25,13 @@ void track_these(Run& run, const PathProblem& problem, const PathSet& paths, int
   refine_ends(run);
 }
 
-bool has_left_for_infinity(const Run& run, const PathEnd& end) {
-  return run.setting.prepared.plan->last().chart().finiteness(end.x) < kBeyondRoots;
-}
-
 /// Returns the paths that came to no verdict.
-PathSet climb_with(Run& run, const Tracker& tracker, Endgame::Manner manner, const PathSet& paths) {
+PathSet climb_with(Run& run, const Tracker& tracker, const PathSet& paths) {
   PathSet left;
   if (paths.empty() || run.interrupted) return left;
   const Setting& setting = run.setting;
-  const PathProblem problem{*setting.prepared.plan, tracker, setting.endgame, manner};
+  const PathProblem problem{*setting.prepared.plan, tracker, setting.endgame};
   track_these(run, problem, paths, 0, [&](std::uint64_t path, PathEnd&& end) {
-    if (end.failure == Failure::step_too_small && has_left_for_infinity(run, end)) {
-      end.status = PathStatus::at_infinity;
-      end.failure.reset();
-    }
     if (end.status == PathStatus::failed) {
       run.work += end.count;
       left.insert(path);
@@ -68,8 +57,8 @@ void track_all(Run& run) {
     if (setting.options.progress) setting.options.progress(progress);
   };
   track_paths(
-      setting.first_problem(), progress.total, [](std::uint64_t k) { return k; },
-      setting.options.care, setting.threads, sink, setting.stop);
+      setting.problem(0), progress.total, [](std::uint64_t k) { return k; }, setting.options.care,
+      setting.threads, sink, setting.stop);
   if (progress.done < progress.total) run.interrupted = true;
 }
 
@@ -81,21 +70,15 @@ void track_again(Run& run, const PathSet& paths, int care) {
   });
 }
 
+PathSet climb_together(Run& run, const PathSet& paths) {
+  const Trackers& trackers = run.setting.trackers;
+  return trackers.fine_own ? climb_with(run, *trackers.fine_own, paths) : PathSet{};
+}
+
 void climb(Run& run, const PathSet& paths) {
   const Trackers& trackers = run.setting.trackers;
   if (!trackers.fine) return;
-  constexpr auto kStraight = Endgame::Manner::straight;
-  const PathSet left =
-      trackers.fine_own ? climb_with(run, *trackers.fine_own, kStraight, paths) : paths;
-  climb_with(run, *trackers.fine, kStraight, left);
-}
-
-PathSet climb_together(Run& run, const PathSet& paths) {
-  const Trackers& trackers = run.setting.trackers;
-  if (!trackers.fine_own) return {};
-  PathSet left = climb_with(run, *trackers.fine_own, Endgame::Manner::straight, paths);
-  if (run.setting.is_fine()) return left;
-  return climb_with(run, *trackers.fine_own, Endgame::Manner::full, left);
+  climb_with(run, *trackers.fine, trackers.fine_own ? climb_together(run, paths) : paths);
 }
 
 }  // namespace moivre

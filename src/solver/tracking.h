@@ -15,12 +15,12 @@ void track_all(Run& run);
 /// Follows these with that care: by the same tracker first, by the fallback later.
 void track_again(Run& run, const PathSet& paths, int care);
 
-/// Follows these in double-double, straight to t = 1: together where the tracker can, and what that leaves one by one. Where
-/// it finds no regular end either, the path's entry stays as it is. Does nothing where no path may be followed beyond double.
+/// Follows these in double-double: together where the tracker can, and what that leaves one by one. Where there is no verdict
+/// either, the path's entry stays as it is. Does nothing where no path may be followed beyond double.
 void climb(Run& run, const PathSet& paths);
 
-/// Follows these together in double-double: straight to t = 1, and what that leaves with the endgame. Returns the
-/// paths that it does not decide; does nothing, and returns none, where the tracker has no double-double of its own.
+/// Follows these together in double-double. Returns the paths that it does not decide; does nothing, and returns none, where
+/// the tracker has no double-double of its own.
 PathSet climb_together(Run& run, const PathSet& paths);
 
 }  // namespace moivre
