@@ -13,7 +13,7 @@ namespace {
 // A sum beside the mean of |z|^k that errors of the samples explain: they are Newton's to 1e-10 or better.
 constexpr double kSampleError = 1e-8;
 // Limits that are to be 0 are known to lie so much nearer to 0 than the samples do.
-constexpr double kNearer = 0.1;
+constexpr double kNearer = 0.5;
 
 /// Means of z^k and of |z|^k.
 struct PowerMean {

@@ -131,6 +131,7 @@ Watcher::Verdict Endgame::watch(const StepRecord& step, PathSystem&) noexcept {
     outpost_.assign(step.x.begin(), step.x.end());
     radius_ = radius;
   }
+  if (options_.goes_straight) return Verdict::go_on;
   if (radius < kCreepingRadius) ++creeping_;
   return creeping_ >= kCreepingSteps || watched_ > kPatience ? Verdict::stop : Verdict::go_on;
 }

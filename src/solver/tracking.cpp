@@ -30,7 +30,9 @@ PathSet climb_with(Run& run, const Tracker& tracker, const PathSet& paths) {
   PathSet left;
   if (paths.empty() || run.interrupted) return left;
   const Setting& setting = run.setting;
-  const PathProblem problem{*setting.prepared.plan, tracker, setting.endgame};
+  EndgameOptions endgame = setting.endgame;
+  endgame.goes_straight = true;
+  const PathProblem problem{*setting.prepared.plan, tracker, endgame};
   track_these(run, problem, paths, 0, [&](std::uint64_t path, PathEnd&& end) {
     if (end.status == PathStatus::failed) {
       run.work += end.count;

@@ -44,6 +44,8 @@ std::string to_string(Failure failure);
 Failure to_failure(Journey journey);
 
 struct EndgameOptions {
+  /// The whole way is followed as far as it leads before circles are tried: where digits are plenty.
+  bool goes_straight = false;
   double watch_radius = 0.1;  ///< |1 - t| from which the path is watched
   double regular_condition =
       1e8;  ///< condition at t = 1 up to which an arrival is regular without more ado
