@@ -7,6 +7,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -15,6 +16,15 @@
 #include "setting.h"
 
 namespace moivre {
+
+/// What is known of proved bounds on the number of isolated roots (completeness.h).
+struct Bounds {
+  std::optional<RootBound> met;
+  std::optional<std::uint64_t> mixed_volume;
+  std::optional<std::uint64_t> stable_mixed_volume;
+  bool mixed_volume_was_sought = false;
+  bool stable_mixed_volume_was_sought = false;
+};
 
 struct Run {
   explicit Run(const Setting& the_setting) : setting(the_setting) {}
@@ -27,6 +37,8 @@ struct Run {
   PathSet retracked;
   PathSet handed_over;                     ///< of these, to the fallback
   std::uint64_t unsettled_conjugates = 0;  ///< simple roots that no path was found to lead to
+  Bounds bounds;
+  std::uint64_t left_by_bound = 0;  ///< paths that a met bound left nothing to end at
   StepCount work;
   bool interrupted = false;
 };
