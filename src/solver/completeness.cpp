@@ -23,30 +23,11 @@ bool is_met(const std::optional<std::uint64_t>& bound, std::uint64_t roots,
   return bound == roots;
 }
 
-CellSearchOptions bounded_search(const Run& run) {
+CellSearchOptions bounded_search(const Run& run, const System& f) {
   CellSearchOptions options;
   options.stop = &run.setting.stop;
-  options.most_steps =
-      search_steps_for(run.setting.prepared.reduction.system, run.setting.prepared.start.paths);
+  options.most_steps = search_steps_for(f, run.setting.prepared.start.paths);
   return options;
-}
-
-/// Of the supports with 0 added, where two liftings agree.
-std::optional<std::uint64_t> mixed_volume_of(Run& run) {
-  std::optional<std::uint64_t>& known = run.bounds.mixed_volume;
-  if (std::exchange(run.bounds.mixed_volume_was_sought, true)) return known;
-  const Setting& setting = run.setting;
-  const std::vector<Support> supports = start_supports(setting.prepared.reduction.system);
-  const auto& counted = setting.prepared.start.counts.mixed_volume.paths;
-  const std::uint64_t seed = setting.options.seed;
-  if (!counted) {
-    // An automatic start has given the search up.
-    if (setting.options.start == StartKind::automatic) return known;
-    known = verified_mixed_volume(supports, seed, bounded_search(run)).value;
-  } else if (mixed_volume(supports, seed, bounded_search(run)).value == *counted) {
-    known = counted;  // that one came from the coefficients, this one from random numbers
-  }
-  return known;
 }
 
 bool lacks_origin(const Support& support) {
@@ -55,34 +36,75 @@ bool lacks_origin(const Support& support) {
   });
 }
 
-std::optional<std::uint64_t> stable_mixed_volume_of(Run& run) {
-  std::optional<std::uint64_t>& known = run.bounds.stable_mixed_volume;
-  if (std::exchange(run.bounds.stable_mixed_volume_was_sought, true)) return known;
-  const std::vector<Support> supports = supports_of(run.setting.prepared.reduction.system);
-  if (std::none_of(supports.begin(), supports.end(), lacks_origin)) return known;
+bool lacks_origin(const System& f) {
+  const std::vector<Support> supports = supports_of(f);
+  return std::any_of(supports.begin(), supports.end(),
+                     [](const Support& support) { return lacks_origin(support); });
+}
+
+/// With 0 added, as the start has counted it from a lifting by the coefficients: a random one agrees.
+bool is_counted_twice(const Run& run, std::uint64_t counted) {
+  const System& f = run.setting.prepared.reduction.system;
+  return mixed_volume(start_supports(f), run.setting.options.seed, bounded_search(run, f)).value ==
+         counted;
+}
+
+/// The stable mixed volume, where two liftings agree; it is the mixed volume where no support lacks 0.
+std::optional<std::uint64_t> verified_volume(const Run& run, const System& f) {
   const std::uint64_t seed = run.setting.options.seed;
-  const auto first = stable_mixed_volume(supports, seed, bounded_search(run)).value;
-  if (first && first == stable_mixed_volume(supports, ~seed, bounded_search(run)).value) {
-    known = first;
+  const CellSearchOptions search = bounded_search(run, f);
+  if (!lacks_origin(f)) return verified_mixed_volume(start_supports(f), seed, search).value;
+  const std::vector<Support> supports = supports_of(f);
+  const auto first = stable_mixed_volume(supports, seed, search).value;
+  if (!first || first != stable_mixed_volume(supports, ~seed, search).value) return std::nullopt;
+  return first;
+}
+
+/// Where the start has not counted it, and was not told to give the search up.
+bool is_worth_a_search(const Run& run) {
+  const Setting& setting = run.setting;
+  if (setting.prepared.start.counts.mixed_volume.paths) {
+    return lacks_origin(setting.prepared.reduction.system);
   }
-  return known;
+  return setting.options.start != StartKind::automatic;
+}
+
+/// Each search is made once.
+const std::optional<std::uint64_t>& once(SoughtBound& bound, const auto& search) {
+  if (!std::exchange(bound.was_sought, true)) bound.value = search();
+  return bound.value;
+}
+
+std::optional<RootBound> volume_met_by(Run& run, std::uint64_t roots) {
+  const Setting& setting = run.setting;
+  const System& reduced = setting.prepared.reduction.system;
+  const auto counted = setting.prepared.start.counts.mixed_volume.paths;
+  if (counted == roots) {
+    const auto verified = [&] { return is_counted_twice(run, roots) ? counted : std::nullopt; };
+    if (once(run.bounds.counted, verified)) return RootBound{"mixed volume", roots};
+    return std::nullopt;
+  }
+  if (is_worth_a_search(run)) {
+    const auto search = [&] { return verified_volume(run, reduced); };
+    const std::string kind = lacks_origin(reduced) ? "stable mixed volume" : "mixed volume";
+    if (is_met(once(run.bounds.reduced, search), roots, kind)) return RootBound{kind, roots};
+  }
+  if (setting.prepared.reduction.substitutions.empty()) return std::nullopt;
+  const auto search = [&] { return verified_volume(run, setting.f); };
+  const std::string kind = lacks_origin(setting.f) ? "stable mixed volume" : "mixed volume";
+  if (is_met(once(run.bounds.whole, search), roots, kind)) return RootBound{kind, roots};
+  return std::nullopt;
 }
 
 std::optional<RootBound> bound_met_by(Run& run, std::uint64_t roots) {
   const StartCounts& counts = run.setting.prepared.start.counts;
-  const auto met = [&](const std::string& kind) { return RootBound{kind, roots}; };
-  if (is_met(counts.total_degree.paths, roots, "total degree")) return met("total degree");
-  if (is_met(counts.multihomogeneous.paths, roots, "multihomogeneous number")) {
-    return met("multihomogeneous number");
+  const std::pair<const char*, const StartCount*> degrees[]{
+      {"total degree", &counts.total_degree},
+      {"multihomogeneous number", &counts.multihomogeneous}};
+  for (const auto& [kind, count] : degrees) {
+    if (is_met(count->paths, roots, kind)) return RootBound{kind, roots};
   }
-  const auto& counted = counts.mixed_volume.paths;
-  if ((!counted || *counted == roots) && is_met(mixed_volume_of(run), roots, "mixed volume")) {
-    return met("mixed volume");
-  }
-  if (is_met(stable_mixed_volume_of(run), roots, "stable mixed volume")) {
-    return met("stable mixed volume");
-  }
-  return std::nullopt;
+  return volume_met_by(run, roots);
 }
 
 /// The path is at no root, and has not failed either.

@@ -4,8 +4,8 @@
 //   elimination            what exact elimination of linear equations decides alone
 //   total degree           d_1 ... d_n of what is tracked; elimination keeps the roots one to one (polynomial/eliminate.h)
 //   multihomogeneous       the number of the partition found [MorganSommese87]; any partition's is a bound
-//   mixed volume           of the supports with 0 added [LiWang96]
-//   stable mixed volume    [HuberSturmfels97]
+//   mixed volume           of what is tracked or of the system as given, 0 added to the supports [LiWang96]
+//   stable mixed volume    of one of them, where a support lacks 0 [HuberSturmfels97]
 //
 // A mixed volume counts where two liftings that have nothing in common agree: cells found alone are a lower bound. A search
 // costs no more than the paths are expected to, and none is begun whose number is known not to be met.

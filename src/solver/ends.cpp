@@ -34,7 +34,7 @@ void prove(const Run& run, Refiner& refiner, Prover& prover, const Point& x, dou
   root.point.simple =
       certificate != nullptr && refiner.is_within_reach(x, accuracy, certificate->midpoint);
   if (!root.point.simple) return;
-  root.point = refiner.take(*certificate);
+  root.point = refiner.take(*certificate, root.point.condition);
   root.certificate = certificate;
 }
 

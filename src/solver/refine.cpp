@@ -306,12 +306,12 @@ Refined Refiner::keep(const Point& x, double accuracy, int sheets) {
   return result;
 }
 
-Refined Refiner::take(const Certificate& proved) {
+Refined Refiner::take(const Certificate& proved, double condition) {
   Refined result;
   result.x = proved.midpoint;
   result.simple = true;
-  result.condition =
-      w_->factor(result.x) ? w_->lu.condition() : std::numeric_limits<double>::infinity();
+  result.condition = condition;
+  if (!std::isfinite(condition) && w_->factor(result.x)) result.condition = w_->lu.condition();
   result.residual = residual(result.x);
   Point snapped = result.x;
   double error = 0;

@@ -60,7 +60,8 @@ class Refiner {
   Refined refine_fine(const Point& x);
 
   /// The root that is proved, as accurate as that says. Parts of coordinates that may be 0 are set to 0 if that fits F as well.
-  Refined take(const Certificate& proved);
+  /// condition: as far as it is known, else not finite.
+  Refined take(const Certificate& proved, double condition);
 
   /// Whether Newton's method may go from x, of relative accuracy `accuracy`, to y.
   bool is_within_reach(const Point& x, double accuracy, const Point& y);

@@ -17,13 +17,18 @@
 
 namespace moivre {
 
+/// A bound that takes a search.
+struct SoughtBound {
+  bool was_sought = false;
+  std::optional<std::uint64_t> value;  ///< where the search found it, and twice
+};
+
 /// What is known of proved bounds on the number of isolated roots (completeness.h).
 struct Bounds {
   std::optional<RootBound> met;
-  std::optional<std::uint64_t> mixed_volume;
-  std::optional<std::uint64_t> stable_mixed_volume;
-  bool mixed_volume_was_sought = false;
-  bool stable_mixed_volume_was_sought = false;
+  SoughtBound counted;  ///< the mixed volume that the start has counted
+  SoughtBound reduced;  ///< the stable mixed volume of what is tracked
+  SoughtBound whole;    ///< of the system as given
 };
 
 struct Run {

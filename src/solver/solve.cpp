@@ -8,6 +8,7 @@
 
 #include "account.h"
 #include "certificates.h"
+#include "completeness.h"
 #include "doubts.h"
 #include "ends.h"
 #include "facts.h"
@@ -47,7 +48,7 @@ Solution eliminated_root(const Setting& setting) {
   Root root;
   root.point = refiner.refine(restore(setting.prepared.reduction, Point{}), 0);
   root.certificate = prover.prove(root.point.x);
-  if (root.certificate) root.point = refiner.take(*root.certificate);
+  if (root.certificate) root.point = refiner.take(*root.certificate, root.point.condition);
   Run run(setting);
   run.ledger.enter_root(0, std::move(root));
   return solution_of(run, {0}, {1});
@@ -113,6 +114,7 @@ SolveResult solve_square(const System& f, const Tracker& tracker, const SolveOpt
     result.time.track = watch.lap();
     refine_ends(run);
     settle_doubts(run);
+    settle_by_bound(run);
     close_account(run, result);
     result.time.refine = watch.lap();
   }

@@ -24,9 +24,11 @@ void expect_proved(const SolveResult& result, const std::string& kind) {
 }
 
 TEST(Certified, CompletenessIsProvedWhereABoundIsMet) {
-  const std::pair<const char*, const char*> expected[]{
-      {"katsura-5", "total degree"},  {"noon-3", "mixed volume"}, {"cyclic-5", "mixed volume"},
-      {"eco-6", "mixed volume"},      {"puma", "multihomogeneous number"}};
+  const std::pair<const char*, const char*> expected[]{{"katsura-5", "total degree"},
+                                                       {"noon-3", "mixed volume"},
+                                                       {"cyclic-5", "mixed volume"},
+                                                       {"eco-6", "mixed volume"},
+                                                       {"puma", "multihomogeneous number"}};
   for (const auto& [name, kind] : expected) {
     SCOPED_TRACE(name);
     expect_proved(solve_with_cvode(system_of(problem(name))), kind);
@@ -116,7 +118,7 @@ class PlantedRun : public testing::Test {
     Root root;
     root.certificate = prover.prove({x});
     ASSERT_NE(root.certificate, nullptr);
-    root.point = refiner.take(*root.certificate);
+    root.point = refiner.take(*root.certificate, 1);
     root.tolerance = 1e-13;
     run.ledger.enter_root(path, std::move(root));
   }
