@@ -13,6 +13,9 @@
 namespace moivre {
 namespace {
 
+// Steps of a search that are always worth it: some milliseconds.
+constexpr std::uint64_t kLeastSearch = 10'000;
+
 /// The bound whose value is `roots`; throws where it is less.
 bool is_met(const std::optional<std::uint64_t>& bound, std::uint64_t roots,
             const std::string& kind) {
@@ -26,7 +29,8 @@ bool is_met(const std::optional<std::uint64_t>& bound, std::uint64_t roots,
 CellSearchOptions bounded_search(const Run& run, const System& f) {
   CellSearchOptions options;
   options.stop = &run.setting.stop;
-  options.most_steps = search_steps_for(f, run.setting.prepared.start.paths);
+  options.most_steps =
+      std::max(kLeastSearch, search_steps_for(f, run.setting.prepared.start.paths));
   return options;
 }
 

@@ -110,7 +110,7 @@ TEST(Certified, WhatIsNotDecidedIsOpen) {
 }
 
 /// A run whose paths have their ends from outside.
-class PlantedRun : public testing::Test {
+class CertifiedEnds : public testing::Test {
  protected:
   void enter_root(std::uint64_t path, Complex x) {
     Prover prover(setting.certify_program);
@@ -132,10 +132,10 @@ class PlantedRun : public testing::Test {
   std::atomic<bool> stop{false};
   std::unique_ptr<Tracker> tracker = make_cvode_tracker();
   Setting setting{f, *tracker, options, stop};
-  Run run{setting};
+  moivre::Run run{setting};
 };
 
-TEST_F(PlantedRun, AMetBoundLeavesNothingInDoubt) {
+TEST_F(CertifiedEnds, AMetBoundLeavesNothingInDoubt) {
   enter_root(0, 1);
   enter_root(1, 1 + 1e-14);
   enter_root(2, 1);  // jumped
@@ -146,7 +146,7 @@ TEST_F(PlantedRun, AMetBoundLeavesNothingInDoubt) {
   EXPECT_TRUE(run.ledger.failures().empty());
 }
 
-TEST_F(PlantedRun, OneRootTwiceMeetsNoBoundOfTwo) {
+TEST_F(CertifiedEnds, OneRootTwiceMeetsNoBoundOfTwo) {
   enter_root(0, 1);
   enter_root(1, 1);
   enter_failure(2);
@@ -155,7 +155,7 @@ TEST_F(PlantedRun, OneRootTwiceMeetsNoBoundOfTwo) {
   EXPECT_EQ(run.ledger.failures().size(), 1U);
 }
 
-TEST_F(PlantedRun, RootsNearerThanTheirTolerancesAreTwoByProof) {
+TEST_F(CertifiedEnds, RootsNearerThanTheirTolerancesAreTwoByProof) {
   enter_root(0, 1);
   enter_root(1, 1 + 1e-14);
   enter_root(2, 1);
