@@ -17,7 +17,7 @@ set(MOIVRE_USES_tracker_cvode tracker)
 set(MOIVRE_USES_tracker_lanes tracker)
 set(MOIVRE_USES_endgame tracker)
 set(MOIVRE_USES_start homotopy)
-set(MOIVRE_USES_solver start endgame)
+set(MOIVRE_USES_solver start endgame certify)
 set(MOIVRE_USES_study multiprecision solver)
 set(MOIVRE_USES_mechanism expression)
 set(MOIVRE_USES_kinematics mechanism)
@@ -27,6 +27,9 @@ set(MOIVRE_USES_report solver)
 set(MOIVRE_USES_closure_report closures report)
 set(MOIVRE_USES_study_report study report)
 set(MOIVRE_USES_cli closure_study multiprecision report study_report closure_report tracker_cvode tracker_lanes)
+
+# Where a module is switched off, those named here make do without it; cli makes do with what is there.
+set(MOIVRE_DO_WITHOUT_certify solver)
 
 # Third-party packages, each private to the modules that name it. Eigen and Boost's integers are
 # the exception: they are vocabulary of the public headers.

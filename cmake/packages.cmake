@@ -8,8 +8,11 @@ option(MOIVRE_WITH_CERTIFY "Build the certificates of roots (needs Arb)" ON)
 option(MOIVRE_WITH_STUDY "Build the study of error against run time (needs multiprecision)" ON)
 option(MOIVRE_WITH_MECHANISM "Build mechanisms, and all that needs them (needs toml++)" ON)
 
-# Takes a module out of the list, and every module that cannot do without it; cli makes do with what is there.
+# Takes a module out of the list, and every module that cannot do without it.
 macro(moivre_switch_off module)
+  foreach(other IN LISTS MOIVRE_DO_WITHOUT_${module})
+    list(REMOVE_ITEM MOIVRE_USES_${other} ${module})
+  endforeach()
   foreach(other IN LISTS MOIVRE_MODULES)
     moivre_closure(needed ${other})
     if("${module}" IN_LIST needed AND NOT other STREQUAL "cli")

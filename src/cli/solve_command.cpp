@@ -27,6 +27,7 @@ struct SolveCommand {
   bool all = false;
   bool slice = false;
   bool cross_check = false;
+  bool no_certify = false;
   std::optional<int> digits;
   std::string precision = "auto";
   bool quiet = false;
@@ -63,6 +64,7 @@ SolveResult solve_interruptibly(const SolveCommand& command, const Problem& prob
   options.start = kind_of(command.start);
   options.threads = command.threads;
   options.slice = command.slice;
+  options.certify = !command.no_certify;
   options.precision = precision_of(command.precision);
   const std::unique_ptr<Tracker> fallback = make_fallback(command.tracker);
   options.fallback = fallback.get();
@@ -141,6 +143,8 @@ void add_solve_command(CLI::App& moivre, Chosen& chosen) {
       ->type_name("N");
   app.add_flag("--cross-check", command->cross_check,
                "solve with the other tracker as well and compare, path by path");
+  app.add_flag("--no-certify", command->no_certify,
+               "prove nothing: no root is certified, and its completeness is not told");
   add_quiet_flag(app, command->quiet);
   add_json_option(app, command->json);
   app.add_option("--csv", command->csv, "write a table of the roots here")->type_name("PATH");

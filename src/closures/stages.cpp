@@ -151,6 +151,7 @@ void Stages::solve_lone(const Block& block) {
 void Stages::add_roots(const Block& block, const PartialRoot& root, const System& f, Stage& stage,
                        std::vector<PartialRoot>& next) {
   SolveOptions options = options_;
+  options.certify = false;  // of a block whose coefficients are roots of others, rounded
   const auto paths = total_degree(degrees(f));
   if (paths && *paths <= kPathsForOneThread) options.threads = 1;
   const bool are_few = paths && *paths <= kPathsWithoutSearch;

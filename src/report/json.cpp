@@ -78,8 +78,11 @@ Json to_json(const Solution& solution) {
           {"residual", to_json(solution.residual)},
           {"accuracy", to_json(solution.accuracy)},
           {"condition", to_json(solution.condition)},
-          {"precision", to_string(solution.precision)}};
+          {"precision", to_string(solution.precision)},
+          {"certified", solution.certified ? Json(*solution.certified) : Json()}};
 }
+
+Json to_json(const RootBound& bound) { return {{"kind", bound.kind}, {"value", bound.value}}; }
 
 Json to_json(const PathCounts& paths) {
   return {{"tracked", paths.tracked},

@@ -37,6 +37,8 @@ std::string solve_json(const SolveResult& result, const std::string& file) {
   report["system"] = to_json(result.system);
   report["reduced"] = reduced_json(result.reduced);
   report["start"] = to_json(result.start);
+  report["completeness"] = result.completeness ? Json(to_string(*result.completeness)) : Json();
+  report["bound"] = result.bound ? to_json(*result.bound) : Json();
   report["tracker"] = tracker_json(result.tracker, result.tracker_options);
   report["paths"] = to_json(result.paths);
   if (result.digits) report["digits"] = *result.digits;

@@ -69,6 +69,23 @@ std::string roots_line(const SolveResult& result) {
   return text + '\n';
 }
 
+std::string completeness_line(const SolveResult& result) {
+  if (!result.completeness) return "";
+  const auto& roots = result.solutions;
+  if (result.bound) {
+    return counted(roots.size(), "root") + ", " + std::to_string(result.bound->value) + " = " +
+           result.bound->kind + ": proved complete\n";
+  }
+  const auto count = [&](auto claim) {
+    return static_cast<std::uint64_t>(std::count_if(roots.begin(), roots.end(), claim));
+  };
+  const std::uint64_t regular = count([](const Solution& root) { return !root.singular; });
+  const std::uint64_t certified =
+      count([](const Solution& root) { return root.certified == true; });
+  return std::to_string(certified) + " of " + counted(regular, "regular root") +
+         " certified: completeness " + to_string(*result.completeness) + '\n';
+}
+
 /// All the digits that were asked for, or those that the accuracy justifies.
 std::string coordinate_text(const Solution& root, std::size_t i, double error) {
   if (root.x_digits.empty()) {
@@ -84,6 +101,7 @@ std::string root_text(const Solution& root, const std::vector<std::string>& name
       std::string(root.real ? "real root" : "root") + ", path " + std::to_string(root.path);
   if (root.multiplicity > 1) text += ", multiplicity " + std::to_string(root.multiplicity);
   if (root.singular) text += ", singular";
+  if (root.certified == true) text += ", certified";
   text += ", accuracy " + rough_text(root.accuracy) + ", condition " + rough_text(root.condition) +
           '\n';
   std::size_t width = 0;
@@ -154,7 +172,7 @@ std::string time_line(const SolveTime& time) {
 std::string solve_text(const SolveResult& result, const std::string& file, ListedRoots listed) {
   std::string text = system_line(result, file) + paths_line(result) + roots_line(result);
   text += cross_check_text(result);
-  text += result.message + '\n';
+  text += result.message + '\n' + completeness_line(result);
   text += roots_text(result, listed);
   text += failures_text(result.failures);
   text += left_out_text(result.left_out);

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 
+#include "certificates.h"
 #include "coincidence.h"
+#include "completeness.h"
 
 namespace moivre {
 namespace {
@@ -14,7 +16,7 @@ namespace {
 constexpr double kSingularMargin = 4;
 
 void enter_solutions(const Run& run, SolveResult& result) {
-  for (const auto& group : run.ledger.groups()) {
+  for (const auto& group : groups_of(run)) {
     result.paths.finite += group.size();
     const Root& first = run.ledger.roots().at(group.front());
     if (!first.point.simple && is_on_set(run, first)) {
@@ -75,17 +77,19 @@ Solution solution_of(const Run& run, const std::vector<std::uint64_t>& group,
   const auto best = std::min_element(group.begin(), group.end(), [&](auto a, auto b) {
     return roots.at(a).point.accuracy < roots.at(b).point.accuracy;
   });
-  const Refined& point = roots.at(*best).point;
+  const Root& root = roots.at(*best);
+  const Refined& point = root.point;
   Solution solution;
   solution.path = group.front();
   solution.x = point.x;
-  solution.real = is_real(point);
+  solution.real = is_real(root);
   solution.singular = !point.simple;
   solution.multiplicity = group.size();
   solution.winding = winding;
   solution.residual = point.residual;
   solution.accuracy = point.simple ? point.accuracy : accuracy_of_group(run, group, point);
   solution.condition = point.condition;
+  if (run.setting.certify_program) solution.certified = root.certificate != nullptr;
   for (const std::uint64_t path : group) {
     solution.precision = std::max(solution.precision, rung_of(run, path));
   }
@@ -106,6 +110,7 @@ void close_account(const Run& run, SolveResult& result) {
                    : all_decided             ? "every path was decided"
                    : result.paths.failed > 0 ? "some paths failed"
                                              : "a root's conjugate is missing among the roots";
+  tell_completeness(run, result);
 }
 
 }  // namespace moivre

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "certificates.h"
+#include "completeness.h"
 #include "tracking.h"
 
 namespace moivre {
@@ -33,7 +35,7 @@ Ends ends_of(const Run& run, const std::vector<std::uint64_t>& group) {
 void resolve_clusters(Run& run) {
   std::map<std::uint64_t, std::vector<std::uint64_t>> clusters;
   PathSet first;
-  for (const auto& group : run.ledger.groups()) {
+  for (const auto& group : groups_of(run)) {
     const Ends ends = ends_of(run, group);
     if (group.size() == 1 || ends.singular.empty()) continue;
     const std::uint64_t path = ends.singular.front();
@@ -98,7 +100,7 @@ PathSet doubtful_paths(Run& run, int care, const PathSet& beyond) {
   for (const auto& [path, failure] : run.ledger.failures()) {
     if (!beyond.contains(path)) doubtful.insert(path);
   }
-  for (const auto& group : run.ledger.groups()) {
+  for (const auto& group : groups_of(run)) {
     if (is_in_doubt(run, group)) doubtful.insert(group.begin(), group.end());
   }
   doubtful.merge(paths_to_missing_conjugates(run, care));
@@ -115,13 +117,13 @@ void fail(Run& run, std::uint64_t path, Failure reason) {
 /// One path alone cannot end at an isolated root that is not simple, nor can paths that end beside a simple root: what they
 /// end at is no root that this precision can show. And two paths cannot end at one simple root: all but the first are lost.
 void fail_unsettled(Run& run) {
-  for (const auto& group : run.ledger.groups()) {
+  for (const auto& group : groups_of(run)) {
     const Ends ends = ends_of(run, group);
     const bool may_be_none = ends.are_mixed() || (group.size() == 1 && !ends.singular.empty());
     if (!may_be_none || is_on_set(run, run.ledger.roots().at(ends.singular.front()))) continue;
     for (const std::uint64_t path : ends.singular) fail(run, path, Failure::precision);
   }
-  for (const auto& group : run.ledger.groups()) {
+  for (const auto& group : groups_of(run)) {
     for (std::size_t k = 1; k < group.size(); ++k) {
       if (run.ledger.roots().at(group[k]).point.simple) fail(run, group[k], Failure::jumped);
     }
@@ -139,6 +141,7 @@ void fail_unsettled(Run& run) {
 
 void settle_doubts(Run& run) {
   const SolveOptions& options = run.setting.options;
+  if (settle_by_bound(run)) return;
   resolve_clusters(run);
   // Where many paths go at once digits cost less than care, and care helps none that they do not.
   const PathSet beyond = climb_together(run, paths_failed_by(run, Failure::precision));
@@ -147,17 +150,18 @@ void settle_doubts(Run& run) {
     const PathSet doubtful = doubtful_paths(run, care, beyond);
     if (doubtful.empty() && beyond.empty()) return;
     if (doubtful.empty()) break;
+    if (settle_by_bound(run)) return;
     track_again(run, doubtful, care);
     if (climbs_later && care == options.care + 1) {
       climb(run, paths_failed_by(run, Failure::precision));
     }
   }
-  if (run.interrupted) return;
+  if (run.interrupted || settle_by_bound(run)) return;
   PathSet last = doubtful_paths(run, options.maximum_care + 1, {});
   // More digits save no steps: the caller's budget stands.
   for (const std::uint64_t path : paths_failed_by(run, Failure::step_limit)) last.erase(path);
   climb(run, last);
-  if (!run.interrupted) fail_unsettled(run);
+  if (!run.interrupted && !settle_by_bound(run)) fail_unsettled(run);
 }
 
 }  // namespace moivre

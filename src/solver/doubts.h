@@ -8,6 +8,8 @@
 //   where the system is real, the path to a root's conjugate that no path has found
 // They are followed again with more care, level by level, then in double-double. What stays in doubt has failed. Where the
 // tracker has lanes in double-double, paths that failed by precision go there first.
+// Where as many roots are proved as a proved bound allows, nothing is in doubt (completeness.h); that is asked before anything
+// is followed again.
 // Bounded: SolveOptions::maximum_care levels. An interrupted run is left as it is.
 #pragma once
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "certificates.h"
 #include "dimension.h"
 
 namespace moivre {
@@ -25,7 +26,20 @@ constexpr int kLeastMultiplicity = 2;
 // A thread is worth waking for so many ends to refine.
 constexpr std::size_t kEndsOfAThread = 16;
 
-Root refined_root(const Run& run, Refiner& refiner, std::uint64_t path, const PathEnd& end) {
+/// A proved root near the end is what the path ends at; without a proof it is no simple root.
+void prove(const Run& run, Refiner& refiner, Prover& prover, const Point& x, double accuracy,
+           Root& root) {
+  if (run.setting.stop) return;
+  const auto certificate = prover.prove(root.point.x);
+  root.point.simple =
+      certificate != nullptr && refiner.is_within_reach(x, accuracy, certificate->midpoint);
+  if (!root.point.simple) return;
+  root.point = refiner.take(*certificate, root.point.condition);
+  root.certificate = certificate;
+}
+
+Root refined_root(const Run& run, Refiner& refiner, Prover& prover, std::uint64_t path,
+                  const PathEnd& end) {
   const Setting& setting = run.setting;
   const Point x = to_original(setting.prepared, end.x);
   // A relative error of z_0 is one of z / z_0, larger by the size of the affine point.
@@ -38,7 +52,9 @@ Root refined_root(const Run& run, Refiner& refiner, std::uint64_t path, const Pa
   if (!root.point.simple && !many_sheets && rung_of(run, path) == Rung::double_double) {
     root.point = refiner.refine_fine(x);
   }
-  if (root.point.simple && root.point.condition > kDoubtfulCondition) {
+  if (prover.is_on()) {
+    if (!many_sheets) prove(run, refiner, prover, x, accuracy, root);
+  } else if (root.point.simple && root.point.condition > kDoubtfulCondition) {
     root.point.simple = !is_on_set(run, root);
   }
   if (!root.point.simple) {
@@ -56,8 +72,9 @@ std::vector<Root> refined_roots(const Run& run) {
   const std::size_t chunks = std::min(threads, 1 + roots.size() / kEndsOfAThread);
   for_each_parallel(chunks, run.setting.threads, [&](std::size_t chunk) {
     Refiner refiner(run.setting.refiner_program);
+    Prover prover(run.setting.certify_program);
     for (std::size_t k = chunk; k < roots.size(); k += chunks) {
-      roots[k] = refined_root(run, refiner, run.ends[k].first, run.ends[k].second);
+      roots[k] = refined_root(run, refiner, prover, run.ends[k].first, run.ends[k].second);
     }
   });
   return roots;

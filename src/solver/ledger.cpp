@@ -45,10 +45,13 @@ std::optional<std::vector<int>> cycles(const Ledger& ledger,
   return result;
 }
 
-bool is_real(const Refined& root) {
-  const double size = std::max(1.0, max_norm(root.x));
-  return std::all_of(root.x.begin(), root.x.end(), [&](const Complex& xi) {
-    return std::abs(xi.imag()) <= 2 * root.accuracy * size;
+bool is_real(const Root& root) {
+  const Reality proved = root.certificate ? root.certificate->reality : Reality::unknown;
+  if (proved != Reality::unknown) return proved == Reality::real;
+  const Point& x = root.point.x;
+  const double size = std::max(1.0, max_norm(x));
+  return std::all_of(x.begin(), x.end(), [&](const Complex& xi) {
+    return std::abs(xi.imag()) <= 2 * root.point.accuracy * size;
   });
 }
 
@@ -57,7 +60,7 @@ std::vector<Point> missing_conjugates(const Ledger& ledger) {
   std::vector<KnownPoint> points;
   images.reserve(ledger.roots().size());
   for (const auto& [path, root] : ledger.roots()) {
-    if (!root.point.simple || is_real(root.point)) continue;
+    if (!root.point.simple || is_real(root)) continue;
     points.push_back({&root.point.x, root.tolerance});
     Point& image = images.emplace_back(root.point.x);
     for (Complex& xi : image) xi = std::conj(xi);

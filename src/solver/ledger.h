@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <vector>
@@ -23,6 +24,7 @@ struct Root {
   Refined point;
   std::optional<int> winding;          ///< nullopt: the end needed no circle, so it counts as 1
   double tolerance = 0;                ///< relative, within which another end is the same root
+  std::shared_ptr<const Certificate> certificate;  ///< of a simple root that is proved
   mutable std::optional<bool> on_set;  ///< lies on a positive-dimensional set, once asked
 };
 
@@ -56,7 +58,7 @@ std::optional<std::vector<int>> cycles(const Ledger& ledger,
 /// Simple roots, not real, whose complex conjugate is not among the roots.
 std::vector<Point> missing_conjugates(const Ledger& ledger);
 
-/// All imaginary parts vanish to within the root's accuracy.
-bool is_real(const Refined& root);
+/// All imaginary parts vanish: by proof where there is one, else to within the root's accuracy.
+bool is_real(const Root& root);
 
 }  // namespace moivre

@@ -43,6 +43,9 @@ constexpr double kSingularAccuracy = 5e-14;
 // Coordinates of a singular root are taken for 0 within so many times its accuracy.
 constexpr double kSingularSnap = 10;
 
+/// How far a root may be from an end of this accuracy.
+double reach_of(double accuracy) { return std::max(kLeastTravel, kTravel * accuracy); }
+
 void add(Point& x, const Point& dx) {
   for (std::size_t i = 0; i < x.size(); ++i) x[i] += dx[i];
 }
@@ -181,7 +184,7 @@ Refined Refiner::refine(const Point& x, double accuracy) {
   Refined result;
   result.x = x;
   Point trial = x;
-  result.simple = newton(trial, std::max(kLeastTravel, kTravel * accuracy));
+  result.simple = newton(trial, reach_of(accuracy));
   result.condition = w.factor(trial) ? w.lu.condition() : std::numeric_limits<double>::infinity();
   result.simple = result.simple && is_simple(trial);
   if (result.simple) {
@@ -303,6 +306,35 @@ Refined Refiner::keep(const Point& x, double accuracy, int sheets) {
   return result;
 }
 
+Refined Refiner::take(const Certificate& proved, double condition) {
+  Refined result;
+  result.x = proved.midpoint;
+  result.simple = true;
+  result.condition = condition;
+  if (!std::isfinite(condition) && w_->factor(result.x)) result.condition = w_->lu.condition();
+  result.residual = residual(result.x);
+  Point snapped = result.x;
+  double error = 0;
+  double snapped_error = 0;
+  for (std::size_t j = 0; j < snapped.size(); ++j) {
+    double beyond = proved.error[j];
+    for (const Point& part : proved.finer) beyond += std::abs(part[j]);
+    if (std::abs(snapped[j].real()) <= beyond) snapped[j].real(0);
+    if (std::abs(snapped[j].imag()) <= beyond) snapped[j].imag(0);
+    error = std::max(error, beyond);
+    snapped_error = std::max(snapped_error, beyond + std::abs(snapped[j] - result.x[j]));
+  }
+  if (take_snapped(result, std::move(snapped))) error = snapped_error;
+  // Roundings of these few operations.
+  result.accuracy = (1 + 16 * kUnitRoundoff) * error / std::max(1.0, max_norm(result.x));
+  return result;
+}
+
+bool Refiner::is_within_reach(const Point& x, double accuracy, const Point& y) {
+  for (std::size_t i = 0; i < x.size(); ++i) w_->dx[i] = y[i] - x[i];
+  return w_->size_at(w_->dx, x) <= reach_of(accuracy);
+}
+
 double Refiner::natural_residual(const Point& x) {
   Workspace& w = *w_;
   w.evaluate_fine(x);
@@ -329,11 +361,16 @@ void Refiner::snap_to_zero(Refined& root, double accuracy) {
     if (std::abs(xi.real()) <= within) xi.real(0);
     if (std::abs(xi.imag()) <= within) xi.imag(0);
   }
-  if (snapped == root.x) return;
+  take_snapped(root, std::move(snapped));
+}
+
+bool Refiner::take_snapped(Refined& root, Point&& snapped) {
+  if (snapped == root.x) return false;
   const double snapped_residual = residual(snapped);
-  if (snapped_residual > std::max(root.residual, kUnitRoundoff)) return;
+  if (snapped_residual > std::max(root.residual, kUnitRoundoff)) return false;
   root.x = std::move(snapped);
   root.residual = snapped_residual;
+  return true;
 }
 
 }  // namespace moivre

@@ -10,6 +10,7 @@
 
 #include <memory>
 
+#include "moivre/certify/certificate.h"
 #include "moivre/numeric/double_double.h"
 #include "moivre/polynomial/tape.h"
 #include "moivre/solver/solve.h"
@@ -58,6 +59,13 @@ class Refiner {
   /// nothing. The accuracy takes in what rounding in double-double leaves open.
   Refined refine_fine(const Point& x);
 
+  /// The root that is proved, as accurate as that says. Parts of coordinates that may be 0 are set to 0 if that fits F as well.
+  /// condition: as far as it is known, else not finite.
+  Refined take(const Certificate& proved, double condition);
+
+  /// Whether Newton's method may go from x, of relative accuracy `accuracy`, to y.
+  bool is_within_reach(const Point& x, double accuracy, const Point& y);
+
   /// For an end where `sheets` sheets meet: no Newton, the rest as refine(). The accuracy takes into
   /// account that a residual of e means an error near e^{1/sheets}.
   Refined keep(const Point& x, double accuracy, int sheets);
@@ -72,6 +80,7 @@ class Refiner {
   double residual(const Point& x);
   double natural_residual(const Point& x);
   void snap_to_zero(Refined& root, double accuracy);
+  bool take_snapped(Refined& root, Point&& snapped);
   bool contracts_beside(double sensitivity);
 
   struct Workspace;

@@ -18,6 +18,18 @@ std::string to_string(Rung rung) {
   return "";
 }
 
+std::string to_string(Completeness completeness) {
+  switch (completeness) {
+    case Completeness::proved:
+      return "proved";
+    case Completeness::shown:
+      return "shown";
+    case Completeness::open:
+      return "open";
+  }
+  return "";
+}
+
 Rung rung_of(const Run& run, std::uint64_t path) {
   const auto found = run.rungs.find(path);
   return found == run.rungs.end() ? Rung::double_precision : found->second;

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -15,6 +16,20 @@
 #include "setting.h"
 
 namespace moivre {
+
+/// A bound that takes a search.
+struct SoughtBound {
+  bool was_sought = false;
+  std::optional<std::uint64_t> value;  ///< where the search found it, and twice
+};
+
+/// What is known of proved bounds on the number of isolated roots (completeness.h).
+struct Bounds {
+  std::optional<RootBound> met;
+  SoughtBound counted;  ///< the mixed volume that the start has counted
+  SoughtBound reduced;  ///< the stable mixed volume of what is tracked
+  SoughtBound whole;    ///< of the system as given
+};
 
 struct Run {
   explicit Run(const Setting& the_setting) : setting(the_setting) {}
@@ -27,6 +42,8 @@ struct Run {
   PathSet retracked;
   PathSet handed_over;                     ///< of these, to the fallback
   std::uint64_t unsettled_conjugates = 0;  ///< simple roots that no path was found to lead to
+  Bounds bounds;
+  std::uint64_t left_by_bound = 0;  ///< paths that a met bound left nothing to end at
   StepCount work;
   bool interrupted = false;
 };

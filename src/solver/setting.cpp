@@ -4,6 +4,7 @@
 
 #include <thread>
 
+#include "certificates.h"
 #include "moivre/tracker/double_double_tracker.h"
 
 namespace moivre {
@@ -34,7 +35,8 @@ Setting::Setting(const System& system, const Tracker& tracker, const SolveOption
       trackers(trackers_of(tracker, options)),
       prepared(prepare(f, options, stop)),
       endgame(options.endgame),
-      refiner_program(make_refiner_program(with_unit_rows(f), natural_sizes(prepared))) {}
+      refiner_program(make_refiner_program(with_unit_rows(f), natural_sizes(prepared))),
+      certify_program(moivre::certify_program(f, options)) {}
 
 bool Setting::hides_terms() const { return prepared.spread_log2 > kHopelessSpread; }
 

@@ -18,6 +18,8 @@
 
 namespace moivre {
 
+class CertifyProgram;
+
 struct Trackers {
   const Tracker& first;
   const Tracker* fallback;
@@ -38,6 +40,7 @@ struct Setting {
   const Prepared prepared;
   const EndgameOptions endgame;
   const std::shared_ptr<const RefinerProgram> refiner_program;
+  const std::shared_ptr<const CertifyProgram> certify_program;  ///< nullptr: nothing is proved
 
   /// Every path in double-double from the start.
   bool is_fine() const { return options.precision == Precision::double_double; }

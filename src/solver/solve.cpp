@@ -2,10 +2,13 @@
 // The solve: prepare, track, refine, settle doubts, close the account.
 #include "moivre/solver/solve.h"
 
+#include <algorithm>
 #include <ctime>
 #include <stdexcept>
 
 #include "account.h"
+#include "certificates.h"
+#include "completeness.h"
 #include "doubts.h"
 #include "ends.h"
 #include "facts.h"
@@ -28,6 +31,12 @@ SolveResult described(const Setting& setting) {
   result.tracker = setting.tracker().kind();
   result.tracker_options = setting.tracker().options_in_force();
   result.left_out = setting.prepared.left_out;
+  if (!setting.certify_program) {
+    result.left_out.push_back(
+        {"certificates", setting.options.certify
+                             ? "this program was built without them (MOIVRE_WITH_CERTIFY)"
+                             : "not asked for"});
+  }
   result.time.threads = setting.threads;
   return result;
 }
@@ -35,11 +44,26 @@ SolveResult described(const Setting& setting) {
 /// The root that elimination has found.
 Solution eliminated_root(const Setting& setting) {
   Refiner refiner(setting.refiner_program);
+  Prover prover(setting.certify_program);
   Root root;
   root.point = refiner.refine(restore(setting.prepared.reduction, Point{}), 0);
+  root.certificate = prover.prove(root.point.x);
+  if (root.certificate) root.point = refiner.take(*root.certificate, root.point.condition);
   Run run(setting);
   run.ledger.enter_root(0, std::move(root));
   return solution_of(run, {0}, {1});
+}
+
+/// Elimination is exact: so many roots there are.
+void tell_eliminated(const Setting& setting, std::uint64_t roots, SolveResult& result) {
+  if (!setting.certify_program) return;
+  result.completeness = Completeness::open;
+  const bool all_certified =
+      std::all_of(result.solutions.begin(), result.solutions.end(),
+                  [](const Solution& root) { return root.certified == true; });
+  if (!all_certified) return;
+  result.completeness = Completeness::proved;
+  result.bound = RootBound{"elimination", roots};
 }
 
 /// False where paths have to be followed.
@@ -57,15 +81,18 @@ bool decided_without_tracking(const Setting& setting, SolveResult& result) {
       result.start.paths = result.paths.tracked = result.paths.finite = 1;
       result.solutions.push_back(eliminated_root(setting));
       result.message = "every unknown was eliminated: one root";
+      tell_eliminated(setting, 1, result);
       return true;
     case Reduction::Verdict::inconsistent:
       result.message = "the equations contradict each other: no root";
+      tell_eliminated(setting, 0, result);
       return true;
     case Reduction::Verdict::dependent:
     case Reduction::Verdict::underdetermined:
       result.message =
           "the equations depend on each other: every root lies on a set of positive dimension, "
           "none is isolated";
+      tell_eliminated(setting, 0, result);
       return true;
     case Reduction::Verdict::overdetermined:
       throw std::logic_error("a square system became overdetermined");
@@ -87,6 +114,7 @@ SolveResult solve_square(const System& f, const Tracker& tracker, const SolveOpt
     result.time.track = watch.lap();
     refine_ends(run);
     settle_doubts(run);
+    settle_by_bound(run);
     close_account(run, result);
     result.time.refine = watch.lap();
   }

@@ -35,6 +35,20 @@ void drop_excess(const System& f, SolveResult& result) {
   std::erase_if(result.solutions, is_excess);
 }
 
+/// A proof is of the square system. Beside slices and patches its roots are roots of F; combinations prove nothing of F's equations.
+void tell_of_squared(bool is_overdetermined, SolveResult& result) {
+  if (!result.completeness) return;
+  result.bound.reset();
+  if (!is_overdetermined) {
+    if (result.completeness == Completeness::proved) result.completeness = Completeness::shown;
+    return;
+  }
+  result.completeness.reset();
+  for (Solution& root : result.solutions) root.certified.reset();
+  result.left_out.push_back(
+      {"certificates", "a proof of the combinations' roots is none of the file's equations"});
+}
+
 std::string counted_equations(std::size_t count) {
   return std::to_string(count) + (count == 1 ? " equation" : " equations");
 }
@@ -63,6 +77,7 @@ void take_back(const System& f, SolveResult& result) {
                                std::to_string(result.excess) +
                                    " roots of the combinations fail an equation of the file"});
   }
+  tell_of_squared(m > n, result);
   if (m < n) {
     result.left_out.push_back(
         {"cut by " + counted_equations(n - m),

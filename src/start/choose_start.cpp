@@ -102,14 +102,6 @@ class Chooser {
     return std::min(total.value_or(kNone), groups.value_or(kNone));
   }
 
-  /// Steps until the search has cost what the paths of the best other start are expected to.
-  std::uint64_t bearable_steps() const {
-    const double paths = kInfinityCost * static_cast<double>(one_stage_paths()) * path_cost(f_);
-    const double step = kSearchStepCost * static_cast<double>(f_.variables.size()) *
-                        static_cast<double>(term_count(f_));
-    return static_cast<std::uint64_t>(std::min(paths / step, 1e18));
-  }
-
   static double one_stage_cost(std::uint64_t paths, std::uint64_t mixed_volume) {
     const auto roots = static_cast<double>(mixed_volume);
     return roots + kInfinityCost * (static_cast<double>(paths) - roots);
@@ -122,7 +114,7 @@ class Chooser {
       return;
     }
     count_multihomogeneous();
-    count_cells(bearable_steps());
+    count_cells(search_steps_for(f_, one_stage_paths()));
     if (was_interrupted_) return;
     if (!cells_) {
       take_one_stage("the search for mixed cells was given up: it had cost what these paths do");
@@ -208,6 +200,13 @@ std::optional<StartKind> start_kind(const std::string& name) {
     if (to_string(kind) == name) return kind;
   }
   return std::nullopt;
+}
+
+std::uint64_t search_steps_for(const System& f, std::uint64_t paths) {
+  const double cost = kInfinityCost * static_cast<double>(paths) * path_cost(f);
+  const double step = kSearchStepCost * static_cast<double>(f.variables.size()) *
+                      static_cast<double>(term_count(f));
+  return static_cast<std::uint64_t>(std::min(cost / step, 1e18));
 }
 
 ChosenStart choose_start(const System& f, const StartChoiceOptions& options) {

@@ -68,6 +68,7 @@ SolveOptions Study::solve_options(std::size_t seed) const {
   SolveOptions options;
   options.seed = options_.seed + seed;
   options.threads = 1;
+  options.certify = false;  // trackers are measured
   return options;
 }
 

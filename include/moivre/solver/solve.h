@@ -4,6 +4,9 @@
 // F: n polynomials in n variables. Presolve (linear equations eliminated, rows and variables scaled) -> start system ->
 // all paths on all cores -> ends refined on the system as given -> jumps found and tracked again -> isolated roots.
 //
+// Completeness, where certificates are asked for and built: proved, as many roots are certified as a proved bound allows; shown,
+// every path was decided and every regular root is certified; open, otherwise.
+//
 // Conservation, on every run:   tracked = finite + at_infinity + failed
 //                               finite  = sum of multiplicities + on_positive_dimensional + excess
 // A path that is lost is counted as failed. `complete` is true when every path was decided.
@@ -60,6 +63,7 @@ struct SolveOptions {
   bool scale = true;      ///< rows and variables, by powers of two
   bool slice = false;  ///< fewer equations than unknowns: cut by random linear ones, else refused
   Precision precision = Precision::automatic;
+  bool certify = true;  ///< regular roots, by proof; nothing where the module certify was not built
   EndgameOptions endgame;
   /// Tracks again what `tracker` could not settle with a little more care; not owned, may be nullptr.
   const Tracker* fallback = nullptr;
@@ -74,13 +78,17 @@ std::vector<std::string> validate(const SolveOptions& options);
 struct Solution {
   std::uint64_t path = 0;  ///< smallest number of the paths that end here
   Point x;                 ///< in the system's variables and order
-  bool real = false;       ///< all imaginary parts are within accuracy of 0 (and then set to 0)
+  /// All imaginary parts are 0 (and set to it), by proof where the root is certified and F real; else within accuracy of 0.
+  bool real = false;
   bool singular = false;
   std::uint64_t multiplicity = 1;
   std::vector<int> winding{1};  ///< of the cycles that end here; their sum is the multiplicity
   double residual = 0;          ///< max_i |F_i(x)| / sum |terms of F_i|
   double accuracy = 0;          ///< bound on |x - x*|_inf / max(1, |x|_inf)
   double condition = 0;         ///< infinity-norm condition number of the row-scaled Jacobian
+  /// One root of the exact system, and a simple one, is proved to lie within `accuracy`; nullopt where that was not asked for
+  /// or cannot be: F has more equations than unknowns.
+  std::optional<bool> certified;
   Rung precision = Rung::double_precision;  ///< that its paths needed
   std::vector<ComplexDecimal>
       x_digits;  ///< x in SolveResult::digits digits; empty where there are none
@@ -127,6 +135,21 @@ struct StartFacts {
   StartCounts counts;
 };
 
+/// What is known of the number of isolated roots?
+enum class Completeness {
+  proved,  ///< as many are certified as a proved bound allows: there is no other, and none is multiple
+  shown,  ///< every path was decided, and every regular root is certified
+  open
+};
+std::string to_string(Completeness completeness);
+
+/// A proved bound on the number of isolated roots.
+struct RootBound {
+  std::string
+      kind;  ///< "elimination", "total degree", "multihomogeneous number", "mixed volume", "stable mixed volume"
+  std::uint64_t value = 0;
+};
+
 /// Wall seconds.
 struct SolveTime {
   int threads = 1;
@@ -167,6 +190,9 @@ struct SolveResult {
   std::vector<std::pair<std::string, std::string>> tracker_options;
   PathCounts paths;
   std::vector<Solution> solutions;  ///< by path number
+  /// nullopt where nothing was to be certified, or could be: F has more equations than unknowns.
+  std::optional<Completeness> completeness;
+  std::optional<RootBound> bound;  ///< that proves the completeness
   std::uint64_t excess =
       0;  ///< roots that squaring up added, with multiplicity: they fail an equation of F
   std::vector<FailedPath> failures;

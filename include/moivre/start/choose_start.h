@@ -57,6 +57,9 @@ struct ChosenStart {
 /// f: n polynomials in n variables (std::invalid_argument otherwise).
 ChosenStart choose_start(const System& f, const StartChoiceOptions& options);
 
+/// So many steps of a search for cells cost what so many paths are expected to (CellSearchOptions::most_steps).
+std::uint64_t search_steps_for(const System& f, std::uint64_t paths);
+
 /// All counts, each as far as a bounded search comes.
 StartCounts count_starts(const System& f, const StartChoiceOptions& options);
 

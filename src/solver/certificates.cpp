@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// Certificates of ends, and groups of ends parted by them.
+#include "certificates.h"
+
+#include <algorithm>
+
+#include "moivre/certify/certifier.h"
+#include "moivre/certify/distinct.h"
+
+namespace moivre {
+namespace {
+
+// From an end the root is no farther than this; how much nearer it must be is for the end's own accuracy to say.
+constexpr double kFarthest = 1e-5;
+// More digits part roots that the ends, points of double, do not: that is for paths of more digits.
+constexpr int kMostBits = 256;
+
+CertifyOptions certify_options() {
+  CertifyOptions options;
+  options.accuracy = kFarthest;
+  options.most_bits = kMostBits;
+  return options;
+}
+
+/// Those of the group that are proved roots, first ones first, and those that are not, with the first of them.
+std::vector<std::vector<std::uint64_t>> parted(const Run& run, Certifier& certifier,
+                                               const std::vector<std::uint64_t>& group) {
+  std::vector<std::uint64_t> proved;
+  std::vector<std::uint64_t> others;
+  std::vector<Certificate> certificates;
+  for (const std::uint64_t path : group) {
+    const Root& root = run.ledger.roots().at(path);
+    (root.certificate ? proved : others).push_back(path);
+    if (root.certificate) certificates.push_back(*root.certificate);
+  }
+  if (proved.size() < 2) return {group};
+  const Distinctness told = tell_apart(certifier, certificates, run.setting.options.seed);
+  if (!told.doubtful.empty()) return {group};
+  std::map<std::size_t, std::vector<std::uint64_t>> by_root;
+  for (std::size_t k = 0; k < proved.size(); ++k) by_root[told.first_of[k]].push_back(proved[k]);
+  std::vector<std::vector<std::uint64_t>> parts;
+  for (auto& [first, part] : by_root) parts.push_back(std::move(part));
+  parts.front().insert(parts.front().end(), others.begin(), others.end());
+  std::sort(parts.front().begin(), parts.front().end());
+  return parts;
+}
+
+}  // namespace
+
+bool has_certificates() { return true; }
+
+std::shared_ptr<const CertifyProgram> certify_program(const System& f,
+                                                      const SolveOptions& options) {
+  return options.certify && !f.variables.empty() ? make_certify_program(f) : nullptr;
+}
+
+struct Prover::Work {
+  Certifier certifier;
+};
+
+Prover::Prover(std::shared_ptr<const CertifyProgram> program) {
+  if (!program) return;
+  work_ = std::make_unique<Work>(Work{Certifier(std::move(program), certify_options())});
+}
+Prover::~Prover() = default;
+
+std::shared_ptr<const Certificate> Prover::prove(const Point& x) {
+  if (!work_) return nullptr;
+  auto certificate = std::make_shared<Certificate>();
+  work_->certifier.certify(x, *certificate);
+  if (certificate->verdict != Verdict::certified) return nullptr;
+  return certificate;
+}
+
+std::vector<std::vector<std::uint64_t>> groups_of(const Run& run) {
+  std::vector<std::vector<std::uint64_t>> groups = run.ledger.groups();
+  const auto& program = run.setting.certify_program;
+  const bool are_single = std::all_of(groups.begin(), groups.end(),
+                                      [](const auto& group) { return group.size() == 1; });
+  if (!program || are_single) return groups;
+  Certifier certifier(program, certify_options());
+  std::vector<std::vector<std::uint64_t>> result;
+  for (auto& group : groups) {
+    if (group.size() == 1) {
+      result.push_back(std::move(group));
+      continue;
+    }
+    for (auto& part : parted(run, certifier, group)) result.push_back(std::move(part));
+  }
+  return result;
+}
+
+std::uint64_t proved_roots(const Run& run) {
+  if (!run.setting.certify_program) return 0;
+  std::vector<Certificate> certificates;
+  for (const auto& [path, root] : run.ledger.roots()) {
+    if (root.certificate) certificates.push_back(*root.certificate);
+  }
+  Certifier certifier(run.setting.certify_program, certify_options());
+  return tell_apart(certifier, certificates, run.setting.options.seed).distinct_roots;
+}
+
+}  // namespace moivre

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// What is proved of the ends of a run? That a simple root lies there, and that two of them are different roots or one.
+//
+// Certificates (certify/certifier.h) are of the square system that is solved, with its exact coefficients. They decide what
+// numerical tests cannot: whether an end is a simple root, and, where points coincide to their tolerances, which ends are one root.
+// Edges: where SolveOptions::certify is false, or the module certify was not built, nothing is proved and every answer is the
+// numerical one. Private to the module.
+#pragma once
+
+#include <memory>
+
+#include "run.h"
+
+namespace moivre {
+
+/// Whether the module certify is built in.
+bool has_certificates();
+
+/// F compiled for certificates; nullptr where none are asked for or none can be had.
+std::shared_ptr<const CertifyProgram> certify_program(const System& f, const SolveOptions& options);
+
+/// Proves roots near points; one a thread, made and ended by that thread.
+class Prover {
+ public:
+  /// nullptr: proves nothing.
+  explicit Prover(std::shared_ptr<const CertifyProgram> program);
+  ~Prover();
+
+  bool is_on() const { return work_ != nullptr; }
+  /// The certificate of a root that Newton's method reaches from x; nullptr where there is no proof.
+  std::shared_ptr<const Certificate> prove(const Point& x);
+
+ private:
+  struct Work;
+  std::unique_ptr<Work> work_;
+};
+
+/// Paths that end at one point, as Ledger::groups(), but for ends that are proved to be different roots: those are groups of
+/// their own. An end without a certificate stays with the first of its group.
+std::vector<std::vector<std::uint64_t>> groups_of(const Run& run);
+
+/// So many different roots are proved.
+std::uint64_t proved_roots(const Run& run);
+
+}  // namespace moivre

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+// The bounds, cheapest first, and what follows where one is met.
+#include "completeness.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "certificates.h"
+#include "moivre/start/mixed_volume.h"
+#include "moivre/start/polyhedral.h"
+
+namespace moivre {
+namespace {
+
+// Steps of a search that are always worth it: some milliseconds.
+constexpr std::uint64_t kLeastSearch = 10'000;
+
+/// The bound whose value is `roots`; throws where it is less.
+bool is_met(const std::optional<std::uint64_t>& bound, std::uint64_t roots,
+            const std::string& kind) {
+  if (bound && *bound < roots) {
+    throw std::logic_error(std::to_string(roots) + " roots are proved, but the " + kind + " is " +
+                           std::to_string(*bound));
+  }
+  return bound == roots;
+}
+
+CellSearchOptions bounded_search(const Run& run, const System& f) {
+  CellSearchOptions options;
+  options.stop = &run.setting.stop;
+  options.most_steps =
+      std::max(kLeastSearch, search_steps_for(f, run.setting.prepared.start.paths));
+  return options;
+}
+
+bool lacks_origin(const Support& support) {
+  return std::none_of(support.terms.begin(), support.terms.end(), [](const auto& term) {
+    return std::all_of(term.begin(), term.end(), [](auto exponent) { return exponent == 0; });
+  });
+}
+
+bool lacks_origin(const System& f) {
+  const std::vector<Support> supports = supports_of(f);
+  return std::any_of(supports.begin(), supports.end(),
+                     [](const Support& support) { return lacks_origin(support); });
+}
+
+/// With 0 added, as the start has counted it from a lifting by the coefficients: a random one agrees.
+bool is_counted_twice(const Run& run, std::uint64_t counted) {
+  const System& f = run.setting.prepared.reduction.system;
+  return mixed_volume(start_supports(f), run.setting.options.seed, bounded_search(run, f)).value ==
+         counted;
+}
+
+/// The stable mixed volume, where two liftings agree; it is the mixed volume where no support lacks 0.
+std::optional<std::uint64_t> verified_volume(const Run& run, const System& f) {
+  const std::uint64_t seed = run.setting.options.seed;
+  const CellSearchOptions search = bounded_search(run, f);
+  if (!lacks_origin(f)) return verified_mixed_volume(start_supports(f), seed, search).value;
+  const std::vector<Support> supports = supports_of(f);
+  const auto first = stable_mixed_volume(supports, seed, search).value;
+  if (!first || first != stable_mixed_volume(supports, ~seed, search).value) return std::nullopt;
+  return first;
+}
+
+/// Where the start has not counted it, and was not told to give the search up.
+bool is_worth_a_search(const Run& run) {
+  const Setting& setting = run.setting;
+  if (setting.prepared.start.counts.mixed_volume.paths) {
+    return lacks_origin(setting.prepared.reduction.system);
+  }
+  return setting.options.start != StartKind::automatic;
+}
+
+/// Each search is made once.
+const std::optional<std::uint64_t>& once(SoughtBound& bound, const auto& search) {
+  if (!std::exchange(bound.was_sought, true)) bound.value = search();
+  return bound.value;
+}
+
+std::optional<RootBound> volume_met_by(Run& run, std::uint64_t roots) {
+  const Setting& setting = run.setting;
+  const System& reduced = setting.prepared.reduction.system;
+  const auto counted = setting.prepared.start.counts.mixed_volume.paths;
+  if (counted == roots) {
+    const auto verified = [&] { return is_counted_twice(run, roots) ? counted : std::nullopt; };
+    if (once(run.bounds.counted, verified)) return RootBound{"mixed volume", roots};
+    return std::nullopt;
+  }
+  if (is_worth_a_search(run)) {
+    const auto search = [&] { return verified_volume(run, reduced); };
+    const std::string kind = lacks_origin(reduced) ? "stable mixed volume" : "mixed volume";
+    if (is_met(once(run.bounds.reduced, search), roots, kind)) return RootBound{kind, roots};
+  }
+  if (setting.prepared.reduction.substitutions.empty()) return std::nullopt;
+  const auto search = [&] { return verified_volume(run, setting.f); };
+  const std::string kind = lacks_origin(setting.f) ? "stable mixed volume" : "mixed volume";
+  if (is_met(once(run.bounds.whole, search), roots, kind)) return RootBound{kind, roots};
+  return std::nullopt;
+}
+
+std::optional<RootBound> bound_met_by(Run& run, std::uint64_t roots) {
+  const StartCounts& counts = run.setting.prepared.start.counts;
+  const std::pair<const char*, const StartCount*> degrees[]{
+      {"total degree", &counts.total_degree},
+      {"multihomogeneous number", &counts.multihomogeneous}};
+  for (const auto& [kind, count] : degrees) {
+    if (is_met(count->paths, roots, kind)) return RootBound{kind, roots};
+  }
+  return volume_met_by(run, roots);
+}
+
+/// The path is at no root, and has not failed either.
+void leave(Run& run, std::uint64_t path) {
+  run.ledger.strike(path);
+  run.rungs.erase(path);
+  run.ledger.enter_infinity(path);
+  ++run.left_by_bound;
+}
+
+}  // namespace
+
+std::optional<RootBound> met_bound(Run& run) {
+  if (!run.setting.certify_program || run.interrupted || run.setting.stop) return std::nullopt;
+  if (!run.bounds.met) run.bounds.met = bound_met_by(run, proved_roots(run));
+  return run.bounds.met;
+}
+
+bool settle_by_bound(Run& run) {
+  if (!met_bound(run)) return false;
+  for (const auto& group : groups_of(run)) {
+    const auto root = [&](std::uint64_t path) -> const Root& {
+      return run.ledger.roots().at(path);
+    };
+    const auto proved = std::find_if(group.begin(), group.end(), [&](std::uint64_t path) {
+      return root(path).certificate != nullptr;
+    });
+    if (proved == group.end() && is_on_set(run, root(group.front()))) continue;
+    for (const std::uint64_t path : group) {
+      if (proved == group.end() || path != *proved) leave(run, path);
+    }
+  }
+  std::vector<std::uint64_t> failed;
+  for (const auto& [path, failure] : run.ledger.failures()) failed.push_back(path);
+  for (const std::uint64_t path : failed) leave(run, path);
+  run.unsettled_conjugates = 0;
+  return true;
+}
+
+void tell_completeness(const Run& run, SolveResult& result) {
+  if (!run.setting.certify_program) return;
+  const bool all_certified =
+      std::all_of(result.solutions.begin(), result.solutions.end(),
+                  [](const Solution& root) { return root.singular || *root.certified; });
+  result.bound = run.bounds.met;
+  result.completeness = result.bound                       ? Completeness::proved
+                        : result.complete && all_certified ? Completeness::shown
+                                                           : Completeness::open;
+  if (run.left_by_bound == 0) return;
+  result.left_out.push_back(
+      {std::to_string(run.left_by_bound) + (run.left_by_bound == 1 ? " path" : " paths") +
+           " in doubt",
+       "the certified roots are as many as the " + result.bound->kind + ": it leads to no other"});
+}
+
+}  // namespace moivre

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// Are all isolated roots found, by proof? They are where as many different roots are proved as a proved bound allows.
+//
+//   elimination            what exact elimination of linear equations decides alone
+//   total degree           d_1 ... d_n of what is tracked; elimination keeps the roots one to one (polynomial/eliminate.h)
+//   multihomogeneous       the number of the partition found [MorganSommese87]; any partition's is a bound
+//   mixed volume           of what is tracked or of the system as given, 0 added to the supports [LiWang96]
+//   stable mixed volume    of one of them, where a support lacks 0 [HuberSturmfels97]
+//
+// A mixed volume counts where two liftings that have nothing in common agree: cells found alone are a lower bound. A search
+// costs no more than the paths are expected to, and none is begun whose number is known not to be met.
+// More proved roots than a bound would be a fault of ours: std::logic_error. Private to the module.
+#pragma once
+
+#include "run.h"
+
+namespace moivre {
+
+/// The proved bound that the proved roots meet; nullopt where none is met, or nothing is proved.
+std::optional<RootBound> met_bound(Run& run);
+
+/// Where a proved bound is met nothing is left in doubt: every path but the first to each proved root, and those on sets of
+/// positive dimension, ends at no isolated root, and counts as at infinity. False, and nothing is changed, where none is met.
+bool settle_by_bound(Run& run);
+
+/// proved, shown or open, and the bound; nothing where no certificates were asked for. Requires a closed account.
+void tell_completeness(const Run& run, SolveResult& result);
+
+}  // namespace moivre

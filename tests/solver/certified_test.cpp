@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+// Is every regular root certified and none that is not, and is a set of roots called complete by proof just where it is proved?
+#include <gtest/gtest.h>
+
+#include "certificates.h"
+#include "completeness.h"
+#include "problem_set.h"
+
+namespace moivre::test {
+namespace {
+
+std::uint64_t certified(const SolveResult& result) {
+  return static_cast<std::uint64_t>(
+      std::count_if(result.solutions.begin(), result.solutions.end(),
+                    [](const Solution& s) { return s.certified == true; }));
+}
+
+void expect_proved(const SolveResult& result, const std::string& kind) {
+  EXPECT_TRUE(result.complete);
+  EXPECT_EQ(certified(result), result.solutions.size());
+  ASSERT_EQ(result.completeness, Completeness::proved);
+  EXPECT_EQ(result.bound->kind, kind);
+  EXPECT_EQ(result.bound->value, result.solutions.size());
+}
+
+TEST(Certified, CompletenessIsProvedWhereABoundIsMet) {
+  const std::pair<const char*, const char*> expected[]{{"katsura-5", "total degree"},
+                                                       {"noon-3", "mixed volume"},
+                                                       {"cyclic-5", "mixed volume"},
+                                                       {"eco-6", "mixed volume"},
+                                                       {"puma", "multihomogeneous number"}};
+  for (const auto& [name, kind] : expected) {
+    SCOPED_TRACE(name);
+    expect_proved(solve_with_cvode(system_of(problem(name))), kind);
+  }
+}
+
+TEST(Certified, AMixedVolumeProvesWhateverTheStart) {
+  SolveOptions options = with_seed(2);
+  options.start = StartKind::total_degree;
+  expect_proved(solve_with_cvode(system_of(problem("eco-5")), options), "mixed volume");
+}
+
+TEST(Certified, EliminationProvesWhatItDecides) {
+  expect_proved(solve_with_cvode(read("2\n x + y - 3;\n x - y - 1;\n")), "elimination");
+  expect_proved(solve_with_cvode(read("2\n x + y - 3;\n x + y - 1;\n")), "elimination");
+}
+
+TEST(Certified, AMultipleRootIsNotCertified) {
+  const SolveResult result = solve_with_cvode(read("2\n x^2 - 2*x + 1;\n y^2 - x*y - 3;\n"));
+  expect_conservation(result);
+  EXPECT_EQ(result.solutions.size(), 2U);
+  EXPECT_EQ(certified(result), 0U);
+  EXPECT_EQ(result.completeness, Completeness::shown);
+  EXPECT_FALSE(result.bound);
+}
+
+TEST(Certified, ADoubleRootAndNearlyOneAreToldApart) {
+  const std::string y = "y^2 - x*y - 3;\n";
+  const std::string ten16 = "10000000000000000";
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    const SolveResult pairs =
+        solve_with_cvode(read("2\n x^2 - 2*x + 1 + 1/" + ten16 + ";\n" + y), with_seed(seed));
+    expect_proved(pairs, "total degree");
+    EXPECT_EQ(real_count(pairs), 0U);
+    const SolveResult real =
+        solve_with_cvode(read("2\n x^2 - 2*x + 1 - 1/" + ten16 + ";\n" + y), with_seed(seed));
+    expect_proved(real, "total degree");
+    EXPECT_EQ(real_count(real), 4U);
+  }
+}
+
+// Imaginary parts of 1e-21 beside a real part of 1: they are below the accuracy, and not 0.
+TEST(Certified, ARootIsNotRealWhoseImaginaryPartIsProved) {
+  const SolveResult result =
+      solve_with_cvode(read("2\n x^2 + 1/1000000000000000000000000000000000000000000;\n"
+                            " y^2 - x - 1;\n"));
+  expect_proved(result, "total degree");
+  EXPECT_EQ(real_count(result), 0U);
+}
+
+TEST(Certified, NothingIsSaidWhereNothingIsAsked) {
+  SolveOptions options = with_seed(1);
+  options.certify = false;
+  const SolveResult result = solve_with_cvode(system_of(problem("katsura-5")), options);
+  EXPECT_TRUE(result.complete);
+  EXPECT_FALSE(result.completeness);
+  EXPECT_FALSE(result.bound);
+  for (const Solution& s : result.solutions) EXPECT_FALSE(s.certified);
+  EXPECT_EQ(result.left_out.back().what, "certificates");
+}
+
+TEST(Certified, CombinationsProveNothingOfTheFilesEquations) {
+  const SolveResult result =
+      solve_with_cvode(read("3 2\n x^2 + y^2 - 5;\n x*y - 2;\n x^3 + y^3 - 9;\n"));
+  EXPECT_TRUE(result.complete);
+  EXPECT_EQ(result.solutions.size(), 2U);
+  EXPECT_FALSE(result.completeness);
+  for (const Solution& s : result.solutions) EXPECT_FALSE(s.certified);
+}
+
+TEST(Certified, WhatIsNotDecidedIsOpen) {
+  CvodeOptions few;
+  few.maximum_steps = 5;
+  const SolveResult result =
+      solve(read("2\n x^2 + y^2 - 5;\n x*y - 2;\n"), *make_cvode_tracker(few), with_seed(1));
+  EXPECT_FALSE(result.complete);
+  EXPECT_EQ(result.completeness, Completeness::open);
+  EXPECT_FALSE(result.bound);
+}
+
+/// A run whose paths have their ends from outside.
+class CertifiedEnds : public testing::Test {
+ protected:
+  void enter_root(std::uint64_t path, Complex x) {
+    Prover prover(setting.certify_program);
+    Refiner refiner(setting.refiner_program);
+    Root root;
+    root.certificate = prover.prove({x});
+    ASSERT_NE(root.certificate, nullptr);
+    root.point = refiner.take(*root.certificate, 1);
+    root.tolerance = 1e-13;
+    run.ledger.enter_root(path, std::move(root));
+  }
+  void enter_failure(std::uint64_t path) {
+    run.ledger.enter_failure({path, Failure::precision, 1});
+  }
+
+  // Roots 1 and 1 + 1e-14.
+  System f = read("1\n (x - 1)*(x - 1 - 1/100000000000000);\n");
+  SolveOptions options = with_seed(1);
+  std::atomic<bool> stop{false};
+  std::unique_ptr<Tracker> tracker = make_cvode_tracker();
+  Setting setting{f, *tracker, options, stop};
+  moivre::Run run{setting};
+};
+
+TEST_F(CertifiedEnds, AMetBoundLeavesNothingInDoubt) {
+  enter_root(0, 1);
+  enter_root(1, 1 + 1e-14);
+  enter_root(2, 1);  // jumped
+  enter_failure(3);
+  EXPECT_TRUE(settle_by_bound(run));
+  EXPECT_EQ(run.ledger.at_infinity(), 2U);
+  EXPECT_EQ(run.ledger.roots().size(), 2U);
+  EXPECT_TRUE(run.ledger.failures().empty());
+}
+
+TEST_F(CertifiedEnds, OneRootTwiceMeetsNoBoundOfTwo) {
+  enter_root(0, 1);
+  enter_root(1, 1);
+  enter_failure(2);
+  EXPECT_FALSE(settle_by_bound(run));
+  EXPECT_EQ(run.ledger.at_infinity(), 0U);
+  EXPECT_EQ(run.ledger.failures().size(), 1U);
+}
+
+TEST_F(CertifiedEnds, RootsNearerThanTheirTolerancesAreTwoByProof) {
+  enter_root(0, 1);
+  enter_root(1, 1 + 1e-14);
+  enter_root(2, 1);
+  EXPECT_EQ(run.ledger.groups(), (std::vector<std::vector<std::uint64_t>>{{0, 1, 2}}));
+  EXPECT_EQ(groups_of(run), (std::vector<std::vector<std::uint64_t>>{{0, 2}, {1}}));
+  EXPECT_EQ(proved_roots(run), 2U);
+}
+
+}  // namespace
+}  // namespace moivre::test
