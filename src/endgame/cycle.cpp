@@ -10,8 +10,8 @@
 namespace moivre {
 namespace {
 
-// A sum beside the mean of |z|^k that errors of the samples explain: they are Newton's to 1e-10 or better.
-constexpr double kSampleError = 1e-8;
+// Relative error of a sample of what has to vanish: of z^k it is k times as large.
+constexpr double kSampleError = 1e-10;
 // Limits that are to be 0 are known to lie so much nearer to 0 than the samples do.
 constexpr double kNearer = 0.5;
 
@@ -19,11 +19,13 @@ constexpr double kNearer = 0.5;
 struct PowerMean {
   Complex sum;
   double size = 0;
-  bool is_lost() const { return std::abs(sum) <= kSampleError * size; }
+  int k = 0;
+  bool is_lost() const { return std::abs(sum) <= kSampleError * k * size; }
 };
 
 PowerMean power_mean(const std::vector<Complex>& z, int k) {
   PowerMean mean;
+  mean.k = k;
   for (const Complex& sample : z) {
     mean.sum += std::pow(sample, k);
     mean.size += std::pow(std::abs(sample), k);
