@@ -14,6 +14,7 @@ namespace {
 constexpr double kSampleError = 1e-10;
 // Limits that are to be 0 are known to lie so much nearer to 0 than the samples do.
 constexpr double kNearer = 0.5;
+constexpr double kMuchNearer = 1e-3;
 
 /// Means of z^k and of |z|^k.
 struct PowerMean {
@@ -50,6 +51,11 @@ bool vanish_together(const std::vector<Complex>& z, int m) {
     if (!power_mean(z, k).is_lost()) return false;
   }
   return limit_bound(z, m) <= kNearer * power_mean(z, 1).size;
+}
+
+bool end_beyond(double bound, const std::vector<Complex>& z, int m) {
+  const double limit = limit_bound(z, m);
+  return limit <= bound && limit <= kMuchNearer * power_mean(z, 1).size;
 }
 
 bool meet_together(const std::vector<Complex>& z, const Complex& common, int m) {

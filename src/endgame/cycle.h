@@ -27,6 +27,9 @@ double limit_bound(const std::vector<Complex>& z, int m);
 /// All limits are 0 as far as the samples can tell, and much nearer to 0 than the samples are.
 bool vanish_together(const std::vector<Complex>& z, int m);
 
+/// No limit exceeds `bound`, and all are much nearer to 0 than the samples are.
+bool end_beyond(double bound, const std::vector<Complex>& z, int m);
+
 /// No sum tells the limits apart: as far as the samples can tell z_j(0) = `common` for all j.
 bool meet_together(const std::vector<Complex>& z, const Complex& common, int m);
 

@@ -17,6 +17,8 @@ namespace {
 // |x_0| / |x|_inf that rounding leaves of 0, and the relative correction from which x_0 is made of rounding errors.
 constexpr double kRoundedZero = 1e-13;
 constexpr double kUnknownCorrection = 1e-2;
+// Sheets that all end with |x|_inf / |x_0| above this, and are not told apart with all digits, are at infinity or beyond it.
+constexpr double kBeyond = 1e11;
 // Of an end that double-double has found.
 constexpr double kFineAccuracy = 1e-24;
 // A path that still creeps at this radius ends singular: to a regular end it would have jumped.
@@ -234,11 +236,21 @@ Point Endgame::laurent_coefficient(int j) const {
   return c;
 }
 
-// All sheets of the cycle do, and the faces of their direction have a common root.
-bool Endgame::leads_to_infinity(const PathSystem& path) const {
+std::vector<Complex> Endgame::samples_of_x0() const {
   std::vector<Complex> x0;
   for (const Point& sample : samples_) x0.push_back(chart_.x0(sample));
-  return vanish_together(x0, turns_) &&
+  return x0;
+}
+
+// In the units of the system, not in those of the path.
+bool Endgame::ends_beyond() const {
+  const double unit = chart_.finiteness(outpost_) / chart_.finiteness(outside(frame_, outpost_));
+  return end_beyond(unit / kBeyond, samples_of_x0(), turns_);
+}
+
+// All sheets of the cycle do, and the faces of their direction have a common root.
+bool Endgame::leads_to_infinity(const PathSystem& path) const {
+  return vanish_together(samples_of_x0(), turns_) &&
          has_face_root(path.homotopy(), outside(frame_, outpost_), radius_,
                        valuations(samples_, chart_.homogenizing(), turns_));
 }
@@ -264,7 +276,10 @@ double Endgame::truncation() const {
 
 std::optional<Departure> Endgame::estimate_end(PathSystem& path) {
   Estimate estimate{laurent_coefficient(0), turns_};
-  if (leads_to_infinity(path)) {
+  const bool is_infinite = leads_to_infinity(path);
+  const bool is_beyond = !is_infinite && ends_beyond();
+  if (is_beyond && !options_.goes_straight) return fail(Failure::precision);
+  if (is_infinite || is_beyond) {
     end_.status = PathStatus::at_infinity;
     return std::nullopt;
   }

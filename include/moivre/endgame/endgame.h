@@ -110,6 +110,8 @@ class Endgame : public Watcher {
   double truncation() const;
   double landing_condition() const;
   std::optional<Departure> land();
+  std::vector<Complex> samples_of_x0() const;
+  bool ends_beyond() const;
   bool leads_to_infinity(const PathSystem& path) const;
   bool sheets_meet(const Point& x) const;
   bool is_regular_arrival(const Arrival& arrival, PathSystem& path, double condition);
