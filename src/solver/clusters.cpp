@@ -21,30 +21,20 @@ constexpr double kWay = 4;
 // Starts around a cluster that is shown to be none, beside two a root.
 constexpr std::size_t kMostStarts = 32;
 
-/// The k-th of `count` points around the end, in one random direction.
-Point beside(const Root& end, std::uint64_t seed, std::size_t k, std::size_t count) {
-  const double turn = static_cast<double>(k) / static_cast<double>(count);
-  const Complex step =
-      std::polar(end.tolerance * std::max(1.0, max_norm(end.point.x)), 2 * std::numbers::pi * turn);
-  Point x = end.point.x;
-  for (std::size_t j = 0; j < x.size(); ++j) {
-    x[j] += product(step, random_phase(seed, RandomStream::cluster, j));
-  }
-  return x;
-}
-
 class Cluster {
  public:
   Cluster(const Setting& setting, const Root& end, std::size_t paths)
       : setting_(setting),
         end_(end),
         paths_(paths),
-        prover_(setting.certify_program, kWay * end.tolerance) {}
+        radius_(end.tolerance * std::max(1.0, max_norm(end.point.x))),
+        prover_(setting.certify_program, kWay * end.tolerance) {
+    choose_direction();
+  }
 
   /// The different roots that are proved within it; no more are looked for than there are paths.
   Proofs roots() {
-    try_start(0, 2);
-    try_start(1, 2);
+    for (std::size_t k = 0; k < 2; ++k) try_start(k, 2);
     if (found_.empty()) return found_;
     const std::size_t starts = std::min(2 * paths_, kMostStarts);
     for (std::size_t k = 0; k < starts && found_.size() < paths_; ++k) try_start(k, starts);
@@ -52,9 +42,26 @@ class Cluster {
   }
 
  private:
+  Point beside(const Point& direction, Complex turn) const {
+    Point x = end_.point.x;
+    for (std::size_t j = 0; j < x.size(); ++j) x[j] += product(radius_ * turn, direction[j]);
+    return x;
+  }
+
+  /// At the cluster itself J may be singular, beside it never is.
+  void choose_direction() {
+    for (std::size_t j = 0; j < end_.point.x.size(); ++j) {
+      direction_.push_back(random_phase(setting_.options.seed, RandomStream::cluster, j));
+    }
+    Refiner refiner(setting_.refiner_program);
+    direction_ = refiner.softest(beside(direction_, 1), direction_);
+  }
+
+  /// The k-th of `count` points around the end.
   void try_start(std::size_t k, std::size_t count) {
     if (setting_.stop) return;
-    auto proof = prover_.prove(beside(end_, setting_.options.seed, k, count));
+    const double turn = static_cast<double>(k) / static_cast<double>(count);
+    auto proof = prover_.prove(beside(direction_, std::polar(1.0, 2 * std::numbers::pi * turn)));
     if (!proof || relative_distance(end_.point.x, proof->midpoint) > end_.tolerance) return;
     found_.push_back(std::move(proof));
     if (proved_roots(setting_, found_) < found_.size()) found_.pop_back();
@@ -63,7 +70,9 @@ class Cluster {
   const Setting& setting_;
   const Root& end_;
   std::size_t paths_;
+  double radius_;
   Prover prover_;
+  Point direction_;
   Proofs found_;
 };
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "certificates.h"
+#include "clusters.h"
 #include "completeness.h"
 #include "problem_set.h"
 
@@ -79,6 +80,20 @@ TEST(Certified, ARootIsNotRealWhoseImaginaryPartIsProvedHoweverSmall) {
   root.certificate = prover.prove(root.point.x);
   ASSERT_NE(root.certificate, nullptr);
   EXPECT_FALSE(is_real(root));
+}
+
+// Pairs 1e-14 and 1e-20 apart: double-double takes each for a double root.
+TEST(Certified, RootsThatNoPathPartsArePartedByProof) {
+  for (const char* e :
+       {"1/10000000000000000000000000000", "1/10000000000000000000000000000000000000000"}) {
+    const SolveResult result =
+        solve_with_cvode(read(std::string("2\n (-3*x + 4*y + 1)^2 - ") + e +
+                              "*(-2*x - 4*y + 2)^2;\n 3*x^2 - 2*x*y + 6*x - 3*y^2 - 6*y + 3;\n"));
+    expect_conservation(result);
+    expect_proved(result, "total degree");
+    EXPECT_EQ(result.solutions.size(), 4U);
+    EXPECT_EQ(real_count(result), 4U);
+  }
 }
 
 TEST(Certified, NothingIsSaidWhereNothingIsAsked) {
@@ -163,6 +178,35 @@ TEST_F(CertifiedEnds, RootsNearerThanTheirTolerancesAreTwoByProof) {
   EXPECT_EQ(run.ledger.groups(), (std::vector<std::vector<std::uint64_t>>{{0, 1, 2}}));
   EXPECT_EQ(groups_of(run), (std::vector<std::vector<std::uint64_t>>{{0, 2}, {1}}));
   EXPECT_EQ(proved_roots(run), 2U);
+}
+
+// Two paths tell of a double root between the two roots.
+TEST_F(CertifiedEnds, ThatAreOneMultipleRootByMistakeArePutRight) {
+  Root root;
+  root.point.x = {1 + 5e-15};
+  root.point.accuracy = 1e-9;
+  root.winding = 2;
+  root.tolerance = 1e-7;
+  root.on_set = false;
+  run.ledger.enter_root(0, Root(root));
+  run.ledger.enter_root(1, Root(root));
+  part_clusters(run);
+  EXPECT_EQ(proved_roots(run), 2U);
+  EXPECT_EQ(groups_of(run).size(), 2U);
+}
+
+// A path too many: which of the three is at no root is not known.
+TEST_F(CertifiedEnds, ThatAreMoreThanTheRootsHaveFailed) {
+  Root root;
+  root.point.x = {1 + 5e-15};
+  root.point.accuracy = 1e-9;
+  root.winding = 3;
+  root.tolerance = 1e-7;
+  root.on_set = false;
+  for (const std::uint64_t path : {0U, 1U, 2U}) run.ledger.enter_root(path, Root(root));
+  part_clusters(run);
+  EXPECT_TRUE(run.ledger.roots().empty());
+  EXPECT_EQ(run.ledger.failures().size(), 3U);
 }
 
 }  // namespace
