@@ -12,7 +12,7 @@ std::shared_ptr<const CertifyProgram> certify_program(const System&, const Solve
 
 struct Prover::Work {};
 
-Prover::Prover(std::shared_ptr<const CertifyProgram>, double) {}
+Prover::Prover(std::shared_ptr<const CertifyProgram>, double, int) {}
 Prover::~Prover() = default;
 
 std::shared_ptr<const Certificate> Prover::prove(const Point&) { return nullptr; }

@@ -10,13 +10,10 @@
 namespace moivre {
 namespace {
 
-// More digits part roots that the ends, points of double, do not: that is for paths of more digits.
-constexpr int kMostBits = 256;
-
-CertifyOptions certify_options(double farthest = kFarthestRoot) {
+CertifyOptions certify_options(double farthest = kFarthestRoot, int most_bits = kMostProofBits) {
   CertifyOptions options;
   options.accuracy = farthest;
-  options.most_bits = kMostBits;
+  options.most_bits = most_bits;
   return options;
 }
 
@@ -56,9 +53,10 @@ struct Prover::Work {
   Certifier certifier;
 };
 
-Prover::Prover(std::shared_ptr<const CertifyProgram> program, double farthest) {
+Prover::Prover(std::shared_ptr<const CertifyProgram> program, double farthest, int most_bits) {
   if (!program) return;
-  work_ = std::make_unique<Work>(Work{Certifier(std::move(program), certify_options(farthest))});
+  work_ = std::make_unique<Work>(
+      Work{Certifier(std::move(program), certify_options(farthest, most_bits))});
 }
 Prover::~Prover() = default;
 

@@ -15,6 +15,8 @@ namespace moivre {
 
 /// From an end a root is no farther than this; how much nearer it must be is for the end's own accuracy to say.
 inline constexpr double kFarthestRoot = 1e-5;
+/// More digits part roots that the ends, points of double, do not: that is for paths of more digits.
+inline constexpr int kMostProofBits = 256;
 
 /// Whether the module certify is built in.
 bool has_certificates();
@@ -26,7 +28,9 @@ std::shared_ptr<const CertifyProgram> certify_program(const System& f, const Sol
 class Prover {
  public:
   /// nullptr: proves nothing. farthest: that a root may be from the point, relative to max(1, |x|_inf).
-  explicit Prover(std::shared_ptr<const CertifyProgram> program, double farthest = kFarthestRoot);
+  /// most_bits: of the balls' arithmetic.
+  explicit Prover(std::shared_ptr<const CertifyProgram> program, double farthest = kFarthestRoot,
+                  int most_bits = kMostProofBits);
   ~Prover();
 
   bool is_on() const { return work_ != nullptr; }

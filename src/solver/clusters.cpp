@@ -16,6 +16,9 @@ namespace {
 
 using Proofs = std::vector<std::shared_ptr<const Certificate>>;
 
+// Of a true multiple root each bit takes a step or more, and each step what a certificate does: no more bits than one step of
+// precisions beyond double.
+constexpr int kBits = 128;
 // Newton's method goes so many times the cluster's radius at most.
 constexpr double kWay = 4;
 // Starts around a cluster that is shown to be none, beside two a root.
@@ -28,13 +31,13 @@ class Cluster {
         end_(end),
         paths_(paths),
         radius_(end.tolerance * std::max(1.0, max_norm(end.point.x))),
-        prover_(setting.certify_program, kWay * end.tolerance) {
+        prover_(setting.certify_program, kWay * end.tolerance, kBits) {
     choose_direction();
   }
 
   /// The different roots that are proved within it; no more are looked for than there are paths.
   Proofs roots() {
-    for (std::size_t k = 0; k < 2; ++k) try_start(k, 2);
+    try_start(0, 1);
     if (found_.empty()) return found_;
     const std::size_t starts = std::min(2 * paths_, kMostStarts);
     for (std::size_t k = 0; k < starts && found_.size() < paths_; ++k) try_start(k, starts);
