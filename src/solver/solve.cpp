@@ -56,12 +56,12 @@ Solution eliminated_root(const Setting& setting) {
 /// Elimination is exact: so many roots there are.
 void tell_eliminated(const Setting& setting, std::uint64_t roots, SolveResult& result) {
   if (!setting.certify_program) return;
-  result.completeness = Completeness::open;
+  result.completeness = RootCompleteness::open;
   const bool all_certified =
       std::all_of(result.solutions.begin(), result.solutions.end(),
                   [](const Solution& root) { return root.certified == true; });
   if (!all_certified) return;
-  result.completeness = Completeness::proved;
+  result.completeness = RootCompleteness::proved;
   result.bound = RootBound{"elimination", roots};
 }
 

@@ -19,7 +19,7 @@ std::uint64_t certified(const SolveResult& result) {
 void expect_proved(const SolveResult& result, const std::string& kind) {
   EXPECT_TRUE(result.complete);
   EXPECT_EQ(certified(result), result.solutions.size());
-  ASSERT_EQ(result.completeness, Completeness::proved);
+  ASSERT_EQ(result.completeness, RootCompleteness::proved);
   EXPECT_EQ(result.bound->kind, kind);
   EXPECT_EQ(result.bound->value, result.solutions.size());
 }
@@ -51,7 +51,7 @@ TEST(Certified, AMultipleRootIsNotCertified) {
   expect_conservation(result);
   EXPECT_EQ(result.solutions.size(), 2U);
   EXPECT_EQ(certified(result), 0U);
-  EXPECT_EQ(result.completeness, Completeness::shown);
+  EXPECT_EQ(result.completeness, RootCompleteness::shown);
   EXPECT_FALSE(result.bound);
 }
 
@@ -121,7 +121,7 @@ TEST(Certified, WhatIsNotDecidedIsOpen) {
   const SolveResult result =
       solve(read("2\n x^2 + y^2 - 5;\n x*y - 2;\n"), *make_cvode_tracker(few), with_seed(1));
   EXPECT_FALSE(result.complete);
-  EXPECT_EQ(result.completeness, Completeness::open);
+  EXPECT_EQ(result.completeness, RootCompleteness::open);
   EXPECT_FALSE(result.bound);
 }
 
