@@ -144,7 +144,7 @@ void add_solve_command(CLI::App& moivre, Chosen& chosen) {
   app.add_flag("--cross-check", command->cross_check,
                "solve with the other tracker as well and compare, path by path");
   app.add_flag("--no-certify", command->no_certify,
-               "prove nothing: no root is certified, and its completeness is not told");
+               "prove nothing: roots are not certified, and their completeness is not told");
   add_quiet_flag(app, command->quiet);
   add_json_option(app, command->json);
   app.add_option("--csv", command->csv, "write a table of the roots here")->type_name("PATH");

@@ -12,13 +12,16 @@ std::shared_ptr<const CertifyProgram> certify_program(const System&, const Solve
 
 struct Prover::Work {};
 
-Prover::Prover(std::shared_ptr<const CertifyProgram>) {}
+Prover::Prover(std::shared_ptr<const CertifyProgram>, double, int) {}
 Prover::~Prover() = default;
 
 std::shared_ptr<const Certificate> Prover::prove(const Point&) { return nullptr; }
 
 std::vector<std::vector<std::uint64_t>> groups_of(const Run& run) { return run.ledger.groups(); }
 
+std::uint64_t proved_roots(const Setting&, const std::vector<std::shared_ptr<const Certificate>>&) {
+  return 0;
+}
 std::uint64_t proved_roots(const Run&) { return 0; }
 
 }  // namespace moivre

@@ -10,15 +10,10 @@
 namespace moivre {
 namespace {
 
-// From an end the root is no farther than this; how much nearer it must be is for the end's own accuracy to say.
-constexpr double kFarthest = 1e-5;
-// More digits part roots that the ends, points of double, do not: that is for paths of more digits.
-constexpr int kMostBits = 256;
-
-CertifyOptions certify_options() {
+CertifyOptions certify_options(double farthest = kFarthestRoot, int most_bits = kMostProofBits) {
   CertifyOptions options;
-  options.accuracy = kFarthest;
-  options.most_bits = kMostBits;
+  options.accuracy = farthest;
+  options.most_bits = most_bits;
   return options;
 }
 
@@ -58,9 +53,10 @@ struct Prover::Work {
   Certifier certifier;
 };
 
-Prover::Prover(std::shared_ptr<const CertifyProgram> program) {
+Prover::Prover(std::shared_ptr<const CertifyProgram> program, double farthest, int most_bits) {
   if (!program) return;
-  work_ = std::make_unique<Work>(Work{Certifier(std::move(program), certify_options())});
+  work_ = std::make_unique<Work>(
+      Work{Certifier(std::move(program), certify_options(farthest, most_bits))});
 }
 Prover::~Prover() = default;
 
@@ -90,14 +86,21 @@ std::vector<std::vector<std::uint64_t>> groups_of(const Run& run) {
   return result;
 }
 
+std::uint64_t proved_roots(const Setting& setting,
+                           const std::vector<std::shared_ptr<const Certificate>>& proofs) {
+  std::vector<Certificate> certificates;
+  for (const auto& proof : proofs) certificates.push_back(*proof);
+  Certifier certifier(setting.certify_program, certify_options());
+  return tell_apart(certifier, certificates, setting.options.seed).distinct_roots;
+}
+
 std::uint64_t proved_roots(const Run& run) {
   if (!run.setting.certify_program) return 0;
-  std::vector<Certificate> certificates;
+  std::vector<std::shared_ptr<const Certificate>> proofs;
   for (const auto& [path, root] : run.ledger.roots()) {
-    if (root.certificate) certificates.push_back(*root.certificate);
+    if (root.certificate) proofs.push_back(root.certificate);
   }
-  Certifier certifier(run.setting.certify_program, certify_options());
-  return tell_apart(certifier, certificates, run.setting.options.seed).distinct_roots;
+  return proved_roots(run.setting, proofs);
 }
 
 }  // namespace moivre

@@ -13,6 +13,11 @@
 
 namespace moivre {
 
+/// From an end a root is no farther than this; how much nearer it must be is for the end's own accuracy to say.
+inline constexpr double kFarthestRoot = 1e-5;
+/// More digits part roots that the ends, points of double, do not: that is for paths of more digits.
+inline constexpr int kMostProofBits = 256;
+
 /// Whether the module certify is built in.
 bool has_certificates();
 
@@ -22,8 +27,10 @@ std::shared_ptr<const CertifyProgram> certify_program(const System& f, const Sol
 /// Proves roots near points; one a thread, made and ended by that thread.
 class Prover {
  public:
-  /// nullptr: proves nothing.
-  explicit Prover(std::shared_ptr<const CertifyProgram> program);
+  /// nullptr: proves nothing. farthest: that a root may be from the point, relative to max(1, |x|_inf).
+  /// most_bits: of the balls' arithmetic.
+  explicit Prover(std::shared_ptr<const CertifyProgram> program, double farthest = kFarthestRoot,
+                  int most_bits = kMostProofBits);
   ~Prover();
 
   bool is_on() const { return work_ != nullptr; }
@@ -39,7 +46,9 @@ class Prover {
 /// their own. An end without a certificate stays with the first of its group.
 std::vector<std::vector<std::uint64_t>> groups_of(const Run& run);
 
-/// So many different roots are proved.
+/// So many different roots are proved: by these, none of them nullptr; by all certificates of a run.
+std::uint64_t proved_roots(const Setting& setting,
+                           const std::vector<std::shared_ptr<const Certificate>>& proofs);
 std::uint64_t proved_roots(const Run& run);
 
 }  // namespace moivre

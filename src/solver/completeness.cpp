@@ -154,9 +154,9 @@ void tell_completeness(const Run& run, SolveResult& result) {
       std::all_of(result.solutions.begin(), result.solutions.end(),
                   [](const Solution& root) { return root.singular || *root.certified; });
   result.bound = run.bounds.met;
-  result.completeness = result.bound                       ? Completeness::proved
-                        : result.complete && all_certified ? Completeness::shown
-                                                           : Completeness::open;
+  result.completeness = result.bound                       ? RootCompleteness::proved
+                        : result.complete && all_certified ? RootCompleteness::shown
+                                                           : RootCompleteness::open;
   if (run.left_by_bound == 0) return;
   result.left_out.push_back(
       {std::to_string(run.left_by_bound) + (run.left_by_bound == 1 ? " path" : " paths") +

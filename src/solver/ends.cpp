@@ -61,7 +61,7 @@ Root refined_root(const Run& run, Refiner& refiner, Prover& prover, std::uint64_
     if (!many_sheets) root.point = refiner.keep(x, accuracy, kLeastMultiplicity);
     root.tolerance = std::max(kSingularTolerance, 10 * root.point.accuracy);
   } else {
-    root.tolerance = 4 * root.point.accuracy + kSimpleTolerance;
+    root.tolerance = simple_tolerance(root.point);
   }
   return root;
 }
@@ -87,6 +87,8 @@ bool is_known_singular(const Run& run, const Root& root) {
 }
 
 }  // namespace
+
+double simple_tolerance(const Refined& root) { return 4 * root.accuracy + kSimpleTolerance; }
 
 void take_end(Run& run, std::uint64_t path, PathEnd&& end) {
   run.work += end.count;

@@ -17,6 +17,9 @@ namespace moivre {
 /// Enters the verdict on a path; a finite end waits for refine_ends(). A path that was cut short has no entry.
 void take_end(Run& run, std::uint64_t path, PathEnd&& end);
 
+/// The tolerance of a simple root.
+double simple_tolerance(const Refined& root);
+
 /// Enters all finite ends that wait, on all threads.
 void refine_ends(Run& run);
 

@@ -22,8 +22,8 @@ using PathSet = std::set<std::uint64_t>;
 /// The finite end of one path, on the system as given.
 struct Root {
   Refined point;
-  std::optional<int> winding;          ///< nullopt: the end needed no circle, so it counts as 1
-  double tolerance = 0;                ///< relative, within which another end is the same root
+  std::optional<int> winding;  ///< nullopt: the end needed no circle, so it counts as 1
+  double tolerance = 0;        ///< relative, within which another end is the same root
   std::shared_ptr<const Certificate> certificate;  ///< of a simple root that is proved
   mutable std::optional<bool> on_set;  ///< lies on a positive-dimensional set, once asked
 };

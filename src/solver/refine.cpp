@@ -335,6 +335,17 @@ bool Refiner::is_within_reach(const Point& x, double accuracy, const Point& y) {
   return w_->size_at(w_->dx, x) <= reach_of(accuracy);
 }
 
+// J^{-1} stretches it most, and so most of what it makes of any vector.
+Point Refiner::softest(const Point& x, Point any) {
+  if (!w_->factor(x)) return any;
+  Point direction = any;
+  w_->lu.solve(direction);
+  const double size = max_norm(direction);
+  if (!std::isfinite(size) || size == 0) return any;
+  for (Complex& d : direction) d /= size;
+  return direction;
+}
+
 double Refiner::natural_residual(const Point& x) {
   Workspace& w = *w_;
   w.evaluate_fine(x);

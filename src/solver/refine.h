@@ -66,6 +66,9 @@ class Refiner {
   /// Whether Newton's method may go from x, of relative accuracy `accuracy`, to y.
   bool is_within_reach(const Point& x, double accuracy, const Point& y);
 
+  /// A direction in which F changes least at x, as far as J in double tells, of size 1; `any` where it tells nothing.
+  Point softest(const Point& x, Point any);
+
   /// For an end where `sheets` sheets meet: no Newton, the rest as refine(). The accuracy takes into
   /// account that a residual of e means an error near e^{1/sheets}.
   Refined keep(const Point& x, double accuracy, int sheets);

@@ -18,13 +18,13 @@ std::string to_string(Rung rung) {
   return "";
 }
 
-std::string to_string(Completeness completeness) {
+std::string to_string(RootCompleteness completeness) {
   switch (completeness) {
-    case Completeness::proved:
+    case RootCompleteness::proved:
       return "proved";
-    case Completeness::shown:
+    case RootCompleteness::shown:
       return "shown";
-    case Completeness::open:
+    case RootCompleteness::open:
       return "open";
   }
   return "";

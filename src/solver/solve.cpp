@@ -8,6 +8,7 @@
 
 #include "account.h"
 #include "certificates.h"
+#include "clusters.h"
 #include "completeness.h"
 #include "doubts.h"
 #include "ends.h"
@@ -31,11 +32,9 @@ SolveResult described(const Setting& setting) {
   result.tracker = setting.tracker().kind();
   result.tracker_options = setting.tracker().options_in_force();
   result.left_out = setting.prepared.left_out;
-  if (!setting.certify_program) {
+  if (setting.options.certify && !has_certificates()) {
     result.left_out.push_back(
-        {"certificates", setting.options.certify
-                             ? "this program was built without them (MOIVRE_WITH_CERTIFY)"
-                             : "not asked for"});
+        {"certificates", "this program was built without them (MOIVRE_WITH_CERTIFY)"});
   }
   result.time.threads = setting.threads;
   return result;
@@ -57,12 +56,12 @@ Solution eliminated_root(const Setting& setting) {
 /// Elimination is exact: so many roots there are.
 void tell_eliminated(const Setting& setting, std::uint64_t roots, SolveResult& result) {
   if (!setting.certify_program) return;
-  result.completeness = Completeness::open;
+  result.completeness = RootCompleteness::open;
   const bool all_certified =
       std::all_of(result.solutions.begin(), result.solutions.end(),
                   [](const Solution& root) { return root.certified == true; });
   if (!all_certified) return;
-  result.completeness = Completeness::proved;
+  result.completeness = RootCompleteness::proved;
   result.bound = RootBound{"elimination", roots};
 }
 
@@ -114,6 +113,7 @@ SolveResult solve_square(const System& f, const Tracker& tracker, const SolveOpt
     result.time.track = watch.lap();
     refine_ends(run);
     settle_doubts(run);
+    part_clusters(run);
     settle_by_bound(run);
     close_account(run, result);
     result.time.refine = watch.lap();

@@ -40,7 +40,8 @@ void tell_of_squared(bool is_overdetermined, SolveResult& result) {
   if (!result.completeness) return;
   result.bound.reset();
   if (!is_overdetermined) {
-    if (result.completeness == Completeness::proved) result.completeness = Completeness::shown;
+    if (result.completeness == RootCompleteness::proved)
+      result.completeness = RootCompleteness::shown;
     return;
   }
   result.completeness.reset();

@@ -9,6 +9,7 @@ namespace {
 
 constexpr bool kWithCvode = MOIVRE_WITH_CVODE;
 constexpr bool kWithLanes = MOIVRE_WITH_LANES;
+constexpr bool kWithCertify = MOIVRE_WITH_CERTIFY;
 constexpr bool kWithMechanism = MOIVRE_WITH_MECHANISM;
 
 const std::string kConics = "2\nx^2 + y^2 - 5;\nx*y - 2;\n";
@@ -33,6 +34,27 @@ TEST(Components, SolveWithWhatIsThere) {
   const bool solves = kWithCvode || kWithLanes;
   EXPECT_EQ(scene.run({"solve", "conics.phc"}).exit_code, solves ? 0 : 1);
   EXPECT_EQ(scene.run({"info", "conics.phc"}).exit_code, 0);
+}
+
+TEST(Components, ProveWhatTheyCan) {
+  if (!kWithCvode && !kWithLanes) GTEST_SKIP() << "nothing solves here";
+  const Scene scene;
+  scene.write("conics.phc", kConics);
+  const std::string tracker = kWithCvode ? "cvode" : "lanes";
+  const auto solve = [&](std::vector<std::string> options) {
+    options.insert(options.begin(), {"solve", "conics.phc", "--tracker", tracker});
+    return scene.run(options).out;
+  };
+  const std::string text = solve({});
+  EXPECT_EQ(contains(text, "4 roots, 4 = total degree: proved complete\n"), kWithCertify) << text;
+  EXPECT_EQ(contains(text, "real root, path 0, certified, "), kWithCertify) << text;
+  EXPECT_EQ(contains(text, "this program was built without them (MOIVRE_WITH_CERTIFY)"),
+            !kWithCertify)
+      << text;
+  EXPECT_EQ(contains(solve({"--json", "-"}), "\"completeness\": \"proved\""), kWithCertify);
+  const std::string without = solve({"--no-certify", "--json", "-"});
+  EXPECT_TRUE(contains(without, "\"completeness\": null")) << without;
+  EXPECT_TRUE(contains(without, "\"certified\":null")) << without;
 }
 
 TEST(Components, AreNamedByTheTrackersThatMissThem) {

@@ -22,6 +22,7 @@ using test::with_seed;
 void expect_same_bytes(const SolveResult& a, const SolveResult& b) {
   EXPECT_EQ(a.complete, b.complete);
   EXPECT_EQ(a.message, b.message);
+  EXPECT_EQ(a.completeness, b.completeness);
   EXPECT_EQ(a.paths, b.paths);
   EXPECT_EQ(a.work.accepted, b.work.accepted);
   EXPECT_EQ(a.work.rejected, b.work.rejected);
@@ -44,6 +45,7 @@ void expect_same_bytes(const SolveResult& a, const SolveResult& b) {
     EXPECT_EQ(s.residual, r.residual);
     EXPECT_EQ(s.accuracy, r.accuracy);
     EXPECT_EQ(s.condition, r.condition);
+    EXPECT_EQ(s.certified, r.certified);
   }
 }
 

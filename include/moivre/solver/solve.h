@@ -136,12 +136,12 @@ struct StartFacts {
 };
 
 /// What is known of the number of isolated roots?
-enum class Completeness {
+enum class RootCompleteness {
   proved,  ///< as many are certified as a proved bound allows: there is no other, and none is multiple
   shown,  ///< every path was decided, and every regular root is certified
   open
 };
-std::string to_string(Completeness completeness);
+std::string to_string(RootCompleteness completeness);
 
 /// A proved bound on the number of isolated roots.
 struct RootBound {
@@ -191,7 +191,7 @@ struct SolveResult {
   PathCounts paths;
   std::vector<Solution> solutions;  ///< by path number
   /// nullopt where nothing was to be certified, or could be: F has more equations than unknowns.
-  std::optional<Completeness> completeness;
+  std::optional<RootCompleteness> completeness;
   std::optional<RootBound> bound;  ///< that proves the completeness
   std::uint64_t excess =
       0;  ///< roots that squaring up added, with multiplicity: they fail an equation of F

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+// Starts around each cluster, and what its paths end at.
+#include "clusters.h"
+
+#include <algorithm>
+#include <limits>
+#include <numbers>
+
+#include "certificates.h"
+#include "coincidence.h"
+#include "ends.h"
+#include "moivre/numeric/random.h"
+
+namespace moivre {
+namespace {
+
+using Proofs = std::vector<std::shared_ptr<const Certificate>>;
+
+// Of a true multiple root each bit takes a step or more, and each step what a certificate does: no more bits than one step of
+// precisions beyond double.
+constexpr int kBits = 128;
+// Newton's method goes so many times the cluster's radius at most.
+constexpr double kWay = 4;
+// Starts around a cluster that is shown to be none, beside two a root.
+constexpr std::size_t kMostStarts = 32;
+
+class Cluster {
+ public:
+  Cluster(const Setting& setting, const Root& end, std::size_t paths)
+      : setting_(setting),
+        end_(end),
+        paths_(paths),
+        radius_(end.tolerance * std::max(1.0, max_norm(end.point.x))),
+        prover_(setting.certify_program, kWay * end.tolerance, kBits) {
+    choose_direction();
+  }
+
+  /// The different roots that are proved within it; no more are looked for than there are paths.
+  Proofs roots() {
+    try_start(0, 1);
+    if (found_.empty()) return found_;
+    const std::size_t starts = std::min(2 * paths_, kMostStarts);
+    for (std::size_t k = 0; k < starts && found_.size() < paths_; ++k) try_start(k, starts);
+    return found_;
+  }
+
+ private:
+  Point beside(const Point& direction, Complex turn) const {
+    Point x = end_.point.x;
+    for (std::size_t j = 0; j < x.size(); ++j) x[j] += product(radius_ * turn, direction[j]);
+    return x;
+  }
+
+  /// At the cluster itself J may be singular, beside it never is.
+  void choose_direction() {
+    for (std::size_t j = 0; j < end_.point.x.size(); ++j) {
+      direction_.push_back(random_phase(setting_.options.seed, RandomStream::cluster, j));
+    }
+    Refiner refiner(setting_.refiner_program);
+    direction_ = refiner.softest(beside(direction_, 1), direction_);
+  }
+
+  /// The k-th of `count` points around the end.
+  void try_start(std::size_t k, std::size_t count) {
+    if (setting_.stop) return;
+    const double turn = static_cast<double>(k) / static_cast<double>(count);
+    auto proof = prover_.prove(beside(direction_, std::polar(1.0, 2 * std::numbers::pi * turn)));
+    if (!proof || relative_distance(end_.point.x, proof->midpoint) > end_.tolerance) return;
+    found_.push_back(std::move(proof));
+    if (proved_roots(setting_, found_) < found_.size()) found_.pop_back();
+  }
+
+  const Setting& setting_;
+  const Root& end_;
+  std::size_t paths_;
+  double radius_;
+  Prover prover_;
+  Point direction_;
+  Proofs found_;
+};
+
+/// Groups of ends at which no simple root was found, and that are isolated.
+std::vector<std::vector<std::uint64_t>> clusters_of(const Run& run) {
+  std::vector<std::vector<std::uint64_t>> clusters;
+  for (auto& group : groups_of(run)) {
+    const bool is_cluster = std::none_of(group.begin(), group.end(), [&](std::uint64_t path) {
+      return run.ledger.roots().at(path).point.simple;
+    });
+    if (!is_cluster || is_on_set(run, run.ledger.roots().at(group.front()))) continue;
+    clusters.push_back(std::move(group));
+  }
+  return clusters;
+}
+
+void enter(Run& run, Refiner& refiner, std::uint64_t path,
+           const std::shared_ptr<const Certificate>& proof) {
+  Root root;
+  root.point = refiner.take(*proof, std::numeric_limits<double>::infinity());
+  root.tolerance = simple_tolerance(root.point);
+  root.certificate = proof;
+  run.ledger.enter_root(path, std::move(root));
+}
+
+}  // namespace
+
+void part_clusters(Run& run) {
+  const Setting& setting = run.setting;
+  if (!setting.certify_program || run.interrupted) return;
+  const auto clusters = clusters_of(run);
+  std::vector<Proofs> proofs(clusters.size());
+  for_each_parallel(clusters.size(), setting.threads, [&](std::size_t k) {
+    const Root& end = run.ledger.roots().at(clusters[k].front());
+    proofs[k] = Cluster(setting, end, clusters[k].size()).roots();
+  });
+  if (setting.stop) run.interrupted = true;
+  if (run.interrupted) return;
+  Refiner refiner(setting.refiner_program);
+  for (std::size_t k = 0; k < clusters.size(); ++k) {
+    if (proofs[k].empty()) continue;
+    const bool are_all = proofs[k].size() == clusters[k].size();
+    for (std::size_t i = 0; i < clusters[k].size(); ++i) {
+      const std::uint64_t path = clusters[k][i];
+      run.ledger.strike(path);
+      if (are_all) {
+        enter(run, refiner, path, proofs[k][i]);
+      } else {
+        run.ledger.enter_failure({path, Failure::precision, 1});
+      }
+    }
+  }
+}
+
+}  // namespace moivre

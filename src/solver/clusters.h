@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// Is it one multiple root, or are they simple roots nearer to each other than the paths' digits tell? Proofs part them.
+//
+//   m paths end within r of x and say: one root of multiplicity m. Newton's method in Arb's balls sets out from points x + r d
+//   around it, d where F changes least: at m simple roots it comes to one of them, from opposite sides of two roots to both; at a root
+//   of multiplicity m, a bit or less nearer a step, to nothing that could be proved.
+//
+// m roots proved: the m paths end at them, one each. Fewer: what is told is not true, and the paths have failed. None: a root of
+// multiplicity m, as far as the most bits of a certificate show; that stays numerical.
+// Edges: roots of a cluster so near that the bits do not part them; without certificates nothing is parted.
+#pragma once
+
+#include "run.h"
+
+namespace moivre {
+
+void part_clusters(Run& run);
+
+}  // namespace moivre
