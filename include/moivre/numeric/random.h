@@ -27,7 +27,8 @@ enum class RandomStream : std::uint64_t {
   patch = 10,
   section = 11,
   coefficient_lifting = 12,
-  certify = 13
+  certify = 13,
+  check = 20
 };
 
 namespace detail {
