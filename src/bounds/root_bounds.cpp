@@ -118,7 +118,8 @@ StructureCounts structure_counts(const System& f, bool with_partitions, bool wit
   StructureCounts counts;
   if (with_partitions) {
     const PartitionSearch search = find_partition(f);
-    if (search.is_least) counts.multihomogeneous = search.paths;
+    counts.multihomogeneous = search.paths;
+    counts.is_least = search.is_least;
   }
   if (with_cells) {
     const auto supports = with_origin(supports_of(f), f.variables.size()).supports;

@@ -61,21 +61,33 @@ std::optional<std::uint64_t> count_of(const StartClaim& start) {
   return std::nullopt;
 }
 
+void judge_partitions(const StartClaim& start, const StructureCounts& counts,
+                      const std::optional<std::uint64_t>& total, Verdicts& verdicts) {
+  if (!start.multihomogeneous) return;
+  const std::uint64_t claimed = *start.multihomogeneous;
+  // No partition has fewer than the mixed volume, and the one with a single group has the total degree.
+  const bool is_impossible =
+      claimed < counts.mixed_volume.value_or(0) || (total && claimed > *total);
+  if (!is_impossible && !counts.is_least && counts.multihomogeneous != claimed) {
+    return verdicts.leave_open(ClaimKind::start, "multihomogeneous number: not found again");
+  }
+  judge_count(verdicts, ClaimKind::start, "multihomogeneous number", claimed,
+              counts.multihomogeneous);
+}
+
 void judge_counts_of_starts(const System& tracked, const StartClaim& start, Verdicts& verdicts) {
-  judge_count(verdicts, ClaimKind::start, "total degree", start.total_degree,
-              total_degree(degrees(tracked)));
+  const std::optional<std::uint64_t> total = total_degree(degrees(tracked));
+  judge_count(verdicts, ClaimKind::start, "total degree", start.total_degree, total);
+  const bool counts_paths = start.multihomogeneous || start.mixed_volume;
   const StructureCounts counts =
-      structure_counts(tracked, start.multihomogeneous.has_value(), start.mixed_volume.has_value());
-  const auto judge_or_leave = [&](const std::string& what, const std::optional<std::uint64_t>& is,
-                                  const std::optional<std::uint64_t>& should) {
-    if (is && !should) {
-      verdicts.leave_open(ClaimKind::start, what + ": beyond a bounded search");
-    } else {
-      judge_count(verdicts, ClaimKind::start, what, is, should);
-    }
-  };
-  judge_or_leave("multihomogeneous number", start.multihomogeneous, counts.multihomogeneous);
-  judge_or_leave("mixed volume", start.mixed_volume, counts.mixed_volume);
+      structure_counts(tracked, start.multihomogeneous.has_value(), counts_paths);
+  judge_partitions(start, counts, total, verdicts);
+  if (start.mixed_volume && !counts.mixed_volume) {
+    verdicts.leave_open(ClaimKind::start, "mixed volume: beyond a bounded search");
+  } else {
+    judge_count(verdicts, ClaimKind::start, "mixed volume", start.mixed_volume,
+                counts.mixed_volume);
+  }
 }
 
 void judge_roots_of_paths(const Claims& claims, Verdicts& verdicts) {
@@ -129,7 +141,8 @@ void judge_start(const System& f, const StandIn& stand_in, const Claims& claims,
   }
   if (!claims.reduced) return;
   if (f.polynomials.size() > f.variables.size() || stand_in.has_patches()) {
-    return verdicts.leave_open(ClaimKind::reduced, "random combinations of the file's equations");
+    return verdicts.leave_open(ClaimKind::reduced,
+                               "those of a square system that stands for the file's");
   }
   const Reduction reduction = eliminate(stand_in.system);
   const System* tracked = tracked_system(*claims.reduced, stand_in.system, reduction.system);

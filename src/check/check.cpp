@@ -86,7 +86,7 @@ Judgement check(const System& f, const Claims& claims) {
   if (!judgement.is_judged_whole || f.variables.empty()) return judgement;
 
   const StandIn stand_in = make_stand_in(f, claims.seed);
-  judgement.is_square = stand_in.proves_roots;
+  judgement.stand_in = stand_in.name;
   judge_start(f, stand_in, claims, verdicts);
   Certifier certifier(make_certify_program(stand_in.system));
   Bench bench{f, claims, stand_in, certifier, {}, verdicts};

@@ -13,7 +13,7 @@ namespace {
 
 // Newton's method is begun at so many points of the disc for each root that it may hold.
 constexpr std::uint64_t kTriesPerRoot = 2;
-constexpr std::uint64_t kMostTries = 24;
+constexpr std::uint64_t kMostFound = 12;
 // A multiple root keeps every precision busy; two that are proved distinct differ in this one.
 constexpr int kClusterBits = 2 * kFirstArbBits;
 // Beyond this a disc says nothing of where a root is.
@@ -23,7 +23,7 @@ constexpr double kWidestDisc = 1e-2;
 std::size_t regular_roots_within(Bench& bench, Certifier& certifier, const Entry& entry,
                                  std::uint64_t multiplicity) {
   std::vector<Certificate> found;
-  const std::uint64_t tries = std::min(kMostTries, 1 + kTriesPerRoot * multiplicity);
+  const std::uint64_t tries = 1 + kTriesPerRoot * std::min(multiplicity, kMostFound);
   for (std::uint64_t t = 0; t < tries; ++t) {
     Point x = entry.x;
     for (std::size_t j = 0; t > 0 && j < x.size(); ++j) {
@@ -94,7 +94,7 @@ void judge_clusters(Bench& bench) {
     if (root.multiplicity == 0) {
       bench.verdicts.refute(ClaimKind::multiplicity, "a root has multiplicity 1 at least", k + 1);
     }
-    if (!bench.entries[k].is_regular) {
+    if (!bench.entries[k].is_regular && !bench.entries[k].is_refuted) {
       judge_cluster(bench, certifier, bench.entries[k], root, k + 1);
     }
   }

@@ -22,7 +22,12 @@ constexpr double kChartRounding = 1e-13;
 constexpr double kUp = 1 + 0x1p-40;
 constexpr double kDown = 1 - 0x1p-40;
 
-double scale_of(const Point& x) { return std::max(1.0, max_norm(x)); }
+/// max(1, |x|_inf), also where the square of a coordinate overflows.
+double scale_of(const Point& x) {
+  double scale = 1;
+  for (const Complex& xj : x) scale = std::max(scale, std::abs(xj));
+  return scale;
+}
 
 double reach_of(const Bench& bench, const RootClaim& root, const Point& x) {
   if (bench.is_list()) {
@@ -30,7 +35,11 @@ double reach_of(const Bench& bench, const RootClaim& root, const Point& x) {
   }
   double accuracy = root.accuracy.value_or(kUnknownAccuracy);
   if (bench.stand_in.has_patches()) accuracy = std::max(kChart * accuracy, kChartRounding);
-  return accuracy * scale_of(x) * kUp;
+  return std::max(0.0, accuracy) * scale_of(x) * kUp;
+}
+
+bool is_finite(const Point& x) {
+  return std::all_of(x.begin(), x.end(), [](const Complex& xj) { return moivre::is_finite(xj); });
 }
 
 /// Exact: m_j - x_j, the finer parts of the midpoint with it.
@@ -44,8 +53,9 @@ Coefficient offset(const Certificate& c, const Point& x, std::size_t j) {
   return d;
 }
 
-std::string certified_bits() {
-  return "no certificate was found in " + std::to_string(kMostArbBits) + " bits";
+std::string no_certificate() {
+  return "no certificate was found in " + std::to_string(kMostArbBits) +
+         " bits, and none that there is no root";
 }
 
 bool is_excluded(const Bench& bench, const Entry& entry, const RootClaim& root) {
@@ -106,7 +116,7 @@ void judge_regular(Bench& bench, Entry& entry, const RootClaim& root, std::size_
     entry.is_refuted = true;
     return verdicts.refute(ClaimKind::root, "no root lies within " + rough(entry.reach), number);
   }
-  verdicts.leave_open(ClaimKind::root, certified_bits(), number);
+  verdicts.leave_open(ClaimKind::root, no_certificate(), number);
 }
 
 void judge_certified(Bench& bench, const Entry& entry, const RootClaim& root, std::size_t number) {
@@ -118,7 +128,7 @@ void judge_certified(Bench& bench, const Entry& entry, const RootClaim& root, st
   const bool holds = entry.certificate.holds_root() && !entry.is_refuted;
   bench.verdicts.judge(
       ClaimKind::certified, holds,
-      entry.is_refuted ? "no root lies where one is said to be certified" : certified_bits(),
+      entry.is_refuted ? "no root lies where one is said to be certified" : no_certificate(),
       number);
 }
 
@@ -154,7 +164,16 @@ void judge_existence(Bench& bench) {
     entry.reach = reach_of(bench, root, entry.x);
     entry.is_regular =
         bench.is_list() || (!root.singular.value_or(false) && root.multiplicity == 1);
-    if (entry.is_regular) judge_regular(bench, entry, root, k + 1);
+    if (root.accuracy.value_or(0) < 0) {
+      bench.verdicts.refute(ClaimKind::accuracy, "a bound on a distance is not negative", k + 1);
+    }
+    if (!is_finite(entry.x)) {
+      entry.is_refuted = true;
+      bench.verdicts.refute(ClaimKind::root, "the zero vector is no point of projective space",
+                            k + 1);
+    } else if (entry.is_regular) {
+      judge_regular(bench, entry, root, k + 1);
+    }
     judge_certified(bench, entry, root, k + 1);
     bench.entries.push_back(std::move(entry));
   }

@@ -6,6 +6,7 @@
 #include "bench.h"
 #include "moivre/numeric/double_double.h"
 #include "moivre/numeric/lu.h"
+#include "moivre/polynomial/scale.h"
 #include "moivre/polynomial/tape.h"
 
 namespace moivre {
@@ -19,6 +20,17 @@ constexpr double kPointRounding = 4 * 0x1p-53;
 constexpr double kConditionFactor = 100;
 // From here on the Jacobian in double tells no condition.
 constexpr double kKnownCondition = 1e10;
+
+/// The largest coefficient of each equation near 1: residuals and conditions stay, and none falls below double's range.
+System with_rows_near_one(const System& f) {
+  Scaling rows{std::vector<int>(f.variables.size()), {}};
+  for (const Polynomial& p : f.polynomials) {
+    double largest = -HUGE_VAL;
+    for (const Term& term : p.terms) largest = std::max(largest, log2_size(term.coefficient));
+    rows.equation_log2.push_back(p.terms.empty() ? 0 : -static_cast<int>(std::floor(largest)));
+  }
+  return scale(f, rows);
+}
 
 class Figures {
  public:
@@ -136,7 +148,7 @@ void judge_condition(const Bench& bench, Figures& figures, std::size_t k) {
 
 void judge_figures(const Bench& bench) {
   if (bench.is_list()) return;
-  Figures figures(bench.f);
+  Figures figures(with_rows_near_one(bench.f));
   for (std::size_t k = 0; k < bench.entries.size(); ++k) {
     judge_residual(bench, figures, k);
     if (figures.is_square()) judge_condition(bench, figures, k);

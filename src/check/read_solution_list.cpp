@@ -80,8 +80,10 @@ class ListReader {
   }
 
  private:
+  /// "solution 3 : ..." of a refined list, "== 3 =  #step : ..." of one that was just tracked.
   static bool is_solution_head(std::string_view text) {
     const std::string_view line = trimmed(text);
+    if (line.substr(0, 3) == "== ") return line.find("#step") != std::string_view::npos;
     return line.substr(0, 9) == "solution " && line.find(':') != std::string_view::npos;
   }
 
@@ -125,8 +127,8 @@ class ListReader {
       } else if (coordinates) {
         read_coordinate(line, root.x, given);
       } else if (text.substr(0, 1) == "m") {
-        const auto m =
-            to_count(trimmed(text.substr(std::min(text.find(':'), text.size() - 1) + 1)));
+        const auto words = words_of(text.substr(std::min(text.find(':'), text.size() - 1) + 1));
+        const auto m = words.empty() ? std::nullopt : to_count(words.front());
         if (!m) fault(line, "expected a multiplicity");
         root.multiplicity = m.value_or(1);
       }

@@ -15,12 +15,15 @@ StandIn make_stand_in(const System& f, std::uint64_t seed) {
       result.system.polynomials.end());
   const std::size_t m = result.system.polynomials.size();
   const std::size_t n = result.system.variables.size();
+  if (result.has_patches()) result.name = "a patch for each homogeneous group";
   if (m > n) {
     // Other combinations than the solver's: a root that those added is none of these.
     result.system = square_up(result.system, ~seed);
     result.has_all_roots = result.proves_roots = false;
+    result.name = "random combinations of the equations";
   } else if (m < n) {
     result.system = with_slices(result.system, seed);
+    result.name = "random slices, those of the seed";
   }
   if (result.has_patches()) result.has_all_roots = false;
   return result;

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "moivre/numeric/complex.h"
@@ -17,6 +18,7 @@ namespace moivre {
 
 struct StandIn {
   System system;
+  std::string name;  ///< empty: the file's own
   bool has_all_roots =
       true;  ///< its isolated roots are those that are claimed: bounds on it bound them
   bool proves_roots = true;         ///< a root of it is one of the file

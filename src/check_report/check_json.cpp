@@ -39,6 +39,7 @@ std::string check_json(const Judgement& judgement, const JudgedFiles& files) {
   report["result"] = files.result;
   report["form"] = judgement.form == ClaimForm::solution_list ? "solution list" : "solve";
   report["holds"] = judgement.holds();
+  report["stand_in"] = judgement.stand_in.empty() ? Json(nullptr) : Json(judgement.stand_in);
   report["roots"] = roots_json(judgement.roots);
   report["bounds"] = list_json(judgement.bounds, bound_json);
   report["proved_by"] = judgement.proved_by ? Json(to_string(*judgement.proved_by)) : Json(nullptr);

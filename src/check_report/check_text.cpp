@@ -21,7 +21,7 @@ std::string roots_text(const Judgement& judgement) {
           " not real";
   if (roots.doubled > 0) text += ", " + std::to_string(roots.doubled) + " doubled";
   if (roots.not_roots > 0) text += ", " + std::to_string(roots.not_roots) + " not a root";
-  if (!judgement.is_square) text += "; of random combinations of the equations";
+  if (!judgement.stand_in.empty()) text += "; with " + judgement.stand_in;
   return text;
 }
 

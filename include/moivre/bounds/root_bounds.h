@@ -36,7 +36,8 @@ std::vector<RootBound> root_bounds(const System& f, std::uint64_t enough);
 
 /// Two counts that starts have; nullopt beyond 64 bits, or beyond a bounded search.
 struct StructureCounts {
-  std::optional<std::uint64_t> multihomogeneous;  ///< where all partitions were tried: the least
+  std::optional<std::uint64_t> multihomogeneous;  ///< the least found
+  bool is_least = false;                          ///< all partitions were tried
   std::optional<std::uint64_t> mixed_volume;      ///< with a constant added to each equation
 };
 /// Of a square system without zero polynomials (std::invalid_argument); `multihomogeneous` is sought only where wanted, and so

@@ -75,7 +75,7 @@ struct RootTally {
 struct Judgement {
   ClaimForm form = ClaimForm::solve_json;
   bool is_judged_whole = true;  ///< false: of another file, its roots were not looked at
-  bool is_square = true;  ///< false: roots are those of a square system that stands for the file's
+  std::string stand_in;         ///< which square system stands for the file's; empty: its own
   RootTally roots;
   std::vector<RootBound> bounds;
   std::optional<BoundKind> proved_by;  ///< the distinct roots meet this bound: they are all
