@@ -175,8 +175,8 @@ const Lie kLies[] = {
      ClaimKind::accuracy, 4},
     {"an accuracy below zero", "plane", [](Json& r) { root(r, 1)["accuracy"] = -1e-16; },
      ClaimKind::accuracy, 1},
-    {"a condition", "plane", [](Json& r) { root(r, 1)["condition"] = 1e6; }, ClaimKind::condition,
-     1},
+    {"a condition far too good", "cassou", [](Json& r) { root(r, 1)["condition"] = 1.0; },
+     ClaimKind::condition, 1},
     {"a certificate of a point that is no root", "plane",
      [](Json& r) {
        part(r, 1, 0) = 2.5;
