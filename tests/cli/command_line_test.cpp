@@ -42,9 +42,9 @@ TEST(CommandLine, SuggestsNothingWhereNothingIsAlike) {
   const Outcome outcome = Scene().run({"entirely-different"});
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_FALSE(contains(outcome.err, "did you mean")) << outcome.err;
-  EXPECT_TRUE(contains(
-      outcome.err,
-      "The commands are solve, track, info, closures, motion, newton, mobility, guesses, study."))
+  EXPECT_TRUE(contains(outcome.err,
+                       "The commands are solve, track, info, closures, motion, newton, mobility, "
+                       "guesses, study, check."))
       << outcome.err;
 }
 

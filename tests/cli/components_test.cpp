@@ -82,5 +82,17 @@ TEST(Components, AreNamedByTheCommandsThatMissThem) {
   }
 }
 
+TEST(Components, AreNamedByCheckWithoutCertificates) {
+  const Scene scene;
+  scene.write("conics.phc", kConics);
+  const Outcome outcome = scene.run({"check", "conics.phc", "nowhere.json"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_EQ(contains(outcome.err,
+                     "check: this program was built without certificates "
+                     "(MOIVRE_WITH_CERTIFY)"),
+            !MOIVRE_WITH_CERTIFY)
+      << outcome.err;
+}
+
 }  // namespace
 }  // namespace moivre::test

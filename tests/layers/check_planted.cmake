@@ -41,6 +41,9 @@ expect_refusal(src/polynomial/planted.cpp "#include \"moivre/solver/solver.h\""
                "polynomial may not use solver")
 expect_refusal(src/endgame/planted.cpp "#include \"moivre/tracker_cvode/tracker.h\""
                "endgame may not use tracker_cvode")
+expect_refusal(src/check/planted.cpp "#include \"moivre/tracker/tracker.h\"" "check may not use tracker")
+expect_refusal(src/check/planted.cpp "#include \"moivre/endgame/endgame.h\"" "check may not use endgame")
+expect_refusal(src/check/planted.cpp "#include \"moivre/solver/solve.h\"" "check may not use solver")
 expect_refusal(src/solver/planted.cpp "#include <cvode/cvode.h>" "solver does not name SUNDIALS::cvode")
 expect_refusal(src/polynomial/planted.cpp "#include <tbb/parallel_for.h>"
                "polynomial does not name TBB::tbb")

@@ -28,7 +28,8 @@ enum class RandomStream : std::uint64_t {
   section = 11,
   coefficient_lifting = 12,
   certify = 13,
-  cluster = 14
+  cluster = 14,
+  check = 15
 };
 
 namespace detail {

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// Does a result hold? Every claim of it that can be verified, judged from the exact coefficients of its system.
+//
+// Three standings of a claim: it holds (proved, or recomputed), it is refuted, or it is open: not verifiable here.
+//   root          a regular root exists: Krawczyk's test (certify/certifier.h) from the doubles of the result
+//   accuracy      that root lies within what is stated; refuted where none does: exact Taylor sums (src/check/exclusion.h)
+//   distinct      two entries are never one root
+//   real          a root called real is, one called not real is not
+//   multiplicity  open at a singular root, which is numerical; refuted where regular roots are proved beside it, or none is near
+//   residual, condition   recomputed
+//   system, reduced, start, paths, complete   facts and sums; the conjugate of a root of a real system is a root
+//   certified, completeness   proved again here; completeness by a bound of bounds/root_bounds.h that the distinct roots meet
+// A list of PHCpack claims roots, each listed once, and how many there are.
+//
+// The judge shares reading, the tape, the certificates and the bounds with the solver, and nothing that follows a path.
+// Edges: of a system that is not square or has homogeneous groups the square system of polynomial/square_up.h or patches.h is
+// judged; where that proves nothing about the file's own, roots are open, and refuted where an equation of the file excludes
+// them. A result whose unknowns are not the system's is refuted as that of another file, and judged no further.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "moivre/bounds/root_bounds.h"
+#include "moivre/check/claims.h"
+#include "moivre/polynomial/system.h"
+
+namespace moivre {
+
+enum class ClaimKind {
+  system,
+  reduced,
+  start,
+  paths,
+  complete,
+  root,
+  accuracy,
+  distinct,
+  real,
+  multiplicity,
+  residual,
+  condition,
+  digits,
+  certified,
+  completeness
+};
+std::string to_string(ClaimKind kind);
+
+/// What does not hold, or cannot be verified, and why.
+struct Finding {
+  ClaimKind claim = ClaimKind::system;
+  std::optional<std::size_t> root;  ///< number of the root in the result, from 1
+  std::string why;
+};
+
+struct ClaimTally {
+  ClaimKind claim = ClaimKind::system;
+  std::size_t holds = 0, refuted = 0, open = 0;
+};
+
+/// Roots of the result by what is proved of them.
+struct RootTally {
+  std::size_t listed = 0;
+  std::size_t certified = 0;  ///< a regular root is proved to lie near, within a ball of its own
+  std::size_t distinct = 0;   ///< so many different ones
+  std::size_t real = 0;       ///< of the distinct ones, proved
+  std::size_t not_real = 0;
+  std::size_t doubled = 0;    ///< proved to be an earlier one of the list
+  std::size_t not_roots = 0;  ///< proved to have no root near
+};
+
+struct Judgement {
+  ClaimForm form = ClaimForm::solve_json;
+  bool is_judged_whole = true;  ///< false: of another file, its roots were not looked at
+  std::string stand_in;         ///< which square system stands for the file's; empty: its own
+  RootTally roots;
+  std::vector<RootBound> bounds;
+  std::optional<BoundKind> proved_by;  ///< the distinct roots meet this bound: they are all
+  std::vector<ClaimTally> claims;      ///< of every kind that is claimed
+  std::vector<Finding> refuted;
+  std::vector<Finding> open;
+
+  bool holds() const { return refuted.empty(); }
+};
+
+Judgement check(const System& f, const Claims& claims);
+
+}  // namespace moivre

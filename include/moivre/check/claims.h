@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+// What does a result claim? Its system's facts, its books, and each root with what is said of it.
+//
+// Two forms, told apart by content: the JSON of `moivre solve` (docs/json.md), and PHCpack's solution list, as `phc -b` writes
+// it (the last list of a file: earlier ones are of start systems or not yet refined).
+// Nothing is judged here. A fault of form (truncated, a missing key, a text for a number, a point of another dimension) is
+// refused, with every fault named by its place in the JSON, as in `solutions[3].x[1]`, or by its line.
+// What a result leaves out, or gives as null, is claimed nowhere: nullopt. Not supported: the JSON of other commands.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "moivre/expression/source.h"
+#include "moivre/numeric/complex.h"
+#include "moivre/numeric/decimal.h"
+
+namespace moivre {
+
+enum class ClaimForm { solve_json, solution_list };
+
+struct RootClaim {
+  std::optional<std::uint64_t> path;
+  Point x;
+  std::optional<bool> real;
+  std::optional<bool> singular;
+  std::uint64_t multiplicity = 1;
+  std::optional<std::vector<std::uint64_t>> winding;
+  std::optional<double> residual;
+  std::optional<double> accuracy;  ///< bound on |x - x*|_inf / max(1, |x|_inf)
+  std::optional<double> condition;
+  std::optional<bool> certified;
+  std::vector<ComplexDecimal> x_digits;
+};
+
+struct SystemClaim {
+  std::vector<std::string> variables;
+  std::vector<std::uint64_t> degrees;
+  std::optional<std::uint64_t> total_degree;
+};
+
+struct ReducedClaim {
+  std::uint64_t variables = 0;
+  std::vector<std::uint64_t> degrees;
+};
+
+struct StartClaim {
+  std::string kind;
+  std::uint64_t paths = 0;
+  std::optional<std::uint64_t> total_degree, multihomogeneous, mixed_volume;  ///< `start.counts`
+};
+
+struct PathClaim {
+  std::uint64_t tracked = 0, finite = 0, at_infinity = 0, failed = 0, on_positive_dimensional = 0;
+  std::optional<std::uint64_t> retracked, handed_over;
+};
+
+/// Numbers of roots said beside the list: top-level `counts`.
+struct CountClaim {
+  std::optional<std::uint64_t> complex, real;
+};
+
+struct Claims {
+  ClaimForm form = ClaimForm::solve_json;
+  std::vector<RootClaim> roots;
+  std::uint64_t seed = 0;
+  bool complete = false;  ///< every path was decided: the list has all isolated roots
+  std::optional<SystemClaim> system;
+  std::optional<ReducedClaim> reduced;
+  std::optional<StartClaim> start;
+  std::optional<PathClaim> paths;
+  std::optional<std::uint64_t> failures;  ///< how many are listed
+  std::uint64_t excess = 0;
+  std::optional<int> digits;
+  std::optional<std::string> completeness;
+  CountClaim counts;
+  std::optional<std::uint64_t> listed;  ///< how many roots a solution list announces
+};
+
+/// variables: of the system that the result is of; a solution list gives its coordinates by name. Throws ParseError where the
+/// text is broken, std::invalid_argument with every fault where it is no result.
+Claims read_claims(const Source& source, const std::vector<std::string>& variables);
+
+}  // namespace moivre

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+// The bounds one after the other, the dearest last.
+#include "moivre/bounds/root_bounds.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "moivre/polynomial/eliminate.h"
+#include "moivre/start/mixed_volume.h"
+#include "moivre/start/multihomogeneous.h"
+
+namespace moivre {
+namespace {
+
+// The search for cells of one lifting may cost so many multiply-adds: a few seconds.
+constexpr std::uint64_t kCellWork = 4'000'000'000;
+// A step costs about so many of them for each unknown and term (start/mixed_cells.h).
+constexpr std::uint64_t kStepCost = 10;
+// Any two seeds: what they draw has nothing in common.
+constexpr std::uint64_t kLiftingSeeds[] = {101, 202};
+
+CellSearchOptions bounded(const System& f) {
+  CellSearchOptions options;
+  options.most_steps =
+      kCellWork / (kStepCost * std::max<std::uint64_t>(1, f.variables.size() * term_count(f)));
+  return options;
+}
+
+RootBound stable_mixed_volume_bound(const System& f) {
+  RootBound bound{BoundKind::stable_mixed_volume, std::nullopt, ""};
+  const std::vector<Support> supports = supports_of(f);
+  std::optional<std::uint64_t> first;
+  for (const std::uint64_t seed : kLiftingSeeds) {
+    const MixedVolume volume = stable_mixed_volume(supports, seed, bounded(f));
+    if (!volume.value) {
+      bound.missing = description(volume.end);
+      return bound;
+    }
+    if (first && *first != *volume.value) {
+      bound.missing =
+          "two liftings give " + std::to_string(*first) + " and " + std::to_string(*volume.value);
+      return bound;
+    }
+    first = volume.value;
+  }
+  bound.value = first;
+  return bound;
+}
+
+RootBound bezout(const System& f) {
+  RootBound bound{BoundKind::bezout, total_degree(degrees(f)), ""};
+  if (!bound.value) bound.missing = "beyond 64 bits";
+  return bound;
+}
+
+RootBound multihomogeneous(const System& f) {
+  RootBound bound{BoundKind::multihomogeneous, find_partition(f).paths, ""};
+  if (!bound.value) bound.missing = "beyond 64 bits, or too many groups";
+  return bound;
+}
+
+/// The smaller one; one that is there before one that is not.
+RootBound smaller(const RootBound& a, const RootBound& b) {
+  if (!a.value || !b.value) return a.value ? a : b;
+  return *b.value < *a.value ? b : a;
+}
+
+void require_square(const System& f) {
+  if (f.polynomials.size() == f.variables.size()) return;
+  throw std::invalid_argument("bounds on roots are those of square systems; this one has " +
+                              std::to_string(f.polynomials.size()) + " equations in " +
+                              std::to_string(f.variables.size()) + " unknowns");
+}
+
+}  // namespace
+
+std::string to_string(BoundKind kind) {
+  switch (kind) {
+    case BoundKind::elimination:
+      return "elimination";
+    case BoundKind::bezout:
+      return "Bezout";
+    case BoundKind::multihomogeneous:
+      return "multihomogeneous";
+    case BoundKind::stable_mixed_volume:
+      return "stable mixed volume";
+  }
+  return "";
+}
+
+std::vector<RootBound> root_bounds(const System& f, std::uint64_t enough) {
+  require_square(f);
+  const Reduction reduction = eliminate(f);
+  if (reduction.verdict == Reduction::Verdict::solved) return {{BoundKind::elimination, 1, ""}};
+  // A contradiction leaves no root, a dependence none that is isolated.
+  if (reduction.verdict != Reduction::Verdict::square) {
+    return {{BoundKind::elimination, 0, ""}};
+  }
+  const System& r = reduction.system;
+  std::vector<RootBound> bounds;
+  const auto is_met = [&](const RootBound& bound) {
+    bounds.push_back(bound);
+    return bound.value && *bound.value <= enough;
+  };
+  if (is_met(bezout(r)) || is_met(multihomogeneous(r))) return bounds;
+  RootBound volume = stable_mixed_volume_bound(r);
+  // What elimination fills with monomials may have a larger volume than before.
+  const bool is_filled = !reduction.substitutions.empty();
+  if (is_filled && (!volume.value || *volume.value > enough)) {
+    volume = smaller(volume, stable_mixed_volume_bound(f));
+  }
+  bounds.push_back(volume);
+  return bounds;
+}
+
+StructureCounts structure_counts(const System& f, bool with_partitions, bool with_cells) {
+  require_square(f);
+  StructureCounts counts;
+  if (with_partitions) {
+    const PartitionSearch search = find_partition(f);
+    counts.multihomogeneous = search.paths;
+    counts.is_least = search.is_least;
+  }
+  if (with_cells) {
+    const auto supports = with_origin(supports_of(f), f.variables.size()).supports;
+    counts.mixed_volume = mixed_volume(supports, kLiftingSeeds[0], bounded(f)).value;
+  }
+  return counts;
+}
+
+}  // namespace moivre

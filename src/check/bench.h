@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// What do the parts of the judgement share? The system, the claims, certificates of the roots, and the notes.
+#pragma once
+
+#include "moivre/certify/certifier.h"
+#include "moivre/check/claims.h"
+#include "stand_in.h"
+#include "verdicts.h"
+
+namespace moivre {
+
+/// What is known of an entry of the result.
+struct Entry {
+  Point x;                  ///< as judged: on the patches, where there are any
+  double reach = 0;         ///< a root is claimed within this of x, in every coordinate
+  bool is_regular = true;   ///< as claimed
+  bool is_refuted = false;  ///< no root is there
+  Certificate certificate;  ///< undecided where none was found or looked for
+};
+
+struct Bench {
+  const System& f;
+  const Claims& claims;
+  const StandIn& stand_in;
+  Certifier& certifier;
+  std::vector<Entry> entries;
+  Verdicts& verdicts;
+
+  bool is_list() const { return claims.form == ClaimForm::solution_list; }
+};
+
+/// System, reduced system, start and sums (src/check/books.cpp). False: the unknowns are not those of the system.
+bool judge_system(const System& f, const Claims& claims, Verdicts& verdicts);
+void judge_start(const System& f, const StandIn& stand_in, const Claims& claims,
+                 Verdicts& verdicts);
+void judge_paths(const Claims& claims, Verdicts& verdicts);
+
+/// Existence and accuracy of each root (src/check/existence.cpp); fills the entries.
+void judge_existence(Bench& bench);
+/// Multiplicities: of entries that are claimed to be singular (src/check/clusters.cpp).
+void judge_clusters(Bench& bench);
+/// Residual and condition (src/check/figures.cpp).
+void judge_figures(const Bench& bench);
+/// Digits beyond double (src/check/digits.cpp).
+void judge_digits(Bench& bench);
+/// Distinct, real, conjugates (src/check/relations.cpp); counts the roots.
+void judge_relations(Bench& bench);
+
+/// Between which bounds |x* - x|_inf lies, x* the root of the certificate.
+struct DistanceBounds {
+  double least = 0, most = 0;
+};
+DistanceBounds distance(const Certificate& certificate, const Point& x);
+/// As distance(), with the certificate sharpened until it is clear whether it is beyond `reach`.
+DistanceBounds sharp_distance(Certifier& certifier, Certificate& certificate, const Point& x,
+                              double reach);
+
+}  // namespace moivre

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// Is a singular root what it is said to be? Its multiplicity is numerical; a regular root in its place, or none near, is not.
+#include <algorithm>
+#include <cmath>
+
+#include "bench.h"
+#include "exclusion.h"
+#include "moivre/certify/distinct.h"
+#include "moivre/numeric/random.h"
+
+namespace moivre {
+namespace {
+
+// Newton's method is begun at so many points of the disc for each root that it may hold.
+constexpr std::uint64_t kTriesPerRoot = 2;
+constexpr std::uint64_t kMostFound = 12;
+// A multiple root keeps every precision busy; two that are proved distinct differ in this one.
+constexpr int kClusterBits = 2 * kFirstArbBits;
+// Beyond this a disc says nothing of where a root is.
+constexpr double kWidestDisc = 1e-2;
+
+/// Certified roots within the entry's disc that no other entry lists: a certificate each, distinct.
+std::size_t regular_roots_within(Bench& bench, Certifier& certifier, const Entry& entry,
+                                 std::uint64_t multiplicity) {
+  std::vector<Certificate> found;
+  const std::uint64_t tries = 1 + kTriesPerRoot * std::min(multiplicity, kMostFound);
+  for (std::uint64_t t = 0; t < tries; ++t) {
+    Point x = entry.x;
+    for (std::size_t j = 0; t > 0 && j < x.size(); ++j) {
+      x[j] += entry.reach * random_phase(bench.claims.seed, RandomStream::check, t * x.size() + j);
+    }
+    Certificate c = certifier.certify(x);
+    if (!c.holds_root()) continue;
+    if (sharp_distance(certifier, c, entry.x, entry.reach).most <= entry.reach) {
+      found.push_back(std::move(c));
+    }
+  }
+  if (found.empty()) return 0;
+  const std::size_t own = found.size();
+  for (const Entry& other : bench.entries) {
+    if (other.is_regular && other.certificate.holds_root()) found.push_back(other.certificate);
+  }
+  const Distinctness d = tell_apart(certifier, found);
+  std::vector<std::size_t> firsts;
+  for (std::size_t k = 0; k < own; ++k) {
+    const bool is_listed =
+        std::any_of(d.first_of.begin() + static_cast<std::ptrdiff_t>(own), d.first_of.end(),
+                    [&](std::size_t first) { return first == d.first_of[k]; });
+    if (!is_listed && d.first_of[k] == k) firsts.push_back(k);
+  }
+  return firsts.size();
+}
+
+void judge_cluster(Bench& bench, Certifier& certifier, Entry& entry, const RootClaim& root,
+                   std::size_t number) {
+  Verdicts& verdicts = bench.verdicts;
+  const std::uint64_t m = root.multiplicity;
+  if (has_no_root_within(bench.stand_in.system, entry.x, entry.reach, m)) {
+    entry.is_refuted = true;
+    return verdicts.refute(ClaimKind::root, "no root lies within " + rough(entry.reach), number);
+  }
+  const bool is_narrow = entry.reach <= kWidestDisc * std::max(1.0, max_norm(entry.x));
+  const std::size_t regular = is_narrow ? regular_roots_within(bench, certifier, entry, m) : 0;
+  if (regular > 0 && (regular < m || m == 1)) {
+    return verdicts.refute(ClaimKind::multiplicity,
+                           counted_roots(regular) + " of multiplicity 1 proved within " +
+                               rough(entry.reach) + ", a singular one of multiplicity " +
+                               std::to_string(m) + " is claimed",
+                           number);
+  }
+  verdicts.leave_open(ClaimKind::multiplicity,
+                      regular > 0 ? "as many regular roots are proved within its accuracy"
+                                  : "a singular root and its multiplicity are numerical",
+                      number);
+}
+
+}  // namespace
+
+void judge_clusters(Bench& bench) {
+  if (bench.is_list()) return;
+  CertifyOptions options;
+  options.most_bits = kClusterBits;
+  options.decide_reality = false;
+  options.accuracy = kWidestDisc;
+  Certifier certifier(make_certify_program(bench.stand_in.system), options);
+  for (std::size_t k = 0; k < bench.entries.size(); ++k) {
+    const RootClaim& root = bench.claims.roots[k];
+    if (root.singular == false) {
+      bench.verdicts.judge(ClaimKind::multiplicity, root.multiplicity == 1,
+                           "a root that is not singular has multiplicity 1, not " +
+                               std::to_string(root.multiplicity),
+                           k + 1);
+    }
+    if (root.multiplicity == 0) {
+      bench.verdicts.refute(ClaimKind::multiplicity, "a root has multiplicity 1 at least", k + 1);
+    }
+    if (!bench.entries[k].is_regular && !bench.entries[k].is_refuted) {
+      judge_cluster(bench, certifier, bench.entries[k], root, k + 1);
+    }
+  }
+}
+
+}  // namespace moivre

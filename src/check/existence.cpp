@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+// Is there a regular root, and as near as is stated? Certificates, and exact Taylor sums where there is none.
+#include <algorithm>
+#include <cmath>
+
+#include "bench.h"
+#include "exclusion.h"
+
+namespace moivre {
+namespace {
+
+// A list of PHCpack states no accuracy: it takes points for solutions by tolerances of 1e-8.
+constexpr double kListTolerance = 1e-8;
+// Its err is the size of the last correction; the root is hardly farther away than some of these.
+constexpr double kListCorrections = 10;
+// Where a result knows no accuracy. Certificates look no farther either.
+constexpr double kUnknownAccuracy = 1e-6;
+// Another chart and its rounding change distances by no more than this, for roots that are normalised.
+constexpr double kChart = 1e3;
+constexpr double kChartRounding = 1e-13;
+// Bounds of distances lose less than this share.
+constexpr double kUp = 1 + 0x1p-40;
+constexpr double kDown = 1 - 0x1p-40;
+
+/// max(1, |x|_inf), also where the square of a coordinate overflows.
+double scale_of(const Point& x) {
+  double scale = 1;
+  for (const Complex& xj : x) scale = std::max(scale, std::abs(xj));
+  return scale;
+}
+
+double reach_of(const Bench& bench, const RootClaim& root, const Point& x) {
+  if (bench.is_list()) {
+    return scale_of(x) * std::max(kListTolerance, kListCorrections * root.accuracy.value_or(0));
+  }
+  double accuracy = root.accuracy.value_or(kUnknownAccuracy);
+  if (bench.stand_in.has_patches()) accuracy = std::max(kChart * accuracy, kChartRounding);
+  return std::max(0.0, accuracy) * scale_of(x) * kUp;
+}
+
+bool is_finite(const Point& x) {
+  return std::all_of(x.begin(), x.end(), [](const Complex& xj) { return moivre::is_finite(xj); });
+}
+
+/// Exact: m_j - x_j, the finer parts of the midpoint with it.
+Coefficient offset(const Certificate& c, const Point& x, std::size_t j) {
+  Coefficient d{Rational(c.midpoint[j].real()) - Rational(x[j].real()),
+                Rational(c.midpoint[j].imag()) - Rational(x[j].imag())};
+  for (const Point& part : c.finer) {
+    d.re += Rational(part[j].real());
+    d.im += Rational(part[j].imag());
+  }
+  return d;
+}
+
+std::string no_certificate() {
+  return "no certificate was found in " + std::to_string(kMostArbBits) +
+         " bits, and none that there is no root";
+}
+
+bool is_excluded(const Bench& bench, const Entry& entry, const RootClaim& root) {
+  if (has_no_root_within(bench.stand_in.system, entry.x, entry.reach, root.multiplicity)) {
+    return true;
+  }
+  // The file's own equations say more than combinations of them.
+  return !bench.stand_in.proves_roots && !bench.stand_in.has_patches() &&
+         has_no_root_within(bench.f, root.x, entry.reach, root.multiplicity);
+}
+
+void accept(Bench& bench, const Entry& entry, const RootClaim& root, std::size_t number) {
+  Verdicts& verdicts = bench.verdicts;
+  const bool has_accuracy = !bench.is_list() && root.accuracy;
+  if (!bench.stand_in.proves_roots) {
+    if (has_no_root_within(bench.f, root.x, entry.reach)) {
+      return verdicts.refute(ClaimKind::root,
+                             "an equation of the file has no zero within " + rough(entry.reach),
+                             number);
+    }
+    return verdicts.leave_open(ClaimKind::root,
+                               "more equations than unknowns: a root of random combinations of "
+                               "them is proved, which need not be one of the file",
+                               number);
+  }
+  verdicts.hold(ClaimKind::root);
+  if (!has_accuracy) return;
+  if (bench.stand_in.has_patches()) {
+    return verdicts.leave_open(ClaimKind::accuracy, "stated in normalised coordinates", number);
+  }
+  verdicts.hold(ClaimKind::accuracy);
+}
+
+/// The root found is farther away than is claimed.
+void judge_farther(Bench& bench, Entry& entry, const RootClaim& root, std::size_t number,
+                   const DistanceBounds& d) {
+  const ClaimKind claim = bench.is_list() || !root.accuracy ? ClaimKind::root : ClaimKind::accuracy;
+  const std::string nearest = "the nearest one found is " + rough(d.most) + " away";
+  if (!is_excluded(bench, entry, root)) {
+    return bench.verdicts.leave_open(
+        claim, "nothing is proved within " + rough(entry.reach) + "; " + nearest, number);
+  }
+  bench.verdicts.refute(claim, "no root lies within " + rough(entry.reach) + "; " + nearest,
+                        number);
+  entry.is_refuted = claim == ClaimKind::root;
+}
+
+void judge_regular(Bench& bench, Entry& entry, const RootClaim& root, std::size_t number) {
+  Verdicts& verdicts = bench.verdicts;
+  entry.certificate = bench.certifier.certify(entry.x);
+  if (entry.certificate.holds_root()) {
+    const DistanceBounds d =
+        sharp_distance(bench.certifier, entry.certificate, entry.x, entry.reach);
+    if (d.most <= entry.reach) return accept(bench, entry, root, number);
+    return judge_farther(bench, entry, root, number, d);
+  }
+  if (is_excluded(bench, entry, root)) {
+    entry.is_refuted = true;
+    return verdicts.refute(ClaimKind::root, "no root lies within " + rough(entry.reach), number);
+  }
+  verdicts.leave_open(ClaimKind::root, no_certificate(), number);
+}
+
+void judge_certified(Bench& bench, const Entry& entry, const RootClaim& root, std::size_t number) {
+  if (root.certified != true) return;
+  if (!entry.is_regular) {
+    return bench.verdicts.leave_open(ClaimKind::certified,
+                                     "a count of roots on a ball is not made here", number);
+  }
+  const bool holds = entry.certificate.holds_root() && !entry.is_refuted;
+  bench.verdicts.judge(
+      ClaimKind::certified, holds,
+      entry.is_refuted ? "no root lies where one is said to be certified" : no_certificate(),
+      number);
+}
+
+}  // namespace
+
+DistanceBounds distance(const Certificate& certificate, const Point& x) {
+  DistanceBounds d;
+  for (std::size_t j = 0; j < x.size(); ++j) {
+    const Coefficient part = offset(certificate, x, j);
+    const double size = std::hypot(to_double(part.re), to_double(part.im));
+    d.most = std::max(d.most, (size * kUp + certificate.error[j]) * kUp);
+    d.least = std::max(d.least, (size * kDown - certificate.error[j]) * kDown);
+  }
+  return d;
+}
+
+DistanceBounds sharp_distance(Certifier& certifier, Certificate& certificate, const Point& x,
+                              double reach) {
+  DistanceBounds d = distance(certificate, x);
+  for (int bits = kFirstArbBits; bits <= certifier.most_bits(); bits *= 2) {
+    if (d.most <= reach || d.least > reach) break;
+    if (bits <= certificate.bits || !certifier.sharpen(certificate, bits)) continue;
+    d = distance(certificate, x);
+  }
+  return d;
+}
+
+void judge_existence(Bench& bench) {
+  for (std::size_t k = 0; k < bench.claims.roots.size(); ++k) {
+    const RootClaim& root = bench.claims.roots[k];
+    Entry entry;
+    entry.x = on_patches(bench.stand_in, root.x);
+    entry.reach = reach_of(bench, root, entry.x);
+    entry.is_regular =
+        bench.is_list() || (!root.singular.value_or(false) && root.multiplicity == 1);
+    if (root.accuracy.value_or(0) < 0) {
+      bench.verdicts.refute(ClaimKind::accuracy, "a bound on a distance is not negative", k + 1);
+    }
+    if (!is_finite(entry.x)) {
+      entry.is_refuted = true;
+      bench.verdicts.refute(ClaimKind::root, "the zero vector is no point of projective space",
+                            k + 1);
+    } else if (entry.is_regular) {
+      judge_regular(bench, entry, root, k + 1);
+    }
+    judge_certified(bench, entry, root, k + 1);
+    bench.entries.push_back(std::move(entry));
+  }
+}
+
+}  // namespace moivre

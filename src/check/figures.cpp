@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+// Are the figures beside a root those of the root? Residual and condition, computed again.
+#include <algorithm>
+#include <cmath>
+
+#include "bench.h"
+#include "moivre/numeric/double_double.h"
+#include "moivre/numeric/lu.h"
+#include "moivre/polynomial/scale.h"
+#include "moivre/polynomial/tape.h"
+
+namespace moivre {
+namespace {
+
+// A residual is computed in more digits than double and rounded; the sizes beside it lose some digits in long sums.
+constexpr double kResidualRounding = 1e-9;
+// Both are made at a point that was rounded to double: each coordinate by 2^-53 of its size, the value by degree times that.
+constexpr double kPointRounding = 4 * 0x1p-53;
+// Condition numbers are estimates, within a factor of 3 each [Higham88], and rows are scaled by powers of two. Rows of size 1
+// have the least of all; other units of the unknowns make it larger, by how much is not said in a result.
+constexpr double kConditionFactor = 10;
+// From here on the Jacobian in double tells no condition.
+constexpr double kKnownCondition = 1e10;
+
+/// The largest coefficient of each equation near 1: residuals and conditions stay, and none falls below double's range.
+System with_rows_near_one(const System& f) {
+  Scaling rows{std::vector<int>(f.variables.size()), {}};
+  for (const Polynomial& p : f.polynomials) {
+    double largest = -HUGE_VAL;
+    for (const Term& term : p.terms) largest = std::max(largest, log2_size(term.coefficient));
+    rows.equation_log2.push_back(p.terms.empty() ? 0 : -static_cast<int>(std::floor(largest)));
+  }
+  return scale(f, rows);
+}
+
+class Figures {
+ public:
+  explicit Figures(const System& f)
+      : tape_(make_tape(f)),
+        exact_(round_coefficients<ComplexDoubleDouble>(tape_, f, to_complex_double_double)),
+        coefficients_(complex_coefficients(tape_, f)),
+        n_(tape_.variables) {
+    for (const Complex& c : coefficients_) sizes_.push_back(std::abs(c));
+    for (const std::uint64_t d : degrees(f)) degree_ = std::max(degree_, static_cast<double>(d));
+  }
+
+  /// max_i |F_i| / sum |terms of F_i|; NaN where double overflows.
+  double residual(const Point& x) {
+    std::vector<ComplexDoubleDouble> point(x.begin(), x.end());
+    std::vector<ComplexDoubleDouble> registers(tape_.register_count());
+    std::vector<ComplexDoubleDouble> values(tape_.equations);
+    evaluate<ComplexDoubleDouble, ComplexDoubleDouble>(tape_, exact_, point, registers, values);
+    measure(x, 0);
+    double largest = 0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const double size = std::abs(to_complex(values[i]));
+      const double share = term_sizes_[i] > 0 ? size / term_sizes_[i] : size;
+      largest = share <= largest ? largest : share;
+    }
+    return largest;
+  }
+
+  /// What moving each coordinate by `distance` may change of the residual.
+  double change(const Point& x, double distance) {
+    measure(x, distance);
+    std::vector<double> sums(tape_.equations);
+    for (std::size_t k = 0; k < slopes_.size(); ++k) {
+      sums[tape_.jacobian[k].row] += slopes_[k] * distance;
+    }
+    measure(x, 0);
+    double largest = 0;
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+      if (sums[i] > 0) largest = std::max(largest, sums[i] / term_sizes_[i]);
+    }
+    return largest;
+  }
+
+  double degree() const { return degree_; }
+  bool is_square() const { return tape_.equations == n_; }
+
+  /// Of the Jacobian with rows scaled, unknowns measured by `weights`.
+  double condition(const Point& x, const std::vector<double>& weights) {
+    std::vector<Complex> registers(tape_.register_count());
+    std::vector<Complex> values(tape_.equations);
+    std::vector<Complex> jacobian(tape_.jacobian.size());
+    evaluate<Complex, Complex>(tape_, coefficients_, x, registers, values, jacobian);
+    Lu lu(n_);
+    std::fill(lu.matrix().begin(), lu.matrix().end(), Complex(0));
+    for (std::size_t k = 0; k < jacobian.size(); ++k) {
+      lu.matrix()[tape_.jacobian[k].row * n_ + tape_.jacobian[k].column] = jacobian[k];
+    }
+    return lu.factor(weights) ? lu.condition() : HUGE_VAL;
+  }
+
+ private:
+  /// Sums of the terms' sizes and those of the derivatives at |x_j| + distance.
+  void measure(const Point& x, double distance) {
+    std::vector<double> point;
+    for (const Complex& xj : x) point.push_back(std::abs(xj) + distance);
+    std::vector<double> registers(tape_.register_count());
+    term_sizes_.resize(tape_.equations);
+    slopes_.resize(tape_.jacobian.size());
+    evaluate<double, double>(tape_, sizes_, point, registers, term_sizes_, slopes_);
+  }
+
+  Tape tape_;
+  std::vector<ComplexDoubleDouble> exact_;
+  std::vector<Complex> coefficients_;
+  std::vector<double> sizes_, term_sizes_, slopes_;
+  std::size_t n_;
+  double degree_ = 1;
+};
+
+void judge_residual(const Bench& bench, Figures& figures, std::size_t k) {
+  const RootClaim& root = bench.claims.roots[k];
+  if (!root.residual) return;
+  const double found = figures.residual(root.x);
+  double slack = kResidualRounding * found + kPointRounding * figures.degree();
+  // Imaginary parts of real roots were set to 0 behind the residual.
+  if (root.real == true) slack += figures.change(root.x, bench.entries[k].reach);
+  if (std::isnan(found + slack)) {
+    return bench.verdicts.leave_open(ClaimKind::residual, "beyond the range of double", k + 1);
+  }
+  bench.verdicts.judge(ClaimKind::residual, std::abs(*root.residual - found) <= slack,
+                       rough(*root.residual) + " is stated, " + rough(found) + " is found", k + 1);
+}
+
+void judge_condition(const Bench& bench, Figures& figures, std::size_t k) {
+  const RootClaim& root = bench.claims.roots[k];
+  if (!root.condition || !bench.entries[k].certificate.holds_root()) return;
+  std::vector<double> weights(root.x.size(), 1.0);
+  const double least = figures.condition(root.x, weights);
+  for (std::size_t j = 0; j < weights.size(); ++j) {
+    if (root.x[j] != Complex(0)) weights[j] = std::abs(root.x[j]);
+  }
+  const double other = figures.condition(root.x, weights);
+  if (!(least < kKnownCondition)) {
+    return bench.verdicts.leave_open(ClaimKind::condition, "too large to be found again in double",
+                                     k + 1);
+  }
+  if (*root.condition > kConditionFactor * std::max(least, other)) {
+    return bench.verdicts.leave_open(ClaimKind::condition,
+                                     "larger than is found, as other units may make it", k + 1);
+  }
+  bench.verdicts.judge(ClaimKind::condition, *root.condition * kConditionFactor >= least,
+                       rough(*root.condition) + " is stated, " + rough(least) + " is found", k + 1);
+}
+
+}  // namespace
+
+void judge_figures(const Bench& bench) {
+  if (bench.is_list()) return;
+  Figures figures(with_rows_near_one(bench.f));
+  for (std::size_t k = 0; k < bench.entries.size(); ++k) {
+    judge_residual(bench, figures, k);
+    if (figures.is_square()) judge_condition(bench, figures, k);
+  }
+}
+
+}  // namespace moivre

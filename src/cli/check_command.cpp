@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// moivre check SYSTEM RESULT: an independent judge of a result; every claim that does not hold is named.
+#include <memory>
+#include <stdexcept>
+
+#include "command.h"
+#include "common_options.h"
+#include "moivre/check_report/check_report.h"
+#include "output.h"
+
+namespace moivre {
+namespace {
+
+struct CheckCommand {
+  std::string file;
+  std::string result;
+  std::string json;
+  bool quiet = false;
+};
+
+void require_one_stdin(const CheckCommand& command) {
+  if (command.file != "-" || command.result != "-") return;
+  throw std::invalid_argument("system and result cannot both come from standard input");
+}
+
+int run(const CheckCommand& command) {
+  require_all({[&] { require_one_stdin(command); },
+               [&] { require_distinct({command.json}, command.file); },
+               [&] { require_distinct({command.json}, command.result); }});
+  const System f = read_polynomial_file(command.file);
+  const Claims claims = read_claims(read_source(command.result), f.variables);
+  Output json(command.json);
+  const Judgement judgement = check(f, claims);
+  const JudgedFiles files{command.file, command.result};
+  deliver(
+      {{&json, [&] { return check_json(judgement, files); }}}, command.quiet,
+      [&] { return check_text(judgement, files); },
+      judgement.holds() ? "" : "some claims do not hold");
+  return judgement.holds() ? kDecided : kUndecided;
+}
+
+}  // namespace
+
+void add_check_command(CLI::App& moivre, Chosen& chosen) {
+  const auto command = std::make_shared<CheckCommand>();
+  CLI::App& app = *moivre.add_subcommand(
+      "check", "Judge a result: certificates, sums, bounds; exit code 2 where a claim is false");
+  add_file(app, command->file);
+  app.add_option("RESULT", command->result,
+                 "JSON of moivre solve, or PHCpack's solution list; - is standard input")
+      ->required();
+  add_json_option(app, command->json);
+  add_quiet_flag(app, command->quiet);
+  add_examples(app,
+               {"moivre solve katsura.phc --json roots.json; moivre check katsura.phc roots.json",
+                "moivre solve katsura.phc --json - | moivre check katsura.phc -",
+                "phc -b katsura.phc out; moivre check katsura.phc out",
+                "moivre check katsura.phc roots.json --json - | jq .refuted"});
+  app.callback([command, &chosen] { chosen = [command] { return run(*command); }; });
+}
+
+}  // namespace moivre

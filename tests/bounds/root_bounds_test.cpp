@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// Are bounds on roots those of the literature, and found no further than is needed?
+#include "moivre/bounds/root_bounds.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "moivre/polynomial/read.h"
+
+namespace moivre::test {
+namespace {
+
+System system_of(const std::string& text) { return read_system({"test", text}); }
+
+System problem(const std::string& name) {
+  return read_system(
+      read_source(std::string(MOIVRE_SOURCE_DIR) + "/problems/polynomials/" + name + ".phc"));
+}
+
+TEST(RootBounds, OfCassouAreThePublishedOnes) {
+  const std::vector<RootBound> bounds = root_bounds(problem("cassou"), 0);
+  ASSERT_EQ(bounds.size(), 3U);
+  EXPECT_EQ(bounds[0].value, 1344U);
+  EXPECT_LT(bounds[1].value, 1344U);
+  EXPECT_EQ(bounds[2].kind, BoundKind::stable_mixed_volume);
+  EXPECT_EQ(bounds[2].value, 24U);
+}
+
+TEST(RootBounds, EndWithTheFirstThatIsMet) {
+  const System f = system_of("2\nx^2 + y^2 - 5;\nx*y - 2;\n");
+  const std::vector<RootBound> bounds = root_bounds(f, 4);
+  ASSERT_EQ(bounds.size(), 1U);
+  EXPECT_EQ(bounds[0].kind, BoundKind::bezout);
+  EXPECT_EQ(bounds[0].value, 4U);
+  EXPECT_EQ(root_bounds(f, 3).size(), 3U);
+}
+
+TEST(RootBounds, CountRootsWithZeroCoordinates) {
+  const std::vector<RootBound> bounds =
+      root_bounds(system_of("2\nx^2 + x*y - x;\ny^2 + 2*x*y - y;\n"), 0);
+  ASSERT_EQ(bounds.size(), 3U);
+  EXPECT_EQ(bounds[2].value, 4U);  // (0,0), (1,0), (0,1), and one more
+}
+
+TEST(RootBounds, AreToldByEliminationWhereThatDecides) {
+  const auto alone = [](const std::string& text) {
+    const std::vector<RootBound> bounds = root_bounds(system_of(text), 0);
+    EXPECT_EQ(bounds.size(), 1U);
+    EXPECT_EQ(bounds[0].kind, BoundKind::elimination);
+    return bounds[0].value;
+  };
+  EXPECT_EQ(alone("2\nx + y - 3;\nx - y - 1;\n"), 1U);
+  EXPECT_EQ(alone("2\nx + y - 3;\nx + y - 1;\n"), 0U);
+  EXPECT_EQ(alone("2\nx*y - 3;\n2*x*y - 6;\n"), 0U);
+}
+
+TEST(RootBounds, AreRefusedWhereASystemIsNotSquare) {
+  EXPECT_THROW(root_bounds(system_of("1 2\nx + y;\n"), 0), std::invalid_argument);
+}
+
+TEST(StructureCounts, AreThoseOfTheStarts) {
+  const StructureCounts counts = structure_counts(problem("cassou"), true, true);
+  EXPECT_EQ(counts.mixed_volume, 24U);
+  EXPECT_FALSE(structure_counts(problem("cassou"), true, false).mixed_volume);
+}
+
+}  // namespace
+}  // namespace moivre::test

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+// Does moivre check pass what moivre solve says of its problems, find what was changed, and refuse what is no result?
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "program.h"
+
+namespace moivre::test {
+namespace {
+
+using Json = nlohmann::json;
+
+// Files of problems/: regular roots, multiple ones, sets, ill-scaled and ill-conditioned ones, more equations than unknowns.
+const char* const kHonest[] = {"polynomials/badvars.phc",
+                               "polynomials/burmester-5.phc",
+                               "polynomials/cascade-4.phc",
+                               "polynomials/cassou.phc",
+                               "polynomials/chandra-5.phc",
+                               "polynomials/cyclic-5.phc",
+                               "polynomials/dense-complex-4-3.phc",
+                               "polynomials/double-lines-4.phc",
+                               "polynomials/duplicated-equation.phc",
+                               "polynomials/eco-6.phc",
+                               "polynomials/griewank-osborne.phc",
+                               "polynomials/katsura-6.phc",
+                               "polynomials/lotka-volterra-3.bertini",
+                               "polynomials/multiplicity-3.phc",
+                               "polynomials/multiplicity-4.phc",
+                               "polynomials/near-double.phc",
+                               "polynomials/noon-3.phc",
+                               "polynomials/one-root.phc",
+                               "polynomials/puma.phc",
+                               "polynomials/reimer-4.phc",
+                               "polynomials/wilkinson-15.phc",
+                               "polynomials/wnt.phc",
+                               "extremes/denormal.phc",
+                               "extremes/large-root.phc",
+                               "extremes/four-near.phc",
+                               "extremes/overdetermined.phc",
+                               "rectangular/minors-2-3.phc"};
+
+TEST(CheckCommand, PassesWhatSolveSaysOfItsProblems) {
+  const Scene scene;
+  for (const char* name : kHonest) {
+    const std::string file = std::string(MOIVRE_SOURCE_DIR) + "/problems/" + name;
+    const Outcome solved =
+        scene.run({"solve", file, "--tracker", "lanes", "--quiet", "--json", "r.json"});
+    ASSERT_EQ(solved.exit_code, 0) << name << solved.err;
+    const Outcome outcome = scene.run({"check", file, "r.json"});
+    EXPECT_EQ(outcome.exit_code, 0) << name << '\n' << outcome.out << outcome.err;
+  }
+}
+
+TEST(CheckCommand, FindsWhatWasChanged) {
+  const Scene scene;
+  scene.write("plane.phc", "3\nx^2 + y^2 + z^2 - 6;\nx*y - z - 1;\nx + y + z - 4;\n");
+  scene.run({"solve", "plane.phc", "--quiet", "--json", "r.json"});
+  Json result = Json::parse(scene.read("r.json"));
+  result["solutions"][1]["real"] = false;
+  result["paths"]["at_infinity"] = 1;
+  scene.write("lie.json", result.dump());
+  const Outcome outcome = scene.run({"check", "plane.phc", "lie.json", "--json", "judged.json"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_TRUE(contains(outcome.out, "root 2, real: called not real, and proved to be real\n"));
+  EXPECT_TRUE(contains(outcome.out,
+                       "paths: tracked, as finite + at_infinity + failed: 4 stated, 5 found\n"));
+  EXPECT_TRUE(contains(outcome.out, "2 claims do not hold.\n"));
+  EXPECT_TRUE(
+      contains(outcome.out, "4 distinct roots = Bezout: no isolated root is missing, proved"));
+  const Json judged = Json::parse(scene.read("judged.json"));
+  EXPECT_EQ(judged["holds"], false);
+  EXPECT_EQ(judged["refuted"].size(), 2U);
+  EXPECT_EQ(judged["refuted"][1]["root"], 2);
+  EXPECT_EQ(judged["proved_by"], "Bezout");
+  const Outcome quiet = scene.run({"check", "plane.phc", "lie.json", "--quiet"});
+  EXPECT_EQ(quiet.exit_code, 2);
+  EXPECT_EQ(quiet.out, "");
+}
+
+TEST(CheckCommand, JudgesOurOwnSolutionLists) {
+  const Scene scene;
+  scene.write("conics.phc", "2\nx^2 + y^2 - 5;\nx*y - 2;\n");
+  scene.run({"solve", "conics.phc", "--quiet", "--phc", "list.phc"});
+  const Outcome outcome = scene.run({"check", "conics.phc", "list.phc"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  EXPECT_TRUE(contains(outcome.out, "4 roots: 4 certified, 4 distinct, 4 real, 0 not real"));
+}
+
+TEST(CheckCommand, ReadsOneFileFromStandardInput) {
+  const Scene scene;
+  scene.write("conics.phc", "2\nx^2 + y^2 - 5;\nx*y - 2;\n");
+  scene.write(Scene::kInput, scene.run({"solve", "conics.phc", "--json", "-"}).out);
+  EXPECT_EQ(scene.run({"check", "conics.phc", "-"}).exit_code, 0);
+  const Outcome both = scene.run({"check", "-", "-"});
+  EXPECT_EQ(both.exit_code, 1);
+  EXPECT_TRUE(contains(both.err, "cannot both come from standard input"));
+}
+
+TEST(CheckCommand, RefusesWhatIsNoResult) {
+  const Scene scene;
+  scene.write("conics.phc", "2\nx^2 + y^2 - 5;\nx*y - 2;\n");
+  scene.write("foreign.json", R"({"command": "closures"})");
+  scene.write("cut.json", R"({"command": "solve", "seed": )");
+  const auto refused = [&](const std::string& file, const std::string& reason) {
+    const Outcome outcome = scene.run({"check", "conics.phc", file, "--json", "never.json"});
+    EXPECT_EQ(outcome.exit_code, 1) << file;
+    EXPECT_TRUE(contains(outcome.err, reason)) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_FALSE(scene.has("never.json"));
+  };
+  refused("foreign.json", "expected the JSON of \"solve\"");
+  refused("cut.json", "cut.json:1:30: error: the JSON is broken or cut off here");
+  refused("conics.phc", "neither the JSON of moivre solve nor a solution list");
+  refused("absent.json", "absent.json");
+}
+
+}  // namespace
+}  // namespace moivre::test
