@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "closing.h"
 #include "moving_pose.h"
 #include "squared_up.h"
 #include "stages.h"
@@ -12,8 +13,22 @@
 namespace moivre {
 namespace {
 
+// A root that is off by rounded lengths is no farther than this from a real pose.
+constexpr double kNearReal = 1e-2;
+
+// What a root's own rounding leaves behind Newton's method, with lengths of the file typed to twelve digits.
+constexpr double kRounding = 1e-12;
+
 double tolerance_of(const Solution& solution) {
   return solution.singular ? kHoldsSingular : kHolds;
+}
+
+/// Whether the root satisfies every equation. Spare ones that hold to nine digits do not hold.
+bool holds(const IsotropicSystem& isotropic, const Solution& solution) {
+  if (solution.residual > tolerance_of(solution)) return false;
+  const bool has_spare = isotropic.system.polynomials.size() > isotropic.system.variables.size();
+  if (!has_spare || solution.singular || solution.residual <= kRounding) return true;
+  return residual_when_polished(isotropic, solution.x) <= kRounding;
 }
 
 void take_account(ClosureResult& result, const StageRun& run) {
@@ -45,8 +60,11 @@ void take_root(ClosureSearch& search, const PartialRoot& root) {
   solution.accuracy = root.accuracy;
   solution.condition = root.condition;
   solution.residual = residual_of_root(search.isotropic, solution.x);
-  if (solution.residual > tolerance_of(solution)) {
+  if (!holds(search.isotropic, solution)) {
     ++search.result.counts.rejected;
+    if (distance_from_real(search.isotropic, solution.x) <= kNearReal) {
+      search.near_misses.push_back(coordinates_of_root(search.isotropic, solution.x));
+    }
     return;
   }
   solution.real = distance_from_real(search.isotropic, solution.x) <= tolerance_of(solution);
