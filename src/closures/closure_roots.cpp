@@ -53,7 +53,7 @@ void take_account(ClosureResult& result, const StageRun& run) {
 void take_root(ClosureSearch& search, const PartialRoot& root) {
   Solution solution;
   solution.path = root.path;
-  for (const auto& value : root.value) solution.x.push_back(to_complex(value.value()));
+  for (const auto& value : root.value) solution.x.push_back(to_complex(*value));
   solution.singular = root.singular;
   solution.multiplicity = root.multiplicity;
   solution.winding = {static_cast<int>(root.multiplicity)};
@@ -143,18 +143,23 @@ void solve_determined(ClosureSearch& search, const BlockStructure& structure) {
   }
 }
 
+/// Most others differ in the first variables already.
+bool is_same(const Point& a, const Point& b, double tolerance) {
+  for (std::size_t v = 0; v < a.size(); ++v) {
+    if (!(std::abs(a[v] - b[v]) <= tolerance)) return false;
+  }
+  return true;
+}
+
 /// The image of an isolated root is a root: one that is not there was lost.
 std::uint64_t lost_images(const IsotropicSystem& isotropic, const std::vector<Solution>& roots) {
   std::uint64_t lost = 0;
   for (const Solution& root : roots) {
     if (root.real || root.singular) continue;
     const Point image = mirrored(isotropic, root.x);
+    const double tolerance = kHolds * std::max(1.0, max_norm(image));
     const bool found = std::any_of(roots.begin(), roots.end(), [&](const Solution& other) {
-      double distance = 0;
-      for (std::size_t v = 0; v < image.size(); ++v) {
-        distance = std::max(distance, std::abs(image[v] - other.x[v]));
-      }
-      return distance <= kHolds * std::max(1.0, max_norm(image));
+      return is_same(image, other.x, tolerance);
     });
     if (!found) ++lost;
   }

@@ -19,7 +19,7 @@ class Bodies {
       : mechanism_(mechanism),
         t_(t),
         ends_(std::move(ends)),
-        angles_(driven_angles(mechanism, t)),
+        angles_(known_angles(mechanism, t)),
         frame_(names(mechanism)) {}
 
   IsotropicSystem build() &&;
@@ -56,7 +56,8 @@ class Bodies {
   const Mechanism& mechanism_;
   double t_;
   JointEnds ends_;
-  std::vector<std::optional<double>> angles_;  ///< of bodies, as drivers and gears determine them
+  std::vector<std::optional<KnownAngle>>
+      angles_;  ///< of bodies, as drivers and gears determine them
   IsotropicFrame frame_;
   std::vector<Mirrored> positions_;
 };
@@ -82,8 +83,9 @@ void Bodies::hold_angles() {
   for (const Joint& joint : mechanism_.joints) {
     if (joint.type != JointType::gear || !is_settled(joint, angles_)) continue;
     for (const std::size_t body : {joint.at[0].body, joint.at[1].body, joint.gear.carrier}) {
-      if (frame_.angle(body).root == 0) continue;
-      frame_.hold_angle(0, body, unit_at(*angles_[body]), label(joint));
+      const auto& [root, value] = *angles_[body];
+      if (frame_.angle(body).root == frame_.angle(root).root) continue;
+      frame_.hold_angle(root, body, unit_at(value), label(joint));
     }
   }
 }

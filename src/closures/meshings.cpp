@@ -3,6 +3,7 @@
 #include "meshings.h"
 
 #include <cmath>
+#include <iterator>
 #include <map>
 
 #include "moivre/numeric/rational.h"
@@ -54,16 +55,24 @@ class Angles {
     return true;
   }
 
-  std::vector<std::optional<double>> take(std::size_t bodies) const {
-    std::vector<std::optional<double>> angles(bodies);
-    angles[0] = 0;
-    for (const auto& [pivot, row] : rows_) {
-      if (row.coefficients.size() == 1) angles[pivot] = row.value;
+  std::vector<std::optional<KnownAngle>> take(std::size_t bodies) const {
+    std::vector<std::optional<KnownAngle>> angles;
+    for (std::size_t body = 0; body < bodies; ++body) {
+      const auto found = rows_.find(body);
+      angles.push_back(found == rows_.end() ? KnownAngle{body, 0} : solved(found->second));
     }
     return angles;
   }
 
  private:
+  /// Of a row a_pivot - a_free = value, or a_pivot = value.
+  static std::optional<KnownAngle> solved(const Row& row) {
+    if (row.coefficients.size() == 1) return KnownAngle{0, row.value};
+    const auto free = std::next(row.coefficients.begin());
+    if (row.coefficients.size() > 2 || free->second != -1) return std::nullopt;
+    return KnownAngle{free->first, row.value};
+  }
+
   std::map<std::size_t, Row> rows_;  ///< by pivot, whose coefficient is 1 and 0 in all other rows
 };
 
@@ -90,7 +99,7 @@ Row gear_row(const Joint& joint) {
 
 }  // namespace
 
-std::vector<std::optional<double>> driven_angles(const Mechanism& mechanism, double t) {
+std::vector<std::optional<KnownAngle>> known_angles(const Mechanism& mechanism, double t) {
   Angles angles;
   bool agrees = true;
   for (const Driver& driver : mechanism.drivers) {
@@ -105,13 +114,15 @@ std::vector<std::optional<double>> driven_angles(const Mechanism& mechanism, dou
       agrees &= angles.add(gear_row(joint));
     }
   }
-  if (!agrees) return std::vector<std::optional<double>>(mechanism.bodies.size());
+  if (!agrees) return std::vector<std::optional<KnownAngle>>(mechanism.bodies.size());
   return angles.take(mechanism.bodies.size());
 }
 
-bool is_settled(const Joint& gear, const std::vector<std::optional<double>>& angles) {
-  return !gear.gear.has_all_meshings && angles[gear.at[0].body] && angles[gear.at[1].body] &&
-         angles[gear.gear.carrier];
+bool is_settled(const Joint& gear, const std::vector<std::optional<KnownAngle>>& angles) {
+  const auto& i = angles[gear.at[0].body];
+  const auto& j = angles[gear.at[1].body];
+  const auto& c = angles[gear.gear.carrier];
+  return !gear.gear.has_all_meshings && i && j && c && i->root == j->root && i->root == c->root;
 }
 
 }  // namespace moivre

@@ -7,6 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "extreme_singular_values.h"
 #include "noise.h"
 
 namespace moivre {
@@ -139,13 +140,12 @@ void describe_end(const Phi& phi, double t, const std::vector<Index>& free, Newt
   if (!last.q.allFinite()) return;
   const MatrixXd J = jacobian(phi, last.q, t, free);
   if (J.size() == 0 || !J.allFinite()) return;
-  const VectorXd raw = singular_values(J);
-  const VectorXd scaled = singular_values(equilibrated(J));
+  const ExtremeSingularValues scaled = extreme_singular_values(equilibrated(J));
   run.rank = numerical_rank(J);
   last.rank = run.rank;
   run.is_singular = run.rank < std::min(J.rows(), J.cols());
-  run.smallest_singular_value = raw[raw.size() - 1];
-  run.condition = scaled[0] / scaled[scaled.size() - 1];
+  run.smallest_singular_value = extreme_singular_values(J).smallest;
+  run.condition = scaled.largest / scaled.smallest;
 }
 
 }  // namespace

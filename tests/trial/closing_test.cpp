@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
+#include <sstream>
 
 #include "files.h"
 
@@ -123,6 +125,38 @@ TEST(Gears, MeshAsTheyWereDrawnUnlessAllMeshingsAreAskedFor) {
   const Answer motion = answered("motion", "geared-37-53", {"--steps", "12"});
   EXPECT_EQ(motion.exit_code, 0) << motion.json.at("failures");
   EXPECT_LE(motion.json.at("branches").size(), 4U);
+}
+
+TEST(IdleWheelsThatMesh, AreHeldByOneOfThem) {
+  const std::string wheels = R"([body.w1.points]
+P = [0, 0]
+[body.w2.points]
+B = [0, 0]
+[[joint]]
+type = "revolute"
+at = ["coupler.P", "w1.P"]
+name = "p1"
+[[joint]]
+type = "revolute"
+at = ["coupler.B", "w2.B"]
+name = "p2"
+[[joint]]
+type = "gear"
+bodies = ["w1", "w2"]
+ratio = [-20, 30]
+carrier = "coupler"
+)";
+  std::ifstream file(trial("roller"));
+  std::ostringstream text;
+  text << file.rdbuf();
+  const std::string four_bar = text.str().substr(0, text.str().find("[body.roller.points]"));
+  const Scene scene;
+  scene.write("wheels.toml", four_bar + wheels);
+  const auto json =
+      nlohmann::json::parse(scene.run({"closures", "wheels.toml", "--quiet", "--json", "-"}).out);
+  EXPECT_EQ(json.at("counts").at("complex"), 2);
+  ASSERT_EQ(json.at("idle").size(), 1U);
+  EXPECT_EQ(json.at("idle").at(0).at("body"), "w1");
 }
 
 }  // namespace

@@ -84,7 +84,7 @@ double scaled_residual(const Phi& phi, const Eigen::VectorXd& q, double t);
 /// radian. Unlike its terms alone it is no noise where they are.
 Eigen::VectorXd row_sizes(const Phi& phi, const Eigen::VectorXd& q, double t);
 
-/// max_i |Phi_i| / row_sizes_i: rounding at every assembled pose, at the origin too.
+/// scaled_residual where that is rounding, else max_i |Phi_i| / row_sizes_i: small at assembled poses, at the origin too.
 double residual_by_size(const Phi& phi, const Eigen::VectorXd& q, double t);
 
 /// By how much the worst row does not close, as a length in the file's unit; of a row that compares angles, at the end of
