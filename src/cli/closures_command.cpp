@@ -21,6 +21,8 @@ struct ClosuresCommand {
   std::string file;
   StartChoice start;
   TrackerChoice tracker;
+  MechanismChoice mechanism;
+  AngleForm angles;
   double at = 0;
   int threads = 0;
   bool quiet = false;
@@ -52,9 +54,11 @@ int run(const ClosuresCommand& command) {
        [&] {
          require_distinct({command.json, command.csv, command.svg, command.html}, command.file);
        },
+       [&] { require_ending(command.svg, ".svg"); }, [&] { require_ending(command.html, ".html"); },
        [&] { tracker = make_tracker(command.tracker); }});
   const Stopwatch watch;
-  const Mechanism mechanism = read_mechanism_file(command.file);
+  Mechanism mechanism = read_mechanism_file(command.file);
+  apply(command.mechanism, mechanism);
   const double parse_s = watch.total();
   Output json(command.json);
   Output csv(command.csv);
@@ -82,7 +86,7 @@ int run(const ClosuresCommand& command) {
   };
   deliver(
       {{&json, [&] { return closures_json(result, mechanism, command.file); }},
-       {&csv, [&] { return closures_csv(result, mechanism); }},
+       {&csv, [&] { return closures_csv(result, mechanism, command.angles); }},
        {&svg, [&] { return closures_svg(result, mechanism, command.file); }},
        {&html, page}},
       command.quiet, [&] { return closures_text(result, mechanism, command.file); },
@@ -97,11 +101,13 @@ void add_closures_command(CLI::App& moivre, Chosen& chosen) {
   CLI::App& app = *moivre.add_subcommand("closures", "Find every way a mechanism can be assembled");
   add_mechanism_file(app, command->file);
   add_time_option(app, command->at);
+  add_mechanism_options(app, command->mechanism);
   add_start_options(app, command->start);
   add_threads_option(app, command->threads);
   add_quiet_flag(app, command->quiet);
   add_json_option(app, command->json);
   app.add_option("--csv", command->csv, "write a table of the closures here")->type_name("PATH");
+  add_angles_option(app, command->angles);
   app.add_option("--svg", command->svg, "draw all closures, side by side to one scale, here")
       ->type_name("PATH");
   app.add_option("--html", command->html,

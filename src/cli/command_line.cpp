@@ -77,6 +77,26 @@ std::string empty_words(const std::vector<std::string>& words) {
   return "";
 }
 
+/// A sentence where an option's number goes on with letters or a comma; else empty.
+std::string not_a_number(const std::string& what, const std::vector<std::string>& words) {
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    const std::size_t equals = words[k].find('=');
+    const bool has_value = words[k].starts_with("--") && equals != std::string::npos;
+    const std::string option = words[k].substr(0, equals);
+    if (!option.starts_with("--") || what.find(option + " ") == std::string::npos) continue;
+    const std::string value =
+        has_value ? words[k].substr(equals + 1) : (k + 1 < words.size() ? words[k + 1] : "");
+    const std::size_t end = value.find_first_not_of("+-.0123456789eE");
+    if (end == 0 || end == std::string::npos) continue;
+    const bool is_comma = value[end] == ',';
+    return "moivre: " + option + " takes a number, not " + value +
+           (is_comma ? ": decimals have a point"
+                     : ": write " + value.substr(0, end) + ", without a unit") +
+           '\n';
+  }
+  return "";
+}
+
 int refuse(const std::string& text) {
   std::fputs(text.c_str(), stderr);
   return kUsage;
@@ -115,7 +135,8 @@ int parse_and_run(int argc, char** argv) {
     write_to_stdout(text.str());
     return code;
   } catch (const CLI::ParseError& error) {
-    const std::string unknown = unknown_words(moivre, words);
+    std::string unknown = unknown_words(moivre, words);
+    if (unknown.empty()) unknown = not_a_number(error.what(), words);
     return refuse(!unknown.empty() ? unknown
                                    : std::string("moivre: ") + error.what() +
                                          "\nmoivre --help shows how to call it.\n");

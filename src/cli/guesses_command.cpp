@@ -20,6 +20,7 @@ struct GuessesCommand {
   std::string file;
   StartChoice start;
   TrackerChoice tracker;
+  AngleForm angles;
   double at = 0;
   int threads = 0;
   bool quiet = false;
@@ -75,7 +76,7 @@ int run(const GuessesCommand& command) {
   const KinematicsHeading heading{command.file, command.at};
   deliver(
       {{&json, [&] { return guesses_json(found.guesses, found.completeness, heading); }},
-       {&csv, [&] { return guesses_csv(found.guesses); }}},
+       {&csv, [&] { return guesses_csv(found.guesses, found.mechanism, command.angles); }}},
       command.quiet,
       [&] { return guesses_text(found.guesses, found.completeness, found.mechanism, heading); },
       found.completeness.complete ? "" : found.completeness.message);
@@ -95,6 +96,7 @@ void add_guesses_command(CLI::App& moivre, Chosen& chosen) {
   add_quiet_flag(app, command->quiet);
   add_json_option(app, command->json);
   app.add_option("--csv", command->csv, "write a table of the guesses here")->type_name("PATH");
+  add_angles_option(app, command->angles);
   add_tracker_options(app, command->tracker);
   add_examples(app, {"moivre guesses four-bar.toml", "moivre guesses four-bar.toml --csv -",
                      "moivre guesses plane.phc --json guesses.json"});

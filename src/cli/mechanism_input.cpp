@@ -61,6 +61,36 @@ Mechanism read_any_mechanism(const std::string& file) {
                                  : typed_mechanism(read_system(read_source(file)));
 }
 
+void add_mechanism_options(CLI::App& command, MechanismChoice& choice) {
+  command
+      .add_option(
+          "--fit", choice.fit,
+          "take closures that miss by no more than this, by least squares: for lengths that "
+          "were rounded, in the file's unit")
+      ->type_name("LENGTH");
+  command.add_flag("--meshings", choice.all_meshings,
+                   "closures in every meshing of the teeth of gears, not in the drawn one alone");
+}
+
+void apply(const MechanismChoice& choice, Mechanism& mechanism) {
+  if (choice.fit) {
+    if (!(*choice.fit > 0) || !is_workable(*choice.fit)) {
+      throw std::invalid_argument("--fit must be a length above 0");
+    }
+    mechanism.fit = choice.fit;
+  }
+  for (Joint& joint : mechanism.joints) joint.gear.has_all_meshings |= choice.all_meshings;
+}
+
+void add_angles_option(CLI::App& command, AngleForm& form) {
+  command
+      .add_option_function<std::string>(
+          "--angles", [&form](const std::string& unit) { form.in_degrees = unit == "deg"; },
+          "unit of angles in the CSV table, rad (the default) or deg; its columns name it")
+      ->check(CLI::IsMember({"rad", "deg"}))
+      ->type_name("UNIT");
+}
+
 void add_guess_options(CLI::App& command, GuessChoice& choice) {
   add_time_option(command, choice.at);
   command

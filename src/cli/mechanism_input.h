@@ -4,9 +4,11 @@
 
 #include <CLI/CLI.hpp>
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "moivre/closure_report/angles.h"
 #include "moivre/mechanism/mechanism.h"
 
 namespace moivre {
@@ -19,6 +21,18 @@ Mechanism read_mechanism_file(const std::string& file);
 
 /// A mechanism file, or a polynomial file as a typed mechanism. Throws ParseError, std::invalid_argument.
 Mechanism read_any_mechanism(const std::string& file);
+
+/// What a run changes of the mechanism in the file.
+struct MechanismChoice {
+  std::optional<double> fit;
+  bool all_meshings = false;
+};
+void add_mechanism_options(CLI::App& command, MechanismChoice& choice);
+/// Throws std::invalid_argument where a choice makes no sense.
+void apply(const MechanismChoice& choice, Mechanism& mechanism);
+
+/// "--angles" of tables.
+void add_angles_option(CLI::App& command, AngleForm& form);
 
 struct GuessChoice {
   double at = 0;                     ///< time of the drivers

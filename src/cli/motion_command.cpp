@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // moivre motion FILE: every closure followed along the drivers, or the pose from a guess; text, JSON or CSV.
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -26,6 +27,8 @@ struct MotionCommand {
   std::string file;
   StartChoice start;
   TrackerChoice tracker;
+  MechanismChoice mechanism;
+  AngleForm angles;
   MotionOptions options;
   std::optional<double> to;
   std::vector<std::string> guesses;
@@ -83,6 +86,17 @@ void require_room(const Mechanism& mechanism, const MotionCommand& command) {
                [&] { require(command.csv, "--csv", kMostInTable); }});
 }
 
+/// Where nothing depends on the time, nothing moves.
+void require_mover(const Mechanism& mechanism) {
+  const bool has_time =
+      std::any_of(mechanism.equations.begin(), mechanism.equations.end(),
+                  [](const Equation& equation) { return depends_on_time(equation.formula); });
+  if (!mechanism.drivers.empty() || has_time) return;
+  throw std::invalid_argument(
+      "there is no driver, so that nothing moves: add a [[driver]], such as angle = \"crank\", "
+      "start = 0, velocity = 10");
+}
+
 MotionResult closures_moved(const Mechanism& mechanism, const Tracker& tracker,
                             const MotionOptions& options, const std::atomic<bool>& stop) {
   try {
@@ -111,9 +125,12 @@ int run(const MotionCommand& command) {
        [&] {
          require_distinct({command.json, command.csv, command.svg, command.html}, command.file);
        },
+       [&] { require_ending(command.svg, ".svg"); }, [&] { require_ending(command.html, ".html"); },
        [&] { tracker = make_tracker(command.tracker); }});
   const Stopwatch watch;
-  const Mechanism mechanism = read_any_mechanism(command.file);
+  Mechanism mechanism = read_any_mechanism(command.file);
+  apply(command.mechanism, mechanism);
+  require_mover(mechanism);
   const double parse_s = watch.total();
   MotionOptions options = command.options;
   options.to = command.to.value_or(options.from + natural_duration(mechanism, options.from));
@@ -141,8 +158,8 @@ int run(const MotionCommand& command) {
   result.time_s.parse = parse_s;
   result.time_s.total += parse_s;
   deliver(
-      {{&json, [&] { return motion_json(result, mechanism, command.file); }},
-       {&csv, [&] { return motion_csv(result, mechanism); }},
+      {{&json, [&] { return motion_json(result, mechanism, command.file, command.angles); }},
+       {&csv, [&] { return motion_csv(result, mechanism, command.angles); }},
        {&svg, [&] { return motion_svg(result, mechanism, command.file); }},
        {&html, [&] { return motion_html(result, mechanism, command.file); }}},
       command.quiet, [&] { return motion_text(result, mechanism, command.file); },
@@ -176,11 +193,16 @@ void add_motion_command(CLI::App& moivre, Chosen& chosen) {
       ->type_name("NAME=VALUE");
   app.add_flag("--from-guess", command->from_guess,
                "follow only the pose assembled from the file's guess as it is");
+  add_mechanism_options(app, command->mechanism);
   add_start_options(app, command->start);
   add_threads_option(app, command->options.solve.threads);
   add_quiet_flag(app, command->quiet);
   add_json_option(app, command->json);
   app.add_option("--csv", command->csv, "write a table of all samples here")->type_name("PATH");
+  add_angles_option(app, command->angles);
+  app.add_flag(
+      "--continuous", command->angles.goes_on,
+      "let angles go on beyond half a turn along a branch, in CSV and JSON, without a jump");
   app.add_option("--svg", command->svg, "draw the curves of points, a colour a branch, here")
       ->type_name("PATH");
   app.add_option("--html", command->html,

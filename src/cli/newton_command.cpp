@@ -16,6 +16,7 @@ struct NewtonCommand {
   GuessChoice guess;
   std::vector<std::string> weights;
   NewtonOptions options;
+  AngleForm angles;
   bool quiet = false;
   std::string json;
   std::string csv;
@@ -36,7 +37,7 @@ int run(const NewtonCommand& command) {
       newton(phi, chosen_guess(mechanism, command.guess), command.guess.at, options);
   const KinematicsHeading heading{command.file, command.guess.at};
   deliver({{&json, [&] { return newton_json(result, mechanism, heading); }},
-           {&csv, [&] { return newton_csv(result, mechanism); }}},
+           {&csv, [&] { return newton_csv(result, mechanism, command.angles); }}},
           command.quiet, [&] { return newton_text(result, mechanism, heading); });
   return result.status == NewtonStatus::converged ? kDecided : kUndecided;
 }
@@ -60,6 +61,7 @@ void add_newton_command(CLI::App& moivre, Chosen& chosen) {
   add_quiet_flag(app, command->quiet);
   add_json_option(app, command->json);
   app.add_option("--csv", command->csv, "write the table of iterates here")->type_name("PATH");
+  add_angles_option(app, command->angles);
   add_examples(app, {"moivre newton four-bar.toml",
                      "moivre newton four-bar.toml --guess coupler.phi=-60 --guess rocker.phi=-90",
                      "moivre newton square-root.phc --guess x=10 --csv -",

@@ -6,11 +6,14 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -201,6 +204,22 @@ bool is_same_place(const std::string& a, const std::string& b) {
 }
 
 }  // namespace
+
+void require_ending(const std::string& path, const std::string& ending) {
+  static const std::set<std::string> kOthers{".png",  ".jpg",  ".jpeg", ".gif", ".bmp",  ".webp",
+                                             ".tif",  ".tiff", ".pdf",  ".eps", ".ps",   ".dxf",
+                                             ".html", ".htm",  ".svg",  ".csv", ".json", ".xlsx"};
+  const std::size_t dot = path.find_last_of("./");
+  if (dot == std::string::npos || path[dot] == '/') return;
+  std::string given = path.substr(dot);
+  std::transform(given.begin(), given.end(), given.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const bool is_alike = given == ending || (ending == ".html" && given == ".htm");
+  if (is_alike || kOthers.count(given) == 0) return;
+  throw std::invalid_argument("--" + ending.substr(1) + " writes " + ending.substr(1) + ", not " +
+                              given.substr(1) + ": " + path.substr(0, dot) + ending +
+                              " would be its name");
+}
 
 void require_distinct(const std::vector<std::string>& outputs, const std::string& input) {
   std::error_code ignored;

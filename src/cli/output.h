@@ -46,6 +46,9 @@ void deliver(const std::vector<Form>& forms, bool quiet, const std::function<std
 /// All of the text to stdout. Throws std::invalid_argument when it cannot be written.
 void write_to_stdout(std::string_view text);
 
+/// Throws std::invalid_argument when the path's ending says another format than `ending`, ".svg": out.png is no SVG.
+void require_ending(const std::string& path, const std::string& ending);
+
 /// Throws std::invalid_argument when two results would go to one place, or one would overwrite `input`.
 void require_distinct(const std::vector<std::string>& outputs, const std::string& input);
 

@@ -5,15 +5,21 @@
 
 namespace moivre {
 
-std::string closures_csv(const ClosureResult& result, const Mechanism& mechanism) {
+std::string closures_csv(const ClosureResult& result, const Mechanism& mechanism,
+                         const AngleForm& form) {
+  const std::vector<Coordinate> all = coordinates(mechanism);
   std::string text = "id,path,residual,newton_iterations,smallest_singular_value";
-  for (const Coordinate& coordinate : coordinates(mechanism)) text += "," + coordinate.name;
+  for (const Coordinate& coordinate : all) {
+    text += ',' + column_name(coordinate.name, coordinate.kind, form);
+  }
   text += '\n';
   for (const Closure& closure : result.closures) {
     text += closure.id + ',' + std::to_string(closure.path) + ',' + exact_text(closure.residual) +
             ',' + std::to_string(closure.newton_iterations) + ',' +
             exact_text(closure.smallest_singular_value);
-    for (const double value : closure.q) text += ',' + exact_text(value);
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      text += ',' + exact_text(in_form(closure.q[static_cast<Eigen::Index>(k)], all[k].kind, form));
+    }
     text += '\n';
   }
   return text;

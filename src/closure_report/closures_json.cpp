@@ -42,6 +42,8 @@ Json closure_json(const Closure& closure, const Mechanism& mechanism) {
           {"bodies", bodies_json(mechanism, closure.q)},
           {"points", points_json(mechanism, closure.q)},
           {"residual", to_json(closure.residual)},
+          {"misfit", to_json(closure.misfit)},
+          {"fitted", closure.is_fitted},
           {"newton_iterations", closure.newton_iterations},
           {"smallest_singular_value", to_json(closure.smallest_singular_value)},
           {"path", closure.path},
@@ -58,6 +60,8 @@ std::string closures_json(const ClosureResult& result, const Mechanism& mechanis
   report["complete"] = result.complete;
   report["message"] = result.message;
   report["title"] = mechanism.title;
+  report["idle"] = idle_json(result.idle);
+  report["warnings"] = mechanism.warnings;
   report["at"] = to_json(result.time);
   report["units"] = units_json(mechanism);
   report["mobility"] = mobility_summary(result);
@@ -70,7 +74,10 @@ std::string closures_json(const ClosureResult& result, const Mechanism& mechanis
   report["counts"] = {{"complex", result.counts.complex},
                       {"real", result.counts.real},
                       {"filtered", result.counts.filtered},
-                      {"rejected", result.counts.rejected}};
+                      {"rejected", result.counts.rejected},
+                      {"fitted", result.counts.fitted}};
+  report["fit"] = mechanism.fit ? to_json(*mechanism.fit) : Json(nullptr);
+  report["least_misfit"] = result.least_misfit ? to_json(*result.least_misfit) : Json(nullptr);
   report["moves"] = moves_json(result.moves, mechanism);
   report["closures"] = list_json(
       result.closures, [&](const Closure& closure) { return closure_json(closure, mechanism); });

@@ -17,6 +17,7 @@ std::string answer(const ClosureResult& result) {
   if (result.counts.filtered > 0) {
     text += ", " + std::to_string(result.counts.filtered) + " outside a joint's limits";
   }
+  if (result.counts.fitted > 0) text += ", " + std::to_string(result.counts.fitted) + " within fit";
   if (result.counts.rejected > 0) {
     text += "; " + counted(result.counts.rejected, "root") + " failed the redundant equations";
   }
@@ -37,11 +38,17 @@ std::string stages_text(const ClosureResult& result) {
 }
 
 std::string closure_text(const Closure& closure, const Mechanism& mechanism) {
-  std::string text = "\nclosure " + closure.id + ", path " + std::to_string(closure.path);
+  std::string text =
+      "\nclosure " + closure.id +
+      (closure.is_fitted ? ", by least squares" : ", path " + std::to_string(closure.path));
   if (closure.multiplicity > 1) text += ", multiplicity " + std::to_string(closure.multiplicity);
   text += ", residual " + rough_text(closure.residual) + ", " +
           counted(static_cast<std::uint64_t>(closure.newton_iterations), "Newton step") +
           ", smallest singular value " + rough_text(closure.smallest_singular_value);
+  if (closure.is_fitted) {
+    const std::string& unit = mechanism.units.length;
+    text += ", misfit " + rough_text(closure.misfit) + (unit.empty() ? "" : " " + unit);
+  }
   if (closure.singular) text += ", singular";
   return text + '\n' + pose_text(mechanism, closure.q);
 }
@@ -51,7 +58,7 @@ std::string closure_text(const Closure& closure, const Mechanism& mechanism) {
 std::string closures_text(const ClosureResult& result, const Mechanism& mechanism,
                           const std::string& file) {
   std::string text = (mechanism.title.empty() ? file : mechanism.title + " (" + file + ")") + '\n';
-  text += answer(result) + stages_text(result);
+  text += warnings_text(mechanism) + idle_text(result.idle) + answer(result) + stages_text(result);
   for (const Closure& closure : result.closures) text += closure_text(closure, mechanism);
   if (result.moves) {
     text += "\nmoves from this pose in " + counted(result.moves->dimension, "direction") + ": " +

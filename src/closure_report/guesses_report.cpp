@@ -35,6 +35,7 @@ std::string guesses_json(const InitialGuesses& guesses, const Completeness& comp
   report["at"] = to_json(heading.time);
   report["complete"] = completeness.complete;
   report["message"] = completeness.message;
+  report["units"] = {{"angle", "rad"}};
   report["names"] = guesses.names;
   report["guesses"] = list_json(guesses.guesses, [](const InitialGuess& guess) {
     Json q = Json::array();
@@ -44,13 +45,19 @@ std::string guesses_json(const InitialGuesses& guesses, const Completeness& comp
   return to_text(report);
 }
 
-std::string guesses_csv(const InitialGuesses& guesses) {
+std::string guesses_csv(const InitialGuesses& guesses, const Mechanism& mechanism,
+                        const AngleForm& form) {
+  const std::vector<Coordinate> all = coordinates(mechanism);
   std::string text = "id";
-  for (const std::string& name : guesses.names) text += "," + name;
+  for (const Coordinate& coordinate : all) {
+    text += ',' + column_name(coordinate.name, coordinate.kind, form);
+  }
   text += '\n';
   for (const InitialGuess& guess : guesses.guesses) {
     text += guess.id;
-    for (const double x : guess.q) text += ',' + exact_text(x);
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      text += ',' + exact_text(in_form(guess.q[static_cast<Eigen::Index>(k)], all[k].kind, form));
+    }
     text += '\n';
   }
   return text;

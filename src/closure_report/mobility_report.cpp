@@ -39,6 +39,41 @@ std::string direction_text(const Eigen::VectorXd& direction, const Mechanism& me
   return joined(parts, ", ");
 }
 
+std::string freedoms_text(Eigen::Index freedoms) {
+  return counted(static_cast<std::uint64_t>(freedoms), "degree of freedom", "degrees of freedom");
+}
+
+/// A line a kind; what follows in the text is of the first.
+std::string kinds_text(const std::vector<MobilityKind>& kinds) {
+  // More ids would say no more.
+  constexpr std::size_t kListed = 12;
+  std::string text;
+  for (const MobilityKind& kind : kinds) {
+    std::vector<std::string> ids = kind.closures;
+    if (ids.size() > kListed) {
+      ids.resize(kListed);
+      ids.push_back("... (" + std::to_string(kind.closures.size()) + ")");
+    }
+    text += (&kind == &kinds.front() ? "generic: " : "") +
+            freedoms_text(kind.mobility.degrees_of_freedom) + ", " +
+            std::to_string(kind.mobility.driven_freedoms) + " with the drivers held: " +
+            (ids.empty() ? "a pose of the set of closures"
+                         : (ids.size() == 1 ? "closure " : "closures ") + joined(ids, ", ")) +
+            '\n';
+  }
+  return text;
+}
+
+Json kind_json(const MobilityKind& kind) {
+  return {{"closures", kind.closures},
+          {"rank", kind.mobility.rank},
+          {"degrees_of_freedom", kind.mobility.degrees_of_freedom},
+          {"driven_freedoms", kind.mobility.driven_freedoms},
+          {"redundant", list_json(kind.mobility.redundant,
+                                  [](const RedundantRow& row) { return Json(to_text(row)); })},
+          {"singular", kind.mobility.is_singular}};
+}
+
 }  // namespace
 
 std::string mobility_text(const Mobility& mobility, const NewtonResult& pose,
@@ -48,6 +83,7 @@ std::string mobility_text(const Mobility& mobility, const NewtonResult& pose,
   };
   std::string text =
       (mechanism.title.empty() ? "" : mechanism.title + " ") + "(" + heading.file + ")\n";
+  text += warnings_text(mechanism) + kinds_text(heading.kinds);
   if (!is_assembled(pose)) {
     text += "not assembled: Newton-Raphson ended with " + to_string(pose.status) +
             "; what follows is of its last iterate. --guess gives it another start" +
@@ -101,7 +137,11 @@ std::string mobility_json(const Mobility& mobility, const NewtonResult& pose,
   report["singular"] = mobility.is_singular;
   report["near_singular"] = mobility.is_near_singular;
   report["rank_nearby"] = mobility.rank_nearby;
-  report["warnings"] = mobility.warnings;
+  std::vector<std::string> warnings = mechanism.warnings;
+  warnings.insert(warnings.end(), mobility.warnings.begin(), mobility.warnings.end());
+  report["warnings"] = warnings;
+  report["generic_degrees_of_freedom"] = mobility.coordinates - mobility.rank_nearby;
+  report["kinds"] = list_json(heading.kinds, kind_json);
   report["pose"] = coordinates_json(mechanism, pose.q);
   report["rows"] = mobility.row_names;
   report["singular_values"] = to_json(mobility.singular_values);

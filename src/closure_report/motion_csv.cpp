@@ -4,6 +4,7 @@
 #include "moivre/mechanism/phi.h"
 #include "moivre/mechanism/pose.h"
 #include "moivre/report/number_text.h"
+#include "shown_angles.h"
 
 namespace moivre {
 namespace {
@@ -12,41 +13,59 @@ Eigen::Index point_size(const Mechanism& mechanism) {
   return mechanism.space == Space::planar ? 2 : 3;
 }
 
-std::string column(const std::string& name) {
-  return ',' + name + ',' + name + ".velocity," + name + ".acceleration";
+std::string columns(const std::string& name, CoordinateKind kind, const AngleForm& form) {
+  return ',' + column_name(name, kind, form) + ',' +
+         column_name(name + ".velocity", kind, form, "/s") + ',' +
+         column_name(name + ".acceleration", kind, form, "/s^2");
 }
 
-std::string head(const Mechanism& mechanism) {
+std::string head(const Mechanism& mechanism, const AngleForm& form) {
   std::string text = "branch,t";
-  for (const Driver& driver : mechanism.drivers) text += ",driver " + driver.name;
-  for (const Coordinate& coordinate : coordinates(mechanism)) text += column(coordinate.name);
+  for (const Driver& driver : mechanism.drivers) {
+    text += ',' + column_name("driver " + label_of(driver), kind_of(mechanism, driver), form);
+  }
+  for (const Coordinate& coordinate : coordinates(mechanism)) {
+    text += columns(coordinate.name, coordinate.kind, form);
+  }
   for (std::size_t body = 1; body < mechanism.bodies.size(); ++body) {
     for (const BodyPoint& point : mechanism.bodies[body].points) {
       const std::string name = mechanism.bodies[body].name + '.' + point.name;
       for (Eigen::Index k = 0; k < point_size(mechanism); ++k)
-        text += column(name + '.' + "xyz"[k]);
+        text += columns(name + '.' + "xyz"[k], CoordinateKind::length, form);
     }
   }
   return text + '\n';
 }
 
-std::string cells(double value, double velocity, double acceleration) {
-  return ',' + exact_text(value) + ',' + exact_text(velocity) + ',' + exact_text(acceleration);
+std::string cells(double value, double velocity, double acceleration, CoordinateKind kind,
+                  const AngleForm& form) {
+  std::string text;
+  for (const double x : {value, velocity, acceleration}) {
+    text += ',' + exact_text(in_form(x, kind, form));
+  }
+  return text;
 }
 
-std::string line(const BranchSample& sample, const Mechanism& mechanism, const Phi& phi) {
+/// `q`: the sample's, in the form that is wanted.
+std::string line(const BranchSample& sample, const Eigen::VectorXd& q, const Mechanism& mechanism,
+                 const AngleForm& form) {
   std::string text = ',' + exact_text(sample.time);
-  for (const double value : driver_values(mechanism, sample.time)) text += ',' + exact_text(value);
-  const Eigen::VectorXd q = phi.canonical(sample.q);
+  const std::vector<double> drivers = driver_values(mechanism, sample.time);
+  for (std::size_t k = 0; k < drivers.size(); ++k) {
+    text += ',' + exact_text(in_form(drivers[k], kind_of(mechanism, mechanism.drivers[k]), form));
+  }
+  const std::vector<Coordinate> all = coordinates(mechanism);
   for (Eigen::Index k = 0; k < q.size(); ++k) {
-    text += cells(q[k], sample.velocity[k], sample.acceleration[k]);
+    text += cells(q[k], sample.velocity[k], sample.acceleration[k],
+                  all[static_cast<std::size_t>(k)].kind, form);
   }
   for (std::size_t body = 1; body < mechanism.bodies.size(); ++body) {
     for (std::size_t p = 0; p < mechanism.bodies[body].points.size(); ++p) {
       const PointState at =
           point_state(mechanism, {body, p}, sample.q, sample.velocity, sample.acceleration);
       for (Eigen::Index k = 0; k < point_size(mechanism); ++k) {
-        text += cells(at.position[k], at.velocity[k], at.acceleration[k]);
+        text +=
+            cells(at.position[k], at.velocity[k], at.acceleration[k], CoordinateKind::length, form);
       }
     }
   }
@@ -55,12 +74,13 @@ std::string line(const BranchSample& sample, const Mechanism& mechanism, const P
 
 }  // namespace
 
-std::string motion_csv(const MotionResult& result, const Mechanism& mechanism) {
+std::string motion_csv(const MotionResult& result, const Mechanism& mechanism,
+                       const AngleForm& form) {
   const Phi phi(mechanism);
-  std::string text = head(mechanism);
+  std::string text = head(mechanism, form);
   for (const MotionBranch& branch : result.branches) {
     for (const BranchSample& sample : branch.samples) {
-      text += branch.id + line(sample, mechanism, phi);
+      text += branch.id + line(sample, shown(phi, branch, sample, form), mechanism, form);
     }
   }
   return text;

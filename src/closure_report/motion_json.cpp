@@ -4,6 +4,7 @@
 #include "moivre/mechanism/phi.h"
 #include "moivre/mechanism/pose.h"
 #include "pose_json.h"
+#include "shown_angles.h"
 
 namespace moivre {
 namespace {
@@ -34,10 +35,11 @@ Json points_motion_json(const Mechanism& mechanism, const BranchSample& sample) 
   return json;
 }
 
-Json sample_json(const BranchSample& sample, const Mechanism& mechanism, const Phi& phi) {
+/// `q`: the sample's, in the form that is wanted.
+Json sample_json(const BranchSample& sample, const Eigen::VectorXd& q, const Mechanism& mechanism) {
   return {{"t", to_json(sample.time)},
           {"drivers", numbers_json(driver_values(mechanism, sample.time))},
-          {"coordinates", coordinates_json(mechanism, phi.canonical(sample.q))},
+          {"coordinates", coordinates_json(mechanism, q)},
           {"velocities", coordinates_json(mechanism, sample.velocity)},
           {"accelerations", coordinates_json(mechanism, sample.acceleration)},
           {"points", points_motion_json(mechanism, sample)},
@@ -49,7 +51,8 @@ Json index_json(const std::optional<std::size_t>& index) {
   return index ? Json(*index) : Json(nullptr);
 }
 
-Json branch_json(const MotionBranch& branch, const Mechanism& mechanism, const Phi& phi) {
+Json branch_json(const MotionBranch& branch, const Mechanism& mechanism, const Phi& phi,
+                 const AngleForm& form) {
   return {{"id", branch.id},
           {"begins", to_json(branch.begins)},
           {"ends", to_json(branch.ends)},
@@ -60,7 +63,7 @@ Json branch_json(const MotionBranch& branch, const Mechanism& mechanism, const P
           {"steps", branch.steps},
           {"retracked", branch.retracked},
           {"samples", list_json(branch.samples, [&](const BranchSample& sample) {
-             return sample_json(sample, mechanism, phi);
+             return sample_json(sample, shown(phi, branch, sample, form), mechanism);
            })}};
 }
 
@@ -81,7 +84,8 @@ Json checkpoint_json(const Checkpoint& checkpoint) {
           {"counts",
            {{"complex", checkpoint.counts.complex},
             {"real", checkpoint.counts.real},
-            {"filtered", checkpoint.counts.filtered}}},
+            {"filtered", checkpoint.counts.filtered},
+            {"fitted", checkpoint.counts.fitted}}},
           {"branches", checkpoint.branches},
           {"agrees", checkpoint.agrees},
           {"message", checkpoint.message}};
@@ -90,13 +94,15 @@ Json checkpoint_json(const Checkpoint& checkpoint) {
 }  // namespace
 
 std::string motion_json(const MotionResult& result, const Mechanism& mechanism,
-                        const std::string& file) {
+                        const std::string& file, const AngleForm& form) {
   const Phi phi(mechanism);
   Json report = report_head("motion", file);
   report["seed"] = result.seed;
   report["complete"] = result.complete;
   report["message"] = result.message;
   report["title"] = mechanism.title;
+  report["idle"] = idle_json(result.idle);
+  report["warnings"] = mechanism.warnings;
   report["from"] = to_json(result.from);
   report["to"] = to_json(result.to);
   report["steps"] = result.times.empty() ? 0 : result.times.size() - 1;
@@ -108,7 +114,7 @@ std::string motion_json(const MotionResult& result, const Mechanism& mechanism,
       result.tracker.empty() ? Json(nullptr) : tracker_json(result.tracker, result.tracker_options);
   report["paths"] = to_json(result.paths);
   report["branches"] = list_json(result.branches, [&](const MotionBranch& branch) {
-    return branch_json(branch, mechanism, phi);
+    return branch_json(branch, mechanism, phi, form);
   });
   report["events"] = list_json(
       result.events, [&](const MotionEvent& event) { return event_json(event, mechanism, phi); });

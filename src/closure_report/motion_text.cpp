@@ -30,7 +30,7 @@ std::string drivers_text(const Mechanism& mechanism, const std::vector<double>& 
   for (std::size_t k = 0; k < values.size(); ++k) {
     const Driver& driver = mechanism.drivers[k];
     const auto kind = is_angle(driver, mechanism) ? CoordinateKind::angle : CoordinateKind::length;
-    text += (k == 0 ? "" : ", ") + driver.name + " = " +
+    text += (k == 0 ? "" : ", ") + label_of(driver) + " = " +
             coordinate_text(mechanism, {driver.name, kind, 0}, values[k]);
   }
   return text;
@@ -106,6 +106,8 @@ std::string checkpoints_text(const std::vector<Checkpoint>& all, const Mechanism
                                 " .. " + place(mechanism, all[next - 1].time);
     text += ": " + counted(first.counts.complex, "complex closure") + ", " +
             std::to_string(first.counts.real) + " real" +
+            (first.counts.fitted > 0 ? ", " + std::to_string(first.counts.fitted) + " within fit"
+                                     : "") +
             (ids.empty() ? "" : " (" + joined(ids, ", ") + ")") + "; " + verdict_text(first) + '\n';
   }
   return text;
@@ -116,7 +118,8 @@ std::string checkpoints_text(const std::vector<Checkpoint>& all, const Mechanism
 std::string motion_text(const MotionResult& result, const Mechanism& mechanism,
                         const std::string& file) {
   std::string text = (mechanism.title.empty() ? file : mechanism.title + " (" + file + ")") + '\n';
-  text += counted(result.branches.size(), "branch", "branches") + " from " +
+  text += warnings_text(mechanism) + idle_text(result.idle) +
+          counted(result.branches.size(), "branch", "branches") + " from " +
           place(mechanism, result.from) + " to " + place(mechanism, result.to) + '\n' +
           result.message + '\n';
   if (!result.branches.empty()) text += '\n';

@@ -49,6 +49,12 @@ std::string table(const NewtonResult& result, const Mechanism& mechanism) {
   return text;
 }
 
+/// The status and how it came about; a message that begins with the status says it once.
+std::string verdict(const NewtonResult& result) {
+  const std::string status = to_string(result.status);
+  return result.message.starts_with(status) ? result.message : status + ": " + result.message;
+}
+
 Json iteration_json(const NewtonIteration& iteration) {
   return {{"q", to_json(iteration.q)},
           {"residual", to_json(iteration.residual)},
@@ -63,12 +69,15 @@ Json iteration_json(const NewtonIteration& iteration) {
 std::string newton_text(const NewtonResult& result, const Mechanism& mechanism,
                         const KinematicsHeading& heading) {
   std::string text = (mechanism.title.empty() ? "" : mechanism.title + " ") + "(" + heading.file +
-                     ")\n" + to_string(result.status) + ": " + result.message + '\n';
+                     ")\n" + warnings_text(mechanism) + verdict(result) + '\n';
   if (result.status != NewtonStatus::converged) {
     text += "'moivre guesses' gives a start near every solution\n";
   }
   text += table(result, mechanism);
-  text += "\nresidual " + rough_text(result.residual) + ", smallest singular value " +
+  const std::string& unit = mechanism.units.length;
+  text += "\nresidual " + rough_text(result.residual) + ", misfit " +
+          rough_text(misfit(Phi(mechanism), result.q, heading.time)) +
+          (unit.empty() ? "" : " " + unit) + ", smallest singular value " +
           rough_text(result.smallest_singular_value) + ", condition " +
           rough_text(result.condition) + (result.is_singular ? ", singular" : "") + '\n';
   return text + pose_text(mechanism, result.q);
@@ -78,6 +87,7 @@ std::string newton_json(const NewtonResult& result, const Mechanism& mechanism,
                         const KinematicsHeading& heading) {
   Json report = report_head("newton", heading.file);
   report["at"] = to_json(heading.time);
+  report["warnings"] = mechanism.warnings;
   report["units"] = units_json(mechanism);
   report["status"] = to_string(result.status);
   report["message"] = result.message;
@@ -85,6 +95,7 @@ std::string newton_json(const NewtonResult& result, const Mechanism& mechanism,
   report["coordinates"] = coordinates_json(mechanism, result.q);
   report["residual"] = to_json(result.residual);
   report["scaled_residual"] = to_json(result.scaled_residual);
+  report["misfit"] = to_json(misfit(Phi(mechanism), result.q, heading.time));
   report["rank"] = result.rank;
   report["singular"] = result.is_singular;
   report["smallest_singular_value"] = to_json(result.smallest_singular_value);
@@ -94,16 +105,23 @@ std::string newton_json(const NewtonResult& result, const Mechanism& mechanism,
   return to_text(report);
 }
 
-std::string newton_csv(const NewtonResult& result, const Mechanism& mechanism) {
+std::string newton_csv(const NewtonResult& result, const Mechanism& mechanism,
+                       const AngleForm& form) {
+  const std::vector<Coordinate> all = coordinates(mechanism);
   std::string text = "iteration,residual,scaled_residual,step,rank,method";
-  for (const Coordinate& coordinate : coordinates(mechanism)) text += "," + coordinate.name;
+  for (const Coordinate& coordinate : all) {
+    text += ',' + column_name(coordinate.name, coordinate.kind, form);
+  }
   text += '\n';
   std::size_t k = 0;
   for (const NewtonIteration& iteration : result.iterations) {
     text += std::to_string(k++) + ',' + exact_text(iteration.residual) + ',' +
             exact_text(iteration.scaled_residual) + ',' + exact_text(iteration.step) + ',' +
             std::to_string(iteration.rank) + ',' + to_string(iteration.method);
-    for (const double value : iteration.q) text += ',' + exact_text(value);
+    for (std::size_t c = 0; c < all.size(); ++c) {
+      const double value = iteration.q[static_cast<Eigen::Index>(c)];
+      text += ',' + exact_text(in_form(value, all[c].kind, form));
+    }
     text += '\n';
   }
   return text;

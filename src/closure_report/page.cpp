@@ -13,6 +13,7 @@
 #include <optional>
 
 #include "labels.h"
+#include "moivre/closure_report/angles.h"
 #include "moivre/mechanism/pose.h"
 #include "moivre/report/json.h"
 #include "moivre/report/number_text.h"
@@ -136,7 +137,7 @@ Json drivers_json(const Page& page, const Mechanism& mechanism) {
       const double value = driver_state(driver.law, t).value;
       values.push_back(rounded(in_degrees ? value * 180 / std::numbers::pi : value));
     }
-    drivers.push_back({{"name", driver.name},
+    drivers.push_back({{"name", label_of(driver)},
                        {"unit", is_angle ? mechanism.units.angle : mechanism.units.length},
                        {"values", values}});
   }

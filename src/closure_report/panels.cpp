@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "labels.h"
+#include "moivre/closure_report/angles.h"
 #include "pose_text.h"
 #include "svg.h"
 
@@ -96,7 +97,7 @@ std::string drivers_text(const Mechanism& mechanism, double time) {
     const auto kind =
         drives_angle(mechanism, driver) ? CoordinateKind::angle : CoordinateKind::length;
     const Coordinate shown{driver.name, kind, 0};
-    text += (text.empty() ? "" : ", ") + driver.name + " = " +
+    text += (text.empty() ? "" : ", ") + label_of(driver) + " = " +
             coordinate_text(mechanism, shown, driver_state(driver.law, time).value);
   }
   return text;

@@ -199,14 +199,18 @@ class PlanarDrawing {
         {LabelKind::body, joint.name, frame, joint.length / 2, std::nullopt, std::nullopt});
   }
 
-  /// The point of the carrier about which a wheel turns, and the same point of the wheel.
+  /// The point of the carrier about which a wheel turns, and the same point of the wheel: held together by one joint, or by a
+  /// pin that both are on.
   std::optional<std::array<PointOf, 2>> axle(std::size_t carrier, std::size_t wheel) const {
-    for (const Joint& joint : mechanism_.joints) {
-      if (joint.type != JointType::revolute) continue;
-      if (joint.at[0].body == carrier && joint.at[1].body == wheel) return joint.at;
-      if (joint.at[1].body == carrier && joint.at[0].body == wheel) {
-        return std::array{joint.at[1], joint.at[0]};
-      }
+    for (const Site& site : sites(mechanism_)) {
+      const auto on = [&](std::size_t body) {
+        return std::find_if(site.points.begin(), site.points.end(),
+                            [&](const PointOf& point) { return point.body == body; });
+      };
+      const auto of_carrier = on(carrier);
+      const auto of_wheel = on(wheel);
+      if (of_carrier == site.points.end() || of_wheel == site.points.end()) continue;
+      return std::array{*of_carrier, *of_wheel};
     }
     return std::nullopt;
   }
@@ -224,11 +228,13 @@ class PlanarDrawing {
       const double radius = distance * std::abs(teeth[k]) / sum;
       const Complex centre = at(k == 0 ? (*first)[1] : (*second)[1]);
       std::vector<Shape> shapes{disc(Style::pitch_circle, centre, radius)};
-      if (mechanism_.bodies[wheels[k]].points.size() == 1) {
+      if (wheels[k] != 0 && mechanism_.bodies[wheels[k]].points.size() == 1) {
         shapes.push_back(
             polyline(Style::mark, {centre + radius - kToothMark * size_, centre + radius}));
       }
-      sketch_.add(Sketch::links, wheels[k], colour(wheels[k]), std::move(shapes));
+      const bool is_ground = wheels[k] == 0;
+      sketch_.add(is_ground ? Sketch::backdrop : Sketch::links, wheels[k], colour(wheels[k]),
+                  std::move(shapes));
     }
   }
 

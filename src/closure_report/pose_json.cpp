@@ -46,6 +46,12 @@ Json to_json(const Eigen::VectorXd& v) {
   return json;
 }
 
+Json idle_json(const std::vector<IdleJoint>& idle) {
+  return list_json(idle, [](const IdleJoint& joint) {
+    return Json{{"body", joint.body}, {"joint", joint.joint}, {"held", joint.held}};
+  });
+}
+
 Json rows_json(const Eigen::MatrixXd& m) {
   Json json = Json::array();
   for (Eigen::Index i = 0; i < m.rows(); ++i) {
@@ -55,8 +61,8 @@ Json rows_json(const Eigen::MatrixXd& m) {
 }
 
 Json units_json(const Mechanism& mechanism) {
-  return {
-      {"length", mechanism.units.length.empty() ? Json(nullptr) : Json(mechanism.units.length)}};
+  return {{"length", mechanism.units.length.empty() ? Json(nullptr) : Json(mechanism.units.length)},
+          {"angle", "rad"}};
 }
 
 }  // namespace moivre

@@ -23,6 +23,21 @@ std::string coordinate_text(const Mechanism& mechanism, const Coordinate& coordi
   return unit.empty() ? text : text + (" " + unit);
 }
 
+std::string warnings_text(const Mechanism& mechanism) {
+  std::string text;
+  for (const std::string& warning : mechanism.warnings) text += "warning: " + warning + '\n';
+  return text;
+}
+
+std::string idle_text(const std::vector<IdleJoint>& idle) {
+  std::string text;
+  for (const IdleJoint& joint : idle) {
+    text += "idle: " + joint.body + " moves alone across '" + joint.joint +
+            "', and nothing depends on it; " + joint.held + '\n';
+  }
+  return text;
+}
+
 std::string pose_text(const Mechanism& mechanism, const Eigen::VectorXd& q) {
   const std::vector<Coordinate> names = coordinates(mechanism);
   std::string text;

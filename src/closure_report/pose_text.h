@@ -3,12 +3,19 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
-#include "moivre/mechanism/mechanism.h"
+#include "moivre/closures/closures.h"
 
 namespace moivre {
 
 std::string pose_text(const Mechanism& mechanism, const Eigen::VectorXd& q);
+
+/// "warning: ..." a line for each of the mechanism's warnings.
+std::string warnings_text(const Mechanism& mechanism);
+
+/// "idle: roller ..." a line for each.
+std::string idle_text(const std::vector<IdleJoint>& idle);
 
 /// "57.3249 deg", "12.5 mm".
 std::string coordinate_text(const Mechanism& mechanism, const Coordinate& coordinate, double value);

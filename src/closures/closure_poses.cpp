@@ -11,6 +11,7 @@
 #include "moivre/kinematics/local_dimension.h"
 #include "moivre/kinematics/newton.h"
 #include "moivre/mechanism/pose.h"
+#include "track.h"
 
 namespace moivre {
 namespace {
@@ -30,34 +31,48 @@ bool lies_on_motion(ClosureSearch& search, const Eigen::VectorXd& q) {
   return true;
 }
 
-void take_pose(ClosureSearch& search, const Solution& solution, const NewtonResult& polished,
-               BeyondLimits& beyond_limits) {
-  ClosureResult& result = search.result;
-  const Eigen::VectorXd q = search.phi.canonical(polished.q);
-  ++result.counts.real;
+/// Whether the joints' limits allow the pose; where not, it is counted.
+bool is_allowed(ClosureSearch& search, const Eigen::VectorXd& q, BeyondLimits& beyond_limits) {
   const auto& joints = search.mechanism.joints;
   const auto beyond = std::find_if(joints.begin(), joints.end(), [&](const Joint& joint) {
     return !is_within_limits(search.mechanism, joint, q);
   });
-  if (beyond != joints.end()) {
-    ++result.counts.filtered;
-    ++beyond_limits[static_cast<std::size_t>(beyond - joints.begin())];
-    return;
-  }
+  if (beyond == joints.end()) return true;
+  ++search.result.counts.filtered;
+  ++beyond_limits[static_cast<std::size_t>(beyond - joints.begin())];
+  return false;
+}
+
+/// The closure at the end of a Newton run.
+Closure closure_at(const ClosureSearch& search, const NewtonResult& polished) {
   Closure closure;
-  closure.q = q;
-  closure.residual = scaled_residual(search.phi, q, search.options.time);
+  closure.q = search.phi.canonical(polished.q);
+  closure.residual = residual_by_size(search.phi, closure.q, search.options.time);
+  closure.misfit = misfit(search.phi, closure.q, search.options.time);
   closure.newton_iterations = polished.steps();
   closure.smallest_singular_value = polished.smallest_singular_value;
+  return closure;
+}
+
+void take_pose(ClosureSearch& search, const Solution& solution, const NewtonResult& polished,
+               BeyondLimits& beyond_limits) {
+  ++search.result.counts.real;
+  Closure closure = closure_at(search, polished);
+  if (!is_allowed(search, closure.q, beyond_limits)) return;
   closure.path = solution.path;
   closure.multiplicity = solution.multiplicity;
   closure.singular = solution.singular;
-  result.closures.push_back(std::move(closure));
+  search.result.closures.push_back(std::move(closure));
 }
 
-/// Polishes a real root to a pose. False where the pose is one of a set.
-bool is_isolated_pose(ClosureSearch& search, const Solution& solution,
-                      BeyondLimits& beyond_limits) {
+enum class RootKind {
+  isolated,       ///< and, where it is real, polished to a pose
+  on_a_set,       ///< its pose is one of many
+  does_not_close  ///< spare constraints keep Newton-Raphson away from zero
+};
+
+/// Polishes a real root to a pose.
+RootKind polish(ClosureSearch& search, const Solution& solution, BeyondLimits& beyond_limits) {
   const Phi& phi = search.phi;
   const Eigen::VectorXd guess = coordinates_of_root(search.isotropic, solution.x);
   const NewtonResult polished = newton(phi, guess, search.options.time);
@@ -65,13 +80,41 @@ bool is_isolated_pose(ClosureSearch& search, const Solution& solution,
   const double size = std::max(1.0, guess.cwiseAbs().maxCoeff());
   // At half a turn the same angle has two names.
   const bool stayed = moved <= kPolish * size || (polished.q - guess).norm() <= kPolish * size;
+  if (polished.status == NewtonStatus::no_solution && phi.size() > phi.dimension() && stayed) {
+    search.near_misses.push_back(guess);
+    return RootKind::does_not_close;
+  }
   if (polished.status != NewtonStatus::converged || !stayed) {
     ++search.unpolished;
-    return true;
+    return RootKind::isolated;
   }
-  if (polished.is_singular && lies_on_motion(search, phi.canonical(polished.q))) return false;
+  if (polished.is_singular && lies_on_motion(search, phi.canonical(polished.q))) {
+    return RootKind::on_a_set;
+  }
   take_pose(search, solution, polished, beyond_limits);
-  return true;
+  return RootKind::isolated;
+}
+
+/// What misses by little: the least squares beside each near miss, taken where it is within Mechanism::fit.
+void take_fitting(ClosureSearch& search, BeyondLimits& beyond_limits) {
+  ClosureResult& result = search.result;
+  const std::optional<double>& fit = search.mechanism.fit;
+  for (const Eigen::VectorXd& guess : search.near_misses) {
+    const NewtonResult least = newton(search.phi, guess, search.options.time);
+    if (!least.q.allFinite()) continue;
+    Closure closure = closure_at(search, least);
+    if (!result.least_misfit || closure.misfit < *result.least_misfit) {
+      result.least_misfit = closure.misfit;
+    }
+    const bool is_known =
+        std::any_of(result.closures.begin(), result.closures.end(), [&](const Closure& other) {
+          return distance(search.phi, other.q, closure.q) <= kSamePose;
+        });
+    if (!fit || closure.misfit > *fit || is_known) continue;
+    ++result.counts.fitted;
+    closure.is_fitted = true;
+    if (is_allowed(search, closure.q, beyond_limits)) result.closures.push_back(std::move(closure));
+  }
 }
 
 void tell_limits(const BeyondLimits& beyond_limits, ClosureSearch& search) {
@@ -103,15 +146,24 @@ void find_poses(ClosureSearch& search) {
   BeyondLimits beyond_limits;
   std::vector<Solution> isolated;
   for (Solution& solution : result.solutions) {
-    if (!solution.real || is_isolated_pose(search, solution, beyond_limits)) {
-      isolated.push_back(std::move(solution));
-    } else {
-      result.paths.on_positive_dimensional += solution.multiplicity;
-      result.stages.back().paths.on_positive_dimensional += solution.multiplicity;
+    const RootKind kind =
+        solution.real ? polish(search, solution, beyond_limits) : RootKind::isolated;
+    switch (kind) {
+      case RootKind::isolated:
+        isolated.push_back(std::move(solution));
+        break;
+      case RootKind::on_a_set:
+        result.paths.on_positive_dimensional += solution.multiplicity;
+        result.stages.back().paths.on_positive_dimensional += solution.multiplicity;
+        break;
+      case RootKind::does_not_close:
+        ++result.counts.rejected;
+        break;
     }
   }
   result.solutions = std::move(isolated);
   result.counts.complex = result.solutions.size();
+  take_fitting(search, beyond_limits);
   tell_limits(beyond_limits, search);
   letter(result.closures, search.mechanism);
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "closing.h"
 #include "moving_pose.h"
 #include "squared_up.h"
 #include "stages.h"
@@ -12,8 +13,22 @@
 namespace moivre {
 namespace {
 
+// A root that is off by rounded lengths is no farther than this from a real pose.
+constexpr double kNearReal = 1e-2;
+
+// What a root's own rounding leaves behind Newton's method, with lengths of the file typed to twelve digits.
+constexpr double kRounding = 1e-12;
+
 double tolerance_of(const Solution& solution) {
   return solution.singular ? kHoldsSingular : kHolds;
+}
+
+/// Whether the root satisfies every equation. Spare ones that hold to nine digits do not hold.
+bool holds(const IsotropicSystem& isotropic, const Solution& solution) {
+  if (solution.residual > tolerance_of(solution)) return false;
+  const bool has_spare = isotropic.system.polynomials.size() > isotropic.system.variables.size();
+  if (!has_spare || solution.singular || solution.residual <= kRounding) return true;
+  return residual_when_polished(isotropic, solution.x) <= kRounding;
 }
 
 void take_account(ClosureResult& result, const StageRun& run) {
@@ -38,15 +53,18 @@ void take_account(ClosureResult& result, const StageRun& run) {
 void take_root(ClosureSearch& search, const PartialRoot& root) {
   Solution solution;
   solution.path = root.path;
-  for (const auto& value : root.value) solution.x.push_back(to_complex(value.value()));
+  for (const auto& value : root.value) solution.x.push_back(to_complex(*value));
   solution.singular = root.singular;
   solution.multiplicity = root.multiplicity;
   solution.winding = {static_cast<int>(root.multiplicity)};
   solution.accuracy = root.accuracy;
   solution.condition = root.condition;
   solution.residual = residual_of_root(search.isotropic, solution.x);
-  if (solution.residual > tolerance_of(solution)) {
+  if (!holds(search.isotropic, solution)) {
     ++search.result.counts.rejected;
+    if (distance_from_real(search.isotropic, solution.x) <= kNearReal) {
+      search.near_misses.push_back(coordinates_of_root(search.isotropic, solution.x));
+    }
     return;
   }
   solution.real = distance_from_real(search.isotropic, solution.x) <= tolerance_of(solution);
@@ -125,18 +143,23 @@ void solve_determined(ClosureSearch& search, const BlockStructure& structure) {
   }
 }
 
+/// Most others differ in the first variables already.
+bool is_same(const Point& a, const Point& b, double tolerance) {
+  for (std::size_t v = 0; v < a.size(); ++v) {
+    if (!(std::abs(a[v] - b[v]) <= tolerance)) return false;
+  }
+  return true;
+}
+
 /// The image of an isolated root is a root: one that is not there was lost.
 std::uint64_t lost_images(const IsotropicSystem& isotropic, const std::vector<Solution>& roots) {
   std::uint64_t lost = 0;
   for (const Solution& root : roots) {
     if (root.real || root.singular) continue;
     const Point image = mirrored(isotropic, root.x);
+    const double tolerance = kHolds * std::max(1.0, max_norm(image));
     const bool found = std::any_of(roots.begin(), roots.end(), [&](const Solution& other) {
-      double distance = 0;
-      for (std::size_t v = 0; v < image.size(); ++v) {
-        distance = std::max(distance, std::abs(image[v] - other.x[v]));
-      }
-      return distance <= kHolds * std::max(1.0, max_norm(image));
+      return is_same(image, other.x, tolerance);
     });
     if (!found) ++lost;
   }

@@ -2,8 +2,12 @@
 // From the mechanism to its closures: roots of its closure polynomials, poses of the real ones, and the verdict.
 #include "moivre/closures/closures.h"
 
+#include <cmath>
+#include <cstdio>
+
 #include "closure_poses.h"
 #include "closure_roots.h"
+#include "idle_joints.h"
 #include "moivre/expression/refusal.h"
 #include "moivre/numeric/stopwatch.h"
 #include "moving_pose.h"
@@ -28,7 +32,6 @@ ClosureResult described(const ClosureSearch& search) {
   result.tracker = search.tracker.kind();
   result.tracker_options = search.tracker.options_in_force();
   result.coordinates = search.phi.dimension();
-  result.constraints = search.phi.size() - search.phi.driver_size();
   result.complete = true;
   for (const std::string& name : search.isotropic.repetitions) {
     result.left_out.push_back({name, "it holds an angle that is held already, at the same value"});
@@ -36,12 +39,13 @@ ClosureResult described(const ClosureSearch& search) {
   return result;
 }
 
-void add_mobility(ClosureSearch& search) {
-  ClosureResult& result = search.result;
+/// `phi`: of the mechanism as it is, nothing held.
+void add_mobility(const Phi& phi, ClosureResult& result) {
+  result.constraints = phi.size() - phi.driver_size();
   if (!result.closures.empty()) {
-    result.mobility = mobility(search.phi, result.closures.front().q, search.options.time);
+    result.mobility = mobility(phi, result.closures.front().q, result.time);
   } else if (result.moves) {
-    result.mobility = mobility(search.phi, result.moves->pose, search.options.time);
+    result.mobility = mobility(phi, result.moves->pose, result.time);
   }
 }
 
@@ -56,20 +60,53 @@ std::string shortfall(const ClosureSearch& search) {
   return search.stop ? "interrupted: what is finished is reported" : "some paths failed";
 }
 
+/// x in the file's unit of length.
+std::string length_text(double x, const Mechanism& mechanism) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2g", x);
+  return mechanism.units.length.empty() ? text : text + (" " + mechanism.units.length);
+}
+
+/// By how much the nearest pose misses, and what would take it; empty where none is near.
+std::string misfit_text(const ClosureSearch& search) {
+  // Of the mechanism's length: lengths typed with three digits miss by less, and what misses by more is another mechanism.
+  constexpr double kRounded = 1e-2;
+  const std::optional<double>& misfit = search.result.least_misfit;
+  if (!misfit || search.result.counts.fitted > 0) return "";
+  const std::string text = "; the nearest pose misses by " + length_text(*misfit, search.mechanism);
+  if (*misfit > kRounded * search.phi.length()) return text;
+  const double digit = std::pow(10, std::floor(std::log10(*misfit)));
+  char fit[32];
+  std::snprintf(fit, sizeof fit, "%.1g", digit * (std::floor(*misfit / digit) + 1));
+  return text + ", as rounded lengths do: fit = " + fit + " in the file, or --fit " + fit +
+         ", takes it";
+}
+
+std::string fitted_text(const ClosureSearch& search) {
+  const std::uint64_t fitted = search.result.counts.fitted;
+  return std::to_string(fitted) + (fitted == 1 ? " closure closes" : " closures close") +
+         " within fit = " + length_text(search.mechanism.fit.value_or(0), search.mechanism) +
+         " only: least squares, no exact closure";
+}
+
 std::string verdict(const ClosureSearch& search) {
   const ClosureCounts& counts = search.result.counts;
   if (!search.result.complete) return shortfall(search);
   if (search.result.moves) {
-    return "moves: the closures form a set of positive dimension though the drivers stand";
+    return std::string("moves: the closures form a set of positive dimension") +
+           (search.mechanism.drivers.empty() ? "; there is no driver that holds it"
+                                             : " though the drivers stand");
   }
+  if (counts.fitted > 0) return "every path was decided; " + fitted_text(search);
   if (search.part_is_complex) {
     return "cannot be assembled: a part of it closes in complex numbers only";
   }
   if (counts.complex == 0) {
-    return "cannot be assembled: there is no closure, not even a complex one";
+    return "cannot be assembled: there is no closure, not even a complex one" + misfit_text(search);
   }
   if (counts.real == 0) {
-    return "cannot be assembled: every closure is complex (" + std::to_string(counts.complex) + ")";
+    return "cannot be assembled: every closure is complex (" + std::to_string(counts.complex) +
+           ")" + misfit_text(search);
   }
   return "every path was decided";
 }
@@ -88,12 +125,14 @@ ClosureResult find_closures(const Mechanism& mechanism, const Tracker& tracker,
                             const ClosureOptions& options, const std::atomic<bool>& stop) {
   require_drivers(mechanism, options.time);
   require_unbroken(validate(options.solve));
-  ClosureSearch search(mechanism, tracker, options, stop);
   const Stopwatch watch;
+  HeldMechanism held = hold_idle(mechanism);
+  ClosureSearch search(held.mechanism, tracker, options, stop);
   search.result = described(search);
+  search.result.idle = std::move(held.idle);
   find_roots(search);
   find_poses(search);
-  add_mobility(search);
+  add_mobility(Phi(mechanism), search.result);
   conclude(search);
   search.result.time_s.total = watch.total();
   return std::move(search.result);

@@ -7,6 +7,7 @@
 
 #include "block_structure.h"
 #include "isotropic_frame.h"
+#include "meshings.h"
 #include "shared_pins.h"
 
 namespace moivre {
@@ -15,7 +16,11 @@ namespace {
 class Bodies {
  public:
   Bodies(const Mechanism& mechanism, double t, JointEnds ends)
-      : mechanism_(mechanism), t_(t), ends_(std::move(ends)), frame_(names(mechanism)) {}
+      : mechanism_(mechanism),
+        t_(t),
+        ends_(std::move(ends)),
+        angles_(known_angles(mechanism, t)),
+        frame_(names(mechanism)) {}
 
   IsotropicSystem build() &&;
   JointEnds ends_by_order_of_blocks() &&;
@@ -51,6 +56,8 @@ class Bodies {
   const Mechanism& mechanism_;
   double t_;
   JointEnds ends_;
+  std::vector<std::optional<KnownAngle>>
+      angles_;  ///< of bodies, as drivers and gears determine them
   IsotropicFrame frame_;
   std::vector<Mirrored> positions_;
 };
@@ -72,6 +79,14 @@ void Bodies::hold_angles() {
   for (const Joint& joint : mechanism_.joints) {
     if (joint.type != JointType::prismatic && joint.type != JointType::weld) continue;
     frame_.hold_angle(joint.at[0].body, joint.at[1].body, unit_at(joint.turn_rad), label(joint));
+  }
+  for (const Joint& joint : mechanism_.joints) {
+    if (joint.type != JointType::gear || !is_settled(joint, angles_)) continue;
+    for (const std::size_t body : {joint.at[0].body, joint.at[1].body, joint.gear.carrier}) {
+      const auto& [root, value] = *angles_[body];
+      if (frame_.angle(body).root == frame_.angle(root).root) continue;
+      frame_.hold_angle(root, body, unit_at(value), label(joint));
+    }
   }
 }
 
@@ -130,7 +145,7 @@ void Bodies::add_joint(const Joint& joint) {
       return;
     }
     case JointType::gear:
-      add_gear(joint);
+      if (!is_settled(joint, angles_)) add_gear(joint);
       return;
     case JointType::spherical:
     case JointType::cylindrical:

@@ -3,7 +3,9 @@
 #include "moivre/closures/motion.h"
 
 #include <algorithm>
+#include <map>
 
+#include "idle_joints.h"
 #include "moivre/kinematics/newton.h"
 #include "moivre/numeric/stopwatch.h"
 #include "motion_record.h"
@@ -20,6 +22,7 @@ void begin_tracks(MotionRun& run, const std::vector<Scene>& scenes) {
   const auto count = static_cast<double>(closures.size());
   for (const Closure& closure : closures) {
     if (run.stop) return;
+    if (is_instant(run, scenes.front().time, closure)) continue;
     run.tracks.push_back(run.follower.follow({scenes.front().time, closure.q}, !closure.singular));
     run.show_progress(0.5 + 0.5 * static_cast<double>(run.tracks.size()) / count);
   }
@@ -28,7 +31,10 @@ void begin_tracks(MotionRun& run, const std::vector<Scene>& scenes) {
 void begin_track(MotionRun& run, const Eigen::VectorXd& guess, const std::string& name,
                  MotionResult& result) {
   const NewtonResult assembled = newton(run.phi, guess, run.options.from);
-  if (assembled.status != NewtonStatus::converged) {
+  const std::optional<double>& fit = run.mechanism.fit;
+  const bool is_fitting =
+      fit && assembled.q.allFinite() && misfit(run.phi, assembled.q, run.options.from) <= *fit;
+  if (assembled.status != NewtonStatus::converged && !is_fitting) {
     result.failures.push_back(name + ": Newton-Raphson " + assembled.message);
     return;
   }
@@ -81,6 +87,17 @@ void tell_instants(const std::vector<double>& instants, MotionResult& result) {
   }
 }
 
+/// A line for each time at which closures are there that no branch leads through.
+void tell_instants(const std::vector<BranchPose>& instants, MotionResult& result) {
+  std::map<double, std::uint64_t> counts;
+  for (const BranchPose& instant : instants) ++counts[instant.time];
+  for (const auto& [time, count] : counts) {
+    result.left_out.push_back(
+        {std::to_string(count) + (count == 1 ? " closure " : " closures ") + at_time(time),
+         "the constraints agree there for an instant only: no branch leads through"});
+  }
+}
+
 LeftOut left_unseen(const MotionOptions& options) {
   static_assert(kFiner == 16, "update the sentence below");
   if (options.checkpoints > 0) {
@@ -100,8 +117,10 @@ MotionResult find_motion(const Mechanism& mechanism, const Tracker& tracker,
                          const MotionOptions& options, const std::atomic<bool>& stop) {
   require_workable(mechanism, options);
   const Stopwatch watch;
-  MotionRun run(mechanism, options, motion_times(options, options.checkpoints), stop);
+  const HeldMechanism held = hold_idle(mechanism);
+  MotionRun run(held.mechanism, options, motion_times(options, options.checkpoints), stop);
   MotionResult result = empty_result(run);
+  result.idle = held.idle;
   result.tracker = tracker.kind();
   result.tracker_options = tracker.options_in_force();
   std::vector<Scene> scenes = solve_scenes(run, tracker);
@@ -122,6 +141,7 @@ MotionResult find_motion(const Mechanism& mechanism, const Tracker& tracker,
   for (const Scene& scene : scenes) enter_checkpoint(run, scene, result);
   enter_unverified(run, result);
   count_work(scenes, result);
+  tell_instants(run.instants, result);
   conclude(run, result);
   tell_why_nothing_moves(scenes, result);
   result.left_out.push_back(left_unseen(options));
@@ -133,8 +153,10 @@ MotionResult follow_guesses(const Mechanism& mechanism, const std::vector<Eigen:
                             const MotionOptions& options, const std::atomic<bool>& stop) {
   require_workable(mechanism, options);
   const Stopwatch watch;
-  MotionRun run(mechanism, options, motion_times(options, 0), stop);
+  const HeldMechanism held = hold_idle(mechanism);
+  MotionRun run(held.mechanism, options, motion_times(options, 0), stop);
   MotionResult result = empty_result(run);
+  result.idle = held.idle;
   for (std::size_t k = 0; k < guesses.size() && !stop; ++k) {
     begin_track(run, guesses[k], "guess " + std::to_string(k + 1), result);
     run.show_progress(static_cast<double>(k + 1) / static_cast<double>(guesses.size()));

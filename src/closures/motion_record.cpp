@@ -101,6 +101,7 @@ std::size_t enter_lone_closures(const MotionRun& run, const Scene& scene, Checkp
     row.branches.push_back(owner ? result.branches[*owner].id : "");
     matched += owner ? 1 : 0;
     if (owner || is_event_of_a_track(run, scene.time, closure.q)) continue;
+    if (is_known_instant(run, scene.time, closure.q)) continue;
     row.agrees = false;
     if (run.stop) continue;
     result.failures.push_back("closure " + closure.id + " " + at_time(scene.time) +

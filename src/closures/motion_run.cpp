@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "moivre/kinematics/linear.h"
+
 namespace moivre {
 namespace {
 
@@ -51,6 +53,24 @@ bool is_event_of_a_track(const MotionRun& run, double time, const Eigen::VectorX
       if (way->event && is_at(run, *way->event, time, q, 0)) return true;
     }
     return false;
+  });
+}
+
+bool is_instant(MotionRun& run, double time, const Closure& closure) {
+  if (is_known_instant(run, time, closure.q)) return true;
+  const Phi& phi = run.phi;
+  // What closes by least squares alone has no curve of exact poses through it anywhere.
+  if (phi.size() <= phi.dimension() || closure.is_fitted || closure.singular) return false;
+  Eigen::MatrixXd E(phi.size(), phi.dimension() + 1);
+  E << phi.jacobian(closure.q, time), phi.partial_t(closure.q, time);
+  if (numerical_rank(E) <= phi.dimension()) return false;
+  run.instants.push_back({time, closure.q});
+  return true;
+}
+
+bool is_known_instant(const MotionRun& run, double time, const Eigen::VectorXd& q) {
+  return std::any_of(run.instants.begin(), run.instants.end(), [&](const BranchPose& instant) {
+    return instant.time == time && distance(run.phi, instant.q, q) <= kSamePose;
   });
 }
 

@@ -25,6 +25,7 @@ struct MotionRun {
   const MotionTimes times;
   const TrackFollower follower;
   std::vector<Track> tracks;
+  std::vector<BranchPose> instants;  ///< closures through which no branch leads
 
   void show_progress(double share) const {
     if (options.progress) options.progress(share);
@@ -35,5 +36,12 @@ bool is_same_event(const MotionRun& run, const BranchEvent& a, const BranchEvent
 
 /// Whether a track ends, either way, at that time in the pose q.
 bool is_event_of_a_track(const MotionRun& run, double time, const Eigen::VectorXd& q);
+
+/// Whether the closure is there for an instant: more constraints than coordinates, and none of them can hold a moment later,
+/// [Phi_q Phi_t] having full rank. Notes it in the run.
+bool is_instant(MotionRun& run, double time, const Closure& closure);
+
+/// Whether it was noted.
+bool is_known_instant(const MotionRun& run, double time, const Eigen::VectorXd& q);
 
 }  // namespace moivre

@@ -44,6 +44,7 @@ bool settle(MotionRun& run, const std::vector<Scene>& scenes, Scene& scene) {
   for (std::size_t j = 0; j < scene.track_of.size() && !run.stop; ++j) {
     const Closure& closure = scene.closures.closures[j];
     if (scene.track_of[j] || is_event_of_a_track(run, scene.time, closure.q)) continue;
+    if (is_instant(run, scene.time, closure)) continue;
     run.tracks.push_back(run.follower.follow({scene.time, closure.q}, !closure.singular));
     return true;
   }

@@ -29,7 +29,7 @@ Coefficient shortened(const Coefficient& c) {
 }
 
 /// p with the known values put in; `place` maps the other variables to those of the result.
-Polynomial substituted(const Polynomial& p, const std::vector<std::optional<Coefficient>>& value,
+Polynomial substituted(const Polynomial& p, const std::vector<KnownValue>& value,
                        const std::vector<std::uint32_t>& place) {
   TermMap terms;
   for (const Term& term : p.terms) {
@@ -142,7 +142,7 @@ void Stages::solve_lone(const Block& block) {
       if (std::abs(to_complex(b)) <= kCancelled * size) note_set(root);
       continue;
     }
-    root.value[block.variables.front()] = shortened(-b / a);
+    root.value[block.variables.front()] = std::make_shared<const Coefficient>(shortened(-b / a));
     next.push_back(std::move(root));
   }
   run_.roots = std::move(next);
@@ -161,7 +161,7 @@ void Stages::add_roots(const Block& block, const PartialRoot& root, const System
   for (const Solution& solution : result.solutions) {
     PartialRoot child = root;
     for (std::size_t k = 0; k < block.variables.size(); ++k) {
-      child.value[block.variables[k]] = exactly(solution.x[k]);
+      child.value[block.variables[k]] = std::make_shared<const Coefficient>(exactly(solution.x[k]));
     }
     child.path = first_path + solution.path;
     child.multiplicity *= solution.multiplicity;

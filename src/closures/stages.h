@@ -7,6 +7,7 @@
 #pragma once
 
 #include <atomic>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -15,10 +16,13 @@
 
 namespace moivre {
 
+/// Null where it is not known yet. Roots of a block have the values of the blocks before it in common.
+using KnownValue = std::shared_ptr<const Coefficient>;
+
 /// A root of the blocks solved so far; a value that needed no solve is exact.
 struct PartialRoot {
-  std::vector<std::optional<Coefficient>> value;  ///< of each variable
-  std::uint64_t path = 0;                         ///< of the last stage
+  std::vector<KnownValue> value;  ///< of each variable
+  std::uint64_t path = 0;         ///< of the last stage
   std::uint64_t multiplicity = 1;
   bool singular = false;
   double accuracy = 0;   ///< largest of its stages

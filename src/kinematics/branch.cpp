@@ -2,8 +2,10 @@
 // How is a branch followed? Steps along the curve, samples in between, and the places where it ends.
 #include "moivre/kinematics/branch.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <stdexcept>
 
@@ -17,6 +19,7 @@ namespace moivre {
 namespace {
 
 using Eigen::Index;
+using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 // A pose is assembled when every |Phi_i| is this small beside its terms; what is handed over was corrected to rounding.
@@ -47,22 +50,19 @@ constexpr double kSampleMiss = 0.05;
 constexpr double kSampleConverged = 1e-10;
 constexpr int kSampleCorrections = 8;
 
-double mechanism_length(const Mechanism& mechanism, const Phi& phi, const VectorXd& q) {
-  double length = 0;
-  for (const Body& body : mechanism.bodies) {
-    for (const BodyPoint& point : body.points) length = std::max(length, point.at.norm());
-  }
+/// The mechanism's length, or that of the pose where it is larger.
+double length_at(const Phi& phi, const VectorXd& q) {
+  double length = phi.length();
   for (Index k = 0; k < q.size(); ++k) {
     const auto kind = phi.coordinates()[static_cast<std::size_t>(k)].kind;
     if (kind == CoordinateKind::length) length = std::max(length, std::abs(q[k]));
   }
-  return length > 0 ? length : 1;
+  return length;
 }
 
-CurveScale scale_of(const Mechanism& mechanism, const Phi& phi, const VectorXd& q,
-                    const std::vector<double>& times) {
+CurveScale scale_of(const Phi& phi, const VectorXd& q, const std::vector<double>& times) {
   CurveScale scale{VectorXd::Ones(q.size()), times.front(), times.back() - times.front()};
-  const double length = mechanism_length(mechanism, phi, q);
+  const double length = length_at(phi, q);
   for (Index k = 0; k < q.size(); ++k) {
     const auto kind = phi.coordinates()[static_cast<std::size_t>(k)].kind;
     if (kind == CoordinateKind::length) scale.w[k] = length;
@@ -77,7 +77,13 @@ VectorXd least_residual(const Phi& phi, const VectorXd& q, double t) {
   return scaled_residual(phi, clean, t) < scaled_residual(phi, q, t) ? clean : q;
 }
 
-void validate(const Phi& phi, const VectorXd& q0, const std::vector<double>& times) {
+/// What rows of length 1 leave together where each of them misses by Mechanism::fit.
+double slack_of(const Mechanism& mechanism, const Phi& phi, const VectorXd& q) {
+  return mechanism.fit.value_or(0) / length_at(phi, q) * std::sqrt(static_cast<double>(phi.size()));
+}
+
+void validate(const Phi& phi, const VectorXd& q0, const std::vector<double>& times,
+              const std::optional<double>& fit) {
   if (q0.size() != phi.dimension() || !q0.allFinite()) {
     throw std::invalid_argument("a branch begins at " + std::to_string(phi.dimension()) +
                                 " finite coordinates");
@@ -91,12 +97,18 @@ void validate(const Phi& phi, const VectorXd& q0, const std::vector<double>& tim
       throw std::invalid_argument("the times of a branch go one way");
     }
   }
-  const double residual =
-      scaled_residual(phi, least_residual(phi, q0, times.front()), times.front());
-  if (!(residual <= kAssembled)) {
+  const double residual = residual_by_size(phi, q0, times.front());
+  const bool is_fitting = fit && misfit(phi, q0, times.front()) <= *fit;
+  if (!(residual <= kAssembled) && !is_fitting) {
     throw std::invalid_argument("a branch begins at an assembled pose; this one leaves " +
-                                std::to_string(residual) + " of the terms");
+                                std::to_string(residual) + " of what its size is worth");
   }
+}
+
+std::string rough(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2g", x);
+  return text;
 }
 
 /// Neville's extrapolation of y(tau), through the points given, to tau = 0; tau = sigma^(1 / order).
@@ -163,8 +175,8 @@ class Follower {
         times_(times),
         options_(options),
         stop_(stop),
-        curve_(phi_, scale_of(mechanism, phi_, q0, times)) {
-    validate(phi_, q0, times);
+        curve_(phi_, scale_of(phi_, q0, times), slack_of(mechanism, phi_, q0)) {
+    validate(phi_, q0, times, mechanism.fit);
   }
 
   Branch run(const VectorXd& q0);
@@ -172,12 +184,14 @@ class Follower {
  private:
   bool is_begun(const VectorXd& q0);
   void step();
+  bool still_fits(const VectorXd& y);
   double step_length() const;
   bool is_smooth(const CurvePoint& b, const VectorXd& predicted, double h);
   bool advance(const CurvePoint& b, double h);
   std::optional<CurvePoint> end_within(const Segment& segment, std::optional<BranchEvent>& event);
   bool take_samples(const Segment& segment, double until);
   std::optional<BranchSample> sample(const Segment& segment, double time) const;
+  VectorXd correction(const VectorXd& q, double t, bool is_careful) const;
   BranchSample state_at(const VectorXd& assembled, double time) const;
   bool is_velocity_wanted(double time) const {
     const auto& wanted = options_.velocity_times;
@@ -241,9 +255,9 @@ BranchSample Follower::state_at(const VectorXd& assembled, double time) const {
   BranchSample sample;
   sample.time = time;
   sample.q = least_residual(phi_, assembled, time);
-  sample.residual = scaled_residual(phi_, sample.q, time);
+  sample.residual = residual_by_size(phi_, sample.q, time);
   if (!is_velocity_wanted(time)) {
-    sample.is_determined = Factorisation(phi_.jacobian(sample.q, time)).rank() == phi_.dimension();
+    sample.is_determined = numerical_rank(phi_.jacobian(sample.q, time)) == phi_.dimension();
     return sample;
   }
   MotionState state = motion_state(phi_, sample.q, time);
@@ -301,11 +315,21 @@ void Follower::reject() {
   }
 }
 
+/// With Mechanism::fit the branch goes no further than closures are taken.
+bool Follower::still_fits(const VectorXd& y) {
+  if (!mechanism_.fit || phi_.size() <= phi_.dimension()) return true;
+  const double miss = misfit(phi_, curve_.q_of(y), curve_.t_of(y));
+  if (miss <= *mechanism_.fit) return true;
+  end(BranchStatus::failed, "it closes no longer within fit: it misses by " + rough(miss));
+  return false;
+}
+
 void Follower::step() {
   h_ = step_length();
   const double h = h_;
   const VectorXd predicted = at_.y + h * at_.tangent + (h * h / 2) * at_.curvature;
   const auto y = curve_.corrected(predicted, at_.tangent, at_.tangent.dot(at_.y) + h);
+  if (y && !still_fits(*y)) return;
   if (y) {
     const CurvePoint b = curve_.next(*y, at_);
     if (b.tangent.allFinite() && is_smooth(b, predicted, h) && advance(b, h)) {
@@ -393,17 +417,26 @@ bool Follower::take_samples(const Segment& segment, double until) {
   return true;
 }
 
+/// A Newton step. LU first, where Phi_q is square: rank costs more than the step, and what a singular Phi_q gives is far off.
+VectorXd Follower::correction(const VectorXd& q, double t, bool is_careful) const {
+  const MatrixXd J = phi_.jacobian(q, t);
+  if (is_careful || J.rows() != J.cols()) return Factorisation(J).solve(-phi_.value(q, t));
+  return J.partialPivLu().solve(-phi_.value(q, t));
+}
+
 /// The pose at its own time, corrected from the cubic; nullopt where the correction leads too far away.
 std::optional<BranchSample> Follower::sample(const Segment& segment, double t) const {
   const double time = (t - curve_.scale().t0) / curve_.scale().T;
   const VectorXd guess = curve_.q_of(interpolated(segment, place_of_time(segment, time)));
-  VectorXd q = guess;
-  for (int k = 0; k < kSampleCorrections; ++k) {
-    const VectorXd step = Factorisation(phi_.jacobian(q, t)).solve(-phi_.value(q, t));
-    q += step;
-    const VectorXd moved = (q - guess).cwiseQuotient(curve_.scale().w);
-    if (!(moved.norm() <= kSampleMiss * segment.length)) return std::nullopt;
-    if (step.cwiseQuotient(curve_.scale().w).norm() <= kSampleConverged) return state_at(q, t);
+  for (const bool is_careful : {false, true}) {
+    VectorXd q = guess;
+    for (int k = 0; k < kSampleCorrections; ++k) {
+      const VectorXd step = correction(q, t, is_careful);
+      q += step;
+      const VectorXd moved = (q - guess).cwiseQuotient(curve_.scale().w);
+      if (!(moved.norm() <= kSampleMiss * segment.length)) break;
+      if (step.cwiseQuotient(curve_.scale().w).norm() <= kSampleConverged) return state_at(q, t);
+    }
   }
   return std::nullopt;
 }

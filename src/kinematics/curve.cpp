@@ -143,7 +143,7 @@ std::optional<VectorXd> Curve::corrected(VectorXd y, const VectorXd& normal, dou
     if (!std::isfinite(size) || (k > 0 && size > kShrinks * last && size > kConverged)) {
       return std::nullopt;
     }
-    const bool is_on_curve = rhs.norm() <= kOnCurve;
+    const bool is_on_curve = rhs.norm() <= std::max(kOnCurve, slack_);
     y += step;
     if (size <= kConverged) return is_on_curve ? std::optional(std::move(y)) : std::nullopt;
     last = size;

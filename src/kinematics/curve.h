@@ -36,7 +36,9 @@ struct CurvePoint {
 
 class Curve {
  public:
-  Curve(const Phi& phi, CurveScale scale) : phi_(phi), scale_(std::move(scale)) {}
+  /// `slack`: what the rows, of length 1, may leave together where constraints contradict each other a little.
+  Curve(const Phi& phi, CurveScale scale, double slack = 0)
+      : phi_(phi), scale_(std::move(scale)), slack_(slack) {}
 
   Eigen::VectorXd point(const Eigen::VectorXd& q, double t) const;
   Eigen::VectorXd q_of(const Eigen::VectorXd& y) const;
@@ -62,6 +64,7 @@ class Curve {
 
   const Phi& phi_;
   CurveScale scale_;
+  double slack_;
 };
 
 }  // namespace moivre

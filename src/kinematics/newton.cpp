@@ -7,6 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "extreme_singular_values.h"
 #include "noise.h"
 
 namespace moivre {
@@ -97,26 +98,10 @@ std::optional<NewtonStatus> verdict(const NewtonResult& run, const VectorXd& gue
   return std::nullopt;
 }
 
-/// What each row would be worth at poses of this size: its terms, and its derivatives times the largest length, or a radian.
-/// Unlike its terms alone it is no noise where they are.
-VectorXd row_scales(const Phi& phi, const VectorXd& q, double t) {
-  double length = 0;
-  for (Index k = 0; k < q.size(); ++k) {
-    const auto kind = phi.coordinates()[static_cast<std::size_t>(k)].kind;
-    if (kind == CoordinateKind::length) length = std::max(length, std::abs(q[k]));
-  }
-  VectorXd size = VectorXd::Ones(q.size());
-  for (Index k = 0; k < q.size(); ++k) {
-    const auto kind = phi.coordinates()[static_cast<std::size_t>(k)].kind;
-    if (kind == CoordinateKind::length) size[k] = length;
-  }
-  return phi.term_magnitudes(q, t) + phi.jacobian(q, t).cwiseAbs() * size;
-}
-
 /// The verdict on a step that hardly moves q.
 NewtonStatus at_rest(const Phi& phi, const NewtonIteration& row, double t, Index full_rank) {
   const VectorXd residual = phi.value(row.q, t).cwiseAbs();
-  const VectorXd scale = row_scales(phi, row.q, t);
+  const VectorXd scale = row_sizes(phi, row.q, t);
   const bool has_lost_rows = row.rank < full_rank;
   const double rounding = has_lost_rows ? kRestResidualOfLostRows : kRestResidual;
   if ((residual.array() <= rounding * scale.array()).all()) return NewtonStatus::converged;
@@ -155,13 +140,12 @@ void describe_end(const Phi& phi, double t, const std::vector<Index>& free, Newt
   if (!last.q.allFinite()) return;
   const MatrixXd J = jacobian(phi, last.q, t, free);
   if (J.size() == 0 || !J.allFinite()) return;
-  const VectorXd raw = singular_values(J);
-  const VectorXd scaled = singular_values(equilibrated(J));
+  const ExtremeSingularValues scaled = extreme_singular_values(equilibrated(J));
   run.rank = numerical_rank(J);
   last.rank = run.rank;
   run.is_singular = run.rank < std::min(J.rows(), J.cols());
-  run.smallest_singular_value = raw[raw.size() - 1];
-  run.condition = scaled[0] / scaled[scaled.size() - 1];
+  run.smallest_singular_value = extreme_singular_values(J).smallest;
+  run.condition = scaled.largest / scaled.smallest;
 }
 
 }  // namespace

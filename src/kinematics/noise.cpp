@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How is noise taken off a pose? One largest size for the lengths, one for the angles.
+// How is noise taken off a pose? One largest size for the lengths, one for the angles; at the origin, where a pose is all noise, those of
+// the mechanism.
 #include "noise.h"
 
 #include <algorithm>
@@ -16,8 +17,8 @@ VectorXd without_noise(const Phi& phi, const VectorXd& q, const std::vector<Inde
   const auto is_length = [&phi](Index k) {
     return phi.coordinates()[static_cast<std::size_t>(k)].kind == CoordinateKind::length;
   };
-  double largest_angle = 0;
-  double largest_length = 0;
+  double largest_angle = 1;
+  double largest_length = phi.length();
   for (Index k = 0; k < q.size(); ++k) {
     double& largest = is_length(k) ? largest_length : largest_angle;
     largest = std::max(largest, std::abs(q[k]));

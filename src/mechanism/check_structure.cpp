@@ -214,6 +214,24 @@ void warn_of_count(Mechanism& mechanism) {
       ": too many drivers, unless constraints are redundant (moivre mobility tells)");
 }
 
+/// Whether a joint holds something there.
+bool is_used(const Mechanism& mechanism, std::size_t body, std::size_t point) {
+  const auto is_it = [&](const PointOf& p) { return p.body == body && p.point == point; };
+  return std::any_of(mechanism.joints.begin(), mechanism.joints.end(), [&](const Joint& joint) {
+    return places(joint) && (is_it(joint.at[0]) || is_it(joint.at[1]));
+  });
+}
+
+/// A pivot that nothing is tied to is a slip more often than a mark; points of moving bodies are there to be traced.
+void warn_of_loose_pivots(Mechanism& mechanism) {
+  const auto& points = mechanism.bodies[0].points;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (is_used(mechanism, 0, k)) continue;
+    mechanism.warnings.push_back("no joint holds anything at 'ground." + points[k].name +
+                                 "': is one tied elsewhere?");
+  }
+}
+
 }  // namespace
 
 void check_structure(Reading& reading, Mechanism& mechanism) {
@@ -225,6 +243,7 @@ void check_structure(Reading& reading, Mechanism& mechanism) {
   check_twin_joints(reading, mechanism);
   check_drivers(reading, mechanism);
   warn_of_count(mechanism);
+  warn_of_loose_pivots(mechanism);
 }
 
 }  // namespace moivre

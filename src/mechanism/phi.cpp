@@ -2,6 +2,7 @@
 // How is Phi put together and differentiated? Constraints evaluated in Taylor arithmetic along lines of (q, t).
 #include "moivre/mechanism/phi.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -50,6 +51,45 @@ std::shared_ptr<const Constraint> driver_constraint(const Mechanism& mechanism,
                                           : spatial_driver(mechanism, driver);
 }
 
+double largest_length(const Mechanism& mechanism) {
+  double length = 0;
+  for (const Body& body : mechanism.bodies) {
+    for (const BodyPoint& point : body.points) length = std::max(length, point.at.norm());
+  }
+  for (const Joint& joint : mechanism.joints) length = std::max(length, joint.length);
+  return length > 0 ? length : 1;
+}
+
+bool is_length(const Coordinate& coordinate) { return coordinate.kind == CoordinateKind::length; }
+
+/// A unit of the mechanism's size for each coordinate: its largest length, or a radian.
+VectorXd units_of(const Phi& phi, const VectorXd& q) {
+  double length = phi.length();
+  for (Index k = 0; k < q.size(); ++k) {
+    if (is_length(phi.coordinates()[static_cast<std::size_t>(k)])) {
+      length = std::max(length, std::abs(q[k]));
+    }
+  }
+  VectorXd unit = VectorXd::Ones(q.size());
+  for (Index k = 0; k < q.size(); ++k) {
+    if (is_length(phi.coordinates()[static_cast<std::size_t>(k)])) unit[k] = length;
+  }
+  return unit;
+}
+
+/// How fast each row changes at most when one body (or unknown) is displaced; 0 for a row that compares angles.
+VectorXd rates_by_displacement(const Phi& phi, const VectorXd& q, double t) {
+  MatrixXd J = phi.jacobian(q, t);
+  MatrixXd squares = MatrixXd::Zero(J.rows(), static_cast<Index>(phi.group_names().size()));
+  for (Index k = 0; k < q.size(); ++k) {
+    const Coordinate& coordinate = phi.coordinates()[static_cast<std::size_t>(k)];
+    if (!is_length(coordinate)) continue;
+    squares.col(static_cast<Index>(coordinate.group)) += J.col(k).cwiseAbs2();
+  }
+  return squares.cols() == 0 ? VectorXd(VectorXd::Zero(J.rows()))
+                             : VectorXd(squares.rowwise().maxCoeff().cwiseSqrt());
+}
+
 }  // namespace
 
 /// The line (q + s qdot, t + s tdot), s = 0.
@@ -61,7 +101,9 @@ struct Phi::Line {
 };
 
 Phi::Phi(const Mechanism& mechanism)
-    : coordinates_(moivre::coordinates(mechanism)), constraints_(joint_constraints(mechanism)) {
+    : coordinates_(moivre::coordinates(mechanism)),
+      constraints_(joint_constraints(mechanism)),
+      length_(largest_length(mechanism)) {
   for (std::size_t body = 1; body < mechanism.bodies.size(); ++body) {
     group_names_.push_back(mechanism.bodies[body].name);
   }
@@ -200,6 +242,35 @@ double scaled_residual(const Phi& phi, const VectorXd& q, double t) {
   for (Index i = 0; i < phi.size(); ++i) {
     if (std::isnan(value[i])) return value[i];
     if (value[i] != 0) worst = std::max(worst, std::abs(value[i]) / scale[i]);
+  }
+  return worst;
+}
+
+VectorXd row_sizes(const Phi& phi, const VectorXd& q, double t) {
+  return phi.term_magnitudes(q, t) + phi.jacobian(q, t).cwiseAbs() * units_of(phi, q);
+}
+
+double residual_by_size(const Phi& phi, const VectorXd& q, double t) {
+  constexpr double kRounding = 1e-13;
+  const double plain = scaled_residual(phi, q, t);
+  if (plain <= kRounding || std::isnan(plain)) return plain;
+  const VectorXd value = phi.value(q, t);
+  const VectorXd size = row_sizes(phi, q, t);
+  double worst = 0;
+  for (Index i = 0; i < phi.size(); ++i) {
+    if (value[i] != 0) worst = std::max(worst, std::abs(value[i]) / size[i]);
+  }
+  return worst;
+}
+
+double misfit(const Phi& phi, const VectorXd& q, double t) {
+  const VectorXd value = phi.value(q, t);
+  const VectorXd rate = rates_by_displacement(phi, q, t);
+  double worst = 0;
+  for (Index i = 0; i < phi.size(); ++i) {
+    if (std::isnan(value[i])) return value[i];
+    const double miss = std::abs(value[i]);
+    worst = std::max(worst, rate[i] > 0 ? miss / rate[i] : miss * phi.length());
   }
   return worst;
 }

@@ -3,6 +3,8 @@
 #include "moivre/mechanism/read.h"
 
 #include <algorithm>
+#include <cctype>
+#include <map>
 #include <numbers>
 
 #include "nearest.h"
@@ -14,22 +16,45 @@ namespace {
 const std::vector<std::string> kLengthUnits{"m", "mm", "cm", "dm", "km", "um", "in", "ft", "yd"};
 const std::vector<std::string> kAngleUnits{"rad", "deg"};
 
+/// The unit that others write so; empty where it has no other name.
+std::string unit_called(const std::string& word) {
+  static const std::map<std::string, std::string> names{
+      {"inch", "in"},       {"inches", "in"},      {"\"", "in"},          {"foot", "ft"},
+      {"feet", "ft"},       {"yard", "yd"},        {"yards", "yd"},       {"meter", "m"},
+      {"metre", "m"},       {"meters", "m"},       {"metres", "m"},       {"millimeter", "mm"},
+      {"millimetre", "mm"}, {"millimeters", "mm"}, {"millimetres", "mm"}, {"MM", "mm"},
+      {"centimeter", "cm"}, {"centimetre", "cm"},  {"centimeters", "cm"}, {"centimetres", "cm"},
+      {"micron", "um"},     {"\u00b5m", "um"},     {"micrometer", "um"},  {"kilometer", "km"},
+      {"degree", "deg"},    {"degrees", "deg"},    {"\u00b0", "deg"},     {"radian", "rad"},
+      {"radians", "rad"}};
+  const auto found = names.find(word);
+  return found == names.end() ? "" : found->second;
+}
+
 /// One of the known words, or a fault.
 std::string read_word(Reading& reading, const toml::table& in, const std::string& key,
                       const std::vector<std::string>& known, const std::string& otherwise) {
   const auto word = reading.text(in, key);
   if (!word) return otherwise;
   if (std::find(known.begin(), known.end(), *word) != known.end()) return *word;
-  reading.fault(*in.get(key), "unknown " + key + " '" + *word + "'" + suggestion(*word, known));
+  const std::string called = unit_called(*word);
+  const bool is_unit = std::find(known.begin(), known.end(), called) != known.end();
+  reading.fault(*in.get(key),
+                "unknown " + key + " '" + *word + "'" +
+                    (is_unit ? "; here it is called '" + called + "'" : suggestion(*word, known)));
   return otherwise;
 }
 
 void read_header(Reading& reading, const toml::table& document, Mechanism& mechanism) {
   reading.check_keys(document,
                      {"title", "space", "units", "ground", "body", "joint", "driver", "guess",
-                      "unknowns", "constants", "equations"},
+                      "unknowns", "constants", "equations", "fit"},
                      "a mechanism file");
   mechanism.title = reading.text(document, "title").value_or("");
+  mechanism.fit = reading.number(document, "fit");
+  if (mechanism.fit && !(*mechanism.fit > 0)) {
+    reading.fault(*document.get("fit"), "'fit' must be a length above 0");
+  }
   const std::string space = read_word(reading, document, "space", {"planar", "spatial"}, "planar");
   mechanism.space = space == "spatial" ? Space::spatial : Space::planar;
   if (const toml::table* units = reading.table(document, "units")) {
@@ -71,13 +96,39 @@ void read_sections(Reading& reading, const toml::table& document, Mechanism& mec
   if (reading.faults().empty()) check_structure(reading, mechanism);
 }
 
+/// "[[joint]] has two brackets" where one pair was written for an array; empty for another name that is taken.
+std::string bracket_advice(const std::string& fault) {
+  for (const std::string name : {"joint", "driver"}) {
+    if (fault.find("'" + name + "'") == std::string::npos) continue;
+    return "; every " + name + " begins with [[" + name + "]], in two brackets";
+  }
+  return "";
+}
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// Where a number goes on with something that is none of it: a decimal comma, or a unit.
+std::string number_advice(const Source& source, std::size_t at) {
+  std::size_t end = std::min(at, source.text.size());
+  while (end > 0 && source.text[end - 1] == ' ') --end;
+  if (at >= source.text.size() || end == 0 || !is_digit(source.text[end - 1])) return "";
+  if (source.text[at] == ',') return "; decimals have a point: 40.5, not 40,5";
+  const auto c = static_cast<unsigned char>(source.text[at]);
+  const bool is_word = std::isalpha(c) != 0 || c >= 0x80U || c == '%';
+  return is_word ? "; numbers stand without a unit, [units] says it once for the whole file" : "";
+}
+
 /// What to do about a fault of TOML's own, where its words need it.
 std::string advice(const std::string& fault) {
   const auto says = [&](const char* words) { return fault.find(words) != std::string::npos; };
   if (says("root table") && says("saw '{'")) {
     return "; a mechanism file is TOML, not JSON: docs/mechanism-file.md shows one";
   }
-  if (says("redefine")) return "; two bodies, points or keys have one name, rename one of them";
+  if (says("redefine")) {
+    const std::string brackets = bracket_advice(fault);
+    return brackets.empty() ? "; two bodies, points or keys have one name, rename one of them"
+                            : brackets;
+  }
   if (says("boolean") || says("value type"))
     return "; text stands in quotes, as in title = \"...\"";
   if (says("table header")) return "; names have letters, digits, '_' and '-', and no blanks";
@@ -86,8 +137,10 @@ std::string advice(const std::string& fault) {
 
 [[noreturn]] void throw_toml_fault(const Reading& reading, const toml::parse_error& error) {
   const std::string fault(error.description());
+  const SourcePosition at = reading.position(error.source().begin);
+  const std::string about_number = number_advice(reading.source(), at.offset);
   throw ParseError(reading.source(),
-                   {{reading.position(error.source().begin), fault + advice(fault)}});
+                   {{at, fault + (about_number.empty() ? advice(fault) : about_number)}});
 }
 
 /// The TOML parser calls itself for each part of a dotted key: as deep as for brackets, and no deeper.

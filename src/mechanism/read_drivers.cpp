@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // How are drivers and the guess read?
 #include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
 
 #include "nearest.h"
 #include "read_formula.h"
@@ -242,6 +245,32 @@ void collect_guess(Reading& reading, const toml::table& in, const std::string& p
   }
 }
 
+/// Angle of the body in the drawn pose, whole turns counted: driven, or guessed; nothing where neither says.
+std::optional<double> drawn_angle(const Mechanism& mechanism, std::size_t body) {
+  if (body == 0) return 0;
+  for (const Driver& driver : mechanism.drivers) {
+    const bool turns_it = driver.kind == DriverKind::angle && driver.bodies[0] == 0;
+    if (turns_it && driver.bodies[1] == body) return driver_state(driver.law, 0).value;
+  }
+  const auto found = mechanism.guess.find(mechanism.bodies[body].name + ".phi");
+  return found == mechanism.guess.end() ? std::nullopt : std::optional(found->second);
+}
+
+/// Of the ways in which its teeth mesh, a gear without a phase has the one nearest to the drawn pose: a phase of whole teeth.
+void take_drawn_meshing(Joint& joint, const Mechanism& mechanism) {
+  if (joint.type != JointType::gear || joint.gear.phase_rad != 0) return;
+  const auto i = drawn_angle(mechanism, joint.at[0].body);
+  const auto j = drawn_angle(mechanism, joint.at[1].body);
+  const auto c = drawn_angle(mechanism, joint.gear.carrier);
+  if (!i || !j || !c) return;
+  constexpr double kTurn = 2 * std::numbers::pi;
+  const int common = std::gcd(joint.gear.teeth[0], joint.gear.teeth[1]);
+  const double zi = joint.gear.teeth[0] / common;
+  const double zj = joint.gear.teeth[1] / common;
+  const double turns = std::round((zi * (*i - *c) - zj * (*j - *c)) / kTurn);
+  if (std::isfinite(turns)) joint.gear.phase_rad = -kTurn * turns / zj;
+}
+
 }  // namespace
 
 void read_drivers(Reading& reading, const toml::table& document, Mechanism& mechanism) {
@@ -260,6 +289,7 @@ void read_guess(Reading& reading, const toml::table& document, Mechanism& mechan
   if (const toml::table* guess = reading.table(document, "guess")) {
     collect_guess(reading, *guess, "", coordinates(mechanism), mechanism);
   }
+  for (Joint& joint : mechanism.joints) take_drawn_meshing(joint, mechanism);
 }
 
 }  // namespace moivre

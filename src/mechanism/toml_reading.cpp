@@ -139,9 +139,10 @@ std::optional<std::vector<double>> Reading::numbers(const toml::node& node, cons
                                                     std::size_t count) {
   const toml::array* entries = node.as_array();
   if (entries == nullptr || entries->size() != count) {
-    fault(node,
-          what + " must be " + std::to_string(count) + " numbers in brackets, not " +
-              (entries == nullptr ? kind_of(node) : std::to_string(entries->size()) + " entries"));
+    fault(node, what + " must be " + std::to_string(count) + " numbers in brackets, not " +
+                    (entries == nullptr ? kind_of(node)
+                                        : std::to_string(entries->size()) + " entries" +
+                                              comma_advice(*entries, count)));
     return std::nullopt;
   }
   std::vector<double> values;
@@ -176,6 +177,28 @@ SourcePosition Reading::text_begin(const toml::node& node, const std::string& va
 void Reading::place_faults(const toml::node& node, const std::string& value, std::size_t before) {
   if (stands_as_it_is(node, value)) return;
   for (std::size_t k = before; k < faults_.size(); ++k) faults_[k].at = position(node);
+}
+
+/// Advice where a comma stands between two digits, as decimals are written in half the world.
+std::string Reading::comma_advice(const toml::array& entries, std::size_t count) const {
+  if (entries.size() <= count) return "";
+  const std::size_t begin = position(entries).offset;
+  const std::size_t end = std::min(source_.text.find(']', begin), source_.text.size());
+  const auto is_digit_at = [&](std::size_t k) {
+    return k < end && std::isdigit(static_cast<unsigned char>(source_.text[k])) != 0;
+  };
+  for (std::size_t k = begin + 1; k < end; ++k) {
+    if (source_.text[k] != ',' || !is_digit_at(k - 1) || !is_digit_at(k + 1)) continue;
+    std::size_t first = k;
+    while (is_digit_at(first - 1)) --first;
+    std::size_t last = k + 1;
+    while (is_digit_at(last)) ++last;
+    std::string meant = source_.text.substr(first, last - first);
+    const std::string written = meant;
+    meant[k - first] = '.';
+    return "; decimals have a point: " + meant + ", not " + written;
+  }
+  return "";
 }
 
 std::string kind_of(const toml::node& node) {

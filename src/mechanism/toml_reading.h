@@ -52,6 +52,7 @@ class Reading {
   void place_faults(const toml::node& node, const std::string& value, std::size_t before);
 
  private:
+  std::string comma_advice(const toml::array& entries, std::size_t count) const;
   bool stands_as_it_is(const toml::node& node, const std::string& value) const;
 
   const Source& source_;

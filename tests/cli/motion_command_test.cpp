@@ -119,10 +119,10 @@ TEST(MotionCommand, TableAndJsonSayTheSame) {
       };
       EXPECT_EQ(row.at("branch"), branch["id"]);
       EXPECT_EQ(cell("t"), sample["t"]);
-      EXPECT_EQ(cell("driver crank"), sample["drivers"][0]);
-      EXPECT_EQ(cell("rocker.phi"), sample["coordinates"]["rocker.phi"]);
-      EXPECT_EQ(cell("rocker.phi.velocity"), sample["velocities"]["rocker.phi"]);
-      EXPECT_EQ(cell("rocker.phi.acceleration"), sample["accelerations"]["rocker.phi"]);
+      EXPECT_EQ(cell("driver crank [rad]"), sample["drivers"][0]);
+      EXPECT_EQ(cell("rocker.phi [rad]"), sample["coordinates"]["rocker.phi"]);
+      EXPECT_EQ(cell("rocker.phi.velocity [rad/s]"), sample["velocities"]["rocker.phi"]);
+      EXPECT_EQ(cell("rocker.phi.acceleration [rad/s^2]"), sample["accelerations"]["rocker.phi"]);
       EXPECT_EQ(cell("rocker.B.y"), sample["points"]["rocker.B"]["position"][1]);
       EXPECT_EQ(cell("rocker.B.x.velocity"), sample["points"]["rocker.B"]["velocity"][0]);
       EXPECT_EQ(cell("rocker.B.y.acceleration"), sample["points"]["rocker.B"]["acceleration"][1]);

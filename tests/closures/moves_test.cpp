@@ -100,8 +100,18 @@ TEST(Moves, AParallelogramAtItsChangePointOnceItsCrankIsFree) {
   expect_moves(undriven("parallelogram"), 1);
 }
 
-TEST(Moves, ALinkThatDanglesFromAnAssembledTriangle) {
-  expect_moves(triangle_with_a_tail("2.5"), 1);
+TEST(Moves, NotALinkThatDanglesFromAnAssembledTriangleSinceItIsHeld) {
+  const ClosureResult result = closures_of(triangle_with_a_tail("2.5"));
+  EXPECT_FALSE(result.moves);
+  EXPECT_EQ(result.counts.real, 2U);
+  ASSERT_EQ(result.idle.size(), 1U);
+  EXPECT_EQ(result.idle[0].body, "tail");
+}
+
+TEST(Moves, WhatDanglesAllOverIsNotHeld) {
+  Mechanism mechanism = triangle_with_a_tail("2.5");
+  mechanism.joints.erase(mechanism.joints.begin() + 2);  // the tip: two links that hang from pivots
+  expect_moves(mechanism, 3);
 }
 
 TEST(Moves, NotWhatDanglesFromATriangleThatCannotBeAssembled) {

@@ -29,6 +29,23 @@ TEST(Newton, ConvergesQuadratically) {
   EXPECT_NEAR(run.smallest_singular_value, 2 * std::sqrt(2.0), 1e-14);
 }
 
+TEST(Newton, HasTheSingularValuesOfAnSvdWhereThereAreManyCoordinates) {
+  for (const char* name : {"jansen-leg", "assur-7-serial", "stephenson-3", "rssr"}) {
+    const Mechanism mechanism = example(name);
+    const Phi phi(mechanism);
+    const NewtonResult run = newton(phi, initial_guess(mechanism));
+    const auto values = [](const Eigen::MatrixXd& J) {
+      return VectorXd(Eigen::JacobiSVD<Eigen::MatrixXd>(J).singularValues());
+    };
+    const Eigen::MatrixXd J = phi.jacobian(run.q, 0);
+    const VectorXd raw = values(J);
+    const VectorXd scaled = values(equilibrated(J));
+    const Eigen::Index last = raw.size() - 1;
+    EXPECT_NEAR(run.smallest_singular_value / raw[last], 1, 1e-9) << name;
+    EXPECT_NEAR(run.condition * scaled[last] / scaled[0], 1, 1e-9) << name;
+  }
+}
+
 TEST(Newton, DivergesWhereTheIteratesFly) {
   const NewtonResult run = run_on("atan(x)", 2);
   EXPECT_EQ(run.status, NewtonStatus::diverged);

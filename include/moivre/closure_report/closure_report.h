@@ -9,6 +9,7 @@
 
 #include <string>
 
+#include "moivre/closure_report/angles.h"
 #include "moivre/closures/closures.h"
 
 namespace moivre {
@@ -17,6 +18,7 @@ std::string closures_text(const ClosureResult& result, const Mechanism& mechanis
                           const std::string& file);
 std::string closures_json(const ClosureResult& result, const Mechanism& mechanism,
                           const std::string& file);
-std::string closures_csv(const ClosureResult& result, const Mechanism& mechanism);
+std::string closures_csv(const ClosureResult& result, const Mechanism& mechanism,
+                         const AngleForm& form = {});
 
 }  // namespace moivre

@@ -7,7 +7,9 @@
 
 #include <string>
 
+#include "moivre/closure_report/angles.h"
 #include "moivre/closures/guesses.h"
+#include "moivre/closures/mobility_kinds.h"
 #include "moivre/kinematics/mobility.h"
 #include "moivre/kinematics/newton.h"
 
@@ -17,13 +19,16 @@ namespace moivre {
 struct KinematicsHeading {
   std::string file;
   double time = 0;  ///< of the drivers
+  std::vector<MobilityKind>
+      kinds;  ///< of the closures, where there was no guess; the generic one first
 };
 
 std::string newton_text(const NewtonResult& result, const Mechanism& mechanism,
                         const KinematicsHeading& heading);
 std::string newton_json(const NewtonResult& result, const Mechanism& mechanism,
                         const KinematicsHeading& heading);
-std::string newton_csv(const NewtonResult& result, const Mechanism& mechanism);
+std::string newton_csv(const NewtonResult& result, const Mechanism& mechanism,
+                       const AngleForm& form = {});
 
 /// `pose`: the Newton run that led to the pose.
 std::string mobility_text(const Mobility& mobility, const NewtonResult& pose,
@@ -43,6 +48,7 @@ std::string guesses_text(const InitialGuesses& guesses, const Completeness& comp
 /// `complete`: of the solve; whether every path was decided.
 std::string guesses_json(const InitialGuesses& guesses, const Completeness& completeness,
                          const KinematicsHeading& heading);
-std::string guesses_csv(const InitialGuesses& guesses);
+std::string guesses_csv(const InitialGuesses& guesses, const Mechanism& mechanism,
+                        const AngleForm& form = {});
 
 }  // namespace moivre

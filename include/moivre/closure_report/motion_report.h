@@ -5,19 +5,22 @@
 //   JSON  docs/json.md shows it: every sample with position, velocity and acceleration of every coordinate and named point
 //   CSV   one sample a line: branch, t, drivers, then for each coordinate and each point's x, y (z) the value, velocity and
 //         acceleration
-// Angles in radians in (-pi, pi], per second and per second squared; lengths in the file's unit; the text in the file's units.
+// Angles in radians in (-pi, pi] unless an AngleForm says otherwise, per second and per second squared; lengths in the file's unit; the text in the file's units.
 #pragma once
 
 #include <string>
 
+#include "moivre/closure_report/angles.h"
 #include "moivre/closures/motion.h"
 
 namespace moivre {
 
 std::string motion_text(const MotionResult& result, const Mechanism& mechanism,
                         const std::string& file);
+/// Angles in radians; `form` says whether they go on.
 std::string motion_json(const MotionResult& result, const Mechanism& mechanism,
-                        const std::string& file);
-std::string motion_csv(const MotionResult& result, const Mechanism& mechanism);
+                        const std::string& file, const AngleForm& form = {});
+std::string motion_csv(const MotionResult& result, const Mechanism& mechanism,
+                       const AngleForm& form = {});
 
 }  // namespace moivre

@@ -40,7 +40,10 @@ struct Closure {
   std::string
       id;  ///< A, B, ..., Z, AA, ... by pose: the same for every seed, tracker and thread count
   Eigen::VectorXd q;
-  double residual = 0;  ///< max_i |Phi_i| / sum |terms of Phi_i|
+  double residual = 0;  ///< residual_by_size (mechanism/phi.h)
+  double misfit = 0;    ///< by how much it does not close, in the file's unit of length
+  bool is_fitted =
+      false;  ///< it closes within Mechanism::fit only: least squares, no root of the polynomials
   int newton_iterations = 0;
   double smallest_singular_value = 0;  ///< of Phi_q
   std::uint64_t path = 0;              ///< of the last stage
@@ -53,6 +56,7 @@ struct ClosureCounts {
   std::uint64_t real = 0;
   std::uint64_t filtered = 0;  ///< of the real ones: outside a joint's limits
   std::uint64_t rejected = 0;  ///< roots of the solved equations that fail a spare one
+  std::uint64_t fitted = 0;  ///< closures that close within Mechanism::fit only; none of the above
 };
 
 /// A set of closures of positive dimension, the drivers standing.
@@ -60,6 +64,13 @@ struct Moves {
   std::uint64_t dimension = 0;  ///< at `pose`
   std::string shown;            ///< how (kinematics/local_dimension.h)
   Eigen::VectorXd pose;         ///< q of one of them
+};
+
+/// A freedom that touches no loop and no driver: nothing else depends on it.
+struct IdleJoint {
+  std::string body;   ///< that moves alone, with what hangs on it
+  std::string joint;  ///< across which it moves, by name
+  std::string held;   ///< how it is held, a clause
 };
 
 struct ClosureResult {
@@ -83,6 +94,8 @@ struct ClosureResult {
   Eigen::Index constraints = 0;      ///< m, without drivers
   std::vector<FailedPath> failures;
   std::vector<LeftOut> left_out;
+  std::vector<IdleJoint> idle;         ///< held, so that the others have isolated closures
+  std::optional<double> least_misfit;  ///< of poses that do not close, in the file's unit of length
   StepCount work;
   SolveTime time_s;
 };

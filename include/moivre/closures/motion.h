@@ -100,6 +100,7 @@ struct MotionResult {
   std::vector<Checkpoint> checkpoints;  ///< by time; the first is `from`
   PathCounts paths;                     ///< over all closures solved
   std::vector<std::string> failures;    ///< each a sentence
+  std::vector<IdleJoint> idle;
   std::vector<LeftOut> left_out;
   int steps = 0;  ///< of the follower, all branches
   int rejected = 0;

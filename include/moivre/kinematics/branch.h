@@ -48,7 +48,7 @@ struct BranchSample {
   Eigen::VectorXd q;
   Eigen::VectorXd velocity;      ///< q'; empty where it was not asked for
   Eigen::VectorXd acceleration;  ///< q''; likewise
-  double residual = 0;           ///< max_i |Phi_i| / sum |terms of Phi_i|
+  double residual = 0;           ///< residual_by_size (mechanism/phi.h)
   bool is_determined = true;  ///< Phi_q has full rank: velocity and acceleration are the only ones
 };
 

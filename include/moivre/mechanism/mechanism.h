@@ -69,6 +69,8 @@ struct Gear {
   std::array<int, 2> teeth{1, 1};
   std::size_t carrier = 0;  ///< body; angles are relative to it
   double phase_rad = 0;     ///< angle of the second wheel where the first stands at 0
+  bool has_all_meshings =
+      false;  ///< closures in every meshing of the teeth, not in the drawn one alone
 };
 
 struct Limits {
@@ -142,6 +144,8 @@ struct Mechanism {
   std::vector<Driver> drivers;
   std::map<std::string, double>
       guess;  ///< coordinate name -> value, for the coordinates that the file names
+  std::optional<double>
+      fit;  ///< closures that miss by no more than this are taken, lengths in the file's unit
   std::vector<std::string> warnings;  ///< what is odd but not wrong, each a sentence
 };
 

@@ -35,6 +35,8 @@ class Phi {
   const std::vector<std::string>& row_names() const { return row_names_; }
   /// Bodies (or unknowns) that a Coordinate's group counts.
   const std::vector<std::string>& group_names() const { return group_names_; }
+  /// The mechanism's size: its largest length, of points in their bodies and of rods; 1 where it has none.
+  double length() const { return length_; }
 
   Eigen::VectorXd value(const Eigen::VectorXd& q, double t) const;
   /// Sum of the magnitudes of the terms of each row: |Phi_i| is small when it is small beside this.
@@ -72,9 +74,21 @@ class Phi {
   std::vector<std::string> row_names_;
   std::vector<std::shared_ptr<const Constraint>> constraints_;
   Eigen::Index driver_size_ = 0;
+  double length_ = 1;
 };
 
 /// max_i |Phi_i| / (sum of |terms| of Phi_i), 0 for a row without terms.
 double scaled_residual(const Phi& phi, const Eigen::VectorXd& q, double t);
+
+/// What each row is worth at poses of the mechanism's size: its terms, and its derivatives times the largest length, or a
+/// radian. Unlike its terms alone it is no noise where they are.
+Eigen::VectorXd row_sizes(const Phi& phi, const Eigen::VectorXd& q, double t);
+
+/// scaled_residual where that is rounding, else max_i |Phi_i| / row_sizes_i: small at assembled poses, at the origin too.
+double residual_by_size(const Phi& phi, const Eigen::VectorXd& q, double t);
+
+/// By how much the worst row does not close, as a length in the file's unit; of a row that compares angles, at the end of
+/// phi.length().
+double misfit(const Phi& phi, const Eigen::VectorXd& q, double t);
 
 }  // namespace moivre

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+// Bodies in groups that nothing moves apart, and joints that alone tie a group to the others.
+#include "idle_joints.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <numbers>
+#include <numeric>
+#include <optional>
+#include <set>
+
+namespace moivre {
+namespace {
+
+using Joints = std::vector<std::size_t>;
+
+class Holding {
+ public:
+  explicit Holding(const Mechanism& mechanism)
+      : held_{mechanism, {}}, group_(mechanism.bodies.size()) {
+    std::iota(group_.begin(), group_.end(), std::size_t{0});
+    for (const Joint& joint : mechanism.joints) {
+      if (joint.type == JointType::weld) merge(joint);
+    }
+  }
+
+  HeldMechanism run() && {
+    while (hold_next()) {
+    }
+    return std::move(held_);
+  }
+
+  /// Whether something is left that moves apart from the ground.
+  bool is_whole_held() const {
+    return std::all_of(group_.begin(), group_.end(),
+                       [&](std::size_t group) { return group == group_[0]; });
+  }
+
+ private:
+  bool hold_next();
+  bool is_idle(std::size_t group) const;
+  bool is_driven(const std::set<std::size_t>& groups) const;
+  std::set<std::size_t> meshing_with(std::size_t group) const;
+  Joints ties(std::size_t group) const;
+  void hold(std::size_t joint, std::size_t group);
+  void merge(const Joint& joint);
+  double drawn_angle(const Joint& joint) const;
+  std::string pose_text(const Joint& joint, std::size_t other) const;
+
+  std::size_t group_of(const PointOf& point) const { return group_[point.body]; }
+  bool touches(const Joint& joint, std::size_t group) const {
+    return group_of(joint.at[0]) == group || group_of(joint.at[1]) == group;
+  }
+
+  HeldMechanism held_;
+  std::vector<std::size_t> group_;  ///< of each body; the ground's is group_[0]
+};
+
+void Holding::merge(const Joint& joint) {
+  const std::size_t from = group_of(joint.at[1]);
+  const std::size_t to = group_of(joint.at[0]);
+  std::replace(group_.begin(), group_.end(), from, to);
+}
+
+/// Joints from the group to others; gears tie angles, not places.
+Joints Holding::ties(std::size_t group) const {
+  Joints found;
+  const auto& joints = held_.mechanism.joints;
+  for (std::size_t k = 0; k < joints.size(); ++k) {
+    const bool is_inside = group_of(joints[k].at[0]) == group_of(joints[k].at[1]);
+    if (joints[k].type != JointType::gear && !is_inside && touches(joints[k], group)) {
+      found.push_back(k);
+    }
+  }
+  return found;
+}
+
+bool Holding::is_driven(const std::set<std::size_t>& groups) const {
+  const auto has = [&](std::size_t body) { return groups.count(group_[body]) > 0; };
+  const auto& mechanism = held_.mechanism;
+  return std::any_of(mechanism.drivers.begin(), mechanism.drivers.end(), [&](const Driver& driver) {
+    switch (driver.kind) {
+      case DriverKind::angle:
+        return has(driver.bodies[0]) || has(driver.bodies[1]);
+      case DriverKind::slide:
+        return has(mechanism.joints[driver.joint].at[0].body) ||
+               has(mechanism.joints[driver.joint].at[1].body);
+      case DriverKind::x:
+      case DriverKind::y:
+      case DriverKind::z:
+        return has(driver.point.body);
+      case DriverKind::unknown:
+        break;
+    }
+    return false;
+  });
+}
+
+/// The groups whose wheels mesh with this one's, and so on.
+std::set<std::size_t> Holding::meshing_with(std::size_t group) const {
+  std::set<std::size_t> all{group};
+  for (bool has_grown = true; has_grown;) {
+    const std::size_t before = all.size();
+    for (const Joint& joint : held_.mechanism.joints) {
+      if (joint.type != JointType::gear) continue;
+      const std::size_t wheels[] = {group_of(joint.at[0]), group_of(joint.at[1])};
+      if (all.count(wheels[0]) > 0 || all.count(wheels[1]) > 0) all.insert(wheels, wheels + 2);
+    }
+    has_grown = all.size() > before;
+  }
+  return all;
+}
+
+/// Wheels on pivots of their own that mesh like a tree, with no other wheel, no carrier among them and no driver.
+bool Holding::is_idle(std::size_t group) const {
+  const std::set<std::size_t> wheels = meshing_with(group);
+  if (wheels.count(group_[0]) > 0 || is_driven(wheels)) return false;
+  std::size_t gears = 0;
+  for (const Joint& joint : held_.mechanism.joints) {
+    if (joint.type != JointType::gear) continue;
+    if (wheels.count(group_[joint.gear.carrier]) > 0) return false;
+    gears += wheels.count(group_of(joint.at[0]));
+  }
+  return gears + 1 == wheels.size() &&
+         std::all_of(wheels.begin(), wheels.end(),
+                     [&](std::size_t wheel) { return ties(wheel).size() == 1; });
+}
+
+double Holding::drawn_angle(const Joint& joint) const {
+  if (joint.type == JointType::prismatic) return joint.turn_rad;
+  const auto guess = [&](std::size_t body) {
+    const auto found = held_.mechanism.guess.find(held_.mechanism.bodies[body].name + ".phi");
+    return found == held_.mechanism.guess.end() ? 0 : found->second;
+  };
+  const double angle = guess(joint.at[1].body) - guess(joint.at[0].body);
+  const bool has_limits = joint.type == JointType::revolute && joint.limits;
+  return has_limits ? std::clamp(angle, joint.limits->lower, joint.limits->upper) : angle;
+}
+
+std::string Holding::pose_text(const Joint& joint, std::size_t other) const {
+  const bool in_degrees = held_.mechanism.units.angle == "deg";
+  char angle[32];
+  std::snprintf(angle, sizeof angle, "%.8g %s",
+                in_degrees ? joint.turn_rad * 180 / std::numbers::pi : joint.turn_rad,
+                held_.mechanism.units.angle.c_str());
+  return std::string("held at ") + angle + " to " + held_.mechanism.bodies[other].name;
+}
+
+/// Makes the joint a weld of its two points, or of where the second one slides to or stands at the rod's end.
+void Holding::hold(std::size_t number, std::size_t group) {
+  Joint& joint = held_.mechanism.joints[number];
+  const std::size_t end = group_of(joint.at[0]) == group ? 0 : 1;
+  const std::size_t body = joint.at[end].body;
+  const std::size_t other = joint.at[1 - end].body;
+  joint.turn_rad = drawn_angle(joint);
+  const bool slides = joint.type == JointType::prismatic || joint.type == JointType::slot;
+  double apart = joint.type == JointType::rod ? joint.length : 0;
+  if (slides && joint.limits) apart = std::clamp(0.0, joint.limits->lower, joint.limits->upper);
+  auto& points = held_.mechanism.bodies[joint.at[0].body].points;
+  if (apart != 0) {
+    BodyPoint point = points[joint.at[0].point];
+    point.at += apart * joint.axis[0];
+    joint.at[0].point = points.size();
+    points.push_back(std::move(point));
+  }
+  joint.type = JointType::weld;
+  joint.limits.reset();
+  held_.idle.push_back({held_.mechanism.bodies[body].name, joint.name, pose_text(joint, other)});
+  merge(joint);
+}
+
+bool Holding::hold_next() {
+  for (std::size_t body = 1; body < group_.size(); ++body) {
+    const std::size_t group = group_[body];
+    if (group == group_[0] || !is_idle(group)) continue;
+    hold(ties(group).front(), group);
+    return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+HeldMechanism hold_idle(const Mechanism& mechanism) {
+  if (mechanism.space == Space::spatial || is_typed(mechanism)) return {mechanism, {}};
+  HeldMechanism held = Holding(mechanism).run();
+  const bool is_whole_held = Holding(held.mechanism).is_whole_held();
+  return is_whole_held ? HeldMechanism{mechanism, {}} : held;
+}
+
+}  // namespace moivre

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+// Gauss-Jordan elimination with exact coefficients; the right-hand sides are angles.
+#include "meshings.h"
+
+#include <cmath>
+#include <iterator>
+#include <map>
+
+#include "moivre/numeric/rational.h"
+
+namespace moivre {
+namespace {
+
+// Angles of the file in radians, added up: equal ones differ by far less.
+constexpr double kSameAngle = 1e-9;
+
+/// sum of coefficients times angles = value.
+struct Row {
+  std::map<std::size_t, Rational> coefficients;
+  double value = 0;
+};
+
+void subtract(Row& row, const Rational& factor, const Row& other) {
+  for (const auto& [body, coefficient] : other.coefficients) {
+    Rational& mine = row.coefficients[body];
+    mine = mine - factor * coefficient;
+    if (mine == 0) row.coefficients.erase(body);
+  }
+  row.value -= to_double(factor) * other.value;
+}
+
+class Angles {
+ public:
+  /// False where the row contradicts those before it.
+  bool add(Row row) {
+    row.coefficients.erase(0);
+    for (const auto& [pivot, solved] : rows_) {
+      const auto found = row.coefficients.find(pivot);
+      if (found == row.coefficients.end()) continue;
+      const Rational factor = found->second;
+      subtract(row, factor, solved);
+    }
+    if (row.coefficients.empty()) return std::abs(row.value) <= kSameAngle;
+    const std::size_t pivot = row.coefficients.begin()->first;
+    const Rational scale = 1 / row.coefficients.begin()->second;
+    for (auto& entry : row.coefficients) entry.second = entry.second * scale;
+    row.value *= to_double(scale);
+    for (auto& entry : rows_) {
+      const auto found = entry.second.coefficients.find(pivot);
+      if (found == entry.second.coefficients.end()) continue;
+      const Rational factor = found->second;
+      subtract(entry.second, factor, row);
+    }
+    rows_.emplace(pivot, std::move(row));
+    return true;
+  }
+
+  std::vector<std::optional<KnownAngle>> take(std::size_t bodies) const {
+    std::vector<std::optional<KnownAngle>> angles;
+    for (std::size_t body = 0; body < bodies; ++body) {
+      const auto found = rows_.find(body);
+      angles.push_back(found == rows_.end() ? KnownAngle{body, 0} : solved(found->second));
+    }
+    return angles;
+  }
+
+ private:
+  /// Of a row a_pivot - a_free = value, or a_pivot = value.
+  static std::optional<KnownAngle> solved(const Row& row) {
+    if (row.coefficients.size() == 1) return KnownAngle{0, row.value};
+    const auto free = std::next(row.coefficients.begin());
+    if (row.coefficients.size() > 2 || free->second != -1) return std::nullopt;
+    return KnownAngle{free->first, row.value};
+  }
+
+  std::map<std::size_t, Row> rows_;  ///< by pivot, whose coefficient is 1 and 0 in all other rows
+};
+
+Row difference(std::size_t i, std::size_t j, double value) {
+  Row row;
+  row.coefficients[j] = 1;
+  row.coefficients[i] = -1;
+  row.value = value;
+  return row;
+}
+
+Row gear_row(const Joint& joint) {
+  const Rational zi = joint.gear.teeth[0];
+  const Rational zj = joint.gear.teeth[1];
+  Row row;
+  row.coefficients[joint.at[0].body] = zi;
+  row.coefficients[joint.at[1].body] = -zj;
+  Rational& carrier = row.coefficients[joint.gear.carrier];
+  carrier = carrier + zj - zi;
+  if (carrier == 0) row.coefficients.erase(joint.gear.carrier);
+  row.value = -joint.gear.teeth[1] * joint.gear.phase_rad;
+  return row;
+}
+
+}  // namespace
+
+std::vector<std::optional<KnownAngle>> known_angles(const Mechanism& mechanism, double t) {
+  Angles angles;
+  bool agrees = true;
+  for (const Driver& driver : mechanism.drivers) {
+    if (driver.kind != DriverKind::angle) continue;
+    const double value = driver_state(driver.law, t).value;
+    agrees &= angles.add(difference(driver.bodies[0], driver.bodies[1], value));
+  }
+  for (const Joint& joint : mechanism.joints) {
+    if (joint.type == JointType::prismatic || joint.type == JointType::weld) {
+      agrees &= angles.add(difference(joint.at[0].body, joint.at[1].body, joint.turn_rad));
+    } else if (joint.type == JointType::gear && !joint.gear.has_all_meshings) {
+      agrees &= angles.add(gear_row(joint));
+    }
+  }
+  if (!agrees) return std::vector<std::optional<KnownAngle>>(mechanism.bodies.size());
+  return angles.take(mechanism.bodies.size());
+}
+
+bool is_settled(const Joint& gear, const std::vector<std::optional<KnownAngle>>& angles) {
+  const auto& i = angles[gear.at[0].body];
+  const auto& j = angles[gear.at[1].body];
+  const auto& c = angles[gear.gear.carrier];
+  return !gear.gear.has_all_meshings && i && j && c && i->root == j->root && i->root == c->root;
+}
+
+}  // namespace moivre
