@@ -36,7 +36,9 @@ Setting::Setting(const System& system, const Tracker& tracker, const SolveOption
       prepared(prepare(f, options, stop)),
       endgame(options.endgame),
       refiner_program(make_refiner_program(with_unit_rows(f), natural_sizes(prepared))),
-      certify_program(moivre::certify_program(f, options)) {}
+      certify_program(moivre::certify_program(f, options)) {
+  endgame.goes_straight = endgame.goes_straight || is_fine();
+}
 
 bool Setting::hides_terms() const { return prepared.spread_log2 > kHopelessSpread; }
 

@@ -48,14 +48,15 @@ TEST(Precision, TellsTheRungOfEveryRoot) {
   EXPECT_EQ(roots[Rung::double_double], result.paths.double_double);
 }
 
-/// Verdicts on these paths of kin1 with seed 1, followed by `tracker` in this manner.
+/// Verdicts on these paths of kin1 with seed 1, followed by `tracker`.
 std::vector<PathStatus> ends_of_kin1(const std::vector<std::uint64_t>& paths,
-                                     const Tracker& tracker, Endgame::Manner manner) {
+                                     const Tracker& tracker, bool goes_straight) {
   SolveOptions options = with_seed(1);
   options.start = StartKind::total_degree;
   const std::atomic<bool> go_on{false};
   const Prepared prepared = prepare(system_of(problem("kin1")), options, go_on);
-  const PathProblem path_problem{*prepared.plan, tracker, options.endgame, manner};
+  options.endgame.goes_straight = goes_straight;
+  const PathProblem path_problem{*prepared.plan, tracker, options.endgame};
   std::vector<PathStatus> ends;
   track_paths(
       path_problem, paths.size(), [&](std::uint64_t k) { return paths[k]; }, 0, 1,
@@ -66,10 +67,8 @@ std::vector<PathStatus> ends_of_kin1(const std::vector<std::uint64_t>& paths,
 // They grow like r^(-7/4) with r = 1 - t. Where that can be seen, from r = 1e-5 on, J's condition has passed 1e16.
 TEST(Precision, TellsInfinityWhereTheJacobianInDoubleSaysNothing) {
   const std::vector<std::uint64_t> paths{14, 43, 99};
-  const std::vector<PathStatus> in_double =
-      ends_of_kin1(paths, *make_cvode_tracker(), Endgame::Manner::full);
-  const std::vector<PathStatus> beyond =
-      ends_of_kin1(paths, *make_double_double_tracker(), Endgame::Manner::straight);
+  const std::vector<PathStatus> in_double = ends_of_kin1(paths, *make_cvode_tracker(), false);
+  const std::vector<PathStatus> beyond = ends_of_kin1(paths, *make_double_double_tracker(), true);
   EXPECT_EQ(beyond, std::vector<PathStatus>(3, PathStatus::at_infinity));
   EXPECT_EQ(std::count(in_double.begin(), in_double.end(), PathStatus::finite), 0);
 }
