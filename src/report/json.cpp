@@ -82,7 +82,7 @@ Json to_json(const Solution& solution) {
           {"certified", solution.certified ? Json(*solution.certified) : Json()}};
 }
 
-Json to_json(const RootBound& bound) { return {{"kind", bound.kind}, {"value", bound.value}}; }
+Json to_json(const MetBound& bound) { return {{"kind", bound.kind}, {"value", bound.value}}; }
 
 Json to_json(const PathCounts& paths) {
   return {{"tracked", paths.tracked},

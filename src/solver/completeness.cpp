@@ -79,34 +79,34 @@ const std::optional<std::uint64_t>& once(SoughtBound& bound, const auto& search)
   return bound.value;
 }
 
-std::optional<RootBound> volume_met_by(Run& run, std::uint64_t roots) {
+std::optional<MetBound> volume_met_by(Run& run, std::uint64_t roots) {
   const Setting& setting = run.setting;
   const System& reduced = setting.prepared.reduction.system;
   const auto counted = setting.prepared.start.counts.mixed_volume.paths;
   if (counted == roots) {
     const auto verified = [&] { return is_counted_twice(run, roots) ? counted : std::nullopt; };
-    if (once(run.bounds.counted, verified)) return RootBound{"mixed volume", roots};
+    if (once(run.bounds.counted, verified)) return MetBound{"mixed volume", roots};
     return std::nullopt;
   }
   if (is_worth_a_search(run)) {
     const auto search = [&] { return verified_volume(run, reduced); };
     const std::string kind = lacks_origin(reduced) ? "stable mixed volume" : "mixed volume";
-    if (is_met(once(run.bounds.reduced, search), roots, kind)) return RootBound{kind, roots};
+    if (is_met(once(run.bounds.reduced, search), roots, kind)) return MetBound{kind, roots};
   }
   if (setting.prepared.reduction.substitutions.empty()) return std::nullopt;
   const auto search = [&] { return verified_volume(run, setting.f); };
   const std::string kind = lacks_origin(setting.f) ? "stable mixed volume" : "mixed volume";
-  if (is_met(once(run.bounds.whole, search), roots, kind)) return RootBound{kind, roots};
+  if (is_met(once(run.bounds.whole, search), roots, kind)) return MetBound{kind, roots};
   return std::nullopt;
 }
 
-std::optional<RootBound> bound_met_by(Run& run, std::uint64_t roots) {
+std::optional<MetBound> bound_met_by(Run& run, std::uint64_t roots) {
   const StartCounts& counts = run.setting.prepared.start.counts;
   const std::pair<const char*, const StartCount*> degrees[]{
       {"total degree", &counts.total_degree},
       {"multihomogeneous number", &counts.multihomogeneous}};
   for (const auto& [kind, count] : degrees) {
-    if (is_met(count->paths, roots, kind)) return RootBound{kind, roots};
+    if (is_met(count->paths, roots, kind)) return MetBound{kind, roots};
   }
   return volume_met_by(run, roots);
 }
@@ -121,7 +121,7 @@ void leave(Run& run, std::uint64_t path) {
 
 }  // namespace
 
-std::optional<RootBound> met_bound(Run& run) {
+std::optional<MetBound> met_bound(Run& run) {
   if (!run.setting.certify_program || run.interrupted || run.setting.stop) return std::nullopt;
   if (!run.bounds.met) run.bounds.met = bound_met_by(run, proved_roots(run));
   return run.bounds.met;

@@ -17,7 +17,7 @@
 namespace moivre {
 
 /// The proved bound that the proved roots meet; nullopt where none is met, or nothing is proved.
-std::optional<RootBound> met_bound(Run& run);
+std::optional<MetBound> met_bound(Run& run);
 
 /// Where a proved bound is met nothing is left in doubt: every path but the first to each proved root, and those on sets of
 /// positive dimension, ends at no isolated root, and counts as at infinity. False, and nothing is changed, where none is met.

@@ -25,7 +25,7 @@ struct SoughtBound {
 
 /// What is known of proved bounds on the number of isolated roots (completeness.h).
 struct Bounds {
-  std::optional<RootBound> met;
+  std::optional<MetBound> met;
   SoughtBound counted;  ///< the mixed volume that the start has counted
   SoughtBound reduced;  ///< the stable mixed volume of what is tracked
   SoughtBound whole;    ///< of the system as given

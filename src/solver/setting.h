@@ -38,7 +38,7 @@ struct Setting {
   const int threads;
   const Trackers trackers;
   const Prepared prepared;
-  const EndgameOptions endgame;
+  EndgameOptions endgame;
   const std::shared_ptr<const RefinerProgram> refiner_program;
   const std::shared_ptr<const CertifyProgram> certify_program;  ///< nullptr: nothing is proved
 

@@ -62,7 +62,7 @@ void tell_eliminated(const Setting& setting, std::uint64_t roots, SolveResult& r
                   [](const Solution& root) { return root.certified == true; });
   if (!all_certified) return;
   result.completeness = RootCompleteness::proved;
-  result.bound = RootBound{"elimination", roots};
+  result.bound = MetBound{"elimination", roots};
 }
 
 /// False where paths have to be followed.

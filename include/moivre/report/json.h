@@ -25,7 +25,7 @@ Json to_json(const std::optional<std::uint64_t>& x);
 Json to_json(const std::vector<LeftOut>& left_out);
 Json to_json(const Solution& solution);
 Json to_json(const PathCounts& paths);
-Json to_json(const RootBound& bound);
+Json to_json(const MetBound& bound);
 Json to_json(const FailedPath& failure);
 Json to_json(const SolveTime& time);
 Json to_json(const SystemFacts& system);

@@ -143,8 +143,8 @@ enum class RootCompleteness {
 };
 std::string to_string(RootCompleteness completeness);
 
-/// A proved bound on the number of isolated roots.
-struct RootBound {
+/// A proved bound on the number of isolated roots, and as many are certified.
+struct MetBound {
   std::string
       kind;  ///< "elimination", "total degree", "multihomogeneous number", "mixed volume", "stable mixed volume"
   std::uint64_t value = 0;
@@ -192,7 +192,7 @@ struct SolveResult {
   std::vector<Solution> solutions;  ///< by path number
   /// nullopt where nothing was to be certified, or could be: F has more equations than unknowns.
   std::optional<RootCompleteness> completeness;
-  std::optional<RootBound> bound;  ///< that proves the completeness
+  std::optional<MetBound> bound;  ///< that proves the completeness
   std::uint64_t excess =
       0;  ///< roots that squaring up added, with multiplicity: they fail an equation of F
   std::vector<FailedPath> failures;
