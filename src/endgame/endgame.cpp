@@ -17,7 +17,7 @@ namespace {
 // |x_0| / |x|_inf that rounding leaves of 0, and the relative correction from which x_0 is made of rounding errors.
 constexpr double kRoundedZero = 1e-13;
 constexpr double kUnknownCorrection = 1e-2;
-// Sheets that all end with |x|_inf / |x_0| above this, and are not told apart with all digits, are at infinity or beyond it.
+// Sheets that all end with |x|_inf / |x_0| above this, and not at infinity, are told apart by no smaller circle.
 constexpr double kBeyond = 1e11;
 // Of an end that double-double has found.
 constexpr double kFineAccuracy = 1e-24;
@@ -190,7 +190,7 @@ std::optional<Departure> Endgame::judge_arrival(Arrival&& arrival, PathSystem& p
   return begin_circle();
 }
 
-// Affine patch a x = 1 through the first outpost: samples of one homogeneous path become points of one chart.
+// Affine patch a x = 1 through the circle's outpost: samples of one homogeneous path become points of one chart.
 Point Endgame::normalized(const Point& x) const {
   Complex scale = 0;
   for (std::size_t i = 0; i < x.size(); ++i) scale += product(patch_[i], x[i]);
@@ -204,9 +204,8 @@ std::optional<Departure> Endgame::begin_circle() {
   ++radii_;
   turns_ = 0;
   samples_.clear();
-  if (patch_.empty()) {
-    for (const Complex& xi : outpost_) patch_.push_back(std::conj(xi));
-  }
+  patch_.clear();
+  for (const Complex& xi : outpost_) patch_.push_back(std::conj(xi));
   turn_begin_ = normalized(outpost_);
   return along(Contour::spiral(radius_, Complex(0, 2 * std::numbers::pi)), outpost_,
                options_.samples);
@@ -276,19 +275,17 @@ double Endgame::truncation() const {
 
 std::optional<Departure> Endgame::estimate_end(PathSystem& path) {
   Estimate estimate{laurent_coefficient(0), turns_};
-  const bool is_infinite = leads_to_infinity(path);
-  const bool is_beyond = !is_infinite && ends_beyond();
-  if (is_beyond && !options_.goes_straight) return fail(Failure::precision);
-  if (is_infinite || is_beyond) {
+  if (leads_to_infinity(path)) {
     end_.status = PathStatus::at_infinity;
     return std::nullopt;
   }
+  if (ends_beyond()) return fail(Failure::precision);
   if (!sheets_meet(estimate.x)) {
     last_.reset();
     return shrink(path);
   }
   if (last_ && last_->winding == estimate.winding) {
-    const double change = difference(estimate.x, last_->x);
+    const double change = difference(estimate.x, normalized(last_->x));
     if (!best_ || change < best_difference_) {
       best_ = estimate;
       best_difference_ = change;

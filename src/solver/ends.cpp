@@ -49,7 +49,7 @@ Root refined_root(const Run& run, Refiner& refiner, Prover& prover, std::uint64_
   refiner.measure_by(natural_sizes(setting.prepared, end.frame));
   const bool many_sheets = end.winding.value_or(1) > 1;
   root.point = many_sheets ? refiner.keep(x, accuracy, *end.winding) : refiner.refine(x, accuracy);
-  if (!root.point.simple && !many_sheets && rung_of(run, path) == Rung::double_double) {
+  if (!root.point.simple && !many_sheets) {
     root.point = refiner.refine_fine(x);
   }
   if (prover.is_on()) {

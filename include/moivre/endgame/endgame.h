@@ -134,7 +134,7 @@ class Endgame : public Watcher {
   double radius_ = 0;  ///< its |1 - t|
 
   // Circles.
-  Point patch_;                 // fixed affine patch of all samples
+  Point patch_;                 // affine patch of the circle's samples
   Point turn_begin_;            // normalized point at angle 0
   std::vector<Point> samples_;  // normalized, over all turns so far
   int turns_ = 0;
