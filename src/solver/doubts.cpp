@@ -157,7 +157,7 @@ void settle_doubts(Run& run) {
     }
   }
   if (run.interrupted || settle_by_bound(run)) return;
-  PathSet last = doubtful_paths(run, options.maximum_care + 1, {});
+  PathSet last = doubtful_paths(run, options.maximum_care + 1, beyond);
   // More digits save no steps: the caller's budget stands.
   for (const std::uint64_t path : paths_failed_by(run, Failure::step_limit)) last.erase(path);
   climb(run, last);
