@@ -73,7 +73,7 @@ int run(const GuessesCommand& command) {
   Output csv(command.csv);
   const Interruption interruption;
   const Found found = find(command, *tracker, interruption.stop());
-  const KinematicsHeading heading{command.file, command.at};
+  const KinematicsHeading heading{command.file, command.at, {}};
   deliver(
       {{&json, [&] { return guesses_json(found.guesses, found.completeness, heading); }},
        {&csv, [&] { return guesses_csv(found.guesses, found.mechanism, command.angles); }}},

@@ -35,7 +35,7 @@ int run(const NewtonCommand& command) {
   Output csv(command.csv);
   const NewtonResult result =
       newton(phi, chosen_guess(mechanism, command.guess), command.guess.at, options);
-  const KinematicsHeading heading{command.file, command.guess.at};
+  const KinematicsHeading heading{command.file, command.guess.at, {}};
   deliver({{&json, [&] { return newton_json(result, mechanism, heading); }},
            {&csv, [&] { return newton_csv(result, mechanism, command.angles); }}},
           command.quiet, [&] { return newton_text(result, mechanism, heading); });

@@ -38,8 +38,7 @@ void prove(const Run& run, Refiner& refiner, Prover& prover, const Point& x, dou
   root.certificate = certificate;
 }
 
-Root refined_root(const Run& run, Refiner& refiner, Prover& prover, std::uint64_t path,
-                  const PathEnd& end) {
+Root refined_root(const Run& run, Refiner& refiner, Prover& prover, const PathEnd& end) {
   const Setting& setting = run.setting;
   const Point x = to_original(setting.prepared, end.x);
   // A relative error of z_0 is one of z / z_0, larger by the size of the affine point.
@@ -74,7 +73,7 @@ std::vector<Root> refined_roots(const Run& run) {
     Refiner refiner(run.setting.refiner_program);
     Prover prover(run.setting.certify_program);
     for (std::size_t k = chunk; k < roots.size(); k += chunks) {
-      roots[k] = refined_root(run, refiner, prover, run.ends[k].first, run.ends[k].second);
+      roots[k] = refined_root(run, refiner, prover, run.ends[k].second);
     }
   });
   return roots;

@@ -69,9 +69,9 @@ TEST(DecimalComma, IsPointedOut) {
 }
 
 TEST(UnitOnANumber, IsPointedOut) {
-  for (const std::string text : {changed("roller", "[40, 0]", "[40 mm, 0]"),
-                                 changed("roller", "start = 40", "start = 40 deg"),
-                                 changed("roller", "start = 40", "start = 40\xc2\xb0")}) {
+  for (const std::string& text : {changed("roller", "[40, 0]", "[40 mm, 0]"),
+                                  changed("roller", "start = 40", "start = 40 deg"),
+                                  changed("roller", "start = 40", "start = 40\xc2\xb0")}) {
     const std::string said = said_of(text);
     EXPECT_TRUE(contains(said, "without a unit")) << said;
   }
