@@ -12,6 +12,8 @@ namespace {
 
 // Relative error of a sample of what has to vanish: of z^k it is k times as large.
 constexpr double kSampleError = 1e-10;
+// Sums beyond the m-th follow from the first m: they tell samples that are made of errors.
+constexpr int kMoreSums = 2;
 // Limits that are to be 0 are known to lie so much nearer to 0 than the samples do.
 constexpr double kNearer = 0.5;
 constexpr double kMuchNearer = 1e-3;
@@ -61,9 +63,8 @@ bool end_beyond(double bound, const std::vector<Complex>& z, int m) {
 bool meet_together(const std::vector<Complex>& z, const Complex& common, int m) {
   std::vector<Complex> from_common = z;
   for (Complex& sample : from_common) sample -= common;
-  for (int k = 2; k <= m; ++k) {
-    const PowerMean mean = power_mean(from_common, k);
-    if (!mean.is_lost()) return false;
+  for (int k = 2; k <= m + kMoreSums; ++k) {
+    if (!power_mean(from_common, k).is_lost()) return false;
   }
   return true;
 }

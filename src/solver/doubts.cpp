@@ -114,14 +114,15 @@ void fail(Run& run, std::uint64_t path, Failure reason) {
   run.ledger.enter_failure({path, reason, 1});
 }
 
-/// One path alone cannot end at an isolated root that is not simple, nor can paths that end beside a simple root: what they
-/// end at is no root that this precision can show. And two paths cannot end at one simple root: all but the first are lost.
+/// One path alone cannot end at an isolated root that is not simple, nor can paths that end beside a simple root, nor any that
+/// make no whole cycles: what they end at is no root that this precision can show. And two paths cannot end at one simple
+/// root: all but the first are lost.
 void fail_unsettled(Run& run) {
   for (const auto& group : groups_of(run)) {
-    const Ends ends = ends_of(run, group);
-    const bool may_be_none = ends.are_mixed() || (group.size() == 1 && !ends.singular.empty());
-    if (!may_be_none || is_on_set(run, run.ledger.roots().at(ends.singular.front()))) continue;
-    for (const std::uint64_t path : ends.singular) fail(run, path, Failure::precision);
+    if (!is_in_doubt(run, group)) continue;
+    for (const std::uint64_t path : ends_of(run, group).singular) {
+      fail(run, path, Failure::precision);
+    }
   }
   for (const auto& group : groups_of(run)) {
     for (std::size_t k = 1; k < group.size(); ++k) {
@@ -142,7 +143,7 @@ void fail_unsettled(Run& run) {
 void settle_doubts(Run& run) {
   const SolveOptions& options = run.setting.options;
   if (settle_by_bound(run)) return;
-  resolve_clusters(run);
+  if (!run.setting.certify_program) resolve_clusters(run);
   // Where many paths go at once digits cost less than care, and care helps none that they do not.
   const PathSet beyond = climb_together(run, paths_failed_by(run, Failure::precision));
   const bool climbs_later = !run.setting.trackers.fine_own;

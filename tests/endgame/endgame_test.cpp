@@ -88,23 +88,6 @@ class Paths {
     return endgame.end();
   }
 
-  /// The tracker has left the path, and shows a point without an inverse of H_x as the first it sees near t = 1.
-  std::optional<Departure> stop_at_first_sight() const {
-    PathSystem scratch(homotopy_);
-    Endgame endgame({}, homotopy_.chart(), 0, 0);
-    endgame.depart(start_point(start_, 0));
-    const Point nowhere(f_.variables.size() + 1, 0.0);
-    Arrival stopped;
-    stopped.t = Contour::segment(0, 1).at(1 - 1e-5);
-    stopped.x = nowhere;
-    StepRecord step;
-    step.t = stopped.t;
-    step.x = nowhere;
-    if (endgame.watch(step, scratch) != Watcher::Verdict::stop) return std::nullopt;
-    stopped.journey = Journey::stopped;
-    return endgame.accept(std::move(stopped), scratch);
-  }
-
   /// Circles of one turn about (shift : 1 : x_0), the shift another for each radius, whose samples have a ripple.
   PathEnd end_of_circles(double x0, const std::vector<double>& shifts, double ripple) const {
     PathSystem scratch(homotopy_);
@@ -177,13 +160,6 @@ std::vector<const Followed*> ending_at(const std::vector<Followed>& all, const P
 int count_of(const std::vector<Followed>& all, PathStatus status) {
   return static_cast<int>(std::count_if(
       all.begin(), all.end(), [&](const Followed& path) { return path.end.status == status; }));
-}
-
-TEST(Endgame, CirclesWhereATrackerThatLeftItsPathIsStoppedBeforeAnythingWasSeen) {
-  const std::optional<Departure> next =
-      Paths("2\n x^2 + y^2 - 5;\n x*y - 2;\n", 1).stop_at_first_sight();
-  ASSERT_TRUE(next);
-  EXPECT_GT(next->samples, 0);
 }
 
 TEST(Endgame, IsLeftOutOnRegularEnds) {

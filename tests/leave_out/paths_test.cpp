@@ -149,8 +149,7 @@ TEST(LeaveOut, NoEndgameRunsOnRegularEnds) {
   }
 }
 
-// The lanes have factors of their own: where they track, only an endgame asks PathSystem for any.
-// Near t = 1 a path that creeps is looked at, most are not.
+// The lanes have factors of their own: where they track, only an endgame asks PathSystem for any, at an end that it judges.
 TEST(LeaveOut, AnEndgameFactorsLessThanOnceAPathOnTheWayToRegularEnds) {
   const auto tracker = make_lane_tracker();
   const auto factorisations_of = [&](const std::string& name) {
@@ -160,9 +159,8 @@ TEST(LeaveOut, AnEndgameFactorsLessThanOnceAPathOnTheWayToRegularEnds) {
     });
   };
   constexpr int kPathsOfKatsura = 32;
-  constexpr int kPathsOfMultiplicity = 9;
   EXPECT_LT(factorisations_of("katsura-5"), kPathsOfKatsura);
-  EXPECT_GT(factorisations_of("multiplicity-3"), kPathsOfMultiplicity);
+  EXPECT_GT(factorisations_of("multiplicity-3"), 0);
 }
 
 TEST(LeaveOut, AnEndgameRunsWhereARootIsMultiple) {
