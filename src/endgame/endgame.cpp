@@ -187,6 +187,7 @@ std::optional<Departure> Endgame::judge_arrival(Arrival&& arrival, PathSystem& p
       outpost_.empty() ? std::numeric_limits<double>::infinity() : options_.regular_condition;
   if (is_regular_arrival(arrival, path, condition)) return std::nullopt;
   if (outpost_.empty()) return fail(to_failure(arrival.journey));
+  if (options_.maximum_radii == 0) return fail(Failure::precision);
   return begin_circle();
 }
 

@@ -43,14 +43,14 @@ void resolve_clusters(Run& run) {
     first.insert(path);
     clusters[path] = ends.singular;
   }
-  climb(run, first);
+  climb(run, first, Taken::regular_ends);
   PathSet others;
   for (const auto& [path, singular] : clusters) {
     if (rung_of(run, path) == Rung::double_double) {
       others.insert(singular.begin() + 1, singular.end());
     }
   }
-  climb(run, others);
+  climb(run, others, Taken::regular_ends);
 }
 
 PathSet paths_failed_by(const Run& run, Failure reason) {
@@ -138,12 +138,25 @@ void fail_unsettled(Run& run) {
   }
 }
 
+/// In double-double a path may turn out to end where another was thought to: that one is followed next. Each is once.
+void climb_last(Run& run, PathSet climbed) {
+  while (!run.interrupted) {
+    PathSet last = doubtful_paths(run, run.setting.options.maximum_care + 1, climbed);
+    // More digits save no steps: the caller's budget stands.
+    for (const std::uint64_t path : paths_failed_by(run, Failure::step_limit)) last.erase(path);
+    for (const std::uint64_t path : climbed) last.erase(path);
+    if (last.empty()) return;
+    climb(run, last);
+    climbed.merge(last);
+  }
+}
+
 }  // namespace
 
 void settle_doubts(Run& run) {
   const SolveOptions& options = run.setting.options;
   if (settle_by_bound(run)) return;
-  if (!run.setting.certify_program) resolve_clusters(run);
+  resolve_clusters(run);
   // Where many paths go at once digits cost less than care, and care helps none that they do not.
   const PathSet beyond = climb_together(run, paths_failed_by(run, Failure::precision));
   const bool climbs_later = !run.setting.trackers.fine_own;
@@ -158,10 +171,7 @@ void settle_doubts(Run& run) {
     }
   }
   if (run.interrupted || settle_by_bound(run)) return;
-  PathSet last = doubtful_paths(run, options.maximum_care + 1, beyond);
-  // More digits save no steps: the caller's budget stands.
-  for (const std::uint64_t path : paths_failed_by(run, Failure::step_limit)) last.erase(path);
-  climb(run, last);
+  climb_last(run, beyond);
   if (!run.interrupted && !settle_by_bound(run)) fail_unsettled(run);
 }
 

@@ -26,12 +26,13 @@ void track_these(Run& run, const PathProblem& problem, const PathSet& paths, int
 }
 
 /// Returns the paths that came to no verdict.
-PathSet climb_with(Run& run, const Tracker& tracker, const PathSet& paths) {
+PathSet climb_with(Run& run, const Tracker& tracker, Taken taken, const PathSet& paths) {
   PathSet left;
   if (paths.empty() || run.interrupted) return left;
   const Setting& setting = run.setting;
   EndgameOptions endgame = setting.endgame;
   endgame.goes_straight = true;
+  if (taken == Taken::regular_ends) endgame.maximum_radii = 0;
   const PathProblem problem{*setting.prepared.plan, tracker, endgame};
   track_these(run, problem, paths, 0, [&](std::uint64_t path, PathEnd&& end) {
     if (end.status == PathStatus::failed) {
@@ -72,15 +73,16 @@ void track_again(Run& run, const PathSet& paths, int care) {
   });
 }
 
-PathSet climb_together(Run& run, const PathSet& paths) {
+PathSet climb_together(Run& run, const PathSet& paths, Taken taken) {
   const Trackers& trackers = run.setting.trackers;
-  return trackers.fine_own ? climb_with(run, *trackers.fine_own, paths) : PathSet{};
+  return trackers.fine_own ? climb_with(run, *trackers.fine_own, taken, paths) : PathSet{};
 }
 
-void climb(Run& run, const PathSet& paths) {
+void climb(Run& run, const PathSet& paths, Taken taken) {
   const Trackers& trackers = run.setting.trackers;
   if (!trackers.fine) return;
-  climb_with(run, *trackers.fine, trackers.fine_own ? climb_together(run, paths) : paths);
+  climb_with(run, *trackers.fine, taken,
+             trackers.fine_own ? climb_together(run, paths, taken) : paths);
 }
 
 }  // namespace moivre

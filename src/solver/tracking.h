@@ -15,12 +15,15 @@ void track_all(Run& run);
 /// Follows these with that care: by the same tracker first, by the fallback later.
 void track_again(Run& run, const PathSet& paths, int care);
 
+/// Which ends in double-double are verdicts? Without circles none but regular ones are found.
+enum class Taken { all_ends, regular_ends };
+
 /// Follows these in double-double: together where the tracker can, and what that leaves one by one. Where there is no verdict
 /// either, the path's entry stays as it is. Does nothing where no path may be followed beyond double.
-void climb(Run& run, const PathSet& paths);
+void climb(Run& run, const PathSet& paths, Taken taken = Taken::all_ends);
 
 /// Follows these together in double-double. Returns the paths that it does not decide; does nothing, and returns none, where
 /// the tracker has no double-double of its own.
-PathSet climb_together(Run& run, const PathSet& paths);
+PathSet climb_together(Run& run, const PathSet& paths, Taken taken = Taken::all_ends);
 
 }  // namespace moivre

@@ -53,7 +53,7 @@ struct EndgameOptions {
       1e11;                  ///< condition from which an end of winding number 1 is called singular
   int samples = 16;          ///< of one turn
   int maximum_winding = 32;  ///< turns tried before a circle counts as not closing
-  int maximum_radii = 20;    ///< circles tried
+  int maximum_radii = 20;    ///< circles tried; 0: an end that is not regular is a failure
   std::uint64_t maximum_steps = 6000;  ///< of all journeys of one path, then the endgame concludes
 };
 
