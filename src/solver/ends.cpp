@@ -20,6 +20,8 @@ constexpr double kSingularTolerance = 1e-7;
 constexpr double kWorstAccuracy = 1e-3;
 // One on a set of roots may be: it names no root, and where the set crosses itself residuals tell little of the error.
 constexpr double kWorstAccuracyOnSet = 3e-2;
+// Beside its own terms: where nothing of F cancels there is no root, however small the terms are in the units of the system.
+constexpr double kWorstResidual = 1e-2;
 // Of a root that is not simple.
 constexpr int kLeastMultiplicity = 2;
 
@@ -80,7 +82,7 @@ std::vector<Root> refined_roots(const Run& run) {
 }
 
 bool is_known_singular(const Run& run, const Root& root) {
-  if (!root.winding) return false;
+  if (!root.winding || root.point.residual > kWorstResidual) return false;
   if (root.point.accuracy <= kWorstAccuracy) return true;
   return root.point.accuracy <= kWorstAccuracyOnSet && is_on_set(run, root);
 }
