@@ -6,29 +6,18 @@
 #include <limits>
 #include <string_view>
 
+#include "moivre/expression/words.h"
 #include "read_forms.h"
 
 namespace moivre {
 namespace {
 
-constexpr std::string_view kBlanks = " \t\r";
 constexpr std::string_view kHead = "SOLUTIONS";
 constexpr std::string_view kCoordinatesFollow = "the solution for t";
 
-std::string_view trimmed(std::string_view text) {
-  const std::size_t begin = text.find_first_not_of(kBlanks);
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1);
-}
-
-std::optional<double> to_number(std::string_view word) {
-  if (!word.empty() && word.front() == '+') word.remove_prefix(1);
-  double x = 0;
-  const auto read = std::from_chars(word.data(), word.data() + word.size(), x);
-  if (read.ec != std::errc() || read.ptr != word.data() + word.size() || !std::isfinite(x)) {
-    return std::nullopt;
-  }
-  return x;
+std::optional<double> to_finite_number(std::string_view word) {
+  const std::optional<double> x = to_number(word);
+  return x && std::isfinite(*x) ? x : std::nullopt;
 }
 
 std::optional<std::uint64_t> to_count(std::string_view word) {
@@ -148,8 +137,8 @@ class ListReader {
       return fault(line, std::string(name) + " is not a variable of the system");
     }
     const auto words = words_of(line.text.substr(colon + 1));
-    const auto re = words.size() == 2 ? to_number(words[0]) : std::nullopt;
-    const auto im = words.size() == 2 ? to_number(words[1]) : std::nullopt;
+    const auto re = words.size() == 2 ? to_finite_number(words[0]) : std::nullopt;
+    const auto im = words.size() == 2 ? to_finite_number(words[1]) : std::nullopt;
     if (!re || !im) return fault(line, "expected a finite real and imaginary part");
     const auto place = static_cast<std::size_t>(found - variables_.begin());
     x[place] = {*re, *im};
@@ -160,7 +149,7 @@ class ListReader {
   void read_figures(const ListLine& line, RootClaim& root) {
     const std::size_t begin = line.text.find(':', line.text.find("err"));
     const auto words = words_of(line.text.substr(std::min(begin, line.text.size() - 1) + 1));
-    if (!words.empty()) root.accuracy = to_number(words.front());
+    if (!words.empty()) root.accuracy = to_finite_number(words.front());
   }
 
   const Source& source_;

@@ -6,17 +6,9 @@
 
 namespace moivre {
 
-namespace {
-constexpr std::string_view kBlanks = " \t\n\v\f\r";
-}
+namespace {}
 
 bool is_blank(char c) { return kBlanks.find(c) != std::string_view::npos; }
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(kBlanks);
-  if (first == std::string_view::npos) return text.substr(text.size());
-  return text.substr(first, text.find_last_not_of(kBlanks) + 1 - first);
-}
 
 std::string first_line(std::string_view text) {
   constexpr std::size_t kShown = 60;

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "moivre/expression/source.h"
+#include "moivre/expression/words.h"
 
 namespace moivre {
 
@@ -33,8 +34,6 @@ class StatementCursor {
 };
 
 bool is_blank(char c);
-/// `text` without the blanks at its ends.
-std::string_view trimmed(std::string_view text);
 /// The first line of a text as a message shows it: cut when long, no control characters.
 std::string first_line(std::string_view text);
 

@@ -8,24 +8,10 @@
 #include <optional>
 #include <string_view>
 
+#include "moivre/expression/words.h"
+
 namespace moivre {
 namespace {
-
-constexpr std::string_view kBlanks = " \t\r";
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t begin = text.find_first_not_of(kBlanks);
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1);
-}
-
-std::optional<double> to_number(std::string_view word) {
-  if (!word.empty() && word.front() == '+') word.remove_prefix(1);
-  double x = 0;
-  const auto read = std::from_chars(word.data(), word.data() + word.size(), x);
-  if (read.ec != std::errc() || read.ptr != word.data() + word.size()) return std::nullopt;
-  return x;
-}
 
 struct Line {
   std::size_t number;
