@@ -250,9 +250,10 @@ bool Endgame::ends_beyond() const {
 
 // All sheets of the cycle do, and the faces of their direction have a common root.
 bool Endgame::leads_to_infinity(const PathSystem& path) const {
-  return vanish_together(samples_of_x0(), turns_) &&
+  return (vanish_together(samples_of_x0(), turns_) || (options_.coefficient_error > 0 && ends_beyond())) &&
          has_face_root(path.homotopy(), outside(frame_, outpost_), radius_,
-                       valuations(samples_, chart_.homogenizing(), turns_));
+                       valuations(samples_, chart_.homogenizing(), turns_),
+                       options_.coefficient_error);
 }
 
 // In one combination of the coordinates, which tells points apart but for bad luck.

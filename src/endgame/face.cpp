@@ -24,6 +24,8 @@ constexpr double kValuationError = 0.03;
 constexpr int kLargestDenominator = 32;
 // Faces vanish to the rounding of double-double, a little more than its products make of it.
 constexpr double kVanished = 1e-26;
+// Gauss-Newton's point is not the one at which the coefficients have to change least.
+constexpr double kNotTheBest = 8;
 // The root lies near the path: its logarithms no further away than this.
 constexpr double kNeighbourhood = 3;
 // Enough for a double root, whose residual falls by four with each iteration.
@@ -89,7 +91,7 @@ class Faces {
 
   /// Gauss-Newton from y, in the units. Towards an m-fold root corrections fall by (m - 1) / m only; where they fall evenly
   /// one is taken m times.
-  bool vanish_near(std::vector<Number> y, double rank_threshold) const {
+  bool vanish_near(std::vector<Number> y, double rank_threshold, double vanished) const {
     VectorXcd value(static_cast<Index>(faces_.size()));
     MatrixXcd jacobian(value.size(), static_cast<Index>(y.size()));
     VectorXcd moved = VectorXcd::Zero(jacobian.cols());
@@ -97,7 +99,7 @@ class Faces {
     double fall = 0;
     for (int k = 0; k < kIterations; ++k) {
       evaluate(y, value, jacobian);
-      if (value.lpNorm<Eigen::Infinity>() <= kVanished) return true;
+      if (value.lpNorm<Eigen::Infinity>() <= vanished) return true;
       Eigen::CompleteOrthogonalDecomposition<MatrixXcd> qr;
       qr.setThreshold(rank_threshold);
       VectorXcd dz = qr.compute(jacobian).solve(-value);
@@ -207,7 +209,7 @@ class Faces {
 }  // namespace
 
 bool has_face_root(const Homotopy& homotopy, const Point& x, double radius,
-                   const std::vector<double>& valuations) {
+                   const std::vector<double>& valuations, double coefficient_error) {
   const std::optional<Direction> direction = direction_of(valuations);
   if (!direction) return false;
   const Chart& chart = homotopy.chart();
@@ -219,9 +221,11 @@ bool has_face_root(const Homotopy& homotopy, const Point& x, double radius,
     log2.push_back(static_cast<int>(std::lround(z.real() / std::log(2.0))));
     y.push_back(Number(std::exp(z - log2.back() * std::log(2.0))));
   }
+  const double vanished = std::max(kVanished, kNotTheBest * coefficient_error);
   const Faces faces(homotopy, radius, *direction, log2);
   return faces.may_vanish() &&
-         (faces.vanish_near(y, kWideThreshold) || faces.vanish_near(y, kRoundingThreshold));
+         (faces.vanish_near(y, kWideThreshold, vanished) ||
+          faces.vanish_near(y, kRoundingThreshold, vanished));
 }
 
 }  // namespace moivre

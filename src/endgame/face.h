@@ -21,7 +21,8 @@
 namespace moivre {
 
 /// x: homogeneous, not in a frame, at 1 - t = radius. valuations: of x_j / x_0, n of them.
+/// coefficient_error: relative; F is any system that near to the file's.
 bool has_face_root(const Homotopy& homotopy, const Point& x, double radius,
-                   const std::vector<double>& valuations);
+                   const std::vector<double>& valuations, double coefficient_error);
 
 }  // namespace moivre

@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "certificates.h"
+#include "moivre/polynomial/digits.h"
 #include "moivre/tracker/double_double_tracker.h"
 
 namespace moivre {
@@ -37,6 +38,7 @@ Setting::Setting(const System& system, const Tracker& tracker, const SolveOption
       endgame(options.endgame),
       refiner_program(make_refiner_program(with_unit_rows(f), natural_sizes(prepared))),
       certify_program(moivre::certify_program(f, options)) {
+  endgame.coefficient_error = coefficient_error(f);
   endgame.goes_straight = endgame.goes_straight || is_fine();
 }
 

@@ -54,6 +54,7 @@ struct EndgameOptions {
   int samples = 16;          ///< of one turn
   int maximum_winding = 32;  ///< turns tried before a circle counts as not closing
   int maximum_radii = 20;    ///< circles tried; 0: an end that is not regular is a failure
+  double coefficient_error = 0;  ///< relative (polynomial/digits.h): F is known as well as that
   std::uint64_t maximum_steps = 6000;  ///< of all journeys of one path, then the endgame concludes
 };
 
