@@ -25,11 +25,11 @@ constexpr double kNeighbourhood = 20;
 constexpr int kMaximumIterations = 60;
 // An iteration count within which |F| halves wherever Gauss-Newton converges, to a multiple curve as well.
 constexpr int kPatience = 6;
-// |F| beside its terms: below the first a root without doubt; below the second one of a system whose coefficients were
-// rounded, provided that |F| falls by no more than kFall when the step is halved. An isolated root with |F| below the second
-// has an order of 6 at least, and its |F| falls by 64.
+// |F| beside its terms: below this a root without doubt.
 constexpr double kOnTheSet = 1e-24;
-constexpr double kNearTheSet = 1e-14;
+// Below so many errors of the coefficients a root of a system that the file may mean, provided that |F| falls by no more than
+// kFall when the step is halved.
+constexpr double kErrors = 8;
 constexpr double kFall = 16;
 // Singular values of J, whose rows are relative to their terms, of directions in which a set may lie: x is known to 1e-3 at worst.
 constexpr double kNullSpace = 1e-2;
@@ -43,7 +43,8 @@ constexpr int kAgreeing = 2;
 /// The neighbourhood of one root, y = x + s z with s the natural sizes of the coordinates.
 class Neighbourhood {
  public:
-  Neighbourhood(const RefinerProgram& program, const Point& x, std::uint64_t seed);
+  Neighbourhood(const RefinerProgram& program, double coefficient_error, const Point& x,
+                std::uint64_t seed);
 
   /// Does a plane, moved, meet a set through x?
   bool meets(int slice);
@@ -61,6 +62,7 @@ class Neighbourhood {
   std::optional<double> settle(const VectorXcd& plane, double step, FinePoint& z);
 
   const RefinerProgram& program_;
+  double root_;  ///< |F| at most, at a root
   const Point& x_;
   std::uint64_t seed_;
   std::vector<double> scale_;
@@ -72,8 +74,10 @@ class Neighbourhood {
   MatrixXcd j_;      ///< (n + 1) x n, of value_ with respect to z
 };
 
-Neighbourhood::Neighbourhood(const RefinerProgram& program, const Point& x, std::uint64_t seed)
+Neighbourhood::Neighbourhood(const RefinerProgram& program, double coefficient_error,
+                             const Point& x, std::uint64_t seed)
     : program_(program),
+      root_(std::max(kOnTheSet, kErrors * coefficient_error)),
       x_(x),
       seed_(seed),
       size_y_(x.size()),
@@ -187,15 +191,15 @@ std::optional<double> Neighbourhood::settle(const VectorXcd& plane, double step,
     const VectorXcd dz = j_.completeOrthogonalDecomposition().solve(-value_);
     for (Index i = 0; i < dz.size(); ++i) z[static_cast<std::size_t>(i)] += Number(dz[i]);
   }
-  return best <= kNearTheSet ? std::optional(best) : std::nullopt;
+  return best <= root_ ? std::optional(best) : std::nullopt;
 }
 
 }  // namespace
 
-bool lies_on_positive_dimensional_set(const RefinerProgram& program, const Point& x,
-                                      std::uint64_t seed) {
+bool lies_on_positive_dimensional_set(const RefinerProgram& program, double coefficient_error,
+                                      const Point& x, std::uint64_t seed) {
   if (x.size() < 2) return false;
-  Neighbourhood neighbourhood(program, x, seed);
+  Neighbourhood neighbourhood(program, coefficient_error, x, seed);
   int found = 0;
   for (int slice = 0; slice < kSlices && found < kAgreeing; ++slice) {
     found += neighbourhood.meets(slice) ? 1 : 0;

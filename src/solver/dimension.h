@@ -10,8 +10,8 @@
 //   descend  h is halved, again and again, and the root followed: it has to come to x as fast. One that does
 //            not belongs to another set nearby.
 //
-// |F| not quite 0 is a set all the same where it does not fall as h^m does: coefficients that were rounded, as those of an
-// angle's cosine, leave no exact set. Most of several planes have to agree.
+// Coefficients that were rounded, as those of an angle's cosine, leave no exact set: there |F| within their error is a set
+// all the same, where it does not fall as h^m does. Two of several planes have to agree.
 // x: n, F: n rows, each relative to its terms; J with columns scaled by the natural sizes of the coordinates.
 // Not supported: isolated roots at which F vanishes along a curve to an order above 12.
 // Source: [SommeseWampler05, ch. 13], local dimension by slicing.
@@ -21,8 +21,8 @@
 
 namespace moivre {
 
-/// program: F as given. x: a singular root of F, n coordinates.
-bool lies_on_positive_dimensional_set(const RefinerProgram& program, const Point& x,
-                                      std::uint64_t seed);
+/// program: F as given, its coefficients known to `coefficient_error` (polynomial/digits.h). x: a singular root of F, n coordinates.
+bool lies_on_positive_dimensional_set(const RefinerProgram& program, double coefficient_error,
+                                      const Point& x, std::uint64_t seed);
 
 }  // namespace moivre
