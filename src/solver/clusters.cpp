@@ -37,8 +37,6 @@ class Cluster {
 
   /// The different roots that are proved within it; no more are looked for than there are paths.
   Proofs roots() {
-    try_start(0, 1);
-    if (found_.empty()) return found_;
     const std::size_t starts = std::min(2 * paths_, kMostStarts);
     for (std::size_t k = 0; k < starts && found_.size() < paths_; ++k) try_start(k, starts);
     return found_;
