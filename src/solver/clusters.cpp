@@ -10,6 +10,7 @@
 #include "coincidence.h"
 #include "ends.h"
 #include "moivre/numeric/random.h"
+#include "moivre/polynomial/local_multiplicity.h"
 
 namespace moivre {
 namespace {
@@ -77,6 +78,28 @@ class Cluster {
   Proofs found_;
 };
 
+/// Its doubles, taken for exact.
+std::vector<Coefficient> exact(const Point& x) {
+  std::vector<Coefficient> result;
+  for (const Complex& xi : x) result.push_back({Rational(xi.real()), Rational(xi.imag())});
+  return result;
+}
+
+/// What is known of a cluster: different roots that are proved within it, or that it is none, or nothing.
+struct Finding {
+  Proofs roots;
+  bool is_refuted = false;
+};
+
+Finding look_into(const Setting& setting, const Root& end, std::size_t paths) {
+  const auto multiplicity = local_multiplicity(setting.f, exact(end.point.x));
+  if (multiplicity == paths) return {};
+  Finding finding;
+  finding.roots = Cluster(setting, end, paths).roots();
+  finding.is_refuted = multiplicity || !finding.roots.empty();
+  return finding;
+}
+
 /// Groups of ends at which no simple root was found, and that are isolated.
 std::vector<std::vector<std::uint64_t>> clusters_of(const Run& run) {
   std::vector<std::vector<std::uint64_t>> clusters;
@@ -105,22 +128,23 @@ void part_clusters(Run& run) {
   const Setting& setting = run.setting;
   if (!setting.certify_program || run.interrupted) return;
   const auto clusters = clusters_of(run);
-  std::vector<Proofs> proofs(clusters.size());
+  std::vector<Finding> findings(clusters.size());
   for_each_parallel(clusters.size(), setting.threads, [&](std::size_t k) {
     const Root& end = run.ledger.roots().at(clusters[k].front());
-    proofs[k] = Cluster(setting, end, clusters[k].size()).roots();
+    findings[k] = look_into(setting, end, clusters[k].size());
   });
   if (setting.stop) run.interrupted = true;
   if (run.interrupted) return;
   Refiner refiner(setting.refiner_program);
   for (std::size_t k = 0; k < clusters.size(); ++k) {
-    if (proofs[k].empty()) continue;
-    const bool are_all = proofs[k].size() == clusters[k].size();
+    if (!findings[k].is_refuted) continue;
+    const Proofs& proofs = findings[k].roots;
+    const bool are_all = proofs.size() == clusters[k].size();
     for (std::size_t i = 0; i < clusters[k].size(); ++i) {
       const std::uint64_t path = clusters[k][i];
       run.ledger.strike(path);
       if (are_all) {
-        enter(run, refiner, path, proofs[k][i]);
+        enter(run, refiner, path, proofs[i]);
       } else {
         run.ledger.enter_failure({path, Failure::precision, 1});
       }

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+// The system moved to the root, its multiples by monomials as rows, columns by ascending degree.
+#include "moivre/polynomial/local_multiplicity.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "modular.h"
+
+namespace moivre {
+namespace {
+
+// Columns of the largest matrix: dense rows of so many numbers are reduced in a tenth of a second.
+constexpr std::size_t kMostColumns = 500;
+// Of a term: powers are multiplied out one by one.
+constexpr std::uint64_t kMostDegree = 1000;
+
+/// Exponents of a monomial in y.
+using Exponents = std::vector<std::uint32_t>;
+
+std::uint64_t degree(const Exponents& a) {
+  std::uint64_t sum = 0;
+  for (const std::uint32_t e : a) sum += e;
+  return sum;
+}
+
+struct LocalOrder {
+  bool operator()(const Exponents& a, const Exponents& b) const {
+    const std::uint64_t da = degree(a);
+    const std::uint64_t db = degree(b);
+    return da != db ? da < db : a < b;
+  }
+};
+using LocalPolynomial = std::map<Exponents, Residue, LocalOrder>;
+
+void add(LocalPolynomial& p, const Exponents& m, Residue c) {
+  const auto [place, is_new] = p.try_emplace(m, c);
+  if (!is_new) place->second = plus(place->second, c);
+}
+
+/// All monomials in n unknowns of degree k at most, by ascending degree; empty where there are more than kMostColumns.
+std::vector<Exponents> monomials(std::size_t n, std::uint64_t k) {
+  std::vector<Exponents> all{Exponents(n)};
+  std::size_t begin = 0;
+  for (std::uint64_t d = 1; d <= k; ++d) {
+    const std::size_t end = all.size();
+    for (std::size_t i = begin; i < end; ++i) {
+      // Each monomial once: a factor no earlier than the last one.
+      std::size_t last = 0;
+      for (std::size_t j = 0; j < n; ++j) {
+        if (all[i][j] > 0) last = j;
+      }
+      for (std::size_t j = last; j < n; ++j) {
+        Exponents next = all[i];
+        ++next[j];
+        all.push_back(std::move(next));
+        if (all.size() > kMostColumns) return {};
+      }
+    }
+    begin = end;
+  }
+  return all;
+}
+
+/// p(x + y), up to degree k in y.
+LocalPolynomial moved(const Polynomial& p, const std::vector<Residue>& x, std::uint64_t k) {
+  LocalPolynomial sum;
+  for (const Term& term : p.terms) {
+    LocalPolynomial power{{Exponents(x.size()), residue(term.coefficient)}};
+    for (const Power& factor : term.monomial) {
+      for (std::uint32_t e = 0; e < factor.exponent; ++e) {
+        LocalPolynomial next;
+        for (const auto& [m, c] : power) {
+          if (x[factor.variable] != 0) add(next, m, times(c, x[factor.variable]));
+          if (degree(m) == k) continue;
+          Exponents larger = m;
+          ++larger[factor.variable];
+          add(next, larger, c);
+        }
+        power = std::move(next);
+      }
+    }
+    for (const auto& [m, c] : power) add(sum, m, c);
+  }
+  std::erase_if(sum, [](const auto& term) { return term.second == 0; });
+  return sum;
+}
+
+class Macaulay {
+ public:
+  /// Up to degree k.
+  Macaulay(const System& f, const std::vector<Residue>& x, std::uint64_t k)
+      : k_(k), monomials_(monomials(x.size(), k)) {
+    for (std::size_t c = 0; c < monomials_.size(); ++c) column_[monomials_[c]] = c;
+    for (const Polynomial& p : f.polynomials) rows_.push_back(moved(p, x, k));
+  }
+
+  bool is_too_large() const { return monomials_.empty(); }
+  bool has_root() const {
+    return std::all_of(rows_.begin(), rows_.end(), [](const LocalPolynomial& p) {
+      return p.empty() || degree(p.begin()->first) > 0;
+    });
+  }
+
+  /// dim D_j for the least j <= k with dim D_j = dim D_{j-1}; nullopt where there is none.
+  std::optional<std::uint64_t> standstill() const {
+    ModularRows reduced;
+    std::vector<std::uint64_t> dimension(k_ + 1);  // first columns of each degree that no row has
+    for (const Exponents& m : monomials_) ++dimension[degree(m)];
+    for (const Exponents& factor : monomials_) {
+      for (const LocalPolynomial& p : rows_) {
+        const std::size_t* first = reduced.add(multiple(factor, p));
+        if (first != nullptr) --dimension[degree(monomials_[*first])];
+      }
+    }
+    std::uint64_t sum = 0;
+    for (const std::uint64_t more : dimension) {
+      if (more == 0) return sum;
+      sum += more;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  ModularRow multiple(const Exponents& factor, const LocalPolynomial& p) const {
+    ModularRow row;
+    for (const auto& [m, c] : p) {
+      if (degree(m) + degree(factor) > k_) break;
+      Exponents product = m;
+      for (std::size_t j = 0; j < product.size(); ++j) product[j] += factor[j];
+      row.emplace_back(column_.at(product), c);
+    }
+    std::sort(row.begin(), row.end());
+    return row;
+  }
+
+  std::uint64_t k_;
+  std::vector<Exponents> monomials_;
+  std::map<Exponents, std::size_t, LocalOrder> column_;
+  std::vector<LocalPolynomial> rows_;
+};
+
+}  // namespace
+
+std::optional<std::uint64_t> local_multiplicity(const System& f,
+                                                const std::vector<Coefficient>& x) {
+  for (const std::uint64_t d : degrees(f)) {
+    if (d > kMostDegree) return std::nullopt;
+  }
+  std::vector<Residue> root;
+  for (const Coefficient& xi : x) root.push_back(residue(xi));
+  for (std::uint64_t k = 2;; k += k / 2) {
+    const Macaulay macaulay(f, root, k);
+    if (macaulay.is_too_large() || !macaulay.has_root()) return std::nullopt;
+    if (const auto multiplicity = macaulay.standstill()) return multiplicity;
+  }
+}
+
+}  // namespace moivre

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Exact algebra at the price of machine words: numbers modulo a prime, and rows of a matrix reduced as they come.
+//
+// The prime 2^61 - 31 is 1 modulo 4, so that -1 has a square root and Gaussian rationals have images. What is independent modulo
+// the prime is independent; the converse, and that an image 0 comes from 0, fails with probability about 1e-18.
+// Private to the module.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "integer_polynomial.h"
+
+namespace moivre {
+
+/// In [0, 2^61 - 31).
+using Residue = std::uint64_t;
+
+Residue times(Residue a, Residue b);
+Residue plus(Residue a, Residue b);
+Residue residue(const GaussianInteger& a);
+/// Throws std::invalid_argument where the prime divides a denominator.
+Residue residue(const Coefficient& a);
+
+/// Column and nonzero value, sorted by column.
+using ModularRow = std::vector<std::pair<std::size_t, Residue>>;
+
+/// Echelon form: every row has its first column to itself.
+class ModularRows {
+ public:
+  /// The first column of what is left of the row beside the others; nullptr where nothing is.
+  const std::size_t* add(ModularRow row);
+  std::size_t rank() const { return pivots_.size(); }
+
+ private:
+  std::map<std::size_t, ModularRow> pivots_;  // by first column, where the value is 1
+};
+
+}  // namespace moivre
