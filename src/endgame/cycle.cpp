@@ -11,6 +11,8 @@ namespace {
 
 // Relative error of a sample of what has to vanish: of z^k it is k times as large.
 constexpr double kSampleError = 1e-10;
+// Of a sample itself: what is left of its difference from a common point that it nearly is.
+constexpr double kRounding = 1e-14;
 // Sums beyond the m-th follow from the first m: they tell samples that are made of errors.
 constexpr int kMoreSums = 2;
 // Limits that are to be 0 are known to lie so much nearer to 0 than the samples do.
@@ -63,7 +65,10 @@ bool meet_together(const std::vector<Complex>& z, const Complex& common, int m) 
   std::vector<Complex> from_common = z;
   for (Complex& sample : from_common) sample -= common;
   for (int k = 2; k <= m + kMoreSums; ++k) {
-    if (!power_mean(from_common, k).is_lost()) return false;
+    const PowerMean mean = power_mean(from_common, k);
+    const double rounding =
+        kRounding * k * std::abs(common) * power_mean(from_common, k - 1).size;
+    if (!mean.is_lost() && std::abs(mean.sum) > rounding) return false;
   }
   return true;
 }

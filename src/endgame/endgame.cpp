@@ -188,7 +188,17 @@ std::optional<Departure> Endgame::judge_arrival(Arrival&& arrival, PathSystem& p
   if (is_regular_arrival(arrival, path, condition)) return std::nullopt;
   if (outpost_.empty()) return fail(to_failure(arrival.journey));
   if (options_.maximum_radii == 0) return fail(Failure::precision);
+  frame_here(path);
   return begin_circle();
+}
+
+// A path may have gone far since it set out: its end is looked at in the units of the outpost.
+void Endgame::frame_here(PathSystem& path) {
+  if (!frame_ || radii_ > 0) return;
+  outpost_ = outside(frame_, std::move(outpost_));
+  frame_ = std::make_shared<const PathFrame>(frame_at(path.homotopy(), outpost_));
+  outpost_ = inside(frame_, std::move(outpost_));
+  path.set_frame(frame_.get());
 }
 
 // Affine patch a x = 1 through the circle's outpost: samples of one homogeneous path become points of one chart.
@@ -250,10 +260,9 @@ bool Endgame::ends_beyond() const {
 
 // All sheets of the cycle do, and the faces of their direction have a common root.
 bool Endgame::leads_to_infinity(const PathSystem& path) const {
-  return (vanish_together(samples_of_x0(), turns_) || (options_.coefficient_error > 0 && ends_beyond())) &&
+  return (vanish_together(samples_of_x0(), turns_) || ends_beyond()) &&
          has_face_root(path.homotopy(), outside(frame_, outpost_), radius_,
-                       valuations(samples_, chart_.homogenizing(), turns_),
-                       options_.coefficient_error);
+                       valuations(samples_, chart_.homogenizing(), turns_));
 }
 
 // In one combination of the coordinates, which tells points apart but for bad luck.

@@ -62,6 +62,7 @@ std::optional<Direction> direction_of(const std::vector<double>& valuations) {
 /// A term of a face in the units of the point, beside the largest of its equation.
 struct FaceTerm {
   Number c;
+  double error;  ///< of c, relative
   const Monomial* monomial;
 };
 using Face = std::vector<FaceTerm>;
@@ -91,15 +92,15 @@ class Faces {
 
   /// Gauss-Newton from y, in the units. Towards an m-fold root corrections fall by (m - 1) / m only; where they fall evenly
   /// one is taken m times.
-  bool vanish_near(std::vector<Number> y, double rank_threshold, double vanished) const {
+  bool vanish_near(std::vector<Number> y, double rank_threshold) const {
     VectorXcd value(static_cast<Index>(faces_.size()));
     MatrixXcd jacobian(value.size(), static_cast<Index>(y.size()));
     VectorXcd moved = VectorXcd::Zero(jacobian.cols());
     double size = 0;
     double fall = 0;
     for (int k = 0; k < kIterations; ++k) {
-      evaluate(y, value, jacobian);
-      if (value.lpNorm<Eigen::Infinity>() <= vanished) return true;
+      const double zero = evaluate(y, value, jacobian);
+      if (value.lpNorm<Eigen::Infinity>() <= zero) return true;
       Eigen::CompleteOrthogonalDecomposition<MatrixXcd> qr;
       qr.setThreshold(rank_threshold);
       VectorXcd dz = qr.compute(jacobian).solve(-value);
@@ -146,7 +147,8 @@ class Faces {
       const Coefficient& c = is_start ? homotopy.g(first + k) : homotopy.f(first + k);
       const Number value = product(DoubleDouble(is_start ? radius : 1.0), Scalar<Number>::round(c));
       largest = std::max(largest, std::log2(magnitude1(value)) + shifts[k]);
-      face.push_back({value, &terms[k].monomial});
+      const double error = is_start ? 0 : homotopy.error(first + k) / magnitude1(value);
+      face.push_back({value, error, &terms[k].monomial});
     }
     std::size_t next = 0;
     for (std::size_t k = 0; k < terms.size(); ++k) {
@@ -159,9 +161,10 @@ class Faces {
   }
 
   // Each face over its largest term, and its derivatives in log y: the torus that acts on the roots of a face is exactly
-  // their null space.
-  void evaluate(const std::vector<Number>& y, VectorXcd& value, MatrixXcd& jacobian) const {
+  // their null space. Returns what counts as 0: where coefficients were rounded, all faces together are known to their errors.
+  double evaluate(const std::vector<Number>& y, VectorXcd& value, MatrixXcd& jacobian) const {
     jacobian.setZero();
+    double zero = kVanished;
     std::vector<Number> terms;
     for (std::size_t i = 0; i < faces_.size(); ++i) {
       terms.clear();
@@ -173,14 +176,18 @@ class Faces {
       const Complex scale = 1.0 / to_complex(*largest);
       const auto row = static_cast<Index>(i);
       Number sum(0.0);
+      double error = 0;
       for (std::size_t k = 0; k < terms.size(); ++k) {
         sum += terms[k];
         const Complex share = to_complex(terms[k]) * scale;
+        error += faces_[i][k].error * std::abs(share);
         add_exponents(*faces_[i][k].monomial, share, jacobian, row);
         add_exponents(*reference.monomial, -share, jacobian, row);
       }
       value[row] = to_complex(sum) * scale;
+      zero = std::max(zero, kNotTheBest * error);
     }
+    return zero;
   }
 
   Number value_of(const FaceTerm& term, const std::vector<Number>& y) const {
@@ -209,7 +216,7 @@ class Faces {
 }  // namespace
 
 bool has_face_root(const Homotopy& homotopy, const Point& x, double radius,
-                   const std::vector<double>& valuations, double coefficient_error) {
+                   const std::vector<double>& valuations) {
   const std::optional<Direction> direction = direction_of(valuations);
   if (!direction) return false;
   const Chart& chart = homotopy.chart();
@@ -221,11 +228,9 @@ bool has_face_root(const Homotopy& homotopy, const Point& x, double radius,
     log2.push_back(static_cast<int>(std::lround(z.real() / std::log(2.0))));
     y.push_back(Number(std::exp(z - log2.back() * std::log(2.0))));
   }
-  const double vanished = std::max(kVanished, kNotTheBest * coefficient_error);
   const Faces faces(homotopy, radius, *direction, log2);
   return faces.may_vanish() &&
-         (faces.vanish_near(y, kWideThreshold, vanished) ||
-          faces.vanish_near(y, kRoundingThreshold, vanished));
+         (faces.vanish_near(y, kWideThreshold) || faces.vanish_near(y, kRoundingThreshold));
 }
 
 }  // namespace moivre

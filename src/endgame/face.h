@@ -8,6 +8,8 @@
 // generic system has no such point in any direction, since the faces are n equations for what are n - 1 unknowns. A path that
 // merely grows for a while, to a large finite root, finds none. So its direction is taken for that of an end at infinity where
 // Newton's method in log x, from the path's own point, makes all faces vanish to the rounding of double-double, and nowhere else.
+// Where F's coefficients were rounded (Homotopy::error) the faces vanish within their errors: an other system that the file may
+// mean has a root at infinity there.
 //
 //   w: valuations, rounded to fractions of the least denominator that they allow
 //   Edges: a face of one term cannot vanish. Coordinates that are 0 have no valuation, and terms with them no part.
@@ -21,8 +23,7 @@
 namespace moivre {
 
 /// x: homogeneous, not in a frame, at 1 - t = radius. valuations: of x_j / x_0, n of them.
-/// coefficient_error: relative; F is any system that near to the file's.
 bool has_face_root(const Homotopy& homotopy, const Point& x, double radius,
-                   const std::vector<double>& valuations, double coefficient_error);
+                   const std::vector<double>& valuations);
 
 }  // namespace moivre

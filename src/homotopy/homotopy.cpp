@@ -3,6 +3,7 @@
 #include "moivre/homotopy/homotopy.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "moivre/polynomial/homogenize.h"
@@ -79,6 +80,19 @@ Homotopy::Homotopy(const System& f, const System& g) {
     append_coefficients(support.polynomials[i], g.polynomials[i], g_);
   }
   set_support(support);
+}
+
+void Homotopy::add_reading(const System& other) {
+  errors_.resize(terms());
+  for (std::size_t i = 0; i < equations(); ++i) {
+    auto reading = other.polynomials[i].terms.begin();
+    for (std::size_t k = first_[i]; k < first_[i] + support_.polynomials[i].terms.size(); ++k) {
+      if (is_zero(f_[k])) continue;
+      const Coefficient difference = (reading++)->coefficient - f_[k];
+      if (is_zero(difference)) continue;
+      errors_[k] = std::max(errors_[k], std::exp2(moivre::log2_size(difference)));
+    }
+  }
 }
 
 Homotopy Homotopy::framed(const System& f, const System& g) {

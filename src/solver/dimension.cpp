@@ -43,8 +43,7 @@ constexpr int kAgreeing = 2;
 /// The neighbourhood of one root, y = x + s z with s the natural sizes of the coordinates.
 class Neighbourhood {
  public:
-  Neighbourhood(const RefinerProgram& program, double coefficient_error, const Point& x,
-                std::uint64_t seed);
+  Neighbourhood(const RefinerProgram& program, const Point& x, std::uint64_t seed);
 
   /// Does a plane, moved, meet a set through x?
   bool meets(int slice);
@@ -62,7 +61,6 @@ class Neighbourhood {
   std::optional<double> settle(const VectorXcd& plane, double step, FinePoint& z);
 
   const RefinerProgram& program_;
-  double root_;  ///< |F| at most, at a root
   const Point& x_;
   std::uint64_t seed_;
   std::vector<double> scale_;
@@ -70,14 +68,14 @@ class Neighbourhood {
   std::vector<double> size_y_, size_registers_, size_;
   std::vector<Complex> y_, registers_, ignored_, jacobian_;
   FinePoint fine_y_, fine_registers_, fine_value_;
-  VectorXcd value_;  ///< n + 1: F relative to its terms, the plane
+  std::vector<double> error_;  ///< of F's terms, where coefficients were rounded
+  Eigen::VectorXd zero_;       ///< m: of F relative to its terms, at a root
+  VectorXcd value_;            ///< n + 1: F relative to its terms, the plane
   MatrixXcd j_;      ///< (n + 1) x n, of value_ with respect to z
 };
 
-Neighbourhood::Neighbourhood(const RefinerProgram& program, double coefficient_error,
-                             const Point& x, std::uint64_t seed)
+Neighbourhood::Neighbourhood(const RefinerProgram& program, const Point& x, std::uint64_t seed)
     : program_(program),
-      root_(std::max(kOnTheSet, kErrors * coefficient_error)),
       x_(x),
       seed_(seed),
       size_y_(x.size()),
@@ -90,6 +88,8 @@ Neighbourhood::Neighbourhood(const RefinerProgram& program, double coefficient_e
       fine_y_(x.size()),
       fine_registers_(program.tape.register_count()),
       fine_value_(program.tape.equations),
+      error_(program.tape.equations),
+      zero_(static_cast<Index>(program.tape.equations)),
       value_(static_cast<Index>(program.tape.equations) + 1),
       j_(MatrixXcd::Zero(static_cast<Index>(program.tape.equations) + 1, dimension())) {
   for (std::size_t i = 0; i < x.size(); ++i) {
@@ -113,11 +113,16 @@ void Neighbourhood::evaluate_at(const FinePoint& z) {
     size_y_[i] = std::max(std::abs(y_[i]), kStep * scale_[i]);
   }
   evaluate<double, double>(tape, program_.size, size_y_, size_registers_, size_);
+  if (!program_.error.empty()) {
+    evaluate<double, double>(tape, program_.error, size_y_, size_registers_, error_);
+  }
   evaluate<Number, Number>(tape, program_.exact, fine_y_, fine_registers_, fine_value_);
   evaluate<Complex, Complex>(tape, program_.c, y_, registers_, ignored_, jacobian_);
   for (double& size : size_) size = size > 0 ? size : 1;
   for (std::size_t i = 0; i < fine_value_.size(); ++i) {
-    value_[static_cast<Index>(i)] = to_complex(fine_value_[i]) / size_[i];
+    const auto row = static_cast<Index>(i);
+    value_[row] = to_complex(fine_value_[i]) / size_[i];
+    zero_[row] = std::max(kOnTheSet, kErrors * error_[i] / size_[i]);
   }
   for (std::size_t k = 0; k < jacobian_.size(); ++k) {
     const Tape::Entry& entry = tape.jacobian[k];
@@ -177,6 +182,7 @@ std::optional<double> Neighbourhood::settle(const VectorXcd& plane, double step,
   j_.row(m) = (null_space_ * plane).adjoint();
   double best = std::numeric_limits<double>::infinity();
   double aim = best;
+  bool is_root = false;
   int waited = 0;
   for (int k = 0; k < kMaximumIterations && waited < kPatience; ++k) {
     evaluate_at(z);
@@ -184,22 +190,25 @@ std::optional<double> Neighbourhood::settle(const VectorXcd& plane, double step,
     if (!here.allFinite() || here.lpNorm<Eigen::Infinity>() > kNeighbourhood * step) return {};
     value_[m] = (j_.row(m) * here)(0) - step;
     const double size = value_.head(m).lpNorm<Eigen::Infinity>();
-    if (k > 0) best = std::min(best, size);
+    if (k > 0 && size < best) {
+      best = size;
+      is_root = (value_.head(m).array().abs() <= zero_.array()).all();
+    }
     if (k > 0 && size < kOnTheSet) break;
     waited = size < aim / 2 ? 0 : waited + 1;
     aim = std::min(aim, size);
     const VectorXcd dz = j_.completeOrthogonalDecomposition().solve(-value_);
     for (Index i = 0; i < dz.size(); ++i) z[static_cast<std::size_t>(i)] += Number(dz[i]);
   }
-  return best <= root_ ? std::optional(best) : std::nullopt;
+  return is_root ? std::optional(best) : std::nullopt;
 }
 
 }  // namespace
 
-bool lies_on_positive_dimensional_set(const RefinerProgram& program, double coefficient_error,
-                                      const Point& x, std::uint64_t seed) {
+bool lies_on_positive_dimensional_set(const RefinerProgram& program, const Point& x,
+                                      std::uint64_t seed) {
   if (x.size() < 2) return false;
-  Neighbourhood neighbourhood(program, coefficient_error, x, seed);
+  Neighbourhood neighbourhood(program, x, seed);
   int found = 0;
   for (int slice = 0; slice < kSlices && found < kAgreeing; ++slice) {
     found += neighbourhood.meets(slice) ? 1 : 0;

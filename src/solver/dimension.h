@@ -21,8 +21,8 @@
 
 namespace moivre {
 
-/// program: F as given, its coefficients known to `coefficient_error` (polynomial/digits.h). x: a singular root of F, n coordinates.
-bool lies_on_positive_dimensional_set(const RefinerProgram& program, double coefficient_error,
-                                      const Point& x, std::uint64_t seed);
+/// program: F as given. x: a singular root of F, n coordinates.
+bool lies_on_positive_dimensional_set(const RefinerProgram& program, const Point& x,
+                                      std::uint64_t seed);
 
 }  // namespace moivre

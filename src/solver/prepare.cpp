@@ -8,6 +8,8 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "moivre/polynomial/digits.h"
+
 namespace moivre {
 namespace {
 
@@ -64,20 +66,26 @@ void take_start(const System& f, const SolveOptions& options, const std::atomic<
 
 }  // namespace
 
-System with_unit_rows(const System& f) {
+Scaling unit_rows(const System& f) {
   Scaling rows{std::vector<int>(f.variables.size()), {}};
   for (const Polynomial& p : f.polynomials) {
     rows.equation_log2.push_back(-static_cast<int>(std::floor(size_range_log2(p).second)));
   }
-  return scale(f, rows);
+  return rows;
 }
 
 namespace {
 
-Prepared prepare_reduced(Reduction reduction, const SolveOptions& options,
+// Of the file, where its coefficients were rounded: in one the differences may cancel.
+constexpr std::uint64_t kReadings = 3;
+
+/// Which linear equations are eliminated, if any.
+using Elimination = Reduction (&)(const System&);
+
+Prepared prepare_reduced(const System& f, Elimination elimination, const SolveOptions& options,
                          const std::atomic<bool>& stop) {
   Prepared prepared;
-  prepared.reduction = std::move(reduction);
+  prepared.reduction = elimination(f);
   for (const Omission& omission : prepared.reduction.left_out) {
     prepared.left_out.push_back({omission.what, omission.why});
   }
@@ -91,9 +99,18 @@ Prepared prepare_reduced(Reduction reduction, const SolveOptions& options,
         {"scaled: " + to_text(prepared.scaling),
          "coefficients far from 1 would hide roots from the tracker's tolerances"});
   }
-  const System scaled = with_unit_rows(scale(reduced, prepared.scaling));
-  prepared.spread_log2 = spread_log2(scaled);
-  take_start(scaled, options, stop, prepared);
+  const auto scaled = [&](const System& g) { return scale(g, prepared.scaling); };
+  const Scaling rows = unit_rows(scaled(reduced));
+  const System tracked = scale(scaled(reduced), rows);
+  prepared.spread_log2 = spread_log2(tracked);
+  take_start(tracked, options, stop, prepared);
+  for (std::uint64_t k = 0; k < kReadings && prepared.plan; ++k) {
+    const std::optional<System> other = other_reading(f, k);
+    if (!other) break;
+    const System system = elimination(*other).system;
+    if (!has_terms_of(reduced, system)) break;
+    prepared.plan->stages.back().add_reading(scale(scaled(system), rows));
+  }
   return prepared;
 }
 
@@ -122,9 +139,9 @@ double expected_cost(const Prepared& prepared) {
 
 Prepared prepare(const System& f, const SolveOptions& options, const std::atomic<bool>& stop) {
   Prepared reduced =
-      prepare_reduced(options.eliminate ? eliminate(f) : keep_everything(f), options, stop);
+      prepare_reduced(f, options.eliminate ? eliminate : keep_everything, options, stop);
   if (!may_have_fewer_paths_whole(reduced, options)) return reduced;
-  Prepared whole = prepare_reduced(keep_everything(f), options, stop);
+  Prepared whole = prepare_reduced(f, keep_everything, options, stop);
   if (whole.interrupted) return whole;
   if (whole.start.kind != "polyhedral" || expected_cost(whole) >= expected_cost(reduced)) {
     return reduced;

@@ -33,7 +33,7 @@ Prepared prepare(const System& f, const SolveOptions& options, const std::atomic
 void require_paths(const Prepared& prepared);
 
 /// Every equation's largest coefficient in [1, 2), so that rows of F and G are of one size, and none too small for double.
-System with_unit_rows(const System& f);
+Scaling unit_rows(const System& f);
 
 /// x of a homogeneous point with z_0 != 0.
 Point to_original(const Prepared& prepared, const Point& homogeneous);

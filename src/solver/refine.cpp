@@ -8,6 +8,8 @@
 
 #include "fine_newton.h"
 #include "moivre/numeric/lu.h"
+#include "moivre/polynomial/digits.h"
+#include "prepare.h"
 
 namespace moivre {
 namespace {
@@ -43,6 +45,9 @@ constexpr double kSingularAccuracy = 5e-14;
 // Coordinates of a singular root are taken for 0 within so many times its accuracy.
 constexpr double kSingularSnap = 10;
 
+// Of another reading of F: only sizes of the differences matter.
+constexpr std::uint64_t kReadingSeed = 1;
+
 /// How far a root may be from an end of this accuracy.
 double reach_of(double accuracy) { return std::max(kLeastTravel, kTravel * accuracy); }
 
@@ -52,10 +57,18 @@ void add(Point& x, const Point& dx) {
 
 }  // namespace
 
-RefinerProgram::RefinerProgram(const System& f, std::vector<double> natural_sizes)
-    : tape(make_tape(f)), c(complex_coefficients(tape, f)), unit(std::move(natural_sizes)) {
+RefinerProgram::RefinerProgram(const System& given, std::vector<double> natural_sizes)
+    : unit(std::move(natural_sizes)) {
+  const Scaling rows = unit_rows(given);
+  const System f = scale(given, rows);
+  tape = make_tape(f);
+  c = complex_coefficients(tape, f);
   exact = round_coefficients<ComplexDoubleDouble>(tape, f, to_complex_double_double);
   for (const Complex& ck : c) size.push_back(std::abs(ck));
+  if (const auto other = other_reading(given, kReadingSeed)) {
+    const System differences = scale(moivre::differences(*other, given), rows);
+    for (const Complex& ck : complex_coefficients(tape, differences)) error.push_back(std::abs(ck));
+  }
   for (const std::uint64_t d : degrees(f)) {
     curvature = std::max(curvature, std::pow(static_cast<double>(d) / kLowDegree, 2));
   }

@@ -32,7 +32,8 @@ struct RefinerProgram {
   Tape tape;
   std::vector<Complex> c;
   std::vector<ComplexDoubleDouble> exact;
-  std::vector<double> size;  ///< |c|
+  std::vector<double> size;   ///< |c|
+  std::vector<double> error;  ///< |c' - c| of another reading (polynomial/digits.h); empty where there is none
   std::vector<double> unit;  ///< n, the natural size of each unknown
   double curvature = 1;      ///< of the equation of the highest degree, beside one of low degree
 };

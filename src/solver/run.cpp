@@ -38,9 +38,8 @@ Rung rung_of(const Run& run, std::uint64_t path) {
 bool is_on_set(const Run& run, const Root& root) {
   if (!root.on_set) {
     const Setting& setting = run.setting;
-    root.on_set = lies_on_positive_dimensional_set(
-        *setting.refiner_program, setting.endgame.coefficient_error, root.point.x,
-        setting.options.seed);
+    root.on_set = lies_on_positive_dimensional_set(*setting.refiner_program, root.point.x,
+                                                   setting.options.seed);
   }
   return *root.on_set;
 }

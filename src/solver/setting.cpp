@@ -5,7 +5,6 @@
 #include <thread>
 
 #include "certificates.h"
-#include "moivre/polynomial/digits.h"
 #include "moivre/tracker/double_double_tracker.h"
 
 namespace moivre {
@@ -36,9 +35,8 @@ Setting::Setting(const System& system, const Tracker& tracker, const SolveOption
       trackers(trackers_of(tracker, options)),
       prepared(prepare(f, options, stop)),
       endgame(options.endgame),
-      refiner_program(make_refiner_program(with_unit_rows(f), natural_sizes(prepared))),
+      refiner_program(make_refiner_program(f, natural_sizes(prepared))),
       certify_program(moivre::certify_program(f, options)) {
-  endgame.coefficient_error = coefficient_error(f);
   endgame.goes_straight = endgame.goes_straight || is_fine();
 }
 

@@ -54,7 +54,6 @@ struct EndgameOptions {
   int samples = 16;          ///< of one turn
   int maximum_winding = 32;  ///< turns tried before a circle counts as not closing
   int maximum_radii = 20;    ///< circles tried; 0: an end that is not regular is a failure
-  double coefficient_error = 0;  ///< relative (polynomial/digits.h): F is known as well as that
   std::uint64_t maximum_steps = 6000;  ///< of all journeys of one path, then the endgame concludes
 };
 
@@ -102,6 +101,7 @@ class Endgame : public Watcher {
   std::optional<Departure> proceed(Arrival&& arrival, PathSystem& path);
   Departure along(const Contour& contour, Point x, int samples = 0, Watcher* watcher = nullptr);
   std::optional<Departure> judge_arrival(Arrival&& arrival, PathSystem& path);
+  void frame_here(PathSystem& path);
   std::optional<Departure> begin_circle();
   std::optional<Departure> next_turn(Arrival&& arrival, PathSystem& path);
   std::optional<Departure> shrink(PathSystem& path);
