@@ -74,7 +74,7 @@ Json to_json(const Solution& solution) {
           {"real", solution.real},
           {"singular", solution.singular},
           {"multiplicity", solution.multiplicity},
-          {"winding", solution.winding},
+          {"winding", solution.winding.empty() ? Json(nullptr) : Json(solution.winding)},
           {"residual", to_json(solution.residual)},
           {"accuracy", to_json(solution.accuracy)},
           {"condition", to_json(solution.condition)},

@@ -15,6 +15,12 @@ namespace {
 // away as the m-th root of the residual says, which is what the accuracy comes from; and circles have little margin.
 constexpr double kSingularMargin = 4;
 
+/// Of the cycles of a group; none where its multiplicity was counted, not seen.
+std::vector<int> windings(const Run& run, const std::vector<std::uint64_t>& group) {
+  if (run.ledger.roots().at(group.front()).is_counted) return {};
+  return cycles(run.ledger, group).value_or(std::vector<int>(group.size(), 1));
+}
+
 void enter_solutions(const Run& run, SolveResult& result) {
   for (const auto& group : groups_of(run)) {
     result.paths.finite += group.size();
@@ -23,9 +29,7 @@ void enter_solutions(const Run& run, SolveResult& result) {
       result.paths.on_positive_dimensional += group.size();
       continue;
     }
-    const auto whole = cycles(run.ledger, group);
-    result.solutions.push_back(
-        solution_of(run, group, whole.value_or(std::vector<int>(group.size(), 1))));
+    result.solutions.push_back(solution_of(run, group, windings(run, group)));
   }
   std::sort(result.solutions.begin(), result.solutions.end(),
             [](const Solution& a, const Solution& b) { return a.path < b.path; });

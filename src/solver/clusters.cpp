@@ -9,8 +9,8 @@
 #include "certificates.h"
 #include "coincidence.h"
 #include "ends.h"
+#include "exact_roots.h"
 #include "moivre/numeric/random.h"
-#include "moivre/polynomial/local_multiplicity.h"
 
 namespace moivre {
 namespace {
@@ -78,13 +78,6 @@ class Cluster {
   Proofs found_;
 };
 
-/// Its doubles, taken for exact.
-std::vector<Coefficient> exact(const Point& x) {
-  std::vector<Coefficient> result;
-  for (const Complex& xi : x) result.push_back({Rational(xi.real()), Rational(xi.imag())});
-  return result;
-}
-
 /// What is known of a cluster: different roots that are proved within it, or that it is none, or nothing.
 struct Finding {
   Proofs roots;
@@ -92,7 +85,7 @@ struct Finding {
 };
 
 Finding look_into(const Setting& setting, const Root& end, std::size_t paths) {
-  const auto multiplicity = local_multiplicity(setting.f, exact(end.point.x));
+  const auto multiplicity = exact_multiplicity(setting.f, end.point.x);
   if (multiplicity == paths) return {};
   Finding finding;
   finding.roots = Cluster(setting, end, paths).roots();

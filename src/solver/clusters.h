@@ -7,7 +7,7 @@
 //
 // m roots proved: the m paths end at them, one each. Fewer: what is told is not true, and the paths have failed. None: a root of
 // multiplicity m, as far as the most bits of a certificate show; that stays numerical. Where x itself is a root, exactly, its
-// multiplicity is known (polynomial/local_multiplicity.h): if it is m nothing is looked for, if not the paths have failed.
+// multiplicity is known (exact_roots.h): if it is m nothing is looked for, if not the paths have failed.
 // Edges: roots of a cluster so near that the bits do not part them; without certificates nothing is parted.
 #pragma once
 

@@ -3,10 +3,14 @@
 #include "completeness.h"
 
 #include <algorithm>
+#include <iterator>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
 #include "certificates.h"
+#include "coincidence.h"
+#include "exact_roots.h"
 #include "moivre/start/mixed_volume.h"
 #include "moivre/start/polyhedral.h"
 
@@ -119,31 +123,89 @@ void leave(Run& run, std::uint64_t path) {
   ++run.left_by_bound;
 }
 
-}  // namespace
-
-std::optional<MetBound> met_bound(Run& run) {
-  if (!run.setting.certify_program || run.interrupted || run.setting.stop) return std::nullopt;
-  if (!run.bounds.met) run.bounds.met = bound_met_by(run, proved_roots(run));
-  return run.bounds.met;
+/// Sets bounds.met where `roots`, proved and with their multiplicities, meet a bound.
+bool meets_bound(Run& run, std::uint64_t roots) {
+  if (!run.setting.certify_program || run.interrupted || run.setting.stop) return false;
+  if (!run.bounds.met) run.bounds.met = bound_met_by(run, roots);
+  return run.bounds.met.has_value();
 }
 
-bool settle_by_bound(Run& run) {
-  if (!met_bound(run)) return false;
-  for (const auto& group : groups_of(run)) {
-    const auto root = [&](std::uint64_t path) -> const Root& {
-      return run.ledger.roots().at(path);
-    };
-    const auto proved = std::find_if(group.begin(), group.end(), [&](std::uint64_t path) {
-      return root(path).certificate != nullptr;
-    });
-    if (proved == group.end() && is_on_set(run, root(group.front()))) continue;
-    for (const std::uint64_t path : group) {
-      if (proved == group.end() || path != *proved) leave(run, path);
-    }
+/// It ends at an exact root, whatever was seen of its end.
+void bring(Run& run, std::uint64_t path, const Point& x) {
+  Root root;
+  root.point.x = x;
+  root.point.condition = std::numeric_limits<double>::infinity();
+  root.is_counted = true;
+  root.on_set = false;
+  run.ledger.strike(path);
+  run.ledger.enter_root(path, std::move(root));
+}
+
+/// The exact roots and how many paths each still lacks.
+class Places {
+ public:
+  explicit Places(std::vector<ExactRoot> exact) : places_(std::move(exact)) {}
+
+  std::uint64_t count() const {
+    std::uint64_t sum = 0;
+    for (const ExactRoot& place : places_) sum += place.multiplicity;
+    return sum;
   }
-  std::vector<std::uint64_t> failed;
-  for (const auto& [path, failure] : run.ledger.failures()) failed.push_back(path);
-  for (const std::uint64_t path : failed) leave(run, path);
+
+  /// Whole cycles that end there as often as the root counts need not be touched.
+  bool is_filled_by(const Run& run, const std::vector<std::uint64_t>& group) {
+    const Root& end = run.ledger.roots().at(group.front());
+    for (ExactRoot& place : places_) {
+      const bool fits = place.multiplicity == group.size() && cycles(run.ledger, group) &&
+                        relative_distance(place.x, end.point.x) <= end.tolerance;
+      if (!fits) continue;
+      end.on_set = false;
+      place.multiplicity = 0;
+      return true;
+    }
+    return false;
+  }
+
+  /// Brings the first paths; the number of those that were needed.
+  std::size_t fill(Run& run, const std::vector<std::uint64_t>& paths) {
+    auto next = paths.begin();
+    for (const ExactRoot& place : places_) {
+      for (std::uint64_t k = 0; k < place.multiplicity; ++k) bring(run, *next++, place.x);
+    }
+    return static_cast<std::size_t>(next - paths.begin());
+  }
+
+ private:
+  std::vector<ExactRoot> places_;
+};
+
+/// Ends at no root that is proved, counted, or on a set of positive dimension.
+std::vector<std::uint64_t> spare_paths(const Run& run, Places& places) {
+  std::vector<std::uint64_t> spare;
+  for (const auto& group : groups_of(run)) {
+    const auto proved = std::find_if(group.begin(), group.end(), [&](std::uint64_t path) {
+      return run.ledger.roots().at(path).certificate != nullptr;
+    });
+    if (proved == group.end()) {
+      if (places.is_filled_by(run, group)) continue;
+      if (is_on_set(run, run.ledger.roots().at(group.front()))) continue;
+    }
+    std::copy_if(group.begin(), group.end(), std::back_inserter(spare),
+                 [&](std::uint64_t path) { return proved == group.end() || path != *proved; });
+  }
+  for (const auto& [path, failure] : run.ledger.failures()) spare.push_back(path);
+  return spare;
+}
+
+}  // namespace
+
+bool settle_by_bound(Run& run) {
+  Places places(exact_roots(run));
+  if (!meets_bound(run, proved_roots(run) + places.count())) return false;
+  const std::vector<std::uint64_t> spare = spare_paths(run, places);
+  // Paths that are said to be at infinity cannot be told from each other any more.
+  if (spare.size() < places.count()) return false;
+  for (std::size_t k = places.fill(run, spare); k < spare.size(); ++k) leave(run, spare[k]);
   run.unsettled_conjugates = 0;
   return true;
 }

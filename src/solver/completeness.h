@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Are all isolated roots found, by proof? They are where as many different roots are proved as a proved bound allows.
+// Are all isolated roots found, by proof? They are where as many different roots are proved as a proved bound allows, multiple
+// ones that are known exactly with their multiplicities.
 //
 //   elimination            what exact elimination of linear equations decides alone
 //   total degree           d_1 ... d_n of what is tracked; elimination keeps the roots one to one (polynomial/eliminate.h)
@@ -16,11 +17,9 @@
 
 namespace moivre {
 
-/// The proved bound that the proved roots meet; nullopt where none is met, or nothing is proved.
-std::optional<MetBound> met_bound(Run& run);
-
-/// Where a proved bound is met nothing is left in doubt: every path but the first to each proved root, and those on sets of
-/// positive dimension, ends at no isolated root, and counts as at infinity. False, and nothing is changed, where none is met.
+/// Where a proved bound is met nothing is left in doubt: one path ends at each proved root, at each exact one (exact_roots.h) as
+/// many as its multiplicity, some on sets of positive dimension; every other ends at no isolated root, and counts as at infinity.
+/// False, and nothing is changed, where none is met.
 bool settle_by_bound(Run& run);
 
 /// proved, shown or open, and the bound; nothing where no certificates were asked for. Requires a closed account.

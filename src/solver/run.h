@@ -23,6 +23,12 @@ struct SoughtBound {
   std::optional<std::uint64_t> value;  ///< where the search found it, and twice
 };
 
+/// A root that is not simple, exactly (exact_roots.h).
+struct ExactRoot {
+  Point x;
+  std::uint64_t multiplicity = 0;
+};
+
 /// What is known of proved bounds on the number of isolated roots (completeness.h).
 struct Bounds {
   std::optional<MetBound> met;

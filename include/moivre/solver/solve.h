@@ -82,7 +82,8 @@ struct Solution {
   bool real = false;
   bool singular = false;
   std::uint64_t multiplicity = 1;
-  std::vector<int> winding{1};  ///< of the cycles that end here; their sum is the multiplicity
+  /// Of the cycles that end here; their sum is the multiplicity. Empty where exact algebra has counted it.
+  std::vector<int> winding{1};
   double residual = 0;          ///< max_i |F_i(x)| / sum |terms of F_i|
   double accuracy = 0;          ///< bound on |x - x*|_inf / max(1, |x|_inf)
   double condition = 0;         ///< infinity-norm condition number of the row-scaled Jacobian
