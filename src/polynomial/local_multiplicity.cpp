@@ -149,7 +149,7 @@ std::optional<std::uint64_t> local_multiplicity(const System& f,
   }
   std::vector<Residue> root;
   for (const Coefficient& xi : x) root.push_back(residue(xi));
-  for (std::uint64_t k = 2;; k += k / 2) {
+  for (std::uint64_t k = 2;; ++k) {
     const Macaulay macaulay(f, root, k);
     if (macaulay.is_too_large() || !macaulay.has_root()) return std::nullopt;
     if (const auto multiplicity = macaulay.standstill()) return multiplicity;

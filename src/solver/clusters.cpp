@@ -85,11 +85,11 @@ struct Finding {
 };
 
 Finding look_into(const Setting& setting, const Root& end, std::size_t paths) {
-  const auto multiplicity = exact_multiplicity(setting.f, end.point.x);
+  const std::uint64_t multiplicity = exact_multiplicity(setting.f, end.point.x);
   if (multiplicity == paths) return {};
   Finding finding;
   finding.roots = Cluster(setting, end, paths).roots();
-  finding.is_refuted = multiplicity || !finding.roots.empty();
+  finding.is_refuted = multiplicity > 0 || !finding.roots.empty();
   return finding;
 }
 

@@ -111,6 +111,7 @@ void cross_check(const System& f, SolveResult& result, const Tracker& tracker,
                  const std::atomic<bool>& stop) {
   SolveOptions own = options;
   own.fallback = nullptr;
+  own.start = start_kind(result.start.kind).value_or(options.start);
   CrossCheck check = compare(result, solve(f, witness, own, stop));
   own.care = kSettlingCare;
   const std::size_t settled = std::min(check.disagreements.size(), kMostSettled);

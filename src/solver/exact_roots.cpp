@@ -3,35 +3,37 @@
 #include "exact_roots.h"
 
 #include <algorithm>
+#include <iterator>
 
-#include "certificates.h"
 #include "moivre/polynomial/local_multiplicity.h"
 
 namespace moivre {
 
-std::optional<std::uint64_t> exact_multiplicity(const System& f, const Point& x) {
-  std::vector<Coefficient> exact;
-  for (const Complex& xi : x) exact.push_back({Rational(xi.real()), Rational(xi.imag())});
-  return local_multiplicity(f, exact);
+namespace {
+
+void look_at(Run& run, const Point& x) {
+  const bool is_known = std::any_of(run.looked_at.begin(), run.looked_at.end(),
+                                    [&](const ExactRoot& known) { return known.x == x; });
+  if (!is_known) run.looked_at.push_back({x, exact_multiplicity(run.setting.f, x)});
 }
 
-std::vector<ExactRoot> exact_roots(const Run& run) {
-  const Setting& setting = run.setting;
-  if (!setting.certify_program) return {};
-  std::vector<Point> candidates{Point(setting.f.variables.size())};
-  for (const auto& group : groups_of(run)) {
-    for (const std::uint64_t path : group) {
-      const Refined& end = run.ledger.roots().at(path).point;
-      const bool is_new = !end.simple && std::find(candidates.begin(), candidates.end(), end.x) ==
-                                             candidates.end();
-      if (is_new) candidates.push_back(end.x);
-    }
+}  // namespace
+
+std::uint64_t exact_multiplicity(const System& f, const Point& x) {
+  std::vector<Coefficient> exact;
+  for (const Complex& xi : x) exact.push_back({Rational(xi.real()), Rational(xi.imag())});
+  return local_multiplicity(f, exact).value_or(0);
+}
+
+std::vector<ExactRoot> exact_roots(Run& run) {
+  if (!run.setting.certify_program) return {};
+  look_at(run, Point(run.setting.f.variables.size()));
+  for (const auto& [path, root] : run.ledger.roots()) {
+    if (!root.point.simple) look_at(run, root.point.x);
   }
   std::vector<ExactRoot> roots;
-  for (Point& x : candidates) {
-    const auto multiplicity = exact_multiplicity(setting.f, x);
-    if (multiplicity && *multiplicity > 1) roots.push_back({std::move(x), *multiplicity});
-  }
+  std::copy_if(run.looked_at.begin(), run.looked_at.end(), std::back_inserter(roots),
+               [](const ExactRoot& root) { return root.multiplicity > 1; });
   return roots;
 }
 

@@ -12,10 +12,10 @@
 
 namespace moivre {
 
-/// nullopt: x is no root of F, or nothing can be said.
-std::optional<std::uint64_t> exact_multiplicity(const System& f, const Point& x);
+/// 0: x is no root of F, or nothing can be said.
+std::uint64_t exact_multiplicity(const System& f, const Point& x);
 
 /// Of multiplicity 2 at least; none where nothing is to be proved.
-std::vector<ExactRoot> exact_roots(const Run& run);
+std::vector<ExactRoot> exact_roots(Run& run);
 
 }  // namespace moivre

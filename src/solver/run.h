@@ -23,7 +23,7 @@ struct SoughtBound {
   std::optional<std::uint64_t> value;  ///< where the search found it, and twice
 };
 
-/// A root that is not simple, exactly (exact_roots.h).
+/// A point, taken for exact, and how often F has that root; 0 where it is none, or nothing can be said (exact_roots.h).
 struct ExactRoot {
   Point x;
   std::uint64_t multiplicity = 0;
@@ -49,6 +49,7 @@ struct Run {
   PathSet handed_over;                     ///< of these, to the fallback
   std::uint64_t unsettled_conjugates = 0;  ///< simple roots that no path was found to lead to
   Bounds bounds;
+  std::vector<ExactRoot> looked_at;  ///< each candidate for an exact root once
   std::uint64_t left_by_bound = 0;  ///< paths that a met bound left nothing to end at
   StepCount work;
   bool interrupted = false;

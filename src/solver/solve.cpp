@@ -22,6 +22,9 @@
 namespace moivre {
 namespace {
 
+// Starts of more paths are not followed by another one.
+constexpr std::uint64_t kMostPathsTwice = 10'000;
+
 /// All that is known before any path is followed.
 SolveResult described(const Setting& setting) {
   SolveResult result;
@@ -122,14 +125,38 @@ SolveResult solve_square(const System& f, const Tracker& tracker, const SolveOpt
   return result;
 }
 
+/// With the fewest paths, and each in units of its own: where another start leaves something open it gets the last word.
+SolveResult solve_again(const System& f, const Tracker& tracker, SolveOptions options,
+                        const std::atomic<bool>& stop, SolveResult&& first) {
+  options.start = StartKind::polyhedral;
+  SolveResult second = solve_square(f, tracker, options, stop);
+  if (!second.complete) return std::move(first);
+  second.left_out.push_back({"the " + first.start.kind + " start",
+                             std::to_string(first.paths.failed) + " of its " +
+                                 std::to_string(first.paths.tracked) +
+                                 " paths were left undecided; --start polyhedral is what is told"});
+  second.time.start += first.time.total;
+  second.time.total += first.time.total;
+  return second;
+}
+
+SolveResult solve_by_starts(const System& f, const Tracker& tracker, const SolveOptions& options,
+                            const std::atomic<bool>& stop) {
+  SolveResult result = solve_square(f, tracker, options, stop);
+  const bool is_last = result.complete || stop || !options.second_start ||
+                       options.start != StartKind::automatic || result.start.kind == "polyhedral" ||
+                       result.start.paths > kMostPathsTwice;
+  return is_last ? result : solve_again(f, tracker, options, stop, std::move(result));
+}
+
 }  // namespace
 
 SolveResult solve(const System& f, const Tracker& tracker, const SolveOptions& options,
                   const std::atomic<bool>& stop) {
   require_unbroken(validate(options));
   const bool is_square = f.polynomials.size() == f.variables.size() && !has_homogeneous_groups(f);
-  if (is_square) return solve_square(f, tracker, options, stop);
-  SolveResult result = solve_square(squared(f, options), tracker, options, stop);
+  if (is_square) return solve_by_starts(f, tracker, options, stop);
+  SolveResult result = solve_by_starts(squared(f, options), tracker, options, stop);
   take_back(f, result);
   return result;
 }

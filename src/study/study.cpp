@@ -66,6 +66,7 @@ class Study {
 
 SolveOptions Study::solve_options(std::size_t seed) const {
   SolveOptions options;
+  options.second_start = false;  // every figure is one of the start that is named
   options.seed = options_.seed + seed;
   options.threads = 1;
   options.certify = false;  // trackers are measured

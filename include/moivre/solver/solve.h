@@ -61,6 +61,8 @@ struct SolveOptions {
   int maximum_care = 3;   ///< how often a doubtful path is tracked again, tighter each time
   bool eliminate = true;  ///< linear equations before tracking
   bool scale = true;      ///< rows and variables, by powers of two
+  /// Where the start that was chosen leaves something open, a polyhedral one follows its own paths, and its result is told.
+  bool second_start = true;
   bool slice = false;  ///< fewer equations than unknowns: cut by random linear ones, else refused
   Precision precision = Precision::automatic;
   bool certify = true;  ///< regular roots, by proof; nothing where the module certify was not built
