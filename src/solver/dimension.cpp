@@ -25,10 +25,12 @@ constexpr double kNeighbourhood = 20;
 constexpr int kMaximumIterations = 60;
 // An iteration count within which |F| halves wherever Gauss-Newton converges, to a multiple curve as well.
 constexpr int kPatience = 6;
-// |F| beside its terms: below this a root without doubt.
+// |F| beside its terms: below the first a root without doubt; below the second one of a multiple set, where J is lost in its
+// rounding before F is, provided that |F| falls by no more than kFall when the step is halved. An isolated root with |F| below the
+// second has an order of 6 at least, and its |F| falls by 64.
 constexpr double kOnTheSet = 1e-24;
-// Below so many errors of the coefficients a root of a system that the file may mean, provided that |F| falls by no more than
-// kFall when the step is halved.
+constexpr double kNearTheSet = 1e-18;
+// Below so many errors of the coefficients it is one of a system that the file may mean, provided the same.
 constexpr double kErrors = 8;
 constexpr double kFall = 16;
 // Singular values of J, whose rows are relative to their terms, of directions in which a set may lie: x is known to 1e-3 at worst.
@@ -69,7 +71,7 @@ class Neighbourhood {
   std::vector<Complex> y_, registers_, ignored_, jacobian_;
   FinePoint fine_y_, fine_registers_, fine_value_;
   std::vector<double> error_;  ///< of F's terms, where coefficients were rounded
-  Eigen::VectorXd zero_;       ///< m: of F relative to its terms, at a root
+  double zero_ = 0;            ///< |F| relative to its terms, at a root
   VectorXcd value_;            ///< n + 1: F relative to its terms, the plane
   MatrixXcd j_;      ///< (n + 1) x n, of value_ with respect to z
 };
@@ -89,7 +91,6 @@ Neighbourhood::Neighbourhood(const RefinerProgram& program, const Point& x, std:
       fine_registers_(program.tape.register_count()),
       fine_value_(program.tape.equations),
       error_(program.tape.equations),
-      zero_(static_cast<Index>(program.tape.equations)),
       value_(static_cast<Index>(program.tape.equations) + 1),
       j_(MatrixXcd::Zero(static_cast<Index>(program.tape.equations) + 1, dimension())) {
   for (std::size_t i = 0; i < x.size(); ++i) {
@@ -119,10 +120,11 @@ void Neighbourhood::evaluate_at(const FinePoint& z) {
   evaluate<Number, Number>(tape, program_.exact, fine_y_, fine_registers_, fine_value_);
   evaluate<Complex, Complex>(tape, program_.c, y_, registers_, ignored_, jacobian_);
   for (double& size : size_) size = size > 0 ? size : 1;
+  zero_ = kNearTheSet;
   for (std::size_t i = 0; i < fine_value_.size(); ++i) {
     const auto row = static_cast<Index>(i);
     value_[row] = to_complex(fine_value_[i]) / size_[i];
-    zero_[row] = std::max(kOnTheSet, kErrors * error_[i] / size_[i]);
+    zero_ = std::max(zero_, kErrors * error_[i] / size_[i]);
   }
   for (std::size_t k = 0; k < jacobian_.size(); ++k) {
     const Tape::Entry& entry = tape.jacobian[k];
@@ -192,7 +194,7 @@ std::optional<double> Neighbourhood::settle(const VectorXcd& plane, double step,
     const double size = value_.head(m).lpNorm<Eigen::Infinity>();
     if (k > 0 && size < best) {
       best = size;
-      is_root = (value_.head(m).array().abs() <= zero_.array()).all();
+      is_root = size <= zero_;
     }
     if (k > 0 && size < kOnTheSet) break;
     waited = size < aim / 2 ? 0 : waited + 1;

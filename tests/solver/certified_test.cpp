@@ -55,6 +55,34 @@ TEST(Certified, AMultipleRootIsNotCertified) {
   EXPECT_FALSE(result.bound);
 }
 
+// The origin counts ten times, and a simple root lies 5e-8 beside it: eleven ends within an endgame's error of each other.
+TEST(Certified, ASimpleRootBesideAMultipleOneIsNotTakenForAPartOfIt) {
+  const System f =
+      read("3\n x^2*y - y^2*z - 7*y*z^2 + x*z + 5903*y*z;\n"
+           " 6*x*y*z - x*z^2 - 8*y^3 - 3*y*z^2 + 6*x*y + 8*x*z - y^2;\n"
+           " -6124*x^3 - 8*x*y^2 + 6*x*z^2 + 5261*z^3 + x*y - x*z;\n");
+  for (const StartKind start : {StartKind::total_degree, StartKind::polyhedral}) {
+    SolveOptions options = with_seed(1);
+    options.start = start;
+    const SolveResult result = solve_with_cvode(f, options);
+    expect_conservation(result);
+    for (const Solution& root : result.solutions) EXPECT_NE(root.multiplicity, 11U);
+    if (result.complete) {
+      EXPECT_EQ(result.solutions.size(), 18U);
+    }
+  }
+}
+
+// Three simple roots and the origin, which counts four times: 7 = mixed volume.
+TEST(Certified, ExactMultiplicitiesCountTowardsABound) {
+  const System f = read("2\n x^2 - 3*y^3;\n y^2 - x^2*y + x^4;\n");
+  const SolveResult result = solve_with_cvode(f);
+  expect_conservation(result);
+  EXPECT_TRUE(result.complete);
+  ASSERT_EQ(result.completeness, RootCompleteness::proved);
+  EXPECT_EQ(result.bound->value, result.paths.finite);
+}
+
 TEST(Certified, ADoubleRootAndNearlyOneAreToldApart) {
   const std::string y = "y^2 - x*y - 3;\n";
   const std::string ten16 = "10000000000000000";

@@ -101,10 +101,11 @@ TEST(Jump, IsSeenAndTrackedAgainUntilEveryRootIsFound) {
   }
 }
 
-/// Without the last resort, the tracker in double-double, which jumps nowhere.
+/// Without the last resorts: the tracker in double-double, which jumps nowhere, and another start.
 SolveOptions never_climbing(std::uint64_t seed) {
   SolveOptions options = with_seed(seed);
   options.precision = Precision::double_precision;
+  options.second_start = false;
   return options;
 }
 
