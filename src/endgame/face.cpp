@@ -147,7 +147,7 @@ class Faces {
       const Coefficient& c = is_start ? homotopy.g(first + k) : homotopy.f(first + k);
       const Number value = product(DoubleDouble(is_start ? radius : 1.0), Scalar<Number>::round(c));
       largest = std::max(largest, std::log2(magnitude1(value)) + shifts[k]);
-      const double error = is_start ? 0 : homotopy.error(first + k) / magnitude1(value);
+      const double error = is_start ? 0 : homotopy.error(first + k);
       face.push_back({value, error, &terms[k].monomial});
     }
     std::size_t next = 0;

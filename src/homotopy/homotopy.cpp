@@ -3,9 +3,9 @@
 #include "moivre/homotopy/homotopy.h"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 
+#include "moivre/polynomial/digits.h"
 #include "moivre/polynomial/homogenize.h"
 #include "moivre/polynomial/scale.h"
 
@@ -82,17 +82,10 @@ Homotopy::Homotopy(const System& f, const System& g) {
   set_support(support);
 }
 
-void Homotopy::add_reading(const System& other) {
-  errors_.resize(terms());
-  for (std::size_t i = 0; i < equations(); ++i) {
-    auto reading = other.polynomials[i].terms.begin();
-    for (std::size_t k = first_[i]; k < first_[i] + support_.polynomials[i].terms.size(); ++k) {
-      if (is_zero(f_[k])) continue;
-      const Coefficient difference = (reading++)->coefficient - f_[k];
-      if (is_zero(difference)) continue;
-      errors_[k] = std::max(errors_[k], std::exp2(moivre::log2_size(difference)));
-    }
-  }
+void Homotopy::set_coefficient_error(double relative) {
+  errors_.clear();
+  if (relative == 0) return;
+  for (const Coefficient& c : f_) errors_.push_back(is_computed(c) ? relative : 0);
 }
 
 Homotopy Homotopy::framed(const System& f, const System& g) {

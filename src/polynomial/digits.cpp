@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "moivre/numeric/integer.h"
-#include "moivre/numeric/random.h"
 #include "moivre/polynomial/scale.h"
 
 namespace moivre {
@@ -20,6 +19,8 @@ constexpr double kMostDoubleDigits = 17;
 // Bits behind the point that only a double has, and what a few operations in double lose.
 constexpr std::size_t kDoubleBits = 40;
 constexpr int kDoubleErrorLog2 = -49;
+// Ten digits and their power of five, or as much of anything else.
+constexpr std::size_t kComputedBits = 40;
 
 /// How often `factor` divides n, and what is left of n.
 std::size_t take_out(Integer& n, int factor) {
@@ -51,47 +52,33 @@ Rational error_of(const Rational& a) {
   return was_double ? std::max(half_unit(decimals), as_double) : half_unit(decimals);
 }
 
+bool is_computed(const Rational& a) {
+  if (a.is_zero()) return false;
+  Integer above = abs(numerator(a));
+  Integer below = denominator(a);
+  take_out(above, 2);
+  take_out(below, 2);
+  return bit_length(above) + bit_length(below) >= kComputedBits;
+}
+
 }  // namespace
 
-std::optional<System> other_reading(const System& f, std::uint64_t seed) {
-  System other = f;
-  std::uint64_t index = 0;
-  bool is_other = false;
-  for (Polynomial& p : other.polynomials) {
-    for (Term& term : p.terms) {
-      for (Rational* part : {&term.coefficient.re, &term.coefficient.im}) {
+double coefficient_error(const System& f) {
+  double largest = 0;
+  for (const Polynomial& p : f.polynomials) {
+    for (const Term& term : p.terms) {
+      for (const Rational* part : {&term.coefficient.re, &term.coefficient.im}) {
         const Rational error = error_of(*part);
-        if (random_unit(seed, RandomStream::other_reading, index++) < 0.5) {
-          *part += error;
-        } else {
-          *part -= error;
-        }
-        is_other = is_other || !error.is_zero();
+        if (error.is_zero()) continue;
+        largest = std::max(largest, std::exp2(log2_size({error, 0}) - log2_size(term.coefficient)));
       }
     }
   }
-  return is_other ? std::optional(std::move(other)) : std::nullopt;
+  return largest;
 }
 
-System differences(const System& f, const System& g) {
-  System result = f;
-  for (std::size_t i = 0; i < f.polynomials.size(); ++i) {
-    for (std::size_t k = 0; k < f.polynomials[i].terms.size(); ++k) {
-      Coefficient& c = result.polynomials[i].terms[k].coefficient;
-      c = c - g.polynomials[i].terms[k].coefficient;
-    }
-  }
-  return result;
-}
-
-bool has_terms_of(const System& f, const System& g) {
-  const auto have_terms = [](const Polynomial& p, const Polynomial& q) {
-    return std::equal(p.terms.begin(), p.terms.end(), q.terms.begin(), q.terms.end(),
-                      [](const Term& a, const Term& b) { return a.monomial == b.monomial; });
-  };
-  return f.variables == g.variables &&
-         std::equal(f.polynomials.begin(), f.polynomials.end(), g.polynomials.begin(),
-                    g.polynomials.end(), have_terms);
+bool is_computed(const Coefficient& c) {
+  return is_computed(c.re) || is_computed(c.im);
 }
 
 }  // namespace moivre

@@ -76,16 +76,10 @@ Scaling unit_rows(const System& f) {
 
 namespace {
 
-// Of the file, where its coefficients were rounded: in one the differences may cancel.
-constexpr std::uint64_t kReadings = 3;
-
-/// Which linear equations are eliminated, if any.
-using Elimination = Reduction (&)(const System&);
-
-Prepared prepare_reduced(const System& f, Elimination elimination, const SolveOptions& options,
+Prepared prepare_reduced(const System& f, Reduction reduction, const SolveOptions& options,
                          const std::atomic<bool>& stop) {
   Prepared prepared;
-  prepared.reduction = elimination(f);
+  prepared.reduction = std::move(reduction);
   for (const Omission& omission : prepared.reduction.left_out) {
     prepared.left_out.push_back({omission.what, omission.why});
   }
@@ -99,18 +93,11 @@ Prepared prepare_reduced(const System& f, Elimination elimination, const SolveOp
         {"scaled: " + to_text(prepared.scaling),
          "coefficients far from 1 would hide roots from the tracker's tolerances"});
   }
-  const auto scaled = [&](const System& g) { return scale(g, prepared.scaling); };
-  const Scaling rows = unit_rows(scaled(reduced));
-  const System tracked = scale(scaled(reduced), rows);
+  const System scaled = scale(reduced, prepared.scaling);
+  const System tracked = scale(scaled, unit_rows(scaled));
   prepared.spread_log2 = spread_log2(tracked);
   take_start(tracked, options, stop, prepared);
-  for (std::uint64_t k = 0; k < kReadings && prepared.plan; ++k) {
-    const std::optional<System> other = other_reading(f, k);
-    if (!other) break;
-    const System system = elimination(*other).system;
-    if (!has_terms_of(reduced, system)) break;
-    prepared.plan->stages.back().add_reading(scale(scaled(system), rows));
-  }
+  if (prepared.plan) prepared.plan->stages.back().set_coefficient_error(coefficient_error(f));
   return prepared;
 }
 
@@ -139,9 +126,9 @@ double expected_cost(const Prepared& prepared) {
 
 Prepared prepare(const System& f, const SolveOptions& options, const std::atomic<bool>& stop) {
   Prepared reduced =
-      prepare_reduced(f, options.eliminate ? eliminate : keep_everything, options, stop);
+      prepare_reduced(f, options.eliminate ? eliminate(f) : keep_everything(f), options, stop);
   if (!may_have_fewer_paths_whole(reduced, options)) return reduced;
-  Prepared whole = prepare_reduced(f, keep_everything, options, stop);
+  Prepared whole = prepare_reduced(f, keep_everything(f), options, stop);
   if (whole.interrupted) return whole;
   if (whole.start.kind != "polyhedral" || expected_cost(whole) >= expected_cost(reduced)) {
     return reduced;

@@ -45,9 +45,6 @@ constexpr double kSingularAccuracy = 5e-14;
 // Coordinates of a singular root are taken for 0 within so many times its accuracy.
 constexpr double kSingularSnap = 10;
 
-// Of another reading of F: only sizes of the differences matter.
-constexpr std::uint64_t kReadingSeed = 1;
-
 /// How far a root may be from an end of this accuracy.
 double reach_of(double accuracy) { return std::max(kLeastTravel, kTravel * accuracy); }
 
@@ -65,9 +62,10 @@ RefinerProgram::RefinerProgram(const System& given, std::vector<double> natural_
   c = complex_coefficients(tape, f);
   exact = round_coefficients<ComplexDoubleDouble>(tape, f, to_complex_double_double);
   for (const Complex& ck : c) size.push_back(std::abs(ck));
-  if (const auto other = other_reading(given, kReadingSeed)) {
-    const System differences = scale(moivre::differences(*other, given), rows);
-    for (const Complex& ck : complex_coefficients(tape, differences)) error.push_back(std::abs(ck));
+  if (const double relative = coefficient_error(given); relative > 0) {
+    error = round_coefficients<double>(tape, f, [&](const Coefficient& ck) {
+      return is_computed(ck) ? relative * std::exp2(log2_size(ck)) : 0;
+    });
   }
   for (const std::uint64_t d : degrees(f)) {
     curvature = std::max(curvature, std::pow(static_cast<double>(d) / kLowDegree, 2));

@@ -4,23 +4,17 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "moivre/polynomial/read.h"
-#include "moivre/polynomial/scale.h"
 
 namespace moivre {
 namespace {
 
-/// |c' - c| of the only coefficient of c * x, relative; 0 where there is no other reading.
 double relative_error(const std::string& c) {
-  const System f = read_system({"test", "1\n " + c + "*x;\n"});
-  const auto other = other_reading(f, 1);
-  if (!other) return 0;
-  EXPECT_TRUE(has_terms_of(f, *other));
-  const System difference = differences(*other, f);
-  const Coefficient& error = difference.polynomials[0].terms[0].coefficient;
-  return std::exp2(log2_size(error) - log2_size(f.polynomials[0].terms[0].coefficient));
+  return coefficient_error(read_system({"test", "1\n " + c + "*x;\n"}));
+}
+
+Coefficient real(const std::string& c) {
+  return read_system({"test", "1\n " + c + "*x;\n"}).polynomials[0].terms[0].coefficient;
 }
 
 TEST(Digits, ShortDecimalsFractionsAndWholeNumbersAreMeantAsTheyStand) {
@@ -40,21 +34,19 @@ TEST(Digits, WhatWasComputedInDoubleIsNotKnownBetter) {
   EXPECT_LT(relative_error("0.123456789012345678901234567890"), 1e-28);
 }
 
-TEST(Digits, PartsOfAComplexNumberCountEachForItself) {
-  const System f = read_system({"test", "1\n (0.5 + 0.3525981368114*i)*x;\n"});
-  const Coefficient error =
-      differences(other_reading(f, 1).value(), f).polynomials[0].terms[0].coefficient;
-  EXPECT_TRUE(error.re.is_zero());
-  EXPECT_FALSE(error.im.is_zero());
+TEST(Digits, AFileIsKnownAsWellAsItsWorstCoefficient) {
+  const System f = read_system({"test", "1\n 0.5*x^2 + 0.3525981368114*x + 0.352598136811;\n"});
+  EXPECT_NEAR(coefficient_error(f) / (0.5e-12 / 0.352598136811), 1, 1e-9);
 }
 
-TEST(Digits, SignsAreRandomAndAFunctionOfTheSeed) {
-  std::string text = "1\n 0.1111111111111*x";
-  for (int k = 2; k < 40; ++k) text += " + 0.1111111111111*x^" + std::to_string(k);
-  const System f = read_system({"test", text + ";\n"});
-  const System a = *other_reading(f, 1);
-  EXPECT_EQ(a.polynomials, other_reading(f, 1)->polynomials);
-  EXPECT_NE(a.polynomials, other_reading(f, 2)->polynomials);
+TEST(Digits, WhatIsComputedFromLongNumbersIsLong) {
+  const Coefficient c = real("0.352598136811");
+  EXPECT_TRUE(is_computed(c));
+  EXPECT_TRUE(is_computed(c * real("1/3")));
+  EXPECT_TRUE(is_computed(c * Coefficient{Rational(0x1p-30), 0}));
+  for (const char* plain : {"1/3", "3.1", "-2", "1e-9", "1267650600228229401496703205376"}) {
+    EXPECT_FALSE(is_computed(real(plain))) << plain;
+  }
 }
 
 }  // namespace

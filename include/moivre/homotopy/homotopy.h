@@ -62,10 +62,10 @@ class Homotopy {
   /// Of term k, counted over all equations: f_k and g_k, zero where a side has no such term.
   const Coefficient& f(std::size_t k) const { return f_[k]; }
   const Coefficient& g(std::size_t k) const { return g_[k]; }
-  /// |f_k' - f_k|, the largest of the other readings; 0 where F is meant as it stands.
+  /// What f_k may be off by, relative; 0 where it is meant as it stands.
   double error(std::size_t k) const { return errors_.empty() ? 0 : errors_[k]; }
-  /// F may as well be `other` (polynomial/digits.h), which has its terms.
-  void add_reading(const System& other);
+  /// F was computed from a file that is known to `relative` (polynomial/digits.h).
+  void set_coefficient_error(double relative);
   /// log2 of the size of g_k, or of f_k where the start has no such term; of a framed homotopy only.
   double log2_size(std::size_t k) const { return log2_sizes_[k]; }
   /// The first term of equation i.

@@ -29,8 +29,7 @@ enum class RandomStream : std::uint64_t {
   coefficient_lifting = 12,
   certify = 13,
   cluster = 14,
-  check = 15,
-  other_reading = 16
+  check = 15
 };
 
 namespace detail {

@@ -1,27 +1,22 @@
 // SPDX-License-Identifier: MIT
-// Which other system may a file as well mean? One whose coefficients differ by half a unit of the last digit, where they were rounded.
+// How well does a file know its coefficients? Up to half a unit of the last digit, where numbers were rounded to be typed.
 //
-//   c = p / q:  q divides 10^k, k >= 1 least, ten or more significant digits:   c +- 0.5 10^-k; from 15 digits on at least a double's error
-//               q = 2^k, k >= 40: a double, computed by a few operations:        c (1 +- 2^-49)
+//   c = p / q:  q divides 10^k, k >= 1 least, ten or more significant digits:   known to 0.5 10^-k; from 15 digits on to a double's error
+//               q = 2^k, k >= 40: a double, computed by a few operations:        known to 2^-49 |c|
 //               any other number, 31/10, 1/3, or a whole one, is meant as it stands
 //
-// What vanishes to within |c' - c| of its coefficients vanishes for some system that the file may mean. The signs are random,
-// so that differences that matter do not cancel.
+// A file is known as well as its worst coefficient, and so is each long number that was computed from it. What vanishes to within
+// that vanishes for some system that the file may mean.
 #pragma once
-
-#include <optional>
 
 #include "moivre/polynomial/system.h"
 
 namespace moivre {
 
-/// The same monomials as f; nullopt where no coefficient was rounded.
-std::optional<System> other_reading(const System& f, std::uint64_t seed);
+/// Of f as read: the largest relative error of a coefficient; 0 where all are meant as they stand.
+double coefficient_error(const System& f);
 
-/// What the coefficients differ by: f's monomials, some with coefficient 0. Requires has_terms_of(f, g).
-System differences(const System& f, const System& g);
-
-/// The same variables and monomials.
-bool has_terms_of(const System& f, const System& g);
+/// Real or imaginary part is longer than numbers that are meant as they stand, whatever power of two it was scaled by.
+bool is_computed(const Coefficient& c);
 
 }  // namespace moivre
