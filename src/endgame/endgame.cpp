@@ -147,6 +147,7 @@ std::nullopt_t Endgame::fail(Failure failure) {
 std::optional<Departure> Endgame::accept(Arrival&& arrival, PathSystem& path) {
   path.set_frame(frame_.get());
   std::optional<Departure> next = proceed(std::move(arrival), path);
+  if (!next && may_look_again()) next = look_again(path);
   if (!next && !end_.x.empty()) {
     end_.size = 1 / chart_.finiteness(end_.x);
     end_.x = outside(frame_, std::move(end_.x));
@@ -188,17 +189,28 @@ std::optional<Departure> Endgame::judge_arrival(Arrival&& arrival, PathSystem& p
   if (is_regular_arrival(arrival, path, condition)) return std::nullopt;
   if (outpost_.empty()) return fail(to_failure(arrival.journey));
   if (options_.maximum_radii == 0) return fail(Failure::precision);
-  frame_here(path);
+  watched_at_ = outpost_;
+  watched_radius_ = radius_;
   return begin_circle();
 }
 
-// A path may have gone far since it set out: its end is looked at in the units of the outpost.
-void Endgame::frame_here(PathSystem& path) {
-  if (!frame_ || radii_ > 0) return;
-  outpost_ = outside(frame_, std::move(outpost_));
-  frame_ = std::make_shared<const PathFrame>(frame_at(path.homotopy(), outpost_));
-  outpost_ = inside(frame_, std::move(outpost_));
+bool Endgame::may_look_again() const {
+  return end_.failure == Failure::precision && frame_ && !looks_again_ && !watched_at_.empty();
+}
+
+// A path may have gone far since it set out: in the units of the point from where its end was looked at in vain it may be seen.
+std::optional<Departure> Endgame::look_again(PathSystem& path) {
+  looks_again_ = true;
+  end_.failure.reset();
+  last_.reset();
+  best_.reset();
+  radii_ = 0;
+  const Point outpost = outside(frame_, watched_at_);
+  frame_ = std::make_shared<const PathFrame>(frame_at(path.homotopy(), outpost));
   path.set_frame(frame_.get());
+  outpost_ = inside(frame_, outpost);
+  radius_ = watched_radius_;
+  return begin_circle();
 }
 
 // Affine patch a x = 1 through the circle's outpost: samples of one homogeneous path become points of one chart.

@@ -101,7 +101,8 @@ class Endgame : public Watcher {
   std::optional<Departure> proceed(Arrival&& arrival, PathSystem& path);
   Departure along(const Contour& contour, Point x, int samples = 0, Watcher* watcher = nullptr);
   std::optional<Departure> judge_arrival(Arrival&& arrival, PathSystem& path);
-  void frame_here(PathSystem& path);
+  bool may_look_again() const;
+  std::optional<Departure> look_again(PathSystem& path);
   std::optional<Departure> begin_circle();
   std::optional<Departure> next_turn(Arrival&& arrival, PathSystem& path);
   std::optional<Departure> shrink(PathSystem& path);
@@ -133,6 +134,11 @@ class Endgame : public Watcher {
   int creeping_ = 0;   ///< watched steps within the radius of the singular ends
   Point outpost_;      ///< last watched point, from which circles begin
   double radius_ = 0;  ///< its |1 - t|
+
+  // What circles began from, and whether they do for the second time.
+  Point watched_at_;
+  double watched_radius_ = 0;
+  bool looks_again_ = false;
 
   // Circles.
   Point patch_;                 // affine patch of the circle's samples
