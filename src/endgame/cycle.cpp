@@ -66,8 +66,7 @@ bool meet_together(const std::vector<Complex>& z, const Complex& common, int m) 
   for (Complex& sample : from_common) sample -= common;
   for (int k = 2; k <= m + kMoreSums; ++k) {
     const PowerMean mean = power_mean(from_common, k);
-    const double rounding =
-        kRounding * k * std::abs(common) * power_mean(from_common, k - 1).size;
+    const double rounding = kRounding * k * std::abs(common) * power_mean(from_common, k - 1).size;
     if (!mean.is_lost() && std::abs(mean.sum) > rounding) return false;
   }
   return true;

@@ -271,10 +271,10 @@ bool Endgame::ends_beyond() const {
 }
 
 // All sheets of the cycle do, and the faces of their direction have a common root.
-bool Endgame::leads_to_infinity(const PathSystem& path) const {
-  return (vanish_together(samples_of_x0(), turns_) || ends_beyond()) &&
-         has_face_root(path.homotopy(), outside(frame_, outpost_), radius_,
-                       valuations(samples_, chart_.homogenizing(), turns_));
+FaceRoot Endgame::place_at_infinity(const PathSystem& path) const {
+  if (!vanish_together(samples_of_x0(), turns_) && !ends_beyond()) return FaceRoot::none;
+  return face_root(path.homotopy(), outside(frame_, outpost_), radius_,
+                   valuations(samples_, chart_.homogenizing(), turns_));
 }
 
 // In one combination of the coordinates, which tells points apart but for bad luck.
@@ -298,8 +298,9 @@ double Endgame::truncation() const {
 
 std::optional<Departure> Endgame::estimate_end(PathSystem& path) {
   Estimate estimate{laurent_coefficient(0), turns_};
-  if (leads_to_infinity(path)) {
+  if (const FaceRoot place = place_at_infinity(path); place != FaceRoot::none) {
     end_.status = PathStatus::at_infinity;
+    end_.is_as_rounded = place == FaceRoot::as_rounded;
     return std::nullopt;
   }
   if (ends_beyond()) return fail(Failure::precision);

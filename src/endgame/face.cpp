@@ -92,7 +92,7 @@ class Faces {
 
   /// Gauss-Newton from y, in the units. Towards an m-fold root corrections fall by (m - 1) / m only; where they fall evenly
   /// one is taken m times.
-  bool vanish_near(std::vector<Number> y, double rank_threshold) const {
+  FaceRoot root_near(std::vector<Number> y, double rank_threshold) const {
     VectorXcd value(static_cast<Index>(faces_.size()));
     MatrixXcd jacobian(value.size(), static_cast<Index>(y.size()));
     VectorXcd moved = VectorXcd::Zero(jacobian.cols());
@@ -100,7 +100,8 @@ class Faces {
     double fall = 0;
     for (int k = 0; k < kIterations; ++k) {
       const double zero = evaluate(y, value, jacobian);
-      if (value.lpNorm<Eigen::Infinity>() <= zero) return true;
+      const double largest = value.lpNorm<Eigen::Infinity>();
+      if (largest <= zero) return largest > kVanished ? FaceRoot::as_rounded : FaceRoot::exact;
       Eigen::CompleteOrthogonalDecomposition<MatrixXcd> qr;
       qr.setThreshold(rank_threshold);
       VectorXcd dz = qr.compute(jacobian).solve(-value);
@@ -111,13 +112,14 @@ class Faces {
       size = is_even ? 0 : now;
       fall = is_even ? 0 : ratio;
       moved += dz;
-      if (!dz.allFinite() || moved.lpNorm<Eigen::Infinity>() > kNeighbourhood) return false;
+      if (!dz.allFinite() || moved.lpNorm<Eigen::Infinity>() > kNeighbourhood)
+        return FaceRoot::none;
       for (std::size_t j = 0; j < y.size(); ++j) {
         // 1 + (e^dz - 1) keeps all digits of double-double where dz is small.
         y[j] += product(Number(exp_minus_1(dz[static_cast<Index>(j)])), y[j]);
       }
     }
-    return false;
+    return FaceRoot::none;
   }
 
  private:
@@ -215,22 +217,23 @@ class Faces {
 
 }  // namespace
 
-bool has_face_root(const Homotopy& homotopy, const Point& x, double radius,
+FaceRoot face_root(const Homotopy& homotopy, const Point& x, double radius,
                    const std::vector<double>& valuations) {
   const std::optional<Direction> direction = direction_of(valuations);
-  if (!direction) return false;
+  if (!direction) return FaceRoot::none;
   const Chart& chart = homotopy.chart();
   std::vector<int> log2;
   std::vector<Number> y;
   for (std::size_t j = 0; j < chart.unknowns; ++j) {
-    if (x[j] == 0.0) return false;
+    if (x[j] == 0.0) return FaceRoot::none;
     const Complex z = std::log(x[j]) - std::log(chart.x0(x));
     log2.push_back(static_cast<int>(std::lround(z.real() / std::log(2.0))));
     y.push_back(Number(std::exp(z - log2.back() * std::log(2.0))));
   }
   const Faces faces(homotopy, radius, *direction, log2);
-  return faces.may_vanish() &&
-         (faces.vanish_near(y, kWideThreshold) || faces.vanish_near(y, kRoundingThreshold));
+  if (!faces.may_vanish()) return FaceRoot::none;
+  const FaceRoot root = faces.root_near(y, kWideThreshold);
+  return root != FaceRoot::none ? root : faces.root_near(y, kRoundingThreshold);
 }
 
 }  // namespace moivre

@@ -22,8 +22,14 @@
 
 namespace moivre {
 
+enum class FaceRoot {
+  none,
+  exact,
+  as_rounded  ///< of faces whose coefficients differ from F's by less than their errors
+};
+
 /// x: homogeneous, not in a frame, at 1 - t = radius. valuations: of x_j / x_0, n of them.
-bool has_face_root(const Homotopy& homotopy, const Point& x, double radius,
+FaceRoot face_root(const Homotopy& homotopy, const Point& x, double radius,
                    const std::vector<double>& valuations);
 
 }  // namespace moivre

@@ -77,8 +77,6 @@ double coefficient_error(const System& f) {
   return largest;
 }
 
-bool is_computed(const Coefficient& c) {
-  return is_computed(c.re) || is_computed(c.im);
-}
+bool is_computed(const Coefficient& c) { return is_computed(c.re) || is_computed(c.im); }
 
 }  // namespace moivre

@@ -115,6 +115,12 @@ void close_account(const Run& run, SolveResult& result) {
                    : result.paths.failed > 0 ? "some paths failed"
                                              : "a root's conjugate is missing among the roots";
   tell_completeness(run, result);
+  if (run.as_rounded.empty()) return;
+  result.left_out.push_back({"what the file's digits do not tell",
+                             std::to_string(run.as_rounded.size()) +
+                                 " paths end at infinity for coefficients that differ from the "
+                                 "file's by less than half a unit of "
+                                 "the last digit"});
 }
 
 }  // namespace moivre

@@ -73,7 +73,7 @@ class Neighbourhood {
   std::vector<double> error_;  ///< of F's terms, where coefficients were rounded
   double zero_ = 0;            ///< |F| relative to its terms, at a root
   VectorXcd value_;            ///< n + 1: F relative to its terms, the plane
-  MatrixXcd j_;      ///< (n + 1) x n, of value_ with respect to z
+  MatrixXcd j_;                ///< (n + 1) x n, of value_ with respect to z
 };
 
 Neighbourhood::Neighbourhood(const RefinerProgram& program, const Point& x, std::uint64_t seed)

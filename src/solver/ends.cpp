@@ -115,6 +115,7 @@ void take_end(Run& run, std::uint64_t path, PathEnd&& end) {
         run.ledger.enter_failure({path, Failure::precision, end.t, end.stage});
       } else {
         run.ledger.enter_infinity(path);
+        if (end.is_as_rounded) run.as_rounded.insert(path);
       }
       return;
     case PathStatus::failed:

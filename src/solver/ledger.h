@@ -23,7 +23,7 @@ using PathSet = std::set<std::uint64_t>;
 struct Root {
   Refined point;
   std::optional<int> winding;  ///< nullopt: the end needed no circle, so it counts as 1
-  bool is_counted = false;  ///< exact algebra has its multiplicity; nothing is known of cycles
+  bool is_counted = false;     ///< exact algebra has its multiplicity; nothing is known of cycles
   double tolerance = 0;        ///< relative, within which another end is the same root
   std::shared_ptr<const Certificate> certificate;  ///< of a simple root that is proved
   mutable std::optional<bool> on_set;  ///< lies on a positive-dimensional set, once asked

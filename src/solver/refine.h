@@ -32,8 +32,9 @@ struct RefinerProgram {
   Tape tape;
   std::vector<Complex> c;
   std::vector<ComplexDoubleDouble> exact;
-  std::vector<double> size;   ///< |c|
-  std::vector<double> error;  ///< what c may be off by (polynomial/digits.h); empty where all are exact
+  std::vector<double> size;  ///< |c|
+  std::vector<double>
+      error;  ///< what c may be off by (polynomial/digits.h); empty where all are exact
   std::vector<double> unit;  ///< n, the natural size of each unknown
   double curvature = 1;      ///< of the equation of the highest degree, beside one of low degree
 };

@@ -50,7 +50,8 @@ struct Run {
   std::uint64_t unsettled_conjugates = 0;  ///< simple roots that no path was found to lead to
   Bounds bounds;
   std::vector<ExactRoot> looked_at;  ///< each candidate for an exact root once
-  std::uint64_t left_by_bound = 0;  ///< paths that a met bound left nothing to end at
+  std::uint64_t left_by_bound = 0;   ///< paths that a met bound left nothing to end at
+  PathSet as_rounded;                ///< at infinity as far as the digits of the coefficients tell
   StepCount work;
   bool interrupted = false;
 };

@@ -53,6 +53,20 @@ TEST(Cycle, ALimitThatIsNotZeroIsSeenWhereverTheOthersEnd) {
   }
 }
 
+// A path that hardly moves: what its samples differ by is their rounding.
+TEST(Cycle, SheetsMeetWhereNothingButRoundingKeepsThemApart) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const Complex common = random_phase(seed, RandomStream::test, 0);
+    std::uint64_t k = 0;
+    const auto z = cycle_of(2, [&](Complex u) {
+      const Complex noise = 1e-16 * random_phase(seed, RandomStream::test, ++k);
+      return common + 1e-12 * u + noise;
+    });
+    EXPECT_TRUE(meet_together(z, common, 2)) << seed;
+    EXPECT_FALSE(meet_together(z, common + Complex(1e-9, 0), 2)) << seed;
+  }
+}
+
 // They change places on every circle wider than limit^2: the mean is 0, and no sum but the second tells.
 TEST(Cycle, OppositeLimitsWhoseMeanIsZeroAreTold) {
   for (const double limit : {5e-3, 1e-3, 1e-5, 3e-7}) {

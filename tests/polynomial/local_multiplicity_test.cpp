@@ -10,8 +10,7 @@
 namespace moivre {
 namespace {
 
-std::optional<std::uint64_t> multiplicity(const std::string& text,
-                                          const Point& x) {
+std::optional<std::uint64_t> multiplicity(const std::string& text, const Point& x) {
   std::vector<Coefficient> exact;
   for (const Complex& xi : x) exact.push_back({Rational(xi.real()), Rational(xi.imag())});
   return local_multiplicity(read_system({"test", text}), exact);

@@ -5,6 +5,7 @@
 #include "certificates.h"
 #include "clusters.h"
 #include "completeness.h"
+#include "moivre/tracker_lanes/lane_tracker.h"
 #include "problem_set.h"
 
 namespace moivre::test {
@@ -57,10 +58,10 @@ TEST(Certified, AMultipleRootIsNotCertified) {
 
 // The origin counts ten times, and a simple root lies 5e-8 beside it: eleven ends within an endgame's error of each other.
 TEST(Certified, ASimpleRootBesideAMultipleOneIsNotTakenForAPartOfIt) {
-  const System f =
-      read("3\n x^2*y - y^2*z - 7*y*z^2 + x*z + 5903*y*z;\n"
-           " 6*x*y*z - x*z^2 - 8*y^3 - 3*y*z^2 + 6*x*y + 8*x*z - y^2;\n"
-           " -6124*x^3 - 8*x*y^2 + 6*x*z^2 + 5261*z^3 + x*y - x*z;\n");
+  const System f = read(
+      "3\n x^2*y - y^2*z - 7*y*z^2 + x*z + 5903*y*z;\n"
+      " 6*x*y*z - x*z^2 - 8*y^3 - 3*y*z^2 + 6*x*y + 8*x*z - y^2;\n"
+      " -6124*x^3 - 8*x*y^2 + 6*x*z^2 + 5261*z^3 + x*y - x*z;\n");
   for (const StartKind start : {StartKind::total_degree, StartKind::polyhedral}) {
     SolveOptions options = with_seed(1);
     options.start = start;
@@ -81,6 +82,21 @@ TEST(Certified, ExactMultiplicitiesCountTowardsABound) {
   EXPECT_TRUE(result.complete);
   ASSERT_EQ(result.completeness, RootCompleteness::proved);
   EXPECT_EQ(result.bound->value, result.paths.finite);
+}
+
+// Coefficients of twelve digits: what was at infinity before they were rounded lies at 1e11 to 1e13.
+TEST(Certified, EndsBeyondTheDigitsOfAFileAreToldAsSuch) {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    const SolveResult result =
+        solve(system_of(problem("ipp2")), *make_lane_tracker(), with_seed(seed));
+    expect_conservation(result);
+    EXPECT_TRUE(result.complete) << seed;
+    EXPECT_GE(result.solutions.size(), 16U) << seed;
+    EXPECT_TRUE(std::any_of(
+        result.left_out.begin(), result.left_out.end(),
+        [](const LeftOut& left) { return left.what == "what the file's digits do not tell"; }))
+        << seed;
+  }
 }
 
 TEST(Certified, ADoubleRootAndNearlyOneAreToldApart) {

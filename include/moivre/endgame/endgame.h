@@ -61,7 +61,8 @@ struct EndgameOptions {
 struct PathEnd {
   PathStatus status = PathStatus::failed;
   std::optional<Failure> failure;
-  Point x;  ///< homogeneous end point; the last point when failed
+  Point x;                     ///< homogeneous end point; the last point when failed
+  bool is_as_rounded = false;  ///< at infinity as far as the digits of F's coefficients tell
   bool singular = false;
   std::optional<int> winding;  ///< nullopt: Newton landed on the end, and it is to prove simple
   double accuracy = 0;
@@ -74,6 +75,8 @@ struct PathEnd {
       mark;  ///< of the point from which it set out on the last stage, where there are several (solver/marks.h)
   StepCount count;
 };
+
+enum class FaceRoot;
 
 class Endgame : public Watcher {
  public:
@@ -114,7 +117,7 @@ class Endgame : public Watcher {
   std::optional<Departure> land();
   std::vector<Complex> samples_of_x0() const;
   bool ends_beyond() const;
-  bool leads_to_infinity(const PathSystem& path) const;
+  FaceRoot place_at_infinity(const PathSystem& path) const;
   bool sheets_meet(const Point& x) const;
   bool is_regular_arrival(const Arrival& arrival, PathSystem& path, double condition);
   std::nullopt_t decide_infinity();

@@ -86,9 +86,9 @@ struct Solution {
   std::uint64_t multiplicity = 1;
   /// Of the cycles that end here; their sum is the multiplicity. Empty where exact algebra has counted it.
   std::vector<int> winding{1};
-  double residual = 0;          ///< max_i |F_i(x)| / sum |terms of F_i|
-  double accuracy = 0;          ///< bound on |x - x*|_inf / max(1, |x|_inf)
-  double condition = 0;         ///< infinity-norm condition number of the row-scaled Jacobian
+  double residual = 0;   ///< max_i |F_i(x)| / sum |terms of F_i|
+  double accuracy = 0;   ///< bound on |x - x*|_inf / max(1, |x|_inf)
+  double condition = 0;  ///< infinity-norm condition number of the row-scaled Jacobian
   /// One root of the exact system, and a simple one, is proved to lie within `accuracy`; nullopt where that was not asked for
   /// or cannot be: F has more equations than unknowns.
   std::optional<bool> certified;
