@@ -74,7 +74,7 @@ enum class RootKind {
 /// Polishes a real root to a pose.
 RootKind polish(ClosureSearch& search, const Solution& solution, BeyondLimits& beyond_limits) {
   const Phi& phi = search.phi;
-  const Eigen::VectorXd guess = coordinates_of_root(search.isotropic, solution.x);
+  const Eigen::VectorXd guess = coordinates_of_root(search.formulation, solution.x);
   const NewtonResult polished = newton(phi, guess, search.options.time);
   const double moved = (phi.canonical(polished.q) - phi.canonical(guess)).cwiseAbs().maxCoeff();
   const double size = std::max(1.0, guess.cwiseAbs().maxCoeff());

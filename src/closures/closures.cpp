@@ -17,7 +17,7 @@ namespace {
 
 /// All that is known before anything is solved.
 ClosureResult described(const ClosureSearch& search) {
-  const System& f = search.isotropic.system;
+  const System& f = search.formulation.system;
   ClosureResult result;
   result.seed = search.options.solve.seed;
   result.time = search.options.time;
@@ -33,7 +33,7 @@ ClosureResult described(const ClosureSearch& search) {
   result.tracker_options = search.tracker.options_in_force();
   result.coordinates = search.phi.dimension();
   result.complete = true;
-  for (const std::string& name : search.isotropic.repetitions) {
+  for (const std::string& name : search.formulation.repetitions) {
     result.left_out.push_back({name, "it holds an angle that is held already, at the same value"});
   }
   return result;
@@ -114,7 +114,7 @@ std::string verdict(const ClosureSearch& search) {
 void conclude(ClosureSearch& search) {
   if (search.lost_images > 0 || search.unpolished > 0) search.result.complete = false;
   search.result.message = verdict(search);
-  for (const std::string& name : search.isotropic.contradictions) {
+  for (const std::string& name : search.formulation.contradictions) {
     search.result.message += "; " + name + " holds an angle that is held at another value already";
   }
 }

@@ -132,7 +132,7 @@ Polynomial power(const Polynomial& p, int exponent) {
   return result;
 }
 
-IsotropicSystem isotropic_system(const Mechanism& mechanism, double t) {
+Formulation formulate(const Mechanism& mechanism, double t) {
   return is_typed(mechanism) ? isotropic_equations(mechanism, t) : isotropic_bodies(mechanism, t);
 }
 
@@ -152,19 +152,19 @@ Complex value_at(const Polynomial& p, const Point& x) {
 
 }  // namespace
 
-double residual_of_root(const IsotropicSystem& isotropic, const Point& root) {
+double residual_of_root(const Formulation& formulation, const Point& root) {
   double length = 0;
   for (std::size_t v = 0; v < root.size(); ++v) {
-    if (!isotropic.is_direction[v]) length = std::max(length, std::abs(root[v]));
+    if (!formulation.is_direction[v]) length = std::max(length, std::abs(root[v]));
   }
   if (length == 0) length = 1;
   double largest = 0;
-  for (const Polynomial& p : isotropic.system.polynomials) {
+  for (const Polynomial& p : formulation.system.polynomials) {
     double size = 0;
     for (const Term& term : p.terms) {
       double product = std::abs(to_complex(term.coefficient));
       for (const Power& factor : term.monomial) {
-        const double least = isotropic.is_direction[factor.variable] ? 1 : length;
+        const double least = formulation.is_direction[factor.variable] ? 1 : length;
         product *= std::pow(std::max(std::abs(root[factor.variable]), least), factor.exponent);
       }
       size += product;
@@ -174,25 +174,25 @@ double residual_of_root(const IsotropicSystem& isotropic, const Point& root) {
   return largest;
 }
 
-Eigen::VectorXd coordinates_of_root(const IsotropicSystem& isotropic, const Point& root) {
-  using Part = IsotropicSystem::Reading::Part;
-  Eigen::VectorXd q(static_cast<Eigen::Index>(isotropic.coordinates.size()));
+Eigen::VectorXd coordinates_of_root(const Formulation& formulation, const Point& root) {
+  using Part = Formulation::Reading::Part;
+  Eigen::VectorXd q(static_cast<Eigen::Index>(formulation.coordinates.size()));
   for (Eigen::Index k = 0; k < q.size(); ++k) {
-    const auto& reading = isotropic.coordinates[static_cast<std::size_t>(k)];
+    const auto& reading = formulation.coordinates[static_cast<std::size_t>(k)];
     const Complex z = value_at(reading.of, root);
     q[k] = reading.part == Part::re ? z.real() : reading.part == Part::im ? z.imag() : std::arg(z);
   }
   return q;
 }
 
-Point mirrored(const IsotropicSystem& isotropic, const Point& root) {
+Point mirrored(const Formulation& formulation, const Point& root) {
   Point image(root.size());
-  for (std::size_t v = 0; v < root.size(); ++v) image[v] = std::conj(root[isotropic.mirror[v]]);
+  for (std::size_t v = 0; v < root.size(); ++v) image[v] = std::conj(root[formulation.mirror[v]]);
   return image;
 }
 
-double distance_from_real(const IsotropicSystem& isotropic, const Point& root) {
-  const Point image = mirrored(isotropic, root);
+double distance_from_real(const Formulation& formulation, const Point& root) {
+  const Point image = mirrored(formulation, root);
   double largest = 0;
   for (std::size_t v = 0; v < root.size(); ++v) {
     largest = std::max(largest, std::abs(root[v] - image[v]));
