@@ -36,7 +36,21 @@ ClosureResult described(const ClosureSearch& search) {
   for (const std::string& name : search.formulation.repetitions) {
     result.left_out.push_back({name, "it holds an angle that is held already, at the same value"});
   }
+  for (const auto& [what, why] : search.formulation.left_out) result.left_out.push_back({what, why});
   return result;
+}
+
+/// A body between two spherical joints may turn about its line: each closure shows it in one place of many.
+void add_spins(ClosureSearch& search) {
+  for (const std::size_t body : search.formulation.spins) {
+    const Joint* joint = nullptr;
+    for (const Joint& candidate : search.mechanism.joints) {
+      if (candidate.at[0].body == body || candidate.at[1].body == body) joint = &candidate;
+    }
+    search.result.idle.push_back({search.mechanism.bodies[body].name,
+                                  joint == nullptr ? "" : joint->name,
+                                  "turned about the line of its two joints as little as can be"});
+  }
 }
 
 /// `phi`: of the mechanism as it is, nothing held.
@@ -130,6 +144,7 @@ ClosureResult find_closures(const Mechanism& mechanism, const Tracker& tracker,
   ClosureSearch search(held.mechanism, tracker, options, stop);
   search.result = described(search);
   search.result.idle = std::move(held.idle);
+  add_spins(search);
   find_roots(search);
   find_poses(search);
   add_mobility(Phi(mechanism), search.result);

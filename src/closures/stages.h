@@ -7,6 +7,7 @@
 #pragma once
 
 #include <atomic>
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -40,6 +41,7 @@ struct StageRun {
   bool complete = true;
   bool moves = false;     ///< a block had a set of roots of positive dimension
   bool may_move = false;  ///< so it had, above a partial root that may be real
+  std::map<std::string, std::uint64_t> excluded;  ///< roots that are no pose, by the reason
 };
 
 // A root of all equations leaves no more than this on the scale of the terms; those of spare equations that do not hold

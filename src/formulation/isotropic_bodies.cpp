@@ -212,11 +212,6 @@ JointEnds Bodies::ends_by_order_of_blocks() && {
 }  // namespace
 
 Formulation isotropic_bodies(const Mechanism& mechanism, double t) {
-  if (mechanism.space == Space::spatial) {
-    throw std::invalid_argument(
-        "closures of spatial mechanisms are not supported yet; newton, mobility and motion take "
-        "them");
-  }
   JointEnds ends = typed_ends(mechanism);
   if (has_shared_pins(mechanism)) ends = Bodies(mechanism, t, ends).ends_by_order_of_blocks();
   return Bodies(mechanism, t, std::move(ends)).build();

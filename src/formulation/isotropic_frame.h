@@ -6,14 +6,11 @@
 #include <variant>
 
 #include "angle_classes.h"
+#include "arithmetic.h"
 #include "moivre/formulation/exact.h"
 #include "moivre/formulation/formulation.h"
 
 namespace moivre {
-
-inline Polynomial operator-(const Polynomial& a, const Polynomial& b) {
-  return a + Coefficient{-1, 0} * b;
-}
 
 /// A number in isotropic coordinates with its conjugate.
 struct Mirrored {

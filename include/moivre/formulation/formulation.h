@@ -23,6 +23,7 @@
 #include <string>
 #include <vector>
 
+#include "moivre/formulation/pose_reading.h"
 #include "moivre/mechanism/mechanism.h"
 #include "moivre/numeric/complex.h"
 #include "moivre/polynomial/system.h"
@@ -44,8 +45,22 @@ struct Formulation {
     enum class Part { re, im, argument } part = Part::re;
     Polynomial of;
   };
-  std::vector<Reading> coordinates;
+  std::vector<Reading> coordinates;  ///< planar mechanisms and typed equations
+  PoseReading poses;                 ///< spatial mechanisms
+
+  /// A root where this vanishes beside its terms is no pose.
+  struct Exclusion {
+    Polynomial of;
+    std::string reason;
+  };
+  std::vector<Exclusion> exclusions;
+  std::vector<std::pair<std::string, std::string>> left_out;  ///< what they do without, and why
+  std::vector<std::size_t> spins;  ///< bodies that may turn about the line of their two points, all else standing
 };
+
+/// Whether the values that are known (null where not) make an exclusion vanish; its reason.
+std::optional<std::string> excluded(const Formulation& formulation,
+                                    const std::vector<std::optional<Complex>>& values);
 
 /// The polynomials at time t.
 Formulation formulate(const Mechanism& mechanism, double t);
