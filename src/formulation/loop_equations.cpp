@@ -11,6 +11,7 @@ namespace moivre {
 namespace {
 
 constexpr std::size_t kSix = 6;
+constexpr std::ptrdiff_t kTurnsOfSpace = 3;
 
 /// Elements in their order, and what their product is.
 struct Loop {
@@ -83,6 +84,7 @@ class Equations {
   void add_general();
   void add_decoupled();
   void add_short();
+  void add_turns_first();
 
  private:
   const LoopElement& e(std::size_t k) const { return loop_.elements[k]; }
@@ -202,6 +204,23 @@ void Equations::add_short() {
   add_dyad_of(rest, last);
 }
 
+/// Three turns and three slides: the turns alone close like a spherical loop, and then the slides are linear.
+void Equations::add_turns_first() {
+  Loop turns{{}, {loop_.whole.q, {}}};
+  for (LoopElement element : loop_.elements) {
+    if (!element.is_turn) continue;
+    element.axis.g = {};
+    turns.elements.push_back(std::move(element));
+  }
+  Equations(frame_, std::move(turns)).add_short();
+  MovingPose rest = conjugate(whole());
+  for (std::size_t k = 0; k < loop_.elements.size(); ++k) rest = rest * element(k);
+  const char* const parts[] = {"x", "y", "z"};
+  for (std::size_t k = 0; k < std::size(parts); ++k) {
+    frame_.add_equation(std::string("loop: ") + parts[k], rest.g[k + 1]);
+  }
+}
+
 }  // namespace
 
 void add_loop_equations(SpatialFrame& frame, std::vector<LoopElement> elements,
@@ -209,6 +228,12 @@ void add_loop_equations(SpatialFrame& frame, std::vector<LoopElement> elements,
   const Loop loop{std::move(elements), whole};
   if (loop.elements.size() < kSix) {
     Equations(frame, loop).add_short();
+    return;
+  }
+  const auto turns = std::count_if(loop.elements.begin(), loop.elements.end(),
+                                   [](const LoopElement& element) { return element.is_turn; });
+  if (turns == kTurnsOfSpace) {
+    Equations(frame, loop).add_turns_first();
     return;
   }
   Cut cut = best_cut(loop, frame.length());
