@@ -45,15 +45,6 @@ TEST(Isotropic, TheFourBarHasAsManyPolynomialsAsUnknowns) {
   EXPECT_EQ(formulation.system.variables.size(), 10u);  // p, pb of three bodies; t, u of two
 }
 
-TEST(Isotropic, RefusesSpatialMechanismsWithTheReason) {
-  try {
-    formulate(test::example("bennett"), 0);
-    FAIL();
-  } catch (const std::invalid_argument& error) {
-    EXPECT_NE(std::string(error.what()).find("spatial"), std::string::npos);
-  }
-}
-
 std::string refusal(const std::string& equation) {
   try {
     formulate(test::typed("[unknowns]\nangles = [\"a\", \"b\"]\nlengths = [\"d\"]\n"
