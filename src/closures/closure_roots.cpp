@@ -43,9 +43,9 @@ void take_account(ClosureResult& result, const StageRun& run) {
   result.left_out.insert(result.left_out.end(), run.left_out.begin(), run.left_out.end());
   for (const auto& [reason, count] : run.excluded) {
     result.counts.rejected += count;
-    result.left_out.push_back(
-        {std::to_string(count) + (count == 1 ? " root that is no pose" : " roots that are no poses"),
-         reason});
+    result.left_out.push_back({std::to_string(count) + (count == 1 ? " root that is no pose"
+                                                                   : " roots that are no poses"),
+                               reason});
   }
   for (const Stage& stage : run.stages) {
     auto& all = result.reduced;

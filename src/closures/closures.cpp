@@ -36,7 +36,8 @@ ClosureResult described(const ClosureSearch& search) {
   for (const std::string& name : search.formulation.repetitions) {
     result.left_out.push_back({name, "it holds an angle that is held already, at the same value"});
   }
-  for (const auto& [what, why] : search.formulation.left_out) result.left_out.push_back({what, why});
+  for (const auto& [what, why] : search.formulation.left_out)
+    result.left_out.push_back({what, why});
   return result;
 }
 

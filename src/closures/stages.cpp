@@ -204,9 +204,8 @@ void Stages::add_roots(const Block& block, const PartialRoot& root, const System
   run_.complete = run_.complete && result.complete;
   const bool is_dependent = result.paths.tracked == 0 && result.complete &&
                             eliminate(f).verdict == Reduction::Verdict::dependent;
-  const bool has_set = std::any_of(result.on_sets.begin(), result.on_sets.end(), [&](const Point& x) {
-    return !is_excluded(root, block, x, 1);
-  });
+  const bool has_set = std::any_of(result.on_sets.begin(), result.on_sets.end(),
+                                   [&](const Point& x) { return !is_excluded(root, block, x, 1); });
   if (is_dependent || has_set) note_set(root);
 }
 

@@ -25,8 +25,9 @@ Rational number(double x) { return Rational(x); }
 
 std::array<ExactPose, 2> basis_of(const LoopElement& element) {
   const ExactPose one = identity_pose();
-  if (!element.is_turn) return {one, element.axis};
-  return {one + element.fixed * element.axis, element.axis + (-element.fixed) * one};
+  const ExactPose moved = element.axis + (-element.fixed) * one;
+  if (!element.is_turn) return {one, moved};
+  return {one + element.fixed * element.axis, moved};
 }
 
 Eigen::Matrix<double, 8, 4> plain_span(const LoopElement& a, const LoopElement& b, double length) {
@@ -50,8 +51,7 @@ ExactPose shortened(const ExactPose& pose) {
   for (std::size_t k = 0; k < q.size(); ++k) turn.q[k] = without_noise(q[k] / q[largest]);
   const Quaternion<double> shift =
       scaled(1 / dot(q, q), product(rounded.g, conjugate(q)));  // half of it
-  const ExactPose shifted{{1, 0, 0, 0},
-                          {0, number(shift[1]), number(shift[2]), number(shift[3])}};
+  const ExactPose shifted{{1, 0, 0, 0}, {0, number(shift[1]), number(shift[2]), number(shift[3])}};
   return shifted * turn;
 }
 
@@ -82,8 +82,7 @@ DyadSpace dyad_space(const LoopElement& a, const LoopElement& b, double length) 
     span.col(static_cast<Eigen::Index>(k)) = to_vector(space.basis[k], length);
   }
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(span, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const Eigen::MatrixXd inverse = svd.matrixV() *
-                                  svd.singularValues().cwiseInverse().asDiagonal() *
+  const Eigen::MatrixXd inverse = svd.matrixV() * svd.singularValues().cwiseInverse().asDiagonal() *
                                   svd.matrixU().leftCols(4).transpose();
   for (std::size_t i = 0; i < 4; ++i) {
     const auto row = static_cast<Eigen::Index>(i);
@@ -119,8 +118,14 @@ bool spans_common_space(const LoopElement& a, const LoopElement& b, const LoopEl
   constexpr double kInside = 1e-11;
   constexpr Eigen::Index kDimension = 4;
   const ExactPose one = identity_pose();
-  const ExactPose poses[] = {one,           a.axis,          b.axis,          c.axis,
-                             a.axis * b.axis, a.axis * c.axis, b.axis * c.axis, a.axis * b.axis * c.axis};
+  const ExactPose poses[] = {one,
+                             a.axis,
+                             b.axis,
+                             c.axis,
+                             a.axis * b.axis,
+                             a.axis * c.axis,
+                             b.axis * c.axis,
+                             a.axis * b.axis * c.axis};
   Eigen::Matrix<double, 8, 8> span = Eigen::Matrix<double, 8, 8>::Zero();
   for (Eigen::Index k = 0; k < 8; ++k) {
     const Vector8 v = to_vector(poses[k], length);
@@ -128,7 +133,8 @@ bool spans_common_space(const LoopElement& a, const LoopElement& b, const LoopEl
   }
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(span);
   return svd.singularValues()[kDimension] <= kInside * svd.singularValues()[0] &&
-         distance_from_quadric(a, b, length) <= kInside && distance_from_quadric(b, c, length) <= kInside;
+         distance_from_quadric(a, b, length) <= kInside &&
+         distance_from_quadric(b, c, length) <= kInside;
 }
 
 }  // namespace moivre

@@ -14,7 +14,8 @@ namespace moivre {
 struct DyadSpace {
   std::array<ExactPose, 4> basis;
   std::array<std::array<double, 8>, 4> normals;
-  std::array<std::array<double, 8>, 4> coordinates;  ///< rows that give a pose's coordinates in the basis
+  std::array<std::array<double, 8>, 4>
+      coordinates;  ///< rows that give a pose's coordinates in the basis
 };
 
 DyadSpace dyad_space(const LoopElement& a, const LoopElement& b, double length);

@@ -82,9 +82,8 @@ PoseReading::Placement by_points(std::size_t group, const std::vector<Tie>& ties
 /// Two or three spherical joints and nothing else.
 void leave_out_rod(RigidGroups& groups, std::size_t group) {
   const std::vector<Tie> ties = ties_towards(groups, group);
-  const bool are_spherical = std::all_of(ties.begin(), ties.end(), [](const Tie& tie) {
-    return tie.kind == TieKind::spherical;
-  });
+  const bool are_spherical = std::all_of(
+      ties.begin(), ties.end(), [](const Tie& tie) { return tie.kind == TieKind::spherical; });
   if (!are_spherical || ties.size() < 2 || ties.size() > 3) return;
   for (std::size_t a = 0; a < ties.size(); ++a) {
     for (std::size_t b = a + 1; b < ties.size(); ++b) {

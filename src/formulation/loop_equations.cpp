@@ -68,8 +68,8 @@ Cut best_cut(const Loop& loop, double length) {
     double merit = outer > kOnQuadric ? outer + kOnQuadric * inner : 0;
     if (is_degenerate) merit *= kOnQuadric;
     // Four paths and two for each beat any other cut.
-    const bool decouples = has_common_space && inner > kOnQuadric &&
-                           !spans_common_space(e[0], e[1], e[2], length);
+    const bool decouples =
+        has_common_space && inner > kOnQuadric && !spans_common_space(e[0], e[1], e[2], length);
     if (decouples) merit = 2 + inner;
     if (merit <= best.merit) continue;
     best = {std::move(way), decouples, merit};
@@ -100,7 +100,12 @@ class Equations {
 };
 
 void Equations::exclude(std::size_t k) {
-  if (!e(k).is_turn) return;
+  if (!e(k).is_turn) {
+    if (e(k).fixed.is_zero()) return;
+    frame_.exclude(constant({1, 0}) - Coefficient{e(k).fixed, 0} * e(k).unknown,
+                   "a slide is infinitely long there");
+    return;
+  }
   frame_.exclude(constant({1, 0}) + e(k).unknown * e(k).unknown,
                  "a half angle's tangent is i or -i there: nothing is turned");
 }

@@ -9,9 +9,9 @@
 
 namespace moivre {
 
-/// One joint of one freedom: E = b0 + unknown b1, with b0 = 1 + o A, b1 = A - o for a turn; b0 = 1, b1 = A for a slide.
+/// One joint of one freedom: E = b0 + unknown b1, with b0 = 1 + o A, b1 = A - o for a turn; b0 = 1, b1 = A - o for a slide.
 struct LoopElement {
-  ExactPose axis;     ///< A
+  ExactPose axis;      ///< A
   Rational fixed = 0;  ///< o
   bool is_turn = false;
   std::string name;

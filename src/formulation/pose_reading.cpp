@@ -73,10 +73,9 @@ Eigen::VectorXd coordinates_of_root(const PoseReading& reading, const Point& roo
   constexpr Eigen::Index kSize = 6;
   std::vector<Eigen::Isometry3d> groups(reading.groups, Eigen::Isometry3d::Identity());
   for (const PoseReading::Placement& placement : reading.placements) {
-    groups[placement.group] =
-        placement.points.empty()
-            ? groups[placement.parent] * relative_pose(placement.relative, root)
-            : placed_by_points(placement.points, groups);
+    groups[placement.group] = placement.points.empty() ? groups[placement.parent] *
+                                                             relative_pose(placement.relative, root)
+                                                       : placed_by_points(placement.points, groups);
   }
   Eigen::VectorXd q(kSize * static_cast<Eigen::Index>(reading.bodies.size()));
   Eigen::Index at = 0;

@@ -146,7 +146,7 @@ void Grouping::tie(const Joint& joint, const Held& held) {
       tie.kind = TieKind::prismatic;
       break;
     case JointType::cylindrical:
-      tie.kind = held.angle ? TieKind::prismatic
+      tie.kind = held.angle   ? TieKind::prismatic
                  : held.slide ? TieKind::revolute
                               : TieKind::cylindrical;
       if (held.angle) tie.at_i = tie.at_i * turn_about_z(*held.angle);

@@ -51,15 +51,15 @@ struct DrivenPoint {
 };
 
 struct RigidGroups {
-  std::vector<std::string> names;          ///< of each group: its first body; 0 the ground
+  std::vector<std::string> names;                ///< of each group: its first body; 0 the ground
   std::vector<std::vector<std::string>> bodies;  ///< of each group
-  std::vector<std::size_t> group_of;       ///< each body
-  std::vector<ExactPose> in_group;         ///< each body's frame in its group's
+  std::vector<std::size_t> group_of;             ///< each body
+  std::vector<ExactPose> in_group;               ///< each body's frame in its group's
   std::vector<Tie> ties;
   std::vector<DrivenPoint> driven_points;
-  std::vector<bool> is_left_out;           ///< of each group: a link that became a tie
+  std::vector<bool> is_left_out;              ///< of each group: a link that became a tie
   std::vector<PoseReading::Placement> links;  ///< of these
-  std::vector<std::size_t> spinning;       ///< bodies that spin between two spherical joints
+  std::vector<std::size_t> spinning;          ///< bodies that spin between two spherical joints
   std::vector<std::string> contradictions;
   std::vector<std::string> repetitions;
   std::vector<std::pair<std::string, std::string>> left_out;

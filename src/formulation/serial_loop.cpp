@@ -11,10 +11,22 @@ namespace {
 
 constexpr std::size_t kFewest = 3;
 constexpr std::size_t kMost = 6;
+constexpr std::size_t kTurnsOfSpace = 3;
+
+std::size_t turns_of(const std::vector<Tie>& loop) {
+  std::size_t turns = 0;
+  for (const Tie& tie : loop) {
+    if (tie.kind == TieKind::prismatic) continue;
+    turns += tie.kind == TieKind::cylindrical ? 1 : freedom(tie.kind);
+  }
+  return turns;
+}
 
 class Chain {
  public:
-  Chain(SpatialFrame& frame, const RigidGroups& groups) : frame_(frame), groups_(groups) {}
+  /// Slides are their own unknowns where they are to be linear; else infinity is brought to a finite place.
+  Chain(SpatialFrame& frame, const RigidGroups& groups, bool has_plain_slides)
+      : frame_(frame), groups_(groups), has_plain_slides_(has_plain_slides) {}
 
   void follow(const Tie& tie, bool is_last);
   std::vector<LoopElement> take() && { return std::move(elements_); }
@@ -27,6 +39,7 @@ class Chain {
 
   SpatialFrame& frame_;
   const RigidGroups& groups_;
+  bool has_plain_slides_;
   std::vector<LoopElement> elements_;
   ExactPose at_ = identity_pose();  ///< where the chain has come with all joints at rest
   MovingPose step_;                 ///< of the tie at work
@@ -52,11 +65,15 @@ void Chain::turn(const std::string& name) {
 
 void Chain::slide(const std::string& name) {
   LoopElement element;
+  if (!has_plain_slides_) {
+    element.fixed = frame_.random_number();
+    element.fixed /= Rational(frame_.length());
+  }
   element.axis = slide_at(at_);
   element.owners = owners_;
   element.name = name;
   element.unknown = frame_.add_unknown(name, false, owners_);
-  step_ = step_ * slide_of(element.unknown);
+  step_ = step_ * slide_of(element.unknown, element.fixed);
   elements_.push_back(std::move(element));
 }
 
@@ -119,8 +136,8 @@ std::optional<std::vector<Tie>> loop_of(const RigidGroups& groups, const Part& p
     at = loop.back().j;
     left.erase(next);
   } while (at != 0);
-  const bool is_driven =
-      std::any_of(groups.driven_points.begin(), groups.driven_points.end(), [&](const auto& driven) {
+  const bool is_driven = std::any_of(
+      groups.driven_points.begin(), groups.driven_points.end(), [&](const auto& driven) {
         return std::find(part.groups.begin(), part.groups.end(), driven.group) != part.groups.end();
       });
   if (!left.empty() || is_driven || freedoms < kFewest || freedoms > kMost) return std::nullopt;
@@ -128,7 +145,8 @@ std::optional<std::vector<Tie>> loop_of(const RigidGroups& groups, const Part& p
 }
 
 void add_loop(SpatialFrame& frame, const RigidGroups& groups, const std::vector<Tie>& loop) {
-  Chain chain(frame, groups);
+  const std::size_t turns = turns_of(loop);
+  Chain chain(frame, groups, turns == kTurnsOfSpace);
   for (std::size_t k = 0; k < loop.size(); ++k) chain.follow(loop[k], k + 1 == loop.size());
   const ExactPose whole = conjugate(shortened(chain.end()));
   add_loop_equations(frame, std::move(chain).take(), whole);

@@ -10,7 +10,8 @@
 namespace moivre {
 namespace {
 
-constexpr std::uint64_t kSeed = 1;  // the formulation of a mechanism is one, whatever seed solves it
+constexpr std::uint64_t kSeed =
+    1;  // the formulation of a mechanism is one, whatever seed solves it
 
 }  // namespace
 
@@ -82,10 +83,10 @@ MovingPose turn_of(const Polynomial& t, const Rational& fixed) {
   return turn;
 }
 
-MovingPose slide_of(const Polynomial& s) {
+MovingPose slide_of(const Polynomial& u, const Rational& fixed) {
   MovingPose slide;
-  slide.q[0] = constant({1, 0});
-  slide.g[3] = Coefficient{Rational(1, 2), 0} * s;
+  slide.q[0] = constant({1, 0}) - real_constant(fixed) * u;
+  slide.g[3] = Coefficient{Rational(1, 2), 0} * u;
   return slide;
 }
 
@@ -134,8 +135,7 @@ MovingPose SpatialFrame::add_any_pose(const std::string& name,
   return pose;
 }
 
-MovingPose add_motion(SpatialFrame& frame, const Tie& tie,
-                      const std::vector<std::string>& owners) {
+MovingPose add_motion(SpatialFrame& frame, const Tie& tie, const std::vector<std::string>& owners) {
   const auto turn = [&](const std::string& name) {
     return frame.add_turn(name, frame.random_number(), owners);
   };

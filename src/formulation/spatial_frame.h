@@ -66,7 +66,8 @@ class SpatialFrame {
 
 /// The turn (1 - o t) + (o + t) k of t.
 MovingPose turn_of(const Polynomial& t, const Rational& fixed);
-MovingPose slide_of(const Polynomial& s);
+/// The slide s = u / (1 - o u) of u: (1 - o u) + eps u k / 2. With o = 0 u is the slide itself.
+MovingPose slide_of(const Polynomial& u, const Rational& fixed = 0);
 
 /// Adds the tie's unknowns and gives the pose of group j in group i.
 MovingPose add_motion(SpatialFrame& frame, const Tie& tie, const std::vector<std::string>& owners);

@@ -76,9 +76,8 @@ void Tree::place_next() {
     place(tie.j, tie.i, add_motion(frame_, tie, groups_.bodies[tie.j]));
     return;
   }
-  const auto most = std::max_element(rods.begin(), rods.end(), [](const auto& a, const auto& b) {
-    return a.second < b.second;
-  });
+  const auto most = std::max_element(
+      rods.begin(), rods.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
   const std::size_t group = most->first;
   place(group, 0, frame_.add_any_pose(groups_.names[group], groups_.bodies[group]));
 }
@@ -115,8 +114,8 @@ void Tree::close(const Tie& tie) {
 void Tree::drive(const DrivenPoint& driven) {
   const MovingPose at = relative(0, driven.group) * to_moving(driven.point);
   const Polynomial shift = product(at.g, conjugate(at.q))[driven.axis + 1];
-  frame_.add_equation("driver " + driven.name, Coefficient{2, 0} * shift -
-                                                   Coefficient{driven.value, 0} * dot(at.q, at.q));
+  frame_.add_equation("driver " + driven.name,
+                      Coefficient{2, 0} * shift - Coefficient{driven.value, 0} * dot(at.q, at.q));
 }
 
 }  // namespace

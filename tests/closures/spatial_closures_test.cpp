@@ -47,18 +47,15 @@ TEST_P(SpatialCounts, AreMetForEverySeed) {
 
 INSTANTIATE_TEST_SUITE_P(
     Mechanisms, SpatialCounts,
-    testing::Values(SpatialCount{"rssr", 2, 2, 2, 20}, SpatialCount{"rccc", 2, 2, 4, 10},
-                    SpatialCount{"bennett", 1, 1, 2, 10},
-                    SpatialCount{"spherical-four-bar", 2, 2, 2, 20},
-                    SpatialCount{"spherical-3-rrr", 8, 4, 16, 5},
-                    SpatialCount{"3-rps", 16, 8, 16, 5}, SpatialCount{"general-6r", 16, 4, 24, 5},
-                    SpatialCount{"manseur-doty", 16, 16, 24, 5},
-                    SpatialCount{"puma-560", 8, 8, 24, 5}, SpatialCount{"ur5", 8, 8, 16, 5},
-                    SpatialCount{"dietmaier", 40, 40, 84, 3},
-                    SpatialCount{"planar-platform", 40, 12, 84, 2},
-                    SpatialCount{"platform-6-4", 32, 4, 84, 2},
-                    SpatialCount{"platform-6-3", 16, 6, 84, 2},
-                    SpatialCount{"octahedral-3-3", 16, 4, 84, 2}),
+    testing::Values(
+        SpatialCount{"rssr", 2, 2, 2, 20}, SpatialCount{"rccc", 2, 2, 4, 10},
+        SpatialCount{"bennett", 1, 1, 2, 10}, SpatialCount{"spherical-four-bar", 2, 2, 2, 20},
+        SpatialCount{"spherical-3-rrr", 8, 4, 16, 5}, SpatialCount{"3-rps", 16, 8, 16, 5},
+        SpatialCount{"general-6r", 16, 4, 24, 5}, SpatialCount{"manseur-doty", 16, 16, 24, 5},
+        SpatialCount{"puma-560", 8, 8, 24, 5}, SpatialCount{"ur5", 8, 8, 16, 5},
+        SpatialCount{"dietmaier", 40, 40, 84, 3}, SpatialCount{"planar-platform", 40, 12, 84, 2},
+        SpatialCount{"platform-6-4", 32, 4, 84, 2}, SpatialCount{"platform-6-3", 16, 6, 84, 2},
+        SpatialCount{"octahedral-3-3", 16, 4, 84, 2}),
     [](const auto& tested) {
       std::string name = tested.param.file;
       std::replace(name.begin(), name.end(), '-', '_');
@@ -99,8 +96,7 @@ Mechanism holding(Mechanism arm, const std::vector<double>& angles) {
 std::vector<double> random_angles(std::uint64_t pose) {
   std::vector<double> angles;
   for (std::uint64_t k = 0; k < 6; ++k) {
-    angles.push_back(std::numbers::pi *
-                     (2 * random_unit(pose, RandomStream::test, k) - 1));
+    angles.push_back(std::numbers::pi * (2 * random_unit(pose, RandomStream::test, k) - 1));
   }
   return angles;
 }
@@ -135,15 +131,14 @@ TEST_P(Arms, HaveTheirOwnPostureAmongAllOfThem) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Files, Arms,
-                         testing::Values(std::pair{"general-6r", 16U}, std::pair{"manseur-doty", 16U},
-                                         std::pair{"puma-560", 8U}, std::pair{"ur5", 8U}));
+                         testing::Values(std::pair{"general-6r", 16U},
+                                         std::pair{"manseur-doty", 16U}, std::pair{"puma-560", 8U},
+                                         std::pair{"ur5", 8U}));
 
 /// All lengths by up to one part in a hundred, all axes by up to 0.01.
 Mechanism disturbed(Mechanism mechanism, double share) {
   std::uint64_t count = 0;
-  const auto wander = [&] {
-    return share * (2 * random_unit(7, RandomStream::test, count++) - 1);
-  };
+  const auto wander = [&] { return share * (2 * random_unit(7, RandomStream::test, count++) - 1); };
   for (Body& body : mechanism.bodies) {
     for (BodyPoint& point : body.points) point.at += Vector3d(wander(), wander(), wander());
   }

@@ -55,7 +55,8 @@ struct Formulation {
   };
   std::vector<Exclusion> exclusions;
   std::vector<std::pair<std::string, std::string>> left_out;  ///< what they do without, and why
-  std::vector<std::size_t> spins;  ///< bodies that may turn about the line of their two points, all else standing
+  std::vector<std::size_t>
+      spins;  ///< bodies that may turn about the line of their two points, all else standing
 };
 
 /// Whether the values that are known (null where not) make an exclusion vanish; its reason.
