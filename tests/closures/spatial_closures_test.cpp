@@ -62,10 +62,6 @@ INSTANTIATE_TEST_SUITE_P(
       return "Of_" + name;
     });
 
-Isometry3d turned(const Vector3d& axis, double angle) {
-  return Isometry3d(Eigen::AngleAxisd(angle, axis));
-}
-
 /// Where the last body of an arm stands with its joints at these angles.
 Isometry3d forward(const Mechanism& arm, const std::vector<double>& angles) {
   Isometry3d at = Isometry3d::Identity();
@@ -74,9 +70,12 @@ Isometry3d forward(const Mechanism& arm, const std::vector<double>& angles) {
     const auto point = [&](std::size_t end) {
       return arm.bodies[joint.at[end].body].points[joint.at[end].point].at;
     };
-    at = at * Eigen::Translation3d(point(0)) * joint_frame(joint.axis[0]) *
-         turned(Vector3d::UnitZ(), angles[k]) * joint_frame(joint.axis[1]).transpose() *
-         Eigen::Translation3d(-point(1));
+    const Eigen::AngleAxisd turn(angles[k], Vector3d::UnitZ());
+    Isometry3d step = Isometry3d::Identity();
+    step.linear() = joint_frame(joint.axis[0]) * turn.toRotationMatrix() *
+                    joint_frame(joint.axis[1]).transpose();
+    step.translation() = point(0) - step.linear() * point(1);
+    at = at * step;
   }
   return at;
 }
