@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Joint by joint.
+// Each joint's coordinate as mechanism/pose.h reads it off the bodies.
 #include "joint_values.h"
 
 #include "moivre/mechanism/pose.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Term by term.
+// A polynomial evaluated term by term.
 #include "polynomial_value.h"
 
 namespace moivre {
