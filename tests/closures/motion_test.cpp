@@ -382,6 +382,19 @@ TEST(Motion, FromGuessesNoPolynomialIsSolved) {
   EXPECT_TRUE(result.checkpoints.empty());
 }
 
+TEST(Motion, SpatialBranchesAreThoseOfTheClosuresAtEveryCheckpoint) {
+  for (const auto& [file, branches] :
+       {std::pair<std::string, std::size_t>{"rssr", 2}, {"bennett", 1}}) {
+    const Mechanism m = mechanism_file(file);
+    const MotionResult result = motion_of(m, options_for(m));
+    EXPECT_TRUE(result.complete) << file << ": " << result.message;
+    EXPECT_EQ(result.branches.size(), branches) << file;
+    for (const Checkpoint& checkpoint : result.checkpoints) {
+      EXPECT_TRUE(checkpoint.agrees) << file << ": " << checkpoint.message;
+    }
+  }
+}
+
 TEST(Motion, GuessThatDoesNotAssembleIsAFailureOfItsOwn) {
   const Mechanism m = mechanism_file("unassemblable-triangle");
   const MotionResult result = follow_guesses(m, {initial_guess(m)}, options_for(m, 3));
