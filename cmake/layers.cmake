@@ -4,7 +4,7 @@
 # A module may use what its line names and what those use (one way only).
 
 set(MOIVRE_MODULES numeric expression polynomial multiprecision certify homotopy tracker tracker_cvode tracker_lanes endgame
-    start bounds check solver study mechanism kinematics closures closure_study report check_report closure_report study_report
+    start bounds check solver study mechanism kinematics formulation closures closure_study report check_report closure_report study_report
     cli)
 
 set(MOIVRE_USES_numeric "")
@@ -25,7 +25,8 @@ set(MOIVRE_USES_check certify bounds)
 set(MOIVRE_USES_study multiprecision solver)
 set(MOIVRE_USES_mechanism expression)
 set(MOIVRE_USES_kinematics mechanism)
-set(MOIVRE_USES_closures kinematics solver)
+set(MOIVRE_USES_formulation mechanism polynomial)
+set(MOIVRE_USES_closures kinematics formulation solver)
 set(MOIVRE_USES_closure_study closures study)
 set(MOIVRE_USES_report solver)
 set(MOIVRE_USES_check_report check report)

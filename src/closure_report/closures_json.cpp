@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Closures as JSON: the contract of docs/json.md, key by key.
+#include "joint_values.h"
 #include "moivre/closure_report/closure_report.h"
 #include "pose_json.h"
 
@@ -37,18 +38,24 @@ Json moves_json(const std::optional<Moves>& moves, const Mechanism& mechanism) {
 }
 
 Json closure_json(const Closure& closure, const Mechanism& mechanism) {
-  return {{"id", closure.id},
-          {"coordinates", coordinates_json(mechanism, closure.q)},
-          {"bodies", bodies_json(mechanism, closure.q)},
-          {"points", points_json(mechanism, closure.q)},
-          {"residual", to_json(closure.residual)},
-          {"misfit", to_json(closure.misfit)},
-          {"fitted", closure.is_fitted},
-          {"newton_iterations", closure.newton_iterations},
-          {"smallest_singular_value", to_json(closure.smallest_singular_value)},
-          {"path", closure.path},
-          {"multiplicity", closure.multiplicity},
-          {"singular", closure.singular}};
+  Json joints = Json::object();
+  for (const JointValue& joint : joint_values(mechanism, closure.q)) {
+    joints[joint.name] = to_json(joint.value);
+  }
+  Json json{{"id", closure.id},
+            {"coordinates", coordinates_json(mechanism, closure.q)},
+            {"bodies", bodies_json(mechanism, closure.q)},
+            {"points", points_json(mechanism, closure.q)},
+            {"residual", to_json(closure.residual)},
+            {"misfit", to_json(closure.misfit)},
+            {"fitted", closure.is_fitted},
+            {"newton_iterations", closure.newton_iterations},
+            {"smallest_singular_value", to_json(closure.smallest_singular_value)},
+            {"path", closure.path},
+            {"multiplicity", closure.multiplicity},
+            {"singular", closure.singular}};
+  if (!joints.empty()) json["joints"] = std::move(joints);
+  return json;
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "joint_values.h"
 #include "moivre/closure_report/closure_report.h"
 #include "moivre/report/number_text.h"
 #include "moivre/report/text_blocks.h"
@@ -37,6 +38,16 @@ std::string stages_text(const ClosureResult& result) {
   return text;
 }
 
+std::string joints_text(const Mechanism& mechanism, const Eigen::VectorXd& q) {
+  std::string text;
+  for (const JointValue& joint : joint_values(mechanism, q)) {
+    text += text.empty() ? "  joints: " : ", ";
+    text += joint.name + " = " +
+            coordinate_text(mechanism, Coordinate{joint.name, joint.kind, 0}, joint.value);
+  }
+  return text.empty() ? text : text + '\n';
+}
+
 std::string closure_text(const Closure& closure, const Mechanism& mechanism) {
   std::string text =
       "\nclosure " + closure.id +
@@ -50,7 +61,7 @@ std::string closure_text(const Closure& closure, const Mechanism& mechanism) {
     text += ", misfit " + rough_text(closure.misfit) + (unit.empty() ? "" : " " + unit);
   }
   if (closure.singular) text += ", singular";
-  return text + '\n' + pose_text(mechanism, closure.q);
+  return text + '\n' + joints_text(mechanism, closure.q) + pose_text(mechanism, closure.q);
 }
 
 }  // namespace

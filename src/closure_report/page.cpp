@@ -18,9 +18,11 @@
 #include "moivre/report/json.h"
 #include "moivre/report/number_text.h"
 #include "page_assets.h"
+#include "page_parts.h"
 #include "panels.h"
 #include "svg.h"
 #include "traces.h"
+#include "turning_page.h"
 
 namespace moivre {
 namespace {
@@ -72,15 +74,6 @@ std::vector<Quantity> quantities(const Mechanism& mechanism) {
   }
   if (!is_typed(mechanism)) add_points(true);
   return all;
-}
-
-/// As many digits as a plot can show, so that the page stays small.
-Json rounded(double x) {
-  constexpr int kDigits = 7;
-  if (!std::isfinite(x)) return nullptr;
-  char text[32];
-  std::snprintf(text, sizeof text, "%.*g", kDigits, x);
-  return std::strtod(text, nullptr);
 }
 
 /// Pixels to a thousandth, turns to a hundred-thousandth.
@@ -204,28 +197,6 @@ Json branch_json(const PageBranch& branch, std::size_t number, const Canvas& can
           {"ends", branch.ends},
           {"colour", colour_class(number)},
           {"dashes", branch_dashes(number)}};
-}
-
-/// JSON that stands inside <script>: no character of it can end the element.
-std::string script_data(const Json& json) {
-  const std::string plain = json.dump(-1, ' ', false, Json::error_handler_t::replace);
-  std::string safe;
-  for (const char c : plain) {
-    switch (c) {
-      case '<':
-        safe += "\\u003c";
-        break;
-      case '>':
-        safe += "\\u003e";
-        break;
-      case '&':
-        safe += "\\u0026";
-        break;
-      default:
-        safe += c;
-    }
-  }
-  return safe;
 }
 
 std::string matrix_text(const std::array<double, 4>& m) {
@@ -369,23 +340,7 @@ std::string page_html(const Page& page, const Mechanism& mechanism) {
   if (moves) body += plots_html(page, plotted);
   body += list_html(page.notes);
   body += element("script", {{"type", "application/json"}, {"id", "data"}}, script_data(data));
-  constexpr std::string_view kErrorHook =
-      "addEventListener('error',e=>{document.documentElement.dataset.state='failed';"
-      "document.getElementById('error').textContent='This page failed: '+e.message;});";
-  body += element("script", {}, kErrorHook) + '\n' + element("script", {}, page_script()) + '\n';
-  const std::string head =
-      std::string(
-          "<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
-          "content=\"width=device-width,initial-scale=1\">\n"
-          "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; "
-          "style-src 'unsafe-inline'; script-src 'unsafe-inline'\">\n")
-          .append(element("title", {}, escaped(page.title)))
-          .append(element("style", {}, style_sheet()))
-          .append(element("style", {}, page_style()));
-  return std::string("<!DOCTYPE html>\n")
-      .append(element("html", {{"lang", "en"}},
-                      element("head", {}, head) + '\n' + element("body", {}, body)))
-      .append(1, '\n');
+  return html_document(page.title, std::move(body), page_script());
 }
 
 std::string sentence(const MotionBranch& branch, const MotionResult& result,
@@ -434,9 +389,13 @@ std::string motion_html(const MotionResult& result, const Mechanism& mechanism,
 
 std::string closures_html(const ClosureResult& result, const Mechanism& mechanism,
                           const std::string& file) {
+  const std::string summary = counts_text(result.counts) + "; " + result.message;
+  if (mechanism.space == Space::spatial) {
+    return turning_html(result, mechanism, file, summary);
+  }
   Page page;
   page.title = mechanism.title.empty() ? file : mechanism.title;
-  page.summary = counts_text(result.counts) + "; " + result.message;
+  page.summary = summary;
   page.from = page.to = result.time;
   for (const Closure& closure : result.closures) {
     page.branches.push_back({closure.id, {{result.time, closure.q, nullptr}}, "", ""});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What are the page's style and script? The texts of page.css and page.js, put in by the build.
+// What are the page's style and script? The texts of page.css, page.js and turning_page.js, put in by the build.
 #pragma once
 
 #include <string_view>
@@ -8,5 +8,6 @@ namespace moivre {
 
 std::string_view page_style();
 std::string_view page_script();
+std::string_view turning_script();
 
 }  // namespace moivre

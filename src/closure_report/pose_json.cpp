@@ -2,9 +2,33 @@
 // Poses as JSON objects keyed by the file's names.
 #include "pose_json.h"
 
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+
 #include "moivre/mechanism/pose.h"
 
 namespace moivre {
+namespace {
+
+/// Place and unit quaternion, its first number that is not zero positive.
+Json spatial_body_json(const Mechanism& mechanism, std::size_t body, const Eigen::VectorXd& q) {
+  constexpr Eigen::Index kSize = 6;
+  const Eigen::Index at = kSize * static_cast<Eigen::Index>(body - 1);
+  const Eigen::Quaterniond turn(orientation(mechanism, body, q));
+  std::array<double, 4> parts{turn.w(), turn.x(), turn.y(), turn.z()};
+  const auto first = std::find_if(parts.begin(), parts.end(), [](double x) { return x != 0; });
+  const double sign = first != parts.end() && *first < 0 ? -1 : 1;
+  Json quaternion = Json::array();
+  for (const double part : parts) quaternion.push_back(to_json(part == 0 ? 0 : sign * part));
+  return {{"x", to_json(q[at])},
+          {"y", to_json(q[at + 1])},
+          {"z", to_json(q[at + 2])},
+          {"q", quaternion}};
+}
+
+}  // namespace
+
 Json coordinates_json(const Mechanism& mechanism, const Eigen::VectorXd& q) {
   Json json = Json::object();
   Eigen::Index k = 0;
@@ -18,6 +42,12 @@ Json bodies_json(const Mechanism& mechanism, const Eigen::VectorXd& q) {
   Json json = Json::object();
   if (is_typed(mechanism)) return json;
   const std::vector<Coordinate> names = coordinates(mechanism);
+  if (mechanism.space == Space::spatial) {
+    for (std::size_t body = 1; body < mechanism.bodies.size(); ++body) {
+      json[mechanism.bodies[body].name] = spatial_body_json(mechanism, body, q);
+    }
+    return json;
+  }
   for (Eigen::Index k = 0; k < q.size(); ++k) {
     const Coordinate& coordinate = names[static_cast<std::size_t>(k)];
     const std::string& body = mechanism.bodies[coordinate.group + 1].name;

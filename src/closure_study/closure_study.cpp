@@ -39,7 +39,7 @@ StudyResult study_mechanism(const Mechanism& mechanism, const std::vector<StudyS
     if (first.size() == 0 && !closures.closures.empty()) first = closures.closures.front().q;
     return as_solve_result(std::move(closures));
   };
-  const StudySubject subject{isotropic_system(mechanism, 0).system, false, find};
+  const StudySubject subject{formulate(mechanism, 0).system, false, find};
   StudyResult result = study_subject(subject, settings, referee, witness, options, stop);
   if (stop.load()) return result;
   if (first.size() == 0) {

@@ -53,13 +53,32 @@ class Order {
   double largest_length_ = 1;
 };
 
+/// Half a turn about v is half a turn about -v: of the two, the one whose first coordinate that is not zero is positive.
+Eigen::VectorXd with_named_half_turns(Eigen::VectorXd q,
+                                      const std::vector<Coordinate>& coordinates) {
+  constexpr Eigen::Index kSize = 3;
+  for (Eigen::Index k = 0; k < q.size(); ++k) {
+    if (coordinates[static_cast<std::size_t>(k)].kind != CoordinateKind::rotation_vector) continue;
+    auto v = q.segment<kSize>(k);
+    k += kSize - 1;
+    if (v.norm() < std::numbers::pi - kSameCoordinate) continue;
+    Eigen::Index first = 0;
+    while (first < kSize - 1 && std::abs(v[first]) <= kSameCoordinate) ++first;
+    if (v[first] < 0) v *= -1;
+  }
+  return q;
+}
+
 }  // namespace
 
 std::vector<std::size_t> canonical_order(const std::vector<Eigen::VectorXd>& poses,
                                          const std::vector<Coordinate>& coordinates) {
   std::vector<std::size_t> order(poses.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  Order(poses, coordinates).sort_from(0, order.begin(), order.end());
+  std::vector<Eigen::VectorXd> named;
+  named.reserve(poses.size());
+  for (const Eigen::VectorXd& q : poses) named.push_back(with_named_half_turns(q, coordinates));
+  Order(named, coordinates).sort_from(0, order.begin(), order.end());
   return order;
 }
 

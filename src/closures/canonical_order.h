@@ -2,7 +2,8 @@
 // In which order do closures stand, whatever found them? Largest first coordinate first, ties by the second, and so on.
 //
 // The order depends on the poses alone: not on the seed, the tracker, the threads or the numbers of the paths. Two values
-// of a coordinate tie where they, or values between them, lie within kSameCoordinate; at half a turn an angle is +pi.
+// of a coordinate tie where they, or values between them, lie within kSameCoordinate; at half a turn an angle is +pi,
+// and a rotation vector points to where its first coordinate that is not zero is positive.
 // Poses nearer to each other than that in every coordinate keep the order in which they came.
 #pragma once
 

@@ -58,16 +58,16 @@ Linearized linearized(const System& f, const Point& x) {
 
 }  // namespace
 
-double residual_when_polished(const IsotropicSystem& isotropic, Point root) {
+double residual_when_polished(const Formulation& formulation, Point root) {
   constexpr int kSteps =
       4;  // a root's error is squared each time; beside a near miss they stand still
   for (int k = 0; k < kSteps; ++k) {
-    const Linearized at = linearized(isotropic.system, root);
+    const Linearized at = linearized(formulation.system, root);
     const Eigen::VectorXcd step = at.jacobian.colPivHouseholderQr().solve(at.value);
     if (!step.allFinite()) break;
     for (Index v = 0; v < step.size(); ++v) root[static_cast<std::size_t>(v)] -= step[v];
   }
-  return residual_of_root(isotropic, root);
+  return residual_of_root(formulation, root);
 }
 
 }  // namespace moivre

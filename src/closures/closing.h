@@ -6,11 +6,11 @@
 // away, or a pose that closes to nine digits only, where least squares stops.
 #pragma once
 
-#include "moivre/closures/isotropic.h"
+#include "moivre/formulation/formulation.h"
 
 namespace moivre {
 
 /// residual_of_root behind a few steps of Gauss-Newton, in complex numbers, on every equation.
-double residual_when_polished(const IsotropicSystem& isotropic, Point root);
+double residual_when_polished(const Formulation& formulation, Point root);
 
 }  // namespace moivre

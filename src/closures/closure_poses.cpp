@@ -26,7 +26,7 @@ using BeyondLimits = std::map<std::size_t, std::uint64_t>;
 bool lies_on_motion(ClosureSearch& search, const Eigen::VectorXd& q) {
   const LocalDimension local =
       local_dimension(search.phi, q, search.options.time, search.options.solve.seed);
-  if (local.dimension == 0) return false;
+  if (static_cast<std::size_t>(local.dimension) <= search.formulation.spins.size()) return false;
   search.result.moves = Moves{static_cast<std::uint64_t>(local.dimension), local.shown, q};
   return true;
 }
@@ -74,7 +74,7 @@ enum class RootKind {
 /// Polishes a real root to a pose.
 RootKind polish(ClosureSearch& search, const Solution& solution, BeyondLimits& beyond_limits) {
   const Phi& phi = search.phi;
-  const Eigen::VectorXd guess = coordinates_of_root(search.isotropic, solution.x);
+  const Eigen::VectorXd guess = coordinates_of_root(search.formulation, solution.x);
   const NewtonResult polished = newton(phi, guess, search.options.time);
   const double moved = (phi.canonical(polished.q) - phi.canonical(guess)).cwiseAbs().maxCoeff();
   const double size = std::max(1.0, guess.cwiseAbs().maxCoeff());

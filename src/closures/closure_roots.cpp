@@ -24,11 +24,12 @@ double tolerance_of(const Solution& solution) {
 }
 
 /// Whether the root satisfies every equation. Spare ones that hold to nine digits do not hold.
-bool holds(const IsotropicSystem& isotropic, const Solution& solution) {
+bool holds(const Formulation& formulation, const Solution& solution) {
   if (solution.residual > tolerance_of(solution)) return false;
-  const bool has_spare = isotropic.system.polynomials.size() > isotropic.system.variables.size();
+  const bool has_spare =
+      formulation.system.polynomials.size() > formulation.system.variables.size();
   if (!has_spare || solution.singular || solution.residual <= kRounding) return true;
-  return residual_when_polished(isotropic, solution.x) <= kRounding;
+  return residual_when_polished(formulation, solution.x) <= kRounding;
 }
 
 void take_account(ClosureResult& result, const StageRun& run) {
@@ -40,6 +41,12 @@ void take_account(ClosureResult& result, const StageRun& run) {
   result.complete = run.complete;
   result.start.paths = run.paths.tracked;
   result.left_out.insert(result.left_out.end(), run.left_out.begin(), run.left_out.end());
+  for (const auto& [reason, count] : run.excluded) {
+    result.counts.rejected += count;
+    result.left_out.push_back({std::to_string(count) + (count == 1 ? " root that is no pose"
+                                                                   : " roots that are no poses"),
+                               reason});
+  }
   for (const Stage& stage : run.stages) {
     auto& all = result.reduced;
     const auto& of_stage = stage.reduced;
@@ -59,15 +66,15 @@ void take_root(ClosureSearch& search, const PartialRoot& root) {
   solution.winding = {static_cast<int>(root.multiplicity)};
   solution.accuracy = root.accuracy;
   solution.condition = root.condition;
-  solution.residual = residual_of_root(search.isotropic, solution.x);
-  if (!holds(search.isotropic, solution)) {
+  solution.residual = residual_of_root(search.formulation, solution.x);
+  if (!holds(search.formulation, solution)) {
     ++search.result.counts.rejected;
-    if (distance_from_real(search.isotropic, solution.x) <= kNearReal) {
-      search.near_misses.push_back(coordinates_of_root(search.isotropic, solution.x));
+    if (distance_from_real(search.formulation, solution.x) <= kNearReal) {
+      search.near_misses.push_back(coordinates_of_root(search.formulation, solution.x));
     }
     return;
   }
-  solution.real = distance_from_real(search.isotropic, solution.x) <= tolerance_of(solution);
+  solution.real = distance_from_real(search.formulation, solution.x) <= tolerance_of(solution);
   search.result.solutions.push_back(std::move(solution));
 }
 
@@ -80,9 +87,9 @@ bool shows_motion(ClosureSearch& search) {
   return true;
 }
 
-StageRun solve_blocks(const ClosureSearch& search, const IsotropicSystem& isotropic,
+StageRun solve_blocks(const ClosureSearch& search, const Formulation& formulation,
                       const std::vector<Block>& blocks) {
-  return solve_blocks(isotropic, blocks, search.tracker, search.options.solve, search.stop);
+  return solve_blocks(formulation, blocks, search.tracker, search.options.solve, search.stop);
 }
 
 /// With fewer equations than unknowns no closure is isolated. What no free unknown has a say in is solved first: where it
@@ -91,12 +98,12 @@ void solve_free(ClosureSearch& search, const std::vector<Block>& blocks) {
   std::vector<Block> determined;
   std::copy_if(blocks.begin(), blocks.end(), std::back_inserter(determined),
                [](const Block& block) { return block.is_determined; });
-  const StageRun run = solve_blocks(search, search.isotropic, determined);
+  const StageRun run = solve_blocks(search, search.formulation, determined);
   take_account(search.result, run);
   if (run.complete && !run.moves) {
-    search.part_is_complex =
-        std::none_of(run.roots.begin(), run.roots.end(),
-                     [&](const PartialRoot& root) { return may_be_real(search.isotropic, root); });
+    search.part_is_complex = std::none_of(
+        run.roots.begin(), run.roots.end(),
+        [&](const PartialRoot& root) { return may_be_real(search.formulation, root); });
   }
   if (search.part_is_complex || shows_motion(search)) return;
   search.result.complete = false;
@@ -105,8 +112,8 @@ void solve_free(ClosureSearch& search, const std::vector<Block>& blocks) {
 
 /// The equations that were solved have a set of roots that the spare ones may cut to isolated ones.
 StageRun solve_combined(const ClosureSearch& search, const StageRun& first) {
-  IsotropicSystem combined = search.isotropic;
-  combined.system = squared_up(search.isotropic.system, search.options.solve.seed);
+  Formulation combined = search.formulation;
+  combined.system = squared_up(search.formulation.system, search.options.solve.seed);
   StageRun run = solve_blocks(search, combined, block_structure(combined.system).blocks);
   for (Stage& stage : run.stages) stage.group += ", equations combined";
   run.stages.insert(run.stages.begin(), first.stages.begin(), first.stages.end());
@@ -121,10 +128,10 @@ void solve_determined(ClosureSearch& search, const BlockStructure& structure) {
   if (!structure.spare_equations.empty()) {
     result.left_out.push_back(
         {std::to_string(structure.spare_equations.size()) + " of " +
-             std::to_string(search.isotropic.system.polynomials.size()) + " equations",
+             std::to_string(search.formulation.system.polynomials.size()) + " equations",
          "there are more than unknowns; every root is checked on all of them"});
   }
-  StageRun run = solve_blocks(search, search.isotropic, structure.blocks);
+  StageRun run = solve_blocks(search, search.formulation, structure.blocks);
   bool has_unseen_sets = run.moves && !(run.may_move && shows_motion(search));
   if (has_unseen_sets && run.complete && !structure.spare_equations.empty()) {
     run = solve_combined(search, run);
@@ -152,11 +159,11 @@ bool is_same(const Point& a, const Point& b, double tolerance) {
 }
 
 /// The image of an isolated root is a root: one that is not there was lost.
-std::uint64_t lost_images(const IsotropicSystem& isotropic, const std::vector<Solution>& roots) {
+std::uint64_t lost_images(const Formulation& formulation, const std::vector<Solution>& roots) {
   std::uint64_t lost = 0;
   for (const Solution& root : roots) {
     if (root.real || root.singular) continue;
-    const Point image = mirrored(isotropic, root.x);
+    const Point image = mirrored(formulation, root.x);
     const double tolerance = kHolds * std::max(1.0, max_norm(image));
     const bool found = std::any_of(roots.begin(), roots.end(), [&](const Solution& other) {
       return is_same(image, other.x, tolerance);
@@ -169,14 +176,14 @@ std::uint64_t lost_images(const IsotropicSystem& isotropic, const std::vector<So
 }  // namespace
 
 void find_roots(ClosureSearch& search) {
-  if (!search.isotropic.contradictions.empty()) return;
-  const BlockStructure structure = block_structure(search.isotropic.system);
+  if (!search.formulation.contradictions.empty()) return;
+  const BlockStructure structure = block_structure(search.formulation.system);
   if (!structure.free_variables.empty()) {
     solve_free(search, structure.blocks);
   } else {
     solve_determined(search, structure);
   }
-  search.lost_images = lost_images(search.isotropic, search.result.solutions);
+  search.lost_images = lost_images(search.formulation, search.result.solutions);
 }
 
 }  // namespace moivre

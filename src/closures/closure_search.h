@@ -17,14 +17,14 @@ struct ClosureSearch {
         options(the_options),
         stop(the_stop),
         phi(mechanism),
-        isotropic(isotropic_system(mechanism, options.time)) {}
+        formulation(formulate(mechanism, options.time)) {}
 
   const Mechanism& mechanism;
   const Tracker& tracker;
   const ClosureOptions& options;
   const std::atomic<bool>& stop;
   const Phi phi;
-  const IsotropicSystem isotropic;
+  const Formulation formulation;
   ClosureResult result;
   std::uint64_t lost_images = 0;  ///< roots whose mirror image is not among the roots
   std::uint64_t unpolished = 0;   ///< real roots that Newton-Raphson does not confirm

@@ -17,7 +17,7 @@ namespace {
 
 /// All that is known before anything is solved.
 ClosureResult described(const ClosureSearch& search) {
-  const System& f = search.isotropic.system;
+  const System& f = search.formulation.system;
   ClosureResult result;
   result.seed = search.options.solve.seed;
   result.time = search.options.time;
@@ -33,10 +33,25 @@ ClosureResult described(const ClosureSearch& search) {
   result.tracker_options = search.tracker.options_in_force();
   result.coordinates = search.phi.dimension();
   result.complete = true;
-  for (const std::string& name : search.isotropic.repetitions) {
+  for (const std::string& name : search.formulation.repetitions) {
     result.left_out.push_back({name, "it holds an angle that is held already, at the same value"});
   }
+  for (const auto& [what, why] : search.formulation.left_out)
+    result.left_out.push_back({what, why});
   return result;
+}
+
+/// A body between two spherical joints may turn about its line: each closure shows it in one place of many.
+void add_spins(ClosureSearch& search) {
+  for (const std::size_t body : search.formulation.spins) {
+    const Joint* joint = nullptr;
+    for (const Joint& candidate : search.mechanism.joints) {
+      if (candidate.at[0].body == body || candidate.at[1].body == body) joint = &candidate;
+    }
+    search.result.idle.push_back({search.mechanism.bodies[body].name,
+                                  joint == nullptr ? "" : joint->name,
+                                  "turned about the line of its two joints as little as can be"});
+  }
 }
 
 /// `phi`: of the mechanism as it is, nothing held.
@@ -114,7 +129,7 @@ std::string verdict(const ClosureSearch& search) {
 void conclude(ClosureSearch& search) {
   if (search.lost_images > 0 || search.unpolished > 0) search.result.complete = false;
   search.result.message = verdict(search);
-  for (const std::string& name : search.isotropic.contradictions) {
+  for (const std::string& name : search.formulation.contradictions) {
     search.result.message += "; " + name + " holds an angle that is held at another value already";
   }
 }
@@ -130,6 +145,7 @@ ClosureResult find_closures(const Mechanism& mechanism, const Tracker& tracker,
   ClosureSearch search(held.mechanism, tracker, options, stop);
   search.result = described(search);
   search.result.idle = std::move(held.idle);
+  add_spins(search);
   find_roots(search);
   find_poses(search);
   add_mobility(Phi(mechanism), search.result);

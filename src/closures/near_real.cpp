@@ -26,7 +26,7 @@ double distance(const ComplexPair& pair, const Point& x) {
 
 }  // namespace
 
-std::vector<ComplexPair> complex_pairs(const IsotropicSystem& isotropic,
+std::vector<ComplexPair> complex_pairs(const Formulation& formulation,
                                        const std::vector<Solution>& closures) {
   std::vector<ComplexPair> pairs;
   for (const Solution& closure : closures) {
@@ -36,7 +36,7 @@ std::vector<ComplexPair> complex_pairs(const IsotropicSystem& isotropic,
       return distance(pair, closure.x) <= same;
     });
     if (is_known) continue;
-    ComplexPair pair{closure.x, mirrored(isotropic, closure.x), 0};
+    ComplexPair pair{closure.x, mirrored(formulation, closure.x), 0};
     for (std::size_t v = 0; v < pair.x.size(); ++v) {
       pair.square += std::norm(pair.x[v] - pair.image[v]);
     }

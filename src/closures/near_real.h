@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-#include "moivre/closures/isotropic.h"
+#include "moivre/formulation/formulation.h"
 #include "moivre/solver/solve.h"
 
 namespace moivre {
@@ -24,7 +24,7 @@ struct ComplexPair {
 };
 
 /// One of each pair among the closures of one time; singular ones are left out.
-std::vector<ComplexPair> complex_pairs(const IsotropicSystem& isotropic,
+std::vector<ComplexPair> complex_pairs(const Formulation& formulation,
                                        const std::vector<Solution>& closures);
 
 /// The pair that x went over to: the one whose root or image is nearest; nullptr where there is none.

@@ -24,7 +24,7 @@ struct Slice {
 
 Slice slice_of(const MotionRun& run, const Scene& scene) {
   return {scene.time,
-          complex_pairs(isotropic_system(run.mechanism, scene.time), scene.closures.solutions)};
+          complex_pairs(formulate(run.mechanism, scene.time), scene.closures.solutions)};
 }
 
 /// Whether a track that lives between the scenes only is there already.

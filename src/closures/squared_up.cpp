@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "exact.h"
+#include "moivre/formulation/exact.h"
 #include "moivre/numeric/random.h"
 
 namespace moivre {

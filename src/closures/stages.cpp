@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-#include "exact.h"
+#include "moivre/formulation/exact.h"
 #include "moivre/polynomial/eliminate.h"
 
 namespace moivre {
@@ -55,11 +55,11 @@ bool is_lone_linear(const System& f) {
 
 class Stages {
  public:
-  Stages(const IsotropicSystem& isotropic, const Tracker& tracker, const SolveOptions& options,
+  Stages(const Formulation& formulation, const Tracker& tracker, const SolveOptions& options,
          const std::atomic<bool>& stop)
-      : isotropic_(isotropic), tracker_(tracker), options_(options), stop_(stop) {
+      : formulation_(formulation), tracker_(tracker), options_(options), stop_(stop) {
     PartialRoot root;
-    root.value.resize(isotropic.system.variables.size());
+    root.value.resize(formulation.system.variables.size());
     run_.roots.push_back(std::move(root));
   }
 
@@ -78,12 +78,14 @@ class Stages {
  private:
   System system_at(const Block& block, const PartialRoot& root) const;
   void note_set(const PartialRoot& root);
+  bool is_excluded(const PartialRoot& root, const Block& block, const Point& x,
+                   std::uint64_t multiplicity);
   void solve_lone(const Block& block);
   void add_roots(const Block& block, const PartialRoot& root, const System& f, Stage& stage,
                  std::vector<PartialRoot>& next);
   std::string group_name(const Block& block) const;
 
-  const IsotropicSystem& isotropic_;
+  const Formulation& formulation_;
   const Tracker& tracker_;
   const SolveOptions& options_;
   const std::atomic<bool>& stop_;
@@ -92,14 +94,14 @@ class Stages {
 };
 
 System Stages::system_at(const Block& block, const PartialRoot& root) const {
-  std::vector<std::uint32_t> place(isotropic_.system.variables.size());
+  std::vector<std::uint32_t> place(formulation_.system.variables.size());
   System f;
   for (const std::size_t v : block.variables) {
     place[v] = static_cast<std::uint32_t>(f.variables.size());
-    f.variables.push_back(isotropic_.system.variables[v]);
+    f.variables.push_back(formulation_.system.variables[v]);
   }
   for (const std::size_t e : block.equations) {
-    f.polynomials.push_back(substituted(isotropic_.system.polynomials[e], root.value, place));
+    f.polynomials.push_back(substituted(formulation_.system.polynomials[e], root.value, place));
   }
   return f;
 }
@@ -107,7 +109,7 @@ System Stages::system_at(const Block& block, const PartialRoot& root) const {
 std::string Stages::group_name(const Block& block) const {
   std::vector<std::string> bodies;
   for (const std::size_t v : block.variables) {
-    for (const std::string& owner : isotropic_.owners[v]) {
+    for (const std::string& owner : formulation_.owners[v]) {
       if (std::find(bodies.begin(), bodies.end(), owner) == bodies.end()) bodies.push_back(owner);
     }
   }
@@ -122,7 +124,7 @@ std::string Stages::group_name(const Block& block) const {
 /// The block has a set of roots of positive dimension above the root.
 void Stages::note_set(const PartialRoot& root) {
   run_.moves = true;
-  run_.may_move = run_.may_move || may_be_real(isotropic_, root);
+  run_.may_move = run_.may_move || may_be_real(formulation_, root);
 }
 
 /// One equation a x + b = 0, its x put in above every root so far. Where a vanishes there is none, where b does too a set of them.
@@ -135,17 +137,33 @@ void Stages::solve_lone(const Block& block) {
     Coefficient b{0, 0};
     for (const Term& term : p.terms) (term.monomial.empty() ? b : a) = term.coefficient;
     double size = 0;
-    for (const Term& term : isotropic_.system.polynomials[block.equations.front()].terms) {
+    for (const Term& term : formulation_.system.polynomials[block.equations.front()].terms) {
       size = std::max(size, std::abs(to_complex(term.coefficient)));
     }
     if (std::abs(to_complex(a)) <= kCancelled * size) {
       if (std::abs(to_complex(b)) <= kCancelled * size) note_set(root);
       continue;
     }
-    root.value[block.variables.front()] = std::make_shared<const Coefficient>(shortened(-b / a));
+    const Coefficient x = shortened(-b / a);
+    if (is_excluded(root, block, {to_complex(x)}, root.multiplicity)) continue;
+    root.value[block.variables.front()] = std::make_shared<const Coefficient>(x);
     next.push_back(std::move(root));
   }
   run_.roots = std::move(next);
+}
+
+/// Whether the block's root x is no pose; counted where so.
+bool Stages::is_excluded(const PartialRoot& root, const Block& block, const Point& x,
+                         std::uint64_t multiplicity) {
+  if (formulation_.exclusions.empty()) return false;
+  std::vector<std::optional<Complex>> values;
+  for (const KnownValue& value : root.value) {
+    values.push_back(value ? std::optional(to_complex(*value)) : std::nullopt);
+  }
+  for (std::size_t k = 0; k < block.variables.size(); ++k) values[block.variables[k]] = x[k];
+  const auto reason = excluded(formulation_, values);
+  if (reason) run_.excluded[*reason] += multiplicity;
+  return reason.has_value();
 }
 
 void Stages::add_roots(const Block& block, const PartialRoot& root, const System& f, Stage& stage,
@@ -159,6 +177,7 @@ void Stages::add_roots(const Block& block, const PartialRoot& root, const System
   const SolveResult result = solve(f, tracker_, options, stop_);
   const std::uint64_t first_path = stage.paths.tracked;
   for (const Solution& solution : result.solutions) {
+    if (is_excluded(root, block, solution.x, solution.multiplicity * root.multiplicity)) continue;
     PartialRoot child = root;
     for (std::size_t k = 0; k < block.variables.size(); ++k) {
       child.value[block.variables[k]] = std::make_shared<const Coefficient>(exactly(solution.x[k]));
@@ -185,7 +204,9 @@ void Stages::add_roots(const Block& block, const PartialRoot& root, const System
   run_.complete = run_.complete && result.complete;
   const bool is_dependent = result.paths.tracked == 0 && result.complete &&
                             eliminate(f).verdict == Reduction::Verdict::dependent;
-  if (is_dependent || result.paths.on_positive_dimensional > 0) note_set(root);
+  const bool has_set = std::any_of(result.on_sets.begin(), result.on_sets.end(),
+                                   [&](const Point& x) { return !is_excluded(root, block, x, 1); });
+  if (is_dependent || has_set) note_set(root);
 }
 
 void Stages::solve_block(const Block& block) {
@@ -206,11 +227,11 @@ void Stages::solve_block(const Block& block) {
 
 }  // namespace
 
-bool may_be_real(const IsotropicSystem& isotropic, const PartialRoot& root) {
+bool may_be_real(const Formulation& formulation, const PartialRoot& root) {
   double size = 1;
   double apart = 0;
   for (std::size_t v = 0; v < root.value.size(); ++v) {
-    const auto& image = root.value[isotropic.mirror[v]];
+    const auto& image = root.value[formulation.mirror[v]];
     if (!root.value[v] || !image) continue;
     const Complex x = to_complex(*root.value[v]);
     size = std::max(size, std::abs(x));
@@ -226,10 +247,10 @@ void add_solving(const SolveTime& part, SolveTime& sum) {
   sum.refine += part.refine;
 }
 
-StageRun solve_blocks(const IsotropicSystem& isotropic, const std::vector<Block>& blocks,
+StageRun solve_blocks(const Formulation& formulation, const std::vector<Block>& blocks,
                       const Tracker& tracker, const SolveOptions& options,
                       const std::atomic<bool>& stop) {
-  Stages stages(isotropic, tracker, options, stop);
+  Stages stages(formulation, tracker, options, stop);
   for (const Block& block : blocks) stages.solve_block(block);
   return std::move(stages).take();
 }

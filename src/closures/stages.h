@@ -7,12 +7,13 @@
 #pragma once
 
 #include <atomic>
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
 
-#include "block_structure.h"
 #include "moivre/closures/closures.h"
+#include "moivre/formulation/block_structure.h"
 
 namespace moivre {
 
@@ -40,6 +41,7 @@ struct StageRun {
   bool complete = true;
   bool moves = false;     ///< a block had a set of roots of positive dimension
   bool may_move = false;  ///< so it had, above a partial root that may be real
+  std::map<std::string, std::uint64_t> excluded;  ///< roots that are no pose, by the reason
 };
 
 // A root of all equations leaves no more than this on the scale of the terms; those of spare equations that do not hold
@@ -49,13 +51,13 @@ inline constexpr double kHolds = 1e-8;
 inline constexpr double kHoldsSingular = 1e-5;
 
 /// False where the image of a value that is known differs from it.
-bool may_be_real(const IsotropicSystem& isotropic, const PartialRoot& root);
+bool may_be_real(const Formulation& formulation, const PartialRoot& root);
 
 /// Adds the seconds of starting, tracking and refining: what solves one after another have in common.
 void add_solving(const SolveTime& part, SolveTime& sum);
 
 /// Solves the blocks in turn.
-StageRun solve_blocks(const IsotropicSystem& isotropic, const std::vector<Block>& blocks,
+StageRun solve_blocks(const Formulation& formulation, const std::vector<Block>& blocks,
                       const Tracker& tracker, const SolveOptions& options,
                       const std::atomic<bool>& stop);
 

@@ -74,6 +74,8 @@ Matrix3d orientation(const Mechanism& mechanism, std::size_t body, const VectorX
   return R;
 }
 
+Matrix3d joint_frame(const Vector3d& axis) { return spatial::axis_frame(axis); }
+
 std::optional<double> joint_coordinate(const Mechanism& mechanism, const Joint& joint,
                                        const VectorXd& q) {
   switch (joint.type) {

@@ -27,6 +27,7 @@ void enter_solutions(const Run& run, SolveResult& result) {
     const Root& first = run.ledger.roots().at(group.front());
     if (!first.point.simple && is_on_set(run, first)) {
       result.paths.on_positive_dimensional += group.size();
+      result.on_sets.push_back(first.point.x);
       continue;
     }
     result.solutions.push_back(solution_of(run, group, windings(run, group)));

@@ -373,7 +373,6 @@ TEST(Motion, WithoutDriversAFreeMechanismMoves) {
 
 TEST(Motion, FromGuessesNoPolynomialIsSolved) {
   const Mechanism m = mechanism_file("rssr");
-  EXPECT_THROW(motion_of(m, options_for(m)), std::invalid_argument);
   const VectorXd guess = initial_guess(m);
   const MotionResult result = follow_guesses(m, {guess, guess}, options_for(m));
   EXPECT_TRUE(result.complete) << result.message;
@@ -381,6 +380,19 @@ TEST(Motion, FromGuessesNoPolynomialIsSolved) {
   EXPECT_EQ(result.branches[0].samples.size(), 61U);
   EXPECT_EQ(result.paths.tracked, 0U);
   EXPECT_TRUE(result.checkpoints.empty());
+}
+
+TEST(Motion, SpatialBranchesAreThoseOfTheClosuresAtEveryCheckpoint) {
+  for (const auto& [file, branches] :
+       {std::pair<std::string, std::size_t>{"rssr", 2}, {"bennett", 1}}) {
+    const Mechanism m = mechanism_file(file);
+    const MotionResult result = motion_of(m, options_for(m));
+    EXPECT_TRUE(result.complete) << file << ": " << result.message;
+    EXPECT_EQ(result.branches.size(), branches) << file;
+    for (const Checkpoint& checkpoint : result.checkpoints) {
+      EXPECT_TRUE(checkpoint.agrees) << file << ": " << checkpoint.message;
+    }
+  }
 }
 
 TEST(Motion, GuessThatDoesNotAssembleIsAFailureOfItsOwn) {

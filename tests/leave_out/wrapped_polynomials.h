@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How often were closures sought, their polynomials written down and solved? Counters on the calls; include once.
 //
-// The names are those that g++ and clang++ give find_closures, isotropic_system and solve.
+// The names are those that g++ and clang++ give find_closures, formulate and solve.
 #pragma once
 
 #include "counted_calls.h"
@@ -31,13 +31,13 @@ moivre::ClosureResult wrap_find_closures(const moivre::Mechanism& mechanism,
   return real_find_closures(mechanism, tracker, options, stop);
 }
 
-moivre::IsotropicSystem real_isotropic_system(const moivre::Mechanism& mechanism, double t) __asm__(
-    "__real__ZN6moivre16isotropic_systemERKNS_9MechanismEd");
-moivre::IsotropicSystem wrap_isotropic_system(const moivre::Mechanism& mechanism, double t) __asm__(
-    "__wrap__ZN6moivre16isotropic_systemERKNS_9MechanismEd");
-moivre::IsotropicSystem wrap_isotropic_system(const moivre::Mechanism& mechanism, double t) {
+moivre::Formulation real_formulate(const moivre::Mechanism& mechanism, double t) __asm__(
+    "__real__ZN6moivre9formulateERKNS_9MechanismEd");
+moivre::Formulation wrap_formulate(const moivre::Mechanism& mechanism, double t) __asm__(
+    "__wrap__ZN6moivre9formulateERKNS_9MechanismEd");
+moivre::Formulation wrap_formulate(const moivre::Mechanism& mechanism, double t) {
   moivre::test::closure_polynomials.raise();
-  return real_isotropic_system(mechanism, t);
+  return real_formulate(mechanism, t);
 }
 
 moivre::SolveResult

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // In which poses can a mechanism be assembled? All closures at the drivers' time t, none missing, by homotopy continuation.
 //
-// Closure polynomials (closures/isotropic.h) -> blocks solved one after another, one solve a branch of what came before
+// Closure polynomials (formulation/formulation.h) -> blocks solved one after another, one solve a branch of what came before
 // (dyad after dyad) -> roots kept that satisfy every equation -> the real ones -> q -> Newton-Raphson on Phi(q, t).
 // Conservation holds in every stage as in solver/solve.h; roots on spare equations that fail are counted as `rejected`.
 // "Cannot be assembled" (no real closure) and "moves" (a curve of closures though the drivers stand) are answers.
@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "moivre/closures/isotropic.h"
+#include "moivre/formulation/formulation.h"
 #include "moivre/kinematics/mobility.h"
 #include "moivre/solver/solve.h"
 

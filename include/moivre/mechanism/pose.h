@@ -28,6 +28,9 @@ Eigen::Vector3d point_position(const Mechanism& mechanism, const PointOf& point,
 /// R of a body: columns are its axes in the ground frame.
 Eigen::Matrix3d orientation(const Mechanism& mechanism, std::size_t body, const Eigen::VectorXd& q);
 
+/// The frame of a spatial joint in a body: z along the axis, x by a fixed rule, so that equal axes make equal frames.
+Eigen::Matrix3d joint_frame(const Eigen::Vector3d& axis);
+
 /// What a joint leaves free: angle of the second body relative to the first in [-pi, pi] (revolute), displacement of the
 /// second point along the line (prismatic, slot, cylindrical); nothing for the others.
 std::optional<double> joint_coordinate(const Mechanism& mechanism, const Joint& joint,

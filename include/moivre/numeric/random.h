@@ -29,7 +29,9 @@ enum class RandomStream : std::uint64_t {
   coefficient_lifting = 12,
   certify = 13,
   cluster = 14,
-  check = 15
+  check = 15,
+  formulation = 17,
+  family = 20
 };
 
 namespace detail {

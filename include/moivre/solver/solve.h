@@ -196,6 +196,7 @@ struct SolveResult {
   /// nullopt where nothing was to be certified, or could be: F has more equations than unknowns.
   std::optional<RootCompleteness> completeness;
   std::optional<MetBound> bound;  ///< that proves the completeness
+  std::vector<Point> on_sets;  ///< an end of paths on a set of positive dimension, one a place; in the system's variables
   std::uint64_t excess =
       0;  ///< roots that squaring up added, with multiplicity: they fail an equation of F
   std::vector<FailedPath> failures;

@@ -24,7 +24,7 @@ class Equations {
   Equations(const Mechanism& mechanism, double t)
       : mechanism_(mechanism), t_(t), frame_(names(mechanism)) {}
 
-  IsotropicSystem build() &&;
+  Formulation build() &&;
 
  private:
   static std::vector<std::string> names(const Mechanism& mechanism);
@@ -73,14 +73,14 @@ void Equations::hold_angles() {
 }
 
 void Equations::add_unknowns() {
-  using Part = IsotropicSystem::Reading::Part;
+  using Part = Formulation::Reading::Part;
   frame_.add_angles("_");
   for (std::size_t k = 0; k < mechanism_.unknowns.size(); ++k) {
     const Unknown& unknown = mechanism_.unknowns[k];
     lengths_.push_back(unknown.is_angle ? constant({0, 0}) : frame_.add_real(unknown.name));
     frame_.result().coordinates.push_back(
-        unknown.is_angle ? IsotropicSystem::Reading{Part::argument, frame_.t(k + 1).z}
-                         : IsotropicSystem::Reading{Part::re, lengths_.back()});
+        unknown.is_angle ? Formulation::Reading{Part::argument, frame_.t(k + 1).z}
+                         : Formulation::Reading{Part::re, lengths_.back()});
   }
 }
 
@@ -215,7 +215,7 @@ Polynomial Equations::polynomial(const Formula& f) const {
   return constant({typed_decimal(value), 0});
 }
 
-IsotropicSystem Equations::build() && {
+Formulation Equations::build() && {
   hold_angles();
   add_unknowns();
   add_length_drivers();
@@ -228,7 +228,7 @@ IsotropicSystem Equations::build() && {
 
 }  // namespace
 
-IsotropicSystem isotropic_equations(const Mechanism& mechanism, double t) {
+Formulation isotropic_equations(const Mechanism& mechanism, double t) {
   return Equations(mechanism, t).build();
 }
 

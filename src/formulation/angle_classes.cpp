@@ -4,7 +4,7 @@
 
 #include <complex>
 
-#include "exact.h"
+#include "moivre/formulation/exact.h"
 
 namespace moivre {
 namespace {

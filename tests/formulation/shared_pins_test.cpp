@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "mechanisms.h"
+#include "../mechanism/files.h"
 
 namespace moivre {
 namespace {
@@ -20,7 +20,7 @@ Mechanism chain_of_pins() {
     text += std::string("[[joint]]\ntype = \"revolute\"\nat = [") + at + "]\n";
   }
   text += "[[joint]]\ntype = \"rod\"\nlength = 1\nat = [\"b.O\", \"c.O\"]\n";
-  return mechanism_text(text);
+  return test::typed(text);
 }
 
 std::size_t body_of(const Mechanism& mechanism, const std::string& name) {
@@ -54,7 +54,7 @@ TEST(SharedPins, AreLeftAsTypedWhereTheirJointsSayOneThingTwice) {
 }
 
 TEST(SharedPins, AreNotThoseOfTwoBodies) {
-  EXPECT_FALSE(has_shared_pins(mechanism_file("four-bar")));
+  EXPECT_FALSE(has_shared_pins(test::example("four-bar")));
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Exact numbers from doubles; the unit circle by its rational parametrisation.
-#include "exact.h"
+#include "moivre/formulation/exact.h"
 
 #include <charconv>
 #include <cmath>

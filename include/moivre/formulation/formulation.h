@@ -23,13 +23,14 @@
 #include <string>
 #include <vector>
 
+#include "moivre/formulation/pose_reading.h"
 #include "moivre/mechanism/mechanism.h"
 #include "moivre/numeric/complex.h"
 #include "moivre/polynomial/system.h"
 
 namespace moivre {
 
-struct IsotropicSystem {
+struct Formulation {
   System system;  ///< as many polynomials as the mechanism has to say, square or not; drivers first
   std::vector<std::string> equation_names;
   std::vector<std::size_t> mirror;  ///< of each variable
@@ -44,23 +45,38 @@ struct IsotropicSystem {
     enum class Part { re, im, argument } part = Part::re;
     Polynomial of;
   };
-  std::vector<Reading> coordinates;
+  std::vector<Reading> coordinates;  ///< planar mechanisms and typed equations
+  PoseReading poses;                 ///< spatial mechanisms
+
+  /// A root where this vanishes beside its terms is no pose.
+  struct Exclusion {
+    Polynomial of;
+    std::string reason;
+  };
+  std::vector<Exclusion> exclusions;
+  std::vector<std::pair<std::string, std::string>> left_out;  ///< what they do without, and why
+  std::vector<std::size_t>
+      spins;  ///< bodies that may turn about the line of their two points, all else standing
 };
 
+/// Whether the values that are known (null where not) make an exclusion vanish; its reason.
+std::optional<std::string> excluded(const Formulation& formulation,
+                                    const std::vector<std::optional<Complex>>& values);
+
 /// The polynomials at time t.
-IsotropicSystem isotropic_system(const Mechanism& mechanism, double t);
+Formulation formulate(const Mechanism& mechanism, double t);
 
 /// q of a root; meaningful where the root is real.
-Eigen::VectorXd coordinates_of_root(const IsotropicSystem& isotropic, const Point& root);
+Eigen::VectorXd coordinates_of_root(const Formulation& formulation, const Point& root);
 
 /// max_i |F_i| / sum |terms of F_i|, where a direction counts as no smaller than 1 and a length as no smaller than the
 /// largest: of an equation like p = 0 rounding would be all there is.
-double residual_of_root(const IsotropicSystem& isotropic, const Point& root);
+double residual_of_root(const Formulation& formulation, const Point& root);
 
 /// max_v |x_v - conj(x_mirror(v))| / max(1, |x|_inf): 0 for a real pose.
-double distance_from_real(const IsotropicSystem& isotropic, const Point& root);
+double distance_from_real(const Formulation& formulation, const Point& root);
 
 /// The image of a root under the real structure: a root as well.
-Point mirrored(const IsotropicSystem& isotropic, const Point& root);
+Point mirrored(const Formulation& formulation, const Point& root);
 
 }  // namespace moivre

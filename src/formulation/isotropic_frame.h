@@ -6,14 +6,11 @@
 #include <variant>
 
 #include "angle_classes.h"
-#include "exact.h"
-#include "moivre/closures/isotropic.h"
+#include "arithmetic.h"
+#include "moivre/formulation/exact.h"
+#include "moivre/formulation/formulation.h"
 
 namespace moivre {
-
-inline Polynomial operator-(const Polynomial& a, const Polynomial& b) {
-  return a + Coefficient{-1, 0} * b;
-}
 
 /// A number in isotropic coordinates with its conjugate.
 struct Mirrored {
@@ -36,7 +33,7 @@ inline Mirrored operator*(const Coefficient& c, const Mirrored& a) {
 
 inline Mirrored swapped(const Mirrored& a) { return {a.conjugate, a.z}; }
 
-/// Puts an IsotropicSystem together.
+/// Puts an Formulation together.
 class IsotropicFrame {
  public:
   /// Nodes of the angle classes: 0 the ground, then one a name.
@@ -60,8 +57,8 @@ class IsotropicFrame {
   void add_turn(const std::string& name, const std::vector<std::pair<std::size_t, int>>& powers,
                 const Coefficient& value);
 
-  IsotropicSystem take() && { return std::move(result_); }
-  IsotropicSystem& result() { return result_; }
+  Formulation take() && { return std::move(result_); }
+  Formulation& result() { return result_; }
 
  private:
   std::uint32_t add_variable(const std::string& name, std::vector<std::string> owners);
@@ -69,13 +66,13 @@ class IsotropicFrame {
   std::vector<std::string> names_;
   AngleClasses classes_;
   std::vector<std::uint32_t> t_of_;  ///< of each class root: the variable t; u is the next
-  IsotropicSystem result_;
+  Formulation result_;
 };
 
 /// p to a power >= 0.
 Polynomial power(const Polynomial& p, int exponent);
 
-IsotropicSystem isotropic_bodies(const Mechanism& mechanism, double t);
-IsotropicSystem isotropic_equations(const Mechanism& mechanism, double t);
+Formulation isotropic_bodies(const Mechanism& mechanism, double t);
+Formulation isotropic_equations(const Mechanism& mechanism, double t);
 
 }  // namespace moivre

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Bipartite matching by augmenting paths, then strongly connected components by Tarjan.
-#include "block_structure.h"
+#include "moivre/formulation/block_structure.h"
 
 #include <algorithm>
 #include <optional>

@@ -5,9 +5,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "block_structure.h"
 #include "isotropic_frame.h"
 #include "meshings.h"
+#include "moivre/formulation/block_structure.h"
 #include "shared_pins.h"
 
 namespace moivre {
@@ -22,7 +22,7 @@ class Bodies {
         angles_(known_angles(mechanism, t)),
         frame_(names(mechanism)) {}
 
-  IsotropicSystem build() &&;
+  Formulation build() &&;
   JointEnds ends_by_order_of_blocks() &&;
 
  private:
@@ -168,7 +168,7 @@ void Bodies::add_driver(const Driver& driver) {
 }
 
 void Bodies::read_coordinates() {
-  using Part = IsotropicSystem::Reading::Part;
+  using Part = Formulation::Reading::Part;
   for (std::size_t i = 1; i < mechanism_.bodies.size(); ++i) {
     auto& coordinates = frame_.result().coordinates;
     coordinates.push_back({Part::re, positions_[i].z});
@@ -185,7 +185,7 @@ void Bodies::write() {
   for (const Joint& joint : mechanism_.joints) add_joint(joint);
 }
 
-IsotropicSystem Bodies::build() && {
+Formulation Bodies::build() && {
   write();
   read_coordinates();
   return std::move(frame_).take();
@@ -211,12 +211,7 @@ JointEnds Bodies::ends_by_order_of_blocks() && {
 
 }  // namespace
 
-IsotropicSystem isotropic_bodies(const Mechanism& mechanism, double t) {
-  if (mechanism.space == Space::spatial) {
-    throw std::invalid_argument(
-        "closures of spatial mechanisms are not supported yet; newton, mobility and motion take "
-        "them");
-  }
+Formulation isotropic_bodies(const Mechanism& mechanism, double t) {
   JointEnds ends = typed_ends(mechanism);
   if (has_shared_pins(mechanism)) ends = Bodies(mechanism, t, ends).ends_by_order_of_blocks();
   return Bodies(mechanism, t, std::move(ends)).build();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Are systems taken apart in an order in which they can be solved?
-#include "block_structure.h"
+#include "moivre/formulation/block_structure.h"
 
 #include <gtest/gtest.h>
 

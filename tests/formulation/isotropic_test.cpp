@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Do the closure polynomials and Phi state the same mechanism?
-#include "moivre/closures/isotropic.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "exact.h"
-#include "mechanisms.h"
+#include "../mechanism/files.h"
+#include "moivre/formulation/exact.h"
+#include "moivre/formulation/formulation.h"
 
 namespace moivre {
 namespace {
@@ -41,26 +40,17 @@ TEST(Exact, QuarterTurnsAreExact) {
 }
 
 TEST(Isotropic, TheFourBarHasAsManyPolynomialsAsUnknowns) {
-  const IsotropicSystem isotropic = isotropic_system(mechanism_file("four-bar"), 0);
-  EXPECT_EQ(isotropic.system.polynomials.size(), isotropic.system.variables.size());
-  EXPECT_EQ(isotropic.system.variables.size(), 10u);  // p, pb of three bodies; t, u of two
-}
-
-TEST(Isotropic, RefusesSpatialMechanismsWithTheReason) {
-  try {
-    isotropic_system(mechanism_file("bennett"), 0);
-    FAIL();
-  } catch (const std::invalid_argument& error) {
-    EXPECT_NE(std::string(error.what()).find("spatial"), std::string::npos);
-  }
+  const Formulation formulation = formulate(test::example("four-bar"), 0);
+  EXPECT_EQ(formulation.system.polynomials.size(), formulation.system.variables.size());
+  EXPECT_EQ(formulation.system.variables.size(), 10u);  // p, pb of three bodies; t, u of two
 }
 
 std::string refusal(const std::string& equation) {
   try {
-    isotropic_system(mechanism_text("[unknowns]\nangles = [\"a\", \"b\"]\nlengths = [\"d\"]\n"
-                                    "[equations]\nloop = \"" +
-                                    equation + "\"\nrest = \"cos(a) + cos(b) + d\"\n"),
-                     0);
+    formulate(test::typed("[unknowns]\nangles = [\"a\", \"b\"]\nlengths = [\"d\"]\n"
+                          "[equations]\nloop = \"" +
+                          equation + "\"\nrest = \"cos(a) + cos(b) + d\"\n"),
+              0);
   } catch (const std::invalid_argument& error) {
     return error.what();
   }
@@ -78,17 +68,17 @@ TEST(Isotropic, RefusesTypedEquationsThatAreNoPolynomials) {
 }
 
 TEST(Isotropic, MultiplesOfAnglesAreAsTheCosineSays) {
-  const IsotropicSystem isotropic =
-      isotropic_system(mechanism_text("[unknowns]\nangles = [\"a\", \"b\"]\n[equations]\n"
-                                      "f = \"cos(2*a - b + 0.3) + 2*sin(3*b)\"\ng = \"sin(a)\"\n"),
-                       0);
+  const Formulation formulation =
+      formulate(test::typed("[unknowns]\nangles = [\"a\", \"b\"]\n[equations]\n"
+                            "f = \"cos(2*a - b + 0.3) + 2*sin(3*b)\"\ng = \"sin(a)\"\n"),
+                0);
   const double a = 0.7;
   const double b = -1.1;
   const Point x{std::polar(1.0, a), std::polar(1.0, -a), std::polar(1.0, b), std::polar(1.0, -b)};
   Complex sum = 0;
-  for (std::size_t e = 0; e < isotropic.system.polynomials.size(); ++e) {
-    if (isotropic.equation_names[e] != "f") continue;
-    for (const Term& term : isotropic.system.polynomials[e].terms) {
+  for (std::size_t e = 0; e < formulation.system.polynomials.size(); ++e) {
+    if (formulation.equation_names[e] != "f") continue;
+    for (const Term& term : formulation.system.polynomials[e].terms) {
       Complex product = to_complex(term.coefficient);
       for (const Power& p : term.monomial) product *= std::pow(x[p.variable], double(p.exponent));
       sum += product;

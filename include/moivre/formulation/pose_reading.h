@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// Where does a root of the closure polynomials put the bodies of a spatial mechanism?
+//
+// Bodies that nothing moves apart are one group; group 0 is the ground's. A group is placed in one of two ways, in order:
+//   by a pose    relative to a group that is placed already: eight polynomials, a dual quaternion (real factors do not matter)
+//   by points    two or three of its points are where points of placed groups are: a link that was left out of the polynomials.
+//                Of two points the turn about their line is the least one.
+// q of each body: [x, y, z, rotation vector], the vector no longer than pi.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "moivre/numeric/complex.h"
+#include "moivre/polynomial/system.h"
+
+namespace moivre {
+
+struct PoseReading {
+  struct PointPair {
+    Eigen::Vector3d here;   ///< in the group's own frame
+    std::size_t group = 0;  ///< a placed one
+    Eigen::Vector3d there;  ///< in its frame
+  };
+  struct Placement {
+    std::size_t group = 0;
+    std::size_t parent = 0;              ///< of a placement by a pose
+    std::array<Polynomial, 8> relative;  ///< q, then g
+    std::vector<PointPair> points;       ///< not empty: by points
+  };
+  struct BodyPose {
+    std::size_t group = 0;
+    std::array<double, 8> in_group{};  ///< the body's frame in its group's
+  };
+
+  std::size_t groups = 0;
+  std::vector<Placement> placements;
+  std::vector<BodyPose> bodies;  ///< all but the ground
+};
+
+/// q of a root; meaningful where the root is real.
+Eigen::VectorXd coordinates_of_root(const PoseReading& reading, const Point& root);
+
+}  // namespace moivre

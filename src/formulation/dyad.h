@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// Which 3-space do the poses of two joints in a row span, and how do three joints lie in one?
+//
+// Basis b_ij = b_i(A) b_j(B), in the order 00, 01, 10, 11; normals: four rows of eight numbers that vanish on it. Lengths
+// count in units of `length`, so that turns and shifts weigh alike.
+#pragma once
+
+#include <array>
+
+#include "loop_equations.h"
+
+namespace moivre {
+
+struct DyadSpace {
+  std::array<ExactPose, 4> basis;
+  std::array<std::array<double, 8>, 4> normals;
+  std::array<std::array<double, 8>, 4>
+      coordinates;  ///< rows that give a pose's coordinates in the basis
+};
+
+DyadSpace dyad_space(const LoopElement& a, const LoopElement& b, double length);
+
+/// E = b0 + unknown b1 as polynomials.
+MovingPose element_pose(const LoopElement& element);
+
+/// Coordinates of a pose in the basis; meaningful where it lies in the space.
+std::array<Polynomial, 4> coordinates_in(const DyadSpace& space, const MovingPose& pose);
+
+/// 0 where every pose of the 3-space is on Study's quadric (axes that meet or are parallel), else how far it bends off it.
+double distance_from_quadric(const LoopElement& a, const LoopElement& b, double length);
+
+/// Whether all products of the three lie in one 3-space: parallel axes, or axes through one point.
+bool spans_common_space(const LoopElement& a, const LoopElement& b, const LoopElement& c,
+                        double length);
+
+}  // namespace moivre

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// Quaternions from doubles, cleaned of the last bits.
+#include "exact_pose.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "moivre/formulation/exact.h"
+#include "moivre/mechanism/pose.h"
+
+namespace moivre {
+namespace {
+
+// Square roots leave the last two bits of a ratio to chance; without them a quarter turn is one exactly.
+constexpr int kBits = 50;
+
+}  // namespace
+
+Rational without_noise(double x) {
+  return Rational(std::ldexp(std::nearbyint(std::ldexp(x, kBits)), -kBits));
+}
+
+ExactPose identity_pose() { return {{1, 0, 0, 0}, {}}; }
+
+ExactPose shift_to(const Eigen::Vector3d& point) {
+  const Rational half(1, 2);
+  return {{1, 0, 0, 0},
+          {0, half * typed_decimal(point.x()), half * typed_decimal(point.y()),
+           half * typed_decimal(point.z())}};
+}
+
+ExactPose turn_about_z(double angle_rad) {
+  const double cosine = std::cos(angle_rad / 2);
+  const double sine = std::sin(angle_rad / 2);
+  if (std::abs(sine) <= std::abs(cosine)) return {{1, 0, 0, without_noise(sine / cosine)}, {}};
+  return {{without_noise(cosine / sine), 0, 0, 1}, {}};
+}
+
+ExactPose slide_along_z(double length) { return shift_to({0, 0, length}); }
+
+ExactPose frame_of(const Eigen::Vector3d& axis) {
+  const Eigen::Quaterniond turn(joint_frame(axis));
+  const std::array<double, 4> entries{turn.w(), turn.x(), turn.y(), turn.z()};
+  std::size_t largest = 0;
+  for (std::size_t k = 1; k < entries.size(); ++k) {
+    if (std::abs(entries[k]) > std::abs(entries[largest])) largest = k;
+  }
+  ExactPose pose;
+  for (std::size_t k = 0; k < entries.size(); ++k) {
+    pose.q[k] = without_noise(entries[k] / entries[largest]);
+  }
+  return pose;
+}
+
+ExactPose tilt(const Rational& half_tangent) { return {{1, half_tangent, 0, 0}, {}}; }
+
+Rational norm(const ExactPose& pose) { return dot(pose.q, pose.q); }
+
+DualQuaternion<double> to_double(const ExactPose& pose) {
+  DualQuaternion<double> rounded;
+  for (std::size_t k = 0; k < kEntries; ++k) entry(rounded, k) = to_double(entry(pose, k));
+  return rounded;
+}
+
+}  // namespace moivre

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// Which exact pose did the file mean? Points and turns of a joint's frame as a rational dual quaternion.
+//
+// Rounded axes and angles are no rotations, and equations with such coefficients have roots at 1e16 instead of none. A
+// quaternion needs no norm: any four rationals turn by some angle, within rounding of the one meant.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "dual_quaternion.h"
+#include "moivre/numeric/rational.h"
+
+namespace moivre {
+
+using ExactPose = DualQuaternion<Rational>;
+
+/// x, a number near 1 or below, cleaned of the bits that square roots leave to chance: what was meant as 1 is 1.
+Rational without_noise(double x);
+
+ExactPose identity_pose();
+/// A shift to a point, whose coordinates are the decimals that were typed.
+ExactPose shift_to(const Eigen::Vector3d& point);
+/// A turn about the z axis, and a shift along it.
+ExactPose turn_about_z(double angle_rad);
+ExactPose slide_along_z(double length);
+/// The joint's frame (mechanism/pose.h) that has its z axis along `axis`.
+ExactPose frame_of(const Eigen::Vector3d& axis);
+/// z tilted about x by the angle whose half has this tangent.
+ExactPose tilt(const Rational& half_tangent);
+
+/// |q|^2
+Rational norm(const ExactPose& pose);
+
+DualQuaternion<double> to_double(const ExactPose& pose);
+
+}  // namespace moivre

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// Which formulation does a mechanism get, and what does a root of it say?
+#include "moivre/formulation/formulation.h"
+
+#include <cmath>
+
+#include "isotropic_frame.h"
+#include "polynomial_value.h"
+#include "spatial_bodies.h"
+
+namespace moivre {
+
+Formulation formulate(const Mechanism& mechanism, double t) {
+  if (is_typed(mechanism)) return isotropic_equations(mechanism, t);
+  return mechanism.space == Space::spatial ? spatial_bodies(mechanism, t)
+                                           : isotropic_bodies(mechanism, t);
+}
+
+double residual_of_root(const Formulation& formulation, const Point& root) {
+  double length = 0;
+  for (std::size_t v = 0; v < root.size(); ++v) {
+    if (!formulation.is_direction[v]) length = std::max(length, std::abs(root[v]));
+  }
+  if (length == 0) length = 1;
+  double largest = 0;
+  for (const Polynomial& p : formulation.system.polynomials) {
+    double size = 0;
+    for (const Term& term : p.terms) {
+      double product = std::abs(to_complex(term.coefficient));
+      for (const Power& factor : term.monomial) {
+        const double least = formulation.is_direction[factor.variable] ? 1 : length;
+        product *= std::pow(std::max(std::abs(root[factor.variable]), least), factor.exponent);
+      }
+      size += product;
+    }
+    if (size > 0) largest = std::max(largest, std::abs(value_at(p, root)) / size);
+  }
+  return largest;
+}
+
+Eigen::VectorXd coordinates_of_root(const Formulation& formulation, const Point& root) {
+  if (!formulation.poses.bodies.empty()) return coordinates_of_root(formulation.poses, root);
+  using Part = Formulation::Reading::Part;
+  Eigen::VectorXd q(static_cast<Eigen::Index>(formulation.coordinates.size()));
+  for (Eigen::Index k = 0; k < q.size(); ++k) {
+    const auto& reading = formulation.coordinates[static_cast<std::size_t>(k)];
+    const Complex z = value_at(reading.of, root);
+    q[k] = reading.part == Part::re ? z.real() : reading.part == Part::im ? z.imag() : std::arg(z);
+  }
+  return q;
+}
+
+Point mirrored(const Formulation& formulation, const Point& root) {
+  Point image(root.size());
+  for (std::size_t v = 0; v < root.size(); ++v) image[v] = std::conj(root[formulation.mirror[v]]);
+  return image;
+}
+
+double distance_from_real(const Formulation& formulation, const Point& root) {
+  const Point image = mirrored(formulation, root);
+  double largest = 0;
+  for (std::size_t v = 0; v < root.size(); ++v) {
+    largest = std::max(largest, std::abs(root[v] - image[v]));
+  }
+  return largest / std::max(1.0, max_norm(root));
+}
+
+std::optional<std::string> excluded(const Formulation& formulation,
+                                    const std::vector<std::optional<Complex>>& values) {
+  // A multiple root is known to the square root of rounding.
+  constexpr double kVanishes = 1e-6;
+  Point root;
+  root.reserve(values.size());
+  for (const auto& value : values) root.push_back(value.value_or(0));
+  for (const Formulation::Exclusion& exclusion : formulation.exclusions) {
+    bool is_known = true;
+    for (const Term& term : exclusion.of.terms) {
+      for (const Power& power : term.monomial) is_known &= values[power.variable].has_value();
+    }
+    if (!is_known) continue;
+    if (std::abs(value_at(exclusion.of, root)) <= kVanishes * term_size(exclusion.of, root)) {
+      return exclusion.reason;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace moivre

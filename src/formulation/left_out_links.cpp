@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+// Which links say no more than a distance or an angle? They become rods and cones.
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "moivre/formulation/exact.h"
+#include "rigid_groups.h"
+
+namespace moivre {
+namespace {
+
+using Eigen::Vector3d;
+
+/// Origin and z axis of a frame.
+struct Axis {
+  Vector3d at;
+  Vector3d along;
+};
+
+Axis axis_of(const ExactPose& frame) {
+  const DualQuaternion<double> pose = to_double(frame);
+  const double square = dot(pose.q, pose.q);
+  const Quaternion<double> shift = scaled(2 / square, product(pose.g, conjugate(pose.q)));
+  const Eigen::Quaterniond turn(pose.q[0], pose.q[1], pose.q[2], pose.q[3]);
+  return {{shift[1], shift[2], shift[3]}, turn.normalized() * Vector3d::UnitZ()};
+}
+
+Rational distance_squared(const ExactPose& a, const ExactPose& b) {
+  const ExactPose apart = conjugate(a) * b;
+  Rational square = 4 * dot(apart.g, apart.g);
+  square /= dot(apart.q, apart.q);
+  return square;
+}
+
+/// The ties of a group, each seen from the other group.
+std::vector<Tie> ties_towards(const RigidGroups& groups, std::size_t group) {
+  std::vector<Tie> found;
+  for (const Tie& tie : groups.ties) {
+    if (tie.i == group && tie.j == group) continue;
+    if (tie.j == group) found.push_back(tie);
+    if (tie.i == group) found.push_back(reversed(tie));
+  }
+  return found;
+}
+
+bool is_driven(const RigidGroups& groups, std::size_t group) {
+  return std::any_of(groups.driven_points.begin(), groups.driven_points.end(),
+                     [&](const DrivenPoint& point) { return point.group == group; });
+}
+
+void remove_ties(RigidGroups& groups, std::size_t group) {
+  auto& ties = groups.ties;
+  ties.erase(std::remove_if(ties.begin(), ties.end(),
+                            [&](const Tie& tie) { return tie.i == group || tie.j == group; }),
+             ties.end());
+  groups.is_left_out[group] = true;
+}
+
+Tie rod_between(const Tie& a, const Tie& b, const std::string& name) {
+  Tie rod;
+  rod.kind = TieKind::rod;
+  rod.name = name;
+  rod.i = a.i;
+  rod.j = b.i;
+  rod.at_i = a.at_i;
+  rod.at_j = b.at_i;
+  rod.square = distance_squared(a.at_j, b.at_j);
+  return rod;
+}
+
+PoseReading::Placement by_points(std::size_t group, const std::vector<Tie>& ties) {
+  PoseReading::Placement placement;
+  placement.group = group;
+  for (const Tie& tie : ties) {
+    placement.points.push_back({axis_of(tie.at_j).at, tie.i, axis_of(tie.at_i).at});
+  }
+  return placement;
+}
+
+/// Two or three spherical joints and nothing else.
+void leave_out_rod(RigidGroups& groups, std::size_t group) {
+  const std::vector<Tie> ties = ties_towards(groups, group);
+  const bool are_spherical = std::all_of(
+      ties.begin(), ties.end(), [](const Tie& tie) { return tie.kind == TieKind::spherical; });
+  if (!are_spherical || ties.size() < 2 || ties.size() > 3) return;
+  for (std::size_t a = 0; a < ties.size(); ++a) {
+    for (std::size_t b = a + 1; b < ties.size(); ++b) {
+      if (ties[a].i == ties[b].i || distance_squared(ties[a].at_j, ties[b].at_j) == 0) return;
+    }
+  }
+  groups.links.push_back(by_points(group, ties));
+  remove_ties(groups, group);
+  const std::string& name = groups.names[group];
+  groups.ties.push_back(rod_between(ties[0], ties[1], name));
+  if (ties.size() == 2) {
+    const auto body = std::find(groups.group_of.begin(), groups.group_of.end(), group);
+    groups.spinning.push_back(static_cast<std::size_t>(body - groups.group_of.begin()));
+    groups.left_out.emplace_back(name, "between two spherical joints it is one distance");
+    return;
+  }
+  groups.ties.push_back(rod_between(ties[1], ties[2], name));
+  groups.ties.push_back(rod_between(ties[2], ties[0], name));
+  groups.left_out.emplace_back(name, "between three spherical joints it is three distances");
+}
+
+/// A shift along the frame's z axis.
+ExactPose moved_along(const ExactPose& frame, double length) {
+  return frame * ExactPose{{1, 0, 0, 0}, {0, 0, 0, Rational(length) * Rational(1, 2)}};
+}
+
+/// Two revolute joints whose axes meet: the point stays, and so does the angle.
+void leave_out_cone(RigidGroups& groups, std::size_t group) {
+  // Axes that miss each other by this part of the link's size are meant to meet.
+  constexpr double kMeet = 1e-11;
+  std::vector<Tie> ties = ties_towards(groups, group);
+  if (ties.size() != 2 || ties[0].i == ties[1].i) return;
+  if (ties[0].kind != TieKind::revolute || ties[1].kind != TieKind::revolute) return;
+  const Axis a = axis_of(ties[0].at_j);
+  const Axis b = axis_of(ties[1].at_j);
+  const Vector3d normal = a.along.cross(b.along);
+  const Vector3d apart = b.at - a.at;
+  const double size = std::max(apart.norm(), std::max(a.at.norm(), b.at.norm()));
+  const double sine = normal.norm();
+  if (sine <= kMeet || std::abs(apart.dot(normal)) > kMeet * sine * size) return;
+  const double along_a = apart.cross(b.along).dot(normal) / (sine * sine);
+  const double along_b = apart.cross(a.along).dot(normal) / (sine * sine);
+  for (auto [tie, along] : {std::pair(&ties[0], along_a), std::pair(&ties[1], along_b)}) {
+    tie->at_i = moved_along(tie->at_i, along);
+    tie->at_j = moved_along(tie->at_j, along);
+  }
+  PoseReading::Placement placement = by_points(group, {ties[0]});
+  for (const Tie& tie : ties) {
+    const Axis here = axis_of(tie.at_j);
+    const Axis there = axis_of(tie.at_i);
+    placement.points.push_back({here.at + here.along, tie.i, there.at + there.along});
+  }
+  groups.links.push_back(std::move(placement));
+  remove_ties(groups, group);
+  Tie cone;
+  cone.kind = TieKind::cone;
+  cone.name = groups.names[group];
+  cone.i = ties[0].i;
+  cone.j = ties[1].i;
+  cone.at_i = ties[0].at_i;
+  cone.at_j = ties[1].at_i;
+  const double cosine = a.along.dot(b.along);
+  cone.half_tangent = without_noise(std::sqrt((1 - cosine) / (1 + cosine)));
+  groups.ties.push_back(std::move(cone));
+  groups.left_out.emplace_back(groups.names[group], "its two axes meet: it is one angle");
+}
+
+}  // namespace
+
+void leave_out_rods(RigidGroups& groups) {
+  for (std::size_t group = 1; group < groups.names.size(); ++group) {
+    if (!is_driven(groups, group)) leave_out_rod(groups, group);
+  }
+}
+
+void leave_out_cones(RigidGroups& groups, const std::vector<std::size_t>& among) {
+  for (const std::size_t group : among) {
+    if (!groups.is_left_out[group] && !is_driven(groups, group)) leave_out_cone(groups, group);
+  }
+}
+
+}  // namespace moivre

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: MIT
+// Where a loop is cut, and the equations of the cut.
+#include "loop_equations.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dyad.h"
+
+namespace moivre {
+namespace {
+
+constexpr std::size_t kSix = 6;
+constexpr std::ptrdiff_t kTurnsOfSpace = 3;
+
+/// Elements in their order, and what their product is.
+struct Loop {
+  std::vector<LoopElement> elements;
+  ExactPose whole;
+};
+
+/// E_2 ... E_k (whole^-1 E_1 whole) ~ whole.
+Loop turned_on(Loop loop) {
+  LoopElement first = loop.elements.front();
+  loop.elements.erase(loop.elements.begin());
+  first.axis = 1 / norm(loop.whole) * (conjugate(loop.whole) * first.axis * loop.whole);
+  loop.elements.push_back(std::move(first));
+  return loop;
+}
+
+/// conj(E_k) ... conj(E_1) ~ conj(whole).
+Loop reversed(Loop loop) {
+  std::reverse(loop.elements.begin(), loop.elements.end());
+  for (LoopElement& element : loop.elements) element.axis = conjugate(element.axis);
+  loop.whole = conjugate(loop.whole);
+  return loop;
+}
+
+/// How a loop of six is cut: which way round, from which joint, and whether its last three joints stay in one 3-space.
+struct Cut {
+  Loop loop;
+  bool has_common_space = false;
+  double merit = -1;
+};
+
+std::vector<Loop> all_ways(const Loop& loop) {
+  std::vector<Loop> ways;
+  for (Loop way : {loop, reversed(loop)}) {
+    for (std::size_t k = 0; k < kSix; ++k) {
+      ways.push_back(way);
+      way = turned_on(std::move(way));
+    }
+  }
+  return ways;
+}
+
+Cut best_cut(const Loop& loop, double length) {
+  // A dyad whose 3-space is nearer to Study's quadric than this lies in it: its axes meet or are parallel.
+  constexpr double kOnQuadric = 1e-10;
+  Cut best;
+  for (Loop& way : all_ways(loop)) {
+    const auto& e = way.elements;
+    const bool has_common_space = spans_common_space(e[3], e[4], e[5], length);
+    const double inner = distance_from_quadric(e[1], e[2], length);
+    const double outer = distance_from_quadric(e[4], e[5], length);
+    const bool is_degenerate = spans_common_space(e[0], e[1], e[2], length) ||
+                               spans_common_space(e[1], e[2], e[3], length);
+    double merit = outer > kOnQuadric ? outer + kOnQuadric * inner : 0;
+    if (is_degenerate) merit *= kOnQuadric;
+    // Four paths and two for each beat any other cut.
+    const bool decouples =
+        has_common_space && inner > kOnQuadric && !spans_common_space(e[0], e[1], e[2], length);
+    if (decouples) merit = 2 + inner;
+    if (merit <= best.merit) continue;
+    best = {std::move(way), decouples, merit};
+  }
+  return best;
+}
+
+class Equations {
+ public:
+  Equations(SpatialFrame& frame, Loop loop) : frame_(frame), loop_(std::move(loop)) {}
+
+  void add_general();
+  void add_decoupled();
+  void add_short();
+  void add_turns_first();
+
+ private:
+  const LoopElement& e(std::size_t k) const { return loop_.elements[k]; }
+  MovingPose element(std::size_t k) const { return element_pose(e(k)); }
+  MovingPose whole() const { return to_moving(loop_.whole); }
+  void exclude(std::size_t k);
+  MovingPose add_dyad(std::size_t k, bool has_quadric = true);
+  void add_dyad_of(const MovingPose& pose, std::size_t k);
+  void in_space(const MovingPose& pose, const DyadSpace& space);
+
+  SpatialFrame& frame_;
+  Loop loop_;
+};
+
+void Equations::exclude(std::size_t k) {
+  if (!e(k).is_turn) {
+    if (e(k).fixed.is_zero()) return;
+    frame_.exclude(constant({1, 0}) - Coefficient{e(k).fixed, 0} * e(k).unknown,
+                   "a slide is infinitely long there");
+    return;
+  }
+  frame_.exclude(constant({1, 0}) + e(k).unknown * e(k).unknown,
+                 "a half angle's tangent is i or -i there: nothing is turned");
+}
+
+/// Unknown coordinates for the dyad of elements k and k + 1, with their half angles. Its quadric may follow from what comes.
+MovingPose Equations::add_dyad(std::size_t k, bool has_quadric) {
+  std::vector<std::string> owners = e(k).owners;
+  owners.insert(owners.end(), e(k + 1).owners.begin(), e(k + 1).owners.end());
+  const auto space = dyad_space(e(k), e(k + 1), frame_.length());
+  const std::string name = "c_" + e(k).name + "_";
+  Polynomial patch = constant({-1, 0});
+  std::array<Polynomial, 4> c;
+  for (std::size_t i = 0; i < c.size(); ++i) {
+    const bool is_direction = e(k).is_turn && e(k + 1).is_turn;
+    c[i] = frame_.add_unknown(name + std::to_string(i), is_direction, owners);
+    patch = patch + Coefficient{frame_.random_number(), 0} * c[i];
+  }
+  frame_.add_equation("patch of " + e(k).name, patch);
+  if (has_quadric) {
+    frame_.add_equation("dyad of " + e(k).name, c[0] * c[3] - c[1] * c[2]);
+  }
+  frame_.add_equation(e(k).name, c[0] * e(k).unknown - c[2]);
+  frame_.add_equation(e(k + 1).name, c[0] * e(k + 1).unknown - c[1]);
+  exclude(k);
+  exclude(k + 1);
+  MovingPose pose;
+  for (std::size_t i = 0; i < c.size(); ++i) pose = pose + c[i] * to_moving(space.basis[i]);
+  return pose;
+}
+
+/// Half angles of the dyad of elements k and k + 1, whose pose is known as polynomials.
+void Equations::add_dyad_of(const MovingPose& pose, std::size_t k) {
+  const std::array<Polynomial, 4> c =
+      coordinates_in(dyad_space(e(k), e(k + 1), frame_.length()), pose);
+  frame_.add_equation(e(k).name, c[0] * e(k).unknown - c[2]);
+  frame_.add_equation(e(k + 1).name, c[0] * e(k + 1).unknown - c[1]);
+  exclude(k);
+  exclude(k + 1);
+}
+
+void Equations::in_space(const MovingPose& pose, const DyadSpace& space) {
+  double size = 0;
+  for (std::size_t k = 0; k < kEntries; ++k) {
+    size = std::max(size, largest_coefficient(entry(pose, k)) / (k < 4 ? 1 : frame_.length()));
+  }
+  for (const auto& normal : space.normals) {
+    Polynomial sum;
+    for (std::size_t k = 0; k < kEntries; ++k) {
+      sum = sum + Coefficient{Rational(normal[k]), 0} * entry(pose, k);
+    }
+    frame_.add_equation("loop", without_noise(std::move(sum), size));
+  }
+}
+
+/// E_1 D_23 E_4 in the space of 5 and 6.
+void Equations::add_general() {
+  const DyadSpace outer = dyad_space(e(4), e(5), frame_.length());
+  const MovingPose pose = element(0) * add_dyad(1) * element(3);
+  // whole^-1 E_1 D_23 E_4 = conj(E_5 E_6), whose conjugate lies in the space of E_5 E_6.
+  const MovingPose rest = conjugate(conjugate(whole()) * pose);
+  exclude(0);
+  exclude(3);
+  in_space(rest, outer);
+  add_dyad_of(rest, 4);
+}
+
+/// E_1 D_23 in the space of 4, 5 and 6, which E_4 does not leave.
+void Equations::add_decoupled() {
+  const DyadSpace outer = dyad_space(e(4), e(5), frame_.length());
+  // Inside V Study's quadric holds, and with it the dyad's.
+  const MovingPose pose = element(0) * add_dyad(1, false);
+  const MovingPose rest = conjugate(conjugate(whole()) * pose);  // E_4 E_5 E_6
+  exclude(0);
+  in_space(rest, outer);
+  const MovingPose dyad = conjugate(element(3)) * rest;
+  const std::array<Polynomial, 4> c = coordinates_in(outer, dyad);
+  frame_.add_equation("dyad of " + e(4).name, c[0] * c[3] - c[1] * c[2]);
+  exclude(3);
+  add_dyad_of(dyad, 4);
+}
+
+/// Three to five elements: E_1 D_23 ... , the last dyad in its space, where it need not be on the quadric.
+void Equations::add_short() {
+  const std::size_t last = loop_.elements.size() - 2;
+  MovingPose rest = to_moving(conjugate(loop_.whole));
+  if (last == 3) {
+    rest = rest * element(0) * add_dyad(1);
+    exclude(0);
+    rest = conjugate(rest);
+  } else {
+    for (std::size_t k = 0; k < last; ++k) {
+      rest = rest * element(k);
+      exclude(k);
+    }
+    rest = conjugate(rest);
+  }
+  const DyadSpace outer = dyad_space(e(last), e(last + 1), frame_.length());
+  const std::array<Polynomial, 4> c = coordinates_in(outer, rest);
+  frame_.add_equation("dyad of " + e(last).name, c[0] * c[3] - c[1] * c[2]);
+  in_space(rest, outer);
+  add_dyad_of(rest, last);
+}
+
+/// Three turns and three slides: the turns alone close like a spherical loop, and then the slides are linear.
+void Equations::add_turns_first() {
+  Loop turns{{}, {loop_.whole.q, {}}};
+  for (LoopElement element : loop_.elements) {
+    if (!element.is_turn) continue;
+    element.axis.g = {};
+    turns.elements.push_back(std::move(element));
+  }
+  Equations(frame_, std::move(turns)).add_short();
+  MovingPose rest = conjugate(whole());
+  for (std::size_t k = 0; k < loop_.elements.size(); ++k) rest = rest * element(k);
+  const char* const parts[] = {"x", "y", "z"};
+  for (std::size_t k = 0; k < std::size(parts); ++k) {
+    frame_.add_equation(std::string("loop: ") + parts[k], rest.g[k + 1]);
+  }
+}
+
+}  // namespace
+
+void add_loop_equations(SpatialFrame& frame, std::vector<LoopElement> elements,
+                        const ExactPose& whole) {
+  const Loop loop{std::move(elements), whole};
+  if (loop.elements.size() < kSix) {
+    Equations(frame, loop).add_short();
+    return;
+  }
+  const auto turns = std::count_if(loop.elements.begin(), loop.elements.end(),
+                                   [](const LoopElement& element) { return element.is_turn; });
+  if (turns == kTurnsOfSpace) {
+    Equations(frame, loop).add_turns_first();
+    return;
+  }
+  Cut cut = best_cut(loop, frame.length());
+  Equations equations(frame, std::move(cut.loop));
+  if (cut.has_common_space) {
+    equations.add_decoupled();
+  } else {
+    equations.add_general();
+  }
+}
+
+}  // namespace moivre

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// What is a polynomial worth at a point, and beside its terms?
+#pragma once
+
+#include "moivre/numeric/complex.h"
+#include "moivre/polynomial/system.h"
+
+namespace moivre {
+
+Complex value_at(const Polynomial& p, const Point& x);
+
+/// Sum of the magnitudes of the terms.
+double term_size(const Polynomial& p, const Point& x);
+
+}  // namespace moivre

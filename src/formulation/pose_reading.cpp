@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+// Dual quaternions evaluated and multiplied along the tree; links between points by frames.
+#include "moivre/formulation/pose_reading.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "dual_quaternion.h"
+#include "polynomial_value.h"
+
+namespace moivre {
+namespace {
+
+using Eigen::Vector3d;
+
+Eigen::Isometry3d to_isometry(const DualQuaternion<double>& pose) {
+  const Quaternion<double>& q = pose.q;
+  Eigen::Isometry3d placed = Eigen::Isometry3d::Identity();
+  const double square = dot(q, q);
+  if (!(square > 0)) return placed;
+  const Quaternion<double> shift = scaled(2 / square, product(pose.g, conjugate(q)));
+  placed.linear() = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized().toRotationMatrix();
+  placed.translation() << shift[1], shift[2], shift[3];
+  return placed;
+}
+
+/// A real pose may come with a complex factor: its largest entry becomes 1.
+Eigen::Isometry3d relative_pose(const std::array<Polynomial, 8>& relative, const Point& root) {
+  std::array<Complex, 8> values;
+  for (std::size_t k = 0; k < values.size(); ++k) values[k] = value_at(relative[k], root);
+  Complex factor = 1;
+  double largest = 0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (std::abs(values[k]) <= largest) continue;
+    largest = std::abs(values[k]);
+    factor = values[k];
+  }
+  DualQuaternion<double> pose;
+  for (std::size_t k = 0; k < values.size(); ++k) entry(pose, k) = (values[k] / factor).real();
+  return to_isometry(pose);
+}
+
+/// x towards b - a; of three points y on the side of c.
+Eigen::Matrix3d frame_through(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
+  Eigen::Matrix3d frame;
+  frame.col(0) = (b - a).normalized();
+  frame.col(2) = (b - a).cross(c - a).normalized();
+  frame.col(1) = frame.col(2).cross(frame.col(0));
+  return frame;
+}
+
+Eigen::Isometry3d placed_by_points(const std::vector<PoseReading::PointPair>& pairs,
+                                   const std::vector<Eigen::Isometry3d>& groups) {
+  constexpr std::size_t kThree = 3;
+  std::vector<Vector3d> there;
+  for (const auto& pair : pairs) there.push_back(groups[pair.group] * pair.there);
+  Eigen::Isometry3d placed = Eigen::Isometry3d::Identity();
+  if (pairs.size() < kThree) {
+    const Vector3d line = pairs[1].here - pairs[0].here;
+    placed.linear() =
+        Eigen::Quaterniond::FromTwoVectors(line, there[1] - there[0]).toRotationMatrix();
+  } else {
+    placed.linear() = frame_through(there[0], there[1], there[2]) *
+                      frame_through(pairs[0].here, pairs[1].here, pairs[2].here).transpose();
+  }
+  placed.translation() = there[0] - placed.linear() * pairs[0].here;
+  return placed;
+}
+
+}  // namespace
+
+Eigen::VectorXd coordinates_of_root(const PoseReading& reading, const Point& root) {
+  constexpr Eigen::Index kSize = 6;
+  std::vector<Eigen::Isometry3d> groups(reading.groups, Eigen::Isometry3d::Identity());
+  for (const PoseReading::Placement& placement : reading.placements) {
+    groups[placement.group] = placement.points.empty() ? groups[placement.parent] *
+                                                             relative_pose(placement.relative, root)
+                                                       : placed_by_points(placement.points, groups);
+  }
+  Eigen::VectorXd q(kSize * static_cast<Eigen::Index>(reading.bodies.size()));
+  Eigen::Index at = 0;
+  for (const PoseReading::BodyPose& body : reading.bodies) {
+    DualQuaternion<double> in_group;
+    for (std::size_t k = 0; k < kEntries; ++k) entry(in_group, k) = body.in_group[k];
+    const Eigen::Isometry3d pose = groups[body.group] * to_isometry(in_group);
+    const Eigen::AngleAxisd turn(pose.linear());
+    q.segment<3>(at) = pose.translation();
+    q.segment<3>(at + 3) = turn.angle() * turn.axis();
+    at += kSize;
+  }
+  return q;
+}
+
+}  // namespace moivre

@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: MIT
+// Bodies joined one by one, each with its exact pose in its group.
+#include "rigid_groups.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <stdexcept>
+
+#include "moivre/formulation/exact.h"
+
+namespace moivre {
+namespace {
+
+// Joints that are held twice agree to rounding of their numbers, or they contradict each other.
+constexpr double kSame = 1e-9;
+
+/// What drivers say of a joint at the time.
+struct Held {
+  std::optional<double> angle;
+  std::optional<double> slide;
+};
+
+class Grouping {
+ public:
+  Grouping(const Mechanism& mechanism, double t) : mechanism_(mechanism), t_(t) {
+    for (std::size_t body = 0; body < mechanism.bodies.size(); ++body) {
+      root_.push_back(body);
+      pose_.push_back(identity_pose());
+    }
+  }
+
+  RigidGroups run() &&;
+
+ private:
+  Held held(std::size_t joint) const;
+  ExactPose end(const Joint& joint, std::size_t k) const;
+  std::optional<ExactPose> known_motion(const Joint& joint, const Held& held) const;
+  void join(const Joint& joint, const ExactPose& motion);
+  void tie(const Joint& joint, const Held& held);
+  void number_groups();
+  void add_driven_points();
+
+  const Mechanism& mechanism_;
+  double t_;
+  std::vector<std::size_t> root_;  ///< of each body: the first body of its group
+  std::vector<ExactPose> pose_;    ///< of each body in that one's frame
+  RigidGroups groups_;
+};
+
+Held Grouping::held(std::size_t joint) const {
+  Held held;
+  for (const Driver& driver : mechanism_.drivers) {
+    const bool is_here = driver.joint == joint;
+    const double value = driver_state(driver.law, t_).value;
+    if (is_here && driver.kind == DriverKind::angle) held.angle = value;
+    if (is_here && driver.kind == DriverKind::slide) held.slide = value;
+  }
+  return held;
+}
+
+/// The joint's frame in its body number k.
+ExactPose Grouping::end(const Joint& joint, std::size_t k) const {
+  const PointOf& at = joint.at[k];
+  ExactPose frame = shift_to(mechanism_.bodies[at.body].points[at.point].at);
+  if (joint.type == JointType::spherical || joint.type == JointType::rod) return frame;
+  frame = frame * frame_of(joint.axis[k]);
+  return k == 0 ? frame * turn_about_z(joint.turn_rad) : frame;
+}
+
+/// M where nothing of it is left free.
+std::optional<ExactPose> Grouping::known_motion(const Joint& joint, const Held& held) const {
+  switch (joint.type) {
+    case JointType::weld:
+      return identity_pose();
+    case JointType::revolute:
+      if (held.angle) return turn_about_z(*held.angle);
+      break;
+    case JointType::prismatic:
+      if (held.slide) return slide_along_z(*held.slide);
+      break;
+    case JointType::cylindrical:
+      if (held.angle && held.slide) {
+        return turn_about_z(*held.angle) * slide_along_z(*held.slide);
+      }
+      break;
+    case JointType::slot:
+    case JointType::rod:
+    case JointType::gear:
+    case JointType::spherical:
+    case JointType::universal:
+      break;
+  }
+  return std::nullopt;
+}
+
+/// Whether two poses are one, lengths beside `size`.
+bool is_same(const ExactPose& a, const ExactPose& b) {
+  const DualQuaternion<double> apart = to_double(conjugate(a) * b);
+  const double size = std::sqrt(dot(apart.q, apart.q));
+  const double turn = std::hypot(apart.q[1], apart.q[2], apart.q[3]);
+  const double shift = std::sqrt(dot(apart.g, apart.g));
+  const DualQuaternion<double> from = to_double(a);
+  const double far = std::sqrt(dot(from.g, from.g) / dot(from.q, from.q));
+  return turn <= kSame * size && shift <= kSame * size * std::max(1.0, far);
+}
+
+void Grouping::join(const Joint& joint, const ExactPose& motion) {
+  const std::size_t a = joint.at[0].body;
+  const std::size_t b = joint.at[1].body;
+  const ExactPose there = pose_[a] * end(joint, 0) * motion * conjugate(end(joint, 1));
+  const std::size_t from = root_[b];
+  const std::size_t to = root_[a];
+  if (from == to) {
+    const std::string label = to_string(joint.type) + " " + joint.name;
+    (is_same(there, pose_[b]) ? groups_.repetitions : groups_.contradictions).push_back(label);
+    return;
+  }
+  // Bodies of the later group move to the earlier one's frame: the ground stays what it is.
+  const ExactPose between = there * conjugate(pose_[b]);  // frame of `from` in that of `to`
+  const bool is_kept = to < from;
+  const ExactPose moved = is_kept ? between : conjugate(between);
+  const std::size_t lost = is_kept ? from : to;
+  const std::size_t kept = is_kept ? to : from;
+  for (std::size_t body = 0; body < root_.size(); ++body) {
+    if (root_[body] != lost) continue;
+    root_[body] = kept;
+    pose_[body] = moved * pose_[body];
+  }
+}
+
+void Grouping::tie(const Joint& joint, const Held& held) {
+  Tie tie;
+  tie.name = joint.name;
+  tie.i = groups_.group_of[joint.at[0].body];
+  tie.j = groups_.group_of[joint.at[1].body];
+  tie.at_i = pose_[joint.at[0].body] * end(joint, 0);
+  tie.at_j = pose_[joint.at[1].body] * end(joint, 1);
+  switch (joint.type) {
+    case JointType::revolute:
+      tie.kind = TieKind::revolute;
+      break;
+    case JointType::prismatic:
+      tie.kind = TieKind::prismatic;
+      break;
+    case JointType::cylindrical:
+      tie.kind = held.angle   ? TieKind::prismatic
+                 : held.slide ? TieKind::revolute
+                              : TieKind::cylindrical;
+      if (held.angle) tie.at_i = tie.at_i * turn_about_z(*held.angle);
+      if (held.slide) tie.at_i = tie.at_i * slide_along_z(*held.slide);
+      break;
+    case JointType::spherical:
+      tie.kind = TieKind::spherical;
+      break;
+    case JointType::universal:
+      tie.kind = TieKind::cone;
+      break;
+    case JointType::rod:
+      tie.kind = TieKind::rod;
+      tie.square = typed_decimal(joint.length) * typed_decimal(joint.length);
+      break;
+    case JointType::weld:
+    case JointType::slot:
+    case JointType::gear:
+      throw std::logic_error("a spatial mechanism has no free " + to_string(joint.type));
+  }
+  groups_.ties.push_back(std::move(tie));
+}
+
+void Grouping::number_groups() {
+  std::vector<std::size_t> number(root_.size());
+  for (std::size_t body = 0; body < root_.size(); ++body) {
+    if (root_[body] == body) {
+      number[body] = groups_.names.size();
+      groups_.names.push_back(mechanism_.bodies[body].name);
+      groups_.bodies.emplace_back();
+    }
+    groups_.group_of.push_back(number[root_[body]]);
+    groups_.bodies[groups_.group_of.back()].push_back(mechanism_.bodies[body].name);
+  }
+  groups_.in_group = pose_;
+  groups_.is_left_out.assign(groups_.names.size(), false);
+}
+
+void Grouping::add_driven_points() {
+  for (const Driver& driver : mechanism_.drivers) {
+    std::size_t axis = 0;
+    switch (driver.kind) {
+      case DriverKind::angle:
+      case DriverKind::slide:
+      case DriverKind::unknown:
+        continue;
+      case DriverKind::x:
+        break;
+      case DriverKind::y:
+        axis = 1;
+        break;
+      case DriverKind::z:
+        axis = 2;
+        break;
+    }
+    const std::size_t body = driver.point.body;
+    const auto& point = mechanism_.bodies[body].points[driver.point.point];
+    groups_.driven_points.push_back({driver.name, groups_.group_of[body],
+                                     pose_[body] * shift_to(point.at), axis,
+                                     typed_decimal(driver_state(driver.law, t_).value)});
+  }
+}
+
+RigidGroups Grouping::run() && {
+  std::vector<std::size_t> free;
+  for (std::size_t k = 0; k < mechanism_.joints.size(); ++k) {
+    const auto motion = known_motion(mechanism_.joints[k], held(k));
+    if (motion) {
+      join(mechanism_.joints[k], *motion);
+    } else {
+      free.push_back(k);
+    }
+  }
+  number_groups();
+  for (const std::size_t k : free) tie(mechanism_.joints[k], held(k));
+  add_driven_points();
+  return std::move(groups_);
+}
+
+}  // namespace
+
+std::size_t freedom(TieKind kind) {
+  switch (kind) {
+    case TieKind::revolute:
+    case TieKind::prismatic:
+      return 1;
+    case TieKind::cylindrical:
+    case TieKind::cone:
+      return 2;
+    case TieKind::spherical:
+      return 3;
+    case TieKind::rod:
+      break;
+  }
+  return 5;
+}
+
+Tie reversed(const Tie& tie) {
+  Tie other = tie;
+  std::swap(other.i, other.j);
+  std::swap(other.at_i, other.at_j);
+  return other;
+}
+
+RigidGroups rigid_groups(const Mechanism& mechanism, double t) {
+  return Grouping(mechanism, t).run();
+}
+
+}  // namespace moivre

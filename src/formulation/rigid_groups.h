@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// Which bodies of a spatial mechanism does nothing move apart, and what ties these groups? Drivers stand.
+//
+// A weld, a driven revolute or prismatic joint and a cylindrical one that is driven both ways join two bodies to one group; a
+// cylindrical joint that is driven one way is a prismatic or a revolute one. What is left are ties between groups, each with
+// an exact frame in both (z the joint's axis):
+//   pose of group j in group i  ~  at_i M conj(at_j),   M by the tie's kind:
+//   revolute  (1 + t k)            prismatic  (1 + eps s k / 2)        cylindrical  both
+//   spherical  any turn            cone       two turns about axes through one point that keep their angle (universal: 90 deg)
+//   rod       any pose that keeps the distance of the origins
+// Links that say no more than a distance or an angle are replaced by it, and placed by their points afterwards:
+//   a group held by two spherical joints alone    a rod; its spin is free and moves nothing else
+//   a group held by three spherical joints alone  three rods
+//   a group held by two revolute joints whose axes meet, in a mechanism of several loops    a cone
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "exact_pose.h"
+#include "moivre/formulation/pose_reading.h"
+#include "moivre/mechanism/mechanism.h"
+
+namespace moivre {
+
+enum class TieKind { revolute, prismatic, cylindrical, cone, spherical, rod };
+
+struct Tie {
+  TieKind kind = TieKind::revolute;
+  std::string name;
+  std::size_t i = 0, j = 0;  ///< groups
+  ExactPose at_i, at_j;
+  Rational square = 0;        ///< rod: the length's
+  Rational half_tangent = 1;  ///< cone: tan of half the angle of its axes
+};
+
+/// Freedoms that a tie leaves.
+std::size_t freedom(TieKind kind);
+
+/// The same tie seen from the other end.
+Tie reversed(const Tie& tie);
+
+/// A driven coordinate of a point: `axis` 0, 1, 2 of `point` of `group` is `value`.
+struct DrivenPoint {
+  std::string name;
+  std::size_t group = 0;
+  ExactPose point;
+  std::size_t axis = 0;
+  Rational value;
+};
+
+struct RigidGroups {
+  std::vector<std::string> names;                ///< of each group: its first body; 0 the ground
+  std::vector<std::vector<std::string>> bodies;  ///< of each group
+  std::vector<std::size_t> group_of;             ///< each body
+  std::vector<ExactPose> in_group;               ///< each body's frame in its group's
+  std::vector<Tie> ties;
+  std::vector<DrivenPoint> driven_points;
+  std::vector<bool> is_left_out;              ///< of each group: a link that became a tie
+  std::vector<PoseReading::Placement> links;  ///< of these
+  std::vector<std::size_t> spinning;          ///< bodies that spin between two spherical joints
+  std::vector<std::string> contradictions;
+  std::vector<std::string> repetitions;
+  std::vector<std::pair<std::string, std::string>> left_out;
+};
+
+RigidGroups rigid_groups(const Mechanism& mechanism, double t);
+
+/// Replaces links between spherical joints by rods.
+void leave_out_rods(RigidGroups& groups);
+/// Replaces links of `among` by cones.
+void leave_out_cones(RigidGroups& groups, const std::vector<std::size_t>& among);
+
+}  // namespace moivre

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+// A loop of ties as a chain of turns and slides, and where it is cut.
+#include "serial_loop.h"
+
+#include <algorithm>
+
+#include "loop_equations.h"
+
+namespace moivre {
+namespace {
+
+constexpr std::size_t kFewest = 3;
+constexpr std::size_t kMost = 6;
+constexpr std::size_t kTurnsOfSpace = 3;
+
+std::size_t turns_of(const std::vector<Tie>& loop) {
+  std::size_t turns = 0;
+  for (const Tie& tie : loop) {
+    if (tie.kind == TieKind::prismatic) continue;
+    turns += tie.kind == TieKind::cylindrical ? 1 : freedom(tie.kind);
+  }
+  return turns;
+}
+
+class Chain {
+ public:
+  /// Slides are their own unknowns where they are to be linear; else infinity is brought to a finite place.
+  Chain(SpatialFrame& frame, const RigidGroups& groups, bool has_plain_slides)
+      : frame_(frame), groups_(groups), has_plain_slides_(has_plain_slides) {}
+
+  void follow(const Tie& tie, bool is_last);
+  std::vector<LoopElement> take() && { return std::move(elements_); }
+  ExactPose end() const { return at_; }
+
+ private:
+  void turn(const std::string& name);
+  void slide(const std::string& name);
+  void fixed(const ExactPose& pose);
+
+  SpatialFrame& frame_;
+  const RigidGroups& groups_;
+  bool has_plain_slides_;
+  std::vector<LoopElement> elements_;
+  ExactPose at_ = identity_pose();  ///< where the chain has come with all joints at rest
+  MovingPose step_;                 ///< of the tie at work
+  std::vector<std::string> owners_;
+};
+
+void Chain::fixed(const ExactPose& pose) {
+  at_ = at_ * pose;
+  step_ = step_ * to_moving(pose);
+}
+
+void Chain::turn(const std::string& name) {
+  LoopElement element;
+  element.fixed = frame_.random_number();
+  element.axis = axis_at(at_);
+  element.owners = owners_;
+  element.is_turn = true;
+  element.name = name;
+  element.unknown = frame_.add_unknown(name, true, owners_);
+  step_ = step_ * turn_of(element.unknown, element.fixed);
+  elements_.push_back(std::move(element));
+}
+
+void Chain::slide(const std::string& name) {
+  LoopElement element;
+  if (!has_plain_slides_) {
+    element.fixed = frame_.random_number();
+    element.fixed /= Rational(frame_.length());
+  }
+  element.axis = slide_at(at_);
+  element.owners = owners_;
+  element.name = name;
+  element.unknown = frame_.add_unknown(name, false, owners_);
+  step_ = step_ * slide_of(element.unknown, element.fixed);
+  elements_.push_back(std::move(element));
+}
+
+void Chain::follow(const Tie& tie, bool is_last) {
+  owners_ = groups_.bodies[is_last ? tie.i : tie.j];
+  step_ = to_moving(identity_pose());
+  fixed(tie.at_i);
+  switch (tie.kind) {
+    case TieKind::revolute:
+      turn("t_" + tie.name);
+      break;
+    case TieKind::prismatic:
+      slide("s_" + tie.name);
+      break;
+    case TieKind::cylindrical:
+      turn("t_" + tie.name);
+      slide("s_" + tie.name);
+      break;
+    case TieKind::cone:
+      turn("t1_" + tie.name);
+      fixed(tilt(tie.half_tangent));
+      turn("t2_" + tie.name);
+      break;
+    case TieKind::spherical:
+      turn("t1_" + tie.name);
+      fixed(tilt(1));
+      turn("t2_" + tie.name);
+      fixed(conjugate(tilt(1)));
+      turn("t3_" + tie.name);
+      break;
+    case TieKind::rod:
+      break;  // loop_of takes none
+  }
+  fixed(conjugate(tie.at_j));
+  if (is_last) return;
+  PoseReading::Placement placement;
+  placement.group = tie.j;
+  placement.parent = tie.i;
+  for (std::size_t k = 0; k < kEntries; ++k) placement.relative[k] = entry(step_, k);
+  frame_.result().poses.placements.push_back(std::move(placement));
+}
+
+}  // namespace
+
+std::optional<std::vector<Tie>> loop_of(const RigidGroups& groups, const Part& part) {
+  std::vector<Tie> loop;
+  std::vector<std::size_t> left = part.ties;
+  std::size_t at = 0;
+  std::size_t freedoms = 0;
+  if (part.ties.size() != part.groups.size() + 1) return std::nullopt;
+  do {
+    const auto next = std::find_if(left.begin(), left.end(), [&](std::size_t k) {
+      return groups.ties[k].i == at || groups.ties[k].j == at;
+    });
+    if (next == left.end()) return std::nullopt;
+    const Tie& tie = groups.ties[*next];
+    if (tie.kind == TieKind::rod || tie.i == tie.j) return std::nullopt;
+    loop.push_back(tie.i == at ? tie : reversed(tie));
+    freedoms += freedom(tie.kind);
+    at = loop.back().j;
+    left.erase(next);
+  } while (at != 0);
+  const bool is_driven = std::any_of(
+      groups.driven_points.begin(), groups.driven_points.end(), [&](const auto& driven) {
+        return std::find(part.groups.begin(), part.groups.end(), driven.group) != part.groups.end();
+      });
+  if (!left.empty() || is_driven || freedoms < kFewest || freedoms > kMost) return std::nullopt;
+  return loop;
+}
+
+void add_loop(SpatialFrame& frame, const RigidGroups& groups, const std::vector<Tie>& loop) {
+  const std::size_t turns = turns_of(loop);
+  Chain chain(frame, groups, turns == kTurnsOfSpace);
+  for (std::size_t k = 0; k < loop.size(); ++k) chain.follow(loop[k], k + 1 == loop.size());
+  const ExactPose whole = conjugate(shortened(chain.end()));
+  add_loop_equations(frame, std::move(chain).take(), whole);
+}
+
+}  // namespace moivre

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+// Groups, links left out, parts, and each part by the form that suits it.
+#include "spatial_bodies.h"
+
+#include <algorithm>
+
+#include "moivre/mechanism/phi.h"
+#include "serial_loop.h"
+
+namespace moivre {
+namespace {
+
+/// Groups that hang together without the ground, in the order of their first group.
+std::vector<Part> parts_of(const RigidGroups& groups) {
+  std::vector<Part> parts;
+  std::vector<bool> is_taken = groups.is_left_out;
+  is_taken[0] = true;
+  for (std::size_t first = 1; first < groups.names.size(); ++first) {
+    if (is_taken[first]) continue;
+    Part part{{first}, {}};
+    is_taken[first] = true;
+    for (std::size_t k = 0; k < part.groups.size(); ++k) {
+      for (const Tie& tie : groups.ties) {
+        if (tie.i != part.groups[k] && tie.j != part.groups[k]) continue;
+        const std::size_t other = tie.i == part.groups[k] ? tie.j : tie.i;
+        if (is_taken[other]) continue;
+        is_taken[other] = true;
+        part.groups.push_back(other);
+      }
+    }
+    for (std::size_t k = 0; k < groups.ties.size(); ++k) {
+      const auto has = [&](std::size_t group) {
+        return std::find(part.groups.begin(), part.groups.end(), group) != part.groups.end();
+      };
+      if (has(groups.ties[k].i) || has(groups.ties[k].j)) part.ties.push_back(k);
+    }
+    parts.push_back(std::move(part));
+  }
+  return parts;
+}
+
+void leave_out_links(RigidGroups& groups) {
+  leave_out_rods(groups);
+  std::vector<std::size_t> in_trees;
+  for (const Part& part : parts_of(groups)) {
+    if (loop_of(groups, part)) continue;
+    in_trees.insert(in_trees.end(), part.groups.begin(), part.groups.end());
+  }
+  leave_out_cones(groups, in_trees);
+}
+
+/// Ties whose both ends are the ground hold or do not, whatever moves.
+void add_ground_ties(SpatialFrame& frame, const RigidGroups& groups) {
+  const MovingPose rest = to_moving(identity_pose());
+  for (const Tie& tie : groups.ties) {
+    if (tie.i != 0 || tie.j != 0) continue;
+    if (tie.kind == TieKind::rod) {
+      const double size = frame.length() * frame.length();
+      frame.add_equation(tie.name, without_noise(rod_equation(tie, rest), size));
+    } else {
+      add_closing(frame, tie, rest);
+    }
+  }
+}
+
+void read_poses(const RigidGroups& groups, PoseReading& poses) {
+  poses.groups = groups.names.size();
+  poses.placements.insert(poses.placements.end(), groups.links.begin(), groups.links.end());
+  for (std::size_t body = 1; body < groups.group_of.size(); ++body) {
+    PoseReading::BodyPose pose;
+    pose.group = groups.group_of[body];
+    const DualQuaternion<double> in_group = to_double(groups.in_group[body]);
+    for (std::size_t k = 0; k < kEntries; ++k) pose.in_group[k] = entry(in_group, k);
+    poses.bodies.push_back(pose);
+  }
+}
+
+}  // namespace
+
+Formulation spatial_bodies(const Mechanism& mechanism, double t) {
+  RigidGroups groups = rigid_groups(mechanism, t);
+  leave_out_links(groups);
+  SpatialFrame frame(Phi(mechanism).length());
+  add_ground_ties(frame, groups);
+  for (const Part& part : parts_of(groups)) {
+    if (const auto loop = loop_of(groups, part)) {
+      add_loop(frame, groups, *loop);
+    } else {
+      add_tree(frame, groups, part);
+    }
+  }
+  Formulation formulation = std::move(frame.result());
+  read_poses(groups, formulation.poses);
+  formulation.contradictions.insert(formulation.contradictions.end(), groups.contradictions.begin(),
+                                    groups.contradictions.end());
+  formulation.repetitions = groups.repetitions;
+  formulation.left_out = groups.left_out;
+  formulation.spins = groups.spinning;
+  return formulation;
+}
+
+}  // namespace moivre

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+// Unknowns of ties, and what ties ask of a relative pose.
+#include "spatial_frame.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "moivre/numeric/random.h"
+
+namespace moivre {
+namespace {
+
+constexpr std::uint64_t kSeed =
+    1;  // the formulation of a mechanism is one, whatever seed solves it
+
+}  // namespace
+
+double largest_coefficient(const Polynomial& p) {
+  double largest = 0;
+  for (const Term& term : p.terms) {
+    largest = std::max(largest, std::abs(to_complex(term.coefficient)));
+  }
+  return largest;
+}
+
+Polynomial without_noise(Polynomial p, double size) {
+  // What is left of terms that were to cancel: frames are right to 50 bits, and a product of a dozen of them to 45.
+  constexpr double kNoise = 1e-13;
+  const auto is_noise = [&](const Term& term) {
+    return std::abs(to_complex(term.coefficient)) <= kNoise * size;
+  };
+  p.terms.erase(std::remove_if(p.terms.begin(), p.terms.end(), is_noise), p.terms.end());
+  return p;
+}
+
+Polynomial real_constant(const Rational& c) {
+  return c.is_zero() ? Polynomial{} : constant({c, 0});
+}
+
+MovingPose to_moving(const ExactPose& pose) {
+  MovingPose moving;
+  for (std::size_t k = 0; k < kEntries; ++k) entry(moving, k) = real_constant(entry(pose, k));
+  return moving;
+}
+
+Polynomial SpatialFrame::add_unknown(const std::string& name, bool is_direction,
+                                     const std::vector<std::string>& owners) {
+  const std::size_t index = result_.system.variables.size();
+  result_.system.variables.push_back(name);
+  result_.mirror.push_back(index);
+  result_.is_direction.push_back(is_direction);
+  result_.owners.push_back(owners);
+  return unknown(static_cast<std::uint32_t>(index));
+}
+
+void SpatialFrame::add_equation(const std::string& name, Polynomial p) {
+  if (p.terms.empty()) return;
+  if (degree(p) == 0) {
+    result_.contradictions.push_back(name);
+    return;
+  }
+  result_.system.polynomials.push_back(std::move(p));
+  result_.equation_names.push_back(name);
+}
+
+void SpatialFrame::exclude(Polynomial p, const std::string& reason) {
+  result_.exclusions.push_back({std::move(p), reason});
+}
+
+Rational SpatialFrame::random_number() {
+  constexpr std::int64_t kParts = 64;
+  const std::uint64_t bits = random_bits(kSeed, RandomStream::formulation, random_count_++);
+  const auto size = static_cast<std::int64_t>((bits >> 1) % (3 * kParts / 2));
+  const Rational number(kParts / 2 + size, kParts);
+  return (bits & 1) != 0 ? number : -number;
+}
+
+MovingPose turn_of(const Polynomial& t, const Rational& fixed) {
+  const Polynomial o = real_constant(fixed);
+  MovingPose turn;
+  turn.q[0] = constant({1, 0}) - o * t;
+  turn.q[3] = o + t;
+  return turn;
+}
+
+MovingPose slide_of(const Polynomial& u, const Rational& fixed) {
+  MovingPose slide;
+  slide.q[0] = constant({1, 0}) - real_constant(fixed) * u;
+  slide.g[3] = Coefficient{Rational(1, 2), 0} * u;
+  return slide;
+}
+
+MovingPose SpatialFrame::add_turn(const std::string& name, const Rational& fixed,
+                                  const std::vector<std::string>& owners) {
+  const Polynomial t = add_unknown(name, true, owners);
+  exclude(constant({1, 0}) + t * t, "a half angle's tangent is i or -i there");
+  return turn_of(t, fixed);
+}
+
+MovingPose SpatialFrame::add_slide(const std::string& name,
+                                   const std::vector<std::string>& owners) {
+  return slide_of(add_unknown(name, false, owners));
+}
+
+std::vector<Polynomial> SpatialFrame::add_patched(const std::string& name, std::size_t count,
+                                                  const std::vector<std::string>& owners) {
+  std::vector<Polynomial> unknowns;
+  Polynomial patch = constant({-1, 0});
+  Polynomial square;
+  for (std::size_t k = 0; k < count; ++k) {
+    unknowns.push_back(add_unknown(name + std::to_string(k), true, owners));
+    patch = patch + Coefficient{random_number(), 0} * unknowns.back();
+    square = square + unknowns.back() * unknowns.back();
+  }
+  add_equation("patch of " + name, patch);
+  exclude(square, "the quaternion has norm 0 there");
+  return unknowns;
+}
+
+MovingPose SpatialFrame::add_any_turn(const std::string& name,
+                                      const std::vector<std::string>& owners) {
+  const std::vector<Polynomial> q = add_patched("q_" + name + "_", 4, owners);
+  MovingPose turn;
+  for (std::size_t k = 0; k < turn.q.size(); ++k) turn.q[k] = q[k];
+  return turn;
+}
+
+MovingPose SpatialFrame::add_any_pose(const std::string& name,
+                                      const std::vector<std::string>& owners) {
+  MovingPose pose = add_any_turn(name, owners);
+  for (std::size_t k = 0; k < pose.g.size(); ++k) {
+    pose.g[k] = add_unknown("g_" + name + "_" + std::to_string(k), false, owners);
+  }
+  add_equation("Study's quadric of " + name, dot(pose.q, pose.g));
+  return pose;
+}
+
+MovingPose add_motion(SpatialFrame& frame, const Tie& tie, const std::vector<std::string>& owners) {
+  const auto turn = [&](const std::string& name) {
+    return frame.add_turn(name, frame.random_number(), owners);
+  };
+  MovingPose motion;
+  switch (tie.kind) {
+    case TieKind::revolute:
+      motion = turn("t_" + tie.name);
+      break;
+    case TieKind::prismatic:
+      motion = frame.add_slide("s_" + tie.name, owners);
+      break;
+    case TieKind::cylindrical:
+      motion = turn("t_" + tie.name) * frame.add_slide("s_" + tie.name, owners);
+      break;
+    case TieKind::cone: {
+      const MovingPose first = turn("t1_" + tie.name);
+      const MovingPose second = turn("t2_" + tie.name);
+      motion = first * to_moving(tilt(tie.half_tangent)) * second;
+      break;
+    }
+    case TieKind::spherical:
+      motion = frame.add_any_turn(tie.name, owners);
+      break;
+    case TieKind::rod:
+      throw std::logic_error("a rod places nothing");
+  }
+  return to_moving(tie.at_i) * motion * to_moving(conjugate(tie.at_j));
+}
+
+Polynomial rod_equation(const Tie& tie, const MovingPose& j_in_i) {
+  const MovingPose motion = to_moving(conjugate(tie.at_i)) * j_in_i * to_moving(tie.at_j);
+  // Rods of one pair of groups share the factor of their highest terms.
+  const Rational factor = 1 / (norm(tie.at_i) * norm(tie.at_j));
+  return Coefficient{4 * factor, 0} * dot(motion.g, motion.g) -
+         Coefficient{factor * tie.square, 0} * dot(motion.q, motion.q);
+}
+
+void add_closing(SpatialFrame& frame, const Tie& tie, const MovingPose& j_in_i) {
+  const MovingPose motion = to_moving(conjugate(tie.at_i)) * j_in_i * to_moving(tie.at_j);
+  const auto& [q, g] = motion;
+  double turn_size = 0;
+  for (const Polynomial& p : q) turn_size = std::max(turn_size, largest_coefficient(p));
+  const auto vanish = [&](const Polynomial& p, double size, const char* part) {
+    frame.add_equation(tie.name + ": " + part, without_noise(p, size));
+  };
+  const double shift_size = turn_size * frame.length();
+  switch (tie.kind) {
+    case TieKind::rod:
+      throw std::logic_error("a rod closes by its length");
+    case TieKind::cone: {
+      // cos = (along - across) / (along + across) = (1 - h^2) / (1 + h^2), h = tan of half the angle
+      const Rational square = tie.half_tangent * tie.half_tangent;
+      const Polynomial along = q[0] * q[0] + q[3] * q[3];
+      const Polynomial across = q[1] * q[1] + q[2] * q[2];
+      vanish(Coefficient{square, 0} * along - across, turn_size * turn_size, "angle");
+      break;
+    }
+    case TieKind::spherical:
+      break;
+    case TieKind::revolute:
+    case TieKind::cylindrical:
+    case TieKind::prismatic:
+      vanish(q[1], turn_size, "tilt 1");
+      vanish(q[2], turn_size, "tilt 2");
+      if (tie.kind == TieKind::prismatic) vanish(q[3], turn_size, "turn");
+      break;
+  }
+  vanish(g[1], shift_size, "x");
+  vanish(g[2], shift_size, "y");
+  if (tie.kind == TieKind::cylindrical) return;
+  if (tie.kind != TieKind::prismatic) vanish(g[3], shift_size, "z");
+  vanish(g[0], shift_size, "w");
+}
+
+}  // namespace moivre

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// How are unknowns and equations of spatial closure polynomials collected, and how does a tie move with its unknowns?
+//
+//   turn   1 + t k after a fixed turn 1 + o k: (1 - o t) + (o + t) k. The fixed turn, random, keeps half a turn at t finite.
+//   slide  1 + eps s k / 2, s the slide itself
+//   any turn    four homogeneous unknowns with a random patch, a . x = 1
+//   any pose    eight, the patch on the first four: what has q = 0 is infinitely far
+// Every unknown is real where the pose is: the mirror of each is itself.
+// Exclusions: 1 + t^2 = 0, and |q|^2 = 0 of homogeneous ones; there the polynomials hold and nothing is turned.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "arithmetic.h"
+#include "moivre/formulation/formulation.h"
+#include "rigid_groups.h"
+
+namespace moivre {
+
+using MovingPose = DualQuaternion<Polynomial>;
+
+/// A constant pose among polynomials.
+MovingPose to_moving(const ExactPose& pose);
+
+Polynomial real_constant(const Rational& c);
+
+double largest_coefficient(const Polynomial& p);
+/// p but for terms that are rounding beside `size`.
+Polynomial without_noise(Polynomial p, double size);
+
+class SpatialFrame {
+ public:
+  /// The mechanism's size, in the file's unit of length.
+  explicit SpatialFrame(double length) : length_(length) {}
+  double length() const { return length_; }
+
+  /// `owners` are the bodies that the unknown places.
+  Polynomial add_unknown(const std::string& name, bool is_direction,
+                         const std::vector<std::string>& owners);
+  /// Nothing where p is zero; a contradiction where it is another number.
+  void add_equation(const std::string& name, Polynomial p);
+  void exclude(Polynomial p, const std::string& reason);
+
+  /// A random number of size 1/2 to 2, positive or negative.
+  Rational random_number();
+
+  /// An unknown turn about z; `fixed` is the number o.
+  MovingPose add_turn(const std::string& name, const Rational& fixed,
+                      const std::vector<std::string>& owners);
+  MovingPose add_slide(const std::string& name, const std::vector<std::string>& owners);
+  MovingPose add_any_turn(const std::string& name, const std::vector<std::string>& owners);
+  MovingPose add_any_pose(const std::string& name, const std::vector<std::string>& owners);
+
+  Formulation& result() { return result_; }
+
+ private:
+  std::vector<Polynomial> add_patched(const std::string& name, std::size_t count,
+                                      const std::vector<std::string>& owners);
+
+  double length_;
+  Formulation result_;
+  std::uint64_t random_count_ = 0;
+};
+
+/// The turn (1 - o t) + (o + t) k of t.
+MovingPose turn_of(const Polynomial& t, const Rational& fixed);
+/// The slide s = u / (1 - o u) of u: (1 - o u) + eps u k / 2. With o = 0 u is the slide itself.
+MovingPose slide_of(const Polynomial& u, const Rational& fixed = 0);
+
+/// Adds the tie's unknowns and gives the pose of group j in group i.
+MovingPose add_motion(SpatialFrame& frame, const Tie& tie, const std::vector<std::string>& owners);
+
+/// The equation of a rod: |4 g g - L^2 q q| of the shift between its ends.
+Polynomial rod_equation(const Tie& tie, const MovingPose& j_in_i);
+
+/// The equations of another tie between groups whose relative pose is known as polynomials.
+void add_closing(SpatialFrame& frame, const Tie& tie, const MovingPose& j_in_i);
+
+}  // namespace moivre

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: MIT
+// How many closures do the published spatial mechanisms have, by how few paths, and is the posture one came from among them?
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+
+#include "mechanisms.h"
+#include "moivre/mechanism/pose.h"
+#include "moivre/numeric/random.h"
+
+namespace moivre {
+namespace {
+
+using Eigen::Isometry3d;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+struct SpatialCount {
+  std::string file;
+  std::uint64_t complex;
+  std::uint64_t real;
+  std::uint64_t most_paths;
+  std::uint64_t seeds;
+};
+
+class SpatialCounts : public testing::TestWithParam<SpatialCount> {};
+
+TEST_P(SpatialCounts, AreMetForEverySeed) {
+  const SpatialCount& published = GetParam();
+  const Mechanism mechanism = mechanism_file(published.file);
+  const Phi phi(mechanism);
+  for (std::uint64_t seed = 1; seed <= published.seeds; ++seed) {
+    const ClosureResult result = closures_of(mechanism, seed);
+    EXPECT_TRUE(result.complete) << result.message;
+    EXPECT_EQ(result.counts.complex, published.complex) << "seed " << seed;
+    EXPECT_EQ(result.counts.real, published.real) << "seed " << seed;
+    EXPECT_LE(result.paths.tracked, published.most_paths) << "seed " << seed;
+    EXPECT_FALSE(result.moves);
+    for (const Closure& closure : result.closures) {
+      EXPECT_LE(scaled_residual(phi, closure.q, 0), 1e-12) << closure.id;
+      EXPECT_LE(closure.newton_iterations, 2) << closure.id;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Mechanisms, SpatialCounts,
+    testing::Values(
+        SpatialCount{"rssr", 2, 2, 2, 20}, SpatialCount{"rccc", 2, 2, 4, 5},
+        SpatialCount{"bennett", 1, 1, 2, 5}, SpatialCount{"spherical-four-bar", 2, 2, 2, 20},
+        SpatialCount{"spherical-3-rrr", 8, 4, 16, 3}, SpatialCount{"3-rps", 16, 8, 16, 3},
+        SpatialCount{"general-6r", 16, 4, 24, 3}, SpatialCount{"manseur-doty", 16, 16, 24, 3},
+        SpatialCount{"puma-560", 8, 8, 24, 3}, SpatialCount{"ur5", 8, 8, 16, 3},
+        SpatialCount{"dietmaier", 40, 40, 84, 2}, SpatialCount{"planar-platform", 40, 12, 84, 1},
+        SpatialCount{"platform-6-4", 32, 4, 84, 1}, SpatialCount{"platform-6-3", 16, 6, 84, 1},
+        SpatialCount{"octahedral-3-3", 16, 4, 84, 1}),
+    [](const auto& tested) {
+      std::string name = tested.param.file;
+      std::replace(name.begin(), name.end(), '-', '_');
+      return "Of_" + name;
+    });
+
+/// Where the last body of an arm stands with its joints at these angles.
+Isometry3d forward(const Mechanism& arm, const std::vector<double>& angles) {
+  Isometry3d at = Isometry3d::Identity();
+  for (std::size_t k = 0; k < angles.size(); ++k) {
+    const Joint& joint = arm.joints[k];
+    const auto point = [&](std::size_t end) {
+      return arm.bodies[joint.at[end].body].points[joint.at[end].point].at;
+    };
+    const Eigen::AngleAxisd turn(angles[k], Vector3d::UnitZ());
+    Isometry3d step = Isometry3d::Identity();
+    step.linear() = joint_frame(joint.axis[0]) * turn.toRotationMatrix() *
+                    joint_frame(joint.axis[1]).transpose();
+    step.translation() = point(0) - step.linear() * point(1);
+    at = at * step;
+  }
+  return at;
+}
+
+/// The arm with its tool, the weld behind the joints, where these angles put it.
+Mechanism holding(Mechanism arm, const std::vector<double>& angles) {
+  Joint& weld = arm.joints.back();
+  const Isometry3d hand = forward(arm, angles);
+  const PointOf& tip = weld.at[1];
+  arm.bodies[0].points[weld.at[0].point].at = hand * arm.bodies[tip.body].points[tip.point].at;
+  const Eigen::AngleAxisd turn(hand.linear());
+  weld.axis = {turn.axis(), turn.axis()};
+  weld.turn_rad = turn.angle();
+  return arm;
+}
+
+std::vector<double> random_angles(std::uint64_t pose) {
+  std::vector<double> angles;
+  for (std::uint64_t k = 0; k < 6; ++k) {
+    angles.push_back(std::numbers::pi * (2 * random_unit(pose, RandomStream::test, k) - 1));
+  }
+  return angles;
+}
+
+/// Largest difference of the arm's angles from these, to the nearest turn.
+double apart(const Mechanism& arm, const VectorXd& q, const std::vector<double>& angles) {
+  double largest = 0;
+  for (std::size_t k = 0; k < angles.size(); ++k) {
+    const double angle = joint_coordinate(arm, arm.joints[k], q).value();
+    largest = std::max(largest, std::abs(std::remainder(angle - angles[k], 2 * std::numbers::pi)));
+  }
+  return largest;
+}
+
+class Arms : public testing::TestWithParam<std::pair<const char*, std::uint64_t>> {};
+
+TEST_P(Arms, HaveTheirOwnPostureAmongAllOfThem) {
+  constexpr std::uint64_t kPoses = 3;
+  const auto& [file, complex] = GetParam();
+  for (std::uint64_t pose = 1; pose <= kPoses; ++pose) {
+    const std::vector<double> angles = random_angles(pose);
+    const Mechanism arm = holding(mechanism_file(file), angles);
+    const ClosureResult result = closures_of(arm);
+    EXPECT_TRUE(result.complete) << "pose " << pose << ": " << result.message;
+    EXPECT_EQ(result.counts.complex, complex) << "pose " << pose;
+    double nearest = std::numbers::pi;
+    for (const Closure& closure : result.closures) {
+      nearest = std::min(nearest, apart(arm, closure.q, angles));
+    }
+    EXPECT_LE(nearest, 1e-9) << "pose " << pose;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, Arms,
+                         testing::Values(std::pair{"general-6r", 16U},
+                                         std::pair{"manseur-doty", 16U}, std::pair{"puma-560", 8U},
+                                         std::pair{"ur5", 8U}));
+
+/// All lengths by up to one part in a hundred, all axes by up to 0.01.
+Mechanism disturbed(Mechanism mechanism, double share) {
+  std::uint64_t count = 0;
+  const auto wander = [&] { return share * (2 * random_unit(7, RandomStream::test, count++) - 1); };
+  for (Body& body : mechanism.bodies) {
+    for (BodyPoint& point : body.points) point.at += Vector3d(wander(), wander(), wander());
+  }
+  for (Joint& joint : mechanism.joints) {
+    joint.axis[0] = (joint.axis[0] + Vector3d(wander(), wander(), wander())).normalized();
+    joint.length *= 1 + wander();
+  }
+  return mechanism;
+}
+
+TEST(SpatialClosures, CalibratedArmsHaveTheSixteenOfTheGeneralOne) {
+  for (const char* const file : {"puma-560", "ur5"}) {
+    for (const double share : {1e-2, 1e-4}) {
+      const ClosureResult result = closures_of(disturbed(mechanism_file(file), share));
+      EXPECT_TRUE(result.complete) << file << ": " << result.message;
+      EXPECT_EQ(result.counts.complex, 16U) << file << ", " << share;
+    }
+  }
+}
+
+TEST(SpatialClosures, PlatformsWhoseDoubleJointsSplitHaveForty) {
+  for (const char* const file : {"platform-6-4", "platform-6-3"}) {
+    const ClosureResult result = closures_of(disturbed(mechanism_file(file), 1e-2));
+    EXPECT_TRUE(result.complete) << file << ": " << result.message;
+    EXPECT_EQ(result.counts.complex, 40U) << file;
+  }
+}
+
+TEST(SpatialClosures, GriffisAndDuffysPlatformMovesInOneDirection) {
+  const ClosureResult result = closures_of(mechanism_file("griffis-duffy"));
+  EXPECT_TRUE(result.complete) << result.message;
+  ASSERT_TRUE(result.moves);
+  EXPECT_EQ(result.moves->dimension, 1U);
+}
+
+TEST(SpatialClosures, BennettsLinkageDoesNotCloseWithOtherLengths) {
+  const ClosureResult result = closures_of(disturbed(mechanism_file("bennett"), 1e-2));
+  EXPECT_TRUE(result.complete) << result.message;
+  EXPECT_EQ(result.counts.complex, 0U);
+}
+
+constexpr const char* kCoupler = R"toml(space = "spatial"
+[ground.points]
+O2 = [0, 0, 0]
+O4 = [4, 1, 0.5]
+[body.crank.points]
+O2 = [0, 0, 0]
+A  = [1.2, 0, 0.3]
+[body.coupler.points]
+A = [0, 0, 0]
+B = [4, 0, 0]
+[body.rocker.points]
+O4 = [0, 0, 0]
+B  = [2.5, 0, 0]
+[[joint]]
+type = "revolute"
+at = ["ground.O2", "crank.O2"]
+axis = [0, 0, 1]
+name = "input"
+[[joint]]
+type = "revolute"
+at = ["ground.O4", "rocker.O4"]
+axis = [[0, 0.6, 0.8], [0, 0, 1]]
+name = "output"
+[[joint]]
+type = "spherical"
+at = ["crank.A", "coupler.A"]
+[[joint]]
+type = "spherical"
+at = ["coupler.B", "rocker.B"]
+[[driver]]
+angle = "input"
+start = 0.8726646259971648
+)toml";
+
+TEST(SpatialClosures, ALinkThatSpinsBetweenBallsHidesNoClosure) {
+  const Mechanism mechanism = mechanism_text(kCoupler);
+  const ClosureResult result = closures_of(mechanism);
+  EXPECT_TRUE(result.complete) << result.message;
+  EXPECT_EQ(result.counts.complex, 2U);
+  ASSERT_EQ(result.closures.size(), 2U);
+  ASSERT_EQ(result.idle.size(), 1U);
+  EXPECT_EQ(result.idle[0].body, "coupler");
+  EXPECT_EQ(result.mobility->degrees_of_freedom, 2);  // the crank, and the spin
+  const double degree = std::numbers::pi / 180;
+  const auto output = [&](std::size_t k) {
+    return *joint_coordinate(mechanism, mechanism.joints[1], result.closures[k].q) / degree;
+  };
+  EXPECT_NEAR(std::min(output(0), output(1)), -93.54158024029208, 1e-9);
+  EXPECT_NEAR(std::max(output(0), output(1)), 91.57541939668447, 1e-9);
+}
+
+TEST(SpatialClosures, AnArmWithoutAToolPoseMoves) {
+  Mechanism arm = mechanism_file("puma-560");
+  arm.joints.pop_back();
+  const ClosureResult result = closures_of(arm);
+  EXPECT_TRUE(result.complete) << result.message;
+  ASSERT_TRUE(result.moves);
+  EXPECT_EQ(result.moves->dimension, 6U);
+}
+
+TEST(SpatialClosures, OutOfReachCannotBeAssembled) {
+  Mechanism arm = mechanism_file("puma-560");
+  arm.bodies[0].points[1].at = {5, 0, 0};
+  const ClosureResult result = closures_of(arm);
+  EXPECT_TRUE(result.complete) << result.message;
+  EXPECT_EQ(result.counts.real, 0U);
+  EXPECT_NE(result.message.find("cannot be assembled"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace moivre
