@@ -4,7 +4,7 @@
 # A module may use what its line names and what those use (one way only).
 
 set(MOIVRE_MODULES numeric expression polynomial multiprecision certify homotopy tracker tracker_cvode tracker_lanes endgame
-    start bounds check solver study mechanism kinematics closures closure_study report check_report closure_report study_report
+    start bounds check solver family study mechanism kinematics closures closure_study report check_report closure_report study_report
     cli)
 
 set(MOIVRE_USES_numeric "")
@@ -19,6 +19,7 @@ set(MOIVRE_USES_tracker_lanes tracker)
 set(MOIVRE_USES_endgame tracker)
 set(MOIVRE_USES_start homotopy)
 set(MOIVRE_USES_solver start endgame certify)
+set(MOIVRE_USES_family solver)
 set(MOIVRE_USES_bounds start)
 # The judge of a result shares nothing with what makes one: no tracker, no endgame, no solver.
 set(MOIVRE_USES_check certify bounds)
@@ -45,6 +46,7 @@ set(MOIVRE_THIRD_PARTY_certify Arb::Arb)
 set(MOIVRE_THIRD_PARTY_tracker_cvode SUNDIALS::cvode)
 set(MOIVRE_THIRD_PARTY_tracker_lanes hwy::hwy)
 set(MOIVRE_THIRD_PARTY_solver TBB::tbb)
+set(MOIVRE_THIRD_PARTY_family nlohmann_json::nlohmann_json)
 set(MOIVRE_THIRD_PARTY_mechanism tomlplusplus::tomlplusplus)
 set(MOIVRE_THIRD_PARTY_check nlohmann_json::nlohmann_json)
 set(MOIVRE_THIRD_PARTY_report nlohmann_json::nlohmann_json)

@@ -23,8 +23,10 @@
 
 #include "moivre/endgame/endgame.h"
 #include "moivre/numeric/decimal.h"
+#include "moivre/polynomial/scale.h"
 #include "moivre/polynomial/system.h"
 #include "moivre/start/choose_start.h"
+#include "moivre/start/start_plan.h"
 #include "moivre/tracker/tracker.h"
 
 namespace moivre {
@@ -211,5 +213,19 @@ struct SolveResult {
 /// of range; std::overflow_error when the number of paths leaves 64 bits; all before any tracking. A set `stop` ends the run with what is finished.
 SolveResult solve(const System& f, const Tracker& tracker, const SolveOptions& options = {},
                   const std::atomic<bool>& stop = std::atomic<bool>{false});
+
+/// A start that somebody else has made, of a family's roots for example.
+struct GivenStart {
+  StartPlan plan;    ///< to scale(f, scaling), but for the rows' sizes; its points are in those units
+  Scaling scaling;   ///< of f
+  std::string why;   ///< where the start comes from
+  std::optional<MetBound> bound = {};  ///< proved: f has no more isolated roots than that
+  bool is_complete = true;  ///< a path leads to every isolated root; else no more than `open` is told
+};
+
+/// As solve(), by that start. f: square, without homogeneous groups. Nothing is eliminated.
+SolveResult solve_from(const System& f, GivenStart start, const Tracker& tracker,
+                       const SolveOptions& options = {},
+                       const std::atomic<bool>& stop = std::atomic<bool>{false});
 
 }  // namespace moivre
