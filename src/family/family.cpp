@@ -45,7 +45,7 @@ bool operator==(const Learning& a, const Learning& b) {
 }
 
 bool operator==(const Family& a, const Family& b) {
-  return a.system == b.system && a.sizes == b.sizes && a.seed == b.seed &&
+  return a.system == b.system && a.sizes == b.sizes && a.seed == b.seed && a.nonzero == b.nonzero &&
          a.generic == b.generic && a.roots == b.roots && a.learning == b.learning;
 }
 

@@ -84,13 +84,17 @@ std::string standing_of(const SolveResult& result, const Learning& learning) {
   return result.completeness ? "open: not every root is certified" : "every path was decided";
 }
 
-Learning learning_of(const SolveResult& result) {
+bool has_zero(const Point& x) {
+  return std::any_of(x.begin(), x.end(), [](const Complex& xj) { return xj == 0.0; });
+}
+
+Learning learning_of(const SolveResult& result, bool nonzero) {
   Learning learning;
   learning.start = result.start.kind;
   learning.paths = result.paths.tracked;
   learning.dropped = result.paths.on_positive_dimensional;
   for (const Solution& root : result.solutions) {
-    if (root.singular) ++learning.dropped;
+    if (root.singular && !(nonzero && has_zero(root.x))) ++learning.dropped;
     if (root.certified == true) ++learning.certified;
   }
   const bool is_open = result.completeness == RootCompleteness::open;
@@ -98,6 +102,18 @@ Learning learning_of(const SolveResult& result) {
   if (learning.complete) learning.bound = result.bound;
   learning.standing = standing_of(result, learning);
   return learning;
+}
+
+void keep_roots(const SolveResult& result, Family& family) {
+  family.learning = learning_of(result, family.nonzero);
+  family.roots.clear();
+  for (const Solution& root : result.solutions) {
+    if (!root.singular && !(family.nonzero && has_zero(root.x))) family.roots.push_back(root.x);
+  }
+  // The bound counts those with zeros too.
+  if (family.learning.bound && family.learning.bound->value != family.roots.size()) {
+    family.learning.bound.reset();
+  }
 }
 
 }  // namespace
@@ -136,11 +152,7 @@ Family learn(Family unlearned, const Tracker& tracker, const SolveOptions& optio
   family.generic = generic_member(family, options.seed);
   const System member = member_system(family, exactly(family.generic));
   const SolveResult result = solve(member, tracker, options, stop);
-  family.learning = learning_of(result);
-  family.roots.clear();
-  for (const Solution& root : result.solutions) {
-    if (!root.singular) family.roots.push_back(root.x);
-  }
+  keep_roots(result, family);
   return family;
 }
 

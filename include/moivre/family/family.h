@@ -32,11 +32,13 @@ struct Learning {
 };
 
 struct Family {
-  System system;                     ///< n polynomials in the unknowns and, behind these, the parameters
-  std::vector<double> sizes;         ///< typical size of each parameter, > 0
-  std::uint64_t seed = 0;            ///< of p* and of the search for its roots
-  Point generic;                     ///< p*
-  std::vector<Point> roots;          ///< at p*, n coordinates each
+  System system;              ///< n polynomials in the unknowns and, behind these, the parameters
+  std::vector<double> sizes;  ///< typical size of each parameter, > 0
+  std::uint64_t seed = 0;     ///< of p* and of the search for its roots
+  Point generic;              ///< p*
+  std::vector<Point> roots;   ///< at p*, n coordinates each
+  /// Roots with a coordinate 0 are left out: those of closures, which are Laurent polynomials multiplied out, are none.
+  bool nonzero = false;
   Learning learning;
 
   std::size_t unknowns() const { return system.polynomials.size(); }
