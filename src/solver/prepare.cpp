@@ -154,9 +154,9 @@ Prepared prepare(const System& f, const SolveOptions& options, const std::atomic
 
 Prepared prepare_given(const System& f, GivenStart start) {
   Prepared prepared;
-  prepared.reduction = keep_everything(f);
+  prepared.reduction = start.reduction ? std::move(*start.reduction) : keep_everything(f);
   prepared.scaling = std::move(start.scaling);
-  prepared.spread_log2 = spread_log2(scale(f, prepared.scaling));
+  prepared.spread_log2 = spread_log2(scale(prepared.reduction.system, prepared.scaling));
   prepared.start.kind = start.plan.kind;
   prepared.start.paths = start.plan.paths;
   prepared.start.why = std::move(start.why);

@@ -165,8 +165,10 @@ SolveResult solve(const System& f, const Tracker& tracker, const SolveOptions& o
                   const std::atomic<bool>& stop) {
   require_unbroken(validate(options));
   const bool is_square = f.polynomials.size() == f.variables.size() && !has_homogeneous_groups(f);
+  if (is_square && options.known_start) {
+    if (auto known = options.known_start(f, tracker, options, stop)) return std::move(*known);
+  }
   if (is_square) return solve_by_starts(f, tracker, options, stop);
-  SolveResult result = solve_by_starts(squared(f, options), tracker, options, stop);
   take_back(f, result);
   return result;
 }
