@@ -4,7 +4,7 @@
 # A module may use what its line names and what those use (one way only).
 
 set(MOIVRE_MODULES numeric expression polynomial multiprecision certify homotopy tracker tracker_cvode tracker_lanes endgame
-    start bounds check solver family study mechanism kinematics closures closure_study report check_report family_report closure_report study_report
+    start bounds check solver family study mechanism kinematics closures closure_study sweep report check_report family_report closure_report sweep_report study_report
     cli)
 
 set(MOIVRE_USES_numeric "")
@@ -28,12 +28,14 @@ set(MOIVRE_USES_mechanism expression)
 set(MOIVRE_USES_kinematics mechanism)
 set(MOIVRE_USES_closures kinematics solver)
 set(MOIVRE_USES_closure_study closures study)
+set(MOIVRE_USES_sweep closures family)
 set(MOIVRE_USES_report solver)
 set(MOIVRE_USES_check_report check report)
 set(MOIVRE_USES_family_report family report)
 set(MOIVRE_USES_closure_report closures report)
+set(MOIVRE_USES_sweep_report sweep report)
 set(MOIVRE_USES_study_report study report)
-set(MOIVRE_USES_cli closure_study multiprecision report check_report family_report study_report closure_report tracker_cvode tracker_lanes)
+set(MOIVRE_USES_cli closure_study multiprecision report check_report family_report study_report closure_report sweep_report tracker_cvode tracker_lanes)
 
 # Where a module is switched off, those named here make do without it; cli makes do with what is there.
 set(MOIVRE_DO_WITHOUT_certify solver)
@@ -54,6 +56,7 @@ set(MOIVRE_THIRD_PARTY_report nlohmann_json::nlohmann_json)
 set(MOIVRE_THIRD_PARTY_check_report nlohmann_json::nlohmann_json)
 set(MOIVRE_THIRD_PARTY_family_report nlohmann_json::nlohmann_json)
 set(MOIVRE_THIRD_PARTY_closure_report nlohmann_json::nlohmann_json)
+set(MOIVRE_THIRD_PARTY_sweep_report nlohmann_json::nlohmann_json)
 set(MOIVRE_THIRD_PARTY_study_report nlohmann_json::nlohmann_json)
 set(MOIVRE_THIRD_PARTY_cli CLI11::CLI11)
 

@@ -132,6 +132,7 @@ int parse_and_run(int argc, char** argv) {
   add_study_command(moivre, chosen);
   add_check_command(moivre, chosen);
   add_family_command(moivre, chosen);
+  add_sweep_command(moivre, chosen);
   const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
   const std::string empty = empty_words(words);
   if (!empty.empty()) return refuse(empty);

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "interruption.h"
+#include "learn_mechanism.h"
 #include "moivre/expression/words.h"
 #include "moivre/family/learn.h"
 #include "moivre/family_report/family_report.h"
@@ -55,9 +56,6 @@ std::vector<NamedParameter> parameters_of(const std::string& text) {
 
 /// What the file declares, and what the option names; a constant's value is its typical size where none is given.
 Family read_family_of(const LearnCommand& command) {
-  if (command.file.ends_with(".toml")) {
-    throw std::invalid_argument(command.file + ": a mechanism's families are learned by closures");
-  }
   std::vector<NamedParameter> parameters = parameters_of(command.parameters);
   std::vector<std::string> names;
   for (const NamedParameter& parameter : parameters) names.push_back(parameter.name);
@@ -81,15 +79,39 @@ Family read_family_of(const LearnCommand& command) {
   return family;
 }
 
-FamilyFile learn_interruptibly(const LearnCommand& command, Family family, const Tracker& tracker,
-                               const std::atomic<bool>& stop) {
+SolveOptions options_of(const LearnCommand& command, const Tracker* fallback) {
   SolveOptions options;
   options.seed = command.start.seed;
   options.start = kind_of(command.start);
   options.threads = command.threads;
   options.certify = !command.no_certify;
+  options.fallback = fallback;
+  return options;
+}
+
+/// A file of its own kind: every number is a parameter, and none is named.
+int run_mechanism(const LearnCommand& command, const Tracker& tracker) {
+  if (!command.parameters.empty()) {
+    throw std::invalid_argument(
+        "--parameters are for polynomial files: of a mechanism every dimension and driver is one");
+  }
+  Output out(command.family);
+  Output json(command.json);
   const std::unique_ptr<Tracker> fallback = make_fallback(command.tracker);
-  options.fallback = fallback.get();
+  const Interruption interruption;
+  const FamilyFile file = learn_mechanism(command.file, tracker,
+                                          options_of(command, fallback.get()), interruption.stop());
+  deliver(
+      {{&out, [&] { return family_text(file); }},
+       {&json, [&] { return family_report_json(file, command.family, "family learn"); }}},
+      command.quiet, [&] { return family_report_text(file, command.family); });
+  return kDecided;
+}
+
+FamilyFile learn_interruptibly(const LearnCommand& command, Family family, const Tracker& tracker,
+                               const std::atomic<bool>& stop) {
+  const std::unique_ptr<Tracker> fallback = make_fallback(command.tracker);
+  SolveOptions options = options_of(command, fallback.get());
   ProgressLine line(!command.quiet);
   if (line.is_active()) options.progress = [&](const Progress& progress) { line.show(progress); };
   FamilyFile file;
@@ -104,6 +126,7 @@ int run(const LearnCommand& command) {
                [&] { parameters_of(command.parameters); },
                [&] { require_distinct({command.family, command.json}, command.file); },
                [&] { tracker = make_tracker(command.tracker); }});
+  if (command.file.ends_with(".toml")) return run_mechanism(command, *tracker);
   Family family = read_family_of(command);
   Output out(command.family);
   Output json(command.json);
@@ -129,7 +152,9 @@ void add_family_learn(CLI::App& family, Chosen& chosen) {
   const auto command = std::make_shared<LearnCommand>();
   CLI::App& app =
       *family.add_subcommand("learn", "Solve a random complex member and keep its roots in a file");
-  add_file(app, command->file);
+  app.add_option("FILE", command->file,
+                 "polynomial system, in PHCpack's or Bertini's text form; or a mechanism (.toml)")
+      ->required();
   app.add_option("--parameters", command->parameters,
                  "names in the file that are parameters, with a typical size where that is not "
                  "near 1: a,b=100; Bertini's `parameter` are parameters anyway")
@@ -145,7 +170,8 @@ void add_family_learn(CLI::App& family, Chosen& chosen) {
   add_json_option(app, command->json);
   add_tracker_options(app, command->tracker);
   add_examples(app, {"moivre family learn conics.phc --parameters a,b,c -o conics.family",
-                     "moivre family learn arm.bertini --parameters L1=300,L2 -o arm.family"});
+                     "moivre family learn arm.bertini --parameters L1=300,L2 -o arm.family",
+                     "moivre family learn linkage.toml -o linkage.family"});
   app.callback([command, &chosen] { chosen = [command] { return run(*command); }; });
 }
 

@@ -57,9 +57,7 @@ std::vector<Point> starts(const Family& family, const Scaling& scaling) {
 
 }  // namespace
 
-SolveResult solve_member(const Family& family, const ParameterValues& p, const Tracker& tracker,
-                         const SolveOptions& options, const std::atomic<bool>& stop) {
-  const System member = member_system(family, p);
+GivenStart start_of_member(const Family& family, const ParameterValues& p, const System& member) {
   GivenStart start;
   start.scaling = scaling_of(member);
   start.plan = plan_from_roots("family", homotopy_to(family, member, p, start.scaling),
@@ -67,7 +65,13 @@ SolveResult solve_member(const Family& family, const ParameterValues& p, const T
   start.why = "the " + std::to_string(family.roots.size()) + " roots of a generic member";
   start.bound = family.learning.bound;
   start.is_complete = family.learning.complete;
-  return solve_from(member, std::move(start), tracker, options, stop);
+  return start;
+}
+
+SolveResult solve_member(const Family& family, const ParameterValues& p, const Tracker& tracker,
+                         const SolveOptions& options, const std::atomic<bool>& stop) {
+  const System member = member_system(family, p);
+  return solve_from(member, start_of_member(family, p, member), tracker, options, stop);
 }
 
 }  // namespace moivre

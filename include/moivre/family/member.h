@@ -19,4 +19,7 @@ SolveResult solve_member(const Family& family, const ParameterValues& p, const T
                          const SolveOptions& options = {},
                          const std::atomic<bool>& stop = std::atomic<bool>{false});
 
+/// The start that the family gives to `member`, its system at p.
+GivenStart start_of_member(const Family& family, const ParameterValues& p, const System& member);
+
 }  // namespace moivre
