@@ -169,6 +169,7 @@ SolveResult solve(const System& f, const Tracker& tracker, const SolveOptions& o
     if (auto known = options.known_start(f, tracker, options, stop)) return std::move(*known);
   }
   if (is_square) return solve_by_starts(f, tracker, options, stop);
+  SolveResult result = solve_by_starts(squared(f, options), tracker, options, stop);
   take_back(f, result);
   return result;
 }
