@@ -70,6 +70,7 @@ inline FamilyProblem seven_link_problem(std::size_t roots,
   }
   const std::string text = "3 " + std::to_string(3 + parameters.size()) + "\n" + equations;
   Family family = unlearned_family(read_system({"seven-link", text}), parameters);
+  family.nonzero = true;
   const std::vector<std::string> names = family.parameter_names();
   return {"seven-link-" + std::to_string(roots), roots, std::move(family), [names](std::size_t k) {
             Point p;
