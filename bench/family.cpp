@@ -75,8 +75,8 @@ bool measure(const FamilyProblem& problem, const Request& request) {
     judged += result.judged ? 1 : 0;
   }
   wrong += family.roots.size() == problem.roots ? 0 : members.size();
-  std::printf("%-14s %6zu %8.1f %9.2f %7zu %7zu\n", problem.name.c_str(), family.roots.size(),
-              us, learn_s * 1e3, wrong, judged);
+  std::printf("%-14s %6zu %8.1f %9.2f %7zu %7zu\n", problem.name.c_str(), family.roots.size(), us,
+              learn_s * 1e3, wrong, judged);
   return wrong == 0;
 }
 

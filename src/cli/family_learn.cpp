@@ -2,6 +2,8 @@
 // moivre family learn FILE --parameters a,b -o F.family: solves a random complex member and keeps its roots.
 #include "family_learn.h"
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
 #include <stdexcept>
 
@@ -9,6 +11,7 @@
 #include "learn_mechanism.h"
 #include "moivre/expression/words.h"
 #include "moivre/family/learn.h"
+#include "moivre/family/monodromy.h"
 #include "moivre/family_report/family_report.h"
 #include "moivre/polynomial/read.h"
 #include "output.h"
@@ -23,6 +26,7 @@ struct LearnCommand {
   std::string parameters;
   std::string family;
   bool nonzero = false;
+  bool monodromy = false;
   StartChoice start;
   TrackerChoice tracker;
   int threads = 0;
@@ -101,11 +105,24 @@ int run_mechanism(const LearnCommand& command, const Tracker& tracker) {
   const Interruption interruption;
   const FamilyFile file = learn_mechanism(command.file, tracker,
                                           options_of(command, fallback.get()), interruption.stop());
-  deliver(
-      {{&out, [&] { return family_text(file); }},
-       {&json, [&] { return family_report_json(file, command.family, "family learn"); }}},
-      command.quiet, [&] { return family_report_text(file, command.family); });
+  deliver({{&out, [&] { return family_text(file); }},
+           {&json, [&] { return family_report_json(file, command.family, "family learn"); }}},
+          command.quiet, [&] { return family_report_text(file, command.family); });
   return kDecided;
+}
+
+Family learn_by_loops(const LearnCommand& command, Family family, const Tracker& tracker,
+                      const std::atomic<bool>& stop) {
+  const std::optional<KnownPair> pair = random_pair(family, command.start.seed);
+  if (!pair) {
+    throw std::invalid_argument(
+        "--monodromy needs a member through a random point: the parameters must be linear, and "
+        "each "
+        "equation hold one of its own");
+  }
+  MonodromyOptions options;
+  options.seed = command.start.seed;
+  return learn_by_monodromy(std::move(family), *pair, tracker, options, stop);
 }
 
 FamilyFile learn_interruptibly(const LearnCommand& command, Family family, const Tracker& tracker,
@@ -116,7 +133,9 @@ FamilyFile learn_interruptibly(const LearnCommand& command, Family family, const
   if (line.is_active()) options.progress = [&](const Progress& progress) { line.show(progress); };
   FamilyFile file;
   file.source = command.file;
-  file.families.push_back(learn(std::move(family), tracker, options, stop));
+  file.families.push_back(command.monodromy
+                              ? learn_by_loops(command, std::move(family), tracker, stop)
+                              : learn(std::move(family), tracker, options, stop));
   return file;
 }
 
@@ -124,7 +143,9 @@ int run(const LearnCommand& command) {
   std::unique_ptr<Tracker> tracker;
   require_all({[&] { require_known(command.start); }, [&] { require_threads(command.threads); },
                [&] { parameters_of(command.parameters); },
-               [&] { require_distinct({command.family, command.json}, command.file); },
+               [&] {
+                 require_distinct({command.family, command.json}, command.file);
+               },
                [&] { tracker = make_tracker(command.tracker); }});
   if (command.file.ends_with(".toml")) return run_mechanism(command, *tracker);
   Family family = read_family_of(command);
@@ -163,6 +184,8 @@ void add_family_learn(CLI::App& family, Chosen& chosen) {
       ->required()
       ->type_name("PATH");
   app.add_flag("--nonzero", command->nonzero, "leave out roots with a coordinate 0");
+  app.add_flag("--monodromy", command->monodromy,
+               "from one root by loops of members, until the trace test holds; no start system");
   add_start_options(app, command->start);
   add_threads_option(app, command->threads);
   app.add_flag("--no-certify", command->no_certify, "prove nothing");

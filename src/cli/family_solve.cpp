@@ -59,7 +59,8 @@ struct FamilyScene {
 
 int solve_one(const FamilyScene& scene, const ParameterValues& p) {
   const FamilySolveCommand& command = scene.command;
-  const SolveResult result = solve_member(scene.family, p, scene.tracker, scene.options, scene.stop);
+  const SolveResult result =
+      solve_member(scene.family, p, scene.tracker, scene.options, scene.stop);
   deliver(
       {{&scene.json, [&] { return member_json(result, scene.family, p, command.file); }},
        {&scene.csv, [&] { return solve_csv(result); }}},
@@ -77,10 +78,14 @@ int solve_table(const FamilyScene& scene, const std::vector<Point>& members) {
   const Stopwatch watch;
   const std::vector<MemberRoots> roots =
       solve_members(scene.family, members, scene.tracker, scene.options, scene.stop);
-  MembersRun run{scene.family,          members,
-                 roots,                 command.file,
-                 command.table,         scene.tracker.kind(),
-                 scene.tracker.options_in_force(), scene.options.threads,
+  MembersRun run{scene.family,
+                 members,
+                 roots,
+                 command.file,
+                 command.table,
+                 scene.tracker.kind(),
+                 scene.tracker.options_in_force(),
+                 scene.options.threads,
                  watch.total()};
   deliver(
       {{&scene.json, [&] { return members_json(run); }},
@@ -93,8 +98,12 @@ int solve_table(const FamilyScene& scene, const std::vector<Point>& members) {
 int run(const FamilySolveCommand& command) {
   std::unique_ptr<Tracker> tracker;
   require_all({[&] { require_one_kind(command); }, [&] { require_threads(command.threads); },
-               [&] { require_distinct({command.json, command.csv}, command.file); },
-               [&] { require_distinct({command.json, command.csv}, command.table); },
+               [&] {
+                 require_distinct({command.json, command.csv}, command.file);
+               },
+               [&] {
+                 require_distinct({command.json, command.csv}, command.table);
+               },
                [&] { tracker = make_tracker(command.tracker); }});
   const FamilyFile file = load_family(command.file);
   const Family& family = polynomial_family(file, command.file);
@@ -109,8 +118,8 @@ int run(const FamilySolveCommand& command) {
   Output csv(command.csv);
   SolveOptions options;
   options.seed = command.seed;
-  options.threads = command.threads > 0 ? command.threads
-                                        : static_cast<int>(std::thread::hardware_concurrency());
+  options.threads =
+      command.threads > 0 ? command.threads : static_cast<int>(std::thread::hardware_concurrency());
   options.certify = !command.no_certify;
   const std::unique_ptr<Tracker> fallback = make_fallback(command.tracker);
   options.fallback = fallback.get();
@@ -129,8 +138,9 @@ void add_family_solve(CLI::App& family, Chosen& chosen) {
   app.add_option("FILE", command->file, "family file, as family learn writes it")->required();
   app.add_option("--at", command->at, "values of all parameters: a=1,b=2/3; exact")
       ->type_name("VALUES");
-  app.add_option("--table", command->table,
-                 "solve a member for each row: a column for each parameter, named in the first line")
+  app.add_option(
+         "--table", command->table,
+         "solve a member for each row: a column for each parameter, named in the first line")
       ->type_name("PATH");
   app.add_option("--seed", command->seed, "of what is random when a member is judged")
       ->check(CLI::Validator(not_64_bits, ""))
@@ -142,10 +152,11 @@ void add_family_solve(CLI::App& family, Chosen& chosen) {
   add_json_option(app, command->json);
   app.add_option("--csv", command->csv, "write a table of the roots here")->type_name("PATH");
   add_tracker_options(app, command->tracker);
-  add_examples(app, {"moivre family solve conics.family --at a=1,b=2/3,c=-2e-3",
-                     "moivre family solve arm.family --table poses.csv --csv roots.csv",
-                     "moivre family solve arm.family --table poses.csv --tracker lanes --no-certify",
-                     "moivre family solve conics.family --at a=1,b=2,c=3 --json - | jq .paths"});
+  add_examples(app,
+               {"moivre family solve conics.family --at a=1,b=2/3,c=-2e-3",
+                "moivre family solve arm.family --table poses.csv --csv roots.csv",
+                "moivre family solve arm.family --table poses.csv --tracker lanes --no-certify",
+                "moivre family solve conics.family --at a=1,b=2,c=3 --json - | jq .paths"});
   app.callback([command, &chosen] { chosen = [command] { return run(*command); }; });
 }
 

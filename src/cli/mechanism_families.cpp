@@ -14,8 +14,9 @@ std::vector<Family> families_in(const std::string& path) {
   if (path.empty() || !std::filesystem::exists(path)) return {};
   FamilyFile file = load_family(path);
   if (file.kind == kMechanismKind) return std::move(file.families);
-  throw std::invalid_argument(path + ": this is the family of a polynomial file; a mechanism's are "
-                                     "learned by moivre family learn MECHANISM.toml");
+  throw std::invalid_argument(path +
+                              ": this is the family of a polynomial file; a mechanism's are "
+                              "learned by moivre family learn MECHANISM.toml");
 }
 
 }  // namespace

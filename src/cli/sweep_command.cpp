@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // moivre sweep FILE --vary NAME=FROM:TO:N: closures counted while one or two numbers of a mechanism vary.
+#include <cmath>
 #include <memory>
 #include <stdexcept>
 
@@ -44,13 +45,13 @@ Varied varied_of(const std::string& text) {
   if (equals == std::string::npos || first == std::string::npos || second == std::string::npos) {
     return refuse("write NAME=FROM:TO:N, as in crank.A.x=10:50:200");
   }
-  const auto from = to_number(trimmed(std::string_view(text).substr(equals + 1, first - equals - 1)));
+  const auto from =
+      to_number(trimmed(std::string_view(text).substr(equals + 1, first - equals - 1)));
   const auto to = to_number(trimmed(std::string_view(text).substr(first + 1, second - first - 1)));
   const auto count = to_number(trimmed(std::string_view(text).substr(second + 1)));
   if (!from || !to) return refuse("from where to where is told by two numbers");
   constexpr double kMost = 1e6;
-  if (!count || *count != static_cast<double>(static_cast<long>(*count)) || *count < 2 ||
-      *count > kMost) {
+  if (!count || !(*count >= 2 && *count <= kMost) || *count != std::floor(*count)) {
     return refuse("the number of values is whole, and at least 2");
   }
   return {std::string(trimmed(text.substr(0, equals))), *from, *to,
@@ -65,13 +66,13 @@ std::vector<Varied> varied_of(const std::vector<std::string>& texts) {
 
 int run(const SweepCommand& command) {
   std::unique_ptr<Tracker> tracker;
-  require_all({[&] { require_known(command.start); }, [&] { require_threads(command.threads); },
-               [&] {
-                 require_distinct({command.json, command.csv, command.svg, command.family},
-                                  command.file);
-               },
-               [&] { require_ending(command.svg, ".svg"); }, [&] { varied_of(command.vary); },
-               [&] { tracker = make_tracker(command.tracker); }});
+  require_all(
+      {[&] { require_known(command.start); }, [&] { require_threads(command.threads); },
+       [&] {
+         require_distinct({command.json, command.csv, command.svg, command.family}, command.file);
+       },
+       [&] { require_ending(command.svg, ".svg"); }, [&] { varied_of(command.vary); },
+       [&] { tracker = make_tracker(command.tracker); }});
   Mechanism mechanism = read_mechanism_file(command.file);
   apply(command.mechanism, mechanism);
   Output json(command.json);
@@ -96,11 +97,12 @@ int run(const SweepCommand& command) {
   const SweepResult result = sweep(mechanism, varied_of(command.vary), *tracker, families.book(),
                                    options, interruption.stop());
   if (!interruption.stop()) families.keep();
-  deliver({{&json, [&] { return sweep_json(result, command.file); }},
-           {&csv, [&] { return sweep_csv(result); }},
-           {&svg, [&] { return sweep_svg(result, command.file); }}},
-          command.quiet, [&] { return sweep_text(result, command.file); },
-          result.complete ? "" : "some samples are not decided");
+  deliver(
+      {{&json, [&] { return sweep_json(result, command.file); }},
+       {&csv, [&] { return sweep_csv(result); }},
+       {&svg, [&] { return sweep_svg(result, command.file); }}},
+      command.quiet, [&] { return sweep_text(result, command.file); },
+      result.complete ? "" : "some samples are not decided");
   return result.complete ? kDecided : kUndecided;
 }
 
@@ -131,10 +133,11 @@ void add_sweep_command(CLI::App& moivre, Chosen& chosen) {
       ->type_name("PATH");
   add_tracker_options(app, command->tracker);
   add_examples(
-      app, {"moivre sweep four-bar.toml --vary crank.A.x=10:150:100 --svg counts.svg",
-            "moivre sweep four-bar.toml --vary crank=0:360:181 --csv counts.csv",
-            "moivre sweep 3-rpr.toml --vary \"leg 1.length=8:24:60\" --vary \"leg 2.length=8:24:60\" "
-            "--svg map.svg"});
+      app,
+      {"moivre sweep four-bar.toml --vary crank.A.x=10:150:100 --svg counts.svg",
+       "moivre sweep four-bar.toml --vary crank=0:360:181 --csv counts.csv",
+       "moivre sweep 3-rpr.toml --vary \"leg 1.length=8:24:60\" --vary \"leg 2.length=8:24:60\" "
+       "--svg map.svg"});
   app.callback([command, &chosen] { chosen = [command] { return run(*command); }; });
 }
 

@@ -2,7 +2,9 @@
 // Samples on a grid on several threads, and bisection between those that differ.
 #include "moivre/sweep/sweep.h"
 
+#include <atomic>
 #include <cmath>
+#include <exception>
 #include <mutex>
 #include <stdexcept>
 #include <thread>
@@ -48,22 +50,34 @@ class Sweep {
     return sample;
   }
 
-  /// f(k) for all k on all threads, told as progress.
+  /// f(k) for all k on all threads, told as progress. What a value makes the mechanism refuse is thrown.
   void on_all(std::size_t count, const std::function<void(std::size_t)>& f) {
     std::atomic<std::size_t> next{0};
     std::size_t done = 0;
     std::mutex mutex;
+    std::exception_ptr refusal;
+    const auto one = [&](std::size_t k) {
+      try {
+        f(k);
+      } catch (...) {
+        const std::lock_guard lock(mutex);
+        refusal = std::current_exception();
+        return false;
+      }
+      const std::lock_guard lock(mutex);
+      if (options_.progress) options_.progress(++done, count);
+      return refusal == nullptr;
+    };
     const auto work = [&] {
       for (std::size_t k = next++; k < count && !stop_; k = next++) {
-        f(k);
-        const std::lock_guard lock(mutex);
-        if (options_.progress) options_.progress(++done, count);
+        if (!one(k)) return;
       }
     };
     std::vector<std::thread> others;
     for (int k = 1; k < threads(); ++k) others.emplace_back(work);
     work();
     for (std::thread& other : others) other.join();
+    if (refusal) std::rethrow_exception(refusal);
   }
 
   int threads() const {
@@ -158,7 +172,8 @@ std::vector<std::string> broken_rules(const Mechanism& mechanism,
       broken.push_back(number.name + " has no range to be varied in");
     }
     if (number.count < 2 || number.count > kMostSamples / samples) {
-      broken.push_back(number.name + " takes 2 values or more, and there are a million samples at most");
+      broken.push_back(number.name +
+                       " takes 2 values or more, and there are a million samples at most");
     } else {
       samples *= number.count;
     }
@@ -193,10 +208,7 @@ SweepResult sweep(const Mechanism& mechanism, const std::vector<Varied>& varied,
     return values;
   };
   for (std::size_t k = 0; k < result.samples.size(); ++k) result.samples[k].at = at(k);
-  // What the first sample refuses is refused on the caller's thread.
-  result.samples[0] = run.sample(at(0));
-  run.on_all(result.samples.size() - 1,
-             [&](std::size_t k) { result.samples[k + 1] = run.sample(at(k + 1)); });
+  run.on_all(result.samples.size(), [&](std::size_t k) { result.samples[k] = run.sample(at(k)); });
   sharpen_borders(run, options, result);
   result.complete = !stop;
   for (const SweepSample& sample : result.samples) result.complete &= sample.complete;

@@ -42,8 +42,8 @@ std::string escaped(const std::string& text) {
 }
 
 std::string text_at(double x, double y, const char* anchor, const std::string& text) {
-  return "<text x=\"" + number(x) + "\" y=\"" + number(y) + "\" text-anchor=\"" + anchor +
-         "\">" + escaped(text) + "</text>\n";
+  return "<text x=\"" + number(x) + "\" y=\"" + number(y) + "\" text-anchor=\"" + anchor + "\">" +
+         escaped(text) + "</text>\n";
 }
 
 std::string line(double x1, double y1, double x2, double y2, const char* style) {
@@ -73,11 +73,9 @@ std::string ticks(const Varied& number_varied, const Axis& axis, bool is_horizon
   std::string text;
   constexpr int kTicks = 4;
   for (int k = 0; k <= kTicks; ++k) {
-    const double value =
-        number_varied.from + (number_varied.to - number_varied.from) * k / kTicks;
-    text += is_horizontal
-                ? text_at(axis(value), kHeight - kBottom + 20, "middle", number(value))
-                : text_at(kLeft - 8, axis(value) + 4, "end", number(value));
+    const double value = number_varied.from + (number_varied.to - number_varied.from) * k / kTicks;
+    text += is_horizontal ? text_at(axis(value), kHeight - kBottom + 20, "middle", number(value))
+                          : text_at(kLeft - 8, axis(value) + 4, "end", number(value));
   }
   return text;
 }
@@ -113,7 +111,8 @@ std::string curve(const SweepResult& result, const Axis& x, const Axis& y, bool 
 
 std::string curve_svg(const SweepResult& result, const std::string& title) {
   std::uint64_t most = 1;
-  for (const SweepSample& sample : result.samples) most = std::max({most, sample.complex, sample.real});
+  for (const SweepSample& sample : result.samples)
+    most = std::max({most, sample.complex, sample.real});
   const Varied& varied = result.varied[0];
   const Axis x = horizontal(varied.from, varied.to);
   const Axis y = vertical(-0.5, static_cast<double>(most) + 0.5);
@@ -124,8 +123,9 @@ std::string curve_svg(const SweepResult& result, const std::string& title) {
   svg += curve(result, x, y, false, "stroke:#999;stroke-width:1;stroke-dasharray:4 3");
   svg += curve(result, x, y, true, "stroke:#2171b5;stroke-width:2");
   for (const SweepBorder& border : result.borders) {
-    svg += "<g>" + line(x(border.at[0]), kTop, x(border.at[0]), kHeight - kBottom,
-                        "stroke:#d94801;stroke-width:0.7") +
+    svg += "<g>" +
+           line(x(border.at[0]), kTop, x(border.at[0]), kHeight - kBottom,
+                "stroke:#d94801;stroke-width:0.7") +
            "<title>" + escaped(varied.name) + " = " + number(border.at[0]) + "</title></g>\n";
   }
   svg += text_at((kLeft + kWidth - kRight) / 2, kHeight - 16, "middle", varied.name);
@@ -137,7 +137,9 @@ std::string curve_svg(const SweepResult& result, const std::string& title) {
 const char* colour(std::uint64_t count, std::uint64_t most) {
   const std::size_t last = std::size(kColours) - 1;
   if (count == 0) return kColours[0];
-  return kColours[most <= last ? count : 1 + (count - 1) * (last - 1) / std::max<std::uint64_t>(most - 1, 1)];
+  return kColours[most <= last
+                      ? count
+                      : 1 + (count - 1) * (last - 1) / std::max<std::uint64_t>(most - 1, 1)];
 }
 
 /// The border points of a cell, joined: two by a line, more to their middle.
@@ -178,8 +180,8 @@ std::vector<std::vector<const SweepBorder*>> borders_by_cell(const SweepResult& 
     const Varied& across = varies_a ? b : a;
     const auto grid = static_cast<std::size_t>(place(across, border.at[varies_a ? 1 : 0]) + 0.5);
     const Varied& along = varies_a ? a : b;
-    const auto inside = std::min(static_cast<std::size_t>(place(along, border.at[border.along])),
-                                 along.count - 2);
+    const auto inside =
+        std::min(static_cast<std::size_t>(place(along, border.at[border.along])), along.count - 2);
     for (const std::size_t cell : {grid, grid - 1}) {
       if (cell >= across.count - 1) continue;
       const std::size_t i = varies_a ? inside : cell;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A sweep as text, JSON and CSV.
+#include <cmath>
 #include <map>
 
 #include "moivre/report/json.h"
@@ -22,8 +23,8 @@ constexpr std::size_t kBordersShown = 50;
 std::string sweep_text(const SweepResult& result, const std::string& file) {
   std::string text = file + ": " + counted(result.samples.size(), "sample");
   for (const Varied& number : result.varied) {
-    text += ", " + number.name + " from " + exact_text(number.from) + " to " +
-            exact_text(number.to);
+    text +=
+        ", " + number.name + " from " + exact_text(number.from) + " to " + exact_text(number.to);
   }
   text += '\n';
   std::map<std::uint64_t, std::uint64_t> samples;
@@ -41,9 +42,10 @@ std::string sweep_text(const SweepResult& result, const std::string& file) {
   std::size_t shown = 0;
   for (const SweepBorder& border : result.borders) {
     if (++shown > kBordersShown) break;
-    text += "border at " + result.varied[0].name + " = " + known_digits(border.at[0], kBorder *
-            std::abs(result.varied[0].to - result.varied[0].from)) + ": " +
-            std::to_string(border.below) + " | " + std::to_string(border.above) + '\n';
+    text += "border at " + result.varied[0].name + " = " +
+            known_digits(border.at[0],
+                         kBorder * std::abs(result.varied[0].to - result.varied[0].from)) +
+            ": " + std::to_string(border.below) + " | " + std::to_string(border.above) + '\n';
   }
   return text;
 }

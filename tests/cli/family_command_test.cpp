@@ -25,8 +25,8 @@ void learn_conics(const Scene& scene) {
 TEST(FamilyCommand, LearnsAndSolvesAMember) {
   const Scene scene;
   learn_conics(scene);
-  const Outcome one = scene.run(
-      {"family", "solve", "conics.family", "--at", "a=2,b=1/3,c=1.5", "--json", "-"});
+  const Outcome one =
+      scene.run({"family", "solve", "conics.family", "--at", "a=2,b=1/3,c=1.5", "--json", "-"});
   ASSERT_EQ(one.exit_code, 0) << one.err;
   const Json report = Json::parse(one.out);
   EXPECT_EQ(report["command"], "family solve");
@@ -58,8 +58,8 @@ TEST(FamilyCommand, ReadsTheParametersOfABertiniFile) {
   scene.write("line.bertini",
               "INPUT\nvariable_group x;\nparameter a;\nconstant b, c;\nfunction f;\nb = 40;\nc = "
               "2;\nf = a*x^2 + b*x + c;\nEND;\n");
-  const Outcome outcome = scene.run({"family", "learn", "line.bertini", "--parameters", "b", "-o",
-                                     "line.family", "--json", "-"});
+  const Outcome outcome = scene.run(
+      {"family", "learn", "line.bertini", "--parameters", "b", "-o", "line.family", "--json", "-"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const Json family = Json::parse(outcome.out)["families"][0];
   ASSERT_EQ(family["parameters"].size(), 2U);

@@ -49,8 +49,9 @@ struct SweepSample {
 
 struct SweepBorder {
   std::vector<double> at;
-  std::uint64_t below = 0, above = 0;  ///< real closures on both sides, along the number that varies
-  std::size_t along = 0;               ///< which number that is
+  std::uint64_t below = 0,
+                above = 0;  ///< real closures on both sides, along the number that varies
+  std::size_t along = 0;    ///< which number that is
 };
 
 struct SweepResult {
