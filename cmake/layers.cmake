@@ -4,7 +4,8 @@
 # A module may use what its line names and what those use (one way only).
 
 set(MOIVRE_MODULES numeric expression polynomial multiprecision certify homotopy tracker tracker_cvode tracker_lanes endgame
-    start bounds check solver study mechanism kinematics formulation closures closure_study report check_report closure_report study_report
+    start bounds check solver family study mechanism kinematics formulation closures closure_study sweep report check_report
+    family_report closure_report sweep_report study_report
     cli)
 
 set(MOIVRE_USES_numeric "")
@@ -19,6 +20,7 @@ set(MOIVRE_USES_tracker_lanes tracker)
 set(MOIVRE_USES_endgame tracker)
 set(MOIVRE_USES_start homotopy)
 set(MOIVRE_USES_solver start endgame certify)
+set(MOIVRE_USES_family solver)
 set(MOIVRE_USES_bounds start)
 # The judge of a result shares nothing with what makes one: no tracker, no endgame, no solver.
 set(MOIVRE_USES_check certify bounds)
@@ -28,11 +30,14 @@ set(MOIVRE_USES_kinematics mechanism)
 set(MOIVRE_USES_formulation mechanism polynomial)
 set(MOIVRE_USES_closures kinematics formulation solver)
 set(MOIVRE_USES_closure_study closures study)
+set(MOIVRE_USES_sweep closures family)
 set(MOIVRE_USES_report solver)
 set(MOIVRE_USES_check_report check report)
+set(MOIVRE_USES_family_report family report)
 set(MOIVRE_USES_closure_report closures report)
+set(MOIVRE_USES_sweep_report sweep report)
 set(MOIVRE_USES_study_report study report)
-set(MOIVRE_USES_cli closure_study multiprecision report check_report study_report closure_report tracker_cvode tracker_lanes)
+set(MOIVRE_USES_cli closure_study multiprecision report check_report family_report study_report closure_report sweep_report tracker_cvode tracker_lanes)
 
 # Where a module is switched off, those named here make do without it; cli makes do with what is there.
 set(MOIVRE_DO_WITHOUT_certify solver)
@@ -46,11 +51,14 @@ set(MOIVRE_THIRD_PARTY_certify Arb::Arb)
 set(MOIVRE_THIRD_PARTY_tracker_cvode SUNDIALS::cvode)
 set(MOIVRE_THIRD_PARTY_tracker_lanes hwy::hwy)
 set(MOIVRE_THIRD_PARTY_solver TBB::tbb)
+set(MOIVRE_THIRD_PARTY_family nlohmann_json::nlohmann_json)
 set(MOIVRE_THIRD_PARTY_mechanism tomlplusplus::tomlplusplus)
 set(MOIVRE_THIRD_PARTY_check nlohmann_json::nlohmann_json)
 set(MOIVRE_THIRD_PARTY_report nlohmann_json::nlohmann_json)
 set(MOIVRE_THIRD_PARTY_check_report nlohmann_json::nlohmann_json)
+set(MOIVRE_THIRD_PARTY_family_report nlohmann_json::nlohmann_json)
 set(MOIVRE_THIRD_PARTY_closure_report nlohmann_json::nlohmann_json)
+set(MOIVRE_THIRD_PARTY_sweep_report nlohmann_json::nlohmann_json)
 set(MOIVRE_THIRD_PARTY_study_report nlohmann_json::nlohmann_json)
 set(MOIVRE_THIRD_PARTY_cli CLI11::CLI11)
 

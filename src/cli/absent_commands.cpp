@@ -20,6 +20,7 @@ void add_newton_command(CLI::App& moivre, Chosen& chosen) { add_absent(moivre, c
 void add_mobility_command(CLI::App& moivre, Chosen& chosen) {
   add_absent(moivre, chosen, "mobility");
 }
+void add_sweep_command(CLI::App& moivre, Chosen& chosen) { add_absent(moivre, chosen, "sweep"); }
 void add_guesses_command(CLI::App& moivre, Chosen& chosen) {
   add_absent(moivre, chosen, "guesses");
 }

@@ -5,6 +5,7 @@
 #include "command.h"
 #include "common_options.h"
 #include "interruption.h"
+#include "mechanism_families.h"
 #include "mechanism_input.h"
 #include "moivre/closure_report/closure_report.h"
 #include "moivre/closure_report/page.h"
@@ -23,6 +24,7 @@ struct ClosuresCommand {
   TrackerChoice tracker;
   MechanismChoice mechanism;
   AngleForm angles;
+  std::string family;
   double at = 0;
   int threads = 0;
   bool quiet = false;
@@ -52,7 +54,8 @@ int run(const ClosuresCommand& command) {
   require_all(
       {[&] { require_known(command.start); }, [&] { require_threads(command.threads); },
        [&] {
-         require_distinct({command.json, command.csv, command.svg, command.html}, command.file);
+         require_distinct(
+             {command.json, command.csv, command.svg, command.html, command.family}, command.file);
        },
        [&] { require_ending(command.svg, ".svg"); }, [&] { require_ending(command.html, ".html"); },
        [&] { tracker = make_tracker(command.tracker); }});
@@ -65,7 +68,9 @@ int run(const ClosuresCommand& command) {
   Output svg(command.svg);
   Output html(command.html);
 
+  MechanismFamilies families(command.family, command.file, command.start.seed);
   ClosureOptions options;
+  families.serve(options.solve);
   options.time = command.at;
   options.solve.seed = command.start.seed;
   options.solve.start = kind_of(command.start);
@@ -80,6 +85,7 @@ int run(const ClosuresCommand& command) {
   ClosureResult result = find_closures(mechanism, *tracker, options, interruption.stop());
   result.time_s.parse = parse_s;
   result.time_s.total += parse_s;
+  if (!interruption.stop()) families.keep();
 
   const auto page = [&] {
     return page_of(result, mechanism, command, *tracker, options, interruption.stop());
@@ -112,6 +118,9 @@ void add_closures_command(CLI::App& moivre, Chosen& chosen) {
       ->type_name("PATH");
   app.add_option("--html", command->html,
                  "write a page here that shows all closures, and drives them by a slider")
+      ->type_name("PATH");
+  app.add_option("--family", command->family,
+                 "use the families in this file, and add those that are learned")
       ->type_name("PATH");
   add_tracker_options(app, command->tracker);
   add_examples(app, {"moivre closures four-bar.toml", "moivre closures four-bar.toml --at 0.5",

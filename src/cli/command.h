@@ -22,5 +22,7 @@ void add_mobility_command(CLI::App& moivre, Chosen& chosen);
 void add_guesses_command(CLI::App& moivre, Chosen& chosen);
 void add_study_command(CLI::App& moivre, Chosen& chosen);
 void add_check_command(CLI::App& moivre, Chosen& chosen);
+void add_family_command(CLI::App& moivre, Chosen& chosen);
+void add_sweep_command(CLI::App& moivre, Chosen& chosen);
 
 }  // namespace moivre

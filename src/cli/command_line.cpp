@@ -43,6 +43,11 @@ std::string did_you_mean(const std::string& word, const std::vector<std::string>
   return suggestion ? "; did you mean " + *suggestion + "?" : "";
 }
 
+std::string unknown_command(const CLI::App& group, const std::string& word) {
+  return "moivre: unknown command " + word + did_you_mean(word, command_names(group)) +
+         "\nThe commands are " + joined(command_names(group), ", ") + ".\n";
+}
+
 /// A sentence for each word that is neither a command nor an option; empty when all are known.
 std::string unknown_words(const CLI::App& moivre, const std::vector<std::string>& words) {
   const CLI::App* command = nullptr;
@@ -57,9 +62,11 @@ std::string unknown_words(const CLI::App& moivre, const std::vector<std::string>
       text += "moivre: unknown option " + name + did_you_mean(name, known) + '\n';
     } else if (command == nullptr) {
       command = find_command(moivre, word);
-      if (command != nullptr) continue;
-      return "moivre: unknown command " + word + did_you_mean(word, command_names(moivre)) +
-             "\nThe commands are " + joined(command_names(moivre), ", ") + ".\n";
+      if (command == nullptr) return unknown_command(moivre, word);
+    } else if (!command->get_subcommands({}).empty()) {
+      const CLI::App* const group = command;
+      command = find_command(*group, word);
+      if (command == nullptr) return unknown_command(*group, word);
     }
   }
   return text;
@@ -124,6 +131,8 @@ int parse_and_run(int argc, char** argv) {
   add_guesses_command(moivre, chosen);
   add_study_command(moivre, chosen);
   add_check_command(moivre, chosen);
+  add_family_command(moivre, chosen);
+  add_sweep_command(moivre, chosen);
   const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
   const std::string empty = empty_words(words);
   if (!empty.empty()) return refuse(empty);

@@ -12,6 +12,7 @@ namespace moivre {
 namespace {
 
 Point scaled(Point x, const std::vector<int>& log2, int sign) {
+  if (log2.empty()) return x;
   for (std::size_t j = 0; j < x.size(); ++j) {
     x[j] = {std::ldexp(x[j].real(), sign * log2[j]), std::ldexp(x[j].imag(), sign * log2[j])};
   }

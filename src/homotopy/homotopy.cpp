@@ -40,6 +40,38 @@ void append_coefficients(const Polynomial& support, const Polynomial& p,
   }
 }
 
+Coefficient exactly(const Complex& x) { return {Rational(x.real()), Rational(x.imag())}; }
+
+Coefficient value_of(const Monomial& monomial, const std::vector<Coefficient>& p) {
+  Coefficient value{1, 0};
+  for (const Power& power : monomial) {
+    for (std::uint32_t e = 0; e < power.exponent; ++e) value = value * p[power.variable];
+  }
+  return value;
+}
+
+Coefficient value_at(const Polynomial& q, const std::vector<Coefficient>& p) {
+  Coefficient sum;
+  for (const Term& term : q.terms) sum = sum + term.coefficient * value_of(term.monomial, p);
+  return sum;
+}
+
+/// The derivative of q at p along `speed`.
+Coefficient rate_at(const Polynomial& q, const std::vector<Coefficient>& p,
+                    const std::vector<Coefficient>& speed) {
+  Coefficient sum;
+  for (const Term& term : q.terms) {
+    for (std::size_t j = 0; j < term.monomial.size(); ++j) {
+      Monomial lower = term.monomial;
+      const Power power = lower[j];
+      if (--lower[j].exponent == 0) lower.erase(lower.begin() + static_cast<std::ptrdiff_t>(j));
+      const Coefficient factor = Coefficient{Rational(power.exponent), 0} * speed[power.variable];
+      sum = sum + factor * term.coefficient * value_of(lower, p);
+    }
+  }
+  return sum;
+}
+
 /// A polynomial in n unknowns and the parameters behind them, by monomials of the unknowns.
 std::map<Monomial, TermMap, MonomialOrder> by_unknowns(const Polynomial& p, std::uint32_t n) {
   std::map<Monomial, TermMap, MonomialOrder> parts;
@@ -104,9 +136,9 @@ Homotopy Homotopy::toric(const System& g) {
   return homotopy;
 }
 
-Homotopy Homotopy::parameters(const System& family, const Point& from, const Point& to) {
+Homotopy Homotopy::members(const System& family, const Point& from) {
   const std::size_t n = family.polynomials.size();
-  if (from.size() != to.size() || family.variables.size() != n + from.size()) {
+  if (family.variables.size() != n + from.size()) {
     throw std::invalid_argument("a parameter homotopy needs n polynomials in n unknowns and the " +
                                 std::to_string(from.size()) + " parameters; got " +
                                 std::to_string(n) + " in " +
@@ -114,7 +146,7 @@ Homotopy Homotopy::parameters(const System& family, const Point& from, const Poi
   }
   const auto unknowns = family.variables.begin() + static_cast<std::ptrdiff_t>(n);
   System support{{family.variables.begin(), unknowns}, {}};
-  ParameterLaw law{{{unknowns, family.variables.end()}, {}}, {}, from, to};
+  ParameterLaw law{{{unknowns, family.variables.end()}, {}}, {}, from, {}};
   for (const Polynomial& p : family.polynomials) {
     TermMap terms;
     for (auto& [monomial, coefficient] : by_unknowns(p, static_cast<std::uint32_t>(n))) {
@@ -130,6 +162,29 @@ Homotopy Homotopy::parameters(const System& family, const Point& from, const Poi
   homotopy.g_ = homotopy.f_;
   homotopy.parameters_ = std::move(law);
   homotopy.set_support(support);
+  return homotopy;
+}
+
+Homotopy Homotopy::parameters(const System& family, const Point& from, const Point& to) {
+  if (from.size() != to.size()) {
+    throw std::invalid_argument("a parameter homotopy needs two members; got " +
+                                std::to_string(from.size()) + " and " + std::to_string(to.size()) +
+                                " parameters");
+  }
+  Homotopy homotopy = members(family, from);
+  ParameterLaw& law = *homotopy.parameters_;
+  law.to = to;
+  std::vector<Coefficient> end;
+  std::vector<Coefficient> speed;
+  for (std::size_t j = 0; j < to.size(); ++j) {
+    end.push_back(exactly(to[j]));
+    speed.push_back(end[j] - exactly(from[j]));
+  }
+  for (std::size_t k = 0; k < homotopy.f_.size(); ++k) {
+    const Polynomial& q = law.coefficients.polynomials[k];
+    homotopy.f_[k] = value_at(q, end);
+    homotopy.g_[k] = homotopy.f_[k] - rate_at(q, end, speed);
+  }
   return homotopy;
 }
 

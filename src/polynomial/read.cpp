@@ -4,6 +4,7 @@
 #include "moivre/polynomial/read.h"
 
 #include <algorithm>
+#include <functional>
 
 #include "read_formats.h"
 #include "statements.h"
@@ -44,6 +45,19 @@ void check_is_text(const Source& source, std::vector<Diagnostic>& faults) {
   }
 }
 
+/// Throws every fault of the text, or of what `read` makes of it.
+void read_text(const Source& source, const std::function<void(std::vector<Diagnostic>&)>& read) {
+  std::vector<Diagnostic> faults;
+  check_is_text(source, faults);
+  if (faults.empty()) read(faults);
+  if (faults.empty()) return;
+  const auto is_before = [](const Diagnostic& a, const Diagnostic& b) {
+    return a.at.offset < b.at.offset;
+  };
+  std::stable_sort(faults.begin(), faults.end(), is_before);
+  throw ParseError(source, std::move(faults));
+}
+
 }  // namespace
 
 PolynomialFormat detect_format(const std::string& text) {
@@ -72,21 +86,24 @@ PolynomialFormat detect_format(const std::string& text) {
 System read_system(const Source& source) { return read_system(source, detect_format(source.text)); }
 
 System read_system(const Source& source, PolynomialFormat format) {
-  std::vector<Diagnostic> faults;
   System system;
-  check_is_text(source, faults);
-  if (faults.empty()) {
+  read_text(source, [&](std::vector<Diagnostic>& faults) {
     system = format == PolynomialFormat::bertini ? read_bertini(source, faults)
                                                  : read_phcpack(source, faults);
-  }
-  if (!faults.empty()) {
-    const auto is_before = [](const Diagnostic& a, const Diagnostic& b) {
-      return a.at.offset < b.at.offset;
-    };
-    std::stable_sort(faults.begin(), faults.end(), is_before);
-    throw ParseError(source, std::move(faults));
-  }
+  });
   return system;
+}
+
+ParametricSystem read_parametric(const Source& source, const std::vector<std::string>& constants) {
+  ParametricSystem result;
+  if (detect_format(source.text) != PolynomialFormat::bertini) {
+    result.system = read_system(source, PolynomialFormat::phcpack);
+    return result;
+  }
+  read_text(source, [&](std::vector<Diagnostic>& faults) {
+    result = read_parametric_bertini(source, constants, faults);
+  });
+  return result;
 }
 
 }  // namespace moivre

@@ -39,6 +39,7 @@ struct Keyword {
 };
 
 constexpr std::string_view kAffineGroup = "variable_group";
+constexpr std::string_view kParameter = "parameter";
 constexpr std::string_view kHomogeneousGroup = "hom_variable_group";
 
 constexpr std::array<Keyword, 10> kKeywords = {{
@@ -49,8 +50,9 @@ constexpr std::array<Keyword, 10> kKeywords = {{
     {kHomogeneousGroup, ""},
     {"pathvariable",
      "the file describes a homotopy of its own; only systems are read, without a path variable"},
-    {"parameter",
-     "the file describes a family of systems; give the parameter's value as a constant"},
+    {kParameter,
+     "the file describes a family of systems; give the parameter's value as a constant, or learn "
+     "the family with moivre family learn"},
     {"random", "a number drawn at random is not part of a file's system; give its value"},
     {"random_real", "a number drawn at random is not part of a file's system; give its value"},
     {"definedSubfunction", "functions defined in other files are not read"},
@@ -131,14 +133,18 @@ std::vector<Statement> input_statements(std::string_view text, std::vector<Diagn
 /// A file's declarations and values as they become known.
 class BertiniReader {
  public:
-  explicit BertiniReader(std::vector<Diagnostic>& faults) : faults_(faults), expander_(faults) {
+  /// constants: those that stay names; nullptr where parameters are refused.
+  explicit BertiniReader(std::vector<Diagnostic>& faults,
+                         const std::vector<std::string>* constants = nullptr)
+      : faults_(faults), expander_(faults), constants_(constants) {
     names_.emplace(kImaginaryUnit, constant({0, 1}));
   }
 
   System read(const std::vector<Statement>& statements);
+  ParametricSystem read_parametric(const std::vector<Statement>& statements);
 
  private:
-  enum class Role { variable, function, constant, subfunction, refused };
+  enum class Role { variable, function, constant, subfunction, parameter, refused };
   struct Declared {
     Role role;
     SourcePosition at;
@@ -157,8 +163,16 @@ class BertiniReader {
     faults_.push_back({at, message});
   }
 
+  bool stays_name(const std::string& constant) const {
+    return constants_ != nullptr &&
+           std::find(constants_->begin(), constants_->end(), constant) != constants_->end();
+  }
+
   std::vector<Diagnostic>& faults_;
   Expander expander_;
+  const std::vector<std::string>* constants_;
+  std::vector<std::string> parameters_;
+  std::map<std::string, Coefficient> values_;  // of constants that stay names
   Environment names_;
   std::map<std::string, Declared, std::less<>> declared_;
   std::vector<std::string> variables_;
@@ -186,13 +200,17 @@ void BertiniReader::declare(std::string_view name, const SourcePosition& at,
   if (is_group(keyword) || keyword.word == "variable") role = Role::variable;
   if (keyword.word == "function") role = Role::function;
   if (keyword.word == "constant") role = Role::constant;
+  if (keyword.word == kParameter && constants_ != nullptr) role = Role::parameter;
   const auto [place, is_new] = declared_.try_emplace(text, Declared{role, at});
   if (!is_new) {
     refuse(at,
            "`" + text + "` is declared already, at line " + std::to_string(place->second.at.line));
     return;
   }
-  if (role == Role::variable) {
+  const bool is_name_of_family =
+      role == Role::parameter || (role == Role::constant && stays_name(text));
+  if (role == Role::parameter) parameters_.push_back(text);
+  if (role == Role::variable || is_name_of_family) {
     const auto index = static_cast<std::uint32_t>(variables_.size());
     names_.emplace(text, unknown(index));
     variables_.push_back(text);
@@ -204,7 +222,7 @@ void BertiniReader::declare(std::string_view name, const SourcePosition& at,
 
 void BertiniReader::declare(const Statement& statement) {
   const Keyword& keyword = *find_keyword(word_at_front(statement.text));
-  if (!keyword.refusal.empty()) {
+  if (!keyword.refusal.empty() && !(keyword.word == kParameter && constants_ != nullptr)) {
     refuse(statement.begin, std::string(keyword.word) + ": " + std::string(keyword.refusal));
   }
   if (is_group(keyword)) {
@@ -254,8 +272,10 @@ bool BertiniReader::may_assign(const std::string& name, const SourcePosition& at
   }
   const auto [place, is_new] = declared_.try_emplace(name, Declared{Role::subfunction, at});
   Declared& declared = place->second;
-  if (declared.role == Role::variable) {
-    refuse(at, "`" + name + "` is a variable and cannot be assigned");
+  if (declared.role == Role::variable || declared.role == Role::parameter) {
+    refuse(at, "`" + name + "` is a " +
+                   (declared.role == Role::variable ? "variable" : "parameter of the family") +
+                   " and cannot be assigned");
     return false;
   }
   if (declared.value_at) {
@@ -280,6 +300,12 @@ void BertiniReader::assign(const Statement& statement) {
   std::optional<Polynomial> value = expander_.expand(right.text, right.begin, names_);
   if (value && declared_.find(name)->second.role == Role::constant && degree(*value) > 0) {
     refuse(right.begin, "the constant `" + name + "` holds a variable");
+  }
+  if (declared_.find(name)->second.role == Role::constant && stays_name(name)) {
+    if (value && degree(*value) == 0) {
+      values_[name] = value->terms.empty() ? Coefficient{} : value->terms.front().coefficient;
+    }
+    return;
   }
   names_.insert_or_assign(name, std::move(value));
 }
@@ -338,6 +364,14 @@ System BertiniReader::read(const std::vector<Statement>& statements) {
   return system;
 }
 
+ParametricSystem BertiniReader::read_parametric(const std::vector<Statement>& statements) {
+  ParametricSystem result;
+  result.system = read(statements);
+  result.declared = parameters_;
+  result.constants = values_;
+  return result;
+}
+
 }  // namespace
 
 bool is_bertini_keyword(std::string_view word) { return find_keyword(word) != nullptr; }
@@ -355,6 +389,13 @@ std::string without_bertini_comments(std::string text) {
 System read_bertini(const Source& source, std::vector<Diagnostic>& faults) {
   const std::string text = without_bertini_comments(source.text);
   return BertiniReader(faults).read(input_statements(text, faults));
+}
+
+ParametricSystem read_parametric_bertini(const Source& source,
+                                         const std::vector<std::string>& constants,
+                                         std::vector<Diagnostic>& faults) {
+  const std::string text = without_bertini_comments(source.text);
+  return BertiniReader(faults, &constants).read_parametric(input_statements(text, faults));
 }
 
 }  // namespace moivre

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "moivre/expression/source.h"
+#include "moivre/polynomial/read.h"
 #include "moivre/polynomial/system.h"
 
 namespace moivre {
@@ -13,6 +14,10 @@ namespace moivre {
 /// there are any.
 System read_phcpack(const Source& source, std::vector<Diagnostic>& faults);
 System read_bertini(const Source& source, std::vector<Diagnostic>& faults);
+/// Parameters stay names, and so do these constants.
+ParametricSystem read_parametric_bertini(const Source& source,
+                                         const std::vector<std::string>& constants,
+                                         std::vector<Diagnostic>& faults);
 
 /// Bertini's words that begin a declaration.
 bool is_bertini_keyword(std::string_view word);

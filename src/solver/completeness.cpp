@@ -105,6 +105,8 @@ std::optional<MetBound> volume_met_by(Run& run, std::uint64_t roots) {
 }
 
 std::optional<MetBound> bound_met_by(Run& run, std::uint64_t roots) {
+  const std::optional<MetBound>& given = run.setting.prepared.given_bound;
+  if (given && is_met(given->value, roots, given->kind)) return given;
   const StartCounts& counts = run.setting.prepared.start.counts;
   const std::pair<const char*, const StartCount*> degrees[]{
       {"total degree", &counts.total_degree},
@@ -216,8 +218,10 @@ void tell_completeness(const Run& run, SolveResult& result) {
       std::all_of(result.solutions.begin(), result.solutions.end(),
                   [](const Solution& root) { return root.singular || *root.certified; });
   result.bound = run.bounds.met;
+  const bool is_shown =
+      result.complete && all_certified && run.setting.prepared.leads_to_all;
   result.completeness = result.bound                       ? RootCompleteness::proved
-                        : result.complete && all_certified ? RootCompleteness::shown
+                        : is_shown ? RootCompleteness::shown
                                                            : RootCompleteness::open;
   if (run.left_by_bound == 0) return;
   result.left_out.push_back(

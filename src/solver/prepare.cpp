@@ -139,6 +139,25 @@ Prepared prepare(const System& f, const SolveOptions& options, const std::atomic
   return whole;
 }
 
+Prepared prepare_given(const System& f, GivenStart start) {
+  Prepared prepared;
+  prepared.reduction = start.reduction ? std::move(*start.reduction) : keep_everything(f);
+  prepared.scaling = std::move(start.scaling);
+  prepared.spread_log2 = spread_log2(scale(prepared.reduction.system, prepared.scaling));
+  prepared.start.kind = start.plan.kind;
+  prepared.start.paths = start.plan.paths;
+  prepared.start.why = std::move(start.why);
+  for (StartCount* count :
+       {&prepared.start.counts.total_degree, &prepared.start.counts.multihomogeneous,
+        &prepared.start.counts.mixed_volume}) {
+    count->missing = "the start is given";
+  }
+  prepared.given_bound = std::move(start.bound);
+  prepared.leads_to_all = start.is_complete;
+  prepared.plan = std::move(start.plan);
+  return prepared;
+}
+
 void require_paths(const Prepared& prepared) {
   if (prepared.plan) return;
   throw std::invalid_argument("there is no path to follow: elimination alone decides the system");

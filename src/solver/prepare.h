@@ -23,11 +23,16 @@ struct Prepared {
   std::optional<StartPlan>
       plan;  ///< nullopt when nothing is left to track, or the search for a start was interrupted
   StartFacts start;
+  std::optional<MetBound> given_bound;  ///< of a given start
+  bool leads_to_all = true;             ///< the plan leads to every isolated root
   bool interrupted = false;
 };
 
 /// Throws as choose_start() does. A set `stop` ends the search for a start.
 Prepared prepare(const System& f, const SolveOptions& options, const std::atomic<bool>& stop);
+
+/// What a given start makes of f.
+Prepared prepare_given(const System& f, GivenStart start);
 
 /// Throws std::invalid_argument where elimination alone decides the system, so that there is no path to follow.
 void require_paths(const Prepared& prepared);

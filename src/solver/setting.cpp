@@ -27,13 +27,18 @@ Trackers trackers_of(const Tracker& tracker, const SolveOptions& options) {
 
 Setting::Setting(const System& system, const Tracker& tracker, const SolveOptions& solve_options,
                  const std::atomic<bool>& stop_flag)
+    : Setting(system, prepare(system, solve_options, stop_flag), tracker, solve_options,
+              stop_flag) {}
+
+Setting::Setting(const System& system, Prepared the_prepared, const Tracker& tracker,
+                 const SolveOptions& solve_options, const std::atomic<bool>& stop_flag)
     : f(system),
       options(solve_options),
       stop(stop_flag),
       threads(options.threads > 0 ? options.threads
                                   : static_cast<int>(std::thread::hardware_concurrency())),
       trackers(trackers_of(tracker, options)),
-      prepared(prepare(f, options, stop)),
+      prepared(std::move(the_prepared)),
       endgame(options.endgame),
       refiner_program(make_refiner_program(f, natural_sizes(prepared))),
       certify_program(moivre::certify_program(f, options)) {

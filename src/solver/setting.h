@@ -31,6 +31,9 @@ struct Setting {
   /// Prepares the system. Throws std::overflow_error when the number of paths leaves 64 bits.
   Setting(const System& f, const Tracker& tracker, const SolveOptions& options,
           const std::atomic<bool>& stop);
+  /// The system is prepared already.
+  Setting(const System& f, Prepared prepared, const Tracker& tracker, const SolveOptions& options,
+          const std::atomic<bool>& stop);
 
   const System& f;
   const SolveOptions& options;

@@ -102,10 +102,7 @@ bool decided_without_tracking(const Setting& setting, SolveResult& result) {
   return false;
 }
 
-SolveResult solve_square(const System& f, const Tracker& tracker, const SolveOptions& options,
-                         const std::atomic<bool>& stop) {
-  Stopwatch watch;
-  const Setting setting(f, tracker, options, stop);
+SolveResult solve_in(const Setting& setting, Stopwatch& watch) {
   SolveResult result = described(setting);
   result.time.start = watch.lap();
   if (!decided_without_tracking(setting, result)) {
@@ -123,6 +120,12 @@ SolveResult solve_square(const System& f, const Tracker& tracker, const SolveOpt
   }
   result.time.total = watch.total();
   return result;
+}
+
+SolveResult solve_square(const System& f, const Tracker& tracker, const SolveOptions& options,
+                         const std::atomic<bool>& stop) {
+  Stopwatch watch;
+  return solve_in(Setting(f, tracker, options, stop), watch);
 }
 
 /// With the fewest paths, and each in units of its own: where another start leaves something open it gets the last word.
@@ -149,16 +152,34 @@ SolveResult solve_by_starts(const System& f, const Tracker& tracker, const Solve
   return is_last ? result : solve_again(f, tracker, options, stop, std::move(result));
 }
 
+void require_square_start(const System& f) {
+  if (f.polynomials.size() == f.variables.size() && !has_homogeneous_groups(f)) return;
+  throw std::invalid_argument("a given start needs as many equations as unknowns, got " +
+                              std::to_string(f.polynomials.size()) + " in " +
+                              std::to_string(f.variables.size()) + " without homogeneous groups");
+}
+
 }  // namespace
 
 SolveResult solve(const System& f, const Tracker& tracker, const SolveOptions& options,
                   const std::atomic<bool>& stop) {
   require_unbroken(validate(options));
   const bool is_square = f.polynomials.size() == f.variables.size() && !has_homogeneous_groups(f);
+  if (is_square && options.known_start) {
+    if (auto known = options.known_start(f, tracker, options, stop)) return std::move(*known);
+  }
   if (is_square) return solve_by_starts(f, tracker, options, stop);
   SolveResult result = solve_by_starts(squared(f, options), tracker, options, stop);
   take_back(f, result);
   return result;
+}
+
+SolveResult solve_from(const System& f, GivenStart start, const Tracker& tracker,
+                       const SolveOptions& options, const std::atomic<bool>& stop) {
+  require_unbroken(validate(options));
+  require_square_start(f);
+  Stopwatch watch;
+  return solve_in(Setting(f, prepare_given(f, std::move(start)), tracker, options, stop), watch);
 }
 
 }  // namespace moivre

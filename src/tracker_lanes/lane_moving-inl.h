@@ -3,6 +3,8 @@
 //
 //   straight     of two ends broadcast to all lanes
 //   toric        by Highway's exponential where t is real in all lanes; every lane has weights of its own
+//   parameters   p(t), and the polynomials q_k of it with their rates as truncated series (lane_parameters-inl.h); every lane may
+//                have a member of its own to go to
 //   else         lane by lane, in the scalar of one lane
 //
 // R: the scalar. Owns its memory, allocates nothing after construction.
@@ -16,9 +18,11 @@
 #include <hwy/contrib/math/math-inl.h>
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "lane_complex-inl.h"
+#include "lane_parameters-inl.h"
 #include "moivre/homotopy/moving.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -59,6 +63,7 @@ class LaneMoving {
       factors_.resize(program.moving.size());
       weights_.resize(program.moving.size());
     }
+    if (homotopy.parameter_law()) parameters_.emplace(*homotopy.parameter_law());
     if (program.law != CoefficientLaw::straight) return;
     for (std::size_t k = 0; k < program.moving.size(); ++k) {
       store(f(program.moving[k]) - g(program.moving[k]), slope_[k]);
@@ -67,6 +72,7 @@ class LaneMoving {
 
   /// Of the path in `lane`.
   void set_frame(std::size_t lane, const FramePointer& frame) {
+    if (parameters_) parameters_->set_target(lane, frame.get());
     if (!program_.is_framed) return;
     frames_[lane] = frame;
     for (std::size_t k = 0; k < program_.moving.size(); ++k) {
@@ -88,14 +94,12 @@ class LaneMoving {
         move_straight(time);
         break;
       case CoefficientLaw::toric:
-        if (is_real(time)) {
-          move_toric(time);
-          break;
-        }
-        [[fallthrough]];
+        if (!is_real(time)) return move_each(time);
+        move_toric(time);
+        break;
       case CoefficientLaw::parameters:
-        move_each(time);
-        return;
+        parameters_->move(time.t(), time.rest(), c_, slope_);
+        break;
     }
     for (std::size_t k = 0; k < program_.multiples.size(); ++k) {
       const typename Program::Multiple& multiple = program_.multiples[k];
@@ -160,6 +164,7 @@ class LaneMoving {
   std::vector<LaneReals> factors_;  // of the moving coefficients
   std::vector<LaneReals> weights_;
   std::array<FramePointer, W> frames_;
+  std::optional<LaneParameters<R>> parameters_;
 };
 
 }  // namespace HWY_NAMESPACE

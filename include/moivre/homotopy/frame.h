@@ -6,7 +6,8 @@
 //
 // Sizes from 1e-300 to 1e300 then look alike to norms, pivots and tolerances. Powers of two round nothing. The point is
 // followed in y (`inside`), whoever looks at it from without wants x (`outside`).
-// Only a homotopy that is_framed() takes notice of a frame.
+// Only a homotopy that is_framed() takes notice of units and weights. Where every path has a family's member of its own for
+// its target (Homotopy::members) that is all that its frame holds.
 #pragma once
 
 #include <memory>
@@ -22,6 +23,7 @@ struct PathFrame {
   std::vector<int> log2;        ///< e_j, one a coordinate
   std::vector<double> factors;  ///< 2^{<a_k, e> + r_i}, one a term of the homotopy
   std::vector<double> weights;  ///< w_k of a toric homotopy; empty otherwise
+  Point member = {};            ///< p' of a homotopy of members; empty otherwise
 };
 /// Who follows the path holds it; nullptr: x itself.
 using FramePointer = std::shared_ptr<const PathFrame>;

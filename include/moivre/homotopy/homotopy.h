@@ -3,7 +3,8 @@
 //
 //   straight     c_k(t) = t f_k + (1 - t) g_k           H = t F + (1 - t) G over the union of both supports
 //   toric        c_k(t) = g_k e^{-w_k (1 - t)}          w_k >= 0 the weights of one path, from the cell that it comes from
-//   parameters   c_k(t) = q_k((1 - t) p + t p')         q_k polynomials of a family's parameters, p and p' two members
+//   parameters   c_k(t) = q_k((1 - t) p + t p')         q_k polynomials of a family's parameters, p and p' two members; p' is the
+//                                                       homotopy's, or every path's own
 //
 //   F, G: n polynomials in n variables, every equation homogenized to one degree (polynomial/homogenize.h)
 //   x: N = n + 1 homogeneous coordinates; which one is x_0, the homogenizing one, is the chart's to say;  t: complex
@@ -34,7 +35,10 @@ enum class CoefficientLaw { straight, toric, parameters };
 struct ParameterLaw {
   System coefficients;
   Tape tape;
-  Point from, to;  ///< p at t = 0 and t = 1
+  Point from;  ///< p at t = 0
+  Point to;    ///< p at t = 1; empty: every path brings its own (PathFrame::member)
+
+  const Point& target(const PathFrame* frame) const { return to.empty() ? frame->member : to; }
 };
 
 class Homotopy {
@@ -48,6 +52,8 @@ class Homotopy {
   /// From F(x; p = from) to F(x; p = to). `family`: n polynomials in n unknowns and, after these, as many parameters as
   /// `from` and `to` have. Throws std::invalid_argument when the numbers do not fit.
   static Homotopy parameters(const System& family, const Point& from, const Point& to);
+  /// From F(x; p = from) to as many members as there are paths: each brings its own in its frame. There are no f_k and g_k.
+  static Homotopy members(const System& family, const Point& from);
 
   std::size_t equations() const { return tape_.equations; }
   std::size_t coordinates() const { return tape_.variables; }
@@ -59,7 +65,8 @@ class Homotopy {
   /// The union of the supports, homogenized, its terms in the order of the affine polynomials' ones; its own coefficients
   /// mean nothing.
   const System& support() const { return support_; }
-  /// Of term k, counted over all equations: f_k and g_k, zero where a side has no such term.
+  /// Of term k, counted over all equations: f_k and g_k, zero where a side has no such term. Between two members c_k at t = 1,
+  /// and at t = 0 on the tangent there.
   const Coefficient& f(std::size_t k) const { return f_[k]; }
   const Coefficient& g(std::size_t k) const { return g_[k]; }
   /// What f_k may be off by, relative; 0 where it is meant as it stands.

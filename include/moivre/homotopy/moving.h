@@ -31,7 +31,7 @@ class MovingCoefficients {
     if (homotopy.parameter_law()) parameters_.emplace(*homotopy.parameter_law());
   }
 
-  /// frame: the path's where the homotopy is framed, else nullptr. Fills `c` and `slope`.
+  /// frame: the path's where the homotopy is framed or of members, else nullptr. Fills `c` and `slope`.
   void move(const Time<S>& t, const PathFrame* frame) {
     switch (program_.law) {
       case CoefficientLaw::straight:
@@ -41,7 +41,7 @@ class MovingCoefficients {
         move_toric(t, frame->weights);
         break;
       case CoefficientLaw::parameters:
-        parameters_->evaluate(t, c, slope);
+        parameters_->evaluate(t, parameters_->law.target(frame), c, slope);
         break;
     }
     if (program_.is_framed) scale(frame->factors);
@@ -61,9 +61,10 @@ class MovingCoefficients {
           registers(law.tape.register_count()),
           jacobian(law.tape.jacobian.size()) {}
 
-    void evaluate(const Time<S>& t, std::vector<S>& values, std::vector<S>& rates) {
+    void evaluate(const Time<S>& t, const Point& to, std::vector<S>& values,
+                  std::vector<S>& rates) {
       for (std::size_t j = 0; j < p.size(); ++j) {
-        p[j] = product(t.rest, S(law.from[j])) + product(t.t, S(law.to[j]));
+        p[j] = product(t.rest, S(law.from[j])) + product(t.t, S(to[j]));
       }
       const std::size_t count = rates.size();
       moivre::evaluate<S, S>(law.tape, std::span<const S>(coefficients), std::span<const S>(p),
@@ -72,7 +73,7 @@ class MovingCoefficients {
       std::fill(rates.begin(), rates.end(), S(0.0));
       for (std::size_t k = 0; k < jacobian.size(); ++k) {
         const Tape::Entry& entry = law.tape.jacobian[k];
-        const S speed = S(law.to[entry.column]) - S(law.from[entry.column]);
+        const S speed = S(to[entry.column]) - S(law.from[entry.column]);
         rates[entry.row] += product(jacobian[k], speed);
       }
     }

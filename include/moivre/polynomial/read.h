@@ -9,10 +9,12 @@
 // last group where there are others. In a hom_variable_group every function must be homogeneous;
 // such a system has an equation less than unknowns a group (polynomial/patches.h). Every fault is
 // named in one ParseError (expression/source.h). Not supported: Bertini's pathvariable and
-// parameters (refused with the reason), negative exponents.
+// parameters (refused with the reason, but by read_parametric()), negative exponents.
 #pragma once
 
+#include <map>
 #include <string>
+#include <vector>
 
 #include "moivre/expression/source.h"
 #include "moivre/polynomial/system.h"
@@ -28,5 +30,16 @@ PolynomialFormat detect_format(const std::string& text);
 /// where the file says so (`n m` count line); whether it can be solved is the caller's to decide.
 System read_system(const Source& source);
 System read_system(const Source& source, PolynomialFormat format);
+
+/// A system with names that are parameters: what a file declares by Bertini's `parameter`, and those of its constants that are
+/// asked for.
+struct ParametricSystem {
+  System system;  ///< in all names; it has more of them than equations
+  std::vector<std::string> declared;                ///< by `parameter`
+  std::map<std::string, Coefficient> constants;     ///< the values that the file gives to those asked for
+};
+
+/// Throws as read_system(). `constants`: names that stay names where the file gives them a value.
+ParametricSystem read_parametric(const Source& source, const std::vector<std::string>& constants);
 
 }  // namespace moivre

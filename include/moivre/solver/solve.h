@@ -23,8 +23,11 @@
 
 #include "moivre/endgame/endgame.h"
 #include "moivre/numeric/decimal.h"
+#include "moivre/polynomial/eliminate.h"
+#include "moivre/polynomial/scale.h"
 #include "moivre/polynomial/system.h"
 #include "moivre/start/choose_start.h"
+#include "moivre/start/start_plan.h"
 #include "moivre/tracker/tracker.h"
 
 namespace moivre {
@@ -53,6 +56,8 @@ enum class Precision {
   double_double      ///< every path in double-double from the start
 };
 
+struct SolveResult;
+
 struct SolveOptions {
   std::uint64_t seed = 1;
   StartKind start = StartKind::automatic;
@@ -69,6 +74,11 @@ struct SolveOptions {
   EndgameOptions endgame;
   /// Tracks again what `tracker` could not settle with a little more care; not owned, may be nullptr.
   const Tracker* fallback = nullptr;
+  /// Asked first for the roots of a square system, by a start that it knows; nullopt where it knows none. Thread-safe.
+  std::function<std::optional<SolveResult>(const System& f, const Tracker& tracker,
+                                           const SolveOptions& options,
+                                           const std::atomic<bool>& stop)>
+      known_start = {};
   /// Called after each path, from any thread, never twice at once; may be empty.
   std::function<void(const Progress&)> progress;
 };
@@ -212,5 +222,20 @@ struct SolveResult {
 /// of range; std::overflow_error when the number of paths leaves 64 bits; all before any tracking. A set `stop` ends the run with what is finished.
 SolveResult solve(const System& f, const Tracker& tracker, const SolveOptions& options = {},
                   const std::atomic<bool>& stop = std::atomic<bool>{false});
+
+/// A start that somebody else has made, of a family's roots for example.
+struct GivenStart {
+  StartPlan plan;   ///< to scale(f, scaling), but for the rows' sizes; its points are in those units
+  Scaling scaling;  ///< of f, or of reduction.system
+  std::optional<Reduction> reduction = {};  ///< of f, where the plan leads to its system; square
+  std::string why;   ///< where the start comes from
+  std::optional<MetBound> bound = {};  ///< proved: f has no more isolated roots than that
+  bool is_complete = true;  ///< a path leads to every isolated root; else no more than `open` is told
+};
+
+/// As solve(), by that start. f: square, without homogeneous groups.
+SolveResult solve_from(const System& f, GivenStart start, const Tracker& tracker,
+                       const SolveOptions& options = {},
+                       const std::atomic<bool>& stop = std::atomic<bool>{false});
 
 }  // namespace moivre

@@ -34,7 +34,7 @@ class StartPoints {
 };
 
 struct StartPlan {
-  std::string kind;  ///< "total-degree", "multihomogeneous", "polyhedral", "own"
+  std::string kind;  ///< "total-degree", "multihomogeneous", "polyhedral", "own", "family"
   std::uint64_t paths = 0;
   std::vector<Homotopy> stages;
   std::shared_ptr<const StartPoints> points;
@@ -44,6 +44,9 @@ struct StartPlan {
 
 /// t F + (1 - t) G from the degrees. Throws as total_degree_start() does.
 StartPlan total_degree_plan(const System& f, std::uint64_t seed);
+
+/// Along `homotopy`, from roots that are known at its t = 0, homogeneous: a path from each.
+StartPlan plan_from_roots(std::string kind, Homotopy homotopy, std::vector<Point> roots);
 
 /// t F + (1 - t) G from one point near a root of G, homogeneous; path 0.
 StartPlan own_plan(const System& f, const System& g, Point start);

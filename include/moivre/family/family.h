@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// What is a family of systems, and what is known of it once it is learned? F(x; p) and all roots of one generic member.
+//
+//   F(x; p) = (F_1, ..., F_n), polynomials in n unknowns x and k parameters p, coefficients exactly as read
+//   p*: a random complex member;  roots: the regular isolated roots of F(x; p*), as many as a generic member has
+//
+// Isolated roots of a member are ends of the paths from p* to it: a generic member has as many, none has more [SommeseWampler05, ch. 7].
+// Parameters enter as polynomials. A number and its complex conjugate are two parameters; numbers on a variety (sines and
+// cosines) are to be given by free coordinates of it.
+// Edges: what is not regular at p*, a multiple root or a set of roots of every member, is not kept, and the learning says so.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "moivre/solver/solve.h"
+
+namespace moivre {
+
+/// How the roots at p* were found, and what is known of their number.
+struct Learning {
+  std::string start;        ///< kind of the start system, or "monodromy"
+  std::uint64_t paths = 0;  ///< that were followed
+  std::uint64_t certified = 0;
+  std::uint64_t dropped = 0;  ///< multiple roots, and ends on sets of roots, of every member
+  /// Every path was decided, or the trace test holds, and nothing was dropped.
+  bool complete = false;
+  std::string standing;           ///< in a sentence
+  std::optional<MetBound> bound;  ///< a proved bound on the isolated roots, for every member, met at p*
+
+  friend bool operator==(const Learning& a, const Learning& b);
+};
+
+struct Family {
+  System system;              ///< n polynomials in the unknowns and, behind these, the parameters
+  std::vector<double> sizes;  ///< typical size of each parameter, > 0
+  std::uint64_t seed = 0;     ///< of p* and of the search for its roots
+  Point generic;              ///< p*
+  std::vector<Point> roots;   ///< at p*, n coordinates each
+  /// Roots with a coordinate 0 are left out: those of closures, which are Laurent polynomials multiplied out, are none.
+  bool nonzero = false;
+  Learning learning;
+
+  std::size_t unknowns() const { return system.polynomials.size(); }
+  std::size_t parameters() const { return system.variables.size() - unknowns(); }
+  /// Names of the unknowns, and of the parameters.
+  std::vector<std::string> unknown_names() const;
+  std::vector<std::string> parameter_names() const;
+
+  friend bool operator==(const Family& a, const Family& b);
+};
+
+/// Values of the parameters, exact.
+using ParameterValues = std::vector<Coefficient>;
+
+/// F(x; p) in the unknowns alone. Throws std::invalid_argument when p has another size than the family.
+System member_system(const Family& family, const ParameterValues& p);
+
+/// The double itself.
+Coefficient exactly(const Complex& x);
+ParameterValues exactly(const Point& p);
+
+/// Every coefficient is c_0 + sum_j c_j p_j.
+bool is_linear_in_parameters(const Family& family);
+
+}  // namespace moivre

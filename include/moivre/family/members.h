@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// The roots of many members of a family: many times few paths, in lanes that never run empty.
+//
+// Every path goes from p* to a member of its own (Homotopy::members). A member whose paths all end at regular roots, all different, and
+// with the conjugate of every root where the member is real, is done: there is no endgame, and nothing that is not needed is
+// evaluated. Any other is solved again as by solve_member(), which judges its ends; `judged` says so.
+//
+// Thread-safe; the result does not depend on the number of threads. Members are double numbers: who has exact ones uses solve_member().
+#pragma once
+
+#include <span>
+
+#include "moivre/family/family.h"
+
+namespace moivre {
+
+struct MemberRoot {
+  Point x;
+  bool real = false;
+  bool singular = false;
+  std::uint64_t multiplicity = 1;
+  double accuracy = 0;   ///< relative to max(1, |x|_inf)
+  double condition = 0;  ///< of the homogeneous Jacobian with its patch; as Solution's where `judged`
+  std::optional<bool> certified;
+};
+
+struct MemberRoots {
+  std::vector<MemberRoot> roots;  ///< in the order of the family's roots where not `judged`
+  std::uint64_t at_infinity = 0;  ///< paths
+  std::uint64_t failed = 0;       ///< paths
+  bool complete = false;          ///< every path was decided
+  bool judged = false;            ///< by solve_member()
+  RootCompleteness completeness = RootCompleteness::open;
+
+  std::uint64_t real_count() const;
+};
+
+/// One entry a member, in their order. Of options seed, threads, care, certify, fallback and progress count, the last one in
+/// members. Throws as solve_member(). A set `stop` leaves members that are not complete.
+std::vector<MemberRoots> solve_members(const Family& family, std::span<const Point> members,
+                                       const Tracker& tracker, const SolveOptions& options = {},
+                                       const std::atomic<bool>& stop = std::atomic<bool>{false});
+
+}  // namespace moivre

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// How is a family learned from one known root? Its parameters go round loops, which lead roots to other roots, until a test says: all.
+//
+//   loop       p* -> a -> b -> p*, straight lines between random complex members: a permutation of the roots at p*
+//   trace      on a line p* + s v of members the roots (x, s) form a curve; it meets G(x, s) = s (l(x) - 1) - e in as many points for
+//              every e, and the sum over all of them of any linear function of x is linear in e; over a part of them it is not
+//
+// The points with l(x) = 1 that the test needs are found by the same loops, on the curve with bilinear forms G for parameters.
+// It shows that no root is missing on the components of the incidence variety {(x, p)} that the known roots lie on; that there is no
+// other component with isolated roots it does not show. The points it knows are taken back to p*: a root that is new there is missing.
+// Deterministic in the seed.
+// Edges: parameters enter as polynomials; roots that are not regular at generic p are not met.
+// Source: [LRS18] for the trace test of such curves, [DHJLLS19] for loops.
+#pragma once
+
+#include "moivre/family/family.h"
+
+namespace moivre {
+
+struct MonodromyOptions {
+  std::uint64_t seed = 1;
+  int quiet_loops = 10;      ///< without a new root, after which the search ends
+  int most_loops = 1000;
+  std::size_t most_roots = 100'000;
+  bool test = true;          ///< the trace test, where the roots are no more than `most_tested`
+  std::size_t most_tested = 2000;
+};
+
+/// Whether all roots of the components are there.
+struct TraceTest {
+  bool was_made = false;
+  bool holds = false;
+  std::size_t points = 0;   ///< of the curve on a bilinear form, the roots at p* among them
+  std::size_t missing = 0;  ///< roots at p* that the curve has and the family has not
+  double defect = 0;       ///< how far the sums are from linear, beside their size
+};
+
+/// A pair: F(x; p) = 0 to a few digits, x regular.
+struct KnownPair {
+  Point x, p;
+};
+
+/// A random complex p through which a random x is a root; nullopt where parameters are not linear, or tie x.
+std::optional<KnownPair> random_pair(const Family& family, std::uint64_t seed);
+
+/// Throws std::invalid_argument where the pair is no regular root, or of another size. options: trackers' and threads' part.
+Family learn_by_monodromy(Family unlearned, const KnownPair& pair, const Tracker& tracker,
+                          const MonodromyOptions& options = {},
+                          const std::atomic<bool>& stop = std::atomic<bool>{false});
+
+/// Of a learned family, or of one that lacks roots.
+TraceTest trace_test(const Family& family, const Tracker& tracker,
+                     const MonodromyOptions& options = {},
+                     const std::atomic<bool>& stop = std::atomic<bool>{false});
+
+}  // namespace moivre

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// In how many ways can a mechanism be assembled while one or two of its numbers vary? Closures counted on a grid, and its borders.
+//
+// Every sample is a solve of all closures, by families that the first samples have learned (family/book.h). Between neighbours with
+// different numbers of real closures lies a border, where closures meet in pairs: it is sharpened by bisection.
+//
+//   one number    samples in order; borders to kBorder of the range, several between two samples where halves differ
+//   two numbers   the first one varies slowest; a border point on every edge of the grid whose ends differ, to kMapBorder of the edge
+//
+// Edges: a sample that is not complete (a path failed, interrupted) has no border beside it. Closures that come and go between two
+// samples of one count are not seen.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "moivre/closures/closures.h"
+#include "moivre/family/book.h"
+
+namespace moivre {
+
+inline constexpr double kBorder = 1e-9;
+inline constexpr double kMapBorder = 1e-3;
+
+/// A number of the mechanism (sweep/dimensions.h) at `count` equidistant values.
+struct Varied {
+  std::string name;
+  double from = 0;
+  double to = 0;
+  std::size_t count = 2;
+
+  double at(std::size_t k) const;
+};
+
+struct SweepOptions {
+  ClosureOptions closures;  ///< threads: over samples
+  bool sharpen = true;
+  std::function<void(std::size_t done, std::size_t total)> progress;  ///< never twice at once
+};
+
+struct SweepSample {
+  std::vector<double> at;     ///< of each varied number
+  std::uint64_t complex = 0;  ///< isolated closures, the real ones among them
+  std::uint64_t real = 0;
+  bool complete = false;
+  bool moves = false;  ///< closures form a set of positive dimension
+};
+
+struct SweepBorder {
+  std::vector<double> at;
+  std::uint64_t below = 0,
+                above = 0;  ///< real closures on both sides, along the number that varies
+  std::size_t along = 0;    ///< which number that is
+};
+
+struct SweepResult {
+  std::vector<Varied> varied;
+  std::vector<SweepSample> samples;
+  std::vector<SweepBorder> borders;
+  std::size_t families = 0;  ///< that were used
+  bool complete = false;
+  double seconds = 0;
+  int threads = 1;
+};
+
+/// varied: one or two. Throws std::invalid_argument with every fault before any solve. `book` grows.
+SweepResult sweep(const Mechanism& mechanism, const std::vector<Varied>& varied,
+                  const Tracker& tracker, FamilyBook& book, const SweepOptions& options = {},
+                  const std::atomic<bool>& stop = std::atomic<bool>{false});
+
+}  // namespace moivre

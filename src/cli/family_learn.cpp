@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: MIT
+// moivre family learn FILE --parameters a,b -o F.family: solves a random complex member and keeps its roots.
+#include "family_learn.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+
+#include "interruption.h"
+#include "learn_mechanism.h"
+#include "moivre/expression/words.h"
+#include "moivre/family/learn.h"
+#include "moivre/family/monodromy.h"
+#include "moivre/family_report/family_report.h"
+#include "moivre/polynomial/read.h"
+#include "output.h"
+#include "progress_line.h"
+#include "tracker_choice.h"
+
+namespace moivre {
+namespace {
+
+struct LearnCommand {
+  std::string file;
+  std::string parameters;
+  std::string family;
+  bool nonzero = false;
+  bool monodromy = false;
+  StartChoice start;
+  TrackerChoice tracker;
+  int threads = 0;
+  bool no_certify = false;
+  bool quiet = false;
+  std::string json;
+};
+
+/// "a,b=100": names, and typical sizes where they are not near 1.
+std::vector<NamedParameter> parameters_of(const std::string& text) {
+  std::vector<NamedParameter> parameters;
+  std::string_view rest = trimmed(text);
+  while (!rest.empty()) {
+    const std::size_t comma = rest.find(',');
+    const std::string_view part = trimmed(rest.substr(0, comma));
+    rest = comma == std::string_view::npos ? std::string_view() : rest.substr(comma + 1);
+    const std::size_t equals = part.find('=');
+    NamedParameter parameter{std::string(trimmed(part.substr(0, equals)))};
+    if (equals != std::string_view::npos) {
+      const auto size = to_number(trimmed(part.substr(equals + 1)));
+      if (!size) {
+        throw std::invalid_argument("--parameters " + std::string(part) +
+                                    ": the size of a parameter is a number");
+      }
+      parameter.size = std::abs(*size);
+    }
+    parameters.push_back(std::move(parameter));
+  }
+  return parameters;
+}
+
+/// What the file declares, and what the option names; a constant's value is its typical size where none is given.
+Family read_family_of(const LearnCommand& command) {
+  std::vector<NamedParameter> parameters = parameters_of(command.parameters);
+  std::vector<std::string> names;
+  for (const NamedParameter& parameter : parameters) names.push_back(parameter.name);
+  const ParametricSystem read = read_parametric(read_source(command.file), names);
+  for (NamedParameter& parameter : parameters) {
+    const auto value = read.constants.find(parameter.name);
+    if (value == read.constants.end() || parameter.size != 1) continue;
+    const double size = std::abs(to_complex(value->second));
+    if (size > 0) parameter.size = size;
+  }
+  for (const std::string& name : read.declared) {
+    if (std::find(names.begin(), names.end(), name) == names.end()) parameters.push_back({name});
+  }
+  if (parameters.empty()) {
+    throw std::invalid_argument(command.file +
+                                ": no parameter is declared in the file; name them with "
+                                "--parameters a,b");
+  }
+  Family family = unlearned_family(read.system, parameters);
+  family.nonzero = command.nonzero;
+  return family;
+}
+
+SolveOptions options_of(const LearnCommand& command, const Tracker* fallback) {
+  SolveOptions options;
+  options.seed = command.start.seed;
+  options.start = kind_of(command.start);
+  options.threads = command.threads;
+  options.certify = !command.no_certify;
+  options.fallback = fallback;
+  return options;
+}
+
+/// A file of its own kind: every number is a parameter, and none is named.
+int run_mechanism(const LearnCommand& command, const Tracker& tracker) {
+  if (!command.parameters.empty()) {
+    throw std::invalid_argument(
+        "--parameters are for polynomial files: of a mechanism every dimension and driver is one");
+  }
+  Output out(command.family);
+  Output json(command.json);
+  const std::unique_ptr<Tracker> fallback = make_fallback(command.tracker);
+  const Interruption interruption;
+  const FamilyFile file = learn_mechanism(command.file, tracker,
+                                          options_of(command, fallback.get()), interruption.stop());
+  deliver({{&out, [&] { return family_text(file); }},
+           {&json, [&] { return family_report_json(file, command.family, "family learn"); }}},
+          command.quiet, [&] { return family_report_text(file, command.family); });
+  return kDecided;
+}
+
+Family learn_by_loops(const LearnCommand& command, Family family, const Tracker& tracker,
+                      const std::atomic<bool>& stop) {
+  const std::optional<KnownPair> pair = random_pair(family, command.start.seed);
+  if (!pair) {
+    throw std::invalid_argument(
+        "--monodromy needs a member through a random point: the parameters must be linear, and "
+        "each "
+        "equation hold one of its own");
+  }
+  MonodromyOptions options;
+  options.seed = command.start.seed;
+  return learn_by_monodromy(std::move(family), *pair, tracker, options, stop);
+}
+
+FamilyFile learn_interruptibly(const LearnCommand& command, Family family, const Tracker& tracker,
+                               const std::atomic<bool>& stop) {
+  const std::unique_ptr<Tracker> fallback = make_fallback(command.tracker);
+  SolveOptions options = options_of(command, fallback.get());
+  ProgressLine line(!command.quiet);
+  if (line.is_active()) options.progress = [&](const Progress& progress) { line.show(progress); };
+  FamilyFile file;
+  file.source = command.file;
+  file.families.push_back(command.monodromy
+                              ? learn_by_loops(command, std::move(family), tracker, stop)
+                              : learn(std::move(family), tracker, options, stop));
+  return file;
+}
+
+int run(const LearnCommand& command) {
+  std::unique_ptr<Tracker> tracker;
+  require_all({[&] { require_known(command.start); }, [&] { require_threads(command.threads); },
+               [&] { parameters_of(command.parameters); },
+               [&] {
+                 require_distinct({command.family, command.json}, command.file);
+               },
+               [&] { tracker = make_tracker(command.tracker); }});
+  if (command.file.ends_with(".toml")) return run_mechanism(command, *tracker);
+  Family family = read_family_of(command);
+  Output out(command.family);
+  Output json(command.json);
+  const Interruption interruption;
+  const FamilyFile file =
+      learn_interruptibly(command, std::move(family), *tracker, interruption.stop());
+  const Learning& learning = file.families.front().learning;
+  if (interruption.stop()) {
+    throw std::invalid_argument("interrupted: nothing was learned, " + command.family +
+                                " is as it was");
+  }
+  deliver(
+      {{&out, [&] { return family_text(file); }},
+       {&json, [&] { return family_report_json(file, command.family, "family learn"); }}},
+      command.quiet, [&] { return family_report_text(file, command.family); },
+      learning.complete ? "" : learning.standing);
+  return learning.complete ? kDecided : kUndecided;
+}
+
+}  // namespace
+
+void add_family_learn(CLI::App& family, Chosen& chosen) {
+  const auto command = std::make_shared<LearnCommand>();
+  CLI::App& app =
+      *family.add_subcommand("learn", "Solve a random complex member and keep its roots in a file");
+  app.add_option("FILE", command->file,
+                 "polynomial system, in PHCpack's or Bertini's text form; or a mechanism (.toml)")
+      ->required();
+  app.add_option("--parameters", command->parameters,
+                 "names in the file that are parameters, with a typical size where that is not "
+                 "near 1: a,b=100; Bertini's `parameter` are parameters anyway")
+      ->type_name("NAMES");
+  app.add_option("-o,--output", command->family, "write the family here")
+      ->required()
+      ->type_name("PATH");
+  app.add_flag("--nonzero", command->nonzero, "leave out roots with a coordinate 0");
+  app.add_flag("--monodromy", command->monodromy,
+               "from one root by loops of members, until the trace test holds; no start system");
+  add_start_options(app, command->start);
+  add_threads_option(app, command->threads);
+  app.add_flag("--no-certify", command->no_certify, "prove nothing");
+  add_quiet_flag(app, command->quiet);
+  add_json_option(app, command->json);
+  add_tracker_options(app, command->tracker);
+  add_examples(app, {"moivre family learn conics.phc --parameters a,b,c -o conics.family",
+                     "moivre family learn arm.bertini --parameters L1=300,L2 -o arm.family",
+                     "moivre family learn linkage.toml -o linkage.family"});
+  app.callback([command, &chosen] { chosen = [command] { return run(*command); }; });
+}
+
+}  // namespace moivre

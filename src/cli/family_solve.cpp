@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+// moivre family solve F.family --at a=1,b=2 | --table FILE: members by as many paths as a generic one has roots.
+#include "family_solve.h"
+
+#include <memory>
+#include <stdexcept>
+#include <thread>
+
+#include "interruption.h"
+#include "moivre/family/member.h"
+#include "moivre/family/values.h"
+#include "moivre/family_report/family_report.h"
+#include "moivre/numeric/stopwatch.h"
+#include "output.h"
+#include "progress_line.h"
+#include "tracker_choice.h"
+
+namespace moivre {
+namespace {
+
+struct FamilySolveCommand {
+  std::string file;
+  std::string at;
+  std::string table;
+  std::uint64_t seed = 1;
+  TrackerChoice tracker;
+  int threads = 0;
+  bool all = false;
+  bool no_certify = false;
+  bool quiet = false;
+  std::string json;
+  std::string csv;
+};
+
+void require_one_kind(const FamilySolveCommand& command) {
+  if (command.at.empty() == command.table.empty()) {
+    throw std::invalid_argument(
+        "give the values of the parameters: --at a=1,b=2 for one member, or --table FILE for many");
+  }
+}
+
+const Family& polynomial_family(const FamilyFile& file, const std::string& name) {
+  if (file.kind == kPolynomialsKind) return file.families.front();
+  throw std::invalid_argument(name +
+                              ": these are the families of a mechanism; they are used by moivre "
+                              "closures FILE --family " +
+                              name);
+}
+
+struct FamilyScene {
+  const FamilySolveCommand& command;
+  const Family& family;
+  const Tracker& tracker;
+  const SolveOptions& options;
+  Output& json;
+  Output& csv;
+  const std::atomic<bool>& stop;
+};
+
+int solve_one(const FamilyScene& scene, const ParameterValues& p) {
+  const FamilySolveCommand& command = scene.command;
+  const SolveResult result =
+      solve_member(scene.family, p, scene.tracker, scene.options, scene.stop);
+  deliver(
+      {{&scene.json, [&] { return member_json(result, scene.family, p, command.file); }},
+       {&scene.csv, [&] { return solve_csv(result); }}},
+      command.quiet,
+      [&] {
+        return member_text(result, command.file,
+                           command.all ? ListedRoots::all : ListedRoots::real);
+      },
+      result.complete ? "" : result.message);
+  return result.complete ? kDecided : kUndecided;
+}
+
+int solve_table(const FamilyScene& scene, const std::vector<Point>& members) {
+  const FamilySolveCommand& command = scene.command;
+  const Stopwatch watch;
+  const std::vector<MemberRoots> roots =
+      solve_members(scene.family, members, scene.tracker, scene.options, scene.stop);
+  MembersRun run{scene.family,
+                 members,
+                 roots,
+                 command.file,
+                 command.table,
+                 scene.tracker.kind(),
+                 scene.tracker.options_in_force(),
+                 scene.options.threads,
+                 watch.total()};
+  deliver(
+      {{&scene.json, [&] { return members_json(run); }},
+       {&scene.csv, [&] { return members_csv(run); }}},
+      command.quiet, [&] { return members_text(run); },
+      is_complete(run) ? "" : "some members are not decided");
+  return is_complete(run) ? kDecided : kUndecided;
+}
+
+int run(const FamilySolveCommand& command) {
+  std::unique_ptr<Tracker> tracker;
+  require_all({[&] { require_one_kind(command); }, [&] { require_threads(command.threads); },
+               [&] {
+                 require_distinct({command.json, command.csv}, command.file);
+               },
+               [&] {
+                 require_distinct({command.json, command.csv}, command.table);
+               },
+               [&] { tracker = make_tracker(command.tracker); }});
+  const FamilyFile file = load_family(command.file);
+  const Family& family = polynomial_family(file, command.file);
+  ParameterValues p;
+  std::vector<Point> members;
+  if (command.table.empty()) {
+    p = values_at(family, command.at);
+  } else {
+    members = read_members(read_source(command.table), family);
+  }
+  Output json(command.json);
+  Output csv(command.csv);
+  SolveOptions options;
+  options.seed = command.seed;
+  options.threads =
+      command.threads > 0 ? command.threads : static_cast<int>(std::thread::hardware_concurrency());
+  options.certify = !command.no_certify;
+  const std::unique_ptr<Tracker> fallback = make_fallback(command.tracker);
+  options.fallback = fallback.get();
+  ProgressLine line(!command.quiet);
+  if (line.is_active()) options.progress = [&](const Progress& progress) { line.show(progress); };
+  const Interruption interruption;
+  const FamilyScene scene{command, family, *tracker, options, json, csv, interruption.stop()};
+  return command.table.empty() ? solve_one(scene, p) : solve_table(scene, members);
+}
+
+}  // namespace
+
+void add_family_solve(CLI::App& family, Chosen& chosen) {
+  const auto command = std::make_shared<FamilySolveCommand>();
+  CLI::App& app = *family.add_subcommand("solve", "Find all roots of members of a family");
+  app.add_option("FILE", command->file, "family file, as family learn writes it")->required();
+  app.add_option("--at", command->at, "values of all parameters: a=1,b=2/3; exact")
+      ->type_name("VALUES");
+  app.add_option(
+         "--table", command->table,
+         "solve a member for each row: a column for each parameter, named in the first line")
+      ->type_name("PATH");
+  app.add_option("--seed", command->seed, "of what is random when a member is judged")
+      ->check(CLI::Validator(not_64_bits, ""))
+      ->capture_default_str();
+  add_threads_option(app, command->threads);
+  app.add_flag("--all", command->all, "print the roots that are not real as well");
+  app.add_flag("--no-certify", command->no_certify, "prove nothing: many members take less time");
+  add_quiet_flag(app, command->quiet);
+  add_json_option(app, command->json);
+  app.add_option("--csv", command->csv, "write a table of the roots here")->type_name("PATH");
+  add_tracker_options(app, command->tracker);
+  add_examples(app,
+               {"moivre family solve conics.family --at a=1,b=2/3,c=-2e-3",
+                "moivre family solve arm.family --table poses.csv --csv roots.csv",
+                "moivre family solve arm.family --table poses.csv --tracker lanes --no-certify",
+                "moivre family solve conics.family --at a=1,b=2,c=3 --json - | jq .paths"});
+  app.callback([command, &chosen] { chosen = [command] { return run(*command); }; });
+}
+
+}  // namespace moivre

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// Certificates for the roots of members, each on the exact system of its own.
+#include "certified_members.h"
+
+#include <algorithm>
+#include <thread>
+
+#include "moivre/certify/certifier.h"
+#include "moivre/certify/distinct.h"
+
+namespace moivre {
+namespace {
+
+void take(const Certificate& certificate, MemberRoot& root) {
+  root.certified = certificate.verdict == Verdict::certified;
+  if (!*root.certified) return;
+  root.x = certificate.midpoint;
+  root.accuracy = *std::max_element(certificate.error.begin(), certificate.error.end()) /
+                  std::max(1.0, max_norm(root.x));
+  if (certificate.reality != Reality::unknown) root.real = certificate.reality == Reality::real;
+  if (root.real) {
+    for (Complex& xj : root.x) xj.imag(0);
+  }
+}
+
+void certify_member(const Family& family, const Point& p, MemberRoots& member) {
+  Certifier certifier(make_certify_program(member_system(family, exactly(p))));
+  std::vector<Certificate> certificates;
+  for (MemberRoot& root : member.roots) {
+    certificates.push_back(certifier.certify(root.x));
+    take(certificates.back(), root);
+    member.complete = member.complete && *root.certified;
+  }
+  const Distinctness told = compare(certificates, family.seed);
+  member.complete = member.complete && told.distinct_roots == member.roots.size();
+}
+
+}  // namespace
+
+void certify_members(const Family& family, std::span<const Point> members, int threads,
+                     const std::atomic<bool>& stop, std::vector<MemberRoots>& results) {
+  std::atomic<std::size_t> next{0};
+  const auto work = [&] {
+    for (std::size_t k = next++; k < results.size() && !stop; k = next++) {
+      if (results[k].complete) certify_member(family, members[k], results[k]);
+    }
+  };
+  std::vector<std::thread> others;
+  for (int k = 1; k < threads; ++k) others.emplace_back(work);
+  work();
+  for (std::thread& other : others) other.join();
+}
+
+}  // namespace moivre

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+// A generic member, its solve, and what of it is kept.
+#include "moivre/family/learn.h"
+
+#include <algorithm>
+#include <map>
+
+#include "moivre/expression/joined.h"
+#include "moivre/expression/refusal.h"
+#include "moivre/numeric/random.h"
+#include "moivre/polynomial/patches.h"
+
+namespace moivre {
+namespace {
+
+std::vector<std::string> broken_rules(const System& system,
+                                      const std::vector<NamedParameter>& parameters) {
+  std::vector<std::string> broken;
+  std::map<std::string, int> seen;
+  for (const NamedParameter& parameter : parameters) {
+    const auto& names = system.variables;
+    const bool is_known = std::find(names.begin(), names.end(), parameter.name) != names.end();
+    if (!is_known) {
+      broken.push_back("the system has no name " + parameter.name + "; its names are " +
+                       joined(names, ", "));
+    }
+    if (++seen[parameter.name] == 2) {
+      broken.push_back("the parameter " + parameter.name + " is named twice");
+    }
+    if (!(parameter.size > 0) || !std::isfinite(parameter.size)) {
+      broken.push_back("the size of the parameter " + parameter.name + " must be positive");
+    }
+  }
+  if (parameters.empty()) broken.push_back("a family has at least one parameter");
+  if (!broken.empty()) return broken;
+  const std::size_t unknowns = system.variables.size() - parameters.size();
+  if (unknowns != system.polynomials.size()) {
+    broken.push_back("a family has as many equations as unknowns: without the " +
+                     std::to_string(parameters.size()) + " parameters there are " +
+                     std::to_string(unknowns) + " unknowns and " +
+                     std::to_string(system.polynomials.size()) + " equations");
+  }
+  return broken;
+}
+
+/// The place of each variable in the family.
+std::vector<std::uint32_t> places(const System& system,
+                                  const std::vector<NamedParameter>& parameters) {
+  std::vector<std::uint32_t> place;
+  std::uint32_t next = 0;
+  const auto unknowns = static_cast<std::uint32_t>(system.polynomials.size());
+  for (const std::string& name : system.variables) {
+    const auto found = std::find_if(parameters.begin(), parameters.end(),
+                                    [&](const NamedParameter& p) { return p.name == name; });
+    place.push_back(found == parameters.end()
+                        ? next++
+                        : unknowns + static_cast<std::uint32_t>(found - parameters.begin()));
+  }
+  return place;
+}
+
+Polynomial renumbered(const Polynomial& p, const std::vector<std::uint32_t>& place) {
+  TermMap terms;
+  for (const Term& term : p.terms) {
+    Monomial monomial = term.monomial;
+    for (Power& power : monomial) power.variable = place[power.variable];
+    std::sort(monomial.begin(), monomial.end());
+    terms[monomial] = term.coefficient;
+  }
+  return to_polynomial(std::move(terms));
+}
+
+std::string standing_of(const SolveResult& result, const Learning& learning) {
+  if (!result.complete) return "not every path was decided: roots may be missing";
+  if (learning.dropped > 0) {
+    return "every member has roots that are not regular, which are not part of the family";
+  }
+  if (result.bound) {
+    return "proved: the roots are as many as the " + result.bound->kind + " allows";
+  }
+  if (result.completeness == RootCompleteness::shown) {
+    return "shown: every path was decided and every root is certified";
+  }
+  return result.completeness ? "open: not every root is certified" : "every path was decided";
+}
+
+bool has_zero(const Point& x) {
+  return std::any_of(x.begin(), x.end(), [](const Complex& xj) { return xj == 0.0; });
+}
+
+Learning learning_of(const SolveResult& result, bool nonzero) {
+  Learning learning;
+  learning.start = result.start.kind;
+  learning.paths = result.paths.tracked;
+  learning.dropped = result.paths.on_positive_dimensional;
+  for (const Solution& root : result.solutions) {
+    if (root.singular && !(nonzero && has_zero(root.x))) ++learning.dropped;
+    if (root.certified == true) ++learning.certified;
+  }
+  const bool is_open = result.completeness == RootCompleteness::open;
+  learning.complete = result.complete && learning.dropped == 0 && !is_open;
+  if (learning.complete) learning.bound = result.bound;
+  learning.standing = standing_of(result, learning);
+  return learning;
+}
+
+void keep_roots(const SolveResult& result, Family& family) {
+  family.learning = learning_of(result, family.nonzero);
+  family.roots.clear();
+  for (const Solution& root : result.solutions) {
+    if (!root.singular && !(family.nonzero && has_zero(root.x))) family.roots.push_back(root.x);
+  }
+  // The bound counts those with zeros too.
+  if (family.learning.bound && family.learning.bound->value != family.roots.size()) {
+    family.learning.bound.reset();
+  }
+}
+
+}  // namespace
+
+Family unlearned_family(const System& system, const std::vector<NamedParameter>& parameters) {
+  require_unbroken(broken_rules(system, parameters));
+  if (has_homogeneous_groups(system)) {
+    throw std::invalid_argument("a family has no homogeneous groups of unknowns");
+  }
+  const std::vector<std::uint32_t> place = places(system, parameters);
+  Family family;
+  family.system.variables.resize(system.variables.size());
+  for (std::size_t v = 0; v < place.size(); ++v) {
+    family.system.variables[place[v]] = system.variables[v];
+  }
+  for (const Polynomial& p : system.polynomials) {
+    family.system.polynomials.push_back(renumbered(p, place));
+  }
+  for (const NamedParameter& parameter : parameters) family.sizes.push_back(parameter.size);
+  return family;
+}
+
+Point generic_member(const Family& family, std::uint64_t seed) {
+  Point p;
+  for (std::size_t j = 0; j < family.parameters(); ++j) {
+    const double radius = 0.5 + random_unit(seed, RandomStream::family, 2 * j);
+    p.push_back(family.sizes[j] * radius * random_phase(seed, RandomStream::family, 2 * j + 1));
+  }
+  return p;
+}
+
+Family learn(Family unlearned, const Tracker& tracker, const SolveOptions& options,
+             const std::atomic<bool>& stop) {
+  Family family = std::move(unlearned);
+  family.seed = options.seed;
+  family.generic = generic_member(family, options.seed);
+  const System member = member_system(family, exactly(family.generic));
+  const SolveResult result = solve(member, tracker, options, stop);
+  keep_roots(result, family);
+  return family;
+}
+
+}  // namespace moivre

@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: MIT
+// Paths of many members in one session a thread; members in doubt go to solve_member().
+#include "moivre/family/members.h"
+
+#include <algorithm>
+#include <functional>
+#include <mutex>
+#include <stdexcept>
+#include <thread>
+
+#include "certified_members.h"
+#include "moivre/expression/refusal.h"
+#include "moivre/family/member.h"
+
+namespace moivre {
+namespace {
+
+// Members that a thread takes at once from those that are left.
+constexpr std::size_t kBlock = 16;
+// As in the endgame: a regular end, and one that is not beside infinity.
+constexpr double kRegularCondition = 1e8;
+constexpr double kLeastFiniteness = 1e-8;
+constexpr double kNewtonTolerance = 1e-12;
+// Ends nearer than this, relative, may be one root.
+constexpr double kApart = 1e-6;
+// Imaginary parts up to so many times the accuracy may be 0, of roots that are kApart from their conjugates otherwise.
+constexpr double kRealTolerance = 1e-9;
+
+struct Shared {
+  const Family& family;
+  std::span<const Point> members;
+  const Tracker& tracker;
+  const SolveOptions& options;
+  const std::atomic<bool>& stop;
+  const Homotopy homotopy;
+  const std::vector<Point> starts;
+  std::vector<MemberRoots>& results;
+  std::atomic<std::size_t> next{0};
+  std::mutex progress_mutex;
+  Progress progress;
+
+  void report(std::uint64_t finite) {
+    if (!options.progress) return;
+    const std::lock_guard lock(progress_mutex);
+    ++progress.done;
+    progress.finite += finite;
+    options.progress(progress);
+  }
+};
+
+double size_of(const Point& x) { return std::max(1.0, max_norm(x)); }
+
+double distance(const Point& a, const Point& b, double least) {
+  double largest = 0;
+  for (std::size_t j = 0; j < a.size() && largest <= least; ++j) {
+    largest = std::max(largest, std::abs(a[j] - b[j]));
+  }
+  return largest;
+}
+
+bool are_apart(const std::vector<MemberRoot>& roots) {
+  for (std::size_t k = 0; k < roots.size(); ++k) {
+    const double least = kApart * size_of(roots[k].x);
+    for (std::size_t l = 0; l < k; ++l) {
+      if (distance(roots[k].x, roots[l].x, least) <= least) return false;
+    }
+  }
+  return true;
+}
+
+bool is_conjugate(const Point& a, const Point& b, double least) {
+  return std::equal(a.begin(), a.end(), b.begin(), [&](const Complex& x, const Complex& y) {
+    return std::abs(x - std::conj(y)) <= least;
+  });
+}
+
+/// Says which roots of a real member are real. False where one's conjugate is missing.
+bool settle_reality(std::vector<MemberRoot>& roots) {
+  for (MemberRoot& root : roots) {
+    double imaginary = 0;
+    for (const Complex& xj : root.x) imaginary = std::max(imaginary, std::abs(xj.imag()));
+    const double size = size_of(root.x);
+    root.real = imaginary <= kRealTolerance * size;
+    if (root.real) {
+      for (Complex& xj : root.x) xj.imag(0);
+      continue;
+    }
+    const bool found = std::any_of(roots.begin(), roots.end(), [&](const MemberRoot& other) {
+      return is_conjugate(root.x, other.x, kApart * size);
+    });
+    if (!found) return false;
+  }
+  return true;
+}
+
+/// One thread's paths. A member's slot is its result; what a path needs beside it is here.
+class MemberSource : public DepartureSource {
+ public:
+  explicit MemberSource(Shared& shared)
+      : shared_(shared), scratch_(shared.homotopy), is_real_(is_real(shared.family.system)) {}
+
+  std::optional<Departure> next() override {
+    const std::size_t paths = shared_.starts.size();
+    if (path_ == paths && !begin_member()) return std::nullopt;
+    Departure departure;
+    departure.path = member_ * paths + path_;
+    departure.x = shared_.starts[path_];
+    departure.care = shared_.options.care;
+    departure.frame = frame_;
+    ++path_;
+    return departure;
+  }
+
+  void arrived(const Departure& departure, Arrival&& arrival) override {
+    const std::size_t paths = shared_.starts.size();
+    const std::size_t member = departure.path / paths;
+    MemberRoots& result = shared_.results[member];
+    if (!take(departure, std::move(arrival), result.roots[departure.path % paths])) ++result.failed;
+    // at_infinity counts the paths that have come home until all have.
+    if (++result.at_infinity < paths) return;
+    result.at_infinity = 0;
+    finish(member, result);
+  }
+
+ private:
+  bool begin_member() {
+    if (shared_.stop.load(std::memory_order_relaxed)) return false;
+    if (++member_ >= block_end_) {
+      const std::size_t block = shared_.next.fetch_add(kBlock, std::memory_order_relaxed);
+      if (block >= shared_.members.size()) return false;
+      member_ = block;
+      block_end_ = std::min(block + kBlock, shared_.members.size());
+    }
+    shared_.results[member_].roots.resize(shared_.starts.size());
+    PathFrame frame;
+    frame.member = shared_.members[member_];
+    frame_ = std::make_shared<const PathFrame>(std::move(frame));
+    path_ = 0;
+    return true;
+  }
+
+  /// False where the end is no regular root.
+  bool take(const Departure& departure, Arrival&& arrival, MemberRoot& root) {
+    if (arrival.journey != Journey::arrived) return false;
+    scratch_.set_frame(departure.frame.get());
+    CorrectorOptions newton;
+    newton.tolerance = kNewtonTolerance;
+    const Correction correction = scratch_.correct(arrival.x, {1.0, 0.0}, newton, true);
+    const Chart& chart = shared_.homotopy.chart();
+    const double finiteness = chart.finiteness(arrival.x);
+    root.condition = scratch_.condition();
+    if (!correction.converged || !(root.condition <= kRegularCondition) ||
+        finiteness < kLeastFiniteness) {
+      return false;
+    }
+    root.accuracy = correction.last / finiteness;
+    root.x = std::move(arrival.x);
+    const Complex x0 = root.x.back();
+    root.x.pop_back();
+    for (Complex& xj : root.x) xj /= x0;
+    return true;
+  }
+
+  void finish(std::size_t member, MemberRoots& result) {
+    const Point& p = shared_.members[member];
+    const bool is_real_member =
+        is_real_ && std::all_of(p.begin(), p.end(), [](const Complex& pj) { return pj.imag() == 0; });
+    result.complete = result.failed == 0 && are_apart(result.roots) &&
+                      (!is_real_member || settle_reality(result.roots));
+    if (result.complete) shared_.report(result.roots.size());
+  }
+
+  Shared& shared_;
+  PathSystem scratch_;
+  bool is_real_;
+  std::size_t member_ = 0, block_end_ = 0;
+  std::size_t path_ = shared_.starts.size();
+  FramePointer frame_;
+};
+
+void judge(Shared& shared, std::size_t member) {
+  SolveOptions options = shared.options;
+  options.threads = 1;
+  options.progress = nullptr;
+  const SolveResult solved = solve_member(shared.family, exactly(shared.members[member]),
+                                          shared.tracker, options, shared.stop);
+  MemberRoots& result = shared.results[member];
+  result = {};
+  result.judged = true;
+  result.complete = solved.complete;
+  result.at_infinity = solved.paths.at_infinity;
+  result.failed = solved.paths.failed;
+  for (const Solution& root : solved.solutions) {
+    result.roots.push_back({root.x, root.real, root.singular, root.multiplicity, root.accuracy,
+                            root.condition, root.certified});
+  }
+  shared.report(result.roots.size());
+}
+
+void on_threads(int threads, const std::function<void()>& work) {
+  std::vector<std::thread> others;
+  for (int k = 1; k < threads; ++k) others.emplace_back(work);
+  work();
+  for (std::thread& other : others) other.join();
+}
+
+/// solve_member() may throw only what was thrown before any work.
+void judge_the_rest(Shared& shared, int threads) {
+  std::vector<std::size_t> rest;
+  for (std::size_t k = 0; k < shared.results.size(); ++k) {
+    if (!shared.results[k].complete) rest.push_back(k);
+  }
+  std::atomic<std::size_t> next{0};
+  on_threads(std::min<int>(threads, static_cast<int>(rest.size())), [&] {
+    for (std::size_t k = next++; k < rest.size() && !shared.stop; k = next++) {
+      judge(shared, rest[k]);
+    }
+  });
+}
+
+void tell_completeness(const Family& family, MemberRoots& result) {
+  const auto certified = static_cast<std::uint64_t>(
+      std::count_if(result.roots.begin(), result.roots.end(),
+                    [](const MemberRoot& root) { return root.certified == true; }));
+  const Learning& learning = family.learning;
+  if (learning.bound && learning.bound->value == certified) {
+    result.completeness = RootCompleteness::proved;
+  } else if (result.complete && learning.complete) {
+    result.completeness = RootCompleteness::shown;
+  }
+}
+
+std::vector<Point> homogeneous(const std::vector<Point>& roots) {
+  std::vector<Point> points = roots;
+  for (Point& point : points) {
+    point.push_back(1);
+    const double scale = 1 / euclidean_norm(point);
+    for (Complex& xj : point) xj *= scale;
+  }
+  return points;
+}
+
+void require_fitting(const Family& family, std::span<const Point> members) {
+  for (std::size_t k = 0; k < members.size(); ++k) {
+    if (members[k].size() == family.parameters()) continue;
+    throw std::invalid_argument("member " + std::to_string(k) + " has " +
+                                std::to_string(members[k].size()) + " parameters, the family " +
+                                std::to_string(family.parameters()));
+  }
+}
+
+}  // namespace
+
+std::uint64_t MemberRoots::real_count() const {
+  return static_cast<std::uint64_t>(
+      std::count_if(roots.begin(), roots.end(), [](const MemberRoot& root) { return root.real; }));
+}
+
+std::vector<MemberRoots> solve_members(const Family& family, std::span<const Point> members,
+                                       const Tracker& tracker, const SolveOptions& options,
+                                       const std::atomic<bool>& stop) {
+  require_unbroken(validate(options));
+  require_fitting(family, members);
+  std::vector<MemberRoots> results(members.size());
+  if (members.empty()) return results;
+  const int threads = options.threads > 0 ? options.threads
+                                          : static_cast<int>(std::thread::hardware_concurrency());
+  Shared shared{family, members, tracker, options, stop,
+                Homotopy::members(family.system, family.generic), homogeneous(family.roots),
+                results, {}, {}, {}};
+  shared.progress.total = members.size();
+  const auto blocks = static_cast<int>(std::min<std::size_t>(members.size() / kBlock + 1, 1024));
+  if (!family.roots.empty()) {
+    on_threads(std::min(threads, blocks), [&] {
+      MemberSource source(shared);
+      tracker.open(shared.homotopy)->run(source, stop);
+    });
+    if (options.certify) certify_members(family, members, threads, stop, results);
+  }
+  judge_the_rest(shared, threads);
+  for (MemberRoots& result : results) tell_completeness(family, result);
+  return results;
+}
+
+}  // namespace moivre

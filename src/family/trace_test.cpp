@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+// The curve of roots over a line of members, cut by bilinear forms that move: is the sum of their points linear?
+#include <algorithm>
+
+#include "loops.h"
+#include "moivre/numeric/random.h"
+
+namespace moivre {
+namespace {
+
+// Loops of the test are other ones than those of the search.
+constexpr std::uint64_t kTestLoops = 500'000;
+constexpr std::uint64_t kLine = 700'000;
+constexpr std::uint64_t kForm = 700'001;
+constexpr std::uint64_t kSum = 700'002;
+// Sums of points known to twelve digits are linear to this, beside the sum of their sizes.
+constexpr double kLinear = 1e-7;
+// A point of the curve stands over p* where s is no more than this.
+constexpr double kAtBase = 1e-8;
+
+Complex random_number(std::uint64_t seed, std::uint64_t number, std::uint64_t index) {
+  return (0.5 + random_unit(seed, RandomStream::family, (number << 24) + 2 * index)) *
+         random_phase(seed, RandomStream::family, (number << 24) + 2 * index + 1);
+}
+
+Polynomial power(const Polynomial& base, std::uint32_t exponent) {
+  Polynomial result = base;
+  for (std::uint32_t e = 1; e < exponent; ++e) result = result * base;
+  return result;
+}
+
+/// F(x; p* + s v) and the form sum_j a_j s x_j + b_j x_j + c s + d, in x, s and the form's coefficients.
+System curve_system(const Family& family, const Point& v) {
+  const auto n = static_cast<std::uint32_t>(family.unknowns());
+  System curve;
+  curve.variables = family.unknown_names();
+  const auto add = [&](std::string name) {
+    while (std::find(curve.variables.begin(), curve.variables.end(), name) !=
+           curve.variables.end()) {
+      name += '_';
+    }
+    curve.variables.push_back(name);
+  };
+  add("s");
+  for (std::uint32_t j = 0; j < 2 * n + 2; ++j) add(std::string("g").append(std::to_string(j)));
+  std::vector<Polynomial> line;
+  for (std::size_t j = 0; j < v.size(); ++j) {
+    line.push_back(constant(exactly(family.generic[j])) + exactly(v[j]) * unknown(n));
+  }
+  for (const Polynomial& p : family.system.polynomials) {
+    Polynomial sum;
+    for (const Term& term : p.terms) {
+      Polynomial product_of = constant(term.coefficient);
+      for (const Power& factor : term.monomial) {
+        const bool is_unknown = factor.variable < n;
+        product_of =
+            product_of * power(is_unknown ? unknown(factor.variable) : line[factor.variable - n],
+                               factor.exponent);
+      }
+      sum = sum + product_of;
+    }
+    curve.polynomials.push_back(std::move(sum));
+  }
+  Polynomial form = unknown(n + 1 + 2 * n) * unknown(n) + unknown(n + 2 + 2 * n);
+  for (std::uint32_t j = 0; j < n; ++j) {
+    form = form + unknown(n + 1 + j) * unknown(n) * unknown(j) + unknown(n + 1 + n + j) * unknown(j);
+  }
+  curve.polynomials.push_back(std::move(form));
+  return curve;
+}
+
+/// s (l(x) - 1), whose points with s = 0 are the roots at p*.
+Point split_form(std::size_t n, std::uint64_t seed) {
+  Point form;
+  for (std::size_t j = 0; j < n; ++j) form.push_back(random_number(seed, kForm, j));
+  form.resize(2 * n);
+  form.push_back(-1);
+  form.push_back(0);
+  return form;
+}
+
+Point generic_form(std::size_t n, std::uint64_t seed) {
+  Point form;
+  for (std::size_t j = 0; j < 2 * n + 2; ++j) form.push_back(random_number(seed, kForm, n + j));
+  return form;
+}
+
+/// The sum over the points of a random linear function, and the sum of its sizes.
+struct Trace {
+  Complex sum;
+  double size = 0;
+};
+
+Trace trace_of(const std::vector<Point>& points, std::uint64_t seed) {
+  Trace trace;
+  for (const Point& point : points) {
+    Complex value = 0;
+    for (std::size_t j = 0; j < point.size(); ++j) {
+      value += random_number(seed, kSum, j) * point[j];
+    }
+    trace.sum += value;
+    trace.size += std::abs(value);
+  }
+  return trace;
+}
+
+/// Points of the curve that come to p* where the form splits, and are none of the family's roots there.
+std::size_t missing_roots(const System& curve, const Point& base, const std::vector<Point>& points,
+                          const Family& family, const Tracker& tracker,
+                          const std::atomic<bool>& stop) {
+  const Point split = split_form(family.unknowns(), family.seed);
+  std::size_t missing = 0;
+  for (auto& end : follow_roots(curve, base, split, points, tracker, stop)) {
+    if (!end || std::abs(end->back()) > kAtBase) continue;
+    end->pop_back();
+    if (!is_among(family.roots, *end)) ++missing;
+  }
+  return missing;
+}
+
+}  // namespace
+
+TraceTest trace_test(const Family& family, const Tracker& tracker, const MonodromyOptions& options,
+                     const std::atomic<bool>& stop) {
+  TraceTest test;
+  if (family.roots.empty()) return test;
+  const std::size_t n = family.unknowns();
+  Point v;
+  for (std::size_t j = 0; j < family.parameters(); ++j) {
+    v.push_back(family.sizes[j] * random_number(options.seed, kLine, j));
+  }
+  const System curve = curve_system(family, v);
+  std::vector<Point> starts = family.roots;
+  for (Point& point : starts) point.push_back(0);
+  const Point base = generic_form(n, options.seed);
+  std::vector<Point> points;
+  for (auto& end : follow_roots(curve, split_form(n, options.seed), base, starts, tracker, stop)) {
+    if (end && !is_among(points, *end)) points.push_back(std::move(*end));
+  }
+  if (points.size() != starts.size()) return test;
+  const std::vector<double> sizes(base.size(), 1.0);
+  go_round_loops(curve, base, sizes, tracker, options, kTestLoops, stop, points);
+  test.points = points.size();
+  std::vector<Trace> traces{trace_of(points, options.seed)};
+  const Complex step = random_number(options.seed, kSum, n + 1);
+  for (const double multiple : {1.0, 2.0}) {
+    Point moved = base;
+    moved.back() += multiple * step;
+    std::vector<Point> ends;
+    for (auto& end : follow_roots(curve, base, moved, points, tracker, stop)) {
+      if (end && !is_among(ends, *end)) ends.push_back(std::move(*end));
+    }
+    if (ends.size() != points.size()) return test;
+    traces.push_back(trace_of(ends, options.seed));
+  }
+  const double size = traces[0].size + traces[1].size + traces[2].size;
+  test.was_made = true;
+  test.defect = std::abs(traces[0].sum - 2.0 * traces[1].sum + traces[2].sum) / size;
+  test.missing = missing_roots(curve, base, points, family, tracker, stop);
+  test.holds = test.defect <= kLinear && test.missing == 0;
+  return test;
+}
+
+}  // namespace moivre

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: MIT
+// Where the module certify is not built nothing is proved of many members.
+#include "certified_members.h"
+
+namespace moivre {
+
+void certify_members(const Family&, std::span<const Point>, int, const std::atomic<bool>&,
+                     std::vector<MemberRoots>&) {}
+
+}  // namespace moivre

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: MIT
+// Samples on a grid on several threads, and bisection between those that differ.
+#include "moivre/sweep/sweep.h"
+
+#include <atomic>
+#include <cmath>
+#include <exception>
+#include <mutex>
+#include <stdexcept>
+#include <thread>
+
+#include "moivre/expression/refusal.h"
+#include "moivre/numeric/stopwatch.h"
+#include "moivre/sweep/dimensions.h"
+
+namespace moivre {
+namespace {
+
+constexpr std::size_t kMostSamples = 1'000'000;
+// Borders between two samples: more are not looked for.
+constexpr std::size_t kMostBorders = 16;
+
+class Sweep {
+ public:
+  Sweep(const Mechanism& mechanism, const std::vector<Varied>& varied, const Tracker& tracker,
+        FamilyBook& book, const SweepOptions& options, const std::atomic<bool>& stop)
+      : mechanism_(mechanism),
+        varied_(varied),
+        tracker_(tracker),
+        options_(options),
+        closures_(options.closures),
+        stop_(stop) {
+    book.serve(closures_.solve);
+    closures_.solve.threads = 1;
+    closures_.solve.progress = nullptr;
+  }
+
+  SweepSample sample(std::vector<double> at) const {
+    Mechanism mechanism = mechanism_;
+    for (std::size_t j = 0; j < varied_.size(); ++j) {
+      set_dimension(mechanism, varied_[j].name, at[j]);
+    }
+    const ClosureResult result = find_closures(mechanism, tracker_, closures_, stop_);
+    SweepSample sample;
+    sample.at = std::move(at);
+    sample.complex = result.counts.complex;
+    sample.real = result.counts.real;
+    sample.complete = result.complete;
+    sample.moves = result.moves.has_value();
+    return sample;
+  }
+
+  /// f(k) for all k on all threads, told as progress. What a value makes the mechanism refuse is thrown.
+  void on_all(std::size_t count, const std::function<void(std::size_t)>& f) {
+    std::atomic<std::size_t> next{0};
+    std::size_t done = 0;
+    std::mutex mutex;
+    std::exception_ptr refusal;
+    const auto one = [&](std::size_t k) {
+      try {
+        f(k);
+      } catch (...) {
+        const std::lock_guard lock(mutex);
+        refusal = std::current_exception();
+        return false;
+      }
+      const std::lock_guard lock(mutex);
+      if (options_.progress) options_.progress(++done, count);
+      return refusal == nullptr;
+    };
+    const auto work = [&] {
+      for (std::size_t k = next++; k < count && !stop_; k = next++) {
+        if (!one(k)) return;
+      }
+    };
+    std::vector<std::thread> others;
+    for (int k = 1; k < threads(); ++k) others.emplace_back(work);
+    work();
+    for (std::thread& other : others) other.join();
+    if (refusal) std::rethrow_exception(refusal);
+  }
+
+  int threads() const {
+    const int wanted = options_.closures.solve.threads;
+    return wanted > 0 ? wanted : static_cast<int>(std::thread::hardware_concurrency());
+  }
+
+  /// Between a and b, which differ in the number `along`, to `width`.
+  void sharpen(const SweepSample& a, const SweepSample& b, std::size_t along, double width,
+               std::vector<SweepBorder>& borders) const {
+    if (a.real == b.real || !a.complete || !b.complete || stop_) return;
+    if (borders.size() >= kMostBorders) return;
+    std::vector<double> middle = a.at;
+    middle[along] = (a.at[along] + b.at[along]) / 2;
+    const bool is_between = middle[along] != a.at[along] && middle[along] != b.at[along];
+    if (std::abs(b.at[along] - a.at[along]) <= width || !is_between) {
+      borders.push_back({std::move(middle), a.real, b.real, along});
+      return;
+    }
+    const SweepSample between = sample(std::move(middle));
+    // On the border itself closures are double: nothing is between the halves.
+    if (!between.complete) return;
+    sharpen(a, between, along, width, borders);
+    sharpen(between, b, along, width, borders);
+  }
+
+ private:
+  const Mechanism& mechanism_;
+  const std::vector<Varied>& varied_;
+  const Tracker& tracker_;
+  const SweepOptions& options_;
+  ClosureOptions closures_;
+  const std::atomic<bool>& stop_;
+};
+
+/// A pair of neighbours on the grid.
+struct Edge {
+  std::size_t first, second, along;
+};
+
+std::vector<Edge> edges_of(const std::vector<Varied>& varied) {
+  std::vector<Edge> edges;
+  if (varied.size() == 1) {
+    for (std::size_t k = 0; k + 1 < varied[0].count; ++k) edges.push_back({k, k + 1, 0});
+    return edges;
+  }
+  const std::size_t columns = varied[1].count;
+  for (std::size_t i = 0; i < varied[0].count; ++i) {
+    for (std::size_t j = 0; j < columns; ++j) {
+      const std::size_t k = i * columns + j;
+      if (j + 1 < columns) edges.push_back({k, k + 1, 1});
+      if (i + 1 < varied[0].count) edges.push_back({k, k + columns, 0});
+    }
+  }
+  return edges;
+}
+
+void sharpen_borders(Sweep& run, const SweepOptions& options, SweepResult& result) {
+  if (!options.sharpen) return;
+  std::vector<Edge> edges;
+  for (const Edge& edge : edges_of(result.varied)) {
+    if (result.samples[edge.first].real != result.samples[edge.second].real) edges.push_back(edge);
+  }
+  std::vector<std::vector<SweepBorder>> found(edges.size());
+  run.on_all(edges.size(), [&](std::size_t k) {
+    const SweepSample& a = result.samples[edges[k].first];
+    const SweepSample& b = result.samples[edges[k].second];
+    const Varied& along = result.varied[edges[k].along];
+    const double width = result.varied.size() == 1
+                             ? kBorder * std::abs(along.to - along.from)
+                             : kMapBorder * std::abs(b.at[edges[k].along] - a.at[edges[k].along]);
+    run.sharpen(a, b, edges[k].along, width, found[k]);
+  });
+  for (auto& borders : found) {
+    result.borders.insert(result.borders.end(), borders.begin(), borders.end());
+  }
+}
+
+std::vector<std::string> broken_rules(const Mechanism& mechanism,
+                                      const std::vector<Varied>& varied) {
+  std::vector<std::string> broken;
+  if (varied.empty() || varied.size() > 2) broken.push_back("one or two numbers can be varied");
+  std::size_t samples = 1;
+  for (const Varied& number : varied) {
+    Mechanism copy = mechanism;
+    try {
+      set_dimension(copy, number.name, number.from);
+    } catch (const std::invalid_argument& error) {
+      broken.push_back(error.what());
+    }
+    if (!std::isfinite(number.from) || !std::isfinite(number.to) || number.from == number.to) {
+      broken.push_back(number.name + " has no range to be varied in");
+    }
+    if (number.count < 2 || number.count > kMostSamples / samples) {
+      broken.push_back(number.name +
+                       " takes 2 values or more, and there are a million samples at most");
+    } else {
+      samples *= number.count;
+    }
+  }
+  if (varied.size() == 2 && varied[0].name == varied[1].name) {
+    broken.push_back(varied[0].name + " is varied twice");
+  }
+  return broken;
+}
+
+}  // namespace
+
+double Varied::at(std::size_t k) const {
+  if (k + 1 == count) return to;
+  return from + (to - from) * static_cast<double>(k) / static_cast<double>(count - 1);
+}
+
+SweepResult sweep(const Mechanism& mechanism, const std::vector<Varied>& varied,
+                  const Tracker& tracker, FamilyBook& book, const SweepOptions& options,
+                  const std::atomic<bool>& stop) {
+  require_unbroken(broken_rules(mechanism, varied));
+  const Stopwatch watch;
+  SweepResult result;
+  result.varied = varied;
+  const std::size_t columns = varied.size() == 2 ? varied[1].count : 1;
+  result.samples.resize(varied[0].count * columns);
+  Sweep run(mechanism, varied, tracker, book, options, stop);
+  result.threads = run.threads();
+  const auto at = [&](std::size_t k) {
+    std::vector<double> values{varied[0].at(k / columns)};
+    if (varied.size() == 2) values.push_back(varied[1].at(k % columns));
+    return values;
+  };
+  for (std::size_t k = 0; k < result.samples.size(); ++k) result.samples[k].at = at(k);
+  run.on_all(result.samples.size(), [&](std::size_t k) { result.samples[k] = run.sample(at(k)); });
+  sharpen_borders(run, options, result);
+  result.complete = !stop;
+  for (const SweepSample& sample : result.samples) result.complete &= sample.complete;
+  result.families = book.families().size();
+  result.seconds = watch.total();
+  return result;
+}
+
+}  // namespace moivre

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// Counts over a mechanism's numbers: the borders of a four-bar and of a platform where closed forms have them.
+#include "moivre/sweep/sweep.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "moivre/mechanism/read.h"
+#include "moivre/sweep/dimensions.h"
+#include "moivre/tracker_lanes/lane_tracker.h"
+
+namespace moivre {
+namespace {
+
+Mechanism problem(const std::string& name) {
+  return read_mechanism(read_source(MOIVRE_SOURCE_DIR "/problems/mechanisms/" + name + ".toml"));
+}
+
+SweepResult swept(const std::string& name, const std::vector<Varied>& varied) {
+  const auto lanes = make_lane_tracker();
+  FamilyBook book;
+  SweepOptions options;
+  options.closures.solve.threads = 2;
+  return sweep(problem(name), varied, *lanes, book, options);
+}
+
+TEST(Dimensions, AreNamedAndSet) {
+  Mechanism mechanism = problem("3-rpr");
+  set_dimension(mechanism, "leg 1.length", 3);
+  EXPECT_EQ(mechanism.joints[0].length, 3);
+  set_dimension(mechanism, "platform.B2.x", 5);
+  EXPECT_EQ(mechanism.bodies[1].points[1].at.x(), 5);
+  EXPECT_THROW(set_dimension(mechanism, "leg 4.length", 1), std::invalid_argument);
+  Mechanism four_bar = problem("four-bar");
+  set_dimension(four_bar, "crank", 90);
+  EXPECT_NEAR(driver_state(four_bar.drivers[0].law, 5).value, std::acos(0.0), 1e-15);
+}
+
+TEST(Sweep, FindsWhereAFourBarCanNoLongerBeAssembled) {
+  // Norton's four-bar, crank at 40 degrees of length a: coupler 120 and rocker 80 reach over the diagonal e,
+  // e^2 = a^2 + 100^2 - 200 a cos 40 deg, while 40 <= e <= 200.
+  const SweepResult result = swept("four-bar", {{"crank.A.x", 1, 299, 40}});
+  EXPECT_TRUE(result.complete);
+  EXPECT_EQ(result.families, 1U);
+  const double c = 100 * std::cos(40 * std::acos(-1.0) / 180);
+  const double far = c + std::sqrt(c * c - 1e4 + 200.0 * 200);
+  ASSERT_EQ(result.borders.size(), 1U);  // the diagonal stays above 64
+  EXPECT_NEAR(result.borders[0].at[0], far, 1e-6);
+  EXPECT_EQ(result.borders[0].below, 2U);
+  EXPECT_EQ(result.borders[0].above, 0U);
+  for (const SweepSample& sample : result.samples) EXPECT_EQ(sample.complex, 2U);
+}
+
+TEST(Sweep, FindsTheDeadPointsOfADriver) {
+  Mechanism mechanism = problem("four-bar");
+  set_dimension(mechanism, "crank.A.x", 150);
+  const auto lanes = make_lane_tracker();
+  FamilyBook book;
+  const SweepResult result = sweep(mechanism, {{"crank", 0, 180, 37}}, *lanes, book);
+  // e = 200: cos = (150^2 + 100^2 - 200^2) / (2 * 150 * 100).
+  const double dead = std::acos(-7500.0 / 30000) * 180 / std::acos(-1.0);
+  ASSERT_EQ(result.borders.size(), 1U);
+  EXPECT_NEAR(result.borders[0].at[0], dead, 1e-6);
+}
+
+TEST(Sweep, MapsTheAssembliesOfAPlatform) {
+  const SweepResult result =
+      swept("3-rpr", {{"leg 1.length", 8, 22, 8}, {"leg 2.length", 8, 22, 8}});
+  EXPECT_TRUE(result.complete);
+  EXPECT_FALSE(result.borders.empty());
+  std::set<std::uint64_t> counts;
+  for (const SweepSample& sample : result.samples) {
+    EXPECT_EQ(sample.complex, 6U);
+    EXPECT_EQ(sample.real % 2, 0U);
+    counts.insert(sample.real);
+  }
+  EXPECT_GE(counts.size(), 2U);
+}
+
+TEST(Sweep, NamesEveryFault) {
+  const auto lanes = make_lane_tracker();
+  FamilyBook book;
+  EXPECT_THROW(sweep(problem("four-bar"), {}, *lanes, book), std::invalid_argument);
+  EXPECT_THROW(sweep(problem("four-bar"), {{"crank.Q.x", 0, 1, 5}}, *lanes, book),
+               std::invalid_argument);
+  EXPECT_THROW(sweep(problem("four-bar"), {{"crank", 0, 0, 5}}, *lanes, book),
+               std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace moivre
