@@ -23,5 +23,8 @@ void add_mobility_command(CLI::App& moivre, Chosen& chosen) {
 void add_guesses_command(CLI::App& moivre, Chosen& chosen) {
   add_absent(moivre, chosen, "guesses");
 }
+void add_mechanism_command(CLI::App& moivre, Chosen& chosen) {
+  add_absent(moivre, chosen, "mechanism");
+}
 
 }  // namespace moivre
