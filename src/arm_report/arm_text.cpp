@@ -2,6 +2,7 @@
 // Inverse kinematics for people: the answer, and a table of joint values.
 #include <algorithm>
 #include <cstdio>
+#include <string_view>
 
 #include "moivre/arm_report/arm_report.h"
 #include "moivre/report/number_text.h"
@@ -20,7 +21,7 @@ std::string padded(const std::string& text, std::size_t width) {
 std::string fixed_text(double x) {
   char text[32];
   std::snprintf(text, sizeof text, "%.6f", x);
-  return text;
+  return std::string_view(text) == "-0.000000" ? "0.000000" : text;
 }
 
 std::size_t width_of(const ArmJoint& joint) { return std::max(kWidth, joint.name.size() + 2); }
@@ -33,13 +34,14 @@ std::string table_head(const Arm& arm) {
 
 std::string closure_line(const ArmClosure& closure, const Arm& arm) {
   std::string text = closure.id + std::string(closure.id.size() < 2 ? 1 : 0, ' ');
+  bool was_beyond = false;
   for (std::size_t k = 0; k < arm.joints.size(); ++k) {
     const bool is_beyond =
         std::find(closure.beyond.begin(), closure.beyond.end(), k) != closure.beyond.end();
     const std::string value = fixed_text(closure.in_limits[static_cast<Eigen::Index>(k)]);
-    text += padded(value + (is_beyond ? "!" : ""), width_of(arm.joints[k]) + (is_beyond ? 1 : 0));
     // The mark stands in the next column's blanks.
-    if (is_beyond && k + 1 < arm.joints.size()) continue;
+    text += padded(value, width_of(arm.joints[k]) - (was_beyond ? 1 : 0)) + (is_beyond ? "!" : "");
+    was_beyond = is_beyond;
   }
   if (closure.singular) text += "  singular";
   if (!closure.beyond.empty()) text += "  beyond limits";

@@ -45,11 +45,12 @@ void expect_faults(const std::filesystem::path& file) {
     const auto& found = error.diagnostics();
     EXPECT_EQ(found.size(), expected.size()) << error.what();
     for (const Expected& fault : expected) {
-      EXPECT_TRUE(std::any_of(found.begin(), found.end(), [&](const Diagnostic& diagnostic) {
-        return diagnostic.at.line == fault.line &&
-               diagnostic.message.find(fault.words) != std::string::npos;
-      })) << fault.line
-          << ": " << fault.words << "\n  in\n"
+      EXPECT_TRUE(std::any_of(found.begin(), found.end(),
+                              [&](const Diagnostic& diagnostic) {
+                                return diagnostic.at.line == fault.line &&
+                                       diagnostic.message.find(fault.words) != std::string::npos;
+                              }))
+          << fault.line << ": " << fault.words << "\n  in\n"
           << error.what();
     }
     EXPECT_TRUE(std::is_sorted(found.begin(), found.end(), [](const auto& a, const auto& b) {

@@ -58,12 +58,13 @@ TEST(MechanismTextTest, MimicsAreDrivenTogetherWithTheirLeader) {
 
 TEST(MechanismTextTest, NamesThatAMechanismFileDoesNotTakeAreChanged) {
   const Robot robot = read_urdf(
-      {"r", "<robot name='a \"robot\"'><link name='the base'/><link name='ground'/>"
-            "<link name='gro/und'/><link name='gro und'/>"
-            "<joint name='j 1' type='continuous'><parent link='the base'/><child link='ground'/>"
-            "</joint><joint name='j_1' type='fixed'><parent link='ground'/><child link='gro/und'/>"
-            "</joint><joint name='j:1' type='fixed'><parent link='ground'/><child link='gro und'/>"
-            "</joint></robot>"});
+      {"r",
+       "<robot name='a \"robot\"'><link name='the base'/><link name='ground'/>"
+       "<link name='gro/und'/><link name='gro und'/>"
+       "<joint name='j 1' type='continuous'><parent link='the base'/><child link='ground'/>"
+       "</joint><joint name='j_1' type='fixed'><parent link='ground'/><child link='gro/und'/>"
+       "</joint><joint name='j:1' type='fixed'><parent link='ground'/><child link='gro und'/>"
+       "</joint></robot>"});
   const std::string text = mechanism_text(robot, "file\nname");
   EXPECT_NO_THROW(read_mechanism({"r.toml", text})) << text;
 }

@@ -30,9 +30,10 @@ TEST(ReadUrdfTest, DecimalsAreExact) {
 
 TEST(ReadUrdfTest, NumbersMayBeWrittenAsProgramsWriteThem) {
   const Robot robot = read_urdf(
-      {"r", "<robot name='r'><link name='a'/><link name='b'/><joint name='j' type='continuous'>"
-            "<parent link='a'/><child link='b'/><origin xyz='1. -.5  +2.5E-1'\n rpy='\t0 -0 1e0 '/>"
-            "</joint></robot>"});
+      {"r",
+       "<robot name='r'><link name='a'/><link name='b'/><joint name='j' type='continuous'>"
+       "<parent link='a'/><child link='b'/><origin xyz='1. -.5  +2.5E-1'\n rpy='\t0 -0 1e0 '/>"
+       "</joint></robot>"});
   EXPECT_EQ(robot.joints[0].xyz[0], Rational(1));
   EXPECT_EQ(robot.joints[0].xyz[1], Rational(-1, 2));
   EXPECT_EQ(robot.joints[0].xyz[2], Rational(1, 4));
@@ -57,10 +58,11 @@ TEST(ReadUrdfTest, LimitsOfJointsThatTurnWithoutEndAreNone) {
 }
 
 TEST(ReadUrdfTest, WhatDrawsOrWeighsTheRobotIsPassedOver) {
-  const Robot robot = read_urdf(
-      {"r", "<?xml version='1.0'?><!-- made by hand --><robot name='r'><material name='blue'/>"
-            "<link name='a'><visual><origin xyz='x'/></visual><inertial/></link><gazebo/>"
-            "<transmission name='t'><joint name='j'/></transmission></robot>"});
+  const Robot robot =
+      read_urdf({"r",
+                 "<?xml version='1.0'?><!-- made by hand --><robot name='r'><material name='blue'/>"
+                 "<link name='a'><visual><origin xyz='x'/></visual><inertial/></link><gazebo/>"
+                 "<transmission name='t'><joint name='j'/></transmission></robot>"});
   EXPECT_EQ(robot.links.size(), 1U);
   EXPECT_TRUE(robot.joints.empty());
 }
