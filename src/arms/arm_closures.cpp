@@ -72,6 +72,7 @@ LeftOut cut_told(const Arm& arm, const Cut& cut) {
 /// Paths to all roots of the outside's equations; none where there is nothing outside.
 SolveResult solve_outside(const System& system, const Tracker& tracker, SolveOptions options,
                           const std::atomic<bool>& stop) {
+  options.eliminate = false;  // multilinear equations have nothing that pays
   if (options.start == StartKind::automatic && system.variables.size() > 1) {
     options.start = StartKind::multihomogeneous;
   }
@@ -196,7 +197,7 @@ std::optional<ArmMoves> find_moving(const Arm& arm, const Eigen::Isometry3d& pos
     for (Eigen::Index k = 0; k < n; ++k) {
       const auto number =
           kBehindWeights + trial * arm.joints.size() + static_cast<std::uint64_t>(k);
-      const double unit = 2 * random_unit(seed, RandomStream::arm, number) - 1;
+      const double unit = 2 * random_unit(seed, RandomStream{21}, number) - 1;
       const bool is_slide = arm.joints[static_cast<std::size_t>(k)].is_slide;
       start[k] = unit * (is_slide ? arm.length : std::numbers::pi);
     }

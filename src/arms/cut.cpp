@@ -39,6 +39,18 @@ double independence(const std::vector<ExactDisplacement>& products) {
   return Eigen::JacobiSVD<Eigen::MatrixXd>(rows).singularValues()[3];
 }
 
+/// Whether rank 4 of a pair's products with a third joint is not out of the question: exact ranks cost more than this.
+bool may_be_group(const std::vector<ExactDisplacement>& products, const LoopJoint& third) {
+  constexpr double kClearlyMore = 1e-6;
+  Eigen::Matrix<double, 8, 8> rows;
+  for (Eigen::Index k = 0; k < 4; ++k) {
+    const ExactDisplacement before = products[static_cast<std::size_t>(k)] * third.before;
+    rows.row(2 * k) = unit_row(before);
+    rows.row(2 * k + 1) = unit_row(before * third.step);
+  }
+  return Eigen::JacobiSVD<Eigen::MatrixXd>(rows).singularValues()[4] < kClearlyMore;
+}
+
 Cut cut_at(const Loop& loop, std::size_t first, std::size_t count) {
   const std::size_t n = loop.joints.size();
   Cut cut;
@@ -52,6 +64,7 @@ Cut cut_at(const Loop& loop, std::size_t first, std::size_t count) {
 /// The group that three joints make, if they do.
 std::optional<Cut> cut_of_three(const Loop& loop, std::size_t first) {
   std::vector<ExactDisplacement> products = pair_products(loop, first, first + 1);
+  if (!may_be_group(products, loop.joints[first + 2])) return std::nullopt;
   if (vanishing_forms(products).size() != 4) return std::nullopt;
   if (vanishing_forms(pair_products(loop, first + 1, first + 2)).size() != 4) return std::nullopt;
   const LoopJoint& third = loop.joints[first + 2];

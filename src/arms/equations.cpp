@@ -35,6 +35,9 @@ Monomial monomial(std::size_t bits) {
   return powers;
 }
 
+/// Coefficients beside the largest are kept to so many bits: twice what the paths are followed with at the most.
+constexpr std::size_t kBits = 256;
+
 /// The forms of the product, all scaled by one power of two to have coefficients near 1.
 std::vector<Polynomial> forms_of(const std::vector<LinearForm>& forms, const Expansion& terms) {
   std::vector<std::vector<Integer>> values;
@@ -46,12 +49,15 @@ std::vector<Polynomial> forms_of(const std::vector<LinearForm>& forms, const Exp
       bits = std::max(bits, bit_length(row.back()));
     }
   }
-  const Integer scale = Integer(1) << static_cast<unsigned>(bits);
+  const std::size_t dropped = bits > kBits ? bits - kBits : 0;
+  const Integer unit = Integer(1) << static_cast<unsigned>(dropped);
+  const Integer scale = Integer(1) << static_cast<unsigned>(bits - dropped);
   std::vector<Polynomial> polynomials;
   for (const std::vector<Integer>& row : values) {
     TermMap map;
     for (std::size_t k = 0; k < row.size(); ++k) {
-      if (row[k] != 0) map[monomial(k)] = {ratio(row[k], scale), {}};
+      const Integer kept = row[k] / unit;
+      if (kept != 0) map[monomial(k)] = {ratio(kept, scale), {}};
     }
     polynomials.push_back(to_polynomial(std::move(map)));
   }
@@ -67,7 +73,7 @@ std::vector<Polynomial> combinations(const std::vector<Polynomial>& all, std::si
     for (const Polynomial& one : all) {
       // Numbers of joints come before these in the stream.
       constexpr std::uint64_t kBehindJoints = 1000;
-      const double weight = random_unit(seed, RandomStream::arm, kBehindJoints + number++) - 0.5;
+      const double weight = random_unit(seed, RandomStream{21}, kBehindJoints + number++) - 0.5;
       const Coefficient factor{Rational(static_cast<std::int64_t>(weight * kLargestWeight)), {}};
       sum = sum + factor * one;
     }

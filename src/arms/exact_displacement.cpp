@@ -11,9 +11,9 @@ namespace moivre {
 namespace {
 
 /// Sines and cosines are kept to so many bits, more than their doubles have for any angle that is not tiny.
-constexpr int kBits = 60;
+constexpr std::size_t kBits = 60;
 
-Integer fixed_point(double x) { return {std::llround(std::ldexp(x, kBits))}; }
+Integer fixed_point(double x) { return {std::llround(std::ldexp(x, static_cast<int>(kBits)))}; }
 
 using RationalDisplacement = DualQuaternion<Rational>;
 
@@ -46,6 +46,17 @@ ExactDisplacement elementary_turn(const Rational& angle, std::size_t axis) {
   return turn;
 }
 
+/// Any four numbers are a turn: products of turns are cut to kBits. What is equal, or zero, stays so.
+ExactDisplacement cut_short(const ExactDisplacement& turn) {
+  ExactDisplacement result = reduced(turn);
+  std::size_t bits = 0;
+  for (const Integer& part : result) bits = std::max(bits, bit_length(part));
+  if (bits <= kBits) return result;
+  const Integer unit = Integer(1) << static_cast<unsigned>(bits - kBits);
+  for (Integer& part : result) part /= unit;
+  return reduced(result);
+}
+
 ExactDisplacement translation(const Rational& x, const Rational& y, const Rational& z) {
   const Rational half(1, 2);
   return whole({Rational(1), {}, {}, {}, {}, half * x, half * y, half * z});
@@ -69,8 +80,9 @@ ExactDisplacement in_unit(ExactDisplacement g, int exponent) {
 }
 
 ExactDisplacement exact_origin(const ExactVector& xyz, const ExactVector& rpy) {
-  return reduced(translation(xyz[0], xyz[1], xyz[2]) * elementary_turn(rpy[2], 2) *
-                 elementary_turn(rpy[1], 1) * elementary_turn(rpy[0], 0));
+  const ExactDisplacement turn =
+      elementary_turn(rpy[2], 2) * elementary_turn(rpy[1], 1) * elementary_turn(rpy[0], 0);
+  return reduced(translation(xyz[0], xyz[1], xyz[2]) * cut_short(turn));
 }
 
 ExactDisplacement exact_turn(const ExactVector& axis, double angle) {

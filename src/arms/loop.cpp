@@ -25,7 +25,7 @@ ComplexDisplacement rounded(const ExactDisplacement& g) {
 
 /// Counts the turn from a random angle: before J(x) = before J(zero) J(x - zero).
 void shift_zero(LoopJoint& joint, std::uint64_t seed, std::size_t number) {
-  const double at = random_unit(seed, RandomStream::arm, number);
+  const double at = random_unit(seed, RandomStream{21}, number);
   const auto c = static_cast<int>(std::lround(kFinest * std::cos(std::numbers::pi * at)));
   const auto s = static_cast<int>(std::lround(kFinest * std::sin(std::numbers::pi * at)));
   ExactDisplacement turn{};

@@ -30,8 +30,7 @@ enum class RandomStream : std::uint64_t {
   certify = 13,
   cluster = 14,
   check = 15,
-  other_reading = 16,
-  arm = 21
+  other_reading = 16
 };
 
 namespace detail {
