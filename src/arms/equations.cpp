@@ -51,7 +51,8 @@ std::vector<Polynomial> forms_of(const std::vector<LinearForm>& forms, const Exp
   }
   const std::size_t dropped = bits > kBits ? bits - kBits : 0;
   const Integer unit = Integer(1) << static_cast<unsigned>(dropped);
-  const Integer scale = Integer(1) << static_cast<unsigned>(bits - dropped);
+  // Over a power of two a number counts as rounded (moivre/polynomial/digits.h); these are not.
+  const Integer scale = Integer(3) << static_cast<unsigned>(bits - dropped);
   std::vector<Polynomial> polynomials;
   for (const std::vector<Integer>& row : values) {
     TermMap map;

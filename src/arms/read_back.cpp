@@ -9,8 +9,9 @@
 namespace moivre {
 namespace {
 
-/// Closures have joints with inverses; others miss this by rounding alone, or by their own accuracy.
-constexpr double kNull = 1e-10;
+/// Joints without an inverse miss that by rounding, or by some hundred times their own error.
+constexpr double kNull = 1e-13;
+constexpr double kNullPerError = 1e2;
 /// Sine of the angle between the inside's product and what it must be: closures have 1e-13, roots of the combinations alone 1e-5
 /// at the least. A root that is known to few digits may miss by some thousand times its error.
 constexpr double kMissed = 1e-9;
@@ -110,9 +111,9 @@ void scale_to_one(const LoopJoint& joint, Tangent& at) {
 
 /// Whether every joint has an inverse and the loop closes.
 bool is_closure(const Loop& loop, const Cut& cut, const std::vector<Tangent>& at,
-                const ComplexDisplacement& wanted, double missed) {
+                const ComplexDisplacement& wanted, double missed, double null) {
   for (std::size_t k = 0; k < at.size(); ++k) {
-    if (!(distance_from_null(loop.joints[k], at[k]) > kNull)) return false;
+    if (!(distance_from_null(loop.joints[k], at[k]) > null)) return false;
   }
   ComplexDisplacement product = joint_displacement(loop.joints[cut.inside[0]], at[cut.inside[0]]);
   for (std::size_t i = 1; i < cut.inside.size(); ++i) {
@@ -130,6 +131,7 @@ ReadBack read_back(const Loop& loop, const Cut& cut, const Point& x, double accu
   ReadBack result;
   const double least = loop.joints.size() < 6 ? kMissedByRounding : kMissed;
   const double missed = std::max(least, kMissedPerError * accuracy);
+  const double null = std::max(kNull, kNullPerError * accuracy);
   std::vector<Tangent> at(loop.joints.size());
   for (std::size_t k = 0; k < cut.outside.size(); ++k) {
     const std::size_t joint = cut.outside[k];
@@ -139,7 +141,7 @@ ReadBack read_back(const Loop& loop, const Cut& cut, const Point& x, double accu
   const ComplexDisplacement wanted = wanted_inside(loop, cut, at);
   const auto take = [&] {
     for (const std::size_t k : cut.inside) scale_to_one(loop.joints[k], at[k]);
-    if (!is_closure(loop, cut, at, wanted, missed)) return;
+    if (!is_closure(loop, cut, at, wanted, missed, null)) return;
     LoopRoot root{at, 0};
     for (std::size_t k = 0; k < at.size(); ++k) {
       root.imaginary = std::max(root.imaginary, imaginary_part(loop.joints[k], at[k]));
