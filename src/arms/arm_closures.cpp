@@ -72,9 +72,9 @@ LeftOut cut_told(const Arm& arm, const Cut& cut) {
 /// Paths to all roots of the outside's equations; none where there is nothing outside.
 SolveResult solve_outside(const System& system, const Tracker& tracker, SolveOptions options,
                           const std::atomic<bool>& stop) {
-  options.eliminate = false;  // multilinear equations have nothing that pays
-  if (options.start == StartKind::automatic && system.variables.size() > 1) {
-    options.start = StartKind::multihomogeneous;
+  if (system.variables.size() > 1) {
+    options.eliminate = false;  // multilinear equations have nothing that pays
+    if (options.start == StartKind::automatic) options.start = StartKind::multihomogeneous;
   }
   return solve(system, tracker, options, stop);
 }

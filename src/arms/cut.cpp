@@ -10,7 +10,7 @@ namespace {
 
 /// Pairs that are nearer to meeting or to being parallel, beside the arm's size, are taken as if they were: the equations
 /// for that hold for all pairs, and the others lose as many digits as this has zeros.
-constexpr double kLeastQuality = 1e-3;
+constexpr double kLeastQuality = 1e-5;
 
 using Row = Eigen::Matrix<double, 1, 8>;
 
