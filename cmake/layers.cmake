@@ -4,9 +4,8 @@
 # A module may use what its line names and what those use (one way only).
 
 set(MOIVRE_MODULES numeric expression polynomial multiprecision certify homotopy tracker tracker_cvode tracker_lanes endgame
-    start bounds check solver family study mechanism kinematics formulation closures closure_study sweep report check_report
-    family_report closure_report sweep_report study_report
-    cli)
+    start bounds check solver family study mechanism urdf kinematics formulation closures arms closure_study sweep report check_report
+    family_report closure_report arm_report sweep_report study_report cli)
 
 set(MOIVRE_USES_numeric "")
 set(MOIVRE_USES_expression numeric)
@@ -26,9 +25,12 @@ set(MOIVRE_USES_bounds start)
 set(MOIVRE_USES_check certify bounds)
 set(MOIVRE_USES_study multiprecision solver)
 set(MOIVRE_USES_mechanism expression)
+set(MOIVRE_USES_urdf mechanism)
 set(MOIVRE_USES_kinematics mechanism)
 set(MOIVRE_USES_formulation mechanism polynomial)
 set(MOIVRE_USES_closures kinematics formulation solver)
+# An arm's polynomials need no Phi: what puts its joint values right is the product of its transforms.
+set(MOIVRE_USES_arms urdf solver)
 set(MOIVRE_USES_closure_study closures study)
 set(MOIVRE_USES_sweep closures family)
 set(MOIVRE_USES_report solver)
@@ -36,8 +38,10 @@ set(MOIVRE_USES_check_report check report)
 set(MOIVRE_USES_family_report family report)
 set(MOIVRE_USES_closure_report closures report)
 set(MOIVRE_USES_sweep_report sweep report)
+set(MOIVRE_USES_arm_report arms report)
 set(MOIVRE_USES_study_report study report)
-set(MOIVRE_USES_cli closure_study multiprecision report check_report family_report study_report closure_report sweep_report tracker_cvode tracker_lanes)
+set(MOIVRE_USES_cli closure_study multiprecision report check_report family_report study_report closure_report arm_report sweep_report
+    tracker_cvode tracker_lanes)
 
 # Where a module is switched off, those named here make do without it; cli makes do with what is there.
 set(MOIVRE_DO_WITHOUT_certify solver)
@@ -53,12 +57,14 @@ set(MOIVRE_THIRD_PARTY_tracker_lanes hwy::hwy)
 set(MOIVRE_THIRD_PARTY_solver TBB::tbb)
 set(MOIVRE_THIRD_PARTY_family nlohmann_json::nlohmann_json)
 set(MOIVRE_THIRD_PARTY_mechanism tomlplusplus::tomlplusplus)
+set(MOIVRE_THIRD_PARTY_urdf pugixml::pugixml)
 set(MOIVRE_THIRD_PARTY_check nlohmann_json::nlohmann_json)
 set(MOIVRE_THIRD_PARTY_report nlohmann_json::nlohmann_json)
 set(MOIVRE_THIRD_PARTY_check_report nlohmann_json::nlohmann_json)
 set(MOIVRE_THIRD_PARTY_family_report nlohmann_json::nlohmann_json)
 set(MOIVRE_THIRD_PARTY_closure_report nlohmann_json::nlohmann_json)
 set(MOIVRE_THIRD_PARTY_sweep_report nlohmann_json::nlohmann_json)
+set(MOIVRE_THIRD_PARTY_arm_report nlohmann_json::nlohmann_json)
 set(MOIVRE_THIRD_PARTY_study_report nlohmann_json::nlohmann_json)
 set(MOIVRE_THIRD_PARTY_cli CLI11::CLI11)
 
@@ -75,6 +81,7 @@ set(MOIVRE_FIND_hwy::hwy hwy 1.0)
 set(MOIVRE_FIND_TBB::tbb TBB 2021.8)
 set(MOIVRE_FIND_nlohmann_json::nlohmann_json nlohmann_json 3.11)
 set(MOIVRE_FIND_tomlplusplus::tomlplusplus tomlplusplus 3.3)
+set(MOIVRE_FIND_pugixml::pugixml pugixml 1.12)
 set(MOIVRE_FIND_CLI11::CLI11 CLI11 2.1)
 
 set(MOIVRE_HEADERS_Eigen3::Eigen "(Eigen|unsupported/Eigen)/")
@@ -87,6 +94,7 @@ set(MOIVRE_HEADERS_hwy::hwy "hwy/")
 set(MOIVRE_HEADERS_TBB::tbb "(tbb|oneapi)/")
 set(MOIVRE_HEADERS_nlohmann_json::nlohmann_json "nlohmann/")
 set(MOIVRE_HEADERS_tomlplusplus::tomlplusplus "toml\\+\\+/")
+set(MOIVRE_HEADERS_pugixml::pugixml "pugi(xml|config)\\.hpp")
 set(MOIVRE_HEADERS_CLI11::CLI11 "CLI/")
 
 set(MOIVRE_VOCABULARY Eigen3::Eigen Boost::headers)

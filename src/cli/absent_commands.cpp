@@ -24,5 +24,8 @@ void add_sweep_command(CLI::App& moivre, Chosen& chosen) { add_absent(moivre, ch
 void add_guesses_command(CLI::App& moivre, Chosen& chosen) {
   add_absent(moivre, chosen, "guesses");
 }
+void add_mechanism_command(CLI::App& moivre, Chosen& chosen) {
+  add_absent(moivre, chosen, "mechanism");
+}
 
 }  // namespace moivre

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // moivre closures FILE: every way a mechanism can be assembled, told as text, JSON or CSV.
 #include <memory>
+#include <stdexcept>
 
+#include "arm_closures.h"
 #include "command.h"
 #include "common_options.h"
 #include "interruption.h"
@@ -10,6 +12,7 @@
 #include "moivre/closure_report/closure_report.h"
 #include "moivre/closure_report/page.h"
 #include "moivre/closure_report/picture.h"
+#include "moivre/expression/joined.h"
 #include "moivre/numeric/stopwatch.h"
 #include "output.h"
 #include "progress_line.h"
@@ -25,6 +28,7 @@ struct ClosuresCommand {
   MechanismChoice mechanism;
   AngleForm angles;
   std::string family;
+  ArmOptions arm;
   double at = 0;
   int threads = 0;
   bool quiet = false;
@@ -49,6 +53,26 @@ std::string page_of(const ClosureResult& result, const Mechanism& mechanism,
   return motion_html(find_motion(mechanism, tracker, motion, stop), mechanism, command.file);
 }
 
+/// A robot has no drivers, no gears and, as yet, no pictures.
+void require_no_more(const ClosuresCommand& command) {
+  std::vector<std::string> given;
+  if (command.at != 0) given.emplace_back("--at");
+  if (command.mechanism.fit) given.emplace_back("--fit");
+  if (command.mechanism.all_meshings) given.emplace_back("--meshings");
+  if (!command.svg.empty()) given.emplace_back("--svg");
+  if (!command.html.empty()) given.emplace_back("--html");
+  if (given.empty()) return;
+  throw std::invalid_argument(joined(given, ", ") + (given.size() == 1 ? " is" : " are") +
+                              " not for robots (URDF); moivre mechanism makes a mechanism of one");
+}
+
+int run_robot(const ClosuresCommand& command, const Source& source) {
+  require_no_more(command);
+  return run_arm({command.file, command.arm, command.start, command.tracker, command.threads,
+                  command.quiet, command.angles.in_degrees, command.json, command.csv},
+                 source);
+}
+
 int run(const ClosuresCommand& command) {
   std::unique_ptr<Tracker> tracker;
   require_all(
@@ -60,7 +84,14 @@ int run(const ClosuresCommand& command) {
        [&] { require_ending(command.svg, ".svg"); }, [&] { require_ending(command.html, ".html"); },
        [&] { tracker = make_tracker(command.tracker); }});
   const Stopwatch watch;
-  Mechanism mechanism = read_mechanism_file(command.file);
+  const Source source = read_source(command.file);
+  if (is_robot(command.file, source)) return run_robot(command, source);
+  if (are_given(command.arm)) {
+    throw std::invalid_argument(
+        "--base, --tip, --pose, --poses and --hold are for robots (URDF); " + command.file +
+        " is none");
+  }
+  Mechanism mechanism = read_mechanism_file(command.file, source);
   apply(command.mechanism, mechanism);
   const double parse_s = watch.total();
   Output json(command.json);
@@ -104,10 +135,12 @@ int run(const ClosuresCommand& command) {
 
 void add_closures_command(CLI::App& moivre, Chosen& chosen) {
   const auto command = std::make_shared<ClosuresCommand>();
-  CLI::App& app = *moivre.add_subcommand("closures", "Find every way a mechanism can be assembled");
+  CLI::App& app = *moivre.add_subcommand(
+      "closures", "Find every way a mechanism can be assembled, or an arm (URDF) can hold a pose");
   add_mechanism_file(app, command->file);
   add_time_option(app, command->at);
   add_mechanism_options(app, command->mechanism);
+  add_arm_options(app, command->arm);
   add_start_options(app, command->start);
   add_threads_option(app, command->threads);
   add_quiet_flag(app, command->quiet);
@@ -127,7 +160,10 @@ void add_closures_command(CLI::App& moivre, Chosen& chosen) {
                      "moivre closures four-bar.toml --json - | jq .counts",
                      "moivre closures four-bar.toml --quiet --csv closures.csv",
                      "moivre closures four-bar.toml --svg closures.svg",
-                     "moivre closures four-bar.toml --html closures.html"});
+                     "moivre closures four-bar.toml --html closures.html",
+                     "moivre closures puma560.urdf --pose \"0.4 0.1 0.3 1 0 0 0\"",
+                     "moivre closures panda.urdf --tip panda_hand_tcp --hold panda_joint7=0.8 "
+                     "--poses poses.csv --csv joints.csv"});
   app.callback([command, &chosen] { chosen = [command] { return run(*command); }; });
 }
 

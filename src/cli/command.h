@@ -20,6 +20,7 @@ void add_motion_command(CLI::App& moivre, Chosen& chosen);
 void add_newton_command(CLI::App& moivre, Chosen& chosen);
 void add_mobility_command(CLI::App& moivre, Chosen& chosen);
 void add_guesses_command(CLI::App& moivre, Chosen& chosen);
+void add_mechanism_command(CLI::App& moivre, Chosen& chosen);
 void add_study_command(CLI::App& moivre, Chosen& chosen);
 void add_check_command(CLI::App& moivre, Chosen& chosen);
 void add_family_command(CLI::App& moivre, Chosen& chosen);

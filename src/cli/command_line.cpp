@@ -129,6 +129,7 @@ int parse_and_run(int argc, char** argv) {
   add_newton_command(moivre, chosen);
   add_mobility_command(moivre, chosen);
   add_guesses_command(moivre, chosen);
+  add_mechanism_command(moivre, chosen);
   add_study_command(moivre, chosen);
   add_check_command(moivre, chosen);
   add_family_command(moivre, chosen);

@@ -45,7 +45,10 @@ bool is_mechanism_file(const std::string& file) {
 }
 
 Mechanism read_mechanism_file(const std::string& file) {
-  const Source source = read_source(file);
+  return read_mechanism_file(file, read_source(file));
+}
+
+Mechanism read_mechanism_file(const std::string& file, const Source& source) {
   try {
     return read_mechanism(source);
   } catch (const ParseError& error) {

@@ -18,6 +18,7 @@ bool is_mechanism_file(const std::string& file);
 
 /// A mechanism file, whatever its name. Throws ParseError, std::invalid_argument.
 Mechanism read_mechanism_file(const std::string& file);
+Mechanism read_mechanism_file(const std::string& file, const Source& source);
 
 /// A mechanism file, or a polynomial file as a typed mechanism. Throws ParseError, std::invalid_argument.
 Mechanism read_any_mechanism(const std::string& file);

@@ -7,7 +7,7 @@
 #include <map>
 
 #include "canonical_order.h"
-#include "closure_id.h"
+#include "moivre/mechanism/closure_id.h"
 #include "moivre/kinematics/local_dimension.h"
 #include "moivre/kinematics/newton.h"
 #include "moivre/mechanism/pose.h"

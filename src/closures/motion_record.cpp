@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "closure_id.h"
+#include "moivre/mechanism/closure_id.h"
 
 namespace moivre {
 namespace {

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <optional>
 
-#include "nearest.h"
+#include "moivre/mechanism/nearest.h"
 #include "refusals.h"
 
 namespace moivre {

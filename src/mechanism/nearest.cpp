@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How near are two words? Edit distance with swapped neighbours, letters' case ignored.
-#include "nearest.h"
+#include "moivre/mechanism/nearest.h"
 
 #include <algorithm>
 #include <cctype>

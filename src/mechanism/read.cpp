@@ -7,7 +7,7 @@
 #include <map>
 #include <numbers>
 
-#include "nearest.h"
+#include "moivre/mechanism/nearest.h"
 #include "read_parts.h"
 
 namespace moivre {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <map>
 
-#include "nearest.h"
+#include "moivre/mechanism/nearest.h"
 #include "read_parts.h"
 #include "refusals.h"
 

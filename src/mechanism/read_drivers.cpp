@@ -5,7 +5,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "nearest.h"
+#include "moivre/mechanism/nearest.h"
 #include "read_formula.h"
 #include "read_parts.h"
 

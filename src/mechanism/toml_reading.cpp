@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "moivre/mechanism/mechanism.h"
-#include "nearest.h"
+#include "moivre/mechanism/nearest.h"
 
 namespace moivre {
 

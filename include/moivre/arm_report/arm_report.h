@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// How is inverse kinematics told? As a table of joint values for people, as JSON and CSV for programs.
+//
+//   text  every closure a line, joint values in radians (or metres) within the limits where whole turns bring them there
+//   JSON  docs/json.md shows it: `coordinates` has turns in (-pi, pi], `in_limits` what a controller takes
+//   CSV   one closure a line: pose, id, then the joints as in_limits
+// A list of results stands for a file of poses; `is_list` says whether there was one, or a single pose.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "moivre/arms/arm_closures.h"
+
+namespace moivre {
+
+struct ArmReport {
+  std::string file;  ///< of the robot, as the user named it
+  Arm arm;
+  std::vector<ArmResult> results;  ///< a pose each
+  bool is_list = false;
+  double parse_s = 0;
+  double total_s = 0;
+};
+
+/// Whether every path of every pose was decided.
+bool is_complete(const ArmReport& report);
+
+std::string arm_text(const ArmReport& report);
+std::string arm_json(const ArmReport& report);
+std::string arm_csv(const ArmReport& report, bool in_degrees);
+
+}  // namespace moivre

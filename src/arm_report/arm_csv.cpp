@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// Joint values as a table: one closure a line.
+#include <numbers>
+
+#include "moivre/arm_report/arm_report.h"
+#include "moivre/report/number_text.h"
+
+namespace moivre {
+
+std::string arm_csv(const ArmReport& report, bool in_degrees) {
+  const std::string unit = in_degrees ? " [deg]" : " [rad]";
+  std::string text =
+      "pose,id,path,residual,newton_iterations,smallest_singular_value,within_limits";
+  for (const ArmJoint& joint : report.arm.joints) {
+    text += ',' + joint.name + (joint.is_slide ? "" : unit);
+  }
+  text += '\n';
+  for (std::size_t pose = 0; pose < report.results.size(); ++pose) {
+    for (const ArmClosure& closure : report.results[pose].closures) {
+      text += std::to_string(pose) + ',' + closure.id + ',' + std::to_string(closure.path) + ',' +
+              exact_text(closure.residual) + ',' + std::to_string(closure.newton_iterations) + ',' +
+              exact_text(closure.smallest_singular_value) + ',' +
+              (closure.beyond.empty() ? "true" : "false");
+      for (std::size_t k = 0; k < report.arm.joints.size(); ++k) {
+        const double value = closure.in_limits[static_cast<Eigen::Index>(k)];
+        const bool turns = in_degrees && !report.arm.joints[k].is_slide;
+        text += ',' + exact_text(turns ? value * 180 / std::numbers::pi : value);
+      }
+      text += '\n';
+    }
+  }
+  return text;
+}
+
+}  // namespace moivre

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+// Inverse kinematics as JSON: the contract of docs/json.md, key by key.
+#include <algorithm>
+
+#include "moivre/arm_report/arm_report.h"
+#include "moivre/report/json.h"
+
+namespace moivre {
+namespace {
+
+Json values_json(const Arm& arm, const Eigen::VectorXd& values) {
+  Json json = Json::object();
+  for (std::size_t k = 0; k < arm.joints.size(); ++k) {
+    json[arm.joints[k].name] = to_json(values[static_cast<Eigen::Index>(k)]);
+  }
+  return json;
+}
+
+Json joint_json(const ArmJoint& joint) {
+  const std::string turn = joint.limits ? "revolute" : "continuous";
+  const Json limits = joint.limits
+                          ? Json{to_json(joint.limits->lower), to_json(joint.limits->upper)}
+                          : Json(nullptr);
+  return {{"name", joint.name}, {"type", joint.is_slide ? "prismatic" : turn}, {"limits", limits}};
+}
+
+Json pose_json(const Eigen::Isometry3d& pose) {
+  const Eigen::Quaterniond q(pose.linear());
+  const Eigen::Vector3d t = pose.translation();
+  Json json = Json::array();
+  for (const double x : {t.x(), t.y(), t.z(), q.w(), q.x(), q.y(), q.z()}) {
+    json.push_back(to_json(x));
+  }
+  return json;
+}
+
+Json closure_json(const ArmClosure& closure, const Arm& arm) {
+  return {{"id", closure.id},
+          {"coordinates", values_json(arm, closure.values)},
+          {"in_limits", values_json(arm, closure.in_limits)},
+          {"within_limits", closure.beyond.empty()},
+          {"beyond_limits",
+           list_json(closure.beyond, [&](std::size_t k) { return Json(arm.joints[k].name); })},
+          {"residual", to_json(closure.residual)},
+          {"newton_iterations", closure.newton_iterations},
+          {"smallest_singular_value", to_json(closure.smallest_singular_value)},
+          {"path", closure.path},
+          {"multiplicity", closure.multiplicity},
+          {"singular", closure.singular}};
+}
+
+Json moves_json(const std::optional<ArmMoves>& moves, const Arm& arm) {
+  if (!moves) return nullptr;
+  return {{"pose", values_json(arm, moves->values)}, {"tangent", values_json(arm, moves->tangent)}};
+}
+
+Json stage_json(const ArmStage& stage) {
+  return {{"group", stage.group},
+          {"paths", stage.paths.tracked},
+          {"solves", stage.solves},
+          {"finite", stage.paths.finite},
+          {"at_infinity", stage.paths.at_infinity},
+          {"failed", stage.paths.failed}};
+}
+
+/// What differs from pose to pose, but the time.
+void add_result(const ArmResult& result, const Arm& arm, Json& json) {
+  json["complete"] = result.complete;
+  json["message"] = result.message;
+  json["target"] = pose_json(result.pose);
+  json["start"] = to_json(result.start);
+  json["paths"] = to_json(result.paths);
+  json["stages"] = list_json(result.stages, stage_json);
+  json["counts"] = {{"complex", result.counts.complex},
+                    {"real", result.counts.real},
+                    {"filtered", 0},
+                    {"beyond_limits", result.counts.beyond_limits},
+                    {"rejected", result.counts.rejected}};
+  json["moves"] = moves_json(result.moves, arm);
+  json["closures"] =
+      list_json(result.closures, [&](const ArmClosure& c) { return closure_json(c, arm); });
+  json["failures"] = list_json(result.failures, [](const FailedPath& f) { return to_json(f); });
+  json["left_out"] = to_json(result.left_out);
+}
+
+}  // namespace
+
+bool is_complete(const ArmReport& report) {
+  return std::all_of(report.results.begin(), report.results.end(),
+                     [](const ArmResult& result) { return result.complete; });
+}
+
+std::string arm_json(const ArmReport& report) {
+  const Arm& arm = report.arm;
+  const ArmResult first = report.results.empty() ? ArmResult{} : report.results.front();
+  Json json = report_head("closures", report.file);
+  json["seed"] = first.seed;
+  json["robot"] = arm.robot;
+  json["base"] = arm.base;
+  json["tip"] = arm.tip;
+  json["joints"] = list_json(arm.joints, joint_json);
+  json["held"] = Json::object();
+  for (const HeldJoint& joint : arm.held) json["held"][joint.name] = to_json(joint.value);
+  json["units"] = {{"length", "m"}, {"angle", "rad"}};
+  json["tracker"] = tracker_json(first.tracker, first.tracker_options);
+  StepCount work;
+  SolveTime time;
+  for (const ArmResult& result : report.results) {
+    work += result.work;
+    time.start += result.time_s.start;
+    time.track += result.time_s.track;
+    time.track_cpu += result.time_s.track_cpu;
+    time.refine += result.time_s.refine;
+  }
+  if (report.is_list) {
+    json["complete"] = is_complete(report);
+    json["poses"] = Json::array();
+    for (std::size_t k = 0; k < report.results.size(); ++k) {
+      Json pose = {{"pose", k}};
+      add_result(report.results[k], arm, pose);
+      json["poses"].push_back(std::move(pose));
+    }
+  } else {
+    add_result(first, arm, json);
+  }
+  time.threads = first.time_s.threads;
+  time.parse = report.parse_s;
+  time.total = report.total_s;
+  json["work"] = work_json(work);
+  json["time_s"] = to_json(time);
+  return to_text(json);
+}
+
+}  // namespace moivre

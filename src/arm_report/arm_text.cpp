@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+// Inverse kinematics for people: the answer, and a table of joint values.
+#include <algorithm>
+#include <cstdio>
+#include <string_view>
+
+#include "moivre/arm_report/arm_report.h"
+#include "moivre/report/number_text.h"
+#include "moivre/report/text_blocks.h"
+
+namespace moivre {
+namespace {
+
+/// As wide as "-3.141593", two blanks before it.
+constexpr std::size_t kWidth = 11;
+
+std::string padded(const std::string& text, std::size_t width) {
+  return std::string(width > text.size() ? width - text.size() : 1, ' ') + text;
+}
+
+std::string fixed_text(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6f", x);
+  return std::string_view(text) == "-0.000000" ? "0.000000" : text;
+}
+
+std::size_t width_of(const ArmJoint& joint) { return std::max(kWidth, joint.name.size() + 2); }
+
+std::string table_head(const Arm& arm) {
+  std::string text = "  ";
+  for (const ArmJoint& joint : arm.joints) text += padded(joint.name, width_of(joint));
+  return text + '\n';
+}
+
+std::string closure_line(const ArmClosure& closure, const Arm& arm) {
+  std::string text = closure.id + std::string(closure.id.size() < 2 ? 1 : 0, ' ');
+  bool was_beyond = false;
+  for (std::size_t k = 0; k < arm.joints.size(); ++k) {
+    const bool is_beyond =
+        std::find(closure.beyond.begin(), closure.beyond.end(), k) != closure.beyond.end();
+    const std::string value = fixed_text(closure.in_limits[static_cast<Eigen::Index>(k)]);
+    // The mark stands in the next column's blanks.
+    text += padded(value, width_of(arm.joints[k]) - (was_beyond ? 1 : 0)) + (is_beyond ? "!" : "");
+    was_beyond = is_beyond;
+  }
+  if (closure.singular) text += "  singular";
+  if (!closure.beyond.empty()) text += "  beyond limits";
+  return text + '\n';
+}
+
+std::string answer(const ArmResult& result) {
+  std::string text = counted(result.counts.complex, "complex closure") + ", " +
+                     std::to_string(result.counts.real) + " real";
+  if (result.counts.beyond_limits > 0) {
+    text += ", " + std::to_string(result.counts.beyond_limits) + " beyond a joint's limits";
+  }
+  return text + "; " + result.message + '\n';
+}
+
+std::string paths_text(const ArmResult& result) {
+  if (result.stages.empty()) return "";
+  return counted(result.paths.tracked, "path") + " (" + result.start.kind + ", " + result.tracker +
+         ", seed " + std::to_string(result.seed) + "): " + std::to_string(result.paths.finite) +
+         " finite, " + std::to_string(result.paths.at_infinity) + " at infinity, " +
+         std::to_string(result.paths.failed) + " failed; " +
+         counted(result.counts.rejected, "root") + " no closure\n";
+}
+
+std::string moves_text(const ArmResult& result, const Arm& arm) {
+  if (!result.moves) return "";
+  std::string text = "the tip stands while the joints move, from here\n  ";
+  const auto line = [&](const Eigen::VectorXd& values) {
+    std::string joints;
+    for (std::size_t k = 0; k < arm.joints.size(); ++k) {
+      joints += padded(fixed_text(values[static_cast<Eigen::Index>(k)]), width_of(arm.joints[k]));
+    }
+    return joints + '\n';
+  };
+  return text + line(result.moves->values) + "along\n  " + line(result.moves->tangent);
+}
+
+std::string result_text(const ArmResult& result, const Arm& arm) {
+  std::string text = answer(result);
+  if (!result.closures.empty()) text += table_head(arm);
+  for (const ArmClosure& closure : result.closures) text += closure_line(closure, arm);
+  return text + moves_text(result, arm);
+}
+
+std::string heading(const ArmReport& report) {
+  const Arm& arm = report.arm;
+  std::string text = arm.robot + " (" + report.file + "), from " + arm.base + " to " + arm.tip +
+                     ", joint values in radians";
+  const bool has_slides = std::any_of(arm.joints.begin(), arm.joints.end(),
+                                      [](const ArmJoint& joint) { return joint.is_slide; });
+  text += has_slides ? " and metres\n" : "\n";
+  for (const HeldJoint& joint : arm.held) {
+    text += "held: " + joint.name + " = " + exact_text(joint.value) + '\n';
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string arm_text(const ArmReport& report) {
+  std::string text = heading(report);
+  if (!report.is_list && report.results.size() == 1) {
+    const ArmResult& only = report.results.front();
+    return text + result_text(only, report.arm) + '\n' + paths_text(only) +
+           left_out_text(only.left_out);
+  }
+  for (std::size_t k = 0; k < report.results.size(); ++k) {
+    text += "\npose " + std::to_string(k) + ": " + result_text(report.results[k], report.arm);
+  }
+  return text;
+}
+
+}  // namespace moivre

@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: MIT
+// The way from the base to the tip, joint by joint; what is wrong with a choice of links and held joints.
+#include "moivre/arms/arm.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "exact_displacement.h"
+#include "moivre/expression/joined.h"
+#include "moivre/mechanism/nearest.h"
+#include "moivre/urdf/placement.h"
+
+namespace moivre {
+namespace {
+
+/// A message names at most so many links or joints.
+constexpr std::size_t kListed = 20;
+constexpr std::size_t kMostFree = 6;
+
+/// A joint that is passed, and which way.
+struct Passage {
+  std::size_t joint = 0;
+  bool is_backwards = false;  ///< from the child to the parent
+};
+
+std::string listed(std::vector<std::string> names) {
+  const bool are_many = names.size() > kListed;
+  names.resize(std::min(names.size(), kListed));
+  return joined(names, ", ") + (are_many ? ", ..." : "");
+}
+
+template <class List>
+std::vector<std::string> names_of(const List& list) {
+  std::vector<std::string> names;
+  for (const auto& element : list) names.push_back(element.name);
+  return names;
+}
+
+std::vector<std::string> names_of(const Robot& robot, const std::vector<std::size_t>& links) {
+  std::vector<std::string> names;
+  for (const std::size_t link : links) names.push_back(robot.links[link].name);
+  return names;
+}
+
+std::size_t find_link(const Robot& robot, const std::optional<std::string>& name,
+                      std::size_t otherwise, std::vector<std::string>& faults) {
+  if (!name) return otherwise;
+  if (const auto link = link_named(robot, *name)) return *link;
+  faults.push_back("there is no link '" + *name + "'" + suggestion(*name, names_of(robot.links)));
+  return otherwise;
+}
+
+std::size_t find_tip(const Robot& robot, const std::optional<std::string>& name,
+                     std::vector<std::string>& faults) {
+  const std::vector<std::size_t> ends = leaves(robot);
+  if (!name && ends.size() > 1) {
+    faults.push_back("the robot ends in " + std::to_string(ends.size()) +
+                     " links, choose one by --tip: " + listed(names_of(robot, ends)));
+  }
+  return find_link(robot, name, ends.front(), faults);
+}
+
+/// Joints from the link up to the root.
+std::vector<std::size_t> way_up(const Robot& robot, std::size_t link) {
+  std::vector<std::size_t> joints;
+  while (robot.links[link].joint) {
+    joints.push_back(*robot.links[link].joint);
+    link = robot.joints[joints.back()].parent;
+  }
+  return joints;
+}
+
+std::vector<Passage> way(const Robot& robot, std::size_t base, std::size_t tip) {
+  std::vector<std::size_t> up = way_up(robot, base);
+  std::vector<std::size_t> down = way_up(robot, tip);
+  while (!up.empty() && !down.empty() && up.back() == down.back()) {
+    up.pop_back();
+    down.pop_back();
+  }
+  std::vector<Passage> passages;
+  for (const std::size_t joint : up) passages.push_back({joint, true});
+  for (auto joint = down.rbegin(); joint != down.rend(); ++joint) {
+    passages.push_back({*joint, false});
+  }
+  return passages;
+}
+
+/// The value at which the joint is held, itself or by its leader; nothing where it is free.
+std::optional<double> held_value(const Robot& robot, std::size_t joint,
+                                 const std::vector<HeldJoint>& held) {
+  for (const HeldJoint& one : held) {
+    if (one.name == robot.joints[joint].name) return one.value;
+  }
+  const auto& mimic = robot.joints[joint].mimic;
+  if (!mimic) return std::nullopt;
+  if (mimic->multiplier == 0) return mimic->offset;
+  const auto leader = held_value(robot, mimic->leader, held);
+  if (!leader) return std::nullopt;
+  return mimic->multiplier * *leader + mimic->offset;
+}
+
+void check_held(const Robot& robot, const std::vector<HeldJoint>& held,
+                std::vector<std::string>& faults) {
+  for (std::size_t k = 0; k < held.size(); ++k) {
+    const std::string& name = held[k].name;
+    const auto joint = joint_named(robot, name);
+    if (!joint) {
+      faults.push_back("--hold: there is no joint '" + name + "'" +
+                       suggestion(name, names_of(robot.joints)));
+    } else if (!is_moving(robot.joints[*joint])) {
+      faults.push_back("--hold: joint '" + name + "' is fixed");
+    }
+    if (!is_workable(held[k].value))
+      faults.push_back("--hold " + name + ": the value is too large");
+    for (std::size_t j = 0; j < k; ++j) {
+      if (held[j].name == name) faults.push_back("--hold: joint '" + name + "' is held twice");
+    }
+  }
+}
+
+/// The joint that it follows through any number of others.
+std::size_t leader_of(const Robot& robot, std::size_t joint) {
+  while (robot.joints[joint].mimic) joint = robot.joints[joint].mimic->leader;
+  return joint;
+}
+
+void check_mimics(const Robot& robot, const std::vector<std::size_t>& free,
+                  std::vector<std::string>& faults) {
+  for (std::size_t k = 0; k < free.size(); ++k) {
+    for (std::size_t j = 0; j < k; ++j) {
+      if (leader_of(robot, free[j]) != leader_of(robot, free[k])) continue;
+      faults.push_back("joints '" + robot.joints[free[j]].name + "' and '" +
+                       robot.joints[free[k]].name +
+                       "' move together (mimic) and are both in the chain, which is not "
+                       "supported; hold one of them by --hold");
+    }
+  }
+}
+
+void check_free(const Robot& robot, const std::vector<std::size_t>& free,
+                std::vector<std::string>& faults) {
+  std::vector<std::string> names;
+  for (const std::size_t joint : free) names.push_back(robot.joints[joint].name);
+  if (free.empty()) faults.emplace_back("no joint between base and tip is free to move");
+  if (free.size() > kMostFree) {
+    faults.push_back(
+        "there are " + std::to_string(free.size()) +
+        " free joints, and a pose leaves a motion where there are more than six: hold " +
+        std::to_string(free.size() - kMostFree) +
+        " of them by --hold JOINT=VALUE: " + listed(names));
+  }
+}
+
+/// A chain while it is walked: what has been passed since the last free joint.
+struct Walk {
+  Eigen::Isometry3d transform = Eigen::Isometry3d::Identity();
+  ExactDisplacement exact{1};
+
+  void pass(const Eigen::Isometry3d& by, const ExactDisplacement& exact_by, bool is_backwards) {
+    transform = transform * (is_backwards ? by.inverse() : by);
+    exact = reduced(exact * (is_backwards ? conjugate(exact_by) : exact_by));
+  }
+};
+
+Eigen::Isometry3d origin_of(const RobotJoint& joint) {
+  Eigen::Isometry3d origin = Eigen::Isometry3d::Identity();
+  origin.translate(to_vector(joint.xyz));
+  origin.rotate(rotation(joint.rpy));
+  return origin;
+}
+
+Eigen::Isometry3d moved(const Eigen::Vector3d& axis, bool is_slide, double value) {
+  Eigen::Isometry3d move = Eigen::Isometry3d::Identity();
+  if (is_slide) {
+    move.translate(value * axis);
+  } else {
+    move.rotate(Eigen::AngleAxisd(value, axis));
+  }
+  return move;
+}
+
+ArmJoint free_joint(const RobotJoint& joint, const Walk& walk, bool is_backwards) {
+  ArmJoint free;
+  free.name = joint.name;
+  free.is_slide = joint.type == RobotJointType::prismatic;
+  free.limits = joint.limits;
+  free.before = walk.transform;
+  free.exact_before = walk.exact;
+  const double sign = is_backwards ? -1 : 1;
+  free.axis = sign * to_vector(joint.axis).stableNormalized();
+  free.step = exact_step(joint.axis, free.is_slide);
+  free.exact_length = exact_length(free.step, free.is_slide);
+  if (is_backwards) free.step = conjugate(free.step);
+  return free;
+}
+
+/// Passes a joint that does not move, and the origin of one that does; that one is added to the arm.
+void pass(const Robot& robot, const Passage& passage, const std::vector<HeldJoint>& held, Arm& arm,
+          Walk& walk) {
+  const RobotJoint& joint = robot.joints[passage.joint];
+  const Eigen::Isometry3d origin = origin_of(joint);
+  const ExactDisplacement exact = exact_origin(joint.xyz, joint.rpy);
+  arm.length += origin.translation().norm();
+  if (!passage.is_backwards) walk.pass(origin, exact, false);
+  if (is_moving(joint)) {
+    const bool is_slide = joint.type == RobotJointType::prismatic;
+    if (const auto value = held_value(robot, passage.joint, held)) {
+      walk.pass(moved(to_vector(joint.axis).stableNormalized(), is_slide, *value),
+                is_slide ? exact_slide(joint.axis, *value) : exact_turn(joint.axis, *value),
+                passage.is_backwards);
+      arm.held.push_back({joint.name, *value});
+      if (is_slide) arm.length += std::abs(*value);
+    } else {
+      arm.joints.push_back(free_joint(joint, walk, passage.is_backwards));
+      walk = {};
+      const bool has_ends = is_slide && joint.limits;
+      if (has_ends) {
+        arm.length += std::max(std::abs(joint.limits->lower), std::abs(joint.limits->upper));
+      }
+    }
+  }
+  if (passage.is_backwards) walk.pass(origin, exact, true);
+}
+
+}  // namespace
+
+Arm make_arm(const Robot& robot, const ArmChoice& choice) {
+  std::vector<std::string> faults;
+  check_held(robot, choice.held, faults);
+  const std::size_t base = find_link(robot, choice.base, robot.root, faults);
+  const std::size_t tip = find_tip(robot, choice.tip, faults);
+  if (!faults.empty()) throw std::invalid_argument(joined(faults, "; "));
+  const std::vector<Passage> passages = way(robot, base, tip);
+  std::vector<std::size_t> free;
+  for (const Passage& passage : passages) {
+    const bool is_free =
+        is_moving(robot.joints[passage.joint]) && !held_value(robot, passage.joint, choice.held);
+    if (is_free) free.push_back(passage.joint);
+  }
+  check_free(robot, free, faults);
+  check_mimics(robot, free, faults);
+  if (!faults.empty()) throw std::invalid_argument(joined(faults, "; "));
+
+  Arm arm;
+  arm.robot = robot.name;
+  arm.base = robot.links[base].name;
+  arm.tip = robot.links[tip].name;
+  arm.length = 0;
+  Walk walk;
+  for (const Passage& passage : passages) pass(robot, passage, choice.held, arm, walk);
+  arm.tool = walk.transform;
+  arm.exact_tool = walk.exact;
+  if (arm.length == 0) arm.length = 1;
+  return arm;
+}
+
+Eigen::Isometry3d forward_kinematics(const Arm& arm, const Eigen::VectorXd& values) {
+  Eigen::Isometry3d tip = Eigen::Isometry3d::Identity();
+  Eigen::Index k = 0;
+  for (const ArmJoint& joint : arm.joints) {
+    tip = tip * joint.before * moved(joint.axis, joint.is_slide, values[k++]);
+  }
+  return tip * arm.tool;
+}
+
+}  // namespace moivre

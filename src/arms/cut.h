@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// Where is the loop cut open? Which neighbouring joints are eliminated linearly, so that few unknowns are left.
+//
+// All products of J_i, ..., J_i+m-1 lie in a linear space W of dual quaternions; the rest of the loop must lie in W, too: linear
+// equations in its product, multilinear ones in its tangents.
+//   one joint     dim W = 2; only where the arm has no other
+//   two joints    dim W = 4; W meets Study's quadric in what the two joints do, and nothing else, unless their axes meet or are
+//                 parallel: then W lies in the quadric, and a b - c d = 0 of the coordinates in W says what the two can do
+//   three joints  dim W = 4 where they make a group: turns about one point, or a plane's motions. Found by exact rank.
+#pragma once
+
+#include "exact_linear.h"
+#include "loop.h"
+
+namespace moivre {
+
+enum class CutKind { one, two, two_in_quadric, three };
+
+struct Cut {
+  CutKind kind = CutKind::two;
+  std::size_t first = 0;            ///< the joints first, first + 1, ..., counted round the loop
+  std::vector<std::size_t> inside;  ///< these
+  std::vector<std::size_t>
+      outside;                    ///< the other joints, in their order round the loop behind them
+  std::vector<LinearForm> forms;  ///< that vanish on W
+  /// Two joints in the quadric: the coordinates in W of products c c, c s, s c, s s.
+  std::vector<LinearForm> coordinates;
+};
+
+Cut choose_cut(const Loop& loop);
+
+/// J_a = 1 or step, times before, times J_b = 1 or step: four of them, spanning W of the pair.
+std::vector<ExactDisplacement> pair_products(const Loop& loop, std::size_t a, std::size_t b);
+
+}  // namespace moivre

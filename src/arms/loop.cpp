@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+// The loop of an arm and a pose, exact and rounded.
+#include "loop.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "exact_displacement.h"
+#include "moivre/numeric/random.h"
+
+namespace moivre {
+namespace {
+
+/// Whole numbers up to this make the random angle from which a joint's turn is counted.
+constexpr int kFinest = 1 << 10;
+
+/// Parts as doubles, the largest near 1.
+ComplexDisplacement rounded(const ExactDisplacement& g) {
+  Integer largest = 0;
+  for (const Integer& part : g) largest = std::max<Integer>(largest, abs(part));
+  ComplexDisplacement result{};
+  for (std::size_t k = 0; k < g.size(); ++k) result[k] = to_double(ratio(g[k], largest));
+  return result;
+}
+
+/// Counts the turn from a random angle: before J(x) = before J(zero) J(x - zero).
+void shift_zero(LoopJoint& joint, std::uint64_t seed, std::size_t number) {
+  const double at = random_unit(seed, RandomStream{21}, number);
+  const auto c = static_cast<int>(std::lround(kFinest * std::cos(std::numbers::pi * at)));
+  const auto s = static_cast<int>(std::lround(kFinest * std::sin(std::numbers::pi * at)));
+  ExactDisplacement turn{};
+  turn[0] = c;
+  for (std::size_t k = 0; k < turn.size(); ++k) turn[k] += s * joint.step[k];
+  joint.before = reduced(joint.before * turn);
+  joint.zero = 2 * std::atan2(s * joint.exact_length, c);
+}
+
+}  // namespace
+
+Loop make_loop(const Arm& arm, const Eigen::Isometry3d& pose, std::uint64_t seed) {
+  Loop loop;
+  loop.unit_exponent = std::ilogb(arm.length);
+  for (const ArmJoint& joint : arm.joints) {
+    LoopJoint& added = loop.joints.emplace_back();
+    added.before = in_unit(joint.exact_before, loop.unit_exponent);
+    added.step = joint.step;
+    added.is_slide = joint.is_slide;
+    added.exact_length = joint.exact_length;
+  }
+  const ExactDisplacement back =
+      in_unit(reduced(arm.exact_tool * conjugate(exact_pose(pose))), loop.unit_exponent);
+  loop.joints.front().before = reduced(back * loop.joints.front().before);
+  for (std::size_t k = 0; k < loop.joints.size(); ++k) {
+    LoopJoint& joint = loop.joints[k];
+    if (!joint.is_slide) shift_zero(joint, seed, k);
+    joint.rounded_before = rounded(joint.before);
+    for (std::size_t i = 0; i < joint.step.size(); ++i) {
+      joint.rounded_step[i] = to_double(ratio(joint.step[i]));
+    }
+  }
+  return loop;
+}
+
+ComplexDisplacement joint_displacement(const LoopJoint& joint, const Tangent& at) {
+  ComplexDisplacement result{at.c};
+  for (std::size_t k = 0; k < result.size(); ++k) result[k] += at.s * joint.rounded_step[k];
+  return result;
+}
+
+double squared_norm(const LoopJoint& joint, const Tangent& at) {
+  return std::norm(at.c) + std::norm(joint.exact_length * at.s);
+}
+
+double distance_from_null(const LoopJoint& joint, const Tangent& at) {
+  const double size = squared_norm(joint, at);
+  if (joint.is_slide) return std::abs(at.c) / std::sqrt(size);
+  const std::complex<double> s = joint.exact_length * at.s;
+  return std::abs(at.c * at.c + s * s) / size;
+}
+
+double imaginary_part(const LoopJoint& joint, const Tangent& at) {
+  const std::complex<double> s = joint.exact_length * at.s;
+  return std::abs(std::imag(s * std::conj(at.c))) / squared_norm(joint, at);
+}
+
+double joint_value(const Loop& loop, std::size_t joint, const Tangent& at) {
+  const LoopJoint& own = loop.joints[joint];
+  const double product = std::real(own.exact_length * at.s * std::conj(at.c));
+  if (own.is_slide) return std::ldexp(product / std::norm(at.c), loop.unit_exponent);
+  const double angle = 2 * std::atan2(product, std::norm(at.c)) + own.zero;
+  return std::remainder(angle, 2 * std::numbers::pi);
+}
+
+}  // namespace moivre

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// What is the loop that an arm makes with the pose of its tip? Joints round a circle, with constant displacements between.
+//
+//   B_1 J_1 B_2 J_2 ... B_n J_n = 1 up to a factor, the tool and the pose taken into B_1: B_1 = T pose^-1 B_1 of the arm.
+// J = c + s step. Each turn is counted from a random angle, so that no closure that anybody asks for has an infinite tangent.
+// Lengths are in units of 2^unit_exponent, near the arm's own.
+#pragma once
+
+#include <complex>
+#include <cstdint>
+#include <vector>
+
+#include "moivre/arms/arm.h"
+
+namespace moivre {
+
+using ComplexDisplacement = DualQuaternion<std::complex<double>>;
+
+struct LoopJoint {
+  ExactDisplacement before{1};
+  ExactDisplacement step{};
+  ComplexDisplacement rounded_before{};
+  ComplexDisplacement rounded_step{};
+  bool is_slide = false;
+  double exact_length =
+      1;  ///< of `step`: a turn is 2 atan(exact_length s/c) + zero, a slide exact_length s/c
+  double zero = 0;  ///< radians: where the tangent is 0
+};
+
+struct Loop {
+  std::vector<LoopJoint> joints;
+  int unit_exponent = 0;
+};
+
+Loop make_loop(const Arm& arm, const Eigen::Isometry3d& pose, std::uint64_t seed);
+
+/// A joint's place on the projective line.
+struct Tangent {
+  std::complex<double> c{1};
+  std::complex<double> s{0};
+};
+
+/// J = c + s step.
+ComplexDisplacement joint_displacement(const LoopJoint& joint, const Tangent& at);
+/// |c|^2 + |exact_length s|^2.
+double squared_norm(const LoopJoint& joint, const Tangent& at);
+/// How near the joint is to no displacement, between 0 (J has no inverse) and 1.
+double distance_from_null(const LoopJoint& joint, const Tangent& at);
+/// |Im| of the tangent's place on the circle; 0 for a real one.
+double imaginary_part(const LoopJoint& joint, const Tangent& at);
+/// Value of the joint nearest to it: a turn in (-pi, pi], a slide in the arm's unit.
+double joint_value(const Loop& loop, std::size_t joint, const Tangent& at);
+
+}  // namespace moivre

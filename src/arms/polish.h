@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// Which joint values near these hold the pose? Newton's method on the product of transforms; no polynomial is seen here.
+//
+// Error: translation beside the arm's length, and the rotation vector from the tip's orientation to the pose's. Jacobian of
+// screws, columns z x (tip - p), z of a turn, z, 0 of a slide. Steps are least squares of least norm, directions that move
+// nothing left out; damped where asked, for starts that are far away.
+#pragma once
+
+#include "moivre/arms/arm.h"
+
+namespace moivre {
+
+struct Polished {
+  Eigen::VectorXd values;
+  double residual = 0;  ///< the larger of both errors
+  int iterations = 0;
+  double smallest_singular_value = 0;
+  Eigen::VectorXd least_moving;  ///< unit: the direction of joint values that moves the tip least
+};
+
+Polished polish(const Arm& arm, const Eigen::Isometry3d& pose, const Eigen::VectorXd& start,
+                bool is_damped = false);
+
+/// Whether the joints can move on from a closure while the tip stands.
+bool can_move(const Arm& arm, const Eigen::Isometry3d& pose, const Polished& closure);
+
+}  // namespace moivre

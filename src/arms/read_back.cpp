@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+// From the outside's tangents to the inside's.
+#include "read_back.h"
+
+#include <Eigen/Dense>
+#include <array>
+#include <cmath>
+
+namespace moivre {
+namespace {
+
+/// Joints without an inverse miss that by rounding, or by some hundred times their own error.
+constexpr double kNull = 1e-13;
+constexpr double kNullPerError = 1e2;
+/// Sine of the angle between the inside's product and what it must be: closures have 1e-13, roots of the combinations alone 1e-5
+/// at the least. A root that is known to few digits may miss by some thousand times its error.
+constexpr double kMissed = 1e-9;
+constexpr double kMissedPerError = 1e3;
+/// With fewer than six joints a pose is typed that they can reach; it is rounded.
+constexpr double kMissedByRounding = 1e-6;
+/// A quadratic whose coefficients are this small beside what they were summed from has no roots of its own.
+constexpr double kVanishing = 1e-11;
+
+using Column = Eigen::Matrix<Complex, 8, 1>;
+
+Column column(const ComplexDisplacement& g) {
+  Column result;
+  for (std::size_t k = 0; k < g.size(); ++k) result[static_cast<Eigen::Index>(k)] = g[k];
+  return result;
+}
+
+/// Coordinates in W of a pair: c c, c s, s c, s s.
+using Coordinates = Eigen::Matrix<Complex, 4, 1>;
+
+class Pair {
+ public:
+  Pair(const Loop& loop, std::size_t a, std::size_t b) {
+    const LoopJoint& first = loop.joints[a];
+    const LoopJoint& second = loop.joints[b];
+    const ComplexDisplacement moved = first.rounded_step * second.rounded_before;
+    Eigen::Matrix<Complex, 8, 4> products;
+    products << column(second.rounded_before), column(second.rounded_before * second.rounded_step),
+        column(moved), column(moved * second.rounded_step);
+    solver_.compute(products);
+  }
+  Coordinates coordinates(const ComplexDisplacement& g) const { return solver_.solve(column(g)); }
+
+ private:
+  Eigen::ColPivHouseholderQR<Eigen::Matrix<Complex, 8, 4>> solver_;
+};
+
+/// The two joints that have these coordinates (a matrix of rank 1).
+std::array<Tangent, 2> joints_of(const Coordinates& a) {
+  const bool is_upper = std::norm(a[0]) + std::norm(a[2]) >= std::norm(a[1]) + std::norm(a[3]);
+  const bool is_left = std::norm(a[0]) + std::norm(a[1]) >= std::norm(a[2]) + std::norm(a[3]);
+  const Tangent first = is_upper ? Tangent{a[0], a[2]} : Tangent{a[1], a[3]};
+  const Tangent second = is_left ? Tangent{a[0], a[1]} : Tangent{a[2], a[3]};
+  return {first, second};
+}
+
+struct QuadraticRoots {
+  std::vector<Tangent> at;
+  bool vanishes = false;
+};
+
+/// A c^2 - B c s + C s^2 = 0; `size`: of what the coefficients were summed from.
+QuadraticRoots quadratic_roots(Complex A, Complex B, Complex C, double size) {
+  const double largest = std::max({std::abs(A), std::abs(B), std::abs(C)});
+  if (largest <= kVanishing * size) return {{Tangent{}}, true};
+  const Complex root = std::sqrt(B * B - 4.0 * A * C);
+  const Complex plus = B + root;
+  const Complex minus = B - root;
+  const Complex q = 0.5 * (std::norm(plus) >= std::norm(minus) ? plus : minus);
+  if (q == Complex(0)) {  // A or C, and B, are 0: a double root
+    const Tangent both = std::norm(A) > std::norm(C) ? Tangent{0, 1} : Tangent{1, 0};
+    return {{both, both}, false};
+  }
+  return {{Tangent{q, A}, Tangent{C, q}}, false};
+}
+
+double form_size(const Coordinates& a, const Coordinates& b) { return a.norm() * b.norm(); }
+
+/// The first of three joints: those of its places for which the others can do what is left.
+QuadraticRoots first_of_three(const Loop& loop, const Cut& cut, const Pair& pair,
+                              const ComplexDisplacement& wanted) {
+  const LoopJoint& first = loop.joints[cut.inside[0]];
+  const ComplexDisplacement back = conjugate(loop.joints[cut.inside[1]].rounded_before);
+  // J^-1 is c - s step up to a factor.
+  const Coordinates a = pair.coordinates(back * wanted);
+  const Coordinates b = pair.coordinates(back * (first.rounded_step * wanted));
+  return quadratic_roots(a[0] * a[3] - a[1] * a[2],
+                         a[0] * b[3] + b[0] * a[3] - a[1] * b[2] - b[1] * a[2],
+                         b[0] * b[3] - b[1] * b[2], form_size(a, a) + form_size(b, b));
+}
+
+/// What the joints inside must do: the rest of the loop, backwards.
+ComplexDisplacement wanted_inside(const Loop& loop, const Cut& cut,
+                                  const std::vector<Tangent>& at) {
+  ComplexDisplacement product{1};
+  for (const std::size_t k : cut.outside) {
+    product = product * loop.joints[k].rounded_before * joint_displacement(loop.joints[k], at[k]);
+  }
+  return conjugate(product * loop.joints[cut.first].rounded_before);
+}
+
+void scale_to_one(const LoopJoint& joint, Tangent& at) {
+  const double size = std::sqrt(squared_norm(joint, at));
+  at.c /= size;
+  at.s /= size;
+}
+
+/// Whether every joint has an inverse and the loop closes.
+bool is_closure(const Loop& loop, const Cut& cut, const std::vector<Tangent>& at,
+                const ComplexDisplacement& wanted, double missed, double null) {
+  for (std::size_t k = 0; k < at.size(); ++k) {
+    if (!(distance_from_null(loop.joints[k], at[k]) > null)) return false;
+  }
+  ComplexDisplacement product = joint_displacement(loop.joints[cut.inside[0]], at[cut.inside[0]]);
+  for (std::size_t i = 1; i < cut.inside.size(); ++i) {
+    const std::size_t k = cut.inside[i];
+    product = product * loop.joints[k].rounded_before * joint_displacement(loop.joints[k], at[k]);
+  }
+  const Column a = column(product).normalized();
+  const Column b = column(wanted).normalized();
+  return (a - b * b.dot(a)).norm() <= missed;
+}
+
+}  // namespace
+
+ReadBack read_back(const Loop& loop, const Cut& cut, const Point& x, double accuracy) {
+  ReadBack result;
+  const double least = loop.joints.size() < 6 ? kMissedByRounding : kMissed;
+  const double missed = std::max(least, kMissedPerError * accuracy);
+  const double null = std::max(kNull, kNullPerError * accuracy);
+  std::vector<Tangent> at(loop.joints.size());
+  for (std::size_t k = 0; k < cut.outside.size(); ++k) {
+    const std::size_t joint = cut.outside[k];
+    at[joint] = {1, x[k]};
+    scale_to_one(loop.joints[joint], at[joint]);
+  }
+  const ComplexDisplacement wanted = wanted_inside(loop, cut, at);
+  const auto take = [&] {
+    for (const std::size_t k : cut.inside) scale_to_one(loop.joints[k], at[k]);
+    if (!is_closure(loop, cut, at, wanted, missed, null)) return;
+    LoopRoot root{at, 0};
+    for (std::size_t k = 0; k < at.size(); ++k) {
+      root.imaginary = std::max(root.imaginary, imaginary_part(loop.joints[k], at[k]));
+    }
+    result.roots.push_back(std::move(root));
+  };
+  if (cut.kind == CutKind::one) {
+    const LoopJoint& only = loop.joints[cut.inside[0]];
+    Eigen::Matrix<Complex, 8, 2> span;
+    span << column({1}), column(only.rounded_step);
+    const Eigen::Matrix<Complex, 2, 1> a = span.colPivHouseholderQr().solve(column(wanted));
+    at[cut.inside[0]] = {a[0], a[1]};
+    take();
+    return result;
+  }
+  const std::size_t last = cut.inside.size() - 1;
+  const Pair pair(loop, cut.inside[last - 1], cut.inside[last]);
+  const auto take_pair = [&](const ComplexDisplacement& of_pair) {
+    const auto both = joints_of(pair.coordinates(of_pair));
+    at[cut.inside[last - 1]] = both[0];
+    at[cut.inside[last]] = both[1];
+    take();
+  };
+  if (cut.kind != CutKind::three) {
+    take_pair(wanted);
+    return result;
+  }
+  const QuadraticRoots firsts = first_of_three(loop, cut, pair, wanted);
+  result.moves = firsts.vanishes;
+  const LoopJoint& first = loop.joints[cut.inside[0]];
+  for (const Tangent& tangent : firsts.at) {
+    at[cut.inside[0]] = tangent;
+    const ComplexDisplacement back =
+        conjugate(joint_displacement(first, tangent) * loop.joints[cut.inside[1]].rounded_before);
+    take_pair(back * wanted);
+  }
+  result.moves = result.moves && !result.roots.empty();
+  return result;
+}
+
+}  // namespace moivre

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+// Robot, poses, closures, reports.
+#include "arm_closures.h"
+
+#include <charconv>
+#include <cmath>
+#include <stdexcept>
+
+#include "command_line.h"
+#include "interruption.h"
+#include "moivre/arm_report/arm_report.h"
+#include "moivre/arms/poses.h"
+#include "moivre/numeric/stopwatch.h"
+#include "moivre/urdf/read.h"
+#include "output.h"
+#include "progress_line.h"
+
+namespace moivre {
+namespace {
+
+std::vector<HeldJoint> held_joints(const std::vector<std::string>& settings) {
+  std::vector<HeldJoint> held;
+  std::string faults;
+  for (const std::string& setting : settings) {
+    // A joint's name may have an equals sign, a number has none.
+    const std::size_t equals = setting.rfind('=');
+    double value = 0;
+    const char* const end = setting.data() + setting.size();
+    const bool has_sides = equals != std::string::npos && equals > 0;
+    const auto read = std::from_chars(setting.data() + (has_sides ? equals + 1 : 0), end, value);
+    if (has_sides && read.ec == std::errc() && read.ptr == end && std::isfinite(value)) {
+      held.push_back({setting.substr(0, equals), value});
+    } else {
+      faults += (faults.empty() ? "" : "; ") + setting + " is not JOINT=VALUE with a finite number";
+    }
+  }
+  if (!faults.empty()) throw std::invalid_argument(faults);
+  return held;
+}
+
+std::optional<std::string> chosen(const std::string& name) {
+  return name.empty() ? std::nullopt : std::optional(name);
+}
+
+std::vector<Eigen::Isometry3d> chosen_poses(const ArmOptions& options) {
+  if (options.pose.empty() == options.poses.empty()) {
+    throw std::invalid_argument(
+        options.pose.empty()
+            ? "a robot needs the pose of its tip: --pose \"x y z qw qx qy qz\", or --poses FILE"
+            : "--pose and --poses are given, one of them is enough");
+  }
+  if (options.poses.empty()) {
+    auto poses = read_poses({"--pose", options.pose});
+    if (poses.size() > 1)
+      throw std::invalid_argument("--pose takes one pose, --poses a file of many");
+    return poses;
+  }
+  return read_poses(read_source(options.poses));
+}
+
+}  // namespace
+
+void add_arm_options(CLI::App& command, ArmOptions& options) {
+  const std::string group = "Robots (URDF)";
+  command.add_option("--base", options.base, "link that stands; default: the root")
+      ->type_name("LINK")
+      ->group(group);
+  command.add_option("--tip", options.tip, "link to be placed; default: the only leaf")
+      ->type_name("LINK")
+      ->group(group);
+  command
+      .add_option("--pose", options.pose,
+                  "of the tip in the base: \"x y z qw qx qy qz\", metres and a unit quaternion")
+      ->group(group);
+  command.add_option("--poses", options.poses, "file of poses, one a line (CSV)")
+      ->type_name("PATH")
+      ->group(group);
+  command
+      .add_option("--hold", options.held,
+                  "hold a joint at this value, radians or metres; may be repeated")
+      ->type_name("JOINT=VALUE")
+      ->group(group);
+}
+
+bool are_given(const ArmOptions& options) {
+  return !options.base.empty() || !options.tip.empty() || !options.pose.empty() ||
+         !options.poses.empty() || !options.held.empty();
+}
+
+bool is_robot(const std::string& file, const Source& source) {
+  return file.ends_with(".urdf") || looks_like_xml(source.text);
+}
+
+int run_arm(const ArmRun& run, const Source& source) {
+  const Stopwatch watch;
+  const Robot robot = read_urdf(source);
+  ArmReport report;
+  std::vector<Eigen::Isometry3d> poses;
+  std::unique_ptr<Tracker> tracker;
+  require_all({[&] {
+                 report.arm = make_arm(
+                     robot, {chosen(run.arm.base), chosen(run.arm.tip), held_joints(run.arm.held)});
+               },
+               [&] { poses = chosen_poses(run.arm); },
+               [&] { tracker = make_tracker(run.tracker); }});
+  Output json(run.json);
+  Output csv(run.csv);
+  report.file = run.file;
+  report.is_list = !run.arm.poses.empty();
+  report.parse_s = watch.total();
+
+  SolveOptions options;
+  options.seed = run.start.seed;
+  options.start = kind_of(run.start);
+  options.threads = run.threads;
+  const std::unique_ptr<Tracker> fallback = make_fallback(run.tracker);
+  options.fallback = fallback.get();
+  ProgressLine line(!run.quiet);
+  if (line.is_active()) {
+    options.progress = [&](const Progress& progress) { line.show(progress); };
+  }
+  const Interruption interruption;
+  report.results = find_arm_closures(report.arm, poses, *tracker, options, interruption.stop());
+  report.total_s = watch.total();
+  const bool complete = is_complete(report) && report.results.size() == poses.size();
+  deliver(
+      {{&json, [&] { return arm_json(report); }},
+       {&csv, [&] { return arm_csv(report, run.in_degrees); }}},
+      run.quiet, [&] { return arm_text(report); },
+      complete ? "" : "some paths are undecided, or the run was interrupted");
+  return complete ? kDecided : kUndecided;
+}
+
+}  // namespace moivre

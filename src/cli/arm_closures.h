@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// moivre closures ARM.urdf: which options say what is asked of a robot, and what answers them?
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common_options.h"
+#include "moivre/expression/source.h"
+#include "tracker_choice.h"
+
+namespace moivre {
+
+struct ArmOptions {
+  std::string base, tip;
+  std::string pose;               ///< "x y z qw qx qy qz"
+  std::string poses;              ///< a file of them
+  std::vector<std::string> held;  ///< "JOINT=VALUE"
+};
+
+void add_arm_options(CLI::App& command, ArmOptions& options);
+/// Whether any of them was given.
+bool are_given(const ArmOptions& options);
+
+/// What `moivre closures` was asked besides.
+struct ArmRun {
+  std::string file;
+  ArmOptions arm;
+  StartChoice start;
+  TrackerChoice tracker;
+  int threads = 0;
+  bool quiet = false;
+  bool in_degrees = false;
+  std::string json, csv;
+};
+
+/// By its ending, or by its content where that says XML.
+bool is_robot(const std::string& file, const Source& source);
+
+/// All inverse kinematics; the exit code.
+int run_arm(const ArmRun& run, const Source& source);
+
+}  // namespace moivre

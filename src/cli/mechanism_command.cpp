@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// moivre mechanism ARM.urdf: the robot as a mechanism file, to be read, changed and given to the other commands.
+#include <memory>
+
+#include "command.h"
+#include "common_options.h"
+#include "moivre/mechanism/read.h"
+#include "moivre/urdf/mechanism_text.h"
+#include "moivre/urdf/read.h"
+#include "output.h"
+
+namespace moivre {
+namespace {
+
+struct MechanismCommand {
+  std::string file;
+  std::string output = "-";
+};
+
+int run(const MechanismCommand& command) {
+  require_distinct({command.output}, command.file);
+  require_ending(command.output, ".toml");
+  const Robot robot = read_urdf(read_source(command.file));
+  Output output(command.output);
+  const std::string text = mechanism_text(robot, command.file);
+  // What is written can be read: a robot beyond the bounds of mechanism files is told so here.
+  read_mechanism(
+      {command.output == "-" ? command.file + ", as a mechanism" : command.output, text});
+  output.write(text);
+  return kDecided;
+}
+
+}  // namespace
+
+void add_mechanism_command(CLI::App& moivre, Chosen& chosen) {
+  const auto command = std::make_shared<MechanismCommand>();
+  CLI::App& app = *moivre.add_subcommand(
+      "mechanism", "Type a robot (URDF) as a mechanism file, for a person to go on from");
+  app.add_option("FILE", command->file, "robot (.urdf); - is standard input")->required();
+  app.add_option("-o,--output", command->output,
+                 "write the mechanism file here; - is standard output")
+      ->capture_default_str()
+      ->type_name("PATH");
+  add_examples(app, {"moivre mechanism arm.urdf", "moivre mechanism arm.urdf -o arm.toml",
+                     "moivre mechanism arm.urdf | moivre mobility -"});
+  app.callback([command, &chosen] { chosen = [command] { return run(*command); }; });
+}
+
+}  // namespace moivre

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// Is the chain between two links the robot's, and is a choice that makes none refused, every fault named?
+#include "moivre/arms/arm.h"
+
+#include <gtest/gtest.h>
+
+#include "robots.h"
+
+namespace moivre::test {
+namespace {
+
+std::string refusal_of(const Robot& robot, const ArmChoice& choice) {
+  try {
+    make_arm(robot, choice);
+  } catch (const std::invalid_argument& refusal) {
+    return refusal.what();
+  }
+  return "";
+}
+
+bool has(const std::string& text, const std::string& words) {
+  return text.find(words) != std::string::npos;
+}
+
+TEST(ArmTest, TheTipMustBeChosenWhereTheRobotHasSeveralEnds) {
+  const std::string refusal = refusal_of(robot_of("ur5"), {});
+  EXPECT_TRUE(has(refusal, "ee_link, base, tool0")) << refusal;
+}
+
+TEST(ArmTest, SevenFreeJointsAreRefusedWithTheirNames) {
+  const std::string refusal = refusal_of(robot_of("panda"), {std::nullopt, "panda_hand_tcp", {}});
+  EXPECT_TRUE(has(refusal, "7 free joints")) << refusal;
+  EXPECT_TRUE(has(refusal, "panda_joint1, panda_joint2")) << refusal;
+  EXPECT_TRUE(has(refusal, "--hold")) << refusal;
+}
+
+TEST(ArmTest, EveryFaultOfAChoiceIsNamed) {
+  const std::string refusal =
+      refusal_of(robot_of("ur5"), {"bas_link", "tool", {{"elbow", 0}, {"world_joint", 1}}});
+  for (const std::string words : {"no link 'bas_link'; did you mean 'base_link'?", "no link 'tool'",
+                                  "no joint 'elbow'", "joint 'world_joint' is fixed"}) {
+    EXPECT_TRUE(has(refusal, words)) << words << " in " << refusal;
+  }
+}
+
+TEST(ArmTest, BaseAndTipAlikeLeaveNoFreeJoint) {
+  EXPECT_TRUE(has(refusal_of(robot_of("ur5"), {"tool0", "tool0", {}}), "no joint between"));
+}
+
+TEST(ArmTest, AJointThatMimicsAHeldOneIsHeldWithIt) {
+  const Robot robot = robot_of("panda");
+  const std::vector<HeldJoint> held{{"panda_joint1", 0.1}, {"panda_finger_joint1", 0.02}};
+  const Arm arm = make_arm(robot, {std::nullopt, "panda_rightfinger", held});
+  EXPECT_EQ(arm.joints.size(), 6U);
+  ASSERT_EQ(arm.held.size(), 2U);
+  EXPECT_EQ(arm.held[1].name, "panda_finger_joint2");
+  EXPECT_EQ(arm.held[1].value, 0.02);
+}
+
+TEST(ArmTest, TwoJointsThatMoveTogetherInTheChainAreRefused) {
+  const Robot robot = robot_of("panda");
+  const std::string refusal = refusal_of(robot, {"panda_leftfinger", "panda_rightfinger", {}});
+  EXPECT_TRUE(has(refusal, "move together")) << refusal;
+}
+
+TEST(ArmTest, TheChainUpwardsIsTheInverseOfTheChainDownwards) {
+  const Robot robot = robot_of("kinova_j2s6s200");
+  const Arm down = make_arm(robot, {"base", "j2s6s200_end_effector", {}});
+  const Arm up = make_arm(robot, {"j2s6s200_end_effector", "base", {}});
+  const Eigen::VectorXd values = random_values(down, 1, 1);
+  const Eigen::Isometry3d there = forward_kinematics(down, values);
+  const Eigen::Isometry3d back = forward_kinematics(up, values.reverse());
+  EXPECT_LT(((there * back).matrix() - Eigen::Matrix4d::Identity()).cwiseAbs().maxCoeff(), 1e-14);
+  const ArmResult result = find_arm_closures(up, back, lanes(), one_thread());
+  EXPECT_LT(least_distance(up, result, values.reverse()), 1e-9);
+}
+
+TEST(ArmTest, ForwardKinematicsIsTheProductOfTheTransformsAsTyped) {
+  const Arm arm = arm_of(kPuma);
+  Eigen::VectorXd values(6);
+  values << 20, -30, 50, -140, -60, 110;
+  const Eigen::Isometry3d tip = forward_kinematics(arm, values * std::numbers::pi / 180);
+  EXPECT_NEAR(tip.translation().x(), 0.28186546747901, 1e-14);
+  EXPECT_NEAR(tip.translation().y(), -0.05708923453012271, 1e-14);
+  EXPECT_NEAR(tip.linear()(0, 0), 0.7624523637705527, 1e-14);
+}
+
+}  // namespace
+}  // namespace moivre::test

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+// Do poses and arms that defeat other programs have all their closures, too? Tools that point straight down, straight arms, arms
+// that miss their geometry a little, slides, few joints.
+#include <gtest/gtest.h>
+
+#include "robots.h"
+
+namespace moivre::test {
+namespace {
+
+Eigen::Isometry3d pointing_down(double x, double y, double z) {
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.translate(Eigen::Vector3d(x, y, z));
+  pose.rotate(Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d::UnitX()));
+  return pose;
+}
+
+Arm disturbed(Robot robot, const std::string& tip, double size) {
+  std::uint64_t number = 0;
+  for (RobotJoint& joint : robot.joints) {
+    for (ExactVector* const v : {&joint.xyz, &joint.rpy}) {
+      for (Rational& x : *v) {
+        x += Rational(size * (2 * random_unit(9, RandomStream::test, number++) - 1));
+      }
+    }
+  }
+  return make_arm(robot, {std::nullopt, tip, {}});
+}
+
+TEST(SpecialPosesTest, ToolsThatPointStraightDownHaveAllTheirClosures) {
+  for (const auto& [name, tip] : {std::pair("ur5", "tool0"), std::pair("puma560", "flange"),
+                                  std::pair("kinova_j2s6s200", "j2s6s200_end_effector")}) {
+    SCOPED_TRACE(name);
+    const Arm arm = arm_of(name, tip);
+    const ArmResult result =
+        find_arm_closures(arm, pointing_down(-0.35, 0.2, 0.15), lanes(), one_thread());
+    EXPECT_TRUE(result.complete);
+    EXPECT_EQ(result.counts.complex, 8U);
+    EXPECT_GE(result.counts.real, 4U);
+    EXPECT_LT(worst_miss(arm, result), 1e-10);
+  }
+}
+
+TEST(SpecialPosesTest, ACalibratedArmHasTheClosuresOfAGeneralOne) {
+  for (const double size : {1e-2, 1e-4, 1e-6}) {
+    SCOPED_TRACE(size);
+    const Arm arm = disturbed(robot_of("ur5"), "tool0", size);
+    const Eigen::VectorXd own = random_values(arm, 4, 4);
+    const ArmResult result =
+        find_arm_closures(arm, forward_kinematics(arm, own), lanes(), one_thread());
+    EXPECT_EQ(result.counts.complex, 16U);
+    EXPECT_LT(least_distance(arm, result, own), 1e-9);
+  }
+}
+
+TEST(SpecialPosesTest, AStraightWristMoves) {
+  const Arm arm = make_arm(robot_of("puma560"), {});
+  Eigen::VectorXd own(6);
+  own << 0.3, 0.4, 0.5, 0.2, 0, 0.1;
+  const ArmResult result =
+      find_arm_closures(arm, forward_kinematics(arm, own), lanes(), one_thread());
+  ASSERT_TRUE(result.moves);
+  Eigen::VectorXd further = result.moves->values + 1e-4 * result.moves->tangent;
+  const double missed =
+      (forward_kinematics(arm, further).matrix() - result.pose.matrix()).cwiseAbs().maxCoeff();
+  EXPECT_LT(missed, 1e-7);
+}
+
+TEST(SpecialPosesTest, AStretchedArmIsFoundThoughItsClosuresMeet) {
+  const Arm arm = arm_of("ur5", "tool0");
+  Eigen::VectorXd own(6);
+  own << 0.3, -1, 0, 0.7, 1.1, 0.4;  // the elbow is straight
+  const ArmResult result =
+      find_arm_closures(arm, forward_kinematics(arm, own), lanes(), one_thread());
+  EXPECT_LT(least_distance(arm, result, own), 1e-4);
+  EXPECT_LT(worst_miss(arm, result), 1e-10);
+}
+
+TEST(SpecialPosesTest, ASlideIsAJointLikeATurn) {
+  const Robot robot = read_urdf(
+      {"gantry",
+       "<robot name='gantry'><link name='l0'/><link name='l1'/><link name='l2'/><link name='l3'/>"
+       "<link name='l4'/><link name='l5'/><link name='l6'/>"
+       "<joint name='x' type='prismatic'><parent link='l0'/><child link='l1'/>"
+       "<axis xyz='1 0 0'/><limit lower='-1' upper='1'/></joint>"
+       "<joint name='y' type='prismatic'><parent link='l1'/><child link='l2'/>"
+       "<axis xyz='0 1 0'/><limit lower='-1' upper='1'/></joint>"
+       "<joint name='a' type='continuous'><parent link='l2'/><child link='l3'/>"
+       "<origin xyz='0 0 1'/><axis xyz='0 0 2'/></joint>"
+       "<joint name='z' type='prismatic'><parent link='l3'/><child link='l4'/>"
+       "<origin xyz='0.1 0 0'/><axis xyz='0 0.6 0.8'/><limit lower='-1' upper='1'/></joint>"
+       "<joint name='b' type='continuous'><parent link='l4'/><child link='l5'/>"
+       "<origin xyz='0 0.2 0.1'/><axis xyz='1 0 0'/></joint>"
+       "<joint name='c' type='continuous'><parent link='l5'/><child link='l6'/>"
+       "<origin xyz='0.1 0 0.2'/><axis xyz='0 0.3 1'/></joint></robot>"});
+  const Arm arm = make_arm(robot, {});
+  for (std::uint64_t k = 0; k < 5; ++k) {
+    const Eigen::VectorXd own = random_values(arm, 8, k);
+    const ArmResult result =
+        find_arm_closures(arm, forward_kinematics(arm, own), lanes(), one_thread());
+    EXPECT_TRUE(result.complete);
+    EXPECT_LT(least_distance(arm, result, own), 1e-9);
+    EXPECT_LT(worst_miss(arm, result), 1e-10);
+  }
+}
+
+TEST(SpecialPosesTest, FewJointsReachThePosesThatTheyCan) {
+  for (std::size_t free = 1; free <= 5; ++free) {
+    SCOPED_TRACE(free);
+    Arm arm = arm_of(general_arm(2));
+    arm.joints.resize(free);
+    const Eigen::VectorXd own = random_values(arm, 5, free);
+    const ArmResult result =
+        find_arm_closures(arm, forward_kinematics(arm, own), lanes(), one_thread());
+    EXPECT_GE(result.counts.complex, 1U);
+    EXPECT_LT(least_distance(arm, result, own), 1e-9);
+    const ArmResult none =
+        find_arm_closures(arm, pointing_down(0.123, 0.456, 0.789), lanes(), one_thread());
+    EXPECT_TRUE(none.closures.empty()) << "so few joints cannot reach any pose";
+  }
+}
+
+}  // namespace
+}  // namespace moivre::test

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+// Do `closures` and `mechanism` answer for robots, and refuse what they cannot, every fault named?
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "program.h"
+
+namespace moivre::test {
+namespace {
+
+using Json = nlohmann::json;
+
+const std::string kRobots = MOIVRE_SOURCE_DIR "/problems/robots/";
+const std::string kPuma = kRobots + "puma560.urdf";
+const std::string kPose = "0.4 -0.2 0.3 0.5 0.5 0.5 0.5";
+
+class RobotCommands : public testing::Test {
+ protected:
+  void expect_refusal(const std::vector<std::string>& command,
+                      const std::vector<std::string>& parts) const {
+    const Outcome outcome = scene.run(command);
+    EXPECT_EQ(outcome.exit_code, 1) << outcome.out;
+    EXPECT_EQ(outcome.out, "");
+    for (const std::string& part : parts) EXPECT_TRUE(contains(outcome.err, part)) << outcome.err;
+  }
+
+  Scene scene;
+};
+
+TEST_F(RobotCommands, APoseHasItsClosuresByJointName) {
+  const Outcome outcome = scene.run({"closures", kPuma, "--pose", kPose, "--json", "-"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Json json = Json::parse(outcome.out);
+  EXPECT_EQ(json.at("counts").at("complex"), 8);
+  EXPECT_EQ(json.at("closures").size(), 8U);
+  const Json& first = json.at("closures").at(0);
+  EXPECT_EQ(first.at("id"), "A");
+  EXPECT_EQ(first.at("coordinates").size(), 6U);
+  EXPECT_TRUE(first.at("coordinates").contains("joint6"));
+  for (const Json& closure : json.at("closures")) {
+    EXPECT_EQ(closure.at("within_limits").get<bool>(), closure.at("beyond_limits").empty());
+    EXPECT_LT(closure.at("residual").get<double>(), 1e-10);
+  }
+}
+
+TEST_F(RobotCommands, AFileOfPosesHasAnAnswerEach) {
+  scene.write("poses.csv", "x,y,z,qw,qx,qy,qz\n0.4,-0.2,0.3,0.5,0.5,0.5,0.5\n9 9 9 1 0 0 0\n");
+  const Outcome outcome =
+      scene.run({"closures", kPuma, "--poses", "poses.csv", "--json", "-", "--csv", "out.csv"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Json json = Json::parse(outcome.out);
+  ASSERT_EQ(json.at("poses").size(), 2U);
+  EXPECT_EQ(json.at("poses").at(1).at("pose"), 1);
+  EXPECT_EQ(json.at("poses").at(0).at("closures").size(), 8U);
+  EXPECT_TRUE(json.at("poses").at(1).at("closures").empty());
+  const std::string table = scene.read("out.csv");
+  EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 9);
+  EXPECT_TRUE(contains(table, "joint1 [rad]"));
+}
+
+TEST_F(RobotCommands, AnArmOfSevenJointsNeedsOneHeld) {
+  const std::string panda = kRobots + "panda.urdf";
+  expect_refusal({"closures", panda, "--tip", "panda_hand_tcp", "--pose", kPose},
+                 {"7 free joints", "--hold", "panda_joint7"});
+  const Outcome outcome = scene.run({"closures", panda, "--tip", "panda_hand_tcp", "--hold",
+                                     "panda_joint7=0.8", "--pose", "0.4 0.2 0.3 0 1 0 0"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_TRUE(contains(outcome.out, "8 complex closures")) << outcome.out;
+  EXPECT_TRUE(contains(outcome.out, "held: panda_joint7 = 0.8")) << outcome.out;
+}
+
+TEST_F(RobotCommands, EveryFaultOfTheQuestionIsNamed) {
+  expect_refusal({"closures", kPuma}, {"--pose"});
+  expect_refusal({"closures", kPuma, "--pose", "1 2 3", "--tip", "hnd"},
+                 {"did you mean 'hand'", "seven numbers"});
+  expect_refusal({"closures", kPuma, "--pose", kPose, "--hold", "joint1"}, {"JOINT=VALUE"});
+  expect_refusal({"closures", kPuma, "--pose", kPose, "--svg", "p.svg", "--fit", "1"},
+                 {"--fit, --svg are not for robots"});
+  expect_refusal({"closures", kPuma, "--pose", kPose, "--poses", kPuma}, {"one of them"});
+}
+
+TEST_F(RobotCommands, AFaultyRobotIsRefusedWithTheLine) {
+  scene.write("arm.urdf", "<robot name='r'>\n  <link name='a'/>\n  <link nme='b'/>\n</robot>\n");
+  expect_refusal({"closures", "arm.urdf", "--pose", kPose}, {"arm.urdf:3:3: error", "'name'"});
+  expect_refusal({"mechanism", "arm.urdf"}, {"arm.urdf:3:3: error"});
+}
+
+TEST_F(RobotCommands, OptionsOfRobotsAreRefusedForMechanisms) {
+  expect_refusal({"closures", MOIVRE_SOURCE_DIR "/problems/mechanisms/3-rpr.toml", "--pose", kPose},
+                 {"are for robots"});
+}
+
+TEST_F(RobotCommands, ARobotBecomesAMechanismThatTheOthersTake) {
+  for (const std::string name : {"ur5", "panda", "kinova_j2s6s200", "puma560"}) {
+    SCOPED_TRACE(name);
+    const Outcome typed =
+        scene.run({"mechanism", kRobots + name + ".urdf", "-o", name + ".toml"});
+    EXPECT_EQ(typed.exit_code, 0) << typed.err;
+    const Outcome newton = scene.run({"newton", name + ".toml"});
+    EXPECT_EQ(newton.exit_code, 0) << newton.err;
+    const Outcome mobility = scene.run({"mobility", name + ".toml", "--json", "-"});
+    EXPECT_EQ(mobility.exit_code, 0) << mobility.err;
+    const int freedoms = name == "panda" ? 9 : 6;
+    EXPECT_EQ(Json::parse(mobility.out).at("degrees_of_freedom"), freedoms);
+  }
+}
+
+}  // namespace
+}  // namespace moivre::test

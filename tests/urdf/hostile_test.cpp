@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+// Does any file do harm? Entities, depth, size, and robots with bytes changed at random: a robot or faults in the text, soon.
+#include <gtest/gtest.h>
+
+#include <chrono>
+
+#include "../fuzz/urdf_laws.h"
+#include "moivre/numeric/random.h"
+
+namespace moivre {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point begin) {
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+/// Far more than it takes, far less than harm.
+constexpr double kSoon = 5;
+
+std::string repeated(const std::string& text, std::size_t count) {
+  std::string all;
+  all.reserve(text.size() * count);
+  for (std::size_t k = 0; k < count; ++k) all += text;
+  return all;
+}
+
+/// The fault that a hostile text is refused with.
+std::string refusal_of(const std::string& text) {
+  try {
+    read_urdf({"hostile.urdf", text});
+  } catch (const ParseError& error) {
+    return error.diagnostics().front().message;
+  }
+  return "";
+}
+
+TEST(HostileUrdfTest, EntitiesAreNotExpanded) {
+  std::string text = "<!DOCTYPE robot [<!ENTITY a0 \"ha\">";
+  for (int k = 1; k < 30; ++k) {
+    const std::string before = "&a" + std::to_string(k - 1) + ";";
+    text += "<!ENTITY a" + std::to_string(k) + " \"" + repeated(before, 10) + "\">";
+  }
+  text += "]><robot name=\"&a29;\"><link name=\"&a29;\"/></robot>";
+  const auto begin = Clock::now();
+  EXPECT_NE(refusal_of(text).find("DOCTYPE"), std::string::npos);
+  EXPECT_LT(seconds_since(begin), kSoon);
+}
+
+TEST(HostileUrdfTest, NothingOutsideTheFileIsOpened) {
+  const std::string text =
+      "<!DOCTYPE robot [<!ENTITY x SYSTEM \"file:///etc/passwd\">]>"
+      "<robot name=\"r\"><link name=\"&x;\"/></robot>";
+  EXPECT_NE(refusal_of(text).find("DOCTYPE"), std::string::npos);
+}
+
+TEST(HostileUrdfTest, AMillionElementsInsideOneAnotherAreHarmless) {
+  const std::size_t depth = 1'000'000;
+  const auto begin = Clock::now();
+  EXPECT_NE(refusal_of("<robot name='r'>" + repeated("<a>", depth)), "");
+  EXPECT_NE(refusal_of(repeated("<robot>", depth) + repeated("</robot>", depth)), "");
+  EXPECT_LT(seconds_since(begin), kSoon);
+}
+
+TEST(HostileUrdfTest, HugeFilesAreRefused) {
+  EXPECT_NE(refusal_of(repeated(" ", 20'000'000)).find("16 MB"), std::string::npos);
+  const std::string links = "<robot name='r'>" + repeated("<link name='a'/>", 30'000) + "</robot>";
+  const auto begin = Clock::now();
+  EXPECT_NE(refusal_of(links).find("20,000"), std::string::npos);
+  EXPECT_LT(seconds_since(begin), kSoon);
+}
+
+TEST(HostileUrdfTest, ALongChainIsReadSoon) {
+  std::string text = "<robot name='r'><link name='l0'/>";
+  for (int k = 1; k < 9'000; ++k) {
+    const std::string n = std::to_string(k);
+    text += "<link name='l" + n + "'/><joint name='j" + n + "' type='fixed'><parent link='l" +
+            std::to_string(k - 1) + "'/><child link='l" + n + "'/></joint>";
+  }
+  const auto begin = Clock::now();
+  EXPECT_EQ(read_urdf({"long.urdf", text + "</robot>"}).joints.size(), 8'999U);
+  EXPECT_LT(seconds_since(begin), kSoon);
+}
+
+TEST(HostileUrdfTest, AZeroByteIsRefused) {
+  EXPECT_NE(refusal_of(std::string("<robot name='r'>\0</robot>", 25)).find("zero byte"),
+            std::string::npos);
+}
+
+TEST(HostileUrdfTest, BytesChangedAtRandomBreakNoLaw) {
+  constexpr std::uint64_t kTexts = 4'000;
+  const std::string whole =
+      read_source(MOIVRE_SOURCE_DIR "/problems/robots/panda.urdf").text.substr(0, 1'500) +
+      "</joint></robot>";
+  for (std::uint64_t trial = 0; trial < kTexts; ++trial) {
+    std::string text = whole;
+    const std::uint64_t changes = 1 + random_bits(1, RandomStream::test, trial) % 4;
+    for (std::uint64_t k = 0; k < changes; ++k) {
+      const std::uint64_t bits = random_bits(2, RandomStream::test, trial * 4 + k);
+      const std::size_t at = (bits >> 16U) % text.size();
+      if ((bits & 1U) != 0) {
+        text[at] = static_cast<char>(bits >> 8U);
+      } else {
+        text.erase(at, 1 + (bits >> 8U) % 20);
+      }
+    }
+    const auto broken = broken_urdf_law(text);
+    ASSERT_FALSE(broken) << *broken << "\n" << text;
+  }
+}
+
+}  // namespace
+}  // namespace moivre
