@@ -78,8 +78,8 @@ int run(const ClosuresCommand& command) {
   require_all(
       {[&] { require_known(command.start); }, [&] { require_threads(command.threads); },
        [&] {
-         require_distinct(
-             {command.json, command.csv, command.svg, command.html, command.family}, command.file);
+         require_distinct({command.json, command.csv, command.svg, command.html, command.family},
+                          command.file);
        },
        [&] { require_ending(command.svg, ".svg"); }, [&] { require_ending(command.html, ".html"); },
        [&] { tracker = make_tracker(command.tracker); }});

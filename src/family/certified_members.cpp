@@ -24,7 +24,7 @@ void take(const Certificate& certificate, MemberRoot& root) {
 }
 
 void certify_member(const Family& family, const Point& p, MemberRoots& member) {
-  Certifier certifier(make_certify_program(member_system(family, exactly(p))));
+  Certifier certifier(make_certify_program(member_system(family, exact_values(p))));
   std::vector<Certificate> certificates;
   for (MemberRoot& root : member.roots) {
     certificates.push_back(certifier.certify(root.x));

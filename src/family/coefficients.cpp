@@ -48,8 +48,7 @@ Family coefficient_family(const System& member) {
       Monomial monomial = term.monomial;
       monomial.push_back({static_cast<std::uint32_t>(family.system.variables.size()), 1});
       terms[monomial] = Coefficient{1, 0};
-      family.system.variables.push_back(
-          fresh(name_of(i + 1, k + 1), member.variables));
+      family.system.variables.push_back(fresh(name_of(i + 1, k + 1), member.variables));
       const double size = std::abs(to_complex(term.coefficient));
       family.sizes.push_back(size > 0 && std::isfinite(size) ? size : 1);
     }

@@ -73,11 +73,11 @@ System member_system(const Family& family, const ParameterValues& p) {
   return member;
 }
 
-Coefficient exactly(const Complex& x) { return {Rational(x.real()), Rational(x.imag())}; }
+Coefficient exact_value(const Complex& x) { return {Rational(x.real()), Rational(x.imag())}; }
 
-ParameterValues exactly(const Point& p) {
+ParameterValues exact_values(const Point& p) {
   ParameterValues values;
-  for (const Complex& pj : p) values.push_back(exactly(pj));
+  for (const Complex& pj : p) values.push_back(exact_value(pj));
   return values;
 }
 

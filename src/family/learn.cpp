@@ -150,7 +150,7 @@ Family learn(Family unlearned, const Tracker& tracker, const SolveOptions& optio
   Family family = std::move(unlearned);
   family.seed = options.seed;
   family.generic = generic_member(family, options.seed);
-  const System member = member_system(family, exactly(family.generic));
+  const System member = member_system(family, exact_values(family.generic));
   const SolveResult result = solve(member, tracker, options, stop);
   keep_roots(result, family);
   return family;

@@ -86,9 +86,8 @@ std::vector<std::optional<Point>> follow_roots(const System& system, const Point
 bool is_among(const std::vector<Point>& roots, const Point& x) {
   const double least = kSame * std::max(1.0, max_norm(x));
   return std::any_of(roots.begin(), roots.end(), [&](const Point& root) {
-    return std::equal(x.begin(), x.end(), root.begin(), [&](const Complex& a, const Complex& b) {
-      return std::abs(a - b) <= least;
-    });
+    return std::equal(x.begin(), x.end(), root.begin(),
+                      [&](const Complex& a, const Complex& b) { return std::abs(a - b) <= least; });
   });
 }
 

@@ -35,7 +35,7 @@ Scaling scaling_of(const System& member) {
 Homotopy homotopy_to(const Family& family, const System& member, const ParameterValues& p,
                      const Scaling& scaling) {
   if (is_linear_in_parameters(family)) {
-    const System generic = member_system(family, exactly(family.generic));
+    const System generic = member_system(family, exact_values(family.generic));
     return Homotopy(scale(member, scaling), scale(generic, scaling));
   }
   Scaling of_all = scaling;

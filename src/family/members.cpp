@@ -163,8 +163,9 @@ class MemberSource : public DepartureSource {
 
   void finish(std::size_t member, MemberRoots& result) {
     const Point& p = shared_.members[member];
-    const bool is_real_member =
-        is_real_ && std::all_of(p.begin(), p.end(), [](const Complex& pj) { return pj.imag() == 0; });
+    const bool is_real_member = is_real_ && std::all_of(p.begin(), p.end(), [](const Complex& pj) {
+                                  return pj.imag() == 0;
+                                });
     result.complete = result.failed == 0 && are_apart(result.roots) &&
                       (!is_real_member || settle_reality(result.roots));
     if (result.complete) shared_.report(result.roots.size());
@@ -182,7 +183,7 @@ void judge(Shared& shared, std::size_t member) {
   SolveOptions options = shared.options;
   options.threads = 1;
   options.progress = nullptr;
-  const SolveResult solved = solve_member(shared.family, exactly(shared.members[member]),
+  const SolveResult solved = solve_member(shared.family, exact_values(shared.members[member]),
                                           shared.tracker, options, shared.stop);
   MemberRoots& result = shared.results[member];
   result = {};
@@ -263,11 +264,19 @@ std::vector<MemberRoots> solve_members(const Family& family, std::span<const Poi
   require_fitting(family, members);
   std::vector<MemberRoots> results(members.size());
   if (members.empty()) return results;
-  const int threads = options.threads > 0 ? options.threads
-                                          : static_cast<int>(std::thread::hardware_concurrency());
-  Shared shared{family, members, tracker, options, stop,
-                Homotopy::members(family.system, family.generic), homogeneous(family.roots),
-                results, {}, {}, {}};
+  const int threads =
+      options.threads > 0 ? options.threads : static_cast<int>(std::thread::hardware_concurrency());
+  Shared shared{family,
+                members,
+                tracker,
+                options,
+                stop,
+                Homotopy::members(family.system, family.generic),
+                homogeneous(family.roots),
+                results,
+                {},
+                {},
+                {}};
   shared.progress.total = members.size();
   const auto blocks = static_cast<int>(std::min<std::size_t>(members.size() / kBlock + 1, 1024));
   if (!family.roots.empty()) {

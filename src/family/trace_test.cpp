@@ -45,7 +45,7 @@ System curve_system(const Family& family, const Point& v) {
   for (std::uint32_t j = 0; j < 2 * n + 2; ++j) add(std::string("g").append(std::to_string(j)));
   std::vector<Polynomial> line;
   for (std::size_t j = 0; j < v.size(); ++j) {
-    line.push_back(constant(exactly(family.generic[j])) + exactly(v[j]) * unknown(n));
+    line.push_back(constant(exact_value(family.generic[j])) + exact_value(v[j]) * unknown(n));
   }
   for (const Polynomial& p : family.system.polynomials) {
     Polynomial sum;
@@ -63,7 +63,8 @@ System curve_system(const Family& family, const Point& v) {
   }
   Polynomial form = unknown(n + 1 + 2 * n) * unknown(n) + unknown(n + 2 + 2 * n);
   for (std::uint32_t j = 0; j < n; ++j) {
-    form = form + unknown(n + 1 + j) * unknown(n) * unknown(j) + unknown(n + 1 + n + j) * unknown(j);
+    form =
+        form + unknown(n + 1 + j) * unknown(n) * unknown(j) + unknown(n + 1 + n + j) * unknown(j);
   }
   curve.polynomials.push_back(std::move(form));
   return curve;

@@ -91,8 +91,7 @@ std::vector<std::string_view> cells_of(std::string_view line) {
   }
 }
 
-std::string missing_text(const std::vector<std::string>& names,
-                         const std::vector<bool>& is_given) {
+std::string missing_text(const std::vector<std::string>& names, const std::vector<bool>& is_given) {
   std::vector<std::string> missing;
   for (std::size_t j = 0; j < names.size(); ++j) {
     if (!is_given[j]) missing.push_back(names[j]);
@@ -129,16 +128,16 @@ class TableReader {
     const std::vector<std::string_view> cells = cells_of(line);
     if (!has_head_) return read_head(cells, line, at);
     if (cells.size() != columns_.size()) {
-      faults_.push_back({at, "this row has " + std::to_string(cells.size()) + " columns, the head " +
-                                 std::to_string(columns_.size())});
+      faults_.push_back({at, "this row has " + std::to_string(cells.size()) +
+                                 " columns, the head " + std::to_string(columns_.size())});
       return;
     }
     Point member(names_.size());
     for (std::size_t k = 0; k < cells.size(); ++k) {
       const std::optional<Coefficient> value = to_value(cells[k]);
       if (!value) {
-        faults_.push_back({position(cells[k], line, at), "this is not a number: " +
-                                                             std::string(trimmed(cells[k]))});
+        faults_.push_back({position(cells[k], line, at),
+                           "this is not a number: " + std::string(trimmed(cells[k]))});
       } else if (columns_[k]) {
         member[*columns_[k]] = to_complex(*value);
       }

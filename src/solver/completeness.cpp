@@ -218,11 +218,10 @@ void tell_completeness(const Run& run, SolveResult& result) {
       std::all_of(result.solutions.begin(), result.solutions.end(),
                   [](const Solution& root) { return root.singular || *root.certified; });
   result.bound = run.bounds.met;
-  const bool is_shown =
-      result.complete && all_certified && run.setting.prepared.leads_to_all;
-  result.completeness = result.bound                       ? RootCompleteness::proved
-                        : is_shown ? RootCompleteness::shown
-                                                           : RootCompleteness::open;
+  const bool is_shown = result.complete && all_certified && run.setting.prepared.leads_to_all;
+  result.completeness = result.bound ? RootCompleteness::proved
+                        : is_shown   ? RootCompleteness::shown
+                                     : RootCompleteness::open;
   if (run.left_by_bound == 0) return;
   result.left_out.push_back(
       {std::to_string(run.left_by_bound) + (run.left_by_bound == 1 ? " path" : " paths") +

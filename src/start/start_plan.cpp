@@ -62,9 +62,8 @@ class KnownRoots : public StartPoints {
 
   std::optional<std::uint64_t> number_of(const Point& x) const override {
     const auto nearest =
-        std::min_element(roots_.begin(), roots_.end(), [&](const Point& a, const Point& b) {
-          return apart(a, x) < apart(b, x);
-        });
+        std::min_element(roots_.begin(), roots_.end(),
+                         [&](const Point& a, const Point& b) { return apart(a, x) < apart(b, x); });
     if (nearest == roots_.end() || apart(*nearest, x) > kSameRoot) return std::nullopt;
     return static_cast<std::uint64_t>(nearest - roots_.begin());
   }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A family file gives the family back to the last bit; whatever else is in a file is refused, and crashes nothing.
+#include "moivre/family/family_file.h"
+
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -8,7 +10,6 @@
 
 #include "families.h"
 #include "moivre/family/coefficients.h"
-#include "moivre/family/family_file.h"
 #include "moivre/tracker_lanes/lane_tracker.h"
 
 namespace moivre {

@@ -33,8 +33,12 @@ inline FamilyProblem four_bar_problem() {
       {{"r"}, {"l"}, {"m"}, {"d"}, {"w"}, {"W"}});
   return {"four-bar", 2, std::move(family), [](std::size_t k) {
             const Complex w = std::polar(1.0, 3 * random_number(k, 0));
-            return Point{1 + 0.3 * random_number(k, 1), 3 + random_number(k, 2),
-                         3 + random_number(k, 3), 3 + random_number(k, 4), w, std::conj(w)};
+            return Point{1 + 0.3 * random_number(k, 1),
+                         3 + random_number(k, 2),
+                         3 + random_number(k, 3),
+                         3 + random_number(k, 4),
+                         w,
+                         std::conj(w)};
           }};
 }
 
@@ -79,8 +83,9 @@ inline FamilyProblem seven_link_problem(std::size_t roots,
               const auto twin = std::find(names.begin(), names.end(), "a" + names[j].substr(1));
               const bool is_conjugate = names[j][0] == 'A';
               p.push_back(names[j][0] == 'L' ? 1 + 0.5 * c.real()
-                          : is_conjugate     ? std::conj(p[static_cast<std::size_t>(twin - names.begin())])
-                                             : c);
+                          : is_conjugate
+                              ? std::conj(p[static_cast<std::size_t>(twin - names.begin())])
+                              : c);
             }
             return p;
           }};
@@ -90,7 +95,8 @@ inline FamilyProblem seven_link_problem(std::size_t roots,
 inline FamilyProblem six_r_problem() {
   const std::string text =
       "11 17\n"
-      "x2^2 + y2^2 - 0.84; x3^2 + y3^2 + z3^2 - 1; x4^2 + y4^2 + z4^2 - 1; x5^2 + y5^2 + z5^2 - 1;\n"
+      "x2^2 + y2^2 - 0.84; x3^2 + y3^2 + z3^2 - 1; x4^2 + y4^2 + z4^2 - 1; x5^2 + y5^2 + z5^2 - "
+      "1;\n"
       "x2*x3 + y2*y3 + 0.4*z3 - 0.3; x3*x4 + y3*y4 + z3*z4 + 0.2; x4*x5 + y4*y5 + z4*z5 - 0.5;\n"
       "x5*X + y5*Y + z5*Z - 0.1;\n"
       "-0.7*y2 + 0.3*x2 + 0.9*(y2*z3 - 0.4*y3) + 0.2*x3 + 0.5*(y3*z4 - z3*y4) - 0.4*x4\n"
@@ -99,8 +105,8 @@ inline FamilyProblem six_r_problem() {
       " + 0.8*(z4*x5 - x4*z5) + 0.6*y5 + 0.3*(z5*X - x5*Z) - B;\n"
       "0.12 + 0.9*(x2*y3 - y2*x3) + 0.2*z3 + 0.5*(x3*y4 - y3*x4) - 0.4*z4\n"
       " + 0.8*(x4*y5 - y4*x5) + 0.6*z5 + 0.3*(x5*Y - y5*X) - C;\n";
-  Family family = unlearned_family(read_system({"6R", text}),
-                                   {{"X"}, {"Y"}, {"Z"}, {"A"}, {"B"}, {"C"}});
+  Family family =
+      unlearned_family(read_system({"6R", text}), {{"X"}, {"Y"}, {"Z"}, {"A"}, {"B"}, {"C"}});
   return {"6R", 16, std::move(family), [](std::size_t k) {
             Point p;
             for (std::size_t j = 0; j < 6; ++j) p.push_back(random_number(k, j));
@@ -112,8 +118,7 @@ inline FamilyProblem six_r_problem() {
 
 /// Dietmaier's platform; the square of each leg moved by -p_i.
 inline FamilyProblem stewart_problem() {
-  System system =
-      read_system(read_source(MOIVRE_SOURCE_DIR "/problems/polynomials/dietmaier.phc"));
+  System system = read_system(read_source(MOIVRE_SOURCE_DIR "/problems/polynomials/dietmaier.phc"));
   const auto variable = [&](const std::string& name) {
     const auto found = std::find(system.variables.begin(), system.variables.end(), name);
     return unknown(static_cast<std::uint32_t>(found - system.variables.begin()));

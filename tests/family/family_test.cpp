@@ -24,8 +24,8 @@ SolveOptions with_seed(std::uint64_t seed) {
 }
 
 TEST(Learn, PutsParametersBehindTheUnknowns) {
-  const Family family = unlearned_family(read_system({"test", "1 3\na*x + b*x^2 - 1;\n"}),
-                                         {{"b"}, {"a", 10}});
+  const Family family =
+      unlearned_family(read_system({"test", "1 3\na*x + b*x^2 - 1;\n"}), {{"b"}, {"a", 10}});
   EXPECT_EQ(family.system.variables, (std::vector<std::string>{"x", "b", "a"}));
   EXPECT_EQ(family.sizes, (std::vector<double>{1, 10}));
   EXPECT_EQ(member_system(family, {Coefficient{2, 0}, Coefficient{3, 0}}),
@@ -64,7 +64,7 @@ TEST(SolveMember, FindsTheRootsOfADirectSolveWithBothTrackers) {
   const auto cvode = make_cvode_tracker();
   const Family family = learn(conics(), *lanes, with_seed(1));
   for (std::uint64_t k = 0; k < 20; ++k) {
-    const ParameterValues p = exactly(random_member(3, k));
+    const ParameterValues p = exact_values(random_member(3, k));
     const SolveResult direct = solve(member_system(family, p), *lanes, with_seed(2));
     for (const Tracker* tracker : {lanes.get(), cvode.get()}) {
       const SolveResult result = solve_member(family, p, *tracker, with_seed(1));
@@ -92,9 +92,9 @@ TEST(SolveMember, JudgesTheEndsOfSpecialMembers) {
   EXPECT_EQ(circles.paths.at_infinity, 2U);
   EXPECT_EQ(circles.solutions.size(), 2U);
   // Coefficients that are no straight line: a b x^2 + a x + b, with a root at infinity for b = 0.
-  const Family squares = learn(
-      unlearned_family(read_system({"test", "1 3\na*b*x^2 + a*x + b;\n"}), {{"a"}, {"b"}}), *lanes,
-      with_seed(1));
+  const Family squares =
+      learn(unlearned_family(read_system({"test", "1 3\na*b*x^2 + a*x + b;\n"}), {{"a"}, {"b"}}),
+            *lanes, with_seed(1));
   EXPECT_EQ(squares.roots.size(), 2U);
   const SolveResult linear =
       solve_member(squares, {Coefficient{1, 0}, Coefficient{0, 0}}, *lanes, with_seed(1));
@@ -111,7 +111,7 @@ TEST(SolveMember, JudgesTheEndsOfSpecialMembers) {
 TEST(SolveMember, TellsNoMoreThanTheFamilyWasLearned) {
   const auto lanes = make_lane_tracker();
   Family family = learn(conics(), *lanes, with_seed(1));
-  const ParameterValues p = exactly(random_member(3, 0));
+  const ParameterValues p = exact_values(random_member(3, 0));
   family.learning.bound.reset();
   EXPECT_EQ(solve_member(family, p, *lanes, with_seed(1)).completeness, RootCompleteness::shown);
   family.learning.complete = false;

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Thousands of members at once: the generic count every time, the roots of direct solves, the same on every number of threads.
+#include "moivre/family/members.h"
+
 #include <gtest/gtest.h>
 
 #include "families.h"
 #include "moivre/family/member.h"
-#include "moivre/family/members.h"
 #include "moivre/tracker_cvode/cvode_tracker.h"
 #include "moivre/tracker_lanes/lane_tracker.h"
 
@@ -44,7 +45,8 @@ TEST(SolveMembers, FindsTheRootsOfDirectSolves) {
   const std::vector<Point> members = random_members(3, 500);
   const auto results = solve_members(family, members, *lanes, plain(1));
   for (std::size_t k = 0; k < members.size(); ++k) {
-    const SolveResult direct = solve(member_system(family, exactly(members[k])), *lanes, plain(1));
+    const SolveResult direct =
+        solve(member_system(family, exact_values(members[k])), *lanes, plain(1));
     std::vector<Point> points;
     std::uint64_t real = 0;
     for (const Solution& root : direct.solutions) {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // From one root to all: published counts by loops, and the trace test true with all roots, false without one.
+#include "moivre/family/monodromy.h"
+
 #include <gtest/gtest.h>
 
 #include "families.h"
 #include "family_problems.h"
-#include "moivre/family/monodromy.h"
 #include "moivre/tracker_lanes/lane_tracker.h"
 
 namespace moivre {
@@ -16,14 +17,17 @@ MonodromyOptions with_seed(std::uint64_t seed) {
   return options;
 }
 
-TEST(Monodromy, FindsARandomPairOfAFamilyThatIsLinearInItsParameters) {
-  const Family family = conics();
+TEST(Monodromy, FindsARandomPairWhereEveryEquationHasAParameterOfItsOwn) {
+  const Family family =
+      coefficient_family(read_system({"test", "2\nx*y - 3*x + i; y^2 + x*y - 2;\n"}));
   const auto pair = random_pair(family, 3);
   ASSERT_TRUE(pair);
-  ParameterValues p = exactly(pair->p);
-  const System member = member_system(family, p);
-  EXPECT_EQ(member.variables.size(), 2U);
-  EXPECT_FALSE(random_pair(six_r_problem().family, 1));  // norms tie x alone
+  const Complex x = pair->x[0];
+  const Complex y = pair->x[1];
+  EXPECT_LT(std::abs(pair->p[0] * x * y + pair->p[1] * x + pair->p[2]), 1e-12);
+  EXPECT_LT(std::abs(pair->p[3] * x * y + pair->p[4] * y * y + pair->p[5]), 1e-12);
+  EXPECT_FALSE(random_pair(conics(), 1));                // its second equation ties x alone
+  EXPECT_FALSE(random_pair(six_r_problem().family, 1));  // and so do the norms of axes
 }
 
 TEST(Monodromy, FindsAllRootsOfCoefficientFamiliesAndTheTraceTestHolds) {

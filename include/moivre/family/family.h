@@ -25,8 +25,9 @@ struct Learning {
   std::uint64_t dropped = 0;  ///< multiple roots, and ends on sets of roots, of every member
   /// Every path was decided, or the trace test holds, and nothing was dropped.
   bool complete = false;
-  std::string standing;           ///< in a sentence
-  std::optional<MetBound> bound;  ///< a proved bound on the isolated roots, for every member, met at p*
+  std::string standing;  ///< in a sentence
+  std::optional<MetBound>
+      bound;  ///< a proved bound on the isolated roots, for every member, met at p*
 
   friend bool operator==(const Learning& a, const Learning& b);
 };
@@ -57,8 +58,8 @@ using ParameterValues = std::vector<Coefficient>;
 System member_system(const Family& family, const ParameterValues& p);
 
 /// The double itself.
-Coefficient exactly(const Complex& x);
-ParameterValues exactly(const Point& p);
+Coefficient exact_value(const Complex& x);
+ParameterValues exact_values(const Point& p);
 
 /// Every coefficient is c_0 + sum_j c_j p_j.
 bool is_linear_in_parameters(const Family& family);

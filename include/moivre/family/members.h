@@ -19,8 +19,9 @@ struct MemberRoot {
   bool real = false;
   bool singular = false;
   std::uint64_t multiplicity = 1;
-  double accuracy = 0;   ///< relative to max(1, |x|_inf)
-  double condition = 0;  ///< of the homogeneous Jacobian with its patch; as Solution's where `judged`
+  double accuracy = 0;  ///< relative to max(1, |x|_inf)
+  double condition =
+      0;  ///< of the homogeneous Jacobian with its patch; as Solution's where `judged`
   std::optional<bool> certified;
 };
 

@@ -19,10 +19,10 @@ namespace moivre {
 
 struct MonodromyOptions {
   std::uint64_t seed = 1;
-  int quiet_loops = 10;      ///< without a new root, after which the search ends
+  int quiet_loops = 10;  ///< without a new root, after which the search ends
   int most_loops = 1000;
   std::size_t most_roots = 100'000;
-  bool test = true;          ///< the trace test, where the roots are no more than `most_tested`
+  bool test = true;  ///< the trace test, where the roots are no more than `most_tested`
   std::size_t most_tested = 2000;
 };
 
@@ -32,7 +32,7 @@ struct TraceTest {
   bool holds = false;
   std::size_t points = 0;   ///< of the curve on a bilinear form, the roots at p* among them
   std::size_t missing = 0;  ///< roots at p* that the curve has and the family has not
-  double defect = 0;       ///< how far the sums are from linear, beside their size
+  double defect = 0;        ///< how far the sums are from linear, beside their size
 };
 
 /// A pair: F(x; p) = 0 to a few digits, x regular.

@@ -34,9 +34,10 @@ System read_system(const Source& source, PolynomialFormat format);
 /// A system with names that are parameters: what a file declares by Bertini's `parameter`, and those of its constants that are
 /// asked for.
 struct ParametricSystem {
-  System system;  ///< in all names; it has more of them than equations
-  std::vector<std::string> declared;                ///< by `parameter`
-  std::map<std::string, Coefficient> constants;     ///< the values that the file gives to those asked for
+  System system;                      ///< in all names; it has more of them than equations
+  std::vector<std::string> declared;  ///< by `parameter`
+  std::map<std::string, Coefficient>
+      constants;  ///< the values that the file gives to those asked for
 };
 
 /// Throws as read_system(). `constants`: names that stay names where the file gives them a value.

@@ -225,12 +225,13 @@ SolveResult solve(const System& f, const Tracker& tracker, const SolveOptions& o
 
 /// A start that somebody else has made, of a family's roots for example.
 struct GivenStart {
-  StartPlan plan;   ///< to scale(f, scaling), but for the rows' sizes; its points are in those units
-  Scaling scaling;  ///< of f, or of reduction.system
+  StartPlan plan;  ///< to scale(f, scaling), but for the rows' sizes; its points are in those units
+  Scaling scaling;                          ///< of f, or of reduction.system
   std::optional<Reduction> reduction = {};  ///< of f, where the plan leads to its system; square
-  std::string why;   ///< where the start comes from
-  std::optional<MetBound> bound = {};  ///< proved: f has no more isolated roots than that
-  bool is_complete = true;  ///< a path leads to every isolated root; else no more than `open` is told
+  std::string why;                          ///< where the start comes from
+  std::optional<MetBound> bound = {};       ///< proved: f has no more isolated roots than that
+  bool is_complete =
+      true;  ///< a path leads to every isolated root; else no more than `open` is told
 };
 
 /// As solve(), by that start. f: square, without homogeneous groups.
