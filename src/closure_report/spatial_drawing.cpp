@@ -62,10 +62,14 @@ class SpatialDrawing {
   void add_body(std::size_t body) {
     const std::size_t count = mechanism_.bodies[body].points.size();
     const std::size_t lines = count > 2 ? count : count - std::min<std::size_t>(count, 1);
+    bool is_named = false;
     for (std::size_t k = 0; k < lines; ++k) {
-      add_line(Sketch::links, Style::wire, body - 1, material({body, k}),
-               material({body, (k + 1) % count}));
-      if (k > 0) continue;
+      const MaterialPoint from = material({body, k});
+      const MaterialPoint to = material({body, (k + 1) % count});
+      if (from.at == to.at) continue;  // axes that meet: there is nothing to draw between them
+      add_line(Sketch::links, Style::wire, body - 1, from, to);
+      if (is_named) continue;
+      is_named = true;
       add_label(LabelKind::body, mechanism_.bodies[body].name, sketch_.drawing.frames.size() - 1,
                 0.5, body - 1);
     }
