@@ -95,8 +95,7 @@ TEST_F(RobotCommands, OptionsOfRobotsAreRefusedForMechanisms) {
 TEST_F(RobotCommands, ARobotBecomesAMechanismThatTheOthersTake) {
   for (const std::string name : {"ur5", "panda", "kinova_j2s6s200", "puma560"}) {
     SCOPED_TRACE(name);
-    const Outcome typed =
-        scene.run({"mechanism", kRobots + name + ".urdf", "-o", name + ".toml"});
+    const Outcome typed = scene.run({"mechanism", kRobots + name + ".urdf", "-o", name + ".toml"});
     EXPECT_EQ(typed.exit_code, 0) << typed.err;
     const Outcome newton = scene.run({"newton", name + ".toml"});
     EXPECT_EQ(newton.exit_code, 0) << newton.err;

@@ -2,7 +2,7 @@
 // Does any file do harm? Entities, depth, size, and robots with bytes changed at random: a robot or faults in the text, soon.
 #include <gtest/gtest.h>
 
-#include <chrono>
+#include <ctime>
 
 #include "../fuzz/urdf_laws.h"
 #include "moivre/numeric/random.h"
@@ -10,13 +10,10 @@
 namespace moivre {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+/// Of this process, so that a busy machine does not matter.
+double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-double seconds_since(Clock::time_point begin) {
-  return std::chrono::duration<double>(Clock::now() - begin).count();
-}
-
-/// Far more than it takes, far less than harm.
+/// CPU seconds: far more than it takes, far less than harm.
 constexpr double kSoon = 5;
 
 std::string repeated(const std::string& text, std::size_t count) {
@@ -43,9 +40,9 @@ TEST(HostileUrdfTest, EntitiesAreNotExpanded) {
     text += "<!ENTITY a" + std::to_string(k) + " \"" + repeated(before, 10) + "\">";
   }
   text += "]><robot name=\"&a29;\"><link name=\"&a29;\"/></robot>";
-  const auto begin = Clock::now();
+  const double begin = cpu_seconds();
   EXPECT_NE(refusal_of(text).find("DOCTYPE"), std::string::npos);
-  EXPECT_LT(seconds_since(begin), kSoon);
+  EXPECT_LT(cpu_seconds() - begin, kSoon);
 }
 
 TEST(HostileUrdfTest, NothingOutsideTheFileIsOpened) {
@@ -57,18 +54,18 @@ TEST(HostileUrdfTest, NothingOutsideTheFileIsOpened) {
 
 TEST(HostileUrdfTest, AMillionElementsInsideOneAnotherAreHarmless) {
   const std::size_t depth = 1'000'000;
-  const auto begin = Clock::now();
+  const double begin = cpu_seconds();
   EXPECT_NE(refusal_of("<robot name='r'>" + repeated("<a>", depth)), "");
   EXPECT_NE(refusal_of(repeated("<robot>", depth) + repeated("</robot>", depth)), "");
-  EXPECT_LT(seconds_since(begin), kSoon);
+  EXPECT_LT(cpu_seconds() - begin, kSoon);
 }
 
 TEST(HostileUrdfTest, HugeFilesAreRefused) {
   EXPECT_NE(refusal_of(repeated(" ", 20'000'000)).find("16 MB"), std::string::npos);
   const std::string links = "<robot name='r'>" + repeated("<link name='a'/>", 30'000) + "</robot>";
-  const auto begin = Clock::now();
+  const double begin = cpu_seconds();
   EXPECT_NE(refusal_of(links).find("20,000"), std::string::npos);
-  EXPECT_LT(seconds_since(begin), kSoon);
+  EXPECT_LT(cpu_seconds() - begin, kSoon);
 }
 
 TEST(HostileUrdfTest, ALongChainIsReadSoon) {
@@ -78,9 +75,9 @@ TEST(HostileUrdfTest, ALongChainIsReadSoon) {
     text += "<link name='l" + n + "'/><joint name='j" + n + "' type='fixed'><parent link='l" +
             std::to_string(k - 1) + "'/><child link='l" + n + "'/></joint>";
   }
-  const auto begin = Clock::now();
+  const double begin = cpu_seconds();
   EXPECT_EQ(read_urdf({"long.urdf", text + "</robot>"}).joints.size(), 8'999U);
-  EXPECT_LT(seconds_since(begin), kSoon);
+  EXPECT_LT(cpu_seconds() - begin, kSoon);
 }
 
 TEST(HostileUrdfTest, AZeroByteIsRefused) {
