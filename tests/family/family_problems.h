@@ -65,7 +65,7 @@ inline FamilyProblem seven_link_problem(std::size_t roots,
         for (const int k : shared[loop]) others += k == j ? "" : "*t" + std::to_string(k);
         sum += " + " + coefficient + (is_conjugate ? others : "*t" + std::to_string(j));
       }
-      side[is_conjugate] = "(" + sum + ")";
+      side[is_conjugate].append("(").append(sum).append(")");
       denominator = all;
     }
     const std::string length = "L" + std::to_string(loop + 1);
