@@ -20,10 +20,11 @@ std::string bounds_text(const std::vector<RootBound>& bounds) {
   return joined(words, ", ");
 }
 
-/// Bounds on the stand-in's roots, and whether the distinct ones meet one.
+/// Bounds on the stand-in's roots, and whether the distinct ones, and those that exact algebra counts, meet one.
 void find_bounds(const StandIn& stand_in, Judgement& judgement) {
   const std::size_t distinct = judgement.roots.distinct;
-  judgement.bounds = root_bounds(stand_in.system, distinct);
+  const std::uint64_t known = distinct + judgement.roots.counted;
+  judgement.bounds = root_bounds(stand_in.system, known);
   for (const RootBound& bound : judgement.bounds) {
     if (!bound.value) continue;
     if (*bound.value < distinct) {
@@ -31,7 +32,7 @@ void find_bounds(const StandIn& stand_in, Judgement& judgement) {
                              to_string(bound.kind) + " bounds them by " +
                              std::to_string(*bound.value));
     }
-    if (*bound.value == distinct) judgement.proved_by = bound.kind;
+    if (*bound.value == known) judgement.proved_by = bound.kind;
   }
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Is a singular root what it is said to be? Its multiplicity is numerical; a regular root in its place, or none near, is not.
+// Is a singular root what it is said to be? Where it is known exactly exact algebra counts its multiplicity; elsewhere that is
+// numerical, but a regular root in its place, or none near, is not.
 #include <algorithm>
 #include <cmath>
 
@@ -7,6 +8,7 @@
 #include "exclusion.h"
 #include "moivre/certify/distinct.h"
 #include "moivre/numeric/random.h"
+#include "moivre/polynomial/local_multiplicity.h"
 
 namespace moivre {
 namespace {
@@ -51,6 +53,13 @@ std::size_t regular_roots_within(Bench& bench, Certifier& certifier, const Entry
   return firsts.size();
 }
 
+/// The point taken for exact; 0: it is no root, or nothing can be said.
+std::uint64_t exact_multiplicity(const System& f, const Point& x) {
+  std::vector<Coefficient> exact;
+  for (const Complex& xi : x) exact.push_back({Rational(xi.real()), Rational(xi.imag())});
+  return local_multiplicity(f, exact).value_or(0);
+}
+
 void judge_cluster(Bench& bench, Certifier& certifier, Entry& entry, const RootClaim& root,
                    std::size_t number) {
   Verdicts& verdicts = bench.verdicts;
@@ -58,6 +67,14 @@ void judge_cluster(Bench& bench, Certifier& certifier, Entry& entry, const RootC
   if (has_no_root_within(bench.stand_in.system, entry.x, entry.reach, m)) {
     entry.is_refuted = true;
     return verdicts.refute(ClaimKind::root, "no root lies within " + rough(entry.reach), number);
+  }
+  if (const std::uint64_t counted = exact_multiplicity(bench.stand_in.system, entry.x);
+      counted > 1) {
+    if (counted == m) verdicts.judgement().roots.counted += m;
+    return verdicts.judge(ClaimKind::multiplicity, counted == m,
+                          "exact algebra counts this root " + std::to_string(counted) + " times, " +
+                              std::to_string(m) + " is claimed",
+                          number);
   }
   const bool is_narrow = entry.reach <= kWidestDisc * std::max(1.0, max_norm(entry.x));
   const std::size_t regular = is_narrow ? regular_roots_within(bench, certifier, entry, m) : 0;

@@ -18,6 +18,7 @@ constexpr double kDoubleDigits = 15;
 constexpr double kMostDoubleDigits = 17;
 // Bits behind the point that only a double has, and what a few operations in double lose.
 constexpr std::size_t kDoubleBits = 40;
+constexpr std::size_t kDoubleLength = 53;
 constexpr int kDoubleErrorLog2 = -49;
 // Ten digits and their power of five, or as much of anything else.
 constexpr std::size_t kComputedBits = 40;
@@ -45,7 +46,10 @@ Rational error_of(const Rational& a) {
   const std::size_t decimals = std::max(twos, fives);
   if (rest != 1 || decimals == 0) return 0;
   const Rational as_double = times_power_of_two(abs(a), kDoubleErrorLog2);
-  if (fives == 0 && twos >= kDoubleBits) return as_double;
+  if (fives == 0 && twos >= kDoubleBits) {
+    const bool is_double = bit_length(numerator(a)) <= kDoubleLength;
+    return is_double ? as_double : times_power_of_two(1, -static_cast<std::int64_t>(twos) - 1);
+  }
   const double digits = log2_size({a, 0}) * std::log10(2.0) + static_cast<double>(decimals);
   if (digits < kRoundedDigits - 1) return 0;
   const bool was_double = digits >= kDoubleDigits - 1 && digits < kMostDoubleDigits;

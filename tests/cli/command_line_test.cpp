@@ -44,7 +44,7 @@ TEST(CommandLine, SuggestsNothingWhereNothingIsAlike) {
   EXPECT_FALSE(contains(outcome.err, "did you mean")) << outcome.err;
   EXPECT_TRUE(contains(outcome.err,
                        "The commands are solve, track, info, closures, motion, newton, mobility, "
-                       "guesses, study, check."))
+                       "guesses, mechanism, study, check, family, sweep."))
       << outcome.err;
 }
 

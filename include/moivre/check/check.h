@@ -66,6 +66,7 @@ struct RootTally {
   std::size_t listed = 0;
   std::size_t certified = 0;  ///< a regular root is proved to lie near, within a ball of its own
   std::size_t distinct = 0;   ///< so many different ones
+  std::uint64_t counted = 0;  ///< multiplicities, by exact algebra, of singular roots that are known exactly
   std::size_t real = 0;       ///< of the distinct ones, proved
   std::size_t not_real = 0;
   std::size_t doubled = 0;    ///< proved to be an earlier one of the list
