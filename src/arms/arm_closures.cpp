@@ -222,7 +222,9 @@ std::string message_of(const Arm& arm, const ArmResult& result) {
 void read_roots(const Arm& arm, const Loop& loop, const Cut& cut,
                 const std::vector<Solution>& solutions, ArmResult& result) {
   std::vector<ArmClosure> moving;
+  std::uint64_t roots = 0;
   for (const Solution& solution : solutions) {
+    roots += solution.multiplicity;
     const ReadBack read = read_back(loop, cut, solution.x, solution.accuracy);
     if (read.roots.empty()) result.counts.rejected += solution.multiplicity;
     for (const LoopRoot& root : read.roots) {
@@ -242,6 +244,8 @@ void read_roots(const Arm& arm, const Loop& loop, const Cut& cut,
     result.moves = ArmMoves{closure.values, there.least_moving};
     break;
   }
+  // Every form of a general arm has two false roots for a true one at most: where there are more, true ones were not read back.
+  if (arm.joints.size() == 6 && 3 * result.counts.rejected > 2 * roots) result.complete = false;
 }
 
 }  // namespace
