@@ -22,6 +22,9 @@ Expansion outside_product(const Loop& loop, const Cut& cut) {
     for (ExactDisplacement& term : terms) term = term * own.before;
     const std::size_t size = terms.size();
     for (std::size_t k = 0; k < size; ++k) terms.push_back(terms[k] * own.step);
+    for (std::size_t k = 0; k < size; ++k) {
+      for (Integer& part : terms[k]) part *= own.one;
+    }
   }
   for (ExactDisplacement& term : terms) term = conjugate(term * loop.joints[cut.first].before);
   return terms;

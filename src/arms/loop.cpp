@@ -29,7 +29,7 @@ void shift_zero(LoopJoint& joint, std::uint64_t seed, std::size_t number) {
   const auto c = static_cast<int>(std::lround(kFinest * std::cos(std::numbers::pi * at)));
   const auto s = static_cast<int>(std::lround(kFinest * std::sin(std::numbers::pi * at)));
   ExactDisplacement turn{};
-  turn[0] = c;
+  turn[0] = c * joint.one;
   for (std::size_t k = 0; k < turn.size(); ++k) turn[k] += s * joint.step[k];
   joint.before = reduced(joint.before * turn);
   joint.zero = 2 * std::atan2(s * joint.exact_length, c);
@@ -45,7 +45,8 @@ Loop make_loop(const Arm& arm, const Eigen::Isometry3d& pose, std::uint64_t seed
     added.before = in_unit(joint.exact_before, loop.unit_exponent);
     added.step = joint.step;
     added.is_slide = joint.is_slide;
-    added.exact_length = joint.exact_length;
+    added.one <<= static_cast<unsigned>(std::max(0, std::ilogb(joint.exact_length)));
+    added.exact_length = joint.exact_length / to_double(ratio(added.one));
   }
   const ExactDisplacement back =
       in_unit(reduced(arm.exact_tool * conjugate(exact_pose(pose))), loop.unit_exponent);
@@ -55,7 +56,7 @@ Loop make_loop(const Arm& arm, const Eigen::Isometry3d& pose, std::uint64_t seed
     if (!joint.is_slide) shift_zero(joint, seed, k);
     joint.rounded_before = rounded(joint.before);
     for (std::size_t i = 0; i < joint.step.size(); ++i) {
-      joint.rounded_step[i] = to_double(ratio(joint.step[i]));
+      joint.rounded_step[i] = to_double(ratio(joint.step[i], joint.one));
     }
   }
   return loop;

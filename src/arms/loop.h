@@ -2,7 +2,8 @@
 // What is the loop that an arm makes with the pose of its tip? Joints round a circle, with constant displacements between.
 //
 //   B_1 J_1 B_2 J_2 ... B_n J_n = 1 up to a factor, the tool and the pose taken into B_1: B_1 = T pose^-1 B_1 of the arm.
-// J = c + s step. Each turn is counted from a random angle, so that no closure that anybody asks for has an infinite tangent.
+// J = c one + s step, `one` a power of two near the length of `step`: an axis of fifteen decimals is a step of 1e15, and its tangents
+// would be 1e-15. Each turn is counted from a random angle, so that no closure that anybody asks for has an infinite tangent.
 // Lengths are in units of 2^unit_exponent, near the arm's own.
 #pragma once
 
@@ -19,11 +20,12 @@ using ComplexDisplacement = DualQuaternion<std::complex<double>>;
 struct LoopJoint {
   ExactDisplacement before{1};
   ExactDisplacement step{};
+  Integer one = 1;
   ComplexDisplacement rounded_before{};
   ComplexDisplacement rounded_step{};
   bool is_slide = false;
   double exact_length =
-      1;  ///< of `step`: a turn is 2 atan(exact_length s/c) + zero, a slide exact_length s/c
+      1;  ///< of `step` beside `one`, as rounded_step is: a turn is 2 atan(exact_length s/c) + zero, a slide exact_length s/c
   double zero = 0;  ///< radians: where the tangent is 0
 };
 
@@ -40,7 +42,7 @@ struct Tangent {
   std::complex<double> s{0};
 };
 
-/// J = c + s step.
+/// J = c + s step / one.
 ComplexDisplacement joint_displacement(const LoopJoint& joint, const Tangent& at);
 /// |c|^2 + |exact_length s|^2.
 double squared_norm(const LoopJoint& joint, const Tangent& at);

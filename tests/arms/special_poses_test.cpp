@@ -18,7 +18,7 @@ Eigen::Isometry3d pointing_down(double x, double y, double z) {
 Arm disturbed(Robot robot, const std::string& tip, double size) {
   std::uint64_t number = 0;
   for (RobotJoint& joint : robot.joints) {
-    for (ExactVector* const v : {&joint.xyz, &joint.rpy}) {
+    for (ExactVector* const v : {&joint.xyz, &joint.rpy, &joint.axis}) {
       for (Rational& x : *v) {
         x += Rational(size * (2 * random_unit(9, RandomStream::test, number++) - 1));
       }
@@ -48,6 +48,7 @@ TEST(SpecialPosesTest, ACalibratedArmHasTheClosuresOfAGeneralOne) {
     const Eigen::VectorXd own = random_values(arm, 4, 4);
     const ArmResult result =
         find_arm_closures(arm, forward_kinematics(arm, own), lanes(), one_thread());
+    EXPECT_TRUE(result.complete);
     EXPECT_EQ(result.counts.complex, 16U);
     EXPECT_LT(least_distance(arm, result, own), 1e-9);
   }
