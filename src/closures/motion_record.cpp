@@ -47,11 +47,19 @@ void enter_events(const MotionRun& run, const Track& track, MotionBranch& branch
   }
 }
 
+/// Where the one way of a track came to.
+const Eigen::VectorXd& end_of(const Branch& way, const Track& track) {
+  if (way.event) return way.event->q;
+  return way.samples.empty() ? track.anchor.q : way.samples.back().q;
+}
+
 void enter_branch(const MotionRun& run, const Track& track, MotionResult& result) {
   MotionBranch branch;
   branch.id = closure_id(result.branches.size());
   branch.begins = track.begins();
   branch.ends = track.ends();
+  branch.begin_pose = end_of(track.backwards, track);
+  branch.end_pose = end_of(track.forwards, track);
   branch.steps = track.steps();
   branch.retracked = track.retracked;
   branch.samples = samples_of(run, track);

@@ -10,8 +10,6 @@
 namespace moivre {
 namespace {
 
-// Poses where branches meet are known to the root of kSamePose.
-constexpr double kSamePlace = 1e-3;
 // Of the motion's duration: events nearer than this to each other, or to a checkpoint, may be one.
 constexpr double kSameTime = 1e-7;
 

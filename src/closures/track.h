@@ -51,6 +51,8 @@ struct TrackFollower {
 
 /// Poses nearer than this are the same: both are corrected to rounding, unless they are nearly singular.
 inline constexpr double kSamePose = 1e-6;
+/// Poses where branches meet are known to the root of that.
+inline constexpr double kSamePlace = 1e-3;
 
 /// Largest difference of two poses, angles to the nearest turn, beside the larger pose's size (1 at least).
 double distance(const Phi& phi, const Eigen::VectorXd& a, const Eigen::VectorXd& b);

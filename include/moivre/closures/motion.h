@@ -55,6 +55,8 @@ struct MotionBranch {
   std::vector<BranchSample> samples;  ///< by time, at the output times within [begins, ends]
   double begins = 0;                  ///< seconds
   double ends = 0;
+  Eigen::VectorXd begin_pose;  ///< q there; angles go on from it to the samples
+  Eigen::VectorXd end_pose;
   std::optional<std::size_t> begin_event;  ///< index into MotionResult::events; nullopt: at `from`
   std::optional<std::size_t> end_event;    ///< nullopt: at `to`, or not followed further
   bool complete = false;                   ///< followed to `to` or to an event

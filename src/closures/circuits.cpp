@@ -1,0 +1,376 @@
+// SPDX-License-Identifier: MIT
+// Branches are sorted into circuits and stretches; angles are summed along the joins.
+#include "moivre/closures/circuits.h"
+
+#include <algorithm>
+#include <boost/pending/disjoint_sets.hpp>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <numeric>
+#include <stdexcept>
+
+#include "branch_joins.h"
+#include "courses.h"
+#include "idle_joints.h"
+
+namespace moivre {
+namespace {
+
+constexpr double kTurn = 2 * std::numbers::pi;
+// Radians: an angle so near below a whole turn is 0.
+constexpr double kZeroAngle = 1e-9;
+
+using Parts = std::vector<std::vector<std::size_t>>;
+
+/// Branches that the joins hold together, each part ascending, by the first of each.
+Parts parts_of(std::size_t count, const std::vector<BranchJoin>& joins) {
+  boost::disjoint_sets_with_storage<> sets(count);
+  for (std::size_t k = 0; k < count; ++k) sets.make_set(k);
+  for (const BranchJoin& join : joins) sets.union_set(join.ends[0].branch, join.ends[1].branch);
+  std::map<std::size_t, std::size_t> number;  // of a set, by its representative
+  Parts parts;
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto [at, is_new] = number.try_emplace(sets.find_set(k), parts.size());
+    if (is_new) parts.emplace_back();
+    parts[at->second].push_back(k);
+  }
+  return parts;
+}
+
+std::vector<BranchJoin> without_dead_points(std::vector<BranchJoin> joins) {
+  std::erase_if(joins, [](const BranchJoin& join) { return join.kind == JoinKind::dead_point; });
+  return joins;
+}
+
+/// How to go through a part: joins that lead to one branch after another, from the first on, and those that close ways.
+struct Ways {
+  std::vector<std::array<BranchEnd, 2>> leading;
+  std::vector<std::array<BranchEnd, 2>> closing;
+};
+
+Ways ways_through(const std::vector<std::size_t>& part, const std::vector<BranchJoin>& joins) {
+  std::map<std::size_t, bool> is_reached;
+  for (const std::size_t branch : part) is_reached[branch] = branch == part.front();
+  Ways ways;
+  std::vector<std::array<BranchEnd, 2>> open;
+  for (const BranchJoin& join : joins) {
+    if (is_reached.count(join.ends[0].branch) > 0) open.push_back(join.ends);
+  }
+  for (bool is_changed = true; is_changed;) {
+    is_changed = false;
+    std::vector<std::array<BranchEnd, 2>> later;
+    for (const auto& [a, b] : open) {
+      const bool has_a = is_reached[a.branch];
+      const bool has_b = is_reached[b.branch];
+      if (has_a && has_b) {
+        ways.closing.push_back({a, b});
+      } else if (has_a || has_b) {
+        ways.leading.push_back(has_a ? std::array{a, b} : std::array{b, a});
+        is_reached[(has_a ? b : a).branch] = true;
+        is_changed = true;
+      } else {
+        later.push_back({a, b});
+      }
+    }
+    is_changed = is_changed && !later.empty();
+    open = std::move(later);
+  }
+  return ways;
+}
+
+double value_at(const Course& course, const BranchEnd& end) {
+  return end.is_last ? course.last : course.first;
+}
+
+/// What a quantity has more on each branch of a part than the branch's own course says, and how often it turns on closed ways.
+struct Unrolled {
+  std::map<std::size_t, double> shift;
+  int turns = 0;
+};
+
+/// `course`: of the quantity on a branch.
+template <typename CourseOf>
+Unrolled unrolled(const std::vector<std::size_t>& part, const Ways& ways, bool may_turn,
+                  const CourseOf& course) {
+  Unrolled all;
+  for (const std::size_t branch : part) all.shift[branch] = 0;
+  if (!may_turn) return all;
+  const auto turns_between = [&](const BranchEnd& a, const BranchEnd& b) {
+    const double gap = value_at(course(a.branch), a) + all.shift[a.branch] -
+                       value_at(course(b.branch), b) - all.shift[b.branch];
+    return std::round(gap / kTurn);
+  };
+  for (const auto& [a, b] : ways.leading) all.shift[b.branch] = kTurn * turns_between(a, b);
+  for (const auto& [a, b] : ways.closing) {
+    all.turns = std::gcd(all.turns, static_cast<int>(turns_between(a, b)));
+  }
+  return all;
+}
+
+/// Brings the range to where its lower end is in [from, from + a turn).
+void shift_to(Swing& swing, double from) {
+  const double turns = std::floor((swing.lower - from + kZeroAngle) / kTurn);
+  swing.lower -= kTurn * turns;
+  swing.upper -= kTurn * turns;
+}
+
+template <typename CourseOf>
+Swing swing_over(const std::vector<std::size_t>& part, const Unrolled& all, Swing swing,
+                 const CourseOf& course) {
+  swing.turns = all.turns;
+  if (all.turns != 0) return swing;
+  swing.lower = std::numeric_limits<double>::infinity();
+  swing.upper = -swing.lower;
+  for (const std::size_t branch : part) {
+    const double shift = all.shift.at(branch);
+    swing.lower = std::min(swing.lower, course(branch).lower + shift);
+    swing.upper = std::max(swing.upper, course(branch).upper + shift);
+  }
+  return swing;
+}
+
+/// Everything that is known of a motion's branches and how they are joined.
+class CircuitFinder {
+ public:
+  CircuitFinder(const Mechanism& mechanism, const MotionResult& motion)
+      : mechanism_(mechanism),
+        motion_(motion),
+        bodies_(body_quantities(mechanism)),
+        joints_(joint_quantities(mechanism)),
+        joins_(branch_joins(mechanism, motion)),
+        smooth_joins_(without_dead_points(joins_)),
+        stretches_(parts_of(motion.branches.size(), smooth_joins_)) {
+    const HeldMechanism held = hold_idle(mechanism);
+    const Phi phi(held.mechanism);
+    for (const MotionBranch& branch : motion.branches) {
+      driver_courses_.push_back(driver_courses(mechanism, branch));
+      body_courses_.push_back(courses(phi, branch, bodies_));
+      joint_courses_.push_back(courses(phi, branch, joints_));
+    }
+  }
+
+  Circuits find() const;
+
+ private:
+  Circuit circuit_of_part(const std::vector<std::size_t>& part) const;
+  std::vector<Swing> swings(const std::vector<std::size_t>& part, const Ways& ways,
+                            const std::vector<Quantity>& quantities,
+                            const std::vector<std::vector<Course>>& all) const;
+  void add_drivers(const Ways& ways, Circuit& circuit) const;
+  void add_stretches(Circuit& circuit) const;
+  void add_events(Circuit& circuit) const;
+  bool has_open_end(const Circuit& circuit) const;
+  bool is_joined(const BranchEnd& end) const;
+  std::vector<std::string> notes() const;
+
+  const Mechanism& mechanism_;
+  const MotionResult& motion_;
+  const std::vector<Quantity> bodies_;
+  const std::vector<Quantity> joints_;
+  const std::vector<BranchJoin> joins_;
+  const std::vector<BranchJoin> smooth_joins_;
+  const Parts stretches_;
+  std::vector<std::vector<Course>> driver_courses_;  ///< of each branch, of each driver
+  std::vector<std::vector<Course>> body_courses_;
+  std::vector<std::vector<Course>> joint_courses_;
+};
+
+std::vector<Swing> CircuitFinder::swings(const std::vector<std::size_t>& part, const Ways& ways,
+                                         const std::vector<Quantity>& quantities,
+                                         const std::vector<std::vector<Course>>& all) const {
+  std::vector<Swing> swings;
+  for (std::size_t k = 0; k < quantities.size(); ++k) {
+    const auto course = [&](std::size_t branch) { return all[branch][k]; };
+    const Unrolled turns = unrolled(part, ways, quantities[k].may_turn, course);
+    Swing swing =
+        swing_over(part, turns, {quantities[k].name, quantities[k].kind, 0, 0, 0}, course);
+    if (quantities[k].may_turn) shift_to(swing, -std::numbers::pi);
+    swings.push_back(std::move(swing));
+  }
+  return swings;
+}
+
+void CircuitFinder::add_drivers(const Ways& ways, Circuit& circuit) const {
+  for (std::size_t k = 0; k < mechanism_.drivers.size(); ++k) {
+    const Driver& driver = mechanism_.drivers[k];
+    const bool turns = may_turn(mechanism_, driver);
+    const auto course = [&](std::size_t branch) { return driver_courses_[branch][k]; };
+    const bool is_angle = turns || (driver.kind == DriverKind::unknown &&
+                                    mechanism_.unknowns[driver.unknown].is_angle);
+    const CoordinateKind kind = is_angle ? CoordinateKind::angle : CoordinateKind::length;
+    Swing swing = swing_over(circuit.branches, unrolled(circuit.branches, ways, turns, course),
+                             {driver.name, kind, 0, 0, 0}, course);
+    if (turns) shift_to(swing, 0);
+    circuit.drivers.push_back(std::move(swing));
+  }
+}
+
+/// In each stretch the branches are ordered by where the first driver stands; what the driver does follows from them.
+void CircuitFinder::add_stretches(Circuit& circuit) const {
+  bool turns = false;
+  for (std::vector<std::size_t> part : stretches_) {
+    if (!std::binary_search(circuit.branches.begin(), circuit.branches.end(), part.front())) {
+      continue;
+    }
+    if (!mechanism_.drivers.empty()) {
+      const auto course = [&](std::size_t branch) { return driver_courses_[branch].front(); };
+      const Unrolled all = unrolled(part, ways_through(part, smooth_joins_),
+                                    may_turn(mechanism_, mechanism_.drivers.front()), course);
+      turns = turns || all.turns != 0;
+      std::stable_sort(part.begin(), part.end(), [&](std::size_t a, std::size_t b) {
+        return course(a).lower + all.shift.at(a) < course(b).lower + all.shift.at(b);
+      });
+    }
+    circuit.stretches.push_back(std::move(part));
+  }
+  const bool comes_round = !circuit.drivers.empty() && circuit.drivers.front().turns != 0;
+  circuit.driver_motion = turns                   ? DriverMotion::turns
+                          : comes_round           ? DriverMotion::turns_over_dead_points
+                          : has_open_end(circuit) ? DriverMotion::open
+                                                  : DriverMotion::rocks;
+}
+
+bool CircuitFinder::is_joined(const BranchEnd& end) const {
+  return std::any_of(joins_.begin(), joins_.end(), [&](const BranchJoin& join) {
+    return std::any_of(join.ends.begin(), join.ends.end(), [&](const BranchEnd& other) {
+      return other.branch == end.branch && other.is_last == end.is_last;
+    });
+  });
+}
+
+bool CircuitFinder::has_open_end(const Circuit& circuit) const {
+  return std::any_of(circuit.branches.begin(), circuit.branches.end(), [&](std::size_t k) {
+    const MotionBranch& branch = motion_.branches[k];
+    const auto is_open = [&](bool is_last) {
+      const auto& event = is_last ? branch.end_event : branch.begin_event;
+      const bool is_stopped = event && motion_.events[*event].at.kind == EventKind::joint_limit;
+      return !is_stopped && !is_joined({k, is_last});
+    };
+    return is_open(false) || is_open(true);
+  });
+}
+
+void CircuitFinder::add_events(Circuit& circuit) const {
+  std::vector<std::size_t> events;
+  for (const std::size_t k : circuit.branches) {
+    for (const auto& event : {motion_.branches[k].begin_event, motion_.branches[k].end_event}) {
+      if (event) events.push_back(*event);
+    }
+  }
+  std::sort(events.begin(), events.end());
+  events.erase(std::unique(events.begin(), events.end()), events.end());
+  for (const std::size_t event : events) {
+    const EventKind kind = motion_.events[event].at.kind;
+    auto& list = kind == EventKind::dead_point    ? circuit.dead_points
+                 : kind == EventKind::bifurcation ? circuit.change_points
+                                                  : circuit.stops;
+    list.push_back(event);
+  }
+}
+
+Circuit CircuitFinder::circuit_of_part(const std::vector<std::size_t>& part) const {
+  const Ways ways = ways_through(part, joins_);
+  Circuit circuit;
+  circuit.branches = part;
+  add_drivers(ways, circuit);
+  add_stretches(circuit);
+  add_events(circuit);
+  circuit.bodies = swings(part, ways, bodies_, body_courses_);
+  circuit.joints = swings(part, ways, joints_, joint_courses_);
+  return circuit;
+}
+
+/// Whether the driver goes both ways over the range.
+bool turns_back(const Driver& driver, const MotionResult& motion) {
+  bool is_up = false;
+  bool is_down = false;
+  for (std::size_t k = 1; k < motion.times.size(); ++k) {
+    const double rise = driver_state(driver.law, motion.times[k]).value -
+                        driver_state(driver.law, motion.times[k - 1]).value;
+    is_up = is_up || rise > 0;
+    is_down = is_down || rise < 0;
+  }
+  return is_up && is_down;
+}
+
+/// How many turns the farthest going driver goes; 0 where none turns.
+double turns_of_drivers(const Mechanism& mechanism, const MotionResult& motion) {
+  const std::vector<double> begin = driver_values(mechanism, motion.from);
+  const std::vector<double> end = driver_values(mechanism, motion.to);
+  double most = 0;
+  for (std::size_t k = 0; k < begin.size(); ++k) {
+    if (!may_turn(mechanism, mechanism.drivers[k])) continue;
+    most = std::max(most, std::abs(end[k] - begin[k]) / kTurn);
+  }
+  return most;
+}
+
+// Of a turn: more than this over is more than one turn.
+constexpr double kOver = 1e-6;
+
+std::vector<std::string> CircuitFinder::notes() const {
+  std::vector<std::string> notes;
+  if (!motion_.complete) {
+    notes.emplace_back("the motion is not complete: circuits that are told apart may be one");
+  }
+  if (motion_.checkpoints.empty()) {
+    notes.emplace_back("no closures were solved: there may be other circuits");
+  }
+  if (mechanism_.drivers.size() > 1) {
+    notes.emplace_back(
+        "the drivers move together as prescribed: moved otherwise they may join circuits");
+  }
+  for (const Driver& driver : mechanism_.drivers) {
+    if (!turns_back(driver, motion_)) continue;
+    notes.push_back("driver '" + driver.name +
+                    "' turns back: a circuit that it goes through twice is told twice");
+  }
+  if (turns_of_drivers(mechanism_, motion_) > 1 + kOver) {
+    notes.emplace_back("the drivers go more than one turn: a circuit may be told once a turn");
+  } else if (!drivers_return(mechanism_, motion_)) {
+    notes.emplace_back(
+        "the drivers do not come back to where they began: circuits may be joined outside of this "
+        "range");
+  }
+  return notes;
+}
+
+Circuits CircuitFinder::find() const {
+  Circuits found;
+  found.joins = joins_;
+  found.is_full_turn = drivers_return(mechanism_, motion_) &&
+                       std::abs(turns_of_drivers(mechanism_, motion_) - 1) <= kOver;
+  found.notes = notes();
+  for (const std::vector<std::size_t>& part : parts_of(motion_.branches.size(), joins_)) {
+    found.circuits.push_back(circuit_of_part(part));
+  }
+  return found;
+}
+
+}  // namespace
+
+std::string to_string(DriverMotion motion) {
+  switch (motion) {
+    case DriverMotion::turns:
+      return "turns";
+    case DriverMotion::turns_over_dead_points:
+      return "turns over dead points";
+    case DriverMotion::rocks:
+      return "rocks";
+    case DriverMotion::open:
+      return "open";
+  }
+  return "";
+}
+
+Circuits find_circuits(const Mechanism& mechanism, const MotionResult& motion) {
+  const auto count = static_cast<Eigen::Index>(coordinates(mechanism).size());
+  for (const MotionBranch& branch : motion.branches) {
+    if (branch.begin_pose.size() == count && branch.end_pose.size() == count) continue;
+    throw std::invalid_argument("branch " + branch.id + " is not one of this mechanism");
+  }
+  return CircuitFinder(mechanism, motion).find();
+}
+
+}  // namespace moivre

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+// Ways between branches, and the motion of what can be reached.
+#include <algorithm>
+#include <queue>
+#include <stdexcept>
+
+#include "moivre/closures/circuits.h"
+#include "moivre/expression/joined.h"
+
+namespace moivre {
+namespace {
+
+std::size_t count_branches(const Circuits& circuits) {
+  std::size_t count = 0;
+  for (const Circuit& circuit : circuits.circuits) count += circuit.branches.size();
+  return count;
+}
+
+/// The branches at `from` with these names. Throws std::invalid_argument that names every unknown one.
+std::vector<std::size_t> named_branches(const MotionResult& motion,
+                                        const std::vector<std::string>& names) {
+  const std::vector<std::size_t> firsts = first_branches(motion);
+  std::vector<std::string> known;
+  for (const std::size_t k : firsts) known.push_back(motion.branches[k].id);
+  std::vector<std::size_t> found;
+  std::string refusal;
+  for (const std::string& name : names) {
+    const auto at = std::find(known.begin(), known.end(), name);
+    if (at != known.end()) {
+      found.push_back(firsts[static_cast<std::size_t>(at - known.begin())]);
+      continue;
+    }
+    if (!refusal.empty()) refusal += '\n';
+    refusal += "there is no closure '" + name + "' where the motion begins; ";
+    refusal += known.empty() ? "there is none at all" : "there are " + joined(known, ", ");
+  }
+  if (!refusal.empty()) throw std::invalid_argument(refusal);
+  return found;
+}
+
+/// Where each kept event or branch has its place among those that are kept.
+constexpr std::size_t kDropped = static_cast<std::size_t>(-1);
+
+/// Keeps the events at which a kept branch begins or ends, with the kept branches alone.
+void keep_events(MotionResult& motion) {
+  std::vector<std::size_t> place(motion.events.size(), kDropped);
+  std::vector<MotionEvent> kept;
+  for (std::size_t k = 0; k < motion.events.size(); ++k) {
+    MotionEvent event = motion.events[k];
+    const auto is_dropped = [&](const std::string& id) {
+      return std::none_of(motion.branches.begin(), motion.branches.end(),
+                          [&](const MotionBranch& branch) { return branch.id == id; });
+    };
+    std::erase_if(event.ending, is_dropped);
+    std::erase_if(event.beginning, is_dropped);
+    if (event.ending.empty() && event.beginning.empty()) continue;
+    place[k] = kept.size();
+    kept.push_back(std::move(event));
+  }
+  motion.events = std::move(kept);
+  for (MotionBranch& branch : motion.branches) {
+    if (branch.begin_event) branch.begin_event = place[*branch.begin_event];
+    if (branch.end_event) branch.end_event = place[*branch.end_event];
+  }
+}
+
+}  // namespace
+
+std::size_t circuit_of(const Circuits& circuits, std::size_t branch) {
+  const auto at = std::find_if(
+      circuits.circuits.begin(), circuits.circuits.end(), [branch](const Circuit& circuit) {
+        return std::binary_search(circuit.branches.begin(), circuit.branches.end(), branch);
+      });
+  return static_cast<std::size_t>(at - circuits.circuits.begin());
+}
+
+std::vector<std::optional<Passage>> passages_from(const Circuits& circuits, std::size_t branch) {
+  std::vector<std::optional<Passage>> least(count_branches(circuits));
+  least.at(branch) = Passage{};
+  std::queue<std::size_t> open({branch});
+  while (!open.empty()) {
+    const std::size_t here = open.front();
+    open.pop();
+    for (const BranchJoin& join : circuits.joins) {
+      for (const std::size_t side : {0U, 1U}) {
+        if (join.ends[side].branch != here) continue;
+        Passage way = *least[here];
+        way.dead_points += join.kind == JoinKind::dead_point ? 1 : 0;
+        way.change_points += join.kind == JoinKind::bifurcation ? 1 : 0;
+        const std::size_t there = join.ends[1 - side].branch;
+        if (least[there] && std::pair(least[there]->dead_points, least[there]->change_points) <=
+                                std::pair(way.dead_points, way.change_points)) {
+          continue;
+        }
+        least[there] = way;
+        open.push(there);
+      }
+    }
+  }
+  return least;
+}
+
+std::vector<std::size_t> first_branches(const MotionResult& motion) {
+  std::vector<std::size_t> firsts;
+  for (std::size_t k = 0; k < motion.branches.size(); ++k) {
+    const MotionBranch& branch = motion.branches[k];
+    if (branch.begins == motion.from && !branch.begin_event) firsts.push_back(k);
+  }
+  return firsts;
+}
+
+MotionResult reachable_from(MotionResult motion, const Circuits& circuits,
+                            const std::vector<std::string>& closures) {
+  std::vector<bool> is_kept(motion.branches.size(), false);
+  for (const std::size_t branch : named_branches(motion, closures)) {
+    for (const std::size_t k : circuits.circuits[circuit_of(circuits, branch)].branches) {
+      is_kept[k] = true;
+    }
+  }
+  std::vector<MotionBranch> kept;
+  std::vector<std::string> dropped;
+  for (std::size_t k = 0; k < motion.branches.size(); ++k) {
+    if (is_kept[k]) {
+      kept.push_back(std::move(motion.branches[k]));
+    } else {
+      dropped.push_back(motion.branches[k].id);
+    }
+  }
+  motion.branches = std::move(kept);
+  keep_events(motion);
+  if (!dropped.empty()) {
+    motion.left_out.push_back(
+        {(dropped.size() == 1 ? "branch " : "branches ") + joined(dropped, ", "),
+         "not on a circuit of closure " + joined(closures, ", ") + ", which was asked for alone"});
+  }
+  return motion;
+}
+
+}  // namespace moivre
