@@ -14,6 +14,7 @@
 #include "moivre/closure_report/motion_report.h"
 #include "moivre/closure_report/page.h"
 #include "moivre/closure_report/picture.h"
+#include "moivre/closures/circuits.h"
 #include "moivre/numeric/stopwatch.h"
 #include "moivre/report/number_text.h"
 #include "output.h"
@@ -33,6 +34,7 @@ struct MotionCommand {
   std::optional<double> to;
   std::vector<std::string> guesses;
   bool from_guess = false;
+  std::vector<std::string> closures;
   bool quiet = false;
   std::string json;
   std::string csv;
@@ -157,6 +159,10 @@ int run(const MotionCommand& command) {
   MotionResult result = moved(mechanism, command, *tracker, options, interruption.stop());
   result.time_s.parse = parse_s;
   result.time_s.total += parse_s;
+  if (!command.closures.empty() && !interruption.stop()) {
+    const Circuits circuits = find_circuits(mechanism, result);
+    result = reachable_from(std::move(result), circuits, command.closures);
+  }
   deliver(
       {{&json, [&] { return motion_json(result, mechanism, command.file, command.angles); }},
        {&csv, [&] { return motion_csv(result, mechanism, command.angles); }},
@@ -193,6 +199,11 @@ void add_motion_command(CLI::App& moivre, Chosen& chosen) {
       ->type_name("NAME=VALUE");
   app.add_flag("--from-guess", command->from_guess,
                "follow only the pose assembled from the file's guess as it is");
+  app.add_option(
+         "--closure", command->closures,
+         "tell only the branches that can be reached from this closure (A, B, ... where the "
+         "motion begins) without taking the mechanism apart; may be repeated")
+      ->type_name("NAME");
   add_mechanism_options(app, command->mechanism);
   add_start_options(app, command->start);
   add_threads_option(app, command->options.solve.threads);
@@ -211,6 +222,7 @@ void add_motion_command(CLI::App& moivre, Chosen& chosen) {
   add_tracker_options(app, command->tracker);
   add_examples(app, {"moivre motion four-bar.toml",
                      "moivre motion four-bar.toml --from 0 --to 0.1 --steps 50 --csv motion.csv",
+                     "moivre motion stephenson-3.toml --closure C --svg circuit.svg",
                      "moivre motion jansen-leg.toml --checkpoints 12 --json - | jq .events",
                      "moivre motion four-bar.toml --svg curves.svg --html motion.html",
                      "moivre motion rssr.toml --from-guess",

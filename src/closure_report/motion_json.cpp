@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A motion as JSON: the contract of docs/json.md, key by key.
+#include "circuits_report.h"
 #include "moivre/closure_report/motion_report.h"
 #include "moivre/mechanism/phi.h"
 #include "moivre/mechanism/pose.h"
@@ -118,6 +119,7 @@ std::string motion_json(const MotionResult& result, const Mechanism& mechanism,
   });
   report["events"] = list_json(
       result.events, [&](const MotionEvent& event) { return event_json(event, mechanism, phi); });
+  add_circuits(find_circuits(mechanism, result), result, mechanism, report);
   report["checkpoints"] = list_json(result.checkpoints, checkpoint_json);
   report["failures"] = result.failures;
   report["left_out"] = to_json(result.left_out);

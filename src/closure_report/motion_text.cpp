@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "circuits_report.h"
 #include "moivre/closure_report/motion_report.h"
 #include "moivre/expression/joined.h"
 #include "moivre/report/number_text.h"
@@ -128,6 +129,7 @@ std::string motion_text(const MotionResult& result, const Mechanism& mechanism,
   }
   if (!result.events.empty()) text += '\n';
   for (const MotionEvent& event : result.events) text += event_text(event, mechanism);
+  text += circuits_text(find_circuits(mechanism, result), result, mechanism);
   if (!result.checkpoints.empty()) text += '\n';
   text += checkpoints_text(result.checkpoints, mechanism);
   for (const std::string& failure : result.failures) text += "failed: " + failure + '\n';

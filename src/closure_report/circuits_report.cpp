@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: MIT
+// Circuits in words: their branches, what the driver does, how far each body goes; then the four-bar loops.
+#include "circuits_report.h"
+
+#include <cmath>
+
+#include "moivre/closure_report/angles.h"
+#include "moivre/closures/four_bars.h"
+#include "moivre/expression/joined.h"
+#include "moivre/report/number_text.h"
+#include "pose_text.h"
+
+namespace moivre {
+namespace {
+
+// Radians, or lengths: what goes no further stands.
+constexpr double kStands = 1e-9;
+
+std::vector<std::string> ids_of(const std::vector<std::size_t>& branches,
+                                const MotionResult& motion) {
+  std::vector<std::string> ids;
+  for (const std::size_t k : branches) ids.push_back(motion.branches[k].id);
+  return ids;
+}
+
+std::string value_text(const Mechanism& mechanism, CoordinateKind kind, double value) {
+  return coordinate_text(mechanism, {"", kind, 0}, value);
+}
+
+/// "16.07606 .. 220.3365 deg".
+std::string range_text(const Mechanism& mechanism, const Swing& swing) {
+  std::string lower = value_text(mechanism, swing.kind, swing.lower);
+  return lower.substr(0, lower.find(' ')) + " .. " + value_text(mechanism, swing.kind, swing.upper);
+}
+
+std::string swing_text(const Mechanism& mechanism, const Swing& swing) {
+  if (swing.turns == 1) return swing.name + " turns fully";
+  if (swing.turns > 1) return swing.name + " turns " + std::to_string(swing.turns) + " times";
+  if (swing.upper - swing.lower <= kStands) return swing.name + " stands";
+  const char* verb = swing.kind == CoordinateKind::length ? " slides " : " rocks ";
+  return swing.name + verb + range_text(mechanism, swing);
+}
+
+/// Where the first driver stands at these events: "12 deg, 45 deg".
+std::string places_text(const std::vector<std::size_t>& events, const MotionResult& motion,
+                        const Mechanism& mechanism) {
+  std::vector<std::string> places;
+  for (const std::size_t k : events) {
+    const CoordinateKind kind = kind_of(mechanism, mechanism.drivers.front());
+    const double value = motion.events[k].drivers.front();
+    places.push_back(value_text(mechanism, kind, value));
+  }
+  return joined(places, ", ");
+}
+
+/// "crank rocks 16.07606 .. 220.3365 deg between dead points".
+std::string driver_text(const Circuit& circuit, const MotionResult& motion,
+                        const Mechanism& mechanism) {
+  if (circuit.drivers.empty()) return "no driver";
+  Swing driver = circuit.drivers.front();
+  driver.name = label_of(mechanism.drivers.front());
+  switch (circuit.driver_motion) {
+    case DriverMotion::turns: {
+      const std::string text = driver.name + " turns fully";
+      return driver.turns == 1
+                 ? text
+                 : text + ", and all is as before after " + std::to_string(driver.turns) + " turns";
+    }
+    case DriverMotion::turns_over_dead_points:
+      return driver.name + " comes round, but stands in dead points at " +
+             places_text(circuit.dead_points, motion, mechanism);
+    case DriverMotion::open:
+      return driver.name + " goes " + range_text(mechanism, driver) +
+             " and further, out of the range";
+    case DriverMotion::rocks:
+      break;
+  }
+  const bool has_dead_points = !circuit.dead_points.empty();
+  const char* between = has_dead_points && !circuit.stops.empty()
+                            ? " between a dead point and a joint limit"
+                        : has_dead_points        ? " between dead points"
+                        : !circuit.stops.empty() ? " between joint limits"
+                                                 : " as prescribed";
+  return swing_text(mechanism, driver) + between;
+}
+
+/// Bodies and slides; of a spatial mechanism all joints.
+std::string swings_text(const Circuit& circuit, const Mechanism& mechanism) {
+  std::vector<std::string> parts;
+  for (const Swing& swing : circuit.bodies) parts.push_back(swing_text(mechanism, swing));
+  for (const Swing& swing : circuit.joints) {
+    const bool is_told = circuit.bodies.empty() || swing.kind == CoordinateKind::length;
+    if (is_told) parts.push_back(swing_text(mechanism, swing));
+  }
+  return joined(parts, "; ");
+}
+
+/// "E, C | D, F": each a stretch.
+std::string stretches_text(const Circuit& circuit, const MotionResult& motion) {
+  std::vector<std::string> parts;
+  for (const std::vector<std::size_t>& stretch : circuit.stretches) {
+    parts.push_back(joined(ids_of(stretch, motion), ", "));
+  }
+  return joined(parts, " | ");
+}
+
+std::string circuit_text(const Circuit& circuit, std::size_t number, const MotionResult& motion,
+                         const Mechanism& mechanism) {
+  std::string text = "  circuit " + std::to_string(number) + ": " +
+                     joined(ids_of(circuit.branches, motion), ", ") + "; " +
+                     driver_text(circuit, motion, mechanism) + '\n';
+  if (circuit.stretches.size() > 1) {
+    text += "    a dead point lies between " + stretches_text(circuit, motion) + '\n';
+  }
+  if (!circuit.change_points.empty()) {
+    text += "    change points at " + places_text(circuit.change_points, motion, mechanism) +
+            ": which way it goes on is not determined there\n";
+  }
+  const std::string swings = swings_text(circuit, mechanism);
+  return swings.empty() ? text : text + "    " + swings + '\n';
+}
+
+std::string four_bar_text(const FourBar& four_bar) {
+  const char* sign = four_bar.rule == FourBarRule::grashof        ? " < "
+                     : four_bar.rule == FourBarRule::change_point ? " = "
+                                                                  : " > ";
+  std::string text =
+      "four-bar " + joined({four_bar.links.begin(), four_bar.links.end()}, ", ") + ": ";
+  if (four_bar.type) {
+    const std::string letters = barker_letters(*four_bar.type);
+    text += to_string(*four_bar.type) + (letters.empty() ? "" : " (" + letters + ")");
+  } else {
+    text += four_bar.rule == FourBarRule::grashof        ? "Grashof"
+            : four_bar.rule == FourBarRule::change_point ? "change point"
+                                                         : "not Grashof";
+  }
+  char sums[80];
+  std::snprintf(sums, sizeof sums, ", s + l = %.6g%sp + q = %.6g\n", four_bar.shortest_and_longest,
+                sign, four_bar.others);
+  return text + sums;
+}
+
+Json swing_json(const Swing& swing) {
+  const bool has_range = swing.turns == 0;
+  return {{"name", swing.name},
+          {"kind", swing.kind == CoordinateKind::length ? "length" : "angle"},
+          {"turns", swing.turns},
+          {"lower", has_range ? to_json(swing.lower) : Json(nullptr)},
+          {"upper", has_range ? to_json(swing.upper) : Json(nullptr)}};
+}
+
+Json circuit_json(const Circuit& circuit, std::size_t number, const MotionResult& motion) {
+  return {{"number", number},
+          {"branches", ids_of(circuit.branches, motion)},
+          {"stretches", list_json(circuit.stretches,
+                                  [&](const std::vector<std::size_t>& stretch) {
+                                    return Json(ids_of(stretch, motion));
+                                  })},
+          {"driver", to_string(circuit.driver_motion)},
+          {"drivers", list_json(circuit.drivers, swing_json)},
+          {"bodies", list_json(circuit.bodies, swing_json)},
+          {"joints", list_json(circuit.joints, swing_json)},
+          {"dead_points", circuit.dead_points},
+          {"change_points", circuit.change_points},
+          {"stops", circuit.stops}};
+}
+
+/// Closures at `from` that lie on one circuit, two by two.
+Json pairs_json(const Circuits& circuits, const MotionResult& motion) {
+  const std::vector<std::size_t> firsts = first_branches(motion);
+  Json pairs = Json::array();
+  for (std::size_t a = 0; a < firsts.size(); ++a) {
+    const std::vector<std::optional<Passage>> ways = passages_from(circuits, firsts[a]);
+    for (std::size_t b = a + 1; b < firsts.size(); ++b) {
+      const std::optional<Passage>& way = ways[firsts[b]];
+      if (!way) continue;
+      pairs.push_back({{"closures", ids_of({firsts[a], firsts[b]}, motion)},
+                       {"dead_points", way->dead_points},
+                       {"change_points", way->change_points}});
+    }
+  }
+  return pairs;
+}
+
+Json four_bar_json(const FourBar& four_bar) {
+  const char* rule = four_bar.rule == FourBarRule::grashof        ? "Grashof"
+                     : four_bar.rule == FourBarRule::change_point ? "change point"
+                                                                  : "not Grashof";
+  return {{"links", four_bar.links},
+          {"lengths", list_json(four_bar.lengths, [](double x) { return to_json(x); })},
+          {"rule", rule},
+          {"type", four_bar.type ? Json(to_string(*four_bar.type)) : Json(nullptr)},
+          {"letters", four_bar.type ? Json(barker_letters(*four_bar.type)) : Json(nullptr)},
+          {"shortest_and_longest", to_json(four_bar.shortest_and_longest)},
+          {"others", to_json(four_bar.others)}};
+}
+
+}  // namespace
+
+std::string circuits_text(const Circuits& circuits, const MotionResult& motion,
+                          const Mechanism& mechanism) {
+  std::string text;
+  if (!circuits.circuits.empty()) {
+    text += std::string("\nCircuits") + (circuits.is_full_turn ? " over a full turn" : "") +
+            ": what can be reached without taking it apart\n";
+  }
+  for (std::size_t k = 0; k < circuits.circuits.size(); ++k) {
+    text += circuit_text(circuits.circuits[k], k + 1, motion, mechanism);
+  }
+  if (!circuits.circuits.empty()) {
+    for (const std::string& note : circuits.notes) text += "  note: " + note + '\n';
+  }
+  for (const FourBar& four_bar : four_bars(mechanism)) text += four_bar_text(four_bar);
+  return text;
+}
+
+void add_circuits(const Circuits& circuits, const MotionResult& motion, const Mechanism& mechanism,
+                  Json& report) {
+  report["full_turn"] = circuits.is_full_turn;
+  report["circuits"] = Json::array();
+  for (std::size_t k = 0; k < circuits.circuits.size(); ++k) {
+    report["circuits"].push_back(circuit_json(circuits.circuits[k], k + 1, motion));
+  }
+  report["circuit_notes"] = circuits.notes;
+  report["pairs"] = pairs_json(circuits, motion);
+  report["four_bars"] = list_json(four_bars(mechanism), four_bar_json);
+}
+
+std::string circuit_name(const Circuits& circuits, std::size_t branch) {
+  return "circuit " + std::to_string(circuit_of(circuits, branch) + 1);
+}
+
+}  // namespace moivre
