@@ -9,6 +9,7 @@
 #include "moivre/expression/joined.h"
 #include "moivre/report/number_text.h"
 #include "pose_text.h"
+#include "svg.h"
 
 namespace moivre {
 namespace {
@@ -226,8 +227,19 @@ void add_circuits(const Circuits& circuits, const MotionResult& motion, const Me
   report["four_bars"] = list_json(four_bars(mechanism), four_bar_json);
 }
 
-std::string circuit_name(const Circuits& circuits, std::size_t branch) {
-  return "circuit " + std::to_string(circuit_of(circuits, branch) + 1);
+std::vector<BranchLook> branch_looks(const Circuits& circuits, const MotionResult& motion) {
+  std::vector<BranchLook> looks(motion.branches.size());
+  const bool is_told = circuits.circuits.size() < motion.branches.size();
+  for (std::size_t k = 0; k < circuits.circuits.size(); ++k) {
+    const Circuit& circuit = circuits.circuits[k];
+    for (std::size_t stretch = 0; stretch < circuit.stretches.size(); ++stretch) {
+      for (const std::size_t branch : circuit.stretches[stretch]) {
+        looks[branch] = {k, dashes_text(k, stretch),
+                         is_told ? "circuit " + std::to_string(k + 1) : ""};
+      }
+    }
+  }
+  return looks;
 }
 
 }  // namespace moivre

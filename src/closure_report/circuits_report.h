@@ -17,7 +17,14 @@ std::string circuits_text(const Circuits& circuits, const MotionResult& motion,
 void add_circuits(const Circuits& circuits, const MotionResult& motion, const Mechanism& mechanism,
                   Json& report);
 
-/// "circuit 2": of a branch.
-std::string circuit_name(const Circuits& circuits, std::size_t branch);
+/// How a branch is drawn: a colour a circuit, solid or dashed by its stretch.
+struct BranchLook {
+  std::size_t colour = 0;
+  std::string dashes;   ///< stroke-dasharray
+  std::string circuit;  ///< "circuit 2"; empty where every branch is a circuit of its own
+};
+
+/// One a branch.
+std::vector<BranchLook> branch_looks(const Circuits& circuits, const MotionResult& motion);
 
 }  // namespace moivre

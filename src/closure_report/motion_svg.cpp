@@ -6,6 +6,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "circuits_report.h"
 #include "labels.h"
 #include "moivre/closure_report/picture.h"
 #include "moivre/report/number_text.h"
@@ -46,16 +47,16 @@ struct Share {
 };
 
 /// Shares of a curve are dashes in turn, so that every branch is seen.
-std::string curve_svg(const std::string& data, std::size_t branch, Share share = {}) {
-  std::vector<Attribute> attributes{{"class", "curve " + colour_class(branch)}, {"d", data}};
+std::string curve_svg(const std::string& data, const BranchLook& look, Share share = {}) {
+  std::vector<Attribute> attributes{{"class", "curve " + colour_class(look.colour)}, {"d", data}};
   const auto dashes_of = [](std::size_t count) {
     return pixel_text(kDash * static_cast<double>(count));
   };
   if (share.of > 1) {
     attributes.push_back({"stroke-dasharray", dashes_of(1) + ' ' + dashes_of(share.of - 1)});
     attributes.push_back({"stroke-dashoffset", dashes_of(share.of - share.number)});
-  } else if (const std::string dashes = branch_dashes(branch); !dashes.empty()) {
-    attributes.push_back({"stroke-dasharray", dashes});
+  } else if (!look.dashes.empty()) {
+    attributes.push_back({"stroke-dasharray", look.dashes});
   }
   return element("path", attributes) + '\n';
 }
@@ -125,8 +126,8 @@ std::string event_mark(EventKind kind, Complex at) {
   return element("path", {{"class", "event"}, {"d", data + "Z"}}) + '\n';
 }
 
-std::string begin_mark(Complex at, std::size_t branch) {
-  return element("g", {{"class", colour_class(branch)}},
+std::string begin_mark(Complex at, std::size_t colour) {
+  return element("g", {{"class", colour_class(colour)}},
                  element("circle", {{"class", "slot-pin"},
                                     {"cx", pixel_text(at.real())},
                                     {"cy", pixel_text(at.imag())},
@@ -154,6 +155,7 @@ class MotionPicture {
   MotionPicture(const MotionResult& result, const Mechanism& mechanism)
       : result_(result),
         mechanism_(mechanism),
+        looks_(branch_looks(find_circuits(mechanism, result), result)),
         traced_(traced_points(mechanism)),
         drawing_(pale(draw(mechanism, all_poses(mechanism, result)), mechanism, traced_)),
         first_(result.branches.front().samples.empty() ? all_poses(mechanism, result).front()
@@ -227,9 +229,9 @@ class MotionPicture {
       for (std::size_t p = 0; p < traced_.size(); ++p) {
         const std::vector<Complex>& places = curves_[p][k];
         if (places.empty()) continue;
-        svg += curve_svg(polyline_data(places, map_), k, shares_[p][k]);
+        svg += curve_svg(polyline_data(places, map_), looks_[k], shares_[p][k]);
         marks += branch.begin_event ? mark_of(*branch.begin_event, places.front())
-                                    : begin_mark(map_(places.front()), k);
+                                    : begin_mark(map_(places.front()), looks_[k].colour);
         if (branch.end_event) marks += mark_of(*branch.end_event, places.back());
       }
     }
@@ -248,7 +250,8 @@ class MotionPicture {
                                    place(drawing_, mechanism_, first_), map_, frame));
   }
 
-  std::string branch_text(const MotionBranch& branch) const {
+  std::string branch_text(std::size_t number) const {
+    const MotionBranch& branch = result_.branches[number];
     const auto end = [&](double time, const std::optional<std::size_t>& event) {
       std::string text = drivers_text(mechanism_, time);
       if (text.empty()) text = "t = " + short_text(time) + " s";
@@ -256,7 +259,9 @@ class MotionPicture {
     };
     const std::string text = branch.id + ": " + end(branch.begins, branch.begin_event) + " to " +
                              end(branch.ends, branch.end_event);
-    return branch.complete ? text : text + ", not finished";
+    const std::string& circuit = looks_[number].circuit;
+    const std::string named = circuit.empty() ? text : text + "; " + circuit;
+    return branch.complete ? named : named + ", not finished";
   }
 
   bool has_shared_curve() const {
@@ -270,7 +275,7 @@ class MotionPicture {
     const auto dash = [at](std::size_t branch) {
       const double x = at.real() + kSampleDash * static_cast<double>(branch);
       return curve_svg(polyline_data({{x, -at.imag()}, {x + kSampleDash, -at.imag()}}, PixelMap{}),
-                       branch);
+                       BranchLook{branch, "", ""});
     };
     return dash(0) + dash(1);
   }
@@ -282,8 +287,9 @@ class MotionPicture {
     for (std::size_t k = 0; k < result_.branches.size(); ++k) {
       y_ += kLegendLine;
       svg += curve_svg(
-          polyline_data({Complex(kMargin, 4 - y_), Complex(kMargin + 28, 4 - y_)}, PixelMap{}), k);
-      svg += text_svg({kMargin + 38, y_}, "start", "note", branch_text(result_.branches[k]));
+          polyline_data({Complex(kMargin, 4 - y_), Complex(kMargin + 28, 4 - y_)}, PixelMap{}),
+          looks_[k]);
+      svg += text_svg({kMargin + 38, y_}, "start", "note", branch_text(k));
     }
     y_ += kLegendLine;
     double x = kMargin;
@@ -305,6 +311,7 @@ class MotionPicture {
 
   const MotionResult& result_;
   const Mechanism& mechanism_;
+  std::vector<BranchLook> looks_;
   std::vector<MovingPoint> traced_;
   Drawing drawing_;
   Eigen::VectorXd first_;

@@ -12,6 +12,7 @@
 #include <numbers>
 #include <optional>
 
+#include "circuits_report.h"
 #include "labels.h"
 #include "moivre/closure_report/angles.h"
 #include "moivre/mechanism/pose.h"
@@ -42,6 +43,7 @@ struct PageBranch {
   std::vector<TracedPose> poses;
   std::string begins;
   std::string ends;
+  BranchLook look;
 };
 
 struct Page {
@@ -173,7 +175,7 @@ Canvas make_canvas(const Page& page, const Mechanism& mechanism) {
   return canvas;
 }
 
-Json branch_json(const PageBranch& branch, std::size_t number, const Canvas& canvas,
+Json branch_json(const PageBranch& branch, const Canvas& canvas,
                  const std::vector<Quantity>& plotted, const Mechanism& mechanism) {
   Json t = Json::array();
   Json frames = Json::array();
@@ -195,8 +197,8 @@ Json branch_json(const PageBranch& branch, std::size_t number, const Canvas& can
           {"series", series},
           {"begins", branch.begins},
           {"ends", branch.ends},
-          {"colour", colour_class(number)},
-          {"dashes", branch_dashes(number)}};
+          {"colour", colour_class(branch.look.colour)},
+          {"dashes", branch.look.dashes}};
 }
 
 std::string matrix_text(const std::array<double, 4>& m) {
@@ -259,8 +261,9 @@ std::string panel_html(const PageBranch& branch, std::size_t number, const Canva
   std::string view = "0 0 ";
   view += pixel_text(canvas.width) + ' ' + pixel_text(canvas.height);
   const std::string caption =
-      element("b", {{"style", std::string("color:").append(colour_text(number))}},
+      element("b", {{"style", std::string("color:").append(colour_text(branch.look.colour))}},
               escaped(branch.id)) +
+      (branch.look.circuit.empty() ? "" : element("small", {}, branch.look.circuit)) +
       element("span", {}, " ");
   return element("figure", {{"id", std::string("panel-").append(std::to_string(number))}},
                  element("figcaption", {}, caption) +
@@ -295,10 +298,14 @@ std::string plots_html(const Page& page, const std::vector<Quantity>& plotted) {
   }
   std::string legend;
   for (std::size_t k = 0; k < page.branches.size(); ++k) {
-    const std::string line = branch_dashes(k).empty() ? "solid" : "dashed";
-    const std::string style = "border-top-color:" + colour_text(k) + ";border-top-style:" + line;
+    const BranchLook& look = page.branches[k].look;
+    const std::string line = look.dashes.empty() ? "solid" : "dashed";
+    const std::string style =
+        "border-top-color:" + colour_text(look.colour) + ";border-top-style:" + line;
+    const std::string circuit = look.circuit.empty() ? "" : ", " + look.circuit;
     legend +=
-        element("span", {}, element("i", {{"style", style}}, " ") + escaped(page.branches[k].id)) +
+        element("span", {},
+                element("i", {{"style", style}}, " ") + escaped(page.branches[k].id + circuit)) +
         '\n';
   }
   std::string plots;
@@ -333,7 +340,7 @@ std::string page_html(const Page& page, const Mechanism& mechanism) {
     std::string panels;
     for (std::size_t k = 0; k < page.branches.size(); ++k) {
       panels += panel_html(page.branches[k], k, canvas, plotted, mechanism);
-      data["branches"].push_back(branch_json(page.branches[k], k, canvas, plotted, mechanism));
+      data["branches"].push_back(branch_json(page.branches[k], canvas, plotted, mechanism));
     }
     body += element("div", {{"id", "panels"}, {"class", crowd}}, panels) + '\n';
   }
@@ -373,11 +380,13 @@ std::string motion_html(const MotionResult& result, const Mechanism& mechanism,
   page.from = result.from;
   page.to = result.to;
   page.times = result.times;
-  for (const MotionBranch& branch : result.branches) {
+  const std::vector<BranchLook> looks = branch_looks(find_circuits(mechanism, result), result);
+  for (std::size_t k = 0; k < result.branches.size(); ++k) {
+    const MotionBranch& branch = result.branches[k];
     const std::vector<TracedPose> poses = traced_poses(mechanism, branch, result);
     if (poses.empty()) continue;
     page.branches.push_back({branch.id, poses, sentence(branch, result, mechanism, false),
-                             sentence(branch, result, mechanism, true)});
+                             sentence(branch, result, mechanism, true), looks[k]});
     if (branch.begin_event) {
       page.notes.push_back(branch.id + " " + page.branches.back().begins);
     }
@@ -398,7 +407,12 @@ std::string closures_html(const ClosureResult& result, const Mechanism& mechanis
   page.summary = summary;
   page.from = page.to = result.time;
   for (const Closure& closure : result.closures) {
-    page.branches.push_back({closure.id, {{result.time, closure.q, nullptr}}, "", ""});
+    const std::size_t colour = page.branches.size();
+    page.branches.push_back({closure.id,
+                             {{result.time, closure.q, nullptr}},
+                             "",
+                             "",
+                             {colour, dashes_text(colour), ""}});
   }
   return page_html(page, mechanism);
 }

@@ -189,8 +189,9 @@ std::string colour_text(std::size_t number) {
   return std::string(kPalette[number % kPalette.size()]);
 }
 
-std::string branch_dashes(std::size_t branch) {
-  return branch < kPalette.size() ? "" : branch < 2 * kPalette.size() ? "7 4" : "2 3";
+std::string dashes_text(std::size_t colour, std::size_t number) {
+  constexpr std::array<const char*, 3> kDashes{"", "7 4", "2 3"};
+  return kDashes[std::min(colour / kPalette.size() + number, kDashes.size() - 1)];
 }
 
 std::string colour_class(std::optional<std::size_t> colour) {

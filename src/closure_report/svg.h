@@ -41,8 +41,8 @@ std::string figures_svg(const Drawing& drawing, const std::vector<Similarity>& p
 
 /// Of the body with this number; they repeat.
 std::string colour_text(std::size_t number);
-/// Of the line of a branch, as stroke-dasharray: dashed where the palette begins again.
-std::string branch_dashes(std::size_t branch);
+/// Of a line, as stroke-dasharray: number 0 is solid, and so are all whose colour is in the palette's first round.
+std::string dashes_text(std::size_t colour, std::size_t number = 0);
 std::string colour_class(std::optional<std::size_t> colour);
 
 /// Rules for the classes that figures and texts have.
