@@ -12,7 +12,6 @@
 
 #include "branch_joins.h"
 #include "courses.h"
-#include "idle_joints.h"
 
 namespace moivre {
 namespace {
@@ -141,12 +140,15 @@ class CircuitFinder {
         joins_(branch_joins(mechanism, motion)),
         smooth_joins_(without_dead_points(joins_)),
         stretches_(parts_of(motion.branches.size(), smooth_joins_)) {
-    const HeldMechanism held = hold_idle(mechanism);
-    const Phi phi(held.mechanism);
     for (const MotionBranch& branch : motion.branches) {
-      driver_courses_.push_back(driver_courses(mechanism, branch));
-      body_courses_.push_back(courses(phi, branch, bodies_));
-      joint_courses_.push_back(courses(phi, branch, joints_));
+      driver_courses_.emplace_back();
+      body_courses_.emplace_back();
+      joint_courses_.emplace_back();
+      for (const Driver& driver : mechanism.drivers) {
+        driver_courses_.back().push_back(driver_course(branch, driver));
+      }
+      for (const Quantity& body : bodies_) body_courses_.back().push_back(course(branch, body));
+      for (const Quantity& joint : joints_) joint_courses_.back().push_back(course(branch, joint));
     }
   }
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // How far does each angle and slide of a mechanism go along one branch, and where does it stand at either end?
 //
-//   v(t) = value(q(t)), going on along the branch without jumps
-// Poses: the branch's ends, its samples, and beside an event a few poses at t_e + (t_s - t_e) u^2, u = 1/6 .. 5/6, t_s the sample
-// beside it: there q moves with the root of the time, and v is smooth in u.
-// Extremes between poses: of the polynomial of degree five through value, velocity and acceleration at two samples; of the one
-// through the values beside an event. Where it leaves the poses by more than kFar, Newton's method says where v stands.
+//   v(x) = value(q(x)), going on along the branch without jumps
+// The branch was followed by arc length, step after step (BranchPiece): between the ends of a step v is the polynomial of degree
+// five with its value, slope and bend at both, through dead points as elsewhere. Extremes are those of the polynomials, to about
+// 1e-7; samples play no part.
+// Not seen: two extremes within one step.
 #pragma once
 
 #include <functional>
@@ -35,11 +35,9 @@ struct Course {
   double upper = 0;
 };
 
-/// Of each quantity along the branch.
-std::vector<Course> courses(const Phi& phi, const MotionBranch& branch,
-                            const std::vector<Quantity>& quantities);
+Course course(const MotionBranch& branch, const Quantity& quantity);
 
-/// Of each driver.
-std::vector<Course> driver_courses(const Mechanism& mechanism, const MotionBranch& branch);
+/// Of a driver: its law at the branch's ends and samples.
+Course driver_course(const MotionBranch& branch, const Driver& driver);
 
 }  // namespace moivre

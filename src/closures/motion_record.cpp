@@ -60,6 +60,7 @@ void enter_branch(const MotionRun& run, const Track& track, MotionResult& result
   branch.ends = track.ends();
   branch.begin_pose = end_of(track.backwards, track);
   branch.end_pose = end_of(track.forwards, track);
+  branch.ways = {track.backwards.pieces, track.forwards.pieces};
   branch.steps = track.steps();
   branch.retracked = track.retracked;
   branch.samples = samples_of(run, track);

@@ -204,6 +204,7 @@ class Follower {
   void shorten_rotations();
   BranchEvent event_at(EventKind kind, const VectorXd& y) const;
   void reject();
+  void keep_piece(const Segment& segment);
   void end(BranchStatus status, std::string message);
   void end_at(BranchEvent event);
 
@@ -354,6 +355,24 @@ void Follower::choose_length(const CurvePoint& b, double h) {
   }
 }
 
+/// With x along the tangent at a, y'' at b has a part along y' that goes.
+void Follower::keep_piece(const Segment& segment) {
+  const CurvePoint& a = segment.a;
+  const CurvePoint& b = segment.b;
+  const double rate = a.tangent.dot(b.tangent);
+  const VectorXd slope = b.tangent / rate;
+  const VectorXd bend = (b.curvature - a.tangent.dot(b.curvature) * slope) / (rate * rate);
+  const auto in_q = [&](const VectorXd& y) -> VectorXd {
+    return y.head(phi_.dimension()).cwiseProduct(curve_.scale().w);
+  };
+  const double until = b.time() > 1 ? place_of_time(segment, 1) : segment.length;
+  result_.pieces.push_back({segment.length,
+                            until,
+                            {curve_.q_of(a.y), curve_.q_of(b.y)},
+                            {in_q(a.tangent), in_q(slope)},
+                            {in_q(a.curvature), in_q(bend)}});
+}
+
 /// False when the step was too long for what lies within it; nothing has happened then.
 bool Follower::advance(const CurvePoint& b, double h) {
   const Segment segment{at_, b, h};
@@ -367,6 +386,7 @@ bool Follower::advance(const CurvePoint& b, double h) {
     result_.samples.resize(sampled);
     return false;
   }
+  keep_piece(whole);
   if (result_.samples.size() == times_.size()) {
     end(BranchStatus::reached, "followed to the end");
   } else if (event && last->time() <= 1 + kEventWidth) {
@@ -458,6 +478,7 @@ void Follower::cross() {
   } else if (std::isfinite(meeting.doubt)) {
     event.uncertainty += meeting.doubt * std::abs(curve_.scale().T);
   }
+  result_.pieces.push_back({0, 0, {curve_.q_of(at_.y), event.q}, {}, {}});
   end_at(std::move(event));
 }
 

@@ -50,14 +50,14 @@ Groups groups_of(const Circuits& circuits, const MotionResult& motion) {
 /// Every closure at the beginning is traced by hand: the same closures on a circuit, the same angles.
 void expect_as_traced(const Mechanism& mechanism, const std::string& what) {
   constexpr double kStep = 0.01;
-  constexpr double kMissedBetweenSteps = 2e-4;
+  constexpr double kMissedBetweenSteps = 1e-5;
   const MotionResult motion = motion_of(mechanism);
   ASSERT_TRUE(motion.complete) << what << ": " << motion.message;
   const Circuits circuits = find_circuits(mechanism, motion);
   EXPECT_TRUE(circuits.is_full_turn) << what;
   EXPECT_TRUE(circuits.notes.empty()) << what;
   const Phi phi(mechanism);
-  const test::CircuitTracer tracer(mechanism, kStep * phi.length());
+  const test::CircuitTracer tracer(mechanism, kStep);
   for (const std::size_t first : first_branches(motion)) {
     const Circuit& circuit = circuits.circuits[circuit_of(circuits, first)];
     const test::TracedCircuit traced = tracer.trace(motion.branches[first].samples.front().q);

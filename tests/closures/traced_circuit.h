@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Where does a linkage get from one pose when a hand moves it? Its curve of poses by arc length, no driver, no branch, no event.
 //
-// The judge of circuits: it knows Phi without its drivers alone. A step of fixed length along the null vector of Phi_q, Newton's
-// method back to the curve, until the curve closes.
+// The judge of circuits: it knows Phi without its drivers alone. Steps of fixed length along the null vector of Phi_q, lengths
+// beside the mechanism's, Newton's method back to the curve, until the curve closes. Extremes: of parabolas through three poses.
 #pragma once
 
 #include <Eigen/QR>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -25,39 +26,58 @@ struct TracedCircuit {
 class CircuitTracer {
  public:
   CircuitTracer(const Mechanism& mechanism, double step)
-      : mechanism_(mechanism), phi_(mechanism), joints_(phi_.without_drivers()), step_(step) {}
+      : phi_(mechanism), joints_(phi_.without_drivers()), step_(step) {
+    weights_ = Eigen::VectorXd::Ones(phi_.dimension());
+    for (Eigen::Index k = 0; k < phi_.dimension(); ++k) {
+      const Coordinate& coordinate = phi_.coordinates()[static_cast<std::size_t>(k)];
+      if (coordinate.kind == CoordinateKind::length) weights_[k] = phi_.length();
+    }
+  }
 
   TracedCircuit trace(const Eigen::VectorXd& start) const {
     constexpr int kMostSteps = 60000;
     TracedCircuit traced{{}, start, start, Eigen::VectorXd::Zero(start.size()), false};
-    Eigen::VectorXd q = start;
-    Eigen::VectorXd tangent = null_vector(q);
+    Eigen::VectorXd tangent = null_vector(start);
     const Eigen::VectorXd first = tangent;
+    std::vector<Eigen::VectorXd> way{start};
     for (int k = 0; k < kMostSteps && !traced.is_closed; ++k) {
-      const Eigen::VectorXd next = corrected(q + step_ * tangent);
-      look_for_crossing(q, next, traced);
-      Eigen::VectorXd turned = null_vector(next);
+      const Eigen::VectorXd q = way.back();
+      way.push_back(corrected(q + step_ * tangent.cwiseProduct(weights_)));
+      look_for_crossing(q, way.back(), traced);
+      Eigen::VectorXd turned = null_vector(way.back());
       if (turned.dot(tangent) < 0) turned = -turned;
-      q = next;
       tangent = turned;
-      traced.lower = traced.lower.cwiseMin(q);
-      traced.upper = traced.upper.cwiseMax(q);
-      const Eigen::VectorXd gap = phi_.canonical(q - start);
       // The start lies behind the last step.
+      const Eigen::VectorXd gap = phi_.canonical(way.back() - start).cwiseQuotient(weights_);
       const double along = gap.dot(first);
       traced.is_closed = k > 2 && along >= 0 && along <= 1.5 * step_ && gap.norm() <= 1.5 * step_ &&
                          tangent.dot(first) > 0.5;
     }
-    for (Eigen::Index k = 0; k < q.size(); ++k) {
-      traced.turns[k] = std::round((q[k] - start[k]) / (2 * std::numbers::pi));
+    for (Eigen::Index k = 0; k < start.size(); ++k) {
+      traced.turns[k] = std::round((way.back()[k] - start[k]) / (2 * std::numbers::pi));
     }
+    take_extremes(way, traced);
     return traced;
   }
 
  private:
-  /// Of unit length. Phi_q^T has one column less than rows: the last column of its Q.
+  static void take_extremes(const std::vector<Eigen::VectorXd>& way, TracedCircuit& traced) {
+    for (std::size_t j = 1; j + 1 < way.size(); ++j) {
+      for (Eigen::Index k = 0; k < way[j].size(); ++k) {
+        const double slope = (way[j + 1][k] - way[j - 1][k]) / 2;
+        const double bend = way[j + 1][k] - 2 * way[j][k] + way[j - 1][k];
+        const bool is_extreme = (way[j + 1][k] - way[j][k]) * (way[j][k] - way[j - 1][k]) <= 0;
+        const double value =
+            is_extreme && bend != 0 ? way[j][k] - slope * slope / (2 * bend) : way[j][k];
+        traced.lower[k] = std::min(traced.lower[k], value);
+        traced.upper[k] = std::max(traced.upper[k], value);
+      }
+    }
+  }
+
+  /// In coordinates beside the weights, of unit length. Phi_q^T has one column less than rows: the last column of its Q.
   Eigen::VectorXd null_vector(const Eigen::VectorXd& q) const {
-    const Eigen::MatrixXd J = joints_.jacobian(q, 0);
+    const Eigen::MatrixXd J = joints_.jacobian(q, 0) * weights_.asDiagonal();
     const Eigen::HouseholderQR<Eigen::MatrixXd> qr(J.transpose());
     const Eigen::VectorXd last = Eigen::VectorXd::Unit(J.cols(), J.cols() - 1);
     return qr.householderQ() * last;
@@ -65,8 +85,16 @@ class CircuitTracer {
 
   Eigen::VectorXd corrected(Eigen::VectorXd q) const {
     for (int k = 0; k < 4; ++k) {
-      const Eigen::MatrixXd J = joints_.jacobian(q, 0);
-      q -= J.transpose() * (J * J.transpose()).ldlt().solve(joints_.value(q, 0));
+      const Eigen::MatrixXd J = joints_.jacobian(q, 0) * weights_.asDiagonal();
+      const Eigen::HouseholderQR<Eigen::MatrixXd> qr(J.transpose());
+      const Eigen::Index m = J.rows();
+      // J = R^T Q^T: the shortest step is Q R^-T value.
+      const Eigen::VectorXd inner =
+          qr.matrixQR().topRows(m).triangularView<Eigen::Upper>().transpose().solve(
+              joints_.value(q, 0));
+      Eigen::VectorXd step = Eigen::VectorXd::Zero(J.cols());
+      step.head(m) = inner;
+      q -= (qr.householderQ() * step).cwiseProduct(weights_);
     }
     return q;
   }
@@ -85,10 +113,10 @@ class CircuitTracer {
     if (pose.status == NewtonStatus::converged) traced.crossings.push_back(pose.q);
   }
 
-  const Mechanism& mechanism_;
   const Phi phi_;
   const Phi joints_;
   const double step_;
+  Eigen::VectorXd weights_;  ///< 1 of an angle, the mechanism's length of a length
 };
 
 }  // namespace moivre::test

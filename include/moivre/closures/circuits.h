@@ -12,11 +12,10 @@
 //
 // Angles go on along a branch, and over a join but for whole turns. Round every closed way of a circuit an angle comes
 // back to where it was, then it rocks and has a range; or whole turns later, then it turns.
-// Ranges are those of samples and events, and of the curve between: through two samples a polynomial of degree five (position,
-// velocity and acceleration at both), beside an event poses that Newton's method puts right.
+// Ranges are those of the curves themselves, to about 1e-7, however few samples there are.
 // Symbols: angles in radians, lengths in the file's unit.
 // Edges: where the drivers do not come back, as over half a turn, circuits may be joined outside of the range (`notes`).
-// Not seen: extremes that come and go between two samples; that a driver which turns back passes its poses again.
+// Not seen: that a driver which turns back passes its poses again.
 #pragma once
 
 #include <array>

@@ -17,6 +17,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <functional>
 #include <optional>
 #include <string>
@@ -57,6 +58,8 @@ struct MotionBranch {
   double ends = 0;
   Eigen::VectorXd begin_pose;  ///< q there; angles go on from it to the samples
   Eigen::VectorXd end_pose;
+  /// Its curve from the pose in which it was found: back to its beginning, on to its end.
+  std::array<std::vector<BranchPiece>, 2> ways;
   std::optional<std::size_t> begin_event;  ///< index into MotionResult::events; nullopt: at `from`
   std::optional<std::size_t> end_event;    ///< nullopt: at `to`, or not followed further
   bool complete = false;                   ///< followed to `to` or to an event

@@ -19,6 +19,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <atomic>
 #include <optional>
 #include <string>
@@ -75,10 +76,21 @@ struct BranchPose {
   Eigen::VectorXd q;
 };
 
+/// One step of a branch: q(x), 0 <= x <= until, on the curve of degree five through both ends of the step, 0 and `length`.
+struct BranchPiece {
+  double length = 0;
+  double until = 0;                  ///< less than `length` where the last time is reached before
+  std::array<Eigen::VectorXd, 2> q;  ///< at 0 and at `length`, angles as they came
+  std::array<Eigen::VectorXd, 2>
+      slope;                            ///< dq/dx; empty where the piece is known by its ends alone
+  std::array<Eigen::VectorXd, 2> bend;  ///< d2q/dx2
+};
+
 struct Branch {
   BranchStatus status = BranchStatus::failed;
   std::string message = "follow_branch() was not run";
   std::vector<BranchSample> samples;  ///< in the order of the times, up to where the branch ends
+  std::vector<BranchPiece> pieces;    ///< step by step, to where the branch ends
   std::optional<BranchEvent> event;   ///< where status is `ended`
   std::optional<BranchPose> beyond;  ///< dead point: a pose of the branch that meets this one there
   int steps = 0;                     ///< accepted
