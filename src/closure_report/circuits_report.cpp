@@ -2,7 +2,10 @@
 // Circuits in words: their branches, what the driver does, how far each body goes; then the four-bar loops.
 #include "circuits_report.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <numbers>
 
 #include "moivre/closure_report/angles.h"
 #include "moivre/closures/four_bars.h"
@@ -28,10 +31,15 @@ std::string value_text(const Mechanism& mechanism, CoordinateKind kind, double v
   return coordinate_text(mechanism, {"", kind, 0}, value);
 }
 
-/// "16.07606 .. 220.3365 deg".
+/// "16.0761 .. 220.337 deg": what a picture or a calliper shows; the events have more digits.
 std::string range_text(const Mechanism& mechanism, const Swing& swing) {
-  std::string lower = value_text(mechanism, swing.kind, swing.lower);
-  return lower.substr(0, lower.find(' ')) + " .. " + value_text(mechanism, swing.kind, swing.upper);
+  const bool is_length = swing.kind == CoordinateKind::length;
+  const bool in_degrees = !is_length && mechanism.units.angle == "deg";
+  const double unit = in_degrees ? 180 / std::numbers::pi : 1;
+  char text[64];
+  std::snprintf(text, sizeof text, "%.6g .. %.6g", unit * swing.lower, unit * swing.upper);
+  const std::string& name = is_length ? mechanism.units.length : mechanism.units.angle;
+  return name.empty() ? text : text + (' ' + name);
 }
 
 std::string swing_text(const Mechanism& mechanism, const Swing& swing) {
@@ -42,19 +50,28 @@ std::string swing_text(const Mechanism& mechanism, const Swing& swing) {
   return swing.name + verb + range_text(mechanism, swing);
 }
 
-/// Where the first driver stands at these events: "12 deg, 45 deg".
+/// Where the first driver stands at these events, each place once: "12 deg, 45 deg".
 std::string places_text(const std::vector<std::size_t>& events, const MotionResult& motion,
                         const Mechanism& mechanism) {
-  std::vector<std::string> places;
+  constexpr double kTurn = 2 * std::numbers::pi;
+  constexpr double kSame = 1e-7;  // a bifurcation is known to the root of rounding
+  const CoordinateKind kind = kind_of(mechanism, mechanism.drivers.front());
+  std::vector<double> values;
   for (const std::size_t k : events) {
-    const CoordinateKind kind = kind_of(mechanism, mechanism.drivers.front());
-    const double value = motion.events[k].drivers.front();
-    places.push_back(value_text(mechanism, kind, value));
+    double value = motion.events[k].drivers.front();
+    if (kind == CoordinateKind::angle) value -= kTurn * std::floor((value + kSame) / kTurn);
+    if (std::abs(value) <= kSame) value = 0;
+    const bool is_known = std::any_of(values.begin(), values.end(), [&](double known) {
+      return std::abs(known - value) <= kSame;
+    });
+    if (!is_known) values.push_back(value);
   }
+  std::vector<std::string> places;
+  for (const double value : values) places.push_back(value_text(mechanism, kind, value));
   return joined(places, ", ");
 }
 
-/// "crank rocks 16.07606 .. 220.3365 deg between dead points".
+/// "crank rocks 16.0761 .. 220.337 deg between dead points".
 std::string driver_text(const Circuit& circuit, const MotionResult& motion,
                         const Mechanism& mechanism) {
   if (circuit.drivers.empty()) return "no driver";
@@ -85,10 +102,14 @@ std::string driver_text(const Circuit& circuit, const MotionResult& motion,
   return swing_text(mechanism, driver) + between;
 }
 
-/// Bodies and slides; of a spatial mechanism all joints.
+/// Bodies and slides; of a spatial mechanism all joints. What is driven was told before.
 std::string swings_text(const Circuit& circuit, const Mechanism& mechanism) {
   std::vector<std::string> parts;
-  for (const Swing& swing : circuit.bodies) parts.push_back(swing_text(mechanism, swing));
+  for (const Swing& swing : circuit.bodies) {
+    const auto is_driven = [&](const Driver& driver) { return driver.name == swing.name; };
+    if (std::any_of(mechanism.drivers.begin(), mechanism.drivers.end(), is_driven)) continue;
+    parts.push_back(swing_text(mechanism, swing));
+  }
   for (const Swing& swing : circuit.joints) {
     const bool is_told = circuit.bodies.empty() || swing.kind == CoordinateKind::length;
     if (is_told) parts.push_back(swing_text(mechanism, swing));

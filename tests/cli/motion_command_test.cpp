@@ -2,6 +2,7 @@
 // Does `moivre motion` keep its contract: branches, events, tables, refusals, interruption?
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdlib>
 #include <map>
@@ -128,6 +129,85 @@ TEST(MotionCommand, TableAndJsonSayTheSame) {
       EXPECT_EQ(cell("rocker.B.y.acceleration"), sample["points"]["rocker.B"]["acceleration"][1]);
     }
   }
+}
+
+/// A crank-rocker driven at its rocker: the closures of one side meet in dead points.
+constexpr const char* kRocker = R"([units]
+angle = "deg"
+[ground.points]
+O = [0, 0]
+P = [6, 0]
+[body.rocker.points]
+O = [0, 0]
+A = [5, 0]
+[body.crank.points]
+P = [0, 0]
+B = [2, 0]
+[[joint]]
+type = "revolute"
+at = ["ground.O", "rocker.O"]
+[[joint]]
+type = "revolute"
+at = ["ground.P", "crank.P"]
+[[joint]]
+type = "rod"
+at = ["rocker.A", "crank.B"]
+length = 7
+name = "coupler"
+[[driver]]
+angle = "rocker"
+start = 90
+velocity = 60
+)";
+
+TEST(MotionCommand, TellsCircuitsPairsAndFourBars) {
+  Scene scene;
+  scene.write("rocker.toml", kRocker);
+  const Outcome outcome = scene.run({"motion", "rocker.toml", "--json", "-"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Json json = Json::parse(outcome.out);
+  EXPECT_EQ(json["full_turn"], true);
+  ASSERT_EQ(json["circuits"].size(), 2U);
+  const Json& circuit = json["circuits"][0];
+  EXPECT_EQ(circuit["driver"], "rocks");
+  EXPECT_EQ(circuit["stretches"].size(), 2U);
+  EXPECT_EQ(circuit["dead_points"].size(), 2U);
+  EXPECT_EQ(circuit["bodies"][1]["name"], "crank");
+  EXPECT_EQ(circuit["bodies"][1]["turns"], 1);
+  ASSERT_EQ(json["pairs"].size(), 1U);
+  EXPECT_EQ(json["pairs"][0]["closures"], Json::array({"A", "B"}));
+  EXPECT_EQ(json["pairs"][0]["dead_points"], 1);
+  ASSERT_EQ(json["four_bars"].size(), 1U);
+  EXPECT_EQ(json["four_bars"][0]["letters"], "GRRC");
+  EXPECT_EQ(json["four_bars"][0]["links"], Json::array({"ground", "rocker", "coupler", "crank"}));
+}
+
+TEST(MotionCommand, ClosureLeavesWhatIsReachedFromIt) {
+  Scene scene;
+  scene.write("rocker.toml", kRocker);
+  const Outcome outcome =
+      scene.run({"motion", "rocker.toml", "--closure", "B", "--json", "-", "--csv", "b.csv"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Json json = Json::parse(outcome.out);
+  EXPECT_EQ(json["circuits"].size(), 1U);
+  EXPECT_EQ(json["branches"].size(), json["circuits"][0]["branches"].size());
+  EXPECT_EQ(json["checkpoints"][0]["branches"], Json::array({"A", "B"}));
+  for (const auto& row : table_of(scene.read("b.csv"))) {
+    const Json& ids = json["circuits"][0]["branches"];
+    EXPECT_NE(std::find(ids.begin(), ids.end(), row.at("branch")), ids.end());
+  }
+}
+
+TEST(MotionCommand, UnknownClosureIsRefusedWithThoseThatThereAre) {
+  Scene scene;
+  scene.write("rocker.toml", kRocker);
+  const Outcome outcome =
+      scene.run({"motion", "rocker.toml", "--closure", "D", "--closure", "A", "--csv", "d.csv"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_TRUE(contains(outcome.err, "no closure 'D'")) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "there are A, B")) << outcome.err;
+  EXPECT_FALSE(scene.has("d.csv"));
 }
 
 TEST(MotionCommand, FollowsOneGuessWithoutPolynomials) {

@@ -60,6 +60,21 @@ TEST(Page, HasAPanelForEachBranch) {
   EXPECT_EQ(data_of(page)["branches"].size(), 6U);
 }
 
+TEST(Page, NamesTheCircuitOfEachBranchWhereSeveralAreOne) {
+  const Mechanism mechanism = mechanism_file("stephenson-3");
+  const std::string page = motion_html(motion_of(mechanism), mechanism, "file");
+  for (const char* caption : {"A</b><small>circuit 1</small>", "B</b><small>circuit 2</small>",
+                              "C</b><small>circuit 3</small>", "F</b><small>circuit 3</small>"}) {
+    EXPECT_EQ(count(page, caption), 1U) << caption;
+  }
+  const Json branches = data_of(page)["branches"];
+  EXPECT_EQ(branches[2]["colour"], branches[3]["colour"]);
+  EXPECT_NE(branches[2]["dashes"], branches[3]["dashes"]) << "a dead point lies between";
+  EXPECT_NE(branches[0]["colour"], branches[1]["colour"]);
+  const Mechanism four_bar = mechanism_file("four-bar");
+  EXPECT_EQ(count(motion_html(motion_of(four_bar), four_bar, "file"), "<small>"), 0U);
+}
+
 TEST(Page, PutsEachFrameWhereItsBodyIs) {
   const Mechanism mechanism = mechanism_file("four-bar");
   const MotionResult motion = motion_of(mechanism);
@@ -181,6 +196,13 @@ TEST(MotionPicture, MarksDeadPointsAndNamesThem) {
   // Two points on six branches, with an event at one end (A, B, E, F) or at both (C, D); and the legend's.
   EXPECT_EQ(count(svg, "class=\"event\""), 2U * 8 + 1);
   EXPECT_EQ(count(svg, "A: crank = 30 deg to crank = 36.869898 deg (dead point)"), 1U);
+}
+
+TEST(MotionPicture, NamesTheCircuitOfEachBranchInItsLegend) {
+  const Mechanism mechanism = mechanism_file("stephenson-3");
+  const std::string svg = motion_svg(motion_of(mechanism), mechanism, "file");
+  EXPECT_EQ(count(svg, "; circuit 1<"), 1U);
+  EXPECT_EQ(count(svg, "; circuit 3<"), 4U);
 }
 
 /// The crank's pin goes the same way in both branches, the slide of each has a way of its own.
