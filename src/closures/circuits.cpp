@@ -347,6 +347,14 @@ Circuits CircuitFinder::find() const {
   for (const std::vector<std::size_t>& part : parts_of(motion_.branches.size(), joins_)) {
     found.circuits.push_back(circuit_of_part(part));
   }
+  const bool is_open = std::any_of(
+      found.circuits.begin(), found.circuits.end(),
+      [](const Circuit& circuit) { return circuit.driver_motion == DriverMotion::open; });
+  if (found.is_full_turn && is_open && motion_.complete) {
+    found.is_full_turn = false;
+    found.notes.emplace_back(
+        "the turn ends in poses that it did not begin with, as gears do: circuits go on beyond it");
+  }
   return found;
 }
 
