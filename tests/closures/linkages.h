@@ -67,14 +67,14 @@ inline Mechanism four_bar(const std::array<double, 4>& lengths, double start_deg
 
 /// Crank A-B, coupler B-C-D, rockers E-C and F-H, link D-H; A, E, F on the ground.
 inline Mechanism stephenson_3(const std::vector<std::array<double, 2>>& places,
-                              const std::string& driven) {
+                              const std::string& driven, double start_deg = 0) {
   return drawn({{"ground", "AEF"},
                 {"crank", "AB"},
                 {"coupler", "BCD"},
                 {"rocker", "EC"},
                 {"link", "DG"},
                 {"output", "FG"}},
-               places, driven);
+               places, driven, start_deg);
 }
 
 /// Crank A-B, coupler B-C, rocker E-C-D, link D-G, output F-G: two four-bars in a row.
@@ -90,7 +90,7 @@ inline Mechanism watt_2(const std::vector<std::array<double, 2>>& places,
 }
 
 /// The leg of United States patent 6,260,862, drawn with its crank pointing to the left; a Stephenson III.
-inline Mechanism klann(const std::string& driven) {
+inline Mechanism klann(const std::string& driven, double start_deg = 0) {
   return stephenson_3({{1.599, 0.750},
                        {1.331, 0.750},
                        {0.741, 0.750},
@@ -98,7 +98,7 @@ inline Mechanism klann(const std::string& driven) {
                        {1.009, 0.574},
                        {1.366, 1.366},
                        {0.866, 1.500}},
-                      driven);
+                      driven, start_deg);
 }
 
 }  // namespace moivre::test

@@ -15,7 +15,7 @@
 // Ranges are those of the curves themselves, to about 1e-7, however few samples there are.
 // Symbols: angles in radians, lengths in the file's unit.
 // Edges: where the drivers do not come back, as over half a turn, circuits may be joined outside of the range (`notes`).
-// Not seen: that a driver which turns back passes its poses again.
+// Not seen: that a driver which turns back passes its poses again; all joins of a dead point that stands at `from` itself.
 #pragma once
 
 #include <array>
