@@ -30,7 +30,7 @@ set(MOIVRE_USES_kinematics mechanism)
 set(MOIVRE_USES_formulation mechanism polynomial)
 set(MOIVRE_USES_closures kinematics formulation solver)
 # An arm's polynomials need no Phi: what puts its joint values right is the product of its transforms.
-set(MOIVRE_USES_arms urdf solver)
+set(MOIVRE_USES_arms urdf family)
 set(MOIVRE_USES_closure_study closures study)
 set(MOIVRE_USES_sweep closures family)
 set(MOIVRE_USES_report solver)
@@ -38,7 +38,8 @@ set(MOIVRE_USES_check_report check report)
 set(MOIVRE_USES_family_report family report)
 set(MOIVRE_USES_closure_report closures report)
 set(MOIVRE_USES_sweep_report sweep report)
-set(MOIVRE_USES_arm_report arms report)
+# A robot's postures are drawn by what draws closures.
+set(MOIVRE_USES_arm_report arms closure_report)
 set(MOIVRE_USES_study_report study report)
 set(MOIVRE_USES_cli closure_study multiprecision report check_report family_report study_report closure_report arm_report sweep_report
     tracker_cvode tracker_lanes)

@@ -14,6 +14,7 @@
 
 #include "labels.h"
 #include "moivre/closure_report/angles.h"
+#include "moivre/closure_report/sheet.h"
 #include "moivre/mechanism/pose.h"
 #include "moivre/report/json.h"
 #include "moivre/report/number_text.h"
@@ -22,7 +23,6 @@
 #include "panels.h"
 #include "svg.h"
 #include "traces.h"
-#include "turning_page.h"
 
 namespace moivre {
 namespace {
@@ -391,7 +391,9 @@ std::string closures_html(const ClosureResult& result, const Mechanism& mechanis
                           const std::string& file) {
   const std::string summary = counts_text(result.counts) + "; " + result.message;
   if (mechanism.space == Space::spatial) {
-    return turning_html(result, mechanism, file, summary);
+    Sheet sheet{mechanism.title.empty() ? file : mechanism.title, summary, {}};
+    for (const Closure& closure : result.closures) sheet.panels.push_back({closure.id, closure.q});
+    return turning_html(sheet, mechanism);
   }
   Page page;
   page.title = mechanism.title.empty() ? file : mechanism.title;
