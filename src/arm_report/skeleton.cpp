@@ -18,6 +18,17 @@ using Eigen::VectorXd;
 constexpr double kOnePlace = 0.02;
 constexpr double kSlide = 0.1;
 
+/// Whether the axes before and behind the joint pass through its origin: the middle of a wrist, whose flip would not be seen.
+bool is_between_meeting_axes(const Arm& arm, std::size_t k) {
+  if (k == 0 || k + 1 == arm.joints.size()) return false;
+  const Eigen::Isometry3d& before = arm.joints[k].before;
+  const Eigen::Isometry3d& next = arm.joints[k + 1].before;
+  const Vector3d next_axis = next.linear() * arm.joints[k + 1].axis;
+  const double near = kOnePlace * arm.length;
+  return arm.joints[k - 1].axis.cross(before.translation()).norm() <= near &&
+         next_axis.cross(next.translation()).norm() <= near;
+}
+
 /// Where each joint's symbol stands, in the joint's own frame.
 std::vector<Vector3d> symbols(const Arm& arm) {
   const std::size_t n = arm.joints.size();
@@ -26,7 +37,7 @@ std::vector<Vector3d> symbols(const Arm& arm) {
   for (std::size_t k = 0; k < n; ++k) {
     const ArmJoint& joint = arm.joints[k];
     const Eigen::Isometry3d& next = k + 1 < n ? arm.joints[k + 1].before : arm.tool;
-    if (next.translation().norm() > near) {
+    if (next.translation().norm() > near && !is_between_meeting_axes(arm, k)) {
       places.emplace_back(Vector3d::Zero());
       continue;
     }

@@ -97,6 +97,27 @@ struct Poses {
   }
 };
 
+/// Paths to all members, and once more, with more care, to those where one was lost.
+std::vector<MemberRoots> followed(const Poses& all, const std::vector<Point>& members,
+                                  std::size_t threads) {
+  SolveOptions options = all.of_one;
+  options.threads = static_cast<int>(threads);
+  options.certify = false;  // Newton's method on the arm itself judges every closure
+  const Family& family = all.family->family;
+  std::vector<MemberRoots> roots = follow_members(family, members, all.tracker, options, all.stop);
+  std::vector<std::size_t> lost;
+  std::vector<Point> again;
+  for (std::size_t k = 0; k < members.size(); ++k) {
+    if (roots[k].complete) continue;
+    lost.push_back(k);
+    again.push_back(members[k]);
+  }
+  ++options.care;
+  std::vector<MemberRoots> better = follow_members(family, again, all.tracker, options, all.stop);
+  for (std::size_t k = 0; k < lost.size(); ++k) roots[lost[k]] = std::move(better[k]);
+  return roots;
+}
+
 /// Poses from `begin` to `end`; without a family `roots` is empty.
 void solve_range(Poses& all, std::size_t begin, std::size_t end, std::size_t threads) {
   std::vector<MemberRoots> roots;
@@ -107,10 +128,7 @@ void solve_range(Poses& all, std::size_t begin, std::size_t end, std::size_t thr
     for (std::size_t k = begin; k < end; ++k) {
       members.push_back(member_of(*all.family, loop_at(*all.family, all.poses[k])));
     }
-    SolveOptions options = all.of_one;
-    options.threads = static_cast<int>(threads);
-    options.certify = false;  // Newton's method on the arm itself judges every closure
-    roots = follow_members(all.family->family, members, all.tracker, options, all.stop);
+    roots = followed(all, members, threads);
     share = watch.total() / static_cast<double>(members.size());
   }
   std::atomic<std::size_t> next = begin;
