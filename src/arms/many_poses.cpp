@@ -15,8 +15,8 @@
 namespace moivre {
 namespace {
 
-/// Learning a family costs as much as two poses.
-constexpr std::size_t kWorthAFamily = 6;
+/// Learning two families costs as much as four poses.
+constexpr std::size_t kWorthAFamily = 8;
 /// Poses whose paths are followed together, a thread: their roots are kept until they are read back.
 constexpr std::size_t kTogether = 128;
 
@@ -29,9 +29,10 @@ void on_threads(std::size_t threads, const std::function<void()>& work) {
   for (std::future<void>& helper : helpers) helper.get();
 }
 
-/// The family, with the number of closures that its poses have.
-std::optional<PoseFamily> family_of(const Arm& arm, const Tracker& tracker,
-                                    const SolveOptions& options, const std::atomic<bool>& stop) {
+/// The family whose turns are counted from the seed's angles, with the number of closures that its poses have.
+std::optional<PoseFamily> family_of(const Arm& arm, const Tracker& tracker, SolveOptions options,
+                                    std::uint64_t seed, const std::atomic<bool>& stop) {
+  options.seed = seed;
   auto family = learn_pose_family(arm, tracker, options, stop);
   if (!family) return std::nullopt;
   const Eigen::VectorXd anywhere = random_joint_values(arm, options.seed, 0);
@@ -46,7 +47,6 @@ std::optional<PoseFamily> family_of(const Arm& arm, const Tracker& tracker,
 std::optional<ArmResult> result_of(const Arm& arm, const PoseFamily& family,
                                    const Eigen::Isometry3d& pose, const MemberRoots& roots,
                                    const Tracker& tracker, std::uint64_t seed) {
-  if (!roots.complete) return std::nullopt;
   ArmResult result;
   result.complete = true;
   result.seed = seed;
@@ -80,7 +80,7 @@ struct Poses {
   SolveOptions of_one;
   const SolveOptions& options;
   const std::atomic<bool>& stop;
-  std::optional<PoseFamily> family;
+  std::vector<PoseFamily> families;
   std::vector<ArmResult> results;
   std::mutex telling;
   std::uint64_t done = 0;
@@ -97,48 +97,46 @@ struct Poses {
   }
 };
 
-/// Paths to all members, and once more, with more care, to those where one was lost.
-std::vector<MemberRoots> followed(const Poses& all, const std::vector<Point>& members,
-                                  std::size_t threads) {
+/// The roots of one pose, and the family that has them.
+struct Followed {
+  const PoseFamily* family = nullptr;
+  MemberRoots roots;
+};
+
+/// Paths of all poses from `begin` on that have no roots yet.
+void follow(Poses& all, const PoseFamily& family, std::size_t begin, std::size_t threads,
+            std::vector<Followed>& followed) {
+  std::vector<std::size_t> wanted;
+  std::vector<Point> members;
+  for (std::size_t k = 0; k < followed.size(); ++k) {
+    if (followed[k].roots.complete) continue;
+    wanted.push_back(k);
+    members.push_back(member_of(family, loop_at(family, all.poses[begin + k])));
+  }
   SolveOptions options = all.of_one;
   options.threads = static_cast<int>(threads);
   options.certify = false;  // Newton's method on the arm itself judges every closure
-  const Family& family = all.family->family;
-  std::vector<MemberRoots> roots = follow_members(family, members, all.tracker, options, all.stop);
-  std::vector<std::size_t> lost;
-  std::vector<Point> again;
-  for (std::size_t k = 0; k < members.size(); ++k) {
-    if (roots[k].complete) continue;
-    lost.push_back(k);
-    again.push_back(members[k]);
+  auto roots = follow_members(family.family, members, all.tracker, options, all.stop);
+  for (std::size_t k = 0; k < wanted.size(); ++k) {
+    followed[wanted[k]] = {&family, std::move(roots[k])};
   }
-  ++options.care;
-  std::vector<MemberRoots> better = follow_members(family, again, all.tracker, options, all.stop);
-  for (std::size_t k = 0; k < lost.size(); ++k) roots[lost[k]] = std::move(better[k]);
-  return roots;
 }
 
-/// Poses from `begin` to `end`; without a family `roots` is empty.
+/// Poses from `begin` to `end`.
 void solve_range(Poses& all, std::size_t begin, std::size_t end, std::size_t threads) {
-  std::vector<MemberRoots> roots;
-  double share = 0;
-  if (all.family) {
-    const Stopwatch watch;
-    std::vector<Point> members;
-    for (std::size_t k = begin; k < end; ++k) {
-      members.push_back(member_of(*all.family, loop_at(*all.family, all.poses[k])));
-    }
-    roots = followed(all, members, threads);
-    share = watch.total() / static_cast<double>(members.size());
-  }
+  const Stopwatch following;
+  std::vector<Followed> followed(end - begin);
+  for (const PoseFamily& family : all.families) follow(all, family, begin, threads, followed);
+  const double share = following.total() / static_cast<double>(end - begin);
   std::atomic<std::size_t> next = begin;
   on_threads(std::min(threads, end - begin), [&] {
     for (std::size_t k = next++; k < end && !all.stop; k = next++) {
       const Stopwatch watch;
       std::optional<ArmResult> result;
-      if (all.family) {
-        result = result_of(all.arm, *all.family, all.poses[k], roots[k - begin], all.tracker,
-                           all.of_one.seed);
+      const Followed& own = followed[k - begin];
+      if (own.roots.complete) {
+        result =
+            result_of(all.arm, *own.family, all.poses[k], own.roots, all.tracker, all.of_one.seed);
       }
       if (!result) {
         result = find_arm_closures(all.arm, all.poses[k], all.tracker, all.of_one, all.stop);
@@ -148,6 +146,20 @@ void solve_range(Poses& all, std::size_t begin, std::size_t end, std::size_t thr
       all.tell();
     }
   });
+}
+
+/// Two: a pose for which one family's tangents are nearly infinite has smaller ones in the other.
+std::vector<PoseFamily> families_of(const Arm& arm, const Tracker& tracker,
+                                    const SolveOptions& options, const std::atomic<bool>& stop) {
+  constexpr std::uint64_t kBehindOthers = 3000;
+  std::vector<PoseFamily> families;
+  for (const std::uint64_t seed :
+       {options.seed, random_bits(options.seed, RandomStream::arm, kBehindOthers)}) {
+    auto family = family_of(arm, tracker, options, seed, stop);
+    if (!family) break;
+    families.push_back(std::move(*family));
+  }
+  return families;
 }
 
 }  // namespace
@@ -167,8 +179,8 @@ std::vector<ArmResult> find_arm_closures(const Arm& arm,
   Poses all{arm, poses, tracker, of_one, options, stop, {}, std::vector<ArmResult>(poses.size()),
             {},  0};
   const bool may_be_family = options.start == StartKind::automatic && poses.size() >= kWorthAFamily;
-  if (may_be_family) all.family = family_of(arm, tracker, of_one, stop);
-  const std::size_t block = all.family ? kTogether * threads : poses.size();
+  if (may_be_family) all.families = families_of(arm, tracker, of_one, stop);
+  const std::size_t block = all.families.empty() ? poses.size() : kTogether * threads;
   for (std::size_t begin = 0; begin < poses.size() && !stop; begin += block) {
     solve_range(all, begin, std::min(begin + block, poses.size()), threads);
   }

@@ -2,7 +2,6 @@
 // Unit displacements in double, forms from a singular value decomposition, coefficients term by term.
 #include "pose_family.h"
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 
@@ -11,6 +10,7 @@
 #include "moivre/family/coefficients.h"
 #include "moivre/family/learn.h"
 #include "moivre/numeric/random.h"
+#include "moivre/numeric/svd.h"
 #include "random_values.h"
 
 namespace moivre {
@@ -74,10 +74,10 @@ std::vector<RealDisplacement> forms_of(const std::vector<RealDisplacement>& prod
   for (std::size_t k = 0; k < products.size(); ++k) {
     span.col(static_cast<Eigen::Index>(k)) = column(unit(products[k]));
   }
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(span, Eigen::ComputeFullU);
+  const Eigen::MatrixXd U = svd(span, SingularVectors::full).U;
   std::vector<RealDisplacement> forms(4);
   for (std::size_t k = 0; k < forms.size(); ++k) {
-    Eigen::Map<Column>(forms[k].data()) = svd.matrixU().col(static_cast<Eigen::Index>(4 + k));
+    Eigen::Map<Column>(forms[k].data()) = U.col(static_cast<Eigen::Index>(4 + k));
   }
   return forms;
 }

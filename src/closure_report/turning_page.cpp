@@ -43,17 +43,28 @@ Json stroke_json(const Vector3d& from, const Vector3d& to, const std::string& co
   return Json::array({place_json(from), place_json(to), colour, width});
 }
 
-/// Named points of all bodies, and the ground's.
-Eigen::AlignedBox3d space_of(const Mechanism& mechanism, const Sheet& sheet) {
-  Eigen::AlignedBox3d box(Vector3d::Zero());
+/// A ball about all that is shown, the ground's origin too.
+struct Ball {
+  Vector3d centre;
+  double radius = 1;
+};
+
+Ball ball_around(const Mechanism& mechanism, const Sheet& sheet) {
+  std::vector<Vector3d> places{Vector3d::Zero()};
   for (const Panel& panel : sheet.panels) {
     for (std::size_t body = 0; body < mechanism.bodies.size(); ++body) {
       for (std::size_t k = 0; k < mechanism.bodies[body].points.size(); ++k) {
-        box.extend(point_position(mechanism, {body, k}, panel.q));
+        places.push_back(point_position(mechanism, {body, k}, panel.q));
       }
     }
   }
-  return box;
+  Eigen::AlignedBox3d box;
+  for (const Vector3d& place : places) box.extend(place);
+  Ball ball{box.center(), 1e-12};
+  for (const Vector3d& place : places) {
+    ball.radius = std::max(ball.radius, (place - ball.centre).norm());
+  }
+  return ball;
 }
 
 /// One pose as strokes, spots and names.
@@ -142,7 +153,8 @@ class Strokes {
 
   void add_sites() {
     for (const Site& site : sites(mechanism_)) {
-      if (!site.name.empty()) add_name(place_of(site.points.front()), site.name);
+      // The tip's name, which is long, would cover the wrist; its frame is there to be seen.
+      if (site.is_jointed && !site.name.empty()) add_name(place_of(site.points.front()), site.name);
     }
   }
 
@@ -168,9 +180,8 @@ std::string panel_html(const Panel& panel) {
 }  // namespace
 
 std::string turning_html(const Sheet& sheet, const Mechanism& mechanism) {
-  const Eigen::AlignedBox3d box = space_of(mechanism, sheet);
-  const double radius = std::max(0.5 * box.diagonal().norm(), 1e-12);
-  Json data{{"centre", place_json(box.center())},
+  const auto [centre, radius] = ball_around(mechanism, sheet);
+  Json data{{"centre", place_json(centre)},
             {"radius", rounded(radius)},
             {"eye", Json::array({sheet.view.eye.azimuth_rad, sheet.view.eye.elevation_rad})},
             {"closures", Json::array()}};

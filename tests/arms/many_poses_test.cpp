@@ -107,7 +107,7 @@ TEST(ManyPosesTest, AStartThatIsAskedForIsTaken) {
   const Arm arm = arm_of("ur5", "tool0");
   SolveOptions options = one_thread();
   options.start = StartKind::total_degree;
-  EXPECT_EQ(by_family(find_arm_closures(arm, random_poses(arm, 8), lanes(), options)), 0U);
+  EXPECT_EQ(by_family(find_arm_closures(arm, random_poses(arm, 9), lanes(), options)), 0U);
 }
 
 }  // namespace
