@@ -111,6 +111,8 @@ def main():
         check_motion(browser, page_of(moivre, folder, "motion", mechanisms / "rssr.toml", "--from-guess"))
         check_motion(browser, page_of(moivre, folder, "closures", mechanisms / "whitworth.toml"))
         expect_works(browser.dom(page_of(moivre, folder, "closures", mechanisms / "3-rpr.toml")), "closures that stand")
+        expect_works(browser.dom(page_of(moivre, folder, "closures", root / "problems/robots/puma560.urdf",
+                                         "--pose", "0.4 -0.2 0.3 0.5 0.5 0.5 0.5")), "a robot's postures")
         check_names(browser, moivre, root, folder)
     print("the pages work")
 
