@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+// The least and the largest value of each quantity for people, a block a branch, in the file's units.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include "moivre/closure_report/readings_report.h"
+#include "moivre/report/number_text.h"
+#include "panels.h"
+#include "readings_parts.h"
+
+namespace moivre {
+namespace {
+
+using Row = std::array<std::string, 5>;
+
+std::string number(double x) {
+  if (std::isnan(x)) return "-";
+  if (std::isinf(x)) return x > 0 ? "unbounded" : "-unbounded";
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", x);
+  return text;
+}
+
+std::string place(const Extreme& extreme, const Mechanism& mechanism) {
+  if (std::isnan(extreme.value)) return "";
+  if (!mechanism.drivers.empty()) return drivers_text(mechanism, extreme.time);
+  return "t = " + number(extreme.time) + " s";
+}
+
+/// Columns as wide as their widest cell; numbers end, words begin, at one place.
+std::string aligned(const std::vector<Row>& rows) {
+  std::array<std::size_t, 5> width{};
+  for (const Row& row : rows) {
+    for (std::size_t k = 0; k < row.size(); ++k) width[k] = std::max(width[k], row[k].size());
+  }
+  std::string text;
+  for (const Row& row : rows) {
+    std::string line = " ";
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      const bool is_number = k == 1 || k == 3;
+      const std::string gap(width[k] - row[k].size(), ' ');
+      line += (k == 2 || k == 4 ? " " : "  ").substr(k == 0 ? 1 : 0);
+      line += is_number ? gap + row[k] : row[k] + gap;
+    }
+    text += line.substr(0, line.find_last_not_of(' ') + 1) + '\n';
+  }
+  return text;
+}
+
+std::string time_ratio_text(const TimeRatio& ratio, const Mechanism& mechanism,
+                            const AngleForm& form) {
+  const double turn = ratio.rising_s + ratio.falling_s;
+  const CoordinateKind kind = ratio.is_angle ? CoordinateKind::angle : CoordinateKind::length;
+  const std::string unit = ratio.is_angle ? unit_of(form) : mechanism.units.length;
+  const auto of_driver = [&](double seconds) {
+    return number(seconds) + " s (" +
+           number(in_form(2 * std::numbers::pi * seconds / turn, CoordinateKind::angle, form)) +
+           ' ' + unit_of(form) + " of " + label_of(mechanism.drivers.front()) + ')';
+  };
+  return "  time ratio of " + ratio.output + ": " + number(ratio.ratio) + "; from " +
+         number(in_form(ratio.from, kind, form)) + " to " + number(in_form(ratio.to, kind, form)) +
+         (unit.empty() ? "" : ' ' + unit) + " in " + of_driver(ratio.rising_s) + ", back in " +
+         of_driver(ratio.falling_s) + '\n';
+}
+
+}  // namespace
+
+std::string extremes_text(const Readings& readings, const Mechanism& mechanism) {
+  AngleForm form;
+  form.in_degrees = mechanism.units.angle == "deg";
+  std::string text;
+  for (const BranchReadings& branch : readings.branches) {
+    text += "\nextremes of branch " + branch.id + '\n';
+    std::vector<Row> rows;
+    for (std::size_t k = 0; k < readings.quantities.size(); ++k) {
+      const Quantity& quantity = readings.quantities[k];
+      const auto& [least, largest] = branch.extremes[k];
+      const auto at = [&](const Extreme& extreme) {
+        const std::string where = place(extreme, mechanism);
+        return where.empty() ? where : "at " + where;
+      };
+      rows.push_back({column_name(quantity, form), number(in_form(least.value, quantity, form)),
+                      at(least), number(in_form(largest.value, quantity, form)), at(largest)});
+    }
+    text += aligned(rows);
+    for (const TimeRatio& ratio : branch.time_ratios)
+      text += time_ratio_text(ratio, mechanism, form);
+  }
+  return text;
+}
+
+}  // namespace moivre

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+// The freedoms that opening a joint gives, and along which lines they move its two ends.
+#include "moivre/kinematics/transmission.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "moivre/kinematics/null_space.h"
+#include "moivre/mechanism/pose.h"
+
+namespace moivre {
+namespace {
+
+using Eigen::Index;
+using Eigen::Matrix2d;
+using Eigen::MatrixXd;
+using Eigen::Vector2d;
+using Eigen::VectorXd;
+
+// A displacement this small beside the largest is rounding: poses are known to about 1e-13.
+constexpr double kStands = 1e-7;
+
+Index row_count(JointType type) {
+  switch (type) {
+    case JointType::revolute:
+    case JointType::prismatic:
+      return 2;
+    case JointType::weld:
+      return 3;
+    default:
+      return 1;
+  }
+}
+
+bool is_tied_by_driver(const Mechanism& mechanism, std::size_t number) {
+  const Joint& joint = mechanism.joints[number];
+  return std::any_of(
+      mechanism.drivers.begin(), mechanism.drivers.end(), [&](const Driver& driver) {
+        if (driver.kind == DriverKind::slide) return driver.joint == number;
+        if (driver.kind != DriverKind::angle) return false;
+        return std::is_permutation(driver.bodies.begin(), driver.bodies.end(),
+                                   std::array{joint.at[0].body, joint.at[1].body}.begin());
+      });
+}
+
+/// How each freedom moves the point: 2 x (number of freedoms).
+MatrixXd displacements(const Mechanism& mechanism, const PointOf& point, const VectorXd& q,
+                       const MatrixXd& freedoms) {
+  MatrixXd moved(2, freedoms.cols());
+  const VectorXd rest = VectorXd::Zero(q.size());
+  for (Index k = 0; k < freedoms.cols(); ++k) {
+    moved.col(k) =
+        point_state(mechanism, point, q, freedoms.col(k), rest).velocity.head<2>();
+  }
+  return moved;
+}
+
+/// Of the 2 x k displacements: the only line along which they lie; nullopt where there is none or more.
+std::optional<Vector2d> only_line(const MatrixXd& moved, double size) {
+  const Matrix2d square = moved * moved.transpose();
+  const double trace = square.trace();
+  if (std::sqrt(trace) <= kStands * size) return std::nullopt;
+  // The eigenvector of the larger eigenvalue, from half the angle between the axes.
+  const double angle = 0.5 * std::atan2(2 * square(0, 1), square(0, 0) - square(1, 1));
+  const Vector2d along(std::cos(angle), std::sin(angle));
+  const Vector2d across(-along.y(), along.x());
+  const double aside = (across.transpose() * moved).norm();
+  if (aside > kStands * std::sqrt(trace)) return std::nullopt;
+  return along;
+}
+
+double angle_between(const Vector2d& a, const Vector2d& b) {
+  return std::atan2(std::abs(a.x() * b.y() - a.y() * b.x()), std::abs(a.dot(b)));
+}
+
+/// The line along which a slot or a rod pushes.
+Vector2d push(const Mechanism& mechanism, const Joint& joint, const VectorXd& q) {
+  if (joint.type == JointType::rod) {
+    return (point_position(mechanism, joint.at[1], q) - point_position(mechanism, joint.at[0], q))
+        .head<2>();
+  }
+  const Vector2d along =
+      (orientation(mechanism, joint.at[0].body, q) * joint.axis[0]).head<2>();
+  return {-along.y(), along.x()};
+}
+
+}  // namespace
+
+std::vector<TransmissionJoint> transmission_joints(const Mechanism& mechanism) {
+  std::vector<TransmissionJoint> found;
+  if (is_typed(mechanism) || mechanism.space == Space::spatial) return found;
+  Index row = 0;
+  for (std::size_t k = 0; k < mechanism.joints.size(); ++k) {
+    const Joint& joint = mechanism.joints[k];
+    const Index rows = row_count(joint.type);
+    const bool pushes = joint.type == JointType::revolute || joint.type == JointType::slot ||
+                        joint.type == JointType::rod;
+    const bool moves = joint.at[0].body != 0 && joint.at[1].body != 0;
+    if (pushes && moves && !is_tied_by_driver(mechanism, k)) found.push_back({k, row, rows});
+    row += rows;
+  }
+  return found;
+}
+
+std::optional<double> transmission_angle(const Mechanism& mechanism, const TransmissionJoint& at,
+                                         const VectorXd& q, const MatrixXd& J) {
+  const Joint& joint = mechanism.joints[at.joint];
+  const Index behind = at.first_row + at.rows;
+  MatrixXd open(J.rows() - at.rows, J.cols());
+  open << J.topRows(at.first_row), J.bottomRows(J.rows() - behind);
+  const MatrixXd freedoms = null_space_basis(open);
+  if (freedoms.cols() != at.rows) return std::nullopt;
+  const MatrixXd first = displacements(mechanism, joint.at[0], q, freedoms);
+  const MatrixXd second = displacements(mechanism, joint.at[1], q, freedoms);
+  const double size = first.norm() + second.norm();
+  if (!(size > 0)) return std::nullopt;
+  const std::optional<Vector2d> u1 = only_line(first, size);
+  const std::optional<Vector2d> u2 = only_line(second, size);
+  if (joint.type == JointType::revolute) {
+    if (!u1 || !u2) return std::nullopt;
+    return angle_between(*u1, *u2);
+  }
+  if (u1.has_value() == u2.has_value()) return std::nullopt;
+  const Vector2d n = push(mechanism, joint, q);
+  const Vector2d u = u1 ? *u1 : *u2;
+  return std::atan2(std::abs(n.dot(u)), std::abs(n.x() * u.y() - n.y() * u.x()));
+}
+
+}  // namespace moivre
