@@ -40,11 +40,13 @@ std::vector<std::string> words_of(const std::string& list) {
 
 void add_column_options(CLI::App& app, ColumnChoice& choice) {
   app.add_option("--columns", choice.groups,
-                 "a designer's quantities, by group: the table has these columns, text and JSON their extremes, "
+                 "a designer's quantities, by group: the table has these columns, text and JSON "
+                 "their extremes, "
                  "the page their plots; --columns help lists the groups")
       ->type_name("LIST");
   app.add_option("--output", choice.outputs,
-                 "with --columns: what mechanical advantage and time ratio are of, a body, a joint or a point's coordinate; "
+                 "with --columns: what mechanical advantage and time ratio are of, a body, a joint "
+                 "or a point's coordinate; "
                  "may be repeated; default: what is tied to the ground and not driven")
       ->type_name("NAME");
 }
@@ -53,7 +55,8 @@ bool asks_for_help(const ColumnChoice& choice) { return choice.groups == kHelp; 
 
 std::string columns_help(const Mechanism& mechanism) {
   const QuantityReader reader(mechanism, {});
-  std::string text = "--columns takes groups of quantities, with commas between them:\n" + groups_text();
+  std::string text =
+      "--columns takes groups of quantities, with commas between them:\n" + groups_text();
   if (!reader.outputs().empty())
     text += "outputs, where --output names none: " + joined(reader.outputs(), ", ") + '\n';
   return text;

@@ -10,9 +10,9 @@ namespace moivre {
 
 /// A function along a branch: its values at the samples, and anywhere.
 struct Curve {
-  std::vector<double> times;   ///< increasing
-  std::vector<double> values;  ///< NaN where there is none
-  std::vector<bool> is_sample;  ///< else an event: not to be refined beside it
+  std::vector<double> times;         ///< increasing
+  std::vector<double> values;        ///< NaN where there is none
+  std::vector<bool> is_sample;       ///< else an event: not to be refined beside it
   std::function<double(double)> at;  ///< between samples; NaN where not known
 };
 

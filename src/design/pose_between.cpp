@@ -20,7 +20,8 @@ VectorXd interpolated(const BranchSample& before, const BranchSample& after, dou
   const VectorXd line = (1 - s) * before.q + s * after.q;
   if (!has_velocity(before) || !has_velocity(after)) return line;
   const VectorXd way = after.q - before.q;
-  return line + s * (1 - s) * ((1 - s) * (h * before.velocity - way) - s * (h * after.velocity - way));
+  return line +
+         s * (1 - s) * ((1 - s) * (h * before.velocity - way) - s * (h * after.velocity - way));
 }
 
 }  // namespace
@@ -37,7 +38,8 @@ BranchSample pose_between(const Phi& phi, const BranchSample& before, const Bran
   const double length = phi.length();
   const double most = (after.q - before.q).lpNorm<Eigen::Infinity>() + kSettled * length;
   for (int step = 0; step < kMostSteps; ++step) {
-    const VectorXd correction = Factorisation(phi.jacobian(sample.q, time)).solve(-phi.value(sample.q, time));
+    const VectorXd correction =
+        Factorisation(phi.jacobian(sample.q, time)).solve(-phi.value(sample.q, time));
     const double size = correction.lpNorm<Eigen::Infinity>();
     if (!(size <= most)) return sample;
     sample.q += correction;

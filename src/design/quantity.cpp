@@ -40,17 +40,17 @@ void add_motion(QuantityGroup group, const Observable& what, const Mechanism& me
                    nullptr});
   for (const QuantityOrder order : {QuantityOrder::velocity, QuantityOrder::acceleration}) {
     const bool is_first = order == QuantityOrder::velocity;
-    rules.push_back(
-        {{group, what.name + (is_first ? ".velocity" : ".acceleration"), what.name, order,
-          what.is_angle, false, length + (is_first ? "/s" : "/s^2"), true},
-         [what, is_first](const Reading& at) {
-           if (!at.has_velocity()) return kNothing;
-           const BranchSample& pose = at.pose();
-           const ScalarState state = what.state(pose.q, pose.velocity, pose.acceleration);
-           return is_first ? state.velocity : state.acceleration;
-         },
-         what,
-         nullptr});
+    rules.push_back({{group, what.name + (is_first ? ".velocity" : ".acceleration"), what.name,
+                      order, what.is_angle, false, length + (is_first ? "/s" : "/s^2"), true},
+                     [what, is_first](const Reading& at) {
+                       if (!at.has_velocity()) return kNothing;
+                       const BranchSample& pose = at.pose();
+                       const ScalarState state =
+                           what.state(pose.q, pose.velocity, pose.acceleration);
+                       return is_first ? state.velocity : state.acceleration;
+                     },
+                     what,
+                     nullptr});
   }
 }
 
@@ -70,14 +70,16 @@ void add_coefficients(const Observable& what, const Mechanism& mechanism, Rules&
   const auto driver = [&](Index a) -> const Driver& {
     return mechanism.drivers[static_cast<std::size_t>(a)];
   };
-  const auto turns = [&](Index a) { return kind_of(mechanism, driver(a)) == CoordinateKind::angle; };
+  const auto turns = [&](Index a) {
+    return kind_of(mechanism, driver(a)) == CoordinateKind::angle;
+  };
   const auto add = [&](const std::string& name, const std::string& unit,
                        std::function<double(const Reading&)> value) {
-    rules.push_back({{QuantityGroup::coefficients, name, name, QuantityOrder::value, false, false,
-                      unit, true},
-                     std::move(value),
-                     what,
-                     nullptr});
+    rules.push_back(
+        {{QuantityGroup::coefficients, name, name, QuantityOrder::value, false, false, unit, true},
+         std::move(value),
+         what,
+         nullptr});
   };
   for (Index a = 0; a < drivers; ++a) {
     const std::string by = label_of(driver(a));
@@ -88,9 +90,8 @@ void add_coefficients(const Observable& what, const Mechanism& mechanism, Rules&
     for (Index b = 0; b < a; ++b) {
       // Of an angle and a slide the unit is written out.
       const std::string top = what.is_angle ? "rad" : length;
-      const std::string unit = turns(a) == turns(b)
-                                   ? ratio_unit(what.is_angle, turns(a), 2, length)
-                                   : top + "/(rad " + length + ")";
+      const std::string unit = turns(a) == turns(b) ? ratio_unit(what.is_angle, turns(a), 2, length)
+                                                    : top + "/(rad " + length + ")";
       add("d2 " + what.name + "/d " + label_of(driver(b)) + " d " + by, unit,
           [what, a, b](const Reading& at) { return at.mixed(what, a, b); });
     }
@@ -108,15 +109,14 @@ void add_advantages(const Observable& output, const Mechanism& mechanism, Rules&
         turns == output.is_angle ? "-" : (output.is_angle ? length : "1/" + length);
     const auto a = static_cast<Index>(k);
     const auto rate = [output, a](const Reading& at) { return at.along(output, a).velocity; };
-    rules.push_back({{QuantityGroup::advantage, name, name, QuantityOrder::value, false, false,
-                      unit, false},
-                     [output, rate](const Reading& at) {
-                       if (!at.coefficients().is_determined)
-                         return at.runs_away(output) ? 0.0 : kNothing;
-                       return std::abs(1 / rate(at));
-                     },
-                     std::nullopt,
-                     rate});
+    rules.push_back(
+        {{QuantityGroup::advantage, name, name, QuantityOrder::value, false, false, unit, false},
+         [output, rate](const Reading& at) {
+           if (!at.coefficients().is_determined) return at.runs_away(output) ? 0.0 : kNothing;
+           return std::abs(1 / rate(at));
+         },
+         std::nullopt,
+         rate});
   }
 }
 
@@ -129,19 +129,19 @@ void add_transmissions(const Mechanism& mechanism, const Mechanism& held, Rules&
   };
   for (const TransmissionJoint& at : joints) {
     std::string name = name_of(at);
-    const auto namesakes = std::count_if(
-        joints.begin(), joints.end(),
-        [&](const TransmissionJoint& other) { return name_of(other) == name; });
+    const auto namesakes =
+        std::count_if(joints.begin(), joints.end(),
+                      [&](const TransmissionJoint& other) { return name_of(other) == name; });
     if (namesakes > 1) name += " at " + mechanism.joints[at.joint].name;
     name += " transmission";
-    rules.push_back({{QuantityGroup::transmission, name, name, QuantityOrder::value, true, false,
-                      "", false},
-                     [&held, at](const Reading& reading) {
-                       return transmission_angle(held, at, reading.pose().q, reading.jacobian())
-                           .value_or(kNothing);
-                     },
-                     std::nullopt,
-                     nullptr});
+    rules.push_back(
+        {{QuantityGroup::transmission, name, name, QuantityOrder::value, true, false, "", false},
+         [&held, at](const Reading& reading) {
+           return transmission_angle(held, at, reading.pose().q, reading.jacobian())
+               .value_or(kNothing);
+         },
+         std::nullopt,
+         nullptr});
   }
 }
 

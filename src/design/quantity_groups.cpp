@@ -33,7 +33,8 @@ std::string description(QuantityGroup group) {
     case QuantityGroup::joints:
       return "relative angle or slide of each joint, with velocity and acceleration";
     case QuantityGroup::coefficients:
-      return "kinematic coefficients: first and second derivative by each driver, whatever its speed";
+      return "kinematic coefficients: first and second derivative by each driver, whatever its "
+             "speed";
     case QuantityGroup::transmission:
       return "transmission angle of each joint between two moving bodies, 0 to 90 degrees";
     case QuantityGroup::advantage:
@@ -45,8 +46,8 @@ std::string description(QuantityGroup group) {
 }
 
 std::vector<QuantityGroup> quantity_groups() {
-  return {QuantityGroup::joints,       QuantityGroup::coefficients, QuantityGroup::transmission,
-          QuantityGroup::advantage,    QuantityGroup::singularity,  QuantityGroup::coordinates,
+  return {QuantityGroup::joints,    QuantityGroup::coefficients, QuantityGroup::transmission,
+          QuantityGroup::advantage, QuantityGroup::singularity,  QuantityGroup::coordinates,
           QuantityGroup::points};
 }
 

@@ -55,8 +55,8 @@ bool Reading::runs_away(const Observable& what) const {
     if (phi_.coordinates()[k].kind == CoordinateKind::length) size[static_cast<Index>(k)] = length;
   }
   const VectorXd free = size.asDiagonal() * shortest_direction(jacobian() * size.asDiagonal());
-  const double moved =
-      what.state(pose_.q, free, VectorXd::Zero(free.size())).velocity / (what.is_angle ? 1 : length);
+  const double moved = what.state(pose_.q, free, VectorXd::Zero(free.size())).velocity /
+                       (what.is_angle ? 1 : length);
   return std::abs(moved) > kStands;
 }
 

@@ -38,7 +38,7 @@ class Reading {
 struct QuantityRule {
   Quantity quantity;
   std::function<double(const Reading&)> value;
-  std::optional<Observable> moves;            ///< what runs away with it
+  std::optional<Observable> moves;             ///< what runs away with it
   std::function<double(const Reading&)> rate;  ///< of an advantage
 };
 

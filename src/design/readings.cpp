@@ -96,16 +96,15 @@ class BranchCurves {
 
   std::size_t interval_of(double time) const {
     const auto& samples = branch_.samples;
-    const auto behind = std::upper_bound(
-        samples.begin() + 1, samples.end() - 1, time,
-        [](double t, const BranchSample& sample) { return t < sample.time; });
+    const auto behind =
+        std::upper_bound(samples.begin() + 1, samples.end() - 1, time,
+                         [](double t, const BranchSample& sample) { return t < sample.time; });
     return static_cast<std::size_t>(behind - samples.begin()) - 1;
   }
 
   double value_at(std::size_t k, double time) const {
     const std::size_t j = interval_of(time);
-    const BranchSample pose =
-        reader_.between(branch_.samples[j], branch_.samples[j + 1], time);
+    const BranchSample pose = reader_.between(branch_.samples[j], branch_.samples[j + 1], time);
     if (!pose.is_determined) return kUnknown;
     const double value = reader_.read(k, pose);
     if (!reader_.quantities()[k].turns) return value;

@@ -46,9 +46,9 @@ class Cycle {
     if (rising < 0) rising += period_;
     const double falling = period_ - rising;
     if (!(rising > 0 && falling > 0)) return std::nullopt;
-    return TimeRatio{output.name,  std::max(rising, falling) / std::min(rising, falling),
-                     rising,       falling,
-                     least.value,  largest.value,
+    return TimeRatio{output.name,    std::max(rising, falling) / std::min(rising, falling),
+                     rising,         falling,
+                     least.value,    largest.value,
                      output.is_angle};
   }
 
@@ -61,9 +61,9 @@ class Cycle {
   double value_at(const Observable& output, double time) const {
     while (time > samples_.back().time) time -= period_;
     while (time < from_) time += period_;
-    const auto behind = std::upper_bound(
-        samples_.begin() + 1, samples_.end() - 1, time,
-        [](double t, const BranchSample& sample) { return t < sample.time; });
+    const auto behind =
+        std::upper_bound(samples_.begin() + 1, samples_.end() - 1, time,
+                         [](double t, const BranchSample& sample) { return t < sample.time; });
     return value_of(output, reader_.between(*(behind - 1), *behind, time).q);
   }
 

@@ -17,8 +17,8 @@ KinematicCoefficients kinematic_coefficients(const Phi& phi, const VectorXd& q, 
   const Index first_row = phi.size() - drivers;
   const MatrixXd unknown =
       MatrixXd::Constant(phi.dimension(), drivers, std::numeric_limits<double>::quiet_NaN());
-  KinematicCoefficients result{
-      false, unknown, std::vector<MatrixXd>(static_cast<std::size_t>(drivers), unknown)};
+  KinematicCoefficients result{false, unknown,
+                               std::vector<MatrixXd>(static_cast<std::size_t>(drivers), unknown)};
   const Factorisation factors(phi.jacobian(q, t));
   if (factors.rank() != phi.dimension()) return result;
   result.is_determined = true;
@@ -30,8 +30,7 @@ KinematicCoefficients kinematic_coefficients(const Phi& phi, const VectorXd& q, 
       const VectorXd sum = result.first.col(a) + result.first.col(b);
       const VectorXd difference = result.first.col(a) - result.first.col(b);
       // (Phi_q u)_q v = ((Phi_q (u+v))_q (u+v) - (Phi_q (u-v))_q (u-v)) / 4
-      const VectorXd bent =
-          (phi.quadratic(q, sum, t) - phi.quadratic(q, difference, t)) * 0.25;
+      const VectorXd bent = (phi.quadratic(q, sum, t) - phi.quadratic(q, difference, t)) * 0.25;
       const VectorXd k = factors.solve(-bent);
       result.second[static_cast<std::size_t>(a)].col(b) = k;
       result.second[static_cast<std::size_t>(b)].col(a) = k;

@@ -34,13 +34,12 @@ Index row_count(JointType type) {
 
 bool is_tied_by_driver(const Mechanism& mechanism, std::size_t number) {
   const Joint& joint = mechanism.joints[number];
-  return std::any_of(
-      mechanism.drivers.begin(), mechanism.drivers.end(), [&](const Driver& driver) {
-        if (driver.kind == DriverKind::slide) return driver.joint == number;
-        if (driver.kind != DriverKind::angle) return false;
-        return std::is_permutation(driver.bodies.begin(), driver.bodies.end(),
-                                   std::array{joint.at[0].body, joint.at[1].body}.begin());
-      });
+  return std::any_of(mechanism.drivers.begin(), mechanism.drivers.end(), [&](const Driver& driver) {
+    if (driver.kind == DriverKind::slide) return driver.joint == number;
+    if (driver.kind != DriverKind::angle) return false;
+    return std::is_permutation(driver.bodies.begin(), driver.bodies.end(),
+                               std::array{joint.at[0].body, joint.at[1].body}.begin());
+  });
 }
 
 /// How each freedom moves the point: 2 x (number of freedoms).
@@ -49,8 +48,7 @@ MatrixXd displacements(const Mechanism& mechanism, const PointOf& point, const V
   MatrixXd moved(2, freedoms.cols());
   const VectorXd rest = VectorXd::Zero(q.size());
   for (Index k = 0; k < freedoms.cols(); ++k) {
-    moved.col(k) =
-        point_state(mechanism, point, q, freedoms.col(k), rest).velocity.head<2>();
+    moved.col(k) = point_state(mechanism, point, q, freedoms.col(k), rest).velocity.head<2>();
   }
   return moved;
 }
@@ -79,8 +77,7 @@ Vector2d push(const Mechanism& mechanism, const Joint& joint, const VectorXd& q)
     return (point_position(mechanism, joint.at[1], q) - point_position(mechanism, joint.at[0], q))
         .head<2>();
   }
-  const Vector2d along =
-      (orientation(mechanism, joint.at[0].body, q) * joint.axis[0]).head<2>();
+  const Vector2d along = (orientation(mechanism, joint.at[0].body, q) * joint.axis[0]).head<2>();
   return {-along.y(), along.x()};
 }
 

@@ -46,8 +46,7 @@ Jet slide(const Mechanism& mechanism, const Joint& joint, const At<Jet>& at) {
 Jet turn(const Mechanism& mechanism, const Joint& joint, const At<Jet>& at) {
   const std::size_t first = joint.at[0].body;
   const std::size_t second = joint.at[1].body;
-  if (mechanism.space == Space::planar)
-    return planar::angle(at, second) - planar::angle(at, first);
+  if (mechanism.space == Space::planar) return planar::angle(at, second) - planar::angle(at, first);
   const Matrix3d frame = spatial::axis_frame(joint.axis[0]);
   const Vector3d pointer = spatial::axis_frame(joint.axis[1]).col(0);
   const JetVector shown = direction(mechanism, second, pointer, at);

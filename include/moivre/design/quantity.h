@@ -51,9 +51,10 @@ struct Quantity {
   std::string name;  ///< without a unit; "joint B.velocity"
   std::string of;    ///< "joint B": the same for a value, its velocity and its acceleration
   QuantityOrder order = QuantityOrder::value;
-  bool is_angle = false;   ///< radians (per second ...), which tables may show in degrees
-  bool turns = false;      ///< an angle that a whole turn more leaves the same
-  std::string unit;        ///< what stands behind "rad" or "deg", else all of it; empty where it has no name
+  bool is_angle = false;  ///< radians (per second ...), which tables may show in degrees
+  bool turns = false;     ///< an angle that a whole turn more leaves the same
+  std::string
+      unit;  ///< what stands behind "rad" or "deg", else all of it; empty where it has no name
   bool is_runaway = false;  ///< a derivative: without bound where the pose has no velocity
 };
 

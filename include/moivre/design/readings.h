@@ -52,7 +52,7 @@ struct BranchReadings {
 };
 
 struct Readings {
-  std::vector<Quantity> quantities;  ///< those that are defined somewhere on a branch
+  std::vector<Quantity> quantities;      ///< those that are defined somewhere on a branch
   std::vector<BranchReadings> branches;  ///< as in the motion
 };
 
