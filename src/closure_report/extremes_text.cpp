@@ -42,7 +42,7 @@ std::string aligned(const std::vector<Row>& rows) {
     for (std::size_t k = 0; k < row.size(); ++k) {
       const bool is_number = k == 1 || k == 3;
       const std::string gap(width[k] - row[k].size(), ' ');
-      line += (k == 2 || k == 4 ? " " : "  ").substr(k == 0 ? 1 : 0);
+      line += k == 0 || k == 2 || k == 4 ? " " : "  ";
       line += is_number ? gap + row[k] : row[k] + gap;
     }
     text += line.substr(0, line.find_last_not_of(' ') + 1) + '\n';

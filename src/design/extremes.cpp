@@ -2,9 +2,11 @@
 // Of the samples that stand above their neighbours the one whose parabola is highest, refined by Brent's method.
 #include "extremes.h"
 
+#include <algorithm>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace moivre {
@@ -22,13 +24,15 @@ double crest(const double* t, const double* v) {
   return bend < 0 ? v[1] - slope * slope / (4 * bend) : v[1];
 }
 
-/// Between the neighbours of sample k; nullopt where the curve is not known there.
+/// Between the neighbours of sample k, or between it and its only one; nullopt where the curve is not known there.
 std::optional<Extreme> refined(const Curve& curve, std::size_t k, int sign) {
   // Times to a millionth of the bracket: values to rounding.
   constexpr int kBits = 20;
   constexpr std::uintmax_t kMostEvaluations = 40;
-  const double before = curve.times[k] - curve.times[k - 1];
-  const double after = curve.times[k + 1] - curve.times[k];
+  const bool is_first = k == 0 || !curve.is_sample[k - 1];
+  const bool is_last = k + 1 == curve.times.size() || !curve.is_sample[k + 1];
+  const double before = is_first ? 0 : curve.times[k] - curve.times[k - 1];
+  const double after = is_last ? 0 : curve.times[k + 1] - curve.times[k];
   bool is_known = true;
   const auto time_at = [&](double s) { return curve.times[k] + s * (s < 0 ? before : after); };
   std::uintmax_t evaluations = kMostEvaluations;
@@ -38,9 +42,39 @@ std::optional<Extreme> refined(const Curve& curve, std::size_t k, int sign) {
         is_known = is_known && std::isfinite(v);
         return is_known ? v : 0.0;
       },
-      -1.0, 1.0, kBits, evaluations);
+      is_first ? 0.0 : -1.0, is_last ? 0.0 : 1.0, kBits, evaluations);
   if (!is_known || value > -sign * curve.values[k]) return std::nullopt;
   return Extreme{-sign * value, time_at(s), true};
+}
+
+bool is_finite_sample(const Curve& curve, std::size_t k) {
+  return curve.is_sample[k] && std::isfinite(curve.values[k]);
+}
+
+/// Samples worth a closer look: the one whose parabola is highest, and the first and the last where they stand above the next.
+std::vector<std::size_t> candidates(const Curve& curve, double best, int sign) {
+  std::vector<std::size_t> found;
+  std::optional<std::size_t> highest;
+  for (std::size_t k = 0; k < curve.values.size(); ++k) {
+    if (!is_finite_sample(curve, k)) continue;
+    const bool has_before = k > 0 && is_finite_sample(curve, k - 1);
+    const bool has_after = k + 1 < curve.values.size() && is_finite_sample(curve, k + 1);
+    const double height = sign * curve.values[k];
+    const bool is_above = (!has_before || height >= sign * curve.values[k - 1]) &&
+                          (!has_after || height >= sign * curve.values[k + 1]);
+    if (!is_above || (!has_before && !has_after)) continue;
+    if (!has_before || !has_after) {
+      found.push_back(k);
+      continue;
+    }
+    const double heights[] = {sign * curve.values[k - 1], height, sign * curve.values[k + 1]};
+    const double here = crest(&curve.times[k - 1], heights);
+    if (here < best) continue;
+    best = here;
+    highest = k;
+  }
+  if (highest) found.push_back(*highest);
+  return found;
 }
 
 }  // namespace
@@ -63,20 +97,11 @@ Extreme extreme_of(const Curve& curve, int sign) {
     }
   }
   if (!(largest - least > kConstant * size)) return best;
-  std::optional<std::size_t> highest;
-  double crest_of_highest = sign * best.value;
-  for (std::size_t k = 1; k + 1 < v.size(); ++k) {
-    if (!curve.is_sample[k - 1] || !curve.is_sample[k] || !curve.is_sample[k + 1]) continue;
-    const double heights[] = {sign * v[k - 1], sign * v[k], sign * v[k + 1]};
-    if (!(heights[1] >= heights[0] && heights[1] >= heights[2])) continue;
-    const double here = crest(&curve.times[k - 1], heights);
-    if (here < crest_of_highest) continue;
-    highest = k;
-    crest_of_highest = here;
+  for (const std::size_t k : candidates(curve, sign * best.value, sign)) {
+    const std::optional<Extreme> found = refined(curve, k, sign);
+    if (found && sign * found->value > sign * best.value) best = *found;
   }
-  if (!highest) return best;
-  const std::optional<Extreme> found = refined(curve, *highest, sign);
-  return found && sign * found->value >= sign * best.value ? *found : best;
+  return best;
 }
 
 }  // namespace moivre

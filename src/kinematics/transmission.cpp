@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "moivre/kinematics/null_space.h"
 #include "moivre/mechanism/pose.h"
@@ -27,9 +28,16 @@ Index row_count(JointType type) {
       return 2;
     case JointType::weld:
       return 3;
-    default:
+    case JointType::slot:
+    case JointType::rod:
+    case JointType::gear:
       return 1;
+    case JointType::spherical:
+    case JointType::cylindrical:
+    case JointType::universal:
+      break;
   }
+  throw std::logic_error("a planar mechanism has no " + to_string(type) + " joint");
 }
 
 bool is_tied_by_driver(const Mechanism& mechanism, std::size_t number) {
@@ -42,15 +50,32 @@ bool is_tied_by_driver(const Mechanism& mechanism, std::size_t number) {
   });
 }
 
-/// How each freedom moves the point: 2 x (number of freedoms).
-MatrixXd displacements(const Mechanism& mechanism, const PointOf& point, const VectorXd& q,
+/// How each freedom moves what the body has at `place`, in the ground frame: 2 x (number of freedoms).
+MatrixXd displacements(std::size_t body, const Eigen::Vector3d& place, const VectorXd& q,
                        const MatrixXd& freedoms) {
-  MatrixXd moved(2, freedoms.cols());
-  const VectorXd rest = VectorXd::Zero(q.size());
-  for (Index k = 0; k < freedoms.cols(); ++k) {
-    moved.col(k) = point_state(mechanism, point, q, freedoms.col(k), rest).velocity.head<2>();
-  }
+  constexpr Index kCoordinates = 3;  // x, y, phi
+  if (body == 0) return MatrixXd::Zero(2, freedoms.cols());
+  const Index at = kCoordinates * (static_cast<Index>(body) - 1);
+  const Vector2d arm = place.head<2>() - q.segment<2>(at);
+  MatrixXd moved = freedoms.middleRows(at, 2);
+  moved.row(0) -= arm.y() * freedoms.row(at + 2);
+  moved.row(1) += arm.x() * freedoms.row(at + 2);
   return moved;
+}
+
+/// How far each freedom moves anything, roughly: an angle counts with the largest arm that a point has.
+double reach(const Mechanism& mechanism, const MatrixXd& freedoms) {
+  constexpr Index kCoordinates = 3;
+  double arm = 0;
+  for (const Body& body : mechanism.bodies) {
+    for (const BodyPoint& point : body.points) arm = std::max(arm, point.at.norm());
+  }
+  double square = 0;
+  for (Index row = 0; row < freedoms.rows(); ++row) {
+    const double scale = row % kCoordinates == 2 ? arm : 1;
+    square += scale * scale * freedoms.row(row).squaredNorm();
+  }
+  return std::sqrt(square);
 }
 
 /// Of the 2 x k displacements: the only line along which they lie; nullopt where there is none or more.
@@ -107,10 +132,13 @@ std::optional<double> transmission_angle(const Mechanism& mechanism, const Trans
   open << J.topRows(at.first_row), J.bottomRows(J.rows() - behind);
   const MatrixXd freedoms = null_space_basis(open);
   if (freedoms.cols() != at.rows) return std::nullopt;
-  const MatrixXd first = displacements(mechanism, joint.at[0], q, freedoms);
-  const MatrixXd second = displacements(mechanism, joint.at[1], q, freedoms);
-  const double size = first.norm() + second.norm();
-  if (!(size > 0)) return std::nullopt;
+  // A slot's first body touches the pin wherever that stands.
+  const Eigen::Vector3d end = point_position(mechanism, joint.at[1], q);
+  const Eigen::Vector3d begin =
+      joint.type == JointType::slot ? end : point_position(mechanism, joint.at[0], q);
+  const MatrixXd first = displacements(joint.at[0].body, begin, q, freedoms);
+  const MatrixXd second = displacements(joint.at[1].body, end, q, freedoms);
+  const double size = reach(mechanism, freedoms);
   const std::optional<Vector2d> u1 = only_line(first, size);
   const std::optional<Vector2d> u2 = only_line(second, size);
   if (joint.type == JointType::revolute) {

@@ -94,7 +94,7 @@ std::optional<double> joint_coordinate(const Mechanism& mechanism, const Joint& 
   const VectorXd rest = VectorXd::Zero(q.size());
   const auto state = joint_state(mechanism, joint, q, rest, rest);
   if (!state) return std::nullopt;
-  return joint.type == JointType::revolute ? within_half_turn(state->value) : state->value;
+  return joint.type == JointType::revolute ? within_half_turn(Jet(state->value)).f : state->value;
 }
 
 std::optional<ScalarState> joint_state(const Mechanism& mechanism, const Joint& joint,
