@@ -171,7 +171,8 @@ int run(const MotionCommand& command) {
   result.time_s.parse = parse_s;
   result.time_s.total += parse_s;
   std::optional<Readings> readings;
-  if (reader) readings = read_motion(result, mechanism, *reader);
+  const bool tells_extremes = !command.quiet || json.is_wanted();
+  if (reader) readings = read_motion(result, mechanism, *reader, tells_extremes);
   const Readings* const read = readings ? &*readings : nullptr;
   deliver(
       {{&json, [&] { return motion_json(result, mechanism, command.file, command.angles, read); }},

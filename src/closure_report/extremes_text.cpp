@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <numbers>
 
 #include "moivre/closure_report/readings_report.h"
@@ -28,6 +29,23 @@ std::string place(const Extreme& extreme, const Mechanism& mechanism) {
   if (std::isnan(extreme.value)) return "";
   if (!mechanism.drivers.empty()) return drivers_text(mechanism, extreme.time);
   return "t = " + number(extreme.time) + " s";
+}
+
+/// What is smaller beside the largest number of its unit is rounding.
+constexpr double kRounding = 1e-11;
+
+/// Largest finite magnitude of each unit over all branches.
+std::map<std::string, double> sizes(const Readings& readings) {
+  std::map<std::string, double> size;
+  for (const BranchReadings& branch : readings.branches) {
+    for (std::size_t k = 0; k < readings.quantities.size(); ++k) {
+      double& most = size[unit_text(readings.quantities[k], {})];
+      for (const Extreme& end : {branch.extremes[k].least, branch.extremes[k].largest}) {
+        if (std::isfinite(end.value)) most = std::max(most, std::abs(end.value));
+      }
+    }
+  }
+  return size;
 }
 
 /// Columns as wide as their widest cell; numbers end, words begin, at one place.
@@ -71,6 +89,7 @@ std::string time_ratio_text(const TimeRatio& ratio, const Mechanism& mechanism,
 std::string extremes_text(const Readings& readings, const Mechanism& mechanism) {
   AngleForm form;
   form.in_degrees = mechanism.units.angle == "deg";
+  const std::map<std::string, double> size = sizes(readings);
   std::string text;
   for (const BranchReadings& branch : readings.branches) {
     text += "\nextremes of branch " + branch.id + '\n';
@@ -82,6 +101,13 @@ std::string extremes_text(const Readings& readings, const Mechanism& mechanism) 
         const std::string where = place(extreme, mechanism);
         return where.empty() ? where : "at " + where;
       };
+      const double noise = kRounding * size.at(unit_text(quantity, {}));
+      if (largest.value - least.value <= noise) {
+        const double value = std::abs(least.value) <= noise ? 0 : least.value;
+        rows.push_back({column_name(quantity, form), number(in_form(value, quantity, form)),
+                        "throughout", "", ""});
+        continue;
+      }
       rows.push_back({column_name(quantity, form), number(in_form(least.value, quantity, form)),
                       at(least), number(in_form(largest.value, quantity, form)), at(largest)});
     }

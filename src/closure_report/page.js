@@ -206,7 +206,6 @@
     link.download = `${document.title}.csv`;
     link.href = URL.createObjectURL(new Blob([csvOf()], {type: 'text/csv'}));
     link.click();
-    document.documentElement.dataset.saved = String(csvOf().length);
     setTimeout(() => URL.revokeObjectURL(link.href), 1000);
   };
 

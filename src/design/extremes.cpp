@@ -26,8 +26,8 @@ double crest(const double* t, const double* v) {
 
 /// Between the neighbours of sample k, or between it and its only one; nullopt where the curve is not known there.
 std::optional<Extreme> refined(const Curve& curve, std::size_t k, int sign) {
-  // Times to a millionth of the bracket: values to rounding.
-  constexpr int kBits = 20;
+  // Times to a hundred-thousandth of the bracket: values to the square of that.
+  constexpr int kBits = 17;
   constexpr std::uintmax_t kMostEvaluations = 40;
   const bool is_first = k == 0 || !curve.is_sample[k - 1];
   const bool is_last = k + 1 == curve.times.size() || !curve.is_sample[k + 1];

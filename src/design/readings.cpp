@@ -117,15 +117,37 @@ class BranchCurves {
     double before = kUnknown;
     for (std::size_t j = 0; j < samples.size(); ++j) {
       const double rate = reader_.rate(k, samples[j]);
-      const bool is_here = rate == 0;
-      if (is_here || before * rate < 0) {
-        const double share = is_here ? 0 : rate / (rate - before);
-        const double step = j == 0 ? 0 : samples[j].time - samples[j - 1].time;
-        largest = {std::numeric_limits<double>::infinity(), samples[j].time - share * step, false};
+      if (rate == 0 || before * rate < 0) {
+        const double time = rate == 0 ? samples[j].time : pole_between(k, j - 1, before, rate);
+        largest = {std::numeric_limits<double>::infinity(), time, true};
         return;
       }
       before = rate;
     }
+  }
+
+  /// The zero of the rate between samples j and j + 1, by false position.
+  double pole_between(std::size_t k, std::size_t j, double low, double high) const {
+    constexpr int kSteps = 8;
+    double from = branch_.samples[j].time;
+    double to = branch_.samples[j + 1].time;
+    double time = from;
+    for (int step = 0; step < kSteps; ++step) {
+      time = from + (to - from) * low / (low - high);
+      const BranchSample pose = reader_.between(branch_.samples[j], branch_.samples[j + 1], time);
+      const double rate = pose.is_determined ? reader_.rate(k, pose) : 0;
+      if (rate == 0 || !std::isfinite(rate)) break;
+      // The end that stays counts half, so that both move (Illinois).
+      if (rate * high < 0) {
+        from = to;
+        low = high;
+      } else {
+        low /= 2;
+      }
+      to = time;
+      high = rate;
+    }
+    return time;
   }
 
   const MotionBranch& branch_;
@@ -155,14 +177,14 @@ std::vector<std::size_t> defined_quantities(const Readings& readings,
 }  // namespace
 
 Readings read_motion(const MotionResult& motion, const Mechanism& mechanism,
-                     const QuantityReader& reader) {
+                     const QuantityReader& reader, bool with_extremes) {
   Readings readings;
   for (const MotionBranch& branch : motion.branches) {
     readings.branches.push_back({branch.id, values_of(branch, reader), {}, {}});
   }
   const std::vector<std::size_t> kept = defined_quantities(readings, reader.quantities());
   for (const std::size_t k : kept) readings.quantities.push_back(reader.quantities()[k]);
-  for (std::size_t b = 0; b < motion.branches.size(); ++b) {
+  for (std::size_t b = 0; with_extremes && b < motion.branches.size(); ++b) {
     BranchReadings& to = readings.branches[b];
     const BranchCurves curves(motion.branches[b], motion, to.values, reader);
     for (const std::size_t k : kept) to.extremes.push_back(curves.extremes(k));

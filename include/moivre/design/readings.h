@@ -47,7 +47,7 @@ struct TimeRatio {
 struct BranchReadings {
   std::string id;
   std::vector<std::vector<double>> values;  ///< [sample][quantity]; NaN where not defined
-  std::vector<Extremes> extremes;           ///< one a quantity
+  std::vector<Extremes> extremes;           ///< one a quantity; none where not asked for
   std::vector<TimeRatio> time_ratios;       ///< of the outputs that have one
 };
 
@@ -56,7 +56,8 @@ struct Readings {
   std::vector<BranchReadings> branches;  ///< as in the motion
 };
 
+/// Extremes and time ratios take several times as long as the values.
 Readings read_motion(const MotionResult& motion, const Mechanism& mechanism,
-                     const QuantityReader& reader);
+                     const QuantityReader& reader, bool with_extremes = true);
 
 }  // namespace moivre
