@@ -9,7 +9,6 @@
 
 #include "moivre/closure_report/readings_report.h"
 #include "moivre/report/number_text.h"
-#include "panels.h"
 #include "readings_parts.h"
 
 namespace moivre {
@@ -27,8 +26,25 @@ std::string number(double x) {
 
 std::string place(const Extreme& extreme, const Mechanism& mechanism) {
   if (std::isnan(extreme.value)) return "";
-  if (!mechanism.drivers.empty()) return drivers_text(mechanism, extreme.time);
-  return "t = " + number(extreme.time) + " s";
+  // An extreme's place is known to fewer digits than its value.
+  constexpr int kDigits = 5;
+  const auto short_number = [](double x) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.*g", kDigits, x);
+    return std::string(text);
+  };
+  if (mechanism.drivers.empty()) return "t = " + short_number(extreme.time) + " s";
+  const AngleForm form{mechanism.units.angle == "deg", true};
+  const std::vector<double> values = driver_values(mechanism, extreme.time);
+  std::string text;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const Driver& driver = mechanism.drivers[k];
+    const CoordinateKind kind = kind_of(mechanism, driver);
+    const std::string unit = kind == CoordinateKind::angle ? unit_of(form) : mechanism.units.length;
+    text += (k == 0 ? "" : ", ") + label_of(driver) + " = " +
+            short_number(in_form(values[k], kind, form)) + (unit.empty() ? "" : " " + unit);
+  }
+  return text;
 }
 
 /// What is smaller beside the largest number of its unit is rounding.

@@ -24,6 +24,12 @@ std::vector<Plotted> plotted_of(const std::vector<Quantity>& quantities) {
   return all;
 }
 
+std::string with_superscript(std::string unit) {
+  if (const std::size_t at = unit.find("^2"); at != std::string::npos)
+    unit.replace(at, 2, "\u00b2");
+  return unit;
+}
+
 }  // namespace
 
 PageColumns page_columns(const Readings& readings, const MotionResult& motion,
@@ -33,7 +39,9 @@ PageColumns page_columns(const Readings& readings, const MotionResult& motion,
   const std::vector<Plotted> plotted = plotted_of(readings.quantities);
   for (const Plotted& one : plotted) {
     Json units = Json::array();
-    for (const std::size_t k : one) units.push_back(unit_text(readings.quantities[k], form));
+    for (const std::size_t k : one) {
+      units.push_back(with_superscript(unit_text(readings.quantities[k], form)));
+    }
     columns.quantities.push_back(
         {{"name", readings.quantities[one.front()].name}, {"units", units}});
   }

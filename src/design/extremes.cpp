@@ -14,6 +14,8 @@ namespace {
 
 // What varies by less of its size is constant but for rounding.
 constexpr double kConstant = 1e-12;
+// Of the range: extremes that differ by less are one value, taken several times.
+constexpr double kEqual = 1e-8;
 
 /// The highest value of the parabola through three points, the middle one above the others; v[1] where that is no parabola.
 double crest(const double* t, const double* v) {
@@ -51,10 +53,12 @@ bool is_finite_sample(const Curve& curve, std::size_t k) {
   return curve.is_sample[k] && std::isfinite(curve.values[k]);
 }
 
-/// Samples worth a closer look: the one whose parabola is highest, and the first and the last where they stand above the next.
-std::vector<std::size_t> candidates(const Curve& curve, double best, int sign) {
-  std::vector<std::size_t> found;
-  std::optional<std::size_t> highest;
+/// Samples worth a closer look, by time: those whose parabola is nearly the highest, and the first and the last where they
+/// stand above the next.
+std::vector<std::size_t> candidates(const Curve& curve, double highest, double range, int sign) {
+  // A parabola's crest misses by less.
+  constexpr double kNearly = 1e-3;
+  std::vector<std::pair<std::size_t, double>> crests;
   for (std::size_t k = 0; k < curve.values.size(); ++k) {
     if (!is_finite_sample(curve, k)) continue;
     const bool has_before = k > 0 && is_finite_sample(curve, k - 1);
@@ -63,17 +67,20 @@ std::vector<std::size_t> candidates(const Curve& curve, double best, int sign) {
     const bool is_above = (!has_before || height >= sign * curve.values[k - 1]) &&
                           (!has_after || height >= sign * curve.values[k + 1]);
     if (!is_above || (!has_before && !has_after)) continue;
-    if (!has_before || !has_after) {
-      found.push_back(k);
-      continue;
+    double here = highest;
+    if (has_before && has_after) {
+      const double heights[] = {sign * curve.values[k - 1], height, sign * curve.values[k + 1]};
+      here = crest(&curve.times[k - 1], heights);
+      highest = std::max(highest, here);
     }
-    const double heights[] = {sign * curve.values[k - 1], height, sign * curve.values[k + 1]};
-    const double here = crest(&curve.times[k - 1], heights);
-    if (here < best) continue;
-    best = here;
-    highest = k;
+    crests.emplace_back(k, here);
   }
-  if (highest) found.push_back(*highest);
+  std::vector<std::size_t> found;
+  for (const auto& [k, here] : crests) {
+    const bool is_end = k == 0 || k + 1 == curve.values.size() || !curve.is_sample[k - 1] ||
+                        !curve.is_sample[k + 1];
+    if (is_end || here >= highest - kNearly * range) found.push_back(k);
+  }
   return found;
 }
 
@@ -92,14 +99,19 @@ Extreme extreme_of(const Curve& curve, int sign) {
     size = std::max(size, std::abs(v[k]));
     least = std::min(least, v[k]);
     largest = std::max(largest, v[k]);
-    if (std::isnan(best.value) || sign * v[k] > sign * best.value) {
+  }
+  for (std::size_t k = 0; k < v.size(); ++k) {
+    const bool is_first = std::isnan(best.value) && std::isfinite(v[k]);
+    if (is_first || sign * v[k] > sign * best.value + kEqual * (largest - least)) {
       best = {v[k], curve.times[k], false};
     }
   }
   if (!(largest - least > kConstant * size)) return best;
-  for (const std::size_t k : candidates(curve, sign * best.value, sign)) {
+  // Of several equal ones the first, whatever rounding makes of them.
+  const double rounding = kEqual * (largest - least);
+  for (const std::size_t k : candidates(curve, sign * best.value, largest - least, sign)) {
     const std::optional<Extreme> found = refined(curve, k, sign);
-    if (found && sign * found->value > sign * best.value) best = *found;
+    if (found && sign * found->value > sign * best.value + rounding) best = *found;
   }
   return best;
 }

@@ -111,7 +111,7 @@ TEST(Columns, CanBePlottedOnThePage) {
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const std::string page = scene.read("page.html");
   EXPECT_TRUE(contains(page, ">coupler-rocker transmission</option>"));
-  EXPECT_TRUE(contains(page, "{\"name\":\"joint B\",\"units\":[\"deg\",\"deg/s\",\"deg/s^2\"]}"));
+  EXPECT_TRUE(contains(page, "{\"name\":\"joint B\",\"units\":[\"deg\",\"deg/s\",\"deg/s\u00b2\"]}"));
   EXPECT_TRUE(contains(page, "Save all as CSV"));
 }
 
