@@ -5,6 +5,8 @@
 #include <Eigen/Dense>
 #include <cmath>
 
+#include "moivre/numeric/svd.h"
+
 namespace moivre {
 namespace {
 
@@ -36,7 +38,7 @@ double independence(const std::vector<ExactDisplacement>& products) {
   Eigen::Matrix<double, 4, 8> rows;
   for (Eigen::Index k = 0; k < 4; ++k)
     rows.row(k) = unit_row(products[static_cast<std::size_t>(k)]);
-  return Eigen::JacobiSVD<Eigen::MatrixXd>(rows).singularValues()[3];
+  return singular_values(rows)[3];
 }
 
 /// Whether rank 4 of a pair's products with a third joint is not out of the question: exact ranks cost more than this.
@@ -48,7 +50,7 @@ bool may_be_group(const std::vector<ExactDisplacement>& products, const LoopJoin
     rows.row(2 * k) = unit_row(before);
     rows.row(2 * k + 1) = unit_row(before * third.step);
   }
-  return Eigen::JacobiSVD<Eigen::MatrixXd>(rows).singularValues()[4] < kClearlyMore;
+  return singular_values(rows)[4] < kClearlyMore;
 }
 
 Cut cut_at(const Loop& loop, std::size_t first, std::size_t count) {

@@ -2,10 +2,10 @@
 // Forward kinematics with its Jacobian, and Newton's method.
 #include "polish.h"
 
-#include <Eigen/SVD>
 #include <cmath>
 
 #include "moivre/arms/arm_closures.h"
+#include "moivre/numeric/svd.h"
 
 namespace moivre {
 namespace {
@@ -67,15 +67,13 @@ double size_of(const Twist& error) {
 
 /// In radians and arm's lengths.
 Eigen::VectorXd step_of(const Linearized& at, double damping) {
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(at.jacobian,
-                                              Eigen::ComputeThinU | Eigen::ComputeThinV);
-  const Eigen::VectorXd& sigma = svd.singularValues();
-  Eigen::VectorXd along = svd.matrixU().transpose() * at.error;
+  const auto [U, sigma, V] = svd(at.jacobian, SingularVectors::thin);
+  Eigen::VectorXd along = U.transpose() * at.error;
   for (Eigen::Index k = 0; k < sigma.size(); ++k) {
     const bool is_lost = sigma[k] <= kLeastMotion * sigma[0];
     along[k] = is_lost ? 0 : along[k] * sigma[k] / (sigma[k] * sigma[k] + damping);
   }
-  Eigen::VectorXd step = svd.matrixV() * along;
+  Eigen::VectorXd step = V * along;
   const double longest = step.cwiseAbs().maxCoeff();
   if (longest > kLongestStep) step *= kLongestStep / longest;
   return step;
@@ -121,9 +119,9 @@ Polished polish(const Arm& arm, const Eigen::Isometry3d& pose, const Eigen::Vect
       damping = std::max(damping * kMore, kFirstDamping * best.residual * best.residual);
     }
   }
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(at.jacobian, Eigen::ComputeFullV);
-  best.smallest_singular_value = svd.singularValues()[svd.singularValues().size() - 1];
-  best.least_moving = svd.matrixV().col(svd.matrixV().cols() - 1);
+  const Svd stretch = svd(at.jacobian, SingularVectors::full);
+  best.smallest_singular_value = stretch.sigma[stretch.sigma.size() - 1];
+  best.least_moving = stretch.V.col(stretch.V.cols() - 1);
   return best;
 }
 

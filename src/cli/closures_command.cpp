@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // moivre closures FILE: every way a mechanism can be assembled, told as text, JSON or CSV.
 #include <memory>
+#include <optional>
 #include <stdexcept>
 
 #include "arm_closures.h"
@@ -38,19 +39,25 @@ struct ClosuresCommand {
   std::string html;
 };
 
-/// Drivers that move show the closures in motion, one turn of the first driver long.
-std::string page_of(const ClosureResult& result, const Mechanism& mechanism,
-                    const ClosuresCommand& command, const Tracker& tracker,
-                    const ClosureOptions& options, const std::atomic<bool>& stop) {
-  if (mechanism.drivers.empty() || result.closures.empty() || stop) {
-    return closures_html(result, mechanism, command.file);
+/// What a page shows where drivers move: one turn of the first driver. None where no page is wanted or nothing moves.
+std::optional<MotionResult> motion_for_page(const ClosureResult& result, const Mechanism& mechanism,
+                                            const ClosuresCommand& command, const Tracker& tracker,
+                                            const ClosureOptions& options, ProgressLine& line,
+                                            const std::atomic<bool>& stop) {
+  if (command.html.empty() || mechanism.drivers.empty() || result.closures.empty() || stop) {
+    return std::nullopt;
   }
   MotionOptions motion;
   motion.from = command.at;
   motion.to = command.at + natural_duration(mechanism, command.at);
   motion.solve = options.solve;
   motion.solve.progress = nullptr;
-  return motion_html(find_motion(mechanism, tracker, motion, stop), mechanism, command.file);
+  if (line.is_active()) {
+    motion.progress = [&](double share) {
+      line.show(std::to_string(static_cast<int>(100 * share)) + " % of the motion for the page");
+    };
+  }
+  return find_motion(mechanism, tracker, motion, stop);
 }
 
 /// A robot has no drivers, no gears and, as yet, no pictures.
@@ -118,17 +125,26 @@ int run(const ClosuresCommand& command) {
   result.time_s.total += parse_s;
   if (!interruption.stop()) families.keep();
 
+  const std::optional<MotionResult> motion =
+      motion_for_page(result, mechanism, command, *tracker, options, line, interruption.stop());
   const auto page = [&] {
-    return page_of(result, mechanism, command, *tracker, options, interruption.stop());
+    return motion ? motion_html(*motion, mechanism, command.file)
+                  : closures_html(result, mechanism, command.file);
   };
+  const bool is_shown = !motion || motion->complete;
+  const std::string page_lacks =
+      is_shown ? "" : "the motion on the page is incomplete: " + motion->message;
   deliver(
       {{&json, [&] { return closures_json(result, mechanism, command.file); }},
        {&csv, [&] { return closures_csv(result, mechanism, command.angles); }},
        {&svg, [&] { return closures_svg(result, mechanism, command.file); }},
        {&html, page}},
-      command.quiet, [&] { return closures_text(result, mechanism, command.file); },
-      result.complete ? "" : result.message);
-  return result.complete ? kDecided : kUndecided;
+      command.quiet,
+      [&] {
+        return closures_text(result, mechanism, command.file) + (is_shown ? "" : page_lacks + "\n");
+      },
+      result.complete ? page_lacks : result.message);
+  return result.complete && is_shown ? kDecided : kUndecided;
 }
 
 }  // namespace

@@ -3,8 +3,9 @@
 #include "dyad.h"
 
 #include <Eigen/Geometry>
-#include <Eigen/SVD>
 #include <cmath>
+
+#include "moivre/numeric/svd.h"
 
 namespace moivre {
 namespace {
@@ -81,15 +82,14 @@ DyadSpace dyad_space(const LoopElement& a, const LoopElement& b, double length) 
     space.basis[k] = basis_a[k / 2] * basis_b[k % 2];
     span.col(static_cast<Eigen::Index>(k)) = to_vector(space.basis[k], length);
   }
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(span, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const Eigen::MatrixXd inverse = svd.matrixV() * svd.singularValues().cwiseInverse().asDiagonal() *
-                                  svd.matrixU().leftCols(4).transpose();
+  const auto [U, sigma, V] = svd(span, SingularVectors::full);
+  const Eigen::MatrixXd inverse = V * sigma.cwiseInverse().asDiagonal() * U.leftCols(4).transpose();
   for (std::size_t i = 0; i < 4; ++i) {
     const auto row = static_cast<Eigen::Index>(i);
     for (std::size_t k = 0; k < kEntries; ++k) {
       const auto column = static_cast<Eigen::Index>(k);
       const double unit = k < 4 ? 1 : length;
-      space.normals[i][k] = svd.matrixU()(column, row + 4) / unit;
+      space.normals[i][k] = U(column, row + 4) / unit;
       space.coordinates[i][k] = inverse(row, column) / unit;
     }
   }
@@ -131,8 +131,8 @@ bool spans_common_space(const LoopElement& a, const LoopElement& b, const LoopEl
     const Vector8 v = to_vector(poses[k], length);
     if (v.norm() > 0) span.col(k) = v.normalized();
   }
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(span);
-  return svd.singularValues()[kDimension] <= kInside * svd.singularValues()[0] &&
+  const Eigen::VectorXd sigma = singular_values(span);
+  return sigma[kDimension] <= kInside * sigma[0] &&
          distance_from_quadric(a, b, length) <= kInside &&
          distance_from_quadric(b, c, length) <= kInside;
 }

@@ -5,6 +5,8 @@
 #include <Eigen/Dense>
 #include <cmath>
 
+#include "moivre/numeric/svd.h"
+
 namespace moivre {
 namespace {
 
@@ -85,9 +87,7 @@ Curve::Rows Curve::rows(const VectorXd& y) const {
   return {std::move(E), std::move(length)};
 }
 
-double Curve::sigma(const VectorXd& y) const {
-  return Eigen::JacobiSVD<MatrixXd>(rows(y).E).singularValues()[y.size() - 2];
-}
+double Curve::sigma(const VectorXd& y) const { return singular_values(rows(y).E)[y.size() - 2]; }
 
 VectorXd Curve::bend(const VectorXd& y, const VectorXd& tangent) const {
   const VectorXd q = q_of(y);
@@ -116,11 +116,11 @@ CurvePoint Curve::described(const VectorXd& y, const Rows& rows, const VectorXd&
 
 CurvePoint Curve::begin(const VectorXd& y) const {
   const Rows at = rows(y);
-  const Eigen::JacobiSVD<MatrixXd> svd(at.E, Eigen::ComputeFullV);
+  const MatrixXd V = right_singular_vectors(at.E);
   const Index n = y.size() - 1;
-  VectorXd tangent = svd.matrixV().col(n);
+  VectorXd tangent = V.col(n);
   if (tangent[n] < 0) tangent = -tangent;
-  return described(y, at, tangent, n > 0 ? svd.matrixV().col(n - 1) : tangent);
+  return described(y, at, tangent, n > 0 ? V.col(n - 1) : tangent);
 }
 
 CurvePoint Curve::next(const VectorXd& y, const CurvePoint& before) const {

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "moivre/kinematics/linear.h"
+#include "moivre/numeric/svd.h"
 
 namespace moivre {
 namespace {

@@ -2,9 +2,14 @@
 // How is A x = b factorised once and solved often? LU, normal equations, QR, minimum norm and SVD.
 #include "moivre/kinematics/linear.h"
 
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+
+#include "moivre/numeric/svd.h"
 
 namespace moivre {
 namespace {
@@ -16,9 +21,6 @@ using Eigen::VectorXd;
 // Of the longest row or column. Applied to rows and columns it lifts rounding noise (1e-16) to 1e-10 at most, which
 // kRankTolerance still takes for zero.
 constexpr double kLengthFloor = 1e-3;
-
-// Without vectors bidiagonalization pays from here on: at 50 rows it takes a twentieth of the time.
-constexpr Index kJacobiValues = 16;
 
 void scale_rows(MatrixXd& A) {
   const VectorXd length = A.rowwise().norm();
@@ -83,12 +85,35 @@ Index numerical_rank(const MatrixXd& A) {
   return qr.rank();
 }
 
-VectorXd singular_values(const MatrixXd& A) {
-  if (std::min(A.rows(), A.cols()) <= kJacobiValues) {
-    return Eigen::JacobiSVD<MatrixXd>(A).singularValues();
+struct Factorisation::Factors {
+  Eigen::PartialPivLU<MatrixXd> lu;
+  Eigen::LDLT<MatrixXd> normal;
+  Eigen::HouseholderQR<MatrixXd> qr;  // of A, or of (A W^(-1/2))^T for minimum_norm
+  Svd svd;                            // of A W^(-1/2)
+
+  Factors(LinearMethod method, const MatrixXd& A, const VectorXd& root_weights) {
+    const auto weighted = [&]() -> MatrixXd {
+      return A * root_weights.cwiseInverse().asDiagonal();
+    };
+    switch (method) {
+      case LinearMethod::lu:
+        lu.compute(A);
+        break;
+      case LinearMethod::normal_equations:
+        normal.compute(A.transpose() * A);
+        break;
+      case LinearMethod::qr:
+        qr.compute(A);
+        break;
+      case LinearMethod::minimum_norm:
+        qr.compute(weighted().transpose());
+        break;
+      case LinearMethod::svd:
+        svd = moivre::svd(weighted(), SingularVectors::thin);
+        break;
+    }
   }
-  return Eigen::BDCSVD<MatrixXd>(A).singularValues();
-}
+};
 
 Factorisation::Factorisation(const MatrixXd& A, const LinearOptions& options)
     : A_(A), root_weights_(VectorXd::Ones(A.cols())), rank_(numerical_rank(A)) {
@@ -102,54 +127,33 @@ Factorisation::Factorisation(const MatrixXd& A, const LinearOptions& options)
   }
   method_ = options.method.value_or(natural_method(A.rows(), A.cols(), rank_));
   if (!suits(method_, A.rows(), A.cols(), rank_)) method_ = LinearMethod::svd;
-  if (A.size() != 0) factorise();
-}
-
-void Factorisation::factorise() {
-  const MatrixXd weighted = A_ * root_weights_.cwiseInverse().asDiagonal();
-  switch (method_) {
-    case LinearMethod::lu:
-      lu_.compute(A_);
-      break;
-    case LinearMethod::normal_equations:
-      normal_.compute(A_.transpose() * A_);
-      break;
-    case LinearMethod::qr:
-      qr_.compute(A_);
-      break;
-    case LinearMethod::minimum_norm:
-      qr_.compute(weighted.transpose());
-      break;
-    case LinearMethod::svd:
-      svd_.compute(weighted, Eigen::ComputeThinU | Eigen::ComputeThinV);
-      break;
-  }
+  if (A.size() != 0) factors_ = std::make_shared<const Factors>(method_, A, root_weights_);
 }
 
 VectorXd Factorisation::solve(const VectorXd& b) const {
-  if (A_.size() == 0) return VectorXd::Zero(A_.cols());
+  if (!factors_) return VectorXd::Zero(A_.cols());
+  const auto& [lu, normal, qr, svd] = *factors_;
   switch (method_) {
     case LinearMethod::lu:
-      return lu_.solve(b);
+      return lu.solve(b);
     case LinearMethod::normal_equations:
-      return normal_.solve(A_.transpose() * b);
+      return normal.solve(A_.transpose() * b);
     case LinearMethod::qr:
-      return qr_.solve(b);
+      return qr.solve(b);
     case LinearMethod::minimum_norm: {
       // (A W^(-1/2))^T = Q [R; 0]: z = Q [R^-T b; 0] is the shortest solution, x = W^(-1/2) z.
       const Index m = A_.rows();
       VectorXd z = VectorXd::Zero(A_.cols());
-      z.head(m) = qr_.matrixQR().topRows(m).triangularView<Eigen::Upper>().transpose().solve(b);
-      z.applyOnTheLeft(qr_.householderQ());
+      z.head(m) = qr.matrixQR().topRows(m).triangularView<Eigen::Upper>().transpose().solve(b);
+      z.applyOnTheLeft(qr.householderQ());
       return z.cwiseQuotient(root_weights_);
     }
     case LinearMethod::svd:
       break;
   }
   // x = W^(-1/2) V S^+ U^T b with the `rank_` largest singular values.
-  const VectorXd c = svd_.matrixU().leftCols(rank_).transpose() * b;
-  const VectorXd z =
-      svd_.matrixV().leftCols(rank_) * c.cwiseQuotient(svd_.singularValues().head(rank_));
+  const VectorXd c = svd.U.leftCols(rank_).transpose() * b;
+  const VectorXd z = svd.V.leftCols(rank_) * c.cwiseQuotient(svd.sigma.head(rank_));
   return z.cwiseQuotient(root_weights_);
 }
 

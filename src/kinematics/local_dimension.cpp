@@ -2,6 +2,7 @@
 // Ranks where they decide, and else Gauss-Newton on planes moved away from the pose.
 #include "moivre/kinematics/local_dimension.h"
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 

@@ -2,12 +2,14 @@
 // How is mobility counted? Rank twice, redundant rows by projection on the rows before them, neighbours by a step along R.
 #include "moivre/kinematics/mobility.h"
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
 #include "moivre/kinematics/null_space.h"
 #include "moivre/kinematics/state.h"
+#include "moivre/numeric/svd.h"
 
 namespace moivre {
 namespace {

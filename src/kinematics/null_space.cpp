@@ -2,9 +2,8 @@
 // How is a null space found? The last right singular vectors, as many as the rank leaves over.
 #include "moivre/kinematics/null_space.h"
 
-#include <algorithm>
-
 #include "moivre/kinematics/linear.h"
+#include "moivre/numeric/svd.h"
 
 namespace moivre {
 
@@ -13,10 +12,7 @@ using Eigen::MatrixXd;
 MatrixXd null_space(const MatrixXd& A) {
   if (A.rows() == 0 || A.cols() == 0) return MatrixXd::Identity(A.cols(), A.cols());
   const Eigen::Index freedoms = A.cols() - numerical_rank(A);
-  if (std::min(A.rows(), A.cols()) <= kJacobiSize) {
-    return Eigen::JacobiSVD<MatrixXd>(A, Eigen::ComputeFullV).matrixV().rightCols(freedoms);
-  }
-  return Eigen::BDCSVD<MatrixXd>(A, Eigen::ComputeFullV).matrixV().rightCols(freedoms);
+  return right_singular_vectors(A).rightCols(freedoms);
 }
 
 MatrixXd null_space_basis(const MatrixXd& A) {

@@ -2,6 +2,7 @@
 // How are velocity and acceleration solved from one factorisation, appended or partitioned?
 #include "moivre/kinematics/state.h"
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <stdexcept>
 

@@ -2,6 +2,7 @@
 // Do solves, velocities, accelerations, ranks and null spaces meet the course notes? A test a page, with the page's numbers.
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
 #include <cmath>
 
 #include "../mechanism/files.h"

@@ -10,7 +10,8 @@
 // column-pivoted QR against kRankTolerance. A method asked for that the rank forbids is replaced by svd; `method()` says so.
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -31,11 +32,6 @@ Eigen::MatrixXd equilibrated(const Eigen::MatrixXd& A);
 /// Rank by column-pivoted QR of the equilibrated matrix.
 Eigen::Index numerical_rank(const Eigen::MatrixXd& A);
 
-/// Singular values, descending: by Jacobi's rotations, which know the small ones best, up to kJacobiSize; else by
-/// bidiagonalization, which is a hundred times faster there.
-Eigen::VectorXd singular_values(const Eigen::MatrixXd& A);
-inline constexpr Eigen::Index kJacobiSize = 64;
-
 struct LinearOptions {
   std::optional<LinearMethod> method;  ///< none: chosen by shape and rank
   Eigen::VectorXd weights;             ///< diagonal of W, empty: all 1
@@ -51,16 +47,13 @@ class Factorisation {
   Eigen::Index rank() const { return rank_; }
 
  private:
-  void factorise();
+  struct Factors;
 
   Eigen::MatrixXd A_;
   Eigen::VectorXd root_weights_;  ///< W^(1/2), diagonal
   Eigen::Index rank_ = 0;
   LinearMethod method_ = LinearMethod::lu;
-  Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
-  Eigen::LDLT<Eigen::MatrixXd> normal_;
-  Eigen::HouseholderQR<Eigen::MatrixXd> qr_;  ///< of A, or of (A W^(-1/2))^T for minimum_norm
-  Eigen::JacobiSVD<Eigen::MatrixXd> svd_;     ///< of A W^(-1/2)
+  std::shared_ptr<const Factors> factors_;  ///< none of an empty A; copies share them
 };
 
 }  // namespace moivre

@@ -5,7 +5,7 @@
 // Edges: of full rank, and of no rows or columns, the null space has as many columns as are left, 0 to n.
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 namespace moivre {
 
