@@ -9,6 +9,7 @@
 
 #include "moivre/closures/idle_joints.h"
 #include "moivre/kinematics/linear.h"
+#include "moivre/numeric/svd.h"
 #include "pose_between.h"
 #include "reading.h"
 

@@ -2,6 +2,8 @@
 // How is a null space found? The last right singular vectors, as many as the rank leaves over.
 #include "moivre/kinematics/null_space.h"
 
+#include <Eigen/QR>
+
 #include "moivre/kinematics/linear.h"
 #include "moivre/numeric/svd.h"
 
@@ -30,7 +32,7 @@ MatrixXd null_space_basis(const MatrixXd& A) {
 }
 
 Eigen::VectorXd shortest_direction(const MatrixXd& A) {
-  return Eigen::JacobiSVD<MatrixXd>(A, Eigen::ComputeFullV).matrixV().rightCols(1);
+  return right_singular_vectors(A).rightCols(1);
 }
 
 MatrixXd left_null_space(const MatrixXd& A) { return null_space(A.transpose()); }
