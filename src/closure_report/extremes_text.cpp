@@ -16,7 +16,7 @@ namespace {
 
 using Row = std::array<std::string, 5>;
 
-std::string number(double x) {
+std::string six_digits(double x) {
   if (std::isnan(x)) return "-";
   if (std::isinf(x)) return x > 0 ? "unbounded" : "-unbounded";
   char text[32];
@@ -24,7 +24,7 @@ std::string number(double x) {
   return text;
 }
 
-std::string place(const Extreme& extreme, const Mechanism& mechanism) {
+std::string place_of(const Extreme& extreme, const Mechanism& mechanism) {
   if (std::isnan(extreme.value)) return "";
   // An extreme's place is known to fewer digits than its value.
   constexpr int kDigits = 5;
@@ -48,10 +48,10 @@ std::string place(const Extreme& extreme, const Mechanism& mechanism) {
 }
 
 /// What is smaller beside the largest number of its unit is rounding.
-constexpr double kRounding = 1e-11;
+constexpr double kNoiseShare = 1e-11;
 
 /// Largest finite magnitude of each unit over all branches.
-std::map<std::string, double> sizes(const Readings& readings) {
+std::map<std::string, double> unit_sizes(const Readings& readings) {
   std::map<std::string, double> size;
   for (const BranchReadings& branch : readings.branches) {
     for (std::size_t k = 0; k < readings.quantities.size(); ++k) {
@@ -90,14 +90,14 @@ std::string time_ratio_text(const TimeRatio& ratio, const Mechanism& mechanism,
   const CoordinateKind kind = ratio.is_angle ? CoordinateKind::angle : CoordinateKind::length;
   const std::string unit = ratio.is_angle ? unit_of(form) : mechanism.units.length;
   const auto of_driver = [&](double seconds) {
-    return number(seconds) + " s (" +
-           number(in_form(2 * std::numbers::pi * seconds / turn, CoordinateKind::angle, form)) +
+    return six_digits(seconds) + " s (" +
+           six_digits(in_form(2 * std::numbers::pi * seconds / turn, CoordinateKind::angle, form)) +
            ' ' + unit_of(form) + " of " + label_of(mechanism.drivers.front()) + ')';
   };
-  return "  time ratio of " + ratio.output + ": " + number(ratio.ratio) + "; from " +
-         number(in_form(ratio.from, kind, form)) + " to " + number(in_form(ratio.to, kind, form)) +
-         (unit.empty() ? "" : ' ' + unit) + " in " + of_driver(ratio.rising_s) + ", back in " +
-         of_driver(ratio.falling_s) + '\n';
+  return "  time ratio of " + ratio.output + ": " + six_digits(ratio.ratio) + "; from " +
+         six_digits(in_form(ratio.from, kind, form)) + " to " +
+         six_digits(in_form(ratio.to, kind, form)) + (unit.empty() ? "" : ' ' + unit) + " in " +
+         of_driver(ratio.rising_s) + ", back in " + of_driver(ratio.falling_s) + '\n';
 }
 
 }  // namespace
@@ -105,7 +105,7 @@ std::string time_ratio_text(const TimeRatio& ratio, const Mechanism& mechanism,
 std::string extremes_text(const Readings& readings, const Mechanism& mechanism) {
   AngleForm form;
   form.in_degrees = mechanism.units.angle == "deg";
-  const std::map<std::string, double> size = sizes(readings);
+  const std::map<std::string, double> size = unit_sizes(readings);
   std::string text;
   for (const BranchReadings& branch : readings.branches) {
     text += "\nextremes of branch " + branch.id + '\n';
@@ -114,18 +114,18 @@ std::string extremes_text(const Readings& readings, const Mechanism& mechanism) 
       const Quantity& quantity = readings.quantities[k];
       const auto& [least, largest] = branch.extremes[k];
       const auto at = [&](const Extreme& extreme) {
-        const std::string where = place(extreme, mechanism);
+        const std::string where = place_of(extreme, mechanism);
         return where.empty() ? where : "at " + where;
       };
-      const double noise = kRounding * size.at(unit_text(quantity, {}));
+      const double noise = kNoiseShare * size.at(unit_text(quantity, {}));
       if (largest.value - least.value <= noise) {
         const double value = std::abs(least.value) <= noise ? 0 : least.value;
-        rows.push_back({column_name(quantity, form), number(in_form(value, quantity, form)),
+        rows.push_back({column_name(quantity, form), six_digits(in_form(value, quantity, form)),
                         "throughout", "", ""});
         continue;
       }
-      rows.push_back({column_name(quantity, form), number(in_form(least.value, quantity, form)),
-                      at(least), number(in_form(largest.value, quantity, form)), at(largest)});
+      rows.push_back({column_name(quantity, form), six_digits(in_form(least.value, quantity, form)),
+                      at(least), six_digits(in_form(largest.value, quantity, form)), at(largest)});
     }
     text += aligned(rows);
     for (const TimeRatio& ratio : branch.time_ratios)

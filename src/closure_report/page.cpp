@@ -166,12 +166,12 @@ Canvas make_canvas(const Page& page, const Mechanism& mechanism) {
     box.include(one.lower);
     box.include(one.upper);
   }
-  constexpr double kRoom = 28;
+  constexpr double kBorder = 28;
   canvas.map.scale = canvas.own.scale = pixel_scale(canvas.drawing);
-  canvas.map.origin = Complex(kRoom, kRoom) -
+  canvas.map.origin = Complex(kBorder, kBorder) -
                       std::conj(Complex(box.lower.real(), box.upper.imag())) * canvas.map.scale;
-  canvas.width = box.width() * canvas.map.scale + 2 * kRoom;
-  canvas.height = box.height() * canvas.map.scale + 2 * kRoom;
+  canvas.width = box.width() * canvas.map.scale + 2 * kBorder;
+  canvas.height = box.height() * canvas.map.scale + 2 * kBorder;
   return canvas;
 }
 

@@ -27,7 +27,7 @@ double crest(const double* t, const double* v) {
 }
 
 /// Between the neighbours of sample k, or between it and its only one; nullopt where the curve is not known there.
-std::optional<Extreme> refined(const Curve& curve, std::size_t k, int sign) {
+std::optional<Extreme> refined(const Series& curve, std::size_t k, int sign) {
   // Times to a hundred-thousandth of the bracket: values to the square of that.
   constexpr int kBits = 17;
   constexpr std::uintmax_t kMostEvaluations = 40;
@@ -49,13 +49,13 @@ std::optional<Extreme> refined(const Curve& curve, std::size_t k, int sign) {
   return Extreme{-sign * value, time_at(s), true};
 }
 
-bool is_finite_sample(const Curve& curve, std::size_t k) {
+bool is_finite_sample(const Series& curve, std::size_t k) {
   return curve.is_sample[k] && std::isfinite(curve.values[k]);
 }
 
 /// Samples worth a closer look, by time: those whose parabola is nearly the highest, and the first and the last where they
 /// stand above the next.
-std::vector<std::size_t> candidates(const Curve& curve, double highest, double range, int sign) {
+std::vector<std::size_t> candidates(const Series& curve, double highest, double range, int sign) {
   // A parabola's crest misses by less.
   constexpr double kNearly = 1e-3;
   std::vector<std::pair<std::size_t, double>> crests;
@@ -88,7 +88,7 @@ std::vector<std::size_t> candidates(const Curve& curve, double highest, double r
 
 bool Extreme::is_unbounded() const { return std::isinf(value); }
 
-Extreme extreme_of(const Curve& curve, int sign) {
+Extreme extreme_of(const Series& curve, int sign) {
   Extreme best{std::numeric_limits<double>::quiet_NaN(), 0, false};
   const auto& v = curve.values;
   double size = 0;

@@ -9,7 +9,7 @@
 namespace moivre {
 
 /// A function along a branch: its values at the samples, and anywhere.
-struct Curve {
+struct Series {
   std::vector<double> times;         ///< increasing
   std::vector<double> values;        ///< NaN where there is none
   std::vector<bool> is_sample;       ///< else an event: not to be refined beside it
@@ -17,6 +17,6 @@ struct Curve {
 };
 
 /// `sign` 1: the largest value; -1: the least.
-Extreme extreme_of(const Curve& curve, int sign);
+Extreme extreme_of(const Series& curve, int sign);
 
 }  // namespace moivre

@@ -11,15 +11,13 @@
 #include "moivre/kinematics/linear.h"
 #include "moivre/numeric/svd.h"
 #include "pose_between.h"
-#include "reading.h"
+#include "sampled_pose.h"
 
 namespace moivre {
 namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
-
-constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
 using Rules = std::vector<QuantityRule>;
 
@@ -33,7 +31,7 @@ void add_motion(QuantityGroup group, const Observable& what, const Mechanism& me
   const std::string length = what.is_angle ? "" : length_unit(mechanism);
   rules.push_back({{group, what.name, what.name, QuantityOrder::value, what.is_angle, what.turns,
                     length, false},
-                   [what](const Reading& at) {
+                   [what](const SampledPose& at) {
                      const VectorXd rest = VectorXd::Zero(at.pose().q.size());
                      return what.state(at.pose().q, rest, rest).value;
                    },
@@ -43,7 +41,7 @@ void add_motion(QuantityGroup group, const Observable& what, const Mechanism& me
     const bool is_first = order == QuantityOrder::velocity;
     rules.push_back({{group, what.name + (is_first ? ".velocity" : ".acceleration"), what.name,
                       order, what.is_angle, false, length + (is_first ? "/s" : "/s^2"), true},
-                     [what, is_first](const Reading& at) {
+                     [what, is_first](const SampledPose& at) {
                        if (!at.has_velocity()) return kNothing;
                        const BranchSample& pose = at.pose();
                        const ScalarState state =
@@ -75,7 +73,7 @@ void add_coefficients(const Observable& what, const Mechanism& mechanism, Rules&
     return kind_of(mechanism, driver(a)) == CoordinateKind::angle;
   };
   const auto add = [&](const std::string& name, const std::string& unit,
-                       std::function<double(const Reading&)> value) {
+                       std::function<double(const SampledPose&)> value) {
     rules.push_back(
         {{QuantityGroup::coefficients, name, name, QuantityOrder::value, false, false, unit, true},
          std::move(value),
@@ -85,16 +83,16 @@ void add_coefficients(const Observable& what, const Mechanism& mechanism, Rules&
   for (Index a = 0; a < drivers; ++a) {
     const std::string by = label_of(driver(a));
     add("d " + what.name + "/d " + by, ratio_unit(what.is_angle, turns(a), 1, length),
-        [what, a](const Reading& at) { return at.along(what, a).velocity; });
+        [what, a](const SampledPose& at) { return at.along(what, a).velocity; });
     add("d2 " + what.name + "/d " + by + "^2", ratio_unit(what.is_angle, turns(a), 2, length),
-        [what, a](const Reading& at) { return at.along(what, a).acceleration; });
+        [what, a](const SampledPose& at) { return at.along(what, a).acceleration; });
     for (Index b = 0; b < a; ++b) {
       // Of an angle and a slide the unit is written out.
       const std::string top = what.is_angle ? "rad" : length;
       const std::string unit = turns(a) == turns(b) ? ratio_unit(what.is_angle, turns(a), 2, length)
                                                     : top + "/(rad " + length + ")";
       add("d2 " + what.name + "/d " + label_of(driver(b)) + " d " + by, unit,
-          [what, a, b](const Reading& at) { return at.mixed(what, a, b); });
+          [what, a, b](const SampledPose& at) { return at.mixed(what, a, b); });
     }
   }
 }
@@ -109,10 +107,10 @@ void add_advantages(const Observable& output, const Mechanism& mechanism, Rules&
     const std::string unit =
         turns == output.is_angle ? "-" : (output.is_angle ? length : "1/" + length);
     const auto a = static_cast<Index>(k);
-    const auto rate = [output, a](const Reading& at) { return at.along(output, a).velocity; };
+    const auto rate = [output, a](const SampledPose& at) { return at.along(output, a).velocity; };
     rules.push_back(
         {{QuantityGroup::advantage, name, name, QuantityOrder::value, false, false, unit, false},
-         [output, rate](const Reading& at) {
+         [output, rate](const SampledPose& at) {
            if (!at.coefficients().is_determined) return at.runs_away(output) ? 0.0 : kNothing;
            return std::abs(1 / rate(at));
          },
@@ -137,7 +135,7 @@ void add_transmissions(const Mechanism& mechanism, const Mechanism& held, Rules&
     name += " transmission";
     rules.push_back(
         {{QuantityGroup::transmission, name, name, QuantityOrder::value, true, false, "", false},
-         [&held, at](const Reading& reading) {
+         [&held, at](const SampledPose& reading) {
            return transmission_angle(held, at, reading.pose().q, reading.jacobian())
                .value_or(kNothing);
          },
@@ -149,7 +147,7 @@ void add_transmissions(const Mechanism& mechanism, const Mechanism& held, Rules&
 QuantityRule distance_to_singularity() {
   const std::string name = "distance to singularity";
   return {{QuantityGroup::singularity, name, name, QuantityOrder::value, false, false, "-", false},
-          [](const Reading& at) {
+          [](const SampledPose& at) {
             const Eigen::MatrixXd& J = at.jacobian();
             if (J.rows() < J.cols()) return 0.0;
             return singular_values(equilibrated(J))[J.cols() - 1];
@@ -223,19 +221,19 @@ const std::vector<Quantity>& QuantityReader::quantities() const { return parts_-
 const std::vector<std::string>& QuantityReader::outputs() const { return parts_->outputs; }
 
 std::vector<double> QuantityReader::read(const BranchSample& pose) const {
-  const Reading reading(parts_->phi, pose);
+  const SampledPose reading(parts_->phi, pose);
   std::vector<double> values;
   for (const QuantityRule& rule : parts_->rules) values.push_back(rule.value(reading));
   return values;
 }
 
 double QuantityReader::read(std::size_t quantity, const BranchSample& pose) const {
-  return parts_->rules[quantity].value(Reading(parts_->phi, pose));
+  return parts_->rules[quantity].value(SampledPose(parts_->phi, pose));
 }
 
 double QuantityReader::rate(std::size_t quantity, const BranchSample& pose) const {
   const QuantityRule& rule = parts_->rules[quantity];
-  return rule.rate ? rule.rate(Reading(parts_->phi, pose)) : kNothing;
+  return rule.rate ? rule.rate(SampledPose(parts_->phi, pose)) : kNothing;
 }
 
 bool QuantityReader::runs_away(std::size_t quantity, const VectorXd& q, double time) const {
@@ -243,7 +241,7 @@ bool QuantityReader::runs_away(std::size_t quantity, const VectorXd& q, double t
   BranchSample pose;
   pose.time = time;
   pose.q = q;
-  return rule.moves && Reading(parts_->phi, pose).runs_away(*rule.moves);
+  return rule.moves && SampledPose(parts_->phi, pose).runs_away(*rule.moves);
 }
 
 BranchSample QuantityReader::between(const BranchSample& before, const BranchSample& after,

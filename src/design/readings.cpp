@@ -41,7 +41,7 @@ class BranchCurves {
       : branch_(branch), motion_(motion), table_(table), reader_(reader) {}
 
   Extremes extremes(std::size_t k) const {
-    const Curve curve = curve_of(k);
+    const Series curve = curve_of(k);
     Extremes found{extreme_of(curve, -1), extreme_of(curve, 1)};
     if (table_.empty()) return found;
     for (const bool is_end : {false, true}) {
@@ -63,7 +63,7 @@ class BranchCurves {
     return index ? &motion_.events[*index].at : nullptr;
   }
 
-  void add_event(std::size_t k, bool is_end, Curve& curve) const {
+  void add_event(std::size_t k, bool is_end, Series& curve) const {
     const BranchEvent* event = event_at(is_end);
     const Quantity& quantity = reader_.quantities()[k];
     if (event == nullptr || quantity.is_runaway) return;
@@ -81,8 +81,8 @@ class BranchCurves {
     curve.is_sample.push_back(false);
   }
 
-  Curve curve_of(std::size_t k) const {
-    Curve curve;
+  Series curve_of(std::size_t k) const {
+    Series curve;
     add_event(k, false, curve);
     for (std::size_t j = 0; j < table_.size(); ++j) {
       curve.times.push_back(branch_.samples[j].time);

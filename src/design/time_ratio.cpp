@@ -12,7 +12,7 @@
 namespace moivre {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
+constexpr double kWholeTurn = 2 * std::numbers::pi;
 // Of the range: what is nearer has come back.
 constexpr double kBack = 1e-6;
 
@@ -23,7 +23,7 @@ std::optional<double> period_of(const Mechanism& mechanism) {
   const auto* law = std::get_if<Parabola>(&driver.law);
   const bool turns = kind_of(mechanism, driver) == CoordinateKind::angle;
   if (law == nullptr || !turns || law->acceleration != 0 || law->velocity == 0) return std::nullopt;
-  return kTurn / std::abs(law->velocity);
+  return kWholeTurn / std::abs(law->velocity);
 }
 
 /// The first turn of a branch.
@@ -33,7 +33,7 @@ class Cycle {
       : samples_(branch.samples), from_(samples_.front().time), period_(period), reader_(reader) {}
 
   std::optional<TimeRatio> ratio(const Observable& output) const {
-    const Curve curve = cycle_of(output);
+    const Series curve = cycle_of(output);
     const std::size_t size = curve.values.size();
     if (size < 5) return std::nullopt;
     const Extreme least = extreme_of(curve, -1);
@@ -68,8 +68,8 @@ class Cycle {
   }
 
   /// The samples of the turn, the last one before them and the first one behind, so that no extreme is at an end.
-  Curve cycle_of(const Observable& output) const {
-    Curve curve;
+  Series cycle_of(const Observable& output) const {
+    Series curve;
     const double tiny = kBack * period_;
     const auto add = [&](double time, const Eigen::VectorXd& q) {
       curve.times.push_back(time);

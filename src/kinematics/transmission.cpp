@@ -19,7 +19,7 @@ using Eigen::Vector2d;
 using Eigen::VectorXd;
 
 // A displacement this small beside the largest is rounding: poses are known to about 1e-13.
-constexpr double kStands = 1e-7;
+constexpr double kStandsStill = 1e-7;
 
 Index row_count(JointType type) {
   switch (type) {
@@ -64,7 +64,7 @@ MatrixXd displacements(std::size_t body, const Eigen::Vector3d& place, const Vec
 }
 
 /// How far each freedom moves anything, roughly: an angle counts with the largest arm that a point has.
-double reach(const Mechanism& mechanism, const MatrixXd& freedoms) {
+double extent_of(const Mechanism& mechanism, const MatrixXd& freedoms) {
   constexpr Index kCoordinates = 3;
   double arm = 0;
   for (const Body& body : mechanism.bodies) {
@@ -82,13 +82,13 @@ double reach(const Mechanism& mechanism, const MatrixXd& freedoms) {
 std::optional<Vector2d> only_line(const MatrixXd& moved, double size) {
   const Matrix2d square = moved * moved.transpose();
   const double trace = square.trace();
-  if (std::sqrt(trace) <= kStands * size) return std::nullopt;
+  if (std::sqrt(trace) <= kStandsStill * size) return std::nullopt;
   // The eigenvector of the larger eigenvalue, from half the angle between the axes.
   const double angle = 0.5 * std::atan2(2 * square(0, 1), square(0, 0) - square(1, 1));
   const Vector2d along(std::cos(angle), std::sin(angle));
   const Vector2d across(-along.y(), along.x());
   const double aside = (across.transpose() * moved).norm();
-  if (aside > kStands * std::sqrt(trace)) return std::nullopt;
+  if (aside > kStandsStill * std::sqrt(trace)) return std::nullopt;
   return along;
 }
 
@@ -138,7 +138,7 @@ std::optional<double> transmission_angle(const Mechanism& mechanism, const Trans
       joint.type == JointType::slot ? end : point_position(mechanism, joint.at[0], q);
   const MatrixXd first = displacements(joint.at[0].body, begin, q, freedoms);
   const MatrixXd second = displacements(joint.at[1].body, end, q, freedoms);
-  const double size = reach(mechanism, freedoms);
+  const double size = extent_of(mechanism, freedoms);
   const std::optional<Vector2d> u1 = only_line(first, size);
   const std::optional<Vector2d> u2 = only_line(second, size);
   if (joint.type == JointType::revolute) {

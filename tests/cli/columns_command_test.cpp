@@ -12,8 +12,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-const std::string kFourBar =
-    std::string(MOIVRE_SOURCE_DIR) + "/problems/mechanisms/four-bar.toml";
+const std::string kNorton = std::string(MOIVRE_SOURCE_DIR) + "/problems/mechanisms/four-bar.toml";
 const std::string kGuide = std::string(MOIVRE_SOURCE_DIR) + "/docs/guide/quick-return.toml";
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
@@ -21,7 +20,7 @@ std::string first_line(const std::string& text) { return text.substr(0, text.fin
 TEST(Columns, ReplaceThoseOfTheTable) {
   const Scene scene;
   const Outcome outcome =
-      scene.run({"motion", kFourBar, "--quiet", "--steps", "4", "--csv", "-", "--angles", "deg",
+      scene.run({"motion", kNorton, "--quiet", "--steps", "4", "--csv", "-", "--angles", "deg",
                  "--columns", "transmission, advantage,singularity"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(first_line(outcome.out),
@@ -36,15 +35,15 @@ TEST(Columns, ReplaceThoseOfTheTable) {
 
 TEST(Columns, LeaveTheDefaultTableAlone) {
   const Scene scene;
-  const Outcome outcome = scene.run({"motion", kFourBar, "--quiet", "--steps", "2", "--csv", "-"});
+  const Outcome outcome = scene.run({"motion", kNorton, "--quiet", "--steps", "2", "--csv", "-"});
   EXPECT_EQ(first_line(outcome.out).substr(0, 40), "branch,t,driver crank [rad],crank.x,cran");
 }
 
 TEST(Columns, LetAnglesThatTurnGoOnOnlyWhereThatIsAskedFor) {
   const Scene scene;
   const auto last_angle = [&](std::vector<std::string> more) {
-    std::vector<std::string> words{"motion", kFourBar, "--quiet", "--csv", "-", "--columns",
-                                   "joints", "--angles", "deg"};
+    std::vector<std::string> words{"motion",    kNorton,  "--quiet",  "--csv", "-",
+                                   "--columns", "joints", "--angles", "deg"};
     words.insert(words.end(), more.begin(), more.end());
     const std::string csv = scene.run(words).out;
     const std::size_t line = csv.rfind("\nA,");
@@ -85,33 +84,33 @@ TEST(Columns, TellTheirExtremesAsTextAndJson) {
 
 TEST(Columns, AreListedForWhoAsksOrMisspells) {
   const Scene scene;
-  const Outcome help = scene.run({"motion", kFourBar, "--columns", "help"});
+  const Outcome help = scene.run({"motion", kNorton, "--columns", "help"});
   EXPECT_EQ(help.exit_code, 0);
   for (const char* group : {"joints", "coefficients", "transmission", "advantage", "singularity",
                             "coordinates", "points", "all"}) {
     EXPECT_TRUE(contains(help.out, std::string("\n  ") + group + " ")) << group;
   }
-  const Outcome wrong = scene.run({"motion", kFourBar, "--columns", "jonts"});
+  const Outcome wrong = scene.run({"motion", kNorton, "--columns", "jonts"});
   EXPECT_EQ(wrong.exit_code, 1);
   EXPECT_EQ(wrong.out, "");
   EXPECT_TRUE(contains(wrong.err, "did you mean 'joints'?")) << wrong.err;
   EXPECT_TRUE(contains(wrong.err, "\n  singularity ")) << wrong.err;
   const Outcome output =
-      scene.run({"motion", kFourBar, "--columns", "advantage", "--output", "roker"});
+      scene.run({"motion", kNorton, "--columns", "advantage", "--output", "roker"});
   EXPECT_EQ(output.exit_code, 1);
   EXPECT_TRUE(contains(output.err, "did you mean 'rocker'?")) << output.err;
-  EXPECT_EQ(scene.run({"motion", kFourBar, "--output", "rocker"}).exit_code, 1);
+  EXPECT_EQ(scene.run({"motion", kNorton, "--output", "rocker"}).exit_code, 1);
 }
 
 TEST(Columns, CanBePlottedOnThePage) {
   const Scene scene;
-  const Outcome outcome = scene.run(
-      {"motion", kFourBar, "--quiet", "--steps", "6", "--columns", "joints,transmission", "--html",
-       "page.html"});
+  const Outcome outcome = scene.run({"motion", kNorton, "--quiet", "--steps", "6", "--columns",
+                                     "joints,transmission", "--html", "page.html"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const std::string page = scene.read("page.html");
   EXPECT_TRUE(contains(page, ">coupler-rocker transmission</option>"));
-  EXPECT_TRUE(contains(page, "{\"name\":\"joint B\",\"units\":[\"deg\",\"deg/s\",\"deg/s\u00b2\"]}"));
+  EXPECT_TRUE(
+      contains(page, "{\"name\":\"joint B\",\"units\":[\"deg\",\"deg/s\",\"deg/s\u00b2\"]}"));
   EXPECT_TRUE(contains(page, "Save all as CSV"));
 }
 

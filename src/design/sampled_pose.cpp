@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Derivatives of what moves by the drivers.
-#include "reading.h"
+#include "sampled_pose.h"
 
 #include <cmath>
 #include <limits>
@@ -13,27 +13,25 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
-
 }  // namespace
 
-const Eigen::MatrixXd& Reading::jacobian() const {
+const Eigen::MatrixXd& SampledPose::jacobian() const {
   if (!jacobian_) jacobian_ = phi_.jacobian(pose_.q, pose_.time);
   return *jacobian_;
 }
 
-const KinematicCoefficients& Reading::coefficients() const {
+const KinematicCoefficients& SampledPose::coefficients() const {
   if (!coefficients_) coefficients_ = kinematic_coefficients(phi_, pose_.q, pose_.time);
   return *coefficients_;
 }
 
-ScalarState Reading::along(const Observable& what, Index a) const {
+ScalarState SampledPose::along(const Observable& what, Index a) const {
   const KinematicCoefficients& k = coefficients();
   if (!k.is_determined) return {kNothing, kNothing, kNothing};
   return what.state(pose_.q, k.first.col(a), k.second[static_cast<std::size_t>(a)].col(a));
 }
 
-double Reading::mixed(const Observable& what, Index a, Index b) const {
+double SampledPose::mixed(const Observable& what, Index a, Index b) const {
   const KinematicCoefficients& k = coefficients();
   if (!k.is_determined) return kNothing;
   // Both drivers going on together: o'' = o_aa + 2 o_ab + o_bb.
@@ -46,7 +44,7 @@ double Reading::mixed(const Observable& what, Index a, Index b) const {
          2;
 }
 
-bool Reading::runs_away(const Observable& what) const {
+bool SampledPose::runs_away(const Observable& what) const {
   // A dead point is known to about 1e-8 of the mechanism's length; what its free direction moves by less stands.
   constexpr double kStands = 1e-5;
   const double length = phi_.length();

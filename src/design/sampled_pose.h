@@ -2,6 +2,7 @@
 // What do several quantities of one pose share? The mechanism, Phi_q and the coefficients, each found once and only where wanted.
 #pragma once
 
+#include <limits>
 #include <optional>
 
 #include "moivre/design/quantity.h"
@@ -11,10 +12,13 @@
 
 namespace moivre {
 
+/// Where a quantity is not defined.
+inline constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+
 /// A pose, and what was found of it.
-class Reading {
+class SampledPose {
  public:
-  Reading(const Phi& phi, const BranchSample& pose) : phi_(phi), pose_(pose) {}
+  SampledPose(const Phi& phi, const BranchSample& pose) : phi_(phi), pose_(pose) {}
 
   const BranchSample& pose() const { return pose_; }
   bool has_velocity() const { return pose_.is_determined && pose_.velocity.size() > 0; }
@@ -37,9 +41,9 @@ class Reading {
 /// How one quantity is read.
 struct QuantityRule {
   Quantity quantity;
-  std::function<double(const Reading&)> value;
-  std::optional<Observable> moves;             ///< what runs away with it
-  std::function<double(const Reading&)> rate;  ///< of an advantage
+  std::function<double(const SampledPose&)> value;
+  std::optional<Observable> moves;                 ///< what runs away with it
+  std::function<double(const SampledPose&)> rate;  ///< of an advantage
 };
 
 }  // namespace moivre
