@@ -161,7 +161,7 @@ velocity = 10
   const Eigen::Vector3d B(10, 0, 0), C(5, 9, 0), Q = at(5, 1), R = at(5, 2), P = at(5, 0);
   Eigen::Matrix2d lines;
   lines << (Q - B).head<2>(), -(R - C).head<2>();
-  const double det = lines.determinant();
+  const double det = lines(0, 0) * lines(1, 1) - lines(0, 1) * lines(1, 0);
   const Eigen::Vector2d gap = (C - B).head<2>();
   const double s = (gap.x() * lines(1, 1) - gap.y() * lines(0, 1)) / det;
   const Eigen::Vector3d centre = B + s * (Q - B);
