@@ -2,7 +2,7 @@
 // The page: markup with the first poses drawn, and the data that its script drives them with.
 //
 // Data, as JSON: {"from", "to": seconds; "times": [..], "drivers": [{"name", "unit", "values": [a time]}],
-// "quantities": [{"name", "units": [of value, velocity, acceleration]}],
+// "quantities": [{"name", "units": [of value, velocity, acceleration]}] (of value alone where that is all),
 // "branches": [{"t": [..], "frames": [[a b e f ...] a time], "series": [[values, velocities, accelerations] a quantity],
 // "begins", "ends": sentences, "colour": class, "dashes"}]}; a frame puts (x, y) at (a x - b y + e, b x + a y + f), in pixels.
 #include "moivre/closure_report/page.h"
@@ -19,6 +19,7 @@
 #include "moivre/report/json.h"
 #include "moivre/report/number_text.h"
 #include "page_assets.h"
+#include "page_columns.h"
 #include "page_parts.h"
 #include "panels.h"
 #include "svg.h"
@@ -52,6 +53,7 @@ struct Page {
   std::vector<double> times;
   std::vector<PageBranch> branches;
   std::vector<std::string> notes;
+  PageColumns columns;
 };
 
 std::vector<Quantity> quantities(const Mechanism& mechanism) {
@@ -199,6 +201,14 @@ Json branch_json(const PageBranch& branch, std::size_t number, const Canvas& can
           {"dashes", branch_dashes(number)}};
 }
 
+void add_columns(const PageColumns& columns, const std::string& id, Json& branch) {
+  branch["id"] = id;
+  for (std::size_t k = 0; k < columns.ids.size(); ++k) {
+    if (columns.ids[k] != id) continue;
+    for (const Json& series : columns.series[k]) branch["series"].push_back(series);
+  }
+}
+
 std::string matrix_text(const std::array<double, 4>& m) {
   std::string text = "matrix(";
   for (const double x : {m[0], m[1], -m[1], m[0], m[2]}) text += exact_text(x) + ' ';
@@ -288,18 +298,20 @@ std::string drive_html() {
          '\n';
 }
 
-std::string plots_html(const Page& page, const std::vector<Quantity>& plotted) {
+/// `quantities`: as the page's data has them.
+std::string plots_html(const Page& page, const Json& quantities) {
   std::string options;
-  for (std::size_t k = 0; k < plotted.size(); ++k) {
-    options += element("option", {{"value", std::to_string(k)}}, escaped(plotted[k].name));
+  for (std::size_t k = 0; k < quantities.size(); ++k) {
+    options += element("option", {{"value", std::to_string(k)}},
+                       escaped(quantities[k]["name"].get<std::string>()));
   }
   std::string legend;
   for (std::size_t k = 0; k < page.branches.size(); ++k) {
     const std::string line = branch_dashes(k).empty() ? "solid" : "dashed";
     const std::string style = "border-top-color:" + colour_text(k) + ";border-top-style:" + line;
-    legend +=
-        element("span", {}, element("i", {{"style", style}}, " ") + escaped(page.branches[k].id)) +
-        '\n';
+    legend += element("button", {{"type", "button"}, {"data-branch", std::to_string(k)}},
+                      element("i", {{"style", style}}, " ") + escaped(page.branches[k].id)) +
+              '\n';
   }
   std::string plots;
   for (const char* kind : {"position", "velocity", "acceleration"}) {
@@ -308,6 +320,7 @@ std::string plots_html(const Page& page, const std::vector<Quantity>& plotted) {
   }
   return element("h2", {}, "Plots") +
          element("select", {{"id", "quantity"}, {"aria-label", "quantity"}}, options) + '\n' +
+         element("button", {{"id", "save"}, {"type", "button"}}, "Save all as CSV") + '\n' +
          element("div", {{"id", "legend"}}, legend) + element("div", {{"id", "plots"}}, plots);
 }
 
@@ -324,6 +337,7 @@ std::string page_html(const Page& page, const Mechanism& mechanism) {
   data["quantities"] = list_json(plotted, [&](const Quantity& quantity) {
     return Json{{"name", quantity.name}, {"units", units_json(unit_of(quantity, mechanism))}};
   });
+  for (const Json& quantity : page.columns.quantities) data["quantities"].push_back(quantity);
   data["branches"] = Json::array();
   if (!page.branches.empty()) {
     const Canvas canvas = make_canvas(page, mechanism);
@@ -333,11 +347,13 @@ std::string page_html(const Page& page, const Mechanism& mechanism) {
     std::string panels;
     for (std::size_t k = 0; k < page.branches.size(); ++k) {
       panels += panel_html(page.branches[k], k, canvas, plotted, mechanism);
-      data["branches"].push_back(branch_json(page.branches[k], k, canvas, plotted, mechanism));
+      Json branch = branch_json(page.branches[k], k, canvas, plotted, mechanism);
+      add_columns(page.columns, page.branches[k].id, branch);
+      data["branches"].push_back(std::move(branch));
     }
     body += element("div", {{"id", "panels"}, {"class", crowd}}, panels) + '\n';
   }
-  if (moves) body += plots_html(page, plotted);
+  if (moves) body += plots_html(page, data["quantities"]);
   body += list_html(page.notes);
   body += element("script", {{"type", "application/json"}, {"id", "data"}}, script_data(data));
   return html_document(page.title, std::move(body), page_script());
@@ -361,8 +377,9 @@ std::string counts_text(const ClosureCounts& counts) {
 }  // namespace
 
 std::string motion_html(const MotionResult& result, const Mechanism& mechanism,
-                        const std::string& file) {
+                        const std::string& file, const Readings* readings) {
   Page page;
+  if (readings != nullptr) page.columns = page_columns(*readings, result, mechanism);
   page.title = mechanism.title.empty() ? file : mechanism.title;
   page.summary = counted(result.branches.size(), "branch", "branches") +
                  " from t = " + short_text(result.from) + " s to " + short_text(result.to) + " s";
