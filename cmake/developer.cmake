@@ -20,7 +20,5 @@ if(MOIVRE_CCACHE AND NOT DEFINED MOIVRE_CCACHE_WORKS)
   endif()
 endif()
 if(MOIVRE_CCACHE_WORKS AND NOT DEFINED CMAKE_CXX_COMPILER_LAUNCHER)
-  # A precompiled header is a file as any other to the cache; __TIME__ in it is nobody's.
-  set(CMAKE_CXX_COMPILER_LAUNCHER
-    ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${MOIVRE_CCACHE})
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${MOIVRE_CCACHE})
 endif()

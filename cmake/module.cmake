@@ -7,7 +7,6 @@ function(moivre_module name)
     add_library(moivre_${name} ${sources})
     set(scope PUBLIC)
     target_link_libraries(moivre_${name} PRIVATE $<BUILD_INTERFACE:moivre_warnings>)
-    moivre_reuse_precompiled(${name})
   else()
     add_library(moivre_${name} INTERFACE)
     set(scope INTERFACE)
@@ -22,15 +21,10 @@ function(moivre_module name)
   moivre_module_headers(${name} ${scope})
 endfunction()
 
-# The widest of the precompiled sets whose packages the module uses.
-function(moivre_reuse_precompiled name)
-  if("CLI11::CLI11" IN_LIST MOIVRE_THIRD_PARTY_${name})
-    moivre_reuse(moivre_${name} cli)
-  elseif("nlohmann_json::nlohmann_json" IN_LIST MOIVRE_THIRD_PARTY_${name})
-    moivre_reuse(moivre_${name} json)
-  else()
-    moivre_reuse(moivre_${name} library)
-  endif()
+# moivre_alone(<source>...): compiled alone where the other sources of a target are compiled together (CMAKE_UNITY_BUILD), since
+# they name something of their own as a neighbour does, or since a test counts calls into them at the linker.
+function(moivre_alone)
+  set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 
 # Vocabulary is passed on to those who link the module; what is header-only stays behind when the module is installed.

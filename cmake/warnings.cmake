@@ -4,10 +4,9 @@
 add_library(moivre_warnings INTERFACE)
 target_compile_options(moivre_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
   -Wswitch-enum)
-# GCC 12 sees overlaps and overruns in std::string's own copies once they are inlined (GCC bugs 105651 and 105329).
+# GCC 12 sees overlaps in std::string's own copies once they are inlined (GCC bug 105651).
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
-  target_compile_options(moivre_warnings INTERFACE -Wno-restrict -Wno-array-bounds
-    -Wno-stringop-overread)
+  target_compile_options(moivre_warnings INTERFACE -Wno-restrict)
 endif()
 if(MOIVRE_WARNINGS_AS_ERRORS)
   target_compile_options(moivre_warnings INTERFACE -Werror)

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "moivre/arm_report/arm_report.h"
+#include "moivre/arms/posture.h"
 #include "moivre/report/json.h"
 
 namespace moivre {
@@ -34,6 +35,16 @@ Json pose_json(const Eigen::Isometry3d& pose) {
   return json;
 }
 
+Json word(const std::optional<bool>& is_so, const char* yes, const char* no) {
+  return is_so ? Json(*is_so ? yes : no) : Json(nullptr);
+}
+
+Json posture_json(const Posture& posture) {
+  return {{"shoulder", word(posture.is_right, "right", "left")},
+          {"elbow", word(posture.is_up, "up", "down")},
+          {"wrist", word(posture.is_flipped, "flip", "no flip")}};
+}
+
 Json closure_json(const ArmClosure& closure, const Arm& arm) {
   return {{"id", closure.id},
           {"coordinates", values_json(arm, closure.values)},
@@ -41,6 +52,7 @@ Json closure_json(const ArmClosure& closure, const Arm& arm) {
           {"within_limits", closure.beyond.empty()},
           {"beyond_limits",
            list_json(closure.beyond, [&](std::size_t k) { return Json(arm.joints[k].name); })},
+          {"posture", posture_json(posture_of(arm, closure.values))},
           {"residual", to_json(closure.residual)},
           {"newton_iterations", closure.newton_iterations},
           {"smallest_singular_value", to_json(closure.smallest_singular_value)},

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "moivre/arm_report/arm_report.h"
+#include "moivre/arms/posture.h"
 #include "moivre/report/number_text.h"
 #include "moivre/report/text_blocks.h"
 
@@ -43,6 +44,9 @@ std::string closure_line(const ArmClosure& closure, const Arm& arm) {
     text += padded(value, width_of(arm.joints[k]) - (was_beyond ? 1 : 0)) + (is_beyond ? "!" : "");
     was_beyond = is_beyond;
   }
+  // A mark keeps the column's width.
+  const std::string posture = to_string(posture_of(arm, closure.values));
+  if (!posture.empty()) text += (was_beyond ? " " : "  ") + posture;
   if (closure.singular) text += "  singular";
   if (!closure.beyond.empty()) text += "  beyond limits";
   return text + '\n';

@@ -255,13 +255,19 @@ Arm make_arm(const Robot& robot, const ArmChoice& choice) {
   return arm;
 }
 
-Eigen::Isometry3d forward_kinematics(const Arm& arm, const Eigen::VectorXd& values) {
-  Eigen::Isometry3d tip = Eigen::Isometry3d::Identity();
+std::vector<Eigen::Isometry3d> joint_frames(const Arm& arm, const Eigen::VectorXd& values) {
+  std::vector<Eigen::Isometry3d> frames;
+  Eigen::Isometry3d frame = Eigen::Isometry3d::Identity();
   Eigen::Index k = 0;
   for (const ArmJoint& joint : arm.joints) {
-    tip = tip * joint.before * moved(joint.axis, joint.is_slide, values[k++]);
+    frame = frame * joint.before * moved(joint.axis, joint.is_slide, values[k++]);
+    frames.push_back(frame);
   }
-  return tip * arm.tool;
+  return frames;
+}
+
+Eigen::Isometry3d forward_kinematics(const Arm& arm, const Eigen::VectorXd& values) {
+  return joint_frames(arm, values).back() * arm.tool;
 }
 
 }  // namespace moivre

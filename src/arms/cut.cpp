@@ -79,11 +79,12 @@ std::optional<Cut> cut_of_three(const Loop& loop, std::size_t first) {
   return cut;
 }
 
-Cut cut_of_two(const Loop& loop) {
+Cut cut_of_two(const Loop& loop, CutPlace place) {
   const std::size_t n = loop.joints.size();
+  const bool has_more = n > 2 && place == CutPlace::anywhere;
   std::size_t best = 0, loosest = 0;
   double best_quality = -1, best_independence = -1;
-  for (std::size_t k = 0; k < (n == 2 ? 1 : n); ++k) {
+  for (std::size_t k = 0; k < (has_more ? n : n - 1); ++k) {
     const auto products = pair_products(loop, k, (k + 1) % n);
     const double here = quality(products);
     const double apart = independence(products);
@@ -108,7 +109,7 @@ std::vector<ExactDisplacement> pair_products(const Loop& loop, std::size_t a, st
   return {second.before, second.before * second.step, moved, moved * second.step};
 }
 
-Cut choose_cut(const Loop& loop) {
+Cut choose_cut(const Loop& loop, CutPlace place) {
   const std::size_t n = loop.joints.size();
   if (n == 1) {
     Cut cut = cut_at(loop, 0, 1);
@@ -119,7 +120,7 @@ Cut choose_cut(const Loop& loop) {
   for (std::size_t first = 0; first + 2 < n; ++first) {
     if (auto cut = cut_of_three(loop, first)) return *cut;
   }
-  return cut_of_two(loop);
+  return cut_of_two(loop, place);
 }
 
 }  // namespace moivre

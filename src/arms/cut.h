@@ -27,7 +27,10 @@ struct Cut {
   std::vector<LinearForm> coordinates;
 };
 
-Cut choose_cut(const Loop& loop);
+/// Whether the cut may be at the last joint and the first, with the pose between them.
+enum class CutPlace { anywhere, away_from_pose };
+
+Cut choose_cut(const Loop& loop, CutPlace place = CutPlace::anywhere);
 
 /// J_a = 1 or step, times before, times J_b = 1 or step: four of them, spanning W of the pair.
 std::vector<ExactDisplacement> pair_products(const Loop& loop, std::size_t a, std::size_t b);

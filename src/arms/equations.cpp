@@ -30,14 +30,6 @@ Expansion outside_product(const Loop& loop, const Cut& cut) {
   return terms;
 }
 
-Monomial monomial(std::size_t bits) {
-  Monomial powers;
-  for (std::uint32_t k = 0; bits != 0; ++k, bits >>= 1U) {
-    if ((bits & 1U) != 0) powers.push_back({k, 1});
-  }
-  return powers;
-}
-
 /// Coefficients beside the largest are kept to so many bits: twice what the paths are followed with at the most.
 constexpr std::size_t kBits = 256;
 
@@ -61,7 +53,7 @@ std::vector<Polynomial> forms_of(const std::vector<LinearForm>& forms, const Exp
     TermMap map;
     for (std::size_t k = 0; k < row.size(); ++k) {
       const Integer kept = row[k] / unit;
-      if (kept != 0) map[monomial(k)] = {ratio(kept, scale), {}};
+      if (kept != 0) map[multilinear(k)] = {ratio(kept, scale), {}};
     }
     polynomials.push_back(to_polynomial(std::move(map)));
   }
@@ -77,7 +69,7 @@ std::vector<Polynomial> combinations(const std::vector<Polynomial>& all, std::si
     for (const Polynomial& one : all) {
       // Numbers of joints come before these in the stream.
       constexpr std::uint64_t kBehindJoints = 1000;
-      const double weight = random_unit(seed, RandomStream{21}, kBehindJoints + number++) - 0.5;
+      const double weight = random_unit(seed, RandomStream::arm, kBehindJoints + number++) - 0.5;
       const Coefficient factor{Rational(static_cast<std::int64_t>(weight * kLargestWeight)), {}};
       sum = sum + factor * one;
     }
@@ -86,6 +78,14 @@ std::vector<Polynomial> combinations(const std::vector<Polynomial>& all, std::si
 }
 
 }  // namespace
+
+Monomial multilinear(std::size_t bits) {
+  Monomial powers;
+  for (std::uint32_t k = 0; bits != 0; ++k, bits >>= 1U) {
+    if ((bits & 1U) != 0) powers.push_back({k, 1});
+  }
+  return powers;
+}
 
 System cut_equations(const Loop& loop, const Cut& cut, std::uint64_t seed) {
   System system;

@@ -10,6 +10,9 @@
 
 namespace moivre {
 
+/// The product of the tangents of bits that are set: t_k+1 for bit k.
+Monomial multilinear(std::size_t bits);
+
 /// Unknowns t1, t2, ...: the tangents s/c of cut.outside, in that order; none where all joints are inside.
 System cut_equations(const Loop& loop, const Cut& cut, std::uint64_t seed);
 

@@ -14,18 +14,9 @@ namespace {
 /// Whole numbers up to this make the random angle from which a joint's turn is counted.
 constexpr int kFinest = 1 << 10;
 
-/// Parts as doubles, the largest near 1.
-ComplexDisplacement rounded(const ExactDisplacement& g) {
-  Integer largest = 0;
-  for (const Integer& part : g) largest = std::max<Integer>(largest, abs(part));
-  ComplexDisplacement result{};
-  for (std::size_t k = 0; k < g.size(); ++k) result[k] = to_double(ratio(g[k], largest));
-  return result;
-}
-
 /// Counts the turn from a random angle: before J(x) = before J(zero) J(x - zero).
 void shift_zero(LoopJoint& joint, std::uint64_t seed, std::size_t number) {
-  const double at = random_unit(seed, RandomStream{21}, number);
+  const double at = random_unit(seed, RandomStream::arm, number);
   const auto c = static_cast<int>(std::lround(kFinest * std::cos(std::numbers::pi * at)));
   const auto s = static_cast<int>(std::lround(kFinest * std::sin(std::numbers::pi * at)));
   ExactDisplacement turn{};
@@ -37,7 +28,15 @@ void shift_zero(LoopJoint& joint, std::uint64_t seed, std::size_t number) {
 
 }  // namespace
 
-Loop make_loop(const Arm& arm, const Eigen::Isometry3d& pose, std::uint64_t seed) {
+ComplexDisplacement rounded(const ExactDisplacement& g) {
+  Integer largest = 0;
+  for (const Integer& part : g) largest = std::max<Integer>(largest, abs(part));
+  ComplexDisplacement result{};
+  for (std::size_t k = 0; k < g.size(); ++k) result[k] = to_double(ratio(g[k], largest));
+  return result;
+}
+
+Loop open_loop(const Arm& arm, std::uint64_t seed) {
   Loop loop;
   loop.unit_exponent = std::ilogb(arm.length);
   for (const ArmJoint& joint : arm.joints) {
@@ -48,9 +47,6 @@ Loop make_loop(const Arm& arm, const Eigen::Isometry3d& pose, std::uint64_t seed
     added.one <<= static_cast<unsigned>(std::max(0, std::ilogb(joint.exact_length)));
     added.exact_length = joint.exact_length / to_double(ratio(added.one));
   }
-  const ExactDisplacement back =
-      in_unit(reduced(arm.exact_tool * conjugate(exact_pose(pose))), loop.unit_exponent);
-  loop.joints.front().before = reduced(back * loop.joints.front().before);
   for (std::size_t k = 0; k < loop.joints.size(); ++k) {
     LoopJoint& joint = loop.joints[k];
     if (!joint.is_slide) shift_zero(joint, seed, k);
@@ -59,6 +55,16 @@ Loop make_loop(const Arm& arm, const Eigen::Isometry3d& pose, std::uint64_t seed
       joint.rounded_step[i] = to_double(ratio(joint.step[i], joint.one));
     }
   }
+  return loop;
+}
+
+Loop make_loop(const Arm& arm, const Eigen::Isometry3d& pose, std::uint64_t seed) {
+  Loop loop = open_loop(arm, seed);
+  const ExactDisplacement back =
+      in_unit(reduced(arm.exact_tool * conjugate(exact_pose(pose))), loop.unit_exponent);
+  LoopJoint& first = loop.joints.front();
+  first.before = reduced(back * first.before);
+  first.rounded_before = rounded(first.before);
   return loop;
 }
 

@@ -34,7 +34,12 @@ struct Loop {
   int unit_exponent = 0;
 };
 
+/// The loop without its tool and pose: B_1 is the arm's own.
+Loop open_loop(const Arm& arm, std::uint64_t seed);
 Loop make_loop(const Arm& arm, const Eigen::Isometry3d& pose, std::uint64_t seed);
+
+/// Parts as doubles, the largest near 1.
+ComplexDisplacement rounded(const ExactDisplacement& g);
 
 /// A joint's place on the projective line.
 struct Tangent {

@@ -29,26 +29,16 @@ Linearized linearized(const Arm& arm, const Eigen::Isometry3d& pose, const Eigen
   Linearized at;
   const auto n = static_cast<Eigen::Index>(arm.joints.size());
   at.jacobian = Jacobian::Zero(6, n);
-  Eigen::Isometry3d frame = Eigen::Isometry3d::Identity();
-  std::vector<Eigen::Vector3d> places, axes;
-  for (Eigen::Index k = 0; k < n; ++k) {
-    const ArmJoint& joint = arm.joints[static_cast<std::size_t>(k)];
-    frame = frame * joint.before;
-    places.emplace_back(frame.translation());
-    axes.emplace_back(frame.linear() * joint.axis);
-    if (joint.is_slide) {
-      frame.translate(q[k] * joint.axis);
-    } else {
-      frame.rotate(Eigen::AngleAxisd(q[k], joint.axis));
-    }
-  }
-  frame = frame * arm.tool;
+  const std::vector<Eigen::Isometry3d> frames = joint_frames(arm, q);
+  const Eigen::Isometry3d frame = frames.back() * arm.tool;
   for (Eigen::Index k = 0; k < n; ++k) {
     const auto i = static_cast<std::size_t>(k);
+    const Eigen::Vector3d axis = frames[i].linear() * arm.joints[i].axis;
+    const Eigen::Vector3d lever = frame.translation() - frames[i].translation();
     if (arm.joints[i].is_slide) {
-      at.jacobian.col(k).head<3>() = axes[i];  // per arm's length
+      at.jacobian.col(k).head<3>() = axis;  // per arm's length
     } else {
-      at.jacobian.col(k) << axes[i].cross(frame.translation() - places[i]) / arm.length, axes[i];
+      at.jacobian.col(k) << axis.cross(lever) / arm.length, axis;
     }
   }
   const Eigen::Quaterniond turn(pose.linear() * frame.linear().transpose());

@@ -58,6 +58,13 @@ std::vector<Eigen::Isometry3d> chosen_poses(const ArmOptions& options) {
   return read_poses(read_source(options.poses));
 }
 
+void require_one_to_draw(const ArmRun& run, std::size_t poses) {
+  const bool is_drawn = !run.svg.empty() || !run.html.empty();
+  if (!is_drawn || poses == 1) return;
+  throw std::invalid_argument("--svg and --html show the closures of one pose, not of " +
+                              std::to_string(poses));
+}
+
 }  // namespace
 
 void add_arm_options(CLI::App& command, ArmOptions& options) {
@@ -101,10 +108,15 @@ int run_arm(const ArmRun& run, const Source& source) {
                  report.arm = make_arm(
                      robot, {chosen(run.arm.base), chosen(run.arm.tip), held_joints(run.arm.held)});
                },
-               [&] { poses = chosen_poses(run.arm); },
+               [&] {
+                 poses = chosen_poses(run.arm);
+                 require_one_to_draw(run, poses.size());
+               },
                [&] { tracker = make_tracker(run.tracker); }});
   Output json(run.json);
   Output csv(run.csv);
+  Output svg(run.svg);
+  Output html(run.html);
   report.file = run.file;
   report.is_list = !run.arm.poses.empty();
   report.parse_s = watch.total();
@@ -125,7 +137,9 @@ int run_arm(const ArmRun& run, const Source& source) {
   const bool complete = is_complete(report) && report.results.size() == poses.size();
   deliver(
       {{&json, [&] { return arm_json(report); }},
-       {&csv, [&] { return arm_csv(report, run.in_degrees); }}},
+       {&csv, [&] { return arm_csv(report, run.in_degrees); }},
+       {&svg, [&] { return arm_svg(report, run.in_degrees); }},
+       {&html, [&] { return arm_html(report, run.in_degrees); }}},
       run.quiet, [&] { return arm_text(report); },
       complete ? "" : "some paths are undecided, or the run was interrupted");
   return complete ? kDecided : kUndecided;

@@ -33,7 +33,7 @@ struct ArmRun {
   int threads = 0;
   bool quiet = false;
   bool in_degrees = false;
-  std::string json, csv;
+  std::string json, csv, svg, html;
 };
 
 /// By its ending, or by its content where that says XML.

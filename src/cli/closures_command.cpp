@@ -60,14 +60,12 @@ std::optional<MotionResult> motion_for_page(const ClosureResult& result, const M
   return find_motion(mechanism, tracker, motion, stop);
 }
 
-/// A robot has no drivers, no gears and, as yet, no pictures.
+/// A robot has no drivers and no gears.
 void require_no_more(const ClosuresCommand& command) {
   std::vector<std::string> given;
   if (command.at != 0) given.emplace_back("--at");
   if (command.mechanism.fit) given.emplace_back("--fit");
   if (command.mechanism.all_meshings) given.emplace_back("--meshings");
-  if (!command.svg.empty()) given.emplace_back("--svg");
-  if (!command.html.empty()) given.emplace_back("--html");
   if (given.empty()) return;
   throw std::invalid_argument(joined(given, ", ") + (given.size() == 1 ? " is" : " are") +
                               " not for robots (URDF); moivre mechanism makes a mechanism of one");
@@ -75,9 +73,10 @@ void require_no_more(const ClosuresCommand& command) {
 
 int run_robot(const ClosuresCommand& command, const Source& source) {
   require_no_more(command);
-  return run_arm({command.file, command.arm, command.start, command.tracker, command.threads,
-                  command.quiet, command.angles.in_degrees, command.json, command.csv},
-                 source);
+  return run_arm(
+      {command.file, command.arm, command.start, command.tracker, command.threads, command.quiet,
+       command.angles.in_degrees, command.json, command.csv, command.svg, command.html},
+      source);
 }
 
 int run(const ClosuresCommand& command) {
@@ -172,14 +171,15 @@ void add_closures_command(CLI::App& moivre, Chosen& chosen) {
                  "use the families in this file, and add those that are learned")
       ->type_name("PATH");
   add_tracker_options(app, command->tracker);
-  add_examples(app, {"moivre closures four-bar.toml", "moivre closures four-bar.toml --at 0.5",
-                     "moivre closures four-bar.toml --json - | jq .counts",
-                     "moivre closures four-bar.toml --quiet --csv closures.csv",
-                     "moivre closures four-bar.toml --svg closures.svg",
-                     "moivre closures four-bar.toml --html closures.html",
-                     "moivre closures puma560.urdf --pose \"0.4 0.1 0.3 1 0 0 0\"",
-                     "moivre closures panda.urdf --tip panda_hand_tcp --hold panda_joint7=0.8 "
-                     "--poses poses.csv --csv joints.csv"});
+  add_examples(app,
+               {"moivre closures four-bar.toml", "moivre closures four-bar.toml --at 0.5",
+                "moivre closures four-bar.toml --json - | jq .counts",
+                "moivre closures four-bar.toml --quiet --csv closures.csv",
+                "moivre closures four-bar.toml --svg closures.svg",
+                "moivre closures four-bar.toml --html closures.html",
+                "moivre closures puma560.urdf --pose \"0.4 0.1 0.3 1 0 0 0\" --svg postures.svg",
+                "moivre closures panda.urdf --tip panda_hand_tcp --hold panda_joint7=0.8 "
+                "--poses poses.csv --csv joints.csv"});
   app.callback([command, &chosen] { chosen = [command] { return run(*command); }; });
 }
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "column_choice.h"
 #include "command.h"
 #include "common_options.h"
 #include "interruption.h"
@@ -14,6 +15,7 @@
 #include "moivre/closure_report/motion_report.h"
 #include "moivre/closure_report/page.h"
 #include "moivre/closure_report/picture.h"
+#include "moivre/closure_report/readings_report.h"
 #include "moivre/closures/circuits.h"
 #include "moivre/numeric/stopwatch.h"
 #include "moivre/report/number_text.h"
@@ -30,6 +32,7 @@ struct MotionCommand {
   TrackerChoice tracker;
   MechanismChoice mechanism;
   AngleForm angles;
+  ColumnChoice columns;
   MotionOptions options;
   std::optional<double> to;
   std::vector<std::string> guesses;
@@ -66,7 +69,8 @@ void require_reachable(const Mechanism& mechanism, const MotionOptions& options)
 }
 
 /// Refuses so many samples that a branch of them would not fit into memory.
-void require_room(const Mechanism& mechanism, const MotionCommand& command) {
+void require_room(const Mechanism& mechanism, const MotionCommand& command,
+                  const QuantityReader* reader) {
   constexpr double kMostInTree =
       3e6;  // numbers with their names, as JSON and the page: half a gigabyte
   constexpr double kMostInTable = 3e7;  // as text, likewise
@@ -75,7 +79,8 @@ void require_room(const Mechanism& mechanism, const MotionCommand& command) {
   const std::size_t components = mechanism.space == Space::planar ? 2 : 3;
   constexpr double kDerivatives = 3;  // position, velocity, acceleration
   const double numbers =
-      kDerivatives * static_cast<double>(coordinates(mechanism).size() + components * places);
+      kDerivatives * static_cast<double>(coordinates(mechanism).size() + components * places) +
+      static_cast<double>(reader == nullptr ? 0 : reader->quantities().size());
   const auto require = [&](const std::string& path, const char* option, double most) {
     if (path.empty() || command.options.steps * numbers <= most) return;
     throw std::invalid_argument(std::string(option) + ": " + std::to_string(command.options.steps) +
@@ -128,11 +133,19 @@ int run(const MotionCommand& command) {
          require_distinct({command.json, command.csv, command.svg, command.html}, command.file);
        },
        [&] { require_ending(command.svg, ".svg"); }, [&] { require_ending(command.html, ".html"); },
+       [&] {
+         if (!asks_for_help(command.columns)) groups_of(command.columns);
+       },
        [&] { tracker = make_tracker(command.tracker); }});
   const Stopwatch watch;
   Mechanism mechanism = read_any_mechanism(command.file);
   apply(command.mechanism, mechanism);
+  if (asks_for_help(command.columns)) {
+    write_to_stdout(columns_help(mechanism));
+    return kDecided;
+  }
   require_mover(mechanism);
+  const std::unique_ptr<const QuantityReader> reader = make_reader(mechanism, command.columns);
   const double parse_s = watch.total();
   MotionOptions options = command.options;
   options.to = command.to.value_or(options.from + natural_duration(mechanism, options.from));
@@ -142,7 +155,7 @@ int run(const MotionCommand& command) {
   options.solve.fallback = fallback.get();
   require_workable(mechanism, options);
   require_reachable(mechanism, options);
-  require_room(mechanism, command);
+  require_room(mechanism, command, reader.get());
   Output json(command.json);
   Output csv(command.csv);
   Output svg(command.svg);
@@ -163,12 +176,24 @@ int run(const MotionCommand& command) {
     const Circuits circuits = find_circuits(mechanism, result);
     result = reachable_from(std::move(result), circuits, command.closures);
   }
+  std::optional<Readings> readings;
+  const bool tells_extremes = !command.quiet || json.is_wanted();
+  if (reader) readings = read_motion(result, mechanism, *reader, tells_extremes);
+  const Readings* const read = readings ? &*readings : nullptr;
   deliver(
-      {{&json, [&] { return motion_json(result, mechanism, command.file, command.angles); }},
-       {&csv, [&] { return motion_csv(result, mechanism, command.angles); }},
+      {{&json, [&] { return motion_json(result, mechanism, command.file, command.angles, read); }},
+       {&csv,
+        [&] {
+          return readings ? columns_csv(result, *readings, mechanism, command.angles)
+                          : motion_csv(result, mechanism, command.angles);
+        }},
        {&svg, [&] { return motion_svg(result, mechanism, command.file); }},
-       {&html, [&] { return motion_html(result, mechanism, command.file); }}},
-      command.quiet, [&] { return motion_text(result, mechanism, command.file); },
+       {&html, [&] { return motion_html(result, mechanism, command.file, read); }}},
+      command.quiet,
+      [&] {
+        return motion_text(result, mechanism, command.file) +
+               (readings ? extremes_text(*readings, mechanism) : "");
+      },
       result.complete ? "" : result.message);
   return result.complete ? kDecided : kUndecided;
 }
@@ -211,6 +236,7 @@ void add_motion_command(CLI::App& moivre, Chosen& chosen) {
   add_json_option(app, command->json);
   app.add_option("--csv", command->csv, "write a table of all samples here")->type_name("PATH");
   add_angles_option(app, command->angles);
+  add_column_options(app, command->columns);
   app.add_flag(
       "--continuous", command->angles.goes_on,
       "let angles go on beyond half a turn along a branch, in CSV and JSON, without a jump");
@@ -225,6 +251,8 @@ void add_motion_command(CLI::App& moivre, Chosen& chosen) {
                      "moivre motion stephenson-3.toml --closure C --svg circuit.svg",
                      "moivre motion jansen-leg.toml --checkpoints 12 --json - | jq .events",
                      "moivre motion four-bar.toml --svg curves.svg --html motion.html",
+                     "moivre motion four-bar.toml --columns joints,transmission --csv joints.csv",
+                     "moivre motion four-bar.toml --columns all --html motion.html --quiet",
                      "moivre motion rssr.toml --from-guess",
                      "moivre motion four-bar.toml --guess coupler.phi=-60 --guess rocker.phi=-90"});
   app.callback([command, &chosen] { chosen = [command] { return run(*command); }; });

@@ -18,17 +18,4 @@ double in_form(double value, CoordinateKind kind, const AngleForm& form) {
   return turns ? value * 180 / std::numbers::pi : value;
 }
 
-CoordinateKind kind_of(const Mechanism& mechanism, const Driver& driver) {
-  const bool is_angle = driver.kind == DriverKind::unknown
-                            ? mechanism.unknowns[driver.unknown].is_angle
-                            : driver.kind == DriverKind::angle;
-  return is_angle ? CoordinateKind::angle : CoordinateKind::length;
-}
-
-std::string label_of(const Driver& driver) {
-  const bool is_place =
-      driver.kind == DriverKind::x || driver.kind == DriverKind::y || driver.kind == DriverKind::z;
-  return is_place ? driver.name + "." + to_string(driver.kind) : driver.name;
-}
-
 }  // namespace moivre

@@ -5,6 +5,7 @@
 
 #include "labels.h"
 #include "moivre/closure_report/picture.h"
+#include "moivre/closure_report/sheet.h"
 #include "moivre/report/number_text.h"
 #include "panels.h"
 #include "pose_text.h"
@@ -42,7 +43,7 @@ std::string closures_svg(const ClosureResult& result, const Mechanism& mechanism
   sheet.title = mechanism.title.empty() ? file : mechanism.title;
   sheet.summary = summary(result, mechanism);
   for (const Closure& closure : result.closures) {
-    sheet.panels.push_back({caption(closure), closure.q, false});
+    sheet.panels.push_back({caption(closure), closure.q});
   }
   if (sheet.panels.empty()) {
     sheet.panels.push_back(

@@ -23,20 +23,23 @@ Vector3d origin(const Mechanism& mechanism, std::size_t body, const VectorXd& q)
   return {q[begin], q[begin + 1], is_spatial ? q[begin + 2] : 0};
 }
 
-Complex place_of(const Mechanism& mechanism, const MaterialPoint& point, const VectorXd& q) {
+Complex place_of(const Mechanism& mechanism, const MaterialPoint& point, const VectorXd& q,
+                 const Eye& eye) {
   return seen(mechanism,
-              origin(mechanism, point.body, q) + orientation(mechanism, point.body, q) * point.at);
+              origin(mechanism, point.body, q) + orientation(mechanism, point.body, q) * point.at,
+              eye);
 }
 
 struct Placement {
   const Mechanism& mechanism;
   const VectorXd& q;
+  const Eye& eye;
 
   Similarity operator()(const LineFrame& frame) const {
-    const Complex from = place_of(mechanism, frame.from, q);
+    const Complex from = place_of(mechanism, frame.from, q, eye);
     const bool is_one_place = frame.from.body == frame.to.body && frame.from.at == frame.to.at;
     if (is_one_place) return {1, from};
-    return {(place_of(mechanism, frame.to, q) - from) / frame.length, from};
+    return {(place_of(mechanism, frame.to, q, eye) - from) / frame.length, from};
   }
   Similarity operator()(const DialFrame& frame) const {
     return {std::polar(1.0, q[frame.coordinate]), frame.centre};
@@ -76,6 +79,12 @@ std::string to_string(Style style) {
       return "pitch-circle";
     case Style::axis:
       return "axis";
+    case Style::x_axis:
+      return "x-axis";
+    case Style::y_axis:
+      return "y-axis";
+    case Style::z_axis:
+      return "z-axis";
     case Style::mark:
       return "mark";
   }
@@ -95,20 +104,18 @@ void Box::include(Complex z, double radius) {
   upper = {std::max(upper.real(), high.real()), std::max(upper.imag(), high.imag())};
 }
 
-Complex seen(const Mechanism& mechanism, const Vector3d& r) {
+Complex seen(const Mechanism& mechanism, const Vector3d& r, const Eye& eye) {
   if (mechanism.space == Space::planar) return {r.x(), r.y()};
-  // The eye is in front on the left and above: x goes right, y back, z up.
-  constexpr double kAzimuth_rad = -1.05;
-  constexpr double kElevation_rad = 0.42;
-  const Vector3d right(-std::sin(kAzimuth_rad), std::cos(kAzimuth_rad), 0);
-  const Vector3d up(-std::cos(kAzimuth_rad) * std::sin(kElevation_rad),
-                    -std::sin(kAzimuth_rad) * std::sin(kElevation_rad), std::cos(kElevation_rad));
+  const double sa = std::sin(eye.azimuth_rad), ca = std::cos(eye.azimuth_rad);
+  const double se = std::sin(eye.elevation_rad), ce = std::cos(eye.elevation_rad);
+  const Vector3d right(-sa, ca, 0);
+  const Vector3d up(-ca * se, -sa * se, ce);
   return {right.dot(r), up.dot(r)};
 }
 
-Drawing draw(const Mechanism& mechanism, const std::vector<VectorXd>& poses) {
+Drawing draw(const Mechanism& mechanism, const std::vector<VectorXd>& poses, const View& view) {
   if (is_typed(mechanism)) return draw_unknowns(mechanism, poses);
-  if (mechanism.space == Space::spatial) return draw_spatial(mechanism, poses);
+  if (mechanism.space == Space::spatial) return draw_spatial(mechanism, poses, view);
   return draw_planar(mechanism, poses);
 }
 
@@ -116,7 +123,7 @@ std::vector<Similarity> place(const Drawing& drawing, const Mechanism& mechanism
                               const VectorXd& q) {
   std::vector<Similarity> places;
   for (const Frame& frame : drawing.frames) {
-    places.push_back(std::visit(Placement{mechanism, q}, frame));
+    places.push_back(std::visit(Placement{mechanism, q, drawing.eye}, frame));
   }
   return places;
 }

@@ -163,12 +163,12 @@ std::vector<Site> sites(const Mechanism& mechanism) {
   return named(mechanism, points, site_of, is_jointed);
 }
 
-Box extent(const Mechanism& mechanism, const std::vector<Eigen::VectorXd>& poses) {
+Box extent(const Mechanism& mechanism, const std::vector<Eigen::VectorXd>& poses, const Eye& eye) {
   Box box;
   for (const Eigen::VectorXd& q : poses) {
     for (std::size_t body = 0; body < mechanism.bodies.size(); ++body) {
       for (std::size_t k = 0; k < mechanism.bodies[body].points.size(); ++k) {
-        box.include(seen(mechanism, point_position(mechanism, {body, k}, q)));
+        box.include(seen(mechanism, point_position(mechanism, {body, k}, q), eye));
       }
     }
   }

@@ -39,7 +39,8 @@ struct Sketch {
 double symbol_size(const Box& extent);
 
 Drawing draw_planar(const Mechanism& mechanism, const std::vector<Eigen::VectorXd>& poses);
-Drawing draw_spatial(const Mechanism& mechanism, const std::vector<Eigen::VectorXd>& poses);
+Drawing draw_spatial(const Mechanism& mechanism, const std::vector<Eigen::VectorXd>& poses,
+                     const View& view);
 Drawing draw_unknowns(const Mechanism& mechanism, const std::vector<Eigen::VectorXd>& poses);
 
 /// Groups of points that joints hold together, each with the distinct names of its points: "A", or "A, P".
@@ -51,6 +52,7 @@ struct Site {
 std::vector<Site> sites(const Mechanism& mechanism);
 
 /// All named points in all poses, as they are seen.
-Box extent(const Mechanism& mechanism, const std::vector<Eigen::VectorXd>& poses);
+Box extent(const Mechanism& mechanism, const std::vector<Eigen::VectorXd>& poses,
+           const Eye& eye = {});
 
 }  // namespace moivre

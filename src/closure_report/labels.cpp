@@ -56,6 +56,9 @@ double weight_of(Style style) {
     case Style::wire:
     case Style::guide:
     case Style::axis:
+    case Style::x_axis:
+    case Style::y_axis:
+    case Style::z_axis:
     case Style::pitch_circle:
       return kLineCost;
     case Style::block:

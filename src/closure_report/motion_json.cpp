@@ -5,6 +5,7 @@
 #include "moivre/mechanism/phi.h"
 #include "moivre/mechanism/pose.h"
 #include "pose_json.h"
+#include "readings_parts.h"
 #include "shown_angles.h"
 
 namespace moivre {
@@ -92,10 +93,25 @@ Json checkpoint_json(const Checkpoint& checkpoint) {
           {"message", checkpoint.message}};
 }
 
+/// Into the branches, and of each into its samples.
+void add_readings(const Readings& readings, const Mechanism& mechanism, const AngleForm& form,
+                  Json& report) {
+  report["columns"] = columns_json(readings);
+  for (std::size_t b = 0; b < readings.branches.size(); ++b) {
+    const BranchReadings& from = readings.branches[b];
+    Json& branch = report["branches"][b];
+    for (std::size_t j = 0; j < from.values.size(); ++j) {
+      branch["samples"][j]["columns"] = row_json(readings, from.values[j], form);
+    }
+    branch["extremes"] = extremes_json(readings, from, mechanism);
+    branch["time_ratios"] = time_ratios_json(from);
+  }
+}
+
 }  // namespace
 
 std::string motion_json(const MotionResult& result, const Mechanism& mechanism,
-                        const std::string& file, const AngleForm& form) {
+                        const std::string& file, const AngleForm& form, const Readings* readings) {
   const Phi phi(mechanism);
   Json report = report_head("motion", file);
   report["seed"] = result.seed;
@@ -117,6 +133,7 @@ std::string motion_json(const MotionResult& result, const Mechanism& mechanism,
   report["branches"] = list_json(result.branches, [&](const MotionBranch& branch) {
     return branch_json(branch, mechanism, phi, form);
   });
+  if (readings != nullptr) add_readings(*readings, mechanism, form, report);
   report["events"] = list_json(
       result.events, [&](const MotionEvent& event) { return event_json(event, mechanism, phi); });
   add_circuits(find_circuits(mechanism, result), result, mechanism, report);

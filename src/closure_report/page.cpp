@@ -2,7 +2,7 @@
 // The page: markup with the first poses drawn, and the data that its script drives them with.
 //
 // Data, as JSON: {"from", "to": seconds; "times": [..], "drivers": [{"name", "unit", "values": [a time]}],
-// "quantities": [{"name", "units": [of value, velocity, acceleration]}],
+// "quantities": [{"name", "units": [of value, velocity, acceleration]}] (of value alone where that is all),
 // "branches": [{"t": [..], "frames": [[a b e f ...] a time], "series": [[values, velocities, accelerations] a quantity],
 // "begins", "ends": sentences, "colour": class, "dashes"}]}; a frame puts (x, y) at (a x - b y + e, b x + a y + f), in pixels.
 #include "moivre/closure_report/page.h"
@@ -15,15 +15,16 @@
 #include "circuits_report.h"
 #include "labels.h"
 #include "moivre/closure_report/angles.h"
+#include "moivre/closure_report/sheet.h"
 #include "moivre/mechanism/pose.h"
 #include "moivre/report/json.h"
 #include "moivre/report/number_text.h"
 #include "page_assets.h"
+#include "page_columns.h"
 #include "page_parts.h"
 #include "panels.h"
 #include "svg.h"
 #include "traces.h"
-#include "turning_page.h"
 
 namespace moivre {
 namespace {
@@ -54,6 +55,7 @@ struct Page {
   std::vector<double> times;
   std::vector<PageBranch> branches;
   std::vector<std::string> notes;
+  PageColumns columns;
 };
 
 std::vector<Quantity> quantities(const Mechanism& mechanism) {
@@ -166,12 +168,12 @@ Canvas make_canvas(const Page& page, const Mechanism& mechanism) {
     box.include(one.lower);
     box.include(one.upper);
   }
-  constexpr double kRoom = 28;
+  constexpr double kBorder = 28;
   canvas.map.scale = canvas.own.scale = pixel_scale(canvas.drawing);
-  canvas.map.origin = Complex(kRoom, kRoom) -
+  canvas.map.origin = Complex(kBorder, kBorder) -
                       std::conj(Complex(box.lower.real(), box.upper.imag())) * canvas.map.scale;
-  canvas.width = box.width() * canvas.map.scale + 2 * kRoom;
-  canvas.height = box.height() * canvas.map.scale + 2 * kRoom;
+  canvas.width = box.width() * canvas.map.scale + 2 * kBorder;
+  canvas.height = box.height() * canvas.map.scale + 2 * kBorder;
   return canvas;
 }
 
@@ -199,6 +201,14 @@ Json branch_json(const PageBranch& branch, const Canvas& canvas,
           {"ends", branch.ends},
           {"colour", colour_class(branch.look.colour)},
           {"dashes", branch.look.dashes}};
+}
+
+void add_columns(const PageColumns& columns, const std::string& id, Json& branch) {
+  branch["id"] = id;
+  for (std::size_t k = 0; k < columns.ids.size(); ++k) {
+    if (columns.ids[k] != id) continue;
+    for (const Json& series : columns.series[k]) branch["series"].push_back(series);
+  }
 }
 
 std::string matrix_text(const std::array<double, 4>& m) {
@@ -291,10 +301,12 @@ std::string drive_html() {
          '\n';
 }
 
-std::string plots_html(const Page& page, const std::vector<Quantity>& plotted) {
+/// `quantities`: as the page's data has them.
+std::string plots_html(const Page& page, const Json& quantities) {
   std::string options;
-  for (std::size_t k = 0; k < plotted.size(); ++k) {
-    options += element("option", {{"value", std::to_string(k)}}, escaped(plotted[k].name));
+  for (std::size_t k = 0; k < quantities.size(); ++k) {
+    options += element("option", {{"value", std::to_string(k)}},
+                       escaped(quantities[k]["name"].get<std::string>()));
   }
   std::string legend;
   for (std::size_t k = 0; k < page.branches.size(); ++k) {
@@ -304,7 +316,7 @@ std::string plots_html(const Page& page, const std::vector<Quantity>& plotted) {
         "border-top-color:" + colour_text(look.colour) + ";border-top-style:" + line;
     const std::string circuit = look.circuit.empty() ? "" : ", " + look.circuit;
     legend +=
-        element("span", {},
+        element("button", {{"type", "button"}, {"data-branch", std::to_string(k)}},
                 element("i", {{"style", style}}, " ") + escaped(page.branches[k].id + circuit)) +
         '\n';
   }
@@ -315,6 +327,7 @@ std::string plots_html(const Page& page, const std::vector<Quantity>& plotted) {
   }
   return element("h2", {}, "Plots") +
          element("select", {{"id", "quantity"}, {"aria-label", "quantity"}}, options) + '\n' +
+         element("button", {{"id", "save"}, {"type", "button"}}, "Save all as CSV") + '\n' +
          element("div", {{"id", "legend"}}, legend) + element("div", {{"id", "plots"}}, plots);
 }
 
@@ -331,6 +344,7 @@ std::string page_html(const Page& page, const Mechanism& mechanism) {
   data["quantities"] = list_json(plotted, [&](const Quantity& quantity) {
     return Json{{"name", quantity.name}, {"units", units_json(unit_of(quantity, mechanism))}};
   });
+  for (const Json& quantity : page.columns.quantities) data["quantities"].push_back(quantity);
   data["branches"] = Json::array();
   if (!page.branches.empty()) {
     const Canvas canvas = make_canvas(page, mechanism);
@@ -340,11 +354,13 @@ std::string page_html(const Page& page, const Mechanism& mechanism) {
     std::string panels;
     for (std::size_t k = 0; k < page.branches.size(); ++k) {
       panels += panel_html(page.branches[k], k, canvas, plotted, mechanism);
-      data["branches"].push_back(branch_json(page.branches[k], canvas, plotted, mechanism));
+      Json branch = branch_json(page.branches[k], canvas, plotted, mechanism);
+      add_columns(page.columns, page.branches[k].id, branch);
+      data["branches"].push_back(std::move(branch));
     }
     body += element("div", {{"id", "panels"}, {"class", crowd}}, panels) + '\n';
   }
-  if (moves) body += plots_html(page, plotted);
+  if (moves) body += plots_html(page, data["quantities"]);
   body += list_html(page.notes);
   body += element("script", {{"type", "application/json"}, {"id", "data"}}, script_data(data));
   return html_document(page.title, std::move(body), page_script());
@@ -368,8 +384,9 @@ std::string counts_text(const ClosureCounts& counts) {
 }  // namespace
 
 std::string motion_html(const MotionResult& result, const Mechanism& mechanism,
-                        const std::string& file) {
+                        const std::string& file, const Readings* readings) {
   Page page;
+  if (readings != nullptr) page.columns = page_columns(*readings, result, mechanism);
   page.title = mechanism.title.empty() ? file : mechanism.title;
   page.summary = counted(result.branches.size(), "branch", "branches") +
                  " from t = " + short_text(result.from) + " s to " + short_text(result.to) + " s";
@@ -400,7 +417,9 @@ std::string closures_html(const ClosureResult& result, const Mechanism& mechanis
                           const std::string& file) {
   const std::string summary = counts_text(result.counts) + "; " + result.message;
   if (mechanism.space == Space::spatial) {
-    return turning_html(result, mechanism, file, summary);
+    Sheet sheet{mechanism.title.empty() ? file : mechanism.title, summary, {}};
+    for (const Closure& closure : result.closures) sheet.panels.push_back({closure.id, closure.q});
+    return turning_html(sheet, mechanism);
   }
   Page page;
   page.title = mechanism.title.empty() ? file : mechanism.title;

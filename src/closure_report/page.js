@@ -88,13 +88,15 @@
   };
 
   const kinds = ['position', 'velocity', 'acceleration'];
+  const hidden = new Set();
   const cursors = [];
   const drawPlot = (parent, quantity, kind, setTime) => {
     const [width, height, left, right, top, bottom] = [420, 240, 64, 10, 24, 36];
     const unit = data.quantities[quantity].units[kind];
     const svg = svgElement('svg', {viewBox: `0 0 ${width} ${height}`, role: 'img'}, parent);
-    const lines = data.branches.map((b) => ({t: b.t, values: b.series[quantity][kind]}));
-    const valuesOf = (k) => data.branches.flatMap((b) => b.series[quantity][k]);
+    const shown = data.branches.filter((b) => !hidden.has(b));
+    const lines = shown.map((b) => ({t: b.t, values: b.series[quantity][kind]}));
+    const valuesOf = (k) => shown.flatMap((b) => b.series[quantity][k]);
     const before = kind === 0 ? 0 : largest(valuesOf(kind - 1)) / (data.to - data.from);
     const [low, high] = rangeOf(valuesOf(kind), 1e-7 * Math.max(largest(valuesOf(kind)), before));
     const x = (t) => left + (t - data.from) / (data.to - data.from) * (width - left - right);
@@ -110,7 +112,8 @@
       svgElement('path', {class: 'grid', d: `M${x(t)} ${top}V${height - bottom}`}, svg);
       label({x: x(t), y: height - bottom + 15, 'text-anchor': 'middle'}, text(t));
     }
-    label({x: left, y: 14}, `${kinds[kind]} of ${data.quantities[quantity].name}${unit ? ` [${unit}]` : ''}`);
+    const what = data.quantities[quantity].units.length > 1 ? `${kinds[kind]} of ` : '';
+    label({x: left, y: 14}, `${what}${data.quantities[quantity].name}${unit ? ` [${unit}]` : ''}`);
     label({x: width - right, y: height - 4, 'text-anchor': 'end'}, 'time t [s]');
     const clip = svgElement('clipPath', {id: `clip-${kind}`}, svg);
     svgElement('rect', {x: left, y: top, width: width - left - right, height: height - top - bottom}, clip);
@@ -123,7 +126,7 @@
         if (v !== null) path += `${isDown ? 'L' : 'M'}${x(t).toFixed(2)} ${y(v).toFixed(2)}`;
         isDown = v !== null;
       });
-      const {colour, dashes} = data.branches[k];
+      const {colour, dashes} = shown[k];
       svgElement('path', {class: `curve ${colour}`, d: path, 'stroke-dasharray': dashes || 'none'}, curves);
     });
     const cursor = svgElement('path', {class: 'cursor'}, svg);
@@ -159,9 +162,51 @@
     kinds.forEach((kind, k) => {
       const parent = byId('plot-' + kind);
       parent.replaceChildren();
-      drawPlot(parent, Number(chooser.value), k, setTime);
+      const quantity = Number(chooser.value);
+      parent.hidden = k >= data.quantities[quantity].units.length;
+      if (!parent.hidden) drawPlot(parent, quantity, k, setTime);
     });
     setTime(now);
+  };
+
+  const toggleBranch = (button) => {
+    const index = Number(button.dataset.branch);
+    const branch = data.branches[index];
+    if (!hidden.delete(branch)) hidden.add(branch);
+    button.classList.toggle('off', hidden.has(branch));
+    button.setAttribute('aria-pressed', String(!hidden.has(branch)));
+    byId('panel-' + index).hidden = hidden.has(branch);
+    showPlots();
+  };
+  for (const figure of document.querySelectorAll('#panels figure')) {
+    const name = figure.querySelector('figcaption');
+    name.title = 'enlarge';
+    name.addEventListener('click', () => figure.classList.toggle('large'));
+  }
+
+  // Every quantity that can be plotted, a sample a line, as many digits as the plots have.
+  const csvOf = () => {
+    const suffixes = ['', '.velocity', '.acceleration'];
+    const cell = (x) => (x === null ? '' : String(x));
+    const quoted = (name) => (/[",\n]/.test(name) ? `"${name.replaceAll('"', '""')}"` : name);
+    const unitOf = (unit) => (unit ? ` [${unit}]` : '');
+    const names = ['branch', 't', ...data.drivers.map((d) => `driver ${d.name}${unitOf(d.unit)}`)];
+    for (const {name, units} of data.quantities) {
+      units.forEach((unit, k) => names.push(`${name}${suffixes[k]}${unitOf(unit)}`));
+    }
+    const rows = data.branches.filter((b) => !hidden.has(b)).flatMap((b) => b.t.map((t, j) => {
+      const place = placeAmong(data.times, t);
+      const drivers = data.drivers.map((d) => cell(valueAt(d.values, place)));
+      return [b.id, cell(t), ...drivers, ...b.series.flatMap((kindsOf) => kindsOf.map((values) => cell(values[j])))];
+    }));
+    return [names.map(quoted), ...rows].map((row) => row.join(',')).join('\n') + '\n';
+  };
+  const save = () => {
+    const link = document.createElement('a');
+    link.download = `${document.title}.csv`;
+    link.href = URL.createObjectURL(new Blob([csvOf()], {type: 'text/csv'}));
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 1000);
   };
 
   // Once through all the motion in eight seconds.
@@ -196,6 +241,10 @@
     slider.addEventListener('input', () => setTime(data.from + Number(slider.value) * (data.to - data.from)));
     play.addEventListener('click', togglePlay);
     chooser.addEventListener('change', showPlots);
+    byId('save').addEventListener('click', save);
+    for (const button of document.querySelectorAll('#legend button')) {
+      button.addEventListener('click', () => toggleBranch(button));
+    }
     showPlots();
   }
   setTime(data.from);

@@ -7,6 +7,7 @@
 
 #include "labels.h"
 #include "moivre/closure_report/angles.h"
+#include "moivre/closure_report/sheet.h"
 #include "pose_text.h"
 #include "svg.h"
 
@@ -19,8 +20,9 @@ constexpr double kMargin = 16;       // around the sheet
 constexpr double kGap = 12;          // between panels
 constexpr double kLabelRoom = 30;    // around the mechanism in its panel
 constexpr double kCaptionRoom = 26;  // above it
-constexpr double kWidest = 1180;     // of all panels in a row
-constexpr double kNarrowest = 440;   // of a sheet
+constexpr double kCaptionLeft = 10;
+constexpr double kWidest = 1180;    // of all panels in a row
+constexpr double kNarrowest = 440;  // of a sheet
 constexpr double kTitleFont = 17;
 constexpr double kNoteFont = 12;
 constexpr double kTitleLine = 22;
@@ -38,11 +40,25 @@ struct Layout {
   }
 };
 
-Layout lay_out(const Box& box, double scale, std::size_t panels) {
+/// What caption and notes take above the mechanism, in every panel alike.
+double heading_room(const Sheet& sheet) {
+  std::size_t notes = 0;
+  for (const Panel& panel : sheet.panels) notes = std::max(notes, panel.notes.size());
+  return kCaptionRoom + kNoteLine * static_cast<double>(notes);
+}
+
+Layout lay_out(const Box& box, double scale, const Sheet& sheet) {
+  const std::size_t panels = sheet.panels.size();
   Layout layout;
   constexpr double kCaptionWidth = 130;
   layout.panel_width = std::max(kCaptionWidth, box.width() * scale + 2 * kLabelRoom);
-  layout.panel_height = box.height() * scale + 2 * kLabelRoom + kCaptionRoom;
+  for (const Panel& panel : sheet.panels) {
+    for (const std::string& note : panel.notes) {
+      layout.panel_width =
+          std::max(layout.panel_width, text_width(note, kNoteFont) + 2 * kCaptionLeft);
+    }
+  }
+  layout.panel_height = box.height() * scale + 2 * kLabelRoom + heading_room(sheet);
   const auto most = static_cast<std::size_t>((kWidest + kGap) / (layout.panel_width + kGap));
   layout.rows = (panels - 1) / std::max<std::size_t>(most, 1) + 1;
   layout.columns = (panels - 1) / layout.rows + 1;
@@ -63,7 +79,7 @@ std::string heading(const Sheet& sheet, double width, double& y) {
 }
 
 std::string panel_svg(const Panel& panel, const Drawing& drawing, const Mechanism& mechanism,
-                      const PixelMap& map, const Box& frame) {
+                      const PixelMap& map, const Box& frame, double heading) {
   const std::vector<Similarity> places = place(drawing, mechanism, panel.q);
   std::string svg = element("rect", {{"class", "panel"},
                                      {"x", pixel_text(frame.lower.real())},
@@ -72,10 +88,15 @@ std::string panel_svg(const Panel& panel, const Drawing& drawing, const Mechanis
                                      {"height", pixel_text(frame.height())},
                                      {"rx", "6"}}) +
                     '\n';
-  svg += text_svg(frame.lower + Complex(10, 20), "start", panel.is_faint ? "note" : "id",
-                  panel.caption);
+  double line = 20;
+  svg += text_svg(frame.lower + Complex(kCaptionLeft, line), "start",
+                  panel.is_faint ? "note" : "id", panel.caption);
+  for (const std::string& note : panel.notes) {
+    line += kNoteLine;
+    svg += text_svg(frame.lower + Complex(kCaptionLeft, line), "start", "note", note);
+  }
   Box inside = frame;
-  inside.lower += Complex(0, kCaptionRoom);
+  inside.lower += Complex(0, heading);
   const std::string pose =
       figures_svg(drawing, places, map) +
       labels_svg(place_labels(drawing, mechanism, panel.q, places, map, inside));
@@ -106,7 +127,7 @@ std::string drivers_text(const Mechanism& mechanism, double time) {
 std::string sheet_svg(const Sheet& sheet, const Mechanism& mechanism) {
   std::vector<Eigen::VectorXd> poses;
   for (const Panel& panel : sheet.panels) poses.push_back(panel.q);
-  const Drawing drawing = draw(mechanism, poses);
+  const Drawing drawing = draw(mechanism, poses, sheet.view);
   Box box;
   for (const Eigen::VectorXd& q : poses) {
     const Box one = bounds(drawing, place(drawing, mechanism, q));
@@ -114,7 +135,8 @@ std::string sheet_svg(const Sheet& sheet, const Mechanism& mechanism) {
     box.include(one.upper);
   }
   const double scale = pixel_scale(drawing);
-  const Layout layout = lay_out(box, scale, sheet.panels.size());
+  const double room = heading_room(sheet);
+  const Layout layout = lay_out(box, scale, sheet);
   double y = kMargin / 2;
   std::string svg = heading(sheet, layout.width(), y);
   y += kGap;
@@ -127,9 +149,9 @@ std::string sheet_svg(const Sheet& sheet, const Mechanism& mechanism) {
     frame.include(corner);
     frame.include(corner + Complex(layout.panel_width, layout.panel_height));
     const Complex middle =
-        corner + Complex(layout.panel_width / 2, (layout.panel_height + kCaptionRoom) / 2);
+        corner + Complex(layout.panel_width / 2, (layout.panel_height + room) / 2);
     const PixelMap map{scale, middle - std::conj((box.lower + box.upper) / 2.0) * scale};
-    svg += panel_svg(sheet.panels[k], drawing, mechanism, map, frame);
+    svg += panel_svg(sheet.panels[k], drawing, mechanism, map, frame, room);
   }
   y += static_cast<double>(layout.rows) * (layout.panel_height + kGap);
   if (drawing.to_scale) {

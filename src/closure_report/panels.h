@@ -1,27 +1,12 @@
 // SPDX-License-Identifier: MIT
-// How are poses set side by side on one sheet? Panels of one size, in as many columns as fit, with a heading and a scale bar.
+// What do the sheets of all pictures share? Their scale, and how drivers are told.
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "moivre/closure_report/drawing.h"
 
 namespace moivre {
-
-struct Panel {
-  std::string caption;
-  Eigen::VectorXd q;
-  bool is_faint = false;  ///< no closure
-};
-
-struct Sheet {
-  std::string title;
-  std::string summary;
-  std::vector<Panel> panels;  ///< one or more
-};
-
-std::string sheet_svg(const Sheet& sheet, const Mechanism& mechanism);
 
 /// Whether it prescribes an angle, or a length.
 bool drives_angle(const Mechanism& mechanism, const Driver& driver);

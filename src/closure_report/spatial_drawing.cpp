@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How is a spatial mechanism drawn? Bodies as thick lines between their points, joints with their axes, and where x, y, z go.
 #include <algorithm>
+#include <array>
 
 #include "figures.h"
 
@@ -17,14 +18,17 @@ using Eigen::Vector3d;
 
 class SpatialDrawing {
  public:
-  SpatialDrawing(const Mechanism& mechanism, const std::vector<Eigen::VectorXd>& poses)
-      : mechanism_(mechanism), size_(symbol_size(extent(mechanism, poses))) {
+  SpatialDrawing(const Mechanism& mechanism, const std::vector<Eigen::VectorXd>& poses,
+                 const View& view)
+      : mechanism_(mechanism), view_(view), size_(symbol_size(extent(mechanism, poses, view.eye))) {
+    sketch_.drawing.eye = view.eye;
     sketch_.drawing.symbol = size_;
     sketch_.drawing.to_scale = false;  // what goes into the picture is foreshortened
   }
 
   Drawing drawn() && {
-    add_triad();
+    if (view_.frames.empty()) add_triad();
+    for (const ShownFrame& frame : view_.frames) add(frame);
     for (std::size_t body = 1; body < mechanism_.bodies.size(); ++body) add_body(body);
     for (const Joint& joint : mechanism_.joints) add(joint);
     for (const Site& site : sites(mechanism_)) add(site);
@@ -58,6 +62,29 @@ class SpatialDrawing {
     }
   }
 
+  void add(const ShownFrame& frame) {
+    for (int k = 0; k < 3; ++k) {
+      const auto style =
+          std::array{Style::x_axis, Style::y_axis, Style::z_axis}[static_cast<std::size_t>(k)];
+      const Vector3d tip = frame.origin.at + kTriadReach * size_ * frame.axes.col(k);
+      add_line(Sketch::holes, style, std::nullopt, frame.origin, {frame.origin.body, tip});
+      if (!frame.is_lettered) continue;
+      add_label(LabelKind::point, std::string(1, "xyz"[k]), sketch_.drawing.frames.size() - 1, 1);
+    }
+  }
+
+  /// A joint's axis; its head is drawn in a frame in which the line is 1 long.
+  void add_axis(const MaterialPoint& at, const Vector3d& reach) {
+    constexpr Complex kBarb(-0.16, 0.07);
+    const MaterialPoint from{at.body, at.at - reach};
+    const MaterialPoint to{at.body, at.at + reach};
+    std::vector<Shape> shapes{polyline(Style::axis, {0, 1})};
+    if (view_.has_arrows) {
+      shapes.push_back(polyline(Style::axis, {1.0 + kBarb, 1, 1.0 + std::conj(kBarb)}));
+    }
+    sketch_.add(Sketch::holes, sketch_.add(LineFrame{from, to, 1}), std::nullopt, shapes);
+  }
+
   /// Its points one after the other, round where there are three or more.
   void add_body(std::size_t body) {
     const std::size_t count = mechanism_.bodies[body].points.size();
@@ -68,7 +95,7 @@ class SpatialDrawing {
       const MaterialPoint to = material({body, (k + 1) % count});
       if (from.at == to.at) continue;  // axes that meet: there is nothing to draw between them
       add_line(Sketch::links, Style::wire, body - 1, from, to);
-      if (is_named) continue;
+      if (is_named || mechanism_.bodies[body].name.empty()) continue;
       is_named = true;
       add_label(LabelKind::body, mechanism_.bodies[body].name, sketch_.drawing.frames.size() - 1,
                 0.5, body - 1);
@@ -84,11 +111,7 @@ class SpatialDrawing {
     const bool has_axis = joint.type == JointType::revolute || joint.type == JointType::prismatic ||
                           joint.type == JointType::cylindrical ||
                           joint.type == JointType::universal;
-    const Vector3d reach = kAxisReach * size_ * joint.axis[0];
-    if (has_axis) {
-      add_line(Sketch::holes, Style::axis, std::nullopt, {first.body, first.at - reach},
-               {first.body, first.at + reach});
-    }
+    if (has_axis) add_axis(first, kAxisReach * size_ * joint.axis[0]);
     for (const PointOf& point : joint.at) {
       const std::size_t spot = add_spot(point);
       if (point.body == 0) {
@@ -105,18 +128,20 @@ class SpatialDrawing {
     if (!site.is_jointed) {
       sketch_.add(Sketch::joints, spot, std::nullopt, {disc(Style::mark, 0, kMarkRadius * size_)});
     }
-    add_label(LabelKind::point, site.name, spot, 0);
+    if (!site.name.empty()) add_label(LabelKind::point, site.name, spot, 0);
   }
 
   const Mechanism& mechanism_;
+  const View& view_;
   double size_;
   Sketch sketch_;
 };
 
 }  // namespace
 
-Drawing draw_spatial(const Mechanism& mechanism, const std::vector<Eigen::VectorXd>& poses) {
-  return SpatialDrawing(mechanism, poses).drawn();
+Drawing draw_spatial(const Mechanism& mechanism, const std::vector<Eigen::VectorXd>& poses,
+                     const View& view) {
+  return SpatialDrawing(mechanism, poses, view).drawn();
 }
 
 }  // namespace moivre

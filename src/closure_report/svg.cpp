@@ -31,6 +31,8 @@ constexpr std::string_view kRules =
     "path.ground{fill:#fff;stroke-width:1.4px}"
     ".guide{stroke-width:0.9px;stroke-dasharray:9 3 2 3;stroke-linecap:butt}"
     ".axis{stroke-width:1px;stroke:#7a8591}"
+    ".x-axis,.y-axis,.z-axis{stroke-width:2px}"
+    ".x-axis{stroke:#c4302b}.y-axis{stroke:#2f8f2f}.z-axis{stroke:#2b50c4}"
     ".pitch-circle{stroke-dasharray:8 3 2 3;stroke-linecap:butt}"
     ".wire{stroke-width:5px;stroke:#7a8591}"
     ".rod{fill:#c9d0d8;stroke:#55606e}"

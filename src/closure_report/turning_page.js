@@ -3,8 +3,8 @@
 const data = JSON.parse(document.getElementById('data').textContent);
 const canvases = [...document.querySelectorAll('canvas')];
 const home = {
-  azimuth: -1.05,
-  elevation: 0.42,
+  azimuth: data.eye[0],
+  elevation: data.eye[1],
   zoom: 1
 };
 const eye = {...home};
@@ -34,7 +34,7 @@ function draw(canvas, closure) {
     const s = seen(p);
     return [width / 2 + scale * s.right, height / 2 - scale * s.up, s.near];
   };
-  const strokes = [...data.ground, ...closure.strokes].map(([from, to, colour, thick]) => {
+  const strokes = closure.strokes.map(([from, to, colour, thick]) => {
     const a = place(from), b = place(to);
     return {a, b, colour, thick, near: (a[2] + b[2]) / 2};
   });
@@ -58,8 +58,11 @@ function draw(canvas, closure) {
     pen.fill();
   }
   pen.font = '12px sans-serif';
-  for (const [p, name] of data.names) {
+  for (const [p, name] of closure.names) {
     const [x, y] = place(p);
+    pen.strokeStyle = '#fff';
+    pen.lineWidth = 3;
+    pen.strokeText(name, x + 5, y - 5);
     pen.fillText(name, x + 5, y - 5);
   }
 }

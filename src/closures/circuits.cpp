@@ -147,8 +147,9 @@ class CircuitFinder {
       for (const Driver& driver : mechanism.drivers) {
         driver_courses_.back().push_back(driver_course(branch, driver));
       }
-      for (const Quantity& body : bodies_) body_courses_.back().push_back(course(branch, body));
-      for (const Quantity& joint : joints_) joint_courses_.back().push_back(course(branch, joint));
+      for (const MovingPart& body : bodies_) body_courses_.back().push_back(course(branch, body));
+      for (const MovingPart& joint : joints_)
+        joint_courses_.back().push_back(course(branch, joint));
     }
   }
 
@@ -157,7 +158,7 @@ class CircuitFinder {
  private:
   Circuit circuit_of_part(const std::vector<std::size_t>& part) const;
   std::vector<Swing> swings(const std::vector<std::size_t>& part, const Ways& ways,
-                            const std::vector<Quantity>& quantities,
+                            const std::vector<MovingPart>& quantities,
                             const std::vector<std::vector<Course>>& all) const;
   void add_drivers(const Ways& ways, Circuit& circuit) const;
   void add_stretches(Circuit& circuit) const;
@@ -168,8 +169,8 @@ class CircuitFinder {
 
   const Mechanism& mechanism_;
   const MotionResult& motion_;
-  const std::vector<Quantity> bodies_;
-  const std::vector<Quantity> joints_;
+  const std::vector<MovingPart> bodies_;
+  const std::vector<MovingPart> joints_;
   const std::vector<BranchJoin> joins_;
   const std::vector<BranchJoin> smooth_joins_;
   const Parts stretches_;
@@ -179,7 +180,7 @@ class CircuitFinder {
 };
 
 std::vector<Swing> CircuitFinder::swings(const std::vector<std::size_t>& part, const Ways& ways,
-                                         const std::vector<Quantity>& quantities,
+                                         const std::vector<MovingPart>& quantities,
                                          const std::vector<std::vector<Course>>& all) const {
   std::vector<Swing> swings;
   for (std::size_t k = 0; k < quantities.size(); ++k) {

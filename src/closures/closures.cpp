@@ -7,7 +7,7 @@
 
 #include "closure_poses.h"
 #include "closure_roots.h"
-#include "idle_joints.h"
+#include "moivre/closures/idle_joints.h"
 #include "moivre/expression/refusal.h"
 #include "moivre/numeric/stopwatch.h"
 #include "moving_pose.h"

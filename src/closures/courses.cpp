@@ -18,7 +18,7 @@ constexpr double kTurn = 2 * std::numbers::pi;
 // Central differences along a step, where a radian, or the mechanism's length, is 1: their error is the square.
 constexpr double kDifference = 1e-4;
 
-double difference(const Quantity& quantity, double a, double b) {
+double difference(const MovingPart& quantity, double a, double b) {
   const bool is_cut = !quantity.goes_on && quantity.kind == CoordinateKind::angle;
   return is_cut ? std::remainder(a - b, kTurn) : a - b;
 }
@@ -26,7 +26,7 @@ double difference(const Quantity& quantity, double a, double b) {
 /// A quantity over one step, beside its value at the beginning: degree five in u = x / length.
 class StepCurve {
  public:
-  StepCurve(const BranchPiece& piece, const Quantity& quantity) {
+  StepCurve(const BranchPiece& piece, const MovingPart& quantity) {
     const auto [v0, a0] = rates(piece, quantity, 0);
     const auto [v1, a1] = rates(piece, quantity, 1);
     const double rise =
@@ -45,7 +45,7 @@ class StepCurve {
 
  private:
   /// Slope and bend in u at one end of the step.
-  static std::pair<double, double> rates(const BranchPiece& piece, const Quantity& quantity,
+  static std::pair<double, double> rates(const BranchPiece& piece, const MovingPart& quantity,
                                          std::size_t end) {
     const double here = quantity.value(piece.q[end]);
     const auto moved = [&](double x) {
@@ -62,7 +62,7 @@ class StepCurve {
 };
 
 /// Takes one step in from value `v`, where it begins; returns the value where it ends.
-double take_step(const BranchPiece& piece, const Quantity& quantity, double v, Course& course) {
+double take_step(const BranchPiece& piece, const MovingPart& quantity, double v, Course& course) {
   const auto take = [&](double value) {
     course.lower = std::min(course.lower, value);
     course.upper = std::max(course.upper, value);
@@ -83,8 +83,8 @@ double take_step(const BranchPiece& piece, const Quantity& quantity, double v, C
   return end;
 }
 
-Quantity coordinate_quantity(const Coordinate& coordinate, const std::string& name,
-                             std::size_t index) {
+MovingPart coordinate_quantity(const Coordinate& coordinate, const std::string& name,
+                               std::size_t index) {
   const auto i = static_cast<Eigen::Index>(index);
   return {name, coordinate.kind, coordinate.is_periodic, true,
           [i](const VectorXd& q) { return q[i]; }};
@@ -92,8 +92,8 @@ Quantity coordinate_quantity(const Coordinate& coordinate, const std::string& na
 
 }  // namespace
 
-std::vector<Quantity> body_quantities(const Mechanism& mechanism) {
-  std::vector<Quantity> all;
+std::vector<MovingPart> body_quantities(const Mechanism& mechanism) {
+  std::vector<MovingPart> all;
   const std::vector<Coordinate> names = coordinates(mechanism);
   for (std::size_t k = 0; k < names.size(); ++k) {
     if (is_typed(mechanism)) {
@@ -105,8 +105,8 @@ std::vector<Quantity> body_quantities(const Mechanism& mechanism) {
   return all;
 }
 
-std::vector<Quantity> joint_quantities(const Mechanism& mechanism) {
-  std::vector<Quantity> all;
+std::vector<MovingPart> joint_quantities(const Mechanism& mechanism) {
+  std::vector<MovingPart> all;
   if (is_typed(mechanism)) return all;
   const bool is_planar = mechanism.space == Space::planar;
   const VectorXd origin = VectorXd::Zero(static_cast<Eigen::Index>(coordinates(mechanism).size()));
@@ -122,7 +122,7 @@ std::vector<Quantity> joint_quantities(const Mechanism& mechanism) {
   return all;
 }
 
-Course course(const MotionBranch& branch, const Quantity& quantity) {
+Course course(const MotionBranch& branch, const MovingPart& quantity) {
   const auto& [back, on] = branch.ways;
   const VectorXd& found = !on.empty()     ? on.front().q[0]
                           : !back.empty() ? back.front().q[0]

@@ -14,7 +14,8 @@
 
 namespace moivre {
 
-struct Quantity {
+/// What turns or slides.
+struct MovingPart {
   std::string name;
   CoordinateKind kind = CoordinateKind::angle;
   bool may_turn = true;  ///< a whole turn more is the same pose
@@ -23,10 +24,10 @@ struct Quantity {
 };
 
 /// Planar: the angle of each moving body. Typed equations: each unknown.
-std::vector<Quantity> body_quantities(const Mechanism& mechanism);
+std::vector<MovingPart> body_quantities(const Mechanism& mechanism);
 /// Relative angles of revolutes (planar: between moving bodies, others are a body's own), and slides. The mechanism must outlive
 /// them.
-std::vector<Quantity> joint_quantities(const Mechanism& mechanism);
+std::vector<MovingPart> joint_quantities(const Mechanism& mechanism);
 
 struct Course {
   double first = 0;  ///< at the branch's beginning
@@ -35,7 +36,7 @@ struct Course {
   double upper = 0;
 };
 
-Course course(const MotionBranch& branch, const Quantity& quantity);
+Course course(const MotionBranch& branch, const MovingPart& quantity);
 
 /// Of a driver: its law at the branch's ends and samples.
 Course driver_course(const MotionBranch& branch, const Driver& driver);

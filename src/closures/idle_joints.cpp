@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Bodies in groups that nothing moves apart, and joints that alone tie a group to the others.
-#include "idle_joints.h"
+#include "moivre/closures/idle_joints.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <map>
 
-#include "idle_joints.h"
+#include "moivre/closures/idle_joints.h"
 #include "moivre/kinematics/newton.h"
 #include "moivre/numeric/stopwatch.h"
 #include "motion_record.h"

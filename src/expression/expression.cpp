@@ -307,9 +307,9 @@ std::string quoted(char c) {
 
 /// The number, name or single character that begins `text`, as a message quotes it.
 std::string first_word(std::string_view text) {
-  constexpr std::size_t kQuoted = 40;
+  constexpr std::size_t kLongestWord = 40;
   std::size_t end = 0;
-  while (end < text.size() && end < kQuoted && (is_name_character(text[end]) || text[end] == '.')) {
+  while (end < text.size() && end < kLongestWord && (is_name_character(text[end]) || text[end] == '.')) {
     ++end;
   }
   return end == 0 ? quoted(text.front()) : '`' + std::string(text.substr(0, end)) + '`';

@@ -250,16 +250,12 @@ void require_fitting(const Family& family, std::span<const Point> members) {
   }
 }
 
-}  // namespace
+/// What becomes of members that their paths alone do not decide.
+enum class AnyDoubt { stays, is_judged };
 
-std::uint64_t MemberRoots::real_count() const {
-  return static_cast<std::uint64_t>(
-      std::count_if(roots.begin(), roots.end(), [](const MemberRoot& root) { return root.real; }));
-}
-
-std::vector<MemberRoots> solve_members(const Family& family, std::span<const Point> members,
-                                       const Tracker& tracker, const SolveOptions& options,
-                                       const std::atomic<bool>& stop) {
+std::vector<MemberRoots> roots_of(const Family& family, std::span<const Point> members,
+                                  const Tracker& tracker, const SolveOptions& options,
+                                  const std::atomic<bool>& stop, AnyDoubt doubt) {
   require_unbroken(validate(options));
   require_fitting(family, members);
   std::vector<MemberRoots> results(members.size());
@@ -286,9 +282,28 @@ std::vector<MemberRoots> solve_members(const Family& family, std::span<const Poi
     });
     if (options.certify) certify_members(family, members, threads, stop, results);
   }
-  judge_the_rest(shared, threads);
+  if (doubt == AnyDoubt::is_judged) judge_the_rest(shared, threads);
   for (MemberRoots& result : results) tell_completeness(family, result);
   return results;
+}
+
+}  // namespace
+
+std::uint64_t MemberRoots::real_count() const {
+  return static_cast<std::uint64_t>(
+      std::count_if(roots.begin(), roots.end(), [](const MemberRoot& root) { return root.real; }));
+}
+
+std::vector<MemberRoots> follow_members(const Family& family, std::span<const Point> members,
+                                        const Tracker& tracker, const SolveOptions& options,
+                                        const std::atomic<bool>& stop) {
+  return roots_of(family, members, tracker, options, stop, AnyDoubt::stays);
+}
+
+std::vector<MemberRoots> solve_members(const Family& family, std::span<const Point> members,
+                                       const Tracker& tracker, const SolveOptions& options,
+                                       const std::atomic<bool>& stop) {
+  return roots_of(family, members, tracker, options, stop, AnyDoubt::is_judged);
 }
 
 }  // namespace moivre

@@ -2,6 +2,8 @@
 // How is a null space found? The last right singular vectors, as many as the rank leaves over.
 #include "moivre/kinematics/null_space.h"
 
+#include <Eigen/QR>
+
 #include "moivre/kinematics/linear.h"
 #include "moivre/numeric/svd.h"
 
@@ -13,6 +15,24 @@ MatrixXd null_space(const MatrixXd& A) {
   if (A.rows() == 0 || A.cols() == 0) return MatrixXd::Identity(A.cols(), A.cols());
   const Eigen::Index freedoms = A.cols() - numerical_rank(A);
   return right_singular_vectors(A).rightCols(freedoms);
+}
+
+MatrixXd null_space_basis(const MatrixXd& A) {
+  if (A.rows() == 0 || A.cols() == 0) return MatrixXd::Identity(A.cols(), A.cols());
+  const Eigen::Index freedoms = A.cols() - numerical_rank(A);
+  // A S y = 0 with columns brought to unit length, so that units of length do not matter; x = S y.
+  const Eigen::VectorXd lengths = A.colwise().norm().transpose();
+  const Eigen::VectorXd scale =
+      lengths.unaryExpr([](double length) { return length > 0 ? 1 / length : 1.0; });
+  const MatrixXd scaled = scale.asDiagonal() * A.transpose();
+  const Eigen::ColPivHouseholderQR<MatrixXd> qr(scaled);
+  MatrixXd last = MatrixXd::Zero(A.cols(), freedoms);
+  last.bottomRows(freedoms).setIdentity();
+  return scale.asDiagonal() * (qr.householderQ() * last);
+}
+
+Eigen::VectorXd shortest_direction(const MatrixXd& A) {
+  return right_singular_vectors(A).rightCols(1);
 }
 
 MatrixXd left_null_space(const MatrixXd& A) { return null_space(A.transpose()); }

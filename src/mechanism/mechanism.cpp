@@ -123,4 +123,17 @@ std::vector<Coordinate> coordinates(const Mechanism& mechanism) {
   return q;
 }
 
+CoordinateKind kind_of(const Mechanism& mechanism, const Driver& driver) {
+  const bool is_angle = driver.kind == DriverKind::unknown
+                            ? mechanism.unknowns[driver.unknown].is_angle
+                            : driver.kind == DriverKind::angle;
+  return is_angle ? CoordinateKind::angle : CoordinateKind::length;
+}
+
+std::string label_of(const Driver& driver) {
+  const bool is_place =
+      driver.kind == DriverKind::x || driver.kind == DriverKind::y || driver.kind == DriverKind::z;
+  return is_place ? driver.name + "." + to_string(driver.kind) : driver.name;
+}
+
 }  // namespace moivre

@@ -24,30 +24,43 @@ JetVector position(const Mechanism& mechanism, const PointOf& point, const At<Je
   return {r.x, r.y, Jet(0)};
 }
 
-/// Angle of the second body relative to the first about the joint's axis.
-double relative_angle(const Mechanism& mechanism, const Joint& joint, const VectorXd& q) {
-  const Matrix3d first = orientation(mechanism, joint.at[0].body, q);
-  const Matrix3d second = orientation(mechanism, joint.at[1].body, q);
-  Matrix3d turn = first.transpose() * second;
-  if (mechanism.space == Space::spatial) {
-    turn =
-        spatial::axis_frame(joint.axis[0]).transpose() * turn * spatial::axis_frame(joint.axis[1]);
-  }
-  return std::atan2(turn(1, 0), turn(0, 0));
+std::vector<Jet> jets_of(const VectorXd& q, const VectorXd& qdot, const VectorXd& qddot) {
+  std::vector<Jet> jets;
+  for (Eigen::Index k = 0; k < q.size(); ++k) jets.emplace_back(q[k], qdot[k], qddot[k]);
+  return jets;
 }
 
-double slide(const Mechanism& mechanism, const Joint& joint, const VectorXd& q) {
-  const Vector3d along = orientation(mechanism, joint.at[0].body, q) * joint.axis[0];
-  return along.dot(point_position(mechanism, joint.at[1], q) -
-                   point_position(mechanism, joint.at[0], q));
+JetVector direction(const Mechanism& mechanism, std::size_t body, const Vector3d& s,
+                    const At<Jet>& at) {
+  if (mechanism.space == Space::spatial) return spatial::direction(at, body, s);
+  const auto e = planar::direction(at, body, s);
+  return {e.x, e.y, Jet(0)};
 }
+
+Jet slide(const Mechanism& mechanism, const Joint& joint, const At<Jet>& at) {
+  const JetVector along = direction(mechanism, joint.at[0].body, joint.axis[0], at);
+  const JetVector from = position(mechanism, joint.at[0], at);
+  return spatial::dot(along, position(mechanism, joint.at[1], at) - from);
+}
+
+Jet turn(const Mechanism& mechanism, const Joint& joint, const At<Jet>& at) {
+  const std::size_t first = joint.at[0].body;
+  const std::size_t second = joint.at[1].body;
+  if (mechanism.space == Space::planar) return planar::angle(at, second) - planar::angle(at, first);
+  const Matrix3d frame = spatial::axis_frame(joint.axis[0]);
+  const Vector3d pointer = spatial::axis_frame(joint.axis[1]).col(0);
+  const JetVector shown = direction(mechanism, second, pointer, at);
+  return atan2(spatial::dot(direction(mechanism, first, frame.col(1), at), shown),
+               spatial::dot(direction(mechanism, first, frame.col(0), at), shown));
+}
+
+ScalarState state_of(const Jet& jet) { return {jet.f, jet.d, jet.dd}; }
 
 }  // namespace
 
 PointState point_state(const Mechanism& mechanism, const PointOf& point, const VectorXd& q,
                        const VectorXd& qdot, const VectorXd& qddot) {
-  std::vector<Jet> jets;
-  for (Eigen::Index k = 0; k < q.size(); ++k) jets.emplace_back(q[k], qdot[k], qddot[k]);
+  const std::vector<Jet> jets = jets_of(q, qdot, qddot);
   const JetVector r = position(mechanism, point, {jets, Jet(0)});
   return {{r.x.f, r.y.f, r.z.f}, {r.x.d, r.y.d, r.z.d}, {r.x.dd, r.y.dd, r.z.dd}};
 }
@@ -78,13 +91,24 @@ Matrix3d joint_frame(const Vector3d& axis) { return spatial::axis_frame(axis); }
 
 std::optional<double> joint_coordinate(const Mechanism& mechanism, const Joint& joint,
                                        const VectorXd& q) {
+  const VectorXd rest = VectorXd::Zero(q.size());
+  const auto state = joint_state(mechanism, joint, q, rest, rest);
+  if (!state) return std::nullopt;
+  return joint.type == JointType::revolute ? within_half_turn(Jet(state->value)).f : state->value;
+}
+
+std::optional<ScalarState> joint_state(const Mechanism& mechanism, const Joint& joint,
+                                       const VectorXd& q, const VectorXd& qdot,
+                                       const VectorXd& qddot) {
+  const std::vector<Jet> jets = jets_of(q, qdot, qddot);
+  const At<Jet> at{jets, Jet(0)};
   switch (joint.type) {
     case JointType::revolute:
-      return relative_angle(mechanism, joint, q);
+      return state_of(turn(mechanism, joint, at));
     case JointType::prismatic:
     case JointType::slot:
     case JointType::cylindrical:
-      return slide(mechanism, joint, q);
+      return state_of(slide(mechanism, joint, at));
     case JointType::weld:
     case JointType::rod:
     case JointType::gear:
@@ -93,6 +117,12 @@ std::optional<double> joint_coordinate(const Mechanism& mechanism, const Joint& 
       break;
   }
   return std::nullopt;
+}
+
+ScalarState turn_state(const Mechanism& mechanism, const Joint& joint, const VectorXd& q,
+                       const VectorXd& qdot, const VectorXd& qddot) {
+  const std::vector<Jet> jets = jets_of(q, qdot, qddot);
+  return state_of(turn(mechanism, joint, {jets, Jet(0)}));
 }
 
 bool is_within_limits(const Mechanism& mechanism, const Joint& joint, const VectorXd& q) {

@@ -109,25 +109,6 @@ TEST(ArmClosuresTest, ClosuresHaveTheSameNamesForEverySeed) {
   }
 }
 
-TEST(ArmClosuresTest, ManyPosesAreThoseOneByOneInTheirOrder) {
-  const Arm arm = arm_of("ur5", "tool0");
-  std::vector<Eigen::Isometry3d> poses;
-  for (std::uint64_t k = 0; k < 8; ++k) {
-    poses.push_back(forward_kinematics(arm, random_values(arm, 6, k)));
-  }
-  SolveOptions two = one_thread();
-  two.threads = 2;
-  const std::vector<ArmResult> many = find_arm_closures(arm, poses, lanes(), two);
-  ASSERT_EQ(many.size(), poses.size());
-  for (std::size_t k = 0; k < poses.size(); ++k) {
-    const ArmResult one = find_arm_closures(arm, poses[k], lanes(), one_thread());
-    ASSERT_EQ(many[k].closures.size(), one.closures.size());
-    for (std::size_t i = 0; i < one.closures.size(); ++i) {
-      EXPECT_EQ(many[k].closures[i].values, one.closures[i].values) << "the same to the last bit";
-    }
-  }
-}
-
 TEST(ArmClosuresTest, LimitsAreToldAndClosuresBeyondThemKept) {
   const Arm arm = arm_of("kinova_j2s6s200", "j2s6s200_end_effector");
   Eigen::VectorXd own(6);

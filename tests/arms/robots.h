@@ -29,7 +29,7 @@ struct DenavitHartenberg {
   std::array<double, 6> a, d, alpha_deg;
 };
 
-inline Arm arm_of(const DenavitHartenberg& dh) {
+inline Robot robot_of(const DenavitHartenberg& dh) {
   std::ostringstream text;
   text.precision(17);
   text << "<robot name='dh'><link name='l0'/>";
@@ -45,7 +45,22 @@ inline Arm arm_of(const DenavitHartenberg& dh) {
     text << "<axis xyz='0 0 1'/></joint>";
   }
   text << "</robot>";
-  return make_arm(read_urdf({"dh", text.str()}), {});
+  return read_urdf({"dh", text.str()});
+}
+
+inline Arm arm_of(const DenavitHartenberg& dh) { return make_arm(robot_of(dh), {}); }
+
+/// Every number of every origin and axis off by up to `size`.
+inline Robot disturbed(Robot robot, double size, std::uint64_t seed = 9) {
+  std::uint64_t number = 0;
+  for (RobotJoint& joint : robot.joints) {
+    for (ExactVector* const v : {&joint.xyz, &joint.rpy, &joint.axis}) {
+      for (Rational& x : *v) {
+        x += Rational(size * (2 * random_unit(seed, RandomStream::test, number++) - 1));
+      }
+    }
+  }
+  return robot;
 }
 
 inline const DenavitHartenberg kPuma{

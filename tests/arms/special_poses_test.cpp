@@ -15,18 +15,6 @@ Eigen::Isometry3d pointing_down(double x, double y, double z) {
   return pose;
 }
 
-Arm disturbed(Robot robot, const std::string& tip, double size) {
-  std::uint64_t number = 0;
-  for (RobotJoint& joint : robot.joints) {
-    for (ExactVector* const v : {&joint.xyz, &joint.rpy, &joint.axis}) {
-      for (Rational& x : *v) {
-        x += Rational(size * (2 * random_unit(9, RandomStream::test, number++) - 1));
-      }
-    }
-  }
-  return make_arm(robot, {std::nullopt, tip, {}});
-}
-
 TEST(SpecialPosesTest, ToolsThatPointStraightDownHaveAllTheirClosures) {
   for (const auto& [name, tip] : {std::pair("ur5", "tool0"), std::pair("puma560", "flange"),
                                   std::pair("kinova_j2s6s200", "j2s6s200_end_effector")}) {
@@ -44,7 +32,7 @@ TEST(SpecialPosesTest, ToolsThatPointStraightDownHaveAllTheirClosures) {
 TEST(SpecialPosesTest, ACalibratedArmHasTheClosuresOfAGeneralOne) {
   for (const double size : {1e-2, 1e-4, 1e-6}) {
     SCOPED_TRACE(size);
-    const Arm arm = disturbed(robot_of("ur5"), "tool0", size);
+    const Arm arm = make_arm(disturbed(robot_of("ur5"), size), {std::nullopt, "tool0", {}});
     const Eigen::VectorXd own = random_values(arm, 4, 4);
     const ArmResult result =
         find_arm_closures(arm, forward_kinematics(arm, own), lanes(), one_thread());

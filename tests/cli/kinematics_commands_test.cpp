@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "program.h"
+#include "refusing.h"
 
 namespace moivre::test {
 namespace {
@@ -44,23 +44,13 @@ const std::string kCircleAndLine =
 const std::string kPolynomials = "2\nx^2 + y^2 - 5;\nx*y - 2;\n";
 
 /// A folder with a mechanism, typed equations and polynomials.
-class KinematicsCommands : public testing::Test {
+class KinematicsCommands : public RefusingCommands {
  protected:
   KinematicsCommands() {
     scene.write("bodies.toml", kTriangle);
     scene.write("typed.toml", kCircleAndLine);
     scene.write("f.phc", kPolynomials);
   }
-
-  void expect_refusal(const std::vector<std::string>& command,
-                      const std::vector<std::string>& parts) const {
-    const Outcome outcome = scene.run(command);
-    EXPECT_EQ(outcome.exit_code, 1) << outcome.out;
-    EXPECT_EQ(outcome.out, "");
-    for (const std::string& part : parts) EXPECT_TRUE(contains(outcome.err, part)) << outcome.err;
-  }
-
-  Scene scene;
 };
 
 TEST_F(KinematicsCommands, NewtonTakesAllThreeKindsOfFiles) {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "program.h"
+#include "refusing.h"
 
 namespace moivre::test {
 namespace {
@@ -16,18 +16,7 @@ const std::string kRobots = MOIVRE_SOURCE_DIR "/problems/robots/";
 const std::string kPuma = kRobots + "puma560.urdf";
 const std::string kPose = "0.4 -0.2 0.3 0.5 0.5 0.5 0.5";
 
-class RobotCommands : public testing::Test {
- protected:
-  void expect_refusal(const std::vector<std::string>& command,
-                      const std::vector<std::string>& parts) const {
-    const Outcome outcome = scene.run(command);
-    EXPECT_EQ(outcome.exit_code, 1) << outcome.out;
-    EXPECT_EQ(outcome.out, "");
-    for (const std::string& part : parts) EXPECT_TRUE(contains(outcome.err, part)) << outcome.err;
-  }
-
-  Scene scene;
-};
+class RobotCommands : public RefusingCommands {};
 
 TEST_F(RobotCommands, APoseHasItsClosuresByJointName) {
   const Outcome outcome = scene.run({"closures", kPuma, "--pose", kPose, "--json", "-"});
@@ -76,9 +65,22 @@ TEST_F(RobotCommands, EveryFaultOfTheQuestionIsNamed) {
   expect_refusal({"closures", kPuma, "--pose", "1 2 3", "--tip", "hnd"},
                  {"did you mean 'hand'", "seven numbers"});
   expect_refusal({"closures", kPuma, "--pose", kPose, "--hold", "joint1"}, {"JOINT=VALUE"});
-  expect_refusal({"closures", kPuma, "--pose", kPose, "--svg", "p.svg", "--fit", "1"},
-                 {"--fit, --svg are not for robots"});
+  expect_refusal({"closures", kPuma, "--pose", kPose, "--at", "2", "--fit", "1"},
+                 {"--at, --fit are not for robots"});
   expect_refusal({"closures", kPuma, "--pose", kPose, "--poses", kPuma}, {"one of them"});
+}
+
+TEST_F(RobotCommands, PosturesAreDrawnSideBySideAndOnAPageThatTurns) {
+  const Outcome outcome = scene.run({"closures", kPuma, "--pose", kPose, "--quiet", "--svg",
+                                     "postures.svg", "--html", "postures.html"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const std::string svg = scene.read("postures.svg");
+  for (const std::string words : {"shoulder left, elbow up, no flip", "shoulder right", ">H<"}) {
+    EXPECT_TRUE(contains(svg, words)) << words;
+  }
+  EXPECT_TRUE(contains(scene.read("postures.html"), "<canvas"));
+  scene.write("poses.csv", "0.4 0 0.3 1 0 0 0\n0.3 0 0.3 1 0 0 0\n");
+  expect_refusal({"closures", kPuma, "--poses", "poses.csv", "--svg", "p.svg"}, {"one pose"});
 }
 
 TEST_F(RobotCommands, AFaultyRobotIsRefusedWithTheLine) {

@@ -22,6 +22,15 @@ slider.dispatchEvent(new Event('input'));
 </script></body>"""
 
 
+# What one does who saves the plots, hides the first branch and enlarges the second.
+USE_CONTROLS = """<script>
+URL.createObjectURL = (blob) => { blob.text().then((text) => { document.body.dataset.csv = text.slice(0, 3000); }); return '#'; };
+document.getElementById('save').click();
+document.querySelector('#legend button').click();
+document.querySelectorAll('#panels figcaption')[1].click();
+</script></body>"""
+
+
 class Browser:
     def __init__(self, program, folder):
         self.program = program
@@ -84,6 +93,26 @@ def check_slider(browser, page):
     expect(not readout(dom).startswith("t = 0 s"), "and the readout")
 
 
+def check_controls(browser, page):
+    plain = browser.dom(page, "#plot=0")
+    used = page.with_name("used.html")
+    used.write_text(page.read_text().replace("</body>", USE_CONTROLS))
+    dom = browser.dom(used)
+    expect_works(dom, used.name)
+    csv = html.unescape(re.search(r'data-csv="([^"]*)"', dom).group(1)).split("\n")
+    expect(csv[0].startswith("branch,t,driver crank [deg],"), f"the table's head: {csv[0][:80]!r}")
+    expect("joint B.velocity [deg/s]" in csv[0] and "coupler-rocker transmission [deg]" in csv[0],
+           "the table has the chosen quantities")
+    expect(csv[1].startswith("A,0,40,") and csv[1].count(",") == csv[0].count(","), f"its first row: {csv[1][:80]!r}")
+    expect('id="panel-0" hidden' in dom, "a click on a name in the legend hides its branch")
+    expect('id="panel-1" class="large"' in dom, "a click on a panel's name enlarges it")
+    curves = lambda text: text.count('class="curve')
+    expect(curves(dom) == curves(plain) // 2, "the hidden branch has no curves")
+    last = plain.count("<option") - 1
+    alone = browser.dom(page, f"#plot={last}")
+    expect('id="plot-velocity" hidden' in alone, "what has no velocity has one plot")
+
+
 def check_names(browser, moivre, root, folder):
     text = (root / "problems/mechanisms/four-bar.toml").read_text()
     mechanism = folder / "evil.toml"
@@ -107,10 +136,14 @@ def main():
         four_bar = page_of(moivre, folder, "motion", mechanisms / "four-bar.toml")
         check_motion(browser, four_bar)
         check_slider(browser, four_bar)
+        check_controls(browser, page_of(moivre, folder, "motion", mechanisms / "four-bar.toml", "--columns",
+                                        "joints,transmission"))
         check_motion(browser, page_of(moivre, folder, "motion", mechanisms / "slider-crank-equations.toml"))
         check_motion(browser, page_of(moivre, folder, "motion", mechanisms / "rssr.toml", "--from-guess"))
         check_motion(browser, page_of(moivre, folder, "closures", mechanisms / "whitworth.toml"))
         expect_works(browser.dom(page_of(moivre, folder, "closures", mechanisms / "3-rpr.toml")), "closures that stand")
+        expect_works(browser.dom(page_of(moivre, folder, "closures", root / "problems/robots/puma560.urdf",
+                                         "--pose", "0.4 -0.2 0.3 0.5 0.5 0.5 0.5")), "a robot's postures")
         check_names(browser, moivre, root, folder)
     print("the pages work")
 

@@ -179,42 +179,8 @@ TEST(SpatialClosures, BennettsLinkageDoesNotCloseWithOtherLengths) {
   EXPECT_EQ(result.counts.complex, 0U);
 }
 
-constexpr const char* kCoupler = R"toml(space = "spatial"
-[ground.points]
-O2 = [0, 0, 0]
-O4 = [4, 1, 0.5]
-[body.crank.points]
-O2 = [0, 0, 0]
-A  = [1.2, 0, 0.3]
-[body.coupler.points]
-A = [0, 0, 0]
-B = [4, 0, 0]
-[body.rocker.points]
-O4 = [0, 0, 0]
-B  = [2.5, 0, 0]
-[[joint]]
-type = "revolute"
-at = ["ground.O2", "crank.O2"]
-axis = [0, 0, 1]
-name = "input"
-[[joint]]
-type = "revolute"
-at = ["ground.O4", "rocker.O4"]
-axis = [[0, 0.6, 0.8], [0, 0, 1]]
-name = "output"
-[[joint]]
-type = "spherical"
-at = ["crank.A", "coupler.A"]
-[[joint]]
-type = "spherical"
-at = ["coupler.B", "rocker.B"]
-[[driver]]
-angle = "input"
-start = 0.8726646259971648
-)toml";
-
 TEST(SpatialClosures, ALinkThatSpinsBetweenBallsHidesNoClosure) {
-  const Mechanism mechanism = mechanism_text(kCoupler);
+  const Mechanism mechanism = mechanism_text(test::kSpinningCoupler);
   const ClosureResult result = closures_of(mechanism);
   EXPECT_TRUE(result.complete) << result.message;
   EXPECT_EQ(result.counts.complex, 2U);

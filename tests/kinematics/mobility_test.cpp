@@ -31,44 +31,8 @@ TEST(Mobility, BennettMovesAgainstGruebler) {
 }
 
 TEST(Mobility, CouplerBetweenTwoBallsSpinsIdly) {
-  const Mechanism m = typed(R"toml(
-space = "spatial"
-[units]
-angle = "deg"
-[ground.points]
-O2 = [0, 0, 0]
-O4 = [4, 0, 0]
-[body.crank.points]
-O2 = [0, 0, 0]
-A = [1, 0, 0]
-[body.coupler.points]
-A = [0, 0, 0]
-B = [4, 0, 0]
-[body.rocker.points]
-O4 = [0, 0, 0]
-B = [0, 2, 0]
-[[joint]]
-type = "revolute"
-at = ["ground.O2", "crank.O2"]
-axis = [0, 0, 1]
-name = "input"
-[[joint]]
-type = "revolute"
-at = ["ground.O4", "rocker.O4"]
-axis = [1, 0, 0]
-[[joint]]
-type = "spherical"
-at = ["crank.A", "coupler.A"]
-[[joint]]
-type = "spherical"
-at = ["coupler.B", "rocker.B"]
-[[driver]]
-angle = "input"
-start = 40
-[guess]
-"coupler.rz" = 10
-"rocker.rx" = 20
-)toml");
+  Mechanism m = typed(test::kSpinningCoupler);
+  m.guess = {{"coupler.rz", 10 * kDegree}, {"rocker.rx", 20 * kDegree}};
   const Phi phi(m);
   const NewtonResult run = newton(phi, initial_guess(m));
   ASSERT_EQ(run.status, NewtonStatus::converged) << run.message;

@@ -63,8 +63,8 @@ e3 = "x + 0*y - 2"
 )toml");
 }
 
-MatrixXd A35() { return (MatrixXd(3, 2) << 2, 1, 1, 0, 1, 0).finished(); }
-MatrixXd A48() { return (MatrixXd(3, 3) << 1, 0, 1, 5, 4, 9, 2, 4, 6).finished(); }
+MatrixXd A35() { return MatrixXd{{2, 1}, {1, 0}, {1, 0}}; }
+MatrixXd A48() { return MatrixXd{{1, 0, 1}, {5, 4, 9}, {2, 4, 6}}; }
 
 VectorXd single_unknown(double x) { return VectorXd::Constant(1, x); }
 

@@ -72,6 +72,41 @@ value = ")toml" +
          value + "\"\n";
 }
 
+/// A crank at 50 degrees and a rocker about a skew axis; the link between them turns about its two balls, and nothing depends on that.
+inline constexpr const char* kSpinningCoupler = R"toml(space = "spatial"
+[ground.points]
+O2 = [0, 0, 0]
+O4 = [4, 1, 0.5]
+[body.crank.points]
+O2 = [0, 0, 0]
+A  = [1.2, 0, 0.3]
+[body.coupler.points]
+A = [0, 0, 0]
+B = [4, 0, 0]
+[body.rocker.points]
+O4 = [0, 0, 0]
+B  = [2.5, 0, 0]
+[[joint]]
+type = "revolute"
+at = ["ground.O2", "crank.O2"]
+axis = [0, 0, 1]
+name = "input"
+[[joint]]
+type = "revolute"
+at = ["ground.O4", "rocker.O4"]
+axis = [[0, 0.6, 0.8], [0, 0, 1]]
+name = "output"
+[[joint]]
+type = "spherical"
+at = ["crank.A", "coupler.A"]
+[[joint]]
+type = "spherical"
+at = ["coupler.B", "rocker.B"]
+[[driver]]
+angle = "input"
+start = 0.8726646259971648
+)toml";
+
 inline constexpr double kDegree = 0.017453292519943295769;
 
 }  // namespace moivre::test

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How is inverse kinematics told? As a table of joint values for people, as JSON and CSV for programs.
+// How is inverse kinematics told? As a table of joint values for people, as JSON and CSV for programs, as pictures.
 //
 //   text  every closure a line, joint values in radians (or metres) within the limits where whole turns bring them there
 //   JSON  docs/json.md shows it: `coordinates` has turns in (-pi, pi], `in_limits` what a controller takes
@@ -29,5 +29,10 @@ bool is_complete(const ArmReport& report);
 std::string arm_text(const ArmReport& report);
 std::string arm_json(const ArmReport& report);
 std::string arm_csv(const ArmReport& report, bool in_degrees);
+
+/// The skeletons of all closures of one pose, side by side from where they differ most, as a picture and as a page that the
+/// mouse turns. Throw std::invalid_argument where there are several poses.
+std::string arm_svg(const ArmReport& report, bool in_degrees);
+std::string arm_html(const ArmReport& report, bool in_degrees);
 
 }  // namespace moivre

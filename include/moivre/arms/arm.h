@@ -60,6 +60,9 @@ struct ArmChoice {
 /// Throws std::invalid_argument that names every fault, with the links or joints to choose from.
 Arm make_arm(const Robot& robot, const ArmChoice& choice);
 
+/// Each joint's frame behind its motion, in the base's: B_1 J_1 ... B_k J_k. Its origin is on the joint's axis.
+std::vector<Eigen::Isometry3d> joint_frames(const Arm& arm, const Eigen::VectorXd& values);
+
 /// Where the tip is.
 Eigen::Isometry3d forward_kinematics(const Arm& arm, const Eigen::VectorXd& values);
 

@@ -86,8 +86,10 @@ ArmResult find_arm_closures(const Arm& arm, const Eigen::Isometry3d& pose, const
                             const SolveOptions& options = {},
                             const std::atomic<bool>& stop = std::atomic<bool>{false});
 
-/// The same for many poses, options.threads of them at once. A set `stop` leaves those out that are not begun: the result is shorter.
-/// Progress counts poses.
+/// The same for many poses, options.threads of them at once. Where there are more than a few, and options.start is automatic, what they
+/// have in common is solved once, and paths lead from there to every pose (start.kind "family"); one where that does not give as
+/// many closures, all simple, as a random pose has is solved as above. A set `stop` leaves those out that are not begun: the
+/// result is shorter. Progress counts poses.
 std::vector<ArmResult> find_arm_closures(const Arm& arm,
                                          const std::vector<Eigen::Isometry3d>& poses,
                                          const Tracker& tracker, const SolveOptions& options = {},

@@ -23,10 +23,4 @@ std::string column_name(const std::string& name, CoordinateKind kind, const Angl
 /// A value of that kind (or its derivative) as the table writes it.
 double in_form(double value, CoordinateKind kind, const AngleForm& form);
 
-/// Whether it prescribes an angle, or a length.
-CoordinateKind kind_of(const Mechanism& mechanism, const Driver& driver);
-
-/// What it drives, "coupler.P.x" where it is a point's coordinate.
-std::string label_of(const Driver& driver);
-
 }  // namespace moivre

@@ -5,7 +5,7 @@
 // ride on the frames: SVG, HTML and its animation move the same figures and know no joints.
 //   planar bodies     a = e^(i phi), b = x + i y
 //   rods              from one point to the other
-//   spatial bodies    lines between points, seen along a fixed direction (isometric)
+//   spatial bodies    lines between points, seen by an eye far away
 //   typed equations   a dial an angle, a ruler a length
 // The lengths of guides and slots, and the size of the symbols, follow from all the poses that are to be shown.
 // Links are drawn as the convex hull of their points. Not drawn: gears whose wheels do not turn about points of the carrier.
@@ -64,7 +64,10 @@ enum class Style {
   guide,         ///< a line that something slides along
   pitch_circle,  ///< of a gear
   axis,          ///< of a spatial joint, of a ruler
-  mark           ///< a point of interest, a tick
+  x_axis,        ///< of a frame that is shown
+  y_axis,
+  z_axis,
+  mark  ///< a point of interest, a tick
 };
 
 std::string to_string(Style style);
@@ -97,12 +100,34 @@ struct Label {
   std::optional<Eigen::Index> coordinate;
 };
 
+/// From where a spatial mechanism is seen, far away. As it is made: in front on the left and above, x goes right, y back, z up.
+struct Eye {
+  double azimuth_rad = -1.05;
+  double elevation_rad = 0.42;
+};
+
+/// A frame fixed in a body, shown by lines along its axes.
+struct ShownFrame {
+  MaterialPoint origin;
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  ///< columns, in the body's frame
+  bool is_lettered = false;                            ///< x, y and z are written there
+};
+
+/// How a spatial mechanism is to be shown.
+struct View {
+  Eye eye;
+  /// Instead of the ground's alone.
+  std::vector<ShownFrame> frames;
+  bool has_arrows = false;  ///< joints' axes have heads
+};
+
 struct Drawing {
   std::vector<Frame> frames;
   std::vector<Figure> figures;  ///< from back to front
   std::vector<Label> labels;
   double symbol = 1;     ///< radius of a revolute joint, in the file's unit
   bool to_scale = true;  ///< lengths can be measured in the picture
+  Eye eye;
 };
 
 /// z -> a z + b.
@@ -113,14 +138,15 @@ struct Similarity {
 };
 
 /// `poses`: all that will be shown, one or more.
-Drawing draw(const Mechanism& mechanism, const std::vector<Eigen::VectorXd>& poses);
+Drawing draw(const Mechanism& mechanism, const std::vector<Eigen::VectorXd>& poses,
+             const View& view = {});
 
 /// One a frame.
 std::vector<Similarity> place(const Drawing& drawing, const Mechanism& mechanism,
                               const Eigen::VectorXd& q);
 
 /// A place in the ground frame, seen in the picture's plane.
-Complex seen(const Mechanism& mechanism, const Eigen::Vector3d& r);
+Complex seen(const Mechanism& mechanism, const Eigen::Vector3d& r, const Eye& eye = {});
 
 /// The least upright rectangle; empty as it is made.
 struct Box {

@@ -15,11 +15,14 @@
 
 namespace moivre {
 
+struct Readings;
+
 std::string motion_text(const MotionResult& result, const Mechanism& mechanism,
                         const std::string& file);
-/// Angles in radians; `form` says whether they go on.
+/// Angles in radians; `form` says whether they go on. `readings` (readings_report.h) are told where they are given.
 std::string motion_json(const MotionResult& result, const Mechanism& mechanism,
-                        const std::string& file, const AngleForm& form = {});
+                        const std::string& file, const AngleForm& form = {},
+                        const Readings* readings = nullptr);
 std::string motion_csv(const MotionResult& result, const Mechanism& mechanism,
                        const AngleForm& form = {});
 

@@ -36,6 +36,11 @@ struct MemberRoots {
   std::uint64_t real_count() const;
 };
 
+/// As solve_members(), but a member that is not done by its paths alone stays as it is, and is not complete.
+std::vector<MemberRoots> follow_members(const Family& family, std::span<const Point> members,
+                                        const Tracker& tracker, const SolveOptions& options = {},
+                                        const std::atomic<bool>& stop = std::atomic<bool>{false});
+
 /// One entry a member, in their order. Of options seed, threads, care, certify, fallback and progress count, the last one in
 /// members. Throws as solve_member(). A set `stop` leaves members that are not complete.
 std::vector<MemberRoots> solve_members(const Family& family, std::span<const Point> members,

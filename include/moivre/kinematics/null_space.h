@@ -12,6 +12,12 @@ namespace moivre {
 /// n x (n - rank), A N = 0.
 Eigen::MatrixXd null_space(const Eigen::MatrixXd& A);
 
+/// As null_space, of columns that are no more than independent: by QR, for those who ask often.
+Eigen::MatrixXd null_space_basis(const Eigen::MatrixXd& A);
+
+/// The unit vector that A shortens most, where it has columns of comparable length: of a matrix that is singular but for rounding.
+Eigen::VectorXd shortest_direction(const Eigen::MatrixXd& A);
+
 /// m x (m - rank), N^T A = 0.
 Eigen::MatrixXd left_null_space(const Eigen::MatrixXd& A);
 

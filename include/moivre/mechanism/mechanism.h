@@ -175,6 +175,12 @@ struct Coordinate {
 /// periodic.
 std::vector<Coordinate> coordinates(const Mechanism& mechanism);
 
+/// Whether the driver prescribes an angle, or a length.
+CoordinateKind kind_of(const Mechanism& mechanism, const Driver& driver);
+
+/// What it drives, "coupler.P.x" where it is a point's coordinate.
+std::string label_of(const Driver& driver);
+
 /// A start for Newton's method: the file's guess where it names a coordinate, driven angles at time t where a driver
 /// says so, and positions x, y (z) placed joint by joint from the ground outwards. Other coordinates are 0.
 Eigen::VectorXd initial_guess(const Mechanism& mechanism, double t = 0);

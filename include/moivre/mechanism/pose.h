@@ -36,6 +36,22 @@ Eigen::Matrix3d joint_frame(const Eigen::Vector3d& axis);
 std::optional<double> joint_coordinate(const Mechanism& mechanism, const Joint& joint,
                                        const Eigen::VectorXd& q);
 
+/// A number that moves with the pose, and how fast.
+struct ScalarState {
+  double value = 0;
+  double velocity = 0;
+  double acceleration = 0;
+};
+
+/// What joint_coordinate tells, in motion. Planar angles go on beyond half a turn with those of the bodies.
+std::optional<ScalarState> joint_state(const Mechanism& mechanism, const Joint& joint,
+                                       const Eigen::VectorXd& q, const Eigen::VectorXd& qdot,
+                                       const Eigen::VectorXd& qddot);
+
+/// Angle of the joint's second body relative to the first: planar; spatial about the joint's axis, in [-pi, pi].
+ScalarState turn_state(const Mechanism& mechanism, const Joint& joint, const Eigen::VectorXd& q,
+                       const Eigen::VectorXd& qdot, const Eigen::VectorXd& qddot);
+
 /// Whether the joint stands within its limits (true where it has none); angles count modulo whole turns.
 bool is_within_limits(const Mechanism& mechanism, const Joint& joint, const Eigen::VectorXd& q);
 

@@ -31,19 +31,20 @@ enum class RandomStream : std::uint64_t {
   cluster = 14,
   check = 15,
   formulation = 17,
-  family = 20
+  family = 20,
+  arm = 21
 };
 
 namespace detail {
 
-  inline constexpr std::uint64_t kGoldenGamma = 0x9E3779B97F4A7C15;
+inline constexpr std::uint64_t kGoldenGamma = 0x9E3779B97F4A7C15;
 
-  /// SplitMix64's finaliser: a bijection of 64-bit words that keeps 0.
-  inline std::uint64_t mix(std::uint64_t z) {
-    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9;
-    z = (z ^ (z >> 27)) * 0x94D049BB133111EB;
-    return z ^ (z >> 31);
-  }
+/// SplitMix64's finaliser: a bijection of 64-bit words that keeps 0.
+inline std::uint64_t mix(std::uint64_t z) {
+  z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9;
+  z = (z ^ (z >> 27)) * 0x94D049BB133111EB;
+  return z ^ (z >> 31);
+}
 
 }  // namespace detail
 

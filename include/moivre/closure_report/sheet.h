@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// How are poses of one mechanism shown side by side, whatever they were computed by? Panels on a sheet, or on a page that turns them.
+//
+// A panel is a pose q of the mechanism (mechanism/mechanism.h) with a caption and lines of text. All have one scale and the ground at
+// the same place. Names are escaped: whatever they hold, the document stays well-formed.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "moivre/closure_report/drawing.h"
+
+namespace moivre {
+
+struct Panel {
+  std::string caption;
+  Eigen::VectorXd q;
+  bool is_faint = false;                ///< no closure
+  std::vector<std::string> notes = {};  ///< below the caption
+};
+
+struct Sheet {
+  std::string title;
+  std::string summary;
+  std::vector<Panel> panels;  ///< one or more
+  View view = {};
+};
+
+/// In as many columns as fit, with a heading and a scale bar.
+std::string sheet_svg(const Sheet& sheet, const Mechanism& mechanism);
+
+/// Of a spatial mechanism: one page, whose poses the mouse turns together.
+std::string turning_html(const Sheet& sheet, const Mechanism& mechanism);
+
+}  // namespace moivre

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+// A sheet of postures: what each is called, its joint values, and its skeleton.
+#include <algorithm>
+#include <cstdio>
+#include <numbers>
+#include <stdexcept>
+
+#include "moivre/arm_report/arm_report.h"
+#include "moivre/arms/posture.h"
+#include "moivre/closure_report/sheet.h"
+#include "moivre/report/number_text.h"
+#include "skeleton.h"
+
+namespace moivre {
+namespace {
+
+std::string value_text(const ArmJoint& joint, double value, bool in_degrees) {
+  const bool turns = in_degrees && !joint.is_slide;
+  char text[32];
+  std::snprintf(text, sizeof text, turns ? "%.0f" : "%.2f",
+                turns ? value * 180 / std::numbers::pi : value);
+  return text;
+}
+
+std::string values_text(const Arm& arm, const ArmClosure& closure, bool in_degrees) {
+  std::string text;
+  for (std::size_t k = 0; k < arm.joints.size(); ++k) {
+    const bool is_beyond =
+        std::find(closure.beyond.begin(), closure.beyond.end(), k) != closure.beyond.end();
+    text += (k == 0 ? "" : " ") +
+            value_text(arm.joints[k], closure.in_limits[static_cast<Eigen::Index>(k)], in_degrees) +
+            (is_beyond ? "!" : "");
+  }
+  return text;
+}
+
+Panel panel_of(const Arm& arm, const Skeleton& skeleton, const ArmClosure& closure,
+               bool in_degrees) {
+  Panel panel{closure.id + (closure.singular ? ": singular" : ""),
+              skeleton_pose(skeleton, arm, closure.values)};
+  const std::string posture = to_string(posture_of(arm, closure.values));
+  if (!posture.empty()) panel.notes.push_back(posture);
+  panel.notes.push_back(values_text(arm, closure, in_degrees));
+  return panel;
+}
+
+std::string summary(const Arm& arm, const ArmResult& result, bool in_degrees) {
+  std::string text = counted(result.counts.complex, "complex closure") + ", " +
+                     std::to_string(result.counts.real) + " real";
+  if (result.counts.beyond_limits > 0) {
+    text += ", " + std::to_string(result.counts.beyond_limits) + " beyond a joint's limits (!)";
+  }
+  if (!result.complete || result.moves || result.closures.empty()) text += "; " + result.message;
+  text += in_degrees ? "; values in degrees of" : "; values in radians of";
+  for (std::size_t k = 0; k < arm.joints.size(); ++k) {
+    text += (k == 0 ? " " : ", ") + std::to_string(k + 1) + ' ' + arm.joints[k].name +
+            (arm.joints[k].is_slide ? " (m)" : "");
+  }
+  for (const HeldJoint& joint : arm.held) {
+    text += "; held: " + joint.name + " = " + exact_text(joint.value);
+  }
+  return text;
+}
+
+struct Scene {
+  Skeleton skeleton;
+  Sheet sheet;
+};
+
+Scene scene_of(const ArmReport& report, bool in_degrees) {
+  if (report.results.size() != 1) {
+    throw std::invalid_argument("a picture shows the closures of one pose, not of " +
+                                std::to_string(report.results.size()));
+  }
+  const Arm& arm = report.arm;
+  const ArmResult& result = report.results.front();
+  Scene scene{make_skeleton(arm), {}};
+  Sheet& sheet = scene.sheet;
+  sheet.title =
+      (arm.robot.empty() ? report.file : arm.robot) + ", from " + arm.base + " to " + arm.tip;
+  sheet.summary = summary(arm, result, in_degrees);
+  for (const ArmClosure& closure : result.closures) {
+    sheet.panels.push_back(panel_of(arm, scene.skeleton, closure, in_degrees));
+  }
+  if (sheet.panels.empty()) {
+    const Eigen::VectorXd values =
+        result.moves ? result.moves->values
+                     : Eigen::VectorXd::Zero(static_cast<Eigen::Index>(arm.joints.size()));
+    const std::string caption = result.moves ? "moves, from here" : "no closure: all joints at 0";
+    sheet.panels.push_back(
+        {caption, skeleton_pose(scene.skeleton, arm, values), !result.moves.has_value()});
+  }
+  std::vector<Eigen::VectorXd> poses;
+  for (const Panel& panel : sheet.panels) poses.push_back(panel.q);
+  sheet.view = {best_eye(scene.skeleton, poses), scene.skeleton.frames, true};
+  return scene;
+}
+
+}  // namespace
+
+std::string arm_svg(const ArmReport& report, bool in_degrees) {
+  const Scene scene = scene_of(report, in_degrees);
+  return sheet_svg(scene.sheet, scene.skeleton.mechanism);
+}
+
+std::string arm_html(const ArmReport& report, bool in_degrees) {
+  const Scene scene = scene_of(report, in_degrees);
+  return turning_html(scene.sheet, scene.skeleton.mechanism);
+}
+
+}  // namespace moivre

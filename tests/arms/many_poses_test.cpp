@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+// Do many poses have the closures that each has alone, by the family where it answers and without it where it does not?
+#include <gtest/gtest.h>
+
+#include "robots.h"
+
+namespace moivre::test {
+namespace {
+
+std::vector<Eigen::Isometry3d> random_poses(const Arm& arm, std::uint64_t count) {
+  std::vector<Eigen::Isometry3d> poses;
+  for (std::uint64_t k = 0; k < count; ++k) {
+    poses.push_back(forward_kinematics(arm, random_values(arm, 6, k)));
+  }
+  return poses;
+}
+
+std::size_t by_family(const std::vector<ArmResult>& results) {
+  return static_cast<std::size_t>(
+      std::count_if(results.begin(), results.end(),
+                    [](const ArmResult& result) { return result.start.kind == "family"; }));
+}
+
+void expect_same(const Arm& arm, const ArmResult& a, const ArmResult& b) {
+  EXPECT_EQ(a.complete, b.complete);
+  EXPECT_EQ(a.message, b.message);
+  EXPECT_EQ(a.counts.complex, b.counts.complex);
+  EXPECT_EQ(a.counts.beyond_limits, b.counts.beyond_limits);
+  ASSERT_EQ(a.closures.size(), b.closures.size());
+  for (std::size_t k = 0; k < a.closures.size(); ++k) {
+    EXPECT_EQ(a.closures[k].id, b.closures[k].id);
+    EXPECT_EQ(a.closures[k].beyond, b.closures[k].beyond);
+    EXPECT_LT(distance(arm, a.closures[k].values, b.closures[k].values), 1e-9);
+  }
+}
+
+TEST(ManyPosesTest, HaveTheClosuresThatEachHasAlone) {
+  const std::vector<Arm> arms{make_arm(robot_of("puma560"), {}),
+                              arm_of("ur5", "tool0"),
+                              arm_of("kinova_j2s6s200", "j2s6s200_end_effector"),
+                              arm_of("panda", "panda_hand_tcp", {{"panda_joint7", 0.3}}),
+                              arm_of(kManseurDoty),
+                              arm_of(general_arm(1))};
+  for (const Arm& arm : arms) {
+    SCOPED_TRACE(arm.robot);
+    const auto poses = random_poses(arm, 12);
+    const auto many = find_arm_closures(arm, poses, lanes(), one_thread());
+    ASSERT_EQ(many.size(), poses.size());
+    EXPECT_GE(by_family(many), 11U);
+    for (std::size_t k = 0; k < poses.size(); ++k) {
+      expect_same(arm, many[k], find_arm_closures(arm, poses[k], lanes(), one_thread(k + 5)));
+    }
+  }
+}
+
+TEST(ManyPosesTest, SpecialPosesAmongThemAreSolvedAlone) {
+  const Arm arm = make_arm(robot_of("puma560"), {});
+  auto poses = random_poses(arm, 8);
+  Eigen::VectorXd straight(6);
+  straight << 0.3, 0.4, 0.5, 0.2, 0, 0.1;  // its wrist moves
+  Eigen::VectorXd stretched(6);
+  stretched << 0.3, 0.4, std::atan2(0.4318, 0.0203) - std::numbers::pi, 0.2, 0.7, 0.1;
+  poses.insert(poses.begin() + 3, forward_kinematics(arm, straight));
+  poses.insert(poses.begin() + 5, forward_kinematics(arm, stretched));
+  Eigen::Isometry3d far = Eigen::Isometry3d::Identity();
+  far.translation() << 3, 1, 0.5;
+  poses.push_back(far);
+  const auto many = find_arm_closures(arm, poses, lanes(), one_thread());
+  ASSERT_EQ(many.size(), poses.size());
+  EXPECT_TRUE(many[3].moves);
+  EXPECT_NE(many[3].start.kind, "family");
+  EXPECT_TRUE(many.back().closures.empty());
+  for (const std::size_t k : {std::size_t{3}, std::size_t{5}, poses.size() - 1}) {
+    SCOPED_TRACE(k);
+    const ArmResult alone = find_arm_closures(arm, poses[k], lanes(), one_thread());
+    EXPECT_EQ(many[k].complete, alone.complete);
+    EXPECT_EQ(many[k].message, alone.message);
+    EXPECT_EQ(many[k].counts.complex, alone.counts.complex);
+    EXPECT_EQ(many[k].closures.size(), alone.closures.size());
+  }
+}
+
+TEST(ManyPosesTest, TheNumberOfThreadsChangesNothing) {
+  const Arm arm = arm_of(general_arm(2));
+  const auto poses = random_poses(arm, 20);
+  SolveOptions three = one_thread();
+  three.threads = 3;
+  const auto a = find_arm_closures(arm, poses, lanes(), one_thread());
+  const auto b = find_arm_closures(arm, poses, lanes(), three);
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    ASSERT_EQ(a[k].closures.size(), b[k].closures.size());
+    for (std::size_t i = 0; i < a[k].closures.size(); ++i) {
+      EXPECT_EQ(a[k].closures[i].values, b[k].closures[i].values) << "the same to the last bit";
+    }
+  }
+}
+
+TEST(ManyPosesTest, FewPosesAreSolvedOneByOne) {
+  const Arm arm = arm_of("ur5", "tool0");
+  const auto poses = random_poses(arm, 3);
+  const auto many = find_arm_closures(arm, poses, lanes(), one_thread());
+  EXPECT_EQ(by_family(many), 0U);
+}
+
+TEST(ManyPosesTest, AStartThatIsAskedForIsTaken) {
+  const Arm arm = arm_of("ur5", "tool0");
+  SolveOptions options = one_thread();
+  options.start = StartKind::total_degree;
+  EXPECT_EQ(by_family(find_arm_closures(arm, random_poses(arm, 9), lanes(), options)), 0U);
+}
+
+}  // namespace
+}  // namespace moivre::test

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+// Are extremes those of the motion and not of its samples, and quick returns those of the drawing board?
+#include "followed.h"
+
+namespace moivre::test {
+namespace {
+
+TEST(TimeRatio, OfAnOffsetSliderCrankFollowsFromItsDeadCentres) {
+  const double r = 40, l = 120;
+  for (const double e : {15.0, 30.0, -20.0}) {
+    for (const int steps : {16, 90}) {
+      const Followed all = followed(typed(slider_crank_text(r, l, e)), {}, steps);
+      const auto& ratios = all.readings.branches.front().time_ratios;
+      ASSERT_EQ(ratios.size(), 1U);
+      EXPECT_EQ(ratios[0].output, "guide");
+      const double swing = std::abs(std::asin(e / (l - r)) - std::asin(e / (l + r)));
+      EXPECT_NEAR(ratios[0].ratio, (kPi + swing) / (kPi - swing), 1e-6) << e;
+      EXPECT_NEAR(ratios[0].rising_s + ratios[0].falling_s, 360, 1e-9);
+      EXPECT_NEAR(ratios[0].to, std::sqrt((l + r) * (l + r) - e * e), 1e-8);
+      EXPECT_NEAR(ratios[0].from, std::sqrt((l - r) * (l - r) - e * e), 1e-8);
+    }
+  }
+}
+
+TEST(TimeRatio, OfACrankRockerFollowsFromItsToggles) {
+  const double a = 40, b = 120, c = 80, d = 100;
+  const auto angle = [&](double side) {
+    return std::acos((d * d + side * side - c * c) / (2 * d * side));
+  };
+  const double swing = std::abs(angle(b + a) - angle(b - a));
+  for (const char* velocity : {"1", "-1"}) {
+    const Followed all = followed(typed(four_bar_text(a, b, c, d, "30", velocity)), {}, 72);
+    const auto& ratios = all.readings.branches.front().time_ratios;
+    ASSERT_EQ(ratios.size(), 1U);
+    EXPECT_EQ(ratios[0].output, "rocker");
+    EXPECT_NEAR(ratios[0].ratio, (kPi + swing) / (kPi - swing), 1e-6);
+  }
+}
+
+TEST(TimeRatio, OfSymmetryIsOne) {
+  const Followed yoke = followed(example("scotch-yoke"), {});
+  ASSERT_EQ(yoke.readings.branches.front().time_ratios.size(), 1U);
+  EXPECT_NEAR(yoke.readings.branches.front().time_ratios[0].ratio, 1, 1e-6);
+}
+
+TEST(TimeRatio, OfWhitworthsDriveIsThatOfItsTangents) {
+  // The lever turns back where the crank stands across it: cos(alpha) = crank / ground.
+  const Followed all = followed(example("whitworth"), {{}, {"lever"}}, 120);
+  const auto& ratios = all.readings.branches.front().time_ratios;
+  ASSERT_EQ(ratios.size(), 1U);
+  const double quick = 2 * std::acos(1.5 / 3);
+  EXPECT_NEAR(ratios[0].ratio, (2 * kPi - quick) / quick, 1e-6);
+}
+
+TEST(TimeRatio, IsNotToldOfWhatGoesRoundOrComesToNoEnd) {
+  // A drag link: both cranks go round.
+  const Followed drag = followed(typed(four_bar_text(100, 90, 95, 40)), {});
+  ASSERT_TRUE(drag.motion.complete);
+  EXPECT_TRUE(drag.readings.branches.front().time_ratios.empty());
+  const Followed dead = followed(typed(four_bar_text(90, 60, 60, 100, "30", "10")), {});
+  EXPECT_TRUE(dead.readings.branches.front().time_ratios.empty());
+  const Followed half = followed(typed(four_bar_text(40, 120, 80, 100)), {}, 90, 180);
+  EXPECT_TRUE(half.readings.branches.front().time_ratios.empty());
+}
+
+TEST(Extremes, AreThoseOfTheMotionBetweenTheSamples) {
+  const QuantityChoice choice =
+      groups({QuantityGroup::joints, QuantityGroup::transmission, QuantityGroup::coefficients});
+  const Mechanism m = typed(four_bar_text(40, 120, 80, 100));
+  const Followed coarse = followed(m, choice, 24);
+  const Followed fine = followed(m, choice, 5000);
+  ASSERT_EQ(coarse.readings.quantities.size(), fine.readings.quantities.size());
+  for (std::size_t k = 0; k < coarse.readings.quantities.size(); ++k) {
+    const Extremes& rough = coarse.readings.branches.front().extremes[k];
+    double least = 1e300, largest = -1e300;
+    for (const auto& row : fine.readings.branches.front().values) {
+      least = std::min(least, row[k]);
+      largest = std::max(largest, row[k]);
+    }
+    const double tolerance = 1e-5 * (largest - least) + 1e-12;
+    EXPECT_NEAR(rough.least.value, least, tolerance) << coarse.readings.quantities[k].name;
+    EXPECT_NEAR(rough.largest.value, largest, tolerance) << coarse.readings.quantities[k].name;
+  }
+}
+
+TEST(Extremes, OfTheRockersSwingAreItsToggles) {
+  const double a = 40, b = 120, c = 80, d = 100;
+  const Followed all =
+      followed(typed(four_bar_text(a, b, c, d)), groups({QuantityGroup::coordinates}), 30);
+  const auto rocker_at = [&](double side) {
+    return kPi - std::acos((d * d + c * c - side * side) / (2 * d * c));
+  };
+  const Extremes& swing = all.extremes("rocker.phi");
+  EXPECT_NEAR(swing.least.value, std::min(rocker_at(b - a), rocker_at(b + a)), 1e-9);
+  EXPECT_NEAR(swing.largest.value, std::max(rocker_at(b - a), rocker_at(b + a)), 1e-9);
+  EXPECT_NEAR(all.extremes("crank.phi").largest.value - all.extremes("crank.phi").least.value,
+              2 * kPi, 1e-9);
+}
+
+TEST(Extremes, OfVelocitiesAreUnboundedAtADeadPoint) {
+  const Followed all = followed(typed(four_bar_text(90, 60, 60, 100, "30", "10")),
+                                groups({QuantityGroup::coordinates, QuantityGroup::singularity}));
+  const auto& branch = all.motion.branches.front();
+  ASSERT_TRUE(branch.end_event.has_value());
+  const Extremes& velocity = all.extremes("rocker.phi.velocity");
+  EXPECT_TRUE(velocity.least.is_unbounded() != velocity.largest.is_unbounded());
+  EXPECT_FALSE(all.extremes("crank.phi.velocity").largest.is_unbounded());
+  EXPECT_FALSE(all.extremes("crank.phi.velocity").least.is_unbounded());
+  EXPECT_NEAR(all.extremes("distance to singularity").least.value, 0, 1e-6);
+  EXPECT_NEAR(all.extremes("distance to singularity").least.time, branch.ends, 1e-9);
+}
+
+TEST(JointReadings, AreTheDifferencesOfTheirBodies) {
+  const Followed all =
+      followed(typed(four_bar_text(40, 120, 80, 100)), groups({QuantityGroup::joints}), 40);
+  for (std::size_t k = 0; k < all.samples().size(); ++k) {
+    const BranchSample& at = all.samples()[k];
+    EXPECT_NEAR(std::remainder(all.value("joint B", k) - (at.q[8] - at.q[5]), 2 * kPi), 0, 1e-12);
+    EXPECT_NEAR(all.value("joint B.velocity", k), at.velocity[8] - at.velocity[5], 1e-12);
+    EXPECT_NEAR(all.value("joint B.acceleration", k), at.acceleration[8] - at.acceleration[5],
+                1e-12);
+  }
+}
+
+TEST(JointReadings, OfSlidesAndSpatialHingesAgreeWithTheirDifferences) {
+  for (const char* name : {"whitworth", "inverted-slider-crank", "rssr", "rccc"}) {
+    const Mechanism m = example(name);
+    const Followed all = followed(m, groups({QuantityGroup::joints}), 4000, 0.5);
+    ASSERT_GT(all.samples().size(), 3U) << name;
+    const double h = all.samples()[1].time - all.samples()[0].time;
+    const auto& rows = all.readings.branches.front().values;
+    for (std::size_t q = 0; q < all.readings.quantities.size(); ++q) {
+      if (all.readings.quantities[q].order == QuantityOrder::acceleration) continue;
+      for (std::size_t k = 1; k + 1 < rows.size(); k += 97) {
+        const double size = 1 + std::abs(rows[k][q + 1]);
+        EXPECT_NEAR((rows[k + 1][q] - rows[k - 1][q]) / (2 * h), rows[k][q + 1], 1e-4 * size)
+            << name << ' ' << all.readings.quantities[q].name;
+      }
+    }
+  }
+}
+
+TEST(Readings, HoldWheelsThatSpinIdly) {
+  const Mechanism roller = read_mechanism(
+      read_source(std::string(MOIVRE_SOURCE_DIR) + "/tests/trial/files/roller.toml"));
+  const Followed all =
+      followed(roller, groups({QuantityGroup::transmission, QuantityGroup::coefficients}));
+  for (std::size_t q = 0; q < all.readings.quantities.size(); ++q) {
+    EXPECT_TRUE(std::isfinite(all.readings.branches.front().values.front()[q]))
+        << all.readings.quantities[q].name;
+  }
+}
+
+}  // namespace
+}  // namespace moivre::test
