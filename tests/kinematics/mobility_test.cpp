@@ -11,7 +11,6 @@ namespace {
 
 using Eigen::VectorXd;
 using test::example;
-using test::kDegree;
 using test::typed;
 
 Mobility mobility_of(const std::string& name) {
@@ -32,7 +31,11 @@ TEST(Mobility, BennettMovesAgainstGruebler) {
 
 TEST(Mobility, CouplerBetweenTwoBallsSpinsIdly) {
   Mechanism m = typed(test::kSpinningCoupler);
-  m.guess = {{"coupler.rz", 10 * kDegree}, {"rocker.rx", 20 * kDegree}};
+  m.guess = {{"coupler.ry", 0.3},
+             {"coupler.rz", 0.6},
+             {"rocker.rx", -0.5},
+             {"rocker.ry", 0.5},
+             {"rocker.rz", 1.5}};
   const Phi phi(m);
   const NewtonResult run = newton(phi, initial_guess(m));
   ASSERT_EQ(run.status, NewtonStatus::converged) << run.message;
