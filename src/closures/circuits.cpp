@@ -16,7 +16,6 @@
 namespace moivre {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
 // Radians: an angle so near below a whole turn is 0.
 constexpr double kZeroAngle = 1e-9;
 
@@ -98,9 +97,9 @@ Unrolled unrolled(const std::vector<std::size_t>& part, const Ways& ways, bool m
   const auto turns_between = [&](const BranchEnd& a, const BranchEnd& b) {
     const double gap = value_at(course(a.branch), a) + all.shift[a.branch] -
                        value_at(course(b.branch), b) - all.shift[b.branch];
-    return std::round(gap / kTurn);
+    return std::round(gap / kOneTurn);
   };
-  for (const auto& [a, b] : ways.leading) all.shift[b.branch] = kTurn * turns_between(a, b);
+  for (const auto& [a, b] : ways.leading) all.shift[b.branch] = kOneTurn * turns_between(a, b);
   for (const auto& [a, b] : ways.closing) {
     all.turns = std::gcd(all.turns, static_cast<int>(turns_between(a, b)));
   }
@@ -109,9 +108,9 @@ Unrolled unrolled(const std::vector<std::size_t>& part, const Ways& ways, bool m
 
 /// Brings the range to where its lower end is in [from, from + a turn).
 void shift_to(Swing& swing, double from) {
-  const double turns = std::floor((swing.lower - from + kZeroAngle) / kTurn);
-  swing.lower -= kTurn * turns;
-  swing.upper -= kTurn * turns;
+  const double turns = std::floor((swing.lower - from + kZeroAngle) / kOneTurn);
+  swing.lower -= kOneTurn * turns;
+  swing.upper -= kOneTurn * turns;
 }
 
 template <typename CourseOf>
@@ -304,7 +303,7 @@ double turns_of_drivers(const Mechanism& mechanism, const MotionResult& motion) 
   double most = 0;
   for (std::size_t k = 0; k < begin.size(); ++k) {
     if (!may_turn(mechanism, mechanism.drivers[k])) continue;
-    most = std::max(most, std::abs(end[k] - begin[k]) / kTurn);
+    most = std::max(most, std::abs(end[k] - begin[k]) / kOneTurn);
   }
   return most;
 }

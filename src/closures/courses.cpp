@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
-#include <numbers>
 
 #include "moivre/mechanism/pose.h"
 
@@ -14,13 +13,12 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double kTurn = 2 * std::numbers::pi;
 // Central differences along a step, where a radian, or the mechanism's length, is 1: their error is the square.
 constexpr double kDifference = 1e-4;
 
 double difference(const MovingPart& quantity, double a, double b) {
   const bool is_cut = !quantity.goes_on && quantity.kind == CoordinateKind::angle;
-  return is_cut ? std::remainder(a - b, kTurn) : a - b;
+  return is_cut ? std::remainder(a - b, kOneTurn) : a - b;
 }
 
 /// A quantity over one step, beside its value at the beginning: degree five in u = x / length.

@@ -9,10 +9,13 @@
 #pragma once
 
 #include <functional>
+#include <numbers>
 
 #include "moivre/closures/circuits.h"
 
 namespace moivre {
+
+inline constexpr double kOneTurn = 2 * std::numbers::pi;
 
 /// What turns or slides.
 struct MovingPart {
