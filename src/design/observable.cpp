@@ -91,6 +91,16 @@ std::set<std::string> driven_names(const Mechanism& mechanism) {
   return names;
 }
 
+/// What holds the body to the ground so that it slides and cannot turn; nullptr where nothing does.
+const Joint* slideway(const Mechanism& mechanism, std::size_t body) {
+  for (const Joint& joint : mechanism.joints) {
+    const bool joins = (joint.at[0].body == 0 && joint.at[1].body == body) ||
+                       (joint.at[1].body == 0 && joint.at[0].body == body);
+    if (joins && slides(joint) && !turns(joint)) return &joint;
+  }
+  return nullptr;
+}
+
 /// All that can be an output.
 std::vector<Observable> nameable(const Mechanism& mechanism) {
   std::vector<Observable> all;
@@ -99,7 +109,9 @@ std::vector<Observable> nameable(const Mechanism& mechanism) {
   for (std::size_t k = 0; k < names.size(); ++k) {
     Observable one = coordinate(names[k], static_cast<Eigen::Index>(k));
     if (is_planar && names[k].kind == CoordinateKind::angle) {
-      one.name = mechanism.bodies[names[k].group + 1].name;
+      const std::size_t body = names[k].group + 1;
+      one.name = mechanism.bodies[body].name;
+      if (const Joint* way = slideway(mechanism, body)) one = slide(mechanism, *way, one.name);
     } else if (!is_typed(mechanism)) {
       continue;
     }
@@ -168,10 +180,10 @@ Observable output_observable(const Mechanism& mechanism, const std::string& name
     if (one.name == name) return std::move(one);
     known.push_back(one.name);
   }
-  throw std::invalid_argument(
-      "there is no output '" + name +
-      "': it is a body (its angle), a joint, or a point's coordinate such as rocker.B.x" +
-      suggestion(name, known));
+  throw std::invalid_argument("there is no output '" + name +
+                              "': it is a body (its angle, or its slide where it cannot turn), a "
+                              "joint, or a point's coordinate such as rocker.B.x" +
+                              suggestion(name, known));
 }
 
 std::vector<std::string> default_outputs(const Mechanism& mechanism) {

@@ -98,7 +98,7 @@ TEST(MechanicalAdvantage, OfNortonsFourBarIsThatOfItsVelocities) {
 
 TEST(MechanicalAdvantage, IsTheBalanceOfPowerForEveryOutput) {
   const QuantityChoice choice{{QuantityGroup::advantage, QuantityGroup::coordinates},
-                              {"rod", "guide", "slider.B.x"}};
+                              {"rod", "guide", "slider", "slider.B.x"}};
   const Followed all = followed(typed(slider_crank_text(40, 120, 15, "90")), choice);
   const double driver = kPi / 2;
   for (std::size_t k = 1; k < all.samples().size(); k += 7) {
@@ -107,6 +107,7 @@ TEST(MechanicalAdvantage, IsTheBalanceOfPowerForEveryOutput) {
     EXPECT_NEAR(all.value("crank-guide advantage", k) * std::abs(all.samples()[k].velocity[6]),
                 driver, 1e-9);
     EXPECT_EQ(all.value("crank-slider.B.x advantage", k), all.value("crank-guide advantage", k));
+    EXPECT_EQ(all.value("crank-slider advantage", k), all.value("crank-guide advantage", k));
   }
   EXPECT_EQ(all.readings.quantities[all.index("crank-guide advantage")].unit, "1/mm");
   EXPECT_EQ(all.readings.quantities[all.index("crank-rod advantage")].unit, "-");

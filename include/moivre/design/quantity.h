@@ -13,8 +13,9 @@
 //                  the output stands still for an instant
 //   singularity    smallest singular value of Phi_q with its rows and columns brought to unit length: 0 at a dead point
 //
-// Outputs are bodies (their angle), joints (angle or slide), points' coordinates ("rocker.B.x") or unknowns, by name. Where
-// none is named: what a joint ties to the ground and no driver moves.
+// Outputs are bodies (their angle, or their slide where a prismatic joint ties them to the ground), joints (angle or slide),
+// points' coordinates ("rocker.B.x") or unknowns, by name. Where none is named: what a joint ties to the ground and no driver
+// moves.
 // Angles in radians (of spatial joints in [-pi, pi]), lengths in the file's unit; derivatives by an angle are by a radian.
 // NaN where a quantity is not defined: derivatives at a pose without the only velocity. Idle joints are held, as in motion.
 #pragma once
