@@ -22,8 +22,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// A pose is assembled when every |Phi_i| is this small beside its terms; what is handed over was corrected to rounding.
-constexpr double kAssembled = 1e-9;
 // Steps in y, where an angle counts by radians and a length by the mechanism's.
 constexpr double kFirstStep = 1e-2;
 constexpr double kShortestStep = 1e-12;

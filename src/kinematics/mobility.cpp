@@ -170,7 +170,6 @@ Mobility mobility(const Phi& phi, const VectorXd& q, double t) {
   m.row_names = joints.row_names();
   m.is_near_singular =
       m.rank > 0 && m.singular_values[m.rank - 1] < kNearSingular * m.singular_values[0];
-  constexpr double kAssembled = 1e-9;
   const bool is_assembled = residual_by_size(joints, q, t) <= kAssembled;
   m.rank_nearby = is_assembled ? rank_next_to(joints, q, t, m.null_space, m.rank) : m.rank;
   m.is_singular = m.rank_nearby > m.rank;

@@ -86,6 +86,8 @@ Eigen::VectorXd row_sizes(const Phi& phi, const Eigen::VectorXd& q, double t);
 
 /// scaled_residual where that is rounding, else max_i |Phi_i| / row_sizes_i: small at assembled poses, at the origin too.
 double residual_by_size(const Phi& phi, const Eigen::VectorXd& q, double t);
+/// Of a pose that is assembled; what Newton's method hands over is right to rounding.
+inline constexpr double kAssembled = 1e-9;
 
 /// By how much the worst row does not close, as a length in the file's unit; of a row that compares angles, at the end of
 /// phi.length().
