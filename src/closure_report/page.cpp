@@ -18,6 +18,7 @@
 #include "moivre/closure_report/sheet.h"
 #include "moivre/mechanism/pose.h"
 #include "moivre/report/json.h"
+#include "moivre/report/markup.h"
 #include "moivre/report/number_text.h"
 #include "page_assets.h"
 #include "page_columns.h"

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "moivre/report/markup.h"
 #include "page_assets.h"
 #include "svg.h"
 

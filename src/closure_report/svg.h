@@ -10,9 +10,6 @@
 
 namespace moivre {
 
-/// Text for XML and HTML: markup characters escaped; what is no UTF-8, and control characters, become U+FFFD.
-std::string escaped(std::string_view text);
-
 struct Attribute {
   std::string_view name;
   std::string value;

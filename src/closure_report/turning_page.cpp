@@ -10,6 +10,7 @@
 #include "figures.h"
 #include "moivre/closure_report/sheet.h"
 #include "moivre/mechanism/pose.h"
+#include "moivre/report/markup.h"
 #include "page_assets.h"
 #include "page_parts.h"
 #include "svg.h"

@@ -1,30 +1,11 @@
 // SPDX-License-Identifier: MIT
 // A study as one page that needs no other file: facts, diagram and table of each file.
+#include "moivre/report/markup.h"
 #include "moivre/report/version.h"
 #include "study_cells.h"
 
 namespace moivre {
 namespace {
-
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
-}
 
 std::string element(const std::string& tag, const std::string& content) {
   return '<' + tag + '>' + escaped(content) + "</" + tag + '>';

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <set>
 
+#include "moivre/report/markup.h"
 #include "moivre/sweep_report/sweep_report.h"
 
 namespace moivre {
@@ -19,26 +20,6 @@ std::string number(double x) {
   char text[32];
   std::snprintf(text, sizeof text, "%.6g", x);
   return text;
-}
-
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '&':
-        result += "&amp;";
-        break;
-      default:
-        result += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
-    }
-  }
-  return result;
 }
 
 std::string text_at(double x, double y, const char* anchor, const std::string& text) {

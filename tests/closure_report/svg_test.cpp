@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Are the pieces of SVG right? Escapes, numbers, outlines, lines of text, scale bars.
+// Are the pieces of SVG right? Numbers, outlines, lines of text, scale bars.
 #include "svg.h"
 
 #include <gtest/gtest.h>
@@ -9,23 +9,6 @@
 
 namespace moivre {
 namespace {
-
-TEST(Svg, MarkupInATextIsEscaped) {
-  EXPECT_EQ(escaped("a<b> & \"c\" 'd'"), "a&lt;b&gt; &amp; &quot;c&quot; &#39;d&#39;");
-}
-
-TEST(Svg, ALetterBeyondAsciiStays) { EXPECT_EQ(escaped("Grübler φ₁"), "Grübler φ₁"); }
-
-TEST(Svg, BytesThatAreNoTextAreReplaced) {
-  const std::string replaced = "\xEF\xBF\xBD";
-  EXPECT_EQ(escaped("a\xFF"
-                    "b"),
-            "a" + replaced + "b");
-  EXPECT_EQ(escaped("\xC3"), replaced);
-  EXPECT_EQ(escaped("\xED\xA0\x80").substr(0, 3), replaced) << "a surrogate";
-  EXPECT_EQ(escaped("\xC0\xAF").substr(0, 3), replaced) << "overlong";
-  EXPECT_EQ(escaped(std::string(1, '\0') + "\x1B\x7F"), replaced + replaced + replaced);
-}
 
 TEST(Svg, NumbersAreShortAndFinite) {
   EXPECT_EQ(pixel_text(1.0), "1");
