@@ -3,6 +3,7 @@
 #include <functional>
 #include <future>
 #include <mutex>
+#include <optional>
 #include <thread>
 
 #include "moivre/arms/arm_closures.h"
@@ -81,7 +82,7 @@ struct Poses {
   const SolveOptions& options;
   const std::atomic<bool>& stop;
   std::vector<PoseFamily> families;
-  std::vector<ArmResult> results;
+  std::vector<std::optional<ArmResult>> results;  ///< none of a pose that was not begun
   std::mutex telling;
   std::uint64_t done = 0;
 
@@ -141,8 +142,8 @@ void solve_range(Poses& all, std::size_t begin, std::size_t end, std::size_t thr
       if (!result) {
         result = find_arm_closures(all.arm, all.poses[k], all.tracker, all.of_one, all.stop);
       }
-      all.results[k] = std::move(*result);
-      all.results[k].time_s.total = watch.total() + share;
+      result->time_s.total = watch.total() + share;
+      all.results[k] = std::move(result);
       all.tell();
     }
   });
@@ -176,16 +177,19 @@ std::vector<ArmResult> find_arm_closures(const Arm& arm,
   SolveOptions of_one = options;
   of_one.threads = 1;
   of_one.progress = nullptr;
-  Poses all{arm, poses, tracker, of_one, options, stop, {}, std::vector<ArmResult>(poses.size()),
-            {},  0};
+  Poses all{arm, poses, tracker, of_one, options, stop, {}, {}, {}, 0};
+  all.results.resize(poses.size());
   const bool may_be_family = options.start == StartKind::automatic && poses.size() >= kWorthAFamily;
   if (may_be_family) all.families = families_of(arm, tracker, of_one, stop);
   const std::size_t block = all.families.empty() ? poses.size() : kTogether * threads;
   for (std::size_t begin = 0; begin < poses.size() && !stop; begin += block) {
     solve_range(all, begin, std::min(begin + block, poses.size()), threads);
   }
-  std::erase_if(all.results, [](const ArmResult& result) { return result.time_s.total == 0; });
-  return std::move(all.results);
+  std::vector<ArmResult> begun;
+  for (std::optional<ArmResult>& result : all.results) {
+    if (result) begun.push_back(std::move(*result));
+  }
+  return begun;
 }
 
 }  // namespace moivre
