@@ -23,6 +23,7 @@
 #include <optional>
 #include <vector>
 
+#include "moivre/endgame/end_parameters.h"
 #include "moivre/tracker/tracker.h"
 
 namespace moivre {
@@ -46,15 +47,8 @@ Failure to_failure(Journey journey);
 struct EndgameOptions {
   /// The whole way is followed as far as it leads before circles are tried: where digits are plenty.
   bool goes_straight = false;
-  double watch_radius = 0.1;  ///< |1 - t| from which the path is watched
-  double regular_condition =
-      1e8;  ///< condition at t = 1 up to which an arrival is regular without more ado
-  double singular_condition =
-      1e11;                  ///< condition from which an end of winding number 1 is called singular
-  int samples = 16;          ///< of one turn
-  int maximum_winding = 32;  ///< turns tried before a circle counts as not closing
-  int maximum_radii = 20;    ///< circles tried; 0: an end that is not regular is a failure
-  std::uint64_t maximum_steps = 6000;  ///< of all journeys of one path, then the endgame concludes
+  bool only_regular = false;  ///< an end that is not regular is a failure: no circle is tried
+  EndParameters ends;
 };
 
 /// The verdict on one path.
@@ -125,6 +119,7 @@ class Endgame : public Watcher {
   std::nullopt_t fail(Failure failure);
 
   EndgameOptions options_;
+  EndParameters ends_;
   Chart chart_;
   std::uint64_t path_;
   int care_;
@@ -133,8 +128,6 @@ class Endgame : public Watcher {
   PathEnd end_;
 
   // Watching.
-  int watched_ = 0;
-  int creeping_ = 0;   ///< watched steps within the radius of the singular ends
   Point outpost_;      ///< last watched point, from which circles begin
   double radius_ = 0;  ///< its |1 - t|
 
@@ -148,7 +141,6 @@ class Endgame : public Watcher {
   Point turn_begin_;            // normalized point at angle 0
   std::vector<Point> samples_;  // normalized, over all turns so far
   int turns_ = 0;
-  int radii_ = 0;
   std::optional<Estimate> last_;
   std::optional<Estimate> best_;
   double best_difference_ = 0;

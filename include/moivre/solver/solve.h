@@ -42,7 +42,7 @@ struct Progress {
 };
 
 /// With how many digits a path was followed: the rung of the ladder that it needed.
-enum class Rung {
+enum class Rung : std::uint8_t {
   double_precision,  ///< double throughout
   mixed,             ///< residuals in double-double where rounding stopped Newton's method
   double_double      ///< the whole path in double-double
@@ -129,6 +129,31 @@ struct FailedPath {
   std::size_t stage = 0;  ///< of the plan, on which it was lost
 };
 
+/// What became of a path.
+enum class PathVerdict : std::uint8_t {
+  open,         ///< not followed to its end
+  finite,       ///< ends at an isolated root, or on a set of positive dimension
+  at_infinity,  ///< ends there
+  as_rounded,   ///< at infinity as far as the digits of the system's coefficients tell
+  left_by_bound,  ///< was in doubt until as many roots were proved as there can be: it leads to no other
+  failed
+};
+/// "finite", "at infinity", "at infinity as rounded", "left by the bound", "failed", "open".
+std::string to_string(PathVerdict verdict);
+
+/// The account of one path: 16 bytes, whatever became of it.
+struct PathRecord {
+  static constexpr std::uint32_t kNoSolution = 0xffffffff;
+
+  std::uint32_t steps = 0;               ///< accepted and rejected, each time that it was followed
+  std::uint32_t solution = kNoSolution;  ///< its place in SolveResult::solutions
+  std::uint8_t followed = 0;             ///< how often, 255 for more
+  std::uint8_t stage = 0;                ///< of the plan, on which it ended
+  PathVerdict verdict = PathVerdict::open;
+  Rung rung = Rung::double_precision;
+  bool handed_over = false;  ///< to SolveOptions::fallback
+};
+
 /// Something that this scene did not need, or that was done instead.
 struct LeftOut {
   std::string what;
@@ -206,10 +231,12 @@ struct SolveResult {
   /// nullopt where nothing was to be certified, or could be: F has more equations than unknowns.
   std::optional<RootCompleteness> completeness;
   std::optional<MetBound> bound;  ///< that proves the completeness
-  std::vector<Point> on_sets;  ///< an end of paths on a set of positive dimension, one a place; in the system's variables
+  std::vector<Point>
+      on_sets;  ///< an end of paths on a set of positive dimension, one a place; in the system's variables
   std::uint64_t excess =
       0;  ///< roots that squaring up added, with multiplicity: they fail an equation of F
   std::vector<FailedPath> failures;
+  std::vector<PathRecord> ledger;  ///< by path number; empty where no path was followed
   std::vector<LeftOut> left_out;
   std::optional<int>
       digits;  ///< how many the roots were given beyond double, where any were asked for
