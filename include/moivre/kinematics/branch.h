@@ -5,7 +5,7 @@
 // mechanism for lengths and 1 for angles, T the time to go: with the tangent y', [Phi_q Phi_t] y' = 0, a step predicts by
 // y + h y' + h^2 y'' / 2 and corrects by Newton's method on the plane across y'. The step follows the curve: how far the
 // prediction misses and how much the tangent turns decide the next one.
-// Samples are corrected at their own times; one factorisation of Phi_q serves velocity and acceleration there.
+// Samples are corrected at their own times; one factorization of Phi_q serves velocity and acceleration there.
 //
 // The branch ends before `to` where it cannot go on, and says so:
 //   dead point    y' stands across t: Phi_q is singular, [Phi_q Phi_t] is not. The drivers can go no further, two branches

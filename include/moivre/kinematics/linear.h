@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which x solves A x = b, and in which sense? One factorisation, chosen by shape and rank, serves many right-hand sides.
+// Which x solves A x = b, and in which sense? One factorization, chosen by shape and rank, serves many right-hand sides.
 //
 //   square, regular            lu                x = A^-1 b
 //   m > n, rank n              qr                least |A x - b|            (or normal_equations, on request)
