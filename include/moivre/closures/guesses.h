@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where should a Newton solve of one's own begin? At every closure of a mechanism, or every real root of a system.
+// Where should a user's own Newton solve begin? At every closure of a mechanism, or every real root of a system.
 //
 // q in the order of `names`: angles in radians, lengths in the file's unit, as Phi and the polynomials take them.
 // Also: a system of polynomials as a typed mechanism, so that Newton-Raphson on Phi takes polynomial files.
