@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which smaller system has the same roots? Linear equations are used up, also those that only combinations show.
+// Which smaller system has the same roots? Linear equations are eliminated, also those that only combinations show.
 //
 // Two moves, exact in the rationals, in turn until neither applies:
 //   combine     among the equations of one degree, those whose highest terms depend linearly on the others' are replaced
@@ -16,10 +16,10 @@
 //      can reach.
 //
 // Which unknown: of the pivots of at least kPivotThreshold times the equation's largest coefficient (sizes measured under
-// choose_scaling), the one that makes the fewest new terms. How far: substitution goes on while it can, and the state of
-// least work (multiply-adds of a tracker's step times the product of the degrees,
-// docs/decisions/0003-when-elimination-pays.md) is kept; equations whose substitution did not pay stay, unless
-// it proves a contradiction or a dependence. Where an integer would outgrow the limits below, a move is not made.
+// choose_scaling), the one that makes the fewest new terms. How far: equations are substituted as long as possible, and the
+// system of least work is kept (multiply-adds of a tracker's step times the product of the degrees,
+// docs/decisions/0003-when-elimination-pays.md). So equations whose substitution did not pay stay, unless it proves a
+// contradiction or a dependence. A move is not made if an integer would exceed the limits below.
 // Not supported: products of equations with polynomials (Groebner bases), factors of an equation.
 #pragma once
 
