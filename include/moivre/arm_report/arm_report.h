@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How is inverse kinematics told? As a table of joint values for people, as JSON and CSV for programs, as pictures.
+// How is inverse kinematics reported? As a table of joint values for people, as JSON and CSV for programs, as pictures.
 //
 //   text  every closure a line, joint values in radians (or metres) within the limits where whole turns bring them there
 //   JSON  docs/json.md shows it: `coordinates` has turns in (-pi, pi], `in_limits` what a controller takes

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What was proved of a root? Exactly one lies in this ball, so near its middle, and it is real or is not.
+// What was proved of a root? Exactly one lies in this ball, at most so far from its midpoint, and it is real or not real.
 //
 //   B = {x : |x_j - m_j| <= radius_j for all j}, discs of the complex plane, one a coordinate
 //   proved:  F has exactly one root x* in B, J(x*) is regular, and |x*_j - m_j| <= error_j < radius_j

@@ -62,8 +62,8 @@ class Certifier {
   void certify(std::span<const Complex> x, Certificate& result);
   Certificate certify(std::span<const Complex> x);
 
-  /// Proves the same root again in `bits` of precision, which makes its ball smaller; true where that came off. Else the
-  /// certificate stays as it was. Requires holds_root().
+  /// Proves the same root again with `bits` of precision, which makes its ball smaller. False if that failed; the
+  /// certificate then does not change. Requires holds_root().
   bool sharpen(Certificate& certificate, int bits);
 
  private:

@@ -20,7 +20,7 @@ struct Readings;
 std::string motion_html(const MotionResult& result, const Mechanism& mechanism,
                         const std::string& file, const Readings* readings = nullptr);
 
-/// The closures that stand still: no slider, no plots.
+/// Closures without motion: no slider, no plots.
 std::string closures_html(const ClosureResult& result, const Mechanism& mechanism,
                           const std::string& file);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How are a designer's quantities told? Columns of a table, a table of extremes for people, and both for programs.
+// How are a designer's quantities reported? Columns of a table, a table of extremes for people, and both for programs.
 //
 //   CSV   one sample a line: branch, t, drivers, then the quantities, each with its unit: "coupler-rocker transmission [deg]";
 //         a cell is empty where the quantity is not defined

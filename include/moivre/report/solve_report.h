@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How is a solve told? As text for people, as JSON and CSV for programs, as PHCpack's solution list.
+// How is a solve reported? As text for people, as JSON and CSV for programs, as PHCpack's solution list.
 //
 //   text   counts, real roots with the digits that their accuracy justifies, what was left out, failures with reasons
 //          (all digits, where more than double's were asked for; CSV likewise)

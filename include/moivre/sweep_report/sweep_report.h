@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How is a sweep told? As text for people, as JSON and CSV for programs, and as a picture.
+// How is a sweep reported? As text for people, as JSON and CSV for programs, and as a picture.
 //
 //   text   how many samples have how many real closures, and the borders of one number
 //   JSON   everything;  CSV a sample a line
