@@ -59,7 +59,7 @@ Expression parse_expression(std::string_view text, SourcePosition begin,
                             std::vector<Diagnostic>& faults);
 
 /// The same for a sum that may be long: each summand, with its sign, is handed on as soon as it is
-/// read and then forgotten. Those without a fault of the grammar are handed on behind one, too, their signs lost.
+/// read and then forgotten. After a summand with a fault, correct summands are still handed on, without their signs.
 void parse_summands(std::string_view text, SourcePosition begin, std::vector<Diagnostic>& faults,
                     const std::function<void(const Expression&)>& take);
 
