@@ -4,8 +4,8 @@
 //   K(B) = m - Y F(m) + (I - Y J(B)) (B - m),   Y near J(m)^{-1}, any matrix
 //   kappa_j = |Y F(m)|_j + sum_k |I - Y J(B)|_jk rho_k < rho_j for all j   ==>   exactly one root in B, within kappa of m
 //
-// B: the polydisc of radii rho around m. Proof: the inequality makes x -> x - Y F(x) a contraction of B into itself in the
-// norm max_j |v_j| / rho_j (the mean-value form, J(B) a convex set), and Y regular, since |I - Y J| < 1 in that norm.
+// B: the polydisc of radii rho around m. Proof, in the norm max_j |v_j| / rho_j: the inequality makes x -> x - Y F(x) a
+// contraction of B into itself (mean-value form, J(B) a convex set). Y is regular, since |I - Y J| < 1.
 // Real, for real F: the conjugate of the ball of radii kappa lies in B, so that conj(x*) is a root in B, and there is but one.
 // Not real: some |Im m_j| > kappa_j. Neither: more digits.
 // First in double: m a point of doubles after Newton's method, F(m) in double-double, J(B) in discs, every rounding bounded

@@ -2,7 +2,7 @@
 // Which random number is this? One that depends on nothing but (seed, stream, index): the same on every machine and thread.
 //
 // A counter is hashed by SplitMix64's finalizer; there is no state to share, so the k-th number of path i
-// is the same whoever asks for it and when.
+// is the same for every caller, at any time.
 #pragma once
 
 #include <cmath>

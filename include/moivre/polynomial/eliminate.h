@@ -10,8 +10,8 @@
 //  (1) restore(y) is y in the kept places: kept[i] is the place of y_i in x, and restore is injective.
 //  (2) R_i(y) = F_o(restore(y)) + a combination of the other F_k(restore(y)), o = equation_origin[i], and
 //      span{F_i(restore(y))} = span{R_i(y)} as spaces of polynomials: row operations, invertible.
-//  (3) Every root x of F is restore(y) of a root y of R, with the same multiplicity: the equations used up lie in the
-//      ideal of F and each is solved for its own unknown, so that C[x]/(F) and C[y]/(R) are isomorphic.
+//  (3) Every root x of F is restore(y) of a root y of R, with the same multiplicity. The eliminated equations lie in the ideal
+//      of F, and each is solved for its own unknown. So C[x]/(F) and C[y]/(R) are isomorphic.
 //  (4) The product of the degrees never rises; combine makes it the least that combinations with constant coefficients
 //      can reach.
 //
