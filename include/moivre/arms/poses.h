@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Where must the tip be? Poses typed as seven numbers, x y z and a unit quaternion qw qx qy qz, on the command line or in a file.
 //
-// One pose a line, with blanks, commas, semicolons or tabs between the numbers. Empty lines, lines that begin with # and a first line
+// One pose per line, with blanks, commas, semicolons or tabs between the numbers. Empty lines, lines that begin with # and a first line
 // of names are skipped. The quaternion may be rounded: it is scaled to length 1. It is refused if its length differs from 1 by more
 // than kRoundedBy.
 #pragma once

@@ -45,7 +45,7 @@ class CertifyProgram;
 /// Throws std::invalid_argument when F is not square, has no unknowns or more than 2^32 - 1 registers.
 std::shared_ptr<const CertifyProgram> make_certify_program(const System& f);
 
-/// The memory for certificates of one program; one a thread, made and ended by that thread.
+/// The memory for certificates of one program; one per thread, made and ended by that thread.
 class Certifier {
  public:
   /// Throws std::invalid_argument when an option lies outside its range.

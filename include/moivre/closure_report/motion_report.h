@@ -3,7 +3,7 @@
 //
 //   text  branches, where they begin and end, events with the drivers' values, whether the checkpoints agree
 //   JSON  docs/json.md shows it: every sample with position, velocity and acceleration of every coordinate and named point
-//   CSV   one sample a line: branch, t, drivers, then for each coordinate and each point's x, y (z) the value, velocity and
+//   CSV   one sample per line: branch, t, drivers, then for each coordinate and each point's x, y (z) the value, velocity and
 //         acceleration
 // Angles are in radians in (-pi, pi] unless an AngleForm says otherwise, their rates per second and per second squared. Lengths are
 // in the file's unit. The text is in the file's units.

@@ -27,7 +27,7 @@ InitialGuesses initial_guesses(const ClosureResult& result, const Mechanism& mec
 /// The real roots.
 InitialGuesses initial_guesses(const SolveResult& result);
 
-/// Unknown lengths with the system's names, one equation a polynomial (equation 1, 2, ...). Throws std::invalid_argument
+/// Unknown lengths with the system's names, one equation per polynomial (equation 1, 2, ...). Throws std::invalid_argument
 /// when a coefficient is not real.
 Mechanism typed_mechanism(const System& f);
 

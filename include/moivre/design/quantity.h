@@ -72,7 +72,7 @@ class QuantityReader {
   QuantityReader& operator=(const QuantityReader&) = delete;
 
   const std::vector<Quantity>& quantities() const;
-  /// One a quantity. A pose without velocities has only what needs none.
+  /// One per quantity. A pose without velocities has only what needs none.
   std::vector<double> read(const BranchSample& pose) const;
   double read(std::size_t quantity, const BranchSample& pose) const;
   /// Of an advantage: do / df, which changes its sign where the advantage is infinite. NaN of others.

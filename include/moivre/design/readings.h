@@ -46,7 +46,7 @@ struct TimeRatio {
 struct BranchReadings {
   std::string id;
   std::vector<std::vector<double>> values;  ///< [sample][quantity]; NaN where not defined
-  std::vector<Extremes> extremes;           ///< one a quantity; none where not asked for
+  std::vector<Extremes> extremes;           ///< one per quantity; none where not asked for
   std::vector<TimeRatio> time_ratios;       ///< of the outputs that have one
 };
 

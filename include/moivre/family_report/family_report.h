@@ -3,7 +3,7 @@
 //
 //   family      what it is and what is known of its roots; command: "family learn" or "family info"
 //   one member  as for solve() (report/solve_report.h), with the values of its parameters
-//   a table     JSON everything, CSV a root a line, text the numbers of roots
+//   a table     JSON everything, CSV one root per line, text the numbers of roots
 //
 // The same bytes for every number of threads, but for the run times. `name`: of the family's file, as the user gave it.
 #pragma once

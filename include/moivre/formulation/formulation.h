@@ -4,7 +4,7 @@
 // Planar mechanisms, in isotropic coordinates:
 // Body i:  p_i = x + iy,  pb_i its conjugate as an unknown of its own,  t_i = exp(i phi_i),  u_i = 1/t_i.
 // Bodies with a known relative angle (weld, prismatic, driven angle) share one t:  t_i = gamma_i t_class.
-//   body       t u = 1                                            one equation a class, ground's t is 1
+//   body       t u = 1                                            one equation per class, ground's t is 1
 //   revolute   p_i + a t_i = p_j + b t_j,  and the conjugate      linear
 //   line       (eb u_i) D = (e t_i) Db                            prismatic and slot; D = p_j + b t_j - p_i - a t_i
 //   slide      D = s e t_i,  Db = s eb u_i                        a driven line: linear

@@ -20,7 +20,7 @@ namespace moivre {
 class Homotopy;
 
 struct PathFrame {
-  std::vector<int> log2;        ///< e_j, one a coordinate
+  std::vector<int> log2;        ///< e_j, one per coordinate
   std::vector<double> factors;  ///< 2^{<a_k, e> + r_i}, one a term of the homotopy
   std::vector<double> weights;  ///< w_k of a toric homotopy; empty otherwise
   Point member = {};            ///< p' of a homotopy of members; empty otherwise

@@ -19,7 +19,7 @@
 
 namespace moivre {
 
-/// In the scalar S. Owns its memory; one a thread.
+/// In the scalar S. Owns its memory; one per thread.
 template <class S>
 class MovingCoefficients {
  public:

@@ -32,7 +32,7 @@ struct NewtonOptions {
   double residual_tolerance = 1e-13;  ///< on scaled_residual
   int maximum_iterations = 50;
   std::vector<Eigen::Index> held;  ///< coordinates that keep their guessed values
-  LinearOptions linear;            ///< weights: one a coordinate that is not held
+  LinearOptions linear;            ///< weights: one per coordinate that is not held
 };
 
 /// One row of the iteration table: the iterate and the step that leaves it.

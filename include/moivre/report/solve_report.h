@@ -4,7 +4,7 @@
 //   text   counts, real roots with the digits that their accuracy justifies, what was left out, failures with reasons
 //          (all digits, where more than double's were asked for; CSV likewise)
 //   JSON   everything; docs/json.md shows it; unknown numbers are null, never NaN
-//   CSV    one root a line, shortest digits that read back as the same double; unknown numbers are empty
+//   CSV    one root per line, shortest digits that read back as the same double; unknown numbers are empty
 //   PHC    the system, then THE SOLUTIONS: err is our accuracy, rco 1/condition, res our residual, m the multiplicity
 //
 // All are the same bytes for every number of threads, but for the run times (`time_s`, and the text's line of time).
