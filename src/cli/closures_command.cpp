@@ -37,6 +37,7 @@ struct ClosuresCommand {
   std::string csv;
   std::string svg;
   std::string html;
+  bool three_views = false;
 };
 
 /// What a page shows where drivers move: one turn of the first driver. None where no page is wanted or nothing moves.
@@ -73,10 +74,10 @@ void require_no_more(const ClosuresCommand& command) {
 
 int run_robot(const ClosuresCommand& command, const Source& source) {
   require_no_more(command);
-  return run_arm(
-      {command.file, command.arm, command.start, command.tracker, command.threads, command.quiet,
-       command.angles.in_degrees, command.json, command.csv, command.svg, command.html},
-      source);
+  return run_arm({command.file, command.arm, command.start, command.tracker, command.threads,
+                  command.quiet, command.angles.in_degrees, command.three_views, command.json,
+                  command.csv, command.svg, command.html},
+                 source);
 }
 
 int run(const ClosuresCommand& command) {
@@ -87,7 +88,12 @@ int run(const ClosuresCommand& command) {
          require_distinct({command.json, command.csv, command.svg, command.html, command.family},
                           command.file);
        },
-       [&] { require_ending(command.svg, ".svg"); }, [&] { require_ending(command.html, ".html"); },
+       [&] { require_ending(command.svg, ".svg"); },
+       [&] {
+         if (!command.three_views || !command.svg.empty()) return;
+         throw std::invalid_argument("--three-views needs --svg: it says how that is drawn");
+       },
+       [&] { require_ending(command.html, ".html"); },
        [&] { tracker = make_tracker(command.tracker); }});
   const Stopwatch watch;
   const Source source = read_source(command.file);
@@ -99,6 +105,7 @@ int run(const ClosuresCommand& command) {
   }
   Mechanism mechanism = read_mechanism_file(command.file, source);
   apply(command.mechanism, mechanism);
+  if (command.three_views) require_spatial(mechanism);
   const double parse_s = watch.total();
   Output json(command.json);
   Output csv(command.csv);
@@ -136,7 +143,11 @@ int run(const ClosuresCommand& command) {
   deliver(
       {{&json, [&] { return closures_json(result, mechanism, command.file); }},
        {&csv, [&] { return closures_csv(result, mechanism, command.angles); }},
-       {&svg, [&] { return closures_svg(result, mechanism, command.file); }},
+       {&svg,
+        [&] {
+          return closures_svg(result, mechanism, command.file,
+                              command.three_views ? Views::three : Views::standing);
+        }},
        {&html, page}},
       command.quiet,
       [&] {
@@ -164,6 +175,8 @@ void add_closures_command(CLI::App& moivre, Chosen& chosen) {
   add_angles_option(app, command->angles);
   app.add_option("--svg", command->svg, "draw all closures, side by side to one scale, here")
       ->type_name("PATH");
+  app.add_flag("--three-views", command->three_views,
+               "in --svg, show a spatial mechanism from the front, from the right and from above");
   app.add_option("--html", command->html,
                  "write a page here that shows all closures, and drives them by a slider")
       ->type_name("PATH");

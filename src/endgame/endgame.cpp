@@ -14,6 +14,9 @@
 namespace moivre {
 namespace {
 
+// So many steps within the creeping radius tell creeping from a step that chanced to end there.
+constexpr int kCreepingSteps = 3;
+
 const PathTime kEnd(1.0, 0.0);
 
 double difference(const Point& a, const Point& b) {
@@ -104,8 +107,8 @@ Watcher::Verdict Endgame::watch(const StepRecord& step, PathSystem&) noexcept {
     outpost_.assign(step.x.begin(), step.x.end());
     radius_ = radius;
   }
-  const bool creeps = radius < ends_.creeping_radius && !options_.goes_straight;
-  return creeps ? Verdict::stop : Verdict::go_on;
+  if (radius < ends_.creeping_radius && !options_.goes_straight) ++creeping_;
+  return creeping_ >= kCreepingSteps ? Verdict::stop : Verdict::go_on;
 }
 
 std::nullopt_t Endgame::fail(Failure failure) {

@@ -140,7 +140,7 @@ class Faces {
   // their null space. Returns what counts as 0: where coefficients were rounded, all faces together are known to their errors.
   double evaluate(const std::vector<Number>& y, VectorXcd& value, MatrixXcd& jacobian) const {
     jacobian.setZero();
-    double zero = ends_.fine_rounding;
+    double all_errors = 0;
     std::vector<Number> terms;
     for (std::size_t i = 0; i < faces_.size(); ++i) {
       terms.clear();
@@ -161,9 +161,9 @@ class Faces {
         add_exponents(*reference.monomial, -share, jacobian, row);
       }
       value[row] = to_complex(sum) * scale;
-      zero = std::max(zero, error);
+      all_errors += error;
     }
-    return zero;
+    return std::max(ends_.fine_rounding, all_errors);
   }
 
   Number value_of(const FaceTerm& term, const std::vector<Number>& y) const {

@@ -125,9 +125,15 @@ bool meets_bound(Run& run, std::uint64_t roots) {
 }
 
 /// It ends at an exact root, whatever was seen of its end.
-void bring(Run& run, std::uint64_t path, const Point& x) {
+void bring(Run& run, std::uint64_t path, const ExactRoot& exact) {
   Root root;
-  root.point.x = x;
+  root.point.x = exact.x;
+  if (exact.is_rounded) {
+    root.point.accuracy = std::numeric_limits<double>::epsilon();
+    for (const Complex& value : Refiner(run.setting.refiner_program).relative_values(exact.x)) {
+      root.point.residual = std::max(root.point.residual, std::abs(value));
+    }
+  }
   root.point.condition = std::numeric_limits<double>::infinity();
   root.is_counted = true;
   root.on_set = false;
@@ -163,7 +169,7 @@ class Places {
   std::size_t fill(Run& run, const std::vector<std::uint64_t>& paths) {
     auto next = paths.begin();
     for (const ExactRoot& place : places_) {
-      for (std::uint64_t k = 0; k < place.multiplicity; ++k) bring(run, *next++, place.x);
+      for (std::uint64_t k = 0; k < place.multiplicity; ++k) bring(run, *next++, place);
     }
     return static_cast<std::size_t>(next - paths.begin());
   }

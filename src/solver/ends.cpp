@@ -87,6 +87,13 @@ bool is_known_singular(const Run& run, const Root& root) {
   return root.point.accuracy <= kWorstAccuracyOnSet && is_on_set(run, root);
 }
 
+/// Of a path that failed on the last stage; empty elsewhere.
+Point last_point(const Run& run, const PathEnd& end) {
+  const Prepared& prepared = run.setting.prepared;
+  if (end.x.empty() || end.stage + 1 != prepared.plan->stages.size()) return {};
+  return to_original(prepared, end.x);
+}
+
 }  // namespace
 
 double simple_tolerance(const Refined& root) { return 4 * root.accuracy + kSimpleTolerance; }
@@ -124,7 +131,7 @@ void take_end(Run& run, std::uint64_t path, PathEnd&& end) {
       if (end.failure == Failure::cancelled) {
         run.interrupted = true;
       } else {
-        run.ledger.enter_failure({path, *end.failure, end.t, end.stage});
+        run.ledger.enter_failure({path, *end.failure, end.t, end.stage}, last_point(run, end));
       }
       return;
   }
@@ -141,7 +148,8 @@ void refine_ends(Run& run) {
     if (is_root) {
       run.ledger.enter_root(path, std::move(roots[k]));
     } else {
-      run.ledger.enter_failure({path, Failure::precision, end.t, end.stage});
+      run.ledger.enter_failure({path, Failure::precision, end.t, end.stage},
+                               std::move(roots[k].point.x));
     }
   }
   run.ends.clear();

@@ -36,7 +36,10 @@ PathRecord& Ledger::record(std::uint64_t path) {
 void Ledger::decide(std::uint64_t path, PathVerdict verdict) {
   PathRecord& known = record(path);
   if (known.verdict == PathVerdict::finite) roots_.erase(path);
-  if (known.verdict == PathVerdict::failed) failures_.erase(path);
+  if (known.verdict == PathVerdict::failed) {
+    failures_.erase(path);
+    last_points_.erase(path);
+  }
   if (known.verdict != PathVerdict::open) --count_[static_cast<std::size_t>(known.verdict)];
   known.verdict = verdict;
   ++count_[static_cast<std::size_t>(verdict)];
@@ -51,9 +54,10 @@ void Ledger::enter_infinity(std::uint64_t path, bool is_as_rounded) {
   decide(path, is_as_rounded ? PathVerdict::as_rounded : PathVerdict::at_infinity);
 }
 
-void Ledger::enter_failure(const FailedPath& failure) {
+void Ledger::enter_failure(const FailedPath& failure, Point last) {
   decide(failure.path, PathVerdict::failed);
   failures_[failure.path] = failure;
+  if (!last.empty()) last_points_[failure.path] = std::move(last);
 }
 
 void Ledger::leave(std::uint64_t path) { decide(path, PathVerdict::left_by_bound); }

@@ -35,7 +35,8 @@ class Ledger {
   /// Each takes the place of what was entered of the path before.
   void enter_root(std::uint64_t path, Root&& root);
   void enter_infinity(std::uint64_t path, bool is_as_rounded = false);
-  void enter_failure(const FailedPath& failure);
+  /// last: where it was last, on the system as given; empty where that is nowhere.
+  void enter_failure(const FailedPath& failure, Point last = {});
   /// It leads to no root that is not known already: a bound says so.
   void leave(std::uint64_t path);
 
@@ -46,6 +47,8 @@ class Ledger {
 
   const std::map<std::uint64_t, Root>& roots() const { return roots_; }
   const std::map<std::uint64_t, FailedPath>& failures() const { return failures_; }
+  /// Of failed paths.
+  const std::map<std::uint64_t, Point>& last_points() const { return last_points_; }
   /// By path number, up to the last path that anything is known of.
   const std::vector<PathRecord>& records() const { return records_; }
   Rung rung(std::uint64_t path) const;
@@ -63,6 +66,7 @@ class Ledger {
 
   std::map<std::uint64_t, Root> roots_;
   std::map<std::uint64_t, FailedPath> failures_;
+  std::map<std::uint64_t, Point> last_points_;
   std::vector<PathRecord> records_;
   std::array<std::uint64_t, 6> count_{};  ///< of records, by verdict, but for the open ones
 };

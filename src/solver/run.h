@@ -6,6 +6,7 @@
 // account.h only reads.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -21,9 +22,10 @@ struct SoughtBound {
   std::optional<std::uint64_t> value;  ///< where the search found it, and twice
 };
 
-/// A point, taken for exact, and how often F has that root; 0 where it is none, or nothing can be said (exact_roots.h).
+/// A root that is known exactly, and how often F has it (exact_roots.h).
 struct ExactRoot {
-  Point x;
+  Point x;                  ///< rounded to double
+  bool is_rounded = false;  ///< x is not the root itself
   std::uint64_t multiplicity = 0;
 };
 
@@ -35,6 +37,9 @@ struct Bounds {
   SoughtBound whole;    ///< of the system as given
 };
 
+/// By the candidate, real and imaginary part of each coordinate in turn; multiplicity 0: it is no root, or nothing can be said.
+using ExactCandidates = std::map<std::vector<Rational>, ExactRoot>;
+
 struct Run {
   explicit Run(const Setting& the_setting) : setting(the_setting) {}
 
@@ -44,7 +49,7 @@ struct Run {
   Marks marks;  ///< of the points where paths set out on the last of several stages
   std::uint64_t unsettled_conjugates = 0;  ///< simple roots that no path was found to lead to
   Bounds bounds;
-  std::vector<ExactRoot> looked_at;  ///< each candidate for an exact root once
+  ExactCandidates looked_at;  ///< each candidate for an exact root once
   StepCount work;
   bool interrupted = false;
 };

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "moivre/arms/arm_closures.h"
+#include "moivre/closure_report/sheet.h"
 
 namespace moivre {
 
@@ -32,7 +33,7 @@ std::string arm_csv(const ArmReport& report, bool in_degrees);
 
 /// The skeletons of all closures of one pose, side by side from where they differ most, as a picture and as a page that the
 /// mouse turns. Throw std::invalid_argument where there are several poses.
-std::string arm_svg(const ArmReport& report, bool in_degrees);
+std::string arm_svg(const ArmReport& report, bool in_degrees, Views views = Views::standing);
 std::string arm_html(const ArmReport& report, bool in_degrees);
 
 }  // namespace moivre

@@ -10,13 +10,14 @@
 
 #include <string>
 
-#include "moivre/closure_report/drawing.h"
+#include "moivre/closure_report/sheet.h"
 #include "moivre/closures/motion.h"
 
 namespace moivre {
 
+/// Throws std::invalid_argument where three views are asked for of what lies in a plane.
 std::string closures_svg(const ClosureResult& result, const Mechanism& mechanism,
-                         const std::string& file);
+                         const std::string& file, Views views = Views::standing);
 
 /// Throws std::invalid_argument where the mechanism has no points (typed equations).
 std::string motion_svg(const MotionResult& result, const Mechanism& mechanism,

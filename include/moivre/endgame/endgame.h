@@ -129,6 +129,7 @@ class Endgame : public Watcher {
   PathEnd end_;
 
   // Watching.
+  int creeping_ = 0;  ///< recorded steps within the creeping radius
   Point outpost_;      ///< last watched point, from which circles begin
   double radius_ = 0;  ///< its |1 - t|
 
