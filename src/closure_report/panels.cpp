@@ -63,10 +63,12 @@ Aspect aspect_of(const Sheet& sheet, const Mechanism& mechanism, const std::stri
 std::vector<Aspect> aspects_of(const Sheet& sheet, const Mechanism& mechanism) {
   if (sheet.views == Views::standing) return {aspect_of(sheet, mechanism, "", sheet.view)};
   require_spatial(mechanism);
+  const double symbol = aspect_of(sheet, mechanism, "", sheet.view).drawing.symbol;
   std::vector<Aspect> aspects;
   for (const Side& side : kThreeSides) {
     View view = sheet.view;
     view.eye = side.eye;
+    view.symbol = symbol;
     aspects.push_back(aspect_of(sheet, mechanism, side.name, view));
   }
   return aspects;
@@ -83,11 +85,13 @@ Complex common_size(const std::vector<Aspect>& aspects) {
   return {width, height};
 }
 
-/// That of the aspect with the largest symbols, so that those of none overlap more than in a picture of its own.
-double common_scale(const std::vector<Aspect>& aspects) {
-  double scale = pixel_scale(aspects.front().drawing);
-  for (const Aspect& aspect : aspects) scale = std::min(scale, pixel_scale(aspect.drawing));
-  return scale;
+/// Several aspects have to fit into one row.
+double scale_for(const std::vector<Aspect>& aspects, Complex size) {
+  const double scale = pixel_scale(aspects.front().drawing);
+  const auto count = static_cast<double>(aspects.size());
+  if (aspects.size() == 1) return scale;
+  const double room = (kWidest - (count - 1) * kGap) / count - 2 * kLabelRoom;
+  return std::min(scale, room / size.real());
 }
 
 struct Layout {
@@ -108,9 +112,9 @@ double heading_room(const Sheet& sheet) {
   return kCaptionRoom + kNoteLine * static_cast<double>(notes);
 }
 
-/// size: of the mechanism in pixels. Panels of one closure stand in one row where it holds them.
+/// size: of the mechanism in pixels. The panels of one closure stand in one row.
 Layout lay_out(Complex size, const Sheet& sheet, std::size_t aspects) {
-  const std::size_t panels = sheet.panels.size() * aspects;
+  const std::size_t poses = sheet.panels.size();
   Layout layout;
   constexpr double kCaptionWidth = 130;
   layout.panel_width = std::max(kCaptionWidth, size.real() + 2 * kLabelRoom);
@@ -121,15 +125,9 @@ Layout lay_out(Complex size, const Sheet& sheet, std::size_t aspects) {
     }
   }
   layout.panel_height = size.imag() + 2 * kLabelRoom + heading_room(sheet);
-  auto most = static_cast<std::size_t>((kWidest + kGap) / (layout.panel_width + kGap));
-  if (most > aspects) most -= most % aspects;
-  if (aspects > 1 && most >= aspects) {
-    layout.columns = std::min(most, panels);
-    layout.rows = (panels - 1) / layout.columns + 1;
-    return layout;
-  }
-  layout.rows = (panels - 1) / std::max<std::size_t>(most, 1) + 1;
-  layout.columns = (panels - 1) / layout.rows + 1;
+  const auto most = static_cast<std::size_t>((kWidest + kGap) / (layout.panel_width + kGap));
+  layout.rows = (poses - 1) / std::max<std::size_t>(most / aspects, 1) + 1;
+  layout.columns = ((poses - 1) / layout.rows + 1) * aspects;
   return layout;
 }
 
@@ -202,9 +200,10 @@ void require_spatial(const Mechanism& mechanism) {
 
 std::string sheet_svg(const Sheet& sheet, const Mechanism& mechanism) {
   const std::vector<Aspect> aspects = aspects_of(sheet, mechanism);
-  const double scale = common_scale(aspects);
+  const Complex size = common_size(aspects);
+  const double scale = scale_for(aspects, size);
   const double room = heading_room(sheet);
-  const Layout layout = lay_out(common_size(aspects) * scale, sheet, aspects.size());
+  const Layout layout = lay_out(size * scale, sheet, aspects.size());
   double y = kMargin / 2;
   std::string svg = heading(sheet, layout.width(), y);
   y += kGap;

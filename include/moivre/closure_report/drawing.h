@@ -119,6 +119,7 @@ struct View {
   /// Instead of the ground's alone.
   std::vector<ShownFrame> frames;
   bool has_arrows = false;  ///< joints' axes have heads
+  double symbol = 0;        ///< radius of a revolute joint; 0: as fits all the poses
 };
 
 struct Drawing {
