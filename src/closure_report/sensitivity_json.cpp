@@ -18,6 +18,17 @@ Json quantity_json(const Sensitivities& told, const ClosureSensitivity& closure,
   return json;
 }
 
+Json corner_json(const Sensitivities& told, const ClosureSensitivity& closure) {
+  if (!closure.corner) return nullptr;
+  constexpr const char* kAxes[] = {".x", ".y", ".z"};
+  const SensitiveQuantity& quantity = told.quantities[closure.corner->quantity];
+  const auto known = [](const std::optional<double>& x) { return x ? to_json(*x) : Json(nullptr); };
+  return {{"quantity", quantity.name + kAxes[quantity.axis]},
+          {"worst_case", to_json(closure.worst_case[static_cast<Index>(closure.corner->quantity)])},
+          {"up", known(closure.corner->up)},
+          {"down", known(closure.corner->down)}};
+}
+
 }  // namespace
 
 Json dimensions_json(const Sensitivities& told) {
@@ -51,7 +62,7 @@ Json sensitivity_json(const Sensitivities& told, std::size_t number) {
         break;
     }
   }
-  return {
+  Json json{
       {"determined", closure.missing.empty()},
       {"message", closure.missing.empty() ? "every rate is that of the implicit function theorem"
                                           : closure.missing},
@@ -60,6 +71,8 @@ Json sensitivity_json(const Sensitivities& told, std::size_t number) {
       {"coordinates", std::move(coordinates)},
       {"points", std::move(points)},
       {"joints", std::move(joints)}};
+  if (told.has_tolerances()) json["solved"] = corner_json(told, closure);
+  return json;
 }
 
 }  // namespace moivre

@@ -22,9 +22,11 @@ constexpr std::size_t kListed = 8;
 
 using Row = std::vector<std::string>;
 
+// Of the largest number of its kind; less is rounding.
+constexpr double kNoiseShare = 1e-11;
+
 /// Four digits; rounding noise beside `size` is 0.
 std::string rate_text(double x, double size) {
-  constexpr double kNoiseShare = 1e-12;
   if (std::isnan(x)) return "-";
   if (std::abs(x) <= kNoiseShare * size) return "0";
   char text[32];
@@ -60,7 +62,16 @@ std::string aligned(const std::vector<Row>& rows, std::size_t numbers) {
 class Tables {
  public:
   Tables(const Sensitivities& told, const ClosureSensitivity& closure, const Mechanism& mechanism)
-      : told_(told), closure_(closure), mechanism_(mechanism) {}
+      : told_(told), closure_(closure), mechanism_(mechanism) {
+    for (std::size_t i = 0; i < told.quantities.size(); ++i) {
+      const bool is_length = told.quantities[i].kind == CoordinateKind::length;
+      const MatrixXd rates = closure.rates.row(static_cast<Index>(i));
+      double& noise = is_length ? length_noise_ : angle_noise_;
+      for (std::size_t k = 0; k < told.dimensions.size(); ++k) {
+        noise = std::max(noise, kNoiseShare * weight(rates, k));
+      }
+    }
+  }
 
   std::string of_point(const MovingPoint& point) const;
   std::string of_angles_and_slides() const;
@@ -76,6 +87,8 @@ class Tables {
   const Sensitivities& told_;
   const ClosureSensitivity& closure_;
   const Mechanism& mechanism_;
+  double length_noise_ = 0;  ///< what moves by no more stands, but for rounding
+  double angle_noise_ = 0;
 };
 
 /// One unit of the dimension in the file, in radians or lengths.
@@ -183,7 +196,8 @@ std::string Tables::of_angles_and_slides() const {
     if (quantity.group != group) continue;
     const MatrixXd rates = closure_.rates.row(static_cast<Index>(i));
     const std::vector<std::size_t> order = ranked(rates);
-    if (order.empty()) continue;
+    const double noise = is_angle ? angle_noise_ : length_noise_;
+    if (order.empty() || weight(rates, order[0]) <= noise) continue;
     const double one = is_angle && mechanism_.units.angle == "deg" ? std::numbers::pi / 180 : 1;
     const double most = rates(0, static_cast<Index>(order[0])) * unit(order[0]) / one;
     Row row{"  " + quantity.name, with_unit(rate_text(most, most), is_angle),
@@ -217,6 +231,19 @@ std::string breaking_text(const Sensitivities& told, const ClosureSensitivity& c
   return text;
 }
 
+std::string corner_text(const Sensitivities& told, const ClosureSensitivity& closure,
+                        const std::string& unit) {
+  if (!closure.corner) return "";
+  constexpr std::array<const char*, 3> kAxes{".x", ".y", ".z"};
+  const SensitiveQuantity& quantity = told.quantities[closure.corner->quantity];
+  const auto moved = [&](const std::optional<double>& x) {
+    return x ? rate_text(*x, *x) + unit : "no closure found";
+  };
+  return "  solved afresh at the worst of " + quantity.name +
+         kAxes[static_cast<std::size_t>(quantity.axis)] + ": up " + moved(closure.corner->up) +
+         ", down " + moved(closure.corner->down) + '\n';
+}
+
 }  // namespace
 
 std::string sensitivity_text(const Sensitivities& told, const Mechanism& mechanism) {
@@ -232,7 +259,7 @@ std::string sensitivity_text(const Sensitivities& told, const Mechanism& mechani
             breaking_text(told, closure);
     const Tables tables(told, closure, mechanism);
     for (const MovingPoint& point : traced_points(mechanism)) text += tables.of_point(point);
-    text += tables.of_angles_and_slides();
+    text += tables.of_angles_and_slides() + corner_text(told, closure, length);
   }
   return text.empty() ? "\nsensitivity: none, as no closure is isolated\n" : text;
 }

@@ -161,6 +161,41 @@ void add_spreads(const std::vector<double>& tolerances, ClosureSensitivity& clos
   closure.root_sum_square = closure.root_sum_square.cwiseSqrt();
 }
 
+/// The point's coordinate with the largest worst case; nullopt where none has one.
+std::optional<std::size_t> furthest(const Sensitivities& told, const ClosureSensitivity& closure) {
+  // Points that two bodies share go equally far but for rounding: the first of them.
+  constexpr double kFurther = 1 + 1e-9;
+  std::optional<std::size_t> found;
+  for (std::size_t i = 0; i < told.quantities.size(); ++i) {
+    const double spread = closure.worst_case[static_cast<Index>(i)];
+    if (told.quantities[i].group != SensitiveGroup::point || !(spread > 0)) continue;
+    if (!found || spread > kFurther * closure.worst_case[static_cast<Index>(*found)]) found = i;
+  }
+  return found;
+}
+
+/// How far the quantity goes with every dimension off to one side; nullopt where Newton-Raphson finds no closure.
+std::optional<double> solved_at_corner(const Mechanism& mechanism, const Sensitivities& told,
+                                       const ClosureSensitivity& closure, std::size_t quantity,
+                                       double side, const VectorXd& q, double time) {
+  Mechanism changed = mechanism;
+  VectorXd guess = q;
+  for (std::size_t k = 0; k < told.dimensions.size(); ++k) {
+    const auto column = closure.rates.col(static_cast<Index>(k));
+    if (told.tolerances[k] == 0) continue;
+    const bool falls = column[static_cast<Index>(quantity)] < 0;
+    const double off = (falls ? -side : side) * told.tolerances[k];
+    set_dimension(changed, told.dimensions[k], told.values[k] + off);
+    // Coordinates are the first quantities; those that spin freely stay.
+    guess += off * column.head(q.size()).unaryExpr([](double x) { return std::isnan(x) ? 0 : x; });
+  }
+  const NewtonResult solved = newton(Phi(changed), guess, time);
+  if (solved.status != NewtonStatus::converged) return std::nullopt;
+  const SensitiveQuantity& at = told.quantities[quantity];
+  return point_position(changed, at.point, solved.q)[at.axis] -
+         point_position(mechanism, at.point, q)[at.axis];
+}
+
 /// Why a closure has no rates; empty where it has.
 std::string missing_rates(const Closure& closure, bool is_singular) {
   if (closure.is_fitted) return "it closes by least squares only";
@@ -215,6 +250,12 @@ ClosureSensitivity sensitivity_of(const Mechanism& mechanism, const Phi& phi,
     if (is_free(by_pose, pose.free, phi)) row.setConstant(kNone);
   }
   add_spreads(told.tolerances, result);
+  if (const auto quantity = furthest(told, result)) {
+    const auto solved = [&](double side) {
+      return solved_at_corner(mechanism, told, result, *quantity, side, closure.q, time);
+    };
+    result.corner = SolvedCorner{*quantity, solved(1), solved(-1)};
+  }
   return result;
 }
 

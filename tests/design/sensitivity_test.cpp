@@ -294,6 +294,49 @@ TEST(Spread, HoldsForEveryCornerOfSmallTolerances) {
   EXPECT_NEAR(furthest, worst, 1e-3 * worst);
 }
 
+TEST(Spread, OfTheFurthestPointIsSolvedAfresh) {
+  // The rod's end of a slider-crank in closed form, with everything off to the worse side.
+  Mechanism m = typed(slider_crank_text(40, 120, 0));
+  m.drivers[0].law = Parabola{0.8, 0, 0};
+  m.tolerances = {{"crank.A.x", 2}, {"rod.B.x", 3}};
+  const Sensitivities told = closure_sensitivities(m, closures_of(m));
+  std::size_t seen = 0;
+  for (const ClosureSensitivity& closure : told.closures) {
+    ASSERT_TRUE(closure.corner);
+    if (told.quantities[closure.corner->quantity].axis != 0) continue;
+    ++seen;
+    const auto place = [&](double r, double l, double side) {
+      return r * std::cos(0.8) + side * std::sqrt(l * l - std::pow(r * std::sin(0.8), 2));
+    };
+    std::vector<double> corners;
+    for (const double side : {1.0, -1.0}) {
+      for (const double r : {38.0, 42.0}) {
+        for (const double l : {117.0, 123.0}) {
+          corners.push_back(place(r, l, side) - place(40, 120, side));
+        }
+      }
+    }
+    for (const std::optional<double>& moved : {closure.corner->up, closure.corner->down}) {
+      ASSERT_TRUE(moved);
+      EXPECT_TRUE(std::any_of(corners.begin(), corners.end(),
+                              [&](double corner) { return std::abs(corner - *moved) < 1e-9; }));
+    }
+    EXPECT_GT(*closure.corner->up, 0);
+    EXPECT_LT(*closure.corner->down, 0);
+  }
+  EXPECT_GT(seen, 0U);
+}
+
+TEST(Spread, BesideADeadPointIsFoundNotToClose) {
+  Mechanism m = typed(toggle_text("1.999"));
+  m.tolerances = {{"guide", 0.01}};
+  const Sensitivities told = closure_sensitivities(m, closures_of(m));
+  ASSERT_EQ(told.closures.size(), 2U);
+  ASSERT_TRUE(told.closures[0].corner);
+  const auto& [quantity, up, down] = *told.closures[0].corner;
+  EXPECT_NE(up.has_value(), down.has_value());  // beyond 2 there is none
+}
+
 TEST(Sensitivity, HasNoBoundAtADeadPoint) {
   const Mechanism m = typed(toggle_text("2"));
   const Sensitivities told = closure_sensitivities(m, closures_of(m));

@@ -7,7 +7,8 @@
 //   worst case       sum_k |rates[i][k]| tolerance_k       every dimension off by all it may, each to the worse side
 //   root sum square  sqrt(sum_k (rates[i][k] tolerance_k)^2)  of dimensions that are off independently of each other: where the
 //                    tolerances are standard deviations, or one multiple of them, so is this
-// Both are of first order: they say what happens while x_i is nearly linear over the tolerances.
+// Both are of first order: they say what happens while x_i is nearly linear over the tolerances. Whether it is, the furthest point of
+// each closure shows (`corner`): its worst case is solved afresh, all dimensions off to the worse side, up and down.
 // NaN is "there is none": at a dead point, by a dimension that cannot change alone (kinematics/sensitivity.h), of what spins freely,
 // and of a spread to which such a rate would contribute. Dimensions with tolerance 0 contribute nothing.
 // Angles in radians, lengths in the file's unit. Idle joints are held, as in closures.
@@ -15,6 +16,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,6 +36,13 @@ struct SensitiveQuantity {
   std::size_t joint = 0;  ///< joint
 };
 
+/// The point's coordinate with the largest worst case, and how far it goes when the mechanism is closed there by Newton-Raphson.
+struct SolvedCorner {
+  std::size_t quantity = 0;
+  std::optional<double> up;  ///< none: no closure was found, the tolerances may be too wide for one
+  std::optional<double> down;  ///< below 0
+};
+
 struct ClosureSensitivity {
   std::string id;
   std::string missing;                ///< why there are no rates, a clause; empty: there are
@@ -41,6 +50,7 @@ struct ClosureSensitivity {
   Eigen::MatrixXd rates;              ///< quantities x dimensions
   Eigen::VectorXd worst_case;         ///< one a quantity
   Eigen::VectorXd root_sum_square;
+  std::optional<SolvedCorner> corner;  ///< none where there are no tolerances, or no spread
 };
 
 struct Sensitivities {
