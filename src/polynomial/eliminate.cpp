@@ -18,7 +18,7 @@ namespace moivre {
 namespace {
 
 /// A substitution is not even tried when its estimated fill leaves this multiple of the terms at
-/// hand: an n x n factorisation saved can never pay for it.
+/// hand: an n x n factorization saved can never pay for it.
 constexpr double kHopelessFill = 32;
 /// Small systems may grow to this many terms in a trial all the same.
 constexpr double kCheapTrial = 1000;

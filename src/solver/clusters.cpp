@@ -135,7 +135,6 @@ void part_clusters(Run& run) {
     const bool are_all = proofs.size() == clusters[k].size();
     for (std::size_t i = 0; i < clusters[k].size(); ++i) {
       const std::uint64_t path = clusters[k][i];
-      run.ledger.strike(path);
       if (are_all) {
         enter(run, refiner, path, proofs[i]);
       } else {

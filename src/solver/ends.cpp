@@ -91,9 +91,13 @@ bool is_known_singular(const Run& run, const Root& root) {
 
 double simple_tolerance(const Refined& root) { return 4 * root.accuracy + kSimpleTolerance; }
 
-void take_end(Run& run, std::uint64_t path, PathEnd&& end) {
+void count_following(Run& run, std::uint64_t path, const PathEnd& end) {
   run.work += end.count;
-  run.rungs.erase(path);
+  run.ledger.count_following(path, end.count, end.stage);
+}
+
+void take_end(Run& run, std::uint64_t path, PathEnd&& end) {
+  count_following(run, path, end);
   if (run.setting.prepared.plan->stages.size() > 1) {
     if (end.stage + 1 == run.setting.prepared.plan->stages.size()) {
       run.marks.set(path, end.mark);
@@ -101,11 +105,10 @@ void take_end(Run& run, std::uint64_t path, PathEnd&& end) {
       run.marks.forget(path);
     }
   }
-  // Nothing is kept of a path at infinity: memory does not grow with their number.
-  if (end.status != PathStatus::at_infinity) {
-    if (end.count.work.fine_values > 0) run.rungs[path] = Rung::mixed;
-    if (run.setting.is_fine()) run.rungs[path] = Rung::double_double;
-  }
+  const bool is_mixed = end.status != PathStatus::at_infinity && end.count.work.fine_values > 0;
+  run.ledger.set_rung(path, run.setting.is_fine() ? Rung::double_double
+                            : is_mixed            ? Rung::mixed
+                                                  : Rung::double_precision);
   switch (end.status) {
     case PathStatus::finite:
       run.ends.emplace_back(path, std::move(end));
@@ -114,8 +117,7 @@ void take_end(Run& run, std::uint64_t path, PathEnd&& end) {
       if (run.setting.hides_terms()) {
         run.ledger.enter_failure({path, Failure::precision, end.t, end.stage});
       } else {
-        run.ledger.enter_infinity(path);
-        if (end.is_as_rounded) run.as_rounded.insert(path);
+        run.ledger.enter_infinity(path, end.is_as_rounded);
       }
       return;
     case PathStatus::failed:

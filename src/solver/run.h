@@ -6,9 +6,7 @@
 // account.h only reads.
 #pragma once
 
-#include <map>
 #include <optional>
-#include <set>
 #include <vector>
 
 #include "ledger.h"
@@ -43,21 +41,13 @@ struct Run {
   const Setting& setting;
   Ledger ledger;
   std::vector<std::pair<std::uint64_t, PathEnd>> ends;  ///< finite, to be refined
-  std::map<std::uint64_t, Rung> rungs;                  ///< of paths that needed more than double
   Marks marks;  ///< of the points where paths set out on the last of several stages
-  PathSet retracked;
-  PathSet handed_over;                     ///< of these, to the fallback
   std::uint64_t unsettled_conjugates = 0;  ///< simple roots that no path was found to lead to
   Bounds bounds;
   std::vector<ExactRoot> looked_at;  ///< each candidate for an exact root once
-  std::uint64_t left_by_bound = 0;   ///< paths that a met bound left nothing to end at
-  PathSet as_rounded;                ///< at infinity as far as the digits of the coefficients tell
   StepCount work;
   bool interrupted = false;
 };
-
-/// How many digits the path needed.
-Rung rung_of(const Run& run, std::uint64_t path);
 
 /// Whether the root lies on a positive-dimensional set; asked once a root.
 bool is_on_set(const Run& run, const Root& root);

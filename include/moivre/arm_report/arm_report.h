@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// How is inverse kinematics told? As a table of joint values for people, as JSON and CSV for programs, as pictures.
+// How is inverse kinematics reported? As a table of joint values for people, as JSON and CSV for programs, as pictures.
 //
 //   text  every closure a line, joint values in radians (or metres) within the limits where whole turns bring them there
 //   JSON  docs/json.md shows it: `coordinates` has turns in (-pi, pi], `in_limits` what a controller takes
-//   CSV   one closure a line: pose, id, then the joints as in_limits
+//   CSV   one closure per line: pose, id, then the joints as in_limits
 // A list of results stands for a file of poses; `is_list` says whether there was one, or a single pose.
 #pragma once
 

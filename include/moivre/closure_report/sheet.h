@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How are poses of one mechanism shown side by side, whatever they were computed by? Panels on a sheet, or on a page that turns them.
+// How are poses of one mechanism shown side by side, however they were computed? Panels on a sheet, or on a page that turns them.
 //
 // A panel is a pose q of the mechanism (mechanism/mechanism.h) with a caption and lines of text. All have one scale and the ground at
 // the same place. Names are escaped: whatever they hold, the document stays well-formed.
