@@ -201,9 +201,10 @@ void add_closures_command(CLI::App& moivre, Chosen& chosen) {
   add_mechanism_file(app, command->file);
   add_time_option(app, command->at);
   add_mechanism_options(app, command->mechanism);
-  app.add_flag("--sensitivity", command->sensitivity,
-               "tell how far each closure moves with every dimension (names as of moivre sweep), "
-               "and its spread where there are tolerances");
+  app.add_flag(
+      "--sensitivity", command->sensitivity,
+      "tell how far each closure moves with every dimension (named as in moivre sweep), and "
+      "how far it may be off where there are tolerances");
   add_arm_options(app, command->arm);
   add_start_options(app, command->start);
   add_threads_option(app, command->threads);

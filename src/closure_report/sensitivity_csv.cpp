@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sensitivities as a table: a line a dimension of a closure.
+// Sensitivities as a table: one line per closure and dimension.
 #include "moivre/closure_report/sensitivity_report.h"
 #include "moivre/report/number_text.h"
 

@@ -163,7 +163,7 @@ void add_spreads(const std::vector<double>& tolerances, ClosureSensitivity& clos
 
 /// The point's coordinate with the largest worst case; nullopt where none has one.
 std::optional<std::size_t> furthest(const Sensitivities& told, const ClosureSensitivity& closure) {
-  // Points that two bodies share go equally far but for rounding: the first of them.
+  // Points that two bodies share go equally far, except for rounding: the first of them.
   constexpr double kFurther = 1 + 1e-9;
   std::optional<std::size_t> found;
   for (std::size_t i = 0; i < told.quantities.size(); ++i) {
@@ -200,7 +200,7 @@ std::optional<double> solved_at_corner(const Mechanism& mechanism, const Sensiti
 std::string missing_rates(const Closure& closure, bool is_singular) {
   if (closure.is_fitted) return "it closes by least squares only";
   if (!is_singular) return "";
-  return "it is a dead point: it moves like the root of a change, faster than any multiple of it";
+  return "it is a dead point, where sensitivities have no bound";
 }
 
 /// Whether the mechanism does not close once the dimension has changed by a small step, though to first order it would: a crank of

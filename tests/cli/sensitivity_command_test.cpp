@@ -99,7 +99,7 @@ TEST(SensitivityCommand, ShowsPeopleTheMostInfluentialDimensionsFirst) {
   EXPECT_NE(first, std::string::npos);
 }
 
-TEST(SensitivityCommand, WritesALineADimensionOfAClosure) {
+TEST(SensitivityCommand, WritesOneLinePerClosureAndDimension) {
   const Scene scene;
   const Outcome outcome = scene.run({"closures", mechanism("four-bar"), "--sensitivity", "--quiet",
                                      "--tolerance", "0.05", "--angles", "deg", "--csv", "-"});

@@ -7,8 +7,8 @@
 //   worst case       sum_k |rates[i][k]| tolerance_k       every dimension off by all it may, each to the worse side
 //   root sum square  sqrt(sum_k (rates[i][k] tolerance_k)^2)  of dimensions that are off independently of each other: where the
 //                    tolerances are standard deviations, or one multiple of them, so is this
-// Both are of first order: they say what happens while x_i is nearly linear over the tolerances. Whether it is, the furthest point of
-// each closure shows (`corner`): its worst case is solved afresh, all dimensions off to the worse side, up and down.
+// Both are of first order: they hold while x_i is nearly linear over the tolerances. The furthest point of each closure shows
+// whether it is (`corner`): the mechanism is solved again with every dimension at its worst sign, up and down.
 // NaN is "there is none": at a dead point, by a dimension that cannot change alone (kinematics/sensitivity.h), of what spins freely,
 // and of a spread to which such a rate would contribute. Dimensions with tolerance 0 contribute nothing.
 // Angles in radians, lengths in the file's unit. Idle joints are held, as in closures.
@@ -48,15 +48,15 @@ struct ClosureSensitivity {
   std::string missing;                ///< why there are no rates, a clause; empty: there are
   std::vector<std::size_t> breaking;  ///< dimensions that cannot change alone
   Eigen::MatrixXd rates;              ///< quantities x dimensions
-  Eigen::VectorXd worst_case;         ///< one a quantity
+  Eigen::VectorXd worst_case;         ///< one per quantity
   Eigen::VectorXd root_sum_square;
   std::optional<SolvedCorner> corner;  ///< none where there are no tolerances, or no spread
 };
 
 struct Sensitivities {
   std::vector<Dimension> dimensions;
-  std::vector<double> values;      ///< one a dimension
-  std::vector<double> tolerances;  ///< one a dimension
+  std::vector<double> values;      ///< one per dimension
+  std::vector<double> tolerances;  ///< one per dimension
   std::vector<SensitiveQuantity> quantities;
   std::vector<ClosureSensitivity> closures;  ///< as in the result
 

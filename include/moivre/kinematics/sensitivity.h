@@ -4,9 +4,9 @@
 //   Phi(q(p), p) = 0  =>  Phi_q dq/dp_k = -Phi_p,k        one factorisation of Phi_q for all dimensions
 // Symbols: q (n coordinates), p dimensions (mechanism/dimensions.h), Phi_p (m x p, mechanism/dimension_rates.h), the drivers held.
 // Edges, each an answer of its own:
-//   dead point   rank Phi_q < n: the pose moves like the root of a change, faster than any multiple of it. There is no
-//                derivative but by dimensions that enter no constraint
-//   spare rows   m > rank: where -Phi_p,k is no combination of Phi_q's columns the mechanism does not close once p_k alone has
+//   dead point   rank Phi_q < n: the pose moves like the square root of a change. There is no derivative, except by dimensions
+//                that enter no constraint
+//   spare rows   m > rank: if -Phi_p,k is no combination of Phi_q's columns, the mechanism does not close after p_k alone has
 //                changed. It has no derivative by p_k
 //   spins        n - rank freedoms that hide no closure (a rod's body between two balls): dq/dp is one of many, `free` has the others
 // Not supported: poses that close by least squares only, whose derivative needs the curvature of Phi.
@@ -24,7 +24,7 @@ struct PoseSensitivity {
   bool has_spare_rows = false;  ///< m > rank: a pose may close to first order only
   Eigen::MatrixXd rates;        ///< n x p, column k = dq/dp_k; NaN where there is none
   std::vector<bool>
-      breaks_closure;  ///< one a dimension: to first order it cannot change alone; false of a singular pose
+      breaks_closure;  ///< one per dimension: to first order it cannot change alone; false of a singular pose
   Eigen::MatrixXd free;  ///< n x spins, the ways in which q may move though no dimension does
 };
 
