@@ -136,14 +136,13 @@ RowVectorXd Rates::by_dimensions(std::size_t number) const {
   return row;
 }
 
-/// Whether the quantity moves though no dimension does, as what spins freely.
-bool is_free(const RowVectorXd& by_pose, const MatrixXd& free, const Phi& phi) {
-  // Beside what the coordinates themselves do: poses are known to about 1e-13.
+/// Whether the quantity moves though no dimension does, as what spins freely. `unit`: the mechanism's length, or a radian.
+bool is_free(const RowVectorXd& by_pose, const MatrixXd& free, double unit) {
+  // Of what the freedom can do to something of the mechanism's size: poses are known to about 1e-13.
   constexpr double kStandsStill = 1e-7;
   for (Index k = 0; k < free.cols(); ++k) {
-    const double size = by_pose.cwiseAbs().maxCoeff() * free.col(k).cwiseAbs().maxCoeff();
     const double moved = std::abs(by_pose.dot(free.col(k)));
-    if (moved > kStandsStill * std::max(size, 1 / phi.length())) return true;
+    if (moved > kStandsStill * unit * free.col(k).cwiseAbs().maxCoeff()) return true;
   }
   return false;
 }
@@ -247,7 +246,8 @@ ClosureSensitivity sensitivity_of(const Mechanism& mechanism, const Phi& phi,
     const RowVectorXd by_pose = rates.by_pose(i);
     auto row = result.rates.row(static_cast<Index>(i));
     row = by_pose * pose.rates + rates.by_dimensions(i);
-    if (is_free(by_pose, pose.free, phi)) row.setConstant(kNone);
+    const bool is_length = told.quantities[i].kind == CoordinateKind::length;
+    if (is_free(by_pose, pose.free, is_length ? phi.length() : 1)) row.setConstant(kNone);
   }
   add_spreads(told.tolerances, result);
   if (const auto quantity = furthest(told, result)) {
