@@ -3,6 +3,7 @@
 #include "joint_values.h"
 #include "moivre/closure_report/closure_report.h"
 #include "pose_json.h"
+#include "sensitivity_json.h"
 
 namespace moivre {
 namespace {
@@ -61,7 +62,7 @@ Json closure_json(const Closure& closure, const Mechanism& mechanism) {
 }  // namespace
 
 std::string closures_json(const ClosureResult& result, const Mechanism& mechanism,
-                          const std::string& file) {
+                          const std::string& file, const Sensitivities* sensitivities) {
   Json report = report_head("closures", file);
   report["seed"] = result.seed;
   report["complete"] = result.complete;
@@ -88,6 +89,12 @@ std::string closures_json(const ClosureResult& result, const Mechanism& mechanis
   report["moves"] = moves_json(result.moves, mechanism);
   report["closures"] = list_json(
       result.closures, [&](const Closure& closure) { return closure_json(closure, mechanism); });
+  if (sensitivities != nullptr) {
+    report["dimensions"] = dimensions_json(*sensitivities);
+    for (std::size_t k = 0; k < result.closures.size(); ++k) {
+      report["closures"][k]["sensitivity"] = sensitivity_json(*sensitivities, k);
+    }
+  }
   report["solutions"] = list_json(result.solutions, [](const Solution& s) { return to_json(s); });
   report["failures"] = list_json(result.failures, [](const FailedPath& f) { return to_json(f); });
   report["left_out"] = to_json(result.left_out);

@@ -14,10 +14,13 @@
 
 namespace moivre {
 
+struct Sensitivities;
+
 std::string closures_text(const ClosureResult& result, const Mechanism& mechanism,
                           const std::string& file);
+/// `sensitivities` (sensitivity_report.h) are told where they are given.
 std::string closures_json(const ClosureResult& result, const Mechanism& mechanism,
-                          const std::string& file);
+                          const std::string& file, const Sensitivities* sensitivities = nullptr);
 std::string closures_csv(const ClosureResult& result, const Mechanism& mechanism,
                          const AngleForm& form = {});
 

@@ -146,6 +146,9 @@ struct Mechanism {
       guess;  ///< coordinate name -> value, for the coordinates that the file names
   std::optional<double>
       fit;  ///< closures that miss by no more than this are taken, lengths in the file's unit
+  std::optional<double> tolerance;  ///< of points' coordinates and rods, in the file's unit
+  std::map<std::string, double>
+      tolerances;  ///< of the dimensions (dimensions.h) that the file gives one of their own
   std::vector<std::string> warnings;  ///< what is odd but not wrong, each a sentence
 };
 

@@ -23,7 +23,7 @@ namespace moivre {
 inline constexpr double kBorder = 1e-9;
 inline constexpr double kMapBorder = 1e-3;
 
-/// A number of the mechanism (sweep/dimensions.h) at `count` equidistant values.
+/// A number of the mechanism (mechanism/dimensions.h) at `count` equidistant values.
 struct Varied {
   std::string name;
   double from = 0;
