@@ -92,18 +92,19 @@ void require_digits_possible(const SolveCommand& command, const System& f) {
 int run(const SolveCommand& command) {
   std::unique_ptr<Tracker> tracker;
   std::unique_ptr<Tracker> witness;
-  require_all({[&] { require_known(command.start); }, [&] { require_threads(command.threads); },
-               [&] { precision_of(command.precision); },
-               [&] {
-                 if (command.digits) require_digits(*command.digits);
-               },
-               [&] {
-                 require_distinct({command.json, command.csv, command.paths, command.phc}, command.file);
-               },
-               [&] { tracker = make_tracker(command.tracker, command.cross_check); },
-               [&] {
-                 if (command.cross_check) witness = make_witness(command.tracker);
-               }});
+  require_all(
+      {[&] { require_known(command.start); }, [&] { require_threads(command.threads); },
+       [&] { precision_of(command.precision); },
+       [&] {
+         if (command.digits) require_digits(*command.digits);
+       },
+       [&] {
+         require_distinct({command.json, command.csv, command.paths, command.phc}, command.file);
+       },
+       [&] { tracker = make_tracker(command.tracker, command.cross_check); },
+       [&] {
+         if (command.cross_check) witness = make_witness(command.tracker);
+       }});
   const Problem problem = read_problem(command.file);
   require_digits_possible(command, problem.system);
   Output json(command.json);
