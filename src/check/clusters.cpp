@@ -8,6 +8,7 @@
 #include "exclusion.h"
 #include "moivre/certify/distinct.h"
 #include "moivre/numeric/random.h"
+#include "moivre/numeric/simplest.h"
 #include "moivre/polynomial/local_multiplicity.h"
 
 namespace moivre {
@@ -53,11 +54,11 @@ std::size_t regular_roots_within(Bench& bench, Certifier& certifier, const Entry
   return firsts.size();
 }
 
-/// The point taken for exact; 0: it is no root, or nothing can be said.
-std::uint64_t exact_multiplicity(const System& f, const Point& x) {
-  std::vector<Coefficient> exact;
-  for (const Complex& xi : x) exact.push_back({Rational(xi.real()), Rational(xi.imag())});
-  return local_multiplicity(f, exact).value_or(0);
+/// Of the point as it is, or of the simplest fractions within `reach`; 0: neither is a root, or nothing can be said.
+std::uint64_t exact_multiplicity(const System& f, const Point& x, double reach) {
+  const double error = reach / std::max(1.0, max_norm(x));
+  const auto here = local_multiplicity(f, simplest(x, 0));
+  return here ? *here : local_multiplicity(f, simplest(x, error)).value_or(0);
 }
 
 void judge_cluster(Bench& bench, Certifier& certifier, Entry& entry, const RootClaim& root,
@@ -68,7 +69,7 @@ void judge_cluster(Bench& bench, Certifier& certifier, Entry& entry, const RootC
     entry.is_refuted = true;
     return verdicts.refute(ClaimKind::root, "no root lies within " + rough(entry.reach), number);
   }
-  if (const std::uint64_t counted = exact_multiplicity(bench.stand_in.system, entry.x);
+  if (const std::uint64_t counted = exact_multiplicity(bench.stand_in.system, entry.x, entry.reach);
       counted > 1) {
     if (counted == m) verdicts.judgement().roots.counted += m;
     return verdicts.judge(ClaimKind::multiplicity, counted == m,

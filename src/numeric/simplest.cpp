@@ -2,6 +2,7 @@
 // Two continued fractions, expanded as long as they are one.
 #include "moivre/numeric/simplest.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -30,6 +31,15 @@ Rational simplest(double x, double error) {
   const Rational high = Rational(x) + Rational(error);
   if (low <= Rational(0) && Rational(0) <= high) return {};
   return x > 0 ? simplest_between(low, high) : -simplest_between(-high, -low);
+}
+
+std::vector<Coefficient> simplest(const Point& x, double error) {
+  std::vector<Coefficient> result;
+  for (const Complex& xi : x) {
+    const double within = error * std::max(1.0, std::abs(xi));
+    result.push_back({simplest(xi.real(), within), simplest(xi.imag(), within)});
+  }
+  return result;
 }
 
 }  // namespace moivre

@@ -124,18 +124,31 @@ bool meets_bound(Run& run, std::uint64_t roots) {
   return run.bounds.met.has_value();
 }
 
+Refined point_of(const Run& run, const ExactRoot& exact) {
+  Refined point;
+  point.x = exact.x;
+  point.condition = std::numeric_limits<double>::infinity();
+  if (!exact.is_rounded) return point;
+  point.accuracy = std::numeric_limits<double>::epsilon();
+  for (const Complex& value : Refiner(run.setting.refiner_program).relative_values(exact.x)) {
+    point.residual = std::max(point.residual, std::abs(value));
+  }
+  return point;
+}
+
 /// It ends at an exact root, whatever was seen of its end.
 void bring(Run& run, std::uint64_t path, const ExactRoot& exact) {
   Root root;
-  root.point.x = exact.x;
-  if (exact.is_rounded) {
-    root.point.accuracy = std::numeric_limits<double>::epsilon();
-    for (const Complex& value : Refiner(run.setting.refiner_program).relative_values(exact.x)) {
-      root.point.residual = std::max(root.point.residual, std::abs(value));
-    }
-  }
-  root.point.condition = std::numeric_limits<double>::infinity();
+  root.point = point_of(run, exact);
   root.is_counted = true;
+  root.on_set = false;
+  run.ledger.enter_root(path, std::move(root));
+}
+
+/// Its end was seen, and is that exact root.
+void put_right(Run& run, std::uint64_t path, const ExactRoot& exact) {
+  Root root = run.ledger.roots().at(path);
+  root.point = point_of(run, exact);
   root.on_set = false;
   run.ledger.enter_root(path, std::move(root));
 }
@@ -151,14 +164,14 @@ class Places {
     return sum;
   }
 
-  /// Whole cycles that end there as often as the root counts need not be touched.
-  bool is_filled_by(const Run& run, const std::vector<std::uint64_t>& group) {
+  /// Whole cycles that end there as often as the root counts keep their winding numbers.
+  bool is_filled_by(Run& run, const std::vector<std::uint64_t>& group) {
     const Root& end = run.ledger.roots().at(group.front());
     for (ExactRoot& place : places_) {
       const bool fits = place.multiplicity == group.size() && cycles(run.ledger, group) &&
                         relative_distance(place.x, end.point.x) <= end.tolerance;
       if (!fits) continue;
-      end.on_set = false;
+      for (const std::uint64_t path : group) put_right(run, path, place);
       place.multiplicity = 0;
       return true;
     }
@@ -179,7 +192,7 @@ class Places {
 };
 
 /// Ends at no root that is proved, counted, or on a set of positive dimension.
-std::vector<std::uint64_t> spare_paths(const Run& run, Places& places) {
+std::vector<std::uint64_t> spare_paths(Run& run, Places& places) {
   std::vector<std::uint64_t> spare;
   for (const auto& group : groups_of(run)) {
     const auto proved = std::find_if(group.begin(), group.end(), [&](std::uint64_t path) {

@@ -17,29 +17,21 @@ constexpr double kEndErrors[] = {0, 1e-9, 1e-5, 1e-2, 0.1};
 // A root of multiplicity m leaves m paths: it shows in any of them. More candidates than this would cost more than paths do.
 constexpr std::size_t kMostFailures = 64;
 
-using Fractions = std::vector<Rational>;
-
-Fractions rounded(const Point& x, double error) {
-  Fractions result;
-  for (const Complex& xi : x) {
-    const double within = error * std::max(1.0, std::abs(xi));
-    result.push_back(simplest(xi.real(), within));
-    result.push_back(simplest(xi.imag(), within));
-  }
-  return result;
-}
-
-ExactRoot root_at(const System& f, const Fractions& candidate) {
-  std::vector<Coefficient> exact;
+ExactRoot root_at(const System& f, const std::vector<Coefficient>& candidate) {
   ExactRoot root;
-  for (std::size_t k = 0; k < candidate.size(); k += 2) {
-    const Coefficient& z = exact.emplace_back(candidate[k], candidate[k + 1]);
+  for (const Coefficient& z : candidate) {
     root.x.push_back(to_complex(z));
     root.is_rounded = root.is_rounded || Rational(root.x.back().real()) != z.re ||
                       Rational(root.x.back().imag()) != z.im;
   }
-  root.multiplicity = local_multiplicity(f, exact).value_or(0);
+  root.multiplicity = local_multiplicity(f, candidate).value_or(0);
   return root;
+}
+
+std::vector<Rational> parts_of(const std::vector<Coefficient>& candidate) {
+  std::vector<Rational> parts;
+  for (const Coefficient& z : candidate) parts.insert(parts.end(), {z.re, z.im});
+  return parts;
 }
 
 /// Until one of the roundings is a root.
@@ -49,8 +41,9 @@ void look_near(Run& run, const Point& x) {
   });
   if (!is_finite) return;
   for (const double error : kEndErrors) {
-    const auto [place, is_new] = run.looked_at.try_emplace(rounded(x, error));
-    if (is_new) place->second = root_at(run.setting.f, place->first);
+    const std::vector<Coefficient> candidate = simplest(x, error);
+    const auto [place, is_new] = run.looked_at.try_emplace(parts_of(candidate));
+    if (is_new) place->second = root_at(run.setting.f, candidate);
     if (place->second.multiplicity > 0) return;
   }
 }
@@ -58,7 +51,7 @@ void look_near(Run& run, const Point& x) {
 }  // namespace
 
 std::uint64_t exact_multiplicity(const System& f, const Point& x) {
-  return root_at(f, rounded(x, 0)).multiplicity;
+  return local_multiplicity(f, simplest(x, 0)).value_or(0);
 }
 
 std::vector<ExactRoot> exact_roots(Run& run) {

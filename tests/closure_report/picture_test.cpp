@@ -52,7 +52,7 @@ TEST(Picture, OfASpatialMechanismComesFromThreeSidesInOneScale) {
   for (const char* side : {">A, front: x, z<", ">A, right: y, z<", ">A, above: x, y<"}) {
     EXPECT_EQ(count(svg, side), 1U) << side;
   }
-  EXPECT_EQ(count(svg, "in the file's unit of length"), 1U);
+  EXPECT_EQ(count(svg, "in the file&#39;s unit of length"), 1U);
 }
 
 // A place seen from the front and from above goes the same way to the right; from the right, the place's y does.

@@ -6,11 +6,17 @@
 // Source: [GKP94, section 4.5], on the Stern-Brocot tree.
 #pragma once
 
+#include <vector>
+
+#include "moivre/numeric/complex.h"
 #include "moivre/numeric/rational.h"
 
 namespace moivre {
 
 /// Within [x - error, x + error]. Throws std::invalid_argument where the error is negative or not finite, or x is not finite.
 Rational simplest(double x, double error);
+
+/// Every part of every coordinate, each within error * max(1, |x_i|). Throws as the other.
+std::vector<Coefficient> simplest(const Point& x, double error);
 
 }  // namespace moivre
