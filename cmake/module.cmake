@@ -27,7 +27,7 @@ function(moivre_alone)
   set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 
-# Vocabulary is passed on to those who link the module; what is header-only stays behind when the module is installed.
+# Vocabulary is passed on to those who link the module; of what else is header-only nothing but its headers is used.
 function(moivre_link_packages name scope)
   foreach(package IN LISTS MOIVRE_THIRD_PARTY_${name})
     set(reach PRIVATE)
@@ -35,7 +35,9 @@ function(moivre_link_packages name scope)
       set(reach ${scope})
     endif()
     if(package IN_LIST MOIVRE_HEADER_ONLY AND NOT package IN_LIST MOIVRE_VOCABULARY)
-      set(package $<BUILD_INTERFACE:${package}>)
+      target_include_directories(moivre_${name} SYSTEM PRIVATE
+        $<BUILD_INTERFACE:$<TARGET_PROPERTY:${package},INTERFACE_INCLUDE_DIRECTORIES>>)
+      continue()
     endif()
     target_link_libraries(moivre_${name} ${reach} ${package})
   endforeach()

@@ -98,8 +98,9 @@ Scene scene_of(const ArmReport& report, bool in_degrees) {
 
 }  // namespace
 
-std::string arm_svg(const ArmReport& report, bool in_degrees) {
-  const Scene scene = scene_of(report, in_degrees);
+std::string arm_svg(const ArmReport& report, bool in_degrees, Views views) {
+  Scene scene = scene_of(report, in_degrees);
+  scene.sheet.views = views;
   return sheet_svg(scene.sheet, scene.skeleton.mechanism);
 }
 

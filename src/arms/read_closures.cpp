@@ -38,7 +38,7 @@ LeftOut cut_told(const Arm& arm, const Cut& cut) {
     case CutKind::one:
       return {"paths", "the arm has one free joint: its value is read off"};
     case CutKind::two:
-      return {"unknowns of " + inside, "what two neighbours can do is told by linear equations"};
+      return {"unknowns of " + inside, "what two neighbours can do is given by linear equations"};
     case CutKind::two_in_quadric:
       return {"unknowns of " + inside,
               "their axes meet or are parallel, or nearly: linear equations and a quadratic one"};
@@ -47,7 +47,7 @@ LeftOut cut_told(const Arm& arm, const Cut& cut) {
   }
   return {
       "paths of " + inside,
-      "their axes meet in a point or are parallel: a group of motions, told by linear equations; "
+      "their axes meet in a point or are parallel: a group of motions, given by linear equations; "
       "its joints are then roots of a quadratic"};
 }
 

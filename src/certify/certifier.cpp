@@ -64,7 +64,7 @@ class Certifier::Work {
     result.bits = kDoubleBits;
     if (double_stage_.prove(x, options_.accuracy, result)) {
       judge(x, result);
-      if (is_settled(result)) return;
+      if (is_settled(x, result)) return;
     }
     const double farthest = 2 * options_.accuracy * scale_of(x);
     for (int bits = kFirstArbBits; bits <= options_.most_bits; bits *= 2) {
@@ -73,7 +73,7 @@ class Certifier::Work {
       if (outcome == ArbOutcome::proved) {
         judge(x, finer);
         result = std::move(finer);
-        if (is_settled(result)) return;
+        if (is_settled(x, result)) return;
       } else if (!result.holds_root()) {
         result.bits = bits;
       }
@@ -116,7 +116,10 @@ class Certifier::Work {
     result.reality = reality_of(result, program_->real);
   }
 
-  bool is_settled(const Certificate& result) const {
+  /// More bits tell nothing new: the ball is small enough for its place to be told, and reality is known where it is asked for.
+  bool is_settled(std::span<const Complex> x, const Certificate& result) const {
+    const double error = *std::max_element(result.error.begin(), result.error.end());
+    if (error > options_.accuracy * scale_of(x)) return false;
     return !options_.decide_reality || !program_->real || result.reality != Reality::unknown;
   }
 

@@ -138,7 +138,10 @@ int run_arm(const ArmRun& run, const Source& source) {
   deliver(
       {{&json, [&] { return arm_json(report); }},
        {&csv, [&] { return arm_csv(report, run.in_degrees); }},
-       {&svg, [&] { return arm_svg(report, run.in_degrees); }},
+       {&svg,
+        [&] {
+          return arm_svg(report, run.in_degrees, run.three_views ? Views::three : Views::standing);
+        }},
        {&html, [&] { return arm_html(report, run.in_degrees); }}},
       run.quiet, [&] { return arm_text(report); },
       complete ? "" : "some paths are undecided, or the run was interrupted");

@@ -33,6 +33,7 @@ struct ArmRun {
   int threads = 0;
   bool quiet = false;
   bool in_degrees = false;
+  bool three_views = false;
   std::string json, csv, svg, html;
 };
 

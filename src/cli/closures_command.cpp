@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// moivre closures FILE: every way a mechanism can be assembled, told as text, JSON or CSV.
+// moivre closures FILE: every way a mechanism can be assembled, and its sensitivities, told as text, JSON or CSV.
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -13,6 +14,7 @@
 #include "moivre/closure_report/closure_report.h"
 #include "moivre/closure_report/page.h"
 #include "moivre/closure_report/picture.h"
+#include "moivre/closure_report/sensitivity_report.h"
 #include "moivre/expression/joined.h"
 #include "moivre/numeric/stopwatch.h"
 #include "output.h"
@@ -31,12 +33,14 @@ struct ClosuresCommand {
   std::string family;
   ArmOptions arm;
   double at = 0;
+  bool sensitivity = false;
   int threads = 0;
   bool quiet = false;
   std::string json;
   std::string csv;
   std::string svg;
   std::string html;
+  bool three_views = false;
 };
 
 /// What a page shows where drivers move: one turn of the first driver. None where no page is wanted or nothing moves.
@@ -66,6 +70,7 @@ void require_no_more(const ClosuresCommand& command) {
   if (command.at != 0) given.emplace_back("--at");
   if (command.mechanism.fit) given.emplace_back("--fit");
   if (command.mechanism.all_meshings) given.emplace_back("--meshings");
+  if (command.sensitivity) given.emplace_back("--sensitivity");
   if (given.empty()) return;
   throw std::invalid_argument(joined(given, ", ") + (given.size() == 1 ? " is" : " are") +
                               " not for robots (URDF); moivre mechanism makes a mechanism of one");
@@ -73,10 +78,41 @@ void require_no_more(const ClosuresCommand& command) {
 
 int run_robot(const ClosuresCommand& command, const Source& source) {
   require_no_more(command);
-  return run_arm(
-      {command.file, command.arm, command.start, command.tracker, command.threads, command.quiet,
-       command.angles.in_degrees, command.json, command.csv, command.svg, command.html},
-      source);
+  return run_arm({command.file, command.arm, command.start, command.tracker, command.threads,
+                  command.quiet, command.angles.in_degrees, command.three_views, command.json,
+                  command.csv, command.svg, command.html},
+                 source);
+}
+
+constexpr const char* kTolerance = "--tolerance";
+
+/// With --sensitivity a tolerance is one of dimensions; else the lanes', and none of these is given.
+std::optional<double> dimension_tolerance(const ClosuresCommand& command) {
+  const std::vector<std::string>& given = command.tracker.of_lanes;
+  const bool is_given = std::find(given.begin(), given.end(), kTolerance) != given.end();
+  if (!command.sensitivity || !is_given) return std::nullopt;
+  const double tolerance = command.tracker.tolerance;
+  if (!(tolerance >= 0) || !is_workable(tolerance)) {
+    throw std::invalid_argument("--tolerance of dimensions must be a length from 0 up");
+  }
+  return tolerance;
+}
+
+/// Without the tolerance that is none of the tracker's.
+TrackerChoice tracker_of(const ClosuresCommand& command) {
+  TrackerChoice choice = command.tracker;
+  if (!command.sensitivity) return choice;
+  choice.tolerance = TrackerChoice().tolerance;
+  std::erase(choice.of_lanes, kTolerance);
+  return choice;
+}
+
+/// None where they are not asked for.
+std::optional<Sensitivities> asked_sensitivities(const ClosuresCommand& command,
+                                                 const Mechanism& mechanism,
+                                                 const ClosureResult& result) {
+  if (!command.sensitivity) return std::nullopt;
+  return closure_sensitivities(mechanism, result);
 }
 
 int run(const ClosuresCommand& command) {
@@ -87,8 +123,13 @@ int run(const ClosuresCommand& command) {
          require_distinct({command.json, command.csv, command.svg, command.html, command.family},
                           command.file);
        },
-       [&] { require_ending(command.svg, ".svg"); }, [&] { require_ending(command.html, ".html"); },
-       [&] { tracker = make_tracker(command.tracker); }});
+       [&] { require_ending(command.svg, ".svg"); },
+       [&] {
+         if (!command.three_views || !command.svg.empty()) return;
+         throw std::invalid_argument("--three-views needs --svg: it says how that is drawn");
+       },
+       [&] { require_ending(command.html, ".html"); }, [&] { dimension_tolerance(command); },
+       [&] { tracker = make_tracker(tracker_of(command)); }});
   const Stopwatch watch;
   const Source source = read_source(command.file);
   if (is_robot(command.file, source)) return run_robot(command, source);
@@ -99,6 +140,9 @@ int run(const ClosuresCommand& command) {
   }
   Mechanism mechanism = read_mechanism_file(command.file, source);
   apply(command.mechanism, mechanism);
+  if (command.sensitivity) require_dimensions(mechanism);
+  if (const auto tolerance = dimension_tolerance(command)) mechanism.tolerance = tolerance;
+  if (command.three_views) require_spatial(mechanism);
   const double parse_s = watch.total();
   Output json(command.json);
   Output csv(command.csv);
@@ -112,7 +156,7 @@ int run(const ClosuresCommand& command) {
   options.solve.seed = command.start.seed;
   options.solve.start = kind_of(command.start);
   options.solve.threads = command.threads;
-  const std::unique_ptr<Tracker> fallback = make_fallback(command.tracker);
+  const std::unique_ptr<Tracker> fallback = make_fallback(tracker_of(command));
   options.solve.fallback = fallback.get();
   ProgressLine line(!command.quiet);
   if (line.is_active()) {
@@ -124,6 +168,7 @@ int run(const ClosuresCommand& command) {
   result.time_s.total += parse_s;
   if (!interruption.stop()) families.keep();
 
+  const std::optional<Sensitivities> told = asked_sensitivities(command, mechanism, result);
   const std::optional<MotionResult> motion =
       motion_for_page(result, mechanism, command, *tracker, options, line, interruption.stop());
   const auto page = [&] {
@@ -134,13 +179,24 @@ int run(const ClosuresCommand& command) {
   const std::string page_lacks =
       is_shown ? "" : "the motion on the page is incomplete: " + motion->message;
   deliver(
-      {{&json, [&] { return closures_json(result, mechanism, command.file); }},
-       {&csv, [&] { return closures_csv(result, mechanism, command.angles); }},
-       {&svg, [&] { return closures_svg(result, mechanism, command.file); }},
+      {{&json,
+        [&] { return closures_json(result, mechanism, command.file, told ? &*told : nullptr); }},
+       {&csv,
+        [&] {
+          return told ? sensitivity_csv(*told, mechanism, command.angles)
+                      : closures_csv(result, mechanism, command.angles);
+        }},
+       {&svg,
+        [&] {
+          return closures_svg(result, mechanism, command.file,
+                              command.three_views ? Views::three : Views::standing);
+        }},
        {&html, page}},
       command.quiet,
       [&] {
-        return closures_text(result, mechanism, command.file) + (is_shown ? "" : page_lacks + "\n");
+        return closures_text(result, mechanism, command.file) +
+               (told ? sensitivity_text(*told, mechanism) : "") +
+               (is_shown ? "" : page_lacks + "\n");
       },
       result.complete ? page_lacks : result.message);
   return result.complete && is_shown ? kDecided : kUndecided;
@@ -155,6 +211,10 @@ void add_closures_command(CLI::App& moivre, Chosen& chosen) {
   add_mechanism_file(app, command->file);
   add_time_option(app, command->at);
   add_mechanism_options(app, command->mechanism);
+  app.add_flag(
+      "--sensitivity", command->sensitivity,
+      "tell how far each closure moves with every dimension (named as in moivre sweep), and "
+      "how far it may be off where there are tolerances");
   add_arm_options(app, command->arm);
   add_start_options(app, command->start);
   add_threads_option(app, command->threads);
@@ -164,6 +224,8 @@ void add_closures_command(CLI::App& moivre, Chosen& chosen) {
   add_angles_option(app, command->angles);
   app.add_option("--svg", command->svg, "draw all closures, side by side to one scale, here")
       ->type_name("PATH");
+  app.add_flag("--three-views", command->three_views,
+               "in --svg, show a spatial mechanism from the front, from the right and from above");
   app.add_option("--html", command->html,
                  "write a page here that shows all closures, and drives them by a slider")
       ->type_name("PATH");
@@ -171,12 +233,18 @@ void add_closures_command(CLI::App& moivre, Chosen& chosen) {
                  "use the families in this file, and add those that are learned")
       ->type_name("PATH");
   add_tracker_options(app, command->tracker);
+  CLI::Option& tolerance = *app.get_option(kTolerance);
+  tolerance.description(
+      "with --sensitivity: how far coordinates of points and lengths of rods may "
+      "be off, up or down, where the file says nothing nearer, in its unit; else " +
+      tolerance.get_description());
   add_examples(app,
                {"moivre closures four-bar.toml", "moivre closures four-bar.toml --at 0.5",
                 "moivre closures four-bar.toml --json - | jq .counts",
                 "moivre closures four-bar.toml --quiet --csv closures.csv",
                 "moivre closures four-bar.toml --svg closures.svg",
                 "moivre closures four-bar.toml --html closures.html",
+                "moivre closures four-bar.toml --sensitivity --tolerance 0.05",
                 "moivre closures puma560.urdf --pose \"0.4 0.1 0.3 1 0 0 0\" --svg postures.svg",
                 "moivre closures panda.urdf --tip panda_hand_tcp --hold panda_joint7=0.8 "
                 "--poses poses.csv --csv joints.csv"});

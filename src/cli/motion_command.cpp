@@ -206,7 +206,7 @@ void add_time_options(CLI::App& app, MotionCommand& command) {
   app.add_option("--steps", command.options.steps, "samples are written at so many equal steps")
       ->capture_default_str();
   app.add_option("--checkpoints", command.options.checkpoints,
-                 "how often the closures are solved afresh and compared with the branches")
+                 "how often the closures are solved again and compared with the branches")
       ->capture_default_str();
 }
 

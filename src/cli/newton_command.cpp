@@ -54,7 +54,7 @@ void add_newton_command(CLI::App& moivre, Chosen& chosen) {
                  "weight of a coordinate where steps are of least norm; may be repeated")
       ->type_name("NAME=VALUE");
   app.add_option("--tolerance", command->options.residual_tolerance,
-                 "on |Phi_i| beside the sum of the magnitudes of its terms")
+                 "tolerance on |Phi_i|, relative to the sum of the magnitudes of its terms")
       ->capture_default_str();
   app.add_option("--max-iterations", command->options.maximum_iterations, "the run ends there")
       ->capture_default_str();

@@ -33,6 +33,7 @@ struct SolveCommand {
   bool quiet = false;
   std::string json;
   std::string csv;
+  std::string paths;
   std::string phc;
 };
 
@@ -91,22 +92,24 @@ void require_digits_possible(const SolveCommand& command, const System& f) {
 int run(const SolveCommand& command) {
   std::unique_ptr<Tracker> tracker;
   std::unique_ptr<Tracker> witness;
-  require_all({[&] { require_known(command.start); }, [&] { require_threads(command.threads); },
-               [&] { precision_of(command.precision); },
-               [&] {
-                 if (command.digits) require_digits(*command.digits);
-               },
-               [&] {
-                 require_distinct({command.json, command.csv, command.phc}, command.file);
-               },
-               [&] { tracker = make_tracker(command.tracker, command.cross_check); },
-               [&] {
-                 if (command.cross_check) witness = make_witness(command.tracker);
-               }});
+  require_all(
+      {[&] { require_known(command.start); }, [&] { require_threads(command.threads); },
+       [&] { precision_of(command.precision); },
+       [&] {
+         if (command.digits) require_digits(*command.digits);
+       },
+       [&] {
+         require_distinct({command.json, command.csv, command.paths, command.phc}, command.file);
+       },
+       [&] { tracker = make_tracker(command.tracker, command.cross_check); },
+       [&] {
+         if (command.cross_check) witness = make_witness(command.tracker);
+       }});
   const Problem problem = read_problem(command.file);
   require_digits_possible(command, problem.system);
   Output json(command.json);
   Output csv(command.csv);
+  Output paths(command.paths);
   Output phc(command.phc);
 
   const Interruption interruption;
@@ -116,6 +119,7 @@ int run(const SolveCommand& command) {
   deliver(
       {{&json, [&] { return solve_json(result, command.file); }},
        {&csv, [&] { return solve_csv(result); }},
+       {&paths, [&] { return paths_csv(result); }},
        {&phc, [&] { return solve_phc(result, problem.system); }}},
       command.quiet,
       [&] {
@@ -148,6 +152,9 @@ void add_solve_command(CLI::App& moivre, Chosen& chosen) {
   add_quiet_flag(app, command->quiet);
   add_json_option(app, command->json);
   app.add_option("--csv", command->csv, "write a table of the roots here")->type_name("PATH");
+  app.add_option("--paths", command->paths,
+                 "write a table of all paths here: where each ended and what it took")
+      ->type_name("PATH");
   app.add_option("--phc", command->phc, "write PHCpack's solution list here")->type_name("PATH");
   add_tracker_options(app, command->tracker);
   app.add_option("--precision", command->precision,
@@ -159,7 +166,8 @@ void add_solve_command(CLI::App& moivre, Chosen& chosen) {
       app, {"moivre solve katsura.phc", "moivre solve katsura.phc --all --seed 7",
             "moivre solve cassou.phc --start polyhedral", "moivre solve katsura.phc --digits 50",
             "moivre solve katsura.phc --json - | jq .paths",
-            "moivre solve katsura.phc --quiet --csv roots.csv --phc roots.phc"});
+            "moivre solve katsura.phc --quiet --csv roots.csv --phc roots.phc",
+            "moivre solve cyclic.phc --paths paths.csv"});
   app.callback([command, &chosen] { chosen = [command] { return run(*command); }; });
 }
 

@@ -131,7 +131,7 @@ void add_tracker_options(CLI::App& command, TrackerChoice& choice) {
       ->each([&choice](const std::string&) { choice.of_lanes.emplace_back("--predictor"); })
       ->capture_default_str()
       ->group(group);
-  command.add_option("--max-steps", choice.maximum_steps, "steps of one journey")
+  command.add_option("--max-steps", choice.maximum_steps, "steps of one path segment")
       ->capture_default_str()
       ->group(group);
 }

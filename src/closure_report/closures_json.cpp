@@ -3,6 +3,7 @@
 #include "joint_values.h"
 #include "moivre/closure_report/closure_report.h"
 #include "pose_json.h"
+#include "sensitivity_json.h"
 
 namespace moivre {
 namespace {
@@ -79,7 +80,7 @@ Json sub_chain_json(const SubChain& part) {
 }  // namespace
 
 std::string closures_json(const ClosureResult& result, const Mechanism& mechanism,
-                          const std::string& file) {
+                          const std::string& file, const Sensitivities* sensitivities) {
   Json report = report_head("closures", file);
   report["seed"] = result.seed;
   report["complete"] = result.complete;
@@ -104,6 +105,12 @@ std::string closures_json(const ClosureResult& result, const Mechanism& mechanis
       result.closures, [&](const Closure& closure) { return closure_json(closure, mechanism); });
   report["all_listed"] = result.all_listed;
   report["sub_chains"] = list_json(result.sub_chains, sub_chain_json);
+  if (sensitivities != nullptr) {
+    report["dimensions"] = dimensions_json(*sensitivities);
+    for (std::size_t k = 0; k < result.closures.size(); ++k) {
+      report["closures"][k]["sensitivity"] = sensitivity_json(*sensitivities, k);
+    }
+  }
   report["solutions"] = list_json(result.solutions, [](const Solution& s) { return to_json(s); });
   report["failures"] = list_json(result.failures, [](const FailedPath& f) { return to_json(f); });
   report["left_out"] = to_json(result.left_out);

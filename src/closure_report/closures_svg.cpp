@@ -5,7 +5,6 @@
 
 #include "labels.h"
 #include "moivre/closure_report/picture.h"
-#include "moivre/closure_report/sheet.h"
 #include "moivre/report/number_text.h"
 #include "panels.h"
 #include "pose_text.h"
@@ -38,8 +37,9 @@ std::string summary(const ClosureResult& result, const Mechanism& mechanism) {
 }  // namespace
 
 std::string closures_svg(const ClosureResult& result, const Mechanism& mechanism,
-                         const std::string& file) {
+                         const std::string& file, Views views) {
   Sheet sheet;
+  sheet.views = views;
   sheet.title = mechanism.title.empty() ? file : mechanism.title;
   sheet.summary = summary(result, mechanism);
   for (const Closure& closure : result.closures) {

@@ -108,7 +108,7 @@ void add_course(const MotionResult& result, const Mechanism& mechanism, const An
   report["checkpoints"] = list_json(result.checkpoints, checkpoint_json);
 }
 
-Json sub_chain_json(const MotionSubChain& part, const AngleForm& form) {
+Json part_json(const MotionSubChain& part, const AngleForm& form) {
   Json json{{"bodies", part.chain.bodies}};
   add_course(part.motion, part.chain.mechanism, form, json);
   return json;
@@ -154,7 +154,7 @@ std::string motion_json(const MotionResult& result, const Mechanism& mechanism,
   if (readings != nullptr) add_readings(*readings, mechanism, form, report);
   report["all_listed"] = result.all_listed;
   report["sub_chains"] = list_json(
-      result.sub_chains, [&](const MotionSubChain& part) { return sub_chain_json(part, form); });
+      result.sub_chains, [&](const MotionSubChain& part) { return part_json(part, form); });
   report["failures"] = result.failures;
   report["left_out"] = to_json(result.left_out);
   report["work"] = {{"steps", result.steps}, {"rejected", result.rejected}};

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <stdexcept>
 
 #include "labels.h"
 #include "moivre/closure_report/angles.h"
@@ -29,6 +31,69 @@ constexpr double kTitleLine = 22;
 constexpr double kNoteLine = 17;
 constexpr double kFooter = 34;
 
+/// The mechanism from one side.
+struct Aspect {
+  std::string name;  ///< empty where there is but one
+  Drawing drawing;
+  Box box;  ///< of all poses
+};
+
+struct Side {
+  const char* name;
+  Eye eye;
+};
+constexpr double kRightAngle = std::numbers::pi / 2;
+constexpr Side kThreeSides[] = {{"front: x, z", {-kRightAngle, 0}},
+                                {"right: y, z", {0, 0}},
+                                {"above: x, y", {-kRightAngle, kRightAngle}}};
+
+Aspect aspect_of(const Sheet& sheet, const Mechanism& mechanism, const std::string& name,
+                 const View& view) {
+  std::vector<Eigen::VectorXd> poses;
+  for (const Panel& panel : sheet.panels) poses.push_back(panel.q);
+  Aspect aspect{name, draw(mechanism, poses, view), {}};
+  for (const Eigen::VectorXd& q : poses) {
+    const Box one = bounds(aspect.drawing, place(aspect.drawing, mechanism, q));
+    aspect.box.include(one.lower);
+    aspect.box.include(one.upper);
+  }
+  return aspect;
+}
+
+std::vector<Aspect> aspects_of(const Sheet& sheet, const Mechanism& mechanism) {
+  if (sheet.views == Views::standing) return {aspect_of(sheet, mechanism, "", sheet.view)};
+  require_spatial(mechanism);
+  const double symbol = aspect_of(sheet, mechanism, "", sheet.view).drawing.symbol;
+  std::vector<Aspect> aspects;
+  for (const Side& side : kThreeSides) {
+    View view = sheet.view;
+    view.eye = side.eye;
+    view.symbol = symbol;
+    aspects.push_back(aspect_of(sheet, mechanism, side.name, view));
+  }
+  return aspects;
+}
+
+/// Of the same size for every aspect, about its own middle.
+Complex common_size(const std::vector<Aspect>& aspects) {
+  double width = 0;
+  double height = 0;
+  for (const Aspect& aspect : aspects) {
+    width = std::max(width, aspect.box.width());
+    height = std::max(height, aspect.box.height());
+  }
+  return {width, height};
+}
+
+/// Several aspects have to fit into one row.
+double scale_for(const std::vector<Aspect>& aspects, Complex size) {
+  const double scale = pixel_scale(aspects.front().drawing);
+  const auto count = static_cast<double>(aspects.size());
+  if (aspects.size() == 1) return scale;
+  const double room = (kWidest - (count - 1) * kGap) / count - 2 * kLabelRoom;
+  return std::min(scale, room / size.real());
+}
+
 struct Layout {
   double panel_width = 0;
   double panel_height = 0;
@@ -47,21 +112,22 @@ double heading_room(const Sheet& sheet) {
   return kCaptionRoom + kNoteLine * static_cast<double>(notes);
 }
 
-Layout lay_out(const Box& box, double scale, const Sheet& sheet) {
-  const std::size_t panels = sheet.panels.size();
+/// size: of the mechanism in pixels. The panels of one closure stand in one row.
+Layout lay_out(Complex size, const Sheet& sheet, std::size_t aspects) {
+  const std::size_t poses = sheet.panels.size();
   Layout layout;
   constexpr double kCaptionWidth = 130;
-  layout.panel_width = std::max(kCaptionWidth, box.width() * scale + 2 * kLabelRoom);
+  layout.panel_width = std::max(kCaptionWidth, size.real() + 2 * kLabelRoom);
   for (const Panel& panel : sheet.panels) {
     for (const std::string& note : panel.notes) {
       layout.panel_width =
           std::max(layout.panel_width, text_width(note, kNoteFont) + 2 * kCaptionLeft);
     }
   }
-  layout.panel_height = box.height() * scale + 2 * kLabelRoom + heading_room(sheet);
+  layout.panel_height = size.imag() + 2 * kLabelRoom + heading_room(sheet);
   const auto most = static_cast<std::size_t>((kWidest + kGap) / (layout.panel_width + kGap));
-  layout.rows = (panels - 1) / std::max<std::size_t>(most, 1) + 1;
-  layout.columns = (panels - 1) / layout.rows + 1;
+  layout.rows = (poses - 1) / std::max<std::size_t>(most / aspects, 1) + 1;
+  layout.columns = ((poses - 1) / layout.rows + 1) * aspects;
   return layout;
 }
 
@@ -78,8 +144,9 @@ std::string heading(const Sheet& sheet, double width, double& y) {
   return svg;
 }
 
-std::string panel_svg(const Panel& panel, const Drawing& drawing, const Mechanism& mechanism,
+std::string panel_svg(const Panel& panel, const Aspect& aspect, const Mechanism& mechanism,
                       const PixelMap& map, const Box& frame, double heading) {
+  const Drawing& drawing = aspect.drawing;
   const std::vector<Similarity> places = place(drawing, mechanism, panel.q);
   std::string svg = element("rect", {{"class", "panel"},
                                      {"x", pixel_text(frame.lower.real())},
@@ -89,8 +156,9 @@ std::string panel_svg(const Panel& panel, const Drawing& drawing, const Mechanis
                                      {"rx", "6"}}) +
                     '\n';
   double line = 20;
-  svg += text_svg(frame.lower + Complex(kCaptionLeft, line), "start",
-                  panel.is_faint ? "note" : "id", panel.caption);
+  svg +=
+      text_svg(frame.lower + Complex(kCaptionLeft, line), "start", panel.is_faint ? "note" : "id",
+               panel.caption + (aspect.name.empty() ? "" : ", " + aspect.name));
   for (const std::string& note : panel.notes) {
     line += kNoteLine;
     svg += text_svg(frame.lower + Complex(kCaptionLeft, line), "start", "note", note);
@@ -124,23 +192,23 @@ std::string drivers_text(const Mechanism& mechanism, double time) {
   return text;
 }
 
+void require_spatial(const Mechanism& mechanism) {
+  if (mechanism.space == Space::spatial && !is_typed(mechanism)) return;
+  throw std::invalid_argument(
+      "three views are for spatial mechanisms and robots; this one has a single view");
+}
+
 std::string sheet_svg(const Sheet& sheet, const Mechanism& mechanism) {
-  std::vector<Eigen::VectorXd> poses;
-  for (const Panel& panel : sheet.panels) poses.push_back(panel.q);
-  const Drawing drawing = draw(mechanism, poses, sheet.view);
-  Box box;
-  for (const Eigen::VectorXd& q : poses) {
-    const Box one = bounds(drawing, place(drawing, mechanism, q));
-    box.include(one.lower);
-    box.include(one.upper);
-  }
-  const double scale = pixel_scale(drawing);
+  const std::vector<Aspect> aspects = aspects_of(sheet, mechanism);
+  const Complex size = common_size(aspects);
+  const double scale = scale_for(aspects, size);
   const double room = heading_room(sheet);
-  const Layout layout = lay_out(box, scale, sheet);
+  const Layout layout = lay_out(size * scale, sheet, aspects.size());
   double y = kMargin / 2;
   std::string svg = heading(sheet, layout.width(), y);
   y += kGap;
-  for (std::size_t k = 0; k < sheet.panels.size(); ++k) {
+  for (std::size_t k = 0; k < sheet.panels.size() * aspects.size(); ++k) {
+    const Aspect& aspect = aspects[k % aspects.size()];
     const std::size_t row = k / layout.columns;
     const std::size_t column = k % layout.columns;
     Box frame;
@@ -150,11 +218,12 @@ std::string sheet_svg(const Sheet& sheet, const Mechanism& mechanism) {
     frame.include(corner + Complex(layout.panel_width, layout.panel_height));
     const Complex middle =
         corner + Complex(layout.panel_width / 2, (layout.panel_height + room) / 2);
-    const PixelMap map{scale, middle - std::conj((box.lower + box.upper) / 2.0) * scale};
-    svg += panel_svg(sheet.panels[k], drawing, mechanism, map, frame, room);
+    const Complex centre = (aspect.box.lower + aspect.box.upper) / 2.0;
+    const PixelMap map{scale, middle - std::conj(centre) * scale};
+    svg += panel_svg(sheet.panels[k / aspects.size()], aspect, mechanism, map, frame, room);
   }
   y += static_cast<double>(layout.rows) * (layout.panel_height + kGap);
-  if (drawing.to_scale) {
+  if (aspects.front().drawing.to_scale || sheet.views == Views::three) {
     svg += scale_bar({kMargin, y + kFooter / 3}, scale, mechanism.units.length);
     y += kFooter;
   }

@@ -20,7 +20,9 @@ class SpatialDrawing {
  public:
   SpatialDrawing(const Mechanism& mechanism, const std::vector<Eigen::VectorXd>& poses,
                  const View& view)
-      : mechanism_(mechanism), view_(view), size_(symbol_size(extent(mechanism, poses, view.eye))) {
+      : mechanism_(mechanism),
+        view_(view),
+        size_(view.symbol > 0 ? view.symbol : symbol_size(extent(mechanism, poses, view.eye))) {
     sketch_.drawing.eye = view.eye;
     sketch_.drawing.symbol = size_;
     sketch_.drawing.to_scale = false;  // what goes into the picture is foreshortened

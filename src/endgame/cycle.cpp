@@ -9,22 +9,18 @@
 namespace moivre {
 namespace {
 
-// Relative error of a sample of what has to vanish: of z^k it is k times as large.
-constexpr double kSampleError = 1e-10;
-// Of a sample itself: what is left of its difference from a common point that it nearly is.
-constexpr double kRounding = 1e-14;
 // Sums beyond the m-th follow from the first m: they tell samples that are made of errors.
 constexpr int kMoreSums = 2;
-// Limits that are to be 0 are known to lie so much nearer to 0 than the samples do.
-constexpr double kNearer = 0.5;
-constexpr double kMuchNearer = 1e-3;
 
 /// Means of z^k and of |z|^k.
 struct PowerMean {
   Complex sum;
   double size = 0;
   int k = 0;
-  bool is_lost() const { return std::abs(sum) <= kSampleError * k * size; }
+  /// In the errors of the samples: that of z^k is k times theirs.
+  bool is_lost(const EndParameters& ends) const {
+    return std::abs(sum) <= ends.sample_error * k * size;
+  }
 };
 
 PowerMean power_mean(const std::vector<Complex>& z, int k) {
@@ -49,25 +45,27 @@ double limit_bound(const std::vector<Complex>& z, int m) {
   return 2 * bound;
 }
 
-bool vanish_together(const std::vector<Complex>& z, int m) {
+bool vanish_together(const std::vector<Complex>& z, int m, const EndParameters& ends) {
   for (int k = 1; k <= m; ++k) {
-    if (!power_mean(z, k).is_lost()) return false;
+    if (!power_mean(z, k).is_lost(ends)) return false;
   }
-  return limit_bound(z, m) <= kNearer * power_mean(z, 1).size;
+  return limit_bound(z, m) < power_mean(z, 1).size;
 }
 
 bool end_beyond(double bound, const std::vector<Complex>& z, int m) {
   const double limit = limit_bound(z, m);
-  return limit <= bound && limit <= kMuchNearer * power_mean(z, 1).size;
+  return limit <= bound && limit < power_mean(z, 1).size;
 }
 
-bool meet_together(const std::vector<Complex>& z, const Complex& common, int m) {
+bool meet_together(const std::vector<Complex>& z, const Complex& common, int m,
+                   const EndParameters& ends) {
   std::vector<Complex> from_common = z;
   for (Complex& sample : from_common) sample -= common;
   for (int k = 2; k <= m + kMoreSums; ++k) {
     const PowerMean mean = power_mean(from_common, k);
-    const double rounding = kRounding * k * std::abs(common) * power_mean(from_common, k - 1).size;
-    if (!mean.is_lost() && std::abs(mean.sum) > rounding) return false;
+    const double rounding =
+        ends.rounding * k * std::abs(common) * power_mean(from_common, k - 1).size;
+    if (!mean.is_lost(ends) && std::abs(mean.sum) > rounding) return false;
   }
   return true;
 }

@@ -16,6 +16,7 @@
 
 #include <vector>
 
+#include "moivre/endgame/end_parameters.h"
 #include "moivre/numeric/complex.h"
 
 namespace moivre {
@@ -24,14 +25,15 @@ namespace moivre {
 /// sums). z: samples of m turns.
 double limit_bound(const std::vector<Complex>& z, int m);
 
-/// All limits are 0 as far as the samples can tell, and much nearer to 0 than the samples are.
-bool vanish_together(const std::vector<Complex>& z, int m);
+/// All limits are 0 as far as the samples can tell, and nearer to 0 than the samples are.
+bool vanish_together(const std::vector<Complex>& z, int m, const EndParameters& ends);
 
-/// No limit exceeds `bound`, and all are much nearer to 0 than the samples are.
+/// No limit exceeds `bound`, and all are nearer to 0 than the samples are.
 bool end_beyond(double bound, const std::vector<Complex>& z, int m);
 
 /// No sum tells the limits apart: as far as the samples can tell z_j(0) = `common` for all j.
-bool meet_together(const std::vector<Complex>& z, const Complex& common, int m);
+bool meet_together(const std::vector<Complex>& z, const Complex& common, int m,
+                   const EndParameters& ends);
 
 /// Exact leading exponents: how often x_j / x_0 turns around 0 on the m turns, over m, for the coordinates j other than x_0,
 /// the one numbered `homogenizing`. Coordinates that are 0 have no meaning here.

@@ -14,33 +14,8 @@
 namespace moivre {
 namespace {
 
-// |x_0| / |x|_inf that rounding leaves of 0, and the relative correction from which x_0 is made of rounding errors.
-constexpr double kRoundedZero = 1e-13;
-constexpr double kUnknownCorrection = 1e-2;
-// Sheets that all end with |x|_inf / |x_0| above this, and not at infinity, are told apart by no smaller circle.
-constexpr double kBeyond = 1e11;
-// Of an end that double-double has found.
-constexpr double kFineAccuracy = 1e-24;
-// A path that still creeps at this radius ends singular: to a regular end it would have jumped.
-constexpr double kCreepingRadius = 1e-4;
-// So many steps inside it tell creeping from a step that chanced to end there.
+// So many steps within the creeping radius tell creeping from a step that chanced to end there.
 constexpr int kCreepingSteps = 3;
-// Steps inside the watch radius after which circles are tried whatever the radius.
-constexpr int kPatience = 300;
-constexpr double kLeastRadius = 1e-14;
-constexpr double kShrink = 4;
-// Where several sheets meet J is singular. When a circle closes after several turns about a mean that
-// is less singular than this, it may have run round branch points beside t = 1: landing tells.
-constexpr double kBranchCondition = 1e10;
-constexpr double kBranchResidual = 1e-14;
-// Newton at a regular end: the correction aimed at, and the one that passes where rounding stops it.
-constexpr double kRegularTolerance = 1e-13;
-constexpr double kStagnation = 1e-10;
-// A circle is closed when the point comes back to within this distance, relative.
-constexpr double kClosure = 1e-6;
-// Two radii agree to this: good enough at once, good enough after all.
-constexpr double kAgreementAtOnce = 1e-10;
-constexpr double kAgreementAtLast = 1e-5;
 
 const PathTime kEnd(1.0, 0.0);
 
@@ -104,12 +79,12 @@ Failure to_failure(Journey journey) {
 }
 
 Endgame::Endgame(const EndgameOptions& options, const Chart& chart, std::uint64_t path, int care)
-    : options_(options), chart_(chart), path_(path), care_(care) {}
+    : options_(options), ends_(options.ends), chart_(chart), path_(path), care_(care) {}
 
 Departure Endgame::depart(Point start, FramePointer frame) {
   frame_ = std::move(frame);
   Departure departure = along(Contour::segment(0, 1), std::move(start), 0, this);
-  departure.watch_radius = options_.watch_radius;
+  departure.watch_radius = ends_.watch_radius;
   return departure;
 }
 
@@ -127,15 +102,13 @@ Departure Endgame::along(const Contour& contour, Point x, int samples, Watcher* 
 
 Watcher::Verdict Endgame::watch(const StepRecord& step, PathSystem&) noexcept {
   const double radius = std::abs(step.t.rest);
-  if (radius > options_.watch_radius || radius == 0) return Verdict::go_on;
-  ++watched_;
-  if (outpost_.empty() || radius > kCreepingRadius / kShrink) {
+  if (radius > ends_.watch_radius || radius == 0) return Verdict::go_on;
+  if (outpost_.empty() || radius > ends_.creeping_radius / ends_.shrink) {
     outpost_.assign(step.x.begin(), step.x.end());
     radius_ = radius;
   }
-  if (options_.goes_straight) return Verdict::go_on;
-  if (radius < kCreepingRadius) ++creeping_;
-  return creeping_ >= kCreepingSteps || watched_ > kPatience ? Verdict::stop : Verdict::go_on;
+  if (radius < ends_.creeping_radius && !options_.goes_straight) ++creeping_;
+  return creeping_ >= kCreepingSteps ? Verdict::stop : Verdict::go_on;
 }
 
 std::nullopt_t Endgame::fail(Failure failure) {
@@ -166,7 +139,7 @@ std::optional<Departure> Endgame::proceed(Arrival&& arrival, PathSystem& path) {
     case Phase::approach:
       if (arrival.journey != Journey::arrived) return conclude(path);
       outpost_ = std::move(arrival.x);
-      radius_ /= kShrink;
+      radius_ /= ends_.shrink;
       return begin_circle();
     case Phase::circle:
       return next_turn(std::move(arrival), path);
@@ -180,15 +153,15 @@ std::optional<Departure> Endgame::judge_arrival(Arrival&& arrival, PathSystem& p
   end_.x = arrival.x;
   if (arrival.regular_condition) {
     end_.condition = *arrival.regular_condition;
-    end_.accuracy = kFineAccuracy;
+    end_.accuracy = ends_.fine_rounding;
     return decide_infinity();
   }
   // Without a watched point there is nowhere to turn back to: the root it arrived at proves itself later.
   const double condition =
-      outpost_.empty() ? std::numeric_limits<double>::infinity() : options_.regular_condition;
+      outpost_.empty() ? std::numeric_limits<double>::infinity() : ends_.regular_condition;
   if (is_regular_arrival(arrival, path, condition)) return std::nullopt;
   if (outpost_.empty()) return fail(to_failure(arrival.journey));
-  if (options_.maximum_radii == 0) return fail(Failure::precision);
+  if (options_.only_regular) return fail(Failure::precision);
   watched_at_ = outpost_;
   watched_radius_ = radius_;
   return begin_circle();
@@ -204,7 +177,6 @@ std::optional<Departure> Endgame::look_again(PathSystem& path) {
   end_.failure.reset();
   last_.reset();
   best_.reset();
-  radii_ = 0;
   const Point outpost = outside(frame_, watched_at_);
   frame_ = std::make_shared<const PathFrame>(frame_at(path.homotopy(), outpost));
   path.set_frame(frame_.get());
@@ -224,26 +196,24 @@ Point Endgame::normalized(const Point& x) const {
 
 std::optional<Departure> Endgame::begin_circle() {
   phase_ = Phase::circle;
-  ++radii_;
   turns_ = 0;
   samples_.clear();
   patch_.clear();
   for (const Complex& xi : outpost_) patch_.push_back(std::conj(xi));
   turn_begin_ = normalized(outpost_);
-  return along(Contour::spiral(radius_, Complex(0, 2 * std::numbers::pi)), outpost_,
-               options_.samples);
+  return along(Contour::spiral(radius_, Complex(0, 2 * std::numbers::pi)), outpost_, ends_.samples);
 }
 
 std::optional<Departure> Endgame::next_turn(Arrival&& arrival, PathSystem& path) {
   if (arrival.journey != Journey::arrived) return shrink(path);
   ++turns_;
   for (const Point& sample : arrival.samples) samples_.push_back(normalized(sample));
-  if (difference(samples_.back(), turn_begin_) < kClosure) return estimate_end(path);
-  if (turns_ >= options_.maximum_winding || end_.count.accepted > options_.maximum_steps) {
+  if (difference(samples_.back(), turn_begin_) < ends_.agreement) return estimate_end(path);
+  if (turns_ >= ends_.maximum_winding || end_.count.accepted > ends_.maximum_steps) {
     return shrink(path);
   }
   return along(Contour::spiral(radius_, Complex(0, 2 * std::numbers::pi)), std::move(arrival.x),
-               options_.samples);
+               ends_.samples);
 }
 
 // Coefficient c_j of the Laurent series in u = (1 - t)^{1/m} / r^{1/m}, from the samples on |u| = 1.
@@ -267,14 +237,14 @@ std::vector<Complex> Endgame::samples_of_x0() const {
 // In the units of the system, not in those of the path.
 bool Endgame::ends_beyond() const {
   const double unit = chart_.finiteness(outpost_) / chart_.finiteness(outside(frame_, outpost_));
-  return end_beyond(unit / kBeyond, samples_of_x0(), turns_);
+  return end_beyond(unit / ends_.beyond, samples_of_x0(), turns_);
 }
 
 // All sheets of the cycle do, and the faces of their direction have a common root.
 FaceRoot Endgame::place_at_infinity(const PathSystem& path) const {
-  if (!vanish_together(samples_of_x0(), turns_) && !ends_beyond()) return FaceRoot::none;
+  if (!vanish_together(samples_of_x0(), turns_, ends_) && !ends_beyond()) return FaceRoot::none;
   return face_root(path.homotopy(), outside(frame_, outpost_), radius_,
-                   valuations(samples_, chart_.homogenizing(), turns_));
+                   valuations(samples_, chart_.homogenizing(), turns_), ends_);
 }
 
 // In one combination of the coordinates, which tells points apart but for bad luck.
@@ -288,7 +258,7 @@ bool Endgame::sheets_meet(const Point& x) const {
   };
   std::vector<Complex> z;
   for (const Point& sample : samples_) z.push_back(combination(sample));
-  return meet_together(z, combination(x), turns_);
+  return meet_together(z, combination(x), turns_, ends_);
 }
 
 // Size of the highest coefficient that the samples resolve: what comes after it is aliased.
@@ -316,7 +286,7 @@ std::optional<Departure> Endgame::estimate_end(PathSystem& path) {
     } else {
       return conclude(path);
     }
-    if (change < kAgreementAtOnce) return conclude(path);
+    if (change < ends_.sample_error) return conclude(path);
   } else if (!best_) {
     best_ = estimate;
     best_difference_ = truncation();
@@ -326,18 +296,17 @@ std::optional<Departure> Endgame::estimate_end(PathSystem& path) {
 }
 
 std::optional<Departure> Endgame::shrink(PathSystem& path) {
-  if (radii_ >= options_.maximum_radii || radius_ / kShrink < kLeastRadius ||
-      end_.count.accepted > options_.maximum_steps) {
+  if (radius_ / ends_.shrink < ends_.least_radius || end_.count.accepted > ends_.maximum_steps) {
     return conclude(path);
   }
   phase_ = Phase::approach;
-  return along(Contour::spiral(radius_, -std::log(kShrink)), outpost_);
+  return along(Contour::spiral(radius_, -std::log(ends_.shrink)), outpost_);
 }
 
 // With an estimate at hand a landing has to prove it wrong; without one, any landing is welcome, and the
 // root it leads to is proved on the system as given.
 double Endgame::landing_condition() const {
-  return best_ ? kBranchCondition : std::numeric_limits<double>::infinity();
+  return best_ ? ends_.singular_condition : std::numeric_limits<double>::infinity();
 }
 
 std::optional<Departure> Endgame::land() {
@@ -346,27 +315,29 @@ std::optional<Departure> Endgame::land() {
 }
 
 std::optional<Departure> Endgame::conclude(PathSystem& path) {
-  if (!best_ || best_difference_ > kAgreementAtLast) {
+  if (!best_ || best_difference_ > ends_.agreement) {
     if (phase_ == Phase::landing) return fail(Failure::precision);
     return land();
   }
   const double condition =
       path.linearize(best_->x, kEnd) ? path.condition() : std::numeric_limits<double>::infinity();
-  const bool singular = condition >= kBranchCondition && path.residual() < kBranchResidual;
-  if (best_->winding > 1 && !singular && phase_ != Phase::landing) return land();
+  const bool is_singular = condition >= ends_.singular_condition;
+  // Where several sheets meet J is singular. A circle that closes after several turns about a mean that is less singular may
+  // have run round branch points beside t = 1: landing tells.
+  if (best_->winding > 1 && !is_singular && phase_ != Phase::landing) return land();
   end_.x = best_->x;
   end_.winding = best_->winding;
   end_.accuracy = std::max(best_difference_, std::numeric_limits<double>::epsilon());
   end_.t = 1;
   end_.condition = condition;
-  end_.singular = best_->winding > 1 || condition > options_.singular_condition;
+  end_.singular = best_->winding > 1 || is_singular;
   return decide_infinity();
 }
 
 // x_0 beside its error tells, of a regular end in double-double even that it is 0.
 std::nullopt_t Endgame::decide_infinity() {
   const bool is_finite = chart_.finiteness(end_.x) > 10 * end_.accuracy;
-  if (!is_finite && end_.accuracy > kFineAccuracy) return fail(Failure::precision);
+  if (!is_finite && end_.accuracy > ends_.fine_rounding) return fail(Failure::precision);
   end_.status = is_finite ? PathStatus::finite : PathStatus::at_infinity;
   return std::nullopt;
 }
@@ -374,17 +345,18 @@ std::nullopt_t Endgame::decide_infinity() {
 bool Endgame::is_regular_arrival(const Arrival& arrival, PathSystem& path, double condition) {
   if (arrival.journey != Journey::arrived) return false;
   CorrectorOptions newton;
-  newton.tolerance = kRegularTolerance;
+  newton.tolerance = ends_.rounding;
   Point x = arrival.x;
   const Correction correction = path.correct(x, kEnd, newton, true);
   end_.condition = path.condition();
-  if (end_.condition > condition || !(correction.converged || correction.last < kStagnation)) {
+  if (end_.condition > condition ||
+      !(correction.converged || correction.last < ends_.sample_error)) {
     return false;
   }
   // x_0 that is made of rounding errors may be 0: not here is it to be told.
   const double moved = std::abs(chart_.x0(path.last_correction()));
-  const bool is_known = moved <= kUnknownCorrection * std::abs(chart_.x0(x));
-  if (!is_known || chart_.finiteness(x) <= kRoundedZero) return false;
+  const bool is_known = moved < std::abs(chart_.x0(x));
+  if (!is_known || chart_.finiteness(x) <= ends_.rounding) return false;
   end_.x = std::move(x);
   end_.accuracy = correction.last;
   end_.status = PathStatus::finite;

@@ -19,40 +19,22 @@ using Eigen::MatrixXcd;
 using Eigen::VectorXcd;
 using Number = ComplexDoubleDouble;
 
-// Valuations are known this well where they are steady.
-constexpr double kValuationError = 0.03;
-constexpr int kLargestDenominator = 32;
-// Faces vanish to the rounding of double-double, a little more than its products make of it.
-constexpr double kVanished = 1e-26;
-// Gauss-Newton's point is not the one at which the coefficients have to change least.
-constexpr double kNotTheBest = 8;
-// The root lies near the path: its logarithms no further away than this.
-constexpr double kNeighbourhood = 3;
-// Enough for a double root, whose residual falls by four with each iteration.
-constexpr int kIterations = 60;
-// Corrections fall evenly where two falls in a row are alike, and slowly from here on.
-constexpr double kSlowFall = 0.3;
-constexpr double kEvenFall = 0.02;
-// Singular values of the Jacobian below this, beside the largest, are those of the torus that acts on all roots of a face, or
-// of directions in which a step would lead astray; where that leads nowhere, only what is rounding is left out.
-constexpr double kWideThreshold = 1e-5;
-constexpr double kRoundingThreshold = 1e-13;
-
 /// Valuations as integers over one denominator.
 struct Direction {
   int denominator = 1;
   std::vector<long> w;
 };
 
-std::optional<Direction> direction_of(const std::vector<double>& valuations) {
-  for (int m = 1; m <= kLargestDenominator; ++m) {
+std::optional<Direction> direction_of(const std::vector<double>& valuations,
+                                      const EndParameters& ends) {
+  for (int m = 1; m <= ends.maximum_winding; ++m) {
     Direction direction{m, {}};
     bool fits = true;
     for (const double v : valuations) {
       const double scaled = v * m;
       direction.w.push_back(std::lround(scaled));
       const double error = std::abs(scaled - static_cast<double>(direction.w.back()));
-      fits = fits && error <= kValuationError * std::max(1.0, std::abs(v)) * m;
+      fits = fits && error <= ends.valuation_error * std::max(1.0, std::abs(v)) * m;
     }
     if (fits) return direction;
   }
@@ -78,8 +60,8 @@ class Faces {
  public:
   /// log2: units of the affine coordinates.
   Faces(const Homotopy& homotopy, double radius, const Direction& direction,
-        const std::vector<int>& log2)
-      : x0_(homotopy.chart().homogenizing()) {
+        const std::vector<int>& log2, const EndParameters& ends)
+      : ends_(ends), x0_(homotopy.chart().homogenizing()) {
     for (std::size_t i = 0; i < homotopy.equations(); ++i) {
       faces_.push_back(face(homotopy, i, radius, direction, log2));
     }
@@ -90,30 +72,22 @@ class Faces {
                        [](const Face& face) { return face.size() > 1; });
   }
 
-  /// Gauss-Newton from y, in the units. Towards an m-fold root corrections fall by (m - 1) / m only; where they fall evenly
-  /// one is taken m times.
+  /// Gauss-Newton from y, in the units. Singular values of the Jacobian below the threshold, beside the largest, are those of
+  /// the torus that acts on all roots of a face, or of directions in which a step would lead astray.
   FaceRoot root_near(std::vector<Number> y, double rank_threshold) const {
     VectorXcd value(static_cast<Index>(faces_.size()));
     MatrixXcd jacobian(value.size(), static_cast<Index>(y.size()));
-    VectorXcd moved = VectorXcd::Zero(jacobian.cols());
-    double size = 0;
-    double fall = 0;
-    for (int k = 0; k < kIterations; ++k) {
+    // Towards an m-fold root the values fall by (1 - 1/m)^m < 1/e with each iteration.
+    const auto iterations = static_cast<int>(std::ceil(-std::log(ends_.fine_rounding)));
+    for (int k = 0; k < iterations; ++k) {
       const double zero = evaluate(y, value, jacobian);
       const double largest = value.lpNorm<Eigen::Infinity>();
-      if (largest <= zero) return largest > kVanished ? FaceRoot::as_rounded : FaceRoot::exact;
+      if (largest <= zero)
+        return largest > ends_.fine_rounding ? FaceRoot::as_rounded : FaceRoot::exact;
       Eigen::CompleteOrthogonalDecomposition<MatrixXcd> qr;
       qr.setThreshold(rank_threshold);
-      VectorXcd dz = qr.compute(jacobian).solve(-value);
-      const double now = dz.norm();
-      const double ratio = size > 0 ? now / size : 0;
-      const bool is_even = ratio > kSlowFall && ratio < 1 && std::abs(ratio - fall) < kEvenFall;
-      if (is_even) dz /= 1 - ratio;
-      size = is_even ? 0 : now;
-      fall = is_even ? 0 : ratio;
-      moved += dz;
-      if (!dz.allFinite() || moved.lpNorm<Eigen::Infinity>() > kNeighbourhood)
-        return FaceRoot::none;
+      const VectorXcd dz = qr.compute(jacobian).solve(-value);
+      if (!dz.allFinite()) return FaceRoot::none;
       for (std::size_t j = 0; j < y.size(); ++j) {
         // 1 + (e^dz - 1) keeps all digits of double-double where dz is small.
         y[j] += product(Number(exp_minus_1(dz[static_cast<Index>(j)])), y[j]);
@@ -166,7 +140,7 @@ class Faces {
   // their null space. Returns what counts as 0: where coefficients were rounded, all faces together are known to their errors.
   double evaluate(const std::vector<Number>& y, VectorXcd& value, MatrixXcd& jacobian) const {
     jacobian.setZero();
-    double zero = kVanished;
+    double all_errors = 0;
     std::vector<Number> terms;
     for (std::size_t i = 0; i < faces_.size(); ++i) {
       terms.clear();
@@ -187,9 +161,9 @@ class Faces {
         add_exponents(*reference.monomial, -share, jacobian, row);
       }
       value[row] = to_complex(sum) * scale;
-      zero = std::max(zero, kNotTheBest * error);
+      all_errors += error;
     }
-    return zero;
+    return std::max(ends_.fine_rounding, all_errors);
   }
 
   Number value_of(const FaceTerm& term, const std::vector<Number>& y) const {
@@ -211,6 +185,7 @@ class Faces {
     }
   }
 
+  EndParameters ends_;
   std::size_t x0_;
   std::vector<Face> faces_;
 };
@@ -218,8 +193,8 @@ class Faces {
 }  // namespace
 
 FaceRoot face_root(const Homotopy& homotopy, const Point& x, double radius,
-                   const std::vector<double>& valuations) {
-  const std::optional<Direction> direction = direction_of(valuations);
+                   const std::vector<double>& valuations, const EndParameters& ends) {
+  const std::optional<Direction> direction = direction_of(valuations, ends);
   if (!direction) return FaceRoot::none;
   const Chart& chart = homotopy.chart();
   std::vector<int> log2;
@@ -230,10 +205,10 @@ FaceRoot face_root(const Homotopy& homotopy, const Point& x, double radius,
     log2.push_back(static_cast<int>(std::lround(z.real() / std::log(2.0))));
     y.push_back(Number(std::exp(z - log2.back() * std::log(2.0))));
   }
-  const Faces faces(homotopy, radius, *direction, log2);
+  const Faces faces(homotopy, radius, *direction, log2, ends);
   if (!faces.may_vanish()) return FaceRoot::none;
-  const FaceRoot root = faces.root_near(y, kWideThreshold);
-  return root != FaceRoot::none ? root : faces.root_near(y, kRoundingThreshold);
+  const FaceRoot root = faces.root_near(y, ends.agreement);
+  return root != FaceRoot::none ? root : faces.root_near(y, ends.rounding);
 }
 
 }  // namespace moivre

@@ -18,6 +18,7 @@
 
 #include <vector>
 
+#include "moivre/endgame/end_parameters.h"
 #include "moivre/homotopy/homotopy.h"
 
 namespace moivre {
@@ -30,6 +31,6 @@ enum class FaceRoot {
 
 /// x: homogeneous, not in a frame, at 1 - t = radius. valuations: of x_j / x_0, n of them.
 FaceRoot face_root(const Homotopy& homotopy, const Point& x, double radius,
-                   const std::vector<double>& valuations);
+                   const std::vector<double>& valuations, const EndParameters& ends);
 
 }  // namespace moivre

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How is A x = b factorised once and solved often? LU, normal equations, QR, minimum norm and SVD.
+// How is A x = b factorized once and solved often? LU, normal equations, QR, minimum norm and SVD.
 #include "moivre/kinematics/linear.h"
 
 #include <Eigen/Cholesky>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How are velocity and acceleration solved from one factorisation, appended or partitioned?
+// How are velocity and acceleration solved from one factorization, appended or partitioned?
 #include "moivre/kinematics/state.h"
 
 #include <Eigen/QR>

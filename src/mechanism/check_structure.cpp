@@ -136,7 +136,7 @@ void check_twin_joints(Reading& reading, const Mechanism& mechanism) {
       const bool is_same = same(a.at[0], b.at[0]) && same(a.at[1], b.at[1]);
       const bool is_mirrored = same(a.at[0], b.at[1]) && same(a.at[1], b.at[0]);
       if (is_same || is_mirrored)
-        reading.fault(b.where, "this joint says again what joint '" + a.name + "' says; remove it");
+        reading.fault(b.where, "this joint repeats joint '" + a.name + "'; remove it");
     }
   }
 }

@@ -2,11 +2,13 @@
 // What is one constraint of Phi? Rows that depend on few coordinates, written once for every scalar.
 //
 // A row formula is a generic callable rows(at, out): `at` gives coordinates and time in the scalar S, `out` takes the rows.
+// Its dimensions are Jets of the line along which it is differentiated: constants, but for the one that moves (dimension_jets.h).
 #pragma once
 
 #include <memory>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -59,13 +61,31 @@ std::shared_ptr<const Constraint> make_constraint(std::vector<std::string> names
                                                     std::move(rows));
 }
 
-/// The value of a driver law carried by the scalar of the time: Taylor terms along t for a Jet.
-inline Jet law_at(const DriverLaw& law, const Jet& t) {
-  const DriverState state = driver_state(law, t.f);
-  return chain(t, state.value, state.velocity, state.acceleration);
+/// A dimension in the scalar of the coordinates.
+template <class S>
+S in_scalar(const Jet& dimension) {
+  if constexpr (std::is_same_v<S, Jet>) {
+    return dimension;
+  } else {
+    return S(dimension.f);
+  }
 }
-inline Magnitude law_at(const DriverLaw& law, const Magnitude& t) {
-  const DriverState state = driver_state(law, t.f);
+
+/// What a driver prescribes, and how fast that moves beside the time.
+struct Prescription {
+  DriverLaw law;
+  double rate = 0;
+};
+
+/// The prescribed value carried by the scalar of the time: Taylor terms along t for a Jet.
+inline Jet law_at(const Prescription& prescribed, const Jet& t) {
+  const DriverState state = driver_state(prescribed.law, t.f);
+  Jet value = chain(t, state.value, state.velocity, state.acceleration);
+  value.d += prescribed.rate;
+  return value;
+}
+inline Magnitude law_at(const Prescription& prescribed, const Magnitude& t) {
+  const DriverState state = driver_state(prescribed.law, t.f);
   return {state.value, std::abs(state.value) + std::abs(state.velocity * t.f)};
 }
 
@@ -80,11 +100,23 @@ inline std::vector<std::size_t> coordinates_of(const std::vector<std::size_t>& b
   return indices;
 }
 
-/// The joint's rows of a planar or spatial mechanism.
-std::shared_ptr<const Constraint> planar_joint(const Mechanism& mechanism, const Joint& joint);
-std::shared_ptr<const Constraint> spatial_joint(const Mechanism& mechanism, const Joint& joint);
-/// The driver's row.
-std::shared_ptr<const Constraint> planar_driver(const Mechanism& mechanism, const Driver& driver);
-std::shared_ptr<const Constraint> spatial_driver(const Mechanism& mechanism, const Driver& driver);
+struct Dimension;
+
+/// The joint's rows, the driver's row. `moving`: the dimension that changes at rate 1 along the line; null where none does.
+std::shared_ptr<const Constraint> joint_constraint(const Mechanism& mechanism, const Joint& joint,
+                                                   const Dimension* moving = nullptr);
+std::shared_ptr<const Constraint> driver_constraint(const Mechanism& mechanism,
+                                                    const Driver& driver,
+                                                    const Dimension* moving = nullptr);
+
+/// Likewise, of a planar or spatial mechanism.
+std::shared_ptr<const Constraint> planar_joint(const Mechanism& mechanism, const Joint& joint,
+                                               const Dimension* moving);
+std::shared_ptr<const Constraint> spatial_joint(const Mechanism& mechanism, const Joint& joint,
+                                                const Dimension* moving);
+std::shared_ptr<const Constraint> planar_driver(const Mechanism& mechanism, const Driver& driver,
+                                                const Dimension* moving);
+std::shared_ptr<const Constraint> spatial_driver(const Mechanism& mechanism, const Driver& driver,
+                                                 const Dimension* moving);
 
 }  // namespace moivre

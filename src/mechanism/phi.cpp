@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "constraint.h"
+#include "dimension_jets.h"
 
 namespace moivre {
 namespace {
@@ -23,14 +24,16 @@ std::shared_ptr<const Constraint> typed_equation(const Equation& equation) {
                          });
 }
 
-std::shared_ptr<const Constraint> unknown_driver(const Mechanism& mechanism, const Driver& driver) {
+std::shared_ptr<const Constraint> unknown_driver(const Mechanism& mechanism, const Driver& driver,
+                                                 const Dimension* moving) {
   const std::size_t k = driver.unknown;
   const bool is_periodic = coordinates(mechanism)[k].is_periodic;
-  return make_constraint({"driver " + driver.name + ": unknown"}, {k},
-                         [law = driver.law, k, is_periodic](const auto& at, auto* row) {
-                           const auto gap = at.q[k] - law_at(law, at.t);
-                           row[0] = is_periodic ? within_half_turn(gap) : gap;
-                         });
+  return make_constraint(
+      {"driver " + driver.name + ": unknown"}, {k},
+      [law = prescription(mechanism, driver, moving), k, is_periodic](const auto& at, auto* row) {
+        const auto gap = at.q[k] - law_at(law, at.t);
+        row[0] = is_periodic ? within_half_turn(gap) : gap;
+      });
 }
 
 Constraints joint_constraints(const Mechanism& mechanism) {
@@ -38,17 +41,9 @@ Constraints joint_constraints(const Mechanism& mechanism) {
   for (const Equation& equation : mechanism.equations)
     constraints.push_back(typed_equation(equation));
   for (const Joint& joint : mechanism.joints) {
-    constraints.push_back(mechanism.space == Space::planar ? planar_joint(mechanism, joint)
-                                                           : spatial_joint(mechanism, joint));
+    constraints.push_back(joint_constraint(mechanism, joint));
   }
   return constraints;
-}
-
-std::shared_ptr<const Constraint> driver_constraint(const Mechanism& mechanism,
-                                                    const Driver& driver) {
-  if (is_typed(mechanism)) return unknown_driver(mechanism, driver);
-  return mechanism.space == Space::planar ? planar_driver(mechanism, driver)
-                                          : spatial_driver(mechanism, driver);
 }
 
 double largest_length(const Mechanism& mechanism) {
@@ -91,6 +86,19 @@ VectorXd rates_by_displacement(const Phi& phi, const VectorXd& q, double t) {
 }
 
 }  // namespace
+
+std::shared_ptr<const Constraint> joint_constraint(const Mechanism& mechanism, const Joint& joint,
+                                                   const Dimension* moving) {
+  return mechanism.space == Space::planar ? planar_joint(mechanism, joint, moving)
+                                          : spatial_joint(mechanism, joint, moving);
+}
+
+std::shared_ptr<const Constraint> driver_constraint(const Mechanism& mechanism,
+                                                    const Driver& driver, const Dimension* moving) {
+  if (is_typed(mechanism)) return unknown_driver(mechanism, driver, moving);
+  return mechanism.space == Space::planar ? planar_driver(mechanism, driver, moving)
+                                          : spatial_driver(mechanism, driver, moving);
+}
 
 /// The line (q + s qdot, t + s tdot), s = 0.
 struct Phi::Line {

@@ -9,6 +9,7 @@
 //   gear       z_i (phi_i - phi_c) - z_j (phi_j - phi_c - phase) = 0, teeth divided by their common factor
 #include <numeric>
 
+#include "dimension_jets.h"
 #include "planar_pose.h"
 
 namespace moivre {
@@ -19,18 +20,25 @@ using planar::direction;
 using planar::kSize;
 using planar::position;
 
+using Place = planar::Vector<Jet>;
+
 /// The two bodies of a joint and its points in their frames.
 struct Ends {
   std::size_t i = 0;
   std::size_t j = 0;
-  Eigen::Vector3d a;
-  Eigen::Vector3d b;
+  Place a;
+  Place b;
 };
 
-Ends ends_of(const Mechanism& mechanism, const Joint& joint) {
+Place place_of(const Mechanism& mechanism, const PointOf& point, const Dimension* moving) {
+  const auto at = point_jet(mechanism, point, moving);
+  return {at.x, at.y};
+}
+
+Ends ends_of(const Mechanism& mechanism, const Joint& joint, const Dimension* moving) {
   const auto& [first, second] = joint.at;
-  return {first.body, second.body, mechanism.bodies[first.body].points[first.point].at,
-          mechanism.bodies[second.body].points[second.point].at};
+  return {first.body, second.body, place_of(mechanism, first, moving),
+          place_of(mechanism, second, moving)};
 }
 
 Eigen::Vector3d turned_left(const Eigen::Vector3d& e) { return {-e.y(), e.x(), 0}; }
@@ -44,8 +52,8 @@ S displacement(const At<S>& at, const Ends& ends, const Eigen::Vector3d& along) 
 }
 
 template <class S>
-S relative_angle(const At<S>& at, std::size_t i, std::size_t j, double offset) {
-  return within_half_turn(angle(at, j) - angle(at, i) - S(offset));
+S relative_angle(const At<S>& at, std::size_t i, std::size_t j, const Jet& offset) {
+  return within_half_turn(angle(at, j) - angle(at, i) - in_scalar<S>(offset));
 }
 
 std::shared_ptr<const Constraint> gear(const Joint& joint, const std::string& label) {
@@ -69,13 +77,14 @@ std::shared_ptr<const Constraint> gear(const Joint& joint, const std::string& la
 
 }  // namespace
 
-std::shared_ptr<const Constraint> planar_joint(const Mechanism& mechanism, const Joint& joint) {
+std::shared_ptr<const Constraint> planar_joint(const Mechanism& mechanism, const Joint& joint,
+                                               const Dimension* moving) {
   const std::string label = to_string(joint.type) + " " + joint.name;
   if (joint.type == JointType::gear) return gear(joint, label);
-  const Ends ends = ends_of(mechanism, joint);
+  const Ends ends = ends_of(mechanism, joint, moving);
   const auto coordinates = coordinates_of({ends.i, ends.j}, kSize);
   const Eigen::Vector3d normal = turned_left(joint.axis[0]);
-  const double turn = joint.turn_rad;
+  const Jet turn = turn_jet(mechanism, joint, moving);
   switch (joint.type) {
     case JointType::revolute:
       return make_constraint(
@@ -105,10 +114,11 @@ std::shared_ptr<const Constraint> planar_joint(const Mechanism& mechanism, const
                              });
     case JointType::rod:
       return make_constraint(
-          {label + ": length"}, coordinates, [=, length = joint.length](const auto& at, auto* row) {
+          {label + ": length"}, coordinates,
+          [=, length = length_jet(mechanism, joint, moving)](const auto& at, auto* row) {
             using S = std::remove_reference_t<decltype(*row)>;
             const auto d = position(at, ends.i, ends.a) - position(at, ends.j, ends.b);
-            row[0] = d.x * d.x + d.y * d.y - S(length * length);
+            row[0] = d.x * d.x + d.y * d.y - in_scalar<S>(length * length);
           });
     case JointType::gear:
     case JointType::spherical:
@@ -119,9 +129,10 @@ std::shared_ptr<const Constraint> planar_joint(const Mechanism& mechanism, const
   throw std::logic_error("a planar mechanism has no " + to_string(joint.type) + " joint");
 }
 
-std::shared_ptr<const Constraint> planar_driver(const Mechanism& mechanism, const Driver& driver) {
+std::shared_ptr<const Constraint> planar_driver(const Mechanism& mechanism, const Driver& driver,
+                                                const Dimension* moving) {
   const std::string label = "driver " + driver.name + ": " + to_string(driver.kind);
-  const DriverLaw law = driver.law;
+  const Prescription law = prescription(mechanism, driver, moving);
   if (driver.kind == DriverKind::angle) {
     const auto [i, j] = driver.bodies;
     return make_constraint(
@@ -131,7 +142,7 @@ std::shared_ptr<const Constraint> planar_driver(const Mechanism& mechanism, cons
   }
   if (driver.kind == DriverKind::slide) {
     const Joint& joint = mechanism.joints[driver.joint];
-    const Ends ends = ends_of(mechanism, joint);
+    const Ends ends = ends_of(mechanism, joint, moving);
     return make_constraint({label}, coordinates_of({ends.i, ends.j}, kSize),
                            [law, ends, along = joint.axis[0]](const auto& at, auto* row) {
                              row[0] = displacement(at, ends, along) - law_at(law, at.t);
@@ -139,7 +150,7 @@ std::shared_ptr<const Constraint> planar_driver(const Mechanism& mechanism, cons
   }
   const bool along_x = driver.kind == DriverKind::x;
   const std::size_t body = driver.point.body;
-  const Eigen::Vector3d point = mechanism.bodies[body].points[driver.point.point].at;
+  const Place point = place_of(mechanism, driver.point, moving);
   return make_constraint({label}, coordinates_of({body}, kSize),
                          [law, body, point, along_x](const auto& at, auto* row) {
                            const auto r = position(at, body, point);

@@ -29,16 +29,22 @@ S angle(const At<S>& at, std::size_t body) {
 
 /// A(phi) s: a direction fixed in the body, seen from the ground.
 template <class S>
-Vector<S> direction(const At<S>& at, std::size_t body, const Eigen::Vector3d& s) {
-  if (body == 0) return {S(s.x()), S(s.y())};
+Vector<S> direction(const At<S>& at, std::size_t body, const Vector<Jet>& s) {
+  const S x = in_scalar<S>(s.x);
+  const S y = in_scalar<S>(s.y);
+  if (body == 0) return {x, y};
   const S c = cos(angle(at, body));
   const S k = sin(angle(at, body));
-  return {S(s.x()) * c - S(s.y()) * k, S(s.x()) * k + S(s.y()) * c};
+  return {x * c - y * k, x * k + y * c};
+}
+template <class S>
+Vector<S> direction(const At<S>& at, std::size_t body, const Eigen::Vector3d& s) {
+  return direction(at, body, Vector<Jet>{s.x(), s.y()});
 }
 
 /// r + A(phi) s
 template <class S>
-Vector<S> position(const At<S>& at, std::size_t body, const Eigen::Vector3d& s) {
+Vector<S> position(const At<S>& at, std::size_t body, const Vector<Jet>& s) {
   const Vector<S> offset = direction(at, body, s);
   if (body == 0) return offset;
   return {at.q[kSize * (body - 1)] + offset.x, at.q[kSize * (body - 1) + 1] + offset.y};

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "planar_pose.h"
-#include "spatial_pose.h"
+#include "pose_jets.h"
 
 namespace moivre {
 namespace {
@@ -15,43 +14,10 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-using JetVector = spatial::Vector<Jet>;
-
-JetVector position(const Mechanism& mechanism, const PointOf& point, const At<Jet>& at) {
-  const Vector3d& s = mechanism.bodies[point.body].points[point.point].at;
-  if (mechanism.space == Space::spatial) return spatial::position(at, point.body, s);
-  const auto r = planar::position(at, point.body, s);
-  return {r.x, r.y, Jet(0)};
-}
-
 std::vector<Jet> jets_of(const VectorXd& q, const VectorXd& qdot, const VectorXd& qddot) {
   std::vector<Jet> jets;
   for (Eigen::Index k = 0; k < q.size(); ++k) jets.emplace_back(q[k], qdot[k], qddot[k]);
   return jets;
-}
-
-JetVector direction(const Mechanism& mechanism, std::size_t body, const Vector3d& s,
-                    const At<Jet>& at) {
-  if (mechanism.space == Space::spatial) return spatial::direction(at, body, s);
-  const auto e = planar::direction(at, body, s);
-  return {e.x, e.y, Jet(0)};
-}
-
-Jet slide(const Mechanism& mechanism, const Joint& joint, const At<Jet>& at) {
-  const JetVector along = direction(mechanism, joint.at[0].body, joint.axis[0], at);
-  const JetVector from = position(mechanism, joint.at[0], at);
-  return spatial::dot(along, position(mechanism, joint.at[1], at) - from);
-}
-
-Jet turn(const Mechanism& mechanism, const Joint& joint, const At<Jet>& at) {
-  const std::size_t first = joint.at[0].body;
-  const std::size_t second = joint.at[1].body;
-  if (mechanism.space == Space::planar) return planar::angle(at, second) - planar::angle(at, first);
-  const Matrix3d frame = spatial::axis_frame(joint.axis[0]);
-  const Vector3d pointer = spatial::axis_frame(joint.axis[1]).col(0);
-  const JetVector shown = direction(mechanism, second, pointer, at);
-  return atan2(spatial::dot(direction(mechanism, first, frame.col(1), at), shown),
-               spatial::dot(direction(mechanism, first, frame.col(0), at), shown));
 }
 
 ScalarState state_of(const Jet& jet) { return {jet.f, jet.d, jet.dd}; }
@@ -61,7 +27,7 @@ ScalarState state_of(const Jet& jet) { return {jet.f, jet.d, jet.dd}; }
 PointState point_state(const Mechanism& mechanism, const PointOf& point, const VectorXd& q,
                        const VectorXd& qdot, const VectorXd& qddot) {
   const std::vector<Jet> jets = jets_of(q, qdot, qddot);
-  const JetVector r = position(mechanism, point, {jets, Jet(0)});
+  const auto r = position_jet(mechanism, point, {jets, Jet(0)});
   return {{r.x.f, r.y.f, r.z.f}, {r.x.d, r.y.d, r.z.d}, {r.x.dd, r.y.dd, r.z.dd}};
 }
 
@@ -104,11 +70,11 @@ std::optional<ScalarState> joint_state(const Mechanism& mechanism, const Joint& 
   const At<Jet> at{jets, Jet(0)};
   switch (joint.type) {
     case JointType::revolute:
-      return state_of(turn(mechanism, joint, at));
+      return state_of(joint_turn_jet(mechanism, joint, at));
     case JointType::prismatic:
     case JointType::slot:
     case JointType::cylindrical:
-      return state_of(slide(mechanism, joint, at));
+      return state_of(joint_slide_jet(mechanism, joint, at));
     case JointType::weld:
     case JointType::rod:
     case JointType::gear:
@@ -122,7 +88,7 @@ std::optional<ScalarState> joint_state(const Mechanism& mechanism, const Joint& 
 ScalarState turn_state(const Mechanism& mechanism, const Joint& joint, const VectorXd& q,
                        const VectorXd& qdot, const VectorXd& qddot) {
   const std::vector<Jet> jets = jets_of(q, qdot, qddot);
-  return state_of(turn(mechanism, joint, {jets, Jet(0)}));
+  return state_of(joint_turn_jet(mechanism, joint, {jets, Jet(0)}));
 }
 
 bool is_within_limits(const Mechanism& mechanism, const Joint& joint, const VectorXd& q) {

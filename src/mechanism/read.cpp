@@ -48,13 +48,14 @@ std::string read_word(Reading& reading, const toml::table& in, const std::string
 void read_header(Reading& reading, const toml::table& document, Mechanism& mechanism) {
   reading.check_keys(document,
                      {"title", "space", "units", "ground", "body", "joint", "driver", "guess",
-                      "unknowns", "constants", "equations", "fit"},
+                      "unknowns", "constants", "equations", "fit", "tolerance"},
                      "a mechanism file");
   mechanism.title = reading.text(document, "title").value_or("");
   mechanism.fit = reading.number(document, "fit");
   if (mechanism.fit && !(*mechanism.fit > 0)) {
     reading.fault(*document.get("fit"), "'fit' must be a length above 0");
   }
+  mechanism.tolerance = read_tolerance(reading, document);
   const std::string space = read_word(reading, document, "space", {"planar", "spatial"}, "planar");
   mechanism.space = space == "spatial" ? Space::spatial : Space::planar;
   if (const toml::table* units = reading.table(document, "units")) {
@@ -90,6 +91,10 @@ void read_sections(Reading& reading, const toml::table& document, Mechanism& mec
     read_joints(reading, document, mechanism);
   } else {
     read_equations(reading, document, mechanism);
+    if (mechanism.tolerance) {
+      reading.fault(*document.get("tolerance"),
+                    "tolerances are of the dimensions of bodies; this file has typed equations");
+    }
   }
   read_drivers(reading, document, mechanism);
   read_guess(reading, document, mechanism);

@@ -7,6 +7,7 @@
 
 #include "moivre/mechanism/nearest.h"
 #include "read_parts.h"
+#include "read_tolerances.h"
 #include "refusals.h"
 
 namespace moivre {
@@ -22,7 +23,7 @@ std::optional<Eigen::Vector3d> read_vector(Reading& reading, const toml::node& n
 }
 
 void read_points(Reading& reading, const toml::table& in, Space space, Body& body) {
-  reading.check_keys(in, {"points"}, "body '" + body.name + "'");
+  reading.check_keys(in, {"points", "tolerance", "tolerances"}, "body '" + body.name + "'");
   const toml::table* points = reading.table(in, "points");
   if (points == nullptr) return;
   for (const toml::key* key : reading.keys_in_order(*points)) {
@@ -117,16 +118,17 @@ std::vector<std::string> keys_of(JointType type, Space space) {
       space == Space::planar ? add({"limits"}) : add({"axis", "limits"});
       break;
     case JointType::prismatic:
-      space == Space::planar ? add({"along", "turn", "limits"}) : add({"axis", "turn", "limits"});
+      space == Space::planar ? add({"along", "turn", "limits", "tolerance"})
+                             : add({"axis", "turn", "limits", "tolerance"});
       break;
     case JointType::slot:
       add({"along", "limits"});
       break;
     case JointType::weld:
-      space == Space::planar ? add({"turn"}) : add({"axis", "turn"});
+      space == Space::planar ? add({"turn", "tolerance"}) : add({"axis", "turn", "tolerance"});
       break;
     case JointType::rod:
-      add({"length"});
+      add({"length", "tolerance"});
       break;
     case JointType::gear:
       return {"type", "name", "bodies", "ratio", "carrier", "phase"};
@@ -369,6 +371,7 @@ std::optional<PointOf> find_point(Reading& reading, const Mechanism& mechanism,
 void read_bodies(Reading& reading, const toml::table& document, Mechanism& mechanism) {
   if (const toml::table* ground = reading.table(document, "ground")) {
     read_points(reading, *ground, mechanism.space, mechanism.bodies[0]);
+    read_point_tolerances(reading, *ground, mechanism.bodies[0], mechanism);
   }
   const toml::table* bodies = reading.table(document, "body");
   if (bodies == nullptr) {
@@ -391,6 +394,7 @@ void read_bodies(Reading& reading, const toml::table& document, Mechanism& mecha
     }
     if (const toml::table* entry = reading.table(*bodies, body.name)) {
       read_points(reading, *entry, mechanism.space, body);
+      read_point_tolerances(reading, *entry, body, mechanism);
     }
     mechanism.bodies.push_back(std::move(body));
   }
@@ -413,6 +417,11 @@ void read_joints(Reading& reading, const toml::table& document, Mechanism& mecha
     Joint joint = read_joint(reading, *entry.as_table(), mechanism);
     if (reading.faults().size() != faults_before) continue;
     if (joint.name.empty()) joint.name = name_from_ends(mechanism, joint);
+    if (const auto tolerance = read_tolerance(reading, *entry.as_table())) {
+      const bool is_rod = joint.type == JointType::rod;
+      mechanism.tolerances[joint.name + (is_rod ? ".length" : ".turn")] =
+          *tolerance * (is_rod ? 1 : angle_unit(mechanism));
+    }
     mechanism.joints.push_back(std::move(joint));
   }
   check_joint_names(reading, mechanism);

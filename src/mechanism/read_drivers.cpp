@@ -5,6 +5,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "moivre/mechanism/dimensions.h"
 #include "moivre/mechanism/nearest.h"
 #include "read_formula.h"
 #include "read_parts.h"
@@ -206,6 +207,7 @@ Driver read_driver(Reading& reading, const toml::table& entry, const Mechanism& 
   driver.where = reading.position(entry);
   std::vector<std::string> known = kTargets;
   known.insert(known.end(), kLaws.begin(), kLaws.end());
+  if (!is_typed(mechanism)) known.emplace_back("tolerance");
   reading.check_keys(entry, known, "a driver");
   const std::size_t faults_before = reading.faults().size();
   read_target(reading, entry, mechanism, driver);
@@ -271,6 +273,18 @@ void take_drawn_meshing(Joint& joint, const Mechanism& mechanism) {
   if (std::isfinite(turns)) joint.gear.phase_rad = -kTurn * turns / zj;
 }
 
+/// Of the drivers' values, by the names that dimensions.h has for them.
+void read_driver_tolerances(Reading& reading, const toml::array& entries, Mechanism& mechanism) {
+  for (const Dimension& dimension : dimensions(mechanism)) {
+    if (dimension.kind != DimensionKind::driver) continue;
+    const toml::table* entry = entries.get(dimension.driver)->as_table();
+    if (const auto tolerance = read_tolerance(reading, *entry)) {
+      const double unit = dimension.is_angle ? angle_unit(mechanism) : 1;
+      mechanism.tolerances[dimension.name] = *tolerance * unit;
+    }
+  }
+}
+
 }  // namespace
 
 void read_drivers(Reading& reading, const toml::table& document, Mechanism& mechanism) {
@@ -283,6 +297,8 @@ void read_drivers(Reading& reading, const toml::table& document, Mechanism& mech
       reading.fault(entry, "a driver must be a table; write [[driver]]");
     }
   }
+  const bool is_whole = mechanism.drivers.size() == entries->size();
+  if (is_whole && !is_typed(mechanism)) read_driver_tolerances(reading, *entries, mechanism);
 }
 
 void read_guess(Reading& reading, const toml::table& document, Mechanism& mechanism) {

@@ -10,7 +10,10 @@ namespace moivre {
 /// What one unit of an angle in the file is in radians.
 double angle_unit(const Mechanism& mechanism);
 
-/// [ground.points], [body.NAME.points]
+/// `tolerance` in this table: a number from 0; nothing where there is none, or a fault.
+std::optional<double> read_tolerance(Reading& reading, const toml::table& in);
+
+/// [ground.points], [body.NAME.points], and their tolerances
 void read_bodies(Reading& reading, const toml::table& document, Mechanism& mechanism);
 /// [[joint]]
 void read_joints(Reading& reading, const toml::table& document, Mechanism& mechanism);

@@ -13,6 +13,7 @@
 #include <Eigen/Geometry>
 #include <stdexcept>
 
+#include "dimension_jets.h"
 #include "spatial_pose.h"
 
 namespace moivre {
@@ -67,32 +68,54 @@ using spatial::kSize;
 using spatial::orientation;
 using spatial::position;
 using spatial::Quaternion;
+using spatial::Vector;
+
+/// Fixed in a body: its columns, and the turn that it is.
+struct JointFrame {
+  std::array<Vector<Jet>, 3> columns;
+  Quaternion<Jet> turn;
+};
+
+/// The frame turned about its own third column by an angle that grows at `rate`: its columns and its quaternion change with it.
+JointFrame joint_frame_jet(const Eigen::Matrix3d& frame, double rate) {
+  const Eigen::Vector3d x = frame.col(0), y = frame.col(1), z = frame.col(2);
+  const auto moving = [](const Eigen::Vector3d& v, const Eigen::Vector3d& d) {
+    return Vector<Jet>{{v.x(), d.x(), 0}, {v.y(), d.y(), 0}, {v.z(), d.z(), 0}};
+  };
+  const Eigen::Quaterniond turn(frame);
+  // q (cos(a/2), 0, 0, sin(a/2)) has the derivative q (0, 0, 0, 1/2) at a = 0.
+  const Eigen::Quaterniond change = turn * Eigen::Quaterniond(0, 0, 0, 0.5 * rate);
+  return {{moving(x, rate * y), moving(y, -rate * x), moving(z, Eigen::Vector3d::Zero())},
+          {{turn.w(), change.w(), 0}, moving(turn.vec(), change.vec())}};
+}
 
 /// The two bodies of a joint, its points and the joint's frames in them.
 struct Ends {
   std::size_t i = 0;
   std::size_t j = 0;
-  Eigen::Vector3d a, b;
-  Eigen::Matrix3d frame_i, frame_j;
+  Vector<Jet> a, b;
+  JointFrame frame_i, frame_j;
 };
 
-Ends ends_of(const Mechanism& mechanism, const Joint& joint) {
+Ends ends_of(const Mechanism& mechanism, const Joint& joint, const Dimension* moving) {
   const auto& [first, second] = joint.at;
+  const Jet turn = turn_jet(mechanism, joint, moving);
   Ends ends;
   ends.i = first.body;
   ends.j = second.body;
-  ends.a = mechanism.bodies[ends.i].points[first.point].at;
-  ends.b = mechanism.bodies[ends.j].points[second.point].at;
-  ends.frame_i = axis_frame(joint.axis[0]) *
-                 Eigen::AngleAxisd(joint.turn_rad, Eigen::Vector3d::UnitZ()).toRotationMatrix();
-  ends.frame_j = axis_frame(joint.axis[1]);
+  ends.a = point_jet(mechanism, first, moving);
+  ends.b = point_jet(mechanism, second, moving);
+  ends.frame_i =
+      joint_frame_jet(axis_frame(joint.axis[0]) *
+                          Eigen::AngleAxisd(turn.f, Eigen::Vector3d::UnitZ()).toRotationMatrix(),
+                      turn.d);
+  ends.frame_j = joint_frame_jet(axis_frame(joint.axis[1]), 0);
   return ends;
 }
 
 template <class S>
-Quaternion<S> constant_turn(const Eigen::Matrix3d& frame) {
-  const Eigen::Quaterniond q(frame);
-  return {S(q.w()), {S(q.x()), S(q.y()), S(q.z())}};
+Quaternion<S> constant_turn(const JointFrame& frame) {
+  return {in_scalar<S>(frame.turn.w), spatial::in_scalar<S>(frame.turn.v)};
 }
 
 /// p: the turn of the second joint frame in the first.
@@ -120,9 +143,9 @@ void no_turn(const At<S>& at, const Ends& ends, int count, S* row) {
 
 /// Component of B - A along column k of the first joint frame (2: the axis).
 template <class S>
-S displacement(const At<S>& at, const Ends& ends, Eigen::Index k) {
+S displacement(const At<S>& at, const Ends& ends, std::size_t k) {
   const auto d = position(at, ends.j, ends.b) - position(at, ends.i, ends.a);
-  return dot(direction(at, ends.i, ends.frame_i.col(k)), d);
+  return dot(direction(at, ends.i, ends.frame_i.columns[k]), d);
 }
 
 std::vector<std::string> rows_named(const std::string& label, std::vector<std::string> parts) {
@@ -132,9 +155,10 @@ std::vector<std::string> rows_named(const std::string& label, std::vector<std::s
 
 }  // namespace
 
-std::shared_ptr<const Constraint> spatial_joint(const Mechanism& mechanism, const Joint& joint) {
+std::shared_ptr<const Constraint> spatial_joint(const Mechanism& mechanism, const Joint& joint,
+                                                const Dimension* moving) {
   const std::string label = to_string(joint.type) + " " + joint.name;
-  const Ends ends = ends_of(mechanism, joint);
+  const Ends ends = ends_of(mechanism, joint, moving);
   const auto coordinates = coordinates_of({ends.i, ends.j}, kSize);
   switch (joint.type) {
     case JointType::spherical:
@@ -168,17 +192,17 @@ std::shared_ptr<const Constraint> spatial_joint(const Mechanism& mechanism, cons
       return make_constraint(rows_named(label, {"x", "y", "z", "cross"}), coordinates,
                              [=](const auto& at, auto* row) {
                                coincide(at, ends, row);
-                               row[3] = dot(direction(at, ends.i, ends.frame_i.col(2)),
-                                            direction(at, ends.j, ends.frame_j.col(2)));
+                               row[3] = dot(direction(at, ends.i, ends.frame_i.columns[2]),
+                                            direction(at, ends.j, ends.frame_j.columns[2]));
                              });
     case JointType::rod:
-      return make_constraint(rows_named(label, {"length"}), coordinates,
-                             [=, length = joint.length](const auto& at, auto* row) {
-                               using S = std::remove_reference_t<decltype(*row)>;
-                               const auto d =
-                                   position(at, ends.i, ends.a) - position(at, ends.j, ends.b);
-                               row[0] = dot(d, d) - S(length * length);
-                             });
+      return make_constraint(
+          rows_named(label, {"length"}), coordinates,
+          [=, length = length_jet(mechanism, joint, moving)](const auto& at, auto* row) {
+            using S = std::remove_reference_t<decltype(*row)>;
+            const auto d = position(at, ends.i, ends.a) - position(at, ends.j, ends.b);
+            row[0] = dot(d, d) - in_scalar<S>(length * length);
+          });
     case JointType::slot:
     case JointType::gear:
       break;
@@ -186,11 +210,12 @@ std::shared_ptr<const Constraint> spatial_joint(const Mechanism& mechanism, cons
   throw std::logic_error("a spatial mechanism has no " + to_string(joint.type) + " joint");
 }
 
-std::shared_ptr<const Constraint> spatial_driver(const Mechanism& mechanism, const Driver& driver) {
+std::shared_ptr<const Constraint> spatial_driver(const Mechanism& mechanism, const Driver& driver,
+                                                 const Dimension* moving) {
   const std::string label = "driver " + driver.name + ": " + to_string(driver.kind);
-  const DriverLaw law = driver.law;
+  const Prescription law = prescription(mechanism, driver, moving);
   if (driver.kind == DriverKind::angle || driver.kind == DriverKind::slide) {
-    const Ends ends = ends_of(mechanism, mechanism.joints[driver.joint]);
+    const Ends ends = ends_of(mechanism, mechanism.joints[driver.joint], moving);
     const bool turns = driver.kind == DriverKind::angle;
     return make_constraint({label}, coordinates_of({ends.i, ends.j}, kSize),
                            [law, ends, turns](const auto& at, auto* row) {
@@ -206,7 +231,7 @@ std::shared_ptr<const Constraint> spatial_driver(const Mechanism& mechanism, con
   }
   const DriverKind kind = driver.kind;
   const std::size_t body = driver.point.body;
-  const Eigen::Vector3d point = mechanism.bodies[body].points[driver.point.point].at;
+  const Vector<Jet> point = point_jet(mechanism, driver.point, moving);
   return make_constraint(
       {label}, coordinates_of({body}, kSize), [law, body, point, kind](const auto& at, auto* row) {
         const auto r = position(at, body, point);

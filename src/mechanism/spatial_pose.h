@@ -19,9 +19,11 @@ struct Vector {
   S x, y, z;
 };
 
+inline Vector<Jet> constant(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+
 template <class S>
-Vector<S> constant(const Eigen::Vector3d& v) {
-  return {S(v.x()), S(v.y()), S(v.z())};
+Vector<S> in_scalar(const Vector<Jet>& v) {
+  return {moivre::in_scalar<S>(v.x), moivre::in_scalar<S>(v.y), moivre::in_scalar<S>(v.z)};
 }
 
 template <class S>
@@ -89,14 +91,18 @@ Quaternion<S> orientation(const At<S>& at, std::size_t body) {
 
 /// A direction fixed in the body, seen from the ground.
 template <class S>
+Vector<S> direction(const At<S>& at, std::size_t body, const Vector<Jet>& s) {
+  if (body == 0) return in_scalar<S>(s);
+  return turned(orientation(at, body), in_scalar<S>(s));
+}
+template <class S>
 Vector<S> direction(const At<S>& at, std::size_t body, const Eigen::Vector3d& s) {
-  if (body == 0) return constant<S>(s);
-  return turned(orientation(at, body), constant<S>(s));
+  return direction(at, body, constant(s));
 }
 
 /// r + R s
 template <class S>
-Vector<S> position(const At<S>& at, std::size_t body, const Eigen::Vector3d& s) {
+Vector<S> position(const At<S>& at, std::size_t body, const Vector<Jet>& s) {
   const Vector<S> offset = direction(at, body, s);
   if (body == 0) return offset;
   const std::size_t k = kSize * (body - 1);

@@ -18,7 +18,7 @@ namespace moivre {
 namespace {
 
 /// A substitution is not even tried when its estimated fill leaves this multiple of the terms at
-/// hand: an n x n factorisation saved can never pay for it.
+/// hand: an n x n factorization saved can never pay for it.
 constexpr double kHopelessFill = 32;
 /// Small systems may grow to this many terms in a trial all the same.
 constexpr double kCheapTrial = 1000;
@@ -454,7 +454,7 @@ std::vector<Omission> account(const State& s, const System& reduced, const Syste
   }
   for (std::size_t origin : s.dependent) {
     sentences.push_back({"equation " + std::to_string(origin + 1),
-                         "with the others it becomes 0 = 0: it says nothing new"});
+                         "it follows from the others (0 = 0): it is redundant"});
   }
   if (s.contradiction) {
     sentences.push_back({"all paths", "equation " + std::to_string(*s.contradiction + 1) +
@@ -462,7 +462,7 @@ std::vector<Omission> account(const State& s, const System& reduced, const Syste
   }
   const std::vector<bool> used = appears(reduced);
   for (std::size_t j = 0; j < used.size(); ++j) {
-    if (!used[j]) sentences.push_back({reduced.variables[j], "no equation is left that holds it"});
+    if (!used[j]) sentences.push_back({reduced.variables[j], "no remaining equation contains it"});
   }
   const std::vector<std::uint64_t> left = degrees(reduced);
   const auto linear = std::count(left.begin(), left.end(), std::uint64_t{1});

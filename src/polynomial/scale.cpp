@@ -89,7 +89,7 @@ double deviation(const Sizes& sizes) {
   return std::sqrt(sum);
 }
 
-/// v of least norm that minimises the deviation: normal equations  A v = b  from the centred
+/// v of least norm that minimizes the deviation: normal equations  A v = b  from the centred
 /// exponents of each equation.
 Eigen::VectorXd least_squares(const System& f, const Sizes& sizes) {
   const auto n = static_cast<Eigen::Index>(f.variables.size());

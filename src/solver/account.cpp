@@ -21,8 +21,22 @@ std::vector<int> windings(const Run& run, const std::vector<std::uint64_t>& grou
   return cycles(run.ledger, group).value_or(std::vector<int>(group.size(), 1));
 }
 
+/// Which solution each path of the ledger leads to.
+void enter_places(const std::vector<std::vector<std::uint64_t>>& groups, SolveResult& result) {
+  std::map<std::uint64_t, std::uint32_t> place_of;
+  for (const Solution& root : result.solutions) {
+    place_of.emplace(root.path, static_cast<std::uint32_t>(place_of.size()));
+  }
+  for (const auto& group : groups) {
+    const auto place = place_of.find(group.front());
+    if (place == place_of.end()) continue;
+    for (const std::uint64_t path : group) result.ledger[path].solution = place->second;
+  }
+}
+
 void enter_solutions(const Run& run, SolveResult& result) {
-  for (const auto& group : groups_of(run)) {
+  const auto groups = groups_of(run);
+  for (const auto& group : groups) {
     result.paths.finite += group.size();
     const Root& first = run.ledger.roots().at(group.front());
     if (!first.point.simple && is_on_set(run, first)) {
@@ -34,18 +48,23 @@ void enter_solutions(const Run& run, SolveResult& result) {
   }
   std::sort(result.solutions.begin(), result.solutions.end(),
             [](const Solution& a, const Solution& b) { return a.path < b.path; });
+  enter_places(groups, result);
 }
 
 void count_paths(const Run& run, PathCounts& counts) {
   counts.failed = run.ledger.failures().size();
-  counts.at_infinity = run.ledger.at_infinity();
-  counts.tracked = run.ledger.tracked();
-  counts.retracked = run.retracked.size();
-  counts.handed_over = run.handed_over.size();
-  for (const auto& [path, rung] : run.rungs) {
-    ++(rung == Rung::mixed ? counts.mixed : counts.double_double);
+  // What a bound has left ends at no root that is not known: it is counted with what ends at infinity.
+  for (const PathVerdict verdict :
+       {PathVerdict::at_infinity, PathVerdict::as_rounded, PathVerdict::left_by_bound}) {
+    counts.at_infinity += run.ledger.count(verdict);
   }
-  if (run.setting.is_fine()) counts.double_double = counts.tracked;
+  counts.tracked = run.ledger.tracked();
+  for (const PathRecord& path : run.ledger.records()) {
+    if (path.followed > 1) ++counts.retracked;
+    if (path.handed_over) ++counts.handed_over;
+    if (path.rung == Rung::mixed) ++counts.mixed;
+    if (path.rung == Rung::double_double) ++counts.double_double;
+  }
 }
 
 /// Of a singular root that is told as `best`. Ends further away than both are known to be may be those of other roots, which
@@ -96,7 +115,7 @@ Solution solution_of(const Run& run, const std::vector<std::uint64_t>& group,
   solution.condition = point.condition;
   if (run.setting.certify_program) solution.certified = root.certificate != nullptr;
   for (const std::uint64_t path : group) {
-    solution.precision = std::max(solution.precision, rung_of(run, path));
+    solution.precision = std::max(solution.precision, run.ledger.rung(path));
   }
   if (solution.real && is_real(run.setting.f)) {
     for (Complex& xi : solution.x) xi.imag(0);
@@ -105,6 +124,7 @@ Solution solution_of(const Run& run, const std::vector<std::uint64_t>& group,
 }
 
 void close_account(const Run& run, SolveResult& result) {
+  result.ledger = run.ledger.records();
   enter_solutions(run, result);
   count_paths(run, result.paths);
   for (const auto& [path, failure] : run.ledger.failures()) result.failures.push_back(failure);
@@ -116,9 +136,10 @@ void close_account(const Run& run, SolveResult& result) {
                    : result.paths.failed > 0 ? "some paths failed"
                                              : "a root's conjugate is missing among the roots";
   tell_completeness(run, result);
-  if (run.as_rounded.empty()) return;
+  const std::uint64_t as_rounded = run.ledger.count(PathVerdict::as_rounded);
+  if (as_rounded == 0) return;
   result.left_out.push_back({"what the file's digits do not tell",
-                             std::to_string(run.as_rounded.size()) +
+                             std::to_string(as_rounded) +
                                  " paths end at infinity for coefficients that differ from the "
                                  "file's by less than half a unit of "
                                  "the last digit"});

@@ -93,12 +93,13 @@ Finding look_into(const Setting& setting, const Root& end, std::size_t paths) {
   return finding;
 }
 
-/// Groups of ends at which no simple root was found, and that are isolated.
+/// Groups of ends at which no simple root was found, that are isolated, and that exact algebra has not counted.
 std::vector<std::vector<std::uint64_t>> clusters_of(const Run& run) {
   std::vector<std::vector<std::uint64_t>> clusters;
   for (auto& group : groups_of(run)) {
     const bool is_cluster = std::none_of(group.begin(), group.end(), [&](std::uint64_t path) {
-      return run.ledger.roots().at(path).point.simple;
+      const Root& root = run.ledger.roots().at(path);
+      return root.point.simple || root.is_counted;
     });
     if (!is_cluster || is_on_set(run, run.ledger.roots().at(group.front()))) continue;
     clusters.push_back(std::move(group));
@@ -135,7 +136,6 @@ void part_clusters(Run& run) {
     const bool are_all = proofs.size() == clusters[k].size();
     for (std::size_t i = 0; i < clusters[k].size(); ++i) {
       const std::uint64_t path = clusters[k][i];
-      run.ledger.strike(path);
       if (are_all) {
         enter(run, refiner, path, proofs[i]);
       } else {

@@ -117,14 +117,6 @@ std::optional<MetBound> bound_met_by(Run& run, std::uint64_t roots) {
   return volume_met_by(run, roots);
 }
 
-/// The path is at no root, and has not failed either.
-void leave(Run& run, std::uint64_t path) {
-  run.ledger.strike(path);
-  run.rungs.erase(path);
-  run.ledger.enter_infinity(path);
-  ++run.left_by_bound;
-}
-
 /// Sets bounds.met where `roots`, proved and with their multiplicities, meet a bound.
 bool meets_bound(Run& run, std::uint64_t roots) {
   if (!run.setting.certify_program || run.interrupted || run.setting.stop) return false;
@@ -133,13 +125,18 @@ bool meets_bound(Run& run, std::uint64_t roots) {
 }
 
 /// It ends at an exact root, whatever was seen of its end.
-void bring(Run& run, std::uint64_t path, const Point& x) {
+void bring(Run& run, std::uint64_t path, const ExactRoot& exact) {
   Root root;
-  root.point.x = x;
+  root.point.x = exact.x;
+  if (exact.is_rounded) {
+    root.point.accuracy = std::numeric_limits<double>::epsilon();
+    for (const Complex& value : Refiner(run.setting.refiner_program).relative_values(exact.x)) {
+      root.point.residual = std::max(root.point.residual, std::abs(value));
+    }
+  }
   root.point.condition = std::numeric_limits<double>::infinity();
   root.is_counted = true;
   root.on_set = false;
-  run.ledger.strike(path);
   run.ledger.enter_root(path, std::move(root));
 }
 
@@ -172,7 +169,7 @@ class Places {
   std::size_t fill(Run& run, const std::vector<std::uint64_t>& paths) {
     auto next = paths.begin();
     for (const ExactRoot& place : places_) {
-      for (std::uint64_t k = 0; k < place.multiplicity; ++k) bring(run, *next++, place.x);
+      for (std::uint64_t k = 0; k < place.multiplicity; ++k) bring(run, *next++, place);
     }
     return static_cast<std::size_t>(next - paths.begin());
   }
@@ -207,7 +204,7 @@ bool settle_by_bound(Run& run) {
   const std::vector<std::uint64_t> spare = spare_paths(run, places);
   // Paths that are said to be at infinity cannot be told from each other any more.
   if (spare.size() < places.count()) return false;
-  for (std::size_t k = places.fill(run, spare); k < spare.size(); ++k) leave(run, spare[k]);
+  for (std::size_t k = places.fill(run, spare); k < spare.size(); ++k) run.ledger.leave(spare[k]);
   run.unsettled_conjugates = 0;
   return true;
 }
@@ -222,10 +219,10 @@ void tell_completeness(const Run& run, SolveResult& result) {
   result.completeness = result.bound ? RootCompleteness::proved
                         : is_shown   ? RootCompleteness::shown
                                      : RootCompleteness::open;
-  if (run.left_by_bound == 0) return;
+  const std::uint64_t left = run.ledger.count(PathVerdict::left_by_bound);
+  if (left == 0) return;
   result.left_out.push_back(
-      {std::to_string(run.left_by_bound) + (run.left_by_bound == 1 ? " path" : " paths") +
-           " in doubt",
+      {std::to_string(left) + (left == 1 ? " path" : " paths") + " in doubt",
        "the certified roots are as many as the " + result.bound->kind + ": it leads to no other"});
 }
 

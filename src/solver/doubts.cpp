@@ -46,7 +46,7 @@ void resolve_clusters(Run& run) {
   climb(run, first, Taken::regular_ends);
   PathSet others;
   for (const auto& [path, singular] : clusters) {
-    if (rung_of(run, path) == Rung::double_double) {
+    if (run.ledger.rung(path) == Rung::double_double) {
       others.insert(singular.begin() + 1, singular.end());
     }
   }
@@ -110,7 +110,6 @@ PathSet doubtful_paths(Run& run, int care, const PathSet& beyond) {
 }
 
 void fail(Run& run, std::uint64_t path, Failure reason) {
-  run.ledger.strike(path);
   run.ledger.enter_failure({path, reason, 1});
 }
 

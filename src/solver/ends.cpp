@@ -87,13 +87,24 @@ bool is_known_singular(const Run& run, const Root& root) {
   return root.point.accuracy <= kWorstAccuracyOnSet && is_on_set(run, root);
 }
 
+/// Of a path that failed on the last stage; empty elsewhere.
+Point last_point(const Run& run, const PathEnd& end) {
+  const Prepared& prepared = run.setting.prepared;
+  if (end.x.empty() || end.stage + 1 != prepared.plan->stages.size()) return {};
+  return to_original(prepared, end.x);
+}
+
 }  // namespace
 
 double simple_tolerance(const Refined& root) { return 4 * root.accuracy + kSimpleTolerance; }
 
-void take_end(Run& run, std::uint64_t path, PathEnd&& end) {
+void count_following(Run& run, std::uint64_t path, const PathEnd& end) {
   run.work += end.count;
-  run.rungs.erase(path);
+  run.ledger.count_following(path, end.count, end.stage);
+}
+
+void take_end(Run& run, std::uint64_t path, PathEnd&& end) {
+  count_following(run, path, end);
   if (run.setting.prepared.plan->stages.size() > 1) {
     if (end.stage + 1 == run.setting.prepared.plan->stages.size()) {
       run.marks.set(path, end.mark);
@@ -101,11 +112,10 @@ void take_end(Run& run, std::uint64_t path, PathEnd&& end) {
       run.marks.forget(path);
     }
   }
-  // Nothing is kept of a path at infinity: memory does not grow with their number.
-  if (end.status != PathStatus::at_infinity) {
-    if (end.count.work.fine_values > 0) run.rungs[path] = Rung::mixed;
-    if (run.setting.is_fine()) run.rungs[path] = Rung::double_double;
-  }
+  const bool is_mixed = end.status != PathStatus::at_infinity && end.count.work.fine_values > 0;
+  run.ledger.set_rung(path, run.setting.is_fine() ? Rung::double_double
+                            : is_mixed            ? Rung::mixed
+                                                  : Rung::double_precision);
   switch (end.status) {
     case PathStatus::finite:
       run.ends.emplace_back(path, std::move(end));
@@ -114,15 +124,14 @@ void take_end(Run& run, std::uint64_t path, PathEnd&& end) {
       if (run.setting.hides_terms()) {
         run.ledger.enter_failure({path, Failure::precision, end.t, end.stage});
       } else {
-        run.ledger.enter_infinity(path);
-        if (end.is_as_rounded) run.as_rounded.insert(path);
+        run.ledger.enter_infinity(path, end.is_as_rounded);
       }
       return;
     case PathStatus::failed:
       if (end.failure == Failure::cancelled) {
         run.interrupted = true;
       } else {
-        run.ledger.enter_failure({path, *end.failure, end.t, end.stage});
+        run.ledger.enter_failure({path, *end.failure, end.t, end.stage}, last_point(run, end));
       }
       return;
   }
@@ -139,7 +148,8 @@ void refine_ends(Run& run) {
     if (is_root) {
       run.ledger.enter_root(path, std::move(roots[k]));
     } else {
-      run.ledger.enter_failure({path, Failure::precision, end.t, end.stage});
+      run.ledger.enter_failure({path, Failure::precision, end.t, end.stage},
+                               std::move(roots[k].point.x));
     }
   }
   run.ends.clear();

@@ -15,6 +15,8 @@
 namespace moivre {
 
 /// Enters the verdict on a path; a finite end waits for refine_ends(). A path that was cut short has no entry.
+/// One more following of the path, and what it took.
+void count_following(Run& run, std::uint64_t path, const PathEnd& end);
 void take_end(Run& run, std::uint64_t path, PathEnd&& end);
 
 /// The tolerance of a simple root.

@@ -3,37 +3,79 @@
 #include "exact_roots.h"
 
 #include <algorithm>
-#include <iterator>
+#include <cmath>
 
+#include "moivre/numeric/simplest.h"
 #include "moivre/polynomial/local_multiplicity.h"
 
 namespace moivre {
-
 namespace {
 
-void look_at(Run& run, const Point& x) {
-  const bool is_known = std::any_of(run.looked_at.begin(), run.looked_at.end(),
-                                    [&](const ExactRoot& known) { return known.x == x; });
-  if (!is_known) run.looked_at.push_back({x, exact_multiplicity(run.setting.f, x)});
+// How far an end may be from its root, relative to the coordinate or to 1: nothing, and what is left of the digits of double at
+// roots of low, of middle and of high multiplicity.
+constexpr double kEndErrors[] = {0, 1e-9, 1e-5, 1e-2, 0.1};
+// A root of multiplicity m leaves m paths: it shows in any of them. More candidates than this would cost more than paths do.
+constexpr std::size_t kMostFailures = 64;
+
+using Fractions = std::vector<Rational>;
+
+Fractions rounded(const Point& x, double error) {
+  Fractions result;
+  for (const Complex& xi : x) {
+    const double within = error * std::max(1.0, std::abs(xi));
+    result.push_back(simplest(xi.real(), within));
+    result.push_back(simplest(xi.imag(), within));
+  }
+  return result;
+}
+
+ExactRoot root_at(const System& f, const Fractions& candidate) {
+  std::vector<Coefficient> exact;
+  ExactRoot root;
+  for (std::size_t k = 0; k < candidate.size(); k += 2) {
+    const Coefficient& z = exact.emplace_back(candidate[k], candidate[k + 1]);
+    root.x.push_back(to_complex(z));
+    root.is_rounded = root.is_rounded || Rational(root.x.back().real()) != z.re ||
+                      Rational(root.x.back().imag()) != z.im;
+  }
+  root.multiplicity = local_multiplicity(f, exact).value_or(0);
+  return root;
+}
+
+/// Until one of the roundings is a root.
+void look_near(Run& run, const Point& x) {
+  const bool is_finite = std::all_of(x.begin(), x.end(), [](const Complex& xi) {
+    return std::isfinite(xi.real()) && std::isfinite(xi.imag());
+  });
+  if (!is_finite) return;
+  for (const double error : kEndErrors) {
+    const auto [place, is_new] = run.looked_at.try_emplace(rounded(x, error));
+    if (is_new) place->second = root_at(run.setting.f, place->first);
+    if (place->second.multiplicity > 0) return;
+  }
 }
 
 }  // namespace
 
 std::uint64_t exact_multiplicity(const System& f, const Point& x) {
-  std::vector<Coefficient> exact;
-  for (const Complex& xi : x) exact.push_back({Rational(xi.real()), Rational(xi.imag())});
-  return local_multiplicity(f, exact).value_or(0);
+  return root_at(f, rounded(x, 0)).multiplicity;
 }
 
 std::vector<ExactRoot> exact_roots(Run& run) {
   if (!run.setting.certify_program) return {};
-  look_at(run, Point(run.setting.f.variables.size()));
+  look_near(run, Point(run.setting.f.variables.size()));
   for (const auto& [path, root] : run.ledger.roots()) {
-    if (!root.point.simple) look_at(run, root.point.x);
+    if (!root.point.simple) look_near(run, root.point.x);
+  }
+  std::size_t looked = 0;
+  for (const auto& [path, x] : run.ledger.last_points()) {
+    if (++looked > kMostFailures) break;
+    look_near(run, x);
   }
   std::vector<ExactRoot> roots;
-  std::copy_if(run.looked_at.begin(), run.looked_at.end(), std::back_inserter(roots),
-               [](const ExactRoot& root) { return root.multiplicity > 1; });
+  for (const auto& [candidate, root] : run.looked_at) {
+    if (root.multiplicity > 1) roots.push_back(root);
+  }
   return roots;
 }
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Which roots are known exactly, and how often does the system have them? What exact algebra can count, no path has to.
 //
-//   x in the doubles of a point, F(x) = 0 exactly, isolated and not simple: multiplicity by polynomial/local_multiplicity.h
+//   x of fractions, F(x) = 0 exactly, isolated and not simple: multiplicity by polynomial/local_multiplicity.h
 //
-// Looked for at 0 and at the ends that are no simple roots. Every path but the simple roots' own has to end at one of these, where
+// Candidates: 0; the ends that are no simple roots, as they are and rounded to the simplest fractions (numeric/simplest.h) within
+// several errors; where paths have failed, what their last points round to. A wrong candidate costs a little time, no more:
+// F vanishes there exactly or it is forgotten. Every path but the simple roots' own has to end at one of these, where
 // they and the simple roots are as many as a bound allows (completeness.h), however badly its end was seen.
-// Edges: roots of doubles that are not exact, sqrt(2) or 1/3, are none of these. Private to the module.
+// Edges: roots that are no fractions, sqrt(2), are none of these, nor are those of long denominators. Private to the module.
 #pragma once
 
 #include "run.h"

@@ -3,17 +3,84 @@
 #include "ledger.h"
 
 #include <algorithm>
+#include <limits>
+#include <numeric>
 
 #include "coincidence.h"
 
 namespace moivre {
 
-void Ledger::enter_root(std::uint64_t path, Root&& root) { roots_[path] = std::move(root); }
-void Ledger::enter_infinity(std::uint64_t) { ++at_infinity_; }
-void Ledger::enter_failure(const FailedPath& failure) { failures_[failure.path] = failure; }
+std::string to_string(PathVerdict verdict) {
+  switch (verdict) {
+    case PathVerdict::open:
+      return "open";
+    case PathVerdict::finite:
+      return "finite";
+    case PathVerdict::at_infinity:
+      return "at infinity";
+    case PathVerdict::as_rounded:
+      return "at infinity as rounded";
+    case PathVerdict::left_by_bound:
+      return "left by the bound";
+    case PathVerdict::failed:
+      return "failed";
+  }
+  return "";
+}
 
-void Ledger::strike(std::uint64_t path) {
-  if (roots_.erase(path) == 0 && failures_.erase(path) == 0) --at_infinity_;
+PathRecord& Ledger::record(std::uint64_t path) {
+  if (path >= records_.size()) records_.resize(path + 1);
+  return records_[path];
+}
+
+void Ledger::decide(std::uint64_t path, PathVerdict verdict) {
+  PathRecord& known = record(path);
+  if (known.verdict == PathVerdict::finite) roots_.erase(path);
+  if (known.verdict == PathVerdict::failed) {
+    failures_.erase(path);
+    last_points_.erase(path);
+  }
+  if (known.verdict != PathVerdict::open) --count_[static_cast<std::size_t>(known.verdict)];
+  known.verdict = verdict;
+  ++count_[static_cast<std::size_t>(verdict)];
+}
+
+void Ledger::enter_root(std::uint64_t path, Root&& root) {
+  decide(path, PathVerdict::finite);
+  roots_[path] = std::move(root);
+}
+
+void Ledger::enter_infinity(std::uint64_t path, bool is_as_rounded) {
+  decide(path, is_as_rounded ? PathVerdict::as_rounded : PathVerdict::at_infinity);
+}
+
+void Ledger::enter_failure(const FailedPath& failure, Point last) {
+  decide(failure.path, PathVerdict::failed);
+  failures_[failure.path] = failure;
+  if (!last.empty()) last_points_[failure.path] = std::move(last);
+}
+
+void Ledger::leave(std::uint64_t path) { decide(path, PathVerdict::left_by_bound); }
+
+void Ledger::count_following(std::uint64_t path, const StepCount& count, std::size_t stage) {
+  PathRecord& known = record(path);
+  const std::uint64_t steps = known.steps + count.accepted + count.rejected;
+  known.steps = static_cast<std::uint32_t>(
+      std::min<std::uint64_t>(steps, std::numeric_limits<std::uint32_t>::max()));
+  if (known.followed < std::numeric_limits<std::uint8_t>::max()) ++known.followed;
+  known.stage = static_cast<std::uint8_t>(stage);
+}
+
+Rung Ledger::rung(std::uint64_t path) const {
+  return path < records_.size() ? records_[path].rung : Rung::double_precision;
+}
+
+std::uint64_t Ledger::count(PathVerdict verdict) const {
+  return count_[static_cast<std::size_t>(verdict)];
+}
+
+std::uint64_t Ledger::tracked() const {
+  return std::accumulate(count_.begin(), count_.end(), std::uint64_t{0});
 }
 
 std::vector<std::vector<std::uint64_t>> Ledger::groups() const {

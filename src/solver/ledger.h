@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Where did each path end, and which paths ended at one point? The ledger of all paths.
 //
-// A path has exactly one entry: a root (finite), a failure, or one more at infinity; the number of
-// paths at infinity is kept, not the paths.
+// A path has exactly one entry, its last: a root, a failure, or neither, at infinity or left by a bound. Of every path its record
+// is kept, 16 bytes; of a root and of a failure what more there is to know.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -31,24 +32,43 @@ struct Root {
 
 class Ledger {
  public:
+  /// Each takes the place of what was entered of the path before.
   void enter_root(std::uint64_t path, Root&& root);
-  void enter_infinity(std::uint64_t path);
-  void enter_failure(const FailedPath& failure);
-  /// Strikes the path's entry, so that it can be entered anew.
-  void strike(std::uint64_t path);
+  void enter_infinity(std::uint64_t path, bool is_as_rounded = false);
+  /// last: where it was last, on the system as given; empty where that is nowhere.
+  void enter_failure(const FailedPath& failure, Point last = {});
+  /// It leads to no root that is not known already: a bound says so.
+  void leave(std::uint64_t path);
+
+  /// The path was followed once more; `stage`: of the plan, where it ended.
+  void count_following(std::uint64_t path, const StepCount& count, std::size_t stage);
+  void set_rung(std::uint64_t path, Rung rung) { record(path).rung = rung; }
+  void set_handed_over(std::uint64_t path) { record(path).handed_over = true; }
 
   const std::map<std::uint64_t, Root>& roots() const { return roots_; }
   const std::map<std::uint64_t, FailedPath>& failures() const { return failures_; }
-  std::uint64_t at_infinity() const { return at_infinity_; }
-  std::uint64_t tracked() const { return at_infinity_ + roots_.size() + failures_.size(); }
+  /// Of failed paths.
+  const std::map<std::uint64_t, Point>& last_points() const { return last_points_; }
+  /// By path number, up to the last path that anything is known of.
+  const std::vector<PathRecord>& records() const { return records_; }
+  Rung rung(std::uint64_t path) const;
+  std::uint64_t count(PathVerdict verdict) const;
+  /// Paths with an entry.
+  std::uint64_t tracked() const;
 
   /// Paths that end at one point, each group ascending.
   std::vector<std::vector<std::uint64_t>> groups() const;
 
  private:
+  PathRecord& record(std::uint64_t path);
+  /// Takes the entry away and makes this the path's verdict.
+  void decide(std::uint64_t path, PathVerdict verdict);
+
   std::map<std::uint64_t, Root> roots_;
   std::map<std::uint64_t, FailedPath> failures_;
-  std::uint64_t at_infinity_ = 0;
+  std::map<std::uint64_t, Point> last_points_;
+  std::vector<PathRecord> records_;
+  std::array<std::uint64_t, 6> count_{};  ///< of records, by verdict, but for the open ones
 };
 
 /// Number of cycles of each winding number that these paths make up; nullopt when they make no whole

@@ -17,11 +17,8 @@ std::vector<std::string> validate(const SolveOptions& options) {
   }
   if (options.care < 0) broken.push_back("care must be 0 or more");
   if (options.maximum_care < 0) broken.push_back("maximum_care must be 0 or more");
-  if (options.endgame.samples < 4 || options.endgame.samples % 2 != 0) {
-    broken.push_back("endgame.samples must be even and at least 4");
-  }
-  if (options.endgame.maximum_winding < 1) {
-    broken.push_back("endgame.maximum_winding must be at least 1");
+  for (const std::string& rule : validate(options.endgame.ends)) {
+    broken.push_back("endgame.ends." + rule);
   }
   return broken;
 }

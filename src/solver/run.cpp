@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a run knows of one path and of one root.
+// What a run knows of one root, and how is it told.
 #include "run.h"
 
 #include "dimension.h"
@@ -28,11 +28,6 @@ std::string to_string(RootCompleteness completeness) {
       return "open";
   }
   return "";
-}
-
-Rung rung_of(const Run& run, std::uint64_t path) {
-  const auto found = run.rungs.find(path);
-  return found == run.rungs.end() ? Rung::double_precision : found->second;
 }
 
 bool is_on_set(const Run& run, const Root& root) {

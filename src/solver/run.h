@@ -8,7 +8,6 @@
 
 #include <map>
 #include <optional>
-#include <set>
 #include <vector>
 
 #include "ledger.h"
@@ -23,9 +22,10 @@ struct SoughtBound {
   std::optional<std::uint64_t> value;  ///< where the search found it, and twice
 };
 
-/// A point, taken for exact, and how often F has that root; 0 where it is none, or nothing can be said (exact_roots.h).
+/// A root that is known exactly, and how often F has it (exact_roots.h).
 struct ExactRoot {
-  Point x;
+  Point x;                  ///< rounded to double
+  bool is_rounded = false;  ///< x is not the root itself
   std::uint64_t multiplicity = 0;
 };
 
@@ -37,27 +37,22 @@ struct Bounds {
   SoughtBound whole;    ///< of the system as given
 };
 
+/// By the candidate, real and imaginary part of each coordinate in turn; multiplicity 0: it is no root, or nothing can be said.
+using ExactCandidates = std::map<std::vector<Rational>, ExactRoot>;
+
 struct Run {
   explicit Run(const Setting& the_setting) : setting(the_setting) {}
 
   const Setting& setting;
   Ledger ledger;
   std::vector<std::pair<std::uint64_t, PathEnd>> ends;  ///< finite, to be refined
-  std::map<std::uint64_t, Rung> rungs;                  ///< of paths that needed more than double
   Marks marks;  ///< of the points where paths set out on the last of several stages
-  PathSet retracked;
-  PathSet handed_over;                     ///< of these, to the fallback
   std::uint64_t unsettled_conjugates = 0;  ///< simple roots that no path was found to lead to
   Bounds bounds;
-  std::vector<ExactRoot> looked_at;  ///< each candidate for an exact root once
-  std::uint64_t left_by_bound = 0;   ///< paths that a met bound left nothing to end at
-  PathSet as_rounded;                ///< at infinity as far as the digits of the coefficients tell
+  ExactCandidates looked_at;  ///< each candidate for an exact root once
   StepCount work;
   bool interrupted = false;
 };
-
-/// How many digits the path needed.
-Rung rung_of(const Run& run, std::uint64_t path);
 
 /// Whether the root lies on a positive-dimensional set; asked once a root.
 bool is_on_set(const Run& run, const Root& root);

@@ -137,7 +137,7 @@ SolveResult solve_again(const System& f, const Tracker& tracker, SolveOptions op
   second.left_out.push_back({"the " + first.start.kind + " start",
                              std::to_string(first.paths.failed) + " of its " +
                                  std::to_string(first.paths.tracked) +
-                                 " paths were left undecided; --start polyhedral is what is told"});
+                                 " paths were undecided; the result is from --start polyhedral"});
   second.time.start += first.time.total;
   second.time.total += first.time.total;
   return second;

@@ -11,7 +11,6 @@ namespace {
 void track_these(Run& run, const PathProblem& problem, const PathSet& paths, int care,
                  const EndSink& sink) {
   const std::vector<std::uint64_t> list(paths.begin(), paths.end());
-  run.retracked.insert(list.begin(), list.end());
   const EndSink sink_unless_cancelled = [&](std::uint64_t path, PathEnd&& end) {
     if (end.failure == Failure::cancelled) {
       run.interrupted = true;
@@ -32,17 +31,16 @@ PathSet climb_with(Run& run, const Tracker& tracker, Taken taken, const PathSet&
   const Setting& setting = run.setting;
   EndgameOptions endgame = setting.endgame;
   endgame.goes_straight = true;
-  if (taken == Taken::regular_ends) endgame.maximum_radii = 0;
+  endgame.only_regular = taken == Taken::regular_ends;
   const PathProblem problem{*setting.prepared.plan, tracker, endgame};
   track_these(run, problem, paths, 0, [&](std::uint64_t path, PathEnd&& end) {
     if (end.status == PathStatus::failed) {
-      run.work += end.count;
+      count_following(run, path, end);
       left.insert(path);
       return;
     }
-    run.ledger.strike(path);
     take_end(run, path, std::move(end));
-    run.rungs[path] = Rung::double_double;
+    run.ledger.set_rung(path, Rung::double_double);
   });
   return left;
 }
@@ -66,11 +64,11 @@ void track_all(Run& run) {
 }
 
 void track_again(Run& run, const PathSet& paths, int care) {
-  if (run.setting.falls_back(care)) run.handed_over.insert(paths.begin(), paths.end());
-  track_these(run, run.setting.problem(care), paths, care, [&](std::uint64_t path, PathEnd&& end) {
-    run.ledger.strike(path);
-    take_end(run, path, std::move(end));
-  });
+  if (run.setting.falls_back(care)) {
+    for (const std::uint64_t path : paths) run.ledger.set_handed_over(path);
+  }
+  track_these(run, run.setting.problem(care), paths, care,
+              [&](std::uint64_t path, PathEnd&& end) { take_end(run, path, std::move(end)); });
 }
 
 PathSet climb_together(Run& run, const PathSet& paths, Taken taken) {

@@ -11,7 +11,7 @@
 
 #include "moivre/expression/refusal.h"
 #include "moivre/numeric/stopwatch.h"
-#include "moivre/sweep/dimensions.h"
+#include "moivre/mechanism/dimensions.h"
 
 namespace moivre {
 namespace {

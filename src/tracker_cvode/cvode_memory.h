@@ -60,7 +60,7 @@ class CvodeMemory {
   void* cvode() const { return cvode_; }
   N_Vector state() const { return state_; }
 
-  /// Hands CVODE, which has been initialised, the solvers of its implicit formulas.
+  /// Hands CVODE, which has been initialized, the solvers of its implicit formulas.
   void attach_solvers() {
     require_sundials(CVodeSetNonlinearSolver(cvode_, solver_), "CVodeSetNonlinearSolver");
     if (linear_solver_ == nullptr) return;

@@ -14,10 +14,9 @@
 #define MOIVRE_LANE_COMPLEX_INL_H_
 #endif
 
-#include <hwy/aligned_allocator.h>
 #include <hwy/highway.h>
 
-#include <algorithm>
+#include <vector>
 
 #include "moivre/numeric/complex.h"
 
@@ -161,10 +160,7 @@ class LaneVector {
  public:
   using Number = typename LaneScalar<R>::Number;
 
-  explicit LaneVector(std::size_t n)
-      : data_(hwy::AllocateAligned<LaneCell<R>>(std::max<std::size_t>(n, 1))) {
-    std::fill_n(data_.get(), n, LaneCell<R>{});
-  }
+  explicit LaneVector(std::size_t n) : data_(n) {}
   LaneCell<R>& operator[](std::size_t i) { return data_[i]; }
   const LaneCell<R>& operator[](std::size_t i) const { return data_[i]; }
 
@@ -172,7 +168,7 @@ class LaneVector {
   Number get(std::size_t i, std::size_t lane) const { return take(data_[i], lane); }
 
  private:
-  hwy::AlignedFreeUniquePtr<LaneCell<R>[]> data_;
+  std::vector<LaneCell<R>> data_;  // cells are aligned as their type says
 };
 
 }  // namespace HWY_NAMESPACE

@@ -9,6 +9,22 @@
 
 #include "lane_double_double-inl.h"
 #include "lane_session-inl.h"
+#include "lane_target.h"
+
+#ifndef MOIVRE_LANE_FUNCTIONS
+#define MOIVRE_LANE_FUNCTIONS
+namespace moivre {
+
+/// What there is once for every instruction set.
+struct LaneFunctions {
+  TrackerSession* (*open_session)(const LaneOptions&, const Homotopy&);
+  TrackerSession* (*open_fine_session)(const LaneOptions&, const Homotopy&);
+  std::size_t width;
+  const char* target_name;
+};
+
+}  // namespace moivre
+#endif
 
 HWY_BEFORE_NAMESPACE();
 namespace moivre {
@@ -21,9 +37,9 @@ TrackerSession* open_fine_session(const LaneOptions& options, const Homotopy& ho
   return new LaneSession<LaneDoubleDouble>(options, homotopy);
 }
 
-std::size_t width() { return W; }
-
-const char* target_name() { return hwy::TargetName(HWY_TARGET); }
+LaneFunctions functions() {
+  return {&open_session, &open_fine_session, W, hwy::TargetName(HWY_TARGET)};
+}
 
 }  // namespace HWY_NAMESPACE
 }  // namespace moivre
@@ -38,10 +54,19 @@ HWY_AFTER_NAMESPACE();
 namespace moivre {
 namespace {
 
-HWY_EXPORT(open_session);
-HWY_EXPORT(open_fine_session);
-HWY_EXPORT(width);
-HWY_EXPORT(target_name);
+/// Of the best instruction set that was compiled and that may be run.
+LaneFunctions lane_functions() {
+#if (HWY_TARGETS & (HWY_TARGETS - 1)) == 0
+  return HWY_STATIC_DISPATCH(functions)();
+#else
+  // As HWY_EXPORT lays out its tables: nothing, the targets from the best on, the baseline.
+  constexpr LaneFunctions (*kTable[])() = {nullptr, HWY_CHOOSE_TARGET_LIST(functions),
+                                           HWY_CHOOSE_FALLBACK(functions)};
+  hwy::ChosenTarget chosen;
+  chosen.Update(runnable_targets());
+  return kTable[chosen.GetIndex()]();
+#endif
+}
 
 class LaneTracker : public Tracker {
  public:
@@ -50,9 +75,9 @@ class LaneTracker : public Tracker {
   std::string kind() const override { return "lanes"; }
   std::vector<std::pair<std::string, std::string>> options_in_force() const override;
   std::unique_ptr<TrackerSession> open(const Homotopy& homotopy) const override {
-    return std::unique_ptr<TrackerSession>(
-        fine_ ? HWY_DYNAMIC_DISPATCH(open_fine_session)(options_, homotopy)
-              : HWY_DYNAMIC_DISPATCH(open_session)(options_, homotopy));
+    const LaneFunctions functions = lane_functions();
+    return std::unique_ptr<TrackerSession>(fine_ ? functions.open_fine_session(options_, homotopy)
+                                                 : functions.open_session(options_, homotopy));
   }
   std::unique_ptr<Tracker> in_double_double() const override {
     LaneOptions options = options_;
@@ -104,13 +129,13 @@ int order_of(LanePredictor predictor) {
   return 0;
 }
 
-std::string lane_target() { return HWY_DYNAMIC_DISPATCH(target_name)(); }
-std::size_t lane_width() { return HWY_DYNAMIC_DISPATCH(width)(); }
+std::string lane_target() { return lane_functions().target_name; }
+std::size_t lane_width() { return lane_functions().width; }
 
 std::vector<std::string> lane_targets() {
   std::vector<std::string> names;
-  for (const auto target : hwy::SupportedAndGeneratedTargets()) {
-    names.emplace_back(hwy::TargetName(target));
+  for (auto rest = runnable_targets() & HWY_TARGETS; rest != 0; rest &= rest - 1) {
+    names.emplace_back(hwy::TargetName(rest & -rest));
   }
   return names;
 }

@@ -213,6 +213,23 @@ TEST(Certifier, NamesARootThatLiesElsewhere) {
   EXPECT_EQ(certifier.certify(Point{HUGE_VAL}).verdict, Verdict::undecided);
 }
 
+// Unknowns from 1e-3 to 1e12: double proves one root in a ball whose radius says nothing of its place.
+TEST(Certifier, NeverTakesAWideBallForARootThatLiesElsewhere) {
+  const std::string text =
+      "4\n-7e-6*x*y-9542e6*x*z+1000*x-1e-8*w-0.008*z-8e-6;\n"
+      "1e14*x*z-2488000*w*z+1e11*x+w+4e-7*y-915300000*z+800;\n"
+      "-690.4*y*z-1e14*x+7000*w+200000;\n-1e12*x*w+10*w^2-1e14*x-1e-4*y-685500000;\n";
+  CertifyOptions options;
+  options.accuracy = 1e-5;
+  const Point root = {0.00943634866715079, 1365039209385.6162, -0.0010012863619358792,
+                      -100.08709976450153};
+  options.most_bits = kDoubleBits;
+  const auto program = make_certify_program(system_of(text));
+  EXPECT_EQ(Certifier(program, options).certify(root).verdict, Verdict::elsewhere);
+  options.most_bits = kMostArbBits;
+  EXPECT_EQ(Certifier(program, options).certify(root).verdict, Verdict::certified);
+}
+
 TEST(Certifier, SaysNothingOfRealityWhereFIsNotReal) {
   // Roots 1 and i: the first is real, which conjugates cannot show.
   const std::string text = "1\nx^2 - x - i*x + i;\n";

@@ -4,8 +4,10 @@
 
 #include <chrono>
 #include <csignal>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <sstream>
 #include <thread>
 
 #include "problems.h"
@@ -140,6 +142,34 @@ TEST(SolveCommand, WritesAllFormsAtOnce) {
   EXPECT_EQ(Json::parse(scene.read("f.json"))["solutions"].size(), 4U);
   EXPECT_TRUE(contains(scene.read("f.csv"), "path,real,singular,"));
   EXPECT_TRUE(contains(scene.read("f.roots"), "THE SOLUTIONS :\n4 2\n"));
+}
+
+TEST(SolveCommand, ListsEveryPathAndItsRoot) {
+  Scene scene;
+  scene.write("two.phc", "2\n x^2 - 1;\n (x - 1)*y^2 - y;\n");
+  const Outcome outcome = scene.run(
+      {"solve", "two.phc", "--start", "total-degree", "--json", "-", "--paths", "paths.csv"});
+  const auto json = Json::parse(outcome.out);
+  std::istringstream table(scene.read("paths.csv"));
+  std::string line;
+  std::getline(table, line);
+  EXPECT_EQ(line, "path,stage,verdict,solution,reason,precision,followed,handed_over,steps");
+  std::uint64_t path = 0;
+  std::vector<std::uint64_t> to(json["solutions"].size());
+  std::map<std::string, std::uint64_t> ends;
+  for (; std::getline(table, line); ++path) {
+    EXPECT_EQ(line.substr(0, line.find(',')), std::to_string(path));
+    std::istringstream cells(line);
+    std::string cell;
+    for (int k = 0; k < 3; ++k) std::getline(cells, cell, ',');
+    ++ends[cell];
+    std::getline(cells, cell, ',');
+    if (!cell.empty()) ++to.at(std::stoul(cell));
+  }
+  EXPECT_EQ(path, json["paths"]["tracked"]);
+  EXPECT_EQ(ends["finite"], json["paths"]["finite"]);
+  for (std::size_t k = 0; k < to.size(); ++k)
+    EXPECT_EQ(to[k], json["solutions"][k]["multiplicity"]);
 }
 
 TEST(SolveCommand, CallsItDecidedThatParallelLinesHaveNoRoot) {
@@ -281,9 +311,9 @@ TEST(SolveCommand, RefusesEachWrongOptionWithItsReason) {
 TEST(SolveCommand, NamesEveryWrongOptionAtOnce) {
   Scene scene;
   scene.write("f.phc", kCircleAndHyperbola);
-  const Outcome outcome = scene.run({"solve", "f.phc", "--start", "magic", "--threads", "-1",
-                                     "--precision", "half", "--method", "euler", "--iteration",
-                                     "halley", "--rtol", "7", "--max-steps", "0"});
+  const Outcome outcome =
+      scene.run({"solve", "f.phc", "--start", "magic", "--threads", "-1", "--precision", "half",
+                 "--method", "euler", "--iteration", "halley", "--rtol", "7", "--max-steps", "0"});
   EXPECT_EQ(outcome.exit_code, 1);
   for (const char* fault :
        {"--start magic", "threads must lie", "--precision half", "--method euler",

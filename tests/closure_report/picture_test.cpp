@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <numbers>
+#include <stdexcept>
 
 #include "labels.h"
 #include "mechanisms.h"
@@ -40,6 +42,33 @@ TEST(Picture, SaysTitleCountsDriversAndScale) {
   EXPECT_EQ(count(svg, ">Four-bar, Norton example 4-1</text>"), 1U);
   EXPECT_EQ(count(svg, "2 complex closures, 2 real; crank = 40 deg"), 1U);
   EXPECT_EQ(count(svg, ">20 mm</text>"), 1U);
+}
+
+TEST(Picture, OfASpatialMechanismComesFromThreeSidesInOneScale) {
+  const Mechanism bennett = mechanism_file("bennett");
+  const std::string svg = closures_svg(closures_of(bennett), bennett, "bennett.toml", Views::three);
+  EXPECT_TRUE(test::Markup(svg).is_well_formed());
+  EXPECT_EQ(count(svg, "class=\"panel\""), 3U);
+  for (const char* side : {">A, front: x, z<", ">A, right: y, z<", ">A, above: x, y<"}) {
+    EXPECT_EQ(count(svg, side), 1U) << side;
+  }
+  EXPECT_EQ(count(svg, "in the file's unit of length"), 1U);
+}
+
+// A place seen from the front and from above goes the same way to the right; from the right, the place's y does.
+TEST(Picture, ThreeSidesShowTheCoordinatesTheyName) {
+  const Mechanism bennett = mechanism_file("bennett");
+  constexpr double kRightAngle = std::numbers::pi / 2;
+  const Eigen::Vector3d r(2, 3, 5);
+  EXPECT_LT(std::abs(seen(bennett, r, {-kRightAngle, 0}) - Complex(2, 5)), 1e-14);
+  EXPECT_LT(std::abs(seen(bennett, r, {0, 0}) - Complex(3, 5)), 1e-14);
+  EXPECT_LT(std::abs(seen(bennett, r, {-kRightAngle, kRightAngle}) - Complex(2, 3)), 1e-14);
+}
+
+TEST(Picture, RefusesThreeViewsOfWhatLiesInAPlane) {
+  const Mechanism four_bar = mechanism_file("four-bar");
+  EXPECT_THROW(closures_svg(closures_of(four_bar), four_bar, "four-bar.toml", Views::three),
+               std::invalid_argument);
 }
 
 TEST(Picture, IsNamedAfterTheFileWhereThereIsNoTitle) {

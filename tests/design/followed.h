@@ -9,21 +9,12 @@
 #include <numbers>
 #include <string>
 
+#include "../mechanism/files.h"
 #include "moivre/design/readings.h"
-#include "moivre/mechanism/read.h"
 
 namespace moivre::test {
 
 inline constexpr double kPi = std::numbers::pi;
-
-inline Mechanism typed(const std::string& text) {
-  return read_mechanism(Source{"typed.toml", text});
-}
-
-inline Mechanism example(const std::string& name) {
-  return read_mechanism(
-      read_source(std::string(MOIVRE_SOURCE_DIR) + "/problems/mechanisms/" + name + ".toml"));
-}
 
 /// A motion of the pose that the file's guess leads to, and its readings.
 struct Followed {

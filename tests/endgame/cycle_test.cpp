@@ -37,9 +37,9 @@ std::vector<Complex> two_sheets(double limit) {
 TEST(Cycle, SheetsOfAPowerSeriesWithoutAConstantTermVanishTogether) {
   for (const int m : {1, 2, 3, 5, 8, 12}) {
     const auto z = cycle_of(m, [](Complex u) { return u * (2.0 + u * Complex(0.3, -1)); });
-    EXPECT_TRUE(vanish_together(z, m)) << m;
-    EXPECT_FALSE(meet_together(z, Complex(0.5, 0), m) && m > 1) << m;
-    EXPECT_TRUE(meet_together(z, 0.0, m)) << m;
+    EXPECT_TRUE(vanish_together(z, m, EndParameters())) << m;
+    EXPECT_FALSE(meet_together(z, Complex(0.5, 0), m, EndParameters()) && m > 1) << m;
+    EXPECT_TRUE(meet_together(z, 0.0, m, EndParameters())) << m;
   }
 }
 
@@ -48,8 +48,8 @@ TEST(Cycle, ALimitThatIsNotZeroIsSeenWhereverTheOthersEnd) {
     const int m = 1 + static_cast<int>(seed % 6);
     const Complex limit = 1e-6 * random_phase(seed, RandomStream::slice, 0);
     const auto z = cycle_of(m, [&](Complex u) { return u + limit; });
-    EXPECT_FALSE(vanish_together(z, m)) << seed;
-    EXPECT_TRUE(meet_together(z, limit, m)) << seed;
+    EXPECT_FALSE(vanish_together(z, m, EndParameters())) << seed;
+    EXPECT_TRUE(meet_together(z, limit, m, EndParameters())) << seed;
   }
 }
 
@@ -62,18 +62,18 @@ TEST(Cycle, SheetsMeetWhereNothingButRoundingKeepsThemApart) {
       const Complex noise = 1e-16 * random_phase(seed, RandomStream::test, ++k);
       return common + 1e-12 * u + noise;
     });
-    EXPECT_TRUE(meet_together(z, common, 2)) << seed;
-    EXPECT_FALSE(meet_together(z, common + Complex(1e-9, 0), 2)) << seed;
+    EXPECT_TRUE(meet_together(z, common, 2, EndParameters())) << seed;
+    EXPECT_FALSE(meet_together(z, common + Complex(1e-9, 0), 2, EndParameters())) << seed;
   }
 }
 
 // They change places on every circle wider than limit^2: the mean is 0, and no sum but the second tells.
 TEST(Cycle, OppositeLimitsWhoseMeanIsZeroAreTold) {
   for (const double limit : {5e-3, 1e-3, 1e-5, 3e-7}) {
-    EXPECT_FALSE(vanish_together(two_sheets(limit), 2)) << limit;
-    EXPECT_FALSE(meet_together(two_sheets(limit), 0.0, 2)) << limit;
+    EXPECT_FALSE(vanish_together(two_sheets(limit), 2, EndParameters())) << limit;
+    EXPECT_FALSE(meet_together(two_sheets(limit), 0.0, 2, EndParameters())) << limit;
   }
-  EXPECT_TRUE(vanish_together(two_sheets(0), 2));
+  EXPECT_TRUE(vanish_together(two_sheets(0), 2, EndParameters()));
 }
 
 TEST(Cycle, TheBoundHoldsForEveryLimit) {

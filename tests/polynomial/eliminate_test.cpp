@@ -131,7 +131,7 @@ TEST(Elimination, AnUnknownThatNoEquationHoldsIsNamed) {
   const Reduction r = eliminate(system(2, {x * x - one, x * x * x - one}));
   EXPECT_EQ(r.verdict, Verdict::dependent);
   EXPECT_EQ(r.dependent_equations, 0U);
-  EXPECT_TRUE(says(r, "x2: no equation is left that holds it"));
+  EXPECT_TRUE(says(r, "x2: no remaining equation contains it"));
 }
 
 TEST(Elimination, FewerEquationsThanUnknownsAreUnderdetermined) {

@@ -56,6 +56,33 @@ TEST(SolveCsv, LeavesUnknownNumbersEmpty) {
       << solve_csv(result);
 }
 
+TEST(PathsCsv, HasALineForEachPathWhateverBecameOfIt) {
+  SolveResult result;
+  PathRecord finite;
+  finite.verdict = PathVerdict::finite;
+  finite.solution = 3;
+  finite.steps = 84;
+  finite.followed = 1;
+  PathRecord on_set = finite;
+  on_set.solution = PathRecord::kNoSolution;
+  PathRecord failed;
+  failed.verdict = PathVerdict::failed;
+  failed.stage = 1;
+  failed.rung = Rung::double_double;
+  failed.followed = 4;
+  failed.handed_over = true;
+  PathRecord left;
+  left.verdict = PathVerdict::left_by_bound;
+  result.ledger = {finite, on_set, failed, left};
+  result.failures = {{2, Failure::precision, 1}};
+  EXPECT_EQ(paths_csv(result),
+            "path,stage,verdict,solution,reason,precision,followed,handed_over,steps\n"
+            "0,0,finite,3,,double,1,0,84\n"
+            "1,0,on a set,,,double,1,0,84\n"
+            "2,1,failed,,precision,double-double,4,1,0\n"
+            "3,0,left by the bound,,,double,0,0,0\n");
+}
+
 TEST(SolveText, GivesTheAccountAndTheSeed) {
   const std::string text = solve_text(hand_made_result(), "two.phc");
   EXPECT_NE(text.find("6 paths (total-degree, cvode, seed 7): 3 finite, 1 at infinity, 2 failed; 4 "

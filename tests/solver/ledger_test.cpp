@@ -24,34 +24,60 @@ TEST(Ledger, CountsEachPathOnce) {
   ledger.enter_infinity(2);
   ledger.enter_failure({3, Failure::precision, 1});
   EXPECT_EQ(ledger.tracked(), 4U);
-  EXPECT_EQ(ledger.at_infinity(), 2U);
+  EXPECT_EQ(ledger.count(PathVerdict::at_infinity), 2U);
 }
 
-TEST(Ledger, StrikesAnEntryOfEachKind) {
-  Ledger ledger;
-  ledger.enter_root(0, root_at({1}));
-  ledger.enter_infinity(1);
-  ledger.enter_failure({2, Failure::precision, 1});
-  for (const std::uint64_t path : {0U, 1U, 2U}) {
-    ledger.strike(path);
-    EXPECT_EQ(ledger.tracked(), 2 - path);
+TEST(Ledger, ALaterEntryTakesThePlaceOfEveryKindOfEntry) {
+  for (int earlier = 0; earlier < 4; ++earlier) {
+    for (int later = 0; later < 4; ++later) {
+      Ledger ledger;
+      for (const int kind : {earlier, later}) {
+        if (kind == 0) ledger.enter_root(7, root_at({1}));
+        if (kind == 1) ledger.enter_infinity(7);
+        if (kind == 2) ledger.enter_failure({7, Failure::precision, 1});
+        if (kind == 3) ledger.leave(7);
+      }
+      EXPECT_EQ(ledger.tracked(), 1U) << earlier << later;
+      EXPECT_EQ(ledger.roots().size(), later == 0 ? 1U : 0U) << earlier << later;
+      EXPECT_EQ(ledger.count(PathVerdict::at_infinity), later == 1 ? 1U : 0U) << earlier << later;
+      EXPECT_EQ(ledger.failures().size(), later == 2 ? 1U : 0U) << earlier << later;
+      EXPECT_EQ(ledger.count(PathVerdict::left_by_bound), later == 3 ? 1U : 0U) << earlier << later;
+    }
   }
-  EXPECT_TRUE(ledger.roots().empty());
-  EXPECT_TRUE(ledger.failures().empty());
-  EXPECT_EQ(ledger.at_infinity(), 0U);
 }
 
-TEST(Ledger, KeepsNoRecordOfAPathToInfinity) {
-  // The account of a thousand million such paths is one number: nothing in it can grow.
+TEST(Ledger, APathThatWasNotFollowedIsOpenAndCountsAsNothing) {
+  Ledger ledger;
+  ledger.enter_infinity(5);
+  ASSERT_EQ(ledger.records().size(), 6U);
+  EXPECT_EQ(ledger.records()[4].verdict, PathVerdict::open);
+  EXPECT_EQ(ledger.tracked(), 1U);
+  EXPECT_EQ(ledger.rung(9), Rung::double_precision);
+}
+
+TEST(Ledger, AddsUpTheStepsOfEveryFollowingOfAPath) {
+  Ledger ledger;
+  StepCount count;
+  count.accepted = 40;
+  count.rejected = 2;
+  ledger.count_following(3, count, 0);
+  ledger.enter_failure({3, Failure::precision, 1});
+  ledger.count_following(3, count, 1);
+  ledger.enter_infinity(3, true);
+  const PathRecord& path = ledger.records()[3];
+  EXPECT_EQ(path.steps, 84U);
+  EXPECT_EQ(path.followed, 2);
+  EXPECT_EQ(path.stage, 1);
+  EXPECT_EQ(path.verdict, PathVerdict::as_rounded);
+}
+
+TEST(Ledger, KeepsSixteenBytesOfAPathToInfinity) {
+  static_assert(sizeof(PathRecord) == 16);
   Ledger ledger;
   for (std::uint64_t path = 0; path < 100000; ++path) ledger.enter_infinity(path);
-  EXPECT_EQ(ledger.at_infinity(), 100000U);
+  EXPECT_EQ(ledger.count(PathVerdict::at_infinity), 100000U);
   EXPECT_TRUE(ledger.roots().empty());
   EXPECT_TRUE(ledger.failures().empty());
-  static_assert(sizeof(Ledger) <= sizeof(std::map<std::uint64_t, Root>) +
-                                      sizeof(std::map<std::uint64_t, FailedPath>) +
-                                      sizeof(std::uint64_t),
-                "two maps of what is not at infinity, and one number");
 }
 
 TEST(Ledger, GroupsPathsThatEndAtOnePoint) {

@@ -203,8 +203,8 @@ TEST(Solve, NamesEveryOptionThatIsOutOfRange) {
   SolveOptions options;
   options.threads = -1;
   options.maximum_care = -1;
-  options.endgame.samples = 5;
-  options.endgame.maximum_winding = 0;
+  options.endgame.ends.samples = 5;
+  options.endgame.ends.maximum_winding = 0;
   EXPECT_EQ(validate(options).size(), 4U);
   EXPECT_TRUE(validate(SolveOptions{}).empty());
   EXPECT_THROW(solve_with_cvode(read("1\n x - 1;\n"), options), std::invalid_argument);
@@ -287,9 +287,9 @@ TEST(Solve, TellsItsProgressPathByPath) {
 
 TEST(Solve, FailsForPrecisionWhereCirclesMayNotClose) {
   SolveOptions options = with_seed(1);
-  options.endgame.maximum_winding = 1;
+  options.endgame.ends.maximum_winding = 1;
   options.maximum_care = 0;
-  const SolveResult result = solve_with_cvode(read("1\n (2*x - 1)^4;\n"), options);
+  const SolveResult result = solve_with_cvode(read("1\n (x^2 - 2)^2;\n"), options);
   EXPECT_FALSE(result.complete);
   EXPECT_EQ(result.paths.failed, 4U);
   for (const FailedPath& path : result.failures) EXPECT_EQ(path.failure, Failure::precision);

@@ -8,7 +8,7 @@
 #include <set>
 
 #include "moivre/mechanism/read.h"
-#include "moivre/sweep/dimensions.h"
+#include "moivre/mechanism/dimensions.h"
 #include "moivre/tracker_lanes/lane_tracker.h"
 
 namespace moivre {

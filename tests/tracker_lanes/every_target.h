@@ -9,9 +9,11 @@
 #include <cstdint>
 #include <vector>
 
+#include "lane_target.h"
+
 namespace moivre::test {
 
-/// Chooses an instruction set for as long as it lives.
+/// Chooses an instruction set for as long as it lives, for the library and for what the tests have Highway dispatch.
 class Target {
  public:
   explicit Target(std::int64_t target) { choose(target); }
@@ -23,13 +25,14 @@ class Target {
   static void choose(std::int64_t target) {
     hwy::SetSupportedTargetsForTest(target);
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    restrict_targets(target);
   }
 };
 
 /// Every instruction set that the machine runs and the library was compiled for, the scalar one among them.
 inline std::vector<std::int64_t> targets() {
   std::vector<std::int64_t> all;
-  std::int64_t rest = hwy::SupportedTargets() & HWY_TARGETS;
+  std::int64_t rest = runnable_targets() & HWY_TARGETS;
   for (; rest != 0; rest &= rest - 1) all.push_back(rest & -rest);
   return all;
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// How is inverse kinematics told? As a table of joint values for people, as JSON and CSV for programs, as pictures.
+// How is inverse kinematics reported? As a table of joint values for people, as JSON and CSV for programs, as pictures.
 //
 //   text  every closure a line, joint values in radians (or metres) within the limits where whole turns bring them there
 //   JSON  docs/json.md shows it: `coordinates` has turns in (-pi, pi], `in_limits` what a controller takes
-//   CSV   one closure a line: pose, id, then the joints as in_limits
+//   CSV   one closure per line: pose, id, then the joints as in_limits
 // A list of results stands for a file of poses; `is_list` says whether there was one, or a single pose.
 #pragma once
 
@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "moivre/arms/arm_closures.h"
+#include "moivre/closure_report/sheet.h"
 
 namespace moivre {
 
@@ -32,7 +33,7 @@ std::string arm_csv(const ArmReport& report, bool in_degrees);
 
 /// The skeletons of all closures of one pose, side by side from where they differ most, as a picture and as a page that the
 /// mouse turns. Throw std::invalid_argument where there are several poses.
-std::string arm_svg(const ArmReport& report, bool in_degrees);
+std::string arm_svg(const ArmReport& report, bool in_degrees, Views views = Views::standing);
 std::string arm_html(const ArmReport& report, bool in_degrees);
 
 }  // namespace moivre

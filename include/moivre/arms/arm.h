@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Which serial chain do a robot's joints make between two links? Its free joints in order, and what stands still between them.
+// Which serial chain do a robot's joints form between two links? Its free joints in order, and the fixed displacements between them.
 //
 //   pose of the tip in the base = B_1 J_1(x_1) B_2 J_2(x_2) ... B_n J_n(x_n) T
 //   J_i: a turn by x_i (radians) about the unit axis a_i, or a displacement by x_i along it (the file's unit, metres);
-//   B_i, T: displacements that do not change: origins, fixed joints, held ones.
-// Each B_i is there twice: as a transform of the numbers as typed, and exactly, as a dual quaternion of integers in which right
-// angles that are meant are right (urdf/placement.h). The exact ones make the polynomials, the others the last digits.
-// Edges: the base need not be above the tip in the tree; joints on the way up are passed backwards, and turn the other way.
-// A joint that mimics one outside the chain is free; one that mimics a held joint is held with it.
+//   B_i, T: fixed displacements: origins, fixed joints, held joints.
+// Each B_i is stored twice: as a transform of the numbers as typed, and as an exact dual quaternion of integers, in which angles that
+// are meant to be right are exactly right (urdf/placement.h). The polynomials use the exact ones, the last digits the others.
+// Edges: the base need not be above the tip in the tree. Joints on the way up are passed backwards and turn the other way.
+// A joint that mimics one outside the chain is free. A joint that mimics a held one is held with it.
 // Not supported: a joint that mimics a free one in the chain; chains without a free joint, or with more than six.
 #pragma once
 
@@ -57,10 +57,10 @@ struct ArmChoice {
   std::vector<HeldJoint> held;      ///< radians, or metres
 };
 
-/// Throws std::invalid_argument that names every fault, with the links or joints to choose from.
+/// Throws std::invalid_argument with every fault, and the links or joints to choose from.
 Arm make_arm(const Robot& robot, const ArmChoice& choice);
 
-/// Each joint's frame behind its motion, in the base's: B_1 J_1 ... B_k J_k. Its origin is on the joint's axis.
+/// Each joint's frame after its motion, in the base's frame: B_1 J_1 ... B_k J_k. Its origin is on the joint's axis.
 std::vector<Eigen::Isometry3d> joint_frames(const Arm& arm, const Eigen::VectorXd& values);
 
 /// Where the tip is.

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// In which joint values does a serial arm hold its tip in a given pose? All of them, none missing, by homotopy continuation.
+// With which joint values does a serial arm hold its tip in a given pose? All solutions, by homotopy continuation.
 //
-// The loop B_1 J_1 ... J_n T (pose)^-1 = 1 is cut open into a few neighbouring joints, which are eliminated linearly, and the others,
-// whose half-angle tangents t are the unknowns of a small multilinear system (docs/decisions/0021-inverse-kinematics.md):
-//   two joints            4 equations in 4 unknowns, 24 paths, 16 closures of a general arm and 8 roots that are none
-//   a wrist, or parallel  three joints whose axes meet, or are parallel: 3 unknowns, 6 paths, then two ways each
-// Each real root is read back to joint values and put right by Newton's method on the product of transforms, which knows no
-// polynomial. Closures outside a joint's limits are kept and marked. With fewer than six joints a pose must be one that they
-// can reach; closures miss it by kReach at most.
-// Roots that are no closures (a tangent of +-i turns nothing) are counted as `rejected`.
-// Edges: at a pose that can be held while joints move (a straight wrist), the closures are no points: `moves` has one of them.
+// In the loop B_1 J_1 ... J_n T (pose)^-1 = 1 a few neighbouring joints are eliminated linearly. The half-angle tangents t of the
+// others are the unknowns of a small multilinear system (docs/decisions/0021-inverse-kinematics.md). What is eliminated:
+//   two joints                          4 equations in 4 unknowns, 24 paths: 16 closures of a general arm, 8 rejected roots
+//   three that meet or are parallel     3 unknowns, 6 paths, then two solutions each
+// Each real root becomes joint values. Newton's method on the product of transforms, without any polynomial, refines them.
+// Closures outside a joint's limits are kept and marked. With fewer than six joints the arm must be able to reach the pose;
+// closures miss it by kReach at most.
+// Roots that are no closures (a tangent of +-i is no rotation) are counted as `rejected`.
+// Edges: at a singular pose joints may move while the tip stands still (a straight wrist). `moves` then has one such closure.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -23,14 +23,14 @@
 
 namespace moivre {
 
-/// By how much forward kinematics of a closure may miss the pose: radians, and lengths beside the arm's.
+/// By how much forward kinematics of a closure may miss the pose: radians, and lengths relative to the arm's.
 inline constexpr double kReach = 1e-10;
 
 /// One way to hold the pose.
 struct ArmClosure {
   std::string id;  ///< A, B, ... by values: the same for every seed, tracker and thread count
   Eigen::VectorXd values;  ///< turns in (-pi, pi], slides in the file's unit
-  /// The same with whole turns added where limits ask for them; a joint that no turns bring inside keeps its value.
+  /// The same with whole turns added where that brings a joint between its limits; otherwise the joint keeps its value.
   Eigen::VectorXd in_limits;
   std::vector<std::size_t> beyond;  ///< joints outside their limits
   double residual = 0;  ///< by how much it misses the pose: radians, and lengths beside the arm's
@@ -41,7 +41,7 @@ struct ArmClosure {
   bool singular = false;
 };
 
-/// What is solved together.
+/// A system that is solved as a whole.
 struct ArmStage {
   std::string group;  ///< its joints
   std::uint64_t solves = 0;
@@ -55,7 +55,7 @@ struct ArmCounts {
   std::uint64_t rejected = 0;       ///< roots that are no closures
 };
 
-/// The tip stands while the joints move.
+/// The tip stands still while the joints move.
 struct ArmMoves {
   Eigen::VectorXd values;   ///< of one closure
   Eigen::VectorXd tangent;  ///< unit: how its joints may move
@@ -80,16 +80,16 @@ struct ArmResult {
   SolveTime time_s;
 };
 
-/// `options.start` automatic: the start system is the one that is known to be good here.
+/// With `options.start` automatic, the start is the one that is known to be best here.
 /// Throws std::invalid_argument where the pose is not finite or an option is out of range.
 ArmResult find_arm_closures(const Arm& arm, const Eigen::Isometry3d& pose, const Tracker& tracker,
                             const SolveOptions& options = {},
                             const std::atomic<bool>& stop = std::atomic<bool>{false});
 
-/// The same for many poses, options.threads of them at once. Where there are more than a few, and options.start is automatic, what they
-/// have in common is solved once, and paths lead from there to every pose (start.kind "family"); one where that does not give as
-/// many closures, all simple, as a random pose has is solved as above. A set `stop` leaves those out that are not begun: the
-/// result is shorter. Progress counts poses.
+/// The same for many poses, options.threads of them at once. With more than a few poses and options.start automatic, the arm is solved
+/// once at random coefficients, and paths lead from there to every pose (start.kind "family"). A pose for which this does not give
+/// as many simple closures as a random pose has is solved as above. A set `stop` leaves out the poses that are not begun, so that
+/// the result is shorter. Progress counts poses.
 std::vector<ArmResult> find_arm_closures(const Arm& arm,
                                          const std::vector<Eigen::Isometry3d>& poses,
                                          const Tracker& tracker, const SolveOptions& options = {},

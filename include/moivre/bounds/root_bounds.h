@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// How many isolated roots can a square system have, by everything that is proved beforehand?
+// How many isolated roots can a square system have at most? All bounds that are proved without solving it.
 //
 //   Bezout             d_1 d_2 ... d_n of what exact elimination leaves (polynomial/eliminate.h, which keeps the roots)
 //   multihomogeneous   the least number of the partitions tried (start/multihomogeneous.h) [MorganSommese87]
-//   stable mixed volume   of the monomials (start/mixed_volume.h) [HuberSturmfels97]; it counts only where two liftings with
-//                      nothing in common give the same sum, since the cells that were found are a lower bound by themselves
+//   stable mixed volume   of the monomials (start/mixed_volume.h) [HuberSturmfels97]; it counts only if two
+//                      independent liftings give the same sum, since a search could miss cells
 //
-// Each bounds the isolated roots in C^n, counted with multiplicity. As many certified roots, pairwise distinct, are all of
-// them. Mixed cells are looked for with a bounded number of steps. Edges: elimination alone may tell the number of isolated
-// roots: one bound then, `elimination`. Not supported: systems that are not square; bounds beyond 64 bits have no value.
+// Each bounds the isolated roots in C^n, counted with multiplicity. If as many certified roots are pairwise distinct, they are all.
+// The search for mixed cells has a bounded number of steps. Edges: elimination alone may give the number of isolated roots; then
+// there is one bound, `elimination`. Not supported: systems that are not square; bounds beyond 64 bits have no value.
 #pragma once
 
 #include <cstdint>
@@ -30,18 +30,18 @@ struct RootBound {
   std::string missing;  ///< the reason, where there is no value
 };
 
-/// Bounds in the order of their cost, until one is as small as `enough`: a number of roots that are known, so that no bound
-/// can be below it. Throws std::invalid_argument when F is not square.
+/// Bounds in the order of their cost, up to the first one equal to `enough`. That is a number of known roots, so no bound can be
+/// lower. Throws std::invalid_argument when F is not square.
 std::vector<RootBound> root_bounds(const System& f, std::uint64_t enough);
 
-/// Two counts that starts have; nullopt beyond 64 bits, or beyond a bounded search.
+/// Two counts of paths that starts have; nullopt beyond 64 bits, or beyond a bounded search.
 struct StructureCounts {
   std::optional<std::uint64_t> multihomogeneous;  ///< the least found
   bool is_least = false;                          ///< all partitions were tried
   std::optional<std::uint64_t> mixed_volume;      ///< with a constant added to each equation
 };
-/// Of a square system without zero polynomials (std::invalid_argument); `multihomogeneous` is sought only where wanted, and so
-/// is the mixed volume.
+/// Of a square system without zero polynomials (std::invalid_argument); `multihomogeneous` and the mixed volume are computed
+/// only where wanted.
 StructureCounts structure_counts(const System& f, bool with_partitions, bool with_cells);
 
 }  // namespace moivre

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What was proved of a root? Exactly one lies in this ball, so near its middle, and it is real or is not.
+// What was proved of a root? Exactly one lies in this ball, at most so far from its midpoint, and it is real or not real.
 //
-//   B = {x : |x_j - m_j| <= radius_j for all j}, discs of the complex plane, one a coordinate
+//   B = {x : |x_j - m_j| <= radius_j for all j}, discs of the complex plane, one per coordinate
 //   proved:  F has exactly one root x* in B, J(x*) is regular, and |x*_j - m_j| <= error_j < radius_j
 //
 // m: the midpoint, an exact sum of doubles, midpoint + finer[0] + finer[1] + ...; `finer` is empty where double was enough.

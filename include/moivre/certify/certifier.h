@@ -4,8 +4,8 @@
 //   K(B) = m - Y F(m) + (I - Y J(B)) (B - m),   Y near J(m)^{-1}, any matrix
 //   kappa_j = |Y F(m)|_j + sum_k |I - Y J(B)|_jk rho_k < rho_j for all j   ==>   exactly one root in B, within kappa of m
 //
-// B: the polydisc of radii rho around m. Proof: the inequality makes x -> x - Y F(x) a contraction of B into itself in the
-// norm max_j |v_j| / rho_j (the mean-value form, J(B) a convex set), and Y regular, since |I - Y J| < 1 in that norm.
+// B: the polydisc of radii rho around m. Proof, in the norm max_j |v_j| / rho_j: the inequality makes x -> x - Y F(x) a
+// contraction of B into itself (mean-value form, J(B) a convex set). Y is regular, since |I - Y J| < 1.
 // Real, for real F: the conjugate of the ball of radii kappa lies in B, so that conj(x*) is a root in B, and there is but one.
 // Not real: some |Im m_j| > kappa_j. Neither: more digits.
 // First in double: m a point of doubles after Newton's method, F(m) in double-double, J(B) in discs, every rounding bounded
@@ -45,7 +45,7 @@ class CertifyProgram;
 /// Throws std::invalid_argument when F is not square, has no unknowns or more than 2^32 - 1 registers.
 std::shared_ptr<const CertifyProgram> make_certify_program(const System& f);
 
-/// The memory for certificates of one program; one a thread, made and ended by that thread.
+/// The memory for certificates of one program; one per thread, made and ended by that thread.
 class Certifier {
  public:
   /// Throws std::invalid_argument when an option lies outside its range.
@@ -62,8 +62,8 @@ class Certifier {
   void certify(std::span<const Complex> x, Certificate& result);
   Certificate certify(std::span<const Complex> x);
 
-  /// Proves the same root again in `bits` of precision, which makes its ball smaller; true where that came off. Else the
-  /// certificate stays as it was. Requires holds_root().
+  /// Proves the same root again with `bits` of precision, which makes its ball smaller. False if that failed; the
+  /// certificate then does not change. Requires holds_root().
   bool sharpen(Certificate& certificate, int bits);
 
  private:

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Are these roots distinct? Pairs whose balls meet are found by a sweep, and made smaller until it is proved.
+// Are these roots distinct? A sweep finds the pairs whose balls overlap, and the balls are made smaller until it is proved.
 //
 //   distinct:  |m_a - m_b|_j > error_a_j + error_b_j for some coordinate j
 //   the same:  |m_a - m_b|_j + error_a_j <= radius_b_j for all j: the root of a lies in the ball of b, where there is but one
 //
-// The sweep: the points' projections on a random direction, sorted; only pairs whose intervals meet are compared, and those in
-// exact rational arithmetic. N log N steps and one a meeting pair. A pair that is neither distinct nor the same is in doubt:
-// that two balls overlap proves nothing.
+// The sweep sorts the points' projections on a random direction. Only pairs whose intervals overlap are compared, in exact rational
+// arithmetic. It takes N log N steps, and one for each such pair. A pair that is neither distinct nor the same is in doubt: two
+// overlapping balls prove nothing.
 // Certificates that hold no root are left out.
 #pragma once
 
@@ -33,14 +33,14 @@ struct Distinctness {
   std::vector<IndexPair> same;  ///< pairs proved to be one root; chains of them make up first_of
   std::vector<IndexPair> doubtful;  ///< neither proved distinct nor proved the same, in order
   std::size_t holding = 0;          ///< certificates that hold a root
-  /// So many different roots are proved: exactly those of all certificates where nothing is in doubt.
+  /// The number of different roots that is proved; exact if nothing is in doubt.
   std::size_t distinct_roots = 0;
 };
 
 /// seed: of the random direction; it changes the work, never the result.
 Distinctness compare(std::span<const Certificate> certificates, std::uint64_t seed = 1);
 
-/// As compare, but what is in doubt is sharpened in doubled precision, up to the certifier's most_bits.
+/// As compare, but doubtful certificates are sharpened by doubling the precision, up to the certifier's most_bits.
 Distinctness tell_apart(Certifier& certifier, std::span<Certificate> certificates,
                         std::uint64_t seed = 1);
 

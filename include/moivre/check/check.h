@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: MIT
-// Does a result hold? Every claim of it that can be verified, judged from the exact coefficients of its system.
+// Is a result true? Every claim that can be verified is judged from the exact coefficients of the system.
 //
-// Three standings of a claim: it holds (proved, or recomputed), it is refuted, or it is open: not verifiable here.
+// A claim holds (proved, or recomputed), is refuted, or is open: not verifiable here.
 //   root          a regular root exists: Krawczyk's test (certify/certifier.h) from the doubles of the result
 //   accuracy      that root lies within what is stated; refuted where none does: exact Taylor sums (src/check/exclusion.h)
-//   distinct      two entries are never one root
-//   real          a root called real is, one called not real is not
+//   distinct      no two entries are one root
+//   real          roots called real are real, roots called not real are not
 //   multiplicity  open at a singular root, which is numerical; refuted where regular roots are proved beside it, or none is near
 //   residual, condition   recomputed
 //   system, reduced, start, paths, complete   facts and sums; the conjugate of a root of a real system is a root
 //   certified, completeness   proved again here; completeness by a bound of bounds/root_bounds.h that the distinct roots meet
 // A list of PHCpack claims roots, each listed once, and how many there are.
 //
-// The judge shares reading, the tape, the certificates and the bounds with the solver, and nothing that follows a path.
-// Edges: of a system that is not square or has homogeneous groups the square system of polynomial/square_up.h or patches.h is
-// judged; where that proves nothing about the file's own, roots are open, and refuted where an equation of the file excludes
-// them. A result whose unknowns are not the system's is refuted as that of another file, and judged no further.
+// The judge shares reading, the tape, the certificates and the bounds with the solver, but nothing that follows a path.
+// Edges: if a system is not square or has homogeneous groups, the square system of polynomial/square_up.h or patches.h is judged.
+// If that proves nothing about the file's own system, roots are open; they are refuted if an equation of the file excludes them.
+// A result whose unknowns are not those of the system belongs to another file. It is refuted and judged no further.
 #pragma once
 
 #include <cstddef>
@@ -49,7 +49,7 @@ enum class ClaimKind {
 };
 std::string to_string(ClaimKind kind);
 
-/// What does not hold, or cannot be verified, and why.
+/// A claim that does not hold, or cannot be verified, and why.
 struct Finding {
   ClaimKind claim = ClaimKind::system;
   std::optional<std::size_t> root;  ///< number of the root in the result, from 1
@@ -61,13 +61,14 @@ struct ClaimTally {
   std::size_t holds = 0, refuted = 0, open = 0;
 };
 
-/// Roots of the result by what is proved of them.
+/// Numbers of roots of the result by what is proved about them.
 struct RootTally {
   std::size_t listed = 0;
   std::size_t certified = 0;  ///< a regular root is proved to lie near, within a ball of its own
-  std::size_t distinct = 0;   ///< so many different ones
-  std::uint64_t counted = 0;  ///< multiplicities, by exact algebra, of singular roots that are known exactly
-  std::size_t real = 0;       ///< of the distinct ones, proved
+  std::size_t distinct = 0;   ///< different ones among these
+  std::uint64_t counted =
+      0;  ///< multiplicities, by exact algebra, of singular roots that are known exactly
+  std::size_t real = 0;  ///< of the distinct ones, proved
   std::size_t not_real = 0;
   std::size_t doubled = 0;    ///< proved to be an earlier one of the list
   std::size_t not_roots = 0;  ///< proved to have no root near

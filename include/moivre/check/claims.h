@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// What does a result claim? Its system's facts, its books, and each root with what is said of it.
+// What does a result claim? Facts about its system, counts of paths, and each root with its properties.
 //
-// Two forms, told apart by content: the JSON of `moivre solve` (docs/json.md), and PHCpack's solution list, as `phc -b` writes
-// it (the last list of a file: earlier ones are of start systems or not yet refined).
-// Nothing is judged here. A fault of form (truncated, a missing key, a text for a number, a point of another dimension) is
-// refused, with every fault named by its place in the JSON, as in `solutions[3].x[1]`, or by its line.
-// What a result leaves out, or gives as null, is claimed nowhere: nullopt. Not supported: the JSON of other commands.
+// Two forms, recognized by content: the JSON of `moivre solve` (docs/json.md), and PHCpack's solution list, as `phc -b` writes it.
+// The last list of a file counts; earlier ones belong to start systems or are not refined yet.
+// Nothing is judged here. Faults of form are refused: a truncated file, a missing key, a text instead of a number, a point of
+// another dimension. Every fault is named by its place in the JSON, as in `solutions[3].x[1]`, or by its line.
+// What a result leaves out, or gives as null, is not claimed: nullopt. Not supported: the JSON of other commands.
 #pragma once
 
 #include <cstdint>
@@ -57,7 +57,7 @@ struct PathClaim {
   std::optional<std::uint64_t> retracked, handed_over;
 };
 
-/// Numbers of roots said beside the list: top-level `counts`.
+/// Numbers of roots stated besides the list: top-level `counts`.
 struct CountClaim {
   std::optional<std::uint64_t> complex, real;
 };

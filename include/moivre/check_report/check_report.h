@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How is a judgement told? As a short table for people, and as JSON.
+// How is a judgement reported? As a short table for people, and as JSON.
 #pragma once
 
 #include <string>
@@ -14,8 +14,8 @@ struct JudgedFiles {
   std::string result;
 };
 
-/// Roots, bounds, a line for each kind of claim, and one for each claim that does not hold; what cannot be verified is told
-/// once for all roots of which it is said.
+/// Roots, bounds, a line for each kind of claim, and one for each claim that does not hold. A reason why something cannot be
+/// verified is given once for all roots.
 std::string check_text(const Judgement& judgement, const JudgedFiles& files);
 std::string check_json(const Judgement& judgement, const JudgedFiles& files);
 

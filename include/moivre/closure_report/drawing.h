@@ -6,7 +6,7 @@
 //   planar bodies     a = e^(i phi), b = x + i y
 //   rods              from one point to the other
 //   spatial bodies    lines between points, seen by an eye far away
-//   typed equations   a dial an angle, a ruler a length
+//   typed equations   a dial for each angle, a ruler for each length
 // The lengths of guides and slots, and the size of the symbols, follow from all the poses that are to be shown.
 // Links are drawn as the convex hull of their points. Not drawn: gears whose wheels do not turn about points of the carrier.
 #pragma once
@@ -119,6 +119,7 @@ struct View {
   /// Instead of the ground's alone.
   std::vector<ShownFrame> frames;
   bool has_arrows = false;  ///< joints' axes have heads
+  double symbol = 0;        ///< radius of a revolute joint; 0: as fits all the poses
 };
 
 struct Drawing {
@@ -141,7 +142,7 @@ struct Similarity {
 Drawing draw(const Mechanism& mechanism, const std::vector<Eigen::VectorXd>& poses,
              const View& view = {});
 
-/// One a frame.
+/// One per frame.
 std::vector<Similarity> place(const Drawing& drawing, const Mechanism& mechanism,
                               const Eigen::VectorXd& q);
 

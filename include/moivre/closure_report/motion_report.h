@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// How is a motion told? As text for people, as JSON and CSV for programs.
+// How is a motion reported? As text for people, as JSON and CSV for programs.
 //
 //   text  branches, where they begin and end, events with the drivers' values, whether the checkpoints agree
 //   JSON  docs/json.md shows it: every sample with position, velocity and acceleration of every coordinate and named point
-//   CSV   one sample a line: branch, t, drivers, then for each coordinate and each point's x, y (z) the value, velocity and
+//   CSV   one sample per line: branch, t, drivers, then for each coordinate and each point's x, y (z) the value, velocity and
 //         acceleration
-// Angles in radians in (-pi, pi] unless an AngleForm says otherwise, per second and per second squared; lengths in the file's unit; the text in the file's units.
+// Angles are in radians in (-pi, pi] unless an AngleForm says otherwise, their rates per second and per second squared. Lengths are
+// in the file's unit. The text is in the file's units.
 #pragma once
 
 #include <string>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // How can closures be seen and driven in a browser? One self-contained page: drawings, a slider, plots with units on their axes.
 //
-// A panel a branch with its closure, driven by one slider through the samples; position, velocity and acceleration of a
-// quantity of choice over time, a line a branch. Plain inline script and style, nothing from the network (its content policy
+// One panel per branch with its closure, driven by one slider through the samples; position, velocity and acceleration of a
+// quantity of choice over time, one line per branch. Plain inline script and style, nothing from the network (its content policy
 // forbids it); without a script the page shows the first poses. Names are escaped in markup and in the page's data.
 // With `readings` a designer's quantities can be plotted too. A branch is hidden by a click on its name in the legend, enlarged by
 // a click on its panel's name; a button saves all plotted quantities as CSV, angles in the file's unit.
@@ -20,7 +20,7 @@ struct Readings;
 std::string motion_html(const MotionResult& result, const Mechanism& mechanism,
                         const std::string& file, const Readings* readings = nullptr);
 
-/// The closures that stand still: no slider, no plots.
+/// Closures without motion: no slider, no plots.
 std::string closures_html(const ClosureResult& result, const Mechanism& mechanism,
                           const std::string& file);
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// How are poses of one mechanism shown side by side, whatever they were computed by? Panels on a sheet, or on a page that turns them.
+// How are poses of one mechanism shown side by side, however they were computed? Panels on a sheet, or on a page that turns them.
 //
 // A panel is a pose q of the mechanism (mechanism/mechanism.h) with a caption and lines of text. All have one scale and the ground at
-// the same place. Names are escaped: whatever they hold, the document stays well-formed.
+// the same place. A spatial mechanism is seen from one place, or each panel comes three times: from the front, from the right
+// and from above, as in an engineering drawing. Names are escaped: whatever they hold, the document stays well-formed.
 #pragma once
 
 #include <string>
@@ -19,12 +20,21 @@ struct Panel {
   std::vector<std::string> notes = {};  ///< below the caption
 };
 
+enum class Views {
+  standing,  ///< one, by the sheet's view
+  three  ///< from the front (x right, z up), from the right (y right, z up), from above (x right, y up)
+};
+
 struct Sheet {
   std::string title;
   std::string summary;
   std::vector<Panel> panels;  ///< one or more
   View view = {};
+  Views views = Views::standing;
 };
+
+/// Throws std::invalid_argument, with the reason, where it has but one view.
+void require_spatial(const Mechanism& mechanism);
 
 /// In as many columns as fit, with a heading and a scale bar.
 std::string sheet_svg(const Sheet& sheet, const Mechanism& mechanism);

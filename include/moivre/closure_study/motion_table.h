@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How exact is a mechanism's motion, and at what cost? Its positions against closures solved afresh, its velocity and acceleration
-// against differences of itself.
+// How exact is a mechanism's motion, and at what cost? Positions are compared with closures solved again, velocities and
+// accelerations with finite differences of the motion.
 //
 // A pose followed over D seconds, with N = 50, 100, ..., 6400 samples, h = D / N apart. Errors, each relative:
 //
@@ -11,7 +11,7 @@
 //   The differences fall by 16 with h/2 until rounding, about 1e-16 |q| / h, if and only if velocity is the derivative of
 //   position (acceleration that of velocity).
 // Edges: a branch that ends is compared over the first three quarters of its time, since velocity has no bound at a dead point. A
-// mechanism that stands gives no row.
+// mechanism that does not move gives no row.
 #pragma once
 
 #include <Eigen/Core>

@@ -5,17 +5,17 @@
 // branches of a motion (closures/motion.h). Their ends are joined
 //   at a dead point     two branches meet: the driver turns back there, the mechanism goes on
 //   at a bifurcation    branches cross: a change point
-//   over the turn       the drivers stand at `to` as they stood at `from`: a branch goes on where its last pose is a first one
-// Two closures on different circuits: a circuit defect. Two on one circuit with a dead point between: a branch defect.
-// A stretch is what of a circuit can be gone through without a dead point: a "branch" of [ChaseMirth93], whose branches are
-// not cut where a motion happens to begin.
+//   after a full turn   the drivers at `to` are as at `from`: a branch continues in the one that begins with its last pose
+// Two closures on different circuits are a circuit defect. Two on one circuit with a dead point between are a branch defect.
+// A stretch is a part of a circuit without a dead point. It is the "branch" of [ChaseMirth93], which is not cut where a motion
+// happens to begin.
 //
-// Angles go on along a branch, and over a join but for whole turns. Round every closed way of a circuit an angle comes
-// back to where it was, then it rocks and has a range; or whole turns later, then it turns.
-// Ranges are those of the curves themselves, to about 1e-7, however few samples there are.
+// Angles are continuous along a branch, and over a join up to whole turns. Around every closed loop of a circuit an angle either
+// returns to its value, then it rocks and has a range, or it changes by whole turns, then it turns.
+// Ranges are those of the curves, to about 1e-7, and do not depend on the number of samples.
 // Symbols: angles in radians, lengths in the file's unit.
-// Edges: where the drivers do not come back, as over half a turn, circuits may be joined outside of the range (`notes`).
-// Not seen: that a driver which turns back passes its poses again; all joins of a dead point that stands at `from` itself.
+// Edges: if the drivers do not return, as over half a turn, circuits may be joined outside of the range (`notes`).
+// Not seen: that a driver which turns back passes its poses again; all joins of a dead point at `from` itself.
 #pragma once
 
 #include <array>
@@ -42,7 +42,7 @@ struct BranchJoin {
   std::array<BranchEnd, 2> ends;
 };
 
-/// How far an angle or a slide goes on a circuit.
+/// How far an angle or a slide moves on a circuit.
 struct Swing {
   std::string name;  ///< of the driver, the body (or unknown) or the joint
   CoordinateKind kind = CoordinateKind::angle;
@@ -53,9 +53,9 @@ struct Swing {
 
 enum class DriverMotion {
   turns,                   ///< fully, without a dead point
-  turns_over_dead_points,  ///< it could be turned by another link only
+  turns_over_dead_points,  ///< only another link could turn it fully
   rocks,                   ///< between dead points or stops
-  open                     ///< to the end of the range that was asked for
+  open                     ///< to the end of the given range
 };
 
 /// "turns", "turns over dead points", "rocks", "open".
@@ -84,23 +84,23 @@ struct Circuits {
 /// Throws std::invalid_argument where the motion is not one of this mechanism.
 Circuits find_circuits(const Mechanism& mechanism, const MotionResult& motion);
 
-/// Which circuit has the branch: an index into Circuits::circuits.
+/// The circuit of the branch: an index into Circuits::circuits.
 std::size_t circuit_of(const Circuits& circuits, std::size_t branch);
 
-/// What has to be passed on the way from one branch to another.
+/// What must be passed between one branch and another.
 struct Passage {
   int dead_points = 0;    ///< as few as can be
   int change_points = 0;  ///< then likewise
 };
 
-/// From a branch to every branch; nullopt: there is no way, they lie on different circuits.
+/// From a branch to every branch; nullopt: they lie on different circuits.
 std::vector<std::optional<Passage>> passages_from(const Circuits& circuits, std::size_t branch);
 
 /// The branches that are there at MotionResult::from, as indices: its closures, by their names.
 std::vector<std::size_t> first_branches(const MotionResult& motion);
 
-/// The motion with the branches alone that can be reached from these closures at `from`. Checkpoints stay as they are.
-/// Throws std::invalid_argument, which names the closures that there are, where there is no such closure.
+/// The motion with only those branches that can be reached from these closures at `from`. Checkpoints do not change.
+/// Throws std::invalid_argument, which lists the closures, if one does not exist.
 MotionResult reachable_from(MotionResult motion, const Circuits& circuits,
                             const std::vector<std::string>& closures);
 

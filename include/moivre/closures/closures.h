@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 // In which poses can a mechanism be assembled? All closures at the drivers' time t, none missing, by homotopy continuation.
 //
-// Closure polynomials (formulation/formulation.h) -> blocks solved one after another, one solve a branch of what came before
-// (dyad after dyad) -> roots kept that satisfy every equation -> the real ones -> q -> Newton-Raphson on Phi(q, t).
-// Conservation holds in every stage as in solver/solve.h; roots on spare equations that fail are counted as `rejected`.
-// "Cannot be assembled" (no real closure) and "moves" (a curve of closures though the drivers stand) are answers.
+// Closure polynomials (formulation/formulation.h) -> blocks (Assur groups) solved one after another, once for every root of
+// the blocks before -> roots that satisfy every equation -> the real ones -> q -> Newton-Raphson on Phi(q, t).
+// The counts of paths add up in every stage, as in solver/solve.h. Roots that fail a redundant equation are `rejected`.
+// "Cannot be assembled" (no real closure) and "moves" (a curve of closures with the drivers held) are possible answers.
 // An isolated multiple closure (a dead point) is singular and does not move.
-// Sub-chains that share no more than what the drivers place (sub_chains.h) are solved each on its own: closures of the whole are one of
-// each, and are listed up to kMostListed of them.
-// Closures are lettered by their poses: larger first coordinate first, ties by the next one.
-// Below a complex closure of one group the next one's conjugates come from that group's own pb and u.
-// Not supported: spatial mechanisms, equations that are no polynomials (std::invalid_argument with the reason).
+// Sub-chains that share no more than what the drivers place (sub_chains.h) are solved each on its own: closures of the whole are
+// one of each, and are listed up to kMostListed of them.
+// Closures get letters by their poses: larger first coordinate first, ties by the next one.
+// In a block after a complex root of another block, conjugates come from the block's own unknowns pb and u.
+// Not supported: typed equations that are not polynomials (std::invalid_argument with the reason).
 #pragma once
 
 #include <Eigen/Core>
@@ -30,7 +30,7 @@ struct ClosureOptions {
   SolveOptions solve;
 };
 
-/// One group of bodies, solved once for every branch of the groups before it.
+/// One group of bodies, solved once for every solution of the groups before it.
 struct Stage {
   std::string group;
   std::uint64_t solves = 0;
@@ -46,7 +46,7 @@ struct Closure {
   double residual = 0;  ///< residual_by_size (mechanism/phi.h)
   double misfit = 0;    ///< by how much it does not close, in the file's unit of length
   bool is_fitted =
-      false;  ///< it closes within Mechanism::fit only: least squares, no root of the polynomials
+      false;  ///< it closes only within Mechanism::fit: least squares, no root of the polynomials
   int newton_iterations = 0;
   double smallest_singular_value = 0;  ///< of Phi_q
   std::uint64_t path = 0;              ///< of the last stage
@@ -59,20 +59,20 @@ struct ClosureCounts {
   std::uint64_t complex = 0;  ///< isolated closures, the real ones among them
   std::uint64_t real = 0;
   std::uint64_t filtered = 0;  ///< of the real ones: outside a joint's limits
-  std::uint64_t rejected = 0;  ///< roots of the solved equations that fail a spare one
+  std::uint64_t rejected = 0;  ///< roots of the solved equations that fail a redundant one
   std::uint64_t fitted = 0;  ///< closures that close within Mechanism::fit only; none of the above
 };
 
-/// A set of closures of positive dimension, the drivers standing.
+/// A set of closures of positive dimension, with the drivers held.
 struct Moves {
   std::uint64_t dimension = 0;  ///< at `pose`
   std::string shown;            ///< how (kinematics/local_dimension.h)
   Eigen::VectorXd pose;         ///< q of one of them
 };
 
-/// A freedom that touches no loop and no driver: nothing else depends on it.
+/// An idle degree of freedom: nothing else depends on it.
 struct IdleJoint {
-  std::string body;   ///< that moves alone, with what hangs on it
+  std::string body;   ///< that moves alone, with everything that hangs on it
   std::string joint;  ///< across which it moves, by name
   std::string held;   ///< how it is held, a clause
 };

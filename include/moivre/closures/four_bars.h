@@ -6,9 +6,9 @@
 //   s + l < p + q    Grashof: s turns fully, the type says which link it is; two circuits
 //   s + l > p + q    no link turns fully, the type says which link is the longest; one circuit
 //   s + l = p + q    change point: the links can lie in one line, and circuits meet there
-// Frame: the ground; of a loop without it there is no type. Input: the neighbour of the frame that is nearer to a driver, by
-// joints; of equals the first of the file. A rod is a link.
-// Edges: lengths are equal that differ by less than 1e-9 of their sum. l > s + p + q: the loop cannot be closed.
+// Frame: the ground; a loop without it has no type. Input: the neighbour of the frame that is nearer to a driver, counted in
+// joints; if both are equally near, the first one in the file. A rod is a link.
+// Edges: lengths that differ by less than 1e-9 of their sum are equal. l > s + p + q: the loop cannot be closed.
 // Not seen: links of several bodies that are welded together; spatial loops; equations.
 // Sources: [Barker85] types and their letters; [McCarthySoh11] signs of the sums.
 #pragma once

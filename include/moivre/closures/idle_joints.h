@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Which bodies can move while everything else stands, and how are they held? A wheel that spins idly hides every closure.
+// Which bodies can move while everything else stands still, and how are they held? One idle wheel would hide every closure.
 //
-// A body (with what is welded to it) that one joint alone ties to the others, and no driver touches, has freedoms on which
-// nothing depends; so has a set of wheels on pivots of their own that mesh with each other alone. The joint is held: it becomes
-// a weld in the pose that the file's guess gives it, else as it was drawn, within the joint's limits. What is held is one body
-// with its neighbour, so that chains are held link by link.
-// Coordinates stay what they are; the joints keep their numbers and names.
-// Edges: where all that could be held would hold the whole mechanism, as of a pendulum without a driver, nothing is.
-// Not supported: spatial mechanisms and typed equations; they come back as they are.
+// A body (with everything welded to it) that has a single joint and no driver has idle degrees of freedom: nothing depends on
+// them. The same holds for wheels on their own pivots that mesh only with each other. The joint is held: it becomes a weld in
+// the pose of the file's guess, else as drawn, within the joint's limits. Each weld holds one body to its neighbour, so chains
+// are held link by link. Coordinates do not change; joints keep their numbers and names.
+// Edges: nothing is held if that would hold the whole mechanism, as for a pendulum without a driver.
+// Not supported: spatial mechanisms and typed equations; they are returned unchanged.
 #pragma once
 
 #include <vector>

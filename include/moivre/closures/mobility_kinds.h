@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // How freely does a mechanism move at each of its closures? A folded pose may be freer than all others.
 //
-// Closures of one rank, with drivers and without, are one kind. The generic kind is that of the highest rank: its degrees of
-// freedom are those nearly everywhere. Where closures form a set, the pose of the set that was found is one more.
+// Closures of the same ranks, with the drivers and without them, are one kind. The generic kind has the highest rank: its
+// degrees of freedom hold nearly everywhere. If closures form a set, the pose found on the set is one more closure.
 #pragma once
 
 #include <string>

@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: MIT
-// How does every closure of a mechanism move while the drivers go on from one time to another, and is no branch exchanged?
+// How does every closure of a mechanism move while the drivers move, and is no branch exchanged for another?
 //
-// All closures at `from`, each followed along the drivers (kinematics/branch.h). At checkpoints the closures are solved
-// afresh, and must be those that the branches have come to, one to one:
-//   two branches at one closure, or a branch whose place another one claims    followed again with shorter steps
-//   a closure without a branch    a branch that begins since the last checkpoint: followed both ways, a new id
-//   a branch without a closure    a closure that the solver lost, said in `failures`
-// Two branches that were exchanged for each other would agree; so each is followed back from its last checkpoint to where it
-// was found, with other steps, and must pass through the same closures.
-// Where a branch ends at a dead point, the branch that meets it there is found by going on round the fold.
-// Ids stay the same through the motion: A, B, ... as find_closures gives them at `from`, then new ones as branches begin.
-// Between two checkpoints where closures are complex, so that a branch could begin and end unseen, closures are solved 16
-// times, and again where the distance of a complex pair from real, as it runs through three of these, is about to vanish. A pose
-// for an instant is no branch (said in `left_out`). Not seen: a short branch that meets no other and does not show that way.
-// Sub-chains that share no more than what the drivers place (sub_chains.h) are followed each on its own: a branch of the whole is one
-// of each, from where the last of them begins to where the first ends. They are listed up to kMostBranchesListed; of more, one for each
-// branch of a sub-chain is, and circuits are told of each sub-chain alone.
-// Not supported: what find_closures does not support; follow_guesses takes those, and solves no polynomials at all.
+// All closures at `from` are followed along the drivers (kinematics/branch.h). At checkpoints the closures are solved again, and
+// must match the branches one to one:
+//   two branches at one closure   followed again with shorter steps, and so is a branch that has another one's closure
+//   a closure without a branch    a branch began since the last checkpoint: it is followed both ways and gets a new id
+//   a branch without a closure    the solver lost a closure; `failures` says so
+// Two branches that were exchanged for each other would match too. So each one is followed back from its last checkpoint to where
+// it was found, with other steps, and must pass through the same closures.
+// If a branch ends at a dead point, the other branch there is found by following the curve around the fold.
+// Ids do not change during the motion: A, B, ... as find_closures gives them at `from`, then new ones as branches begin.
+// If closures are complex, a branch could begin and end unseen between two checkpoints. Closures are then solved 16 times there,
+// and again where three of these show that a complex pair is about to become real. A pose that exists for an instant only is
+// not a branch (`left_out` says so). Not seen: a short branch that meets no other and does not show in this way.
+// Sub-chains that share no more than what the drivers place (sub_chains.h) are followed each on its own: a branch of the whole is
+// one of each, from where the last of them begins to where the first ends. They are listed up to kMostBranchesListed. Of more, one
+// for each branch of a sub-chain is listed, and circuits are told of each sub-chain alone.
+// Not supported: what find_closures does not support. follow_guesses takes those mechanisms and solves no polynomials.
 #pragma once
 
 #include <Eigen/Core>
@@ -31,7 +31,7 @@
 
 namespace moivre {
 
-/// Who follows a branch: follow_branch, or one that a test puts in its place.
+/// The function that follows a branch: follow_branch, or another one in a test.
 using FollowBranch =
     std::function<Branch(const Mechanism&, const Eigen::VectorXd&, const std::vector<double>&,
                          const BranchOptions&, const std::atomic<bool>&)>;
@@ -61,7 +61,7 @@ struct MotionBranch {
   double ends = 0;
   Eigen::VectorXd begin_pose;  ///< q there; angles go on from it to the samples
   Eigen::VectorXd end_pose;
-  /// Its curve from the pose in which it was found: back to its beginning, on to its end.
+  /// Its curve from the pose in which it was found: back to its beginning, and forward to its end.
   std::array<std::vector<BranchPiece>, 2> ways;
   std::optional<std::size_t> begin_event;  ///< index into MotionResult::events; nullopt: at `from`
   std::optional<std::size_t> end_event;    ///< nullopt: at `to`, or not followed further
@@ -80,10 +80,10 @@ struct MotionEvent {
   std::vector<std::string> beginning;
 };
 
-/// What a checkpoint says that was not reached before the run was stopped.
+/// The message of a checkpoint that was not reached before the run was stopped.
 inline constexpr const char* kNotCompared = "interrupted before it was compared";
 
-/// Closures solved afresh, and the branches that were there.
+/// Closures solved again, and the branches that are there.
 struct Checkpoint {
   double time = 0;
   std::vector<double> drivers;
@@ -132,8 +132,8 @@ struct MotionSubChain {
 /// Value of each driver.
 std::vector<double> driver_values(const Mechanism& mechanism, double time);
 
-/// How long to go on from `from` to see the whole motion: one turn of the first driver where that turns by a parabola, the rest
-/// of its table, else 1 s.
+/// The time that shows the whole motion from `from` on: one turn of the first driver if it turns by a parabola, the rest of its
+/// table, else 1 s.
 double natural_duration(const Mechanism& mechanism, double from = 0);
 
 /// Throws std::invalid_argument where the mechanism or the options are not supported, before any tracking.
@@ -141,8 +141,8 @@ MotionResult find_motion(const Mechanism& mechanism, const Tracker& tracker,
                          const MotionOptions& options = {},
                          const std::atomic<bool>& stop = std::atomic<bool>{false});
 
-/// The same from guesses of one's own at `from`, each assembled by Newton-Raphson first: spatial mechanisms and equations that
-/// are no polynomials too. No closures are solved, so that there are no checkpoints.
+/// The same from given guesses at `from`, each assembled by Newton-Raphson first. Equations need not be polynomials. No closures
+/// are solved, so there are no checkpoints.
 MotionResult follow_guesses(const Mechanism& mechanism, const std::vector<Eigen::VectorXd>& guesses,
                             const MotionOptions& options = {},
                             const std::atomic<bool>& stop = std::atomic<bool>{false});

@@ -7,17 +7,16 @@
 //   coefficients   first and second derivative by each driver (kinematics/coefficients.h) of the bodies' angles, the joints'
 //                  slides, the points without a joint, the unknowns; spatial: of the joints' angles in place of the bodies'
 //   transmission   transmission angle of joints between moving bodies (kinematics/transmission.h)
-//   advantage      |driver / output|: by the balance of power, without friction and inertia, what the output gives (torque, or
-//                  force along a slide) over what the driver takes; |df / do|, f the driver's value, o the output's, the other
-//                  drivers standing. Angular in, angular out: omega_in / omega_out [Norton12, 6.6]. It is infinite where
-//                  the output stands still for an instant
+//   advantage      mechanical advantage: output torque (or force along a slide) over the driver's, without friction and inertia.
+//                  By the balance of power it is |df / do|, f the driver's value, o the output's, with the other drivers held.
+//                  For angles it is omega_in / omega_out [Norton12, 6.6]. It is infinite where the output stands still for an
+//                  instant
 //   singularity    smallest singular value of Phi_q with its rows and columns brought to unit length: 0 at a dead point
 //
 // Outputs are bodies (their angle, or their slide where a prismatic joint ties them to the ground), joints (angle or slide),
-// points' coordinates ("rocker.B.x") or unknowns, by name. Where none is named: what a joint ties to the ground and no driver
-// moves.
+// points' coordinates ("rocker.B.x") or unknowns, by name. If none is named: bodies with a joint to the ground that are not driven.
 // Angles in radians (of spatial joints in [-pi, pi]), lengths in the file's unit; derivatives by an angle are by a radian.
-// NaN where a quantity is not defined: derivatives at a pose without the only velocity. Idle joints are held, as in motion.
+// NaN where a quantity is not defined: derivatives at a pose whose velocity is not unique. Idle joints are held, as in motion.
 #pragma once
 
 #include <memory>
@@ -44,7 +43,7 @@ std::string to_string(QuantityGroup group);
 std::string description(QuantityGroup group);
 std::vector<QuantityGroup> quantity_groups();
 
-/// What turns or slides: how a quantity goes with the time or a driver.
+/// An angle or a slide: how a quantity changes with time or with a driver.
 enum class QuantityOrder { value, velocity, acceleration };
 
 struct Quantity {
@@ -73,12 +72,12 @@ class QuantityReader {
   QuantityReader& operator=(const QuantityReader&) = delete;
 
   const std::vector<Quantity>& quantities() const;
-  /// One a quantity. A pose without velocities has only what needs none.
+  /// One per quantity. A pose without velocities has only what needs none.
   std::vector<double> read(const BranchSample& pose) const;
   double read(std::size_t quantity, const BranchSample& pose) const;
   /// Of an advantage: do / df, which changes its sign where the advantage is infinite. NaN of others.
   double rate(std::size_t quantity, const BranchSample& pose) const;
-  /// Whether the quantity (a velocity, ...) is without bound near the dead point `q`.
+  /// Whether the quantity (a velocity, ...) is unbounded near the dead point `q`.
   bool runs_away(std::size_t quantity, const Eigen::VectorXd& q, double time) const;
 
   /// A sample between two: Newton's method from Hermite's cubic. Status false (is_determined) where it does not settle.

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
 // Where does a path end? Regular, singular with a winding number, at infinity, or lost.
 //
-// An Endgame belongs to one path. It names the next contour to follow, is told how the journey went, and in the end holds a
-// PathEnd. It drives no tracker itself, so every tracker serves it.
+// An Endgame belongs to one path. It names the next contour, receives the result of following it, and in the end holds a
+// PathEnd. It calls no tracker itself, so it works with every tracker.
 //
-//   1. The whole way, t: 0 -> 1. From |1 - t| <= watch_radius on it is watched, for where to turn back to. An arrival at t = 1
-//      with J well conditioned is regular: done, no endgame is run.
-//   2. Otherwise circles t = 1 - r e^{i theta}: after m turns the path closes; m is the winding number, and the mean of
-//      equidistant samples is the end point (Cauchy's integral; the error falls geometrically in the number of samples).
-//      Radii shrink until two estimates agree.
-//   3. The power sums of the m sheets tell whether they end together (cycle.h). Where those of x_0 are all 0, and the faces of
-//      the path's direction have a root beside it, without which nothing is at infinity (face.h), it ends at infinity. Where
-//      the sheets end apart, the circle is too wide, or this precision.
-//   4. Several turns about a mean that is not clearly a singular root: a landing from the last radius
-//      to t = 1 tells whether simple roots close to each other were taken for one.
+//   1. The path is followed from t = 0 to t = 1. From |1 - t| <= watch_radius on its points are recorded, so that circles can
+//      begin there. If it reaches t = 1 with a well-conditioned J, the end is regular and no endgame is needed.
+//   2. Otherwise it is followed in circles t = 1 - r e^{i theta}. After m turns the path closes; m is the winding number. The
+//      mean of equidistant samples is the end point (Cauchy's integral; the error falls geometrically in the number of
+//      samples). Radii shrink until two estimates agree.
+//   3. The power sums of the m points over one t tell whether these end together (cycle.h). The path ends at infinity if two
+//      things hold: those of x_0 are all 0, and the faces of the path's direction have a common root near it (face.h). If the
+//      points end apart, the circle is too wide, or more digits are needed.
+//   4. After several turns around a mean that is not clearly a singular root, a straight segment to t = 1 (the landing) tells
+//      whether simple roots close to each other were taken for one.
 //
 // x: N homogeneous coordinates of a chart, which knows x_0. accuracy: relative, |x - x*|_inf / |x|_inf in homogeneous coordinates.
 // Edges: a path that breaks off far from t = 1 has failed, with the reason. Not supported: winding numbers above maximum_winding.
@@ -23,6 +23,7 @@
 #include <optional>
 #include <vector>
 
+#include "moivre/endgame/end_parameters.h"
 #include "moivre/tracker/tracker.h"
 
 namespace moivre {
@@ -40,21 +41,14 @@ enum class Failure {
   jumped           ///< its end belongs to another path, and tracking it again did not help
 };
 std::string to_string(Failure failure);
-/// Why a path failed whose journey ended so, short of its end.
+/// Why a path failed if its last segment ended like this before its end.
 Failure to_failure(Journey journey);
 
 struct EndgameOptions {
-  /// The whole way is followed as far as it leads before circles are tried: where digits are plenty.
+  /// The path is followed towards t = 1 as far as it leads before circles are tried: useful with many digits.
   bool goes_straight = false;
-  double watch_radius = 0.1;  ///< |1 - t| from which the path is watched
-  double regular_condition =
-      1e8;  ///< condition at t = 1 up to which an arrival is regular without more ado
-  double singular_condition =
-      1e11;                  ///< condition from which an end of winding number 1 is called singular
-  int samples = 16;          ///< of one turn
-  int maximum_winding = 32;  ///< turns tried before a circle counts as not closing
-  int maximum_radii = 20;    ///< circles tried; 0: an end that is not regular is a failure
-  std::uint64_t maximum_steps = 6000;  ///< of all journeys of one path, then the endgame concludes
+  bool only_regular = false;  ///< an end that is not regular is a failure: no circle is tried
+  EndParameters ends;
 };
 
 /// The verdict on one path.
@@ -64,7 +58,8 @@ struct PathEnd {
   Point x;                     ///< homogeneous end point; the last point when failed
   bool is_as_rounded = false;  ///< at infinity as far as the digits of F's coefficients tell
   bool singular = false;
-  std::optional<int> winding;  ///< nullopt: Newton landed on the end, and it is to prove simple
+  std::optional<int>
+      winding;  ///< nullopt: the segment to t = 1 ended there; solver/ tests whether the root is simple
   double accuracy = 0;
   double size = 1;        ///< |x|_inf / |x_0|, in the path's frame
   double condition = 0;   ///< of the bordered, row-scaled Jacobian
@@ -72,7 +67,7 @@ struct PathEnd {
   FramePointer frame;     ///< in which the path was followed; nullptr: in none
   std::size_t stage = 0;  ///< of the plan, on which it ended
   Complex
-      mark;  ///< of the point from which it set out on the last stage, where there are several (solver/marks.h)
+      mark;  ///< of its start point on the last stage, if there are several stages (solver/marks.h)
   StepCount count;
 };
 
@@ -85,7 +80,7 @@ class Endgame : public Watcher {
   /// The first departure, from a start point at t = 0, in the frame where there is one.
   Departure depart(Point start, FramePointer frame = nullptr);
 
-  /// Takes an arrival. The next departure, or nullopt when the verdict stands. `path`: scratch for evaluations.
+  /// Takes an arrival. Returns the next departure, or nullopt when the verdict is known. `path`: scratch for evaluations.
   std::optional<Departure> accept(Arrival&& arrival, PathSystem& path);
 
   const PathEnd& end() const noexcept { return end_; }
@@ -125,6 +120,7 @@ class Endgame : public Watcher {
   std::nullopt_t fail(Failure failure);
 
   EndgameOptions options_;
+  EndParameters ends_;
   Chart chart_;
   std::uint64_t path_;
   int care_;
@@ -133,12 +129,11 @@ class Endgame : public Watcher {
   PathEnd end_;
 
   // Watching.
-  int watched_ = 0;
-  int creeping_ = 0;   ///< watched steps within the radius of the singular ends
+  int creeping_ = 0;  ///< recorded steps within the creeping radius
   Point outpost_;      ///< last watched point, from which circles begin
   double radius_ = 0;  ///< its |1 - t|
 
-  // What circles began from, and whether they do for the second time.
+  // Where circles began, and whether they are repeated from there.
   Point watched_at_;
   double watched_radius_ = 0;
   bool looks_again_ = false;
@@ -148,7 +143,6 @@ class Endgame : public Watcher {
   Point turn_begin_;            // normalized point at angle 0
   std::vector<Point> samples_;  // normalized, over all turns so far
   int turns_ = 0;
-  int radii_ = 0;
   std::optional<Estimate> last_;
   std::optional<Estimate> best_;
   double best_difference_ = 0;

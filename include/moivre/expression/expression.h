@@ -52,14 +52,14 @@ struct Expression {
 };
 
 /// Parses all of `text` (a piece of a source that begins at `begin`) as one expression.
-/// Appended to `faults`: the first fault of the grammar in each summand, every parenthesis without its partner, and every
-/// number read that is out of double's range (nonzero ones that round to 0 too) or has more than 5000 digits; it stands as
-/// 1 in the tree. When there was a fault the result is of no use.
+/// Appended to `faults`: the first fault of the grammar in each summand, every unmatched parenthesis, and every number that is out
+/// of double's range (nonzero ones that round to 0 too) or has more than 5000 digits. Such a number is 1 in the tree. After a
+/// fault the result must not be used.
 Expression parse_expression(std::string_view text, SourcePosition begin,
                             std::vector<Diagnostic>& faults);
 
 /// The same for a sum that may be long: each summand, with its sign, is handed on as soon as it is
-/// read and then forgotten. Those without a fault of the grammar are handed on behind one, too, their signs lost.
+/// read and then forgotten. After a summand with a fault, correct summands are still handed on, without their signs.
 void parse_summands(std::string_view text, SourcePosition begin, std::vector<Diagnostic>& faults,
                     const std::function<void(const Expression&)>& take);
 

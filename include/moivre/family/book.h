@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Which families of coefficients are known, and is this system a member of one? A book that grows while systems are solved.
+// Which families of coefficients are known, and is this system a member of one? A cache that grows while systems are solved.
 //
-// A system is reduced by its linear equations; what is left is a member of the family of its monomials (family/coefficients.h). That
-// family is learned when it is first met, and every later system with these monomials, or fewer, takes as many paths as a
-// generic one has roots. Mechanisms are solved block by block: each kind of block is a family.
+// Linear equations of a system are eliminated. The rest is a member of the family of its monomials (family/coefficients.h). The
+// family is learned when it is first met. Every later system with these monomials, or fewer, then takes as many paths as a
+// generic one has roots. Mechanisms are solved block by block, and each kind of block is a family.
 //
-// Thread-safe. Edges: a family that could not be learned completely is not kept; its systems are solved as any other.
+// Thread-safe. Edges: a family that could not be learned completely is not kept; its systems are solved as usual.
 #pragma once
 
 #include <memory>
@@ -20,11 +20,11 @@ class FamilyBook {
   /// seed: of what is learned.
   explicit FamilyBook(std::vector<Family> families = {}, std::uint64_t seed = 1);
 
-  /// The roots of f by a family; nullopt where elimination alone decides, or no family can be had.
+  /// The result for f by a family; nullopt if elimination alone decides, or no family could be learned.
   std::optional<SolveResult> solve(const System& f, const Tracker& tracker,
                                    const SolveOptions& options, const std::atomic<bool>& stop);
 
-  /// Makes solve() ask this book first. The book must outlive every use of the options.
+  /// Makes solve() ask this cache first. It must outlive every use of the options.
   void serve(SolveOptions& options);
 
   std::vector<Family> families() const;

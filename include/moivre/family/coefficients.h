@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Which family has every system with these monomials for a member? That of their coefficients, each a parameter of its own.
+// Which family contains every system with these monomials? The one in which each coefficient is a parameter.
 //
 //   F_i(x; p) = sum_k p_ik x^{a_ik},  p_ik: named c<i>_<k>, of the size of the coefficient in `member`
 //
-// A system with some coefficients 0, or related, is a special member at worst: its roots are ends of paths all the same.
+// A system with zero or dependent coefficients is at worst a special member. Its roots are still ends of paths.
 #pragma once
 
 #include <optional>

@@ -4,10 +4,10 @@
 //   F(x; p) = (F_1, ..., F_n), polynomials in n unknowns x and k parameters p, coefficients exactly as read
 //   p*: a random complex member;  roots: the regular isolated roots of F(x; p*), as many as a generic member has
 //
-// Isolated roots of a member are ends of the paths from p* to it: a generic member has as many, none has more [SommeseWampler05, ch. 7].
-// Parameters enter as polynomials. A number and its complex conjugate are two parameters; numbers on a variety (sines and
-// cosines) are to be given by free coordinates of it.
-// Edges: what is not regular at p*, a multiple root or a set of roots of every member, is not kept, and the learning says so.
+// The isolated roots of a member are ends of the paths from p* to it. A generic member has as many, and none has more
+// [SommeseWampler05, ch. 7]. The system is polynomial in the parameters. A number and its complex conjugate are two parameters.
+// Dependent numbers, such as sine and cosine of an angle, must be expressed by free parameters.
+// Edges: multiple roots and sets of roots at p* belong to every member. They are not kept, and the learning says so.
 #pragma once
 
 #include <string>
@@ -17,7 +17,7 @@
 
 namespace moivre {
 
-/// How the roots at p* were found, and what is known of their number.
+/// How the roots at p* were found, and what is known about their number.
 struct Learning {
   std::string start;        ///< kind of the start system, or "monodromy"
   std::uint64_t paths = 0;  ///< that were followed
@@ -38,7 +38,7 @@ struct Family {
   std::uint64_t seed = 0;     ///< of p* and of the search for its roots
   Point generic;              ///< p*
   std::vector<Point> roots;   ///< at p*, n coordinates each
-  /// Roots with a coordinate 0 are left out: those of closures, which are Laurent polynomials multiplied out, are none.
+  /// Roots with a coordinate 0 are left out. Closure equations are Laurent polynomials multiplied out; such roots are no closures.
   bool nonzero = false;
   Learning learning;
 

@@ -3,9 +3,9 @@
 //
 //   {"moivre_family": 1, "kind": ..., "source": ..., "families": [...], "checksum": "<16 hex digits>"}
 //
-// kind: "polynomials", one family; "mechanism", one a block of its closure equations, more as they are met.
-// Whatever bytes are read, the answer is a family that fits together or a refusal: a file that is not ours, of a later version, cut short,
-// or changed by a single byte (FNV-1a over the text; it guards against accidents, not against forgers).
+// kind: "polynomials", one family; "mechanism", one for each block of its closure equations, added as they are met.
+// Reading gives a consistent family, or refuses the file. Refused are files of another kind or a later version, truncated files, and
+// files with a changed byte (FNV-1a over the text; it guards against accidents, not against forgery).
 #pragma once
 
 #include "moivre/expression/source.h"
@@ -31,8 +31,8 @@ std::string family_text(const FamilyFile& file);
 /// Throws std::invalid_argument with the reason.
 FamilyFile read_family(const Source& source);
 
-/// Reads and writes the file at `path`. It is written beside its place and moved there when it is whole: a crash leaves the
-/// old one. Throws std::invalid_argument with the reason.
+/// Reads and writes the file at `path`. A new file is written next to it and moved there when complete, so that a crash leaves
+/// the old one. Throws std::invalid_argument with the reason.
 FamilyFile load_family(const std::string& path);
 void save_family(const FamilyFile& file, const std::string& path);
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The roots of many members of a family: many times few paths, in lanes that never run empty.
+// What are the roots of many members of a family? Few paths for each member, together in lanes that stay full.
 //
-// Every path goes from p* to a member of its own (Homotopy::members). A member whose paths all end at regular roots, all different, and
-// with the conjugate of every root where the member is real, is done: there is no endgame, and nothing that is not needed is
-// evaluated. Any other is solved again as by solve_member(), which judges its ends; `judged` says so.
+// Every path goes from p* to its own member (Homotopy::members). There is no endgame. A member is done if all its paths end at
+// different regular roots and, for a real member, every root has its conjugate. Any other member is solved again by
+// solve_member(), which judges its ends; `judged` says so.
 //
-// Thread-safe; the result does not depend on the number of threads. Members are double numbers: who has exact ones uses solve_member().
+// Thread-safe; the result does not depend on the number of threads. Members are given as doubles; solve_member() takes exact values.
 #pragma once
 
 #include <span>
@@ -41,8 +41,8 @@ std::vector<MemberRoots> follow_members(const Family& family, std::span<const Po
                                         const Tracker& tracker, const SolveOptions& options = {},
                                         const std::atomic<bool>& stop = std::atomic<bool>{false});
 
-/// One entry a member, in their order. Of options seed, threads, care, certify, fallback and progress count, the last one in
-/// members. Throws as solve_member(). A set `stop` leaves members that are not complete.
+/// One entry for each member, in their order. Of the options only seed, threads, care, certify, fallback and progress are used;
+/// progress counts members. Throws as solve_member(). A set `stop` leaves members that are not complete.
 std::vector<MemberRoots> solve_members(const Family& family, std::span<const Point> members,
                                        const Tracker& tracker, const SolveOptions& options = {},
                                        const std::atomic<bool>& stop = std::atomic<bool>{false});

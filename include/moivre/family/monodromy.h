@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// How is a family learned from one known root? Its parameters go round loops, which lead roots to other roots, until a test says: all.
+// How is a family learned from one known root? Loops of the parameters lead to other roots, until a test shows that all are found.
 //
 //   loop       p* -> a -> b -> p*, straight lines between random complex members: a permutation of the roots at p*
 //   trace      on a line p* + s v of members the roots (x, s) form a curve; it meets G(x, s) = s (l(x) - 1) - e in as many points for
 //              every e, and the sum over all of them of any linear function of x is linear in e; over a part of them it is not
 //
-// The points with l(x) = 1 that the test needs are found by the same loops, on the curve with bilinear forms G for parameters.
-// It shows that no root is missing on the components of the incidence variety {(x, p)} that the known roots lie on; that there is no
-// other component with isolated roots it does not show. The points it knows are taken back to p*: a root that is new there is missing.
+// The test needs the points with l(x) = 1. They are found by the same loops, with the coefficients of the bilinear form G as parameters.
+// The test shows that no root is missing on those components of the incidence variety {(x, p)} on which known roots lie. It does
+// not show that there is no other component with isolated roots. Its points are followed back to p*; a new root there was missing.
 // Deterministic in the seed.
 // Edges: parameters enter as polynomials; roots that are not regular at generic p are not met.
 // Source: [LRS18] for the trace test of such curves, [DHJLLS19] for loops.
@@ -26,7 +26,7 @@ struct MonodromyOptions {
   std::size_t most_tested = 2000;
 };
 
-/// Whether all roots of the components are there.
+/// Whether all roots of the components were found.
 struct TraceTest {
   bool was_made = false;
   bool holds = false;

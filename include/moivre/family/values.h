@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Which members does a person ask for? Values typed as "a=1, b=2/3", or a table with a column for each parameter.
+// Which members are requested? Values typed as "a=1, b=2/3", or a table with a column for each parameter.
 //
-// A value is an expression without names but i, the imaginary unit: 3.1, 1/3, 2e-3 - i. It is exact; in a table it is rounded to double.
+// A value is an expression whose only name is i, the imaginary unit: 3.1, 1/3, 2e-3 - i. It is exact; in a table it is rounded to double.
 // Every fault is named: in one std::invalid_argument, or, of a table, in one ParseError with line and column.
 #pragma once
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// How are a family and its members told? As text for people, as JSON and CSV for programs.
+// How are a family and its members reported? As text for people, as JSON and CSV for programs.
 //
 //   family      what it is and what is known of its roots; command: "family learn" or "family info"
-//   one member  as solve() is told (report/solve_report.h), and the values of its parameters
-//   a table     JSON everything, CSV a root a line, text the numbers of roots
+//   one member  as for solve() (report/solve_report.h), with the values of its parameters
+//   a table     JSON everything, CSV one root per line, text the numbers of roots
 //
 // The same bytes for every number of threads, but for the run times. `name`: of the family's file, as the user gave it.
 #pragma once

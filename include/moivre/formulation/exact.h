@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which exact number did a double mean? The decimal that was typed, a point of the unit circle, or the double itself.
+// Which exact number does a double stand for? The typed decimal, a point of the unit circle, or the double itself.
 #pragma once
 
 #include "moivre/numeric/complex.h"

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Which polynomials does a closed planar mechanism satisfy? Its joints in isotropic coordinates, drivers substituted.
+// Which polynomials does an assembled mechanism satisfy? Its joints in suitable coordinates, drivers substituted.
 //
+// Planar mechanisms, in isotropic coordinates:
 // Body i:  p_i = x + iy,  pb_i its conjugate as an unknown of its own,  t_i = exp(i phi_i),  u_i = 1/t_i.
-// Bodies that stand at a known angle to each other (weld, prismatic, driven angle) share one t:  t_i = gamma_i t_class.
-//   body       t u = 1                                            one equation a class, ground's t is 1
+// Bodies with a known relative angle (weld, prismatic, driven angle) share one t:  t_i = gamma_i t_class.
+//   body       t u = 1                                            one equation per class, ground's t is 1
 //   revolute   p_i + a t_i = p_j + b t_j,  and the conjugate      linear
 //   line       (eb u_i) D = (e t_i) Db                            prismatic and slot; D = p_j + b t_j - p_i - a t_i
 //   slide      D = s e t_i,  Db = s eb u_i                        a driven line: linear
@@ -14,7 +15,8 @@
 // A real pose is a fixed point of x_v -> conj(x_mirror(v)): mirror swaps p and pb, t and u, and keeps a length.
 // Coefficients are the shortest decimals that read back as the file's doubles; exp(i phi) is a rational point of the unit
 // circle, so that t u = 1 holds exactly. The drivers stand at the time given.
-// Not supported: spatial mechanisms; typed equations with angles outside cos and sin (std::invalid_argument, the reason).
+// Spatial mechanisms: half angles and dual quaternions (src/formulation/spatial_bodies.h, docs/decisions/0020-spatial-closures.md).
+// Not supported: typed equations with angles outside cos and sin (std::invalid_argument, the reason).
 // Source: [Wampler96], with the slide of prismatic joints eliminated, since that halves their degree.
 #pragma once
 
@@ -31,7 +33,7 @@
 namespace moivre {
 
 struct Formulation {
-  System system;  ///< as many polynomials as the mechanism has to say, square or not; drivers first
+  System system;  ///< all polynomials of the mechanism, square or not; drivers first
   std::vector<std::string> equation_names;
   std::vector<std::size_t> mirror;  ///< of each variable
   std::vector<bool>
@@ -48,13 +50,13 @@ struct Formulation {
   std::vector<Reading> coordinates;  ///< planar mechanisms and typed equations
   PoseReading poses;                 ///< spatial mechanisms
 
-  /// A root where this vanishes beside its terms is no pose.
+  /// A root where this vanishes, relative to its terms, is no pose.
   struct Exclusion {
     Polynomial of;
     std::string reason;
   };
   std::vector<Exclusion> exclusions;
-  std::vector<std::pair<std::string, std::string>> left_out;  ///< what they do without, and why
+  std::vector<std::pair<std::string, std::string>> left_out;  ///< what was left out, and why
   std::vector<std::size_t>
       spins;  ///< bodies that may turn about the line of their two points, all else standing
 };
@@ -69,8 +71,8 @@ Formulation formulate(const Mechanism& mechanism, double t);
 /// q of a root; meaningful where the root is real.
 Eigen::VectorXd coordinates_of_root(const Formulation& formulation, const Point& root);
 
-/// max_i |F_i| / sum |terms of F_i|, where a direction counts as no smaller than 1 and a length as no smaller than the
-/// largest: of an equation like p = 0 rounding would be all there is.
+/// max_i |F_i| / sum |terms of F_i|, where a direction counts as at least 1 and a length as at least the largest one. Without
+/// this an equation like p = 0 would have rounding errors as its only scale.
 double residual_of_root(const Formulation& formulation, const Point& root);
 
 /// max_v |x_v - conj(x_mirror(v))| / max(1, |x|_inf): 0 for a real pose.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// In which coordinates does a homotopy live? n unknowns and x_0, in one projective space.
+// Which coordinates does a homotopy use? n unknowns and x_0, in one projective space.
 //
 //   x = (x_1, ..., x_n, x_0), N = n + 1 coordinates;  affine point: x_j / x_0;  x_0 = 0 is infinity
 //

@@ -13,7 +13,7 @@
 
 namespace moivre {
 
-/// In the scalar S. Owns its memory, allocates nothing after construction; one a thread.
+/// In the scalar S. Owns its memory, allocates nothing after construction; one per thread.
 template <class S>
 class HomotopyEvaluator {
  public:

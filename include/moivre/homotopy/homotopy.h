@@ -7,14 +7,14 @@
 //                                                       homotopy's, or every path's own
 //
 //   F, G: n polynomials in n variables, every equation homogenized to one degree (polynomial/homogenize.h)
-//   x: N = n + 1 homogeneous coordinates; which one is x_0, the homogenizing one, is the chart's to say;  t: complex
+//   x: N = n + 1 homogeneous coordinates; which one is x_0, the homogenizing one, the chart knows;  t: complex
 //   H: n,  H_x: n x N,  H_t: n
 //
-// A path to infinity is a path to x_0 = 0: it ends like any other. The randomness that keeps paths apart for t in [0, 1) is
-// in G's coefficients (start/). t is complex because an endgame walks circles around t = 1. A homotopy that is framed is every
-// path's own: the path brings its units and, where the law is toric, its weights along (homotopy/frame.h).
+// A path to infinity is a path to x_0 = 0, and ends like any other. The randomness that keeps paths apart for t in [0, 1) is in
+// G's coefficients (start/). t is complex because an endgame follows circles around t = 1. A framed homotopy differs from path
+// to path: each path has its own units and, for the toric law, its own weights (homotopy/frame.h).
 // Immutable; every thread owns an evaluator (homotopy/evaluator.h).
-// Not supported: coefficients that are no polynomials of the parameters.
+// Not supported: coefficients that are not polynomials of the parameters.
 // Source: [Morgan87, ch. 1 and 3], [SommeseWampler05, ch. 3, 7 and 8], [HuberSturmfels95].
 #pragma once
 
@@ -62,14 +62,14 @@ class Homotopy {
   bool is_framed() const { return is_framed_; }
   const Chart& chart() const { return chart_; }
   const Tape& tape() const { return tape_; }
-  /// The union of the supports, homogenized, its terms in the order of the affine polynomials' ones; its own coefficients
-  /// mean nothing.
+  /// The union of the supports, homogenized, with the terms in the order of the affine polynomials. Its coefficients have no
+  /// meaning.
   const System& support() const { return support_; }
   /// Of term k, counted over all equations: f_k and g_k, zero where a side has no such term. Between two members c_k at t = 1,
   /// and at t = 0 on the tangent there.
   const Coefficient& f(std::size_t k) const { return f_[k]; }
   const Coefficient& g(std::size_t k) const { return g_[k]; }
-  /// What f_k may be off by, relative; 0 where it is meant as it stands.
+  /// Relative error of f_k; 0 where it is exact.
   double error(std::size_t k) const { return errors_.empty() ? 0 : errors_[k]; }
   /// F was computed from a file that is known to `relative` (polynomial/digits.h).
   void set_coefficient_error(double relative);

@@ -6,8 +6,8 @@
 //   framed       as said, times the factor of the term in the path's frame
 //   parameters   c = q((1 - t) p + t p')      dc = q_p (p' - p)
 //
-// The toric exponential is that of double in every scalar: it is the same function of t wherever it is asked for, and exactly 1
-// at t = 1, which is all that a path needs.
+// The toric exponential is evaluated in double for every scalar. So it is one function of t everywhere, and exactly 1 at t = 1. A
+// path needs no more.
 // Source: [HuberSturmfels95] for the toric law.
 #pragma once
 
@@ -19,7 +19,7 @@
 
 namespace moivre {
 
-/// In the scalar S. Owns its memory; one a thread.
+/// In the scalar S. Owns its memory; one per thread.
 template <class S>
 class MovingCoefficients {
  public:

@@ -7,9 +7,9 @@
 //
 //       t sum c r  +  (1 - t) sum c r  +  sum c(t) r          r: registers
 //
-// A straight line's term that only one end has stands still but for the factor t or 1 - t, which its sum shares: a coefficient
-// that is real then costs half of a complex one. The other terms, and all of a framed homotopy, have moving coefficients, which are evaluated once a t
-// (homotopy/moving.h), those of the Jacobian as integer multiples of the values' own.
+// On a straight line, a term that only one end has keeps its coefficient; its sum shares the factor t or 1 - t. A real coefficient
+// then costs half as much as a complex one. All other terms, and all terms of a framed homotopy, have moving coefficients. They
+// are evaluated once for each t (homotopy/moving.h); those of the Jacobian are integer multiples of those of the values.
 #pragma once
 
 #include <cstdint>

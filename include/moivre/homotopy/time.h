@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How late is it on a path? t beside 1 - t: near t = 1 the difference would lose the digits of 1 - t.
+// Where on a path is a point? t together with 1 - t, because near t = 1 the difference would lose the digits of 1 - t.
 #pragma once
 
 #include "moivre/numeric/complex.h"

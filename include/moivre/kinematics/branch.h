@@ -2,19 +2,19 @@
 // Where does one assembled pose go while the drivers move, and where does its branch end?
 //
 // A branch is a curve Phi(q, t) = 0 through (q0, t0). It is followed by arc length in y = (q / w, t / T), w a length of the
-// mechanism for lengths and 1 for angles, T the time to go: with the tangent y', [Phi_q Phi_t] y' = 0, a step predicts by
-// y + h y' + h^2 y'' / 2 and corrects by Newton's method on the plane across y'. The step follows the curve: how far the
-// prediction misses and how much the tangent turns decide the next one.
-// Samples are corrected at their own times; one factorisation of Phi_q serves velocity and acceleration there.
+// mechanism for lengths and 1 for angles, T the remaining time. The tangent y' satisfies [Phi_q Phi_t] y' = 0. The predictor is
+// y + h y' + h^2 y'' / 2; the corrector is Newton's method on the plane across y'. The size of the next step depends on how far
+// the prediction misses and how much the tangent turns.
+// Samples are corrected at their own times; one factorization of Phi_q serves velocity and acceleration there.
 //
 // The branch ends before `to` where it cannot go on, and says so:
-//   dead point    y' stands across t: Phi_q is singular, [Phi_q Phi_t] is not. The drivers can go no further, two branches
-//                 meet and end (a limit position of the driver, a toggle, a fold).
-//   bifurcation   [Phi_q Phi_t] loses rank: branches cross (a change point), which of them goes on is not determined.
-//   joint limit   a joint stands at the end of its range.
-// Dead points are located by the secant method on the curve; bifurcations, where no point can be corrected, by extrapolation
-// of the approach to smallest singular value 0, which falls like a whole power of the way to go: 1 where branches cross, 2 where
-// they touch.
+//   dead point    y' is perpendicular to t: Phi_q is singular, [Phi_q Phi_t] is not. The drivers can go no further, and two
+//                 branches meet and end (a limit position of the driver, a toggle, a fold).
+//   bifurcation   [Phi_q Phi_t] loses rank: branches cross (a change point), and the continuation is not unique.
+//   joint limit   a joint is at the end of its range.
+// Dead points are located by the secant method on the curve. At bifurcations no point can be corrected; they are located by
+// extrapolating the smallest singular value to 0. It falls like a whole power of the remaining distance: 1 where branches
+// cross, 2 where they touch.
 // Not supported: fewer independent equations than coordinates (the pose would move with the drivers held): `failed`.
 #pragma once
 
@@ -66,7 +66,7 @@ struct BranchOptions {
   double longest_step = 0.5;      ///< in y: a radian, or the mechanism's length, is 1
   double largest_approach = 0.5;  ///< share of the way to where branches seem to cross, in one step
   int maximum_steps = 20000;      ///< accepted and rejected
-  /// Where velocity and acceleration are asked for, ascending: of the other times the pose alone is found. nullopt: at all.
+  /// Times of velocity and acceleration, ascending; at other times only the pose is found. nullopt: at all times.
   std::optional<std::vector<double>> velocity_times;
 };
 

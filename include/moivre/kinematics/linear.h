@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which x solves A x = b, and in which sense? One factorisation, chosen by shape and rank, serves many right-hand sides.
+// Which x solves A x = b, and in which sense? One factorization, chosen by shape and rank, serves many right-hand sides.
 //
 //   square, regular            lu                x = A^-1 b
 //   m > n, rank n              qr                least |A x - b|            (or normal_equations, on request)
@@ -21,8 +21,8 @@ enum class LinearMethod { lu, normal_equations, qr, minimum_norm, svd };
 
 std::string to_string(LinearMethod method);
 
-/// A pivot this small beside the largest counts as zero. Poses are known to about 1e-13 and entries of an equilibrated
-/// Phi_q are of order 1: true zeros come out below 1e-11, and a pose nearer than 1e-9 to a singular one is not told from it.
+/// A pivot this small relative to the largest counts as zero. Poses are known to about 1e-13, and entries of an equilibrated
+/// Phi_q are of order 1. So true zeros come out below 1e-11, and a pose nearer than 1e-9 to a singular one counts as singular.
 inline constexpr double kRankTolerance = 1e-9;
 
 /// A with its rows, then its columns, divided by their length (by no less than a thousandth of the longest, so that

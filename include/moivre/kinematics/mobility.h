@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// How freely can the mechanism move at this pose, which rows say nothing new, and along what do its constraints push?
+// How many degrees of freedom has the mechanism at this pose, which rows are redundant, and where do constraints push?
 //
-//   degrees of freedom = n - rank Phi_q;  Gruebler's naive count = n - m
+//   degrees of freedom = n - rank Phi_q;  Gruebler's count = n - m
 //   R: n x (n - rank), Phi_q R = 0, orthonormal: the allowable velocities q' = R z'
 //   a redundant row is a combination of rows before it; left null vectors c with c^T Phi_q = 0 say which
 //   constraint i pushes along -lambda_i (Phi_q^T) column i
-// Rank by column-pivoted QR, with the singular values as a second witness; both of the equilibrated Phi_q.
-// A singular pose (rank lower than next to it: a dead point, a bifurcation) is found by stepping along R and coming back
-// to the constraints; a pose near one is warned of.
+// The rank comes from column-pivoted QR, and singular values confirm it; both are of the equilibrated Phi_q.
+// A singular pose (a dead point, a bifurcation) has a lower rank than the poses near it. It is found by stepping along R and
+// correcting back to the constraints. A pose near a singular one gives a warning.
 #pragma once
 
 #include <string>
@@ -34,7 +34,7 @@ struct RedundantRow {
 /// "Phi5 = Phi1 - Phi3", by the rows' names.
 std::string to_text(const RedundantRow& redundant);
 
-/// A body (or unknown) that can move while all others stand still, no driver holding it.
+/// A body (or unknown) that can move while all others stand still, and that no driver holds.
 struct IdleFreedom {
   std::string name;
   Eigen::VectorXd direction;  ///< q' of length 1, zero but for this body

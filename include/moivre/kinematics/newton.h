@@ -3,9 +3,9 @@
 //
 // The step is solved as kinematics/linear.h chooses (or as asked): LU where Phi_q is square and regular, least squares
 // where rows are redundant, weighted minimum norm where coordinates are free.
-// Rotation vectors that grow long are replaced by the short ones of the same pose: a step from far out means little.
-// Edges: a cycle, a flight to infinity, a singular Phi_q and a least-squares minimum that is no solution each end the run
-// with a status of their own. An unassemblable mechanism typically ends in no_solution or iteration_limit.
+// Long rotation vectors are replaced by the shortest ones of the same pose, since a step from a long one means little.
+// Edges: a cycle, divergence, a singular Phi_q and a least-squares minimum that is no solution each end the run with their
+// own status. An unassemblable mechanism typically ends in no_solution or iteration_limit.
 // Not supported: damping; the run is the textbook's.
 #pragma once
 
@@ -21,7 +21,7 @@ enum class NewtonStatus {
   converged,    ///< every |Phi_i| is within the tolerance of the sum of its terms' magnitudes
   diverged,     ///< q left every bound or stopped being a number
   cycling,      ///< an earlier iterate came back
-  singular,     ///< Phi_q lost rank and its step leads nowhere, Phi is not zero
+  singular,     ///< Phi_q lost rank, the step has no effect, and Phi is not zero
   no_solution,  ///< the least-squares minimum was reached, Phi is not zero there
   iteration_limit
 };
@@ -32,7 +32,7 @@ struct NewtonOptions {
   double residual_tolerance = 1e-13;  ///< on scaled_residual
   int maximum_iterations = 50;
   std::vector<Eigen::Index> held;  ///< coordinates that keep their guessed values
-  LinearOptions linear;            ///< weights: one a coordinate that is not held
+  LinearOptions linear;            ///< weights: one per coordinate that is not held
 };
 
 /// One row of the iteration table: the iterate and the step that leaves it.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which directions does a matrix not see? Orthonormal null spaces from the singular value decomposition, rank given by QR.
+// Which directions does a matrix map to zero? Orthonormal null spaces from the singular value decomposition, rank given by QR.
 //
 // A: m x n. The rank is kinematics/linear.h's, that of A with rows and columns brought to unit length; the null space is A's own.
 // Edges: of full rank, and of no rows or columns, the null space has as many columns as are left, 0 to n.
@@ -12,7 +12,7 @@ namespace moivre {
 /// n x (n - rank), A N = 0.
 Eigen::MatrixXd null_space(const Eigen::MatrixXd& A);
 
-/// As null_space, of columns that are no more than independent: by QR, for those who ask often.
+/// As null_space, but the columns are only independent, not orthonormal: by QR, which is faster.
 Eigen::MatrixXd null_space_basis(const Eigen::MatrixXd& A);
 
 /// The unit vector that A shortens most, where it has columns of comparable length: of a matrix that is singular but for rounding.

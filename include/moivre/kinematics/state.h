@@ -6,7 +6,7 @@
 //   position      Phi(u, v, t) = 0 for u at given v
 //   velocity      Phi_u u' = -Phi_v v' - Phi_t
 //   acceleration  Phi_u u'' = -Phi_v v'' + gamma
-// Both use one factorisation for velocity and acceleration. Redundant rows are solved in the least-squares sense; what is
+// Both use one factorization for velocity and acceleration. Redundant rows are solved in the least-squares sense; what is
 // left over is reported (`velocity_residual`, `acceleration_residual`: largest entry).
 #pragma once
 

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
 // How well does one link push the next? The transmission angle at the joints between two moving bodies, 0 (locked) to 90 degrees.
 //
-// Hold the drivers and open one joint. Where each of its two bodies can now move its end of the joint along one line only, the
-// transmission angle is the angle between these two lines, taken to [0, pi/2]:
-//   revolute   the joint's point as one of body 1 moves along u1, as one of body 2 along u2; angle = angle(u1, u2).
-//   slot, rod  one body stands; the other moves its point along u, the slot's normal or the rod's direction is n; sin(angle) =
-//              |n . u| / |u|.
+// Hold the drivers and open one joint. If each of its two bodies can now move its end of the joint along one line only, the
+// transmission angle is the angle between these two lines, in [0, pi/2]:
+//   revolute   the joint's point moves along u1 as a point of body 1, and along u2 as a point of body 2; angle = angle(u1, u2).
+//   slot, rod  one body is fixed, the other moves its point along u; n is the slot's normal or the rod's direction;
+//              sin(angle) = |n . u| / |u|.
 // For the four-bar this is the angle between coupler and rocker, for the slider-crank that between the connecting rod and
-// the normal of the slide [Norton12, 3.3] [BalliChand02]: u1 is across the coupler, which turns about the crank's pin, u2 across
-// the rocker, which turns about its pivot. Links with three joints, and groups of more than two links, need no other
-// rule: u is across the line to the point about which the body then turns. The angle is 0 exactly where the
-// two lines are one, and there the mechanism is at a dead point.
-// Not defined, so that there is no value: at the driven joint and at joints of the driven body (drivers held, it stands: no
-// line), where an end can still move both ways (the joint is no floating joint of a dyad or of a larger group), at prismatic
-// joints and gears, at joints to the ground, where constraints are redundant, and in spatial mechanisms.
+// the normal of the slide [Norton12, 3.3] [BalliChand02]. There u1 is perpendicular to the coupler, which turns about the crank's
+// pin, and u2 is perpendicular to the rocker, which turns about its pivot. Links with three joints, and groups of more than two
+// links, follow the same rule: u is perpendicular to the line to the point about which the body then turns. The angle is 0
+// exactly where the two lines coincide; the mechanism is at a dead point there.
+// There is no value at the driven joint and at joints of the driven body (it is fixed when the drivers are held); where an end can
+// still move in two directions (the joint is no floating joint of a dyad or of a larger group); at prismatic joints and gears;
+// at joints to the ground; where constraints are redundant; and in spatial mechanisms.
 #pragma once
 
 #include <Eigen/Core>

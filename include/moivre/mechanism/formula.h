@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is a typed expression worth, and how does it change? A tree whose names are resolved, evaluated in Taylor arithmetic.
+// What is the value of a typed expression, and how does it change? A tree whose names are resolved, evaluated in Taylor arithmetic.
 //
 // Made from an Expression by `resolve`: each name is an unknown (its index), a constant (its value), pi, or the time t.
 // Functions: sin cos tan asin acos atan sqrt exp log. x^p with a constant p keeps its sign rules; otherwise x^y = exp(y log x).

@@ -57,7 +57,7 @@ inline Magnitude operator*(const Magnitude& a, const Magnitude& b) {
   return {a.f * b.f, a.sum * b.sum};
 }
 
-/// A function counts with its value and with what its argument's terms contribute to first order: near a zero of
+/// The magnitude of a function is its value plus what its argument's terms contribute to first order. So near a zero of
 /// sin(a) the scale is that of a, not zero.
 inline Magnitude chain(const Magnitude& a, double g, double dg, double) {
   return {g, std::abs(g) + std::abs(dg) * a.sum};

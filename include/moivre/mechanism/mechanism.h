@@ -146,6 +146,9 @@ struct Mechanism {
       guess;  ///< coordinate name -> value, for the coordinates that the file names
   std::optional<double>
       fit;  ///< closures that miss by no more than this are taken, lengths in the file's unit
+  std::optional<double> tolerance;  ///< of points' coordinates and rods, in the file's unit
+  std::map<std::string, double>
+      tolerances;  ///< of the dimensions (dimensions.h) that the file gives one of their own
   std::vector<std::string> warnings;  ///< what is odd but not wrong, each a sentence
 };
 
@@ -181,8 +184,8 @@ CoordinateKind kind_of(const Mechanism& mechanism, const Driver& driver);
 /// What it drives, "coupler.P.x" where it is a point's coordinate.
 std::string label_of(const Driver& driver);
 
-/// A start for Newton's method: the file's guess where it names a coordinate, driven angles at time t where a driver
-/// says so, and positions x, y (z) placed joint by joint from the ground outwards. Other coordinates are 0.
+/// A start for Newton's method. Coordinates come from the file's guess, and driven angles from their drivers at time t. Other
+/// positions x, y (z) are found joint by joint from the ground outwards. Other coordinates are 0.
 Eigen::VectorXd initial_guess(const Mechanism& mechanism, double t = 0);
 
 }  // namespace moivre

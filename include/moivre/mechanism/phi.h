@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How far is q from an assembled mechanism, and how does that change? The constraints Phi(q, t) = 0 with all their derivatives.
 //
-//   Phi: R^n x R -> R^m, first the joints' rows (or the typed equations), then one row a driver.
+//   Phi: R^n x R -> R^m, first the joints' rows (or the typed equations), then one row per driver.
 //   velocity      Phi_q q'  = -Phi_t
 //   acceleration  Phi_q q'' = gamma = -((Phi_q q')_q q' + 2 Phi_qt q' + Phi_tt)
 // Symbols: q (n coordinates), t seconds, Phi_q (m x n, row i = constraint i), qdot = q'.
@@ -35,7 +35,7 @@ class Phi {
   const std::vector<std::string>& row_names() const { return row_names_; }
   /// The coordinates that each row reads: elsewhere Phi_q is zero at every pose.
   std::vector<std::vector<Eigen::Index>> reads() const;
-  /// Bodies (or unknowns) that a Coordinate's group counts.
+  /// Names of the bodies (or unknowns) that Coordinate::group refers to.
   const std::vector<std::string>& group_names() const { return group_names_; }
   /// The mechanism's size: its largest length, of points in their bodies and of rods; 1 where it has none.
   double length() const { return length_; }
@@ -82,16 +82,16 @@ class Phi {
 /// max_i |Phi_i| / (sum of |terms| of Phi_i), 0 for a row without terms.
 double scaled_residual(const Phi& phi, const Eigen::VectorXd& q, double t);
 
-/// What each row is worth at poses of the mechanism's size: its terms, and its derivatives times the largest length, or a
-/// radian. Unlike its terms alone it is no noise where they are.
+/// The scale of each row at poses of the mechanism's size: its terms, and its derivatives times the largest length, or a radian.
+/// The terms alone may be rounding noise; this scale is not.
 Eigen::VectorXd row_sizes(const Phi& phi, const Eigen::VectorXd& q, double t);
 
 /// scaled_residual where that is rounding, else max_i |Phi_i| / row_sizes_i: small at assembled poses, at the origin too.
 double residual_by_size(const Phi& phi, const Eigen::VectorXd& q, double t);
-/// Of a pose that is assembled; what Newton's method hands over is right to rounding.
+/// A pose counts as assembled up to this residual_by_size. Poses from Newton's method are exact to rounding.
 inline constexpr double kAssembled = 1e-9;
 
-/// By how much the worst row does not close, as a length in the file's unit; of a row that compares angles, at the end of
+/// By how much the worst row does not close, as a length in the file's unit. A row that compares angles is taken at a lever arm of
 /// phi.length().
 double misfit(const Phi& phi, const Eigen::VectorXd& q, double t);
 

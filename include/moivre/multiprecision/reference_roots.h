@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// To how many digits is a root known? As many as are asked for: Newton's method in multiprecision, with a bound.
+// To how many digits is a root known? To any given number: Newton's method in multiprecision, with a bound.
 //
 //   dx = -J(x)^{-1} F(x),  beta = |dx|,  gamma >= sup_k |J^{-1} D^k F / k!|^{1/(k-1)},  alpha = beta gamma
 //   alpha < (13 - 3 sqrt 17) / 4  ==>  exactly one root x*, |x - x*| <= 2 beta, Newton converges quadratically
@@ -31,7 +31,7 @@ struct ReferenceRoot {
   std::vector<ComplexDoubleDouble> nearest;  ///< the same, rounded to double-double
   /// log10 of the bound on |x - x*|_inf / max(1, |x*|_inf), before x was rounded to what is given.
   double bound_log10 = std::numeric_limits<double>::infinity();
-  /// |given - x*|_inf / max(1, |x*|_inf): what was wrong with the approximation.
+  /// |given - x*|_inf / max(1, |x*|_inf): the error of the approximation.
   double forward_error = std::numeric_limits<double>::quiet_NaN();
   /// log10 of each Newton correction, relative to max(1, |x|_inf).
   std::vector<double> corrections_log10;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Which random number is this? One that depends on nothing but (seed, stream, index): the same on every machine and thread.
 //
-// A counter is hashed by SplitMix64's finaliser; there is no state to share, so the k-th number of path i
-// is the same whoever asks for it and when.
+// A counter is hashed by SplitMix64's finalizer; there is no state to share, so the k-th number of path i
+// is the same for every caller, at any time.
 #pragma once
 
 #include <cmath>
@@ -39,7 +39,7 @@ namespace detail {
 
 inline constexpr std::uint64_t kGoldenGamma = 0x9E3779B97F4A7C15;
 
-/// SplitMix64's finaliser: a bijection of 64-bit words that keeps 0.
+/// SplitMix64's finalizer: a bijection of 64-bit words that keeps 0.
 inline std::uint64_t mix(std::uint64_t z) {
   z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9;
   z = (z ^ (z >> 27)) * 0x94D049BB133111EB;

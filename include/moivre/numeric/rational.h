@@ -2,8 +2,8 @@
 // How is a coefficient kept as it was read? As an exact number, rounded once, to the scalar that asks.
 //
 // A decimal such as 3.1 is the rational 31/10; rounding it to double before arithmetic would change the problem. Boost's
-// cpp_int carries the arithmetic, out of this header's sight, since its own headers take a second to compile; who
-// works with numerators and denominators of any length includes integer.h.
+// cpp_int does the arithmetic. This header does not include it, since its headers take a second to compile. Include integer.h
+// to work with numerators and denominators of any length.
 #pragma once
 
 #include <compare>

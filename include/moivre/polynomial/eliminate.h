@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which smaller system has the same roots? Linear equations are used up, also those that only combinations show.
+// Which smaller system has the same roots? Linear equations are eliminated, also those that only combinations show.
 //
 // Two moves, exact in the rationals, in turn until neither applies:
 //   combine     among the equations of one degree, those whose highest terms depend linearly on the others' are replaced
@@ -10,16 +10,16 @@
 //  (1) restore(y) is y in the kept places: kept[i] is the place of y_i in x, and restore is injective.
 //  (2) R_i(y) = F_o(restore(y)) + a combination of the other F_k(restore(y)), o = equation_origin[i], and
 //      span{F_i(restore(y))} = span{R_i(y)} as spaces of polynomials: row operations, invertible.
-//  (3) Every root x of F is restore(y) of a root y of R, with the same multiplicity: the equations used up lie in the
-//      ideal of F and each is solved for its own unknown, so that C[x]/(F) and C[y]/(R) are isomorphic.
+//  (3) Every root x of F is restore(y) of a root y of R, with the same multiplicity. The eliminated equations lie in the ideal
+//      of F, and each is solved for its own unknown. So C[x]/(F) and C[y]/(R) are isomorphic.
 //  (4) The product of the degrees never rises; combine makes it the least that combinations with constant coefficients
 //      can reach.
 //
 // Which unknown: of the pivots of at least kPivotThreshold times the equation's largest coefficient (sizes measured under
-// choose_scaling), the one that makes the fewest new terms. How far: substitution goes on while it can, and the state of
-// least work (multiply-adds of a tracker's step times the product of the degrees,
-// docs/decisions/0003-when-elimination-pays.md) is kept; equations whose substitution did not pay stay, unless
-// it proves a contradiction or a dependence. Where an integer would outgrow the limits below, a move is not made.
+// choose_scaling), the one that makes the fewest new terms. How far: equations are substituted as long as possible, and the
+// system of least work is kept (multiply-adds of a tracker's step times the product of the degrees,
+// docs/decisions/0003-when-elimination-pays.md). So equations whose substitution did not pay stay, unless it proves a
+// contradiction or a dependence. A move is not made if an integer would exceed the limits below.
 // Not supported: products of equations with polynomials (Groebner bases), factors of an equation.
 #pragma once
 

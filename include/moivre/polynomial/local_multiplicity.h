@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// How often does a system have a root that is known exactly? Linear algebra on its local ring, no tracking and no rounding.
+// What is the multiplicity of a root that is known exactly? Linear algebra on its local ring, no tracking and no rounding.
 //
 //   y = x - root;  D_k: functionals on the polynomials in y of degree k at most that vanish on y^b F_i, |b| < k, cut off behind k
 //   dim D_k = number of monomials of degree <= k - rank of the rows y^b F_i
 //
-// dim D_k grows with k until it stands still: then it is the multiplicity of the isolated root. At a root that is not isolated
-// it never does. Ranks are taken modulo a prime of 61 bits, so that a multiplicity is wrong with probability about 1e-18.
+// dim D_k grows with k until it is constant. It is then the multiplicity of the isolated root. At a root that is not isolated it
+// grows forever. Ranks are taken modulo a prime of 61 bits, so that a multiplicity is wrong with probability about 1e-18.
 //
-// Not supported: more than a few hundred monomials, which is where it says nothing.
+// Not supported: more than a few hundred monomials; the answer is then nullopt.
 // Source: Macaulay's inverse systems, [DaytonZeng05].
 #pragma once
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // How does a system in homogeneous coordinates become one in affine space? One linear equation a . x_j = 1 a group.
 //
-//   A point of projective space is a line of vectors; the patch of group j picks the vector of it with a . x_j = 1. a:
-//   random real rationals from the seed (real roots stay real), of size 1/2 to 3/2, multiples of 2^-kPatchBits, so that for
-//   all but a few seeds in 2^kPatchBits no root has a . x_j = 0. Isolated roots in the product of projective spaces are
-//   isolated roots of the patched system, with the same multiplicity; none of them is at infinity.
+//   A point of projective space is a line of vectors. The patch of group j selects the vector with a . x_j = 1. The numbers a
+//   are random real rationals from the seed (so real roots stay real), of size 1/2 to 3/2, multiples of 2^-kPatchBits. For all
+//   but a few seeds in 2^kPatchBits no root has a . x_j = 0. Isolated roots in the product of projective spaces are isolated
+//   roots of the patched system, with the same multiplicity, and none of them is at infinity.
 //
 // The point found depends on the seed; normalised() gives coordinates that do not: in each group the first coordinate whose
 // modulus is near the group's largest becomes 1.
@@ -20,8 +20,8 @@
 namespace moivre {
 
 inline constexpr int kPatchBits = 20;
-/// "Near the largest": at least this part of it, so that rounding does not decide between coordinates of one modulus. A
-/// ratio that roots hardly ever have.
+/// "Near the largest": at least this part of it, so that rounding does not decide between coordinates of equal modulus. Roots
+/// hardly ever have exactly this ratio.
 inline constexpr double kNearLargest = 0.87;
 
 bool has_homogeneous_groups(const System& f);

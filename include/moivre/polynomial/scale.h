@@ -3,9 +3,9 @@
 //
 //   x_j = 2^v_j y_j,   G_i(y) = 2^r_i F_i(x(y)),   coefficient of a term: 2^(r_i + e.v) c, e its exponents.
 //
-// With E_ik = log2|c_ik| + r_i + e_ik.v the scaling minimises, after [Morgan87, ch. 5] and [MeintjesMorgan87],
+// With E_ik = log2|c_ik| + r_i + e_ik.v the scaling minimizes, after [Morgan87, ch. 5] and [MeintjesMorgan87],
 //   sum_ik E_ik^2 + sum_i sum_{k<l} (E_ik - E_il)^2:
-// coefficients near 1, and near each other within an equation. The second sum is free of r, so that
+// coefficients near 1, and near each other within an equation. The second sum does not depend on r, so that
 // r_i = -mean_k(log2|c_ik| + e_ik.v), and v solves a least-squares problem of its own; of several minima the one of least
 // norm in v is taken (the papers: in v and r). v is rounded to integers, then r.
 //

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Which n equations in n unknowns stand for m equations? Random combinations where m > n, random slices where m < n.
 //
-// m > n: G = [I A] F. The n leading equations are those of highest degree, of one degree those with the most terms; to each
-// a random combination A of all the others is added. For almost every A this is as good as n random combinations of all:
-// every isolated root of F is an isolated root of G, and regular in G if F_x has rank n there; G's other roots fail an
-// equation of F and are to be dropped (`excess`). No degree of G is above that of its leading equation, so that the Bezout
-// number is the product of the n highest degrees, the least that combinations with constants can promise: with fewer
-// equations of high degree some combination of all would have to be left out. The equations added everywhere are the
-// shortest, so that supports grow least. [SommeseWampler05, ch. 13], randomization.
+// m > n: G = [I A] F. The n leading equations are those of highest degree, and among equal degrees those with the most terms. A
+// random combination A of all the others is added to each. For almost every A this is as good as n random combinations of all:
+// every isolated root of F is an isolated root of G, and regular in G if F_x has rank n there. G's other roots fail an equation
+// of F and must be dropped (`excess`). No degree of G is above that of its leading equation. So the Bezout number is the
+// product of the n highest degrees, the least that combinations with constants can guarantee. The equations added everywhere
+// are the shortest, so that supports grow least. [SommeseWampler05, ch. 13], randomization.
 //
 // m < n: n - m random affine linear equations are appended; roots are then witness points of the components of dimension
 // n - m, one for each of their degree.

@@ -5,9 +5,9 @@
 //   values:       F_i   = sum over terms of   c_k * r_m
 //   Jacobian:     F_ij  = sum over terms of   c_k' * r_m'     only where it is not structurally zero
 //
-// x: n, F: m, Jacobian: the structural nonzeros, in row order. c: the term coefficients of F in order, then those of
-// the Jacobian, exponents multiplied in (`Coefficients`): they are input, so that a homotopy can move them, and are
-// rounded from the exact system once per scalar type. The program is immutable and shared; a thread owns its registers.
+// x: n, F: m, Jacobian: the structural nonzeros, in row order. c: the coefficients of F's terms in order, then those of the
+// Jacobian with their exponents as factors (`Coefficients`). They are input, so that a homotopy can move them. They are rounded
+// from the exact system once for each scalar type. The program is immutable and shared; a thread owns its registers.
 // A scalar S needs S(double), +=, and product(S, S) and product(C, S) for its coefficient type C. A truncated power
 // series in t is such a scalar: Taylor terms need no second program [GriewankWalther08, ch. 13].
 // Not supported: negative exponents. Source: [GriewankWalther08].

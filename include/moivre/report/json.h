@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What do all JSON reports share? Numbers that are null where unknown, complex pairs, keys in order, a layout for people.
-// For modules that report; whoever includes it needs nlohmann-json.
+// For modules that report. Including it needs nlohmann-json.
 #pragma once
 
 #include <nlohmann/json.hpp>

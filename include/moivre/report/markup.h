@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How does text of a user's get into XML and HTML without becoming markup?
+// How does a user's text get into XML and HTML without becoming markup?
 #pragma once
 
 #include <string>

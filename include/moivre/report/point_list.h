@@ -5,7 +5,7 @@
 //   PHCpack's solution list   "solution 1 :" ... "the solution for t :" ... "x : re im" ... "== err : ..."; other text between
 //                             is skipped
 //   a table with a head       as `moivre solve --csv` writes it: commas; columns NAME.re and NAME.im, others are skipped
-//   plain numbers             one point a line, re im of each variable in turn, between blanks or commas; # begins a comment
+//   plain numbers             one point per line, re im of each variable in turn, between blanks or commas; # begins a comment
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How is a single path told? A row a step as CSV, everything as JSON, the verdict in a sentence.
+// How is a single path reported? One row per step as CSV, everything as JSON, the verdict in a sentence.
 //
 // CSV columns: journey, s, t.re, t.im, NAME.re, NAME.im of each variable, h_before, h_after, correction, step, order
 // (solver/trace.h says what they are); infinite coordinates are empty. The JSON is shown in docs/json.md.
@@ -15,7 +15,7 @@ namespace moivre {
 struct TrackHeading {
   std::string file;
   std::uint64_t seed = 1;
-  std::string from;    ///< file of the start system; empty: the total-degree start
+  std::string from;    ///< file of the start system; empty: the start of solve
   std::string points;  ///< file of its points
 };
 

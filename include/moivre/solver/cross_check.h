@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Do two trackers agree, path by path? Each is the other's witness: a difference is a jump in one of them.
+// Do two trackers agree, path by path? A difference shows that one of them has jumped. The second tracker is the witness.
 //
-// The same options give the same homotopy and the same numbering of paths, so a simple root has one path and both trackers
-// must find it there. Where they differ the path is followed by both with more care; where they then agree, the
-// one that had come elsewhere has jumped.
-// Edges: roots of higher multiplicity are compared as points, not by path. A witness that is incomplete proves less.
+// The same options give the same homotopy and the same numbering of paths. So a simple root has one path, and both trackers
+// must find it there. Where they differ, both follow the path again with tighter tolerances. If they then agree, the tracker
+// that had found another end has jumped.
+// Edges: roots of higher multiplicity are compared as points, not by path. A witness with failed paths proves less.
 #pragma once
 
 #include "moivre/solver/solve.h"

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // How far does a tracker stray from the paths between Newton's corrections, and where does it leave them at t = 1?
 //
-// Paths of solve()'s homotopy, each followed the whole way, t: 0 -> 1, and watched at every step:
+// Paths of solve()'s homotopy, each followed from t = 0 to t = 1 and measured at every step:
 //
 //   before   largest |H| of a step's point before Newton corrects it       |H| = max_i |H_i|, |x| = 1
-//   after    largest |H| of the points that the tracker goes on from
-//   end      where the last step left x: a method without correction has here the error that it has gathered
+//   after    largest |H| of the points from which the tracker continues
+//   end      where the last step left x: a method without correction has its accumulated error here
 //
-// Nothing is repaired and no endgame is run, so only paths to simple roots say something at t = 1.
-// Watching costs evaluations: times are to be taken of solve(), not of this.
+// Nothing is tracked again and no endgame is run, so only paths to simple roots are meaningful at t = 1. Measuring costs
+// evaluations: measure times with solve(), not with this.
 #pragma once
 
 #include "moivre/solver/solve.h"

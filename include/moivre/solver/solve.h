@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: MIT
-// All roots of a square polynomial system: which paths were tracked, where did each end, and is the account closed?
+// What are all isolated roots of a polynomial system? Which paths were tracked, where did each end, and do the counts add up?
 //
-// F: n polynomials in n variables. Presolve (linear equations eliminated, rows and variables scaled) -> start system ->
-// all paths on all cores -> ends refined on the system as given -> jumps found and tracked again -> isolated roots.
+// F: polynomials in n variables, usually n of them. Presolve (linear equations eliminated, rows and variables scaled) -> start
+// system -> all paths on all cores -> ends refined on the system as given -> jumps found and tracked again -> isolated roots.
 //
-// Completeness, where certificates are asked for and built: proved, as many roots are certified as a proved bound allows; shown,
-// every path was decided and every regular root is certified; open, otherwise.
+// Completeness (with certificates only):
+//   proved   as many roots are certified as a proved bound allows
+//   shown    every path was decided, and every regular root is certified
+//   open     neither
 //
 // Conservation, on every run:   tracked = finite + at_infinity + failed
 //                               finite  = sum of multiplicities + on_positive_dimensional + excess
-// A path that is lost is counted as failed. `complete` is true when every path was decided.
-// The result does not depend on the number of threads. A system of more equations than unknowns is squared up by random
-// combinations, whose roots that fail an equation are `excess`; one of fewer is refused, or cut by SolveOptions::slice.
+// A lost path counts as failed. `complete` is true when every path was decided. The result does not depend on the number of
+// threads. A system with more equations than unknowns is squared up by random combinations; roots of these that fail an
+// equation of F are `excess`. A system with fewer equations is refused, or cut by random linear ones (SolveOptions::slice).
 #pragma once
 
 #include <atomic>
@@ -36,22 +38,22 @@ struct Progress {
   std::uint64_t done = 0;
   std::uint64_t total = 0;
   std::uint64_t finite = 0;
-  /// While mixed cells are looked for, before any path: how many were found, and how far the search is, 0 to 1.
+  /// During the search for mixed cells, before any path: how many were found, and how far the search is, 0 to 1.
   std::uint64_t cells = 0;
   std::optional<double> search;
 };
 
-/// With how many digits a path was followed: the rung of the ladder that it needed.
-enum class Rung {
+/// The level of precision that a path needed.
+enum class Rung : std::uint8_t {
   double_precision,  ///< double throughout
   mixed,             ///< residuals in double-double where rounding stopped Newton's method
   double_double      ///< the whole path in double-double
 };
 std::string to_string(Rung rung);
 
-/// Which rungs a solve may take.
+/// Which levels of precision a solve may use.
 enum class Precision {
-  automatic,         ///< each path the one that it needs
+  automatic,         ///< for each path the one that it needs
   double_precision,  ///< no whole path in double-double
   double_double      ///< every path in double-double from the start
 };
@@ -66,15 +68,15 @@ struct SolveOptions {
   int maximum_care = 3;   ///< how often a doubtful path is tracked again, tighter each time
   bool eliminate = true;  ///< linear equations before tracking
   bool scale = true;      ///< rows and variables, by powers of two
-  /// Where the start that was chosen leaves something open, a polyhedral one follows its own paths, and its result is told.
+  /// If the chosen start leaves something open, a polyhedral start follows its own paths, and its result is returned.
   bool second_start = true;
   bool slice = false;  ///< fewer equations than unknowns: cut by random linear ones, else refused
   Precision precision = Precision::automatic;
   bool certify = true;  ///< regular roots, by proof; nothing where the module certify was not built
   EndgameOptions endgame;
-  /// Tracks again what `tracker` could not settle with a little more care; not owned, may be nullptr.
+  /// Tracks again the paths that `tracker` could not settle with one level of tighter tolerances; not owned, may be nullptr.
   const Tracker* fallback = nullptr;
-  /// Asked first for the roots of a square system, by a start that it knows; nullopt where it knows none. Thread-safe.
+  /// Asked first for a start that it knows for a square system; nullopt if it knows none. Thread-safe.
   std::function<std::optional<SolveResult>(const System& f, const Tracker& tracker,
                                            const SolveOptions& options,
                                            const std::atomic<bool>& stop)>
@@ -90,17 +92,17 @@ std::vector<std::string> validate(const SolveOptions& options);
 struct Solution {
   std::uint64_t path = 0;  ///< smallest number of the paths that end here
   Point x;                 ///< in the system's variables and order
-  /// All imaginary parts are 0 (and set to it), by proof where the root is certified and F real; else within accuracy of 0.
+  /// All imaginary parts are 0 (and set to 0): proved where the root is certified and F real, else within the accuracy.
   bool real = false;
   bool singular = false;
   std::uint64_t multiplicity = 1;
-  /// Of the cycles that end here; their sum is the multiplicity. Empty where exact algebra has counted it.
+  /// Of the cycles that end here; their sum is the multiplicity. Empty where the multiplicity comes from exact algebra.
   std::vector<int> winding{1};
   double residual = 0;   ///< max_i |F_i(x)| / sum |terms of F_i|
   double accuracy = 0;   ///< bound on |x - x*|_inf / max(1, |x|_inf)
   double condition = 0;  ///< infinity-norm condition number of the row-scaled Jacobian
-  /// One root of the exact system, and a simple one, is proved to lie within `accuracy`; nullopt where that was not asked for
-  /// or cannot be: F has more equations than unknowns.
+  /// Exactly one root of the exact system, a simple one, is proved to lie within `accuracy`. nullopt: not asked for, or not
+  /// possible because F has more equations than unknowns.
   std::optional<bool> certified;
   Rung precision = Rung::double_precision;  ///< that its paths needed
   std::vector<ComplexDecimal>
@@ -129,7 +131,32 @@ struct FailedPath {
   std::size_t stage = 0;  ///< of the plan, on which it was lost
 };
 
-/// Something that this scene did not need, or that was done instead.
+/// What became of a path.
+enum class PathVerdict : std::uint8_t {
+  open,         ///< not followed to its end
+  finite,       ///< ends at an isolated root, or on a set of positive dimension
+  at_infinity,  ///< ends there
+  as_rounded,   ///< at infinity as far as the digits of the system's coefficients tell
+  left_by_bound,  ///< was in doubt until as many roots were proved as there can be: it leads to no other
+  failed
+};
+/// "finite", "at infinity", "at infinity as rounded", "left by the bound", "failed", "open".
+std::string to_string(PathVerdict verdict);
+
+/// The account of one path: 16 bytes, whatever became of it.
+struct PathRecord {
+  static constexpr std::uint32_t kNoSolution = 0xffffffff;
+
+  std::uint32_t steps = 0;               ///< accepted and rejected, each time that it was followed
+  std::uint32_t solution = kNoSolution;  ///< its place in SolveResult::solutions
+  std::uint8_t followed = 0;             ///< how often, 255 for more
+  std::uint8_t stage = 0;                ///< of the plan, on which it ended
+  PathVerdict verdict = PathVerdict::open;
+  Rung rung = Rung::double_precision;
+  bool handed_over = false;  ///< to SolveOptions::fallback
+};
+
+/// A step that this system did not need, or that was replaced by another.
 struct LeftOut {
   std::string what;
   std::string why;
@@ -148,15 +175,15 @@ struct StartFacts {
   StartCounts counts;
 };
 
-/// What is known of the number of isolated roots?
+/// What is known about the number of isolated roots.
 enum class RootCompleteness {
-  proved,  ///< as many are certified as a proved bound allows: there is no other, and none is multiple
-  shown,  ///< every path was decided, and every regular root is certified
+  proved,  ///< as many are certified as a proved bound allows: there is no other
+  shown,   ///< every path was decided, and every regular root is certified
   open
 };
 std::string to_string(RootCompleteness completeness);
 
-/// A proved bound on the number of isolated roots, and as many are certified.
+/// A proved bound on the number of isolated roots that is met by as many certified ones.
 struct MetBound {
   std::string
       kind;  ///< "elimination", "total degree", "multihomogeneous number", "mixed volume", "stable mixed volume"
@@ -166,7 +193,7 @@ struct MetBound {
 /// Wall seconds.
 struct SolveTime {
   int threads = 1;
-  double parse = 0;  ///< filled by who parsed
+  double parse = 0;  ///< filled by the caller that parsed
   double start = 0;  ///< presolve, start system, tape
   double track = 0;
   double track_cpu = 0;  ///< CPU seconds of all threads while tracking
@@ -174,16 +201,16 @@ struct SolveTime {
   double total = 0;
 };
 
-/// A path that two trackers took to different ends.
+/// A path that two trackers followed to different ends.
 struct Disagreement {
   std::uint64_t path = 0;
   std::optional<Point> found;      ///< the root at its end; nullopt where it ends at none
   std::optional<Point> witnessed;  ///< the same by the witness
   std::optional<std::string>
-      jumped;  ///< the tracker that left the path; nullopt where it could not be settled
+      jumped;  ///< the tracker that left the path; nullopt where this is not known
 };
 
-/// What a second tracker says of the same paths.
+/// The comparison with a second tracker on the same paths.
 struct CrossCheck {
   std::string witness;
   std::uint64_t common = 0;                 ///< roots that both found
@@ -203,13 +230,15 @@ struct SolveResult {
   std::vector<std::pair<std::string, std::string>> tracker_options;
   PathCounts paths;
   std::vector<Solution> solutions;  ///< by path number
-  /// nullopt where nothing was to be certified, or could be: F has more equations than unknowns.
+  /// nullopt: certificates were not asked for, or F has more equations than unknowns.
   std::optional<RootCompleteness> completeness;
   std::optional<MetBound> bound;  ///< that proves the completeness
-  std::vector<Point> on_sets;  ///< an end of paths on a set of positive dimension, one a place; in the system's variables
+  std::vector<Point>
+      on_sets;  ///< one end of paths for each place on a set of positive dimension, in the system's variables
   std::uint64_t excess =
       0;  ///< roots that squaring up added, with multiplicity: they fail an equation of F
   std::vector<FailedPath> failures;
+  std::vector<PathRecord> ledger;  ///< by path number; empty where no path was followed
   std::vector<LeftOut> left_out;
   std::optional<int>
       digits;  ///< how many the roots were given beyond double, where any were asked for
@@ -218,12 +247,13 @@ struct SolveResult {
   SolveTime time;
 };
 
-/// Throws std::invalid_argument when there are fewer equations than unknowns and they are not to be sliced, or an option is out
-/// of range; std::overflow_error when the number of paths leaves 64 bits; all before any tracking. A set `stop` ends the run with what is finished.
+/// Throws before any tracking: std::invalid_argument when there are fewer equations than unknowns without `slice`, or an option
+/// is out of range; std::overflow_error when the number of paths exceeds 64 bits. A set `stop` ends the run with the paths
+/// that are finished.
 SolveResult solve(const System& f, const Tracker& tracker, const SolveOptions& options = {},
                   const std::atomic<bool>& stop = std::atomic<bool>{false});
 
-/// A start that somebody else has made, of a family's roots for example.
+/// A start that the caller has made, from a family's roots for example.
 struct GivenStart {
   StartPlan plan;  ///< to scale(f, scaling), but for the rows' sizes; its points are in those units
   Scaling scaling;                          ///< of f, or of reduction.system
@@ -231,7 +261,7 @@ struct GivenStart {
   std::string why;                          ///< where the start comes from
   std::optional<MetBound> bound = {};       ///< proved: f has no more isolated roots than that
   bool is_complete =
-      true;  ///< a path leads to every isolated root; else no more than `open` is told
+      true;  ///< a path leads to every isolated root; if not, completeness stays `open`
 };
 
 /// As solve(), by that start. f: square, without homogeneous groups.

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 // What happens along one path? Every accepted step of a path as solve() follows it, and the verdict on its end.
 //
-// A trace is a sequence of journeys: the whole way t: 0 -> 1 first, and where the end is not regular the endgame's
-// approaches and circles round t = 1. Within a journey s runs from 0 to 1. The first row is the start point, a step of 0.
+// A trace is a sequence of path segments (`journey` counts them). The first goes from t = 0 to t = 1. If the end is not
+// regular, the endgame's segments towards t = 1 and its circles around it follow. s runs from 0 to 1 in each segment. The
+// first row is the start point, with a step of 0.
 //
 //   path of solve()   number as in Solution::path; H is the homotopy after elimination and scaling, x is given back in
 //                     the system's own variables
-//   path of one's own H(x, t) = t F(x) + (1 - t) G(x) exactly, from a root of G: nothing is eliminated, scaled or drawn at
-//                     random. Where F and G are real, paths can meet on the way; multiply G by a complex constant then.
+//   path of one's own H(x, t) = t F(x) + (1 - t) G(x) exactly, from a root of G: nothing is eliminated, scaled or chosen at
+//                     random. If F and G are real, paths can meet before t = 1; then multiply G by a complex constant.
 //
 // |H| = max_i |H_i| at the point of unit length in homogeneous coordinates. Affine coordinates are infinite where x_0 = 0.
 // Edges: a system without a path (solved or refuted by elimination) is refused.
@@ -31,7 +32,7 @@ struct TraceStep {
 
 struct Trace {
   SystemFacts system;
-  std::optional<std::uint64_t> paths;  ///< of the start system; nullopt with one of one's own
+  std::optional<std::uint64_t> paths;  ///< of the start system; nullopt with a start of one's own
   std::uint64_t path = 0;
   std::vector<TraceStep> steps;
   PathEnd end;

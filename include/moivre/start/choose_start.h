@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Which start has the paths that take the least time? A plan, the counts of all that were computed, and the reason.
 //
-//   total-degree       the degrees' product; never more to find out
+//   total-degree       the product of the degrees; nothing needs to be searched
 //   multihomogeneous   the best partition found (start/multihomogeneous.h), at most the total degree
 //   polyhedral         the mixed volume with 0 added, at most any multihomogeneous number; two stages a path
 //
@@ -10,10 +10,10 @@
 //     one stage:   M + kInfinityCost (paths - M)      M: mixed volume, which bounds the roots; the other paths go to infinity
 //     polyhedral:  kPolyhedralCost M
 //
-// Mixed cells are looked for where a generic member has roots at infinity (start/infinity.h), until the search has cost what
-// the paths of the best other start are expected to. The constants were fitted on a corpus (decision 18).
-// Edges: a start that cannot be had (a count beyond 64 bits, G with too many terms) is passed over, with the reason; all of
-// them: std::overflow_error. Asked for by name, it is refused with the reason (std::invalid_argument).
+// If a generic member has roots at infinity (start/infinity.h), mixed cells are sought until the search has cost as much as the
+// paths of the best other start. The constants were fitted on a corpus (decision 18).
+// Edges: a start that is not possible (a count beyond 64 bits, G with too many terms) is left out, with the reason. If none is
+// possible: std::overflow_error. A start requested by name is refused with the reason (std::invalid_argument).
 #pragma once
 
 #include <atomic>
@@ -57,10 +57,10 @@ struct ChosenStart {
 /// f: n polynomials in n variables (std::invalid_argument otherwise).
 ChosenStart choose_start(const System& f, const StartChoiceOptions& options);
 
-/// So many steps of a search for cells cost what so many paths are expected to (CellSearchOptions::most_steps).
+/// The number of search steps that cost as much as this number of paths (CellSearchOptions::most_steps).
 std::uint64_t search_steps_for(const System& f, std::uint64_t paths);
 
-/// All counts, each as far as a bounded search comes.
+/// All counts, each as far as a bounded search gets.
 StartCounts count_starts(const System& f, const StartChoiceOptions& options);
 
 }  // namespace moivre

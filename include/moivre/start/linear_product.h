@@ -7,12 +7,12 @@
 //   A root of G chooses a factor of every equation such that group j is chosen n_j times; the n_j factors are then linear
 //   equations for x_j. Path number -> choice by c(r) (multihomogeneous.h), so that start points are computed, never stored.
 //
-// No two chosen systems share a root, and none is singular, for almost every choice of constants; of several random factors
-// the one is taken that is farthest from those that there are, so that none is nearly singular. The constants are multiples
-// of 2^-kConstantBits: products of few of them are exact in double.
+// For almost every choice of constants no two chosen linear systems share a root, and none is singular. To avoid nearly singular
+// ones, several random factors are drawn and the one farthest from the existing factors is taken. The constants are multiples of
+// 2^-kConstantBits, so that products of a few of them are exact in double.
 //
-// Edges: a number of 0 leaves no path; one that leaves 64 bits, or whose table is too large, is refused
-// (std::overflow_error). For one group of all unknowns the total-degree start has fewer terms.
+// Edges: a number of 0 means that there is no path. A number beyond 64 bits, or with too large a table, is refused
+// (std::overflow_error). For a single group of all unknowns the total-degree start has fewer terms.
 // Source: [MorganSommese87]; [Wampler93]; [SommeseWampler05, ch. 8].
 #pragma once
 

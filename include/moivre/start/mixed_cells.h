@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which binomial systems does a sparse system decay into? The mixed cells of its supports for a random lifting.
+// Which binomial systems does a sparse system degenerate into? The mixed cells of its supports for a random lifting.
 //
 //   A_1, ..., A_n: supports in n variables; omega_ik: integer lifting of term a_ik.
 //   Mixed cell: an edge {a_i, b_i} of every A_i and alpha in Q^n with, for all k,
@@ -8,11 +8,10 @@
 //   Volume of a cell: |det V|, row i of V = b_i - a_i. The volumes add up to the mixed volume, which bounds the number
 //   of isolated roots without zero coordinates and is it for generic coefficients (Bernstein).
 //
-// The cells are followed while the lifting moves (tropical homotopy continuation): standard simplices, which have one
-// cell, give way to the supports one after the other. Every decision is made in exact integers: of 64 bits, then of
-// 128, then of any length where those would overflow. Ties are broken by a second lifting, infinitely smaller; a
-// lifting whose own cells are not strict is given up for another. The result depends on supports, seed and lifting
-// alone.
+// The cells are followed while the lifting moves (tropical homotopy continuation). It begins with standard simplices, which have
+// one cell; the supports replace them one after the other. Every decision is made in exact integers of 64 bits, then of 128,
+// then of any length where those would overflow. Ties are broken by a second, infinitely smaller lifting. If the cells of the
+// lifting itself are not strict, another lifting is tried. The result depends only on supports, seed and lifting.
 //
 // Edges: a support of fewer than two terms, or supports of too low a dimension, have mixed volume 0 and no cell; no
 // variables at all: one cell, of volume 1. Equal terms in a support are allowed. Not supported: supports that are not
@@ -87,7 +86,7 @@ struct CellSearch {
 CellSearch mixed_cells(const std::vector<Support>& supports, std::uint64_t seed,
                        const CellSearchOptions& options = {});
 
-/// The mixed cells for this lifting; `seed` draws only what the way to it needs.
+/// The mixed cells for this lifting; `seed` affects only how they are found.
 CellSearch mixed_cells_of_lifting(const std::vector<Support>& supports, const Lifting& lifting,
                                   std::uint64_t seed, const CellSearchOptions& options = {});
 

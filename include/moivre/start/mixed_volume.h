@@ -10,8 +10,7 @@
 // not assumed: for every cell found alpha^0 is computed exactly, with all slacks for the lifting 0/1 at least 0. Where
 // one is not, the height is doubled and the search begins again.
 //
-// `verified`: the sum of the cells found is a lower bound if a cell were ever missed; two liftings whose cells have
-// nothing in common must agree.
+// `verified`: if a cell were missed, the sum would be only a lower bound. So two independent liftings must give the same sum.
 #pragma once
 
 #include <cstdint>

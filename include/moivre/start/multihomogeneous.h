@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How many roots can a system have whose unknowns fall into groups, and which groups promise the fewest? Bezout by groups.
+// How many roots can a system with grouped unknowns have, and which groups give the fewest? The multihomogeneous Bezout number.
 //
 //   The n unknowns are parted into k groups of sizes n_1 + ... + n_k = n; d_ij = degree of F_i in the unknowns of group j.
 //   Number = coefficient of z_1^{n_1} ... z_k^{n_k} in prod_i (d_i1 z_1 + ... + d_ik z_k): isolated roots of F in C^n, with
@@ -8,11 +8,10 @@
 // The coefficient is found over the table of exponent vectors: c(r) = sum_j d_ij c(r - e_j), i = n - |r|, the number of
 // ways in which equations i, i+1, ... take r_j factors of group j. Numbers beyond 64 bits are seen.
 //
-// Which groups: all partitions of few unknowns are tried, after [Wampler92]. Of more unknowns good ones are looked for from
-// several beginnings (unknowns that never multiply each other, that stand in the same equations, ...), and improved by moving
-// or exchanging unknowns and joining groups while that helps, in the spirit of [LiLinBai03]. The answer is the same every
-// time, and not always the least. Work is bounded, and in proportion to the paths of the total degree: a search that took
-// longer than they do would save nothing.
+// Which groups: with few unknowns all partitions are tried, after [Wampler92]. With more, the search starts from several partitions
+// (unknowns that never multiply each other, that are in the same equations, ...). It improves each by moving or exchanging
+// unknowns and joining groups, similar to [LiLinBai03]. The answer is deterministic, but not always the least. The work is
+// bounded, in proportion to the paths of the total degree, since a longer search would save nothing.
 //
 // Edges: the number 0 says that F has no isolated root in C^n. F must be square, with no zero polynomial
 // (std::invalid_argument). Not supported: groups that overlap, supporting hyperplanes (mixed volumes).

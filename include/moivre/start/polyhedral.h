@@ -7,11 +7,10 @@
 //   stage 1 toric, from G's binomials at tau = -T to G at tau = 0:  c_k(t) = g_k e^{-W_k (1 - t)}, W = w T
 //   stage 2 the straight line from G to F
 //
-// The lifting is -log |f_k| and a random part of a few units: along such a path sizes change little, whatever range the
-// coefficients have, since its cells are those of the roots' own sizes.
-// T, a cell's own, makes every other term at the start at most kLeastPart of the two it is beside. A path is told by its number:
-// cell and root of the cell's binomials (start/path_index.h); start points are De Moivre's (start/binomial.h).
-// Moduli like F's keep the roots of G of the sizes of F's roots, so that a wide range of coefficients bends no path.
+// The lifting is -log |f_k| plus a random part of a few units. Its cells belong to the sizes of the roots, so that sizes change
+// little along a path, whatever range the coefficients have. Each cell has its own T, so that at the start every other term is
+// at most kLeastPart of the two dominant ones. A path number means a cell and a root of its binomials (start/path_index.h,
+// start/binomial.h). G has the moduli of F, so that its roots have the sizes of F's roots.
 //
 // Edges: a mixed volume of 0 is a plan without paths: no isolated roots. Not supported: stable cells as starts.
 // Sources: [HuberSturmfels95], [LiWang96] for the 0 in every support.

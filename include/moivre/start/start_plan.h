@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// By which homotopies do all roots come, and where do their paths begin? A plan of stages; it tracks nothing itself.
+// Which homotopies lead to all roots, and where do their paths begin? A plan of stages; it tracks nothing itself.
 //
 //   path 0..paths-1 --start point--> stage 1 --its end at t = 1--> stage 2 --> ... --> the target's roots
 //
@@ -29,7 +29,7 @@ class StartPoints {
  public:
   virtual ~StartPoints() = default;
   virtual StartPoint at(std::uint64_t path) const = 0;
-  /// Which path has this start point, known to some digits? nullopt where that can't be computed.
+  /// The path with this start point, known to some digits; nullopt where it cannot be computed.
   virtual std::optional<std::uint64_t> number_of(const Point& x) const = 0;
 };
 

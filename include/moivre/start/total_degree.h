@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which system has exactly as many roots as the degrees allow, all of them written down? G_j = c1_j x_j^{d_j} - c2_j.
+// Which system has exactly as many roots as the degrees allow, all of them known? G_j = c1_j x_j^{d_j} - c2_j.
 //
 //   c1_j, c2_j: random on the unit circle (the gamma trick);  roots: x_j = (c2_j/c1_j)^{1/d_j} by De Moivre's theorem,
 //   z^{1/d} = |z|^{1/d} (cos((theta + 2 pi k)/d) + i sin((theta + 2 pi k)/d)), theta = atan2(Im z, Re z), k = 0..d-1.

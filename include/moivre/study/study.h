@@ -7,10 +7,11 @@
 //     error        of the roots that solve() delivers, residuals in double-double
 //     plain_error  of the same roots, after Newton's method with residuals in plain double
 //
-//   own        solve() without repair: doubts are not tracked again, neither with more care nor in double-double, so lost
-//              roots are the tracker's own
+//   own        solve() without tracking doubtful paths again, neither with tighter tolerances nor in double-double. So the lost
+//              roots are those of the tracker
 //   repaired   solve() as it is
-//   jumped     paths whose end is nearest to another root than theirs; whose a root is, say careful runs of both trackers
+//   jumped     paths whose end is nearest to another path's root. Runs of both trackers with tight tolerances tell which root
+//              belongs to which path
 //
 // CPU time is that of the whole solve() on one thread, reading excluded; a short solve is repeated. Counts are those of the
 // worst seed, work is the median. Singular roots count as found or lost, but have no error: no digits of theirs are proved.
@@ -51,7 +52,7 @@ struct StudyOutcome {
   StepCount work;
 };
 
-/// What the tracker did on the paths to simple roots, all of it uncorrected by the solver.
+/// What the tracker did on the paths to simple roots, without help from the solver.
 struct StudyWalk {
   std::uint64_t paths = 0;  ///< followed, of each seed
   std::uint64_t jumped = 0;
@@ -71,7 +72,7 @@ struct StudyRow {
   std::optional<StudyWalk> walk;  ///< nullopt where there are no paths to simple roots
 };
 
-/// The roots that all rows are measured against.
+/// The reference roots for all rows.
 struct StudyReference {
   std::uint64_t roots = 0;  ///< distinct and isolated
   std::uint64_t with_multiplicity = 0;
@@ -99,7 +100,7 @@ struct StudyOptions {
 /// Every broken rule as a sentence; empty when the options can be used.
 std::vector<std::string> validate(const StudyOptions& options);
 
-/// Numbers beside the settings: a measurement of another kind, as a table. Columns named ..._error are drawn over cpu_s, the
+/// A measurement of another kind, as a table. Columns named ..._error are drawn over cpu_s, the
 /// first column beside each point.
 struct StudyTable {
   std::string title;
@@ -118,7 +119,8 @@ struct StudyResult {
   StudyReference reference;
   std::vector<StudyRow> rows;  ///< in the order of the settings; those that were finished
   std::vector<StudyTable> tables;
-  std::vector<std::string> remarks;  ///< what there was nothing to compare of, and why; a sentence each
+  std::vector<std::string>
+      remarks;       ///< comparisons that were not possible, and why; a sentence each
   double cpu_s = 0;  ///< of all of it
 };
 
@@ -129,7 +131,7 @@ struct StudySubject {
   std::function<SolveResult(const Tracker&, const SolveOptions&, const std::atomic<bool>&)> solve;
 };
 
-/// `referee` and `witness` are careful trackers, each the other's witness; `witness` may be nullptr. Throws
+/// `referee` and `witness` are trackers with tight tolerances that are compared with each other; `witness` may be nullptr. Throws
 /// std::invalid_argument when the options or the system are not as said; a set `stop` ends with the rows that are finished.
 StudyResult study_subject(const StudySubject& subject, const std::vector<StudySetting>& settings,
                           const Tracker& referee, const Tracker* witness,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How is a study told? A table as text and CSV, everything as JSON, work-precision diagrams for gnuplot, a page that holds all.
+// How is a study reported? A table as text and CSV, everything as JSON, work-precision diagrams for gnuplot, a page that holds all.
 //
 // CSV: one row a file and setting, columns named in the first row; what is unknown is empty. The JSON is shown in docs/json.md.
 // Diagram: log10 error over log10 CPU time, a curve a method along its tolerances; on the left what the tracker itself

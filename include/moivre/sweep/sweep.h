@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // In how many ways can a mechanism be assembled while one or two of its numbers vary? Closures counted on a grid, and its borders.
 //
-// Every sample is a solve of all closures, by families that the first samples have learned (family/book.h). Between neighbours with
-// different numbers of real closures lies a border, where closures meet in pairs: it is sharpened by bisection.
+// Every sample solves all closures, with families learned by the first samples (family/book.h). Between neighbouring samples with
+// different numbers of real closures lies a border, where closures meet in pairs. It is located by bisection.
 //
 //   one number    samples in order; borders to kBorder of the range, several between two samples where halves differ
 //   two numbers   the first one varies slowest; a border point on every edge of the grid whose ends differ, to kMapBorder of the edge
 //
-// Edges: a sample that is not complete (a path failed, interrupted) has no border beside it. Closures that come and go between two
-// samples of one count are not seen.
+// Edges: a sample that is not complete (a path failed, or the run was interrupted) has no border next to it. Closures that appear and
+// disappear between two samples with the same count are not seen.
 #pragma once
 
 #include <functional>
@@ -23,7 +23,7 @@ namespace moivre {
 inline constexpr double kBorder = 1e-9;
 inline constexpr double kMapBorder = 1e-3;
 
-/// A number of the mechanism (sweep/dimensions.h) at `count` equidistant values.
+/// A number of the mechanism (mechanism/dimensions.h) at `count` equidistant values.
 struct Varied {
   std::string name;
   double from = 0;

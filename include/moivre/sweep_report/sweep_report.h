@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// How is a sweep told? As text for people, as JSON and CSV for programs, and as a picture.
+// How is a sweep reported? As text for people, as JSON and CSV for programs, and as a picture.
 //
 //   text   how many samples have how many real closures, and the borders of one number
-//   JSON   everything;  CSV a sample a line
+//   JSON   everything;  CSV one sample per line
 //   SVG    one number: the number of real closures as a curve, that of all as a thin one; two: a map, a colour a number, with its borders
 #pragma once
 

@@ -5,8 +5,7 @@
 //   spiral:   t(s) = 1 - r e^{lambda s}     lambda = 2 pi i m: m turns round t = 1;
 //                                           lambda = -log q: straight towards t = 1, q times nearer
 // A spiral towards t = 1 is how an endgame approaches: functions of (1 - t)^{1/m} are smooth in
-// log(1 - t). Near t = 1 the homotopy's weight 1 - t is what matters, so contours hand it out beside
-// t, with all its digits.
+// log(1 - t). Near t = 1 the homotopy depends on its weight 1 - t. So contours give 1 - t with all its digits, besides t.
 #pragma once
 
 #include <cmath>

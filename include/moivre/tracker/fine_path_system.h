@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// What does the path look like near (x, t), in double-double throughout? As tracker/path_system.h, without its savings.
+// What does the path look like near (x, t), in double-double throughout? As tracker/path_system.h, without its shortcuts.
 //
 //   J = [ H_x ; a ],   J dx = [ -H ; 1 - a x ]  Newton correction,   J x' = [ -H_t dt ; 0 ]  tangent
 //
-// a: the patch, a row, moved along with the path by whoever follows it. The natural patch x^H would leave the scale
-// of x to the predictor, and a predictor of several points makes errors of scale grow from step to step.
+// a: the patch, a row that the tracker moves along with the path. The natural patch x^H would leave the scale of x to the
+// predictor. With a predictor of several points, errors of scale would then grow from step to step.
 // Everything is evaluated, factored and solved in double-double, with a fresh J for each correction.
 #pragma once
 

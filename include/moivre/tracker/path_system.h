@@ -10,8 +10,8 @@
 // J: N x N, rows scaled (numeric/lu.h). Corrections are measured by |dx|_w = max_i |dx_i| / w_i,
 // w_i = max(|x_i|, kRelativeFloor |x|_inf): relative in each coordinate, with a floor.
 //
-// Where rounding of the residual stops Newton, H is evaluated in double-double from there on (x, J and its
-// factors stay double): corrections then contract until x itself is rounded, up to conditions near 1e14.
+// Where rounding of the residual stops Newton's method, H is evaluated in double-double from there on; x, J and its factors stay
+// double. Corrections then contract until x itself is rounded, up to conditions near 1e14.
 // Source: [ShubSmale93] for the patch, [Timme21, sec. 2] for the norm.
 #pragma once
 

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
-// What does a tracker promise? It follows pieces of paths along contours, and says of each how far it came.
+// What does a tracker promise? It follows path segments along contours, and says of each how far it came.
 //
-// A job source hands out Departures; the tracker takes each as far as it can and gives the Arrival to the sink, which may
-// have made further departures (an endgame's circles) in the meantime. A tracker with many lanes keeps many
-// departures going at once; one with a single lane takes them one by one. It decides nothing about roots: statuses here
-// tell about the journey, the end is judged by endgame/, the account is kept by solver/.
+//   Departure   a path segment to be followed: a point and a contour from it
+//   Arrival     its result: the last point that was reached, and the status (Journey)
+//
+// A source hands out departures. The tracker follows each as far as it can and gives the arrival back to the source. The source
+// may then have further departures, such as an endgame's circles. A tracker with many lanes follows many segments at
+// once, one with a single lane one after the other. A tracker decides nothing about roots: endgame/ judges the end of a
+// path, and solver/ keeps the counts.
 //
 // x: N homogeneous coordinates, s: contour parameter in [0, 1], t = contour(s).
 #pragma once
@@ -35,7 +38,7 @@ struct StepRecord {
   double correction = 0;  ///< |dx_1|_w of the first Newton correction; 0 without correction
 };
 
-/// Sees every accepted step of one departure, and may end it. Called by the thread that tracks; must not throw.
+/// Sees every accepted step of one segment, and may end it. Called by the thread that tracks; must not throw.
 class Watcher {
  public:
   virtual ~Watcher() = default;
@@ -50,7 +53,7 @@ struct Departure {
   int care = 0;     ///< 0: as the options say; each level more tracks with tighter tolerances
   int samples = 0;  ///< points wanted at s = 1/samples, 2/samples, ..., 1; 0: none
   Watcher* watcher = nullptr;  ///< not owned; nullptr: nobody watches
-  /// The watcher sees the steps that end with |1 - t| up to this.
+  /// The watcher sees the steps that end with |1 - t| no larger than this.
   double watch_radius = std::numeric_limits<double>::infinity();
   FramePointer frame = nullptr;  ///< the path's, where the homotopy is framed; x is in it
 };
@@ -79,10 +82,9 @@ struct Arrival {
   double s = 0;  ///< where on the contour
   PathTime t{0.0};
   StepCount count;
-  std::vector<Point>
-      samples;  ///< in the order of s; all of them when arrived, else what was passed
-  /// At t = 1, by trackers that work beyond double: condition of J where Newton's method ended quadratically, at a
-  /// point known better than double tells. nullopt: nobody looked.
+  std::vector<Point> samples;  ///< in the order of s; all of them if s = 1 was reached
+  /// At t = 1, from trackers with more digits than double: condition of J, where Newton's method converged quadratically to
+  /// a point that is known beyond double. nullopt: not tested.
   std::optional<double> regular_condition;
 };
 
@@ -90,17 +92,17 @@ struct Arrival {
 class DepartureSource {
  public:
   virtual ~DepartureSource() = default;
-  /// The next departure, or nullopt when there is none *now*; the session ends when it has none under way either.
+  /// The next departure, or nullopt when there is none *now*. The session ends when it has no segment under way either.
   virtual std::optional<Departure> next() = 0;
-  /// Takes what became of a departure. It may make further departures for `next`.
+  /// Takes the result of a departure. It may make further departures for `next`.
   virtual void arrived(const Departure& departure, Arrival&& arrival) = 0;
 };
 
-/// The tracking of one thread. Owns all memory a journey needs; allocates nothing per step.
+/// The tracking of one thread. Owns all memory that a segment needs; allocates nothing per step.
 class TrackerSession {
  public:
   virtual ~TrackerSession() = default;
-  /// Until the source is dry. A set `stop` ends journeys under way with Journey::cancelled.
+  /// Until the source has no more departures. A set `stop` ends segments under way with Journey::cancelled.
   virtual void run(DepartureSource& source, const std::atomic<bool>& stop) noexcept = 0;
 };
 
@@ -113,11 +115,11 @@ class Tracker {
   virtual std::vector<std::pair<std::string, std::string>> options_in_force() const = 0;
   /// A session on `homotopy`, which must outlive it. Thread-safe.
   virtual std::unique_ptr<TrackerSession> open(const Homotopy& homotopy) const = 0;
-  /// The same tracker with every number of a path in double-double; nullptr where there is none.
+  /// The same tracker with all of a path in double-double; nullptr if there is none.
   virtual std::unique_ptr<Tracker> in_double_double() const { return nullptr; }
 };
 
-/// Follows a single departure in a session of its own.
+/// Follows one departure.
 Arrival follow(TrackerSession& session, Departure departure, const std::atomic<bool>& stop);
 
 }  // namespace moivre

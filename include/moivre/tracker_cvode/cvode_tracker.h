@@ -36,7 +36,7 @@ struct CvodeOptions {
   CvodeMethod method = CvodeMethod::bdf_projection;
   CvodeIteration iteration = CvodeIteration::fixed_point;
   double rtol = 1e-2;                  ///< relative local error per step, in (0, 0.5]
-  std::int64_t maximum_steps = 20000;  ///< accepted and rejected steps of one journey
+  std::int64_t maximum_steps = 20000;  ///< accepted and rejected steps of one segment
 };
 
 /// Every broken rule as a sentence; empty when the options can be used.

@@ -2,11 +2,11 @@
 // How are many paths followed at once on one core? W of them in SIMD lanes, each with its own t and step.
 //
 //   W: 8 with AVX-512, 4 with AVX2, 2 with SSE4 and SSSE3; chosen when the program runs, so one build serves every machine
-//   in_double_double(): the same lanes with two doubles a number, for what double cannot tell
+//   in_double_double(): the same lanes with two doubles for each number, for paths that double cannot decide
 //   a step: Hermite prediction, one evaluation of H, H_x, H_t, one factorization, two Newton updates, tangent
 //
-// A journey depends on its departure alone: not on its lane, its neighbours, or the number of threads. Two machines with
-// different W follow the same paths, rounded differently.
+// The result of a segment depends on its departure alone, not on its lane, its neighbours, or the number of threads. Two machines
+// with different W follow the same paths, rounded differently.
 // Edges: a lane in which something is not finite rejects its own step and touches no other.
 // Not supported: targets without fixed-size vectors. Sources: [Timme21] for step control by contraction.
 #pragma once
@@ -35,11 +35,11 @@ int order_of(LanePredictor predictor);
 struct LaneOptions {
   /// |dx|_w of the first Newton correction that steps aim at, in (0, 0.1].
   double tolerance = 3e-3;
-  std::int64_t maximum_steps = 20000;  ///< accepted and rejected steps of one journey
+  std::int64_t maximum_steps = 20000;  ///< accepted and rejected steps of one segment
   LanePredictor predictor = LanePredictor::quintic;
 };
 
-/// The largest tolerance in double-double: who needs the digits needs no jumps.
+/// The largest tolerance in double-double, so that paths do not jump there.
 inline constexpr double kFineLaneTolerance = 1e-5;
 
 /// Every broken rule as a sentence; empty when the options can be used.

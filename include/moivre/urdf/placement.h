@@ -2,8 +2,8 @@
 // Where does a joint's origin put its child? As a rotation matrix, and which typed angles mean quarter turns.
 //
 // rpy = (r, p, y): R = Rz(y) Ry(p) Rx(r). An angle means k quarter turns where it is k pi/2 cut or rounded to the decimals that were
-// typed, four at least: 1.5708 does, 1.5707963277 does not. Robots are built of right angles, files hold decimals; axes are
-// parallel, or meet, only where the right angle is meant.
+// typed, four at least: 1.5708 does, 1.5707963277 does not. Robots are built with right angles, but files have decimals. Without
+// this rule axes would not be exactly parallel or meet.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,7 +13,7 @@
 
 namespace moivre {
 
-/// k, the quarter turns that a typed angle means; nothing where it is no multiple of pi/2 to its digits.
+/// k, the quarter turns that a typed angle means; nothing if it is no multiple of pi/2 in its digits.
 std::optional<int> quarter_turns(const Rational& angle);
 
 /// R of the numbers as typed, to rounding.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What is the robot? A tree of links and joints, as its URDF file has it, every number exactly as typed.
 //
-// A joint puts its child's frame into its parent's: first the origin (xyz in metres, then the turn rpy in radians: x, y, z about
-// axes that stand), then what moves: a turn about `axis`, or a displacement along it. The axis is in the child's frame.
+// A joint places its child's frame in its parent's. First comes the origin: xyz in metres, then the rotation rpy in radians, about
+// the fixed axes x, y, z. Then comes the motion: a rotation about `axis`, or a displacement along it. The axis is in the child's frame.
 // The root is the one link that is no joint's child; every other link is the child of exactly one.
 // Not supported: planar and floating joints, loops (a URDF has none). What does not move anything (meshes, inertia,
 // transmissions) is not kept.

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// dq/dp from one factorisation; what is left over of a right-hand side tells whether the mechanism still closes.
+#include "moivre/kinematics/sensitivity.h"
+
+#include <Eigen/QR>
+#include <limits>
+
+#include "moivre/kinematics/linear.h"
+#include "moivre/kinematics/null_space.h"
+
+namespace moivre {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+// What least squares leave over, beside the right-hand side. A pose is known to about 1e-13, and so is what its constraints span
+// where they are well conditioned; a dimension that a spare constraint holds leaves a share of order 1.
+constexpr double kLeftOver = 1e-7;
+
+/// Lengths of the rows, so that a row that compares angles counts like one of lengths; no less than a thousandth of the longest.
+VectorXd row_lengths(const MatrixXd& A) {
+  constexpr double kFloor = 1e-3;
+  const VectorXd lengths = A.rowwise().norm();
+  const double longest = lengths.size() == 0 ? 0 : lengths.maxCoeff();
+  return lengths.cwiseMax(longest > 0 ? kFloor * longest : 1);
+}
+
+// A double root that is right to rounding is off by the root of that, and so is Phi_q at a dead point, beside its largest pivot.
+constexpr double kHalfTheDigits = 1e-6;
+
+Index rank_within(const MatrixXd& A, double tolerance) {
+  Eigen::ColPivHouseholderQR<MatrixXd> qr(equilibrated(A));
+  qr.setThreshold(tolerance);
+  return qr.rank();
+}
+
+}  // namespace
+
+PoseSensitivity pose_sensitivity(const Phi& phi, const VectorXd& q, double t,
+                                 const MatrixXd& partial_p, const PoseKind& kind) {
+  const MatrixXd J = phi.jacobian(q, t);
+  const Factorisation factors(J);
+  const VectorXd scale = row_lengths(J).cwiseInverse();
+  PoseSensitivity result;
+  const Index rank = kind.is_multiple ? rank_within(J, kHalfTheDigits) : factors.rank();
+  result.is_singular = rank + kind.spins < phi.dimension();
+  result.has_spare_rows = rank < phi.size();
+  result.rates = MatrixXd::Zero(phi.dimension(), partial_p.cols());
+  result.breaks_closure.resize(static_cast<std::size_t>(partial_p.cols()));
+  result.free = result.is_singular || factors.rank() == phi.dimension()
+                    ? MatrixXd(phi.dimension(), 0)
+                    : null_space(J);
+  for (Index k = 0; k < partial_p.cols(); ++k) {
+    const VectorXd change = partial_p.col(k);
+    if (change.isZero(0)) continue;
+    auto rate = result.rates.col(k);
+    if (!result.is_singular) {
+      rate = factors.solve(-change);
+      const double left_over = (J * rate + change).cwiseProduct(scale).cwiseAbs().maxCoeff();
+      const double size = change.cwiseProduct(scale).cwiseAbs().maxCoeff();
+      result.breaks_closure[static_cast<std::size_t>(k)] = left_over > kLeftOver * size;
+    }
+    if (result.is_singular || result.breaks_closure[static_cast<std::size_t>(k)]) {
+      rate.setConstant(std::numeric_limits<double>::quiet_NaN());
+    }
+  }
+  return result;
+}
+
+}  // namespace moivre

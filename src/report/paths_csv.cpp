@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// The ledger of a solve as CSV: one path a line, whatever became of it.
+#include <map>
+
+#include "moivre/report/solve_report.h"
+
+namespace moivre {
+
+std::string paths_csv(const SolveResult& result) {
+  std::map<std::uint64_t, Failure> reasons;
+  for (const FailedPath& path : result.failures) reasons[path.path] = path.failure;
+  std::string text = "path,stage,verdict,solution,reason,precision,followed,handed_over,steps\n";
+  for (std::uint64_t k = 0; k < result.ledger.size(); ++k) {
+    const PathRecord& path = result.ledger[k];
+    const bool is_placed = path.solution != PathRecord::kNoSolution;
+    const bool is_on_set = path.verdict == PathVerdict::finite && !is_placed;
+    const auto reason = reasons.find(k);
+    text += std::to_string(k) + ',' + std::to_string(path.stage) + ',' +
+            (is_on_set ? "on a set" : to_string(path.verdict)) + ',' +
+            (is_placed ? std::to_string(path.solution) : "") + ',' +
+            (reason == reasons.end() ? "" : to_string(reason->second)) + ',' +
+            to_string(path.rung) + ',' + std::to_string(path.followed) + ',' +
+            (path.handed_over ? "1," : "0,") + std::to_string(path.steps) + '\n';
+  }
+  return text;
+}
+
+}  // namespace moivre

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// Are roots that exact algebra can count told with their multiplicity, however badly their paths end?
+#include <gtest/gtest.h>
+
+#include "problem_set.h"
+
+namespace moivre::test {
+namespace {
+
+/// Complete by proof, with this one root, so often.
+void expect_one_root(const std::string& text, const Point& x, std::uint64_t multiplicity) {
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    const SolveResult result = solve_with_cvode(read(text), with_seed(seed));
+    EXPECT_TRUE(result.complete) << text;
+    EXPECT_EQ(result.completeness, RootCompleteness::proved) << text;
+    ASSERT_EQ(result.solutions.size(), 1U) << text;
+    EXPECT_EQ(result.solutions[0].multiplicity, multiplicity) << text;
+    for (std::size_t k = 0; k < x.size(); ++k) {
+      EXPECT_NEAR(std::abs(result.solutions[0].x[k] - x[k]), 0, 1e-15) << text;
+    }
+  }
+}
+
+TEST(ExactRoots, OfAPowerThatNoDoubleTells) { expect_one_root("1\n (x + 1)^40;\n", {-1}, 40); }
+
+// Cycles of different winding numbers end at one point.
+TEST(ExactRoots, OfTwoCurvesThatTouchSingularly) {
+  expect_one_root("2\n (x - 1)^3*(y - 2)^2;\n x*y - 2;\n", {1, 2}, 5);
+}
+
+TEST(ExactRoots, ThatNoDoubleHolds) {
+  expect_one_root("1\n (3*x - 1)^20;\n", {1.0 / 3}, 20);
+  expect_one_root("2\n (7*x - 2*y)^6;\n y - 3/7;\n", {6.0 / 49, 3.0 / 7}, 6);
+}
+
+// Ten roots 1e-6 around 1: their paths tell one root of multiplicity 10 there, but 1 is no root.
+TEST(ExactRoots, AreNotMadeOfPointsThatAreNearRoots) {
+  const SolveResult result = solve_with_cvode(read("1\n (x - 1)^10 - 1e-60;\n"), with_seed(1));
+  EXPECT_NE(result.completeness, RootCompleteness::proved);
+  for (const Solution& root : result.solutions) EXPECT_GT(root.accuracy, 1e-6);
+}
+
+}  // namespace
+}  // namespace moivre::test
