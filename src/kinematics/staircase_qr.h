@@ -56,7 +56,9 @@ class StaircaseQr {
 
   void eliminate(Eigen::Index k);
   void reflect(Eigen::Index k, Eigen::VectorXd& b) const;
-  Eigen::Index width(Eigen::Index k) const { return order_.column_end[k] - k - 1; }
+  Eigen::Index width(Eigen::Index k) const {
+    return order_.column_end[static_cast<std::size_t>(k)] - k - 1;
+  }
   void solve_upper(Eigen::VectorXd& v) const;
   void solve_lower(Eigen::VectorXd& v) const;
 
