@@ -56,7 +56,25 @@ Json closure_json(const Closure& closure, const Mechanism& mechanism) {
             {"multiplicity", closure.multiplicity},
             {"singular", closure.singular}};
   if (!joints.empty()) json["joints"] = std::move(joints);
+  if (!closure.of.empty()) json["of"] = closure.of;
   return json;
+}
+
+Json counts_json(const ClosureCounts& counts) {
+  return {{"complex", counts.complex},
+          {"real", counts.real},
+          {"filtered", counts.filtered},
+          {"rejected", counts.rejected},
+          {"fitted", counts.fitted}};
+}
+
+Json sub_chain_json(const SubChain& part) {
+  return {{"bodies", part.chain.bodies},
+          {"counts", counts_json(part.counts)},
+          {"paths", to_json(part.paths)},
+          {"closures", list_json(part.closures, [&](const Closure& closure) {
+             return closure_json(closure, part.chain.mechanism);
+           })}};
 }
 
 }  // namespace
@@ -79,16 +97,14 @@ std::string closures_json(const ClosureResult& result, const Mechanism& mechanis
   report["tracker"] = tracker_json(result.tracker, result.tracker_options);
   report["paths"] = to_json(result.paths);
   report["stages"] = list_json(result.stages, stage_json);
-  report["counts"] = {{"complex", result.counts.complex},
-                      {"real", result.counts.real},
-                      {"filtered", result.counts.filtered},
-                      {"rejected", result.counts.rejected},
-                      {"fitted", result.counts.fitted}};
+  report["counts"] = counts_json(result.counts);
   report["fit"] = mechanism.fit ? to_json(*mechanism.fit) : Json(nullptr);
   report["least_misfit"] = result.least_misfit ? to_json(*result.least_misfit) : Json(nullptr);
   report["moves"] = moves_json(result.moves, mechanism);
   report["closures"] = list_json(
       result.closures, [&](const Closure& closure) { return closure_json(closure, mechanism); });
+  report["all_listed"] = result.all_listed;
+  report["sub_chains"] = list_json(result.sub_chains, sub_chain_json);
   if (sensitivities != nullptr) {
     report["dimensions"] = dimensions_json(*sensitivities);
     for (std::size_t k = 0; k < result.closures.size(); ++k) {

@@ -5,6 +5,7 @@
 
 #include "joint_values.h"
 #include "moivre/closure_report/closure_report.h"
+#include "moivre/expression/joined.h"
 #include "moivre/report/number_text.h"
 #include "moivre/report/text_blocks.h"
 #include "pose_text.h"
@@ -12,9 +13,20 @@
 namespace moivre {
 namespace {
 
+/// " = 8 x 8 x 8 of 3 independent sub-chains", the real closures of each.
+std::string factors_text(const ClosureResult& result) {
+  if (result.sub_chains.empty()) return "";
+  std::vector<std::string> factors;
+  for (const SubChain& part : result.sub_chains) {
+    factors.push_back(std::to_string(part.counts.real));
+  }
+  return " = " + joined(factors, " x ") + " of " + std::to_string(factors.size()) +
+         " independent sub-chains";
+}
+
 std::string answer(const ClosureResult& result) {
   std::string text = counted(result.counts.complex, "complex closure") + ", " +
-                     std::to_string(result.counts.real) + " real";
+                     std::to_string(result.counts.real) + " real" + factors_text(result);
   if (result.counts.filtered > 0) {
     text += ", " + std::to_string(result.counts.filtered) + " outside a joint's limits";
   }
@@ -64,13 +76,30 @@ std::string closure_text(const Closure& closure, const Mechanism& mechanism) {
   return text + '\n' + joints_text(mechanism, closure.q) + pose_text(mechanism, closure.q);
 }
 
+/// Each with what the drivers place; closures of the whole are one of each.
+std::string sub_chains_text(const ClosureResult& result) {
+  std::string text;
+  for (const SubChain& part : result.sub_chains) {
+    text += "\nsub-chain " + joined(part.chain.bodies, ", ") + ": " +
+            counted(part.counts.complex, "complex closure") + ", " +
+            std::to_string(part.counts.real) + " real\n";
+    for (const Closure& closure : part.closures) {
+      text += closure_text(closure, part.chain.mechanism);
+    }
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string closures_text(const ClosureResult& result, const Mechanism& mechanism,
                           const std::string& file) {
   std::string text = (mechanism.title.empty() ? file : mechanism.title + " (" + file + ")") + '\n';
   text += warnings_text(mechanism) + idle_text(result.idle) + answer(result) + stages_text(result);
-  for (const Closure& closure : result.closures) text += closure_text(closure, mechanism);
+  text += sub_chains_text(result);
+  if (result.sub_chains.empty()) {
+    for (const Closure& closure : result.closures) text += closure_text(closure, mechanism);
+  }
   if (result.moves) {
     text += "\nmoves from this pose in " + counted(result.moves->dimension, "direction") + ": " +
             result.moves->shown + '\n' + pose_text(mechanism, result.moves->pose);

@@ -55,18 +55,20 @@ Json index_json(const std::optional<std::size_t>& index) {
 
 Json branch_json(const MotionBranch& branch, const Mechanism& mechanism, const Phi& phi,
                  const AngleForm& form) {
-  return {{"id", branch.id},
-          {"begins", to_json(branch.begins)},
-          {"ends", to_json(branch.ends)},
-          {"begin_event", index_json(branch.begin_event)},
-          {"end_event", index_json(branch.end_event)},
-          {"complete", branch.complete},
-          {"message", branch.message},
-          {"steps", branch.steps},
-          {"retracked", branch.retracked},
-          {"samples", list_json(branch.samples, [&](const BranchSample& sample) {
-             return sample_json(sample, shown(phi, branch, sample, form), mechanism);
-           })}};
+  Json json{{"id", branch.id},
+            {"begins", to_json(branch.begins)},
+            {"ends", to_json(branch.ends)},
+            {"begin_event", index_json(branch.begin_event)},
+            {"end_event", index_json(branch.end_event)},
+            {"complete", branch.complete},
+            {"message", branch.message},
+            {"steps", branch.steps},
+            {"retracked", branch.retracked},
+            {"samples", list_json(branch.samples, [&](const BranchSample& sample) {
+               return sample_json(sample, shown(phi, branch, sample, form), mechanism);
+             })}};
+  if (!branch.of.empty()) json["of"] = branch.of;
+  return json;
 }
 
 Json event_json(const MotionEvent& event, const Mechanism& mechanism, const Phi& phi) {
@@ -93,6 +95,25 @@ Json checkpoint_json(const Checkpoint& checkpoint) {
           {"message", checkpoint.message}};
 }
 
+/// Branches, events, circuits and checkpoints.
+void add_course(const MotionResult& result, const Mechanism& mechanism, const AngleForm& form,
+                Json& report) {
+  const Phi phi(mechanism);
+  report["branches"] = list_json(result.branches, [&](const MotionBranch& branch) {
+    return branch_json(branch, mechanism, phi, form);
+  });
+  report["events"] = list_json(
+      result.events, [&](const MotionEvent& event) { return event_json(event, mechanism, phi); });
+  add_circuits(find_circuits(mechanism, result), result, mechanism, report);
+  report["checkpoints"] = list_json(result.checkpoints, checkpoint_json);
+}
+
+Json part_json(const MotionSubChain& part, const AngleForm& form) {
+  Json json{{"bodies", part.chain.bodies}};
+  add_course(part.motion, part.chain.mechanism, form, json);
+  return json;
+}
+
 /// Into the branches, and of each into its samples.
 void add_readings(const Readings& readings, const Mechanism& mechanism, const AngleForm& form,
                   Json& report) {
@@ -112,7 +133,6 @@ void add_readings(const Readings& readings, const Mechanism& mechanism, const An
 
 std::string motion_json(const MotionResult& result, const Mechanism& mechanism,
                         const std::string& file, const AngleForm& form, const Readings* readings) {
-  const Phi phi(mechanism);
   Json report = report_head("motion", file);
   report["seed"] = result.seed;
   report["complete"] = result.complete;
@@ -130,14 +150,11 @@ std::string motion_json(const MotionResult& result, const Mechanism& mechanism,
   report["tracker"] =
       result.tracker.empty() ? Json(nullptr) : tracker_json(result.tracker, result.tracker_options);
   report["paths"] = to_json(result.paths);
-  report["branches"] = list_json(result.branches, [&](const MotionBranch& branch) {
-    return branch_json(branch, mechanism, phi, form);
-  });
+  add_course(result, mechanism, form, report);
   if (readings != nullptr) add_readings(*readings, mechanism, form, report);
-  report["events"] = list_json(
-      result.events, [&](const MotionEvent& event) { return event_json(event, mechanism, phi); });
-  add_circuits(find_circuits(mechanism, result), result, mechanism, report);
-  report["checkpoints"] = list_json(result.checkpoints, checkpoint_json);
+  report["all_listed"] = result.all_listed;
+  report["sub_chains"] = list_json(
+      result.sub_chains, [&](const MotionSubChain& part) { return part_json(part, form); });
   report["failures"] = result.failures;
   report["left_out"] = to_json(result.left_out);
   report["work"] = {{"steps", result.steps}, {"rejected", result.rejected}};

@@ -114,16 +114,9 @@ std::string checkpoints_text(const std::vector<Checkpoint>& all, const Mechanism
   return text;
 }
 
-}  // namespace
-
-std::string motion_text(const MotionResult& result, const Mechanism& mechanism,
-                        const std::string& file) {
-  std::string text = (mechanism.title.empty() ? file : mechanism.title + " (" + file + ")") + '\n';
-  text += warnings_text(mechanism) + idle_text(result.idle) +
-          counted(result.branches.size(), "branch", "branches") + " from " +
-          place(mechanism, result.from) + " to " + place(mechanism, result.to) + '\n' +
-          result.message + '\n';
-  if (!result.branches.empty()) text += '\n';
+/// Branches, events, circuits and checkpoints.
+std::string course_text(const MotionResult& result, const Mechanism& mechanism) {
+  std::string text = result.branches.empty() ? "" : "\n";
   for (const MotionBranch& branch : result.branches) {
     text += branch_text(branch, result, mechanism);
   }
@@ -131,7 +124,36 @@ std::string motion_text(const MotionResult& result, const Mechanism& mechanism,
   for (const MotionEvent& event : result.events) text += event_text(event, mechanism);
   text += circuits_text(find_circuits(mechanism, result), result, mechanism);
   if (!result.checkpoints.empty()) text += '\n';
-  text += checkpoints_text(result.checkpoints, mechanism);
+  return text + checkpoints_text(result.checkpoints, mechanism);
+}
+
+/// What the whole does is one of each.
+std::string sub_chains_text(const MotionResult& result) {
+  std::vector<std::string> counts;
+  for (const MotionSubChain& part : result.sub_chains) {
+    counts.push_back(std::to_string(part.motion.branches.size()));
+  }
+  std::string text = std::to_string(counts.size()) + " independent sub-chains, of " +
+                     joined(counts, ", ") +
+                     " branches: a branch of the whole is one of each, while all are there\n";
+  for (const MotionSubChain& part : result.sub_chains) {
+    text += "\nsub-chain " + joined(part.chain.bodies, ", ") + '\n' +
+            course_text(part.motion, part.chain.mechanism);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string motion_text(const MotionResult& result, const Mechanism& mechanism,
+                        const std::string& file) {
+  std::string text = (mechanism.title.empty() ? file : mechanism.title + " (" + file + ")") + '\n';
+  text += warnings_text(mechanism) + idle_text(result.idle) +
+          counted(result.branches.size(), "branch", "branches") +
+          (result.all_listed ? "" : " listed, of more,") + " from " +
+          place(mechanism, result.from) + " to " + place(mechanism, result.to) + '\n' +
+          result.message + '\n';
+  text += result.sub_chains.empty() ? course_text(result, mechanism) : sub_chains_text(result);
   for (const std::string& failure : result.failures) text += "failed: " + failure + '\n';
   return text + left_out_text(result.left_out);
 }

@@ -380,6 +380,11 @@ Circuits find_circuits(const Mechanism& mechanism, const MotionResult& motion) {
     if (branch.begin_pose.size() == count && branch.end_pose.size() == count) continue;
     throw std::invalid_argument("branch " + branch.id + " is not one of this mechanism");
   }
+  if (!motion.all_listed) {
+    Circuits none;
+    none.notes.emplace_back("not all branches are listed: each sub-chain has circuits of its own");
+    return none;
+  }
   return CircuitFinder(mechanism, motion).find();
 }
 

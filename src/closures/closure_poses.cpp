@@ -7,9 +7,9 @@
 #include <map>
 
 #include "canonical_order.h"
-#include "moivre/mechanism/closure_id.h"
 #include "moivre/kinematics/local_dimension.h"
 #include "moivre/kinematics/newton.h"
+#include "moivre/mechanism/closure_id.h"
 #include "moivre/mechanism/pose.h"
 #include "track.h"
 
@@ -41,17 +41,6 @@ bool is_allowed(ClosureSearch& search, const Eigen::VectorXd& q, BeyondLimits& b
   ++search.result.counts.filtered;
   ++beyond_limits[static_cast<std::size_t>(beyond - joints.begin())];
   return false;
-}
-
-/// The closure at the end of a Newton run.
-Closure closure_at(const ClosureSearch& search, const NewtonResult& polished) {
-  Closure closure;
-  closure.q = search.phi.canonical(polished.q);
-  closure.residual = residual_by_size(search.phi, closure.q, search.options.time);
-  closure.misfit = misfit(search.phi, closure.q, search.options.time);
-  closure.newton_iterations = polished.steps();
-  closure.smallest_singular_value = polished.smallest_singular_value;
-  return closure;
 }
 
 void take_pose(ClosureSearch& search, const Solution& solution, const NewtonResult& polished,
@@ -126,6 +115,18 @@ void tell_limits(const BeyondLimits& beyond_limits, ClosureSearch& search) {
   }
 }
 
+}  // namespace
+
+Closure closure_at(const ClosureSearch& search, const NewtonResult& polished) {
+  Closure closure;
+  closure.q = search.phi.canonical(polished.q);
+  closure.residual = residual_by_size(search.phi, closure.q, search.options.time);
+  closure.misfit = misfit(search.phi, closure.q, search.options.time);
+  closure.newton_iterations = polished.steps();
+  closure.smallest_singular_value = polished.smallest_singular_value;
+  return closure;
+}
+
 void letter(std::vector<Closure>& closures, const Mechanism& mechanism) {
   std::vector<Eigen::VectorXd> poses;
   poses.reserve(closures.size());
@@ -137,8 +138,6 @@ void letter(std::vector<Closure>& closures, const Mechanism& mechanism) {
   }
   closures = std::move(ordered);
 }
-
-}  // namespace
 
 // A root where motions cross may look isolated to the solver; its pose tells, and its paths are counted anew.
 void find_poses(ClosureSearch& search) {

@@ -7,10 +7,17 @@
 #pragma once
 
 #include "closure_search.h"
+#include "moivre/kinematics/newton.h"
 
 namespace moivre {
 
 /// Fills closures and counts; leaves the isolated roots alone among the solutions.
 void find_poses(ClosureSearch& search);
+
+/// The closure at the end of a Newton run, its path and kind not yet said.
+Closure closure_at(const ClosureSearch& search, const NewtonResult& polished);
+
+/// Puts closures in canonical order and names them by it.
+void letter(std::vector<Closure>& closures, const Mechanism& mechanism);
 
 }  // namespace moivre

@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "closure_poses.h"
+#include "closure_product.h"
 #include "closure_roots.h"
 #include "moivre/closures/idle_joints.h"
 #include "moivre/expression/refusal.h"
@@ -146,8 +147,10 @@ ClosureResult find_closures(const Mechanism& mechanism, const Tracker& tracker,
   search.result = described(search);
   search.result.idle = std::move(held.idle);
   add_spins(search);
-  find_roots(search);
-  find_poses(search);
+  if (!solve_apart(search)) {
+    find_roots(search);
+    find_poses(search);
+  }
   add_mobility(Phi(mechanism), search.result);
   conclude(search);
   search.result.time_s.total = watch.total();

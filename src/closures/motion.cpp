@@ -8,6 +8,7 @@
 #include "moivre/closures/idle_joints.h"
 #include "moivre/kinematics/newton.h"
 #include "moivre/numeric/stopwatch.h"
+#include "motion_product.h"
 #include "motion_record.h"
 #include "reconcile.h"
 #include "short_branches.h"
@@ -113,14 +114,11 @@ LeftOut left_unseen(const MotionOptions& options) {
 
 }  // namespace
 
-MotionResult find_motion(const Mechanism& mechanism, const Tracker& tracker,
-                         const MotionOptions& options, const std::atomic<bool>& stop) {
-  require_workable(mechanism, options);
+MotionResult find_motion_of_whole(const Mechanism& mechanism, const Tracker& tracker,
+                                  const MotionOptions& options, const std::atomic<bool>& stop) {
   const Stopwatch watch;
-  const HeldMechanism held = hold_idle(mechanism);
-  MotionRun run(held.mechanism, options, motion_times(options, options.checkpoints), stop);
+  MotionRun run(mechanism, options, motion_times(options, options.checkpoints), stop);
   MotionResult result = empty_result(run);
-  result.idle = held.idle;
   result.tracker = tracker.kind();
   result.tracker_options = tracker.options_in_force();
   std::vector<Scene> scenes = solve_scenes(run, tracker);
@@ -145,6 +143,20 @@ MotionResult find_motion(const Mechanism& mechanism, const Tracker& tracker,
   conclude(run, result);
   tell_why_nothing_moves(scenes, result);
   result.left_out.push_back(left_unseen(options));
+  result.time_s.total = watch.total();
+  return result;
+}
+
+MotionResult find_motion(const Mechanism& mechanism, const Tracker& tracker,
+                         const MotionOptions& options, const std::atomic<bool>& stop) {
+  require_workable(mechanism, options);
+  const Stopwatch watch;
+  const HeldMechanism held = hold_idle(mechanism);
+  const std::vector<IndependentChain> chains = independent_chains(held.mechanism);
+  MotionResult result = chains.empty()
+                            ? find_motion_of_whole(held.mechanism, tracker, options, stop)
+                            : find_motion_apart(held.mechanism, chains, tracker, options, stop);
+  result.idle = held.idle;
   result.time_s.total = watch.total();
   return result;
 }

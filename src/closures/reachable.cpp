@@ -64,6 +64,30 @@ void keep_events(MotionResult& motion) {
   }
 }
 
+/// Whether each sub-chain is on the circuit on which it is in one of `from`; the circuits of the whole are parts of these.
+std::vector<bool> reachable_by_sub_chains(const MotionResult& motion,
+                                          const std::vector<std::size_t>& from) {
+  std::vector<bool> is_kept(motion.branches.size(), false);
+  std::vector<std::vector<std::size_t>> circuit_of_branch(motion.branches.size());
+  for (std::size_t k = 0; k < motion.sub_chains.size(); ++k) {
+    const auto& [chain, part] = motion.sub_chains[k];
+    const Circuits circuits = find_circuits(chain.mechanism, part);
+    for (std::size_t b = 0; b < motion.branches.size(); ++b) {
+      const auto at = std::find_if(
+          part.branches.begin(), part.branches.end(),
+          [&](const MotionBranch& branch) { return branch.id == motion.branches[b].of[k]; });
+      circuit_of_branch[b].push_back(
+          circuit_of(circuits, static_cast<std::size_t>(at - part.branches.begin())));
+    }
+  }
+  for (std::size_t b = 0; b < motion.branches.size(); ++b) {
+    is_kept[b] = std::any_of(from.begin(), from.end(), [&](std::size_t first) {
+      return circuit_of_branch[first] == circuit_of_branch[b];
+    });
+  }
+  return is_kept;
+}
+
 }  // namespace
 
 std::size_t circuit_of(const Circuits& circuits, std::size_t branch) {
@@ -111,10 +135,12 @@ std::vector<std::size_t> first_branches(const MotionResult& motion) {
 
 MotionResult reachable_from(MotionResult motion, const Circuits& circuits,
                             const std::vector<std::string>& closures) {
+  const std::vector<std::size_t> from = named_branches(motion, closures);
   std::vector<bool> is_kept(motion.branches.size(), false);
-  for (const std::size_t branch : named_branches(motion, closures)) {
-    for (const std::size_t k : circuits.circuits[circuit_of(circuits, branch)].branches) {
-      is_kept[k] = true;
+  if (!motion.all_listed) is_kept = reachable_by_sub_chains(motion, from);
+  for (std::size_t k = 0; motion.all_listed && k < from.size(); ++k) {
+    for (const std::size_t b : circuits.circuits[circuit_of(circuits, from[k])].branches) {
+      is_kept[b] = true;
     }
   }
   std::vector<MotionBranch> kept;

@@ -2,7 +2,6 @@
 // How is a branch followed? Steps along the curve, samples in between, and the places where it ends.
 #include "moivre/kinematics/branch.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -14,6 +13,7 @@
 #include "moivre/mechanism/pose.h"
 #include "noise.h"
 #include "segment.h"
+#include "staircase_qr.h"
 
 namespace moivre {
 namespace {
@@ -173,7 +173,9 @@ class Follower {
         times_(times),
         options_(options),
         stop_(stop),
-        curve_(phi_, scale_of(phi_, q0, times), slack_of(mechanism, phi_, q0)) {
+        curve_(phi_, scale_of(phi_, q0, times), slack_of(mechanism, phi_, q0),
+               !is_typed(mechanism)),
+        order_(staircase_order(phi_.reads(), phi_.dimension())) {
     validate(phi_, q0, times, mechanism.fit);
   }
 
@@ -212,6 +214,7 @@ class Follower {
   const BranchOptions& options_;
   const std::atomic<bool>& stop_;
   const Curve curve_;
+  const StaircaseOrder order_;  ///< of Phi_q
   CurvePoint at_;
   std::vector<CurvePoint> approach_;  ///< the last points, sigma falling
   double h_ = kFirstStep;
@@ -435,11 +438,12 @@ bool Follower::take_samples(const Segment& segment, double until) {
   return true;
 }
 
-/// A Newton step. LU first, where Phi_q is square: rank costs more than the step, and what a singular Phi_q gives is far off.
+/// A Newton step. QR in its stairs first, where Phi_q is square: rank costs more than the step, and what a singular Phi_q gives is
+/// far off.
 VectorXd Follower::correction(const VectorXd& q, double t, bool is_careful) const {
   const MatrixXd J = phi_.jacobian(q, t);
   if (is_careful || J.rows() != J.cols()) return Factorisation(J).solve(-phi_.value(q, t));
-  return J.partialPivLu().solve(-phi_.value(q, t));
+  return StaircaseQr(J, order_).solve(-phi_.value(q, t));
 }
 
 /// The pose at its own time, corrected from the cubic; nullopt where the correction leads too far away.

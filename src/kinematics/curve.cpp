@@ -23,6 +23,12 @@ constexpr double kShrinks = 0.7;
 constexpr double kOnCurve = 1e-8;
 // Of inverse iteration from the vector of the point before: each brings the ratio of the two smallest, squared.
 constexpr int kInverseIterations = 4;
+// From no vector at all.
+constexpr int kFirstInverseIterations = 24;
+// A diagonal this small, of rows of length 1: what it belongs to may be 0 exactly.
+constexpr double kSmallDiagonal = 1e-9;
+// Stairs are no cheaper than all of a small matrix.
+constexpr Index kStairsPay = 9;
 
 MatrixXd bordered(const MatrixXd& E, const VectorXd& row) {
   MatrixXd K(E.rows() + 1, E.cols());
@@ -42,25 +48,77 @@ VectorXd across(const VectorXd& tangent, const VectorXd& v) {
   return rest.normalized();
 }
 
-/// The right singular vector of the smallest singular value of K = Q R = [E; tangent], among those of E.
-VectorXd weakest(const Eigen::HouseholderQR<MatrixXd>& qr, const VectorXd& tangent, VectorXd v) {
-  const Index size = v.size();
-  const auto R = qr.matrixQR().topRows(size).triangularView<Eigen::Upper>();
-  v = across(tangent, v);
-  for (int k = 0; k < kInverseIterations; ++k) {
-    const VectorXd next = R.solve(R.transpose().solve(v));
-    if (!next.allFinite() || !(next.norm() > 0)) break;
-    v = across(tangent, next.normalized());
+/// Of E^T: coordinates and the time, which the drivers' rows read, by constraints.
+StaircaseOrder order_of(const Phi& phi) {
+  Pattern rows = phi.reads();
+  for (auto row = rows.end() - phi.driver_size(); row != rows.end(); ++row) {
+    row->push_back(phi.dimension());
   }
-  return v;
+  return staircase_order(transposed(rows, phi.dimension() + 1), phi.size());
 }
 
 }  // namespace
+
+/// E x = r and a further row, normal.x = s: by E^T = Q R where its stairs are known, else by a QR of all rows.
+class Curve::Bordered {
+ public:
+  Bordered(const MatrixXd& E, const StaircaseOrder* order) : E_(E) {
+    if (order == nullptr) return;
+    stairs_.emplace(E.transpose(), *order);
+    tangent_ = stairs_->left_null_vector();
+  }
+
+  void border(const VectorXd& normal) {
+    normal_ = normal;
+    if (!stairs_) dense_.compute(bordered(E_, normal));
+  }
+  VectorXd solve(const VectorXd& r, double s) const {
+    if (!stairs_) {
+      VectorXd rhs(r.size() + 1);
+      rhs << r, s;
+      return dense_.solve(rhs);
+    }
+    const VectorXd x = stairs_->solve_transposed(r);
+    return x + (s - normal_.dot(x)) / normal_.dot(tangent_) * tangent_;
+  }
+  /// The right singular vector of the smallest singular value of E across the tangent, which is the normal.
+  VectorXd weakest(VectorXd v, int iterations) const {
+    v = across(normal_, v);
+    for (int k = 0; k < iterations; ++k) {
+      const VectorXd next = inverse_squared(v);
+      if (!next.allFinite() || !(next.norm() > 0)) break;
+      v = across(normal_, next.normalized());
+    }
+    return v;
+  }
+  /// Whether the tangent and the weakest vector are told by the stairs.
+  bool is_clear() const { return stairs_ && stairs_->smallest_diagonal() > kSmallDiagonal; }
+  const VectorXd& tangent() const { return tangent_; }
+
+ private:
+  VectorXd inverse_squared(const VectorXd& v) const {
+    if (stairs_) return stairs_->solve_transposed(stairs_->solve(v));
+    const auto R = dense_.matrixQR().topRows(v.size()).triangularView<Eigen::Upper>();
+    return R.solve(R.transpose().solve(v));
+  }
+
+  const MatrixXd& E_;
+  VectorXd normal_;
+  std::optional<StaircaseQr> stairs_;
+  VectorXd tangent_;
+  Eigen::HouseholderQR<MatrixXd> dense_;
+};
 
 struct Curve::Rows {
   MatrixXd E;
   VectorXd length;
 };
+
+Curve::Curve(const Phi& phi, CurveScale scale, double slack, bool only_drivers_read_time)
+    : phi_(phi), scale_(std::move(scale)), slack_(slack) {
+  const bool is_square = phi.size() == phi.dimension() && phi.size() > kStairsPay;
+  if (is_square && only_drivers_read_time) order_ = order_of(phi);
+}
 
 VectorXd Curve::point(const VectorXd& q, double t) const {
   VectorXd y(q.size() + 1);
@@ -98,16 +156,14 @@ VectorXd Curve::bend(const VectorXd& y, const VectorXd& tangent) const {
          tdot * tdot * phi_.partial_tt(q, t);
 }
 
-CurvePoint Curve::described(const VectorXd& y, const Rows& rows, const VectorXd& tangent,
-                            const VectorXd& v) const {
-  const Eigen::HouseholderQR<MatrixXd> qr(bordered(rows.E, tangent));
+CurvePoint Curve::described(const VectorXd& y, const Rows& rows, Bordered& equations,
+                            const VectorXd& tangent, const VectorXd& v) const {
+  equations.border(tangent);
   CurvePoint point;
   point.y = y;
   point.tangent = tangent;
-  VectorXd rhs(rows.E.rows() + 1);
-  rhs << -bend(y, tangent).cwiseQuotient(rows.length), 0;
-  point.curvature = qr.solve(rhs);
-  point.v = weakest(qr, tangent, v);
+  point.curvature = equations.solve(-bend(y, tangent).cwiseQuotient(rows.length), 0);
+  point.v = equations.weakest(v, kInverseIterations);
   const VectorXd image = rows.E * point.v;
   point.sigma = image.norm();
   point.u = point.sigma > 0 ? VectorXd(image / point.sigma) : image;
@@ -116,34 +172,46 @@ CurvePoint Curve::described(const VectorXd& y, const Rows& rows, const VectorXd&
 
 CurvePoint Curve::begin(const VectorXd& y) const {
   const Rows at = rows(y);
-  const MatrixXd V = right_singular_vectors(at.E);
+  Bordered equations(at.E, stairs());
   const Index n = y.size() - 1;
-  VectorXd tangent = V.col(n);
+  VectorXd tangent;
+  VectorXd v;
+  if (equations.is_clear()) {
+    tangent = equations.tangent();
+    equations.border(tangent);
+    v = equations.weakest(VectorXd::LinSpaced(n + 1, 1, 2), kFirstInverseIterations);
+  } else {
+    const MatrixXd V = right_singular_vectors(at.E);
+    tangent = V.col(n);
+    v = n > 0 ? V.col(n - 1) : tangent;
+  }
   if (tangent[n] < 0) tangent = -tangent;
-  return described(y, at, tangent, n > 0 ? V.col(n - 1) : tangent);
+  return described(y, at, equations, tangent, v);
 }
 
 CurvePoint Curve::next(const VectorXd& y, const CurvePoint& before) const {
   const Rows at = rows(y);
-  const Eigen::HouseholderQR<MatrixXd> qr(bordered(at.E, before.tangent));
-  VectorXd rhs = VectorXd::Zero(at.E.rows() + 1);
-  rhs[at.E.rows()] = 1;
-  return described(y, at, qr.solve(rhs).normalized(), before.v);
+  Bordered equations(at.E, stairs());
+  equations.border(before.tangent);
+  const VectorXd tangent = equations.solve(VectorXd::Zero(at.E.rows()), 1).normalized();
+  return described(y, at, equations, tangent, before.v);
 }
 
 std::optional<VectorXd> Curve::corrected(VectorXd y, const VectorXd& normal, double offset) const {
   double last = 0;
   for (int k = 0; k < kCorrections; ++k) {
     const Rows at = rows(y);
-    VectorXd rhs(at.E.rows() + 1);
-    rhs << -phi_.value(q_of(y), t_of(y)).cwiseQuotient(at.length), offset - normal.dot(y);
-    if (!at.E.allFinite() || !rhs.allFinite()) return std::nullopt;
-    const VectorXd step = Eigen::HouseholderQR<MatrixXd>(bordered(at.E, normal)).solve(rhs);
+    const VectorXd miss = -phi_.value(q_of(y), t_of(y)).cwiseQuotient(at.length);
+    const double to_plane = offset - normal.dot(y);
+    if (!at.E.allFinite() || !miss.allFinite() || !std::isfinite(to_plane)) return std::nullopt;
+    Bordered equations(at.E, stairs());
+    equations.border(normal);
+    const VectorXd step = equations.solve(miss, to_plane);
     const double size = step.norm();
     if (!std::isfinite(size) || (k > 0 && size > kShrinks * last && size > kConverged)) {
       return std::nullopt;
     }
-    const bool is_on_curve = rhs.norm() <= std::max(kOnCurve, slack_);
+    const bool is_on_curve = std::hypot(miss.norm(), to_plane) <= std::max(kOnCurve, slack_);
     y += step;
     if (size <= kConverged) return is_on_curve ? std::optional(std::move(y)) : std::nullopt;
     last = size;

@@ -6,6 +6,7 @@
 //   tangent    E y' = 0, |y'| = 1          curvature    E y'' = -(Phi_yy y') y', y''.y' = 0
 //   sigma      n-th singular value of E, with its vectors E v = sigma u: 0 where branches cross; regular where a branch turns
 //              back in t
+// With m = n, E^T = Q R in its stairs (staircase_qr.h): the last column of Q is the tangent.
 // Symbols: n coordinates, m >= n rows.
 #pragma once
 
@@ -13,6 +14,7 @@
 #include <optional>
 
 #include "moivre/mechanism/phi.h"
+#include "staircase_qr.h"
 
 namespace moivre {
 
@@ -37,8 +39,8 @@ struct CurvePoint {
 class Curve {
  public:
   /// `slack`: what the rows, of length 1, may leave together where constraints contradict each other a little.
-  Curve(const Phi& phi, CurveScale scale, double slack = 0)
-      : phi_(phi), scale_(std::move(scale)), slack_(slack) {}
+  /// `only_drivers_read_time`: as in mechanisms of bodies; then stairs are known, and used where m = n.
+  Curve(const Phi& phi, CurveScale scale, double slack = 0, bool only_drivers_read_time = false);
 
   Eigen::VectorXd point(const Eigen::VectorXd& q, double t) const;
   Eigen::VectorXd q_of(const Eigen::VectorXd& y) const;
@@ -59,12 +61,15 @@ class Curve {
   struct Rows;  ///< E and the lengths that its rows had
   Rows rows(const Eigen::VectorXd& y) const;
   Eigen::VectorXd bend(const Eigen::VectorXd& y, const Eigen::VectorXd& tangent) const;
-  CurvePoint described(const Eigen::VectorXd& y, const Rows& rows, const Eigen::VectorXd& tangent,
-                       const Eigen::VectorXd& v) const;
+  class Bordered;  ///< equations with E and one more row
+  CurvePoint described(const Eigen::VectorXd& y, const Rows& rows, Bordered& equations,
+                       const Eigen::VectorXd& tangent, const Eigen::VectorXd& v) const;
+  const StaircaseOrder* stairs() const { return order_ ? &*order_ : nullptr; }
 
   const Phi& phi_;
   CurveScale scale_;
   double slack_;
+  std::optional<StaircaseOrder> order_;  ///< of E^T
 };
 
 }  // namespace moivre

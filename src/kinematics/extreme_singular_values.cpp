@@ -3,7 +3,7 @@
 #include "extreme_singular_values.h"
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/QR>
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -19,9 +19,12 @@ using Eigen::VectorXd;
 
 // Below, Jacobi's rotations are as fast.
 constexpr Index kSmall = 16;
-// Of an eigenvalue: standing still so far, twice running, is converged.
+// Of an eigenvalue: standing still so far from one look to the next is converged.
 constexpr double kStandstill = 1e-13;
-constexpr Index kFewest = 4;
+// Of the largest one, which a condition number is made of.
+constexpr double kRoughStandstill = 1e-6;
+// Looks at the eigenvalues of the tridiagonal matrix, which cost more than a step, are so many steps apart, or a part of all steps.
+constexpr Index kLooks = 3;
 
 /// A start with a part in every direction, the same for every call.
 VectorXd start_vector(Index n) {
@@ -32,13 +35,13 @@ VectorXd start_vector(Index n) {
 
 /// The largest eigenvalue of the symmetric operator on n coordinates; nullopt where it is no number.
 template <class Operator>
-std::optional<double> largest_eigenvalue(const Operator& apply, Index n) {
+std::optional<double> largest_eigenvalue(const Operator& apply, Index n, double standstill) {
   MatrixXd Q(n, n);
   VectorXd alpha(n);
   VectorXd beta(n);
   Q.col(0) = start_vector(n);
   double last = 0;
-  int still = 0;
+  Index next_look = kLooks;
   for (Index k = 0; k < n; ++k) {
     VectorXd w = apply(Q.col(k));
     if (!w.allFinite()) return std::nullopt;
@@ -47,41 +50,51 @@ std::optional<double> largest_eigenvalue(const Operator& apply, Index n) {
       w -= Q.leftCols(k + 1) * (Q.leftCols(k + 1).transpose() * w);
     }
     beta[k] = w.norm();
-    Eigen::SelfAdjointEigenSolver<MatrixXd> tridiagonal;
-    tridiagonal.computeFromTridiagonal(alpha.head(k + 1), beta.head(k), Eigen::EigenvaluesOnly);
-    const double value = tridiagonal.eigenvalues()[k];
-    still = std::abs(value - last) <= kStandstill * std::abs(value) ? still + 1 : 0;
-    last = value;
-    const bool is_spanned = !(beta[k] > kStandstill * std::abs(value));
-    if (is_spanned || (still >= 2 && k >= kFewest)) break;
-    if (k + 1 < n) Q.col(k + 1) = w / beta[k];
+    const bool is_spanned = k + 1 == n || !(beta[k] > kStandstill * std::abs(alpha[0]));
+    if (is_spanned || k == next_look) {
+      Eigen::SelfAdjointEigenSolver<MatrixXd> tridiagonal;
+      tridiagonal.computeFromTridiagonal(alpha.head(k + 1), beta.head(k), Eigen::EigenvaluesOnly);
+      const double value = tridiagonal.eigenvalues()[k];
+      const bool stands = std::abs(value - last) <= standstill * std::abs(value);
+      last = value;
+      if (is_spanned || stands) break;
+      next_look += std::max(kLooks, k / 2);
+    }
+    Q.col(k + 1) = w / beta[k];
   }
   return last;
 }
 
+/// R^-T R^-1 has it largest; nullopt where R is singular.
+std::optional<double> smallest_of(const StaircaseQr& qr, Index n) {
+  if (!qr.is_regular()) return std::nullopt;
+  const auto inverse =
+      largest_eigenvalue([&](const VectorXd& v) { return qr.inverse_squared(v); }, n, kStandstill);
+  if (!inverse || !(*inverse > 0)) return std::nullopt;
+  return 1 / std::sqrt(*inverse);
+}
+
 }  // namespace
 
-ExtremeSingularValues extreme_singular_values(const MatrixXd& A) {
-  const MatrixXd tall = A.rows() >= A.cols() ? A : MatrixXd(A.transpose());
-  const Index n = tall.cols();
-  const auto by_svd = [&] {
-    const VectorXd all = singular_values(A);
-    return ExtremeSingularValues{all[0], all[all.size() - 1]};
-  };
-  if (n <= kSmall) return by_svd();
-  const Eigen::HouseholderQR<MatrixXd> qr(tall);
-  const MatrixXd R = qr.matrixQR().topRows(n).triangularView<Eigen::Upper>();
-  if (!(R.diagonal().cwiseAbs().minCoeff() > 0)) return by_svd();
-  const auto square =
-      largest_eigenvalue([&](const VectorXd& v) { return VectorXd(R.transpose() * (R * v)); }, n);
-  const auto inverse = largest_eigenvalue(
-      [&](const VectorXd& v) {
-        const VectorXd w = R.triangularView<Eigen::Upper>().transpose().solve(v);
-        return VectorXd(R.triangularView<Eigen::Upper>().solve(w));
-      },
-      n);
-  if (!square || !inverse || !(*square > 0) || !(*inverse > 0)) return by_svd();
-  return {std::sqrt(*square), 1 / std::sqrt(*inverse)};
+double smallest_singular_value(const MatrixXd& A, const StaircaseOrder& order) {
+  if (A.cols() > kSmall) {
+    if (const auto smallest = smallest_of(StaircaseQr(A, order), A.cols())) return *smallest;
+  }
+  const VectorXd all = singular_values(A);
+  return all[all.size() - 1];
+}
+
+ExtremeSingularValues extreme_singular_values(const MatrixXd& A, const StaircaseOrder& order) {
+  const Index n = A.cols();
+  if (n > kSmall) {
+    const StaircaseQr qr(A, order);
+    const auto smallest = smallest_of(qr, n);
+    const auto square =
+        largest_eigenvalue([&](const VectorXd& v) { return qr.squared(v); }, n, kRoughStandstill);
+    if (smallest && square && *square > 0) return {std::sqrt(*square), *smallest};
+  }
+  const VectorXd all = singular_values(A);
+  return {all[0], all[all.size() - 1]};
 }
 
 }  // namespace moivre

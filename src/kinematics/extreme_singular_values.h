@@ -1,22 +1,31 @@
 // SPDX-License-Identifier: MIT
 // What are the largest and the smallest singular value of A, without all the others?
 //
-// A = Q R; Lanczos on R^T R has the largest one, on its inverse the smallest, each with all vectors kept orthogonal, until the value
-// stands still. A QR and a few triangular solves, where an SVD turns every pair of columns several times.
-// Edges: min(m, n) values count; an exactly singular R, or no standstill, hands over to the SVD.
+// A = Q R, in the stairs of what is not zero in it; Lanczos on R^T R has the largest one, on its inverse the smallest, each with
+// all vectors kept orthogonal, until the value stands still: to rounding for the smallest, to six digits for the largest.
+// Symbols: A m x n, m >= n, not empty, finite; `order`: for a pattern that holds A.
+// Edges: a singular R, or no standstill, hands over to the SVD.
 // Source: [GolubVanLoan13], ch. 10.
 #pragma once
 
 #include <Eigen/Core>
 
+#include "moivre/kinematics/linear.h"
+#include "staircase_qr.h"
+
 namespace moivre {
+
+/// An equilibrated matrix whose smallest singular value is larger has full rank by its pivots too: none of them is smaller than
+/// that, and none larger than its columns, which are no longer than 1.
+inline constexpr double kSurelyRegular = 2 * kRankTolerance;
 
 struct ExtremeSingularValues {
   double largest = 0;
   double smallest = 0;
 };
 
-/// A not empty, finite.
-ExtremeSingularValues extreme_singular_values(const Eigen::MatrixXd& A);
+ExtremeSingularValues extreme_singular_values(const Eigen::MatrixXd& A,
+                                              const StaircaseOrder& order);
+double smallest_singular_value(const Eigen::MatrixXd& A, const StaircaseOrder& order);
 
 }  // namespace moivre

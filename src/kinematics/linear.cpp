@@ -9,6 +9,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "extreme_singular_values.h"
 #include "moivre/numeric/svd.h"
 
 namespace moivre {
@@ -52,6 +53,17 @@ LinearMethod natural_method(Index rows, Index columns, Index rank) {
   return LinearMethod::svd;
 }
 
+/// Whether an equilibrated matrix is far from losing rank, where stairs make that cheaper to know than its pivots.
+bool has_surely_full_rank(const MatrixXd& equilibrated) {
+  constexpr Index kStairsPay = 16;
+  const MatrixXd tall = equilibrated.rows() >= equilibrated.cols()
+                            ? equilibrated
+                            : MatrixXd(equilibrated.transpose());
+  if (tall.cols() <= kStairsPay || !tall.allFinite()) return false;
+  const StaircaseOrder order = staircase_order(pattern_of(tall), tall.cols());
+  return smallest_singular_value(tall, order) > kSurelyRegular;
+}
+
 }  // namespace
 
 std::string to_string(LinearMethod method) {
@@ -80,7 +92,9 @@ MatrixXd equilibrated(const MatrixXd& A) {
 
 Index numerical_rank(const MatrixXd& A) {
   if (A.size() == 0) return 0;
-  Eigen::ColPivHouseholderQR<MatrixXd> qr(equilibrated(A));
+  const MatrixXd scaled = equilibrated(A);
+  if (has_surely_full_rank(scaled)) return std::min(A.rows(), A.cols());
+  Eigen::ColPivHouseholderQR<MatrixXd> qr(scaled);
   qr.setThreshold(kRankTolerance);
   return qr.rank();
 }

@@ -140,11 +140,15 @@ void describe_end(const Phi& phi, double t, const std::vector<Index>& free, Newt
   if (!last.q.allFinite()) return;
   const MatrixXd J = jacobian(phi, last.q, t, free);
   if (J.size() == 0 || !J.allFinite()) return;
-  const ExtremeSingularValues scaled = extreme_singular_values(equilibrated(J));
-  run.rank = numerical_rank(J);
+  const auto tall = [&](const MatrixXd& A) {
+    return J.rows() >= J.cols() ? A : MatrixXd(A.transpose());
+  };
+  const StaircaseOrder order = staircase_order(pattern_of(tall(J)), std::min(J.rows(), J.cols()));
+  const ExtremeSingularValues scaled = extreme_singular_values(tall(equilibrated(J)), order);
+  run.rank = scaled.smallest > kSurelyRegular ? std::min(J.rows(), J.cols()) : numerical_rank(J);
   last.rank = run.rank;
   run.is_singular = run.rank < std::min(J.rows(), J.cols());
-  run.smallest_singular_value = extreme_singular_values(J).smallest;
+  run.smallest_singular_value = smallest_singular_value(tall(J), order);
   run.condition = scaled.largest / scaled.smallest;
 }
 

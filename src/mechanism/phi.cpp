@@ -125,6 +125,17 @@ Phi::Phi(const Mechanism& mechanism)
   driver_size_ = static_cast<Index>(mechanism.drivers.size());
 }
 
+std::vector<std::vector<Index>> Phi::reads() const {
+  std::vector<std::vector<Index>> columns;
+  columns.reserve(row_names_.size());
+  for (const auto& constraint : constraints_) {
+    const auto& on = constraint->depends_on;
+    columns.insert(columns.end(), constraint->row_names.size(),
+                   std::vector<Index>(on.begin(), on.end()));
+  }
+  return columns;
+}
+
 Phi Phi::without_drivers() const {
   Phi joints = *this;
   const auto drivers = static_cast<std::size_t>(driver_size_);

@@ -68,19 +68,64 @@ double positive_quotient_to_double(const Integer& n, const Integer& d) {
                     static_cast<int>(ulp_exponent));
 }
 
-using Fraction = decltype(Rational::Number::value);
+using Number = Rational::Number;
 
-Rational from(Fraction&& value) { return Rational(Rational::Number{std::move(value)}); }
+Rational from(Number&& value) { return Rational(std::move(value)); }
 
-bool is_whole(const Fraction& x) { return denominator(x) == 1; }
+bool is_whole(const Number& x) { return x.below == 1; }
 
 void require_divisor(bool is_zero) {
   if (is_zero) throw std::invalid_argument("division of an exact number by zero");
 }
 
-Fraction fraction(const Integer& numerator, const Integer& denominator) {
+/// In lowest terms.
+Number fraction(Integer numerator, Integer denominator) {
   require_divisor(denominator.is_zero());
-  return {numerator, denominator};
+  if (denominator < 0) {
+    numerator = -numerator;
+    denominator = -denominator;
+  }
+  const Integer common = denominator == 1 ? denominator : common_divisor(numerator, denominator);
+  if (common != 1) {
+    numerator /= common;
+    denominator /= common;
+  }
+  return {std::move(numerator), std::move(denominator)};
+}
+
+/// a + sign b; what both denominators have in common is looked at alone [Knuth98, 4.5.1].
+Number sum(const Number& a, const Number& b, int sign) {
+  const Integer b_above = sign < 0 ? Integer(-b.above) : b.above;
+  if (is_whole(a) && is_whole(b)) return {a.above + b_above, 1};
+  const Integer common = common_divisor(a.below, b.below);
+  if (common == 1) return {a.above * b.below + b_above * a.below, a.below * b.below};
+  const Integer a_rest = a.below / common;
+  Integer above = a.above * (b.below / common) + b_above * a_rest;
+  if (above.is_zero()) return {};
+  const Integer shared = common_divisor(above, common);
+  if (shared == 1) return {std::move(above), a_rest * b.below};
+  return {above / shared, a_rest * (b.below / shared)};
+}
+
+/// (above / below) times b, where above / below is in lowest terms and below positive.
+Number product(const Integer& above, const Integer& below, const Number& b) {
+  if (below == 1 && is_whole(b)) return {above * b.above, 1};
+  const Integer first = common_divisor(above, b.below);
+  const Integer second = common_divisor(b.above, below);
+  const auto rest = [](const Integer& n, const Integer& divisor) {
+    return divisor == 1 ? n : Integer(n / divisor);
+  };
+  return {rest(above, first) * rest(b.above, second), rest(below, second) * rest(b.below, first)};
+}
+
+/// Of x, exactly.
+Number number_of(double x) {
+  int exponent = 0;
+  const double mantissa = std::ldexp(std::frexp(x, &exponent), Double::digits);
+  exponent -= Double::digits;
+  const Integer whole = static_cast<std::int64_t>(mantissa);
+  if (exponent >= 0) return {whole << static_cast<unsigned>(exponent), 1};
+  return fraction(whole, Integer(1) << static_cast<unsigned>(-exponent));
 }
 
 }  // namespace
@@ -90,77 +135,59 @@ Rational::Rational(Rational&& other) noexcept = default;
 Rational& Rational::operator=(Rational&& other) noexcept = default;
 Rational::~Rational() = default;
 
-Rational::Rational(double value) : Rational(from(Fraction(value))) {}
+Rational::Rational(double value) : Rational(number_of(value)) {}
 Rational::Rational(std::int64_t numerator, std::int64_t denominator)
     : Rational(from(fraction(numerator, denominator))) {}
 Rational::Rational(Number&& number)
-    : number_(number.value.is_zero() ? nullptr : std::make_unique<Number>(std::move(number))) {}
+    : number_(number.above.is_zero() ? nullptr : std::make_unique<Number>(std::move(number))) {}
 Rational::Rational(const Rational& other)
     : number_(other.is_zero() ? nullptr : std::make_unique<Number>(*other.number_)) {}
 Rational& Rational::operator=(const Rational& other) { return *this = Rational(other); }
 
-Rational Rational::whole(std::uint64_t value) { return from(Fraction(value)); }
+Rational Rational::whole(std::uint64_t value) { return from({value, 1}); }
 
 const Rational::Number& Rational::number() const {
   static const Number kZero;
   return number_ ? *number_ : kZero;
 }
 
-template <class Step>
-Rational& Rational::changed_by(const Step& step) {
-  if (!number_) number_ = std::make_unique<Number>();
-  step(number_->value);
-  if (number_->value.is_zero()) number_.reset();
-  return *this;
-}
-
 Rational& Rational::operator+=(const Rational& other) {
-  if (other.is_zero()) return *this;
-  return changed_by([&](Fraction& a) {
-    const Fraction& b = other.number().value;
-    // Boost looks for a common divisor with 1 as well, in most of the time that long integers take.
-    if (is_whole(a) && is_whole(b)) {
-      a = Fraction(Integer(numerator(a) + numerator(b)));
-    } else {
-      a += b;
-    }
-  });
+  return other.is_zero() ? *this : *this = from(sum(number(), other.number(), 1));
 }
 Rational& Rational::operator-=(const Rational& other) {
-  if (other.is_zero()) return *this;
-  return changed_by([&](Fraction& value) { value -= other.number().value; });
+  return other.is_zero() ? *this : *this = from(sum(number(), other.number(), -1));
 }
 Rational& Rational::operator*=(const Rational& other) {
-  if (is_zero()) return *this;
-  return changed_by([&](Fraction& a) {
-    const Fraction& b = other.number().value;
-    if (is_whole(a) && is_whole(b)) {
-      a = Fraction(Integer(numerator(a) * numerator(b)));
-    } else {
-      a *= b;
-    }
-  });
+  return is_zero() ? *this
+                   : *this = from(product(numerator(*this), denominator(*this), other.number()));
 }
 Rational& Rational::operator/=(const Rational& other) {
   require_divisor(other.is_zero());
-  return changed_by([&](Fraction& value) { value /= other.number().value; });
+  if (is_zero()) return *this;
+  const auto& [above, below] = other.number();
+  return *this = from(product(numerator(*this), denominator(*this),
+                              above < 0 ? Number{-below, -above} : Number{below, above}));
 }
 
-Rational operator-(const Rational& a) { return from(-a.number().value); }
-Rational abs(const Rational& a) { return from(abs(a.number().value)); }
+Rational operator-(const Rational& a) { return from({-numerator(a), denominator(a)}); }
+Rational abs(const Rational& a) { return from({abs(numerator(a)), denominator(a)}); }
 bool operator==(const Rational& a, const Rational& b) {
-  return a.number().value == b.number().value;
+  return numerator(a) == numerator(b) && denominator(a) == denominator(b);
 }
 std::strong_ordering operator<=>(const Rational& a, const Rational& b) {
-  return a.number().value.compare(b.number().value) <=> 0;
+  if (denominator(a) == denominator(b)) return numerator(a).compare(numerator(b)) <=> 0;
+  return Integer(numerator(a) * denominator(b)).compare(numerator(b) * denominator(a)) <=> 0;
 }
-std::ostream& operator<<(std::ostream& out, const Rational& a) { return out << a.number().value; }
+std::ostream& operator<<(std::ostream& out, const Rational& a) {
+  out << numerator(a);
+  return denominator(a) == 1 ? out : out << '/' << denominator(a);
+}
 
 Rational ratio(const Integer& numerator, const Integer& denominator) {
   return from(fraction(numerator, denominator));
 }
-Integer numerator(const Rational& a) { return numerator(a.number().value); }
-Integer denominator(const Rational& a) { return denominator(a.number().value); }
+const Integer& numerator(const Rational& a) { return a.number().above; }
+const Integer& denominator(const Rational& a) { return a.number().below; }
 
 std::size_t bit_length(const Integer& a) {
   return a.is_zero() ? 0 : static_cast<std::size_t>(msb(Integer(abs(a)))) + 1;
@@ -198,7 +225,7 @@ bool is_real(const Coefficient& a) { return a.im.is_zero(); }
 
 double to_double(const Rational& r) {
   if (r.is_zero()) return 0.0;
-  const Integer n = numerator(r);
+  const Integer& n = numerator(r);
   const double magnitude = positive_quotient_to_double(abs(n), denominator(r));
   return n < 0 ? -magnitude : magnitude;
 }

@@ -41,15 +41,11 @@ void make_real(IntegerPolynomial& p, const Monomial& m) {
   p.factor = p.factor / Coefficient{ratio(multiplier.re), ratio(multiplier.im)};
 }
 
-/// gcd for a divisor that is often much shorter than `a`: one division first, since Boost's gcd only subtracts.
-Integer common_divisor(const Integer& divisor, const Integer& a) {
-  return divisor.is_zero() ? Integer(abs(a)) : gcd(divisor, Integer(a % divisor));
-}
-
 void remove_common_divisor(IntegerPolynomial& p) {
   Integer divisor = 0;
   for (const auto& [m, c] : p.terms) {
-    divisor = common_divisor(common_divisor(divisor, c.re), c.im);
+    divisor = common_divisor(divisor, c.re);
+    divisor = common_divisor(divisor, c.im);
     if (divisor == 1) return;
   }
   if (divisor.is_zero()) return;
@@ -76,8 +72,9 @@ GaussianInteger conjugate(const GaussianInteger& a) { return {a.re, -a.im}; }
 IntegerPolynomial to_integer(const Polynomial& p) {
   Integer common = 1;
   for (const Term& term : p.terms) {
-    common = lcm(common, denominator(term.coefficient.re));
-    common = lcm(common, denominator(term.coefficient.im));
+    for (const Rational* part : {&term.coefficient.re, &term.coefficient.im}) {
+      common *= denominator(*part) / common_divisor(common, denominator(*part));
+    }
   }
   const auto scaled = [&common](const Rational& a) {
     return Integer(numerator(a) * (common / denominator(a)));

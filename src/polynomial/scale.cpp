@@ -146,7 +146,11 @@ Rational times_power_of_two(const Rational& a, std::int64_t exponent) {
 
 double log2_size(const Coefficient& c) {
   if (is_real(c)) return log2_size(c.re);
-  return log2_size(c.re * c.re + c.im * c.im) / 2;
+  if (c.re.is_zero()) return log2_size(c.im);
+  const double re = log2_size(c.re);
+  const double im = log2_size(c.im);
+  const double unit = std::floor(std::max(re, im));
+  return unit + std::log2(std::hypot(std::exp2(re - unit), std::exp2(im - unit)));
 }
 
 Scaling choose_scaling(const System& f) {

@@ -50,6 +50,34 @@ TEST(Coefficient, RefusesDivisionByZero) {
   EXPECT_THROW((Coefficient{1, 0} / Coefficient{}), std::invalid_argument);
 }
 
+TEST(CommonDivisor, IsThatOfBoostForIntegersOfAnyLength) {
+  std::mt19937_64 random(7);
+  const auto integer = [&](int words) {
+    Integer n = 0;
+    for (int k = 0; k < words; ++k) n = (n << 64U) + random();
+    return n;
+  };
+  for (int k = 0; k < 500; ++k) {
+    const Integer common = integer(k % 5) + 1;
+    const Integer a = common * integer(k % 11) << static_cast<unsigned>(k % 70);
+    const Integer b = common * integer(k % 7);
+    EXPECT_EQ(common_divisor(a, -b), gcd(a, b));
+    EXPECT_EQ(common_divisor(b, a), gcd(a, b));
+  }
+}
+
+TEST(CommonDivisor, TakesFibonaccisNumbersWhoseQuotientsAreAllOne) {
+  Integer a = 1;
+  Integer b = 1;
+  for (int k = 0; k < 1000; ++k) {
+    a += b;
+    swap(a, b);
+  }
+  EXPECT_EQ(common_divisor(a * 21, b * 21), 21);
+  EXPECT_EQ(common_divisor(0, b), b);
+  EXPECT_EQ(common_divisor(0, 0), 0);
+}
+
 TEST(Rational, KeepsWhatItWasMadeOfInLowestTerms) {
   const Rational a = ratio(Integer(-6), Integer(4));
   EXPECT_EQ(numerator(a), -3);

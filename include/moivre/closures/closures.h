@@ -6,6 +6,8 @@
 // The counts of paths add up in every stage, as in solver/solve.h. Roots that fail a redundant equation are `rejected`.
 // "Cannot be assembled" (no real closure) and "moves" (a curve of closures with the drivers held) are possible answers.
 // An isolated multiple closure (a dead point) is singular and does not move.
+// Sub-chains that share no more than what the drivers place (sub_chains.h) are solved each on its own: closures of the whole are
+// one of each, and are listed up to kMostListed of them.
 // Closures get letters by their poses: larger first coordinate first, ties by the next one.
 // In a block after a complex root of another block, conjugates come from the block's own unknowns pb and u.
 // Not supported: typed equations that are not polynomials (std::invalid_argument with the reason).
@@ -16,6 +18,7 @@
 #include <string>
 #include <vector>
 
+#include "moivre/closures/sub_chains.h"
 #include "moivre/formulation/formulation.h"
 #include "moivre/kinematics/mobility.h"
 #include "moivre/solver/solve.h"
@@ -49,6 +52,7 @@ struct Closure {
   std::uint64_t path = 0;              ///< of the last stage
   std::uint64_t multiplicity = 1;
   bool singular = false;
+  std::vector<std::string> of;  ///< of independent sub-chains: the id of each one's closure
 };
 
 struct ClosureCounts {
@@ -73,6 +77,18 @@ struct IdleJoint {
   std::string held;   ///< how it is held, a clause
 };
 
+/// One of several independent sub-chains, solved on its own.
+struct SubChain {
+  IndependentChain chain;
+  ClosureCounts counts;
+  PathCounts paths;
+  std::vector<Closure> closures;  ///< q: of chain.mechanism; ids of its own
+};
+
+/// So many closures of independent sub-chains are listed one by one. Of more, one for each closure of a sub-chain is, the others standing
+/// in their first.
+inline constexpr std::uint64_t kMostListed = 1024;
+
 struct ClosureResult {
   bool complete = false;
   std::string message = "find_closures() was not run";
@@ -88,7 +104,10 @@ struct ClosureResult {
   std::vector<Solution> solutions;  ///< complex closures in `system`'s variables; real: a pose
   ClosureCounts counts;
   std::optional<Moves> moves;
-  std::vector<Closure> closures;     ///< real, within limits, by id
+  std::vector<Closure> closures;  ///< real, within limits, by id
+  std::vector<SubChain>
+      sub_chains;          ///< two or more, or none: then the mechanism was solved as a whole
+  bool all_listed = true;  ///< false: closures or solutions are more than kMostListed
   std::optional<Mobility> mobility;  ///< at the first closure; at moves->pose where there is none
   Eigen::Index coordinates = 0;      ///< n
   Eigen::Index constraints = 0;      ///< m, without drivers

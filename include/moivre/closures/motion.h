@@ -13,6 +13,9 @@
 // If closures are complex, a branch could begin and end unseen between two checkpoints. Closures are then solved 16 times there,
 // and again where three of these show that a complex pair is about to become real. A pose that exists for an instant only is
 // not a branch (`left_out` says so). Not seen: a short branch that meets no other and does not show in this way.
+// Sub-chains that share no more than what the drivers place (sub_chains.h) are followed each on its own: a branch of the whole is
+// one of each, from where the last of them begins to where the first ends. They are listed up to kMostBranchesListed. Of more, one
+// for each branch of a sub-chain is listed, and circuits are told of each sub-chain alone.
 // Not supported: what find_closures does not support. follow_guesses takes those mechanisms and solves no polynomials.
 #pragma once
 
@@ -66,6 +69,7 @@ struct MotionBranch {
   std::string message;                     ///< how it ended, a sentence
   int steps = 0;                           ///< of the follower
   int retracked = 0;                       ///< how often it was followed again with shorter steps
+  std::vector<std::string> of;  ///< of independent sub-chains: the id of each one's branch
 };
 
 /// Branches that end or begin at one place.
@@ -91,6 +95,8 @@ struct Checkpoint {
   std::string message;
 };
 
+struct MotionSubChain;
+
 struct MotionResult {
   bool complete = false;
   std::string message = "find_motion() was not run";
@@ -107,9 +113,20 @@ struct MotionResult {
   std::vector<std::string> failures;    ///< each a sentence
   std::vector<IdleJoint> idle;
   std::vector<LeftOut> left_out;
-  int steps = 0;  ///< of the follower, all branches
+  std::vector<MotionSubChain> sub_chains;  ///< two or more, or none: then the whole was followed
+  bool all_listed = true;                  ///< false: branches are more than kMostBranchesListed
+  int steps = 0;                           ///< of the follower, all branches
   int rejected = 0;
   SolveTime time_s;
+};
+
+/// So many branches of independent sub-chains are put together, each with all its samples.
+inline constexpr std::size_t kMostBranchesListed = 256;
+
+/// One of several independent sub-chains, followed on its own.
+struct MotionSubChain {
+  IndependentChain chain;
+  MotionResult motion;  ///< of chain.mechanism
 };
 
 /// Value of each driver.

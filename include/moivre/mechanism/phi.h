@@ -33,6 +33,8 @@ class Phi {
   const std::vector<Coordinate>& coordinates() const { return coordinates_; }
   /// "revolute A: x", "driver crank: angle", or the equation's name.
   const std::vector<std::string>& row_names() const { return row_names_; }
+  /// The coordinates that each row reads: elsewhere Phi_q is zero at every pose.
+  std::vector<std::vector<Eigen::Index>> reads() const;
   /// Names of the bodies (or unknowns) that Coordinate::group refers to.
   const std::vector<std::string>& group_names() const { return group_names_; }
   /// The mechanism's size: its largest length, of points in their bodies and of rods; 1 where it has none.

@@ -16,16 +16,20 @@ using Integer = boost::multiprecision::number<boost::multiprecision::cpp_int_bac
                                               boost::multiprecision::et_off>;
 
 struct Rational::Number {
-  boost::multiprecision::number<boost::multiprecision::cpp_rational_backend,
-                                boost::multiprecision::et_off>
-      value;
+  Integer above;
+  Integer below = 1;  ///< positive, without a divisor in common with `above`
 };
 
 /// Throws std::invalid_argument where the denominator is zero.
 Rational ratio(const Integer& numerator, const Integer& denominator = 1);
-Integer numerator(const Rational& a);
+/// Both live as long as the rational.
+const Integer& numerator(const Rational& a);
 /// Positive.
-Integer denominator(const Rational& a);
+const Integer& denominator(const Rational& a);
+
+/// The greatest common divisor, >= 0, of any two integers; of 0 and 0 it is 0. Lehmer's algorithm [Knuth98, 4.5.2], which
+/// takes half a word of quotients at a time, where Boost's gcd takes a bit.
+Integer common_divisor(Integer a, Integer b);
 
 /// 0 for 0.
 std::size_t bit_length(const Integer& a);

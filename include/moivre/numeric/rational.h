@@ -2,7 +2,7 @@
 // How is a coefficient kept as it was read? As an exact number, rounded once, to the scalar that asks.
 //
 // A decimal such as 3.1 is the rational 31/10; rounding it to double before arithmetic would change the problem. Boost's
-// cpp_rational does the arithmetic. This header does not include it, since its headers take a second to compile. Include integer.h
+// cpp_int does the arithmetic. This header does not include it, since its headers take a second to compile. Include integer.h
 // to work with numerators and denominators of any length.
 #pragma once
 
@@ -50,8 +50,6 @@ class Rational {
 
  private:
   static Rational whole(std::uint64_t value);
-  template <class Step>
-  Rational& changed_by(const Step& step);
 
   std::unique_ptr<Number> number_;  // null: zero, as nearly every imaginary part is
 };

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// Into which parts does a mechanism fall that share only the ground and what the drivers alone place?
+//
+// A body is placed by the drivers where it stands in one pose whatever the others do: welded to a placed body, or tied to one by a
+// single revolute or prismatic joint whose angle or slide is driven. The ground is placed. The other bodies are joined by their joints,
+// gears (with carriers) and drivers; each connected piece, with all placed bodies, is a sub-chain. Given the drivers, each has its
+// closures and moves on its branches whatever the others do: closures of the whole are one of each.
+// Six legs on one crank are six sub-chains.
+// Edges: fewer than two pieces: none, the mechanism is its own. A placed body with another joint to a placed body counts as
+// not placed, since that joint may contradict the others.
+// Not supported: typed equations; they are not taken apart.
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "moivre/mechanism/mechanism.h"
+
+namespace moivre {
+
+struct IndependentChain {
+  Mechanism mechanism;  ///< its bodies behind the placed ones' places, in the order of the whole
+  std::vector<std::string> bodies;  ///< its own, without the placed ones
+  std::vector<Eigen::Index>
+      coordinates;  ///< of each of its coordinates: which of the whole's it is
+};
+
+/// Two or more, or none.
+std::vector<IndependentChain> independent_chains(const Mechanism& mechanism);
+
+}  // namespace moivre

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: MIT
+// Sub-chains solved one after another, their closures and roots put together.
+#include "closure_product.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+
+#include "closure_poses.h"
+
+namespace moivre {
+namespace {
+
+/// One index a sub-chain.
+using Choice = std::vector<std::size_t>;
+
+constexpr std::uint64_t kCountless = std::numeric_limits<std::uint64_t>::max();
+
+/// Stays at the largest number where the product is larger.
+std::uint64_t times(std::uint64_t a, std::uint64_t b) {
+  return b != 0 && a > kCountless / b ? kCountless : a * b;
+}
+
+template <class Count>
+std::uint64_t product(const std::vector<ClosureResult>& parts, const Count& count) {
+  std::uint64_t all = 1;
+  for (const ClosureResult& part : parts) all = times(all, count(part));
+  return all;
+}
+
+std::uint64_t all_of(const std::vector<std::size_t>& sizes) {
+  std::uint64_t all = 1;
+  for (const std::size_t size : sizes) all = times(all, size);
+  return all;
+}
+
+/// All choices, the last index fastest, up to kMostListed; of more: the first of each, and for each other index the first of the others.
+std::vector<Choice> listed_choices(const std::vector<std::size_t>& sizes) {
+  std::vector<Choice> choices;
+  const std::uint64_t all = all_of(sizes);
+  if (all == 0) return choices;
+  choices.emplace_back(sizes.size(), 0);
+  if (all <= kMostListed) {
+    while (choices.size() < all) {
+      Choice next = choices.back();
+      std::size_t k = sizes.size() - 1;
+      for (; ++next[k] == sizes[k]; --k) next[k] = 0;
+      choices.push_back(std::move(next));
+    }
+    return choices;
+  }
+  for (std::size_t k = 0; k < sizes.size(); ++k) {
+    for (std::size_t i = 1; i < sizes[k]; ++i) {
+      choices.push_back(choices.front());
+      choices.back()[k] = i;
+    }
+  }
+  return choices;
+}
+
+bool is_plain(const ClosureResult& part) {
+  return part.complete && !part.moves && part.counts.complex > 0 && part.counts.fitted == 0 &&
+         !part.least_misfit;
+}
+
+/// For each variable of the whole the sub-chain that has it, and its place there; empty where one is in none.
+std::vector<std::pair<std::size_t, std::size_t>> places_of_variables(
+    const System& whole, const std::vector<ClosureResult>& parts) {
+  std::map<std::string, std::pair<std::size_t, std::size_t>> known;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const auto& names = parts[k].system.variables;
+    for (std::size_t v = 0; v < names.size(); ++v) known.try_emplace(names[v], k, v);
+  }
+  std::vector<std::pair<std::size_t, std::size_t>> places;
+  for (const std::string& name : whole.variables) {
+    const auto found = known.find(name);
+    if (found == known.end()) return {};
+    places.push_back(found->second);
+  }
+  return places;
+}
+
+/// The number of a path among all choices of one path of each sub-chain.
+template <class PathOf>
+std::uint64_t path_number(const std::vector<ClosureResult>& parts, const PathOf& path_of) {
+  std::uint64_t number = 0;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const auto& stages = parts[k].stages;
+    const std::uint64_t paths = stages.empty() ? 1 : stages.back().paths.tracked;
+    number = times(number, std::max<std::uint64_t>(paths, 1)) + path_of(k);
+  }
+  return number;
+}
+
+Solution solution_of(const std::vector<ClosureResult>& parts, const Choice& choice,
+                     const std::vector<std::pair<std::size_t, std::size_t>>& places) {
+  const auto part = [&](std::size_t k) -> const Solution& { return parts[k].solutions[choice[k]]; };
+  Solution whole;
+  for (const auto& [k, v] : places) whole.x.push_back(part(k).x[v]);
+  whole.real = true;
+  whole.path = path_number(parts, [&](std::size_t k) { return part(k).path; });
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    whole.real = whole.real && part(k).real;
+    whole.singular = whole.singular || part(k).singular;
+    whole.multiplicity = times(whole.multiplicity, part(k).multiplicity);
+    whole.residual = std::max(whole.residual, part(k).residual);
+    whole.accuracy = std::max(whole.accuracy, part(k).accuracy);
+    whole.condition = std::max(whole.condition, part(k).condition);
+  }
+  whole.winding = {static_cast<int>(whole.multiplicity)};
+  return whole;
+}
+
+/// nullopt where Newton-Raphson on the whole does not confirm it.
+std::optional<Closure> closure_of(const ClosureSearch& search,
+                                  const std::vector<IndependentChain>& chains,
+                                  const std::vector<ClosureResult>& parts, const Choice& choice) {
+  Eigen::VectorXd q(search.phi.dimension());
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    q(chains[k].coordinates) = parts[k].closures[choice[k]].q;
+  }
+  const NewtonResult polished = newton(search.phi, q, search.options.time);
+  if (polished.status != NewtonStatus::converged) return std::nullopt;
+  Closure whole = closure_at(search, polished);
+  whole.path = path_number(parts, [&](std::size_t k) { return parts[k].closures[choice[k]].path; });
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const Closure& part = parts[k].closures[choice[k]];
+    whole.newton_iterations = std::max(whole.newton_iterations, part.newton_iterations);
+    whole.multiplicity = times(whole.multiplicity, part.multiplicity);
+    whole.singular = whole.singular || part.singular;
+    whole.of.push_back(part.id);
+    whole.id += (k == 0 ? "" : ".") + part.id;
+  }
+  return whole;
+}
+
+void add_account(const ClosureResult& part, ClosureResult& whole) {
+  whole.paths += part.paths;
+  whole.start.paths += part.paths.tracked;
+  whole.work += part.work;
+  whole.counts.rejected += part.counts.rejected;
+  whole.stages.insert(whole.stages.end(), part.stages.begin(), part.stages.end());
+  for (const LeftOut& left : part.left_out) {
+    const auto is_same = [&](const LeftOut& other) {
+      return other.what == left.what && other.why == left.why;
+    };
+    if (std::none_of(whole.left_out.begin(), whole.left_out.end(), is_same)) {
+      whole.left_out.push_back(left);
+    }
+  }
+  auto& reduced = whole.reduced;
+  const auto& of_part = part.reduced;
+  reduced.variables.insert(reduced.variables.end(), of_part.variables.begin(),
+                           of_part.variables.end());
+  reduced.degrees.insert(reduced.degrees.end(), of_part.degrees.begin(), of_part.degrees.end());
+  whole.time_s.threads = std::max(whole.time_s.threads, part.time_s.threads);
+  whole.time_s.start += part.time_s.start;
+  whole.time_s.track += part.time_s.track;
+  whole.time_s.track_cpu += part.time_s.track_cpu;
+  whole.time_s.refine += part.time_s.refine;
+}
+
+ClosureCounts counts_of(const std::vector<ClosureResult>& parts) {
+  ClosureCounts counts;
+  counts.complex = product(parts, [](const ClosureResult& part) { return part.counts.complex; });
+  counts.real = product(parts, [](const ClosureResult& part) { return part.counts.real; });
+  counts.filtered = counts.real - product(parts, [](const ClosureResult& part) {
+                      return part.counts.real - part.counts.filtered;
+                    });
+  return counts;
+}
+
+void tell_listed(ClosureResult& whole) {
+  whole.all_listed = whole.counts.complex <= kMostListed;
+  if (whole.all_listed) return;
+  whole.left_out.push_back(
+      {"closures of independent sub-chains one by one",
+       "beyond " + std::to_string(kMostListed) +
+           " they are not listed: sub_chains has those of each sub-chain, closures and solutions "
+           "each of them once, the other sub-chains in their first"});
+}
+
+}  // namespace
+
+bool solve_apart(ClosureSearch& search) {
+  const std::vector<IndependentChain> chains = independent_chains(search.mechanism);
+  if (chains.empty() || !search.formulation.contradictions.empty()) return false;
+  std::vector<ClosureResult> parts;
+  for (const IndependentChain& chain : chains) {
+    parts.push_back(find_closures(chain.mechanism, search.tracker, search.options, search.stop));
+    if (!is_plain(parts.back())) return false;
+  }
+  const auto places = places_of_variables(search.formulation.system, parts);
+  if (places.empty()) return false;
+  std::vector<std::size_t> closures;
+  std::vector<std::size_t> solutions;
+  for (const ClosureResult& part : parts) {
+    closures.push_back(part.closures.size());
+    solutions.push_back(part.solutions.size());
+  }
+  std::vector<Closure> found;
+  for (const Choice& choice : listed_choices(closures)) {
+    std::optional<Closure> closure = closure_of(search, chains, parts, choice);
+    if (!closure) return false;
+    found.push_back(std::move(*closure));
+  }
+  ClosureResult& whole = search.result;
+  whole.closures = std::move(found);
+  if (all_of(closures) <= kMostListed) letter(whole.closures, search.mechanism);
+  for (const Choice& choice : listed_choices(solutions)) {
+    whole.solutions.push_back(solution_of(parts, choice, places));
+  }
+  whole.counts = counts_of(parts);
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    add_account(parts[k], whole);
+    whole.sub_chains.push_back(
+        {chains[k], parts[k].counts, parts[k].paths, std::move(parts[k].closures)});
+  }
+  whole.reduced.total_degree = total_degree(whole.reduced.degrees);
+  tell_listed(whole);
+  return true;
+}
+
+}  // namespace moivre
