@@ -14,8 +14,8 @@ namespace {
 // How far an end may be from its root, relative to the coordinate or to 1: nothing, and what is left of the digits of double at
 // roots of low, of middle and of high multiplicity.
 constexpr double kEndErrors[] = {0, 1e-9, 1e-5, 1e-2, 0.1};
-// A root of multiplicity m leaves m paths: it shows in any of them. More candidates than this would cost more than paths do.
-constexpr std::size_t kMostFailures = 64;
+// A root of multiplicity m leaves m paths: it shows in any of them. Candidates near a curve of roots are costly to count.
+constexpr std::size_t kMostFailures = 8;
 
 ExactRoot root_at(const System& f, const std::vector<Coefficient>& candidate) {
   ExactRoot root;
@@ -58,7 +58,7 @@ std::vector<ExactRoot> exact_roots(Run& run) {
   if (!run.setting.certify_program) return {};
   look_near(run, Point(run.setting.f.variables.size()));
   for (const auto& [path, root] : run.ledger.roots()) {
-    if (!root.point.simple) look_near(run, root.point.x);
+    if (!root.point.simple && !is_on_set(run, root)) look_near(run, root.point.x);
   }
   std::size_t looked = 0;
   for (const auto& [path, x] : run.ledger.last_points()) {
