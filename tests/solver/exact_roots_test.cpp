@@ -9,7 +9,7 @@ namespace {
 
 /// Complete by proof, with this one root, so often.
 void expect_one_root(const std::string& text, const Point& x, std::uint64_t multiplicity) {
-  for (const std::uint64_t seed : {1, 2, 3}) {
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
     const SolveResult result = solve_with_cvode(read(text), with_seed(seed));
     EXPECT_TRUE(result.complete) << text;
     EXPECT_EQ(result.completeness, RootCompleteness::proved) << text;
