@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // By which numbers is the end of a path judged? All of them, and where each comes from.
 //
-// docs/algorithms/end-of-path.md shows the decisions that they stand in. No verdict hangs on the exact value of any: bench
-// end_parameters changes each by a factor of four on a thousand systems (docs/results/end-parameters.md).
+// docs/algorithms/end-of-path.md shows the decisions that they stand in. No verdict hangs on the exact value of any:
+// bench/end_parameters changes each by a factor of four (docs/results/end-parameters.md).
 //
 //   s = 1 - t; u = 2^-53, the rounding of double
-//   Edges: a path whose numbers are not those of these rules has failed; it is never guessed at.
+//   Edges: a path that the rules with these numbers do not decide has failed; nothing is guessed.
 // Sources: [MSW91] for the circles, [HuberVerschelde98] for valuations.
 #pragma once
 
