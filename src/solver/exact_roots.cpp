@@ -14,8 +14,8 @@ namespace {
 // How far an end may be from its root, relative to the coordinate or to 1: nothing, and what is left of the digits of double at
 // roots of low, of middle and of high multiplicity.
 constexpr double kEndErrors[] = {0, 1e-9, 1e-5, 1e-2, 0.1};
-// A root of multiplicity m leaves m paths: it shows in any of them. Candidates near a curve of roots are costly to count.
-constexpr std::size_t kMostFailures = 8;
+// A root of multiplicity m leaves m paths, some of them near it. More candidates than this would cost more than paths do.
+constexpr std::size_t kMostFailures = 64;
 
 ExactRoot root_at(const System& f, const std::vector<Coefficient>& candidate) {
   ExactRoot root;
