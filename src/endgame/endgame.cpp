@@ -79,12 +79,12 @@ Failure to_failure(Journey journey) {
 }
 
 Endgame::Endgame(const EndgameOptions& options, const Chart& chart, std::uint64_t path, int care)
-    : options_(options), ends_(options.ends), chart_(chart), path_(path), care_(care) {}
+    : options_(options), chart_(chart), path_(path), care_(care) {}
 
 Departure Endgame::depart(Point start, FramePointer frame) {
   frame_ = std::move(frame);
   Departure departure = along(Contour::segment(0, 1), std::move(start), 0, this);
-  departure.watch_radius = ends_.watch_radius;
+  departure.watch_radius = options_.ends.watch_radius;
   return departure;
 }
 
@@ -102,12 +102,12 @@ Departure Endgame::along(const Contour& contour, Point x, int samples, Watcher* 
 
 Watcher::Verdict Endgame::watch(const StepRecord& step, PathSystem&) noexcept {
   const double radius = std::abs(step.t.rest);
-  if (radius > ends_.watch_radius || radius == 0) return Verdict::go_on;
-  if (outpost_.empty() || radius > ends_.creeping_radius / ends_.shrink) {
+  if (radius > options_.ends.watch_radius || radius == 0) return Verdict::go_on;
+  if (outpost_.empty() || radius > options_.ends.creeping_radius / options_.ends.shrink) {
     outpost_.assign(step.x.begin(), step.x.end());
     radius_ = radius;
   }
-  if (radius < ends_.creeping_radius && !options_.goes_straight) ++creeping_;
+  if (radius < options_.ends.creeping_radius && !options_.goes_straight) ++creeping_;
   return creeping_ >= kCreepingSteps ? Verdict::stop : Verdict::go_on;
 }
 
@@ -139,7 +139,7 @@ std::optional<Departure> Endgame::proceed(Arrival&& arrival, PathSystem& path) {
     case Phase::approach:
       if (arrival.journey != Journey::arrived) return conclude(path);
       outpost_ = std::move(arrival.x);
-      radius_ /= ends_.shrink;
+      radius_ /= options_.ends.shrink;
       return begin_circle();
     case Phase::circle:
       return next_turn(std::move(arrival), path);
@@ -153,12 +153,12 @@ std::optional<Departure> Endgame::judge_arrival(Arrival&& arrival, PathSystem& p
   end_.x = arrival.x;
   if (arrival.regular_condition) {
     end_.condition = *arrival.regular_condition;
-    end_.accuracy = ends_.fine_rounding;
+    end_.accuracy = options_.ends.fine_rounding;
     return decide_infinity();
   }
   // Without a watched point there is nowhere to turn back to: the root it arrived at proves itself later.
   const double condition =
-      outpost_.empty() ? std::numeric_limits<double>::infinity() : ends_.regular_condition;
+      outpost_.empty() ? std::numeric_limits<double>::infinity() : options_.ends.regular_condition;
   if (is_regular_arrival(arrival, path, condition)) return std::nullopt;
   if (outpost_.empty()) return fail(to_failure(arrival.journey));
   if (options_.only_regular) return fail(Failure::precision);
@@ -201,19 +201,21 @@ std::optional<Departure> Endgame::begin_circle() {
   patch_.clear();
   for (const Complex& xi : outpost_) patch_.push_back(std::conj(xi));
   turn_begin_ = normalized(outpost_);
-  return along(Contour::spiral(radius_, Complex(0, 2 * std::numbers::pi)), outpost_, ends_.samples);
+  return along(Contour::spiral(radius_, Complex(0, 2 * std::numbers::pi)), outpost_,
+               options_.ends.samples);
 }
 
 std::optional<Departure> Endgame::next_turn(Arrival&& arrival, PathSystem& path) {
   if (arrival.journey != Journey::arrived) return shrink(path);
   ++turns_;
   for (const Point& sample : arrival.samples) samples_.push_back(normalized(sample));
-  if (difference(samples_.back(), turn_begin_) < ends_.agreement) return estimate_end(path);
-  if (turns_ >= ends_.maximum_winding || end_.count.accepted > ends_.maximum_steps) {
+  if (difference(samples_.back(), turn_begin_) < options_.ends.agreement) return estimate_end(path);
+  if (turns_ >= options_.ends.maximum_winding ||
+      end_.count.accepted > options_.ends.maximum_steps) {
     return shrink(path);
   }
   return along(Contour::spiral(radius_, Complex(0, 2 * std::numbers::pi)), std::move(arrival.x),
-               ends_.samples);
+               options_.ends.samples);
 }
 
 // Coefficient c_j of the Laurent series in u = (1 - t)^{1/m} / r^{1/m}, from the samples on |u| = 1.
@@ -237,14 +239,15 @@ std::vector<Complex> Endgame::samples_of_x0() const {
 // In the units of the system, not in those of the path.
 bool Endgame::ends_beyond() const {
   const double unit = chart_.finiteness(outpost_) / chart_.finiteness(outside(frame_, outpost_));
-  return end_beyond(unit / ends_.beyond, samples_of_x0(), turns_);
+  return end_beyond(unit / options_.ends.beyond, samples_of_x0(), turns_);
 }
 
 // All sheets of the cycle do, and the faces of their direction have a common root.
 FaceRoot Endgame::place_at_infinity(const PathSystem& path) const {
-  if (!vanish_together(samples_of_x0(), turns_, ends_) && !ends_beyond()) return FaceRoot::none;
+  if (!vanish_together(samples_of_x0(), turns_, options_.ends) && !ends_beyond())
+    return FaceRoot::none;
   return face_root(path.homotopy(), outside(frame_, outpost_), radius_,
-                   valuations(samples_, chart_.homogenizing(), turns_), ends_);
+                   valuations(samples_, chart_.homogenizing(), turns_), options_.ends);
 }
 
 // In one combination of the coordinates, which tells points apart but for bad luck.
@@ -258,7 +261,7 @@ bool Endgame::sheets_meet(const Point& x) const {
   };
   std::vector<Complex> z;
   for (const Point& sample : samples_) z.push_back(combination(sample));
-  return meet_together(z, combination(x), turns_, ends_);
+  return meet_together(z, combination(x), turns_, options_.ends);
 }
 
 // Size of the highest coefficient that the samples resolve: what comes after it is aliased.
@@ -286,7 +289,7 @@ std::optional<Departure> Endgame::estimate_end(PathSystem& path) {
     } else {
       return conclude(path);
     }
-    if (change < ends_.sample_error) return conclude(path);
+    if (change < options_.ends.sample_error) return conclude(path);
   } else if (!best_) {
     best_ = estimate;
     best_difference_ = truncation();
@@ -296,17 +299,18 @@ std::optional<Departure> Endgame::estimate_end(PathSystem& path) {
 }
 
 std::optional<Departure> Endgame::shrink(PathSystem& path) {
-  if (radius_ / ends_.shrink < ends_.least_radius || end_.count.accepted > ends_.maximum_steps) {
+  if (radius_ / options_.ends.shrink < options_.ends.least_radius ||
+      end_.count.accepted > options_.ends.maximum_steps) {
     return conclude(path);
   }
   phase_ = Phase::approach;
-  return along(Contour::spiral(radius_, -std::log(ends_.shrink)), outpost_);
+  return along(Contour::spiral(radius_, -std::log(options_.ends.shrink)), outpost_);
 }
 
 // With an estimate at hand a landing has to prove it wrong; without one, any landing is welcome, and the
 // root it leads to is proved on the system as given.
 double Endgame::landing_condition() const {
-  return best_ ? ends_.singular_condition : std::numeric_limits<double>::infinity();
+  return best_ ? options_.ends.singular_condition : std::numeric_limits<double>::infinity();
 }
 
 std::optional<Departure> Endgame::land() {
@@ -315,13 +319,13 @@ std::optional<Departure> Endgame::land() {
 }
 
 std::optional<Departure> Endgame::conclude(PathSystem& path) {
-  if (!best_ || best_difference_ > ends_.agreement) {
+  if (!best_ || best_difference_ > options_.ends.agreement) {
     if (phase_ == Phase::landing) return fail(Failure::precision);
     return land();
   }
   const double condition =
       path.linearize(best_->x, kEnd) ? path.condition() : std::numeric_limits<double>::infinity();
-  const bool is_singular = condition >= ends_.singular_condition;
+  const bool is_singular = condition >= options_.ends.singular_condition;
   // Where several sheets meet J is singular. A circle that closes after several turns about a mean that is less singular may
   // have run round branch points beside t = 1: landing tells.
   if (best_->winding > 1 && !is_singular && phase_ != Phase::landing) return land();
@@ -337,7 +341,7 @@ std::optional<Departure> Endgame::conclude(PathSystem& path) {
 // x_0 beside its error tells, of a regular end in double-double even that it is 0.
 std::nullopt_t Endgame::decide_infinity() {
   const bool is_finite = chart_.finiteness(end_.x) > 10 * end_.accuracy;
-  if (!is_finite && end_.accuracy > ends_.fine_rounding) return fail(Failure::precision);
+  if (!is_finite && end_.accuracy > options_.ends.fine_rounding) return fail(Failure::precision);
   end_.status = is_finite ? PathStatus::finite : PathStatus::at_infinity;
   return std::nullopt;
 }
@@ -345,18 +349,18 @@ std::nullopt_t Endgame::decide_infinity() {
 bool Endgame::is_regular_arrival(const Arrival& arrival, PathSystem& path, double condition) {
   if (arrival.journey != Journey::arrived) return false;
   CorrectorOptions newton;
-  newton.tolerance = ends_.rounding;
+  newton.tolerance = options_.ends.rounding;
   Point x = arrival.x;
   const Correction correction = path.correct(x, kEnd, newton, true);
   end_.condition = path.condition();
   if (end_.condition > condition ||
-      !(correction.converged || correction.last < ends_.sample_error)) {
+      !(correction.converged || correction.last < options_.ends.sample_error)) {
     return false;
   }
   // x_0 that is made of rounding errors may be 0: not here is it to be told.
   const double moved = std::abs(chart_.x0(path.last_correction()));
   const bool is_known = moved < std::abs(chart_.x0(x));
-  if (!is_known || chart_.finiteness(x) <= ends_.rounding) return false;
+  if (!is_known || chart_.finiteness(x) <= options_.ends.rounding) return false;
   end_.x = std::move(x);
   end_.accuracy = correction.last;
   end_.status = PathStatus::finite;

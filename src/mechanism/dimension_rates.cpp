@@ -123,22 +123,8 @@ Eigen::Vector3d point_rate(const Mechanism& mechanism, const PointOf& point, con
 std::optional<double> joint_rate(const Mechanism& mechanism, const Joint& joint, const VectorXd& q,
                                  const VectorXd& qdot, const Dimension* dimension) {
   const std::vector<Jet> jets = moving_jets(q, qdot);
-  const At<Jet> at{jets, Jet(0)};
-  switch (joint.type) {
-    case JointType::revolute:
-      return joint_turn_jet(mechanism, joint, at).d;
-    case JointType::prismatic:
-    case JointType::slot:
-    case JointType::cylindrical:
-      return joint_slide_jet(mechanism, joint, at, dimension).d;
-    case JointType::weld:
-    case JointType::rod:
-    case JointType::gear:
-    case JointType::spherical:
-    case JointType::universal:
-      break;
-  }
-  return std::nullopt;
+  const std::optional<Jet> coordinate = joint_jet(mechanism, joint, {jets, Jet(0)}, dimension);
+  return coordinate ? std::optional(coordinate->d) : std::nullopt;
 }
 
 }  // namespace moivre

@@ -67,22 +67,8 @@ std::optional<ScalarState> joint_state(const Mechanism& mechanism, const Joint& 
                                        const VectorXd& q, const VectorXd& qdot,
                                        const VectorXd& qddot) {
   const std::vector<Jet> jets = jets_of(q, qdot, qddot);
-  const At<Jet> at{jets, Jet(0)};
-  switch (joint.type) {
-    case JointType::revolute:
-      return state_of(joint_turn_jet(mechanism, joint, at));
-    case JointType::prismatic:
-    case JointType::slot:
-    case JointType::cylindrical:
-      return state_of(joint_slide_jet(mechanism, joint, at));
-    case JointType::weld:
-    case JointType::rod:
-    case JointType::gear:
-    case JointType::spherical:
-    case JointType::universal:
-      break;
-  }
-  return std::nullopt;
+  const std::optional<Jet> coordinate = joint_jet(mechanism, joint, {jets, Jet(0)});
+  return coordinate ? std::optional(state_of(*coordinate)) : std::nullopt;
 }
 
 ScalarState turn_state(const Mechanism& mechanism, const Joint& joint, const VectorXd& q,

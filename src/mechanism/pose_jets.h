@@ -2,6 +2,8 @@
 // Where are points and joints along a line of (q, t), on which a dimension may move too (dimension_jets.h)? In Jets, for every space.
 #pragma once
 
+#include <optional>
+
 #include "dimension_jets.h"
 #include "planar_pose.h"
 #include "spatial_pose.h"
@@ -41,6 +43,26 @@ inline Jet joint_turn_jet(const Mechanism& mechanism, const Joint& joint, const 
   const auto shown = direction_jet(mechanism, second, pointer, at);
   return atan2(spatial::dot(direction_jet(mechanism, first, frame.col(1), at), shown),
                spatial::dot(direction_jet(mechanism, first, frame.col(0), at), shown));
+}
+
+/// The one coordinate that a joint has: a turn where it only turns, else its slide; none where it has several or is rigid.
+inline std::optional<Jet> joint_jet(const Mechanism& mechanism, const Joint& joint,
+                                    const At<Jet>& at, const Dimension* moving = nullptr) {
+  switch (joint.type) {
+    case JointType::revolute:
+      return joint_turn_jet(mechanism, joint, at);
+    case JointType::prismatic:
+    case JointType::slot:
+    case JointType::cylindrical:
+      return joint_slide_jet(mechanism, joint, at, moving);
+    case JointType::weld:
+    case JointType::rod:
+    case JointType::gear:
+    case JointType::spherical:
+    case JointType::universal:
+      break;
+  }
+  return std::nullopt;
 }
 
 }  // namespace moivre

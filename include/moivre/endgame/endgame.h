@@ -120,7 +120,6 @@ class Endgame : public Watcher {
   std::nullopt_t fail(Failure failure);
 
   EndgameOptions options_;
-  EndParameters ends_;
   Chart chart_;
   std::uint64_t path_;
   int care_;
