@@ -139,7 +139,8 @@ void Bodies::add_joint(const Joint& joint) {
     case JointPlace::at_distance: {
       const Mirrored d = gap(joint);
       const Rational length = typed_decimal(joint.length);
-      frame_.add_equation(label(joint), d.z * d.conjugate - constant({length * length, 0}));
+      frame_.add_equation(label(joint),
+                          rounded_difference(d.z * d.conjugate, constant({length * length, 0})));
       return;
     }
     case JointPlace::anywhere:

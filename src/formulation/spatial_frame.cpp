@@ -181,8 +181,8 @@ Polynomial rod_equation(const Tie& tie, const MovingPose& j_in_i) {
   const MovingPose motion = to_moving(conjugate(tie.at_i)) * j_in_i * to_moving(tie.at_j);
   // Rods of one pair of groups share the factor of their highest terms.
   const Rational factor = 1 / (norm(tie.at_i) * norm(tie.at_j));
-  return Coefficient{4 * factor, 0} * dot(motion.g, motion.g) -
-         Coefficient{factor * tie.square, 0} * dot(motion.q, motion.q);
+  return rounded_difference(Coefficient{4 * factor, 0} * dot(motion.g, motion.g),
+                            Coefficient{factor * tie.square, 0} * dot(motion.q, motion.q));
 }
 
 void add_closing(SpatialFrame& frame, const Tie& tie, const MovingPose& j_in_i) {

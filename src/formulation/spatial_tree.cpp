@@ -107,7 +107,7 @@ void Tree::close(const Tie& tie) {
   }
   Polynomial length = rod_equation(tie, relative(tie.i, tie.j));
   const auto [first, is_new] = first_rod_.emplace(std::minmax(tie.i, tie.j), length);
-  if (!is_new) length = length - first->second;
+  if (!is_new) length = rounded_difference(length, first->second);
   frame_.add_equation(tie.name + ": length", std::move(length));
 }
 
