@@ -77,7 +77,9 @@ inline std::string fault_of(const Mechanism& mechanism, const ClosureResult& res
     const NewtonResult first = newton(phi, random_pose(phi, draw));
     const NewtonResult there = newton(phi, phi.canonical(first.q));
     constexpr double kRegular = 1e-6;
+    constexpr double kFar = 1e3;  // beyond, rounding of angles is no longer small
     const bool is_regular = there.status == NewtonStatus::converged && !there.is_singular &&
+                            there.q.cwiseAbs().maxCoeff() < kFar &&
                             there.smallest_singular_value > kRegular;
     if (is_regular && !has_pose(mechanism, result, there.q, size)) {
       return "Newton's method finds one more, at " + number_text(there.q);
