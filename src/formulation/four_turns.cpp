@@ -15,7 +15,7 @@ constexpr std::size_t kSlides = 2;
 
 using Vector = std::array<Polynomial, 3>;
 
-std::vector<std::size_t> turns_in(const Loop& loop) {
+std::vector<std::size_t> turns_in(const JointLoop& loop) {
   std::vector<std::size_t> turns;
   for (std::size_t k = 0; k < loop.elements.size(); ++k) {
     if (loop.elements[k].is_turn) turns.push_back(k);
@@ -71,7 +71,7 @@ std::array<Rational, 3> cross(const std::array<Rational, 3>& a, const std::array
 
 class FourTurns {
  public:
-  FourTurns(SpatialFrame& frame, const Loop& loop)
+  FourTurns(SpatialFrame& frame, const JointLoop& loop)
       : frame_(frame), loop_(loop), turns_(turns_in(loop)) {
     for (std::size_t k = 1; k < loop.elements.size(); ++k) {
       if (!loop.elements[k].is_turn) other_ = k;
@@ -99,7 +99,7 @@ class FourTurns {
   void add_slides();
 
   SpatialFrame& frame_;
-  const Loop& loop_;
+  const JointLoop& loop_;
   std::vector<std::size_t> turns_;
   std::size_t other_ = 0;  ///< S_2's number; S_1 is number 0
   std::array<Polynomial, 4> c_, d_;
@@ -215,13 +215,13 @@ void FourTurns::add_slides() {
 
 }  // namespace
 
-std::optional<Loop> begun_with_slide(const Loop& loop) {
+std::optional<JointLoop> begun_with_slide(const JointLoop& loop) {
   // Dyads of turns that are nearer to parallel have coordinates that differ by rounding.
   constexpr double kParallel = 1e-3;
   if (count_turns(loop) != kTurns || loop.elements.size() != kTurns + kSlides) return std::nullopt;
-  std::optional<Loop> best;
+  std::optional<JointLoop> best;
   double merit = kParallel;
-  for (Loop& way : all_ways(loop)) {
+  for (JointLoop& way : all_ways(loop)) {
     if (way.elements.front().is_turn) continue;
     const std::vector<std::size_t> turns = turns_in(way);
     const auto& all = way.elements;
@@ -234,6 +234,6 @@ std::optional<Loop> begun_with_slide(const Loop& loop) {
   return best;
 }
 
-void add_four_turns(SpatialFrame& frame, const Loop& begun) { FourTurns(frame, begun).add(); }
+void add_four_turns(SpatialFrame& frame, const JointLoop& begun) { FourTurns(frame, begun).add(); }
 
 }  // namespace moivre

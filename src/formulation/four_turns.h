@@ -14,15 +14,15 @@
 
 #include <optional>
 
-#include "loop.h"
+#include "joint_loop.h"
 
 namespace moivre {
 
 /// The loop begun with the slide that leaves the dyads farthest from parallel; nullopt where it has not four turns and two slides, or
 /// none does.
-std::optional<Loop> begun_with_slide(const Loop& loop);
+std::optional<JointLoop> begun_with_slide(const JointLoop& loop);
 
 /// Of a loop that begins so. Its slides have o = 0.
-void add_four_turns(SpatialFrame& frame, const Loop& begun);
+void add_four_turns(SpatialFrame& frame, const JointLoop& begun);
 
 }  // namespace moivre

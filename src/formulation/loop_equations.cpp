@@ -16,16 +16,16 @@ constexpr std::size_t kTurnsOfSpace = 3;
 
 /// How a loop of six is cut: which way round, from which joint, and whether its last three joints stay in one 3-space.
 struct Cut {
-  Loop loop;
+  JointLoop loop;
   bool has_common_space = false;
   double merit = -1;
 };
 
-Cut best_cut(const Loop& loop, double length) {
+Cut best_cut(const JointLoop& loop, double length) {
   // A dyad whose 3-space is nearer to Study's quadric than this lies in it: its axes meet or are parallel.
   constexpr double kOnQuadric = 1e-10;
   Cut best;
-  for (Loop& way : all_ways(loop)) {
+  for (JointLoop& way : all_ways(loop)) {
     const auto& e = way.elements;
     const bool has_common_space = spans_common_space(e[3], e[4], e[5], length);
     const double inner = distance_from_quadric(e[1], e[2], length);
@@ -48,7 +48,7 @@ Cut best_cut(const Loop& loop, double length) {
 
 class Equations {
  public:
-  Equations(SpatialFrame& frame, Loop loop) : frame_(frame), loop_(std::move(loop)) {}
+  Equations(SpatialFrame& frame, JointLoop loop) : frame_(frame), loop_(std::move(loop)) {}
 
   void add_general();
   void add_decoupled();
@@ -65,7 +65,7 @@ class Equations {
   void in_space(const MovingPose& pose, const DyadSpace& space);
 
   SpatialFrame& frame_;
-  Loop loop_;
+  JointLoop loop_;
 };
 
 /// Unknown coordinates for the dyad of elements k and k + 1, with their half angles. Its quadric may follow from what comes.
@@ -169,7 +169,7 @@ void Equations::add_short() {
 
 /// Three turns and three slides: the turns alone close like a spherical loop, and then the slides are linear.
 void Equations::add_turns_first() {
-  Loop turns{{}, {loop_.whole.q, {}}};
+  JointLoop turns{{}, {loop_.whole.q, {}}};
   for (LoopElement element : loop_.elements) {
     if (!element.is_turn) continue;
     element.axis.g = {};
@@ -186,13 +186,13 @@ void Equations::add_turns_first() {
 
 }  // namespace
 
-bool takes_plain_slides(const Loop& loop, double length) {
+bool takes_plain_slides(const JointLoop& loop, double length) {
   if (loop.elements.size() < kSix) return false;
   if (count_turns(loop) == kTurnsOfSpace) return true;
   return begun_with_slide(loop) && !best_cut(loop, length).has_common_space;
 }
 
-void add_loop_equations(SpatialFrame& frame, const Loop& loop) {
+void add_loop_equations(SpatialFrame& frame, const JointLoop& loop) {
   if (loop.elements.size() < kSix) {
     Equations(frame, loop).add_short();
     return;

@@ -2,7 +2,7 @@
 // Which equations say that a product of turns and slides is a given pose? serial_loop.h has the mathematics.
 #pragma once
 
-#include "loop.h"
+#include "joint_loop.h"
 
 namespace moivre {
 
@@ -14,9 +14,9 @@ ExactPose slide_at(const ExactPose& frame);
 
 /// Whether the loop's slides are to be unknowns themselves (o = 0), since they are found linearly behind the turns. For three to six
 /// elements, whatever their o is now.
-bool takes_plain_slides(const Loop& loop, double length);
+bool takes_plain_slides(const JointLoop& loop, double length);
 
 /// For three to six elements.
-void add_loop_equations(SpatialFrame& frame, const Loop& loop);
+void add_loop_equations(SpatialFrame& frame, const JointLoop& loop);
 
 }  // namespace moivre

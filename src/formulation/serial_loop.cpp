@@ -149,7 +149,7 @@ void add_loop(SpatialFrame& frame, const RigidGroups& groups, const std::vector<
     Chain chain(into, groups, has_plain_slides);
     for (std::size_t k = 0; k < loop.size(); ++k) chain.follow(loop[k], k + 1 == loop.size());
     const ExactPose whole = conjugate(shortened(chain.end()));
-    return Loop{std::move(chain).take(), whole};
+    return JointLoop{std::move(chain).take(), whole};
   };
   SpatialFrame tried(frame.length());
   const bool has_plain_slides = takes_plain_slides(followed(tried, true), frame.length());

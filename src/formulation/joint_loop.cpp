@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A loop begun elsewhere, and read backwards.
-#include "loop.h"
+#include "joint_loop.h"
 
 #include <algorithm>
 
@@ -8,7 +8,7 @@ namespace moivre {
 namespace {
 
 /// E_2 ... E_k (whole^-1 E_1 whole) ~ whole.
-Loop turned_on(Loop loop) {
+JointLoop turned_on(JointLoop loop) {
   LoopElement first = loop.elements.front();
   loop.elements.erase(loop.elements.begin());
   first.axis = 1 / norm(loop.whole) * (conjugate(loop.whole) * first.axis * loop.whole);
@@ -17,7 +17,7 @@ Loop turned_on(Loop loop) {
 }
 
 /// conj(E_k) ... conj(E_1) ~ conj(whole).
-Loop reversed(Loop loop) {
+JointLoop reversed(JointLoop loop) {
   std::reverse(loop.elements.begin(), loop.elements.end());
   for (LoopElement& element : loop.elements) element.axis = conjugate(element.axis);
   loop.whole = conjugate(loop.whole);
@@ -26,15 +26,15 @@ Loop reversed(Loop loop) {
 
 }  // namespace
 
-std::size_t count_turns(const Loop& loop) {
+std::size_t count_turns(const JointLoop& loop) {
   return static_cast<std::size_t>(
       std::count_if(loop.elements.begin(), loop.elements.end(),
                     [](const LoopElement& element) { return element.is_turn; }));
 }
 
-std::vector<Loop> all_ways(const Loop& loop) {
-  std::vector<Loop> ways;
-  for (Loop way : {loop, reversed(loop)}) {
+std::vector<JointLoop> all_ways(const JointLoop& loop) {
+  std::vector<JointLoop> ways;
+  for (JointLoop way : {loop, reversed(loop)}) {
     for (std::size_t k = 0; k < loop.elements.size(); ++k) {
       ways.push_back(way);
       way = turned_on(std::move(way));

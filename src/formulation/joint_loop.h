@@ -22,15 +22,15 @@ struct LoopElement {
 };
 
 /// E_1 E_2 ... ~ whole.
-struct Loop {
+struct JointLoop {
   std::vector<LoopElement> elements;
   ExactPose whole;
 };
 
-std::size_t count_turns(const Loop& loop);
+std::size_t count_turns(const JointLoop& loop);
 
 /// Begun at every element, both ways round.
-std::vector<Loop> all_ways(const Loop& loop);
+std::vector<JointLoop> all_ways(const JointLoop& loop);
 
 /// b0 and b1.
 std::array<ExactPose, 2> basis_of(const LoopElement& element);
