@@ -77,6 +77,25 @@ Cut best_cut(const Loop& loop, double length) {
   return best;
 }
 
+bool is_slide(const LoopElement& element) { return !element.is_turn; }
+
+/// Three to five elements so that few of the dyads that are used are two slides: A B = 0 there, and they span no 3-space.
+Loop short_cut(Loop loop) {
+  const auto flat_dyads = [](const Loop& way) {
+    const auto& e = way.elements;
+    const std::size_t last = e.size() - 2;
+    const bool has_inner = last == 3;
+    return (is_slide(e[last]) && is_slide(e[last + 1]) ? 1 : 0) +
+           (has_inner && is_slide(e[1]) && is_slide(e[2]) ? 1 : 0);
+  };
+  Loop best = loop;
+  for (std::size_t k = 1; k < loop.elements.size() && flat_dyads(best) > 0; ++k) {
+    loop = turned_on(std::move(loop));
+    if (flat_dyads(loop) < flat_dyads(best)) best = loop;
+  }
+  return best;
+}
+
 class Equations {
  public:
   Equations(SpatialFrame& frame, Loop loop) : frame_(frame), loop_(std::move(loop)) {}
@@ -85,6 +104,7 @@ class Equations {
   void add_decoupled();
   void add_short();
   void add_turns_first();
+  void add_slides();
 
  private:
   const LoopElement& e(std::size_t k) const { return loop_.elements[k]; }
@@ -94,6 +114,7 @@ class Equations {
   MovingPose add_dyad(std::size_t k, bool has_quadric = true);
   void add_dyad_of(const MovingPose& pose, std::size_t k);
   void in_space(const MovingPose& pose, const DyadSpace& space);
+  void add_shift();
 
   SpatialFrame& frame_;
   Loop loop_;
@@ -218,6 +239,20 @@ void Equations::add_turns_first() {
     turns.elements.push_back(std::move(element));
   }
   Equations(frame_, std::move(turns)).add_short();
+  add_shift();
+}
+
+/// Slides alone turn nothing: what turns once round the loop must stand, and the slides are linear.
+void Equations::add_slides() {
+  constexpr double kTurned = 1;
+  for (std::size_t k = 1; k < loop_.whole.q.size(); ++k) {
+    frame_.add_equation("loop", without_noise(to_moving(loop_.whole).q[k], kTurned));
+  }
+  add_shift();
+}
+
+/// The loop's displacement is none, where its turn is none.
+void Equations::add_shift() {
   MovingPose rest = conjugate(whole());
   for (std::size_t k = 0; k < loop_.elements.size(); ++k) rest = rest * element(k);
   const char* const parts[] = {"x", "y", "z"};
@@ -231,8 +266,12 @@ void Equations::add_turns_first() {
 void add_loop_equations(SpatialFrame& frame, std::vector<LoopElement> elements,
                         const ExactPose& whole) {
   const Loop loop{std::move(elements), whole};
+  if (std::all_of(loop.elements.begin(), loop.elements.end(), is_slide)) {
+    Equations(frame, loop).add_slides();
+    return;
+  }
   if (loop.elements.size() < kSix) {
-    Equations(frame, loop).add_short();
+    Equations(frame, short_cut(loop)).add_short();
     return;
   }
   const auto turns = std::count_if(loop.elements.begin(), loop.elements.end(),

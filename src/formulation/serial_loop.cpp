@@ -146,7 +146,7 @@ std::optional<std::vector<Tie>> loop_of(const RigidGroups& groups, const Part& p
 
 void add_loop(SpatialFrame& frame, const RigidGroups& groups, const std::vector<Tie>& loop) {
   const std::size_t turns = turns_of(loop);
-  Chain chain(frame, groups, turns == kTurnsOfSpace);
+  Chain chain(frame, groups, turns == kTurnsOfSpace || turns == 0);
   for (std::size_t k = 0; k < loop.size(); ++k) chain.follow(loop[k], k + 1 == loop.size());
   const ExactPose whole = conjugate(shortened(chain.end()));
   add_loop_equations(frame, std::move(chain).take(), whole);
