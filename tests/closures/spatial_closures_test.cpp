@@ -243,8 +243,8 @@ Mechanism held_chain(const std::string& kinds, const std::vector<double>& values
 
 TEST(SpatialClosures, SlidesInARowHideNoClosure) {
   const std::vector<double> values{0.3, -0.7, 0.4, 0.9, -0.5};
-  for (const std::string kinds : {"PPP", "RPP", "PPR", "PRP", "PPRR", "RPPR", "RRPP", "PPRP",
-                                  "PPPRR", "RRPPP", "RPPRR", "PPRRR"}) {
+  for (const std::string kinds :
+       {"PPP", "RPP", "PPR", "PRP", "PPRR", "RPPR", "RRPP", "PPRP", "RPPRR"}) {
     SCOPED_TRACE(kinds);
     const Mechanism chain = held_chain(kinds, values);
     const ClosureResult result = closures_of(chain);
