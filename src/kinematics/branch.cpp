@@ -109,11 +109,12 @@ std::string rough(double x) {
   return text;
 }
 
-/// Neville's extrapolation of y(tau), through the points given, to tau = 0; tau = sigma^(1 / order).
-VectorXd at_zero(const std::vector<CurvePoint>& points, std::size_t first, int order) {
+/// Neville's extrapolation of y(tau), through the points from `first` to `last`, to tau = 0; tau = sigma^(1 / order).
+VectorXd at_zero(const std::vector<CurvePoint>& points, std::size_t first, std::size_t last,
+                 int order) {
   std::vector<VectorXd> table;
   const auto tau = [&](std::size_t k) { return std::pow(points[k].sigma, 1.0 / order); };
-  for (std::size_t i = first; i < points.size(); ++i) {
+  for (std::size_t i = first; i <= last; ++i) {
     table.push_back(points[i].y);
     for (std::size_t k = table.size() - 1; k-- > 0;) {
       const double far = tau(first + k);
@@ -127,39 +128,46 @@ VectorXd at_zero(const std::vector<CurvePoint>& points, std::size_t first, int o
 /// Where the way points to.
 struct Meeting {
   VectorXd y;
-  double doubt = std::numeric_limits<double>::infinity();  ///< how far off without the first point
+  double doubt =
+      std::numeric_limits<double>::infinity();  ///< how far off, by the points and by rounding
   int order = 1;
 };
 
-/// The last of the points that are known well enough to extrapolate from.
-std::vector<CurvePoint> well_known(const std::vector<CurvePoint>& approach, int order,
-                                   const Curve& curve) {
-  // Points are known to 1e-16 / sigma, those before this sigma to 1e-12. Eight of them, sigma halved each time, leave a
-  // product of 1e-15 as the extrapolation's error, when the largest is a tenth of what sigma's shape is like.
-  constexpr double kWellKnown = 2e-4;
-  // Where branches touch, tau falls more slowly: points nearer by, known to 1e-11, make up for it.
-  constexpr double kWellKnownTouching = 2e-5;
+/// The meeting that so many points up to `last` point to. Its doubt is what the first of them changes, and what the last is unknown by:
+/// points far off do not show sigma's shape, points near by are known to 1e-16 / sigma.
+Meeting meeting_from(const std::vector<CurvePoint>& points, std::size_t last, int order) {
+  // Sigma is halved from point to point, so that more of them change nothing in double.
   constexpr std::size_t kPoints = 8;
-  constexpr std::size_t kFewest = 4;
-  const double smallest = order == 1 ? kWellKnown : kWellKnownTouching;
-  std::vector<CurvePoint> points = approach;
-  while (points.size() > kFewest && points.back().sigma < smallest) points.pop_back();
-  if (points.size() > kPoints) points.erase(points.begin(), points.end() - kPoints);
-  for (CurvePoint& point : points) point.sigma = curve.sigma(point.y);
-  return points;
+  // Of the extrapolation, whose weights have a sum of ten.
+  constexpr double kRounding = 1e-15;
+  const std::size_t first = last + 1 > kPoints ? last + 1 - kPoints : 0;
+  Meeting meeting{at_zero(points, first, last, order)};
+  meeting.order = order;
+  const VectorXd without_first = at_zero(points, first + 1, last, order);
+  if (!meeting.y.allFinite()) return meeting;
+  meeting.doubt = (meeting.y - without_first).norm() + kRounding / points[last].sigma;
+  return meeting;
 }
 
-/// sigma falls like the distance where branches cross, like its square where they touch, and so on: the order whose
-/// extrapolation depends least on the first point. A higher one has to be clearly better: it fits the lower ones' way too.
+/// sigma falls like the distance where branches cross, like its square where they touch, and so on: the order and the points whose
+/// meeting is in least doubt. A higher order has to be clearly better: it fits the lower ones' way too.
 Meeting meeting_of(const std::vector<CurvePoint>& approach, const Curve& curve) {
   constexpr int kHighestOrder = 4;
   constexpr double kClearly = 0.1;
-  Meeting best{at_zero(well_known(approach, 1, curve), 0, 1)};
-  for (int order = 1; order <= kHighestOrder && approach.size() > 1; ++order) {
-    const std::vector<CurvePoint> points = well_known(approach, order, curve);
-    const VectorXd y = at_zero(points, 0, order);
-    const double doubt = (y - at_zero(points, 1, order)).norm();
-    if (y.allFinite() && doubt < kClearly * best.doubt) best = {y, doubt, order};
+  constexpr std::size_t kFewest = 4;
+  // From 1 down to kCrossing, halved each time.
+  constexpr std::size_t kMost = 24;
+  std::vector<CurvePoint> points = approach;
+  if (points.size() > kMost) points.erase(points.begin(), points.end() - kMost);
+  for (CurvePoint& point : points) point.sigma = curve.sigma(point.y);
+  Meeting best{at_zero(points, 0, points.size() - 1, 1)};
+  for (int order = 1; order <= kHighestOrder && points.size() > 1; ++order) {
+    Meeting of_order;
+    for (std::size_t last = std::min(kFewest, points.size()) - 1; last < points.size(); ++last) {
+      Meeting meeting = meeting_from(points, last, order);
+      if (meeting.doubt < of_order.doubt) of_order = std::move(meeting);
+    }
+    if (of_order.doubt < kClearly * best.doubt) best = std::move(of_order);
   }
   return best;
 }
