@@ -109,22 +109,6 @@ std::string rough(double x) {
   return text;
 }
 
-/// Neville's extrapolation of y(tau), through the points from `first` to `last`, to tau = 0; tau = sigma^(1 / order).
-VectorXd at_zero(const std::vector<CurvePoint>& points, std::size_t first, std::size_t last,
-                 int order) {
-  std::vector<VectorXd> table;
-  const auto tau = [&](std::size_t k) { return std::pow(points[k].sigma, 1.0 / order); };
-  for (std::size_t i = first; i <= last; ++i) {
-    table.push_back(points[i].y);
-    for (std::size_t k = table.size() - 1; k-- > 0;) {
-      const double far = tau(first + k);
-      const double near = tau(i);
-      table[k] = (far * table[k + 1] - near * table[k]) / (far - near);
-    }
-  }
-  return table.front();
-}
-
 /// Where the way points to.
 struct Meeting {
   VectorXd y;
@@ -133,19 +117,32 @@ struct Meeting {
   int order = 1;
 };
 
-/// The meeting that so many points up to `last` point to. Its doubt is what the first of them changes, and what the last is unknown by:
-/// points far off do not show sigma's shape, points near by are known to 1e-16 / sigma.
+/// The polynomial in tau = sigma^(1 / order) through the points from `first` to `last`, at tau = 0. Its doubt is that by rounding.
+Meeting at_zero(const std::vector<CurvePoint>& points, std::size_t first, std::size_t last,
+                int order) {
+  // A point is known to this over sigma.
+  constexpr double kRounding = 2e-16;
+  const auto tau = [&](std::size_t k) { return std::pow(points[k].sigma, 1.0 / order); };
+  Meeting meeting{VectorXd::Zero(points[last].y.size()), 0, order};
+  for (std::size_t i = first; i <= last; ++i) {
+    double weight = 1;
+    for (std::size_t k = first; k <= last; ++k) {
+      if (k != i) weight *= tau(k) / (tau(k) - tau(i));
+    }
+    meeting.y += weight * points[i].y;
+    meeting.doubt += std::abs(weight) * kRounding / points[i].sigma;
+  }
+  return meeting;
+}
+
+/// The meeting that a few points up to `last` point to. Points far off do not show sigma's shape: the doubt is what the first of them
+/// changes. Points near by are known to 1e-16 / sigma only.
 Meeting meeting_from(const std::vector<CurvePoint>& points, std::size_t last, int order) {
   // Sigma is halved from point to point, so that more of them change nothing in double.
   constexpr std::size_t kPoints = 8;
-  // Of the extrapolation, whose weights have a sum of ten.
-  constexpr double kRounding = 1e-15;
   const std::size_t first = last + 1 > kPoints ? last + 1 - kPoints : 0;
-  Meeting meeting{at_zero(points, first, last, order)};
-  meeting.order = order;
-  const VectorXd without_first = at_zero(points, first + 1, last, order);
-  if (!meeting.y.allFinite()) return meeting;
-  meeting.doubt = (meeting.y - without_first).norm() + kRounding / points[last].sigma;
+  Meeting meeting = at_zero(points, first, last, order);
+  meeting.doubt += (meeting.y - at_zero(points, first + 1, last, order).y).norm();
   return meeting;
 }
 
@@ -160,12 +157,14 @@ Meeting meeting_of(const std::vector<CurvePoint>& approach, const Curve& curve) 
   std::vector<CurvePoint> points = approach;
   if (points.size() > kMost) points.erase(points.begin(), points.end() - kMost);
   for (CurvePoint& point : points) point.sigma = curve.sigma(point.y);
-  Meeting best{at_zero(points, 0, points.size() - 1, 1)};
+  Meeting best = at_zero(points, 0, points.size() - 1, 1);
+  best.doubt = std::numeric_limits<double>::infinity();
   for (int order = 1; order <= kHighestOrder && points.size() > 1; ++order) {
     Meeting of_order;
     for (std::size_t last = std::min(kFewest, points.size()) - 1; last < points.size(); ++last) {
       Meeting meeting = meeting_from(points, last, order);
-      if (meeting.doubt < of_order.doubt) of_order = std::move(meeting);
+      const bool is_known = meeting.y.allFinite() && meeting.doubt < of_order.doubt;
+      if (is_known) of_order = std::move(meeting);
     }
     if (of_order.doubt < kClearly * best.doubt) best = std::move(of_order);
   }
