@@ -137,7 +137,7 @@ class Strokes {
       add_stroke(at, place_of(joint.at[1]), kRodColour, kRodWidth);
       return;
     }
-    if (joint.type == JointType::spherical || joint.type == JointType::weld) return;
+    if (axis_count(joint.type) == 0 || joint.type == JointType::weld) return;
     const Eigen::Matrix3d turn = orientation(mechanism_, joint.at[0].body, q_);
     const Vector3d along = turn * joint.axis[0];
     const double reach = (has_arrows ? kArrowAxis : kAxis) * size_;

@@ -77,7 +77,7 @@ void Bodies::hold_angles() {
                       unit_at(driver_state(driver.law, t_).value), "driver " + driver.name);
   }
   for (const Joint& joint : mechanism_.joints) {
-    if (joint.type != JointType::prismatic && joint.type != JointType::weld) continue;
+    if (traits(joint.type).turn != JointTurn::not_at_all) continue;
     frame_.hold_angle(joint.at[0].body, joint.at[1].body, unit_at(joint.turn_rad), label(joint));
   }
   for (const Joint& joint : mechanism_.joints) {
@@ -129,27 +129,24 @@ void Bodies::add_gear(const Joint& joint) {
 }
 
 void Bodies::add_joint(const Joint& joint) {
-  switch (joint.type) {
-    case JointType::revolute:
-    case JointType::weld:
+  switch (traits(joint.type).place) {
+    case JointPlace::at_point:
       frame_.add_equations(label(joint), gap(joint));
       return;
-    case JointType::prismatic:
-    case JointType::slot:
+    case JointPlace::on_line:
       add_line(joint);
       return;
-    case JointType::rod: {
+    case JointPlace::at_distance: {
       const Mirrored d = gap(joint);
       const Rational length = typed_decimal(joint.length);
-      frame_.add_equation(label(joint), d.z * d.conjugate - constant({length * length, 0}));
+      frame_.add_equation(label(joint),
+                          rounded_difference(d.z * d.conjugate, constant({length * length, 0})));
       return;
     }
-    case JointType::gear:
+    case JointPlace::anywhere:
       if (!is_settled(joint, angles_)) add_gear(joint);
       return;
-    case JointType::spherical:
-    case JointType::cylindrical:
-    case JointType::universal:
+    case JointPlace::in_plane:
       break;
   }
   throw std::logic_error("a planar mechanism has no " + to_string(joint.type) + " joint");

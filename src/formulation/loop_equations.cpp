@@ -67,9 +67,11 @@ Cut best_cut(const Loop& loop, double length) {
                                spans_common_space(e[1], e[2], e[3], length);
     double merit = outer > kOnQuadric ? outer + kOnQuadric * inner : 0;
     if (is_degenerate) merit *= kOnQuadric;
+    // Two slides in a row span a plane of displacements, too few for the coordinates of a dyad.
+    const bool is_dyad = e[4].is_turn || e[5].is_turn;
     // Four paths and two for each beat any other cut.
-    const bool decouples =
-        has_common_space && inner > kOnQuadric && !spans_common_space(e[0], e[1], e[2], length);
+    const bool decouples = has_common_space && is_dyad && inner > kOnQuadric &&
+                           !spans_common_space(e[0], e[1], e[2], length);
     if (decouples) merit = 2 + inner;
     if (merit <= best.merit) continue;
     best = {std::move(way), decouples, merit};

@@ -15,10 +15,7 @@ constexpr std::size_t kTurnsOfSpace = 3;
 
 std::size_t turns_of(const std::vector<Tie>& loop) {
   std::size_t turns = 0;
-  for (const Tie& tie : loop) {
-    if (tie.kind == TieKind::prismatic) continue;
-    turns += tie.kind == TieKind::cylindrical ? 1 : freedom(tie.kind);
-  }
+  for (const Tie& tie : loop) turns += turn_freedom(tie);
   return turns;
 }
 
@@ -35,6 +32,8 @@ class Chain {
  private:
   void turn(const std::string& name);
   void slide(const std::string& name);
+  void turns(const Tie& tie);
+  void slides(const Tie& tie);
   void fixed(const ExactPose& pose);
 
   SpatialFrame& frame_;
@@ -77,36 +76,47 @@ void Chain::slide(const std::string& name) {
   elements_.push_back(std::move(element));
 }
 
-void Chain::follow(const Tie& tie, bool is_last) {
-  owners_ = groups_.bodies[is_last ? tie.i : tie.j];
-  step_ = to_moving(identity_pose());
-  fixed(tie.at_i);
-  switch (tie.kind) {
-    case TieKind::revolute:
+void Chain::turns(const Tie& tie) {
+  switch (turn_freedom(tie)) {
+    case 0:
+      break;
+    case 1:
       turn("t_" + tie.name);
       break;
-    case TieKind::prismatic:
-      slide("s_" + tie.name);
-      break;
-    case TieKind::cylindrical:
-      turn("t_" + tie.name);
-      slide("s_" + tie.name);
-      break;
-    case TieKind::cone:
+    case 2:
       turn("t1_" + tie.name);
       fixed(tilt(tie.half_tangent));
       turn("t2_" + tie.name);
       break;
-    case TieKind::spherical:
+    default:
       turn("t1_" + tie.name);
       fixed(tilt(1));
       turn("t2_" + tie.name);
       fixed(conjugate(tilt(1)));
       turn("t3_" + tie.name);
       break;
-    case TieKind::rod:
-      break;  // loop_of takes none
   }
+}
+
+void Chain::slides(const Tie& tie) {
+  if (tie.place == JointPlace::on_line) slide("s_" + tie.name);
+  if (tie.place != JointPlace::in_plane) return;
+  for (const std::size_t k : {0, 1}) {
+    fixed(across(k));
+    slide("s" + std::to_string(k + 1) + "_" + tie.name);
+    fixed(conjugate(across(k)));
+  }
+}
+
+void Chain::follow(const Tie& tie, bool is_last) {
+  owners_ = groups_.bodies[is_last ? tie.i : tie.j];
+  step_ = to_moving(identity_pose());
+  fixed(tie.at_i);
+  // A point that is held to a line of group i: along the line first, and then any turn.
+  const bool slides_first = is_loose(tie) && !tie.is_reversed;
+  if (slides_first) slides(tie);
+  turns(tie);
+  if (!slides_first) slides(tie);
   fixed(conjugate(tie.at_j));
   if (is_last) return;
   PoseReading::Placement placement;
@@ -130,9 +140,9 @@ std::optional<std::vector<Tie>> loop_of(const RigidGroups& groups, const Part& p
     });
     if (next == left.end()) return std::nullopt;
     const Tie& tie = groups.ties[*next];
-    if (tie.kind == TieKind::rod || tie.i == tie.j) return std::nullopt;
+    if (tie.turn == JointTurn::freely || tie.i == tie.j) return std::nullopt;
     loop.push_back(tie.i == at ? tie : reversed(tie));
-    freedoms += freedom(tie.kind);
+    freedoms += freedom(tie);
     at = loop.back().j;
     left.erase(next);
   } while (at != 0);
