@@ -6,35 +6,13 @@
 #include <cmath>
 
 #include "dyad.h"
+#include "four_turns.h"
 
 namespace moivre {
 namespace {
 
 constexpr std::size_t kSix = 6;
-constexpr std::ptrdiff_t kTurnsOfSpace = 3;
-
-/// Elements in their order, and what their product is.
-struct Loop {
-  std::vector<LoopElement> elements;
-  ExactPose whole;
-};
-
-/// E_2 ... E_k (whole^-1 E_1 whole) ~ whole.
-Loop turned_on(Loop loop) {
-  LoopElement first = loop.elements.front();
-  loop.elements.erase(loop.elements.begin());
-  first.axis = 1 / norm(loop.whole) * (conjugate(loop.whole) * first.axis * loop.whole);
-  loop.elements.push_back(std::move(first));
-  return loop;
-}
-
-/// conj(E_k) ... conj(E_1) ~ conj(whole).
-Loop reversed(Loop loop) {
-  std::reverse(loop.elements.begin(), loop.elements.end());
-  for (LoopElement& element : loop.elements) element.axis = conjugate(element.axis);
-  loop.whole = conjugate(loop.whole);
-  return loop;
-}
+constexpr std::size_t kTurnsOfSpace = 3;
 
 /// How a loop of six is cut: which way round, from which joint, and whether its last three joints stay in one 3-space.
 struct Cut {
@@ -42,17 +20,6 @@ struct Cut {
   bool has_common_space = false;
   double merit = -1;
 };
-
-std::vector<Loop> all_ways(const Loop& loop) {
-  std::vector<Loop> ways;
-  for (Loop way : {loop, reversed(loop)}) {
-    for (std::size_t k = 0; k < kSix; ++k) {
-      ways.push_back(way);
-      way = turned_on(std::move(way));
-    }
-  }
-  return ways;
-}
 
 Cut best_cut(const Loop& loop, double length) {
   // A dyad whose 3-space is nearer to Study's quadric than this lies in it: its axes meet or are parallel.
@@ -81,21 +48,21 @@ Cut best_cut(const Loop& loop, double length) {
 
 bool is_slide(const LoopElement& element) { return !element.is_turn; }
 
-/// Three to five elements so that few of the dyads that are used are two slides: A B = 0 there, and they span no 3-space.
-Loop short_cut(Loop loop) {
-  const auto flat_dyads = [](const Loop& way) {
-    const auto& e = way.elements;
-    const std::size_t last = e.size() - 2;
-    const bool has_inner = last == 3;
-    return (is_slide(e[last]) && is_slide(e[last + 1]) ? 1 : 0) +
-           (has_inner && is_slide(e[1]) && is_slide(e[2]) ? 1 : 0);
-  };
-  Loop best = loop;
-  for (std::size_t k = 1; k < loop.elements.size() && flat_dyads(best) > 0; ++k) {
-    loop = turned_on(std::move(loop));
-    if (flat_dyads(loop) < flat_dyads(best)) best = loop;
-  }
-  return best;
+/// Dyads of two slides among those that are used of three to five elements: A B = 0 there, and they span no 3-space.
+int flat_dyads(const Loop& loop) {
+  const auto& e = loop.elements;
+  const auto is_flat = [&](std::size_t k) { return !e[k].is_turn && !e[k + 1].is_turn; };
+  const std::size_t last = e.size() - 2;
+  const bool has_inner = last == 3;
+  return (is_flat(last) ? 1 : 0) + (has_inner && is_flat(1) ? 1 : 0);
+}
+
+/// Begun where few dyads are flat; as it is where none is.
+Loop short_cut(const Loop& loop) {
+  const std::vector<Loop> ways = all_ways(loop);
+  return *std::min_element(ways.begin(), ways.end(), [](const Loop& a, const Loop& b) {
+    return flat_dyads(a) < flat_dyads(b);
+  });
 }
 
 class Equations {
@@ -112,7 +79,7 @@ class Equations {
   const LoopElement& e(std::size_t k) const { return loop_.elements[k]; }
   MovingPose element(std::size_t k) const { return element_pose(e(k)); }
   MovingPose whole() const { return to_moving(loop_.whole); }
-  void exclude(std::size_t k);
+  void exclude(std::size_t k) { exclude_endless(frame_, e(k)); }
   MovingPose add_dyad(std::size_t k, bool has_quadric = true);
   void add_dyad_of(const MovingPose& pose, std::size_t k);
   void in_space(const MovingPose& pose, const DyadSpace& space);
@@ -121,17 +88,6 @@ class Equations {
   SpatialFrame& frame_;
   Loop loop_;
 };
-
-void Equations::exclude(std::size_t k) {
-  if (!e(k).is_turn) {
-    if (e(k).fixed.is_zero()) return;
-    frame_.exclude(constant({1, 0}) - Coefficient{e(k).fixed, 0} * e(k).unknown,
-                   "a slide is infinitely long there");
-    return;
-  }
-  frame_.exclude(constant({1, 0}) + e(k).unknown * e(k).unknown,
-                 "a half angle's tangent is i or -i there: nothing is turned");
-}
 
 /// Unknown coordinates for the dyad of elements k and k + 1, with their half angles. Its quadric may follow from what comes.
 MovingPose Equations::add_dyad(std::size_t k, bool has_quadric) {
@@ -265,10 +221,15 @@ void Equations::add_shift() {
 
 }  // namespace
 
-void add_loop_equations(SpatialFrame& frame, std::vector<LoopElement> elements,
-                        const ExactPose& whole) {
-  const Loop loop{std::move(elements), whole};
-  if (std::all_of(loop.elements.begin(), loop.elements.end(), is_slide)) {
+bool takes_plain_slides(const Loop& loop, double length) {
+  if (count_turns(loop) == 0) return true;
+  if (loop.elements.size() < kSix) return false;
+  if (count_turns(loop) == kTurnsOfSpace) return true;
+  return begun_with_slide(loop) && !best_cut(loop, length).has_common_space;
+}
+
+void add_loop_equations(SpatialFrame& frame, const Loop& loop) {
+  if (count_turns(loop) == 0) {
     Equations(frame, loop).add_slides();
     return;
   }
@@ -276,13 +237,15 @@ void add_loop_equations(SpatialFrame& frame, std::vector<LoopElement> elements,
     Equations(frame, short_cut(loop)).add_short();
     return;
   }
-  const auto turns = std::count_if(loop.elements.begin(), loop.elements.end(),
-                                   [](const LoopElement& element) { return element.is_turn; });
-  if (turns == kTurnsOfSpace) {
+  if (count_turns(loop) == kTurnsOfSpace) {
     Equations(frame, loop).add_turns_first();
     return;
   }
   Cut cut = best_cut(loop, frame.length());
+  if (const auto begun = begun_with_slide(loop); begun && !cut.has_common_space) {
+    add_four_turns(frame, *begun);
+    return;
+  }
   Equations equations(frame, std::move(cut.loop));
   if (cut.has_common_space) {
     equations.add_decoupled();

@@ -11,13 +11,6 @@ namespace {
 
 constexpr std::size_t kFewest = 3;
 constexpr std::size_t kMost = 6;
-constexpr std::size_t kTurnsOfSpace = 3;
-
-std::size_t turns_of(const std::vector<Tie>& loop) {
-  std::size_t turns = 0;
-  for (const Tie& tie : loop) turns += turn_freedom(tie);
-  return turns;
-}
 
 class Chain {
  public:
@@ -155,11 +148,15 @@ std::optional<std::vector<Tie>> loop_of(const RigidGroups& groups, const Part& p
 }
 
 void add_loop(SpatialFrame& frame, const RigidGroups& groups, const std::vector<Tie>& loop) {
-  const std::size_t turns = turns_of(loop);
-  Chain chain(frame, groups, turns == kTurnsOfSpace || turns == 0);
-  for (std::size_t k = 0; k < loop.size(); ++k) chain.follow(loop[k], k + 1 == loop.size());
-  const ExactPose whole = conjugate(shortened(chain.end()));
-  add_loop_equations(frame, std::move(chain).take(), whole);
+  const auto followed = [&](SpatialFrame& into, bool has_plain_slides) {
+    Chain chain(into, groups, has_plain_slides);
+    for (std::size_t k = 0; k < loop.size(); ++k) chain.follow(loop[k], k + 1 == loop.size());
+    const ExactPose whole = conjugate(shortened(chain.end()));
+    return Loop{std::move(chain).take(), whole};
+  };
+  SpatialFrame tried(frame.length());
+  const bool has_plain_slides = takes_plain_slides(followed(tried, true), frame.length());
+  add_loop_equations(frame, followed(frame, has_plain_slides));
 }
 
 }  // namespace moivre
