@@ -46,8 +46,6 @@ Cut best_cut(const Loop& loop, double length) {
   return best;
 }
 
-bool is_slide(const LoopElement& element) { return !element.is_turn; }
-
 /// Dyads of two slides among those that are used of three to five elements: A B = 0 there, and they span no 3-space.
 int flat_dyads(const Loop& loop) {
   const auto& e = loop.elements;
