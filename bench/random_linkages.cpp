@@ -7,22 +7,17 @@
 // seed counts as many complex ones, and Newton's method from random starts comes to no regular pose that is not among them.
 // Printed: every linkage that is not right, with its number, and the sums. With --show the first linkage as a mechanism file.
 // Exit: 0 none is wrong, 1 some are, 2 usage.
-#include "random_linkages.h"
-
 #include <cstdio>
 #include <ctime>
 #include <exception>
 #include <string>
 
-#include "moivre/closures/closures.h"
-#include "moivre/mechanism/pose.h"
+#include "linkage_judge.h"
 #include "moivre/tracker_cvode/cvode_tracker.h"
 #include "moivre/tracker_lanes/lane_tracker.h"
 
 namespace moivre::test {
 namespace {
-
-using Eigen::VectorXd;
 
 struct Request {
   Space space = Space::planar;
@@ -61,39 +56,6 @@ Request request_of(int argc, char** argv) {
   return request;
 }
 
-/// Largest difference of any body's axes, or of its origin beside `size`.
-double distance(const Mechanism& mechanism, const VectorXd& a, const VectorXd& b, double size) {
-  double largest = 0;
-  const Eigen::Index per_body = mechanism.space == Space::planar ? 3 : 6;
-  const Eigen::Index axes = per_body / 3 + 1;  // of a place: 2 or 3
-  for (std::size_t body = 1; body < mechanism.bodies.size(); ++body) {
-    const Eigen::Index at = per_body * static_cast<Eigen::Index>(body - 1);
-    const Eigen::Matrix3d turned =
-        orientation(mechanism, body, a) - orientation(mechanism, body, b);
-    largest = std::max(largest, turned.cwiseAbs().maxCoeff());
-    largest =
-        std::max(largest, (a.segment(at, axes) - b.segment(at, axes)).cwiseAbs().maxCoeff() / size);
-  }
-  return largest;
-}
-
-bool has(const Mechanism& mechanism, const ClosureResult& result, const VectorXd& q, double size) {
-  constexpr double kSame = 1e-6;
-  return std::any_of(result.closures.begin(), result.closures.end(), [&](const Closure& closure) {
-    return distance(mechanism, closure.q, q, size) < kSame;
-  });
-}
-
-VectorXd random_pose(const Phi& phi, Draw& draw) {
-  VectorXd q(phi.dimension());
-  for (Eigen::Index k = 0; k < q.size(); ++k) {
-    const bool is_length =
-        phi.coordinates()[static_cast<std::size_t>(k)].kind == CoordinateKind::length;
-    q[k] = (2 * draw.unit() - 1) * (is_length ? 2 * phi.length() : 3);
-  }
-  return q;
-}
-
 std::string text_of(const Eigen::Vector3d& v, Space space) {
   char text[96];
   if (space == Space::planar) {
@@ -108,40 +70,6 @@ std::string text_of(double number) {
   char text[32];
   std::snprintf(text, sizeof text, "%.17g", number);
   return text;
-}
-
-/// What is wrong; empty where nothing is.
-std::string fault(const Mechanism& mechanism, const ClosureResult& result,
-                  const ClosureResult& again, const Request& request, Draw draw) {
-  const Phi phi(mechanism);
-  const double size = phi.length();
-  if (!has(mechanism, result, VectorXd::Zero(phi.dimension()), size)) return "its own pose is lost";
-  for (std::size_t k = 0; k < result.closures.size(); ++k) {
-    ClosureResult others;
-    others.closures.assign(result.closures.begin() + static_cast<std::ptrdiff_t>(k) + 1,
-                           result.closures.end());
-    if (has(mechanism, others, result.closures[k].q, size)) {
-      return "closure " + result.closures[k].id + " is told twice";
-    }
-  }
-  if (again.complete && again.counts.complex != result.counts.complex) {
-    return std::to_string(result.counts.complex) + " complex closures, by another seed " +
-           std::to_string(again.counts.complex);
-  }
-  for (std::uint64_t k = 0; k < request.starts; ++k) {
-    // Far turns round what they add up to: once more from the shortest ones.
-    const NewtonResult first = newton(phi, random_pose(phi, draw));
-    const NewtonResult there = newton(phi, phi.canonical(first.q));
-    constexpr double kRegular = 1e-6;
-    const bool is_regular = there.status == NewtonStatus::converged && !there.is_singular &&
-                            there.smallest_singular_value > kRegular;
-    if (is_regular && !has(mechanism, result, there.q, size)) {
-      std::string q;
-      for (const double x : there.q) q += " " + text_of(x);
-      return "Newton's method finds one more:" + q;
-    }
-  }
-  return "";
 }
 
 std::string told(const Mechanism& mechanism) {
@@ -233,7 +161,8 @@ void judge(const Request& request, std::uint64_t number, Sums& sums) {
       what = "undecided";
       ++sums.undecided;
     } else {
-      what = fault(mechanism, result, again, request, Draw(request.seed, number + 1000003));
+      what =
+          fault_of(mechanism, result, again, request.starts, Draw(request.seed, number + 1000003));
       ++(what.empty() ? sums.right : sums.wrong);
     }
   } catch (const std::exception& error) {

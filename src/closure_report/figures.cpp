@@ -172,4 +172,9 @@ Box extent(const Mechanism& mechanism, const std::vector<Eigen::VectorXd>& poses
   return box;
 }
 
+bool is_guided(const Joint& joint) {
+  const JointPlace place = traits(joint.type).place;
+  return place == JointPlace::on_line || place == JointPlace::in_plane;
+}
+
 }  // namespace moivre

@@ -113,6 +113,9 @@ class SpatialDrawing {
     if (axis_count(joint.type) > 0 && joint.type != JointType::weld) {
       add_axis(first, kAxisReach * size_ * joint.axis[0]);
     }
+    if (is_guided(joint)) {
+      add_line(Sketch::holes, Style::axis, std::nullopt, first, material(joint.at[1]));
+    }
     for (const PointOf& point : joint.at) {
       const std::size_t spot = add_spot(point);
       if (point.body == 0) {

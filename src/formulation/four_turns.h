@@ -7,7 +7,7 @@
 //   c_0 c_3 = c_1 c_2,  d_0 d_3 = d_1 d_2    two quadrics in P^3: the curve of a spherical four-bar
 // Shifts, beside q(w), as vectors:  v_0(c) + s_1 N(c) a_1 + s_2 v_2(c) = 0,  N = |q(T_1 T_2)|^2, a_1 constant. So
 //   det [v_0 a_1 v_2] = 0                    quartic in c; quadratic where no turn stands between the slides
-// 16 paths, and 8 closures [MavroidisRoth94]; at the other 8 roots N = 0, which is no turn. Slides never go to infinity, since they
+// 16 paths, and 8 closures [RaghavanRoth93]; at the other 8 roots N = 0, which is no turn. Slides never go to infinity, since they
 // are no unknowns of it.
 // Not where T_1 and T_2, or T_3 and T_4, are parallel whichever slide comes first.
 #pragma once

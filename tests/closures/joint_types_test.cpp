@@ -138,6 +138,42 @@ TEST(APlanarJoint, HasTheClosuresOfTwoSlidesAndATurn) {
   }
 }
 
+/// A loop of six joints in general position, those in `slides` prismatic.
+std::string loop_of_six(std::size_t first, std::size_t second) {
+  const std::vector<std::string> axes{
+      "[[0, 0.6, 0.8], [1, 0, 0.2]]", "[[0.3, 1, 0], [0.1, 0.5, 1]]", "[[1, 0, 0.4], [0.2, 1, 0]]",
+      "[[0, 0.2, 1], [1, 0.7, 0]]",   "[[0.5, 0.5, 1], [0, 1, 0.1]]", "[[1, 0.3, 0], [0.4, 0, 1]]"};
+  std::string text = kSpatial + points("ground", {"0, 0, 0", "0.4, 0.9, 0.2"});
+  for (std::size_t k = 0; k + 1 < axes.size(); ++k) {
+    text += points("b" + std::to_string(k), {"0, 0.1, 0", "0.8, 0.2, 0." + std::to_string(k)});
+  }
+  for (std::size_t k = 0; k < axes.size(); ++k) {
+    const bool is_last = k + 1 == axes.size();
+    const std::string before = k == 0 ? "ground.P0" : "b" + std::to_string(k - 1) + ".P1";
+    const std::string next = is_last ? "ground.P1" : "b" + std::to_string(k) + ".P0";
+    text += joint(k == first || k == second ? "prismatic" : "revolute",
+                  "\"" + before + "\", \"" + next + "\"", "axis = " + axes[k]);
+  }
+  return text;
+}
+
+TEST(FourTurnsAndTwoSlides, HaveEightClosuresWhereverTheSlidesAre) {
+  for (std::size_t first = 0; first < 6; ++first) {
+    for (std::size_t second = first + 1; second < 6; ++second) {
+      SCOPED_TRACE("slides " + std::to_string(first) + " and " + std::to_string(second));
+      const Mechanism mechanism = mechanism_text(loop_of_six(first, second));
+      const ClosureResult result = closures_of(mechanism);
+      EXPECT_TRUE(result.complete) << result.message;
+      EXPECT_EQ(result.counts.complex, 8U);
+      const bool are_beside = second == first + 1 || (first == 0 && second == 5);
+      EXPECT_EQ(result.paths.tracked, are_beside ? 8U : 16U);
+      for (const Closure& closure : result.closures) {
+        EXPECT_LE(scaled_residual(Phi(mechanism), closure.q, 0), 1e-12);
+      }
+    }
+  }
+}
+
 /// A jack in a loop of six turns: its angle is driven.
 std::string jack(const std::string& type, const std::string& rest) {
   std::string text = kSpatial + points("ground", {"0, 0, 0", "0.4, 0.9, 0.2"});
