@@ -85,6 +85,18 @@ TEST(HostileUrdfTest, AZeroByteIsRefused) {
             std::string::npos);
 }
 
+TEST(HostileUrdfTest, BytesThatAreNoUtf8AreRefusedAtTheirPlace) {
+  const std::string text = "<robot name='r'>\n<link name='K\xF6rper'/></robot>";  // Latin-1
+  EXPECT_NE(refusal_of(text).find("no UTF-8"), std::string::npos);
+  EXPECT_EQ(refusal_of("<robot name='K\xC3\xB6rper'><link name='a'/></robot>"), "");
+  try {
+    read_urdf({"latin.urdf", text});
+  } catch (const ParseError& error) {
+    EXPECT_EQ(error.diagnostics().front().at.line, 2U);
+    EXPECT_EQ(error.diagnostics().front().at.column, 14U);
+  }
+}
+
 /// The text with a few bytes changed or left out.
 std::string disturbed(std::string text, std::uint64_t trial) {
   const std::uint64_t changes = 1 + random_bits(1, RandomStream::test, trial) % 4;
