@@ -28,7 +28,7 @@ std::string fixed_text(double x) {
 
 /// Two digits, and a 0 for rounding.
 std::string rounded_text(double x) {
-  constexpr double kRounding = 1e-12;
+  constexpr double kRounding = 1e-9;
   char text[32];
   std::snprintf(text, sizeof text, "%.2g", std::abs(x) < kRounding ? 0 : x);
   return text;
