@@ -30,7 +30,7 @@ struct ClosureSearch {
   std::uint64_t unpolished = 0;   ///< real roots that Newton-Raphson does not confirm
   std::vector<Eigen::VectorXd>
       near_misses;                ///< real roots of the solved equations that fail another one
-  bool undecided_motion = false;  ///< no closure is isolated, and no pose that moves was found
+  bool undecided_motion = false;  ///< a set of closures may exist, and no pose that moves was found
   bool part_is_complex = false;   ///< a part of the mechanism closes in complex numbers only
 };
 

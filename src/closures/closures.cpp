@@ -68,7 +68,10 @@ void add_mobility(const Phi& phi, ClosureResult& result) {
 /// Why the search is not complete.
 std::string shortfall(const ClosureSearch& search) {
   if (search.undecided_motion) {
-    return "undecided: no closure is isolated, and Newton-Raphson came to no real pose from " +
+    const std::string what = search.result.solutions.empty()
+                                 ? "no closure is isolated"
+                                 : "besides the isolated closures others may form a set";
+    return "undecided: " + what + ", and Newton-Raphson came to no real pose of one from " +
            std::to_string(kMovingStarts) + " starts; there may be none: give a guess, or drivers";
   }
   if (search.lost_images > 0) return "a closure's mirror image is missing: a path was lost";

@@ -56,6 +56,7 @@ inline std::string number_text(const Eigen::VectorXd& q) {
 /// method from `starts` random poses comes to no regular one that is not among them.
 inline std::string fault_of(const Mechanism& mechanism, const ClosureResult& result,
                             const ClosureResult& again, std::uint64_t starts, Draw draw) {
+  constexpr double kRegular = 1e-6;  // the smallest singular value of a closure that is surely one
   const Phi phi(mechanism);
   const double size = phi.length();
   if (!has_pose(mechanism, result, Eigen::VectorXd::Zero(phi.dimension()), size))
@@ -64,7 +65,9 @@ inline std::string fault_of(const Mechanism& mechanism, const ClosureResult& res
     ClosureResult others;
     others.closures.assign(result.closures.begin() + static_cast<std::ptrdiff_t>(k) + 1,
                            result.closures.end());
-    if (has_pose(mechanism, others, result.closures[k].q, size)) {
+    // A double closure of rounded lengths may be two beside each other.
+    const bool is_regular = result.closures[k].smallest_singular_value > kRegular;
+    if (is_regular && has_pose(mechanism, others, result.closures[k].q, size)) {
       return "closure " + result.closures[k].id + " is told twice";
     }
   }
@@ -76,7 +79,6 @@ inline std::string fault_of(const Mechanism& mechanism, const ClosureResult& res
     // Far turns round what they add up to: once more from the shortest ones.
     const NewtonResult first = newton(phi, random_pose(phi, draw));
     const NewtonResult there = newton(phi, phi.canonical(first.q));
-    constexpr double kRegular = 1e-6;
     constexpr double kFar = 1e3;  // beyond, rounding of angles is no longer small
     const bool is_regular = there.status == NewtonStatus::converged && !there.is_singular &&
                             there.q.cwiseAbs().maxCoeff() < kFar &&
