@@ -45,6 +45,14 @@ Json posture_json(const Posture& posture) {
           {"wrist", word(posture.is_flipped, "flip", "no flip")}};
 }
 
+/// x y z in metres, then the rotation in radians.
+Json twist_json(const Twist& twist) {
+  Json json = Json::array();
+  for (const double x : twist.translation) json.push_back(to_json(x));
+  for (const double x : twist.rotation) json.push_back(to_json(x));
+  return json;
+}
+
 Json closure_json(const ArmClosure& closure, const Arm& arm) {
   return {{"id", closure.id},
           {"coordinates", values_json(arm, closure.values)},
@@ -56,6 +64,9 @@ Json closure_json(const ArmClosure& closure, const Arm& arm) {
           {"residual", to_json(closure.residual)},
           {"newton_iterations", closure.newton_iterations},
           {"smallest_singular_value", to_json(closure.smallest_singular_value)},
+          {"weakest",
+           {{"joints", values_json(arm, closure.weakest.joints)},
+            {"tip", twist_json(closure.weakest.tip)}}},
           {"path", closure.path},
           {"multiplicity", closure.multiplicity},
           {"singular", closure.singular}};
@@ -63,7 +74,9 @@ Json closure_json(const ArmClosure& closure, const Arm& arm) {
 
 Json moves_json(const std::optional<ArmMoves>& moves, const Arm& arm) {
   if (!moves) return nullptr;
-  return {{"pose", values_json(arm, moves->values)}, {"tangent", values_json(arm, moves->tangent)}};
+  return {{"pose", values_json(arm, moves->values)},
+          {"tangent", values_json(arm, moves->tangent)},
+          {"lost", twist_json(moves->lost)}};
 }
 
 Json stage_json(const ArmStage& stage) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Inverse kinematics for people: the answer, and a table of joint values.
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <string_view>
 
@@ -23,6 +24,14 @@ std::string fixed_text(double x) {
   char text[32];
   std::snprintf(text, sizeof text, "%.6f", x);
   return std::string_view(text) == "-0.000000" ? "0.000000" : text;
+}
+
+/// Two digits, and a 0 for rounding.
+std::string rounded_text(double x) {
+  constexpr double kRounding = 1e-9;
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2g", std::abs(x) < kRounding ? 0 : x);
+  return text;
 }
 
 std::size_t width_of(const ArmJoint& joint) { return std::max(kWidth, joint.name.size() + 2); }
@@ -70,6 +79,46 @@ std::string paths_text(const ArmResult& result) {
          counted(result.counts.rejected, "root") + " no closure\n";
 }
 
+/// "translation (0, 0, 1), rotation (0.1, 0, 0)", without a part that is none.
+std::string twist_text(const Twist& twist) {
+  constexpr double kNone = 1e-6;
+  const auto part = [](const char* name, const Eigen::Vector3d& v) {
+    return std::string(name) + " (" + rounded_text(v.x()) + ", " + rounded_text(v.y()) + ", " +
+           rounded_text(v.z()) + ")";
+  };
+  std::string text;
+  if (twist.translation.norm() > kNone) text = part("translation", twist.translation);
+  if (twist.rotation.norm() <= kNone) return text;
+  return text + (text.empty() ? "" : ", ") + part("rotation", twist.rotation);
+}
+
+/// The joints that take part, "joint4 0.71, joint6 -0.71".
+std::string joints_text(const Eigen::VectorXd& rates, const Arm& arm) {
+  constexpr double kNone = 1e-3;
+  std::string text;
+  for (std::size_t k = 0; k < arm.joints.size(); ++k) {
+    const double rate = rates[static_cast<Eigen::Index>(k)];
+    if (std::abs(rate) <= kNone) continue;
+    text += (text.empty() ? "" : ", ") + arm.joints[k].name + ' ' + rounded_text(rate);
+  }
+  return text;
+}
+
+/// What is lost at singular closures, or nearly.
+std::string weakest_text(const ArmResult& result, const Arm& arm) {
+  // Joints are a thousand times as fast there as the tip, in arm's lengths.
+  constexpr double kNearlySingular = 1e-3;
+  std::string text;
+  for (const ArmClosure& closure : result.closures) {
+    if (closure.smallest_singular_value > kNearlySingular) continue;
+    text += closure.id + " is singular, or nearly (smallest singular value " +
+            rounded_text(closure.smallest_singular_value) + "): the tip hardly moves by " +
+            joints_text(closure.weakest.joints, arm) + ", and hardly can by " +
+            twist_text(closure.weakest.tip) + '\n';
+  }
+  return text;
+}
+
 std::string moves_text(const ArmResult& result, const Arm& arm) {
   if (!result.moves) return "";
   std::string text = "the tip stands while the joints move, from here\n  ";
@@ -80,14 +129,15 @@ std::string moves_text(const ArmResult& result, const Arm& arm) {
     }
     return joints + '\n';
   };
-  return text + line(result.moves->values) + "along\n  " + line(result.moves->tangent);
+  return text + line(result.moves->values) + "along\n  " + line(result.moves->tangent) +
+         "there the tip cannot move by " + twist_text(result.moves->lost) + '\n';
 }
 
 std::string result_text(const ArmResult& result, const Arm& arm) {
   std::string text = answer(result);
   if (!result.closures.empty()) text += table_head(arm);
   for (const ArmClosure& closure : result.closures) text += closure_line(closure, arm);
-  return text + moves_text(result, arm);
+  return text + weakest_text(result, arm) + moves_text(result, arm);
 }
 
 std::string heading(const ArmReport& report) {

@@ -2,20 +2,16 @@
 // The way from the base to the tip, joint by joint; what is wrong with a choice of links and held joints.
 #include "moivre/arms/arm.h"
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include "exact_displacement.h"
 #include "moivre/expression/joined.h"
-#include "moivre/mechanism/nearest.h"
 #include "moivre/urdf/placement.h"
 
 namespace moivre {
 namespace {
 
-/// A message names at most so many links or joints.
-constexpr std::size_t kListed = 20;
 constexpr std::size_t kMostFree = 6;
 
 /// A joint that is passed, and which way.
@@ -23,43 +19,6 @@ struct Passage {
   std::size_t joint = 0;
   bool is_backwards = false;  ///< from the child to the parent
 };
-
-std::string listed(std::vector<std::string> names) {
-  const bool are_many = names.size() > kListed;
-  names.resize(std::min(names.size(), kListed));
-  return joined(names, ", ") + (are_many ? ", ..." : "");
-}
-
-template <class List>
-std::vector<std::string> names_of(const List& list) {
-  std::vector<std::string> names;
-  for (const auto& element : list) names.push_back(element.name);
-  return names;
-}
-
-std::vector<std::string> names_of(const Robot& robot, const std::vector<std::size_t>& links) {
-  std::vector<std::string> names;
-  for (const std::size_t link : links) names.push_back(robot.links[link].name);
-  return names;
-}
-
-std::size_t find_link(const Robot& robot, const std::optional<std::string>& name,
-                      std::size_t otherwise, std::vector<std::string>& faults) {
-  if (!name) return otherwise;
-  if (const auto link = link_named(robot, *name)) return *link;
-  faults.push_back("there is no link '" + *name + "'" + suggestion(*name, names_of(robot.links)));
-  return otherwise;
-}
-
-std::size_t find_tip(const Robot& robot, const std::optional<std::string>& name,
-                     std::vector<std::string>& faults) {
-  const std::vector<std::size_t> ends = leaves(robot);
-  if (!name && ends.size() > 1) {
-    faults.push_back("the robot ends in " + std::to_string(ends.size()) +
-                     " links, choose one by --tip: " + listed(names_of(robot, ends)));
-  }
-  return find_link(robot, name, ends.front(), faults);
-}
 
 /// Joints from the link up to the root.
 std::vector<std::size_t> way_up(const Robot& robot, std::size_t link) {
@@ -84,39 +43,6 @@ std::vector<Passage> way(const Robot& robot, std::size_t base, std::size_t tip) 
     passages.push_back({*joint, false});
   }
   return passages;
-}
-
-/// The value at which the joint is held, itself or by its leader; nothing where it is free.
-std::optional<double> held_value(const Robot& robot, std::size_t joint,
-                                 const std::vector<HeldJoint>& held) {
-  for (const HeldJoint& one : held) {
-    if (one.name == robot.joints[joint].name) return one.value;
-  }
-  const auto& mimic = robot.joints[joint].mimic;
-  if (!mimic) return std::nullopt;
-  if (mimic->multiplier == 0) return mimic->offset;
-  const auto leader = held_value(robot, mimic->leader, held);
-  if (!leader) return std::nullopt;
-  return mimic->multiplier * *leader + mimic->offset;
-}
-
-void check_held(const Robot& robot, const std::vector<HeldJoint>& held,
-                std::vector<std::string>& faults) {
-  for (std::size_t k = 0; k < held.size(); ++k) {
-    const std::string& name = held[k].name;
-    const auto joint = joint_named(robot, name);
-    if (!joint) {
-      faults.push_back("--hold: there is no joint '" + name + "'" +
-                       suggestion(name, names_of(robot.joints)));
-    } else if (!is_moving(robot.joints[*joint])) {
-      faults.push_back("--hold: joint '" + name + "' is fixed");
-    }
-    if (!is_workable(held[k].value))
-      faults.push_back("--hold " + name + ": the value is too large");
-    for (std::size_t j = 0; j < k; ++j) {
-      if (held[j].name == name) faults.push_back("--hold: joint '" + name + "' is held twice");
-    }
-  }
 }
 
 /// The joint that it follows through any number of others.
@@ -148,7 +74,7 @@ void check_free(const Robot& robot, const std::vector<std::size_t>& free,
         "there are " + std::to_string(free.size()) +
         " free joints, and a pose leaves a motion where there are more than six: hold " +
         std::to_string(free.size() - kMostFree) +
-        " of them by --hold JOINT=VALUE: " + listed(names));
+        " of them by --hold JOINT=VALUE: " + listed_names(names));
   }
 }
 

@@ -4,13 +4,12 @@
 
 #include <cmath>
 
-#include "moivre/arms/arm_closures.h"
 #include "moivre/numeric/svd.h"
 
 namespace moivre {
 namespace {
 
-using Twist = Eigen::Matrix<double, 6, 1>;
+using Velocity = Eigen::Matrix<double, 6, 1>;
 using Jacobian = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 
 constexpr int kMostIterations = 40;
@@ -21,7 +20,7 @@ constexpr double kLeastMotion = 1e-10;
 constexpr double kLongestStep = 0.5;
 
 struct Linearized {
-  Twist error;
+  Velocity error;
   Jacobian jacobian;
 };
 
@@ -51,7 +50,7 @@ Linearized linearized(const Arm& arm, const Eigen::Isometry3d& pose, const Eigen
   return at;
 }
 
-double size_of(const Twist& error) {
+double size_of(const Velocity& error) {
   return std::max(error.head<3>().norm(), error.tail<3>().norm());
 }
 
@@ -112,7 +111,20 @@ Polished polish(const Arm& arm, const Eigen::Isometry3d& pose, const Eigen::Vect
   const Svd stretch = svd(at.jacobian, SingularVectors::full);
   best.smallest_singular_value = stretch.sigma[stretch.sigma.size() - 1];
   best.least_moving = stretch.V.col(stretch.V.cols() - 1);
+  best.least_moved = stretch.U.col(stretch.sigma.size() - 1);
+  // Of the two signs the one in which the largest joint value grows.
+  Eigen::Index largest = 0;
+  best.least_moving.cwiseAbs().maxCoeff(&largest);
+  if (best.least_moving[largest] < 0) {
+    best.least_moving = -best.least_moving;
+    best.least_moved = -best.least_moved;
+  }
   return best;
+}
+
+WeakestMotion weakest_motion(const Arm& arm, const Polished& closure) {
+  return {in_joints(arm, closure.least_moving),
+          {arm.length * closure.least_moved.head<3>(), closure.least_moved.tail<3>()}};
 }
 
 bool can_move(const Arm& arm, const Eigen::Isometry3d& pose, const Polished& closure) {

@@ -6,7 +6,7 @@
 // nothing left out; damped where asked, for starts that are far away.
 #pragma once
 
-#include "moivre/arms/arm.h"
+#include "moivre/arms/arm_closures.h"
 
 namespace moivre {
 
@@ -16,7 +16,12 @@ struct Polished {
   int iterations = 0;
   double smallest_singular_value = 0;
   Eigen::VectorXd least_moving;  ///< unit: the direction of joint values that moves the tip least
+  Eigen::VectorXd
+      least_moved;  ///< unit: translation and rotation of the tip that take the fastest joints
 };
+
+/// In the arm's own units instead of radians and arm's lengths.
+WeakestMotion weakest_motion(const Arm& arm, const Polished& closure);
 
 Polished polish(const Arm& arm, const Eigen::Isometry3d& pose, const Eigen::VectorXd& start,
                 bool is_damped = false);

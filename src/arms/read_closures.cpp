@@ -112,6 +112,7 @@ std::optional<ArmClosure> closure_of(const Arm& arm, const Loop& loop,
   closure.residual = polished.residual;
   closure.newton_iterations = polished.iterations;
   closure.smallest_singular_value = polished.smallest_singular_value;
+  closure.weakest = weakest_motion(arm, polished);
   closure.path = found.path;
   closure.multiplicity = found.multiplicity;
   closure.singular = found.singular;
@@ -147,6 +148,10 @@ void name_closures(std::vector<ArmClosure>& closures) {
   for (std::size_t k = 0; k < closures.size(); ++k) closures[k].id = closure_id(k);
 }
 
+ArmMoves moves_from(const Arm& arm, const Polished& closure) {
+  return {closure.values, closure.least_moving, weakest_motion(arm, closure).tip};
+}
+
 /// A pose of a set of closures that moves, from random starts.
 std::optional<ArmMoves> find_moving(const Arm& arm, const Eigen::Isometry3d& pose,
                                     std::uint64_t seed) {
@@ -155,7 +160,7 @@ std::optional<ArmMoves> find_moving(const Arm& arm, const Eigen::Isometry3d& pos
     Polished there = polish(arm, pose, random_joint_values(arm, seed, trial), true);
     if (there.residual > kReach || !can_move(arm, pose, there)) continue;
     reduce_turns(arm, there.values);
-    return ArmMoves{there.values, there.least_moving};
+    return moves_from(arm, there);
   }
   return std::nullopt;
 }
@@ -192,7 +197,8 @@ void read_roots(const Arm& arm, const Loop& loop, const Cut& cut,
   for (const ArmClosure& closure : moving) {
     const Polished there = polish(arm, result.pose, closure.values);
     if (!can_move(arm, result.pose, there)) continue;
-    result.moves = ArmMoves{closure.values, there.least_moving};
+    result.moves = moves_from(arm, there);
+    result.moves->values = closure.values;
     break;
   }
   // Every form of a general arm has two false roots for a true one at most: where there are more, true ones were not read back.

@@ -11,12 +11,16 @@
 #include "moivre/arm_report/arm_report.h"
 #include "moivre/arms/poses.h"
 #include "moivre/numeric/stopwatch.h"
+#include "moivre/urdf/mechanism_text.h"
 #include "moivre/urdf/read.h"
 #include "output.h"
 #include "progress_line.h"
 
 namespace moivre {
 namespace {
+
+/// Heading in --help.
+constexpr const char* kRobots = "Robots (URDF)";
 
 std::vector<HeldJoint> held_joints(const std::vector<std::string>& settings) {
   std::vector<HeldJoint> held;
@@ -42,6 +46,14 @@ std::optional<std::string> chosen(const std::string& name) {
   return name.empty() ? std::nullopt : std::optional(name);
 }
 
+Eigen::Isometry3d only_pose(const std::string& text) {
+  const auto poses = read_poses({"--pose", text});
+  if (poses.size() > 1) {
+    throw std::invalid_argument("--pose takes one pose, --poses a file of many");
+  }
+  return poses.front();
+}
+
 std::vector<Eigen::Isometry3d> chosen_poses(const ArmOptions& options) {
   if (options.pose.empty() == options.poses.empty()) {
     throw std::invalid_argument(
@@ -49,12 +61,7 @@ std::vector<Eigen::Isometry3d> chosen_poses(const ArmOptions& options) {
             ? "a robot needs the pose of its tip: --pose \"x y z qw qx qy qz\", or --poses FILE"
             : "--pose and --poses are given, one of them is enough");
   }
-  if (options.poses.empty()) {
-    auto poses = read_poses({"--pose", options.pose});
-    if (poses.size() > 1)
-      throw std::invalid_argument("--pose takes one pose, --poses a file of many");
-    return poses;
-  }
+  if (options.poses.empty()) return {only_pose(options.pose)};
   return read_poses(read_source(options.poses));
 }
 
@@ -67,11 +74,8 @@ void require_one_to_draw(const ArmRun& run, std::size_t poses) {
 
 }  // namespace
 
-void add_arm_options(CLI::App& command, ArmOptions& options) {
-  const std::string group = "Robots (URDF)";
-  command.add_option("--base", options.base, "link that stands; default: the root")
-      ->type_name("LINK")
-      ->group(group);
+void add_robot_options(CLI::App& command, ArmOptions& options) {
+  const std::string group = kRobots;
   command.add_option("--tip", options.tip, "link to be placed; default: the only leaf")
       ->type_name("LINK")
       ->group(group);
@@ -79,19 +83,60 @@ void add_arm_options(CLI::App& command, ArmOptions& options) {
       .add_option("--pose", options.pose,
                   "of the tip in the base: \"x y z qw qx qy qz\", metres and a unit quaternion")
       ->group(group);
-  command.add_option("--poses", options.poses, "file of poses, one a line (CSV)")
-      ->type_name("PATH")
-      ->group(group);
   command
       .add_option("--hold", options.held,
                   "hold a joint at this value, radians or metres; may be repeated")
       ->type_name("JOINT=VALUE")
       ->group(group);
+  command
+      .add_option("--loops", options.loops,
+                  "side file (.toml) that closes loops: points of links, joints and drivers; the "
+                  "robot is a mechanism then")
+      ->type_name("PATH")
+      ->group(group);
+}
+
+void add_arm_options(CLI::App& command, ArmOptions& options) {
+  command.add_option("--base", options.base, "link that stands; default: the root")
+      ->type_name("LINK")
+      ->group(kRobots);
+  add_robot_options(command, options);
+  command.add_option("--poses", options.poses, "file of poses, one a line (CSV)")
+      ->type_name("PATH")
+      ->group(kRobots);
 }
 
 bool are_given(const ArmOptions& options) {
   return !options.base.empty() || !options.tip.empty() || !options.pose.empty() ||
-         !options.poses.empty() || !options.held.empty();
+         !options.poses.empty() || !options.held.empty() || !options.loops.empty();
+}
+
+std::string robot_as_mechanism(const std::string& file, const Source& source,
+                               const ArmOptions& options) {
+  const Robot robot = read_urdf(source);
+  RobotChanges changes;
+  require_all({[&] { changes.held = held_joints(options.held); },
+               [&] {
+                 if (!options.pose.empty()) changes.pose = only_pose(options.pose);
+               },
+               [&] {
+                 if (options.base.empty() || options.base == robot.links[robot.root].name) return;
+                 throw std::invalid_argument("--base: the ground of the mechanism is the root, " +
+                                             robot.links[robot.root].name);
+               },
+               [&] {
+                 if (options.poses.empty()) return;
+                 throw std::invalid_argument(
+                     "--poses is for arms without loops; give one pose by --pose");
+               },
+               [&] {
+                 if (options.tip.empty() || !options.pose.empty()) return;
+                 throw std::invalid_argument("--tip needs --pose, which says where it is to be");
+               }});
+  changes.tip = chosen(options.tip);
+  if (!options.loops.empty()) changes.loops = read_source(options.loops);
+  return mechanism_text(robot, options.loops.empty() ? file : file + " and " + options.loops,
+                        changes);
 }
 
 bool is_robot(const std::string& file, const Source& source) {

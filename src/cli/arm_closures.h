@@ -18,11 +18,19 @@ struct ArmOptions {
   std::string pose;               ///< "x y z qw qx qy qz"
   std::string poses;              ///< a file of them
   std::vector<std::string> held;  ///< "JOINT=VALUE"
+  std::string loops;              ///< a side file
 };
 
+/// "--tip", "--pose", "--hold" and "--loops", of every command that takes a robot.
+void add_robot_options(CLI::App& command, ArmOptions& options);
+/// And those of closures alone.
 void add_arm_options(CLI::App& command, ArmOptions& options);
 /// Whether any of them was given.
 bool are_given(const ArmOptions& options);
+
+/// The robot as a mechanism file, with the loops that a side file closes. Throws ParseError, std::invalid_argument.
+std::string robot_as_mechanism(const std::string& file, const Source& source,
+                               const ArmOptions& options);
 
 /// What `moivre closures` was asked besides.
 struct ArmRun {

@@ -16,6 +16,7 @@
 #include "moivre/closure_report/picture.h"
 #include "moivre/closure_report/sensitivity_report.h"
 #include "moivre/expression/joined.h"
+#include "moivre/mechanism/read.h"
 #include "moivre/numeric/stopwatch.h"
 #include "output.h"
 #include "progress_line.h"
@@ -115,13 +116,29 @@ std::optional<Sensitivities> asked_sensitivities(const ClosuresCommand& command,
   return closure_sensitivities(mechanism, result);
 }
 
+/// The file's mechanism, or the robot whose loops a side file closes.
+Mechanism read_choice(const ClosuresCommand& command, const Source& source) {
+  if (is_robot(command.file, source)) {
+    return read_mechanism(
+        {command.file + ", as a mechanism", robot_as_mechanism(command.file, source, command.arm)});
+  }
+  if (are_given(command.arm)) {
+    throw std::invalid_argument(
+        "--base, --tip, --pose, --poses, --hold and --loops are for robots (URDF); " +
+        command.file + " is none");
+  }
+  return read_mechanism_file(command.file, source);
+}
+
 int run(const ClosuresCommand& command) {
   std::unique_ptr<Tracker> tracker;
   require_all(
       {[&] { require_known(command.start); }, [&] { require_threads(command.threads); },
        [&] {
-         require_distinct({command.json, command.csv, command.svg, command.html, command.family},
-                          command.file);
+         for (const std::string& input : {command.file, command.arm.loops}) {
+           require_distinct({command.json, command.csv, command.svg, command.html, command.family},
+                            input);
+         }
        },
        [&] { require_ending(command.svg, ".svg"); },
        [&] {
@@ -132,13 +149,9 @@ int run(const ClosuresCommand& command) {
        [&] { tracker = make_tracker(tracker_of(command)); }});
   const Stopwatch watch;
   const Source source = read_source(command.file);
-  if (is_robot(command.file, source)) return run_robot(command, source);
-  if (are_given(command.arm)) {
-    throw std::invalid_argument(
-        "--base, --tip, --pose, --poses and --hold are for robots (URDF); " + command.file +
-        " is none");
-  }
-  Mechanism mechanism = read_mechanism_file(command.file, source);
+  const bool has_loops = !command.arm.loops.empty();
+  if (is_robot(command.file, source) && !has_loops) return run_robot(command, source);
+  Mechanism mechanism = read_choice(command, source);
   apply(command.mechanism, mechanism);
   if (command.sensitivity) require_dimensions(mechanism);
   if (const auto tolerance = dimension_tolerance(command)) mechanism.tolerance = tolerance;
@@ -247,7 +260,8 @@ void add_closures_command(CLI::App& moivre, Chosen& chosen) {
                 "moivre closures four-bar.toml --sensitivity --tolerance 0.05",
                 "moivre closures puma560.urdf --pose \"0.4 0.1 0.3 1 0 0 0\" --svg postures.svg",
                 "moivre closures panda.urdf --tip panda_hand_tcp --hold panda_joint7=0.8 "
-                "--poses poses.csv --csv joints.csv"});
+                "--poses poses.csv --csv joints.csv",
+                "moivre closures delta.urdf --loops delta.loops.toml"});
   app.callback([command, &chosen] { chosen = [command] { return run(*command); }; });
 }
 

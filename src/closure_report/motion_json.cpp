@@ -2,6 +2,7 @@
 // A motion as JSON: the contract of docs/json.md, key by key.
 #include "circuits_report.h"
 #include "moivre/closure_report/motion_report.h"
+#include "moivre/kinematics/null_space.h"
 #include "moivre/mechanism/phi.h"
 #include "moivre/mechanism/pose.h"
 #include "pose_json.h"
@@ -71,6 +72,21 @@ Json branch_json(const MotionBranch& branch, const Mechanism& mechanism, const P
   return json;
 }
 
+/// How the pose can move on where a branch cannot, though the drivers stand: one such direction, of length 1 (angles in radians,
+/// lengths beside the mechanism's). A joint's limit holds nothing else.
+Json free_motion_json(const MotionEvent& event, const Mechanism& mechanism, const Phi& phi) {
+  if (event.at.kind == EventKind::joint_limit) return nullptr;
+  const auto& all = phi.coordinates();
+  Eigen::VectorXd scale(phi.dimension());
+  for (Eigen::Index k = 0; k < scale.size(); ++k) {
+    const bool is_length = all[static_cast<std::size_t>(k)].kind == CoordinateKind::length;
+    scale[k] = is_length ? phi.length() : 1;
+  }
+  const Eigen::VectorXd direction =
+      shortest_direction(phi.jacobian(event.at.q, event.at.time) * scale.asDiagonal());
+  return coordinates_json(mechanism, direction.cwiseProduct(scale));
+}
+
 Json event_json(const MotionEvent& event, const Mechanism& mechanism, const Phi& phi) {
   return {{"kind", to_string(event.at.kind)},
           {"t", to_json(event.at.time)},
@@ -79,7 +95,8 @@ Json event_json(const MotionEvent& event, const Mechanism& mechanism, const Phi&
           {"joint", event.at.joint.empty() ? Json(nullptr) : Json(event.at.joint)},
           {"ending", event.ending},
           {"beginning", event.beginning},
-          {"coordinates", coordinates_json(mechanism, phi.canonical(event.at.q))}};
+          {"coordinates", coordinates_json(mechanism, phi.canonical(event.at.q))},
+          {"free_motion", free_motion_json(event, mechanism, phi)}};
 }
 
 Json checkpoint_json(const Checkpoint& checkpoint) {

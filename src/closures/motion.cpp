@@ -12,6 +12,7 @@
 #include "motion_record.h"
 #include "reconcile.h"
 #include "short_branches.h"
+#include "step_aside.h"
 
 namespace moivre {
 namespace {
@@ -99,6 +100,14 @@ void tell_instants(const std::vector<BranchPose>& instants, MotionResult& result
   }
 }
 
+void tell_crossings(const std::vector<double>& times, MotionResult& result) {
+  for (const double time : times) {
+    result.left_out.push_back(
+        {"the checkpoint " + at_time(time),
+         "branches cross there and closures are not all isolated: they were compared beside it"});
+  }
+}
+
 LeftOut left_unseen(const MotionOptions& options) {
   static_assert(kFiner == 16, "update the sentence below");
   if (options.checkpoints > 0) {
@@ -133,6 +142,8 @@ MotionResult find_motion_of_whole(const Mechanism& mechanism, const Tracker& tra
     tell_instants(found.instants, result);
     reconcile(run, scenes);
   }
+  const std::vector<double> crossings = step_aside(run, tracker, scenes);
+  if (!crossings.empty()) reconcile(run, scenes);
   order_tracks(run);
   for (Scene& scene : scenes) match(run, scene);
   enter_branches(run, result);
@@ -140,6 +151,7 @@ MotionResult find_motion_of_whole(const Mechanism& mechanism, const Tracker& tra
   enter_unverified(run, result);
   count_work(scenes, result);
   tell_instants(run.instants, result);
+  tell_crossings(crossings, result);
   conclude(run, result);
   tell_why_nothing_moves(scenes, result);
   result.left_out.push_back(left_unseen(options));

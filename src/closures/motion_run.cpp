@@ -13,13 +13,18 @@ namespace {
 // Of the motion's duration: events nearer than this to each other, or to a checkpoint, may be one.
 constexpr double kSameTime = 1e-7;
 
+double duration(const MotionRun& run) { return std::abs(run.times.to - run.times.from); }
+
+bool is_near(const MotionRun& run, const BranchEvent& event, double time, double doubt) {
+  return std::abs(event.time - time) <= std::max(kSameTime * duration(run), doubt);
+}
+
 /// Whether the event is at that time and pose. `uncertainty`: of `time`, beside the event's own.
 bool is_at(const MotionRun& run, const BranchEvent& event, double time, const Eigen::VectorXd& q,
            double uncertainty) {
-  const double duration = std::abs(run.times.to - run.times.from);
   const double doubt = event.uncertainty + uncertainty;
-  const double place = std::sqrt(doubt / duration);
-  return std::abs(event.time - time) <= std::max(kSameTime * duration, doubt) &&
+  const double place = std::sqrt(doubt / duration(run));
+  return is_near(run, event, time, doubt) &&
          distance(run.phi, event.q, q) <= std::max(kSamePlace, place);
 }
 
@@ -43,6 +48,10 @@ MotionRun::MotionRun(const Mechanism& the_mechanism, const MotionOptions& the_op
 
 bool is_same_event(const MotionRun& run, const BranchEvent& a, const BranchEvent& b) {
   return a.kind == b.kind && is_at(run, a, b.time, b.q, b.uncertainty);
+}
+
+bool is_event_time(const MotionRun& run, const BranchEvent& event, double time) {
+  return is_near(run, event, time, event.uncertainty);
 }
 
 bool is_event_of_a_track(const MotionRun& run, double time, const Eigen::VectorXd& q) {

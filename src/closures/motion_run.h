@@ -34,6 +34,9 @@ struct MotionRun {
 
 bool is_same_event(const MotionRun& run, const BranchEvent& a, const BranchEvent& b);
 
+/// Whether the event is at that time, as far as it is known.
+bool is_event_time(const MotionRun& run, const BranchEvent& event, double time);
+
 /// Whether a track ends, either way, at that time in the pose q.
 bool is_event_of_a_track(const MotionRun& run, double time, const Eigen::VectorXd& q);
 

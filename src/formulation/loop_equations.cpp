@@ -46,6 +46,23 @@ Cut best_cut(const JointLoop& loop, double length) {
   return best;
 }
 
+/// Dyads of two slides among those that are used of three to five elements: A B = 0 there, and they span no 3-space.
+int flat_dyads(const JointLoop& loop) {
+  const auto& e = loop.elements;
+  const auto is_flat = [&](std::size_t k) { return !e[k].is_turn && !e[k + 1].is_turn; };
+  const std::size_t last = e.size() - 2;
+  const bool has_inner = last == 3;
+  return (is_flat(last) ? 1 : 0) + (has_inner && is_flat(1) ? 1 : 0);
+}
+
+/// Begun where few dyads are flat; as it is where none is.
+JointLoop short_cut(const JointLoop& loop) {
+  const std::vector<JointLoop> ways = all_ways(loop);
+  return *std::min_element(ways.begin(), ways.end(), [](const JointLoop& a, const JointLoop& b) {
+    return flat_dyads(a) < flat_dyads(b);
+  });
+}
+
 class Equations {
  public:
   Equations(SpatialFrame& frame, JointLoop loop) : frame_(frame), loop_(std::move(loop)) {}
@@ -54,6 +71,7 @@ class Equations {
   void add_decoupled();
   void add_short();
   void add_turns_first();
+  void add_slides();
 
  private:
   const LoopElement& e(std::size_t k) const { return loop_.elements[k]; }
@@ -63,6 +81,7 @@ class Equations {
   MovingPose add_dyad(std::size_t k, bool has_quadric = true);
   void add_dyad_of(const MovingPose& pose, std::size_t k);
   void in_space(const MovingPose& pose, const DyadSpace& space);
+  void add_shift();
 
   SpatialFrame& frame_;
   JointLoop loop_;
@@ -176,6 +195,20 @@ void Equations::add_turns_first() {
     turns.elements.push_back(std::move(element));
   }
   Equations(frame_, std::move(turns)).add_short();
+  add_shift();
+}
+
+/// Slides alone turn nothing: what turns once round the loop must stand, and the slides are linear.
+void Equations::add_slides() {
+  constexpr double kTurned = 1;
+  for (std::size_t k = 1; k < loop_.whole.q.size(); ++k) {
+    frame_.add_equation("loop", without_noise(to_moving(loop_.whole).q[k], kTurned));
+  }
+  add_shift();
+}
+
+/// The loop's displacement is none, where its turn is none.
+void Equations::add_shift() {
   MovingPose rest = conjugate(whole());
   for (std::size_t k = 0; k < loop_.elements.size(); ++k) rest = rest * element(k);
   const char* const parts[] = {"x", "y", "z"};
@@ -187,14 +220,19 @@ void Equations::add_turns_first() {
 }  // namespace
 
 bool takes_plain_slides(const JointLoop& loop, double length) {
+  if (count_turns(loop) == 0) return true;
   if (loop.elements.size() < kSix) return false;
   if (count_turns(loop) == kTurnsOfSpace) return true;
   return begun_with_slide(loop) && !best_cut(loop, length).has_common_space;
 }
 
 void add_loop_equations(SpatialFrame& frame, const JointLoop& loop) {
+  if (count_turns(loop) == 0) {
+    Equations(frame, loop).add_slides();
+    return;
+  }
   if (loop.elements.size() < kSix) {
-    Equations(frame, loop).add_short();
+    Equations(frame, short_cut(loop)).add_short();
     return;
   }
   if (count_turns(loop) == kTurnsOfSpace) {

@@ -13,6 +13,7 @@
 // Where joints 4, 5, 6 are parallel or meet in a point (a spherical wrist), their product stays in one 3-space V:
 //     n_k . (E_1 D_23) = 0,  k = 1..4:  4 paths,   then   conj(E_4) v in the 3-space of 5 and 6:  2 paths each.
 // Loops of three to five joints are stated alike; they hold more equations than unknowns, unless all axes meet or are parallel.
+// Two slides are no dyad, since A B = 0. Loops of slides alone are linear.
 // Symbols: E, A, G, D dual quaternions (dual_quaternion.h); n_k, 8 numbers each, orthogonal to W.
 #pragma once
 

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 #include <stdexcept>
 
 #include "curve.h"
+#include "meeting.h"
 #include "moivre/kinematics/state.h"
 #include "moivre/mechanism/pose.h"
 #include "noise.h"
@@ -107,61 +107,6 @@ std::string rough(double x) {
   char text[32];
   std::snprintf(text, sizeof text, "%.2g", x);
   return text;
-}
-
-/// Neville's extrapolation of y(tau), through the points given, to tau = 0; tau = sigma^(1 / order).
-VectorXd at_zero(const std::vector<CurvePoint>& points, std::size_t first, int order) {
-  std::vector<VectorXd> table;
-  const auto tau = [&](std::size_t k) { return std::pow(points[k].sigma, 1.0 / order); };
-  for (std::size_t i = first; i < points.size(); ++i) {
-    table.push_back(points[i].y);
-    for (std::size_t k = table.size() - 1; k-- > 0;) {
-      const double far = tau(first + k);
-      const double near = tau(i);
-      table[k] = (far * table[k + 1] - near * table[k]) / (far - near);
-    }
-  }
-  return table.front();
-}
-
-/// Where the way points to.
-struct Meeting {
-  VectorXd y;
-  double doubt = std::numeric_limits<double>::infinity();  ///< how far off without the first point
-  int order = 1;
-};
-
-/// The last of the points that are known well enough to extrapolate from.
-std::vector<CurvePoint> well_known(const std::vector<CurvePoint>& approach, int order,
-                                   const Curve& curve) {
-  // Points are known to 1e-16 / sigma, those before this sigma to 1e-12. Eight of them, sigma halved each time, leave a
-  // product of 1e-15 as the extrapolation's error, when the largest is a tenth of what sigma's shape is like.
-  constexpr double kWellKnown = 2e-4;
-  // Where branches touch, tau falls more slowly: points nearer by, known to 1e-11, make up for it.
-  constexpr double kWellKnownTouching = 2e-5;
-  constexpr std::size_t kPoints = 8;
-  constexpr std::size_t kFewest = 4;
-  const double smallest = order == 1 ? kWellKnown : kWellKnownTouching;
-  std::vector<CurvePoint> points = approach;
-  while (points.size() > kFewest && points.back().sigma < smallest) points.pop_back();
-  if (points.size() > kPoints) points.erase(points.begin(), points.end() - kPoints);
-  for (CurvePoint& point : points) point.sigma = curve.sigma(point.y);
-  return points;
-}
-
-/// sigma falls like the distance where branches cross, like its square where they touch, and so on: the order whose
-/// extrapolation depends least on the first point. A higher one has to be clearly better: it fits the lower ones' way too.
-Meeting meeting_of(const std::vector<CurvePoint>& approach, const Curve& curve) {
-  constexpr int kHighestOrder = 4;
-  constexpr double kClearly = 0.1;
-  Meeting best{at_zero(well_known(approach, 1, curve), 0, 1)};
-  for (int order = 1; order <= kHighestOrder && approach.size() > 1; ++order) {
-    const std::vector<CurvePoint> points = well_known(approach, order, curve);
-    const VectorXd y = at_zero(points, 0, order);
-    const double doubt = (y - at_zero(points, 1, order)).norm();
-    if (y.allFinite() && doubt < kClearly * best.doubt) best = {y, doubt, order};
-  }
-  return best;
 }
 
 class Follower {

@@ -170,24 +170,31 @@ double angle_unit(const Mechanism& mechanism) {
   return mechanism.units.angle == "deg" ? kDegree : 1;
 }
 
-Mechanism read_mechanism(const Source& source) {
-  refuse_deep_keys(source);
-  Reading reading(source);
-  toml::table document;
+toml::table parse_toml(const Reading& reading) {
+  refuse_deep_keys(reading.source());
   try {
-    document = toml::parse(source.text, source.name);
+    return toml::parse(reading.source().text, reading.source().name);
   } catch (const toml::parse_error& error) {
     throw_toml_fault(reading, error);
   }
+}
+
+void throw_faults(Reading& reading) {
+  std::vector<Diagnostic>& faults = reading.faults();
+  if (faults.empty()) return;
+  std::stable_sort(faults.begin(), faults.end(), [](const Diagnostic& a, const Diagnostic& b) {
+    return a.at.offset < b.at.offset;
+  });
+  throw ParseError(reading.source(), faults);
+}
+
+Mechanism read_mechanism(const Source& source) {
+  Reading reading(source);
+  const toml::table document = parse_toml(reading);
   Mechanism mechanism;
   read_header(reading, document, mechanism);
   read_sections(reading, document, mechanism);
-  if (!reading.faults().empty()) {
-    std::stable_sort(
-        reading.faults().begin(), reading.faults().end(),
-        [](const Diagnostic& a, const Diagnostic& b) { return a.at.offset < b.at.offset; });
-    throw ParseError(source, reading.faults());
-  }
+  throw_faults(reading);
   return mechanism;
 }
 

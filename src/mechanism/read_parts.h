@@ -7,6 +7,11 @@
 
 namespace moivre {
 
+/// Throws ParseError where the text is no TOML.
+toml::table parse_toml(const Reading& reading);
+/// Throws ParseError with all faults, if there are any.
+void throw_faults(Reading& reading);
+
 /// What one unit of an angle in the file is in radians.
 double angle_unit(const Mechanism& mechanism);
 

@@ -20,7 +20,7 @@ void tie_links(XmlReading& reading, const std::vector<pugi::xml_node>& joints, R
       reading.fault(joints[k].child("child").attribute("link"),
                     "link '" + child.name + "' is the child of joint '" +
                         robot.joints[*child.joint].name +
-                        "' already; a URDF is a tree, loops go into a mechanism file (.toml)");
+                        "' already; a URDF is a tree, loops go into a side file (--loops)");
     } else {
       child.joint = k;
     }

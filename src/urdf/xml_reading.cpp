@@ -7,6 +7,7 @@
 #include <map>
 
 #include "decimal.h"
+#include "moivre/expression/utf8.h"
 #include "moivre/expression/words.h"
 #include "moivre/mechanism/nearest.h"
 
@@ -59,6 +60,11 @@ XmlReading::XmlReading(const Source& source)
   const std::size_t zero = source.text.find('\0');
   if (zero != std::string::npos) {
     throw ParseError(source, {{position(zero), "a zero byte stands here; a URDF is UTF-8 text"}});
+  }
+  const std::size_t stranger = first_no_utf8(source.text);
+  if (stranger != std::string::npos) {
+    throw ParseError(source, {{position(stranger),
+                               "a byte that is no UTF-8 stands here; save the file as UTF-8"}});
   }
   const auto parsed =
       document_.load_buffer_inplace(parsed_.data(), parsed_.size(),

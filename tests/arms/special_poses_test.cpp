@@ -53,6 +53,45 @@ TEST(SpecialPosesTest, AStraightWristMoves) {
   const double missed =
       (forward_kinematics(arm, further).matrix() - result.pose.matrix()).cwiseAbs().maxCoeff();
   EXPECT_LT(missed, 1e-7);
+  // The tip cannot turn across the plane of the wrist's two axes that are not one.
+  const std::vector<Eigen::Isometry3d> frames = joint_frames(arm, result.moves->values);
+  const Eigen::Vector3d four = frames[3].linear() * arm.joints[3].axis;
+  const Eigen::Vector3d five = frames[4].linear() * arm.joints[4].axis;
+  const Twist& lost = result.moves->lost;
+  EXPECT_LT(std::abs(lost.rotation.dot(four)), 1e-9);
+  EXPECT_LT(std::abs(lost.rotation.dot(five)), 1e-9);
+  EXPECT_GT(lost.rotation.norm(), 0.01);
+}
+
+TEST(SpecialPosesTest, NearASingularPostureTheWeakestMotionIsTold) {
+  const Arm arm = make_arm(robot_of("puma560"), {});
+  Eigen::VectorXd own(6);
+  own << 0.3, 0.4, 0.5, 0.2, 1e-4, 0.1;
+  const ArmResult result =
+      find_arm_closures(arm, forward_kinematics(arm, own), lanes(), one_thread());
+  EXPECT_TRUE(result.complete);
+  std::size_t near = 0;
+  for (const ArmClosure& closure : result.closures) {
+    EXPECT_NEAR(closure.weakest.joints.norm(), 1, 1e-12);
+    // What the joints do at these velocities is the tip's weakest motion, as much slower as the singular value says.
+    const double dt = 1e-6;
+    const Eigen::Isometry3d before =
+        forward_kinematics(arm, closure.values - dt * closure.weakest.joints);
+    const Eigen::Isometry3d after =
+        forward_kinematics(arm, closure.values + dt * closure.weakest.joints);
+    const double sigma = closure.smallest_singular_value;
+    const Eigen::Vector3d moved = (after.translation() - before.translation()) / (2 * dt);
+    EXPECT_LT((moved - sigma * closure.weakest.tip.translation).norm(), 1e-8);
+    const Eigen::AngleAxisd turned(after.linear() * before.linear().transpose());
+    EXPECT_LT(
+        (turned.angle() / (2 * dt) * turned.axis() - sigma * closure.weakest.tip.rotation).norm(),
+        1e-8);
+    if (sigma > 1e-3) continue;
+    ++near;
+    EXPECT_NEAR(std::abs(closure.weakest.joints[3]), std::sqrt(0.5), 1e-3);
+    EXPECT_NEAR(closure.weakest.joints[3] + closure.weakest.joints[5], 0, 1e-3);
+  }
+  EXPECT_EQ(near, 2U);
 }
 
 TEST(SpecialPosesTest, AStretchedArmIsFoundThoughItsClosuresMeet) {

@@ -94,6 +94,59 @@ TEST_F(RobotCommands, OptionsOfRobotsAreRefusedForMechanisms) {
                  {"are for robots"});
 }
 
+TEST_F(RobotCommands, ASideFileClosesTheLoopsOfARobot) {
+  const auto counts_of = [&](const std::vector<std::string>& words) {
+    std::vector<std::string> all{"closures", "--json", "-"};
+    all.insert(all.end(), words.begin(), words.end());
+    const Outcome outcome = scene.run(all);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return Json::parse(outcome.out);
+  };
+  const std::string arm = kRobots + "palletizer.urdf";
+  const std::string arm_loops = kRobots + "palletizer.loops.toml";
+  // Each parallelogram closes as such and crossed.
+  EXPECT_EQ(counts_of({arm, "--loops", arm_loops}).at("counts").at("real"), 8);
+  const std::string delta = kRobots + "delta.urdf";
+  // Three spheres meet in two points.
+  EXPECT_EQ(counts_of({delta, "--loops", kRobots + "delta.loops.toml"}).at("counts").at("complex"),
+            2);
+  std::string rods = scene.read(kRobots + "delta.loops.toml");
+  rods.resize(rods.find("[[driver]]"));
+  scene.write("rods.toml", rods);
+  // Where the platform is given, each arm has two postures, whether its slides are held or its pose.
+  const Json held = counts_of(
+      {delta, "--loops", "rods.toml", "--hold", "x=0.05", "--hold", "y=0.03", "--hold", "z=-0.45"});
+  EXPECT_EQ(held.at("counts").at("real"), 8);
+  const Json posed = counts_of(
+      {delta, "--loops", "rods.toml", "--tip", "platform", "--pose", "0.05 0.03 -0.45 1 0 0 0"});
+  EXPECT_EQ(posed.at("counts").at("real"), 8);
+}
+
+TEST_F(RobotCommands, ARobotWithLoopsBecomesAMechanismThatTheOthersTake) {
+  const Outcome typed = scene.run({"mechanism", kRobots + "palletizer.urdf", "--loops",
+                                   kRobots + "palletizer.loops.toml", "-o", "arm.toml"});
+  EXPECT_EQ(typed.exit_code, 0) << typed.err;
+  const Outcome motion = scene.run({"motion", "arm.toml", "--to", "1", "--json", "-"});
+  EXPECT_EQ(motion.exit_code, 0) << motion.err;
+  EXPECT_EQ(Json::parse(motion.out).at("branches").size(), 8U);
+}
+
+TEST_F(RobotCommands, EveryFaultOfASideFileIsNamed) {
+  const std::string delta = kRobots + "delta.urdf";
+  const std::string loops = kRobots + "delta.loops.toml";
+  scene.write("side.toml",
+              "[[joint]]\ntype = \"rod\"\nlength = 1\nat = [\"arm1.x\", \"arm4.y\"]\n");
+  expect_refusal({"closures", delta, "--loops", "side.toml"},
+                 {"side.toml:4:7: error", "no point 'x'", "no body 'arm4'"});
+  expect_refusal({"mechanism", delta, "--loops", "side.toml"}, {"side.toml:4:7: error"});
+  expect_refusal({"closures", delta, "--loops", loops, "--base", "arm1", "--poses", "p.csv",
+                  "--tip", "platform"},
+                 {"the root, base", "--poses is for arms without loops", "--tip needs --pose"});
+  expect_refusal({"closures", delta, "--loops", loops, "--hold", "motr1=1"},
+                 {"did you mean 'motor1'"});
+  expect_refusal({"mechanism", delta, "--loops", "side.toml", "-o", "side.toml"}, {"overwrite"});
+}
+
 TEST_F(RobotCommands, ARobotBecomesAMechanismThatTheOthersTake) {
   for (const std::string name : {"ur5", "panda", "kinova_j2s6s200", "puma560"}) {
     SCOPED_TRACE(name);

@@ -205,6 +205,72 @@ TEST(SpatialClosures, AnArmWithoutAToolPoseMoves) {
   EXPECT_EQ(result.moves->dimension, 6U);
 }
 
+/// A chain of turns (R) and slides (P), each along another axis, whose last body is welded where the joints put it at these values.
+Mechanism held_chain(const std::string& kinds, const std::vector<double>& values) {
+  const char* const axes[] = {"[1, 0, 0]", "[0, 1, 0]", "[0, 0, 1]", "[0.6, 0, 0.8]",
+                              "[0, 0.6, 0.8]"};
+  std::string points = "[ground.points]\nO = [0, 0, 0]\nT = [0, 0, 0]\n";
+  std::string joints;
+  for (std::size_t k = 0; k < kinds.size(); ++k) {
+    const std::string before = k == 0 ? "ground.O" : "b" + std::to_string(k - 1) + ".B";
+    points += "[body.b" + std::to_string(k) + ".points]\nA = [0, 0, 0]\nB = [1, 0.5, 0.25]\n";
+    joints += std::string("[[joint]]\ntype = \"") + (kinds[k] == 'R' ? "revolute" : "prismatic") +
+              "\"\nat = [\"" + before + "\", \"b" + std::to_string(k) + ".A\"]\naxis = " + axes[k] +
+              "\n";
+  }
+  const std::string last = "b" + std::to_string(kinds.size() - 1);
+  Mechanism chain = mechanism_text("space = \"spatial\"\n" + points + joints +
+                                   "[[joint]]\ntype = \"weld\"\nat = [\"ground.T\", \"" + last +
+                                   ".B\"]\naxis = [0, 0, 1]\n");
+  Isometry3d at = Isometry3d::Identity();
+  for (std::size_t k = 0; k < kinds.size(); ++k) {
+    const Joint& joint = chain.joints[k];
+    at.translate(chain.bodies[joint.at[0].body].points[joint.at[0].point].at);
+    if (kinds[k] == 'R') {
+      at.rotate(Eigen::AngleAxisd(values[k], joint.axis[0]));
+    } else {
+      at.translate(values[k] * joint.axis[0]);
+    }
+  }
+  const Eigen::AngleAxisd turn(at.linear());
+  Joint& weld = chain.joints.back();
+  const PointOf& tip = weld.at[1];
+  chain.bodies[0].points[1].at = at * chain.bodies[tip.body].points[tip.point].at;
+  weld.axis = {turn.axis(), turn.axis()};
+  weld.turn_rad = turn.angle();
+  return chain;
+}
+
+TEST(SpatialClosures, SlidesInARowHideNoClosure) {
+  const std::vector<double> values{0.3, -0.7, 0.4, 0.9, -0.5};
+  for (const std::string kinds :
+       {"PPP", "RPP", "PPR", "PRP", "PPRR", "RPPR", "RRPP", "PPRP", "RPPRR"}) {
+    SCOPED_TRACE(kinds);
+    const Mechanism chain = held_chain(kinds, values);
+    const ClosureResult result = closures_of(chain);
+    EXPECT_TRUE(result.complete) << result.message;
+    ASSERT_FALSE(result.closures.empty());
+    double nearest = 1;
+    for (const Closure& closure : result.closures) {
+      double farthest = 0;
+      for (std::size_t k = 0; k < kinds.size(); ++k) {
+        const double value = joint_coordinate(chain, chain.joints[k], closure.q).value();
+        farthest = std::max(farthest, std::abs(value - values[k]));
+      }
+      nearest = std::min(nearest, farthest);
+    }
+    EXPECT_LT(nearest, 1e-9);
+  }
+}
+
+TEST(SpatialClosures, SlidesDoNotTurnWhatTheyHold) {
+  Mechanism chain = held_chain("PPP", {0.3, -0.7, 0.4});
+  chain.joints.back().turn_rad = 0.1;
+  const ClosureResult result = closures_of(chain);
+  EXPECT_TRUE(result.complete) << result.message;
+  EXPECT_EQ(result.counts.complex, 0U);
+}
+
 TEST(SpatialClosures, OutOfReachCannotBeAssembled) {
   Mechanism arm = mechanism_file("puma-560");
   arm.bodies[0].points[1].at = {5, 0, 0};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What must hold for any bytes that the URDF reader is given? A robot that is a tree and a mechanism, or faults in the text.
+// What must hold for any bytes that the URDF reader is given, or that are a robot's side file? A robot that is a tree and a mechanism,
+// or faults in the text.
 //
 // Shared by the fuzz target and by the test that changes bytes at random.
 #pragma once
@@ -13,6 +14,21 @@
 #include "moivre/urdf/read.h"
 
 namespace moivre {
+
+/// The law that faults break, if any: each has words, and a place in the text.
+inline std::optional<std::string> broken_fault_law(const ParseError& error,
+                                                   const std::string& bytes) {
+  if (error.diagnostics().empty()) return "a ParseError without a fault";
+  for (const Diagnostic& fault : error.diagnostics()) {
+    if (fault.at.offset > bytes.size() || fault.message.empty()) {
+      return "a fault outside the text";
+    }
+    if (after({}, std::string_view(bytes).substr(0, fault.at.offset)) != fault.at) {
+      return "a fault whose line and column are not those of its offset: " + fault.message;
+    }
+  }
+  return std::nullopt;
+}
 
 /// The law that a robot breaks, if any.
 inline std::optional<std::string> broken_robot_law(const Robot& robot) {
@@ -40,15 +56,25 @@ inline std::optional<std::string> broken_urdf_law(const std::string& bytes) {
   try {
     return broken_robot_law(read_urdf({"fuzz", bytes}));
   } catch (const ParseError& error) {
-    if (error.diagnostics().empty()) return "a ParseError without a fault";
-    for (const Diagnostic& fault : error.diagnostics()) {
-      if (fault.at.offset > bytes.size() || fault.message.empty()) {
-        return "a fault outside the text";
-      }
-      if (after({}, std::string_view(bytes).substr(0, fault.at.offset)) != fault.at) {
-        return "a fault whose line and column are not those of its offset: " + fault.message;
-      }
-    }
+    return broken_fault_law(error, bytes);
+  }
+}
+
+/// The law that the bytes break as a side file of the robot, if any.
+inline std::optional<std::string> broken_side_file_law(const Robot& robot,
+                                                       const std::string& bytes) {
+  RobotChanges changes;
+  changes.loops = Source{"fuzz", bytes};
+  std::string text;
+  try {
+    text = mechanism_text(robot, "robot", changes);
+  } catch (const ParseError& error) {
+    return broken_fault_law(error, bytes);
+  }
+  try {
+    read_mechanism({"mechanism", text});
+  } catch (const ParseError& error) {
+    return std::string("a side file is taken whose mechanism is refused: ") + error.what();
   }
   return std::nullopt;
 }

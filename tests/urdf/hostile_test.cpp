@@ -85,24 +85,53 @@ TEST(HostileUrdfTest, AZeroByteIsRefused) {
             std::string::npos);
 }
 
+TEST(HostileUrdfTest, BytesThatAreNoUtf8AreRefusedAtTheirPlace) {
+  const std::string text = "<robot name='r'>\n<link name='K\xF6rper'/></robot>";  // Latin-1
+  EXPECT_NE(refusal_of(text).find("no UTF-8"), std::string::npos);
+  EXPECT_EQ(refusal_of("<robot name='K\xC3\xB6rper'><link name='a'/></robot>"), "");
+  try {
+    read_urdf({"latin.urdf", text});
+  } catch (const ParseError& error) {
+    EXPECT_EQ(error.diagnostics().front().at.line, 2U);
+    EXPECT_EQ(error.diagnostics().front().at.column, 14U);
+  }
+}
+
+/// The text with a few bytes changed or left out.
+std::string disturbed(std::string text, std::uint64_t trial) {
+  const std::uint64_t changes = 1 + random_bits(1, RandomStream::test, trial) % 4;
+  for (std::uint64_t k = 0; k < changes; ++k) {
+    const std::uint64_t bits = random_bits(2, RandomStream::test, trial * 4 + k);
+    const std::size_t at = (bits >> 16U) % text.size();
+    if ((bits & 1U) != 0) {
+      text[at] = static_cast<char>(bits >> 8U);
+    } else {
+      text.erase(at, 1 + (bits >> 8U) % 20);
+    }
+  }
+  return text;
+}
+
 TEST(HostileUrdfTest, BytesChangedAtRandomBreakNoLaw) {
   constexpr std::uint64_t kTexts = 4'000;
   const std::string whole =
       read_source(MOIVRE_SOURCE_DIR "/problems/robots/panda.urdf").text.substr(0, 1'500) +
       "</joint></robot>";
   for (std::uint64_t trial = 0; trial < kTexts; ++trial) {
-    std::string text = whole;
-    const std::uint64_t changes = 1 + random_bits(1, RandomStream::test, trial) % 4;
-    for (std::uint64_t k = 0; k < changes; ++k) {
-      const std::uint64_t bits = random_bits(2, RandomStream::test, trial * 4 + k);
-      const std::size_t at = (bits >> 16U) % text.size();
-      if ((bits & 1U) != 0) {
-        text[at] = static_cast<char>(bits >> 8U);
-      } else {
-        text.erase(at, 1 + (bits >> 8U) % 20);
-      }
-    }
+    const std::string text = disturbed(whole, trial);
     const auto broken = broken_urdf_law(text);
+    ASSERT_FALSE(broken) << *broken << "\n" << text;
+  }
+}
+
+TEST(HostileUrdfTest, BytesChangedAtRandomInASideFileBreakNoLaw) {
+  constexpr std::uint64_t kTexts = 1'000;
+  const std::string robots = MOIVRE_SOURCE_DIR "/problems/robots/";
+  const Robot robot = read_urdf(read_source(robots + "delta.urdf"));
+  const std::string whole = read_source(robots + "delta.loops.toml").text;
+  for (std::uint64_t trial = 0; trial < kTexts; ++trial) {
+    const std::string text = disturbed(whole, trial);
+    const auto broken = broken_side_file_law(robot, text);
     ASSERT_FALSE(broken) << *broken << "\n" << text;
   }
 }

@@ -19,6 +19,7 @@
 
 #include "moivre/arms/dual_quaternion.h"
 #include "moivre/numeric/integer.h"
+#include "moivre/urdf/choice.h"
 #include "moivre/urdf/robot.h"
 
 namespace moivre {
@@ -35,11 +36,6 @@ struct ArmJoint {
   /// J_i = c + s step, up to a factor: s/c = tan(x_i/2) / exact_length of a turn, 1 / exact_length of a slide.
   ExactDisplacement step{};
   double exact_length = 1;  ///< of the axis as typed
-};
-
-struct HeldJoint {
-  std::string name;
-  double value = 0;
 };
 
 struct Arm {

@@ -26,6 +26,20 @@ namespace moivre {
 /// By how much forward kinematics of a closure may miss the pose: radians, and lengths relative to the arm's.
 inline constexpr double kReach = 1e-10;
 
+/// The tip's velocity in the base's frame.
+struct Twist {
+  Eigen::Vector3d translation =
+      Eigen::Vector3d::Zero();                         ///< of the tip's origin, in the file's unit
+  Eigen::Vector3d rotation = Eigen::Vector3d::Zero();  ///< radians
+};
+
+/// What is lost at a singular closure, and hard to move near one: by the singular vectors of the smallest singular value.
+struct WeakestMotion {
+  Eigen::VectorXd
+      joints;  ///< unit: these joint velocities move the tip least; in radians and the file's unit
+  Twist tip;   ///< unit: this motion of the tip takes the fastest joints
+};
+
 /// One way to hold the pose.
 struct ArmClosure {
   std::string id;  ///< A, B, ... by values: the same for every seed, tracker and thread count
@@ -36,6 +50,7 @@ struct ArmClosure {
   double residual = 0;  ///< by how much it misses the pose: radians, and lengths beside the arm's
   int newton_iterations = 0;
   double smallest_singular_value = 0;  ///< of the Jacobian, lengths beside the arm's
+  WeakestMotion weakest;               ///< likewise
   std::uint64_t path = 0;
   std::uint64_t multiplicity = 1;
   bool singular = false;
@@ -59,6 +74,7 @@ struct ArmCounts {
 struct ArmMoves {
   Eigen::VectorXd values;   ///< of one closure
   Eigen::VectorXd tangent;  ///< unit: how its joints may move
+  Twist lost;               ///< unit: how the tip cannot move from there
 };
 
 struct ArmResult {

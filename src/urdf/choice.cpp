@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// Names looked up, with the names that were to choose from.
+#include "moivre/urdf/choice.h"
+
+#include <algorithm>
+
+#include "moivre/expression/joined.h"
+#include "moivre/mechanism/nearest.h"
+
+namespace moivre {
+namespace {
+
+/// A message names at most so many links or joints.
+constexpr std::size_t kMostNamed = 20;
+
+template <class List>
+std::vector<std::string> names_of(const List& list) {
+  std::vector<std::string> names;
+  for (const auto& element : list) names.push_back(element.name);
+  return names;
+}
+
+}  // namespace
+
+std::string listed_names(std::vector<std::string> names) {
+  const bool are_many = names.size() > kMostNamed;
+  names.resize(std::min(names.size(), kMostNamed));
+  return joined(names, ", ") + (are_many ? ", ..." : "");
+}
+
+std::size_t find_link(const Robot& robot, const std::optional<std::string>& name,
+                      std::size_t otherwise, std::vector<std::string>& faults) {
+  if (!name) return otherwise;
+  if (const auto link = link_named(robot, *name)) return *link;
+  faults.push_back("there is no link '" + *name + "'" + suggestion(*name, names_of(robot.links)));
+  return otherwise;
+}
+
+std::size_t find_tip(const Robot& robot, const std::optional<std::string>& name,
+                     std::vector<std::string>& faults) {
+  const std::vector<std::size_t> ends = leaves(robot);
+  if (!name && ends.size() > 1) {
+    std::vector<std::string> names;
+    for (const std::size_t link : ends) names.push_back(robot.links[link].name);
+    faults.push_back("the robot ends in " + std::to_string(ends.size()) +
+                     " links, choose one by --tip: " + listed_names(std::move(names)));
+  }
+  return find_link(robot, name, ends.front(), faults);
+}
+
+void check_held(const Robot& robot, const std::vector<HeldJoint>& held,
+                std::vector<std::string>& faults) {
+  for (std::size_t k = 0; k < held.size(); ++k) {
+    const std::string& name = held[k].name;
+    const auto joint = joint_named(robot, name);
+    if (!joint) {
+      faults.push_back("--hold: there is no joint '" + name + "'" +
+                       suggestion(name, names_of(robot.joints)));
+    } else if (!is_moving(robot.joints[*joint])) {
+      faults.push_back("--hold: joint '" + name + "' is fixed");
+    }
+    if (!is_workable(held[k].value))
+      faults.push_back("--hold " + name + ": the value is too large");
+    for (std::size_t j = 0; j < k; ++j) {
+      if (held[j].name == name) faults.push_back("--hold: joint '" + name + "' is held twice");
+    }
+  }
+}
+
+std::optional<double> held_value(const Robot& robot, std::size_t joint,
+                                 const std::vector<HeldJoint>& held) {
+  for (const HeldJoint& one : held) {
+    if (one.name == robot.joints[joint].name) return one.value;
+  }
+  const auto& mimic = robot.joints[joint].mimic;
+  if (!mimic) return std::nullopt;
+  if (mimic->multiplier == 0) return mimic->offset;
+  const auto leader = held_value(robot, mimic->leader, held);
+  if (!leader) return std::nullopt;
+  return mimic->multiplier * *leader + mimic->offset;
+}
+
+}  // namespace moivre

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+// Do branches of spatial mechanisms keep to themselves, through singular poses and past them, and are these told as what they are?
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "mechanisms.h"
+#include "moivre/closures/motion.h"
+#include "moivre/mechanism/pose.h"
+#include "moivre/numeric/svd.h"
+
+namespace moivre {
+namespace {
+
+using Eigen::VectorXd;
+
+constexpr double kPi = std::numbers::pi;
+
+MotionResult motion_of(const Mechanism& mechanism, int steps, int checkpoints) {
+  MotionOptions options;
+  options.to = natural_duration(mechanism);
+  options.steps = steps;
+  options.checkpoints = checkpoints;
+  options.solve.threads = 1;
+  return find_motion(mechanism, *make_cvode_tracker(), options);
+}
+
+double gap(const Mechanism& mechanism, const VectorXd& a, const VectorXd& b) {
+  return Phi(mechanism).canonical(a - b).lpNorm<Eigen::Infinity>();
+}
+
+/// Value of the joint of that name.
+double joint_value(const Mechanism& mechanism, const std::string& name, const VectorXd& q) {
+  const auto joint = std::find_if(mechanism.joints.begin(), mechanism.joints.end(),
+                                  [&](const Joint& other) { return other.name == name; });
+  return joint_coordinate(mechanism, *joint, q).value();
+}
+
+void expect_whole(const MotionResult& result) {
+  EXPECT_TRUE(result.complete) << result.message;
+  for (const std::string& failure : result.failures) ADD_FAILURE() << failure;
+  for (const Checkpoint& checkpoint : result.checkpoints) {
+    EXPECT_TRUE(checkpoint.agrees) << checkpoint.time << ": " << checkpoint.message;
+  }
+}
+
+/// Every sample is a closure that is solved afresh, by another seed, and every closure is on one branch.
+void expect_closures_afresh(const Mechanism& mechanism, const MotionResult& result,
+                            double left_out) {
+  for (const double time : result.times) {
+    if (std::abs(time - left_out) < 1e-9) continue;
+    const ClosureResult afresh = closures_of(mechanism, 5, time);
+    ASSERT_TRUE(afresh.complete) << time << ": " << afresh.message;
+    std::size_t present = 0;
+    for (const MotionBranch& branch : result.branches) {
+      for (const BranchSample& sample : branch.samples) {
+        if (sample.time != time) continue;
+        ++present;
+        double least = 1;
+        for (const Closure& closure : afresh.closures) {
+          least = std::min(least, gap(mechanism, sample.q, closure.q));
+        }
+        EXPECT_LE(least, 1e-8) << "branch " << branch.id << ", t = " << time;
+      }
+    }
+    EXPECT_EQ(present, afresh.closures.size()) << "t = " << time;
+  }
+}
+
+const MotionBranch& branch_called(const MotionResult& result, const std::string& id) {
+  return *std::find_if(result.branches.begin(), result.branches.end(),
+                       [&](const MotionBranch& branch) { return branch.id == id; });
+}
+
+/// The largest difference of a joint between neighbouring samples, and of the same from one difference to the next.
+std::pair<double, double> jumps(const Mechanism& mechanism, const std::string& joint,
+                                const std::vector<BranchSample>& samples) {
+  double jump = 0, bend = 0, before = 0;
+  for (std::size_t k = 1; k < samples.size(); ++k) {
+    const double change = std::remainder(joint_value(mechanism, joint, samples[k].q) -
+                                             joint_value(mechanism, joint, samples[k - 1].q),
+                                         2 * kPi);
+    if (k > 1) bend = std::max(bend, std::abs(change - before));
+    jump = std::max(jump, std::abs(change));
+    before = change;
+  }
+  return {jump, bend};
+}
+
+TEST(SpatialMotion, APumaGoesThroughItsStraightWristOnTwoBranchesThatAreNotExchanged) {
+  const Mechanism m = mechanism_file("puma-line");
+  const MotionResult result =
+      motion_of(m, 10, 4);  // a sample and a checkpoint are at the straight wrist
+  expect_whole(result);
+  EXPECT_EQ(result.branches.size(), 10U);
+  ASSERT_EQ(result.events.size(), 2U);
+  for (const MotionEvent& event : result.events) {
+    EXPECT_EQ(event.at.kind, EventKind::bifurcation);
+    EXPECT_NEAR(event.drivers[0], 0, 1e-10);
+    ASSERT_EQ(event.ending.size(), 1U);
+    ASSERT_EQ(event.beginning.size(), 1U);
+    const MotionBranch& before = branch_called(result, event.ending[0]);
+    const MotionBranch& after = branch_called(result, event.beginning[0]);
+    EXPECT_NEAR(before.ends, 0.5, 1e-9);
+    EXPECT_NEAR(after.begins, 0.5, 1e-9);
+    EXPECT_LT(gap(m, before.end_pose, after.begin_pose), 1e-6);
+    // Both wrist angles go on as they came, J5 through 0.
+    std::vector<BranchSample> samples = before.samples;
+    samples.insert(samples.end(), after.samples.begin(), after.samples.end());
+    const double first = joint_value(m, "J5", samples.front().q);
+    const double last = joint_value(m, "J5", samples.back().q);
+    EXPECT_LT(first * last, 0);
+    for (const char* joint : {"J4", "J5", "J6"}) {
+      const auto [jump, bend] = jumps(m, joint, samples);
+      EXPECT_LT(jump, 0.2) << joint;
+      EXPECT_LT(bend, 0.05) << joint;
+    }
+  }
+  expect_closures_afresh(m, result, 0.5);
+}
+
+TEST(SpatialMotion, APumaThatMissesItsStraightWristTurnsItAtOnceAndKeepsItsBranches) {
+  for (const double miss : {1e-2, 1e-7}) {
+    SCOPED_TRACE(miss);
+    Mechanism m = mechanism_file("puma-line");
+    const Joint& line = *std::find_if(m.joints.begin(), m.joints.end(),
+                                      [](const Joint& joint) { return joint.name == "line"; });
+    m.bodies[0].points[line.at[0].point].at += miss * Eigen::Vector3d(0.8, -0.36, -0.48);
+    const MotionResult result = motion_of(m, 5, 4);
+    expect_whole(result);
+    ASSERT_EQ(result.branches.size(), 8U);
+    EXPECT_TRUE(result.events.empty());
+    int turned = 0;
+    for (const MotionBranch& branch : result.branches) {
+      const auto five = [&](const BranchSample& sample) { return joint_value(m, "J5", sample.q); };
+      EXPECT_GT(five(branch.samples.front()) * five(branch.samples.back()), 0) << branch.id;
+      const double four =
+          std::abs(std::remainder(joint_value(m, "J4", branch.samples.back().q) -
+                                      joint_value(m, "J4", branch.samples.front().q),
+                                  2 * kPi));
+      turned += four > 2 ? 1 : 0;
+    }
+    EXPECT_EQ(turned, miss < 1e-3 ? 2 : 0);
+    expect_closures_afresh(m, result, -1);
+  }
+}
+
+TEST(SpatialMotion, APlatformHasDeadPointsWhereALegComesToItsSingularPoses) {
+  Mechanism m = mechanism_file("3-rps");
+  m.drivers[0].law = Parabola{1.5, 1.2, 0};
+  m.drivers[1].law = Parabola{1.7, 0, 0};
+  m.drivers[2].law = Parabola{1.4, 0, 0};
+  const MotionResult result = motion_of(m, 10, 2);
+  expect_whole(result);
+  ASSERT_FALSE(result.events.empty());
+  const Phi phi(m);
+  for (const MotionEvent& event : result.events) {
+    EXPECT_EQ(event.at.kind, EventKind::dead_point) << event.at.time;
+    // Branches meet in pairs, and the platform can move though the legs stand.
+    EXPECT_EQ((event.ending.size() + event.beginning.size()) % 2, 0U);
+    const VectorXd sigma = singular_values(phi.jacobian(event.at.q, event.at.time));
+    EXPECT_LT(sigma[sigma.size() - 1], 1e-6);
+    EXPECT_GT(sigma[sigma.size() - 2], 1e-4);
+  }
+  expect_closures_afresh(m, result, -1);
+}
+
+TEST(SpatialMotion, BennettsLinkageGoesAllTheWayRoundAndComesBackToItself) {
+  const Mechanism m = mechanism_file("bennett");
+  const MotionResult result = motion_of(m, 72, 4);
+  expect_whole(result);
+  ASSERT_EQ(result.branches.size(), 1U);
+  EXPECT_TRUE(result.events.empty());
+  const MotionBranch& branch = result.branches[0];
+  ASSERT_EQ(branch.samples.size(), 73U);
+  EXPECT_LT(gap(m, branch.samples.front().q, branch.samples.back().q), 1e-9);
+  // Its closed form: the product of the tangents of two neighbouring half angles never changes.
+  const auto half = [&](const char* joint, const BranchSample& sample) {
+    return joint_value(m, joint, sample.q) / 2;
+  };
+  const BranchSample& first = branch.samples.front();
+  const double product = std::tan(half("J1", first)) * std::tan(half("J2", first));
+  for (const BranchSample& sample : branch.samples) {
+    const double a = half("J1", sample), b = half("J2", sample);
+    EXPECT_NEAR(std::sin(a) * std::sin(b), product * std::cos(a) * std::cos(b), 1e-9);
+  }
+}
+
+}  // namespace
+}  // namespace moivre
