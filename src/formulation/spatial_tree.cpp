@@ -107,7 +107,11 @@ void Tree::close(const Tie& tie) {
   }
   Polynomial length = rod_equation(tie, relative(tie.i, tie.j));
   const auto [first, is_new] = first_rod_.emplace(std::minmax(tie.i, tie.j), length);
-  if (!is_new) length = length - first->second;
+  if (!is_new) {
+    // A rod beside and parallel to the first says the same again: only rounding is left of the difference.
+    const double size = largest_coefficient(first->second);
+    length = without_noise(length - first->second, size);
+  }
   frame_.add_equation(tie.name + ": length", std::move(length));
 }
 

@@ -55,7 +55,9 @@ INSTANTIATE_TEST_SUITE_P(
         SpatialCount{"puma-560", 8, 8, 24, 3}, SpatialCount{"ur5", 8, 8, 16, 3},
         SpatialCount{"dietmaier", 40, 40, 84, 2}, SpatialCount{"planar-platform", 40, 12, 84, 1},
         SpatialCount{"platform-6-4", 32, 4, 84, 1}, SpatialCount{"platform-6-3", 16, 6, 84, 1},
-        SpatialCount{"octahedral-3-3", 16, 4, 84, 1}),
+        SpatialCount{"octahedral-3-3", 16, 4, 84, 1}, SpatialCount{"7r-loop", 16, 6, 24, 3},
+        SpatialCount{"delta", 40, 12, 84, 1}, SpatialCount{"delta-reduced", 2, 2, 2, 5},
+        SpatialCount{"delta-inverse", 8, 8, 6, 5}),
     [](const auto& tested) {
       std::string name = tested.param.file;
       std::replace(name.begin(), name.end(), '-', '_');
@@ -177,6 +179,68 @@ TEST(SpatialClosures, BennettsLinkageDoesNotCloseWithOtherLengths) {
   const ClosureResult result = closures_of(disturbed(mechanism_file("bennett"), 1e-2));
   EXPECT_TRUE(result.complete) << result.message;
   EXPECT_EQ(result.counts.complex, 0U);
+}
+
+TEST(SpatialClosures, BricardsLinkageMovesInOneDirection) {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    const ClosureResult result = closures_of(mechanism_file("bricard"), seed);
+    EXPECT_TRUE(result.complete) << result.message;
+    ASSERT_TRUE(result.moves) << "seed " << seed;
+    EXPECT_EQ(result.moves->dimension, 1U);
+  }
+}
+
+/// Bricard's linkage with its first hinge at an angle.
+Mechanism driven_bricard(double angle_rad) {
+  Mechanism mechanism = mechanism_file("bricard");
+  Driver driver;
+  driver.name = "J1";
+  driver.kind = DriverKind::angle;
+  driver.joint = 0;
+  driver.law = Parabola{angle_rad, 0, 0};
+  mechanism.drivers.push_back(driver);
+  return mechanism;
+}
+
+// Newton's method from 3000 complex starts, on products of 4 x 4 matrices: four closures, two of them real.
+TEST(SpatialClosures, BricardsLinkageHasFourAtAGivenAngle) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    const ClosureResult result = closures_of(driven_bricard(0.7), seed);
+    EXPECT_TRUE(result.complete) << result.message;
+    EXPECT_EQ(result.counts.complex, 4U) << "seed " << seed;
+    EXPECT_EQ(result.counts.real, 2U) << "seed " << seed;
+  }
+}
+
+TEST(SpatialClosures, BricardsLinkageDoesNotCloseWithOtherLengths) {
+  for (const double share : {1e-2, 1e-9}) {
+    const ClosureResult result = closures_of(disturbed(driven_bricard(0.7), share));
+    EXPECT_TRUE(result.complete) << share << ": " << result.message;
+    EXPECT_EQ(result.counts.complex, 0U) << share;
+  }
+}
+
+/// Whether a body's rotation vector, three of the six coordinates of body number `body`, is zero.
+bool is_not_turned(const VectorXd& q, std::size_t body) {
+  return q.segment<3>(static_cast<Eigen::Index>(6 * (body - 1) + 3)).norm() < 1e-9;
+}
+
+// Its arms' ends and its rods' length give three spheres; the platform's place without turning is where they meet.
+TEST(SpatialClosures, TwoPlacesOfADeltaPlatformAreNotTurned) {
+  const Mechanism delta = mechanism_file("delta");
+  const Mechanism reduced = mechanism_file("delta-reduced");
+  std::vector<Vector3d> places;
+  for (const Closure& closure : closures_of(delta).closures) {
+    constexpr std::size_t kPlatform = 4;
+    if (is_not_turned(closure.q, kPlatform)) places.push_back(closure.q.segment<3>(18));
+  }
+  const ClosureResult led = closures_of(reduced);
+  ASSERT_EQ(places.size(), 2U);
+  ASSERT_EQ(led.closures.size(), 2U);
+  for (const Closure& closure : led.closures) {
+    const Vector3d place = closure.q.tail<6>().head<3>();
+    EXPECT_LT(std::min((place - places[0]).norm(), (place - places[1]).norm()), 1e-9);
+  }
 }
 
 TEST(SpatialClosures, ALinkThatSpinsBetweenBallsHidesNoClosure) {
