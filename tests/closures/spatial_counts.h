@@ -2,7 +2,7 @@
 // How many closures has each spatial mechanism of problems/mechanisms, as it is typed and with every dimension a little off?
 //
 // Disturbed: every coordinate of every point, every axis in both bodies, every rod's length and every weld's turn, so that nothing
-// is parallel, meets, or is equal any more. Then an arm is a general one (16), a platform a general one (40), double joints split,
+// is parallel, meets, or is equal any more, but what goes through one named point of a body still does. Then an arm is a general one (16), a platform a general one (40), double joints split,
 // and what closes by its special dimensions alone closes no more.
 #pragma once
 
@@ -32,8 +32,8 @@ inline const std::vector<SpatialCount>& spatial_counts() {
       {"rssr", 2, 2, 2, 2, 0},
       {"rccc", 2, 2, 4, 2, 0},
       {"bennett", 1, 1, 2, 0, 0},
-      {"spherical-four-bar", 2, 2, 2, 0, 0},
-      {"spherical-3-rrr", 8, 4, 16, 0, 0},
+      {"spherical-four-bar", 2, 2, 2, 2, 0},
+      {"spherical-3-rrr", 8, 4, 16, 8, 0},
       {"3-rps", 16, 8, 16, 16, 0},
       {"general-6r", 16, 4, 24, 16, 0},
       {"manseur-doty", 16, 16, 24, 16, 0},
@@ -66,7 +66,8 @@ inline double largest_coordinate(const Mechanism& mechanism) {
   return largest > 0 ? largest : 1;
 }
 
-/// The mechanism with its lengths off by up to `share` of its size, its axes and turns by up to `share` radians.
+/// The mechanism with its lengths off by up to `share` of its size, its axes and turns by up to `share` radians. Axes that are typed
+/// alike in both bodies stay alike: angles count from them.
 inline Mechanism disturbed(Mechanism mechanism, double share, std::uint64_t seed = 1) {
   std::uint64_t count = 0;
   const double size = largest_coordinate(mechanism);
@@ -82,7 +83,9 @@ inline Mechanism disturbed(Mechanism mechanism, double share, std::uint64_t seed
     for (BodyPoint& point : body.points) point.at += size * wander_by_three();
   }
   for (Joint& joint : mechanism.joints) {
-    for (Eigen::Vector3d& axis : joint.axis) axis = (axis + wander_by_three()).normalized();
+    const bool are_equal = joint.axis[0] == joint.axis[1];
+    joint.axis[0] = (joint.axis[0] + wander_by_three()).normalized();
+    joint.axis[1] = are_equal ? joint.axis[0] : (joint.axis[1] + wander_by_three()).normalized();
     if (joint.type == JointType::rod) joint.length += size * wander();
     if (joint.type == JointType::weld) joint.turn_rad += wander();
   }
