@@ -150,12 +150,9 @@ std::vector<Site> sites(const Mechanism& mechanism) {
     if (joint.type == JointType::gear) continue;
     const std::size_t a = first_of_body[joint.at[0].body] + joint.at[0].point;
     const std::size_t b = first_of_body[joint.at[1].body] + joint.at[1].point;
-    const bool slides = joint.type == JointType::prismatic || joint.type == JointType::slot;
-    is_jointed[a] = is_jointed[a] || !slides;
+    is_jointed[a] = is_jointed[a] || !has_slide(joint.type);
     is_jointed[b] = is_jointed[b] || joint.type != JointType::prismatic;
-    const bool coincide = joint.type == JointType::revolute || joint.type == JointType::weld ||
-                          joint.type == JointType::spherical || joint.type == JointType::universal;
-    if (!coincide) continue;
+    if (traits(joint.type).place != JointPlace::at_point) continue;
     const std::size_t kept = std::min(site_of[a], site_of[b]);
     const std::size_t merged = std::max(site_of[a], site_of[b]);
     std::replace(site_of.begin(), site_of.end(), merged, kept);
@@ -173,6 +170,11 @@ Box extent(const Mechanism& mechanism, const std::vector<Eigen::VectorXd>& poses
     }
   }
   return box;
+}
+
+bool is_guided(const Joint& joint) {
+  const JointPlace place = traits(joint.type).place;
+  return place == JointPlace::on_line || place == JointPlace::in_plane;
 }
 
 }  // namespace moivre

@@ -51,6 +51,9 @@ struct Site {
 };
 std::vector<Site> sites(const Mechanism& mechanism);
 
+/// Whether the joint's second point moves along a line or in a plane through its first, so that a line between them is in it.
+bool is_guided(const Joint& joint);
+
 /// All named points in all poses, as they are seen.
 Box extent(const Mechanism& mechanism, const std::vector<Eigen::VectorXd>& poses,
            const Eye& eye = {});

@@ -12,8 +12,8 @@ std::vector<JointValue> joint_values(const Mechanism& mechanism, const Eigen::Ve
   for (const Joint& joint : mechanism.joints) {
     const auto value = joint_coordinate(mechanism, joint, q);
     if (!value) continue;
-    const bool turns = joint.type == JointType::revolute;
-    values.push_back({joint.name, turns ? CoordinateKind::angle : CoordinateKind::length, *value});
+    const auto kind = is_angular(joint.type) ? CoordinateKind::angle : CoordinateKind::length;
+    values.push_back({joint.name, kind, *value});
   }
   return values;
 }

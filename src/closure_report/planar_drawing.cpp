@@ -85,24 +85,11 @@ class PlanarDrawing {
   }
 
   void add(const Joint& joint) {
-    switch (joint.type) {
-      case JointType::revolute:
-        return add_pin(joint);
-      case JointType::prismatic:
-        return add_slider(joint);
-      case JointType::slot:
-        return add_slot(joint);
-      case JointType::weld:
-        return add_weld(joint);
-      case JointType::rod:
-        return add_rod(joint);
-      case JointType::gear:
-        return add_gear(joint);
-      case JointType::spherical:
-      case JointType::cylindrical:
-      case JointType::universal:
-        return;
-    }
+    const JointPlace place = traits(joint.type).place;
+    const bool is_turning = traits(joint.type).turn == JointTurn::about_axis;
+    if (place == JointPlace::at_point) return is_turning ? add_pin(joint) : add_weld(joint);
+    if (place == JointPlace::on_line) return is_turning ? add_slot(joint) : add_slider(joint);
+    return place == JointPlace::at_distance ? add_rod(joint) : add_gear(joint);
   }
 
   /// The ground's pivot below a joint, once a place.

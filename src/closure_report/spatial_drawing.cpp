@@ -110,10 +110,12 @@ class SpatialDrawing {
       add_line(Sketch::links, Style::wire, std::nullopt, first, material(joint.at[1]));
       add_label(LabelKind::body, joint.name, sketch_.drawing.frames.size() - 1, 0.5);
     }
-    const bool has_axis = joint.type == JointType::revolute || joint.type == JointType::prismatic ||
-                          joint.type == JointType::cylindrical ||
-                          joint.type == JointType::universal;
-    if (has_axis) add_axis(first, kAxisReach * size_ * joint.axis[0]);
+    if (axis_count(joint.type) > 0 && joint.type != JointType::weld) {
+      add_axis(first, kAxisReach * size_ * joint.axis[0]);
+    }
+    if (is_guided(joint)) {
+      add_line(Sketch::holes, Style::axis, std::nullopt, first, material(joint.at[1]));
+    }
     for (const PointOf& point : joint.at) {
       const std::size_t spot = add_spot(point);
       if (point.body == 0) {

@@ -137,9 +137,10 @@ class Strokes {
       add_stroke(at, place_of(joint.at[1]), kRodColour, kRodWidth);
       return;
     }
-    if (joint.type == JointType::spherical || joint.type == JointType::weld) return;
+    if (axis_count(joint.type) == 0 || joint.type == JointType::weld) return;
     const Eigen::Matrix3d turn = orientation(mechanism_, joint.at[0].body, q_);
     const Vector3d along = turn * joint.axis[0];
+    if (is_guided(joint)) add_stroke(at, place_of(joint.at[1]), kRodColour, kFineWidth);
     const double reach = (has_arrows ? kArrowAxis : kAxis) * size_;
     add_stroke(at - reach * along, at + reach * along, kRodColour, kFineWidth);
     if (!has_arrows) return;

@@ -135,7 +135,7 @@ void solve_determined(ClosureSearch& search, const BlockStructure& structure) {
   }
   StageRun run = solve_blocks(search, search.formulation, structure.blocks);
   bool has_unseen_sets = run.moves && !(run.may_move && shows_motion(search));
-  if (has_unseen_sets && run.complete && !structure.spare_equations.empty()) {
+  if (has_unseen_sets && !search.stop && !structure.spare_equations.empty()) {
     run = solve_combined(search, run);
     has_unseen_sets = run.moves;
   }

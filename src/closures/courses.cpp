@@ -109,11 +109,11 @@ std::vector<MovingPart> joint_quantities(const Mechanism& mechanism) {
   const bool is_planar = mechanism.space == Space::planar;
   const VectorXd origin = VectorXd::Zero(static_cast<Eigen::Index>(coordinates(mechanism).size()));
   for (const Joint& joint : mechanism.joints) {
-    const bool is_revolute = joint.type == JointType::revolute;
-    const bool is_told = is_planar && is_revolute && joint.at[0].body * joint.at[1].body == 0;
+    const bool is_angle = is_angular(joint.type);
+    const bool is_told = is_planar && is_angle && joint.at[0].body * joint.at[1].body == 0;
     if (is_told || !joint_coordinate(mechanism, joint, origin)) continue;
-    all.push_back({joint.name, is_revolute ? CoordinateKind::angle : CoordinateKind::length,
-                   is_revolute, false, [&mechanism, &joint](const VectorXd& q) {
+    all.push_back({joint.name, is_angle ? CoordinateKind::angle : CoordinateKind::length, is_angle,
+                   false, [&mechanism, &joint](const VectorXd& q) {
                      return *joint_coordinate(mechanism, joint, q);
                    }});
   }

@@ -133,7 +133,7 @@ double Holding::drawn_angle(const Joint& joint) const {
     return found == held_.mechanism.guess.end() ? 0 : found->second;
   };
   const double angle = guess(joint.at[1].body) - guess(joint.at[0].body);
-  const bool has_limits = joint.type == JointType::revolute && joint.limits;
+  const bool has_limits = is_angular(joint.type) && joint.limits;
   return has_limits ? std::clamp(angle, joint.limits->lower, joint.limits->upper) : angle;
 }
 
@@ -153,9 +153,10 @@ void Holding::hold(std::size_t number, std::size_t group) {
   const std::size_t body = joint.at[end].body;
   const std::size_t other = joint.at[1 - end].body;
   joint.turn_rad = drawn_angle(joint);
-  const bool slides = joint.type == JointType::prismatic || joint.type == JointType::slot;
   double apart = joint.type == JointType::rod ? joint.length : 0;
-  if (slides && joint.limits) apart = std::clamp(0.0, joint.limits->lower, joint.limits->upper);
+  if (has_slide(joint.type) && joint.limits) {
+    apart = std::clamp(0.0, joint.limits->lower, joint.limits->upper);
+  }
   auto& points = held_.mechanism.bodies[joint.at[0].body].points;
   if (apart != 0) {
     BodyPoint point = points[joint.at[0].point];

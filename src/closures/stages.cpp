@@ -170,12 +170,19 @@ bool Stages::is_excluded(const PartialRoot& root, const Block& block, const Solu
 void Stages::add_roots(const Block& block, const PartialRoot& root, const System& f, Stage& stage,
                        std::vector<PartialRoot>& next) {
   SolveOptions options = options_;
-  options.certify = false;  // of a block whose coefficients are roots of others, rounded
+  options.certify = false;
   const auto paths = total_degree(degrees(f));
   if (paths && *paths <= kPathsForOneThread) options.threads = 1;
   const bool are_few = paths && *paths <= kPathsWithoutSearch;
   if (options.start == StartKind::automatic && are_few) options.start = StartKind::total_degree;
-  const SolveResult result = solve(f, tracker_, options, stop_);
+  SolveResult result = solve(f, tracker_, options, stop_);
+  // Where paths are in doubt, roots that are proved may be as many as a proved bound allows: the paths lead to no other.
+  if (!result.complete && !stop_ && options_.certify) {
+    const SolveResult first = std::move(result);
+    result = solve(f, tracker_, options_, stop_);
+    run_.work += first.work;
+    add_solving(first.time, run_.time);
+  }
   const std::uint64_t first_path = stage.paths.tracked;
   for (const Solution& solution : result.solutions) {
     if (is_excluded(root, block, solution)) continue;

@@ -42,16 +42,6 @@ Observable slide(const Mechanism& mechanism, const Joint& joint, const std::stri
           }};
 }
 
-bool slides(const Joint& joint) {
-  return joint.type == JointType::prismatic || joint.type == JointType::slot ||
-         joint.type == JointType::cylindrical;
-}
-
-bool turns(const Joint& joint) {
-  return joint.type == JointType::revolute || joint.type == JointType::slot ||
-         joint.type == JointType::cylindrical;
-}
-
 int axes(const Mechanism& mechanism) { return mechanism.space == Space::planar ? 2 : 3; }
 
 bool is_jointed(const Mechanism& mechanism, const PointOf& of) {
@@ -96,7 +86,7 @@ const Joint* slideway(const Mechanism& mechanism, std::size_t body) {
   for (const Joint& joint : mechanism.joints) {
     const bool joins = (joint.at[0].body == 0 && joint.at[1].body == body) ||
                        (joint.at[1].body == 0 && joint.at[0].body == body);
-    if (joins && slides(joint) && !turns(joint)) return &joint;
+    if (joins && has_slide(joint.type) && !has_angle(joint.type)) return &joint;
   }
   return nullptr;
 }
@@ -119,9 +109,9 @@ std::vector<Observable> nameable(const Mechanism& mechanism) {
   }
   if (is_typed(mechanism)) return all;
   for (const Joint& joint : mechanism.joints) {
-    if (slides(joint)) {
+    if (has_slide(joint.type)) {
       all.push_back(slide(mechanism, joint, joint.name));
-    } else if (turns(joint)) {
+    } else if (has_angle(joint.type)) {
       all.push_back(turn(mechanism, joint, joint.name));
     }
   }
@@ -150,8 +140,9 @@ std::vector<Observable> joint_observables(const Mechanism& mechanism) {
   std::vector<Observable> all;
   for (const Joint& joint : mechanism.joints) {
     const std::string name = "joint " + joint.name;
-    if (slides(joint)) all.push_back(slide(mechanism, joint, name));
-    if (turns(joint)) all.push_back(turn(mechanism, joint, slides(joint) ? name + " turn" : name));
+    if (has_slide(joint.type)) all.push_back(slide(mechanism, joint, name));
+    if (has_angle(joint.type))
+      all.push_back(turn(mechanism, joint, has_slide(joint.type) ? name + " turn" : name));
   }
   return all;
 }
@@ -164,9 +155,9 @@ std::vector<Observable> driven_observables(const Mechanism& mechanism) {
     if (is_planar && one.is_angle) all.push_back(std::move(one));
   }
   for (const Joint& joint : mechanism.joints) {
-    if (slides(joint)) {
+    if (has_slide(joint.type)) {
       all.push_back(slide(mechanism, joint, joint.name));
-    } else if (turns(joint) && !is_planar) {
+    } else if (has_angle(joint.type) && !is_planar) {
       all.push_back(turn(mechanism, joint, joint.name));
     }
   }
@@ -199,9 +190,9 @@ std::vector<std::string> default_outputs(const Mechanism& mechanism) {
     const bool second = joint.at[1].body == 0;
     if (first == second || joint.type == JointType::gear) continue;
     const std::string& body = mechanism.bodies[joint.at[first ? 1 : 0].body].name;
-    if (slides(joint)) {
+    if (has_slide(joint.type)) {
       add(joint.name);
-    } else if (turns(joint)) {
+    } else if (has_angle(joint.type)) {
       add(mechanism.space == Space::planar ? body : joint.name);
     }
   }

@@ -43,7 +43,7 @@ void add_joints(const Mechanism& mechanism, std::vector<SensitiveQuantity>& all)
   for (std::size_t k = 0; k < mechanism.joints.size(); ++k) {
     const Joint& joint = mechanism.joints[k];
     if (!joint_coordinate(mechanism, joint, rest)) continue;
-    const bool turns = joint.type == JointType::revolute;
+    const bool turns = is_angular(joint.type);
     all.push_back({SensitiveGroup::joint, joint.name,
                    turns ? CoordinateKind::angle : CoordinateKind::length, PointOf{}, 0, k});
   }

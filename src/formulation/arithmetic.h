@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Which sums of polynomials do formulations need beside those of polynomial/system.h? Differences.
+// Which sums of polynomials do formulations need beside those of polynomial/system.h? Differences, of rounded numbers too.
 #pragma once
+
+#include <algorithm>
 
 #include "moivre/polynomial/system.h"
 
@@ -10,5 +12,27 @@ inline Polynomial operator-(const Polynomial& a, const Polynomial& b) {
   return a + Coefficient{-1, 0} * b;
 }
 inline Polynomial operator-(const Polynomial& a) { return Coefficient{-1, 0} * a; }
+
+/// a - b where both have coefficients of lengths and points as typed, right to half a unit of their last digit: terms that cancel but
+/// for that do cancel. Left in, they would be roots at 1e16 instead of none.
+inline Polynomial rounded_difference(const Polynomial& a, const Polynomial& b) {
+  constexpr double kRounding = 1e-14;  // a sum of a few squares of numbers right to 2^-53
+  const auto size = [](const Polynomial& p, const Monomial& of) {
+    const auto at = std::lower_bound(
+        p.terms.begin(), p.terms.end(), of,
+        [](const Term& term, const Monomial& m) { return precedes(term.monomial, m); });
+    const bool is_there = at != p.terms.end() && at->monomial == of;
+    return is_there ? std::abs(to_complex(at->coefficient)) : 0;
+  };
+  Polynomial difference = a - b;
+  auto& terms = difference.terms;
+  terms.erase(std::remove_if(terms.begin(), terms.end(),
+                             [&](const Term& term) {
+                               return std::abs(to_complex(term.coefficient)) <=
+                                      kRounding * (size(a, term.monomial) + size(b, term.monomial));
+                             }),
+              terms.end());
+  return difference;
+}
 
 }  // namespace moivre

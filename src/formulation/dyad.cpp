@@ -25,13 +25,6 @@ Vector8 to_vector(const ExactPose& pose, double length) {
 
 Rational number(double x) { return Rational(x); }
 
-std::array<ExactPose, 2> basis_of(const LoopElement& element) {
-  const ExactPose one = identity_pose();
-  const ExactPose moved = element.axis + (-element.fixed) * one;
-  if (!element.is_turn) return {one, moved};
-  return {one + element.fixed * element.axis, moved};
-}
-
 Eigen::Matrix<double, 8, 4> plain_span(const LoopElement& a, const LoopElement& b, double length) {
   Eigen::Matrix<double, 8, 4> span;
   const ExactPose one = identity_pose();

@@ -54,6 +54,10 @@ ExactPose frame_of(const Eigen::Vector3d& axis) {
 
 ExactPose tilt(const Rational& half_tangent) { return {{1, half_tangent, 0, 0}, {}}; }
 
+ExactPose across(std::size_t k) {
+  return k == 0 ? ExactPose{{1, 0, 1, 0}, {}} : conjugate(tilt(1));
+}
+
 Rational norm(const ExactPose& pose) { return dot(pose.q, pose.q); }
 
 DualQuaternion<double> to_double(const ExactPose& pose) {

@@ -28,6 +28,9 @@ ExactPose frame_of(const Eigen::Vector3d& axis);
 /// z tilted about x by the angle whose half has this tangent.
 ExactPose tilt(const Rational& half_tangent);
 
+/// A turn that lays the z axis along x (k = 0) or y (k = 1).
+ExactPose across(std::size_t k);
+
 /// |q|^2
 Rational norm(const ExactPose& pose);
 

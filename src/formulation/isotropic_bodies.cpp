@@ -8,6 +8,7 @@
 #include "isotropic_frame.h"
 #include "meshings.h"
 #include "moivre/formulation/block_structure.h"
+#include "moivre/mechanism/phi.h"
 #include "shared_pins.h"
 
 namespace moivre {
@@ -20,7 +21,8 @@ class Bodies {
         t_(t),
         ends_(std::move(ends)),
         angles_(known_angles(mechanism, t)),
-        frame_(names(mechanism)) {}
+        frame_(names(mechanism)),
+        size_(Phi(mechanism).length()) {}
 
   Formulation build() &&;
   JointEnds ends_by_order_of_blocks() &&;
@@ -49,6 +51,10 @@ class Bodies {
     const auto& ends = ends_[static_cast<std::size_t>(&joint - mechanism_.joints.data())];
     return place(ends[1]) - place(ends[0]);
   }
+  Polynomial without_rounding(Polynomial p) const;
+  Mirrored without_rounding(const Mirrored& z) const {
+    return {without_rounding(z.z), without_rounding(z.conjugate)};
+  }
   std::string label(const Joint& joint) const { return to_string(joint.type) + " " + joint.name; }
   /// The driver that moves along this joint's line, if there is one.
   const Driver* slide_of(const Joint& joint) const;
@@ -59,6 +65,7 @@ class Bodies {
   std::vector<std::optional<KnownAngle>>
       angles_;  ///< of bodies, as drivers and gears determine them
   IsotropicFrame frame_;
+  double size_;  ///< of the mechanism
   std::vector<Mirrored> positions_;
 };
 
@@ -77,7 +84,7 @@ void Bodies::hold_angles() {
                       unit_at(driver_state(driver.law, t_).value), "driver " + driver.name);
   }
   for (const Joint& joint : mechanism_.joints) {
-    if (joint.type != JointType::prismatic && joint.type != JointType::weld) continue;
+    if (traits(joint.type).turn != JointTurn::not_at_all) continue;
     frame_.hold_angle(joint.at[0].body, joint.at[1].body, unit_at(joint.turn_rad), label(joint));
   }
   for (const Joint& joint : mechanism_.joints) {
@@ -98,6 +105,28 @@ void Bodies::add_positions() {
   }
 }
 
+/// p, linear in lengths, without what points as typed leave where they mean nothing: a coefficient that is rounding beside the
+/// mechanism's size would be a root at 1e16.
+Polynomial Bodies::without_rounding(Polynomial p) const {
+  constexpr double kRounding = 2e-15;  // a sum of a few lengths right to 2^-53
+  const auto has_position = [&](const Term& term) {
+    return std::any_of(term.monomial.begin(), term.monomial.end(), [&](const Power& power) {
+      return !frame_.result().is_direction[power.variable];
+    });
+  };
+  for (Term& term : p.terms) {
+    if (has_position(term)) continue;
+    const Complex size = to_complex(term.coefficient);
+    if (std::abs(size.real()) <= kRounding * size_) term.coefficient.re = 0;
+    if (std::abs(size.imag()) <= kRounding * size_) term.coefficient.im = 0;
+  }
+  const auto is_nothing = [](const Term& term) {
+    return term.coefficient.re.is_zero() && term.coefficient.im.is_zero();
+  };
+  p.terms.erase(std::remove_if(p.terms.begin(), p.terms.end(), is_nothing), p.terms.end());
+  return p;
+}
+
 const Driver* Bodies::slide_of(const Joint& joint) const {
   for (const Driver& driver : mechanism_.drivers) {
     if (driver.kind == DriverKind::slide && &mechanism_.joints[driver.joint] == &joint) {
@@ -111,11 +140,11 @@ void Bodies::add_line(const Joint& joint) {
   const Mirrored along = turned(joint.at[0].body, joint.axis[0]);
   if (const Driver* driver = slide_of(joint)) {
     const Coefficient s{typed_decimal(driver_state(driver->law, t_).value), 0};
-    frame_.add_equations(label(joint) + ": slide", gap(joint) - s * along);
+    frame_.add_equations(label(joint) + ": slide", without_rounding(gap(joint) - s * along));
     return;
   }
   const Mirrored across = swapped(along) * gap(joint);
-  frame_.add_equation(label(joint) + ": line", across.z - across.conjugate);
+  frame_.add_equation(label(joint) + ": line", without_rounding(across.z - across.conjugate));
 }
 
 void Bodies::add_gear(const Joint& joint) {
@@ -129,27 +158,24 @@ void Bodies::add_gear(const Joint& joint) {
 }
 
 void Bodies::add_joint(const Joint& joint) {
-  switch (joint.type) {
-    case JointType::revolute:
-    case JointType::weld:
-      frame_.add_equations(label(joint), gap(joint));
+  switch (traits(joint.type).place) {
+    case JointPlace::at_point:
+      frame_.add_equations(label(joint), without_rounding(gap(joint)));
       return;
-    case JointType::prismatic:
-    case JointType::slot:
+    case JointPlace::on_line:
       add_line(joint);
       return;
-    case JointType::rod: {
+    case JointPlace::at_distance: {
       const Mirrored d = gap(joint);
       const Rational length = typed_decimal(joint.length);
-      frame_.add_equation(label(joint), d.z * d.conjugate - constant({length * length, 0}));
+      frame_.add_equation(label(joint),
+                          rounded_difference(d.z * d.conjugate, constant({length * length, 0})));
       return;
     }
-    case JointType::gear:
+    case JointPlace::anywhere:
       if (!is_settled(joint, angles_)) add_gear(joint);
       return;
-    case JointType::spherical:
-    case JointType::cylindrical:
-    case JointType::universal:
+    case JointPlace::in_plane:
       break;
   }
   throw std::logic_error("a planar mechanism has no " + to_string(joint.type) + " joint");

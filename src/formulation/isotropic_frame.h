@@ -59,6 +59,7 @@ class IsotropicFrame {
 
   Formulation take() && { return std::move(result_); }
   Formulation& result() { return result_; }
+  const Formulation& result() const { return result_; }
 
  private:
   std::uint32_t add_variable(const std::string& name, std::vector<std::string> owners);

@@ -60,7 +60,8 @@ void remove_ties(RigidGroups& groups, std::size_t group) {
 
 Tie rod_between(const Tie& a, const Tie& b, const std::string& name) {
   Tie rod;
-  rod.kind = TieKind::rod;
+  rod.place = JointPlace::at_distance;
+  rod.turn = JointTurn::freely;
   rod.name = name;
   rod.i = a.i;
   rod.j = b.i;
@@ -82,8 +83,9 @@ PoseReading::Placement by_points(std::size_t group, const std::vector<Tie>& ties
 /// Two or three spherical joints and nothing else.
 void leave_out_rod(RigidGroups& groups, std::size_t group) {
   const std::vector<Tie> ties = ties_towards(groups, group);
-  const bool are_spherical = std::all_of(
-      ties.begin(), ties.end(), [](const Tie& tie) { return tie.kind == TieKind::spherical; });
+  const bool are_spherical = std::all_of(ties.begin(), ties.end(), [](const Tie& tie) {
+    return tie.place == JointPlace::at_point && tie.turn == JointTurn::freely;
+  });
   if (!are_spherical || ties.size() < 2 || ties.size() > 3) return;
   for (std::size_t a = 0; a < ties.size(); ++a) {
     for (std::size_t b = a + 1; b < ties.size(); ++b) {
@@ -116,7 +118,10 @@ void leave_out_cone(RigidGroups& groups, std::size_t group) {
   constexpr double kMeet = 1e-11;
   std::vector<Tie> ties = ties_towards(groups, group);
   if (ties.size() != 2 || ties[0].i == ties[1].i) return;
-  if (ties[0].kind != TieKind::revolute || ties[1].kind != TieKind::revolute) return;
+  const auto is_hinge = [](const Tie& tie) {
+    return tie.place == JointPlace::at_point && tie.turn == JointTurn::about_axis;
+  };
+  if (!is_hinge(ties[0]) || !is_hinge(ties[1])) return;
   const Axis a = axis_of(ties[0].at_j);
   const Axis b = axis_of(ties[1].at_j);
   const Vector3d normal = a.along.cross(b.along);
@@ -139,7 +144,7 @@ void leave_out_cone(RigidGroups& groups, std::size_t group) {
   groups.links.push_back(std::move(placement));
   remove_ties(groups, group);
   Tie cone;
-  cone.kind = TieKind::cone;
+  cone.turn = JointTurn::about_two_axes;
   cone.name = groups.names[group];
   cone.i = ties[0].i;
   cone.j = ties[1].i;

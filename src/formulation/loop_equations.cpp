@@ -6,35 +6,13 @@
 #include <cmath>
 
 #include "dyad.h"
+#include "four_turns.h"
 
 namespace moivre {
 namespace {
 
 constexpr std::size_t kSix = 6;
-constexpr std::ptrdiff_t kTurnsOfSpace = 3;
-
-/// Elements in their order, and what their product is.
-struct Loop {
-  std::vector<LoopElement> elements;
-  ExactPose whole;
-};
-
-/// E_2 ... E_k (whole^-1 E_1 whole) ~ whole.
-Loop turned_on(Loop loop) {
-  LoopElement first = loop.elements.front();
-  loop.elements.erase(loop.elements.begin());
-  first.axis = 1 / norm(loop.whole) * (conjugate(loop.whole) * first.axis * loop.whole);
-  loop.elements.push_back(std::move(first));
-  return loop;
-}
-
-/// conj(E_k) ... conj(E_1) ~ conj(whole).
-Loop reversed(Loop loop) {
-  std::reverse(loop.elements.begin(), loop.elements.end());
-  for (LoopElement& element : loop.elements) element.axis = conjugate(element.axis);
-  loop.whole = conjugate(loop.whole);
-  return loop;
-}
+constexpr std::size_t kTurnsOfSpace = 3;
 
 /// How a loop of six is cut: which way round, from which joint, and whether its last three joints stay in one 3-space.
 struct Cut {
@@ -42,17 +20,6 @@ struct Cut {
   bool has_common_space = false;
   double merit = -1;
 };
-
-std::vector<Loop> all_ways(const Loop& loop) {
-  std::vector<Loop> ways;
-  for (Loop way : {loop, reversed(loop)}) {
-    for (std::size_t k = 0; k < kSix; ++k) {
-      ways.push_back(way);
-      way = turned_on(std::move(way));
-    }
-  }
-  return ways;
-}
 
 Cut best_cut(const Loop& loop, double length) {
   // A dyad whose 3-space is nearer to Study's quadric than this lies in it: its axes meet or are parallel.
@@ -67,9 +34,11 @@ Cut best_cut(const Loop& loop, double length) {
                                spans_common_space(e[1], e[2], e[3], length);
     double merit = outer > kOnQuadric ? outer + kOnQuadric * inner : 0;
     if (is_degenerate) merit *= kOnQuadric;
+    // Two slides in a row span a plane of displacements, too few for the coordinates of a dyad.
+    const bool is_dyad = e[4].is_turn || e[5].is_turn;
     // Four paths and two for each beat any other cut.
-    const bool decouples =
-        has_common_space && inner > kOnQuadric && !spans_common_space(e[0], e[1], e[2], length);
+    const bool decouples = has_common_space && is_dyad && inner > kOnQuadric &&
+                           !spans_common_space(e[0], e[1], e[2], length);
     if (decouples) merit = 2 + inner;
     if (merit <= best.merit) continue;
     best = {std::move(way), decouples, merit};
@@ -90,7 +59,7 @@ class Equations {
   const LoopElement& e(std::size_t k) const { return loop_.elements[k]; }
   MovingPose element(std::size_t k) const { return element_pose(e(k)); }
   MovingPose whole() const { return to_moving(loop_.whole); }
-  void exclude(std::size_t k);
+  void exclude(std::size_t k) { exclude_endless(frame_, e(k)); }
   std::array<Polynomial, 4> add_dyad_coordinates(std::size_t k);
   MovingPose dyad_pose(const std::array<Polynomial, 4>& c, std::size_t k) const;
   void add_quadric(const std::array<Polynomial, 4>& c, std::size_t k);
@@ -101,17 +70,6 @@ class Equations {
   SpatialFrame& frame_;
   Loop loop_;
 };
-
-void Equations::exclude(std::size_t k) {
-  if (!e(k).is_turn) {
-    if (e(k).fixed.is_zero()) return;
-    frame_.exclude(constant({1, 0}) - Coefficient{e(k).fixed, 0} * e(k).unknown,
-                   "a slide is infinitely long there");
-    return;
-  }
-  frame_.exclude(constant({1, 0}) + e(k).unknown * e(k).unknown,
-                 "a half angle's tangent is i or -i there: nothing is turned");
-}
 
 /// Unknown coordinates for the dyad of elements k and k + 1, with their half angles.
 std::array<Polynomial, 4> Equations::add_dyad_coordinates(std::size_t k) {
@@ -241,20 +199,26 @@ void Equations::add_turns_first() {
 
 }  // namespace
 
-void add_loop_equations(SpatialFrame& frame, std::vector<LoopElement> elements,
-                        const ExactPose& whole) {
-  const Loop loop{std::move(elements), whole};
+bool takes_plain_slides(const Loop& loop, double length) {
+  if (loop.elements.size() < kSix) return false;
+  if (count_turns(loop) == kTurnsOfSpace) return true;
+  return begun_with_slide(loop) && !best_cut(loop, length).has_common_space;
+}
+
+void add_loop_equations(SpatialFrame& frame, const Loop& loop) {
   if (loop.elements.size() < kSix) {
     Equations(frame, loop).add_short();
     return;
   }
-  const auto turns = std::count_if(loop.elements.begin(), loop.elements.end(),
-                                   [](const LoopElement& element) { return element.is_turn; });
-  if (turns == kTurnsOfSpace) {
+  if (count_turns(loop) == kTurnsOfSpace) {
     Equations(frame, loop).add_turns_first();
     return;
   }
   Cut cut = best_cut(loop, frame.length());
+  if (const auto begun = begun_with_slide(loop); begun && !cut.has_common_space) {
+    add_four_turns(frame, *begun);
+    return;
+  }
   Equations equations(frame, std::move(cut.loop));
   if (cut.has_common_space) {
     equations.add_decoupled();

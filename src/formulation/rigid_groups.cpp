@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "moivre/formulation/exact.h"
+#include "moivre/mechanism/driven_joint.h"
 
 namespace moivre {
 namespace {
@@ -17,11 +18,13 @@ namespace {
 // Joints that are held twice agree to rounding of their numbers, or they contradict each other.
 constexpr double kSame = 1e-9;
 
-/// What drivers say of a joint at the time.
-struct Held {
-  std::optional<double> angle;
-  std::optional<double> slide;
-};
+/// About and along the joint's axis.
+ExactPose driven_motion(const DrivenJoint& driven) {
+  ExactPose motion = identity_pose();
+  if (driven.angle) motion = turn_about_z(*driven.angle);
+  if (driven.slide) motion = motion * slide_along_z(*driven.slide);
+  return motion;
+}
 
 class Grouping {
  public:
@@ -35,11 +38,10 @@ class Grouping {
   RigidGroups run() &&;
 
  private:
-  Held held(std::size_t joint) const;
   ExactPose end(const Joint& joint, std::size_t k) const;
-  std::optional<ExactPose> known_motion(const Joint& joint, const Held& held) const;
+  std::optional<ExactPose> known_motion(const Joint& joint, const DrivenJoint& driven) const;
   void join(const Joint& joint, const ExactPose& motion);
-  void tie(const Joint& joint, const Held& held);
+  void tie(const Joint& joint, const DrivenJoint& driven);
   void number_groups();
   void add_driven_points();
 
@@ -50,50 +52,23 @@ class Grouping {
   RigidGroups groups_;
 };
 
-Held Grouping::held(std::size_t joint) const {
-  Held held;
-  for (const Driver& driver : mechanism_.drivers) {
-    const bool is_here = driver.joint == joint;
-    const double value = driver_state(driver.law, t_).value;
-    if (is_here && driver.kind == DriverKind::angle) held.angle = value;
-    if (is_here && driver.kind == DriverKind::slide) held.slide = value;
-  }
-  return held;
-}
-
 /// The joint's frame in its body number k.
 ExactPose Grouping::end(const Joint& joint, std::size_t k) const {
   const PointOf& at = joint.at[k];
   ExactPose frame = shift_to(mechanism_.bodies[at.body].points[at.point].at);
-  if (joint.type == JointType::spherical || joint.type == JointType::rod) return frame;
+  if (axis_count(joint.type) == 0) return frame;
   frame = frame * frame_of(joint.axis[k]);
   return k == 0 ? frame * turn_about_z(joint.turn_rad) : frame;
 }
 
 /// M where nothing of it is left free.
-std::optional<ExactPose> Grouping::known_motion(const Joint& joint, const Held& held) const {
-  switch (joint.type) {
-    case JointType::weld:
-      return identity_pose();
-    case JointType::revolute:
-      if (held.angle) return turn_about_z(*held.angle);
-      break;
-    case JointType::prismatic:
-      if (held.slide) return slide_along_z(*held.slide);
-      break;
-    case JointType::cylindrical:
-      if (held.angle && held.slide) {
-        return turn_about_z(*held.angle) * slide_along_z(*held.slide);
-      }
-      break;
-    case JointType::slot:
-    case JointType::rod:
-    case JointType::gear:
-    case JointType::spherical:
-    case JointType::universal:
-      break;
-  }
-  return std::nullopt;
+std::optional<ExactPose> Grouping::known_motion(const Joint& joint,
+                                                const DrivenJoint& driven) const {
+  const JointTraits& type = traits(joint.type);
+  const bool stands = type.place == JointPlace::at_point || driven.slide;
+  const bool keeps_turn = type.turn == JointTurn::not_at_all || driven.angle;
+  if (!stands || !keeps_turn) return std::nullopt;
+  return driven_motion(driven);
 }
 
 /// Whether two poses are one, lengths beside `size`.
@@ -131,41 +106,21 @@ void Grouping::join(const Joint& joint, const ExactPose& motion) {
   }
 }
 
-void Grouping::tie(const Joint& joint, const Held& held) {
+void Grouping::tie(const Joint& joint, const DrivenJoint& driven) {
   Tie tie;
   tie.name = joint.name;
   tie.i = groups_.group_of[joint.at[0].body];
   tie.j = groups_.group_of[joint.at[1].body];
-  tie.at_i = pose_[joint.at[0].body] * end(joint, 0);
+  tie.at_i = pose_[joint.at[0].body] * end(joint, 0) * driven_motion(driven);
   tie.at_j = pose_[joint.at[1].body] * end(joint, 1);
-  switch (joint.type) {
-    case JointType::revolute:
-      tie.kind = TieKind::revolute;
-      break;
-    case JointType::prismatic:
-      tie.kind = TieKind::prismatic;
-      break;
-    case JointType::cylindrical:
-      tie.kind = held.angle   ? TieKind::prismatic
-                 : held.slide ? TieKind::revolute
-                              : TieKind::cylindrical;
-      if (held.angle) tie.at_i = tie.at_i * turn_about_z(*held.angle);
-      if (held.slide) tie.at_i = tie.at_i * slide_along_z(*held.slide);
-      break;
-    case JointType::spherical:
-      tie.kind = TieKind::spherical;
-      break;
-    case JointType::universal:
-      tie.kind = TieKind::cone;
-      break;
-    case JointType::rod:
-      tie.kind = TieKind::rod;
-      tie.square = typed_decimal(joint.length) * typed_decimal(joint.length);
-      break;
-    case JointType::weld:
-    case JointType::slot:
-    case JointType::gear:
-      throw std::logic_error("a spatial mechanism has no free " + to_string(joint.type));
+  tie.place = driven.slide ? JointPlace::at_point : traits(joint.type).place;
+  tie.turn = driven.angle ? JointTurn::not_at_all : traits(joint.type).turn;
+  if (is_rod(tie)) tie.square = typed_decimal(joint.length) * typed_decimal(joint.length);
+  if (tie.turn == JointTurn::by_thread) {
+    throw std::invalid_argument(
+        "the screw '" + joint.name +
+        "' ties an angle to a length, which no polynomial says; drive it (slide = \"" + joint.name +
+        "\"), or follow one pose with --from-guess");
   }
   groups_.ties.push_back(std::move(tie));
 }
@@ -213,7 +168,7 @@ void Grouping::add_driven_points() {
 RigidGroups Grouping::run() && {
   std::vector<std::size_t> free;
   for (std::size_t k = 0; k < mechanism_.joints.size(); ++k) {
-    const auto motion = known_motion(mechanism_.joints[k], held(k));
+    const auto motion = known_motion(mechanism_.joints[k], driven_joint(mechanism_, k, t_));
     if (motion) {
       join(mechanism_.joints[k], *motion);
     } else {
@@ -221,33 +176,35 @@ RigidGroups Grouping::run() && {
     }
   }
   number_groups();
-  for (const std::size_t k : free) tie(mechanism_.joints[k], held(k));
+  for (const std::size_t k : free) tie(mechanism_.joints[k], driven_joint(mechanism_, k, t_));
   add_driven_points();
   return std::move(groups_);
 }
 
 }  // namespace
 
-std::size_t freedom(TieKind kind) {
-  switch (kind) {
-    case TieKind::revolute:
-    case TieKind::prismatic:
-      return 1;
-    case TieKind::cylindrical:
-    case TieKind::cone:
-      return 2;
-    case TieKind::spherical:
-      return 3;
-    case TieKind::rod:
-      break;
-  }
-  return 5;
+std::size_t freedom(const Tie& tie) {
+  constexpr int kRigidBody = 6;
+  return static_cast<std::size_t>(kRigidBody - row_count(tie.place, Space::spatial) -
+                                  row_count(tie.turn, Space::spatial));
+}
+
+std::size_t turn_freedom(const Tie& tie) {
+  constexpr int kTurnsOfSpace = 3;
+  return static_cast<std::size_t>(kTurnsOfSpace - row_count(tie.turn, Space::spatial));
+}
+
+bool is_rod(const Tie& tie) { return tie.place == JointPlace::at_distance; }
+
+bool is_loose(const Tie& tie) {
+  return tie.turn == JointTurn::freely && tie.place != JointPlace::at_point;
 }
 
 Tie reversed(const Tie& tie) {
   Tie other = tie;
   std::swap(other.i, other.j);
   std::swap(other.at_i, other.at_j);
+  other.is_reversed = !tie.is_reversed;
   return other;
 }
 

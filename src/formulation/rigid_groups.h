@@ -4,10 +4,12 @@
 // A weld, a driven revolute or prismatic joint and a cylindrical one that is driven both ways join two bodies to one group; a
 // cylindrical joint that is driven one way is a prismatic or a revolute one. What is left are ties between groups, each with
 // an exact frame in both (z the joint's axis):
-//   pose of group j in group i  ~  at_i M conj(at_j),   M by the tie's kind:
-//   revolute  (1 + t k)            prismatic  (1 + eps s k / 2)        cylindrical  both
-//   spherical  any turn            cone       two turns about axes through one point that keep their angle (universal: 90 deg)
-//   rod       any pose that keeps the distance of the origins
+//   pose of group j in group i  ~  at_i M conj(at_j),   M by the tie's place and turn:
+//   turns about the axis  1 + t k        slides along it  1 + eps s k / 2
+// A tie is what is left of a joint (mechanism/joint_type.h), or one of:
+//   a rod      at a distance, turning freely
+//   a cone     at a point, two turns about axes that keep their angle (universal: 90 deg)
+// A screw that is not driven ties an angle to a length, which no polynomial says: refused.
 // Links that say no more than a distance or an angle are replaced by it, and placed by their points afterwards:
 //   a group held by two spherical joints alone    a rod; its spin is free and moves nothing else
 //   a group held by three spherical joints alone  three rods
@@ -24,10 +26,10 @@
 
 namespace moivre {
 
-enum class TieKind { revolute, prismatic, cylindrical, cone, spherical, rod };
-
 struct Tie {
-  TieKind kind = TieKind::revolute;
+  JointPlace place = JointPlace::at_point;
+  JointTurn turn = JointTurn::about_axis;
+  bool is_reversed = false;  ///< the line or plane is fixed in group j
   std::string name;
   std::size_t i = 0, j = 0;  ///< groups
   ExactPose at_i, at_j;
@@ -36,7 +38,14 @@ struct Tie {
 };
 
 /// Freedoms that a tie leaves.
-std::size_t freedom(TieKind kind);
+std::size_t freedom(const Tie& tie);
+
+/// Of these, turns.
+std::size_t turn_freedom(const Tie& tie);
+
+bool is_rod(const Tie& tie);
+/// Whether it leaves every turn and more: an equation or two, no motion for a tree.
+bool is_loose(const Tie& tie);
 
 /// The same tie seen from the other end.
 Tie reversed(const Tie& tie);
@@ -65,6 +74,7 @@ struct RigidGroups {
   std::vector<std::pair<std::string, std::string>> left_out;
 };
 
+/// Throws std::invalid_argument where a screw is not driven.
 RigidGroups rigid_groups(const Mechanism& mechanism, double t);
 
 /// Replaces links between spherical joints by rods.

@@ -11,16 +11,6 @@ namespace {
 
 constexpr std::size_t kFewest = 3;
 constexpr std::size_t kMost = 6;
-constexpr std::size_t kTurnsOfSpace = 3;
-
-std::size_t turns_of(const std::vector<Tie>& loop) {
-  std::size_t turns = 0;
-  for (const Tie& tie : loop) {
-    if (tie.kind == TieKind::prismatic) continue;
-    turns += tie.kind == TieKind::cylindrical ? 1 : freedom(tie.kind);
-  }
-  return turns;
-}
 
 class Chain {
  public:
@@ -35,6 +25,8 @@ class Chain {
  private:
   void turn(const std::string& name);
   void slide(const std::string& name);
+  void turns(const Tie& tie);
+  void slides(const Tie& tie);
   void fixed(const ExactPose& pose);
 
   SpatialFrame& frame_;
@@ -77,36 +69,47 @@ void Chain::slide(const std::string& name) {
   elements_.push_back(std::move(element));
 }
 
-void Chain::follow(const Tie& tie, bool is_last) {
-  owners_ = groups_.bodies[is_last ? tie.i : tie.j];
-  step_ = to_moving(identity_pose());
-  fixed(tie.at_i);
-  switch (tie.kind) {
-    case TieKind::revolute:
+void Chain::turns(const Tie& tie) {
+  switch (turn_freedom(tie)) {
+    case 0:
+      break;
+    case 1:
       turn("t_" + tie.name);
       break;
-    case TieKind::prismatic:
-      slide("s_" + tie.name);
-      break;
-    case TieKind::cylindrical:
-      turn("t_" + tie.name);
-      slide("s_" + tie.name);
-      break;
-    case TieKind::cone:
+    case 2:
       turn("t1_" + tie.name);
       fixed(tilt(tie.half_tangent));
       turn("t2_" + tie.name);
       break;
-    case TieKind::spherical:
+    default:
       turn("t1_" + tie.name);
       fixed(tilt(1));
       turn("t2_" + tie.name);
       fixed(conjugate(tilt(1)));
       turn("t3_" + tie.name);
       break;
-    case TieKind::rod:
-      break;  // loop_of takes none
   }
+}
+
+void Chain::slides(const Tie& tie) {
+  if (tie.place == JointPlace::on_line) slide("s_" + tie.name);
+  if (tie.place != JointPlace::in_plane) return;
+  for (const std::size_t k : {0, 1}) {
+    fixed(across(k));
+    slide("s" + std::to_string(k + 1) + "_" + tie.name);
+    fixed(conjugate(across(k)));
+  }
+}
+
+void Chain::follow(const Tie& tie, bool is_last) {
+  owners_ = groups_.bodies[is_last ? tie.i : tie.j];
+  step_ = to_moving(identity_pose());
+  fixed(tie.at_i);
+  // A point that is held to a line of group i: along the line first, and then any turn.
+  const bool slides_first = is_loose(tie) && !tie.is_reversed;
+  if (slides_first) slides(tie);
+  turns(tie);
+  if (!slides_first) slides(tie);
   fixed(conjugate(tie.at_j));
   if (is_last) return;
   PoseReading::Placement placement;
@@ -130,9 +133,9 @@ std::optional<std::vector<Tie>> loop_of(const RigidGroups& groups, const Part& p
     });
     if (next == left.end()) return std::nullopt;
     const Tie& tie = groups.ties[*next];
-    if (tie.kind == TieKind::rod || tie.i == tie.j) return std::nullopt;
+    if (tie.turn == JointTurn::freely || tie.i == tie.j) return std::nullopt;
     loop.push_back(tie.i == at ? tie : reversed(tie));
-    freedoms += freedom(tie.kind);
+    freedoms += freedom(tie);
     at = loop.back().j;
     left.erase(next);
   } while (at != 0);
@@ -145,11 +148,15 @@ std::optional<std::vector<Tie>> loop_of(const RigidGroups& groups, const Part& p
 }
 
 void add_loop(SpatialFrame& frame, const RigidGroups& groups, const std::vector<Tie>& loop) {
-  const std::size_t turns = turns_of(loop);
-  Chain chain(frame, groups, turns == kTurnsOfSpace);
-  for (std::size_t k = 0; k < loop.size(); ++k) chain.follow(loop[k], k + 1 == loop.size());
-  const ExactPose whole = conjugate(shortened(chain.end()));
-  add_loop_equations(frame, std::move(chain).take(), whole);
+  const auto followed = [&](SpatialFrame& into, bool has_plain_slides) {
+    Chain chain(into, groups, has_plain_slides);
+    for (std::size_t k = 0; k < loop.size(); ++k) chain.follow(loop[k], k + 1 == loop.size());
+    const ExactPose whole = conjugate(shortened(chain.end()));
+    return Loop{std::move(chain).take(), whole};
+  };
+  SpatialFrame tried(frame.length());
+  const bool has_plain_slides = takes_plain_slides(followed(tried, true), frame.length());
+  add_loop_equations(frame, followed(frame, has_plain_slides));
 }
 
 }  // namespace moivre

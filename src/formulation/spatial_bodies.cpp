@@ -54,7 +54,7 @@ void add_ground_ties(SpatialFrame& frame, const RigidGroups& groups) {
   const MovingPose rest = to_moving(identity_pose());
   for (const Tie& tie : groups.ties) {
     if (tie.i != 0 || tie.j != 0) continue;
-    if (tie.kind == TieKind::rod) {
+    if (is_rod(tie)) {
       const double size = frame.length() * frame.length();
       frame.add_equation(tie.name, without_noise(rod_equation(tie, rest), size));
     } else {

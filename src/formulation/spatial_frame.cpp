@@ -135,45 +135,58 @@ MovingPose SpatialFrame::add_any_pose(const std::string& name,
   return pose;
 }
 
-MovingPose add_motion(SpatialFrame& frame, const Tie& tie, const std::vector<std::string>& owners) {
+namespace {
+
+MovingPose turns_of(SpatialFrame& frame, const Tie& tie, const std::vector<std::string>& owners) {
   const auto turn = [&](const std::string& name) {
     return frame.add_turn(name, frame.random_number(), owners);
   };
-  MovingPose motion;
-  switch (tie.kind) {
-    case TieKind::revolute:
-      motion = turn("t_" + tie.name);
-      break;
-    case TieKind::prismatic:
-      motion = frame.add_slide("s_" + tie.name, owners);
-      break;
-    case TieKind::cylindrical:
-      motion = turn("t_" + tie.name) * frame.add_slide("s_" + tie.name, owners);
-      break;
-    case TieKind::cone: {
+  switch (turn_freedom(tie)) {
+    case 0:
+      return to_moving(identity_pose());
+    case 1:
+      return turn("t_" + tie.name);
+    case 2: {
       const MovingPose first = turn("t1_" + tie.name);
-      const MovingPose second = turn("t2_" + tie.name);
-      motion = first * to_moving(tilt(tie.half_tangent)) * second;
-      break;
+      return first * to_moving(tilt(tie.half_tangent)) * turn("t2_" + tie.name);
     }
-    case TieKind::spherical:
-      motion = frame.add_any_turn(tie.name, owners);
-      break;
-    case TieKind::rod:
-      throw std::logic_error("a rod places nothing");
+    default:
+      return frame.add_any_turn(tie.name, owners);
   }
-  return to_moving(tie.at_i) * motion * to_moving(conjugate(tie.at_j));
+}
+
+MovingPose slides_of(SpatialFrame& frame, const Tie& tie, const std::vector<std::string>& owners) {
+  MovingPose slides = to_moving(identity_pose());
+  if (tie.place == JointPlace::on_line) return frame.add_slide("s_" + tie.name, owners);
+  if (tie.place != JointPlace::in_plane) return slides;
+  for (const std::size_t k : {0, 1}) {
+    const std::string name = "s" + std::to_string(k + 1) + "_" + tie.name;
+    slides = slides * to_moving(across(k)) * frame.add_slide(name, owners) *
+             to_moving(conjugate(across(k)));
+  }
+  return slides;
+}
+
+}  // namespace
+
+MovingPose add_motion(SpatialFrame& frame, const Tie& tie, const std::vector<std::string>& owners) {
+  if (is_loose(tie)) throw std::logic_error("a tie that leaves every turn places nothing");
+  // Slides commute with turns about their axis or their plane's normal.
+  const MovingPose turns = turns_of(frame, tie, owners);
+  return to_moving(tie.at_i) * turns * slides_of(frame, tie, owners) *
+         to_moving(conjugate(tie.at_j));
 }
 
 Polynomial rod_equation(const Tie& tie, const MovingPose& j_in_i) {
   const MovingPose motion = to_moving(conjugate(tie.at_i)) * j_in_i * to_moving(tie.at_j);
   // Rods of one pair of groups share the factor of their highest terms.
   const Rational factor = 1 / (norm(tie.at_i) * norm(tie.at_j));
-  return Coefficient{4 * factor, 0} * dot(motion.g, motion.g) -
-         Coefficient{factor * tie.square, 0} * dot(motion.q, motion.q);
+  return rounded_difference(Coefficient{4 * factor, 0} * dot(motion.g, motion.g),
+                            Coefficient{factor * tie.square, 0} * dot(motion.q, motion.q));
 }
 
 void add_closing(SpatialFrame& frame, const Tie& tie, const MovingPose& j_in_i) {
+  if (is_rod(tie)) throw std::logic_error("a rod closes by its length");
   const MovingPose motion = to_moving(conjugate(tie.at_i)) * j_in_i * to_moving(tie.at_j);
   const auto& [q, g] = motion;
   double turn_size = 0;
@@ -182,32 +195,33 @@ void add_closing(SpatialFrame& frame, const Tie& tie, const MovingPose& j_in_i) 
     frame.add_equation(tie.name + ": " + part, without_noise(p, size));
   };
   const double shift_size = turn_size * frame.length();
-  switch (tie.kind) {
-    case TieKind::rod:
-      throw std::logic_error("a rod closes by its length");
-    case TieKind::cone: {
-      // cos = (along - across) / (along + across) = (1 - h^2) / (1 + h^2), h = tan of half the angle
-      const Rational square = tie.half_tangent * tie.half_tangent;
-      const Polynomial along = q[0] * q[0] + q[3] * q[3];
-      const Polynomial across = q[1] * q[1] + q[2] * q[2];
-      vanish(Coefficient{square, 0} * along - across, turn_size * turn_size, "angle");
-      break;
-    }
-    case TieKind::spherical:
-      break;
-    case TieKind::revolute:
-    case TieKind::cylindrical:
-    case TieKind::prismatic:
-      vanish(q[1], turn_size, "tilt 1");
-      vanish(q[2], turn_size, "tilt 2");
-      if (tie.kind == TieKind::prismatic) vanish(q[3], turn_size, "turn");
-      break;
+  const bool is_aligned = turn_freedom(tie) <= 1;
+  if (is_aligned) {
+    vanish(q[1], turn_size, "tilt 1");
+    vanish(q[2], turn_size, "tilt 2");
+    if (tie.turn == JointTurn::not_at_all) vanish(q[3], turn_size, "turn");
+  } else if (tie.turn == JointTurn::about_two_axes) {
+    // cos = (along - across) / (along + across) = (1 - h^2) / (1 + h^2), h = tan of half the angle
+    const Rational square = tie.half_tangent * tie.half_tangent;
+    const Polynomial along = q[0] * q[0] + q[3] * q[3];
+    const Polynomial across = q[1] * q[1] + q[2] * q[2];
+    vanish(Coefficient{square, 0} * along - across, turn_size * turn_size, "angle");
   }
-  vanish(g[1], shift_size, "x");
-  vanish(g[2], shift_size, "y");
-  if (tie.kind == TieKind::cylindrical) return;
-  if (tie.kind != TieKind::prismatic) vanish(g[3], shift_size, "z");
-  vanish(g[0], shift_size, "w");
+  // g is of the turned group's shift where q is not known to be about the axis; product(g, conj q) is the shift itself.
+  const bool has_x_and_y = tie.place != JointPlace::in_plane;
+  const bool has_z = tie.place != JointPlace::on_line;
+  if (tie.place == JointPlace::at_point || is_aligned) {
+    if (has_x_and_y) vanish(g[1], shift_size, "x");
+    if (has_x_and_y) vanish(g[2], shift_size, "y");
+    if (has_z) vanish(g[3], shift_size, "z");
+    const bool has_w = has_z || tie.turn == JointTurn::not_at_all;
+    if (has_w) vanish(g[0], shift_size, "w");
+    return;
+  }
+  const auto shift = product(g, conjugate(q));
+  if (has_x_and_y) vanish(shift[1], turn_size * shift_size, "x");
+  if (has_x_and_y) vanish(shift[2], turn_size * shift_size, "y");
+  if (has_z) vanish(shift[3], turn_size * shift_size, "z");
 }
 
 }  // namespace moivre

@@ -58,14 +58,14 @@ void Tree::place(std::size_t group, std::size_t parent, MovingPose in_parent) {
 
 void Tree::place_next() {
   std::optional<std::size_t> stiffest;
-  std::map<std::size_t, std::size_t> rods;  // of groups not yet placed
+  std::map<std::size_t, std::size_t> loose;  // ties of groups not yet placed
   for (const std::size_t k : part_.ties) {
     const Tie& tie = groups_.ties[k];
     if (nodes_.count(tie.i) == nodes_.count(tie.j)) continue;
     const std::size_t next = nodes_.count(tie.i) > 0 ? tie.j : tie.i;
-    if (tie.kind == TieKind::rod) {
-      ++rods[next];
-    } else if (!stiffest || freedom(tie.kind) < freedom(groups_.ties[*stiffest].kind)) {
+    if (is_loose(tie)) {
+      ++loose[next];
+    } else if (!stiffest || freedom(tie) < freedom(groups_.ties[*stiffest])) {
       stiffest = k;
     }
   }
@@ -77,7 +77,7 @@ void Tree::place_next() {
     return;
   }
   const auto most = std::max_element(
-      rods.begin(), rods.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+      loose.begin(), loose.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
   const std::size_t group = most->first;
   place(group, 0, frame_.add_any_pose(groups_.names[group], groups_.bodies[group]));
 }
@@ -101,17 +101,13 @@ MovingPose Tree::relative(std::size_t i, std::size_t j) const {
 }
 
 void Tree::close(const Tie& tie) {
-  if (tie.kind != TieKind::rod) {
+  if (!is_rod(tie)) {
     add_closing(frame_, tie, relative(tie.i, tie.j));
     return;
   }
   Polynomial length = rod_equation(tie, relative(tie.i, tie.j));
   const auto [first, is_new] = first_rod_.emplace(std::minmax(tie.i, tie.j), length);
-  if (!is_new) {
-    // A rod beside and parallel to the first says the same again: only rounding is left of the difference.
-    const double size = largest_coefficient(first->second);
-    length = without_noise(length - first->second, size);
-  }
+  if (!is_new) length = rounded_difference(length, first->second);
   frame_.add_equation(tie.name + ": length", std::move(length));
 }
 

@@ -21,24 +21,7 @@ using Eigen::VectorXd;
 // A displacement this small beside the largest is rounding: poses are known to about 1e-13.
 constexpr double kStandsStill = 1e-7;
 
-Index row_count(JointType type) {
-  switch (type) {
-    case JointType::revolute:
-    case JointType::prismatic:
-      return 2;
-    case JointType::weld:
-      return 3;
-    case JointType::slot:
-    case JointType::rod:
-    case JointType::gear:
-      return 1;
-    case JointType::spherical:
-    case JointType::cylindrical:
-    case JointType::universal:
-      break;
-  }
-  throw std::logic_error("a planar mechanism has no " + to_string(type) + " joint");
-}
+constexpr Index kCoordinates = 3;  // x, y, phi
 
 bool is_tied_by_driver(const Mechanism& mechanism, std::size_t number) {
   const Joint& joint = mechanism.joints[number];
@@ -53,7 +36,6 @@ bool is_tied_by_driver(const Mechanism& mechanism, std::size_t number) {
 /// How each freedom moves what the body has at `place`, in the ground frame: 2 x (number of freedoms).
 MatrixXd displacements(std::size_t body, const Eigen::Vector3d& place, const VectorXd& q,
                        const MatrixXd& freedoms) {
-  constexpr Index kCoordinates = 3;  // x, y, phi
   if (body == 0) return MatrixXd::Zero(2, freedoms.cols());
   const Index at = kCoordinates * (static_cast<Index>(body) - 1);
   const Vector2d arm = place.head<2>() - q.segment<2>(at);
@@ -65,7 +47,6 @@ MatrixXd displacements(std::size_t body, const Eigen::Vector3d& place, const Vec
 
 /// How far each freedom moves anything, roughly: an angle counts with the largest arm that a point has.
 double extent_of(const Mechanism& mechanism, const MatrixXd& freedoms) {
-  constexpr Index kCoordinates = 3;
   double arm = 0;
   for (const Body& body : mechanism.bodies) {
     for (const BodyPoint& point : body.points) arm = std::max(arm, point.at.norm());
@@ -114,7 +95,7 @@ std::vector<TransmissionJoint> transmission_joints(const Mechanism& mechanism) {
   Index row = 0;
   for (std::size_t k = 0; k < mechanism.joints.size(); ++k) {
     const Joint& joint = mechanism.joints[k];
-    const Index rows = row_count(joint.type);
+    const Index rows = kCoordinates - freedoms(joint.type, Space::planar);
     const bool pushes = joint.type == JointType::revolute || joint.type == JointType::slot ||
                         joint.type == JointType::rod;
     const bool moves = joint.at[0].body != 0 && joint.at[1].body != 0;

@@ -30,29 +30,6 @@ class Groups {
   std::vector<std::size_t> parent_;
 };
 
-/// Degrees of freedom of one body relative to another across a joint.
-int freedoms(const Joint& joint, Space space) {
-  const bool is_planar = space == Space::planar;
-  switch (joint.type) {
-    case JointType::revolute:
-    case JointType::prismatic:
-      return 1;
-    case JointType::weld:
-      return 0;
-    case JointType::slot:
-    case JointType::cylindrical:
-    case JointType::universal:
-      return 2;
-    case JointType::spherical:
-      return 3;
-    case JointType::rod:
-      return is_planar ? 2 : 5;
-    case JointType::gear:
-      break;
-  }
-  return is_planar ? 2 : 5;
-}
-
 /// A gear holds angles, not places.
 bool places(const Joint& joint) { return joint.type != JointType::gear; }
 
@@ -108,8 +85,7 @@ void check_lengths(Reading& reading, const Mechanism& mechanism) {
     for (const Joint& joint : mechanism.joints) {
       for (const PointOf& end : joint.at) {
         if (end.body != body) continue;
-        has_pins_only = has_pins_only &&
-                        (joint.type == JointType::revolute || joint.type == JointType::spherical);
+        has_pins_only = has_pins_only && joint.type == JointType::revolute;
         if (has_pins_only) pins.push_back(mechanism.bodies[body].points[end.point].at);
       }
     }
@@ -141,11 +117,20 @@ void check_twin_joints(Reading& reading, const Mechanism& mechanism) {
   }
 }
 
-bool drive_the_same(const Driver& a, const Driver& b, bool is_spatial) {
-  if (a.kind != b.kind) return false;
+bool drives_a_screw(const Mechanism& mechanism, const Driver& driver) {
+  const bool is_at_a_joint =
+      driver.kind == DriverKind::slide ||
+      (driver.kind == DriverKind::angle && mechanism.space == Space::spatial);
+  return is_at_a_joint && mechanism.joints[driver.joint].type == JointType::screw;
+}
+
+bool drive_the_same(const Mechanism& mechanism, const Driver& a, const Driver& b) {
+  if (a.kind != b.kind) {
+    return drives_a_screw(mechanism, a) && drives_a_screw(mechanism, b) && a.joint == b.joint;
+  }
   switch (a.kind) {
     case DriverKind::angle:
-      if (is_spatial) return a.joint == b.joint;
+      if (mechanism.space == Space::spatial) return a.joint == b.joint;
       return a.bodies == b.bodies || (a.bodies[0] == b.bodies[1] && a.bodies[1] == b.bodies[0]);
     case DriverKind::slide:
       return a.joint == b.joint;
@@ -167,13 +152,13 @@ int freedoms_at_most(const Mechanism& mechanism) {
     if (places(joint)) joints.push_back(&joint);
   }
   std::stable_sort(joints.begin(), joints.end(), [&](const Joint* a, const Joint* b) {
-    return freedoms(*a, mechanism.space) < freedoms(*b, mechanism.space);
+    return freedoms(a->type, mechanism.space) < freedoms(b->type, mechanism.space);
   });
   Groups groups(mechanism.bodies.size());
   int bound = 0;
   for (const Joint* joint : joints) {
     if (groups.join(joint->at[0].body, joint->at[1].body))
-      bound += freedoms(*joint, mechanism.space);
+      bound += freedoms(joint->type, mechanism.space);
   }
   return bound;
 }
@@ -182,7 +167,7 @@ void check_drivers(Reading& reading, const Mechanism& mechanism) {
   const auto& drivers = mechanism.drivers;
   for (std::size_t k = 0; k < drivers.size(); ++k) {
     for (std::size_t j = 0; j < k; ++j) {
-      if (!drive_the_same(drivers[j], drivers[k], mechanism.space == Space::spatial)) continue;
+      if (!drive_the_same(mechanism, drivers[j], drivers[k])) continue;
       reading.fault(drivers[k].where,
                     "'" + drivers[k].name + "' is driven twice; remove one of the drivers");
     }
@@ -197,8 +182,7 @@ void check_drivers(Reading& reading, const Mechanism& mechanism) {
 }
 
 int rows_of(const Joint& joint, Space space) {
-  if (joint.type == JointType::gear) return 1;
-  return (space == Space::planar ? 3 : 6) - freedoms(joint, space);
+  return (space == Space::planar ? 3 : 6) - freedoms(joint.type, space);
 }
 
 /// More drivers than Gruebler's count is odd, but redundant constraints can make it right.

@@ -32,7 +32,7 @@ void add_joints(const Mechanism& mechanism, std::vector<Dimension>& all) {
   for (std::size_t k = 0; k < mechanism.joints.size(); ++k) {
     const Joint& joint = mechanism.joints[k];
     const bool is_rod = joint.type == JointType::rod;
-    if (!is_rod && joint.type != JointType::prismatic && joint.type != JointType::weld) continue;
+    if (!is_rod && traits(joint.type).turn != JointTurn::not_at_all) continue;
     Dimension dimension;
     dimension.name = joint.name + (is_rod ? ".length" : ".turn");
     dimension.kind = is_rod ? DimensionKind::length : DimensionKind::turn;

@@ -2,6 +2,7 @@
 // Where does Newton's method start? Bodies placed joint by joint from the ground outwards, at guessed or driven angles.
 #include <Eigen/Geometry>
 
+#include "moivre/mechanism/driven_joint.h"
 #include "moivre/mechanism/mechanism.h"
 #include "spatial_pose.h"
 
@@ -65,11 +66,9 @@ class Placement {
     return std::nullopt;
   }
 
-  std::optional<double> driven(DriverKind kind, const Joint& joint) const {
-    for (const Driver& driver : mechanism_.drivers) {
-      if (driver.kind == kind && &mechanism_.joints[driver.joint] == &joint) return value(driver);
-    }
-    return std::nullopt;
+  DrivenJoint driven(const Joint& joint) const {
+    return driven_joint(mechanism_, static_cast<std::size_t>(&joint - mechanism_.joints.data()),
+                        t_);
   }
 
   double value(const Driver& driver) const { return driver_state(driver.law, t_).value; }
@@ -77,8 +76,7 @@ class Placement {
   Eigen::Matrix3d planar_orientation(const Joint& joint, std::size_t end, std::size_t body) const {
     if (const auto phi = guess(body, "phi")) return turn_about(Eigen::Vector3d::UnitZ(), *phi);
     if (const auto phi = driven_angle(body)) return turn_about(Eigen::Vector3d::UnitZ(), *phi);
-    const bool keeps_turn = joint.type == JointType::prismatic || joint.type == JointType::weld;
-    if (!keeps_turn) return Eigen::Matrix3d::Identity();
+    if (traits(joint.type).turn != JointTurn::not_at_all) return Eigen::Matrix3d::Identity();
     const double turn = end == 0 ? joint.turn_rad : -joint.turn_rad;
     return poses_[joint.at[end].body].R * turn_about(Eigen::Vector3d::UnitZ(), turn);
   }
@@ -90,13 +88,10 @@ class Placement {
       return v.isZero(0) ? Eigen::Matrix3d(Eigen::Matrix3d::Identity())
                          : turn_about(v.normalized(), v.norm());
     }
-    const bool aligns = joint.type == JointType::revolute || joint.type == JointType::cylindrical ||
-                        joint.type == JointType::prismatic || joint.type == JointType::weld;
     const Eigen::Matrix3d& base = poses_[joint.at[end].body].R;
-    if (!aligns) return base;
-    const double turn = joint.type == JointType::revolute || joint.type == JointType::cylindrical
-                            ? driven(DriverKind::angle, joint).value_or(0)
-                            : 0;
+    const JointTurn freedom = traits(joint.type).turn;
+    if (freedom == JointTurn::freely || freedom == JointTurn::about_two_axes) return base;
+    const double turn = driven(joint).angle.value_or(0);
     const Eigen::Matrix3d relative = spatial::axis_frame(joint.axis[0]) *
                                      turn_about(Eigen::Vector3d::UnitZ(), joint.turn_rad + turn) *
                                      spatial::axis_frame(joint.axis[1]).transpose();
@@ -112,7 +107,7 @@ class Placement {
     pose.is_placed = true;
     pose.R = is_planar ? planar_orientation(joint, end, there.body)
                        : spatial_orientation(joint, end, there.body);
-    double apart = driven(DriverKind::slide, joint).value_or(0);
+    double apart = driven(joint).slide.value_or(0);
     if (joint.type == JointType::rod) apart = joint.length;
     const Eigen::Vector3d along = end == 0 ? Eigen::Vector3d(poses_[here.body].R * joint.axis[0])
                                            : Eigen::Vector3d(-(pose.R * joint.axis[0]));

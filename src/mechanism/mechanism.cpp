@@ -10,30 +10,6 @@
 
 namespace moivre {
 
-std::string to_string(JointType type) {
-  switch (type) {
-    case JointType::revolute:
-      return "revolute";
-    case JointType::prismatic:
-      return "prismatic";
-    case JointType::slot:
-      return "slot";
-    case JointType::weld:
-      return "weld";
-    case JointType::rod:
-      return "rod";
-    case JointType::gear:
-      return "gear";
-    case JointType::spherical:
-      return "spherical";
-    case JointType::cylindrical:
-      return "cylindrical";
-    case JointType::universal:
-      return "universal";
-  }
-  return "";
-}
-
 std::string to_string(DriverKind kind) {
   switch (kind) {
     case DriverKind::angle:

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Which equations does a planar joint or driver add to Phi? One formula a joint, in q = [x, y, phi] a body.
 //
-//   revolute   r_i + A_i a - r_j - A_j b = 0
-//   prismatic  phi_j - phi_i - turn = 0,  n . (B - A) = 0     n perpendicular to the line, fixed in body i
-//   slot       n . (B - A) = 0
-//   weld       points coincide, phi_j - phi_i - turn = 0
-//   rod        (A - B) . (A - B) - L^2 = 0
-//   gear       z_i (phi_i - phi_c) - z_j (phi_j - phi_c - phase) = 0, teeth divided by their common factor
+// Rows of the joint's place, then of its turn (joint_type.h):
+//   at point     r_i + A_i a - r_j - A_j b = 0
+//   on line      n . (B - A) = 0               n perpendicular to the line, fixed in body i
+//   at distance  (A - B) . (A - B) - L^2 = 0
+//   not at all   phi_j - phi_i - turn = 0
+//   geared       z_i (phi_i - phi_c) - z_j (phi_j - phi_c - phase) = 0, teeth divided by their common factor
 #include <numeric>
 
 #include "dimension_jets.h"
@@ -56,6 +56,15 @@ S relative_angle(const At<S>& at, std::size_t i, std::size_t j, const Jet& offse
   return within_half_turn(angle(at, j) - angle(at, i) - in_scalar<S>(offset));
 }
 
+std::vector<std::string> row_names(const std::string& label, const JointTraits& type) {
+  std::vector<std::string> names;
+  if (type.place == JointPlace::at_point) names = {label + ": x", label + ": y"};
+  if (type.place == JointPlace::on_line) names = {label + ": line"};
+  if (type.place == JointPlace::at_distance) names = {label + ": length"};
+  if (type.turn == JointTurn::not_at_all) names.push_back(label + ": turn");
+  return names;
+}
+
 std::shared_ptr<const Constraint> gear(const Joint& joint, const std::string& label) {
   const std::size_t i = joint.at[0].body;
   const std::size_t j = joint.at[1].body;
@@ -80,53 +89,28 @@ std::shared_ptr<const Constraint> gear(const Joint& joint, const std::string& la
 std::shared_ptr<const Constraint> planar_joint(const Mechanism& mechanism, const Joint& joint,
                                                const Dimension* moving) {
   const std::string label = to_string(joint.type) + " " + joint.name;
-  if (joint.type == JointType::gear) return gear(joint, label);
+  const JointTraits& type = traits(joint.type);
+  if (!type.is_planar) throw std::logic_error("a planar mechanism has no joint " + label);
+  if (type.turn == JointTurn::geared) return gear(joint, label);
   const Ends ends = ends_of(mechanism, joint, moving);
-  const auto coordinates = coordinates_of({ends.i, ends.j}, kSize);
-  const Eigen::Vector3d normal = turned_left(joint.axis[0]);
-  const Jet turn = turn_jet(mechanism, joint, moving);
-  switch (joint.type) {
-    case JointType::revolute:
-      return make_constraint(
-          {label + ": x", label + ": y"}, coordinates, [=](const auto& at, auto* row) {
-            const auto d = position(at, ends.i, ends.a) - position(at, ends.j, ends.b);
-            row[0] = d.x;
-            row[1] = d.y;
-          });
-    case JointType::prismatic:
-      return make_constraint({label + ": turn", label + ": line"}, coordinates,
-                             [=](const auto& at, auto* row) {
-                               row[0] = relative_angle(at, ends.i, ends.j, turn);
-                               row[1] = displacement(at, ends, normal);
-                             });
-    case JointType::slot:
-      return make_constraint({label + ": line"}, coordinates, [=](const auto& at, auto* row) {
-        row[0] = displacement(at, ends, normal);
+  const bool has_turn = type.turn == JointTurn::not_at_all;
+  return make_constraint(
+      row_names(label, type), coordinates_of({ends.i, ends.j}, kSize),
+      [=, place = type.place, normal = turned_left(joint.axis[0]),
+       turn = turn_jet(mechanism, joint, moving),
+       length = length_jet(mechanism, joint, moving)](const auto& at, auto* row) {
+        using S = std::remove_reference_t<decltype(*row)>;
+        const auto d = position(at, ends.i, ends.a) - position(at, ends.j, ends.b);
+        if (place == JointPlace::at_point) {
+          *row++ = d.x;
+          *row++ = d.y;
+        } else if (place == JointPlace::on_line) {
+          *row++ = displacement(at, ends, normal);
+        } else {
+          *row++ = d.x * d.x + d.y * d.y - in_scalar<S>(length * length);
+        }
+        if (has_turn) *row = relative_angle(at, ends.i, ends.j, turn);
       });
-    case JointType::weld:
-      return make_constraint({label + ": x", label + ": y", label + ": turn"}, coordinates,
-                             [=](const auto& at, auto* row) {
-                               const auto d =
-                                   position(at, ends.i, ends.a) - position(at, ends.j, ends.b);
-                               row[0] = d.x;
-                               row[1] = d.y;
-                               row[2] = relative_angle(at, ends.i, ends.j, turn);
-                             });
-    case JointType::rod:
-      return make_constraint(
-          {label + ": length"}, coordinates,
-          [=, length = length_jet(mechanism, joint, moving)](const auto& at, auto* row) {
-            using S = std::remove_reference_t<decltype(*row)>;
-            const auto d = position(at, ends.i, ends.a) - position(at, ends.j, ends.b);
-            row[0] = d.x * d.x + d.y * d.y - in_scalar<S>(length * length);
-          });
-    case JointType::gear:
-    case JointType::spherical:
-    case JointType::cylindrical:
-    case JointType::universal:
-      break;
-  }
-  throw std::logic_error("a planar mechanism has no " + to_string(joint.type) + " joint");
 }
 
 std::shared_ptr<const Constraint> planar_driver(const Mechanism& mechanism, const Driver& driver,

@@ -60,7 +60,7 @@ std::optional<double> joint_coordinate(const Mechanism& mechanism, const Joint& 
   const VectorXd rest = VectorXd::Zero(q.size());
   const auto state = joint_state(mechanism, joint, q, rest, rest);
   if (!state) return std::nullopt;
-  return joint.type == JointType::revolute ? within_half_turn(Jet(state->value)).f : state->value;
+  return is_angular(joint.type) ? within_half_turn(Jet(state->value)).f : state->value;
 }
 
 std::optional<ScalarState> joint_state(const Mechanism& mechanism, const Joint& joint,
@@ -81,7 +81,7 @@ bool is_within_limits(const Mechanism& mechanism, const Joint& joint, const Vect
   const auto value = joint_coordinate(mechanism, joint, q);
   if (!joint.limits || !value) return true;
   double above_lower = *value - joint.limits->lower;
-  if (joint.type == JointType::revolute) {
+  if (is_angular(joint.type)) {
     constexpr double kTurn = 2 * std::numbers::pi;
     above_lower -= kTurn * std::floor(above_lower / kTurn);
   }

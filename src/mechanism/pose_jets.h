@@ -45,23 +45,11 @@ inline Jet joint_turn_jet(const Mechanism& mechanism, const Joint& joint, const 
                spatial::dot(direction_jet(mechanism, first, frame.col(0), at), shown));
 }
 
-/// The one coordinate that a joint has: a turn where it only turns, else its slide; none where it has several or is rigid.
+/// The joint's coordinate: its slide where it has one, else its angle; none of a joint that has neither.
 inline std::optional<Jet> joint_jet(const Mechanism& mechanism, const Joint& joint,
                                     const At<Jet>& at, const Dimension* moving = nullptr) {
-  switch (joint.type) {
-    case JointType::revolute:
-      return joint_turn_jet(mechanism, joint, at);
-    case JointType::prismatic:
-    case JointType::slot:
-    case JointType::cylindrical:
-      return joint_slide_jet(mechanism, joint, at, moving);
-    case JointType::weld:
-    case JointType::rod:
-    case JointType::gear:
-    case JointType::spherical:
-    case JointType::universal:
-      break;
-  }
+  if (has_slide(joint.type)) return joint_slide_jet(mechanism, joint, at, moving);
+  if (has_angle(joint.type)) return joint_turn_jet(mechanism, joint, at);
   return std::nullopt;
 }
 

@@ -55,28 +55,38 @@ std::string refusal(const std::string& type) {
 
 /// The type that others call so; nullopt where it has no other name.
 std::optional<JointType> type_called(const std::string& word) {
-  static const std::map<std::string, JointType> names{
-      {"pin", JointType::revolute},     {"hinge", JointType::revolute},
-      {"pivot", JointType::revolute},   {"rotation", JointType::revolute},
-      {"slider", JointType::prismatic}, {"translation", JointType::prismatic},
-      {"linear", JointType::prismatic}, {"pin-in-slot", JointType::slot},
-      {"fixed", JointType::weld},       {"rigid", JointType::weld},
-      {"distance", JointType::rod},     {"link", JointType::rod},
-      {"bar", JointType::rod},          {"ball", JointType::spherical},
-      {"cardan", JointType::universal}, {"hooke", JointType::universal},
-      {"gears", JointType::gear}};
+  static const std::map<std::string, JointType> names{{"pin", JointType::revolute},
+                                                      {"hinge", JointType::revolute},
+                                                      {"pivot", JointType::revolute},
+                                                      {"rotation", JointType::revolute},
+                                                      {"slider", JointType::prismatic},
+                                                      {"translation", JointType::prismatic},
+                                                      {"linear", JointType::prismatic},
+                                                      {"pin-in-slot", JointType::slot},
+                                                      {"fixed", JointType::weld},
+                                                      {"rigid", JointType::weld},
+                                                      {"distance", JointType::rod},
+                                                      {"link", JointType::rod},
+                                                      {"bar", JointType::rod},
+                                                      {"ball", JointType::spherical},
+                                                      {"cardan", JointType::universal},
+                                                      {"hooke", JointType::universal},
+                                                      {"gears", JointType::gear},
+                                                      {"helical", JointType::screw},
+                                                      {"lead-screw", JointType::screw},
+                                                      {"inline", JointType::point_on_line},
+                                                      {"inplane", JointType::point_on_plane}};
   const auto found = names.find(word);
   return found == names.end() ? std::nullopt : std::optional(found->second);
 }
 
-const std::vector<JointType>& types_in(Space space) {
-  static const std::vector<JointType> planar{JointType::revolute, JointType::prismatic,
-                                             JointType::slot,     JointType::weld,
-                                             JointType::rod,      JointType::gear};
-  static const std::vector<JointType> spatial{
-      JointType::spherical, JointType::revolute, JointType::prismatic, JointType::cylindrical,
-      JointType::universal, JointType::rod,      JointType::weld};
-  return space == Space::planar ? planar : spatial;
+/// Types that the space has.
+std::vector<JointTraits> types_in(Space space) {
+  std::vector<JointTraits> found;
+  for (const JointTraits& row : all_joint_types()) {
+    if (exists_in(space, row)) found.push_back(row);
+  }
+  return found;
 }
 
 std::optional<JointType> read_type(Reading& reading, const toml::table& entry, Space space) {
@@ -88,13 +98,13 @@ std::optional<JointType> read_type(Reading& reading, const toml::table& entry, S
   }
   const toml::node& at = *entry.get("type");
   std::vector<std::string> known;
-  for (const JointType type : types_in(space)) {
-    if (to_string(type) == *word) return type;
-    known.push_back(to_string(type));
+  for (const JointTraits& row : types_in(space)) {
+    if (row.name == *word) return row.type;
+    known.emplace_back(row.name);
   }
   const Space other = space == Space::planar ? Space::spatial : Space::planar;
-  for (const JointType type : types_in(other)) {
-    if (to_string(type) != *word) continue;
+  for (const JointTraits& row : types_in(other)) {
+    if (row.name != *word) continue;
     reading.fault(at, "a " + *word + " joint needs space = \"" +
                           (other == Space::planar ? "planar\"" : "spatial\""));
     return std::nullopt;
@@ -109,38 +119,14 @@ std::optional<JointType> read_type(Reading& reading, const toml::table& entry, S
 }
 
 std::vector<std::string> keys_of(JointType type, Space space) {
+  if (type == JointType::gear) return {"type", "name", "bodies", "ratio", "carrier", "phase"};
   std::vector<std::string> keys{"type", "name", "at"};
-  const auto add = [&](std::initializer_list<const char*> more) {
-    keys.insert(keys.end(), more.begin(), more.end());
-  };
-  switch (type) {
-    case JointType::revolute:
-      space == Space::planar ? add({"limits"}) : add({"axis", "limits"});
-      break;
-    case JointType::prismatic:
-      space == Space::planar ? add({"along", "turn", "limits", "tolerance"})
-                             : add({"axis", "turn", "limits", "tolerance"});
-      break;
-    case JointType::slot:
-      add({"along", "limits"});
-      break;
-    case JointType::weld:
-      space == Space::planar ? add({"turn", "tolerance"}) : add({"axis", "turn", "tolerance"});
-      break;
-    case JointType::rod:
-      add({"length", "tolerance"});
-      break;
-    case JointType::gear:
-      return {"type", "name", "bodies", "ratio", "carrier", "phase"};
-    case JointType::cylindrical:
-      add({"axis", "limits"});
-      break;
-    case JointType::universal:
-      add({"axis"});
-      break;
-    case JointType::spherical:
-      break;
-  }
+  if (space == Space::planar && has_slide(type)) keys.emplace_back("along");
+  if (space == Space::spatial && axis_count(type) > 0) keys.emplace_back("axis");
+  if (traits(type).turn == JointTurn::not_at_all) keys.insert(keys.end(), {"turn", "tolerance"});
+  if (has_slide(type) || has_angle(type)) keys.emplace_back("limits");
+  if (type == JointType::rod) keys.insert(keys.end(), {"length", "tolerance"});
+  if (type == JointType::screw) keys.emplace_back("pitch");
   return keys;
 }
 
@@ -195,6 +181,11 @@ void read_axes(Reading& reading, const toml::table& entry, Space space, Joint& j
       !is_planar && entries != nullptr && entries->size() == 2 && entries->get(0)->is_array();
   const std::string what = std::string("'") + key + "'";
   if (is_pair) {
+    if (axis_count(joint.type) == 1) {
+      reading.fault(*node, "a " + to_string(joint.type) +
+                               " joint takes one axis, a direction in the first body's frame");
+      return;
+    }
     for (std::size_t k = 0; k < 2; ++k) {
       read_unit_vector(reading, *entries->get(k), what, space, joint.axis[k]);
     }
@@ -224,11 +215,27 @@ void read_length(Reading& reading, const toml::table& entry, Joint& joint) {
   joint.length = *length;
 }
 
+void read_pitch(Reading& reading, const toml::table& entry, Joint& joint) {
+  const auto pitch = reading.number(entry, "pitch");
+  if (!pitch) {
+    if (!entry.contains("pitch")) {
+      reading.fault(entry,
+                    "a screw needs its 'pitch', the advance in a whole turn (negative where it is "
+                    "left-handed)");
+    }
+    return;
+  }
+  if (*pitch == 0) {
+    reading.fault(*entry.get("pitch"), "a screw of pitch zero is a revolute joint; write that");
+  }
+  joint.pitch = *pitch;
+}
+
 void read_limits(Reading& reading, const toml::table& entry, const Mechanism& mechanism,
                  Joint& joint) {
   const auto bounds = reading.numbers(entry, "limits", 2);
   if (!bounds) return;
-  const double unit = joint.type == JointType::revolute ? angle_unit(mechanism) : 1;
+  const double unit = is_angular(joint.type) ? angle_unit(mechanism) : 1;
   joint.limits = Limits{(*bounds)[0] * unit, (*bounds)[1] * unit};
   if ((*bounds)[0] > (*bounds)[1]) {
     reading.fault(*entry.get("limits"),
@@ -299,6 +306,7 @@ Joint read_joint(Reading& reading, const toml::table& entry, const Mechanism& me
   if (has("turn"))
     joint.turn_rad = reading.number(entry, "turn").value_or(0) * angle_unit(mechanism);
   if (has("length")) read_length(reading, entry, joint);
+  if (has("pitch")) read_pitch(reading, entry, joint);
   if (has("limits")) read_limits(reading, entry, mechanism, joint);
   if (joint.type == JointType::gear) read_gear(reading, entry, mechanism, joint);
   return joint;

@@ -54,9 +54,7 @@ void read_planar_angle(Reading& reading, const toml::node& node, const toml::tab
 
 /// Whether the joint has the freedom that is driven.
 bool can_drive(DriverKind kind, const Joint& joint) {
-  if (joint.type == JointType::cylindrical) return true;
-  if (kind == DriverKind::angle) return joint.type == JointType::revolute;
-  return joint.type == JointType::prismatic || joint.type == JointType::slot;
+  return kind == DriverKind::angle ? has_angle(joint.type) : has_slide(joint.type);
 }
 
 void read_joint_target(Reading& reading, const toml::node& node, const std::string& key,

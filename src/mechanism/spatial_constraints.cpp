@@ -2,15 +2,20 @@
 // Which equations does a spatial joint or driver add to Phi? One formula a joint, in q = [x, y, z, rotation vector] a body.
 //
 // Let p = conj(frame_i) conj(q_i) q_j frame_j be the turn of body j's joint frame (z = axis) in body i's, a quaternion.
-//   spherical    A - B = 0
-//   universal    A - B = 0, a_i . a_j = 0
-//   revolute     A - B = 0, p_x = p_y = 0           p_x = p_y = 0 means a turn about the axis: no reversed axis
-//   cylindrical  (B - A) . u = (B - A) . w = 0, p_x = p_y = 0      u, w perpendicular to the axis, fixed in body i
-//   prismatic    as cylindrical, and p_z = 0 for the turned frame
-//   weld         A - B = 0, p_x = p_y = p_z = 0
-//   rod          (A - B) . (A - B) - L^2 = 0
-// Angle of a joint: 2 atan2(p_z, p_w). Components of p are doubled, so that a row is an angle to first order.
+// Rows of the joint's place, then of its turn (joint_type.h):
+//   at point     A - B = 0
+//   on line      (B - A) . u = (B - A) . w = 0       u, w perpendicular to the axis, fixed in body i
+//   in plane     (B - A) . axis = 0
+//   at distance  (A - B) . (A - B) - L^2 = 0
+//   about axis   p_x = p_y = 0                       a turn about the axis: no reversed axis
+//   by thread    p_x = p_y = 0, 2 pi s / P - a = 0 but for whole turns       s slide, a angle, P pitch
+//   not at all   p_x = p_y = p_z = 0 for the turned frame
+//   about two axes   a_i . a_j = 0
+// s = (B - A) . axis, a = 2 atan2(p_z, p_w). Components of p are doubled, so that a row is an angle to first order. A driver of a
+// screw's angle prescribes its slide, P / 2 pi times the angle, so that whole turns count.
 #include <Eigen/Geometry>
+#include <map>
+#include <numbers>
 #include <stdexcept>
 
 #include "dimension_jets.h"
@@ -125,22 +130,6 @@ Quaternion<S> relative_turn(const At<S>& at, const Ends& ends) {
   return conjugate(first) * (orientation(at, ends.j) * constant_turn<S>(ends.frame_j));
 }
 
-template <class S>
-void coincide(const At<S>& at, const Ends& ends, S* row) {
-  const auto d = position(at, ends.i, ends.a) - position(at, ends.j, ends.b);
-  row[0] = d.x;
-  row[1] = d.y;
-  row[2] = d.z;
-}
-
-/// The first `count` components of 2 p.
-template <class S>
-void no_turn(const At<S>& at, const Ends& ends, int count, S* row) {
-  const auto p = relative_turn(at, ends);
-  const std::array<S, 3> components{p.v.x, p.v.y, p.v.z};
-  for (int k = 0; k < count; ++k) row[k] = S(2) * components[static_cast<std::size_t>(k)];
-}
-
 /// Component of B - A along column k of the first joint frame (2: the axis).
 template <class S>
 S displacement(const At<S>& at, const Ends& ends, std::size_t k) {
@@ -148,9 +137,88 @@ S displacement(const At<S>& at, const Ends& ends, std::size_t k) {
   return dot(direction(at, ends.i, ends.frame_i.columns[k]), d);
 }
 
-std::vector<std::string> rows_named(const std::string& label, std::vector<std::string> parts) {
-  for (std::string& part : parts) part = label + ": " + part;
-  return parts;
+/// The joint's angle, in (-2 pi, 2 pi], of p.
+template <class S>
+S angle_of(const Quaternion<S>& p) {
+  return S(2) * atan2(p.v.z, p.w);
+}
+
+/// Angle that a screw has turned when it has come to its slide.
+template <class S>
+S threaded_angle(const At<S>& at, const Ends& ends, double pitch) {
+  return S(2 * std::numbers::pi / pitch) * displacement(at, ends, 2);
+}
+
+std::vector<std::string> spatial_row_names(const std::string& label, const JointTraits& type) {
+  static const std::map<JointPlace, std::vector<std::string>> places{
+      {JointPlace::at_point, {"x", "y", "z"}},
+      {JointPlace::on_line, {"line 1", "line 2"}},
+      {JointPlace::in_plane, {"height"}},
+      {JointPlace::at_distance, {"length"}}};
+  static const std::map<JointTurn, std::vector<std::string>> turns{
+      {JointTurn::about_axis, {"tilt 1", "tilt 2"}},
+      {JointTurn::by_thread, {"tilt 1", "tilt 2", "thread"}},
+      {JointTurn::not_at_all, {"tilt 1", "tilt 2", "turn"}},
+      {JointTurn::about_two_axes, {"cross"}},
+      {JointTurn::freely, {}}};
+  std::vector<std::string> names = places.at(type.place);
+  names.insert(names.end(), turns.at(type.turn).begin(), turns.at(type.turn).end());
+  for (std::string& name : names) name = label + ": " + name;
+  return names;
+}
+
+/// What the rows of a joint are made of.
+struct SpatialJoint {
+  Ends ends;
+  JointPlace place = JointPlace::at_point;
+  JointTurn turn = JointTurn::freely;
+  Jet length;
+  double pitch = 0;
+};
+
+/// Writes the rows and moves on behind them.
+template <class S>
+void place_rows(const At<S>& at, const SpatialJoint& joint, S*& row) {
+  const Ends& ends = joint.ends;
+  const auto d = position(at, ends.i, ends.a) - position(at, ends.j, ends.b);
+  switch (joint.place) {
+    case JointPlace::at_point:
+      *row++ = d.x;
+      *row++ = d.y;
+      *row++ = d.z;
+      break;
+    case JointPlace::on_line:
+      *row++ = displacement(at, ends, 0);
+      *row++ = displacement(at, ends, 1);
+      break;
+    case JointPlace::in_plane:
+      *row++ = displacement(at, ends, 2);
+      break;
+    case JointPlace::at_distance:
+      *row++ = dot(d, d) - in_scalar<S>(joint.length * joint.length);
+      break;
+    case JointPlace::anywhere:
+      break;
+  }
+}
+
+template <class S>
+void turn_rows(const At<S>& at, const SpatialJoint& joint, S* row) {
+  const Ends& ends = joint.ends;
+  if (joint.turn == JointTurn::about_two_axes) {
+    *row = dot(direction(at, ends.i, ends.frame_i.columns[2]),
+               direction(at, ends.j, ends.frame_j.columns[2]));
+  }
+  const bool is_aligned = joint.turn == JointTurn::about_axis ||
+                          joint.turn == JointTurn::by_thread || joint.turn == JointTurn::not_at_all;
+  if (!is_aligned) return;
+  const auto p = relative_turn(at, ends);
+  *row++ = S(2) * p.v.x;
+  *row++ = S(2) * p.v.y;
+  if (joint.turn == JointTurn::not_at_all) *row = S(2) * p.v.z;
+  if (joint.turn == JointTurn::by_thread) {
+    *row = within_half_turn(threaded_angle(at, ends, joint.pitch) - angle_of(p));
+  }
 }
 
 }  // namespace
@@ -158,56 +226,16 @@ std::vector<std::string> rows_named(const std::string& label, std::vector<std::s
 std::shared_ptr<const Constraint> spatial_joint(const Mechanism& mechanism, const Joint& joint,
                                                 const Dimension* moving) {
   const std::string label = to_string(joint.type) + " " + joint.name;
-  const Ends ends = ends_of(mechanism, joint, moving);
-  const auto coordinates = coordinates_of({ends.i, ends.j}, kSize);
-  switch (joint.type) {
-    case JointType::spherical:
-      return make_constraint(rows_named(label, {"x", "y", "z"}), coordinates,
-                             [=](const auto& at, auto* row) { coincide(at, ends, row); });
-    case JointType::revolute:
-      return make_constraint(rows_named(label, {"x", "y", "z", "tilt 1", "tilt 2"}), coordinates,
-                             [=](const auto& at, auto* row) {
-                               coincide(at, ends, row);
-                               no_turn(at, ends, 2, row + 3);
-                             });
-    case JointType::weld:
-      return make_constraint(rows_named(label, {"x", "y", "z", "tilt 1", "tilt 2", "turn"}),
-                             coordinates, [=](const auto& at, auto* row) {
-                               coincide(at, ends, row);
-                               no_turn(at, ends, 3, row + 3);
-                             });
-    case JointType::cylindrical:
-    case JointType::prismatic: {
-      const bool turns = joint.type == JointType::cylindrical;
-      std::vector<std::string> parts{"line 1", "line 2", "tilt 1", "tilt 2"};
-      if (!turns) parts.emplace_back("turn");
-      return make_constraint(rows_named(label, std::move(parts)), coordinates,
-                             [=](const auto& at, auto* row) {
-                               row[0] = displacement(at, ends, 0);
-                               row[1] = displacement(at, ends, 1);
-                               no_turn(at, ends, turns ? 2 : 3, row + 2);
-                             });
-    }
-    case JointType::universal:
-      return make_constraint(rows_named(label, {"x", "y", "z", "cross"}), coordinates,
-                             [=](const auto& at, auto* row) {
-                               coincide(at, ends, row);
-                               row[3] = dot(direction(at, ends.i, ends.frame_i.columns[2]),
-                                            direction(at, ends.j, ends.frame_j.columns[2]));
-                             });
-    case JointType::rod:
-      return make_constraint(
-          rows_named(label, {"length"}), coordinates,
-          [=, length = length_jet(mechanism, joint, moving)](const auto& at, auto* row) {
-            using S = std::remove_reference_t<decltype(*row)>;
-            const auto d = position(at, ends.i, ends.a) - position(at, ends.j, ends.b);
-            row[0] = dot(d, d) - in_scalar<S>(length * length);
-          });
-    case JointType::slot:
-    case JointType::gear:
-      break;
-  }
-  throw std::logic_error("a spatial mechanism has no " + to_string(joint.type) + " joint");
+  const JointTraits& type = traits(joint.type);
+  if (!type.is_spatial) throw std::logic_error("a spatial mechanism has no joint " + label);
+  const SpatialJoint parts{ends_of(mechanism, joint, moving), type.place, type.turn,
+                           length_jet(mechanism, joint, moving), joint.pitch};
+  return make_constraint(spatial_row_names(label, type),
+                         coordinates_of({parts.ends.i, parts.ends.j}, kSize),
+                         [parts](const auto& at, auto* row) {
+                           place_rows(at, parts, row);
+                           turn_rows(at, parts, row);
+                         });
 }
 
 std::shared_ptr<const Constraint> spatial_driver(const Mechanism& mechanism, const Driver& driver,
@@ -215,17 +243,19 @@ std::shared_ptr<const Constraint> spatial_driver(const Mechanism& mechanism, con
   const std::string label = "driver " + driver.name + ": " + to_string(driver.kind);
   const Prescription law = prescription(mechanism, driver, moving);
   if (driver.kind == DriverKind::angle || driver.kind == DriverKind::slide) {
-    const Ends ends = ends_of(mechanism, mechanism.joints[driver.joint], moving);
+    const Joint& joint = mechanism.joints[driver.joint];
+    const Ends ends = ends_of(mechanism, joint, moving);
     const bool turns = driver.kind == DriverKind::angle;
     return make_constraint({label}, coordinates_of({ends.i, ends.j}, kSize),
-                           [law, ends, turns](const auto& at, auto* row) {
-                             using S = std::remove_reference_t<decltype(*row)>;
-                             if (turns) {
-                               const auto p = relative_turn(at, ends);
+                           [law, ends, turns, pitch = joint.pitch](const auto& at, auto* row) {
+                             const auto prescribed = law_at(law, at.t);
+                             if (turns && pitch != 0) {
+                               row[0] = threaded_angle(at, ends, pitch) - prescribed;
+                             } else if (turns) {
                                row[0] =
-                                   within_half_turn(S(2) * atan2(p.v.z, p.w) - law_at(law, at.t));
+                                   within_half_turn(angle_of(relative_turn(at, ends)) - prescribed);
                              } else {
-                               row[0] = displacement(at, ends, 2) - law_at(law, at.t);
+                               row[0] = displacement(at, ends, 2) - prescribed;
                              }
                            });
   }

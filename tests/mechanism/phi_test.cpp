@@ -68,6 +68,27 @@ length = 2
 [[joint]]
 type = "spherical"
 at = ["e.D", "f.F"]
+[[joint]]
+type = "screw"
+at = ["f.F", "a.A"]
+axis = [1, 0, 2]
+pitch = 0.7
+name = "thread"
+[[joint]]
+type = "planar"
+at = ["a.A", "c.C"]
+axis = [[1, 2, 0], [0, 1, 0]]
+[[joint]]
+type = "point-on-line"
+at = ["b.B", "e.D"]
+axis = [0, 1, 1]
+[[joint]]
+type = "point-on-plane"
+at = ["ground.Q", "c.B"]
+axis = [1, 1, 1]
+[[driver]]
+angle = "thread"
+velocity = 2
 [[driver]]
 angle = "pin"
 value = "0.3 + sin(t)"
@@ -83,7 +104,7 @@ table = [[0, 0], [1, 2], [2, 1]]
 TEST(Phi, SpatialJacobianAndAccelerationTermsMatchDifferences) {
   const Mechanism m = typed(kEverySpatialJoint);
   const Phi phi(m);
-  EXPECT_EQ(phi.size(), 5 + 4 + 5 + 4 + 6 + 1 + 3 + 3);
+  EXPECT_EQ(phi.size(), 5 + 4 + 5 + 4 + 6 + 1 + 3 + 5 + 3 + 2 + 1 + 4);
   VectorXd q(phi.dimension()), qdot(phi.dimension());
   for (Eigen::Index k = 0; k < q.size(); ++k) {
     q[k] = std::sin(1.3 * static_cast<double>(k));

@@ -20,10 +20,9 @@
 
 #include "moivre/expression/expression.h"
 #include "moivre/mechanism/driver_law.h"
+#include "moivre/mechanism/joint_type.h"
 
 namespace moivre {
-
-enum class Space { planar, spatial };
 
 /// What the file's numbers were written in; `angle` is "rad" or "deg".
 struct Units {
@@ -50,20 +49,6 @@ struct PointOf {
   std::size_t point = 0;
 };
 
-enum class JointType {
-  revolute,     ///< two points coincide (spatial: and the axes do)
-  prismatic,    ///< the second point slides along a line of the first body, the bodies do not turn
-  slot,         ///< the second point slides along a line of the first body (planar)
-  weld,         ///< two points coincide and the bodies do not turn
-  rod,          ///< two points keep their distance
-  gear,         ///< two bodies turn in an integer ratio as seen from a carrier (planar)
-  spherical,    ///< two points coincide (spatial)
-  cylindrical,  ///< the second point slides along an axis about which the body may turn (spatial)
-  universal     ///< two points coincide, two axes stay perpendicular (spatial)
-};
-
-std::string to_string(JointType type);
-
 /// Teeth of the two wheels, signed: equal signs turn alike (internal mesh), opposite signs against each other.
 struct Gear {
   std::array<int, 2> teeth{1, 1};
@@ -84,12 +69,14 @@ struct Joint {
   std::string name;           ///< given, or made from its points
   std::array<PointOf, 2> at;  ///< gear: the bodies only
   std::array<Eigen::Vector3d, 2> axis{Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitX()};
-  ///< unit vectors, one in each body's frame. Planar prismatic and slot: axis[0],
-  ///< the line. Spatial: axis of revolute, cylindrical, prismatic; the two pins of universal
+  ///< unit vectors, one in each body's frame. Planar prismatic and slot: axis[0], the line. Spatial:
+  ///< the joint's axis or the plane's normal; the two pins of universal; axis[0] of a point on a line or plane
   double turn_rad = 0;  ///< prismatic, weld: angle of the second body relative to the first
   double length = 0;    ///< rod
-  Gear gear;            ///< gear
-  std::optional<Limits> limits;  ///< revolute: relative angle; prismatic, slot, cylindrical: slide
+  double pitch =
+      0;      ///< screw: advance of the second body for a whole turn, negative if left-handed
+  Gear gear;  ///< gear
+  std::optional<Limits> limits;  ///< of its coordinate: the slide where it has one, else the angle
   SourcePosition where;
 };
 

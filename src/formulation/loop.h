@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// What is a loop of joints of one freedom? A product of turns and slides that is a given pose, wherever it begins and whichever
+// way round it is read.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "spatial_frame.h"
+
+namespace moivre {
+
+/// One joint of one freedom: E = b0 + unknown b1, with b0 = 1 + o A, b1 = A - o for a turn; b0 = 1, b1 = A - o for a slide.
+struct LoopElement {
+  ExactPose axis;      ///< A
+  Rational fixed = 0;  ///< o
+  bool is_turn = false;
+  std::string name;
+  Polynomial unknown;
+  std::vector<std::string> owners;
+};
+
+/// E_1 E_2 ... ~ whole.
+struct Loop {
+  std::vector<LoopElement> elements;
+  ExactPose whole;
+};
+
+std::size_t count_turns(const Loop& loop);
+
+/// Begun at every element, both ways round.
+std::vector<Loop> all_ways(const Loop& loop);
+
+/// b0 and b1.
+std::array<ExactPose, 2> basis_of(const LoopElement& element);
+
+/// Throws out what satisfies the polynomials and is no joint's motion: tangents i and -i, and infinite slides that o brought near.
+void exclude_endless(SpatialFrame& frame, const LoopElement& element);
+
+}  // namespace moivre

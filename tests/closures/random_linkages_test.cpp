@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// Are the closures of linkages that nobody tuned the program to right? The bench random_linkages has them by the hundred.
+#include <gtest/gtest.h>
+
+#include "linkage_judge.h"
+#include "mechanisms.h"
+#include "moivre/tracker_lanes/lane_tracker.h"
+
+namespace moivre {
+namespace {
+
+struct Drawn {
+  const char* name;
+  Space space;
+  std::uint64_t seed;
+  std::uint64_t first;
+  std::uint64_t count;
+};
+
+class RandomLinkages : public testing::TestWithParam<Drawn> {};
+
+ClosureResult by_lanes(const Mechanism& mechanism, std::uint64_t seed) {
+  ClosureOptions options;
+  options.solve.seed = seed;
+  options.solve.threads = 1;
+  return find_closures(mechanism, *make_lane_tracker(), options);
+}
+
+TEST_P(RandomLinkages, HaveTheirOwnPoseAndNoneThatNewtonsMethodAloneFinds) {
+  constexpr std::uint64_t kStarts = 20;
+  const Drawn& drawn = GetParam();
+  std::uint64_t decided = 0;
+  for (std::uint64_t k = drawn.first; k < drawn.first + drawn.count; ++k) {
+    const Mechanism linkage = test::random_linkage(drawn.space, drawn.seed, k);
+    const ClosureResult result = by_lanes(linkage, k + 1);
+    if (!result.complete || result.moves) continue;
+    ++decided;
+    EXPECT_EQ(test::fault_of(linkage, result, by_lanes(linkage, k + 1001), kStarts,
+                             test::Draw(drawn.seed, k + 1000003)),
+              "")
+        << "linkage " << k;
+  }
+  EXPECT_GE(10 * decided, 9 * drawn.count);
+}
+
+INSTANTIATE_TEST_SUITE_P(Spaces, RandomLinkages,
+                         testing::Values(Drawn{"Planar", Space::planar, 3, 0, 40},
+                                         Drawn{"Spatial", Space::spatial, 5, 1, 15}),
+                         [](const auto& tested) { return std::string(tested.param.name); });
+
+TEST(TheJudgeOfLinkages, SeesALostAClonedAndAMiscountedClosure) {
+  const Mechanism linkage = test::random_linkage(Space::planar, 3, 0);
+  const ClosureResult right = by_lanes(linkage, 1);
+  const auto told = [&](const ClosureResult& result, const ClosureResult& again) {
+    return test::fault_of(linkage, result, again, 0, test::Draw(1, 1));
+  };
+  EXPECT_EQ(told(right, right), "");
+  ClosureResult lost = right;
+  std::erase_if(lost.closures, [](const Closure& closure) { return closure.q.norm() < 1e-9; });
+  EXPECT_EQ(told(lost, right), "its own pose is lost");
+  ClosureResult cloned = right;
+  cloned.closures.push_back(cloned.closures.front());
+  EXPECT_NE(told(cloned, right).find("told twice"), std::string::npos);
+  ClosureResult more = right;
+  ++more.counts.complex;
+  EXPECT_NE(told(right, more).find("by another seed"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace moivre
