@@ -197,7 +197,8 @@ std::size_t turn_freedom(const Tie& tie) {
 bool is_rod(const Tie& tie) { return tie.place == JointPlace::at_distance; }
 
 bool is_loose(const Tie& tie) {
-  return tie.turn == JointTurn::freely && tie.place != JointPlace::at_point;
+  constexpr std::size_t kAllButOne = 5;
+  return freedom(tie) == kAllButOne;
 }
 
 Tie reversed(const Tie& tie) {

@@ -44,7 +44,7 @@ std::size_t freedom(const Tie& tie);
 std::size_t turn_freedom(const Tie& tie);
 
 bool is_rod(const Tie& tie);
-/// Whether it leaves every turn and more: an equation or two, no motion for a tree.
+/// Whether it holds one number alone: an equation, no motion for a tree.
 bool is_loose(const Tie& tie);
 
 /// The same tie seen from the other end.

@@ -105,11 +105,8 @@ void Chain::follow(const Tie& tie, bool is_last) {
   owners_ = groups_.bodies[is_last ? tie.i : tie.j];
   step_ = to_moving(identity_pose());
   fixed(tie.at_i);
-  // A point that is held to a line of group i: along the line first, and then any turn.
-  const bool slides_first = is_loose(tie) && !tie.is_reversed;
-  if (slides_first) slides(tie);
   turns(tie);
-  if (!slides_first) slides(tie);
+  slides(tie);
   fixed(conjugate(tie.at_j));
   if (is_last) return;
   PoseReading::Placement placement;

@@ -170,11 +170,12 @@ MovingPose slides_of(SpatialFrame& frame, const Tie& tie, const std::vector<std:
 }  // namespace
 
 MovingPose add_motion(SpatialFrame& frame, const Tie& tie, const std::vector<std::string>& owners) {
-  if (is_loose(tie)) throw std::logic_error("a tie that leaves every turn places nothing");
-  // Slides commute with turns about their axis or their plane's normal.
+  if (is_loose(tie)) throw std::logic_error("a tie that holds one number places nothing");
   const MovingPose turns = turns_of(frame, tie, owners);
-  return to_moving(tie.at_i) * turns * slides_of(frame, tie, owners) *
-         to_moving(conjugate(tie.at_j));
+  const MovingPose slides = slides_of(frame, tie, owners);
+  // The line of a point that turns freely is fixed in one group; other turns commute with their slides.
+  const MovingPose motion = tie.is_reversed ? turns * slides : slides * turns;
+  return to_moving(tie.at_i) * motion * to_moving(conjugate(tie.at_j));
 }
 
 Polynomial rod_equation(const Tie& tie, const MovingPose& j_in_i) {

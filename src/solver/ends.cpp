@@ -121,11 +121,7 @@ void take_end(Run& run, std::uint64_t path, PathEnd&& end) {
       run.ends.emplace_back(path, std::move(end));
       return;
     case PathStatus::at_infinity:
-      if (run.setting.hides_terms()) {
-        run.ledger.enter_failure({path, Failure::precision, end.t, end.stage});
-      } else {
-        run.ledger.enter_infinity(path, end.is_as_rounded);
-      }
+      run.ledger.enter_infinity(path, end.is_as_rounded);
       return;
     case PathStatus::failed:
       if (end.failure == Failure::cancelled) {

@@ -10,7 +10,8 @@
 namespace moivre {
 namespace {
 
-// From this spread of an equation's coefficients on (as log2) the smallest terms are noise, and ends at infinity, at multiple roots and on sets may be those of the system without them.
+// From this spread of an equation's coefficients on (as log2) the smallest terms are noise, and ends at multiple roots and on sets may be
+// those of the system without them. Ends at infinity may not: their faces have every term.
 constexpr double kHopelessSpread = 36;
 
 // The tracker itself tries first, with one level of care, before a path goes to the fallback.
