@@ -8,11 +8,13 @@
 #include "moivre/closure_report/page.h"
 
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <numbers>
 #include <optional>
 
 #include "circuits_report.h"
+#include "joint_values.h"
 #include "labels.h"
 #include "moivre/closure_report/angles.h"
 #include "moivre/closure_report/sheet.h"
@@ -382,6 +384,24 @@ std::string counts_text(const ClosureCounts& counts) {
   return counted(counts.complex, "complex closure") + ", " + std::to_string(counts.real) + " real";
 }
 
+/// The joints' angles and slides in three digits, for those who compare closures; empty where there are too many to read.
+std::string values_text(const Mechanism& mechanism, const Eigen::VectorXd& q) {
+  constexpr std::size_t kMost = 8;
+  constexpr double kDegree = std::numbers::pi / 180;
+  const std::vector<JointValue> values = joint_values(mechanism, q);
+  if (values.size() > kMost) return "";
+  const bool in_degrees = mechanism.units.angle == "deg";
+  std::string text;
+  for (const JointValue& joint : values) {
+    const bool turns = joint.kind == CoordinateKind::angle;
+    char number[32];
+    std::snprintf(number, sizeof number, "%.3g",
+                  turns && in_degrees ? joint.value / kDegree : joint.value);
+    text += (text.empty() ? "" : ", ") + joint.name + " " + number;
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string motion_html(const MotionResult& result, const Mechanism& mechanism,
@@ -419,7 +439,12 @@ std::string closures_html(const ClosureResult& result, const Mechanism& mechanis
   const std::string summary = counts_text(result.counts) + "; " + result.message;
   if (mechanism.space == Space::spatial) {
     Sheet sheet{mechanism.title.empty() ? file : mechanism.title, summary, {}};
-    for (const Closure& closure : result.closures) sheet.panels.push_back({closure.id, closure.q});
+    sheet.view.has_arrows = true;
+    for (const Closure& closure : result.closures) {
+      sheet.panels.push_back({closure.id, closure.q});
+      const std::string values = values_text(mechanism, closure.q);
+      if (!values.empty()) sheet.panels.back().notes.push_back(values);
+    }
     return turning_html(sheet, mechanism);
   }
   Page page;

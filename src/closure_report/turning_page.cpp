@@ -179,6 +179,29 @@ std::string panel_html(const Panel& panel) {
                  element("figcaption", {}, caption) + element("canvas", {{"tabindex", "0"}}, " "));
 }
 
+/// As many columns as leave the last row fullest, of four, five and three: eight postures are two rows of four.
+std::size_t columns_for(std::size_t panels) {
+  constexpr std::size_t kFew = 3;
+  if (panels <= kFew) return std::max<std::size_t>(panels, 1);
+  if (panels == kFew + 1) return 2;
+  std::size_t best = 0;
+  std::size_t least_empty = panels;
+  for (const std::size_t columns : {4U, 5U, 3U}) {
+    const std::size_t empty = (columns - panels % columns) % columns;
+    if (empty >= least_empty) continue;
+    least_empty = empty;
+    best = columns;
+  }
+  return best;
+}
+
+/// No more columns than that, fewer where the window is narrow.
+std::string grid_style(std::size_t columns) {
+  const std::string gaps = std::to_string(12 * (columns - 1)) + "px";  // as in page.css
+  return "grid-template-columns:repeat(auto-fill,minmax(min(100%,max(225px,calc((100% - " + gaps +
+         ")/" + std::to_string(columns) + "))),1fr))";
+}
+
 }  // namespace
 
 std::string turning_html(const Sheet& sheet, const Mechanism& mechanism) {
@@ -194,13 +217,15 @@ std::string turning_html(const Sheet& sheet, const Mechanism& mechanism) {
   }
   const std::size_t count = sheet.panels.size();
   const std::string crowd = count <= 2 ? "few" : count <= 4 ? "some" : "many";
-  std::string body = element("h1", {}, escaped(sheet.title)) +
-                     element("p", {}, escaped(sheet.summary)) +
-                     element("p", {},
-                             "Drag to turn all closures, wheel to come nearer, double click to go "
-                             "back; or the arrow keys.") +
-                     element("p", {{"id", "error"}}, " ") +
-                     element("div", {{"id", "panels"}, {"class", crowd}}, panels);
+  std::string body =
+      element("h1", {}, escaped(sheet.title)) + element("p", {}, escaped(sheet.summary)) +
+      element("p", {},
+              "Drag to turn all closures, wheel to come nearer, double click to go "
+              "back; or the arrow keys.") +
+      element("p", {{"id", "error"}}, " ") +
+      element("div",
+              {{"id", "panels"}, {"class", crowd}, {"style", grid_style(columns_for(count))}},
+              panels);
   body += element("script", {{"type", "application/json"}, {"id", "data"}}, script_data(data));
   return html_document(sheet.title, body, turning_script());
 }

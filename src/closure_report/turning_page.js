@@ -8,6 +8,9 @@ const home = {
   zoom: 1
 };
 const eye = {...home};
+// What is shown is near the middle of the ball about it: seen from home it may be larger than the ball would be.
+const closest = 1.7;
+const margin = 26;  // pixels, for names
 
 function seen(p) {
   const [x, y, z] = p.map((v, k) => v - data.centre[k]);
@@ -20,13 +23,55 @@ function seen(p) {
   };
 }
 
+function ballScale(canvas) {
+  return 0.46 * Math.min(canvas.clientWidth, canvas.clientHeight) / data.radius;
+}
+
+// So near that every closure fits into its panel.
+function homeZoom(canvas) {
+  const reach = {right: 0, up: 0};
+  for (const closure of data.closures) {
+    for (const p of closure.strokes.flatMap(s => [s[0], s[1]])) {
+      const s = seen(p);
+      reach.right = Math.max(reach.right, Math.abs(s.right));
+      reach.up = Math.max(reach.up, Math.abs(s.up));
+    }
+  }
+  const room = (pixels, half) => (pixels / 2 - margin) / Math.max(half, 1e-12 * data.radius);
+  const fits = Math.min(room(canvas.clientWidth, reach.right), room(canvas.clientHeight, reach.up));
+  return Math.max(1, Math.min(closest, fits / ballScale(canvas)));
+}
+
+// Names stand beside their places, where they cover no spot and no other name.
+function writeNames(pen, names, spots, place) {
+  const taken = spots.map(p => {
+    const [x, y] = place(p);
+    return [x - 4, y - 4, x + 4, y + 4];
+  });
+  const isFree = box => taken.every(
+    t => box[2] < t[0] || t[2] < box[0] || box[3] < t[1] || t[3] < box[1]);
+  for (const [p, name] of names) {
+    const [x, y] = place(p);
+    const wide = pen.measureText(name).width;
+    const boxes = [[5, -5], [-5 - wide, -5], [5, 14], [-5 - wide, 14], [-wide / 2, -9], [
+                    -wide / 2, 19
+                  ]].map(([right, down]) => [x + right, y + down - 10, x + right + wide, y + down]);
+    const box = boxes.find(isFree) || boxes[0];
+    taken.push(box);
+    pen.strokeStyle = '#fff';
+    pen.lineWidth = 3;
+    pen.strokeText(name, box[0], box[3]);
+    pen.fillText(name, box[0], box[3]);
+  }
+}
+
 function draw(canvas, closure) {
   const ratio = devicePixelRatio || 1;
   const width = canvas.clientWidth, height = canvas.clientHeight;
   canvas.width = width * ratio;
   canvas.height = height * ratio;
   const pen = canvas.getContext('2d');
-  const scale = 0.46 * Math.min(width, height) / data.radius * eye.zoom;
+  const scale = ballScale(canvas) * eye.zoom;
   pen.setTransform(ratio, 0, 0, ratio, 0, 0);
   pen.clearRect(0, 0, width, height);
   pen.lineCap = 'round';
@@ -58,13 +103,7 @@ function draw(canvas, closure) {
     pen.fill();
   }
   pen.font = '12px sans-serif';
-  for (const [p, name] of closure.names) {
-    const [x, y] = place(p);
-    pen.strokeStyle = '#fff';
-    pen.lineWidth = 3;
-    pen.strokeText(name, x + 5, y - 5);
-    pen.fillText(name, x + 5, y - 5);
-  }
+  writeNames(pen, closure.names, closure.spots, place);
 }
 
 function drawAll() {
@@ -98,6 +137,7 @@ addEventListener('keydown', e => {
                 ]}[e.key];
   if (step) turn(...step);
 });
+if (canvases.length > 0) home.zoom = eye.zoom = homeZoom(canvases[0]);
 const wanted = /eye=(-?[\d.]+),(-?[\d.]+)/.exec(location.hash);
 if (wanted) Object.assign(eye, {azimuth: +wanted[1], elevation: +wanted[2]});
 addEventListener('resize', drawAll);

@@ -78,8 +78,7 @@ class Stages {
  private:
   System system_at(const Block& block, const PartialRoot& root) const;
   void note_set(const PartialRoot& root);
-  bool is_excluded(const PartialRoot& root, const Block& block, const Point& x,
-                   std::uint64_t multiplicity);
+  bool is_excluded(const PartialRoot& root, const Block& block, const Solution& solution);
   void solve_lone(const Block& block);
   void add_roots(const Block& block, const PartialRoot& root, const System& f, Stage& stage,
                  std::vector<PartialRoot>& next);
@@ -145,24 +144,26 @@ void Stages::solve_lone(const Block& block) {
       continue;
     }
     const Coefficient x = shortened(-b / a);
-    if (is_excluded(root, block, {to_complex(x)}, root.multiplicity)) continue;
+    Solution solution;
+    solution.x = {to_complex(x)};
+    if (is_excluded(root, block, solution)) continue;
     root.value[block.variables.front()] = std::make_shared<const Coefficient>(x);
     next.push_back(std::move(root));
   }
   run_.roots = std::move(next);
 }
 
-/// Whether the block's root x is no pose; counted where so.
-bool Stages::is_excluded(const PartialRoot& root, const Block& block, const Point& x,
-                         std::uint64_t multiplicity) {
+/// Whether the block's solution above the root is no pose; counted where so.
+bool Stages::is_excluded(const PartialRoot& root, const Block& block, const Solution& solution) {
   if (formulation_.exclusions.empty()) return false;
   std::vector<std::optional<Complex>> values;
   for (const KnownValue& value : root.value) {
     values.push_back(value ? std::optional(to_complex(*value)) : std::nullopt);
   }
-  for (std::size_t k = 0; k < block.variables.size(); ++k) values[block.variables[k]] = x[k];
-  const auto reason = excluded(formulation_, values);
-  if (reason) run_.excluded[*reason] += multiplicity;
+  for (std::size_t k = 0; k < block.variables.size(); ++k)
+    values[block.variables[k]] = solution.x[k];
+  const auto reason = excluded(formulation_, values, root.singular || solution.singular);
+  if (reason) run_.excluded[*reason] += root.multiplicity * solution.multiplicity;
   return reason.has_value();
 }
 
@@ -184,7 +185,7 @@ void Stages::add_roots(const Block& block, const PartialRoot& root, const System
   }
   const std::uint64_t first_path = stage.paths.tracked;
   for (const Solution& solution : result.solutions) {
-    if (is_excluded(root, block, solution.x, solution.multiplicity * root.multiplicity)) continue;
+    if (is_excluded(root, block, solution)) continue;
     PartialRoot child = root;
     for (std::size_t k = 0; k < block.variables.size(); ++k) {
       child.value[block.variables[k]] = std::make_shared<const Coefficient>(exactly(solution.x[k]));
@@ -211,8 +212,13 @@ void Stages::add_roots(const Block& block, const PartialRoot& root, const System
   run_.complete = run_.complete && result.complete;
   const bool is_dependent = result.paths.tracked == 0 && result.complete &&
                             eliminate(f).verdict == Reduction::Verdict::dependent;
-  const bool has_set = std::any_of(result.on_sets.begin(), result.on_sets.end(),
-                                   [&](const Point& x) { return !is_excluded(root, block, x, 1); });
+  const bool has_set =
+      std::any_of(result.on_sets.begin(), result.on_sets.end(), [&](const Point& x) {
+        Solution on_set;
+        on_set.x = x;
+        on_set.singular = true;
+        return !is_excluded(root, block, on_set);
+      });
   if (is_dependent || has_set) note_set(root);
 }
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Eight-vectors, their spans and complements by singular values.
+// Eight-vectors: their spans and complements by exact elimination, their ranks by singular values.
 #include "dyad.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 #include "moivre/numeric/svd.h"
@@ -30,6 +31,85 @@ Eigen::Matrix<double, 8, 4> plain_span(const LoopElement& a, const LoopElement& 
   const ExactPose poses[] = {one, a.axis, b.axis, a.axis * b.axis};
   for (Eigen::Index k = 0; k < 4; ++k) span.col(k) = to_vector(poses[k], length).normalized();
   return span;
+}
+
+/// Four eight-vectors by Gauss and Jordan, as combinations of which they are: [A B | A], 1 and 0 in the pivots' columns of A B.
+class ReducedRows {
+ public:
+  /// Pivots are the largest entries, lengths in units of `length`. There are fewer than four where the vectors depend on each other.
+  ReducedRows(const std::array<ExactPose, 4>& vectors, double length);
+
+  bool is_pivot(std::size_t column) const {
+    return std::find(pivots_.begin(), pivots_.end(), column) != pivots_.end();
+  }
+  /// A vector orthogonal to all four: 1 in this column, else 0 outside the pivots.
+  std::array<Rational, 8> normal(std::size_t column) const;
+  /// What gives coordinate i of a vector v of the span: v = sum_i c_i vectors_i, c_i = sum_j v[pivot j] A_ji.
+  std::array<Rational, 8> coordinate(std::size_t i) const;
+
+ private:
+  static constexpr std::size_t kRows = 4;
+  static constexpr std::size_t kColumns = kEntries + kRows;
+
+  bool bring_largest_to(std::size_t row, double length);
+  void clear_column_but(std::size_t row);
+
+  std::array<std::array<Rational, kColumns>, kRows> rows_;
+  std::vector<std::size_t> pivots_;  ///< column of each row that has one
+};
+
+ReducedRows::ReducedRows(const std::array<ExactPose, 4>& vectors, double length) {
+  for (std::size_t i = 0; i < kRows; ++i) {
+    for (std::size_t k = 0; k < kEntries; ++k) rows_[i][k] = entry(vectors[i], k);
+    rows_[i][kEntries + i] = 1;
+  }
+  for (std::size_t row = 0; row < kRows && bring_largest_to(row, length); ++row) {
+    clear_column_but(row);
+  }
+}
+
+/// False where nothing is left of this row and those below.
+bool ReducedRows::bring_largest_to(std::size_t row, double length) {
+  double largest = 0;
+  std::size_t from = row;
+  std::size_t column = 0;
+  for (std::size_t i = row; i < kRows; ++i) {
+    for (std::size_t k = 0; k < kEntries; ++k) {
+      const double size = std::abs(to_double(rows_[i][k])) / (k < 4 ? 1 : length);
+      if (size <= largest || is_pivot(k)) continue;
+      largest = size;
+      from = i;
+      column = k;
+    }
+  }
+  if (largest == 0) return false;
+  std::swap(rows_[row], rows_[from]);
+  pivots_.push_back(column);
+  return true;
+}
+
+void ReducedRows::clear_column_but(std::size_t row) {
+  const std::size_t column = pivots_[row];
+  const Rational inverse = 1 / rows_[row][column];
+  for (Rational& x : rows_[row]) x *= inverse;
+  for (std::size_t i = 0; i < kRows; ++i) {
+    const Rational factor = rows_[i][column];
+    if (i == row || factor.is_zero()) continue;
+    for (std::size_t k = 0; k < kColumns; ++k) rows_[i][k] -= factor * rows_[row][k];
+  }
+}
+
+std::array<Rational, 8> ReducedRows::normal(std::size_t column) const {
+  std::array<Rational, 8> normal;
+  normal[column] = 1;
+  for (std::size_t j = 0; j < pivots_.size(); ++j) normal[pivots_[j]] = -rows_[j][column];
+  return normal;
+}
+
+std::array<Rational, 8> ReducedRows::coordinate(std::size_t i) const {
+  std::array<Rational, 8> row;
+  for (std::size_t j = 0; j < pivots_.size(); ++j) row[pivots_[j]] = rows_[j][kEntries + i];
+  return row;
 }
 
 }  // namespace
@@ -70,22 +150,12 @@ DyadSpace dyad_space(const LoopElement& a, const LoopElement& b, double length) 
   const auto basis_a = basis_of(a);
   const auto basis_b = basis_of(b);
   DyadSpace space;
-  Eigen::Matrix<double, 8, 4> span;
-  for (std::size_t k = 0; k < 4; ++k) {
-    space.basis[k] = basis_a[k / 2] * basis_b[k % 2];
-    span.col(static_cast<Eigen::Index>(k)) = to_vector(space.basis[k], length);
+  for (std::size_t k = 0; k < 4; ++k) space.basis[k] = basis_a[k / 2] * basis_b[k % 2];
+  const ReducedRows reduced(space.basis, length);
+  for (std::size_t k = 0; k < kEntries; ++k) {
+    if (!reduced.is_pivot(k)) space.normals.push_back(reduced.normal(k));
   }
-  const auto [U, sigma, V] = svd(span, SingularVectors::full);
-  const Eigen::MatrixXd inverse = V * sigma.cwiseInverse().asDiagonal() * U.leftCols(4).transpose();
-  for (std::size_t i = 0; i < 4; ++i) {
-    const auto row = static_cast<Eigen::Index>(i);
-    for (std::size_t k = 0; k < kEntries; ++k) {
-      const auto column = static_cast<Eigen::Index>(k);
-      const double unit = k < 4 ? 1 : length;
-      space.normals[i][k] = U(column, row + 4) / unit;
-      space.coordinates[i][k] = inverse(row, column) / unit;
-    }
-  }
+  for (std::size_t i = 0; i < 4; ++i) space.coordinates[i] = reduced.coordinate(i);
   return space;
 }
 
@@ -93,8 +163,7 @@ std::array<Polynomial, 4> coordinates_in(const DyadSpace& space, const MovingPos
   std::array<Polynomial, 4> coordinates;
   for (std::size_t i = 0; i < coordinates.size(); ++i) {
     for (std::size_t k = 0; k < kEntries; ++k) {
-      coordinates[i] =
-          coordinates[i] + Coefficient{number(space.coordinates[i][k]), 0} * entry(pose, k);
+      coordinates[i] = coordinates[i] + Coefficient{space.coordinates[i][k], 0} * entry(pose, k);
     }
   }
   return coordinates;

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Which 3-space do the poses of two joints in a row span, and how do three joints lie in one?
 //
-// Basis b_ij = b_i(A) b_j(B), in the order 00, 01, 10, 11; normals: four rows of eight numbers that vanish on it. Lengths
-// count in units of `length`, so that turns and shifts weigh alike.
+// Basis b_ij = b_i(A) b_j(B), in the order 00, 01, 10, 11; normals: rows of eight numbers that vanish on it, four unless the axes
+// are one. Both are exact: a linkage that moves by its dimensions satisfies the equations along a whole curve, and with rounded normals
+// it would only nearly do so. Lengths count in units of `length`, so that turns and shifts weigh alike.
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "loop_equations.h"
 
@@ -13,8 +15,8 @@ namespace moivre {
 
 struct DyadSpace {
   std::array<ExactPose, 4> basis;
-  std::array<std::array<double, 8>, 4> normals;
-  std::array<std::array<double, 8>, 4>
+  std::vector<std::array<Rational, 8>> normals;
+  std::array<std::array<Rational, 8>, 4>
       coordinates;  ///< rows that give a pose's coordinates in the basis
 };
 

@@ -78,7 +78,10 @@ class Equations {
   MovingPose element(std::size_t k) const { return element_pose(e(k)); }
   MovingPose whole() const { return to_moving(loop_.whole); }
   void exclude(std::size_t k) { exclude_endless(frame_, e(k)); }
-  MovingPose add_dyad(std::size_t k, bool has_quadric = true);
+  std::array<Polynomial, 4> add_dyad_coordinates(std::size_t k);
+  MovingPose dyad_pose(const std::array<Polynomial, 4>& c, std::size_t k) const;
+  void add_quadric(const std::array<Polynomial, 4>& c, std::size_t k);
+  void add_half_angles(const std::array<Polynomial, 4>& c, std::size_t k);
   void add_dyad_of(const MovingPose& pose, std::size_t k);
   void in_space(const MovingPose& pose, const DyadSpace& space);
   void add_shift();
@@ -87,11 +90,10 @@ class Equations {
   JointLoop loop_;
 };
 
-/// Unknown coordinates for the dyad of elements k and k + 1, with their half angles. Its quadric may follow from what comes.
-MovingPose Equations::add_dyad(std::size_t k, bool has_quadric) {
+/// Unknown coordinates for the dyad of elements k and k + 1, with their half angles.
+std::array<Polynomial, 4> Equations::add_dyad_coordinates(std::size_t k) {
   std::vector<std::string> owners = e(k).owners;
   owners.insert(owners.end(), e(k + 1).owners.begin(), e(k + 1).owners.end());
-  const auto space = dyad_space(e(k), e(k + 1), frame_.length());
   const std::string name = "c_" + e(k).name + "_";
   Polynomial patch = constant({-1, 0});
   std::array<Polynomial, 4> c;
@@ -101,26 +103,32 @@ MovingPose Equations::add_dyad(std::size_t k, bool has_quadric) {
     patch = patch + Coefficient{frame_.random_number(), 0} * c[i];
   }
   frame_.add_equation("patch of " + e(k).name, patch);
-  if (has_quadric) {
-    frame_.add_equation("dyad of " + e(k).name, c[0] * c[3] - c[1] * c[2]);
-  }
-  frame_.add_equation(e(k).name, c[0] * e(k).unknown - c[2]);
-  frame_.add_equation(e(k + 1).name, c[0] * e(k + 1).unknown - c[1]);
-  exclude(k);
-  exclude(k + 1);
+  add_half_angles(c, k);
+  return c;
+}
+
+MovingPose Equations::dyad_pose(const std::array<Polynomial, 4>& c, std::size_t k) const {
+  const DyadSpace space = dyad_space(e(k), e(k + 1), frame_.length());
   MovingPose pose;
   for (std::size_t i = 0; i < c.size(); ++i) pose = pose + c[i] * to_moving(space.basis[i]);
   return pose;
 }
 
-/// Half angles of the dyad of elements k and k + 1, whose pose is known as polynomials.
-void Equations::add_dyad_of(const MovingPose& pose, std::size_t k) {
-  const std::array<Polynomial, 4> c =
-      coordinates_in(dyad_space(e(k), e(k + 1), frame_.length()), pose);
+void Equations::add_quadric(const std::array<Polynomial, 4>& c, std::size_t k) {
+  frame_.add_equation("dyad of " + e(k).name, c[0] * c[3] - c[1] * c[2]);
+}
+
+/// Of elements k and k + 1, whose dyad has the coordinates c.
+void Equations::add_half_angles(const std::array<Polynomial, 4>& c, std::size_t k) {
   frame_.add_equation(e(k).name, c[0] * e(k).unknown - c[2]);
   frame_.add_equation(e(k + 1).name, c[0] * e(k + 1).unknown - c[1]);
   exclude(k);
   exclude(k + 1);
+}
+
+/// Half angles of the dyad of elements k and k + 1, whose pose is known as polynomials.
+void Equations::add_dyad_of(const MovingPose& pose, std::size_t k) {
+  add_half_angles(coordinates_in(dyad_space(e(k), e(k + 1), frame_.length()), pose), k);
 }
 
 void Equations::in_space(const MovingPose& pose, const DyadSpace& space) {
@@ -131,7 +139,7 @@ void Equations::in_space(const MovingPose& pose, const DyadSpace& space) {
   for (const auto& normal : space.normals) {
     Polynomial sum;
     for (std::size_t k = 0; k < kEntries; ++k) {
-      sum = sum + Coefficient{Rational(normal[k]), 0} * entry(pose, k);
+      sum = sum + Coefficient{normal[k], 0} * entry(pose, k);
     }
     frame_.add_equation("loop", without_noise(std::move(sum), size));
   }
@@ -140,7 +148,9 @@ void Equations::in_space(const MovingPose& pose, const DyadSpace& space) {
 /// E_1 D_23 E_4 in the space of 5 and 6.
 void Equations::add_general() {
   const DyadSpace outer = dyad_space(e(4), e(5), frame_.length());
-  const MovingPose pose = element(0) * add_dyad(1) * element(3);
+  const std::array<Polynomial, 4> inner = add_dyad_coordinates(1);
+  add_quadric(inner, 1);
+  const MovingPose pose = element(0) * dyad_pose(inner, 1) * element(3);
   // whole^-1 E_1 D_23 E_4 = conj(E_5 E_6), whose conjugate lies in the space of E_5 E_6.
   const MovingPose rest = conjugate(conjugate(whole()) * pose);
   exclude(0);
@@ -153,36 +163,39 @@ void Equations::add_general() {
 void Equations::add_decoupled() {
   const DyadSpace outer = dyad_space(e(4), e(5), frame_.length());
   // Inside V Study's quadric holds, and with it the dyad's.
-  const MovingPose pose = element(0) * add_dyad(1, false);
+  const MovingPose pose = element(0) * dyad_pose(add_dyad_coordinates(1), 1);
   const MovingPose rest = conjugate(conjugate(whole()) * pose);  // E_4 E_5 E_6
   exclude(0);
   in_space(rest, outer);
   const MovingPose dyad = conjugate(element(3)) * rest;
   const std::array<Polynomial, 4> c = coordinates_in(outer, dyad);
-  frame_.add_equation("dyad of " + e(4).name, c[0] * c[3] - c[1] * c[2]);
+  add_quadric(c, 4);
   exclude(3);
   add_dyad_of(dyad, 4);
 }
 
-/// Three to five elements: E_1 D_23 ... , the last dyad in its space, where it need not be on the quadric.
+/// Three to five elements: E_1 D_23 ... , the last dyad in its space, where it need not be on the quadric. Four equations of the
+/// space come first: of five elements they alone have 4 paths, and the quadrics are checks.
 void Equations::add_short() {
   const std::size_t last = loop_.elements.size() - 2;
+  const bool has_inner_dyad = last == 3;
   MovingPose rest = to_moving(conjugate(loop_.whole));
-  if (last == 3) {
-    rest = rest * element(0) * add_dyad(1);
+  std::array<Polynomial, 4> inner;
+  if (has_inner_dyad) {
+    inner = add_dyad_coordinates(1);
+    rest = rest * element(0) * dyad_pose(inner, 1);
     exclude(0);
-    rest = conjugate(rest);
   } else {
     for (std::size_t k = 0; k < last; ++k) {
       rest = rest * element(k);
       exclude(k);
     }
-    rest = conjugate(rest);
   }
+  rest = conjugate(rest);
   const DyadSpace outer = dyad_space(e(last), e(last + 1), frame_.length());
-  const std::array<Polynomial, 4> c = coordinates_in(outer, rest);
-  frame_.add_equation("dyad of " + e(last).name, c[0] * c[3] - c[1] * c[2]);
   in_space(rest, outer);
+  if (has_inner_dyad) add_quadric(inner, 1);
+  add_quadric(coordinates_in(outer, rest), last);
   add_dyad_of(rest, last);
 }
 

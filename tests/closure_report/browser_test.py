@@ -4,6 +4,7 @@
 #
 #   browser_test.py <moivre> <root of the tree>     exit code 77, with the reason, where there is no Chromium
 import html
+import json
 import pathlib
 import re
 import shutil
@@ -13,6 +14,7 @@ import tempfile
 
 SKIPPED = 77
 BROWSERS = ("chromium", "chromium-browser", "google-chrome")
+PUMA_POSE = "0.4 -0.2 0.3 0.5 0.5 0.5 0.5"
 EVIL = "</script></title><script>document.documentElement.dataset.evil = 1</script>"
 # What a hand on the slider does.
 MOVE_SLIDER = """<script>
@@ -31,6 +33,35 @@ document.querySelectorAll('#panels figcaption')[1].click();
 </script></body>"""
 
 
+# What one does who looks at a spatial mechanism's closures, drags one of them, and double clicks.
+TURN = """<script>
+const shots = () => canvases.map((canvas) => canvas.toDataURL());
+const written = [];
+const write = CanvasRenderingContext2D.prototype.fillText;
+CanvasRenderingContext2D.prototype.fillText = function(name, x, y) {
+  written.push({name, x, y, width: this.measureText(name).width, size: parseFloat(this.font)});
+  write.call(this, name, x, y);
+};
+draw(canvases[0], data.closures[0]);
+CanvasRenderingContext2D.prototype.fillText = write;
+const before = shots();
+canvases[0].dispatchEvent(new PointerEvent('pointermove', {buttons: 1, movementX: 60, movementY: 25}));
+const after = shots();
+canvases[0].dispatchEvent(new MouseEvent('dblclick'));
+const captions = [...document.querySelectorAll('figcaption')];
+document.body.dataset.seen = JSON.stringify({
+  panels: captions.map((caption) => caption.innerText),
+  shown: canvases.map((canvas) => canvas.clientWidth > 150 && canvas.clientHeight > 150),
+  clipped: captions.filter((caption) => caption.scrollWidth > caption.clientWidth + 1).length,
+  small: captions.filter((caption) => parseFloat(getComputedStyle(caption).fontSize) < 12).length,
+  different: new Set(before).size,
+  turned: after.filter((shot, k) => shot !== before[k]).length,
+  back: shots().filter((shot, k) => shot === before[k]).length,
+  tops: captions.map((caption) => caption.getBoundingClientRect().top),
+  written, width: canvases[0].clientWidth, height: canvases[0].clientHeight});
+</script></body>"""
+
+
 class Browser:
     def __init__(self, program, folder):
         self.program = program
@@ -40,7 +71,7 @@ class Browser:
         """The document after its script has run."""
         done = subprocess.run(
             [self.program, "--headless", "--no-sandbox", "--disable-gpu", f"--user-data-dir={self.folder}/profile",
-             "--virtual-time-budget=2000", "--dump-dom", f"file://{page}{address}"],
+             "--virtual-time-budget=2000", "--window-size=1300,1000", "--dump-dom", f"file://{page}{address}"],
             capture_output=True, text=True, timeout=60)
         return done.stdout
 
@@ -113,6 +144,47 @@ def check_controls(browser, page):
     expect('id="plot-velocity" hidden' in alone, "what has no velocity has one plot")
 
 
+def check_turning(browser, page, panels, rows):
+    """The panels' captions. Every closure is drawn, none like another, and a hand turns them all and brings them back."""
+    handled = page.with_name("turned.html")
+    handled.write_text(page.read_text().replace("</body>", TURN))
+    dom = browser.dom(handled)
+    expect_works(dom, page.name)
+    seen = json.loads(html.unescape(re.search(r'data-seen="([^"]*)"', dom).group(1)))
+    expect(len(seen["panels"]) == panels and all(seen["shown"]), f"{page.name}: {panels} panels are shown")
+    lengths = [seen["tops"].count(top) for top in sorted(set(seen["tops"]))]
+    expect(lengths == [panels // rows] * rows, f"{page.name}: in {rows} rows of one length, not {lengths}")
+    expect(seen["clipped"] == 0 and seen["small"] == 0, f"{page.name}: captions are legible")
+    expect(seen["different"] == panels, f"{page.name}: no two closures look alike")
+    expect(seen["turned"] == panels, f"{page.name}: the mouse turns every panel")
+    expect(seen["back"] == panels, f"{page.name}: a double click brings the view back")
+    check_written(seen, page.name)
+    return seen["panels"]
+
+
+def check_written(seen, page):
+    """Names in a picture are inside it, and none is written over another."""
+    words = seen["written"]
+    expect(words, f"{page}: places have names")
+    for k, a in enumerate(words):
+        expect(a["size"] >= 11, f"{page}: {a['name']} is large enough to be read")
+        expect(0 <= a["x"] and a["x"] + a["width"] <= seen["width"] and 0 <= a["y"] <= seen["height"],
+               f"{page}: {a['name']} is inside the picture")
+        for b in words[:k]:
+            beside = a["x"] + a["width"] <= b["x"] or b["x"] + b["width"] <= a["x"]
+            expect(beside or abs(a["y"] - b["y"]) >= 9, f"{page}: {a['name']} is not written over {b['name']}")
+
+
+def check_arm(browser, moivre, root, folder):
+    page = page_of(moivre, folder, "closures", root / "problems/robots/puma560.urdf", "--pose", PUMA_POSE)
+    captions = check_turning(browser, page, 8, 2)
+    for shoulder in ("left", "right"):
+        for elbow in ("up", "down"):
+            for wrist in ("no flip", "flip"):
+                name = f"shoulder {shoulder}, elbow {elbow}, {wrist}\n"
+                expect(sum(name in caption for caption in captions) == 1, f"one posture is called {name!r}")
+
+
 def check_names(browser, moivre, root, folder):
     text = (root / "problems/mechanisms/four-bar.toml").read_text()
     mechanism = folder / "evil.toml"
@@ -142,8 +214,10 @@ def main():
         check_motion(browser, page_of(moivre, folder, "motion", mechanisms / "rssr.toml", "--from-guess"))
         check_motion(browser, page_of(moivre, folder, "closures", mechanisms / "whitworth.toml"))
         expect_works(browser.dom(page_of(moivre, folder, "closures", mechanisms / "3-rpr.toml")), "closures that stand")
-        expect_works(browser.dom(page_of(moivre, folder, "closures", root / "problems/robots/puma560.urdf",
-                                         "--pose", "0.4 -0.2 0.3 0.5 0.5 0.5 0.5")), "a robot's postures")
+        check_arm(browser, moivre, root, folder)
+        check_turning(browser, page_of(moivre, folder, "closures", mechanisms / "octahedral-3-3.toml"), 4, 2)
+        postures = check_turning(browser, page_of(moivre, folder, "closures", mechanisms / "puma-560.toml"), 8, 2)
+        expect(all("J6 " in caption for caption in postures), "joints' values tell postures apart that look alike")
         check_names(browser, moivre, root, folder)
     print("the pages work")
 

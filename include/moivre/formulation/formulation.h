@@ -61,9 +61,10 @@ struct Formulation {
       spins;  ///< bodies that may turn about the line of their two points, all else standing
 };
 
-/// Whether the values that are known (null where not) make an exclusion vanish; its reason.
+/// Whether the values that are known (null where not) make an exclusion vanish; its reason. `is_multiple`: they are a multiple root.
 std::optional<std::string> excluded(const Formulation& formulation,
-                                    const std::vector<std::optional<Complex>>& values);
+                                    const std::vector<std::optional<Complex>>& values,
+                                    bool is_multiple);
 
 /// The polynomials at time t.
 Formulation formulate(const Mechanism& mechanism, double t);
