@@ -115,7 +115,11 @@ MovingPose Equations::dyad_pose(const std::array<Polynomial, 4>& c, std::size_t 
 }
 
 void Equations::add_quadric(const std::array<Polynomial, 4>& c, std::size_t k) {
-  frame_.add_equation("dyad of " + e(k).name, c[0] * c[3] - c[1] * c[2]);
+  // Where the loop's geometry makes it hold everywhere, rounding alone is left.
+  const Polynomial outer = c[0] * c[3];
+  const Polynomial inner = c[1] * c[2];
+  const double size = std::max(largest_coefficient(outer), largest_coefficient(inner));
+  frame_.add_equation("dyad of " + e(k).name, without_noise(outer - inner, size));
 }
 
 /// Of elements k and k + 1, whose dyad has the coordinates c.
