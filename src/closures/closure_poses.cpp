@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include "canonical_order.h"
 #include "moivre/kinematics/local_dimension.h"
@@ -31,16 +32,32 @@ bool lies_on_motion(ClosureSearch& search, const Eigen::VectorXd& q) {
   return true;
 }
 
+/// The first joint whose limits do not allow the pose.
+std::optional<std::size_t> beyond_limits_at(const Mechanism& mechanism, const Eigen::VectorXd& q) {
+  for (std::size_t k = 0; k < mechanism.joints.size(); ++k) {
+    if (!is_within_limits(mechanism, mechanism.joints[k], q)) return k;
+  }
+  return std::nullopt;
+}
+
 /// Whether the joints' limits allow the pose; where not, it is counted.
 bool is_allowed(ClosureSearch& search, const Eigen::VectorXd& q, BeyondLimits& beyond_limits) {
-  const auto& joints = search.mechanism.joints;
-  const auto beyond = std::find_if(joints.begin(), joints.end(), [&](const Joint& joint) {
-    return !is_within_limits(search.mechanism, joint, q);
-  });
-  if (beyond == joints.end()) return true;
+  const auto beyond = beyond_limits_at(search.mechanism, q);
+  if (!beyond) return true;
   ++search.result.counts.filtered;
-  ++beyond_limits[static_cast<std::size_t>(beyond - joints.begin())];
+  ++beyond_limits[*beyond];
   return false;
+}
+
+/// Whether a pose that Newton-Raphson came to, and that is no closure found, shows that one was lost.
+bool shows_a_loss(const ClosureSearch& search, const NewtonResult& pose) {
+  const auto& joints = search.mechanism.joints;
+  // It may be in another meshing of the teeth than the drawn one.
+  const bool has_gears = std::any_of(joints.begin(), joints.end(), [](const Joint& joint) {
+    return traits(joint.type).turn == JointTurn::geared;
+  });
+  return pose.status == NewtonStatus::converged && !pose.is_singular && !search.result.moves &&
+         !has_gears && !beyond_limits_at(search.mechanism, search.phi.canonical(pose.q));
 }
 
 void take_pose(ClosureSearch& search, const Solution& solution, const NewtonResult& polished,
@@ -92,13 +109,15 @@ void take_fitting(ClosureSearch& search, BeyondLimits& beyond_limits) {
     const NewtonResult least = newton(search.phi, guess, search.options.time);
     if (!least.q.allFinite()) continue;
     Closure closure = closure_at(search, least);
-    if (!result.least_misfit || closure.misfit < *result.least_misfit) {
-      result.least_misfit = closure.misfit;
-    }
     const bool is_known =
         std::any_of(result.closures.begin(), result.closures.end(), [&](const Closure& other) {
           return distance(search.phi, other.q, closure.q) <= kSamePose;
         });
+    if (!is_known && shows_a_loss(search, least)) ++search.rootless;
+    if (least.status == NewtonStatus::converged) continue;
+    if (!result.least_misfit || closure.misfit < *result.least_misfit) {
+      result.least_misfit = closure.misfit;
+    }
     if (!fit || closure.misfit > *fit || is_known) continue;
     ++result.counts.fitted;
     closure.is_fitted = true;

@@ -28,6 +28,8 @@ struct ClosureSearch {
   ClosureResult result;
   std::uint64_t lost_images = 0;  ///< roots whose mirror image is not among the roots
   std::uint64_t unpolished = 0;   ///< real roots that Newton-Raphson does not confirm
+  std::uint64_t rootless =
+      0;  ///< poses that close regularly beside roots that do not, and are no root's
   std::vector<Eigen::VectorXd>
       near_misses;                ///< real roots of the solved equations that fail another one
   bool undecided_motion = false;  ///< a set of closures may exist, and no pose that moves was found

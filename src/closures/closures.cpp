@@ -75,6 +75,7 @@ std::string shortfall(const ClosureSearch& search) {
            std::to_string(kMovingStarts) + " starts; there may be none: give a guess, or drivers";
   }
   if (search.lost_images > 0) return "a closure's mirror image is missing: a path was lost";
+  if (search.rootless > 0) return "a pose closes to which no root leads: roots were lost";
   if (search.unpolished > 0) return "a real root was found that Newton-Raphson does not confirm";
   return search.stop ? "interrupted: what is finished is reported" : "some paths failed";
 }
@@ -131,7 +132,7 @@ std::string verdict(const ClosureSearch& search) {
 }
 
 void conclude(ClosureSearch& search) {
-  if (search.lost_images > 0 || search.unpolished > 0) search.result.complete = false;
+  if (search.lost_images + search.unpolished + search.rootless > 0) search.result.complete = false;
   search.result.message = verdict(search);
   for (const std::string& name : search.formulation.contradictions) {
     search.result.message += "; " + name + " holds an angle that is held at another value already";
