@@ -68,9 +68,9 @@ double distance_from_real(const Formulation& formulation, const Point& root) {
 std::optional<std::string> excluded(const Formulation& formulation,
                                     const std::vector<std::optional<Complex>>& values,
                                     bool is_multiple) {
-  // A simple root is known to rounding: what vanishes there does so as exactly as axes are parallel that are meant to be. In an arm
-  // that is off by 1e-9 eight closures are no farther than that from where nothing is turned.
-  constexpr double kVanishesAtSimple = 1e-11;
+  // A simple root is known to rounding, and what vanishes there does so to 1e-14. In an arm that is off by 1e-9 eight closures are no
+  // farther than that from where nothing is turned, in a platform some are a thousand times nearer.
+  constexpr double kVanishesAtSimple = 1e-13;
   // A multiple root is known to the square root of rounding.
   constexpr double kVanishesAtMultiple = 1e-6;
   const double vanishes = is_multiple ? kVanishesAtMultiple : kVanishesAtSimple;

@@ -94,7 +94,7 @@ void Chain::turns(const Tie& tie) {
 void Chain::slides(const Tie& tie) {
   if (tie.place == JointPlace::on_line) slide("s_" + tie.name);
   if (tie.place != JointPlace::in_plane) return;
-  for (const std::size_t k : {0, 1}) {
+  for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
     fixed(across(k));
     slide("s" + std::to_string(k + 1) + "_" + tie.name);
     fixed(conjugate(across(k)));

@@ -159,7 +159,7 @@ MovingPose slides_of(SpatialFrame& frame, const Tie& tie, const std::vector<std:
   MovingPose slides = to_moving(identity_pose());
   if (tie.place == JointPlace::on_line) return frame.add_slide("s_" + tie.name, owners);
   if (tie.place != JointPlace::in_plane) return slides;
-  for (const std::size_t k : {0, 1}) {
+  for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
     const std::string name = "s" + std::to_string(k + 1) + "_" + tie.name;
     slides = slides * to_moving(across(k)) * frame.add_slide(name, owners) *
              to_moving(conjugate(across(k)));
