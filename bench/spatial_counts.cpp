@@ -3,7 +3,6 @@
 //
 //   spatial_counts [--seeds N] [--turned] [--off SHARE]... [FILE...]     names of problems/mechanisms, without ending
 //
-// off: every dimension is off by up to this share, at random by the seed (tests/closures/spatial_counts.h); 0, 1e-2 and 1e-9 where
 // off: every dimension is off by up to this share, at random by the seed (tests/closures/spatial_counts.h); 0, 1e-2 and 1e-9 where no
 // --off is given. --turned: as typed, but in frames turned at random by the seed; without mechanisms whose angles are driven.
 // A run is short when it is not complete, or when its closures are not those of the mechanism, or of its general
