@@ -57,19 +57,19 @@ class Certifier::Work {
   std::size_t dimension() const { return program_->dimension(); }
   int most_bits() const { return options_.most_bits; }
 
-  void certify(std::span<const Complex> x, Certificate& result) {
-    require_dimension(x.size());
+  void certify(std::span<const Complex> x, std::span<const Enclosure> given, Certificate& result) {
+    require_dimension(x.size(), given.size());
     result.verdict = Verdict::undecided;
     result.reality = Reality::unknown;
     result.bits = kDoubleBits;
-    if (double_stage_.prove(x, options_.accuracy, result)) {
+    if (double_stage_.prove(x, given, options_.accuracy, result)) {
       judge(x, result);
       if (is_settled(x, result)) return;
     }
     const double farthest = 2 * options_.accuracy * scale_of(x);
     for (int bits = kFirstArbBits; bits <= options_.most_bits; bits *= 2) {
       Certificate finer;
-      const ArbOutcome outcome = arb().prove(x, {}, bits, farthest, finer);
+      const ArbOutcome outcome = arb().prove(x, {}, given, bits, farthest, finer);
       if (outcome == ArbOutcome::proved) {
         judge(x, finer);
         result = std::move(finer);
@@ -81,12 +81,12 @@ class Certifier::Work {
     }
   }
 
-  bool sharpen(Certificate& certificate, int bits) {
-    require_dimension(certificate.midpoint.size());
+  bool sharpen(Certificate& certificate, std::span<const Enclosure> given, int bits) {
+    require_dimension(certificate.midpoint.size(), given.size());
     if (!certificate.holds_root()) throw std::invalid_argument("no root is proved to sharpen");
     Certificate finer;
     const double farthest = *std::max_element(certificate.radius.begin(), certificate.radius.end());
-    if (arb().prove(certificate.midpoint, certificate.finer, bits, farthest, finer) !=
+    if (arb().prove(certificate.midpoint, certificate.finer, given, bits, farthest, finer) !=
         ArbOutcome::proved) {
       return false;
     }
@@ -99,10 +99,15 @@ class Certifier::Work {
   }
 
  private:
-  void require_dimension(std::size_t n) const {
-    if (n == dimension()) return;
-    throw std::invalid_argument("a point has " + std::to_string(n) + " coordinates, the system " +
-                                std::to_string(dimension()) + " unknowns");
+  void require_dimension(std::size_t n, std::size_t given) const {
+    if (n != dimension()) {
+      throw std::invalid_argument("a point has " + std::to_string(n) + " coordinates, the system " +
+                                  std::to_string(dimension()) + " unknowns");
+    }
+    if (given != program_->given) {
+      throw std::invalid_argument(std::to_string(given) + " numbers are given, the system has " +
+                                  std::to_string(program_->given));
+    }
   }
 
   ArbStage& arb() {
@@ -138,18 +143,25 @@ Certifier::~Certifier() = default;
 std::size_t Certifier::dimension() const noexcept { return work_->dimension(); }
 int Certifier::most_bits() const noexcept { return work_->most_bits(); }
 
-void Certifier::certify(std::span<const Complex> x, Certificate& result) {
-  work_->certify(x, result);
+void Certifier::certify(std::span<const Complex> x, Certificate& result,
+                        std::span<const Enclosure> given) {
+  work_->certify(x, given, result);
 }
 
-Certificate Certifier::certify(std::span<const Complex> x) {
+Certificate Certifier::certify(std::span<const Complex> x, std::span<const Enclosure> given) {
   Certificate result;
-  work_->certify(x, result);
+  work_->certify(x, given, result);
   return result;
 }
 
-bool Certifier::sharpen(Certificate& certificate, int bits) {
-  return work_->sharpen(certificate, bits);
+bool Certifier::sharpen(Certificate& certificate, int bits, std::span<const Enclosure> given) {
+  return work_->sharpen(certificate, given, bits);
+}
+
+Enclosure enclosure(const Certificate& certificate, std::size_t j) {
+  Enclosure result{certificate.midpoint[j], {}, certificate.error[j]};
+  for (const Point& part : certificate.finer) result.finer.push_back(part[j]);
+  return result;
 }
 
 std::vector<Certificate> certify(const System& f, const std::vector<Point>& points,

@@ -61,10 +61,18 @@ struct Formulation {
       spins;  ///< bodies that may turn about the line of their two points, all else standing
 };
 
-/// Whether the values that are known (null where not) make an exclusion vanish; its reason. `is_multiple`: they are a multiple root.
-std::optional<std::string> excluded(const Formulation& formulation,
-                                    const std::vector<std::optional<Complex>>& values,
-                                    bool is_multiple);
+/// An exclusion that all but vanishes.
+struct NearExclusion {
+  const Formulation::Exclusion* exclusion = nullptr;
+  double share = 0;  ///< what is left of its terms, 0 to kNearExclusion
+};
+
+/// A simple root is known far better than this, a multiple one just so: an exclusion that is larger beside its terms does not vanish.
+inline constexpr double kNearExclusion = 1e-6;
+
+/// Those in values that are known (null where not), in the formulation's order.
+std::vector<NearExclusion> near_exclusions(const Formulation& formulation,
+                                           const std::vector<std::optional<Complex>>& values);
 
 /// The polynomials at time t.
 Formulation formulate(const Mechanism& mechanism, double t);
