@@ -35,6 +35,10 @@ double scale_of(std::span<const Complex> x) {
   return scale;
 }
 
+double largest_error(const Certificate& c) {
+  return *std::max_element(c.error.begin(), c.error.end());
+}
+
 /// Bound on |x* - x|_inf.
 double distance_bound(std::span<const Complex> x, const Certificate& c) {
   double largest = 0;
@@ -71,6 +75,8 @@ class Certifier::Work {
       Certificate finer;
       const ArbOutcome outcome = arb().prove(x, {}, given, bits, farthest, finer);
       if (outcome == ArbOutcome::proved) {
+        // Discs of given numbers stay as wide as they are, whatever the digits.
+        if (result.holds_root() && largest_error(finer) >= largest_error(result)) return;
         judge(x, finer);
         result = std::move(finer);
         if (is_settled(x, result)) return;
@@ -123,8 +129,7 @@ class Certifier::Work {
 
   /// More bits tell nothing new: the ball is small enough for its place to be told, and reality is known where it is asked for.
   bool is_settled(std::span<const Complex> x, const Certificate& result) const {
-    const double error = *std::max_element(result.error.begin(), result.error.end());
-    if (error > options_.accuracy * scale_of(x)) return false;
+    if (largest_error(result) > options_.accuracy * scale_of(x)) return false;
     return !options_.decide_reality || !program_->real || result.reality != Reality::unknown;
   }
 

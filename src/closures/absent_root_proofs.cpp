@@ -17,7 +17,7 @@ void RootProver::close_group(const Block&) {}
 bool RootProver::close() { return false; }
 KnownProof RootProver::prove(const KnownProof&, const Point&) { return nullptr; }
 bool RootProver::are_distinct(const std::vector<KnownProof>&) { return false; }
-std::optional<bool> RootProver::vanishes(const KnownProof&, const Polynomial&) {
+std::optional<bool> RootProver::vanishes(const KnownProof&, const Formulation::Exclusion&) {
   return std::nullopt;
 }
 ProvedRoot RootProver::root(const KnownProof&) { return {}; }

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "closing.h"
@@ -87,6 +89,29 @@ void take_root(ClosureSearch& search, const PartialRoot& root, RootProver& prove
   search.result.solutions.push_back(std::move(solution));
 }
 
+/// Where as many poses are proved as a theorem allows, paths in doubt lead to none.
+void settle_by_theorem(const Formulation& formulation, StageRun& run) {
+  const auto& theorem = formulation.theorem;
+  if (!theorem || run.stages.size() != 1 || run.roots.size() < theorem->most) return;
+  std::vector<KnownProof> proofs;
+  for (const PartialRoot& root : run.roots) proofs.push_back(root.proof);
+  if (!RootProver::are_distinct(proofs)) return;
+  if (proofs.size() > theorem->most) {
+    throw std::logic_error(std::to_string(proofs.size()) + " poses are proved, but " + theorem->of +
+                           " has no more than " + std::to_string(theorem->most));
+  }
+  run.is_proved = true;
+  if (run.complete) return;
+  for (PathCounts* paths : {&run.paths, &run.stages.front().paths}) {
+    paths->at_infinity += std::exchange(paths->failed, 0);
+  }
+  run.left_out.push_back({std::to_string(run.failures.size()) + " paths that were in doubt",
+                          std::to_string(theorem->most) + " closures are proved, and " +
+                              theorem->of + " has no more: they lead to no other"});
+  run.failures.clear();
+  run.complete = true;
+}
+
 RootCompleteness completeness(const StageRun& run, const ClosureResult& result) {
   const auto& roots = result.solutions;
   const bool all_certified = std::all_of(roots.begin(), roots.end(), [](const Solution& root) {
@@ -157,6 +182,7 @@ void solve_determined(ClosureSearch& search, const BlockStructure& structure) {
   }
   RootProver prover(search.formulation, search.options.certify && search.options.solve.certify);
   StageRun run = solve_blocks(search, search.formulation, structure.blocks, prover);
+  settle_by_theorem(search.formulation, run);
   bool has_unseen_sets = run.moves && !(run.may_move && shows_motion(search));
   if (has_unseen_sets && !search.stop && !structure.spare_equations.empty()) {
     run = solve_combined(search, run);

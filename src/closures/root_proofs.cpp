@@ -75,9 +75,9 @@ struct RootProver::Work {
 
   struct Group {
     std::vector<std::size_t> equations;
-    std::vector<std::size_t> unknowns;                ///< variables of the formulation
-    std::optional<Program> program;                   ///< where it was needed
-    std::map<const Polynomial*, Program> with_value;  ///< likewise, by the polynomial of the value
+    std::vector<std::size_t> unknowns;                            ///< variables of the formulation
+    std::optional<Program> program;                               ///< where it was needed
+    std::map<const Formulation::Exclusion*, Program> with_value;  ///< likewise, by the exclusion
   };
 
   explicit Work(const Formulation& the_formulation)
@@ -231,14 +231,16 @@ bool RootProver::are_distinct(const std::vector<KnownProof>& proofs) {
   return compare(certificates).distinct_roots == proofs.size();
 }
 
-std::optional<bool> RootProver::vanishes(const KnownProof& proof, const Polynomial& e) {
+std::optional<bool> RootProver::vanishes(const KnownProof& proof,
+                                         const Formulation::Exclusion& exclusion) {
   if (!proof) return std::nullopt;
   auto& group = work_->groups[proof->group];
   const KnownProof fine = work_->finer(proof);
   if (!fine) return std::nullopt;
-  auto place = group.with_value.find(&e);
+  const Polynomial& e = exclusion.of;
+  auto place = group.with_value.find(&exclusion);
   if (place == group.with_value.end()) {
-    place = group.with_value.emplace(&e, work_->program(group, &e)).first;
+    place = group.with_value.emplace(&exclusion, work_->program(group, &e)).first;
   }
   auto& program = place->second;
   const std::vector<Enclosure> given = work_->given(program, fine->before);

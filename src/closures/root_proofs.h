@@ -52,8 +52,8 @@ class RootProver {
   KnownProof prove(const KnownProof& before, const Point& values);
   /// These, of one group and of the same root before, are different roots, all of them.
   static bool are_distinct(const std::vector<KnownProof>& proofs);
-  /// Whether e, in unknowns that are proved, is 0 at the root; nullopt: unknown.
-  std::optional<bool> vanishes(const KnownProof& proof, const Polynomial& e);
+  /// Whether one of the formulation's exclusions, in unknowns that are proved, is 0 at the root; nullopt: unknown.
+  std::optional<bool> vanishes(const KnownProof& proof, const Formulation::Exclusion& exclusion);
   /// Of a proof of all unknowns.
   ProvedRoot root(const KnownProof& proof);
 

@@ -196,7 +196,7 @@ bool Stages::is_excluded(const PartialRoot& root) {
     values.push_back(value ? std::optional(to_complex(*value)) : std::nullopt);
   }
   for (const NearExclusion& near : near_exclusions(formulation_, values)) {
-    const std::optional<bool> proved = prover_.vanishes(root.proof, near.exclusion->of);
+    const std::optional<bool> proved = prover_.vanishes(root.proof, *near.exclusion);
     if (!proved.value_or(root.singular || near.share <= kVanishes)) continue;
     run_.excluded[near.exclusion->reason] += root.multiplicity;
     return true;
@@ -225,8 +225,9 @@ SolveResult Stages::solved(const System& f) {
   const bool are_few = paths && *paths <= kPathsWithoutSearch;
   if (options.start == StartKind::automatic && are_few) options.start = StartKind::total_degree;
   SolveResult result = solve(f, tracker_, options, stop_);
-  // Where paths are in doubt, roots that are proved may be as many as a proved bound allows: the paths lead to no other.
-  if (!result.complete && !stop_ && options_.certify) {
+  // Where paths are in doubt, roots that are proved may be as many as a proved bound allows: the paths lead to no other. And what
+  // passes for a point of a set may be proved to be a root.
+  if ((!result.complete || !result.on_sets.empty()) && !stop_ && options_.certify) {
     const SolveResult first = std::move(result);
     result = solve(f, tracker_, options_, stop_);
     run_.work += first.work;

@@ -21,6 +21,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -56,6 +57,13 @@ struct Formulation {
     std::string reason;
   };
   std::vector<Exclusion> exclusions;
+
+  /// A theorem: no member of this class has more isolated poses, complex ones included.
+  struct Theorem {
+    std::string of;  ///< "a body on six rods"
+    std::uint64_t most = 0;
+  };
+  std::optional<Theorem> theorem;
   std::vector<std::pair<std::string, std::string>> left_out;  ///< what was left out, and why
   std::vector<std::size_t>
       spins;  ///< bodies that may turn about the line of their two points, all else standing
