@@ -68,6 +68,13 @@ Branch TrackFollower::follow_back(const BranchPose& pose, const std::vector<doub
   return follow_branch(mechanism, pose.q, backs, steps, stop);
 }
 
+bool TrackFollower::reaches(const BranchPose& pose, double time) const {
+  BranchOptions steps = options;
+  steps.velocity_times.emplace();
+  const std::vector<double> way{pose.time, time};
+  return follow_branch(mechanism, pose.q, way, steps, stop).samples.size() == way.size();
+}
+
 void TrackFollower::run(Track& track) const {
   const BranchOptions steps = options_of(track);
   std::vector<double> later{track.anchor.time};

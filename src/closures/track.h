@@ -43,6 +43,8 @@ struct TrackFollower {
   /// From a pose back through `backs` times, with steps that are not those of the way there.
   Branch follow_back(const BranchPose& pose, const std::vector<double>& backs,
                      const Track& track) const;
+  /// Whether the branch through the pose is there at another time too, without a sample on the way.
+  bool reaches(const BranchPose& pose, double time) const;
 
  private:
   BranchOptions options_of(const Track& track) const;
