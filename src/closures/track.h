@@ -58,5 +58,7 @@ inline constexpr double kSamePlace = 1e-3;
 
 /// Largest difference of two poses, angles to the nearest turn, beside the larger pose's size (1 at least).
 double distance(const Phi& phi, const Eigen::VectorXd& a, const Eigen::VectorXd& b);
+/// Whether that is no more than kSamePose; where not, a length nearly always says so at once.
+bool is_same_pose(const Phi& phi, const Eigen::VectorXd& a, const Eigen::VectorXd& b);
 
 }  // namespace moivre
