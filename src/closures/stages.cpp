@@ -8,6 +8,7 @@
 
 #include "moivre/formulation/exact.h"
 #include "moivre/polynomial/eliminate.h"
+#include "quadratic_block.h"
 
 namespace moivre {
 namespace {
@@ -80,6 +81,12 @@ class Stages {
                      : LeftOut{std::to_string(lone_) + " linear equations solved one by one",
                                "each has a single unknown left"});
     }
+    if (formulas_ > 0) {
+      run_.left_out.push_back(
+          {"following the paths of " + std::to_string(formulas_) +
+               (formulas_ == 1 ? " solve" : " solves"),
+           "what comes down to one quadratic equation, or to linear ones, is solved by formula"});
+    }
     return std::move(run_);
   }
 
@@ -88,9 +95,10 @@ class Stages {
   void note_set(const PartialRoot& root);
   bool is_excluded(const PartialRoot& root);
   void solve_lone(const Block& block);
-  void add_roots(const Block& block, const PartialRoot& root, Stage& stage,
-                 std::vector<PartialRoot>& next);
-  SolveResult solved(const System& f);
+  SolveResult solved(const Block& block, const QuadraticBlock& formula, const PartialRoot& root);
+  SolveResult followed(const System& f);
+  void add_roots(const Block& block, const QuadraticBlock& formula, const PartialRoot& root,
+                 Stage& stage, std::vector<PartialRoot>& next);
   PartialRoot child_of(const PartialRoot& root, const Block& block, const Solution& solution);
   void prove(PartialRoot& root);
   void prove_all();
@@ -104,6 +112,7 @@ class Stages {
   RootProver& prover_;
   StageRun run_;
   std::size_t lone_ = 0;
+  std::uint64_t formulas_ = 0;  ///< solves by formula
 };
 
 System Stages::system_at(const Block& block, const PartialRoot& root) const {
@@ -217,7 +226,7 @@ bool has_proved_bound(const SolveResult& result, const std::vector<PartialRoot>&
   return is_linear || (is_bound && result.paths.tracked == proofs.size());
 }
 
-SolveResult Stages::solved(const System& f) {
+SolveResult Stages::followed(const System& f) {
   SolveOptions options = options_;
   options.certify = false;
   const auto paths = total_degree(degrees(f));
@@ -260,10 +269,23 @@ void Stages::prove(PartialRoot& root) {
   root.proof = prover_.prove(before, x);
 }
 
-void Stages::add_roots(const Block& block, const PartialRoot& root, Stage& stage,
-                       std::vector<PartialRoot>& next) {
-  const System f = system_at(block, root);
-  const SolveResult result = solved(f);
+/// By formula, where that is clear and no start was asked for: a quadratic equation counts as its two paths.
+SolveResult Stages::solved(const Block& block, const QuadraticBlock& formula,
+                           const PartialRoot& root) {
+  auto roots = options_.start == StartKind::automatic ? formula.roots(root.value) : std::nullopt;
+  if (!roots) return followed(system_at(block, root));
+  ++formulas_;
+  SolveResult result;
+  result.complete = true;
+  result.reduced = QuadraticBlock::reduced_facts(roots->size());
+  result.paths.tracked = result.paths.finite = roots->size();
+  result.solutions = std::move(*roots);
+  return result;
+}
+
+void Stages::add_roots(const Block& block, const QuadraticBlock& formula, const PartialRoot& root,
+                       Stage& stage, std::vector<PartialRoot>& next) {
+  const SolveResult result = solved(block, formula, root);
   const std::uint64_t first_path = stage.paths.tracked;
   std::vector<PartialRoot> children;
   for (const Solution& solution : result.solutions) {
@@ -287,8 +309,9 @@ void Stages::add_roots(const Block& block, const PartialRoot& root, Stage& stage
   run_.time.threads = std::max(run_.time.threads, result.time.threads);
   add_solving(result.time, run_.time);
   run_.complete = run_.complete && result.complete;
-  const bool is_dependent = result.paths.tracked == 0 && result.complete &&
-                            eliminate(f).verdict == Reduction::Verdict::dependent;
+  const bool is_dependent =
+      result.paths.tracked == 0 && result.complete &&
+      eliminate(system_at(block, root)).verdict == Reduction::Verdict::dependent;
   const bool has_set =
       std::any_of(result.on_sets.begin(), result.on_sets.end(), [&](const Point& x) {
         Solution on_set;
@@ -303,13 +326,14 @@ void Stages::solve_block(const Block& block) {
   if (run_.roots.empty()) return;
   if (is_lone_linear(system_at(block, run_.roots.front()))) return solve_lone(block);
   prover_.close_group(block);
+  const QuadraticBlock formula(formulation_.system, block);
   Stage stage;
   stage.group = group_name(block);
   std::vector<PartialRoot> next;
   for (const PartialRoot& root : run_.roots) {
     if (stop_) run_.complete = false;
     if (stop_) break;
-    add_roots(block, root, stage, next);
+    add_roots(block, formula, root, stage, next);
   }
   run_.paths += stage.paths;
   run_.stages.push_back(std::move(stage));
