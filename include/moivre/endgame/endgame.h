@@ -111,7 +111,7 @@ class Endgame : public Watcher {
   double landing_condition() const;
   std::optional<Departure> land();
   std::vector<Complex> samples_of_x0() const;
-  bool ends_beyond() const;
+  bool ends_beyond(const std::vector<Complex>& x0) const;
   FaceRoot place_at_infinity(const PathSystem& path) const;
   bool sheets_meet(const Point& x) const;
   bool is_regular_arrival(const Arrival& arrival, PathSystem& path, double condition);
