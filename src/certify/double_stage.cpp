@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "moivre/numeric/fused.h"
+
 namespace moivre {
 namespace {
 
@@ -101,8 +103,10 @@ bool DoubleStage::approach(std::span<const Complex> x, double accuracy) {
 /// f_ and e_: F(m) and its bound, from double-double.
 void DoubleStage::residual() {
   for (std::size_t j = 0; j < n_; ++j) fine_x_[j] = FineBall(ComplexDoubleDouble(m_[j]), 0);
-  evaluate<FineBall, CoefficientBall<ComplexDoubleDouble>>(
-      program_.tape, program_.fine_coefficients, fine_x_, fine_registers_, fine_values_);
+  fused([&] {
+    evaluate<FineBall, CoefficientBall<ComplexDoubleDouble>>(
+        program_.tape, program_.fine_coefficients, fine_x_, fine_registers_, fine_values_);
+  });
   for (std::size_t i = 0; i < n_; ++i) {
     f_[i] = to_complex(fine_values_[i].middle);
     e_[i] = raised(fine_values_[i].radius + rounding_ * size_bound(f_[i]));

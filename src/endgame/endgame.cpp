@@ -162,9 +162,17 @@ std::optional<Departure> Endgame::judge_arrival(Arrival&& arrival, PathSystem& p
   if (is_regular_arrival(arrival, path, condition)) return std::nullopt;
   if (outpost_.empty()) return fail(to_failure(arrival.journey));
   if (options_.only_regular) return fail(Failure::precision);
+  polish_outpost(path);
   watched_at_ = outpost_;
   watched_radius_ = radius_;
   return begin_circle();
+}
+
+// A tracker that has t = 1 in view passes points of the way as near to the path as it needs for that.
+void Endgame::polish_outpost(PathSystem& path) {
+  Point x = outpost_;
+  const PathTime time{1.0 - radius_, radius_};
+  if (path.correct(x, time, CorrectorOptions{}, true).converged) outpost_ = std::move(x);
 }
 
 bool Endgame::may_look_again() const {
@@ -244,8 +252,8 @@ bool Endgame::ends_beyond(const std::vector<Complex>& x0) const {
 }
 
 // The faces of the cycle's direction have a common root there.
-FaceRoot Endgame::place_at_infinity(const PathSystem& path) const {
-  return face_root(path.homotopy(), outside(frame_, outpost_), radius_,
+FaceRoot Endgame::place_at_infinity(PathSystem& path) const {
+  return face_root(path, outside(frame_, outpost_), radius_,
                    valuations(samples_, chart_.homogenizing(), turns_), options_.ends);
 }
 
