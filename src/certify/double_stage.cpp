@@ -13,7 +13,7 @@ namespace {
 // Newton's method: a root of a tracker takes two corrections. What has not settled after so many is for more digits.
 constexpr int kMostCorrections = 5;
 // A correction of this share of the point is rounding.
-constexpr double kSettled = 0x1p-50;
+constexpr double kSettled = 0x1p-53;
 // The size of an unknown is at least this share of the largest one: less is no scale for a correction.
 constexpr double kLeastWeight = 0x1p-40;
 
