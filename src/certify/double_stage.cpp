@@ -5,13 +5,15 @@
 #include <algorithm>
 #include <limits>
 
+#include "moivre/numeric/fused.h"
+
 namespace moivre {
 namespace {
 
 // Newton's method: a root of a tracker takes two corrections. What has not settled after so many is for more digits.
 constexpr int kMostCorrections = 5;
 // A correction of this share of the point is rounding.
-constexpr double kSettled = 0x1p-50;
+constexpr double kSettled = 0x1p-53;
 // The size of an unknown is at least this share of the largest one: less is no scale for a correction.
 constexpr double kLeastWeight = 0x1p-40;
 
@@ -115,8 +117,10 @@ bool DoubleStage::approach(std::span<const Complex> x, double accuracy) {
 /// f_ and e_: F(m) and its bound, from double-double.
 void DoubleStage::residual() {
   for (std::size_t j = 0; j < n_; ++j) fine_x_[j] = FineBall(ComplexDoubleDouble(m_[j]), 0);
-  evaluate<FineBall, CoefficientBall<ComplexDoubleDouble>>(
-      program_.tape, program_.fine_coefficients, fine_x_, fine_registers_, fine_values_);
+  fused([&] {
+    evaluate<FineBall, CoefficientBall<ComplexDoubleDouble>>(
+        program_.tape, program_.fine_coefficients, fine_x_, fine_registers_, fine_values_);
+  });
   for (std::size_t i = 0; i < n_; ++i) {
     f_[i] = to_complex(fine_values_[i].middle);
     e_[i] = raised(fine_values_[i].radius + rounding_ * size_bound(f_[i]));
