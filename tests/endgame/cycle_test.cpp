@@ -53,6 +53,40 @@ TEST(Cycle, ALimitThatIsNotZeroIsSeenWhereverTheOthersEnd) {
   }
 }
 
+/// Samples of m sheets that end at 0 or, the first power sum being `limit`, beside it; each off by up to `error` of itself.
+std::vector<Complex> blurred_cycle(int m, const Complex& limit, double error, std::uint64_t seed) {
+  std::vector<Complex> z = cycle_of(m, [&](Complex u) { return u + limit; });
+  for (std::size_t k = 0; k < z.size(); ++k) {
+    z[k] *= 1.0 + error * random_phase(seed, RandomStream::test, k);
+  }
+  return z;
+}
+
+// Far below what a tolerance for all samples would have to be.
+TEST(Cycle, WhatHasToVanishBesideASumTellsALimitFromErrors) {
+  const EndParameters ends;
+  for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+    const int m = 1 + static_cast<int>(seed % 5);
+    for (const double error : {1e-16, 1e-12, 1e-8}) {
+      const Complex limit = 300 * error * random_phase(seed, RandomStream::slice, 0);
+      EXPECT_FALSE(vanish_as_errors_do(blurred_cycle(m, limit, error, seed), m, 0, ends))
+          << seed << ' ' << error;
+      EXPECT_TRUE(vanish_as_errors_do(blurred_cycle(m, limit, error, seed), m, 1e7 * error, ends))
+          << seed << ' ' << error;
+    }
+  }
+}
+
+// By chance it may not; then the next circle is asked.
+TEST(Cycle, AnEndAtZeroIsNearlyAlwaysToldByItsErrors) {
+  int told = 0;
+  for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
+    const int m = 1 + static_cast<int>(seed % 5);
+    told += vanish_as_errors_do(blurred_cycle(m, 0, 1e-12, seed), m, 0, EndParameters()) ? 1 : 0;
+  }
+  EXPECT_GE(told, 980);
+}
+
 // A path that hardly moves: what its samples differ by is their rounding.
 TEST(Cycle, SheetsMeetWhereNothingButRoundingKeepsThemApart) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {

@@ -159,6 +159,22 @@ TEST(Certified, CombinationsProveNothingOfTheFilesEquations) {
   for (const Solution& s : result.solutions) EXPECT_FALSE(s.certified);
 }
 
+// Two of its eight roots are 8e12 away, in the direction of double roots at infinity: a random system that was told wrongly once.
+TEST(Certified, ARootAsFarAsATrillionIsNotTakenForOneAtInfinity) {
+  const System f = read(
+      "3\n9*x1^2*x3^2+48*x1^2*x3+64*x1^2-54*x1*x3-144*x1+81.000000000009;\n"
+      "27*x1^2*x3-9*x1*x2*x3-18*x1*x3^2+63*x1^2-24*x1*x2-51*x1*x3-3*x2*x3-89*x1+33*x2+54*x3"
+      "+7.000000000007;\n"
+      "21*x1^2*x3+3*x1*x2*x3-18*x1*x3^2+56*x1^2+8*x1*x2-42*x1*x3-54*x1-9*x2+49*x3"
+      "-12.999999999994;\n");
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    SolveOptions options;
+    options.seed = seed;
+    const SolveResult result = solve(f, *make_lane_tracker(), options);
+    EXPECT_TRUE(!result.complete || result.solutions.size() == 8) << seed;
+  }
+}
+
 TEST(Certified, WhatIsNotDecidedIsOpen) {
   CvodeOptions few;
   few.maximum_steps = 5;

@@ -58,6 +58,18 @@ TEST(DimensionTest, SeesASetWhoseCoefficientsWereRounded) {
   expect_on_set(f, {1, 2}, true);
 }
 
+// On the first, which no digits take away, F vanishes; on the second it is as small as the coefficients' rounding.
+TEST(DimensionTest, TellsASetFromOneThatIsThereAsRoundedOnly) {
+  const std::vector<double> unit{1, 1};
+  const RefinerProgram circle(read("2\n x^2 + y^2 - 5;\n (x^2 + y^2 - 5)*(x + 7);\n"), unit);
+  const RefinerProgram nearly(
+      read("2\n x^2 + y^2 - 5;\n x^2 + y^2 - 5.0000000000000002;\n"), unit);
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    EXPECT_EQ(set_through(circle, {1, 2}, seed), SetHere::sharp) << seed;
+    EXPECT_EQ(set_through(nearly, {1, 2}, seed), SetHere::blurred) << seed;
+  }
+}
+
 TEST(DimensionTest, SeesALineInSpace) {
   const System f = read("3\n x*y;\n x*z;\n x*(y + z - 1);\n");
   expect_on_set(f, {0, 3, -2}, true);
