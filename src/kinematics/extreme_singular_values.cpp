@@ -98,6 +98,11 @@ bool stays_regular(const MatrixXd& A, double smallest) {
   return smallest > kSurelyRegular * longest * std::sqrt(static_cast<double>(A.rows()));
 }
 
+bool stays_surely_regular(const MatrixXd& A, const StaircaseQr& qr) {
+  const auto rough = smallest_of(qr, A.cols(), kOrderStandstill);
+  return rough && stays_regular(A, *rough / kFarAbove);
+}
+
 ExtremeSingularValues extreme_singular_values(const MatrixXd& A, const StaircaseOrder& order) {
   const Index n = A.cols();
   if (n > kSmall) {
