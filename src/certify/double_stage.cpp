@@ -5,13 +5,15 @@
 #include <algorithm>
 #include <limits>
 
+#include "moivre/numeric/fused.h"
+
 namespace moivre {
 namespace {
 
 // Newton's method: a root of a tracker takes two corrections. What has not settled after so many is for more digits.
 constexpr int kMostCorrections = 5;
 // A correction of this share of the point is rounding.
-constexpr double kSettled = 0x1p-50;
+constexpr double kSettled = 0x1p-53;
 // The size of an unknown is at least this share of the largest one: less is no scale for a correction.
 constexpr double kLeastWeight = 0x1p-40;
 
@@ -49,10 +51,10 @@ DoubleStage::DoubleStage(const CertifyProgram& program)
       step_(n_),
       e_(n_),
       weights_(n_),
-      fine_x_(n_),
+      fine_x_(program.tape.variables),
       fine_registers_(program.tape.register_count()),
       fine_values_(n_),
-      x_(n_),
+      x_(program.tape.variables),
       registers_(program.tape.register_count()),
       values_(n_),
       jacobian_(program.tape.jacobian.size()),
@@ -66,8 +68,11 @@ DoubleStage::DoubleStage(const CertifyProgram& program)
       kappa_(n_),
       image_(n_) {}
 
-bool DoubleStage::prove(std::span<const Complex> x, double accuracy, Certificate& result) {
-  if (n_ > kLargestDimension || !approach(x, accuracy)) return false;
+bool DoubleStage::prove(std::span<const Complex> x, std::span<const Enclosure> given,
+                        double accuracy, Certificate& result) {
+  if (n_ > kLargestDimension) return false;
+  take(given);
+  if (!approach(x, accuracy)) return false;
   invert();
   if (!find_radii()) return false;
   result.midpoint.assign(m_.begin(), m_.end());
@@ -76,6 +81,17 @@ bool DoubleStage::prove(std::span<const Complex> x, double accuracy, Certificate
   result.error.assign(kappa_.begin(), kappa_.end());
   result.bits = kDoubleBits;
   return true;
+}
+
+/// Given numbers are variables that no radius of an unknown moves: F(m) is a ball then, and its size counts like an error of F.
+void DoubleStage::take(std::span<const Enclosure> given) {
+  for (std::size_t k = 0; k < given.size(); ++k) {
+    double radius = given[k].error;
+    for (const Complex& part : given[k].finer) radius += size_bound(part);
+    if (radius > 0) radius = raised(radius);
+    fine_x_[n_ + k] = FineBall(ComplexDoubleDouble(given[k].middle), radius);
+    x_[n_ + k] = Ball(given[k].middle, radius);
+  }
 }
 
 /// Newton's method from x, until its correction is rounding. False where it leaves the neighbourhood or J is singular.
@@ -101,8 +117,10 @@ bool DoubleStage::approach(std::span<const Complex> x, double accuracy) {
 /// f_ and e_: F(m) and its bound, from double-double.
 void DoubleStage::residual() {
   for (std::size_t j = 0; j < n_; ++j) fine_x_[j] = FineBall(ComplexDoubleDouble(m_[j]), 0);
-  evaluate<FineBall, CoefficientBall<ComplexDoubleDouble>>(
-      program_.tape, program_.fine_coefficients, fine_x_, fine_registers_, fine_values_);
+  fused([&] {
+    evaluate<FineBall, CoefficientBall<ComplexDoubleDouble>>(
+        program_.tape, program_.fine_coefficients, fine_x_, fine_registers_, fine_values_);
+  });
   for (std::size_t i = 0; i < n_; ++i) {
     f_[i] = to_complex(fine_values_[i].middle);
     e_[i] = raised(fine_values_[i].radius + rounding_ * size_bound(f_[i]));

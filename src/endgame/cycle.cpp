@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace moivre {
 namespace {
@@ -12,77 +11,110 @@ namespace {
 // Sums beyond the m-th follow from the first m: they tell samples that are made of errors.
 constexpr int kMoreSums = 2;
 
-/// Means of z^k and of |z|^k.
-struct PowerMean {
-  Complex sum;
-  double size = 0;
-  int k = 0;
-  /// In the errors of the samples: that of z^k is k times theirs.
-  bool is_lost(const EndParameters& ends) const {
-    return std::abs(sum) <= ends.sample_error * k * size;
+/// Means of z^k and of |z|^k, k = 0, 1, ..., of samples in units of the largest: none of their powers overflows, and not all
+/// of them vanish.
+class PowerMeans {
+ public:
+  PowerMeans(const std::vector<Complex>& z, int highest) {
+    for (const Complex& sample : z) unit_ = std::max(unit_, modulus(sample));
+    const double inverse = unit_ > 0 ? 1 / unit_ : 0;
+    const double share = 1 / static_cast<double>(z.size());
+    means_.resize(static_cast<std::size_t>(highest) + 1);
+    for (const Complex& sample : z) {
+      const Complex scaled = inverse * sample;
+      const double size = modulus(scaled);
+      Complex power = share;
+      double size_of_power = share;
+      for (Mean& mean : means_) {
+        mean.sum += power;
+        mean.size += size_of_power;
+        power = product(power, scaled);
+        size_of_power *= size;
+      }
+    }
   }
-};
 
-PowerMean power_mean(const std::vector<Complex>& z, int k) {
-  PowerMean mean;
-  mean.k = k;
-  for (const Complex& sample : z) {
-    mean.sum += std::pow(sample, k);
-    mean.size += std::pow(std::abs(sample), k);
+  /// In the errors of the samples: that of z^k is k times theirs.
+  bool is_lost(int k, const EndParameters& ends) const {
+    return sum(k) <= ends.sample_error * k * size(k);
   }
-  mean.sum /= static_cast<double>(z.size());
-  mean.size /= static_cast<double>(z.size());
-  return mean;
-}
+  /// |p_k(0)|, in units to the k.
+  double sum(int k) const { return modulus(at(k).sum); }
+  double size(int k) const { return at(k).size; }
+  double unit() const { return unit_; }
+
+  /// Of the limits, in units.
+  double limit_bound(int m) const {
+    double bound = 0;
+    for (int k = 1; k <= m; ++k) bound = std::max(bound, std::pow(m * sum(k), 1.0 / k));
+    return 2 * bound;
+  }
+
+ private:
+  struct Mean {
+    Complex sum;
+    double size = 0;
+  };
+  const Mean& at(int k) const { return means_[static_cast<std::size_t>(k)]; }
+
+  double unit_ = 0;
+  std::vector<Mean> means_;
+};
 
 }  // namespace
 
 double limit_bound(const std::vector<Complex>& z, int m) {
-  double bound = 0;
-  for (int k = 1; k <= m; ++k) {
-    bound = std::max(bound, std::pow(m * std::abs(power_mean(z, k).sum), 1.0 / k));
-  }
-  return 2 * bound;
+  const PowerMeans means(z, m);
+  return means.unit() * means.limit_bound(m);
 }
 
 bool vanish_together(const std::vector<Complex>& z, int m, const EndParameters& ends) {
+  const PowerMeans means(z, m);
   for (int k = 1; k <= m; ++k) {
-    if (!power_mean(z, k).is_lost(ends)) return false;
+    if (!means.is_lost(k, ends)) return false;
   }
-  return limit_bound(z, m) < power_mean(z, 1).size;
+  return means.limit_bound(m) < means.size(1);
 }
 
 bool end_beyond(double bound, const std::vector<Complex>& z, int m) {
-  const double limit = limit_bound(z, m);
-  return limit <= bound && limit < power_mean(z, 1).size;
+  const PowerMeans means(z, m);
+  const double limit = means.limit_bound(m);
+  return means.unit() * limit <= bound && limit < means.size(1);
 }
 
 bool meet_together(const std::vector<Complex>& z, const Complex& common, int m,
                    const EndParameters& ends) {
   std::vector<Complex> from_common = z;
   for (Complex& sample : from_common) sample -= common;
+  const PowerMeans means(from_common, m + kMoreSums);
   for (int k = 2; k <= m + kMoreSums; ++k) {
-    const PowerMean mean = power_mean(from_common, k);
-    const double rounding =
-        ends.rounding * k * std::abs(common) * power_mean(from_common, k - 1).size;
-    if (!mean.is_lost(ends) && std::abs(mean.sum) > rounding) return false;
+    // Of one more factor z - common.
+    const double rounding = ends.rounding * k * modulus(common) * means.size(k - 1);
+    if (!means.is_lost(k, ends) && means.unit() * means.sum(k) > rounding) return false;
   }
   return true;
 }
 
 std::vector<double> valuations(const std::vector<Point>& samples, std::size_t homogenizing, int m) {
+  // Of the polygon of samples: its edges that cross the positive half of the real axis, by direction.
   const auto turns_of = [&](std::size_t j) {
-    double angle = 0;
-    for (std::size_t k = 0; k < samples.size(); ++k) {
-      const Complex& before = samples[(k + samples.size() - 1) % samples.size()][j];
-      angle += std::arg(samples[k][j] / before);
+    int turns = 0;
+    Complex before = samples.back()[j];
+    for (const Point& sample : samples) {
+      const Complex z = sample[j];
+      const double area = before.real() * z.imag() - before.imag() * z.real();
+      if (before.imag() <= 0 && z.imag() > 0 && area > 0) ++turns;
+      if (before.imag() > 0 && z.imag() <= 0 && area < 0) --turns;
+      before = z;
     }
-    return std::round(angle / (2 * std::numbers::pi));
+    return turns;
   };
-  const double homogenizing_turns = turns_of(homogenizing);
+  const int homogenizing_turns = turns_of(homogenizing);
   std::vector<double> result;
   for (std::size_t j = 0; j < samples.front().size(); ++j) {
-    if (j != homogenizing) result.push_back((turns_of(j) - homogenizing_turns) / m);
+    if (j != homogenizing) {
+      result.push_back(static_cast<double>(turns_of(j) - homogenizing_turns) / m);
+    }
   }
   return result;
 }

@@ -23,10 +23,10 @@ double difference(const Point& a, const Point& b) {
   double largest = 0;
   double size = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
-    largest = std::max(largest, std::abs(a[i] - b[i]));
-    size = std::max(size, std::abs(b[i]));
+    largest = std::max(largest, std::norm(a[i] - b[i]));
+    size = std::max(size, std::norm(b[i]));
   }
-  return largest / size;
+  return std::sqrt(largest / size);
 }
 
 }  // namespace
@@ -162,9 +162,17 @@ std::optional<Departure> Endgame::judge_arrival(Arrival&& arrival, PathSystem& p
   if (is_regular_arrival(arrival, path, condition)) return std::nullopt;
   if (outpost_.empty()) return fail(to_failure(arrival.journey));
   if (options_.only_regular) return fail(Failure::precision);
+  polish_outpost(path);
   watched_at_ = outpost_;
   watched_radius_ = radius_;
   return begin_circle();
+}
+
+// A tracker that has t = 1 in view passes points of the way as near to the path as it needs for that.
+void Endgame::polish_outpost(PathSystem& path) {
+  Point x = outpost_;
+  const PathTime time{1.0 - radius_, radius_};
+  if (path.correct(x, time, CorrectorOptions{}, true).converged) outpost_ = std::move(x);
 }
 
 bool Endgame::may_look_again() const {
@@ -189,8 +197,9 @@ std::optional<Departure> Endgame::look_again(PathSystem& path) {
 Point Endgame::normalized(const Point& x) const {
   Complex scale = 0;
   for (std::size_t i = 0; i < x.size(); ++i) scale += product(patch_[i], x[i]);
+  const Complex inverse = reciprocal(scale);
   Point result = x;
-  for (Complex& xi : result) xi /= scale;
+  for (Complex& xi : result) xi = product(inverse, xi);
   return result;
 }
 
@@ -237,26 +246,26 @@ std::vector<Complex> Endgame::samples_of_x0() const {
 }
 
 // In the units of the system, not in those of the path.
-bool Endgame::ends_beyond() const {
+bool Endgame::ends_beyond(const std::vector<Complex>& x0) const {
   const double unit = chart_.finiteness(outpost_) / chart_.finiteness(outside(frame_, outpost_));
-  return end_beyond(unit / options_.ends.beyond, samples_of_x0(), turns_);
+  return end_beyond(unit / options_.ends.beyond, x0, turns_);
 }
 
-// All sheets of the cycle do, and the faces of their direction have a common root.
-FaceRoot Endgame::place_at_infinity(const PathSystem& path) const {
-  if (!vanish_together(samples_of_x0(), turns_, options_.ends) && !ends_beyond())
-    return FaceRoot::none;
-  return face_root(path.homotopy(), outside(frame_, outpost_), radius_,
+// The faces of the cycle's direction have a common root there.
+FaceRoot Endgame::place_at_infinity(PathSystem& path) const {
+  return face_root(path, outside(frame_, outpost_), radius_,
                    valuations(samples_, chart_.homogenizing(), turns_), options_.ends);
 }
 
 // In one combination of the coordinates, which tells points apart but for bad luck.
 bool Endgame::sheets_meet(const Point& x) const {
+  Point phases(x.size());
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    phases[i] = random_phase(path_, RandomStream::slice, i);
+  }
   const auto combination = [&](const Point& point) {
     Complex sum;
-    for (std::size_t i = 0; i < point.size(); ++i) {
-      sum += product(random_phase(path_, RandomStream::slice, i), point[i]);
-    }
+    for (std::size_t i = 0; i < point.size(); ++i) sum += product(phases[i], point[i]);
     return sum;
   };
   std::vector<Complex> z;
@@ -270,13 +279,17 @@ double Endgame::truncation() const {
 }
 
 std::optional<Departure> Endgame::estimate_end(PathSystem& path) {
-  Estimate estimate{laurent_coefficient(0), turns_};
-  if (const FaceRoot place = place_at_infinity(path); place != FaceRoot::none) {
-    end_.status = PathStatus::at_infinity;
-    end_.is_as_rounded = place == FaceRoot::as_rounded;
-    return std::nullopt;
+  const std::vector<Complex> x0 = samples_of_x0();
+  const bool is_beyond = ends_beyond(x0);
+  if (is_beyond || vanish_together(x0, turns_, options_.ends)) {
+    if (const FaceRoot place = place_at_infinity(path); place != FaceRoot::none) {
+      end_.status = PathStatus::at_infinity;
+      end_.is_as_rounded = place == FaceRoot::as_rounded;
+      return std::nullopt;
+    }
   }
-  if (ends_beyond()) return fail(Failure::precision);
+  if (is_beyond) return fail(Failure::precision);
+  Estimate estimate{laurent_coefficient(0), turns_};
   if (!sheets_meet(estimate.x)) {
     last_.reset();
     return shrink(path);

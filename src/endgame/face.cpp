@@ -8,7 +8,7 @@
 #include <limits>
 #include <optional>
 
-#include "moivre/numeric/scalar.h"
+#include "moivre/numeric/fused.h"
 #include "moivre/polynomial/scale.h"
 
 namespace moivre {
@@ -59,11 +59,12 @@ Complex exp_minus_1(const Complex& z) {
 class Faces {
  public:
   /// log2: units of the affine coordinates.
-  Faces(const Homotopy& homotopy, double radius, const Direction& direction,
-        const std::vector<int>& log2, const EndParameters& ends)
-      : ends_(ends), x0_(homotopy.chart().homogenizing()) {
-    for (std::size_t i = 0; i < homotopy.equations(); ++i) {
-      faces_.push_back(face(homotopy, i, radius, direction, log2));
+  Faces(PathSystem& path, double radius, const Direction& direction, const std::vector<int>& log2,
+        const EndParameters& ends)
+      : ends_(ends), x0_(path.homotopy().chart().homogenizing()) {
+    const FineEnds& coefficients = path.fine_ends();
+    for (std::size_t i = 0; i < path.homotopy().equations(); ++i) {
+      faces_.push_back(face(path.homotopy(), coefficients, i, radius, direction, log2));
     }
   }
 
@@ -80,7 +81,8 @@ class Faces {
     // Towards an m-fold root the values fall by (1 - 1/m)^m < 1/e with each iteration.
     const auto iterations = static_cast<int>(std::ceil(-std::log(ends_.fine_rounding)));
     for (int k = 0; k < iterations; ++k) {
-      const double zero = evaluate(y, value, jacobian);
+      double zero = 0;
+      fused([&] { zero = evaluate(y, value, jacobian); });
       const double largest = value.lpNorm<Eigen::Infinity>();
       if (largest <= zero)
         return largest > ends_.fine_rounding ? FaceRoot::as_rounded : FaceRoot::exact;
@@ -97,8 +99,8 @@ class Faces {
   }
 
  private:
-  Face face(const Homotopy& homotopy, std::size_t i, double radius, const Direction& direction,
-            const std::vector<int>& log2) const {
+  Face face(const Homotopy& homotopy, const FineEnds& coefficients, std::size_t i, double radius,
+            const Direction& direction, const std::vector<int>& log2) const {
     const std::vector<Term>& terms = homotopy.support().polynomials[i].terms;
     const std::size_t first = homotopy.first_term(i);
     std::vector<long> orders;
@@ -120,8 +122,8 @@ class Faces {
     for (std::size_t k = 0; k < terms.size(); ++k) {
       if (orders[k] != least) continue;
       const bool is_start = is_zero(homotopy.f(first + k));
-      const Coefficient& c = is_start ? homotopy.g(first + k) : homotopy.f(first + k);
-      const Number value = product(DoubleDouble(is_start ? radius : 1.0), Scalar<Number>::round(c));
+      const Number value = is_start ? product(DoubleDouble(radius), coefficients.g[first + k])
+                                    : coefficients.f[first + k];
       largest = std::max(largest, std::log2(magnitude1(value)) + shifts[k]);
       const double error = is_start ? 0 : homotopy.error(first + k);
       face.push_back({value, error, &terms[k].monomial});
@@ -192,11 +194,11 @@ class Faces {
 
 }  // namespace
 
-FaceRoot face_root(const Homotopy& homotopy, const Point& x, double radius,
+FaceRoot face_root(PathSystem& path, const Point& x, double radius,
                    const std::vector<double>& valuations, const EndParameters& ends) {
   const std::optional<Direction> direction = direction_of(valuations, ends);
   if (!direction) return FaceRoot::none;
-  const Chart& chart = homotopy.chart();
+  const Chart& chart = path.homotopy().chart();
   std::vector<int> log2;
   std::vector<Number> y;
   for (std::size_t j = 0; j < chart.unknowns; ++j) {
@@ -205,7 +207,7 @@ FaceRoot face_root(const Homotopy& homotopy, const Point& x, double radius,
     log2.push_back(static_cast<int>(std::lround(z.real() / std::log(2.0))));
     y.push_back(Number(std::exp(z - log2.back() * std::log(2.0))));
   }
-  const Faces faces(homotopy, radius, *direction, log2, ends);
+  const Faces faces(path, radius, *direction, log2, ends);
   if (!faces.may_vanish()) return FaceRoot::none;
   const FaceRoot root = faces.root_near(y, ends.agreement);
   return root != FaceRoot::none ? root : faces.root_near(y, ends.rounding);

@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "moivre/endgame/end_parameters.h"
-#include "moivre/homotopy/homotopy.h"
+#include "moivre/tracker/path_system.h"
 
 namespace moivre {
 
@@ -30,7 +30,7 @@ enum class FaceRoot {
 };
 
 /// x: homogeneous, not in a frame, at 1 - t = radius. valuations: of x_j / x_0, n of them.
-FaceRoot face_root(const Homotopy& homotopy, const Point& x, double radius,
+FaceRoot face_root(PathSystem& path, const Point& x, double radius,
                    const std::vector<double>& valuations, const EndParameters& ends);
 
 }  // namespace moivre

@@ -16,6 +16,7 @@ Prover::Prover(std::shared_ptr<const CertifyProgram>, double, int) {}
 Prover::~Prover() = default;
 
 std::shared_ptr<const Certificate> Prover::prove(const Point&) { return nullptr; }
+std::shared_ptr<const Certificate> Prover::prove_in_double(const Point&) { return nullptr; }
 
 std::vector<std::vector<std::uint64_t>> groups_of(const Run& run) { return run.ledger.groups(); }
 

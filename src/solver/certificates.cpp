@@ -51,12 +51,13 @@ std::shared_ptr<const CertifyProgram> certify_program(const System& f,
 
 struct Prover::Work {
   Certifier certifier;
+  Certifier double_certifier;
 };
 
 Prover::Prover(std::shared_ptr<const CertifyProgram> program, double farthest, int most_bits) {
   if (!program) return;
-  work_ = std::make_unique<Work>(
-      Work{Certifier(std::move(program), certify_options(farthest, most_bits))});
+  work_ = std::make_unique<Work>(Work{Certifier(program, certify_options(farthest, most_bits)),
+                                      Certifier(program, certify_options(farthest, kDoubleBits))});
 }
 Prover::~Prover() = default;
 
@@ -66,6 +67,15 @@ std::shared_ptr<const Certificate> Prover::prove(const Point& x) {
   work_->certifier.certify(x, *certificate);
   if (certificate->verdict != Verdict::certified) return nullptr;
   return certificate;
+}
+
+std::shared_ptr<const Certificate> Prover::prove_in_double(const Point& x) {
+  if (!work_) return nullptr;
+  auto certificate = std::make_shared<Certificate>();
+  work_->double_certifier.certify(x, *certificate);
+  const bool is_settled =
+      certificate->verdict == Verdict::certified && certificate->reality != Reality::unknown;
+  return is_settled ? certificate : nullptr;
 }
 
 std::vector<std::vector<std::uint64_t>> groups_of(const Run& run) {

@@ -36,6 +36,8 @@ class Prover {
   bool is_on() const { return work_ != nullptr; }
   /// The certificate of a root that Newton's method reaches from x; nullptr where there is no proof.
   std::shared_ptr<const Certificate> prove(const Point& x);
+  /// The same in double alone, nullptr as well where more digits have more to tell.
+  std::shared_ptr<const Certificate> prove_in_double(const Point& x);
 
  private:
   struct Work;

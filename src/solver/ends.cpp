@@ -3,6 +3,7 @@
 #include "ends.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "certificates.h"
 #include "dimension.h"
@@ -40,6 +41,17 @@ void prove(const Run& run, Refiner& refiner, Prover& prover, const Point& x, dou
   root.certificate = certificate;
 }
 
+/// Most ends: double proves a root near the end as it stands, and nothing of Refiner::refine() is needed.
+bool prove_as_it_stands(Refiner& refiner, Prover& prover, const Point& x, double accuracy,
+                        Root& root) {
+  const auto certificate = prover.prove_in_double(x);
+  if (!certificate || !refiner.is_within_reach(x, accuracy, certificate->midpoint)) return false;
+  root.point = refiner.take(*certificate, std::numeric_limits<double>::infinity());
+  root.certificate = certificate;
+  root.tolerance = simple_tolerance(root.point);
+  return true;
+}
+
 Root refined_root(const Run& run, Refiner& refiner, Prover& prover, const PathEnd& end) {
   const Setting& setting = run.setting;
   const Point x = to_original(setting.prepared, end.x);
@@ -49,6 +61,7 @@ Root refined_root(const Run& run, Refiner& refiner, Prover& prover, const PathEn
   root.winding = end.winding;
   refiner.measure_by(natural_sizes(setting.prepared, end.frame));
   const bool many_sheets = end.winding.value_or(1) > 1;
+  if (!many_sheets && prove_as_it_stands(refiner, prover, x, accuracy, root)) return root;
   root.point = many_sheets ? refiner.keep(x, accuracy, *end.winding) : refiner.refine(x, accuracy);
   if (!root.point.simple && !many_sheets) {
     root.point = refiner.refine_fine(x);

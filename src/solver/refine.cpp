@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "fine_newton.h"
+#include "moivre/numeric/fused.h"
 #include "moivre/numeric/lu.h"
 #include "moivre/polynomial/digits.h"
 #include "prepare.h"
@@ -110,8 +111,10 @@ struct Refiner::Workspace {
 
   void evaluate_fine(const Point& x) {
     std::copy(x.begin(), x.end(), fine_x.begin());
-    evaluate<ComplexDoubleDouble, ComplexDoubleDouble>(program->tape, program->exact, fine_x,
-                                                       fine_registers, fine_value);
+    fused([&] {
+      evaluate<ComplexDoubleDouble, ComplexDoubleDouble>(program->tape, program->exact, fine_x,
+                                                         fine_registers, fine_value);
+    });
   }
 
   /// size_value <- sum |terms|, each equation, at max(|x_i|, floor_i).

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "moivre/numeric/fused.h"
+
 namespace moivre {
 namespace {
 
@@ -57,7 +59,7 @@ void FinePathSystem::bring_to_patch(std::span<ComplexDoubleDouble> x,
 bool FinePathSystem::linearize(std::span<const ComplexDoubleDouble> x, const PathTime& t) {
   const std::size_t columns = n_ + 1;
   const auto j = lu_.matrix();
-  homotopy_.linearization(x, fine_time(t), h_, j, ht_);
+  fused([&] { homotopy_.linearization(x, fine_time(t), h_, j, ht_); });
   std::copy(patch_.begin(), patch_.end(), j.begin() + static_cast<std::ptrdiff_t>(n_ * columns));
   norm_ = 0;
   for (std::size_t i = 0; i < columns; ++i) {
@@ -67,7 +69,9 @@ bool FinePathSystem::linearize(std::span<const ComplexDoubleDouble> x, const Pat
   }
   ++work_.linearizations;
   ++work_.factorizations;
-  return lu_.factor();
+  bool is_regular = false;
+  fused([&] { is_regular = lu_.factor(); });
+  return is_regular;
 }
 
 double FinePathSystem::correct(std::span<ComplexDoubleDouble> x) {

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "moivre/numeric/fused.h"
+
 namespace moivre {
 namespace {
 
@@ -93,7 +95,7 @@ void PathSystem::evaluate_fine(std::span<const Complex> x, const PathTime& t) no
   const bool near_end = std::norm(t.rest) < 0.25;
   const ComplexDoubleDouble rest = near_end ? ComplexDoubleDouble(t.rest) : one - t.t;
   const ComplexDoubleDouble time = near_end ? one - rest : ComplexDoubleDouble(t.t);
-  fine_->homotopy.value(fine_->x, {time, rest}, fine_->value);
+  fused([&] { fine_->homotopy.value(fine_->x, {time, rest}, fine_->value); });
   for (std::size_t i = 0; i < n_; ++i) h_[i] = to_complex(fine_->value[i]);
   ++work_.fine_values;
 }
@@ -102,7 +104,7 @@ Correction PathSystem::correct(std::span<Complex> x, const PathTime& t,
                                const CorrectorOptions& options, bool fresh) noexcept {
   Correction result;
   bool renewed = fresh;
-  bool fine = false;
+  bool fine = options.fine;
   double previous = 0;
   for (int k = 0; k < options.maximum_iterations; ++k) {
     if (fresh) {
@@ -135,6 +137,18 @@ Correction PathSystem::correct(std::span<Complex> x, const PathTime& t,
   }
   result.converged = result.last <= options.stagnation;
   return result;
+}
+
+const FineEnds& PathSystem::fine_ends() {
+  if (!fine_ends_) {
+    FineEnds ends;
+    for (std::size_t k = 0; k < definition_.terms(); ++k) {
+      ends.f.push_back(to_complex_double_double(definition_.f(k)));
+      ends.g.push_back(to_complex_double_double(definition_.g(k)));
+    }
+    fine_ends_ = std::make_unique<const FineEnds>(std::move(ends));
+  }
+  return *fine_ends_;
 }
 
 double PathSystem::residual() const noexcept {

@@ -44,6 +44,7 @@ HWY_INLINE V subtract_multiply(V a, V b, V c) { return hn::NegMulAdd(a, b, c); }
 HWY_INLINE V larger(V a, V b) { return hn::Max(a, b); }
 HWY_INLINE V square_root(V a) { return hn::Sqrt(a); }
 HWY_INLINE bool is_nowhere(Mask mask) { return hn::AllFalse(Tag(), mask); }
+HWY_INLINE bool is_everywhere(Mask mask) { return hn::AllTrue(Tag(), mask); }
 HWY_INLINE V select(Mask mask, V yes, V no) { return hn::IfThenElse(mask, yes, no); }
 
 /// W real numbers in memory.

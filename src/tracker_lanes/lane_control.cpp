@@ -11,7 +11,7 @@ namespace {
 
 // The prediction may be this much worse than the tolerance that steps aim at.
 constexpr double kSlack = 8;
-// Near t = 1, where paths may meet, steps aim at this tolerance at most, and watched points are polished.
+// Near t = 1, where paths may meet, steps aim at this tolerance at most.
 constexpr double kEndRadius = 0.1;
 constexpr double kEndTolerance = 1e-3;
 // A journey that sets out there and takes more steps than this, circles some tens, is going nowhere.
@@ -56,6 +56,7 @@ void LaneControl::depart(Departure&& departure, const LaneOptions& options,
   departure_ = std::move(departure);
   rules_ = rules;
   left_ = 1;
+  time_ = time(0, 1);
   const double care = std::pow(kCareFactor, -departure_->care);
   arrival_ = Arrival{};
   maximum_steps_ = options.maximum_steps;
@@ -95,14 +96,21 @@ bool LaneControl::prepare() {
   step_ = 0;
   next_s_ = arrival_.s;
   next_left_ = left_;
+  next_time_ = time_;
   if (state_ != State::under_way) return true;
+  choose_step();
+  next_time_ = time(next_s_, next_left_);
+  return true;
+}
+
+void LaneControl::choose_step() {
   const double landing = next_landing();
   const double remaining = landing == 1 ? left_ : landing - arrival_.s;
   if (h_ >= remaining) {
     step_ = remaining;
     next_s_ = landing;
     next_left_ = 1 - landing;
-    return true;
+    return;
   }
   // No crumb is left over: two equal steps where one and a bit would do.
   step_ = std::min(h_, remaining / 2);
@@ -115,7 +123,6 @@ bool LaneControl::prepare() {
     next_left_ = 1 - next_s_;
     step_ = next_s_ - arrival_.s;
   }
-  return true;
 }
 
 LaneControl::Move LaneControl::judge(const Outcome& outcome) {
@@ -139,7 +146,7 @@ LaneControl::Move LaneControl::judge(const Outcome& outcome) {
 bool LaneControl::is_watched() const {
   if (departure_->watcher == nullptr) return false;
   const double radius = departure_->watch_radius;
-  return std::norm(time().rest) <= radius * radius;
+  return std::norm(time_.rest) <= radius * radius;
 }
 
 double LaneControl::wanted_accuracy() const {
@@ -167,7 +174,7 @@ LaneControl::Move LaneControl::reject(double factor) {
   return Move::stay;
 }
 
-bool LaneControl::is_near_end() const { return std::norm(time().rest) < kEndRadius * kEndRadius; }
+bool LaneControl::is_near_end() const { return std::norm(time_.rest) < kEndRadius * kEndRadius; }
 
 LaneControl::Move LaneControl::judge_step(const Outcome& outcome) {
   const double e = outcome.first;
@@ -191,12 +198,13 @@ LaneControl::Move LaneControl::accept(const Outcome& outcome) {
   last_ = outcome;
   arrival_.s = next_s_;
   left_ = next_left_;
+  time_ = next_time_;
   // A step that was cut short to land says nothing against the longer one.
   const double uncut = step_ < h_ ? h_ * std::min(factor_, 1.0) : 0.0;
   h_ = std::max(step_ * std::clamp(factor_, kLargestCut, kLargestGrowth), uncut);
   const double error = outcome.second * std::min(outcome.second / outcome.first, 1.0);
-  if (has_landed() ? error > wanted_accuracy()
-                   : error > rules_.point_tolerance && is_watched() && is_near_end()) {
+  const bool is_seen = rules_.polishes_watched && is_watched() && is_near_end();
+  if (has_landed() ? error > wanted_accuracy() : is_seen && error > rules_.point_tolerance) {
     rounds_ = 0;
     state_ = State::polishing;
   } else {
@@ -224,7 +232,7 @@ LaneControl::Move LaneControl::judge_polish(const Outcome& outcome) {
 double LaneControl::rescue_tolerance() const { return wanted_accuracy(); }
 
 bool LaneControl::is_proving_end() const {
-  return rules_.proves_ends && next_left_ == 0 && next_time().rest == 0.0;
+  return rules_.proves_ends && next_left_ == 0 && next_time_.rest == 0.0;
 }
 
 LaneControl::Move LaneControl::judge_rescue(const Rescue& rescue) {
@@ -253,7 +261,7 @@ void LaneControl::observe(std::span<const Complex> x, PathSystem& path) {
   if (!is_watched()) return;
   StepRecord record;
   record.s = arrival_.s;
-  record.t = time();
+  record.t = time_;
   record.x = x;
   record.step = last_step_;
   record.order = order_of(predictor_);
@@ -277,7 +285,7 @@ void LaneControl::end(Journey journey) {
 
 Arrival LaneControl::arrive(std::span<const Complex> x) {
   arrival_.x.assign(x.begin(), x.end());
-  arrival_.t = time();
+  arrival_.t = time_;
   return std::move(arrival_);
 }
 

@@ -8,7 +8,7 @@
 //
 // theta is proportional to the distance from the path over the distance to the nearest other path or singularity (the
 // Newton-Kantorovich quantity), so where paths come close it shortens the steps before e does.
-// A sample, the end, and what a watcher sees near t = 1 are polished by steps of length 0. Where rounding stops Newton
+// A sample and the end are polished by steps of length 0, in double-double also what a watcher sees near t = 1. Where rounding stops Newton
 // in a lane, the point is handed to scalar Newton with residuals in double-double (tracker/path_system.h) and goes on
 // from there. In double-double the scalar Newton says whether a point at t = 1 is a regular end; where it is none the step is
 // rejected, so that no path arrives at a singular end (tracker/fine_path_system.h).
@@ -36,9 +36,11 @@ struct LaneRules {
   double least_step =
       0;  ///< near s = 1, where 1 - s is known to more digits than s; 0: no more than s is
   bool proves_ends = false;  ///< a point at t = 1 is to be a regular end
+  bool polishes_watched =
+      false;  ///< near t = 1 a watcher gets points that double could not improve
 };
-inline constexpr LaneRules kDoubleRules{1e-9, 1e-14, 1e-6, 1e-6, 1e-12, 0, false};
-inline constexpr LaneRules kDoubleDoubleRules{1e-9, 1e-14, 1e-9, 1e-18, 1e-27, 1e-26, true};
+inline constexpr LaneRules kDoubleRules{1e-9, 1e-14, 1e-6, 1e-6, 1e-12, 0, false, false};
+inline constexpr LaneRules kDoubleDoubleRules{1e-9, 1e-14, 1e-9, 1e-18, 1e-27, 1e-26, true, true};
 
 /// What scalar Newton made of a lane's point.
 struct Rescue {
@@ -67,14 +69,16 @@ class LaneControl {
   bool prepare();
   double step() const { return step_; }
   const PathFrame* frame() const { return departure_->frame.get(); }
-  PathTime next_time() const { return time(next_s_, next_left_); }
-  Complex next_dt() const { return contour().dt(next_s_); }
+  const PathTime& next_time() const { return next_time_; }
+  Complex next_dt() const { return contour().dt(next_time_); }
 
   Move judge(const Outcome& outcome);
   /// After Move::rescue: how finely the point at next_time() is wanted, whether it is to be a regular end, and what becomes
   /// of it then.
   double rescue_tolerance() const;
   bool is_proving_end() const;
+  /// The lane has done what it can in its own digits.
+  bool is_polishing() const { return state_ == State::polishing; }
   Move judge_rescue(const Rescue& rescue);
   /// The step with which a past is made up for a path that departs.
   double past_step() const { return h_; }
@@ -99,6 +103,7 @@ class LaneControl {
   Move judge_polish(const Outcome& outcome);
   Move accept(const Outcome& outcome);
   Move reject(double factor);
+  void choose_step();
   bool is_watched() const;
   double wanted_accuracy() const;
   bool is_near_end() const;
@@ -108,13 +113,13 @@ class LaneControl {
   double least_step() const;
   const Contour& contour() const { return departure_->contour; }
   PathTime time(double s, double left) const;
-  PathTime time() const { return time(arrival_.s, left_); }
 
   State state_ = State::idle;
   std::optional<Departure> departure_;
   LaneRules rules_;
   Arrival arrival_;
   double left_ = 1;  // 1 - arrival_.s
+  PathTime time_{0.0};
   std::int64_t maximum_steps_ = 0;
   LanePredictor predictor_ = LanePredictor::quintic;
   double tolerance_ = 0;
@@ -123,6 +128,7 @@ class LaneControl {
   double step_ = 0;           // the step being taken, cut short where it would pass a landing
   double next_s_ = 0;
   double next_left_ = 0;
+  PathTime next_time_{0.0};
   double last_step_ = 0;
   double factor_ = 1;  // by which the control would change the step
   Outcome last_{};

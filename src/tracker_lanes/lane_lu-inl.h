@@ -47,9 +47,7 @@ class LaneLu {
       exchange_rows(k);
       const LaneComplex<R> inverse = reciprocal(load(at(k, k)));
       store(inverse, reciprocal_[k]);
-      std::size_t i = k + 1;
-      for (; i + 1 < n_; i += 2) eliminate_two(k, i, inverse);
-      if (i < n_) eliminate(k, i, inverse);
+      eliminate_below(k, inverse);
     }
   }
 
@@ -77,6 +75,21 @@ class LaneLu {
     std::uint32_t upper, lower, mask;
   };
 
+  // Rows with a zero in all lanes, as most are where J is sparse, have nothing to be taken from.
+  void eliminate_below(std::size_t k, const LaneComplex<R>& inverse) {
+    std::size_t waiting = n_;
+    for (std::size_t i = k + 1; i < n_; ++i) {
+      if (is_everywhere(squared_magnitude(load(at(i, k))) == zeros())) continue;
+      if (waiting == n_) {
+        waiting = i;
+      } else {
+        eliminate_two(k, waiting, i, inverse);
+        waiting = n_;
+      }
+    }
+    if (waiting < n_) eliminate(k, waiting, inverse);
+  }
+
   // Takes row k's multiple from row i; two rows at once read row k once.
   void eliminate(std::size_t k, std::size_t i, const LaneComplex<R>& inverse) {
     const LaneComplex<R> l = load(at(i, k)) * inverse;
@@ -87,14 +100,14 @@ class LaneLu {
       store(subtract_product(l, load(*u), load(*row)), *row);
     }
   }
-  void eliminate_two(std::size_t k, std::size_t i, const LaneComplex<R>& inverse) {
-    const LaneComplex<R> l0 = load(at(i, k)) * inverse;
-    const LaneComplex<R> l1 = load(at(i + 1, k)) * inverse;
-    store(l0, at(i, k));
-    store(l1, at(i + 1, k));
+  void eliminate_two(std::size_t k, std::size_t i0, std::size_t i1, const LaneComplex<R>& inverse) {
+    const LaneComplex<R> l0 = load(at(i0, k)) * inverse;
+    const LaneComplex<R> l1 = load(at(i1, k)) * inverse;
+    store(l0, at(i0, k));
+    store(l1, at(i1, k));
     const LaneCell<R>* u = &at(k, k + 1);
-    LaneCell<R>* row0 = &at(i, k + 1);
-    LaneCell<R>* row1 = &at(i + 1, k + 1);
+    LaneCell<R>* row0 = &at(i0, k + 1);
+    LaneCell<R>* row1 = &at(i1, k + 1);
     for (std::size_t j = k + 1; j < columns_; ++j, ++u, ++row0, ++row1) {
       const LaneComplex<R> uj = load(*u);
       store(subtract_product(l0, uj, load(*row0)), *row0);

@@ -152,8 +152,10 @@ class LaneMoving {
     for (std::size_t lane = 0; lane < W; ++lane) {
       if (program_.is_framed && !frames_[lane]) continue;  // idle
       scalar_.move(time.get(lane), frames_[lane].get());
-      for (std::size_t k = 0; k < scalar_.c.size(); ++k) c_.set(k, lane, scalar_.c[k]);
-      for (std::size_t k = 0; k < scalar_.slope.size(); ++k) slope_.set(k, lane, scalar_.slope[k]);
+      for (std::size_t k = 0; k < program_.moving.size(); ++k) {
+        c_.set(k, lane, scalar_.c[k]);
+        slope_.set(k, lane, scalar_.slope[k]);
+      }
     }
   }
 

@@ -10,7 +10,14 @@ Rescue LaneNewton<Complex>::rescue(Point& x, Point& dx, const LaneControl& contr
   const WorkCount before = path_.work();
   CorrectorOptions options;
   options.tolerance = control.rescue_tolerance();
-  const Correction correction = path_.correct(x, control.next_time(), options, true);
+  options.fine = control.is_polishing();  // double has been tried, in the lane
+  given_ = x;
+  Correction correction = path_.correct(x, control.next_time(), options, true);
+  if (options.fine && !(correction.last <= options.tolerance)) {
+    x = given_;
+    options.fine = false;
+    correction = path_.correct(x, control.next_time(), options, true);
+  }
   if (correction.converged) path_.tangent(control.next_dt(), dx);
   return {correction.converged, path_.work() - before, std::nullopt};
 }

@@ -20,7 +20,7 @@ class LaneNewton<Complex> {
  public:
   static constexpr LaneRules kRules = kDoubleRules;
 
-  explicit LaneNewton(const Homotopy& homotopy) : path_(homotopy) {}
+  explicit LaneNewton(const Homotopy& homotopy) : path_(homotopy), given_(path_.coordinates()) {}
 
   std::size_t coordinates() const { return path_.coordinates(); }
   /// For watchers.
@@ -36,6 +36,7 @@ class LaneNewton<Complex> {
 
  private:
   PathSystem path_;
+  Point given_;
 };
 
 template <>

@@ -99,6 +99,7 @@ class Endgame : public Watcher {
   std::optional<Departure> proceed(Arrival&& arrival, PathSystem& path);
   Departure along(const Contour& contour, Point x, int samples = 0, Watcher* watcher = nullptr);
   std::optional<Departure> judge_arrival(Arrival&& arrival, PathSystem& path);
+  void polish_outpost(PathSystem& path);
   bool may_look_again() const;
   std::optional<Departure> look_again(PathSystem& path);
   std::optional<Departure> begin_circle();
@@ -111,8 +112,8 @@ class Endgame : public Watcher {
   double landing_condition() const;
   std::optional<Departure> land();
   std::vector<Complex> samples_of_x0() const;
-  bool ends_beyond() const;
-  FaceRoot place_at_infinity(const PathSystem& path) const;
+  bool ends_beyond(const std::vector<Complex>& x0) const;
+  FaceRoot place_at_infinity(PathSystem& path) const;
   bool sheets_meet(const Point& x) const;
   bool is_regular_arrival(const Arrival& arrival, PathSystem& path, double condition);
   std::nullopt_t decide_infinity();
@@ -128,7 +129,7 @@ class Endgame : public Watcher {
   PathEnd end_;
 
   // Watching.
-  int creeping_ = 0;  ///< recorded steps within the creeping radius
+  int creeping_ = 0;   ///< recorded steps within the creeping radius
   Point outpost_;      ///< last watched point, from which circles begin
   double radius_ = 0;  ///< its |1 - t|
 

@@ -48,6 +48,7 @@ class HomotopyEvaluator {
   void linearization(std::span<const S> x, const Time<S>& t, std::span<S> h, std::span<S> hx,
                      std::span<S> ht) {
     move(t);
+    multiply();
     run(x, program_.products.size());
     for (std::size_t i = 0; i < program_.values.size(); ++i) {
       const typename Program::Blend& value = program_.values[i];
@@ -76,6 +77,13 @@ class HomotopyEvaluator {
     coefficients_.move(t, frame_);
     moved_ = t;
     has_moved_ = true;
+    has_multiples_ = false;
+  }
+
+  void multiply() {
+    if (has_multiples_) return;
+    coefficients_.multiply();
+    has_multiples_ = true;
   }
 
   void run(std::span<const S> x, std::size_t products) {
@@ -133,6 +141,7 @@ class HomotopyEvaluator {
   const PathFrame* frame_ = nullptr;
   Time<S> moved_{S(0.0)};
   bool has_moved_ = false;
+  bool has_multiples_ = false;
   std::vector<S> registers_;
   std::vector<S> weighted_;
 };

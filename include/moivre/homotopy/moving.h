@@ -31,7 +31,7 @@ class MovingCoefficients {
     if (homotopy.parameter_law()) parameters_.emplace(*homotopy.parameter_law());
   }
 
-  /// frame: the path's where the homotopy is framed or of members, else nullptr. Fills `c` and `slope`.
+  /// frame: the path's where the homotopy is framed or of members, else nullptr. Fills `c` of the values, and `slope`.
   void move(const Time<S>& t, const PathFrame* frame) {
     switch (program_.law) {
       case CoefficientLaw::straight:
@@ -45,6 +45,10 @@ class MovingCoefficients {
         break;
     }
     if (program_.is_framed) scale(frame->factors);
+  }
+
+  /// Fills the rest of `c`, which the Jacobian needs, after move().
+  void multiply() {
     for (std::size_t k = 0; k < program_.multiples.size(); ++k) {
       const typename Program::Multiple& multiple = program_.multiples[k];
       c[program_.moving.size() + k] = product(Real(multiple.factor), c[multiple.base]);

@@ -46,6 +46,10 @@ class Contour {
     if (kind_ == Kind::segment) return rate_;
     return -product(rest_, product(rate_, std::exp(rate_ * s)));
   }
+  /// The same, where t(s) is known.
+  Complex dt(const PathTime& t) const {
+    return kind_ == Kind::segment ? rate_ : -product(rate_, t.rest);
+  }
 
  private:
   enum class Kind { segment, spiral };

@@ -51,6 +51,7 @@ struct CorrectorOptions {
   double largest_contraction = 0.25;  ///< |dx_k+1|_w / |dx_k|_w above which Newton is refused
   double stagnation = 1e-6;           ///< |dx|_w that passes where rounding stops the contraction
   int maximum_iterations = 8;
+  bool fine = false;  ///< residuals in double-double from the first one on
 };
 
 struct Correction {
@@ -58,6 +59,11 @@ struct Correction {
   double first = 0;     ///< |dx_1|_w, how far the point was from the path
   double last = 0;      ///< |dx_k|_w of the last correction
   double residual = 0;  ///< max_i |H_i| before the first correction
+};
+
+/// f_k and g_k of a homotopy in double-double.
+struct FineEnds {
+  std::vector<ComplexDoubleDouble> f, g;
 };
 
 class PathSystem {
@@ -87,6 +93,9 @@ class PathSystem {
   /// so it grows wherever the path nears a singular point. Equations are to have coefficients near 1.
   double condition() noexcept { return lu_.unscaled_condition(); }
 
+  /// The homotopy's coefficients; rounded when they are first asked for.
+  const FineEnds& fine_ends();
+
   /// max_i |H_i| of the last evaluation.
   double residual() const noexcept;
 
@@ -113,6 +122,7 @@ class PathSystem {
     std::vector<ComplexDoubleDouble> value;
   };
   std::unique_ptr<Fine> fine_;
+  std::unique_ptr<const FineEnds> fine_ends_;
   WorkCount work_;
 };
 
