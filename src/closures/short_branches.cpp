@@ -86,9 +86,15 @@ std::array<DistanceFromReal, 3> narrowed(const std::array<DistanceFromReal, 3>& 
 /// Seeks real closures between three scenes.
 class Probe {
  public:
-  Probe(MotionRun& run, const Tracker& tracker, ShortBranches& result, const Slice& before,
-        const Slice& at, const Slice& after)
-      : run_(run), tracker_(tracker), result_(result), before_(before), at_(at), after_(after) {}
+  Probe(MotionRun& run, const Tracker& tracker, ShortBranches& result,
+        const Formulation& formulation, const Slice& before, const Slice& at, const Slice& after)
+      : run_(run),
+        tracker_(tracker),
+        result_(result),
+        formulation_(formulation),
+        before_(before),
+        at_(at),
+        after_(after) {}
 
   void seek_all() {
     for (const ComplexPair& pair : at_.pairs) seek(pair);
