@@ -56,8 +56,9 @@ void add_spins(ClosureSearch& search) {
 }
 
 /// `phi`: of the mechanism as it is, nothing held.
-void add_mobility(const Phi& phi, ClosureResult& result) {
+void add_mobility(const Phi& phi, bool is_wanted, ClosureResult& result) {
   result.constraints = phi.size() - phi.driver_size();
+  if (!is_wanted) return;
   if (!result.closures.empty()) {
     result.mobility = mobility(phi, result.closures.front().q, result.time);
   } else if (result.moves) {
@@ -157,7 +158,7 @@ ClosureResult find_closures(const Mechanism& mechanism, const Tracker& tracker,
     find_roots(search);
     find_poses(search);
   }
-  add_mobility(Phi(mechanism), search.result);
+  add_mobility(Phi(mechanism), options.with_mobility, search.result);
   conclude(search);
   search.result.time_s.total = watch.total();
   return std::move(search.result);

@@ -26,10 +26,13 @@ namespace moivre {
 
 class QuadraticBlock {
  public:
-  QuadraticBlock(const System& f, const Block& block);
+  QuadraticBlock(const Formulation& f, const Block& block);
 
   /// One or two simple roots of the block in the order of its variables, `path` their number; all values before it are known.
   std::optional<std::vector<Solution>> roots(const std::vector<KnownValue>& values) const;
+  /// No more isolated roots than this, whatever the known values: the total degree, or the multihomogeneous number of two groups,
+  /// one the mirror image of the other.
+  std::uint64_t bound() const { return bound_; }
   /// What is left when its equations are combined.
   static SystemFacts reduced_facts(std::size_t roots);
 
@@ -49,6 +52,7 @@ class QuadraticBlock {
 
   Eigen::Index n_ = 0;
   bool is_quadratic_ = true;  ///< no equation has a higher degree
+  std::uint64_t bound_ = 0;
   std::vector<Equation> equations_;
 };
 

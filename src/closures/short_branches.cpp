@@ -3,6 +3,8 @@
 #include "short_branches.h"
 
 #include <algorithm>
+#include <limits>
+#include <optional>
 
 #include "near_real.h"
 
@@ -22,9 +24,43 @@ struct Slice {
   std::vector<ComplexPair> pairs;
 };
 
-Slice slice_of(const MotionRun& run, const Scene& scene) {
-  return {scene.time,
-          complex_pairs(formulate(run.mechanism, scene.time), scene.closures.solutions)};
+/// `formulation`: at any time, since what mirrors what is always the same.
+Slice slice_of(const Formulation& formulation, const Scene& scene) {
+  return {scene.time, complex_pairs(formulation, scene.closures.solutions)};
+}
+
+/// Where a track is between two samples, roughly: a closure that is nearer by far than any other is the track's.
+std::optional<std::size_t> closure_of(const MotionRun& run, const BranchSample& before,
+                                      const BranchSample& after, const Scene& scene) {
+  constexpr double kByFar = 0.1;
+  const double share = (scene.time - before.time) / (after.time - before.time);
+  const Eigen::VectorXd there = before.q + share * run.phi.canonical(after.q - before.q);
+  const auto& closures = scene.closures.closures;
+  std::optional<std::size_t> nearest;
+  double least = std::numeric_limits<double>::infinity();
+  double next = least;
+  for (std::size_t j = 0; j < closures.size(); ++j) {
+    const double gap = distance(run.phi, there, closures[j].q);
+    if (gap < least) nearest = j;
+    next = std::min(next, std::max(gap, least));
+    least = std::min(gap, least);
+  }
+  return least < kByFar * next ? nearest : std::nullopt;
+}
+
+/// For each closure how many tracks pass by it, as far as that is clear.
+std::vector<int> passing_tracks(const MotionRun& run, const Scene& scene) {
+  std::vector<int> count(scene.closures.closures.size());
+  const auto& times = run.times.all;
+  const auto after = std::upper_bound(times.begin(), times.end(), scene.time);
+  if (after == times.begin() || after == times.end()) return count;
+  for (const Track& track : run.tracks) {
+    const BranchSample* a = track.at(*(after - 1));
+    const BranchSample* b = track.at(*after);
+    if (a == nullptr || b == nullptr) continue;
+    if (const auto closure = closure_of(run, *a, *b, scene)) ++count[*closure];
+  }
+  return count;
 }
 
 /// Whether a track that lives between the scenes only is there already.
@@ -50,9 +86,15 @@ std::array<DistanceFromReal, 3> narrowed(const std::array<DistanceFromReal, 3>& 
 /// Seeks real closures between three scenes.
 class Probe {
  public:
-  Probe(MotionRun& run, const Tracker& tracker, ShortBranches& result, const Slice& before,
-        const Slice& at, const Slice& after)
-      : run_(run), tracker_(tracker), result_(result), before_(before), at_(at), after_(after) {}
+  Probe(MotionRun& run, const Tracker& tracker, ShortBranches& result,
+        const Formulation& formulation, const Slice& before, const Slice& at, const Slice& after)
+      : run_(run),
+        tracker_(tracker),
+        result_(result),
+        formulation_(formulation),
+        before_(before),
+        at_(at),
+        after_(after) {}
 
   void seek_all() {
     for (const ComplexPair& pair : at_.pairs) seek(pair);
@@ -66,6 +108,7 @@ class Probe {
   MotionRun& run_;
   const Tracker& tracker_;
   ShortBranches& result_;
+  const Formulation& formulation_;
   const Slice& before_;
   const Slice& at_;
   const Slice& after_;
@@ -87,9 +130,10 @@ bool Probe::is_known(double time, const std::array<DistanceFromReal, 3>& points)
 void Probe::follow(const Scene& scene) {
   const double instant = kInstant * (run_.times.to - run_.times.from);
   bool is_instant = false;
-  for (const Closure& closure : scene.closures.closures) {
-    const BranchPose pose{scene.time, closure.q};
-    // Nearly all of them are on tracks that pass by.
+  const std::vector<int> passing = passing_tracks(run_, scene);
+  for (std::size_t j = 0; j < passing.size(); ++j) {
+    if (passing[j] == 1) continue;
+    const BranchPose pose{scene.time, scene.closures.closures[j].q};
     if (run_.follower.reaches(pose, after_.time) || run_.follower.reaches(pose, before_.time)) {
       continue;
     }
@@ -115,7 +159,7 @@ void Probe::seek(const ComplexPair& pair) {
     const auto time = time_near_real(points);
     if (!time || is_known(*time, points)) return;
     result_.solved.push_back(solve_scene(run_, tracker_, *time));
-    const Slice slice = slice_of(run_, result_.solved.back());
+    const Slice slice = slice_of(formulation_, result_.solved.back());
     if (slice.pairs.size() < at_.pairs.size()) return follow(result_.solved.back());
     const ComplexPair* nearest = nearest_pair(slice.pairs, x);
     x = nearest->x;
@@ -128,10 +172,12 @@ void Probe::seek(const ComplexPair& pair) {
 ShortBranches follow_short_branches(MotionRun& run, const Tracker& tracker,
                                     const std::vector<Scene>& scenes) {
   std::vector<Slice> slices;
-  for (const Scene& scene : scenes) slices.push_back(slice_of(run, scene));
   ShortBranches result;
+  if (scenes.empty()) return result;
+  const Formulation formulation = formulate(run.mechanism, scenes.front().time);
+  for (const Scene& scene : scenes) slices.push_back(slice_of(formulation, scene));
   for (std::size_t k = 1; k + 1 < slices.size(); ++k) {
-    Probe(run, tracker, result, slices[k - 1], slices[k], slices[k + 1]).seek_all();
+    Probe(run, tracker, result, formulation, slices[k - 1], slices[k], slices[k + 1]).seek_all();
   }
   return result;
 }

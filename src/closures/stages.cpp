@@ -279,6 +279,7 @@ SolveResult Stages::solved(const Block& block, const QuadraticBlock& formula,
   result.complete = true;
   result.reduced = QuadraticBlock::reduced_facts(roots->size());
   result.paths.tracked = result.paths.finite = roots->size();
+  result.bound = {"multihomogeneous number", formula.bound()};
   result.solutions = std::move(*roots);
   return result;
 }
@@ -326,7 +327,7 @@ void Stages::solve_block(const Block& block) {
   if (run_.roots.empty()) return;
   if (is_lone_linear(system_at(block, run_.roots.front()))) return solve_lone(block);
   prover_.close_group(block);
-  const QuadraticBlock formula(formulation_.system, block);
+  const QuadraticBlock formula(formulation_, block);
   Stage stage;
   stage.group = group_name(block);
   std::vector<PartialRoot> next;

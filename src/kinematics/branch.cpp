@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "curve.h"
+#include "extreme_singular_values.h"
 #include "meeting.h"
 #include "moivre/kinematics/state.h"
 #include "moivre/mechanism/pose.h"
@@ -43,9 +44,10 @@ constexpr double kSameVector = 0.5;
 constexpr double kAcross = 1e-9;
 // Curve time beside 1: what is nearer to an event than this is the event.
 constexpr double kEventWidth = 1e-12;
-// A sample's correction beside the step, in y; beyond, the step was too long for the cubic.
+// A sample's correction beside the step, in y; beyond, the step was too long for the interpolation.
 constexpr double kSampleMiss = 0.05;
-constexpr double kSampleConverged = 1e-10;
+// A correction this small leaves an error of its square.
+constexpr double kSampleConverged = 1e-8;
 constexpr int kSampleCorrections = 8;
 
 /// The mechanism's length, or that of the pose where it is larger.
@@ -203,8 +205,19 @@ BranchSample Follower::state_at(const VectorXd& assembled, double time) const {
   sample.time = time;
   sample.q = least_residual(phi_, assembled, time);
   sample.residual = residual_by_size(phi_, sample.q, time);
-  if (!is_velocity_wanted(time)) {
-    sample.is_determined = numerical_rank(phi_.jacobian(sample.q, time)) == phi_.dimension();
+  const MatrixXd J = phi_.jacobian(sample.q, time);
+  const bool is_wanted = is_velocity_wanted(time);
+  if (J.rows() == J.cols()) {
+    const StaircaseQr qr(J, order_);
+    sample.is_determined = stays_surely_regular(J, qr);
+    if (sample.is_determined && is_wanted) {
+      sample.velocity = qr.solve(phi_.velocity_rhs(sample.q, time));
+      sample.acceleration = qr.solve(phi_.acceleration_rhs(sample.q, sample.velocity, time));
+    }
+    if (sample.is_determined) return sample;
+  }
+  if (!is_wanted) {
+    sample.is_determined = numerical_rank(J) == phi_.dimension();
     return sample;
   }
   MotionState state = motion_state(phi_, sample.q, time);
@@ -301,13 +314,10 @@ void Follower::choose_length(const CurvePoint& b, double h) {
   }
 }
 
-/// With x along the tangent at a, y'' at b has a part along y' that goes.
 void Follower::keep_piece(const Segment& segment) {
   const CurvePoint& a = segment.a;
   const CurvePoint& b = segment.b;
-  const double rate = a.tangent.dot(b.tangent);
-  const VectorXd slope = b.tangent / rate;
-  const VectorXd bend = (b.curvature - a.tangent.dot(b.curvature) * slope) / (rate * rate);
+  const Slopes at_b = slopes_at_end(segment);
   const auto in_q = [&](const VectorXd& y) -> VectorXd {
     return y.head(phi_.dimension()).cwiseProduct(curve_.scale().w);
   };
@@ -315,8 +325,8 @@ void Follower::keep_piece(const Segment& segment) {
   result_.pieces.push_back({segment.length,
                             until,
                             {curve_.q_of(a.y), curve_.q_of(b.y)},
-                            {in_q(a.tangent), in_q(slope)},
-                            {in_q(a.curvature), in_q(bend)}});
+                            {in_q(a.tangent), in_q(at_b.slope)},
+                            {in_q(a.curvature), in_q(at_b.bend)}});
 }
 
 /// False when the step was too long for what lies within it; nothing has happened then.
@@ -391,7 +401,7 @@ VectorXd Follower::correction(const VectorXd& q, double t, bool is_careful) cons
   return StaircaseQr(J, order_).solve(-phi_.value(q, t));
 }
 
-/// The pose at its own time, corrected from the cubic; nullopt where the correction leads too far away.
+/// The pose at its own time, corrected from the interpolation; nullopt where the correction leads too far away.
 std::optional<BranchSample> Follower::sample(const Segment& segment, double t) const {
   const double time = (t - curve_.scale().t0) / curve_.scale().T;
   const VectorXd guess = curve_.q_of(interpolated(segment, place_of_time(segment, time)));

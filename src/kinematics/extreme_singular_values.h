@@ -33,5 +33,7 @@ bool is_surely_regular(const Eigen::MatrixXd& A, const StaircaseOrder& order);
 /// Whether A, of any shape, is so when it is equilibrated, `smallest` being its smallest singular value as it stands. No row is divided
 /// by more than the longest one, and no column of what comes of it by more than the root of its rows.
 bool stays_regular(const Eigen::MatrixXd& A, double smallest);
+/// The same where `qr` is of A: false where that is less than sure.
+bool stays_surely_regular(const Eigen::MatrixXd& A, const StaircaseQr& qr);
 
 }  // namespace moivre

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Hermite's cubic, and zeros on it by the Illinois method.
+// Hermite's quintic, and zeros on it by the Illinois method.
 #include "segment.h"
 
 #include <cmath>
@@ -7,6 +7,7 @@
 namespace moivre {
 namespace {
 
+using Eigen::Index;
 using Eigen::VectorXd;
 
 // Illinois needs under ten; bisection, its worst case, halves a step to rounding in this many.
@@ -43,28 +44,55 @@ std::optional<double> zero(Function f, double length, double f0, double f1) {
   return x;
 }
 
+/// What values, slopes and second derivatives at both ends count for at a place between.
+struct Weights {
+  double a, slope_a, bend_a;
+  double b, slope_b, bend_b;
+};
+
+Weights weights(double x, double h) {
+  const double s = x / h;
+  const double r = 1 - s;
+  return {r * r * r * (1 + 3 * s + 6 * s * s), h * s * r * r * r * (1 + 3 * s),
+          h * h * s * s * r * r * r / 2,       s * s * s * (1 + 3 * r + 6 * r * r),
+          -h * r * s * s * s * (1 + 3 * r),    h * h * r * r * s * s * s / 2};
+}
+
 }  // namespace
+
+Slopes slopes_at_end(const Segment& segment) {
+  const VectorXd& along = segment.a.tangent;
+  const CurvePoint& b = segment.b;
+  const double rate = along.dot(b.tangent);
+  Slopes at_b{b.tangent / rate, {}};
+  at_b.bend = (b.curvature - along.dot(b.curvature) * at_b.slope) / (rate * rate);
+  return at_b;
+}
 
 VectorXd interpolated(const Segment& segment, double x) {
   const CurvePoint& a = segment.a;
   const CurvePoint& b = segment.b;
-  const double h = segment.length;
-  const double s = x / h;
-  const VectorXd slope_b = b.tangent / a.tangent.dot(b.tangent);
-  return a.y * ((1 + 2 * s) * (1 - s) * (1 - s)) + b.y * (s * s * (3 - 2 * s)) +
-         a.tangent * (h * s * (1 - s) * (1 - s)) - slope_b * (h * s * s * (1 - s));
+  const Slopes at_b = slopes_at_end(segment);
+  const Weights w = weights(x, segment.length);
+  return w.a * a.y + w.slope_a * a.tangent + w.bend_a * a.curvature + w.b * b.y +
+         w.slope_b * at_b.slope + w.bend_b * at_b.bend;
 }
 
 double place_of_time(const Segment& segment, double time) {
+  const CurvePoint& a = segment.a;
+  const CurvePoint& b = segment.b;
+  const Slopes at_b = slopes_at_end(segment);
+  const Index last = a.y.size() - 1;
   const auto gap = [&](double x) -> std::optional<double> {
-    const VectorXd y = interpolated(segment, x);
-    return time - y[y.size() - 1];
+    const Weights w = weights(x, segment.length);
+    return time - (w.a * a.y[last] + w.slope_a * a.tangent[last] + w.bend_a * a.curvature[last] +
+                   w.b * b.y[last] + w.slope_b * at_b.slope[last] + w.bend_b * at_b.bend[last]);
   };
-  const double at_a = time - segment.a.time();
-  const double at_b = time - segment.b.time();
+  const double at_a = time - a.time();
+  const double behind = time - b.time();
   if (at_a <= 0) return 0;
-  if (at_b >= 0) return segment.length;
-  return zero(gap, segment.length, at_a, at_b).value_or(segment.length);
+  if (behind >= 0) return segment.length;
+  return zero(gap, segment.length, at_a, behind).value_or(segment.length);
 }
 
 std::optional<CurvePoint> point_at(const Curve& curve, const Segment& segment, double x) {

@@ -16,7 +16,15 @@ struct Segment {
   double length = 0;
 };
 
-/// Cubic through both points with their tangents.
+/// dy/dx and d2y/dx2 at b.
+struct Slopes {
+  Eigen::VectorXd slope;
+  Eigen::VectorXd bend;
+};
+/// With x along the tangent at a, y'' at b has a part along y' that goes.
+Slopes slopes_at_end(const Segment& segment);
+
+/// Quintic through both points with their tangents and curvatures.
 Eigen::VectorXd interpolated(const Segment& segment, double x);
 
 /// The x where the interpolation's time is `time`, which lies between those of a and b (time growing all the way).

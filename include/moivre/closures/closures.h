@@ -32,6 +32,7 @@ struct ClosureOptions {
   SolveOptions solve;
   /// Roots by proof, where solve.certify says so too and the module certify was built.
   bool certify = true;
+  bool with_mobility = true;  ///< ClosureResult::mobility
 };
 
 /// One group of bodies, solved once for every solution of the groups before it.
