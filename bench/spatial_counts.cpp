@@ -5,7 +5,7 @@
 //
 // off: every dimension is off by up to this share, at random by the seed (tests/closures/spatial_counts.h); 0, 1e-2 and 1e-9 where no
 // --off is given. --turned: as typed, but in frames turned at random by the seed; without mechanisms whose angles are driven.
-// A run is short when it is not complete, or when its closures are not those of the mechanism, or of its general
+// A run is short when it is not complete, or a closure that may have a certificate has none, or when its closures are not those of the mechanism, or of its general
 // class; as typed, also when real closures, paths or the dimension of a motion are not those expected.
 // residual: of Phi, the largest over all closures and seeds; ms: the mean of the time find_closures takes, on one thread. Each short
 // seed stands with the complex closures found there, ? where paths failed.
@@ -80,15 +80,22 @@ struct Row {
   }
 };
 
+/// Where certificates can be had at all.
+bool is_certified(const ClosureResult& result) {
+  return !result.completeness || *result.completeness != moivre::RootCompleteness::open ||
+         result.moves;
+}
+
 bool is_as_typed(const ClosureResult& result, const SpatialCount& count) {
   const std::uint64_t dimension = result.moves ? result.moves->dimension : 0;
-  return result.complete && result.counts.complex == count.complex &&
+  return result.complete && is_certified(result) && result.counts.complex == count.complex &&
          result.counts.real == count.real && result.paths.tracked <= count.most_paths &&
          dimension == count.dimension;
 }
 
 bool is_general(const ClosureResult& result, const SpatialCount& count) {
-  return result.complete && !result.moves && result.counts.complex == count.disturbed;
+  return result.complete && is_certified(result) && !result.moves &&
+         result.counts.complex == count.disturbed;
 }
 
 Mechanism changed(const Mechanism& typed, double share, bool is_turned, std::uint64_t seed) {

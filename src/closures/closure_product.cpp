@@ -155,6 +155,7 @@ std::optional<Closure> closure_of(const ClosureSearch& search,
 
 void add_account(const ClosureResult& part, ClosureResult& whole) {
   whole.paths += part.paths;
+  if (part.start.kind != StartFacts().kind) whole.start.kind = part.start.kind;
   whole.start.paths += part.paths.tracked;
   whole.work += part.work;
   whole.counts.rejected += part.counts.rejected;

@@ -43,6 +43,7 @@ void take_account(ClosureResult& result, const StageRun& run) {
   result.work = run.work;
   result.time_s = run.time;
   result.complete = run.complete;
+  result.start.kind = run.largest_start.kind;
   result.start.paths = run.paths.tracked;
   result.left_out.insert(result.left_out.end(), run.left_out.begin(), run.left_out.end());
   for (const auto& [reason, count] : run.excluded) {

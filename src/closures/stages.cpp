@@ -306,6 +306,7 @@ void Stages::add_roots(const Block& block, const QuadraticBlock& formula, const 
     run_.left_out.insert(run_.left_out.end(), result.left_out.begin(), result.left_out.end());
   }
   stage.paths += result.paths;
+  if (result.start.paths > run_.largest_start.paths) run_.largest_start = result.start;
   run_.work += result.work;
   run_.time.threads = std::max(run_.time.threads, result.time.threads);
   add_solving(result.time, run_.time);

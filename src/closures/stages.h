@@ -36,6 +36,7 @@ struct StageRun {
   std::vector<PartialRoot> roots;  ///< with all blocks solved, by path
   std::vector<Stage> stages;
   PathCounts paths;
+  StartFacts largest_start;  ///< of all solves, the one with the most paths
   std::vector<FailedPath> failures;
   std::vector<LeftOut> left_out;
   StepCount work;
