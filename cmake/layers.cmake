@@ -28,7 +28,7 @@ set(MOIVRE_USES_mechanism expression)
 set(MOIVRE_USES_urdf mechanism)
 set(MOIVRE_USES_kinematics mechanism)
 set(MOIVRE_USES_formulation mechanism polynomial)
-set(MOIVRE_USES_closures kinematics formulation solver)
+set(MOIVRE_USES_closures kinematics formulation solver certify)
 # An arm's polynomials need no Phi: what puts its joint values right is the product of its transforms.
 set(MOIVRE_USES_arms urdf family)
 set(MOIVRE_USES_closure_study closures study)
@@ -46,7 +46,7 @@ set(MOIVRE_USES_cli closure_study multiprecision report check_report family_repo
     tracker_cvode tracker_lanes)
 
 # Where a module is switched off, those named here make do without it; cli makes do with what is there.
-set(MOIVRE_DO_WITHOUT_certify solver)
+set(MOIVRE_DO_WITHOUT_certify solver closures)
 
 # Third-party packages, each private to the modules that name it. Eigen and Boost's integers are
 # the exception: they are vocabulary of the public headers.

@@ -87,6 +87,11 @@ void add_exactly(arb_t sum, double value) {
   arf_clear(term);
 }
 
+void add_exactly(ArbBall& sum, const Complex& value) {
+  add_exactly(acb_realref(sum.get()), value.real());
+  add_exactly(acb_imagref(sum.get()), value.imag());
+}
+
 /// Takes the double nearest to the midpoint off it, exactly.
 double take_double(arb_t rest) {
   const double part = arf_get_d(arb_midref(rest), ARF_RND_NEAR);
@@ -119,7 +124,8 @@ ArbStage::ArbStage(const CertifyProgram& program)
     : program_(program),
       n_(program.dimension()),
       m_(n_),
-      x_(n_),
+      ball_(n_),
+      x_(program.tape.variables),
       registers_(program.tape.register_count()),
       values_(n_),
       jacobian_(program.tape.jacobian.size()),
@@ -142,19 +148,31 @@ const std::vector<ArbBall>& ArbStage::coefficients() {
   return position->second;
 }
 
+/// Discs as Arb's rectangles around them.
+void ArbStage::take(std::span<const Enclosure> given) {
+  for (std::size_t k = 0; k < given.size(); ++k) {
+    ArbBall& z = x_[n_ + k];
+    acb_zero(z.get());
+    add_exactly(z, given[k].middle);
+    for (const Complex& part : given[k].finer) add_exactly(z, part);
+    const ArbSize error(given[k].error);
+    arb_add_error_mag(acb_realref(z.get()), error.get());
+    arb_add_error_mag(acb_imagref(z.get()), error.get());
+    z.set_bits(bits_ + kGuardBits);
+  }
+}
+
 ArbOutcome ArbStage::prove(std::span<const Complex> midpoint, std::span<const Point> finer,
-                           int bits, double farthest, Certificate& result) {
+                           std::span<const Enclosure> given, int bits, double farthest,
+                           Certificate& result) {
   bits_ = bits;
   for (std::size_t j = 0; j < n_; ++j) {
     acb_zero(m_[j].get());
-    const auto add = [&](const Complex& part) {
-      add_exactly(acb_realref(m_[j].get()), part.real());
-      add_exactly(acb_imagref(m_[j].get()), part.imag());
-    };
-    add(midpoint[j]);
-    for (const Point& part : finer) add(part[j]);
+    add_exactly(m_[j], midpoint[j]);
+    for (const Point& part : finer) add_exactly(m_[j], part[j]);
     m_[j].set_bits(bits_ + kGuardBits);
   }
+  take(given);
   start_ = m_;
   if (approach(farthest) == ArbOutcome::left) return ArbOutcome::left;
   split_midpoint(result);
@@ -163,9 +181,10 @@ ArbOutcome ArbStage::prove(std::span<const Complex> midpoint, std::span<const Po
   return ArbOutcome::proved;
 }
 
-/// values_ and jacobian_ at x; F and J as matrices.
-void ArbStage::evaluate_at(const std::vector<ArbBall>& x) {
-  evaluate<ArbBall, ArbBall>(program_.tape, coefficients(), x, registers_, values_, jacobian_);
+/// values_ and jacobian_; F and J as matrices.
+void ArbStage::evaluate_at(std::span<const ArbBall> unknowns) {
+  std::copy(unknowns.begin(), unknowns.end(), x_.begin());
+  evaluate<ArbBall, ArbBall>(program_.tape, coefficients(), x_, registers_, values_, jacobian_);
   acb_mat_zero(j_.get());
   for (std::size_t i = 0; i < n_; ++i) acb_set(f_.entry(i, 0), values_[i].get());
   for (std::size_t k = 0; k < jacobian_.size(); ++k) {
@@ -276,12 +295,12 @@ bool ArbStage::find_radii(Certificate& result) {
 /// kappa of rho; g_ <- I - Y J(B). B's discs are enclosed in squares.
 void ArbStage::image(const std::vector<double>& rho, std::vector<double>& kappa) {
   const slong bits = bits_ + kGuardBits;
-  x_ = m_;
+  ball_ = m_;
   for (std::size_t j = 0; j < n_; ++j) {
     const ArbSize radius(rho[j]);
-    acb_add_error_mag(x_[j].get(), radius.get());
+    acb_add_error_mag(ball_[j].get(), radius.get());
   }
-  evaluate_at(x_);
+  evaluate_at(ball_);
   acb_mat_mul(g_.get(), y_.get(), j_.get(), bits);
   for (std::size_t j = 0; j < n_; ++j) acb_sub_si(g_.entry(j, j), g_.entry(j, j), 1, bits);
   kappa = apply(rho);

@@ -46,12 +46,14 @@ class ArbStage {
  public:
   explicit ArbStage(const CertifyProgram& program);
 
-  /// Seeks a proof in b bits, beginning at the point `midpoint + finer`; where it is found, `result` has midpoint, finer, radius,
+  /// Seeks a proof in b bits, beginning at the point `midpoint + finer`, for all given numbers in their discs; where it is found, `result` has midpoint, finer, radius,
   /// error and bits. farthest: Newton's method has left where it went farther than this, |x|_inf.
-  ArbOutcome prove(std::span<const Complex> midpoint, std::span<const Point> finer, int bits,
-                   double farthest, Certificate& result);
+  ArbOutcome prove(std::span<const Complex> midpoint, std::span<const Point> finer,
+                   std::span<const Enclosure> given, int bits, double farthest,
+                   Certificate& result);
 
  private:
+  void take(std::span<const Enclosure> given);
   ArbOutcome approach(double farthest);
   double largest_coordinate() const;
   void split_midpoint(Certificate& result);
@@ -59,14 +61,16 @@ class ArbStage {
   void image(const std::vector<double>& rho, std::vector<double>& kappa);
   void tighten(std::vector<double>& kappa);
   std::vector<double> apply(const std::vector<double>& reach);
-  void evaluate_at(const std::vector<ArbBall>& x);
+  void evaluate_at(std::span<const ArbBall> unknowns);
   const std::vector<ArbBall>& coefficients();
 
   const CertifyProgram& program_;
   std::size_t n_;
   slong bits_ = 0;
   std::map<slong, std::vector<ArbBall>> coefficients_;  // by precision
-  std::vector<ArbBall> start_, m_, x_, registers_, values_, jacobian_;
+  std::vector<ArbBall> start_, m_, ball_;
+  std::vector<ArbBall> x_, registers_, values_,
+      jacobian_;  // of the tape; x_: unknowns, then given numbers
   ArbMatrix j_, y_, g_, f_, step_;
   std::vector<double> fixed_;  // |Y F(m)|
 };

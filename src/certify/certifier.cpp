@@ -35,6 +35,10 @@ double scale_of(std::span<const Complex> x) {
   return scale;
 }
 
+double largest_error(const Certificate& c) {
+  return *std::max_element(c.error.begin(), c.error.end());
+}
+
 /// Bound on |x* - x|_inf.
 double distance_bound(std::span<const Complex> x, const Certificate& c) {
   double largest = 0;
@@ -57,20 +61,22 @@ class Certifier::Work {
   std::size_t dimension() const { return program_->dimension(); }
   int most_bits() const { return options_.most_bits; }
 
-  void certify(std::span<const Complex> x, Certificate& result) {
-    require_dimension(x.size());
+  void certify(std::span<const Complex> x, std::span<const Enclosure> given, Certificate& result) {
+    require_dimension(x.size(), given.size());
     result.verdict = Verdict::undecided;
     result.reality = Reality::unknown;
     result.bits = kDoubleBits;
-    if (double_stage_.prove(x, options_.accuracy, result)) {
+    if (double_stage_.prove(x, given, options_.accuracy, result)) {
       judge(x, result);
       if (is_settled(x, result)) return;
     }
     const double farthest = 2 * options_.accuracy * scale_of(x);
     for (int bits = kFirstArbBits; bits <= options_.most_bits; bits *= 2) {
       Certificate finer;
-      const ArbOutcome outcome = arb().prove(x, {}, bits, farthest, finer);
+      const ArbOutcome outcome = arb().prove(x, {}, given, bits, farthest, finer);
       if (outcome == ArbOutcome::proved) {
+        // Discs of given numbers stay as wide as they are, whatever the digits.
+        if (result.holds_root() && largest_error(finer) >= largest_error(result)) return;
         judge(x, finer);
         result = std::move(finer);
         if (is_settled(x, result)) return;
@@ -81,12 +87,12 @@ class Certifier::Work {
     }
   }
 
-  bool sharpen(Certificate& certificate, int bits) {
-    require_dimension(certificate.midpoint.size());
+  bool sharpen(Certificate& certificate, std::span<const Enclosure> given, int bits) {
+    require_dimension(certificate.midpoint.size(), given.size());
     if (!certificate.holds_root()) throw std::invalid_argument("no root is proved to sharpen");
     Certificate finer;
     const double farthest = *std::max_element(certificate.radius.begin(), certificate.radius.end());
-    if (arb().prove(certificate.midpoint, certificate.finer, bits, farthest, finer) !=
+    if (arb().prove(certificate.midpoint, certificate.finer, given, bits, farthest, finer) !=
         ArbOutcome::proved) {
       return false;
     }
@@ -99,10 +105,15 @@ class Certifier::Work {
   }
 
  private:
-  void require_dimension(std::size_t n) const {
-    if (n == dimension()) return;
-    throw std::invalid_argument("a point has " + std::to_string(n) + " coordinates, the system " +
-                                std::to_string(dimension()) + " unknowns");
+  void require_dimension(std::size_t n, std::size_t given) const {
+    if (n != dimension()) {
+      throw std::invalid_argument("a point has " + std::to_string(n) + " coordinates, the system " +
+                                  std::to_string(dimension()) + " unknowns");
+    }
+    if (given != program_->given) {
+      throw std::invalid_argument(std::to_string(given) + " numbers are given, the system has " +
+                                  std::to_string(program_->given));
+    }
   }
 
   ArbStage& arb() {
@@ -118,8 +129,7 @@ class Certifier::Work {
 
   /// More bits tell nothing new: the ball is small enough for its place to be told, and reality is known where it is asked for.
   bool is_settled(std::span<const Complex> x, const Certificate& result) const {
-    const double error = *std::max_element(result.error.begin(), result.error.end());
-    if (error > options_.accuracy * scale_of(x)) return false;
+    if (largest_error(result) > options_.accuracy * scale_of(x)) return false;
     return !options_.decide_reality || !program_->real || result.reality != Reality::unknown;
   }
 
@@ -138,18 +148,25 @@ Certifier::~Certifier() = default;
 std::size_t Certifier::dimension() const noexcept { return work_->dimension(); }
 int Certifier::most_bits() const noexcept { return work_->most_bits(); }
 
-void Certifier::certify(std::span<const Complex> x, Certificate& result) {
-  work_->certify(x, result);
+void Certifier::certify(std::span<const Complex> x, Certificate& result,
+                        std::span<const Enclosure> given) {
+  work_->certify(x, given, result);
 }
 
-Certificate Certifier::certify(std::span<const Complex> x) {
+Certificate Certifier::certify(std::span<const Complex> x, std::span<const Enclosure> given) {
   Certificate result;
-  work_->certify(x, result);
+  work_->certify(x, given, result);
   return result;
 }
 
-bool Certifier::sharpen(Certificate& certificate, int bits) {
-  return work_->sharpen(certificate, bits);
+bool Certifier::sharpen(Certificate& certificate, int bits, std::span<const Enclosure> given) {
+  return work_->sharpen(certificate, given, bits);
+}
+
+Enclosure enclosure(const Certificate& certificate, std::size_t j) {
+  Enclosure result{certificate.midpoint[j], {}, certificate.error[j]};
+  for (const Point& part : certificate.finer) result.finer.push_back(part[j]);
+  return result;
 }
 
 std::vector<Certificate> certify(const System& f, const std::vector<Point>& points,

@@ -51,10 +51,10 @@ DoubleStage::DoubleStage(const CertifyProgram& program)
       step_(n_),
       e_(n_),
       weights_(n_),
-      fine_x_(n_),
+      fine_x_(program.tape.variables),
       fine_registers_(program.tape.register_count()),
       fine_values_(n_),
-      x_(n_),
+      x_(program.tape.variables),
       registers_(program.tape.register_count()),
       values_(n_),
       jacobian_(program.tape.jacobian.size()),
@@ -68,8 +68,11 @@ DoubleStage::DoubleStage(const CertifyProgram& program)
       kappa_(n_),
       image_(n_) {}
 
-bool DoubleStage::prove(std::span<const Complex> x, double accuracy, Certificate& result) {
-  if (n_ > kLargestDimension || !approach(x, accuracy)) return false;
+bool DoubleStage::prove(std::span<const Complex> x, std::span<const Enclosure> given,
+                        double accuracy, Certificate& result) {
+  if (n_ > kLargestDimension) return false;
+  take(given);
+  if (!approach(x, accuracy)) return false;
   invert();
   if (!find_radii()) return false;
   result.midpoint.assign(m_.begin(), m_.end());
@@ -78,6 +81,17 @@ bool DoubleStage::prove(std::span<const Complex> x, double accuracy, Certificate
   result.error.assign(kappa_.begin(), kappa_.end());
   result.bits = kDoubleBits;
   return true;
+}
+
+/// Given numbers are variables that no radius of an unknown moves: F(m) is a ball then, and its size counts like an error of F.
+void DoubleStage::take(std::span<const Enclosure> given) {
+  for (std::size_t k = 0; k < given.size(); ++k) {
+    double radius = given[k].error;
+    for (const Complex& part : given[k].finer) radius += size_bound(part);
+    if (radius > 0) radius = raised(radius);
+    fine_x_[n_ + k] = FineBall(ComplexDoubleDouble(given[k].middle), radius);
+    x_[n_ + k] = Ball(given[k].middle, radius);
+  }
 }
 
 /// Newton's method from x, until its correction is rounding. False where it leaves the neighbourhood or J is singular.

@@ -23,9 +23,11 @@ class DoubleStage {
   explicit DoubleStage(const CertifyProgram& program);
 
   /// True where a root is proved; then `result` has midpoint, radius and error.
-  bool prove(std::span<const Complex> x, double accuracy, Certificate& result);
+  bool prove(std::span<const Complex> x, std::span<const Enclosure> given, double accuracy,
+             Certificate& result);
 
  private:
+  void take(std::span<const Enclosure> given);
   bool approach(std::span<const Complex> x, double accuracy);
   bool linearize();
   void residual();

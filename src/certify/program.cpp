@@ -2,6 +2,7 @@
 // Discs around the coefficients: what double leaves of a rational is measured in exact arithmetic.
 #include "program.h"
 
+#include <algorithm>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -47,25 +48,34 @@ CoefficientBall<ComplexDoubleDouble> fine(const Coefficient& c) {
           im.hi == 0 && im.lo == 0};
 }
 
+/// The tape of f without the derivatives by what is no unknown.
+Tape tape_of_unknowns(const System& f, std::size_t unknowns) {
+  Tape tape = make_tape(f);
+  std::erase_if(tape.jacobian, [&](const Tape::Entry& entry) { return entry.column >= unknowns; });
+  return tape;
+}
+
 }  // namespace
 
-CertifyProgram::CertifyProgram(const System& f)
+CertifyProgram::CertifyProgram(const System& f, std::size_t numbers)
     : system(f),
-      real(is_real(f)),
-      tape(make_tape(f)),
+      given(numbers),
+      real(is_real(f) && numbers == 0),
+      tape(tape_of_unknowns(f, f.variables.size() - numbers)),
       coefficients(round_coefficients<CoefficientBall<Complex>>(tape, f, coarse)),
       fine_coefficients(round_coefficients<CoefficientBall<ComplexDoubleDouble>>(tape, f, fine)) {}
 
-std::shared_ptr<const CertifyProgram> make_certify_program(const System& f) {
-  if (f.polynomials.size() != f.variables.size()) {
+std::shared_ptr<const CertifyProgram> make_certify_program(const System& f, std::size_t given) {
+  const std::size_t unknowns = f.variables.size() - std::min(given, f.variables.size());
+  if (f.polynomials.size() != unknowns) {
     throw std::invalid_argument("certificates are for square systems; this one has " +
                                 std::to_string(f.polynomials.size()) + " equations in " +
-                                std::to_string(f.variables.size()) + " unknowns");
+                                std::to_string(unknowns) + " unknowns");
   }
-  if (f.variables.empty()) {
+  if (unknowns == 0) {
     throw std::invalid_argument("a system without unknowns has no root to certify");
   }
-  return std::make_shared<const CertifyProgram>(f);
+  return std::make_shared<const CertifyProgram>(f, given);
 }
 
 }  // namespace moivre

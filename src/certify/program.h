@@ -12,14 +12,15 @@ namespace moivre {
 
 class CertifyProgram {
  public:
-  /// Requires a square F.
-  explicit CertifyProgram(const System& f);
+  /// Requires as many polynomials as variables that are not given.
+  CertifyProgram(const System& f, std::size_t given);
 
-  std::size_t dimension() const { return tape.variables; }
+  std::size_t dimension() const { return tape.variables - given; }
 
   System system;
-  bool real = false;  ///< every coefficient is
-  Tape tape;
+  std::size_t given = 0;  ///< the last variables, numbers in discs
+  bool real = false;      ///< every coefficient is, and nothing is given
+  Tape tape;              ///< its Jacobian is that of the unknowns
   /// In the tape's order; NaN where no double is near.
   std::vector<CoefficientBall<Complex>> coefficients;
   std::vector<CoefficientBall<ComplexDoubleDouble>> fine_coefficients;

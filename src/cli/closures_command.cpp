@@ -35,6 +35,7 @@ struct ClosuresCommand {
   ArmOptions arm;
   double at = 0;
   bool sensitivity = false;
+  bool no_certify = false;
   int threads = 0;
   bool quiet = false;
   std::string json;
@@ -71,6 +72,7 @@ void require_no_more(const ClosuresCommand& command) {
   if (command.at != 0) given.emplace_back("--at");
   if (command.mechanism.fit) given.emplace_back("--fit");
   if (command.mechanism.all_meshings) given.emplace_back("--meshings");
+  if (command.no_certify) given.emplace_back("--no-certify");
   if (command.sensitivity) given.emplace_back("--sensitivity");
   if (given.empty()) return;
   throw std::invalid_argument(joined(given, ", ") + (given.size() == 1 ? " is" : " are") +
@@ -169,6 +171,7 @@ int run(const ClosuresCommand& command) {
   options.solve.seed = command.start.seed;
   options.solve.start = kind_of(command.start);
   options.solve.threads = command.threads;
+  options.solve.certify = !command.no_certify;
   const std::unique_ptr<Tracker> fallback = make_fallback(tracker_of(command));
   options.solve.fallback = fallback.get();
   ProgressLine line(!command.quiet);
@@ -229,6 +232,8 @@ void add_closures_command(CLI::App& moivre, Chosen& chosen) {
       "tell how far each closure moves with every dimension (named as in moivre sweep), and "
       "how far it may be off where there are tolerances");
   add_arm_options(app, command->arm);
+  app.add_flag("--no-certify", command->no_certify,
+               "prove nothing: closures are not certified, and their completeness is not told");
   add_start_options(app, command->start);
   add_threads_option(app, command->threads);
   add_quiet_flag(app, command->quiet);

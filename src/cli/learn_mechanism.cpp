@@ -16,6 +16,7 @@ FamilyFile learn_mechanism(const std::string& path, const Tracker& tracker,
   FamilyBook book({}, options.seed);
   ClosureOptions closures;
   closures.solve = options;
+  closures.certify = false;  // what is kept are families, and their roots are certified there
   book.serve(closures.solve);
   find_closures(mechanism, tracker, closures, stop);
   if (stop) throw std::invalid_argument("interrupted: nothing was learned");

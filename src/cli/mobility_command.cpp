@@ -28,6 +28,7 @@ std::vector<MobilityKind> kinds_of(const Mechanism& mechanism, const MobilityCom
   const std::unique_ptr<Tracker> tracker = make_tracker({});
   ClosureOptions options;
   options.time = command.guess.at;
+  options.certify = false;
   const Interruption interruption;
   try {
     return mobility_kinds(mechanism,

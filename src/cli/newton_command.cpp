@@ -27,6 +27,7 @@ int run(const NewtonCommand& command) {
   const Mechanism mechanism = read_any_mechanism(command.file);
   const Phi phi(mechanism);
   NewtonOptions options = command.options;
+  options.with_condition = true;
   if (!command.weights.empty()) {
     options.linear.weights =
         named_values(mechanism, command.weights, Eigen::VectorXd::Ones(phi.dimension()), false);

@@ -54,7 +54,8 @@ Json closure_json(const Closure& closure, const Mechanism& mechanism) {
             {"smallest_singular_value", to_json(closure.smallest_singular_value)},
             {"path", closure.path},
             {"multiplicity", closure.multiplicity},
-            {"singular", closure.singular}};
+            {"singular", closure.singular},
+            {"certified", closure.certified ? Json(*closure.certified) : Json()}};
   if (!joints.empty()) json["joints"] = std::move(joints);
   if (!closure.of.empty()) json["of"] = closure.of;
   return json;
@@ -98,6 +99,7 @@ std::string closures_json(const ClosureResult& result, const Mechanism& mechanis
   report["paths"] = to_json(result.paths);
   report["stages"] = list_json(result.stages, stage_json);
   report["counts"] = counts_json(result.counts);
+  report["completeness"] = result.completeness ? Json(to_string(*result.completeness)) : Json();
   report["fit"] = mechanism.fit ? to_json(*mechanism.fit) : Json(nullptr);
   report["least_misfit"] = result.least_misfit ? to_json(*result.least_misfit) : Json(nullptr);
   report["moves"] = moves_json(result.moves, mechanism);

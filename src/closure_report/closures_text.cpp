@@ -24,6 +24,23 @@ std::string factors_text(const ClosureResult& result) {
          " independent sub-chains";
 }
 
+/// Of the complex closures that are listed.
+std::string completeness_line(const ClosureResult& result) {
+  if (!result.completeness) return "";
+  if (*result.completeness == RootCompleteness::proved) {
+    return "every closure is certified, and they are as many as can be: proved complete\n";
+  }
+  const auto& roots = result.solutions;
+  const auto count = [&](auto claim) {
+    return static_cast<std::uint64_t>(std::count_if(roots.begin(), roots.end(), claim));
+  };
+  const std::uint64_t regular = count([](const Solution& root) { return !root.singular; });
+  const std::uint64_t certified =
+      count([](const Solution& root) { return root.certified == true; });
+  return std::to_string(certified) + " of " + counted(regular, "regular complex closure") +
+         " certified: completeness " + to_string(*result.completeness) + '\n';
+}
+
 std::string answer(const ClosureResult& result) {
   std::string text = counted(result.counts.complex, "complex closure") + ", " +
                      std::to_string(result.counts.real) + " real" + factors_text(result);
@@ -34,7 +51,7 @@ std::string answer(const ClosureResult& result) {
   if (result.counts.rejected > 0) {
     text += "; " + counted(result.counts.rejected, "root") + " failed the redundant equations";
   }
-  return text + '\n' + result.message + '\n';
+  return text + '\n' + result.message + '\n' + completeness_line(result);
 }
 
 std::string stages_text(const ClosureResult& result) {
@@ -73,6 +90,7 @@ std::string closure_text(const Closure& closure, const Mechanism& mechanism) {
     text += ", misfit " + rough_text(closure.misfit) + (unit.empty() ? "" : " " + unit);
   }
   if (closure.singular) text += ", singular";
+  if (closure.certified == true) text += ", certified";
   return text + '\n' + joints_text(mechanism, closure.q) + pose_text(mechanism, closure.q);
 }
 

@@ -35,6 +35,7 @@ StudyResult study_mechanism(const Mechanism& mechanism, const std::vector<StudyS
                         const std::atomic<bool>& halt) {
     ClosureOptions closure_options;
     closure_options.solve = solve_options;
+    closure_options.certify = false;
     ClosureResult closures = find_closures(mechanism, tracker, closure_options, halt);
     if (first.size() == 0 && !closures.closures.empty()) first = closures.closures.front().q;
     return as_solve_result(std::move(closures));

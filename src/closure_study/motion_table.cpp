@@ -57,6 +57,7 @@ class Checkpoints {
     for (int k = 1; k <= kCheckpoints && !stop.load(); ++k) {
       ClosureOptions options;
       options.time = duration / kCheckpoints * k;
+      options.certify = false;
       closures_.push_back(find_closures(mechanism, referee, options, stop).closures);
     }
   }

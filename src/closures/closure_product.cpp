@@ -92,15 +92,32 @@ std::uint64_t path_number(const std::vector<ClosureResult>& parts, const PathOf&
   return number;
 }
 
+/// Of the whole, where it is so of each part and known of each.
+std::optional<bool> both(const std::optional<bool>& a, const std::optional<bool>& b) {
+  return a && b ? std::optional(*a && *b) : std::nullopt;
+}
+
+/// That of the part of which least is known.
+std::optional<RootCompleteness> least_complete(const std::vector<ClosureResult>& parts) {
+  std::optional<RootCompleteness> least = RootCompleteness::proved;
+  for (const ClosureResult& part : parts) {
+    if (!part.completeness) return std::nullopt;
+    least = std::max(*least, *part.completeness);
+  }
+  return least;
+}
+
 Solution solution_of(const std::vector<ClosureResult>& parts, const Choice& choice,
                      const std::vector<std::pair<std::size_t, std::size_t>>& places) {
   const auto part = [&](std::size_t k) -> const Solution& { return parts[k].solutions[choice[k]]; };
   Solution whole;
   for (const auto& [k, v] : places) whole.x.push_back(part(k).x[v]);
   whole.real = true;
+  whole.certified = true;
   whole.path = path_number(parts, [&](std::size_t k) { return part(k).path; });
   for (std::size_t k = 0; k < parts.size(); ++k) {
     whole.real = whole.real && part(k).real;
+    whole.certified = both(whole.certified, part(k).certified);
     whole.singular = whole.singular || part(k).singular;
     whole.multiplicity = times(whole.multiplicity, part(k).multiplicity);
     whole.residual = std::max(whole.residual, part(k).residual);
@@ -123,8 +140,10 @@ std::optional<Closure> closure_of(const ClosureSearch& search,
   if (polished.status != NewtonStatus::converged) return std::nullopt;
   Closure whole = closure_at(search, polished);
   whole.path = path_number(parts, [&](std::size_t k) { return parts[k].closures[choice[k]].path; });
+  whole.certified = true;
   for (std::size_t k = 0; k < parts.size(); ++k) {
     const Closure& part = parts[k].closures[choice[k]];
+    whole.certified = both(whole.certified, part.certified);
     whole.newton_iterations = std::max(whole.newton_iterations, part.newton_iterations);
     whole.multiplicity = times(whole.multiplicity, part.multiplicity);
     whole.singular = whole.singular || part.singular;
@@ -211,6 +230,7 @@ bool solve_apart(ClosureSearch& search) {
     whole.solutions.push_back(solution_of(parts, choice, places));
   }
   whole.counts = counts_of(parts);
+  whole.completeness = least_complete(parts);
   for (std::size_t k = 0; k < parts.size(); ++k) {
     add_account(parts[k], whole);
     whole.sub_chains.push_back(

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "closing.h"
@@ -59,7 +61,7 @@ void take_account(ClosureResult& result, const StageRun& run) {
 }
 
 /// Enters the root, or counts it as rejected where it does not satisfy every equation.
-void take_root(ClosureSearch& search, const PartialRoot& root) {
+void take_root(ClosureSearch& search, const PartialRoot& root, RootProver& prover) {
   Solution solution;
   solution.path = root.path;
   for (const auto& value : root.value) solution.x.push_back(to_complex(*value));
@@ -67,6 +69,12 @@ void take_root(ClosureSearch& search, const PartialRoot& root) {
   solution.multiplicity = root.multiplicity;
   solution.winding = {static_cast<int>(root.multiplicity)};
   solution.accuracy = root.accuracy;
+  std::optional<ProvedRoot> proved;
+  if (root.proof) {
+    proved = prover.root(root.proof);
+    solution.x = proved->x;
+    solution.accuracy = proved->accuracy;
+  }
   solution.condition = root.condition;
   solution.residual = residual_of_root(search.formulation, solution.x);
   if (!holds(search.formulation, solution)) {
@@ -77,7 +85,43 @@ void take_root(ClosureSearch& search, const PartialRoot& root) {
     return;
   }
   solution.real = distance_from_real(search.formulation, solution.x) <= tolerance_of(solution);
+  if (search.has_proofs()) solution.certified = proved && proved->real == solution.real;
   search.result.solutions.push_back(std::move(solution));
+}
+
+/// Where as many poses are proved as a theorem allows, paths in doubt lead to none.
+void settle_by_theorem(const Formulation& formulation, StageRun& run) {
+  const auto& theorem = formulation.theorem;
+  if (!theorem || run.stages.size() != 1 || run.roots.size() < theorem->most) return;
+  std::vector<KnownProof> proofs;
+  for (const PartialRoot& root : run.roots) proofs.push_back(root.proof);
+  if (!RootProver::are_distinct(proofs)) return;
+  if (proofs.size() > theorem->most) {
+    throw std::logic_error(std::to_string(proofs.size()) + " poses are proved, but " + theorem->of +
+                           " has no more than " + std::to_string(theorem->most));
+  }
+  run.is_proved = true;
+  if (run.complete) return;
+  for (PathCounts* paths : {&run.paths, &run.stages.front().paths}) {
+    paths->at_infinity += std::exchange(paths->failed, 0);
+  }
+  run.left_out.push_back({std::to_string(run.failures.size()) + " paths that were in doubt",
+                          std::to_string(theorem->most) + " closures are proved, and " +
+                              theorem->of + " has no more: they lead to no other"});
+  run.failures.clear();
+  run.complete = true;
+}
+
+RootCompleteness completeness(const StageRun& run, const ClosureResult& result) {
+  const auto& roots = result.solutions;
+  const bool all_certified = std::all_of(roots.begin(), roots.end(), [](const Solution& root) {
+    return root.singular || root.certified == true;
+  });
+  if (!run.complete || run.moves || !all_certified) return RootCompleteness::open;
+  const bool is_proved =
+      run.is_proved &&
+      std::none_of(roots.begin(), roots.end(), [](const auto& root) { return root.singular; });
+  return is_proved ? RootCompleteness::proved : RootCompleteness::shown;
 }
 
 bool shows_motion(ClosureSearch& search) {
@@ -90,8 +134,9 @@ bool shows_motion(ClosureSearch& search) {
 }
 
 StageRun solve_blocks(const ClosureSearch& search, const Formulation& formulation,
-                      const std::vector<Block>& blocks) {
-  return solve_blocks(formulation, blocks, search.tracker, search.options.solve, search.stop);
+                      const std::vector<Block>& blocks, RootProver& prover) {
+  return solve_blocks(formulation, blocks, search.tracker, search.options.solve, search.stop,
+                      prover);
 }
 
 /// With fewer equations than unknowns no closure is isolated. What no free unknown has a say in is solved first: where it
@@ -100,7 +145,8 @@ void solve_free(ClosureSearch& search, const std::vector<Block>& blocks) {
   std::vector<Block> determined;
   std::copy_if(blocks.begin(), blocks.end(), std::back_inserter(determined),
                [](const Block& block) { return block.is_determined; });
-  const StageRun run = solve_blocks(search, search.formulation, determined);
+  RootProver prover(search.formulation, search.has_proofs());
+  const StageRun run = solve_blocks(search, search.formulation, determined, prover);
   take_account(search.result, run);
   if (run.complete && !run.moves) {
     search.part_is_complex = std::none_of(
@@ -116,7 +162,8 @@ void solve_free(ClosureSearch& search, const std::vector<Block>& blocks) {
 StageRun solve_combined(const ClosureSearch& search, const StageRun& first) {
   Formulation combined = search.formulation;
   combined.system = squared_up(search.formulation.system, search.options.solve.seed);
-  StageRun run = solve_blocks(search, combined, block_structure(combined.system).blocks);
+  RootProver prover(combined, false);
+  StageRun run = solve_blocks(search, combined, block_structure(combined.system).blocks, prover);
   for (Stage& stage : run.stages) stage.group += ", equations combined";
   run.stages.insert(run.stages.begin(), first.stages.begin(), first.stages.end());
   run.paths += first.paths;
@@ -133,14 +180,17 @@ void solve_determined(ClosureSearch& search, const BlockStructure& structure) {
              std::to_string(search.formulation.system.polynomials.size()) + " equations",
          "there are more than unknowns; every root is checked on all of them"});
   }
-  StageRun run = solve_blocks(search, search.formulation, structure.blocks);
+  RootProver prover(search.formulation, search.options.certify && search.options.solve.certify);
+  StageRun run = solve_blocks(search, search.formulation, structure.blocks, prover);
+  settle_by_theorem(search.formulation, run);
   bool has_unseen_sets = run.moves && !(run.may_move && shows_motion(search));
   if (has_unseen_sets && !search.stop && !structure.spare_equations.empty()) {
     run = solve_combined(search, run);
     has_unseen_sets = run.moves;
   }
   take_account(result, run);
-  for (const PartialRoot& root : run.roots) take_root(search, root);
+  for (const PartialRoot& root : run.roots) take_root(search, root, prover);
+  if (search.has_proofs()) result.completeness = completeness(run, result);
   if (!has_unseen_sets) return;
   if (run.may_move) {
     result.complete = false;

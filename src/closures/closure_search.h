@@ -6,6 +6,7 @@
 #pragma once
 
 #include "moivre/closures/closures.h"
+#include "root_proofs.h"
 
 namespace moivre {
 
@@ -18,6 +19,13 @@ struct ClosureSearch {
         stop(the_stop),
         phi(mechanism),
         formulation(formulate(mechanism, options.time)) {}
+
+  /// As many equations as unknowns, and certificates wanted.
+  bool has_proofs() const {
+    const System& f = formulation.system;
+    return options.certify && options.solve.certify && RootProver::is_built() &&
+           f.polynomials.size() == f.variables.size();
+  }
 
   const Mechanism& mechanism;
   const Tracker& tracker;

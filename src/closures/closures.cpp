@@ -133,6 +133,8 @@ std::string verdict(const ClosureSearch& search) {
 
 void conclude(ClosureSearch& search) {
   if (search.lost_images + search.unpolished + search.rootless > 0) search.result.complete = false;
+  auto& completeness = search.result.completeness;
+  if (completeness && !search.result.complete) completeness = RootCompleteness::open;
   search.result.message = verdict(search);
   for (const std::string& name : search.formulation.contradictions) {
     search.result.message += "; " + name + " holds an angle that is held at another value already";

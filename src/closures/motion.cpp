@@ -41,7 +41,7 @@ void begin_track(MotionRun& run, const Eigen::VectorXd& guess, const std::string
     return;
   }
   for (const Track& track : run.tracks) {
-    if (distance(run.phi, track.anchor.q, assembled.q) > kSamePose) continue;
+    if (!is_same_pose(run.phi, track.anchor.q, assembled.q)) continue;
     result.left_out.push_back({name, "it assembles where an earlier guess does"});
     return;
   }

@@ -77,7 +77,7 @@ bool is_instant(MotionRun& run, double time, const Closure& closure) {
 
 bool is_known_instant(const MotionRun& run, double time, const Eigen::VectorXd& q) {
   return std::any_of(run.instants.begin(), run.instants.end(), [&](const BranchPose& instant) {
-    return instant.time == time && distance(run.phi, instant.q, q) <= kSamePose;
+    return instant.time == time && is_same_pose(run.phi, instant.q, q);
   });
 }
 

@@ -18,7 +18,7 @@ bool is_same_all_along(const MotionRun& run, const std::vector<Scene>& scenes, c
     const BranchSample* of_a = a.at(scene.time);
     const BranchSample* of_b = b.at(scene.time);
     if (of_a == nullptr || of_b == nullptr) return of_a == of_b;
-    return distance(run.phi, of_a->q, of_b->q) <= kSamePose;
+    return is_same_pose(run.phi, of_a->q, of_b->q);
   });
 }
 
@@ -104,14 +104,14 @@ bool leads_back(const MotionRun& run, const std::vector<Scene>& scenes, const Tr
   const Eigen::VectorXd* start = nullptr;
   for (const Closure& closure : way.last->closures.closures) {
     const BranchSample* sample = track.at(way.last->time);
-    if (distance(run.phi, closure.q, sample->q) <= kSamePose) start = &closure.q;
+    if (is_same_pose(run.phi, closure.q, sample->q)) start = &closure.q;
   }
   if (start == nullptr) return true;
   const Branch back = run.follower.follow_back({way.last->time, *start}, way.times, track);
   if (back.samples.size() != way.times.size()) return run.stop;
   return std::all_of(back.samples.begin(), back.samples.end(), [&](const BranchSample& sample) {
     const BranchSample* there = track.at(sample.time);
-    return there != nullptr && distance(run.phi, sample.q, there->q) <= kSamePose;
+    return there != nullptr && is_same_pose(run.phi, sample.q, there->q);
   });
 }
 

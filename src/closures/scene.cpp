@@ -21,6 +21,7 @@ std::optional<std::size_t> nearest_closure(const MotionRun& run, const Scene& sc
   std::optional<std::size_t> nearest;
   double least = kSamePose;
   for (std::size_t j = 0; j < closures.size(); ++j) {
+    if (!is_same_pose(run.phi, q, closures[j].q)) continue;
     const double gap = distance(run.phi, q, closures[j].q);
     if (gap > least) continue;
     least = gap;
@@ -35,6 +36,7 @@ Scene solve_scene(const MotionRun& run, const Tracker& tracker, double time) {
   ClosureOptions options;
   options.time = time;
   options.solve = run.options.solve;
+  options.certify = false;  // what is compared with branches needs no proof of its own
   Scene scene;
   scene.time = time;
   scene.closures = find_closures(run.mechanism, tracker, options, run.stop);

@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <utility>
 
 #include "moivre/formulation/exact.h"
 #include "moivre/polynomial/eliminate.h"
+#include "quadratic_block.h"
 
 namespace moivre {
 namespace {
@@ -20,6 +21,9 @@ constexpr std::uint64_t kPathsWithoutSearch = 32;
 
 // An exact value is rounded once its fractions are this long (in bits): a chain of lengths and directions stays below.
 constexpr std::size_t kLongFraction = 2048;
+
+// Where nothing is proved: a simple root is known to rounding, and what vanishes there does so to 1e-14.
+constexpr double kVanishes = 1e-13;
 
 // A coefficient that cancelled to this, beside the terms it was added from, is zero.
 constexpr double kCancelled = 1e-13;
@@ -56,8 +60,12 @@ bool is_lone_linear(const System& f) {
 class Stages {
  public:
   Stages(const Formulation& formulation, const Tracker& tracker, const SolveOptions& options,
-         const std::atomic<bool>& stop)
-      : formulation_(formulation), tracker_(tracker), options_(options), stop_(stop) {
+         const std::atomic<bool>& stop, RootProver& prover)
+      : formulation_(formulation),
+        tracker_(tracker),
+        options_(options),
+        stop_(stop),
+        prover_(prover) {
     PartialRoot root;
     root.value.resize(formulation.system.variables.size());
     run_.roots.push_back(std::move(root));
@@ -65,6 +73,7 @@ class Stages {
 
   void solve_block(const Block& block);
   StageRun take() && {
+    prove_all();
     run_.time.threads = std::max(1, run_.time.threads);
     if (lone_ > 0) {
       run_.left_out.push_back(
@@ -72,24 +81,38 @@ class Stages {
                      : LeftOut{std::to_string(lone_) + " linear equations solved one by one",
                                "each has a single unknown left"});
     }
+    if (formulas_ > 0) {
+      run_.left_out.push_back(
+          {"following the paths of " + std::to_string(formulas_) +
+               (formulas_ == 1 ? " solve" : " solves"),
+           "what comes down to one quadratic equation, or to linear ones, is solved by formula"});
+    }
     return std::move(run_);
   }
 
  private:
   System system_at(const Block& block, const PartialRoot& root) const;
   void note_set(const PartialRoot& root);
-  bool is_excluded(const PartialRoot& root, const Block& block, const Solution& solution);
+  bool is_excluded(const PartialRoot& root);
   void solve_lone(const Block& block);
-  void add_roots(const Block& block, const PartialRoot& root, const System& f, Stage& stage,
-                 std::vector<PartialRoot>& next);
+  SolveResult solved(const Block& block, const QuadraticBlock& formula, const PartialRoot& root);
+  SolveResult followed(const System& f);
+  void add_roots(const Block& block, const QuadraticBlock& formula, const PartialRoot& root,
+                 Stage& stage, std::vector<PartialRoot>& next);
+  PartialRoot child_of(const PartialRoot& root, const Block& block, const Solution& solution);
+  void prove(PartialRoot& root);
+  void prove_all();
+  bool decides_exclusions(const Block& block) const;
   std::string group_name(const Block& block) const;
 
   const Formulation& formulation_;
   const Tracker& tracker_;
   const SolveOptions& options_;
   const std::atomic<bool>& stop_;
+  RootProver& prover_;
   StageRun run_;
   std::size_t lone_ = 0;
+  std::uint64_t formulas_ = 0;  ///< solves by formula
 };
 
 System Stages::system_at(const Block& block, const PartialRoot& root) const {
@@ -129,6 +152,7 @@ void Stages::note_set(const PartialRoot& root) {
 /// One equation a x + b = 0, its x put in above every root so far. Where a vanishes there is none, where b does too a set of them.
 void Stages::solve_lone(const Block& block) {
   ++lone_;
+  prover_.add_lone(block);
   std::vector<PartialRoot> next;
   for (PartialRoot& root : run_.roots) {
     const Polynomial p = system_at(block, root).polynomials.front();
@@ -141,34 +165,68 @@ void Stages::solve_lone(const Block& block) {
     }
     if (std::abs(to_complex(a)) <= kCancelled * size) {
       if (std::abs(to_complex(b)) <= kCancelled * size) note_set(root);
+      run_.is_proved = false;
       continue;
     }
-    const Coefficient x = shortened(-b / a);
-    Solution solution;
-    solution.x = {to_complex(x)};
-    if (is_excluded(root, block, solution)) continue;
-    root.value[block.variables.front()] = std::make_shared<const Coefficient>(x);
+    root.value[block.variables.front()] = std::make_shared<const Coefficient>(shortened(-b / a));
     next.push_back(std::move(root));
   }
   run_.roots = std::move(next);
+  if (!decides_exclusions(block)) return;
+  prove_all();
+  std::erase_if(run_.roots, [&](const PartialRoot& root) { return is_excluded(root); });
 }
 
-/// Whether the block's solution above the root is no pose; counted where so.
-bool Stages::is_excluded(const PartialRoot& root, const Block& block, const Solution& solution) {
+/// Whether an exclusion has one of the block's variables.
+bool Stages::decides_exclusions(const Block& block) const {
+  for (const Formulation::Exclusion& exclusion : formulation_.exclusions) {
+    for (const Term& term : exclusion.of.terms) {
+      for (const Power& power : term.monomial) {
+        if (std::count(block.variables.begin(), block.variables.end(), power.variable) > 0) {
+          return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+
+/// What waits for its group is one.
+void Stages::prove_all() {
+  if (!prover_.close()) return;
+  for (PartialRoot& root : run_.roots) prove(root);
+}
+
+/// Whether the root is no pose; counted where so.
+bool Stages::is_excluded(const PartialRoot& root) {
   if (formulation_.exclusions.empty()) return false;
   std::vector<std::optional<Complex>> values;
   for (const KnownValue& value : root.value) {
     values.push_back(value ? std::optional(to_complex(*value)) : std::nullopt);
   }
-  for (std::size_t k = 0; k < block.variables.size(); ++k)
-    values[block.variables[k]] = solution.x[k];
-  const auto reason = excluded(formulation_, values, root.singular || solution.singular);
-  if (reason) run_.excluded[*reason] += root.multiplicity * solution.multiplicity;
-  return reason.has_value();
+  for (const NearExclusion& near : near_exclusions(formulation_, values)) {
+    const std::optional<bool> proved = prover_.vanishes(root.proof, *near.exclusion);
+    if (!proved.value_or(root.singular || near.share <= kVanishes)) continue;
+    run_.excluded[near.exclusion->reason] += root.multiplicity;
+    return true;
+  }
+  return false;
 }
 
-void Stages::add_roots(const Block& block, const PartialRoot& root, const System& f, Stage& stage,
-                       std::vector<PartialRoot>& next) {
+/// Of the stage's last solve: whether as many roots are proved as its start has paths, none of them another's.
+bool has_proved_bound(const SolveResult& result, const std::vector<PartialRoot>& children) {
+  std::vector<KnownProof> proofs;
+  for (const PartialRoot& child : children) proofs.push_back(child.proof);
+  if (!result.complete || !RootProver::are_distinct(proofs)) return false;
+  if (result.bound) return result.bound->value == proofs.size();
+  const bool is_bound = result.start.kind == to_string(StartKind::total_degree) ||
+                        result.start.kind == to_string(StartKind::multihomogeneous);
+  // Equations that are linear, and have a proved root, have no other.
+  const bool is_linear = result.paths.tracked == 0 && proofs.size() == 1;
+  return is_linear || (is_bound && result.paths.tracked == proofs.size());
+}
+
+SolveResult Stages::followed(const System& f) {
   SolveOptions options = options_;
   options.certify = false;
   const auto paths = total_degree(degrees(f));
@@ -176,26 +234,67 @@ void Stages::add_roots(const Block& block, const PartialRoot& root, const System
   const bool are_few = paths && *paths <= kPathsWithoutSearch;
   if (options.start == StartKind::automatic && are_few) options.start = StartKind::total_degree;
   SolveResult result = solve(f, tracker_, options, stop_);
-  // Where paths are in doubt, roots that are proved may be as many as a proved bound allows: the paths lead to no other.
-  if (!result.complete && !stop_ && options_.certify) {
+  // Where paths are in doubt, roots that are proved may be as many as a proved bound allows: the paths lead to no other. And what
+  // passes for a point of a set may be proved to be a root.
+  if ((!result.complete || !result.on_sets.empty()) && !stop_ && options_.certify) {
     const SolveResult first = std::move(result);
     result = solve(f, tracker_, options_, stop_);
     run_.work += first.work;
     add_solving(first.time, run_.time);
   }
+  return result;
+}
+
+PartialRoot Stages::child_of(const PartialRoot& root, const Block& block,
+                             const Solution& solution) {
+  PartialRoot child = root;
+  for (std::size_t k = 0; k < block.variables.size(); ++k) {
+    child.value[block.variables[k]] = std::make_shared<const Coefficient>(exactly(solution.x[k]));
+  }
+  child.multiplicity *= solution.multiplicity;
+  child.singular |= solution.singular;
+  child.accuracy = std::max(child.accuracy, solution.accuracy);
+  child.condition = std::max(child.condition, solution.condition);
+  prove(child);
+  return child;
+}
+
+/// Of the prover's last group.
+void Stages::prove(PartialRoot& root) {
+  if (!prover_.is_on()) return;
+  const KnownProof before = std::exchange(root.proof, nullptr);
+  if (root.singular) return;
+  Point x;
+  for (const KnownValue& value : root.value) x.push_back(value ? to_complex(*value) : 0);
+  root.proof = prover_.prove(before, x);
+}
+
+/// By formula, where that is clear and no start was asked for: a quadratic equation counts as its two paths.
+SolveResult Stages::solved(const Block& block, const QuadraticBlock& formula,
+                           const PartialRoot& root) {
+  auto roots = options_.start == StartKind::automatic ? formula.roots(root.value) : std::nullopt;
+  if (!roots) return followed(system_at(block, root));
+  ++formulas_;
+  SolveResult result;
+  result.complete = true;
+  result.reduced = QuadraticBlock::reduced_facts(roots->size());
+  result.paths.tracked = result.paths.finite = roots->size();
+  result.solutions = std::move(*roots);
+  return result;
+}
+
+void Stages::add_roots(const Block& block, const QuadraticBlock& formula, const PartialRoot& root,
+                       Stage& stage, std::vector<PartialRoot>& next) {
+  const SolveResult result = solved(block, formula, root);
   const std::uint64_t first_path = stage.paths.tracked;
+  std::vector<PartialRoot> children;
   for (const Solution& solution : result.solutions) {
-    if (is_excluded(root, block, solution)) continue;
-    PartialRoot child = root;
-    for (std::size_t k = 0; k < block.variables.size(); ++k) {
-      child.value[block.variables[k]] = std::make_shared<const Coefficient>(exactly(solution.x[k]));
-    }
-    child.path = first_path + solution.path;
-    child.multiplicity *= solution.multiplicity;
-    child.singular |= solution.singular;
-    child.accuracy = std::max(child.accuracy, solution.accuracy);
-    child.condition = std::max(child.condition, solution.condition);
-    next.push_back(std::move(child));
+    children.push_back(child_of(root, block, solution));
+    children.back().path = first_path + solution.path;
+  }
+  run_.is_proved = run_.is_proved && prover_.is_on() && has_proved_bound(result, children);
+  for (PartialRoot& child : children) {
+    if (!is_excluded(child)) next.push_back(std::move(child));
   }
   for (FailedPath failure : result.failures) {
     failure.path += first_path;
@@ -210,14 +309,15 @@ void Stages::add_roots(const Block& block, const PartialRoot& root, const System
   run_.time.threads = std::max(run_.time.threads, result.time.threads);
   add_solving(result.time, run_.time);
   run_.complete = run_.complete && result.complete;
-  const bool is_dependent = result.paths.tracked == 0 && result.complete &&
-                            eliminate(f).verdict == Reduction::Verdict::dependent;
+  const bool is_dependent =
+      result.paths.tracked == 0 && result.complete &&
+      eliminate(system_at(block, root)).verdict == Reduction::Verdict::dependent;
   const bool has_set =
       std::any_of(result.on_sets.begin(), result.on_sets.end(), [&](const Point& x) {
         Solution on_set;
         on_set.x = x;
         on_set.singular = true;
-        return !is_excluded(root, block, on_set);
+        return !is_excluded(child_of(root, block, on_set));
       });
   if (is_dependent || has_set) note_set(root);
 }
@@ -225,13 +325,15 @@ void Stages::add_roots(const Block& block, const PartialRoot& root, const System
 void Stages::solve_block(const Block& block) {
   if (run_.roots.empty()) return;
   if (is_lone_linear(system_at(block, run_.roots.front()))) return solve_lone(block);
+  prover_.close_group(block);
+  const QuadraticBlock formula(formulation_.system, block);
   Stage stage;
   stage.group = group_name(block);
   std::vector<PartialRoot> next;
   for (const PartialRoot& root : run_.roots) {
     if (stop_) run_.complete = false;
     if (stop_) break;
-    add_roots(block, root, system_at(block, root), stage, next);
+    add_roots(block, formula, root, stage, next);
   }
   run_.paths += stage.paths;
   run_.stages.push_back(std::move(stage));
@@ -262,8 +364,8 @@ void add_solving(const SolveTime& part, SolveTime& sum) {
 
 StageRun solve_blocks(const Formulation& formulation, const std::vector<Block>& blocks,
                       const Tracker& tracker, const SolveOptions& options,
-                      const std::atomic<bool>& stop) {
-  Stages stages(formulation, tracker, options, stop);
+                      const std::atomic<bool>& stop, RootProver& prover) {
+  Stages stages(formulation, tracker, options, stop, prover);
   for (const Block& block : blocks) stages.solve_block(block);
   return std::move(stages).take();
 }

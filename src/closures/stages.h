@@ -14,6 +14,7 @@
 
 #include "moivre/closures/closures.h"
 #include "moivre/formulation/block_structure.h"
+#include "root_proofs.h"
 
 namespace moivre {
 
@@ -28,6 +29,7 @@ struct PartialRoot {
   bool singular = false;
   double accuracy = 0;   ///< largest of its stages
   double condition = 1;  ///< largest of its stages
+  KnownProof proof;      ///< that it is one root and no other
 };
 
 struct StageRun {
@@ -42,6 +44,8 @@ struct StageRun {
   bool moves = false;     ///< a block had a set of roots of positive dimension
   bool may_move = false;  ///< so it had, above a partial root that may be real
   std::map<std::string, std::uint64_t> excluded;  ///< roots that are no pose, by the reason
+  /// Every root, the excluded ones too, is simple and proved, and they are as many as there can be.
+  bool is_proved = true;
 };
 
 // A root of all equations leaves no more than this on the scale of the terms; those of spare equations that do not hold
@@ -56,9 +60,9 @@ bool may_be_real(const Formulation& formulation, const PartialRoot& root);
 /// Adds the seconds of starting, tracking and refining: what solves one after another have in common.
 void add_solving(const SolveTime& part, SolveTime& sum);
 
-/// Solves the blocks in turn.
+/// Solves the blocks in turn, and proves their roots where the prover does.
 StageRun solve_blocks(const Formulation& formulation, const std::vector<Block>& blocks,
                       const Tracker& tracker, const SolveOptions& options,
-                      const std::atomic<bool>& stop);
+                      const std::atomic<bool>& stop, RootProver& prover);
 
 }  // namespace moivre

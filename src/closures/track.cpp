@@ -38,6 +38,19 @@ void refuse_crossing_at(double time, Branch& branch) {
       "that Phi does not tell it from one where branches cross";
 }
 
+bool is_length(const Phi& phi, Eigen::Index k) {
+  return phi.coordinates()[static_cast<std::size_t>(k)].kind == CoordinateKind::length;
+}
+
+/// The largest length of the poses, 1 at least.
+double size_of(const Phi& phi, const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+  double size = 1;
+  for (Eigen::Index k = 0; k < a.size(); ++k) {
+    if (is_length(phi, k)) size = std::max({size, std::abs(a[k]), std::abs(b[k])});
+  }
+  return size;
+}
+
 }  // namespace
 
 double Track::begins() const { return reached(backwards, anchor.time); }
@@ -66,6 +79,13 @@ Branch TrackFollower::follow_back(const BranchPose& pose, const std::vector<doub
   steps.longest_step *= kOther;
   steps.velocity_times.emplace();
   return follow_branch(mechanism, pose.q, backs, steps, stop);
+}
+
+bool TrackFollower::reaches(const BranchPose& pose, double time) const {
+  BranchOptions steps = options;
+  steps.velocity_times.emplace();
+  const std::vector<double> way{pose.time, time};
+  return follow_branch(mechanism, pose.q, way, steps, stop).samples.size() == way.size();
 }
 
 void TrackFollower::run(Track& track) const {
@@ -112,12 +132,15 @@ void TrackFollower::follow_again(Track& track) const {
 
 double distance(const Phi& phi, const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
   const Eigen::VectorXd gap = phi.canonical(phi.canonical(a) - phi.canonical(b));
-  double size = 1;
+  return gap.lpNorm<Eigen::Infinity>() / size_of(phi, a, b);
+}
+
+bool is_same_pose(const Phi& phi, const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+  const double most = kSamePose * size_of(phi, a, b);
   for (Eigen::Index k = 0; k < a.size(); ++k) {
-    const auto kind = phi.coordinates()[static_cast<std::size_t>(k)].kind;
-    if (kind == CoordinateKind::length) size = std::max({size, std::abs(a[k]), std::abs(b[k])});
+    if (is_length(phi, k) && std::abs(a[k] - b[k]) > most) return false;
   }
-  return gap.lpNorm<Eigen::Infinity>() / size;
+  return distance(phi, a, b) <= kSamePose;
 }
 
 }  // namespace moivre

@@ -43,6 +43,8 @@ struct TrackFollower {
   /// From a pose back through `backs` times, with steps that are not those of the way there.
   Branch follow_back(const BranchPose& pose, const std::vector<double>& backs,
                      const Track& track) const;
+  /// Whether the branch through the pose is there at another time too, without a sample on the way.
+  bool reaches(const BranchPose& pose, double time) const;
 
  private:
   BranchOptions options_of(const Track& track) const;
@@ -56,5 +58,7 @@ inline constexpr double kSamePlace = 1e-3;
 
 /// Largest difference of two poses, angles to the nearest turn, beside the larger pose's size (1 at least).
 double distance(const Phi& phi, const Eigen::VectorXd& a, const Eigen::VectorXd& b);
+/// Whether that is no more than kSamePose; where not, a length nearly always says so at once.
+bool is_same_pose(const Phi& phi, const Eigen::VectorXd& a, const Eigen::VectorXd& b);
 
 }  // namespace moivre

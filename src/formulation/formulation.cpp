@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "isotropic_frame.h"
-#include "polynomial_value.h"
+#include "moivre/polynomial/value.h"
 #include "spatial_bodies.h"
 
 namespace moivre {
@@ -65,29 +65,23 @@ double distance_from_real(const Formulation& formulation, const Point& root) {
   return largest / std::max(1.0, max_norm(root));
 }
 
-std::optional<std::string> excluded(const Formulation& formulation,
-                                    const std::vector<std::optional<Complex>>& values,
-                                    bool is_multiple) {
-  // A simple root is known to rounding, and what vanishes there does so to 1e-14. In an arm that is off by 1e-9 eight closures are no
-  // farther than that from where nothing is turned, in a platform some are a thousand times nearer.
-  constexpr double kVanishesAtSimple = 1e-13;
-  // A multiple root is known to the square root of rounding.
-  constexpr double kVanishesAtMultiple = 1e-6;
-  const double vanishes = is_multiple ? kVanishesAtMultiple : kVanishesAtSimple;
+std::vector<NearExclusion> near_exclusions(const Formulation& formulation,
+                                           const std::vector<std::optional<Complex>>& values) {
   Point root;
   root.reserve(values.size());
   for (const auto& value : values) root.push_back(value.value_or(0));
+  std::vector<NearExclusion> near;
   for (const Formulation::Exclusion& exclusion : formulation.exclusions) {
     bool is_known = true;
     for (const Term& term : exclusion.of.terms) {
       for (const Power& power : term.monomial) is_known &= values[power.variable].has_value();
     }
     if (!is_known) continue;
-    if (std::abs(value_at(exclusion.of, root)) <= vanishes * term_size(exclusion.of, root)) {
-      return exclusion.reason;
-    }
+    const double size = std::abs(value_at(exclusion.of, root));
+    const double terms = term_size(exclusion.of, root);
+    if (size <= kNearExclusion * terms) near.push_back({&exclusion, terms > 0 ? size / terms : 0});
   }
-  return std::nullopt;
+  return near;
 }
 
 }  // namespace moivre

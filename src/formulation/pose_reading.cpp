@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "dual_quaternion.h"
-#include "polynomial_value.h"
+#include "moivre/polynomial/value.h"
 
 namespace moivre {
 namespace {

@@ -63,6 +63,20 @@ void add_ground_ties(SpatialFrame& frame, const RigidGroups& groups) {
   }
 }
 
+/// A body on six rods has 40 poses in general, and so none has more that are isolated [RongaVust95].
+std::optional<Formulation::Theorem> theorem_of(const RigidGroups& groups,
+                                               const std::vector<Part>& parts) {
+  constexpr std::size_t kRods = 6;
+  constexpr std::uint64_t kMostPoses = 40;
+  if (parts.size() != 1 || parts.front().groups.size() != 1) return std::nullopt;
+  const auto& ties = parts.front().ties;
+  const bool is_platform =
+      ties.size() == kRods &&
+      std::all_of(ties.begin(), ties.end(), [&](std::size_t k) { return is_rod(groups.ties[k]); });
+  if (!is_platform) return std::nullopt;
+  return Formulation::Theorem{"a body on six rods", kMostPoses};
+}
+
 void read_poses(const RigidGroups& groups, PoseReading& poses) {
   poses.groups = groups.names.size();
   poses.placements.insert(poses.placements.end(), groups.links.begin(), groups.links.end());
@@ -82,7 +96,8 @@ Formulation spatial_bodies(const Mechanism& mechanism, double t) {
   leave_out_links(groups);
   SpatialFrame frame(Phi(mechanism).length());
   add_ground_ties(frame, groups);
-  for (const Part& part : parts_of(groups)) {
+  const std::vector<Part> parts = parts_of(groups);
+  for (const Part& part : parts) {
     if (const auto loop = loop_of(groups, part)) {
       add_loop(frame, groups, *loop);
     } else {
@@ -90,6 +105,7 @@ Formulation spatial_bodies(const Mechanism& mechanism, double t) {
     }
   }
   Formulation formulation = std::move(frame.result());
+  formulation.theorem = theorem_of(groups, parts);
   read_poses(groups, formulation.poses);
   formulation.contradictions.insert(formulation.contradictions.end(), groups.contradictions.begin(),
                                     groups.contradictions.end());

@@ -23,6 +23,9 @@ constexpr Index kSmall = 16;
 constexpr double kStandstill = 1e-13;
 // Of the largest one, which a condition number is made of.
 constexpr double kRoughStandstill = 1e-6;
+// Of one that is asked for its order of magnitude only, and how far above a bound it is beyond doubt then.
+constexpr double kOrderStandstill = 0.1;
+constexpr double kFarAbove = 1e3;
 // Looks at the eigenvalues of the tridiagonal matrix, which cost more than a step, are so many steps apart, or a part of all steps.
 constexpr Index kLooks = 3;
 
@@ -66,10 +69,10 @@ std::optional<double> largest_eigenvalue(const Operator& apply, Index n, double 
 }
 
 /// R^-T R^-1 has it largest; nullopt where R is singular.
-std::optional<double> smallest_of(const StaircaseQr& qr, Index n) {
+std::optional<double> smallest_of(const StaircaseQr& qr, Index n, double standstill = kStandstill) {
   if (!qr.is_regular()) return std::nullopt;
   const auto inverse =
-      largest_eigenvalue([&](const VectorXd& v) { return qr.inverse_squared(v); }, n, kStandstill);
+      largest_eigenvalue([&](const VectorXd& v) { return qr.inverse_squared(v); }, n, standstill);
   if (!inverse || !(*inverse > 0)) return std::nullopt;
   return 1 / std::sqrt(*inverse);
 }
@@ -82,6 +85,17 @@ double smallest_singular_value(const MatrixXd& A, const StaircaseOrder& order) {
   }
   const VectorXd all = singular_values(A);
   return all[all.size() - 1];
+}
+
+bool is_surely_regular(const MatrixXd& A, const StaircaseOrder& order) {
+  const auto rough = smallest_of(StaircaseQr(A, order), A.cols(), kOrderStandstill);
+  if (rough && *rough > kFarAbove * kSurelyRegular) return true;
+  return smallest_singular_value(A, order) > kSurelyRegular;
+}
+
+bool stays_regular(const MatrixXd& A, double smallest) {
+  const double longest = A.rowwise().norm().maxCoeff();
+  return smallest > kSurelyRegular * longest * std::sqrt(static_cast<double>(A.rows()));
 }
 
 ExtremeSingularValues extreme_singular_values(const MatrixXd& A, const StaircaseOrder& order) {

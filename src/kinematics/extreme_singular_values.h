@@ -28,4 +28,10 @@ ExtremeSingularValues extreme_singular_values(const Eigen::MatrixXd& A,
                                               const StaircaseOrder& order);
 double smallest_singular_value(const Eigen::MatrixXd& A, const StaircaseOrder& order);
 
+/// Whether the smallest singular value is larger than kSurelyRegular. One that is far from it costs a few steps only.
+bool is_surely_regular(const Eigen::MatrixXd& A, const StaircaseOrder& order);
+/// Whether A, of any shape, is so when it is equilibrated, `smallest` being its smallest singular value as it stands. No row is divided
+/// by more than the longest one, and no column of what comes of it by more than the root of its rows.
+bool stays_regular(const Eigen::MatrixXd& A, double smallest);
+
 }  // namespace moivre

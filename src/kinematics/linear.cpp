@@ -61,7 +61,7 @@ bool has_surely_full_rank(const MatrixXd& equilibrated) {
                             : MatrixXd(equilibrated.transpose());
   if (tall.cols() <= kStairsPay || !tall.allFinite()) return false;
   const StaircaseOrder order = staircase_order(pattern_of(tall), tall.cols());
-  return smallest_singular_value(tall, order) > kSurelyRegular;
+  return is_surely_regular(tall, order);
 }
 
 }  // namespace

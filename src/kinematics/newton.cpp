@@ -132,7 +132,8 @@ std::string message_of(const NewtonResult& run) {
 }
 
 /// Rank, singular values and residuals where the run ended.
-void describe_end(const Phi& phi, double t, const std::vector<Index>& free, NewtonResult& run) {
+void describe_end(const Phi& phi, double t, const std::vector<Index>& free,
+                  const NewtonOptions& options, NewtonResult& run) {
   NewtonIteration& last = run.iterations.back();
   run.q = last.q;
   run.residual = last.residual;
@@ -143,12 +144,14 @@ void describe_end(const Phi& phi, double t, const std::vector<Index>& free, Newt
   const auto tall = [&](const MatrixXd& A) {
     return J.rows() >= J.cols() ? A : MatrixXd(A.transpose());
   };
-  const StaircaseOrder order = staircase_order(pattern_of(tall(J)), std::min(J.rows(), J.cols()));
-  const ExtremeSingularValues scaled = extreme_singular_values(tall(equilibrated(J)), order);
-  run.rank = scaled.smallest > kSurelyRegular ? std::min(J.rows(), J.cols()) : numerical_rank(J);
-  last.rank = run.rank;
-  run.is_singular = run.rank < std::min(J.rows(), J.cols());
+  const Index full_rank = std::min(J.rows(), J.cols());
+  const StaircaseOrder order = staircase_order(pattern_of(tall(J)), full_rank);
   run.smallest_singular_value = smallest_singular_value(tall(J), order);
+  run.rank = stays_regular(J, run.smallest_singular_value) ? full_rank : numerical_rank(J);
+  last.rank = run.rank;
+  run.is_singular = run.rank < full_rank;
+  if (!options.with_condition) return;
+  const ExtremeSingularValues scaled = extreme_singular_values(tall(equilibrated(J)), order);
   run.condition = scaled.largest / scaled.smallest;
 }
 
@@ -203,7 +206,7 @@ NewtonResult newton(const Phi& phi, const VectorXd& guess, double t, const Newto
   }
   run.status = status.value_or(NewtonStatus::iteration_limit);
   if (run.status != NewtonStatus::cycling) run.cycle_length = 0;
-  describe_end(phi, t, free, run);
+  describe_end(phi, t, free, options, run);
   run.message = message_of(run);
   return run;
 }

@@ -20,18 +20,20 @@ std::vector<Index> joined_columns(const Pattern& rows, const Pattern& columns, I
                                   std::vector<bool>& is_taken) {
   std::vector<Index> order{start};
   is_taken[at(start)] = true;
+  const auto has_fewer_rows = [&](Index a, Index b) {
+    return columns[at(a)].size() < columns[at(b)].size();
+  };
   for (std::size_t k = 0; k < order.size(); ++k) {
     const auto first_new = static_cast<std::ptrdiff_t>(order.size());
     for (const Index row : columns[at(order[k])]) {
       for (const Index column : rows[at(row)]) {
         if (is_taken[at(column)]) continue;
         is_taken[at(column)] = true;
-        order.push_back(column);
+        order.insert(
+            std::upper_bound(order.begin() + first_new, order.end(), column, has_fewer_rows),
+            column);
       }
     }
-    std::stable_sort(order.begin() + first_new, order.end(), [&](Index a, Index b) {
-      return columns[at(a)].size() < columns[at(b)].size();
-    });
   }
   return order;
 }

@@ -48,7 +48,7 @@ class Neighbourhood {
   Neighbourhood(const RefinerProgram& program, const Point& x, std::uint64_t seed);
 
   /// Does a plane, moved, meet a set through x?
-  bool meets(int slice);
+  SetHere meets(int slice);
 
  private:
   using Number = ComplexDoubleDouble;
@@ -59,7 +59,7 @@ class Neighbourhood {
   VectorXcd rounded(const FinePoint& z) const;
   VectorXcd random_vector(Index size, int number) const;
   FinePoint start_on(const VectorXcd& plane, int number) const;
-  bool leads_to_x(const VectorXcd& plane, FinePoint z);
+  SetHere leads_to_x(const VectorXcd& plane, FinePoint z);
   std::optional<double> settle(const VectorXcd& plane, double step, FinePoint& z);
 
   const RefinerProgram& program_;
@@ -158,24 +158,27 @@ Neighbourhood::FinePoint Neighbourhood::start_on(const VectorXcd& plane, int num
   return FinePoint(z.begin(), z.end());
 }
 
-bool Neighbourhood::meets(int slice) {
+SetHere Neighbourhood::meets(int slice) {
   const VectorXcd plane = random_vector(null_space_.cols(), slice).normalized();
   for (int start = 0; start < kStarts; ++start) {
-    if (leads_to_x(plane, start_on(plane, slice * kStarts + start))) return true;
+    const SetHere set = leads_to_x(plane, start_on(plane, slice * kStarts + start));
+    if (set != SetHere::none) return set;
   }
-  return false;
+  return SetHere::none;
 }
 
-bool Neighbourhood::leads_to_x(const VectorXcd& plane, FinePoint z) {
+SetHere Neighbourhood::leads_to_x(const VectorXcd& plane, FinePoint z) {
   std::optional<double> before = settle(plane, kStep, z);
-  if (!before) return false;
+  if (!before) return SetHere::none;
+  bool is_sharp = *before <= kOnTheSet;
   for (double step = kStep / 2; step > kLastStep; step /= 2) {
     for (Number& zi : z) zi = product(DoubleDouble(0.5), zi);
     const std::optional<double> now = settle(plane, step, z);
-    if (!now || (*now > kOnTheSet && *now * kFall < *before)) return false;
+    if (!now || (*now > kOnTheSet && *now * kFall < *before)) return SetHere::none;
+    is_sharp = is_sharp && *now <= kOnTheSet;
     before = now;
   }
-  return true;
+  return is_sharp ? SetHere::sharp : SetHere::blurred;
 }
 
 // Gauss-Newton from z on the plane N^H z = step. |F| where it ends; nullopt where that is no root nearby.
@@ -207,16 +210,20 @@ std::optional<double> Neighbourhood::settle(const VectorXcd& plane, double step,
 
 }  // namespace
 
-bool lies_on_positive_dimensional_set(const RefinerProgram& program, const Point& x,
-                                      std::uint64_t seed) {
-  if (x.size() < 2) return false;
+SetHere set_through(const RefinerProgram& program, const Point& x, std::uint64_t seed) {
+  if (x.size() < 2) return SetHere::none;
   Neighbourhood neighbourhood(program, x, seed);
   int found = 0;
+  SetHere least = SetHere::sharp;
   for (int slice = 0; slice < kSlices && found < kAgreeing; ++slice) {
-    found += neighbourhood.meets(slice) ? 1 : 0;
-    if (found + (kSlices - 1 - slice) < kAgreeing) return false;
+    const SetHere met = neighbourhood.meets(slice);
+    if (met != SetHere::none) {
+      ++found;
+      least = std::min(least, met);
+    }
+    if (found + (kSlices - 1 - slice) < kAgreeing) return SetHere::none;
   }
-  return found >= kAgreeing;
+  return found >= kAgreeing ? least : SetHere::none;
 }
 
 }  // namespace moivre

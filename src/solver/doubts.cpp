@@ -53,6 +53,21 @@ void resolve_clusters(Run& run) {
   climb(run, others, Taken::regular_ends);
 }
 
+/// Where F all but vanishes along a set, simple roots pass for points of it. Paths to such a set are followed in double-double: a root that
+/// is proved at the end of one is none of the set's.
+void resolve_blurred_sets(Run& run) {
+  if (!run.setting.certify_program) return;
+  PathSet paths;
+  for (const auto& group : groups_of(run)) {
+    const Ends ends = ends_of(run, group);
+    if (ends.singular.empty()) continue;
+    const Root& first = run.ledger.roots().at(ends.singular.front());
+    if (set_of(run, first) != SetHere::blurred) continue;
+    paths.insert(ends.singular.begin(), ends.singular.end());
+  }
+  climb(run, paths, Taken::regular_ends);
+}
+
 PathSet paths_failed_by(const Run& run, Failure reason) {
   PathSet paths;
   for (const auto& [path, failure] : run.ledger.failures()) {
@@ -156,6 +171,7 @@ void settle_doubts(Run& run) {
   const SolveOptions& options = run.setting.options;
   if (settle_by_bound(run)) return;
   resolve_clusters(run);
+  resolve_blurred_sets(run);
   // Where many paths go at once digits cost less than care, and care helps none that they do not.
   const PathSet beyond = climb_together(run, paths_failed_by(run, Failure::precision));
   const bool climbs_later = !run.setting.trackers.fine_own;

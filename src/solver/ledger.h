@@ -13,6 +13,7 @@
 #include <set>
 #include <vector>
 
+#include "dimension.h"
 #include "refine.h"
 
 namespace moivre {
@@ -27,7 +28,7 @@ struct Root {
   bool is_counted = false;     ///< exact algebra has its multiplicity; nothing is known of cycles
   double tolerance = 0;        ///< relative, within which another end is the same root
   std::shared_ptr<const Certificate> certificate;  ///< of a simple root that is proved
-  mutable std::optional<bool> on_set;  ///< lies on a positive-dimensional set, once asked
+  mutable std::optional<SetHere> on_set;  ///< a positive-dimensional set that it lies on, once asked
 };
 
 class Ledger {

@@ -30,13 +30,14 @@ std::string to_string(RootCompleteness completeness) {
   return "";
 }
 
-bool is_on_set(const Run& run, const Root& root) {
+SetHere set_of(const Run& run, const Root& root) {
   if (!root.on_set) {
     const Setting& setting = run.setting;
-    root.on_set = lies_on_positive_dimensional_set(*setting.refiner_program, root.point.x,
-                                                   setting.options.seed);
+    root.on_set = set_through(*setting.refiner_program, root.point.x, setting.options.seed);
   }
   return *root.on_set;
 }
+
+bool is_on_set(const Run& run, const Root& root) { return set_of(run, root) != SetHere::none; }
 
 }  // namespace moivre

@@ -55,6 +55,7 @@ struct Run {
 };
 
 /// Whether the root lies on a positive-dimensional set; asked once a root.
+SetHere set_of(const Run& run, const Root& root);
 bool is_on_set(const Run& run, const Root& root);
 
 }  // namespace moivre

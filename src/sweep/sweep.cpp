@@ -32,6 +32,7 @@ class Sweep {
         stop_(stop) {
     book.serve(closures_.solve);
     closures_.solve.threads = 1;
+    closures_.certify = false;  // counts of many members
     closures_.solve.progress = nullptr;
   }
 

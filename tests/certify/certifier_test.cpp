@@ -41,6 +41,48 @@ TEST(Certifier, ProvesTheSquareRootOfTwo) {
   EXPECT_GT(c.radius[0], 1e-14);
 }
 
+// x^2 = p and p within 1e-3 of 2: one root whatever p is, and all of them lie within the error told.
+TEST(Certifier, ProvesARootForEveryValueOfAGivenNumber) {
+  Certifier certifier(make_certify_program(system_of("1 2\nx^2 - p;\n"), 1));
+  const std::vector<Enclosure> given{{2, {}, 1e-3}};
+  const Certificate c = certifier.certify(Point{1.4142135623}, given);
+  ASSERT_EQ(c.verdict, Verdict::elsewhere);  // it is not known to lie within the accuracy of 1e-6
+  const double farthest = 1.4142135623730951 - std::sqrt(1.999);
+  EXPECT_GE(c.error[0], farthest);
+  EXPECT_LE(c.error[0], 1.5 * farthest);
+}
+
+TEST(Certifier, RefusesAGivenNumberThatMayMakeTwoRootsOne) {
+  Certifier certifier(make_certify_program(system_of("1 2\nx^2 - p;\n"), 1));
+  const std::vector<Enclosure> given{{1e-8, {}, 2e-8}};
+  EXPECT_FALSE(certifier.certify(Point{1e-4}, given).holds_root());
+}
+
+// x^2 = 2, then y^3 = x and z = y^6, which is 2. The ball of z shrinks with that of x.
+TEST(Certifier, ProvesBlocksInTurnFromTheBallsBefore) {
+  Certifier first(make_certify_program(system_of("1\nx^2 - 2;\n")));
+  Certifier second(make_certify_program(system_of("2 3\nz - y^6;\ny^3 - x;\n"), 1));
+  Certificate x = first.certify(Point{1.4142135623730951});
+  std::vector<Enclosure> given{enclosure(x, 0)};
+  Certificate y = second.certify(Point{2, 1.122462048309373}, given);
+  ASSERT_EQ(y.verdict, Verdict::certified);
+  EXPECT_LE(y.error[0], 1e-14);
+  ASSERT_TRUE(first.sharpen(x, 256));
+  given = {enclosure(x, 0)};
+  ASSERT_TRUE(second.sharpen(y, 256, given));
+  EXPECT_LE(y.error[0], 1e-70);
+  const Enclosure z = enclosure(y, 0);
+  double apart = std::abs(z.middle - 2.0);
+  for (const Complex& part : z.finer) apart += std::abs(part);
+  EXPECT_LE(apart, z.error);
+}
+
+TEST(Certifier, RefusesTooFewGivenNumbers) {
+  Certifier certifier(make_certify_program(system_of("1 2\nx^2 - p;\n"), 1));
+  EXPECT_THROW(certifier.certify(Point{1}), std::invalid_argument);
+  EXPECT_THROW(make_certify_program(system_of("1 2\nx^2 - p;\n")), std::invalid_argument);
+}
+
 TEST(Certifier, ProvesForTheExactCoefficients) {
   const Certificate c = certified("1\nx - 0.1;\n", {0.1});
   ASSERT_EQ(c.verdict, Verdict::certified);

@@ -43,6 +43,9 @@ TEST_P(SpatialCounts, AreMetForEverySeed) {
     EXPECT_EQ(result.counts.real, published.real) << "seed " << seed;
     EXPECT_LE(result.paths.tracked, published.most_paths) << "seed " << seed;
     EXPECT_FALSE(result.moves);
+    for (const Solution& root : result.solutions) {
+      EXPECT_TRUE(!result.completeness || root.certified == true) << root.path;
+    }
     for (const Closure& closure : result.closures) {
       EXPECT_LE(scaled_residual(phi, closure.q, 0), 1e-12) << closure.id;
       EXPECT_LE(closure.newton_iterations, 2) << closure.id;

@@ -11,7 +11,7 @@
 #include "moivre/formulation/formulation.h"
 #include "moivre/mechanism/pose.h"
 #include "moivre/numeric/random.h"
-#include "polynomial_value.h"
+#include "moivre/polynomial/value.h"
 #include "rigid_groups.h"
 
 namespace moivre {

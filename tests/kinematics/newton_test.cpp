@@ -34,7 +34,9 @@ TEST(Newton, HasTheSingularValuesOfAnSvdWhereThereAreManyCoordinates) {
   for (const char* name : {"jansen-leg", "assur-7-serial", "stephenson-3", "rssr"}) {
     const Mechanism mechanism = example(name);
     const Phi phi(mechanism);
-    const NewtonResult run = newton(phi, initial_guess(mechanism));
+    NewtonOptions options;
+    options.with_condition = true;
+    const NewtonResult run = newton(phi, initial_guess(mechanism), 0, options);
     const auto values = [](const Eigen::MatrixXd& J) {
       return VectorXd(Eigen::JacobiSVD<Eigen::MatrixXd>(J).singularValues());
     };

@@ -231,7 +231,7 @@ TEST_F(CertifiedEnds, ThatAreOneMultipleRootByMistakeArePutRight) {
   root.point.accuracy = 1e-9;
   root.winding = 2;
   root.tolerance = 1e-7;
-  root.on_set = false;
+  root.on_set = SetHere::none;
   run.ledger.enter_root(0, Root(root));
   run.ledger.enter_root(1, Root(root));
   part_clusters(run);
@@ -246,7 +246,7 @@ TEST_F(CertifiedEnds, ThatAreMoreThanTheRootsHaveFailed) {
   root.point.accuracy = 1e-9;
   root.winding = 3;
   root.tolerance = 1e-7;
-  root.on_set = false;
+  root.on_set = SetHere::none;
   for (const std::uint64_t path : {0U, 1U, 2U}) run.ledger.enter_root(path, Root(root));
   part_clusters(run);
   EXPECT_TRUE(run.ledger.roots().empty());

@@ -27,7 +27,7 @@ void expect_on_set(const System& f, const Point& x, bool expected) {
       for (std::size_t i = 0; i < x.size(); ++i) {
         end[i] += error * random_phase(seed, RandomStream::test, i);
       }
-      EXPECT_EQ(lies_on_positive_dimensional_set(program, end, seed), expected)
+      EXPECT_EQ(set_through(program, end, seed) != SetHere::none, expected)
           << "seed " << seed << ", error " << error;
     }
   }
@@ -136,8 +136,8 @@ TEST(DimensionTest, MeasuresInTheUnitsOfTheUnknowns) {
       read("2\n (1e6*x - 1)*(y - 1e6);\n (1e6*x - 1)*(y - 1e6)*(1e6*x + 1e-6*y);\n"), {1e-6, 1e6});
   const RefinerProgram isolated(read("2\n (1e6*x - 1)^2;\n (1e-6*y - 1)^2;\n"), {1e-6, 1e6});
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
-    EXPECT_TRUE(lies_on_positive_dimensional_set(crossing, {1e-6, 1e6}, seed)) << seed;
-    EXPECT_FALSE(lies_on_positive_dimensional_set(isolated, {1e-6, 1e6}, seed)) << seed;
+    EXPECT_NE(set_through(crossing, {1e-6, 1e6}, seed), SetHere::none) << seed;
+    EXPECT_EQ(set_through(isolated, {1e-6, 1e6}, seed), SetHere::none) << seed;
   }
 }
 

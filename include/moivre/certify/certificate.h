@@ -7,8 +7,12 @@
 // m: the midpoint, an exact sum of doubles, midpoint + finer[0] + finer[1] + ...; `finer` is empty where double was enough.
 // radius, error: n numbers in the units of the file. What is proved holds for the exact coefficients, as they were read.
 // A certificate says nothing of other roots outside B. A multiple root has none: there J is singular.
+// Where F has numbers that are known only to lie in discs (Enclosure), it is proved for all of them at once: whatever they are
+// there, F has exactly one root in B.
 #pragma once
 
+#include <cstddef>
+#include <span>
 #include <vector>
 
 #include "moivre/numeric/complex.h"
@@ -27,6 +31,13 @@ enum class Reality {
   not_real  ///< some coordinate of the root has an imaginary part that is not 0
 };
 
+/// A number that is known to lie in a disc: |z - (middle + finer[0] + ...)| <= error.
+struct Enclosure {
+  Complex middle;
+  std::vector<Complex> finer;  ///< what the middle has beyond double, largest first
+  double error = 0;
+};
+
 struct Certificate {
   Verdict verdict = Verdict::undecided;
   Reality reality = Reality::unknown;
@@ -39,5 +50,19 @@ struct Certificate {
   /// One root is proved to lie in B, near the given point or not.
   bool holds_root() const { return verdict != Verdict::undecided; }
 };
+
+/// Where coordinate j of the root lies. Requires holds_root().
+Enclosure enclosure(const Certificate& certificate, std::size_t j);
+bool holds_zero(const Enclosure& z);
+
+/// A coordinate of a proved root, and the radius in which there is no other one.
+struct ProvedCoordinate {
+  Enclosure place;
+  double radius = 0;
+};
+
+/// Of a root of equations that have with x the root conj(x_mirror(v)), v = 0, 1, ...: real where it is that root, not_real where it is
+/// another. mirror: a permutation of the coordinates that undoes itself.
+Reality reality_of(std::span<const ProvedCoordinate> root, std::span<const std::size_t> mirror);
 
 }  // namespace moivre

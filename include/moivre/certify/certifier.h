@@ -10,7 +10,8 @@
 // Not real: some |Im m_j| > kappa_j. Neither: more digits.
 // First in double: m a point of doubles after Newton's method, F(m) in double-double, J(B) in discs, every rounding bounded
 // beforehand (src/certify/ball.h). What double does not decide goes to Arb's balls, of 128 bits, then 256, ... `most_bits`.
-// F: n polynomials in n unknowns. Not supported: systems that are not square; radii that no double holds.
+// F: n polynomials in n unknowns, and in numbers that are given by discs: solved in turn, the blocks of a triangular system are proved in
+// turn, and the product of their balls holds exactly one root of the whole. Not supported: systems that are not square; radii that no double holds.
 // The processor's rounding mode must be "to nearest", and denormal numbers must not be flushed to zero.
 // Sources: [Krawczyk69], [Rump10], [BRT23], [Johansson17].
 #pragma once
@@ -42,8 +43,9 @@ struct CertifyOptions {
 /// F compiled for certificates: immutable, shared by all threads.
 class CertifyProgram;
 
-/// Throws std::invalid_argument when F is not square, has no unknowns or more than 2^32 - 1 registers.
-std::shared_ptr<const CertifyProgram> make_certify_program(const System& f);
+/// given: so many of the variables, the last ones, are given numbers and no unknowns. Throws std::invalid_argument when F has not as many
+/// polynomials as unknowns, has no unknowns or more than 2^32 - 1 registers.
+std::shared_ptr<const CertifyProgram> make_certify_program(const System& f, std::size_t given = 0);
 
 /// The memory for certificates of one program; one per thread, made and ended by that thread.
 class Certifier {
@@ -57,14 +59,15 @@ class Certifier {
   std::size_t dimension() const noexcept;
   int most_bits() const noexcept;
 
-  /// What can be proved of the root near x, n coordinates (else std::invalid_argument). Nothing is allocated where double
-  /// is enough and `result` was filled before.
-  void certify(std::span<const Complex> x, Certificate& result);
-  Certificate certify(std::span<const Complex> x);
+  /// What can be proved of the root near x, n coordinates, wherever the given numbers lie in their discs (as many of each as the program
+  /// has, else std::invalid_argument). Nothing is allocated where double is enough and `result` was filled before.
+  void certify(std::span<const Complex> x, Certificate& result,
+               std::span<const Enclosure> given = {});
+  Certificate certify(std::span<const Complex> x, std::span<const Enclosure> given = {});
 
   /// Proves the same root again with `bits` of precision, which makes its ball smaller. False if that failed; the
-  /// certificate then does not change. Requires holds_root().
-  bool sharpen(Certificate& certificate, int bits);
+  /// certificate then does not change. Requires holds_root(), and the given numbers in the discs they were in or in smaller ones.
+  bool sharpen(Certificate& certificate, int bits, std::span<const Enclosure> given = {});
 
  private:
   class Work;

@@ -5,6 +5,8 @@
 // the blocks before -> roots that satisfy every equation -> the real ones -> q -> Newton-Raphson on Phi(q, t).
 // The counts of paths add up in every stage, as in solver/solve.h. Roots that fail a redundant equation are `rejected`.
 // "Cannot be assembled" (no real closure) and "moves" (a curve of closures with the drivers held) are possible answers.
+// A regular root is proved by certificates (src/closures/root_proofs.h): that it is one root, and that it is real. So is whether a root is no
+// pose. Where there are more equations than unknowns the spare ones hold to some digits only, and there is no proof.
 // An isolated multiple closure (a dead point) is singular and does not move.
 // Sub-chains that share no more than what the drivers place (sub_chains.h) are solved each on its own: closures of the whole are
 // one of each, and are listed up to kMostListed of them.
@@ -28,6 +30,8 @@ namespace moivre {
 struct ClosureOptions {
   double time = 0;  ///< of the drivers, seconds
   SolveOptions solve;
+  /// Roots by proof, where solve.certify says so too and the module certify was built.
+  bool certify = true;
 };
 
 /// One group of bodies, solved once for every solution of the groups before it.
@@ -52,6 +56,9 @@ struct Closure {
   std::uint64_t path = 0;              ///< of the last stage
   std::uint64_t multiplicity = 1;
   bool singular = false;
+  /// The root is proved to be one, a simple one, and real. nullopt: not asked for, or not possible since there are more equations than
+  /// unknowns, or fewer.
+  std::optional<bool> certified;
   std::vector<std::string> of;  ///< of independent sub-chains: the id of each one's closure
 };
 
@@ -103,6 +110,9 @@ struct ClosureResult {
   std::vector<Stage> stages;
   std::vector<Solution> solutions;  ///< complex closures in `system`'s variables; real: a pose
   ClosureCounts counts;
+  /// proved: every root is, and each block has as many as a proved bound allows. shown: every path was decided, and every regular
+  /// root is certified. nullopt: as for Closure::certified.
+  std::optional<RootCompleteness> completeness;
   std::optional<Moves> moves;
   std::vector<Closure> closures;  ///< real, within limits, by id
   std::vector<SubChain>

@@ -21,6 +21,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -56,15 +57,30 @@ struct Formulation {
     std::string reason;
   };
   std::vector<Exclusion> exclusions;
+
+  /// A theorem: no member of this class has more isolated poses, complex ones included.
+  struct Theorem {
+    std::string of;  ///< "a body on six rods"
+    std::uint64_t most = 0;
+  };
+  std::optional<Theorem> theorem;
   std::vector<std::pair<std::string, std::string>> left_out;  ///< what was left out, and why
   std::vector<std::size_t>
       spins;  ///< bodies that may turn about the line of their two points, all else standing
 };
 
-/// Whether the values that are known (null where not) make an exclusion vanish; its reason. `is_multiple`: they are a multiple root.
-std::optional<std::string> excluded(const Formulation& formulation,
-                                    const std::vector<std::optional<Complex>>& values,
-                                    bool is_multiple);
+/// An exclusion that all but vanishes.
+struct NearExclusion {
+  const Formulation::Exclusion* exclusion = nullptr;
+  double share = 0;  ///< what is left of its terms, 0 to kNearExclusion
+};
+
+/// A simple root is known far better than this, a multiple one just so: an exclusion that is larger beside its terms does not vanish.
+inline constexpr double kNearExclusion = 1e-6;
+
+/// Those in values that are known (null where not), in the formulation's order.
+std::vector<NearExclusion> near_exclusions(const Formulation& formulation,
+                                           const std::vector<std::optional<Complex>>& values);
 
 /// The polynomials at time t.
 Formulation formulate(const Mechanism& mechanism, double t);

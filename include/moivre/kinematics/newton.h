@@ -33,6 +33,7 @@ struct NewtonOptions {
   int maximum_iterations = 50;
   std::vector<Eigen::Index> held;  ///< coordinates that keep their guessed values
   LinearOptions linear;            ///< weights: one per coordinate that is not held
+  bool with_condition = false;     ///< NewtonResult::condition, which costs as much as the run
 };
 
 /// One row of the iteration table: the iterate and the step that leaves it.
@@ -55,8 +56,9 @@ struct NewtonResult {
   Eigen::Index rank = 0;     ///< of Phi_q at q
   bool is_singular = false;  ///< rank < min(m, n) at q, or at an iterate where the run ended
   double smallest_singular_value =
-      0;                 ///< of Phi_q at q (of its min(m, n)), as it stands, not equilibrated
-  double condition = 0;  ///< largest over smallest singular value of the equilibrated Phi_q
+      0;  ///< of Phi_q at q (of its min(m, n)), as it stands, not equilibrated
+  double condition =
+      0;  ///< largest over smallest singular value of the equilibrated Phi_q, where it was asked for
   int cycle_length = 0;  ///< of a cycle that was found, else 0
 
   int steps() const { return static_cast<int>(iterations.size()) - 1; }

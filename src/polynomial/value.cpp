@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A polynomial evaluated term by term.
-#include "polynomial_value.h"
+#include "moivre/polynomial/value.h"
 
 namespace moivre {
 namespace {

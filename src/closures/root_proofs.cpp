@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: MIT
+// Krawczyk's test for one group of blocks after another, the values of the groups before in their balls.
+#include "root_proofs.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "moivre/certify/certifier.h"
+#include "moivre/certify/distinct.h"
+#include "moivre/polynomial/value.h"
+
+namespace moivre {
+
+struct RootProof {
+  KnownProof before;
+  std::size_t group = 0;
+  Certificate certificate;
+};
+
+namespace {
+
+// A root is no farther than this from the point that its path leads to.
+constexpr double kFarthest = 1e-6;
+// Lengths that are off by 1e-9 may leave an expression of the fourth degree at 1e-36 beside its terms, and a root that is known 1e20 times
+// less sharply than the arithmetic.
+constexpr int kFineBits = 256;
+
+CertifyOptions certify_options() {
+  CertifyOptions options;
+  options.accuracy = kFarthest;
+  options.most_bits = kFineBits;
+  options.decide_reality = false;  // the mirror image says it
+  return options;
+}
+
+/// The certificates by group.
+std::vector<const Certificate*> chain_of(const KnownProof& last) {
+  std::vector<const Certificate*> chain;
+  if (last) chain.resize(last->group + 1);
+  for (const RootProof* proof = last.get(); proof != nullptr; proof = proof->before.get()) {
+    chain[proof->group] = &proof->certificate;
+  }
+  return chain;
+}
+
+Polynomial renamed(const Polynomial& p, const std::vector<std::uint32_t>& place) {
+  TermMap terms;
+  for (const Term& term : p.terms) {
+    Monomial monomial;
+    for (const Power& power : term.monomial) {
+      monomial.push_back({place[power.variable], power.exponent});
+    }
+    std::sort(monomial.begin(), monomial.end());
+    terms.emplace(std::move(monomial), term.coefficient);
+  }
+  return to_polynomial(std::move(terms));
+}
+
+}  // namespace
+
+struct RootProver::Work {
+  /// Where a variable is proved: in which group, and which of its coordinates it is.
+  struct Place {
+    std::size_t group = 0;
+    std::size_t coordinate = 0;
+  };
+
+  /// Some polynomials, and the numbers in them that are proved in groups before.
+  struct Program {
+    std::vector<std::size_t> given;  ///< variables of the formulation
+    Certifier certifier;
+  };
+
+  struct Group {
+    std::vector<std::size_t> equations;
+    std::vector<std::size_t> unknowns;                            ///< variables of the formulation
+    std::optional<Program> program;                               ///< where it was needed
+    std::map<const Formulation::Exclusion*, Program> with_value;  ///< likewise, by the exclusion
+  };
+
+  explicit Work(const Formulation& the_formulation)
+      : formulation(the_formulation), place(the_formulation.system.variables.size()) {}
+
+  void close();
+  Program program(const Group& group, const Polynomial* value) const;
+  std::vector<Enclosure> given(const Program& program, const KnownProof& before) const;
+  KnownProof finer(const KnownProof& proof);
+  Point midpoints(const KnownProof& proof) const;
+  Reality reality(const KnownProof& proof) const;
+
+  const Formulation& formulation;
+  Block waiting;
+  std::vector<Group> groups;
+  std::vector<std::optional<Place>> place;  ///< of each variable of the formulation
+};
+
+void RootProver::Work::close() {
+  for (std::size_t k = 0; k < waiting.variables.size(); ++k) {
+    place[waiting.variables[k]] = Place{groups.size(), k};
+  }
+  groups.push_back({std::move(waiting.equations), std::move(waiting.variables), {}, {}});
+  waiting = Block();
+}
+
+/// value: one more unknown, equal to this, or nullptr.
+RootProver::Work::Program RootProver::Work::program(const Group& group,
+                                                    const Polynomial* value) const {
+  std::vector<const Polynomial*> polynomials;
+  for (const std::size_t e : group.equations) {
+    polynomials.push_back(&formulation.system.polynomials[e]);
+  }
+  if (value != nullptr) polynomials.push_back(value);
+  std::set<std::size_t> given;
+  for (const Polynomial* p : polynomials) {
+    for (const Term& term : p->terms) {
+      for (const Power& power : term.monomial) given.insert(power.variable);
+    }
+  }
+  for (const std::size_t v : group.unknowns) given.erase(v);
+
+  System f;
+  std::vector<std::uint32_t> at(formulation.system.variables.size());
+  const auto add = [&](std::size_t v) {
+    at[v] = static_cast<std::uint32_t>(f.variables.size());
+    f.variables.push_back(formulation.system.variables[v]);
+  };
+  for (const std::size_t v : group.unknowns) add(v);
+  const auto z = static_cast<std::uint32_t>(f.variables.size());
+  if (value != nullptr) f.variables.emplace_back("value");
+  for (const std::size_t v : given) add(v);
+  for (const Polynomial* p : polynomials) f.polynomials.push_back(renamed(*p, at));
+  if (value != nullptr) {
+    f.polynomials.back() = f.polynomials.back() + Coefficient{-1, 0} * unknown(z);
+  }
+  return {{given.begin(), given.end()},
+          Certifier(make_certify_program(f, given.size()), certify_options())};
+}
+
+std::vector<Enclosure> RootProver::Work::given(const Program& program,
+                                               const KnownProof& before) const {
+  const std::vector<const Certificate*> chain = chain_of(before);
+  std::vector<Enclosure> numbers;
+  for (const std::size_t v : program.given) {
+    numbers.push_back(enclosure(*chain[place[v]->group], place[v]->coordinate));
+  }
+  return numbers;
+}
+
+/// The same root in balls of kFineBits; nullptr where that failed.
+KnownProof RootProver::Work::finer(const KnownProof& proof) {
+  KnownProof before;
+  if (proof->before && !(before = finer(proof->before))) return nullptr;
+  RootProof result{before, proof->group, proof->certificate};
+  auto& program = *groups[proof->group].program;
+  if (!program.certifier.sharpen(result.certificate, kFineBits, given(program, before))) {
+    return nullptr;
+  }
+  return std::make_shared<const RootProof>(std::move(result));
+}
+
+/// 0 where nothing is proved yet.
+Point RootProver::Work::midpoints(const KnownProof& proof) const {
+  const std::vector<const Certificate*> chain = chain_of(proof);
+  Point x(place.size());
+  for (std::size_t v = 0; v < x.size(); ++v) {
+    if (place[v] && place[v]->group < chain.size()) {
+      x[v] = chain[place[v]->group]->midpoint[place[v]->coordinate];
+    }
+  }
+  return x;
+}
+
+Reality RootProver::Work::reality(const KnownProof& proof) const {
+  const std::vector<const Certificate*> chain = chain_of(proof);
+  std::vector<ProvedCoordinate> root;
+  for (const auto& at : place) {
+    const Certificate& certificate = *chain[at->group];
+    root.push_back({enclosure(certificate, at->coordinate), certificate.radius[at->coordinate]});
+  }
+  return reality_of(root, formulation.mirror);
+}
+
+RootProver::RootProver(const Formulation& formulation, bool is_wanted) {
+  if (is_wanted) work_ = std::make_unique<Work>(formulation);
+}
+RootProver::~RootProver() = default;
+
+bool RootProver::is_built() { return true; }
+
+void RootProver::add_lone(const Block& block) {
+  if (!work_) return;
+  Block& waiting = work_->waiting;
+  waiting.equations.insert(waiting.equations.end(), block.equations.begin(), block.equations.end());
+  waiting.variables.insert(waiting.variables.end(), block.variables.begin(), block.variables.end());
+}
+
+void RootProver::close_group(const Block& block) {
+  add_lone(block);
+  close();
+}
+
+bool RootProver::close() {
+  if (!work_ || work_->waiting.variables.empty()) return false;
+  work_->close();
+  return true;
+}
+
+KnownProof RootProver::prove(const KnownProof& before, const Point& values) {
+  if (!work_ || work_->groups.empty()) return nullptr;
+  const std::size_t last = work_->groups.size() - 1;
+  if (last > 0 && !before) return nullptr;
+  auto& group = work_->groups[last];
+  if (!group.program) group.program.emplace(work_->program(group, nullptr));
+  Point x;
+  for (const std::size_t v : group.unknowns) x.push_back(values[v]);
+  RootProof proof{before, last, {}};
+  Certifier& certifier = group.program->certifier;
+  certifier.certify(x, proof.certificate, work_->given(*group.program, before));
+  if (proof.certificate.verdict != Verdict::certified) return nullptr;
+  return std::make_shared<const RootProof>(std::move(proof));
+}
+
+bool RootProver::are_distinct(const std::vector<KnownProof>& proofs) {
+  std::vector<Certificate> certificates;
+  for (const KnownProof& proof : proofs) {
+    if (!proof) return false;
+    certificates.push_back(proof->certificate);
+  }
+  return compare(certificates).distinct_roots == proofs.size();
+}
+
+std::optional<bool> RootProver::vanishes(const KnownProof& proof,
+                                         const Formulation::Exclusion& exclusion) {
+  if (!proof) return std::nullopt;
+  auto& group = work_->groups[proof->group];
+  const KnownProof fine = work_->finer(proof);
+  if (!fine) return std::nullopt;
+  const Polynomial& e = exclusion.of;
+  auto place = group.with_value.find(&exclusion);
+  if (place == group.with_value.end()) {
+    place = group.with_value.emplace(&exclusion, work_->program(group, &e)).first;
+  }
+  auto& program = place->second;
+  const std::vector<Enclosure> given = work_->given(program, fine->before);
+  Point x = fine->certificate.midpoint;
+  x.push_back(value_at(e, work_->midpoints(fine)));
+  Certificate with_value = program.certifier.certify(x, given);
+  if (!with_value.holds_root() || !program.certifier.sharpen(with_value, kFineBits, given)) {
+    return std::nullopt;
+  }
+  return holds_zero(enclosure(with_value, group.unknowns.size()));
+}
+
+ProvedRoot RootProver::root(const KnownProof& proof) {
+  ProvedRoot root;
+  root.x = work_->midpoints(proof);
+  for (const Certificate* certificate : chain_of(proof)) {
+    for (std::size_t j = 0; j < certificate->midpoint.size(); ++j) {
+      double error = certificate->error[j];
+      for (const Point& part : certificate->finer) error += std::abs(part[j]);
+      root.accuracy = std::max(root.accuracy, error);
+    }
+  }
+  root.accuracy /= std::max(1.0, max_norm(root.x));
+  Reality reality = work_->reality(proof);
+  if (reality == Reality::unknown) {
+    if (const KnownProof fine = work_->finer(proof)) reality = work_->reality(fine);
+  }
+  if (reality != Reality::unknown) root.real = reality == Reality::real;
+  return root;
+}
+
+}  // namespace moivre

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// Which roots of the closure polynomials are proved, and what is proved of them? Certificates, group of blocks after group.
+//
+// Blocks solved in turn are a triangular system. Where the values of the blocks before lie in balls, the next ones are proved for all numbers
+// in these (certify/certifier.h): the product of all balls holds exactly one root of all equations so far. A group is a block that was
+// solved by homotopy, with the lone linear equations that were solved since the one before.
+//   vanishes   E(x) at a root x: z = E(x) is one more unknown, and its ball holds 0 in kFineBits as well. It is no proof, but what is
+//              tiny because lengths are off by 1e-9 is seen not to be 0
+//   real       the mirror image of a root is a root; it lies in the ball that holds one root only
+// Edges: a multiple root has no proof, and no root above it has one. Nothing is proved where the module certify was not built.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "moivre/formulation/block_structure.h"
+#include "moivre/formulation/formulation.h"
+
+namespace moivre {
+
+/// What is proved of one group's unknowns, and of those before.
+struct RootProof;
+/// nullptr: nothing is.
+using KnownProof = std::shared_ptr<const RootProof>;
+
+/// A root x* of all equations, known to be the only one within `accuracy` of x.
+struct ProvedRoot {
+  Point x;
+  double accuracy = 0;       ///< |x - x*|_inf / max(1, |x|_inf) is no more
+  std::optional<bool> real;  ///< it is its mirror image; nullopt: unknown
+};
+
+class RootProver {
+ public:
+  /// Proves nothing unless `is_wanted`. The formulation has to outlive it.
+  RootProver(const Formulation& formulation, bool is_wanted);
+  ~RootProver();
+
+  /// Whether the module certify is.
+  static bool is_built();
+  bool is_on() const { return work_ != nullptr; }
+
+  /// The block waits for the next group.
+  void add_lone(const Block& block);
+  /// The block, and those that wait, are a group from now on, the last one.
+  void close_group(const Block& block);
+  /// What waits is the last group from now on; false where nothing waits.
+  bool close();
+
+  /// Of the last group. before: of the group before it, of the same root. values: of all unknowns so far, the others are not looked at.
+  KnownProof prove(const KnownProof& before, const Point& values);
+  /// These, of one group and of the same root before, are different roots, all of them.
+  static bool are_distinct(const std::vector<KnownProof>& proofs);
+  /// Whether one of the formulation's exclusions, in unknowns that are proved, is 0 at the root; nullopt: unknown.
+  std::optional<bool> vanishes(const KnownProof& proof, const Formulation::Exclusion& exclusion);
+  /// Of a proof of all unknowns.
+  ProvedRoot root(const KnownProof& proof);
+
+ private:
+  struct Work;
+  std::unique_ptr<Work> work_;
+};
+
+}  // namespace moivre
