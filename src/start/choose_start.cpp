@@ -24,6 +24,8 @@ constexpr double kProductsOfATerm = 20;
 constexpr double kSearchStepCost = 10;
 // So many multiply-adds, a few milliseconds, a search may take before anything else is counted.
 constexpr double kQuickSearchCost = 5e6;
+// Partitions of so few unknowns are all tried in less.
+constexpr std::size_t kFewUnknowns = 7;
 // A search asked for by name, or by moivre info, may take so many steps: a minute or so.
 constexpr std::uint64_t kLongSearch = 100'000'000;
 
@@ -120,6 +122,7 @@ class Chooser {
   }
 
   std::uint64_t quick_search_steps() const {
+    if (f_.variables.size() <= kFewUnknowns) return 0;
     return static_cast<std::uint64_t>(kQuickSearchCost / search_step_cost(f_));
   }
 
