@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 namespace moivre {
 namespace {
@@ -61,6 +63,16 @@ class PowerMeans {
   std::vector<Mean> means_;
 };
 
+/// Coefficient of order j of a function with these samples on one turn, times their number.
+Complex laurent(const std::vector<Complex>& p, int j) {
+  const double step = 2 * std::numbers::pi / static_cast<double>(p.size());
+  Complex sum;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    sum += product(p[i], std::polar(1.0, -j * step * static_cast<double>(i)));
+  }
+  return sum;
+}
+
 }  // namespace
 
 double limit_bound(const std::vector<Complex>& z, int m) {
@@ -74,6 +86,29 @@ bool vanish_together(const std::vector<Complex>& z, int m, const EndParameters& 
     if (!means.is_lost(k, ends)) return false;
   }
   return means.limit_bound(m) < means.size(1);
+}
+
+bool vanish_as_errors_do(const std::vector<Complex>& z, int m, double known,
+                         const EndParameters& ends) {
+  double unit = 0;
+  for (const Complex& sample : z) unit = std::max(unit, modulus(sample));
+  if (unit == 0) return true;
+  const auto samples = static_cast<std::size_t>(ends.samples);
+  std::vector<Complex> powers(z.size(), Complex(1));
+  for (int k = 1; k <= m; ++k) {
+    std::vector<Complex> p(samples);
+    double size = 0;
+    for (std::size_t i = 0; i < z.size(); ++i) {
+      powers[i] = product(powers[i], z[i] / unit);
+      p[i % samples] += powers[i];
+      size += modulus(powers[i]);
+    }
+    // Coefficients that differ by `samples` in their order are one: of order -1 and -2 are also those that the sum is wrong by, or nearly.
+    const double errors = modulus(laurent(p, -1)) + modulus(laurent(p, -2));
+    const double rounding = k * std::max(known, std::numeric_limits<double>::epsilon()) * size;
+    if (modulus(laurent(p, 0)) > std::max(ends.shrink * errors, rounding)) return false;
+  }
+  return true;
 }
 
 bool end_beyond(double bound, const std::vector<Complex>& z, int m) {

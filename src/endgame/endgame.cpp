@@ -256,6 +256,22 @@ FaceRoot Endgame::place_at_infinity(PathSystem& path) const {
                    valuations(samples_, chart_.homogenizing(), turns_), options_.ends);
 }
 
+// A large finite root with the same face is told by samples that hold all their digits: residuals in double-double.
+bool Endgame::stays_at_infinity(PathSystem& path) {
+  const Contour circle = Contour::spiral(radius_, Complex(0, 2 * std::numbers::pi));
+  CorrectorOptions newton;
+  newton.tolerance = options_.ends.rounding;
+  newton.fine = true;
+  const auto count = static_cast<std::size_t>(options_.ends.samples);
+  for (std::size_t k = 0; k < samples_.size(); ++k) {
+    const double at = static_cast<double>(k % count + 1) / static_cast<double>(count);
+    if (!path.correct(samples_[k], circle.at(at), newton, true).converged) return false;
+    samples_[k] = normalized(samples_[k]);
+  }
+  return vanish_as_errors_do(samples_of_x0(), turns_, path.homotopy().largest_error(),
+                             options_.ends);
+}
+
 // In one combination of the coordinates, which tells points apart but for bad luck.
 bool Endgame::sheets_meet(const Point& x) const {
   Point phases(x.size());
@@ -281,7 +297,11 @@ std::optional<Departure> Endgame::estimate_end(PathSystem& path) {
   const std::vector<Complex> x0 = samples_of_x0();
   const bool is_beyond = ends_beyond(x0);
   if (is_beyond || vanish_together(x0, turns_, options_.ends)) {
-    if (const FaceRoot place = place_at_infinity(path); place != FaceRoot::none) {
+    const FaceRoot place = place_at_infinity(path);
+    if (place == FaceRoot::exact && !stays_at_infinity(path)) {
+      return is_beyond ? fail(Failure::precision) : shrink(path);
+    }
+    if (place != FaceRoot::none) {
       end_.status = PathStatus::at_infinity;
       end_.is_as_rounded = place == FaceRoot::as_rounded;
       return std::nullopt;

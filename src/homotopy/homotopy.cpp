@@ -114,6 +114,10 @@ Homotopy::Homotopy(const System& f, const System& g) {
   set_support(support);
 }
 
+double Homotopy::largest_error() const {
+  return errors_.empty() ? 0 : *std::max_element(errors_.begin(), errors_.end());
+}
+
 void Homotopy::set_coefficient_error(double relative) {
   errors_.clear();
   if (relative == 0) return;

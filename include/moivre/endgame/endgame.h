@@ -114,6 +114,7 @@ class Endgame : public Watcher {
   std::vector<Complex> samples_of_x0() const;
   bool ends_beyond(const std::vector<Complex>& x0) const;
   FaceRoot place_at_infinity(PathSystem& path) const;
+  bool stays_at_infinity(PathSystem& path);
   bool sheets_meet(const Point& x) const;
   bool is_regular_arrival(const Arrival& arrival, PathSystem& path, double condition);
   std::nullopt_t decide_infinity();

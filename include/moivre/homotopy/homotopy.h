@@ -71,6 +71,8 @@ class Homotopy {
   const Coefficient& g(std::size_t k) const { return g_[k]; }
   /// Relative error of f_k; 0 where it is exact.
   double error(std::size_t k) const { return errors_.empty() ? 0 : errors_[k]; }
+  /// The largest of them.
+  double largest_error() const;
   /// F was computed from a file that is known to `relative` (polynomial/digits.h).
   void set_coefficient_error(double relative);
   /// log2 of the size of g_k, or of f_k where the start has no such term; of a framed homotopy only.
