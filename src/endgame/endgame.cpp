@@ -194,13 +194,12 @@ std::optional<Departure> Endgame::look_again(PathSystem& path) {
 }
 
 // Affine patch a x = 1 through the circle's outpost: samples of one homogeneous path become points of one chart.
-Point Endgame::normalized(const Point& x) const {
+Point Endgame::normalized(Point x) const {
   Complex scale = 0;
   for (std::size_t i = 0; i < x.size(); ++i) scale += product(patch_[i], x[i]);
   const Complex inverse = reciprocal(scale);
-  Point result = x;
-  for (Complex& xi : result) xi = product(inverse, xi);
-  return result;
+  for (Complex& xi : x) xi = product(inverse, xi);
+  return x;
 }
 
 std::optional<Departure> Endgame::begin_circle() {
@@ -217,7 +216,7 @@ std::optional<Departure> Endgame::begin_circle() {
 std::optional<Departure> Endgame::next_turn(Arrival&& arrival, PathSystem& path) {
   if (arrival.journey != Journey::arrived) return shrink(path);
   ++turns_;
-  for (const Point& sample : arrival.samples) samples_.push_back(normalized(sample));
+  for (Point& sample : arrival.samples) samples_.push_back(normalized(std::move(sample)));
   if (difference(samples_.back(), turn_begin_) < options_.ends.agreement) return estimate_end(path);
   if (turns_ >= options_.ends.maximum_winding ||
       end_.count.accepted > options_.ends.maximum_steps) {

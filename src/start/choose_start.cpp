@@ -22,10 +22,19 @@ constexpr double kStepsOfAPath = 80;
 constexpr double kProductsOfATerm = 20;
 // Multiply-adds of one step of the search for cells, a term and an unknown.
 constexpr double kSearchStepCost = 10;
+// So many multiply-adds, a few milliseconds, a search may take before anything else is counted.
+constexpr double kQuickSearchCost = 5e6;
+// Partitions of so few unknowns are all tried in less.
+constexpr std::size_t kFewUnknowns = 7;
 // A search asked for by name, or by moivre info, may take so many steps: a minute or so.
 constexpr std::uint64_t kLongSearch = 100'000'000;
 
 const char* const kNotAsked = "not needed for the start that was asked for";
+
+double search_step_cost(const System& f) {
+  return kSearchStepCost * static_cast<double>(f.variables.size()) *
+         static_cast<double>(term_count(f));
+}
 
 double path_cost(const System& f) {
   const auto n = static_cast<double>(f.variables.size() + 1);
@@ -76,9 +85,14 @@ class Chooser {
     return true;
   }
 
-  void count_multihomogeneous() {
-    search_ = find_partition(f_);
+  void count_multihomogeneous(std::uint64_t most_work = kMostSearchWork) {
+    search_ = find_partition(f_, most_work);
     chosen_.counts.multihomogeneous = {search_.paths, search_.paths ? "" : "beyond 64 bits"};
+    // A number that more work may make much less would tell a reader little.
+    if (search_.is_cut && search_.paths != chosen_.counts.mixed_volume.paths) {
+      chosen_.counts.multihomogeneous = {std::nullopt,
+                                         "the search cost more than such a start could save"};
+    }
   }
 
   void count_cells(std::uint64_t most_steps) {
@@ -107,14 +121,32 @@ class Chooser {
     return roots + kInfinityCost * (static_cast<double>(paths) - roots);
   }
 
+  std::uint64_t quick_search_steps() const {
+    if (f_.variables.size() <= kFewUnknowns) return 0;
+    return static_cast<std::uint64_t>(kQuickSearchCost / search_step_cost(f_));
+  }
+
+  /// What a start of one stage may save beside the cells that are known: work of a search for its groups.
+  std::uint64_t worth_of_one_stage() const {
+    const auto paths = (kPolyhedralCost - 1) * static_cast<double>(cells_->mixed_volume);
+    return static_cast<std::uint64_t>(std::min(paths * static_cast<double>(kSearchWorkPerPath),
+                                               static_cast<double>(kMostSearchWork)));
+  }
+
   void choose_automatically() {
     if (is_dense()) {
       chosen_.counts.multihomogeneous.missing = "not needed: the degrees tell the mixed volume";
       take_total_degree("no system of these monomials has fewer roots for generic coefficients");
       return;
     }
-    count_multihomogeneous();
-    count_cells(search_steps_for(f_, one_stage_paths()));
+    count_cells(std::min(search_steps_for(f_, one_stage_paths()), quick_search_steps()));
+    if (was_interrupted_) return;
+    if (cells_) {
+      count_multihomogeneous(worth_of_one_stage());
+    } else {
+      count_multihomogeneous();
+      count_cells(search_steps_for(f_, one_stage_paths()));
+    }
     if (was_interrupted_) return;
     if (!cells_) {
       take_one_stage("the search for mixed cells was given up: it had cost what these paths do");
@@ -204,9 +236,7 @@ std::optional<StartKind> start_kind(const std::string& name) {
 
 std::uint64_t search_steps_for(const System& f, std::uint64_t paths) {
   const double cost = kInfinityCost * static_cast<double>(paths) * path_cost(f);
-  const double step = kSearchStepCost * static_cast<double>(f.variables.size()) *
-                      static_cast<double>(term_count(f));
-  return static_cast<std::uint64_t>(std::min(cost / step, 1e18));
+  return static_cast<std::uint64_t>(std::min(cost / search_step_cost(f), 1e18));
 }
 
 ChosenStart choose_start(const System& f, const StartChoiceOptions& options) {

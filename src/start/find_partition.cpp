@@ -236,7 +236,7 @@ void improve_beginnings(PartitionJudge& judge, const std::vector<Partition>& fro
 
 }  // namespace
 
-PartitionSearch find_partition(const System& f) {
+PartitionSearch find_partition(const System& f, std::uint64_t most_work) {
   const std::size_t n = f.variables.size();
   if (f.polynomials.size() != n || n == 0) {
     throw std::invalid_argument("groups are looked for in square systems only");
@@ -246,7 +246,7 @@ PartitionSearch find_partition(const System& f) {
     throw std::invalid_argument("groups are not looked for where an equation is 0 = 0");
   }
   PartitionJudge judge(f);
-  const std::uint64_t allowed = allowed_work(f);
+  const std::uint64_t allowed = std::min(allowed_work(f), std::max(kLeastSearchWork, most_work));
   const bool tries_all =
       n <= kExhaustiveUnknowns && kPartitions[n] * PartitionJudge::kOverhead <= allowed;
   if (tries_all) {
@@ -258,6 +258,7 @@ PartitionSearch find_partition(const System& f) {
   search.groups = judge.best();
   search.paths = multihomogeneous_number(f, search.groups);
   search.is_least = tries_all;
+  search.is_cut = allowed < allowed_work(f) && judge.work() >= allowed;
   search.tried = judge.tried();
   return search;
 }

@@ -36,8 +36,16 @@ constexpr double kCareFactor = 10;
 // The largest ratio that a step is sized by, so that no division overflows.
 constexpr double kAmpleRoom = 1e6;
 
-/// a^{1/p}, p the predictor's order.
+// From such room on a step grows as much as it may, whatever the order.
+constexpr double kRoomForGrowth = 125;
+constexpr double kUsefulFactor = kLargestGrowth / kSafety;
+static_assert(kUsefulFactor * kUsefulFactor * kUsefulFactor * kUsefulFactor * kUsefulFactor *
+                  kUsefulFactor <
+              kRoomForGrowth);
+
+/// a^{1/p}, p the predictor's order, or another number as large for what it is used for.
 double root_of_order(LanePredictor predictor, double a) {
+  if (a >= kRoomForGrowth) return kUsefulFactor;
   switch (predictor) {
     case LanePredictor::tangent:
       return std::sqrt(a);

@@ -118,7 +118,7 @@ class Endgame : public Watcher {
   bool sheets_meet(const Point& x) const;
   bool is_regular_arrival(const Arrival& arrival, PathSystem& path, double condition);
   std::nullopt_t decide_infinity();
-  Point normalized(const Point& x) const;
+  Point normalized(Point x) const;
   std::nullopt_t fail(Failure failure);
 
   EndgameOptions options_;

@@ -65,10 +65,11 @@ struct PartitionSearch {
   std::optional<std::uint64_t>
       paths;                ///< its number; nullopt: every partition tried is beyond 64 bits
   bool is_least = false;    ///< all partitions were tried
+  bool is_cut = false;      ///< `most_work` ended the search before its own limits
   std::uint64_t tried = 0;  ///< partitions whose number was found
 };
 
-/// declared_partition(f), where there is one, is among those tried.
-PartitionSearch find_partition(const System& f);
+/// declared_partition(f), where there is one, is among those tried. most_work: no more than this either, but a millisecond.
+PartitionSearch find_partition(const System& f, std::uint64_t most_work = kMostSearchWork);
 
 }  // namespace moivre
