@@ -65,7 +65,7 @@ void take_account(ClosureResult& result, const StageRun& run) {
 void take_root(ClosureSearch& search, const PartialRoot& root, RootProver& prover) {
   Solution solution;
   solution.path = root.path;
-  for (const auto& value : root.value) solution.x.push_back(to_complex(*value));
+  for (const auto& value : root.value) solution.x.push_back(value->rounded);
   solution.singular = root.singular;
   solution.multiplicity = root.multiplicity;
   solution.winding = {static_cast<int>(root.multiplicity)};

@@ -242,7 +242,7 @@ std::vector<QuadraticBlock::Equation> QuadraticBlock::equations_at(
     for (Product& term : equation) {
       for (const Power& power : term.known) {
         const auto [at, is_new] = rounded.try_emplace(power.variable);
-        if (is_new) at->second = to_complex_double_double(*values[power.variable]);
+        if (is_new) at->second = to_complex_double_double(values[power.variable]->exact);
         for (std::uint32_t k = 0; k < power.exponent; ++k) term.c = product(term.c, at->second);
       }
     }

@@ -41,7 +41,7 @@ Polynomial substituted(const Polynomial& p, const std::vector<KnownValue>& value
     Monomial rest;
     for (const Power& power : term.monomial) {
       if (const auto& known = value[power.variable]) {
-        for (std::uint32_t k = 0; k < power.exponent; ++k) c = c * *known;
+        for (std::uint32_t k = 0; k < power.exponent; ++k) c = c * known->exact;
       } else {
         rest.push_back({place[power.variable], power.exponent});
       }
@@ -168,7 +168,7 @@ void Stages::solve_lone(const Block& block) {
       run_.is_proved = false;
       continue;
     }
-    root.value[block.variables.front()] = std::make_shared<const Coefficient>(shortened(-b / a));
+    root.value[block.variables.front()] = std::make_shared<const Known>(shortened(-b / a));
     next.push_back(std::move(root));
   }
   run_.roots = std::move(next);
@@ -202,7 +202,7 @@ bool Stages::is_excluded(const PartialRoot& root) {
   if (formulation_.exclusions.empty()) return false;
   std::vector<std::optional<Complex>> values;
   for (const KnownValue& value : root.value) {
-    values.push_back(value ? std::optional(to_complex(*value)) : std::nullopt);
+    values.push_back(value ? std::optional(value->rounded) : std::nullopt);
   }
   for (const NearExclusion& near : near_exclusions(formulation_, values)) {
     const std::optional<bool> proved = prover_.vanishes(root.proof, *near.exclusion);
@@ -249,7 +249,7 @@ PartialRoot Stages::child_of(const PartialRoot& root, const Block& block,
                              const Solution& solution) {
   PartialRoot child = root;
   for (std::size_t k = 0; k < block.variables.size(); ++k) {
-    child.value[block.variables[k]] = std::make_shared<const Coefficient>(exactly(solution.x[k]));
+    child.value[block.variables[k]] = std::make_shared<const Known>(exactly(solution.x[k]));
   }
   child.multiplicity *= solution.multiplicity;
   child.singular |= solution.singular;
@@ -265,7 +265,7 @@ void Stages::prove(PartialRoot& root) {
   const KnownProof before = std::exchange(root.proof, nullptr);
   if (root.singular) return;
   Point x;
-  for (const KnownValue& value : root.value) x.push_back(value ? to_complex(*value) : 0);
+  for (const KnownValue& value : root.value) x.push_back(value ? value->rounded : 0);
   root.proof = prover_.prove(before, x);
 }
 
@@ -350,9 +350,9 @@ bool may_be_real(const Formulation& formulation, const PartialRoot& root) {
   for (std::size_t v = 0; v < root.value.size(); ++v) {
     const auto& image = root.value[formulation.mirror[v]];
     if (!root.value[v] || !image) continue;
-    const Complex x = to_complex(*root.value[v]);
+    const Complex x = root.value[v]->rounded;
     size = std::max(size, std::abs(x));
-    apart = std::max(apart, std::abs(x - std::conj(to_complex(*image))));
+    apart = std::max(apart, std::abs(x - std::conj(image->rounded)));
   }
   return apart <= (root.singular ? kHoldsSingular : kHolds) * size;
 }

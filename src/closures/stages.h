@@ -10,6 +10,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "moivre/closures/closures.h"
@@ -18,8 +19,16 @@
 
 namespace moivre {
 
+/// A number that is known, and what it is in double.
+struct Known {
+  explicit Known(Coefficient value) : exact(std::move(value)), rounded(to_complex(exact)) {}
+
+  Coefficient exact;
+  Complex rounded;
+};
+
 /// Null where it is not known yet. Roots of a block have the values of the blocks before it in common.
-using KnownValue = std::shared_ptr<const Coefficient>;
+using KnownValue = std::shared_ptr<const Known>;
 
 /// A root of the blocks solved so far; a value that needed no solve is exact.
 struct PartialRoot {

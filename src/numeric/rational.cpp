@@ -47,6 +47,11 @@ Integer rounded_quotient(Integer n, Integer d, long exponent) {
 /// n > 0 as a double, where it is one and its quotient by another such is neither too large nor denormal.
 std::optional<double> as_double(const Integer& n) {
   constexpr auto kMostBits = static_cast<std::size_t>(Double::max_exponent / 2);
+  // Nearly every number that was typed is that short.
+  const auto& limbs = n.backend();
+  if (limbs.size() == 1 && *limbs.limbs() >> Double::digits == 0) {
+    return static_cast<double>(*limbs.limbs());
+  }
   const std::size_t high = msb(n);
   const std::size_t low = lsb(n);
   if (high - low >= Double::digits || high >= kMostBits) return std::nullopt;
