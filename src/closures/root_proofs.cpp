@@ -23,6 +23,8 @@ namespace {
 
 // A root is no farther than this from the point that its path leads to.
 constexpr double kFarthest = 1e-6;
+// Errors of the groups before are rounding in double; where they grow to this the groups are proved again with more digits.
+constexpr double kBlurred = 1e-12;
 // Lengths that are off by 1e-9 may leave an expression of the fourth degree at 1e-36 beside its terms, and a root that is known 1e20 times
 // less sharply than the arithmetic.
 constexpr int kFineBits = 256;
@@ -43,6 +45,13 @@ std::vector<const Certificate*> chain_of(const KnownProof& last) {
     chain[proof->group] = &proof->certificate;
   }
   return chain;
+}
+
+/// Not blurred by what was known of the groups before.
+bool is_sharp(const Certificate& certificate) {
+  if (certificate.verdict != Verdict::certified) return false;
+  const double error = *std::max_element(certificate.error.begin(), certificate.error.end());
+  return error <= kBlurred * std::max(1.0, max_norm(certificate.midpoint));
 }
 
 Polynomial renamed(const Polynomial& p, const std::vector<std::uint32_t>& place) {
@@ -218,6 +227,12 @@ KnownProof RootProver::prove(const KnownProof& before, const Point& values) {
   RootProof proof{before, last, {}};
   Certifier& certifier = group.program->certifier;
   certifier.certify(x, proof.certificate, work_->given(*group.program, before));
+  if (!is_sharp(proof.certificate)) {
+    if (before && !(proof.before = work_->finer(before))) return nullptr;
+    const std::vector<Enclosure> given = work_->given(*group.program, proof.before);
+    certifier.certify(x, proof.certificate, given);
+    if (proof.certificate.holds_root()) certifier.sharpen(proof.certificate, kFineBits, given);
+  }
   if (proof.certificate.verdict != Verdict::certified) return nullptr;
   return std::make_shared<const RootProof>(std::move(proof));
 }

@@ -65,9 +65,11 @@ TEST(BlocksByFormula, AreNoneWhereRootsMeet) {
 
 TEST(BlocksByFormula, HaveNoMoreRootsThanTheirBound) {
   const Formulation formulation = formulate(stretched(6.5), 0);
+  const auto zero = std::make_shared<const Known>(Coefficient{0, 0});
+  const std::vector<KnownValue> known(formulation.system.variables.size(), zero);
   for (const Block& block : block_structure(formulation.system).blocks) {
     const QuadraticBlock formula(formulation, block);
-    const auto roots = formula.roots(std::vector<KnownValue>(formulation.system.variables.size()));
+    const auto roots = formula.roots(known);
     if (!roots) continue;
     EXPECT_EQ(roots->size(), formula.bound());
   }
