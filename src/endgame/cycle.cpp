@@ -88,11 +88,12 @@ bool vanish_together(const std::vector<Complex>& z, int m, const EndParameters& 
   return means.limit_bound(m) < means.size(1);
 }
 
-bool vanish_as_errors_do(const std::vector<Complex>& z, int m, double known,
-                         const EndParameters& ends) {
+SumsAndErrors sums_and_errors(const std::vector<Complex>& z, int m, double known,
+                              const EndParameters& ends) {
+  SumsAndErrors worst;
   double unit = 0;
   for (const Complex& sample : z) unit = std::max(unit, modulus(sample));
-  if (unit == 0) return true;
+  if (unit == 0) return worst;
   const auto samples = static_cast<std::size_t>(ends.samples);
   std::vector<Complex> powers(z.size(), Complex(1));
   for (int k = 1; k <= m; ++k) {
@@ -104,11 +105,13 @@ bool vanish_as_errors_do(const std::vector<Complex>& z, int m, double known,
       size += modulus(powers[i]);
     }
     // Coefficients that differ by `samples` in their order are one: of order -1 and -2 are also those that the sum is wrong by, or nearly.
-    const double errors = modulus(laurent(p, -1)) + modulus(laurent(p, -2));
+    const double seen = modulus(laurent(p, -1)) + modulus(laurent(p, -2));
     const double rounding = k * std::max(known, std::numeric_limits<double>::epsilon()) * size;
-    if (modulus(laurent(p, 0)) > std::max(ends.shrink * errors, rounding)) return false;
+    const double error = std::max(seen, rounding);
+    worst.sum = std::max(worst.sum, modulus(laurent(p, 0)) / error);
+    worst.error = std::max(worst.error, error / (k * size));
   }
-  return true;
+  return worst;
 }
 
 bool end_beyond(double bound, const std::vector<Complex>& z, int m) {

@@ -256,11 +256,18 @@ FaceRoot Endgame::place_at_infinity(PathSystem& path) const {
                    valuations(samples_, chart_.homogenizing(), turns_), options_.ends);
 }
 
-// A large finite root with the same face is told by samples that hold all their digits: residuals in double-double.
+// A large finite root with the same face is told by the errors of the samples. Where these leave a doubt, or are large, the samples
+// get all their digits first: residuals in double-double.
 bool Endgame::stays_at_infinity(PathSystem& path) {
+  const double known = path.homotopy().largest_error();
+  const SumsAndErrors first = sums_and_errors(samples_of_x0(), turns_, known, options_.ends);
+  if (first.sum > options_.ends.shrink) return false;
+  // u times the operations of as many residuals.
+  const double rounding = options_.ends.samples * options_.ends.rounding;
+  if (first.error * std::max(first.sum, 1.0) <= rounding) return true;
   const Contour circle = Contour::spiral(radius_, Complex(0, 2 * std::numbers::pi));
   CorrectorOptions newton;
-  newton.tolerance = options_.ends.rounding;
+  newton.tolerance = options_.ends.sample_error;  // the next correction would be its square
   newton.fine = true;
   const auto count = static_cast<std::size_t>(options_.ends.samples);
   for (std::size_t k = 0; k < samples_.size(); ++k) {
@@ -268,8 +275,7 @@ bool Endgame::stays_at_infinity(PathSystem& path) {
     if (!path.correct(samples_[k], circle.at(at), newton, true).converged) return false;
     samples_[k] = normalized(samples_[k]);
   }
-  return vanish_as_errors_do(samples_of_x0(), turns_, path.homotopy().largest_error(),
-                             options_.ends);
+  return sums_and_errors(samples_of_x0(), turns_, known, options_.ends).sum <= options_.ends.shrink;
 }
 
 // In one combination of the coordinates, which tells points apart but for bad luck.

@@ -69,20 +69,22 @@ TEST(Cycle, WhatHasToVanishBesideASumTellsALimitFromErrors) {
     const int m = 1 + static_cast<int>(seed % 5);
     for (const double error : {1e-16, 1e-12, 1e-8}) {
       const Complex limit = 300 * error * random_phase(seed, RandomStream::slice, 0);
-      EXPECT_FALSE(vanish_as_errors_do(blurred_cycle(m, limit, error, seed), m, 0, ends))
-          << seed << ' ' << error;
-      EXPECT_TRUE(vanish_as_errors_do(blurred_cycle(m, limit, error, seed), m, 1e7 * error, ends))
-          << seed << ' ' << error;
+      const auto z = blurred_cycle(m, limit, error, seed);
+      EXPECT_GT(sums_and_errors(z, m, 0, ends).sum, ends.shrink) << seed << ' ' << error;
+      EXPECT_LE(sums_and_errors(z, m, 1e7 * error, ends).sum, 1) << seed << ' ' << error;
     }
   }
 }
 
 // By chance it may not; then the next circle is asked.
 TEST(Cycle, AnEndAtZeroIsNearlyAlwaysToldByItsErrors) {
+  const EndParameters ends;
   int told = 0;
   for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
     const int m = 1 + static_cast<int>(seed % 5);
-    told += vanish_as_errors_do(blurred_cycle(m, 0, 1e-12, seed), m, 0, EndParameters()) ? 1 : 0;
+    const SumsAndErrors beside = sums_and_errors(blurred_cycle(m, 0, 1e-12, seed), m, 0, ends);
+    EXPECT_LE(beside.error, 1e-12) << seed;
+    told += beside.sum <= ends.shrink ? 1 : 0;
   }
   EXPECT_GE(told, 980);
 }
