@@ -16,7 +16,9 @@ void RootProver::add_lone(const Block&) {}
 void RootProver::close_group(const Block&) {}
 bool RootProver::close() { return false; }
 KnownProof RootProver::prove(const KnownProof&, const Point&) { return nullptr; }
-bool RootProver::are_distinct(const std::vector<KnownProof>&) { return false; }
+std::vector<bool> RootProver::are_new(const std::vector<KnownProof>& proofs) {
+  return std::vector<bool>(proofs.size());
+}
 std::optional<bool> RootProver::vanishes(const KnownProof&, const Formulation::Exclusion&) {
   return std::nullopt;
 }

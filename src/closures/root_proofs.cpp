@@ -21,8 +21,9 @@ struct RootProof {
 
 namespace {
 
-// A root is no farther than this from the point that its path leads to.
-constexpr double kFarthest = 1e-6;
+// A root is no farther than this from the point that its path leads to, above roots before that are rounded. Which root it is does not
+// hang on it: two paths that are led to one are told.
+constexpr double kFarthest = 1e-4;
 // Errors of the groups before are rounding in double; where they grow to this the groups are proved again with more digits.
 constexpr double kBlurred = 1e-12;
 // Lengths that are off by 1e-9 may leave an expression of the fourth degree at 1e-36 beside its terms, and a root that is known 1e20 times
@@ -237,13 +238,18 @@ KnownProof RootProver::prove(const KnownProof& before, const Point& values) {
   return std::make_shared<const RootProof>(std::move(proof));
 }
 
-bool RootProver::are_distinct(const std::vector<KnownProof>& proofs) {
+std::vector<bool> RootProver::are_new(const std::vector<KnownProof>& proofs) {
   std::vector<Certificate> certificates;
   for (const KnownProof& proof : proofs) {
-    if (!proof) return false;
-    certificates.push_back(proof->certificate);
+    certificates.push_back(proof ? proof->certificate : Certificate());
   }
-  return compare(certificates).distinct_roots == proofs.size();
+  const Distinctness told = compare(certificates);
+  std::vector<bool> result;
+  for (std::size_t k = 0; k < proofs.size(); ++k) {
+    result.push_back(proofs[k] && told.first_of[k] == k);
+  }
+  for (const auto& [first, second] : told.doubtful) result[second] = false;
+  return result;
 }
 
 std::optional<bool> RootProver::vanishes(const KnownProof& proof,

@@ -50,8 +50,8 @@ class RootProver {
 
   /// Of the last group. before: of the group before it, of the same root. values: of all unknowns so far, the others are not looked at.
   KnownProof prove(const KnownProof& before, const Point& values);
-  /// These, of one group and of the same root before, are different roots, all of them.
-  static bool are_distinct(const std::vector<KnownProof>& proofs);
+  /// Which of these, of one group and of the same root before, are proofs of roots that no earlier one may be.
+  static std::vector<bool> are_new(const std::vector<KnownProof>& proofs);
   /// Whether one of the formulation's exclusions, in unknowns that are proved, is 0 at the root; nullopt: unknown.
   std::optional<bool> vanishes(const KnownProof& proof, const Formulation::Exclusion& exclusion);
   /// Of a proof of all unknowns.

@@ -213,11 +213,22 @@ bool Stages::is_excluded(const PartialRoot& root) {
   return false;
 }
 
-/// Of the stage's last solve: whether as many roots are proved as its start has paths, none of them another's.
-bool has_proved_bound(const SolveResult& result, const std::vector<PartialRoot>& children) {
+/// Two paths that are led to one root prove one.
+void drop_repeated_proofs(std::vector<PartialRoot>& children) {
   std::vector<KnownProof> proofs;
   for (const PartialRoot& child : children) proofs.push_back(child.proof);
-  if (!result.complete || !RootProver::are_distinct(proofs)) return false;
+  const std::vector<bool> is_new = RootProver::are_new(proofs);
+  for (std::size_t k = 0; k < children.size(); ++k) {
+    if (!is_new[k]) children[k].proof = nullptr;
+  }
+}
+
+/// Of the stage's last solve: whether as many roots are proved as its start has paths.
+bool has_proved_bound(const SolveResult& result, const std::vector<PartialRoot>& proofs) {
+  const bool all_proved = std::all_of(proofs.begin(), proofs.end(), [](const PartialRoot& child) {
+    return child.proof != nullptr;
+  });
+  if (!result.complete || !all_proved) return false;
   if (result.bound) return result.bound->value == proofs.size();
   const bool is_bound = result.start.kind == to_string(StartKind::total_degree) ||
                         result.start.kind == to_string(StartKind::multihomogeneous);
@@ -293,6 +304,7 @@ void Stages::add_roots(const Block& block, const QuadraticBlock& formula, const 
     children.push_back(child_of(root, block, solution));
     children.back().path = first_path + solution.path;
   }
+  drop_repeated_proofs(children);
   run_.is_proved = run_.is_proved && prover_.is_on() && has_proved_bound(result, children);
   for (PartialRoot& child : children) {
     if (!is_excluded(child)) next.push_back(std::move(child));

@@ -102,10 +102,13 @@ TEST(RootProofs, TellSiblingsApart) {
   RootProver prover(formulation, true);
   const Proofs proofs = prove(prover, {kRoot, kRoot, kFourthRoot});
   const KnownProof other = prover.prove(proofs.first, {kRoot, kRoot, -kFourthRoot});
-  EXPECT_TRUE(RootProver::are_distinct({proofs.all, other}));
+  const auto are_new = [](const std::vector<KnownProof>& told) {
+    return RootProver::are_new(told);
+  };
+  EXPECT_EQ(are_new({proofs.all, other}), std::vector<bool>({true, true}));
   const KnownProof again = prover.prove(proofs.first, {kRoot, kRoot, kFourthRoot + 1e-8});
-  EXPECT_FALSE(RootProver::are_distinct({proofs.all, other, again}));
-  EXPECT_FALSE(RootProver::are_distinct({proofs.all, nullptr}));
+  EXPECT_EQ(are_new({proofs.all, other, again}), std::vector<bool>({true, true, false}));
+  EXPECT_EQ(are_new({proofs.all, nullptr}), std::vector<bool>({true, false}));
 }
 
 TEST(RootProofs, AreNotSoughtWhereTheyAreNotWanted) {
