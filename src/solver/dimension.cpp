@@ -28,7 +28,7 @@ constexpr int kPatience = 6;
 // |F| beside its terms: below the first a root without doubt; below the second one of a multiple set, where J is lost in its
 // rounding before F is, provided that |F| falls by no more than kFall when the step is halved. An isolated root with |F| below the
 // second has an order of 6 at least, and its |F| falls by 64.
-constexpr double kOnTheSet = 1e-24;
+constexpr double kOnTheSet = 1e-28;
 constexpr double kNearTheSet = 1e-18;
 // Below so many errors of the coefficients it is one of a system that the file may mean, provided the same.
 constexpr double kErrors = 8;

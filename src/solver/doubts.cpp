@@ -53,21 +53,6 @@ void resolve_clusters(Run& run) {
   climb(run, others, Taken::regular_ends);
 }
 
-/// Where F all but vanishes along a set, simple roots pass for points of it. Paths to such a set are followed in double-double: a root that
-/// is proved at the end of one is none of the set's.
-void resolve_blurred_sets(Run& run) {
-  if (!run.setting.certify_program) return;
-  PathSet paths;
-  for (const auto& group : groups_of(run)) {
-    const Ends ends = ends_of(run, group);
-    if (ends.singular.empty()) continue;
-    const Root& first = run.ledger.roots().at(ends.singular.front());
-    if (set_of(run, first) != SetHere::blurred) continue;
-    paths.insert(ends.singular.begin(), ends.singular.end());
-  }
-  climb(run, paths, Taken::regular_ends);
-}
-
 PathSet paths_failed_by(const Run& run, Failure reason) {
   PathSet paths;
   for (const auto& [path, failure] : run.ledger.failures()) {
@@ -152,6 +137,29 @@ void fail_unsettled(Run& run) {
   }
 }
 
+/// Where F all but vanishes along a set, simple roots pass for points of it. Paths to such a set are followed in double-double: a root that
+/// is proved at the end of one is none of the set's. Where there is such a root the set is none, and what the other paths end at is not known.
+void resolve_blurred_sets(Run& run) {
+  if (!run.setting.certify_program) return;
+  PathSet paths;
+  for (const auto& group : groups_of(run)) {
+    const Ends ends = ends_of(run, group);
+    if (ends.singular.empty()) continue;
+    const Root& first = run.ledger.roots().at(ends.singular.front());
+    if (set_of(run, first) != SetHere::blurred) continue;
+    paths.insert(ends.singular.begin(), ends.singular.end());
+  }
+  climb(run, paths, Taken::regular_ends);
+  PathSet left;
+  for (const std::uint64_t path : paths) {
+    const auto root = run.ledger.roots().find(path);
+    if (root != run.ledger.roots().end() && !root->second.point.simple) left.insert(path);
+  }
+  if (run.interrupted || left.size() == paths.size()) return;
+  for (const std::uint64_t path : left) fail(run, path, Failure::precision);
+  fail_unsettled(run);
+}
+
 /// In double-double a path may turn out to end where another was thought to: that one is followed next. Each is once.
 void climb_last(Run& run, PathSet climbed) {
   while (!run.interrupted) {
@@ -165,13 +173,11 @@ void climb_last(Run& run, PathSet climbed) {
   }
 }
 
-}  // namespace
-
-void settle_doubts(Run& run) {
+/// In double, with more care, and in double-double.
+void settle_ends(Run& run) {
   const SolveOptions& options = run.setting.options;
   if (settle_by_bound(run)) return;
   resolve_clusters(run);
-  resolve_blurred_sets(run);
   // Where many paths go at once digits cost less than care, and care helps none that they do not.
   const PathSet beyond = climb_together(run, paths_failed_by(run, Failure::precision));
   const bool climbs_later = !run.setting.trackers.fine_own;
@@ -188,6 +194,13 @@ void settle_doubts(Run& run) {
   if (run.interrupted || settle_by_bound(run)) return;
   climb_last(run, beyond);
   if (!run.interrupted && !settle_by_bound(run)) fail_unsettled(run);
+}
+
+}  // namespace
+
+void settle_doubts(Run& run) {
+  settle_ends(run);
+  if (!run.interrupted && !settle_by_bound(run)) resolve_blurred_sets(run);
 }
 
 }  // namespace moivre
