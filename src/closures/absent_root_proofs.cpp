@@ -4,7 +4,6 @@
 
 namespace moivre {
 
-struct RootProof {};
 struct RootProver::Work {};
 
 RootProver::RootProver(const Formulation&, bool) {}

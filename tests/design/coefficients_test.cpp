@@ -102,8 +102,10 @@ TEST(MechanicalAdvantage, IsTheBalanceOfPowerForEveryOutput) {
   const Followed all = followed(typed(slider_crank_text(40, 120, 15, "90")), choice);
   const double driver = kPi / 2;
   for (std::size_t k = 1; k < all.samples().size(); k += 7) {
-    EXPECT_NEAR(all.value("crank-rod advantage", k) * std::abs(all.samples()[k].velocity[5]),
-                driver, 1e-9);
+    const double rod = std::abs(all.samples()[k].velocity[5]);
+    // Where the rod stands, both are rounding.
+    const double power = all.value("crank-rod advantage", k) * rod;
+    EXPECT_TRUE(rod < 1e-12 || std::abs(power - driver) <= 1e-9) << power;
     EXPECT_NEAR(all.value("crank-guide advantage", k) * std::abs(all.samples()[k].velocity[6]),
                 driver, 1e-9);
     EXPECT_EQ(all.value("crank-slider.B.x advantage", k), all.value("crank-guide advantage", k));
