@@ -182,7 +182,7 @@ void solve_determined(ClosureSearch& search, const BlockStructure& structure) {
              std::to_string(search.formulation.system.polynomials.size()) + " equations",
          "there are more than unknowns; every root is checked on all of them"});
   }
-  RootProver prover(search.formulation, search.options.certify && search.options.solve.certify);
+  RootProver prover(search.formulation, search.wants_proofs());
   StageRun run = solve_blocks(search, search.formulation, structure.blocks, prover);
   settle_by_theorem(search.formulation, run);
   bool has_unseen_sets = run.moves && !(run.may_move && shows_motion(search));

@@ -20,11 +20,13 @@ struct ClosureSearch {
         phi(mechanism),
         formulation(formulate(mechanism, options.time)) {}
 
-  /// As many equations as unknowns, and certificates wanted.
+  bool wants_proofs() const {
+    return options.certify && options.solve.certify && RootProver::is_built();
+  }
+  /// They are wanted, and there are as many equations as unknowns.
   bool has_proofs() const {
     const System& f = formulation.system;
-    return options.certify && options.solve.certify && RootProver::is_built() &&
-           f.polynomials.size() == f.variables.size();
+    return wants_proofs() && f.polynomials.size() == f.variables.size();
   }
 
   const Mechanism& mechanism;

@@ -30,8 +30,8 @@ class QuadraticBlock {
 
   /// One or two simple roots of the block in the order of its variables, `path` their number; all values before it are known.
   std::optional<std::vector<Solution>> roots(const std::vector<KnownValue>& values) const;
-  /// No more isolated roots than this, whatever the known values: the total degree, or the multihomogeneous number of two groups,
-  /// one the mirror image of the other.
+  /// No more isolated roots than this, whatever the known values: the total degree, or the multihomogeneous number of two groups, one
+  /// the mirror image of the other. 0 where an equation is of a higher degree.
   std::uint64_t bound() const { return bound_; }
   /// What is left when its equations are combined.
   static SystemFacts reduced_facts(std::size_t roots);

@@ -223,18 +223,19 @@ void drop_repeated_proofs(std::vector<PartialRoot>& children) {
   }
 }
 
-/// Of the stage's last solve: whether as many roots are proved as its start has paths.
-bool has_proved_bound(const SolveResult& result, const std::vector<PartialRoot>& proofs) {
-  const bool all_proved = std::all_of(proofs.begin(), proofs.end(), [](const PartialRoot& child) {
-    return child.proof != nullptr;
-  });
+/// Whether as many roots are proved as the block's degrees allow, or, where nothing put into it was rounded, as its start has paths.
+bool has_proved_bound(const SolveResult& result, const std::vector<PartialRoot>& children,
+                      std::uint64_t by_degrees, bool is_exact) {
+  const bool all_proved =
+      std::all_of(children.begin(), children.end(),
+                  [](const PartialRoot& child) { return child.proof != nullptr; });
   if (!result.complete || !all_proved) return false;
-  if (result.bound) return result.bound->value == proofs.size();
+  if (by_degrees > 0 && children.size() == by_degrees) return true;
+  if (!is_exact) return false;
+  if (result.bound) return result.bound->value == children.size();
   const bool is_bound = result.start.kind == to_string(StartKind::total_degree) ||
                         result.start.kind == to_string(StartKind::multihomogeneous);
-  // Equations that are linear, and have a proved root, have no other.
-  const bool is_linear = result.paths.tracked == 0 && proofs.size() == 1;
-  return is_linear || (is_bound && result.paths.tracked == proofs.size());
+  return is_bound && result.paths.tracked == children.size();
 }
 
 SolveResult Stages::followed(const System& f) {
@@ -290,7 +291,7 @@ SolveResult Stages::solved(const Block& block, const QuadraticBlock& formula,
   result.complete = true;
   result.reduced = QuadraticBlock::reduced_facts(roots->size());
   result.paths.tracked = result.paths.finite = roots->size();
-  result.bound = {"multihomogeneous number", formula.bound()};
+  result.start.kind = "formula";
   result.solutions = std::move(*roots);
   return result;
 }
@@ -305,7 +306,8 @@ void Stages::add_roots(const Block& block, const QuadraticBlock& formula, const 
     children.back().path = first_path + solution.path;
   }
   drop_repeated_proofs(children);
-  run_.is_proved = run_.is_proved && prover_.is_on() && has_proved_bound(result, children);
+  run_.is_proved = run_.is_proved && prover_.is_on() &&
+                   has_proved_bound(result, children, formula.bound(), root.proof == nullptr);
   for (PartialRoot& child : children) {
     if (!is_excluded(child)) next.push_back(std::move(child));
   }
