@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Many poses of one arm, by its family where that answers, one by one where not, on all threads.
 #include <functional>
-#include <future>
 #include <mutex>
 #include <optional>
-#include <thread>
 
 #include "moivre/arms/arm_closures.h"
 #include "moivre/expression/refusal.h"
 #include "moivre/numeric/stopwatch.h"
+#include "moivre/numeric/threads.h"
 #include "pose_family.h"
 #include "random_values.h"
 #include "read_closures.h"
@@ -20,15 +19,6 @@ namespace {
 constexpr std::size_t kWorthAFamily = 8;
 /// Poses whose paths are followed together, a thread: their roots are kept until they are read back.
 constexpr std::size_t kTogether = 128;
-
-void on_threads(std::size_t threads, const std::function<void()>& work) {
-  std::vector<std::future<void>> helpers;
-  for (std::size_t k = 1; k < threads; ++k) {
-    helpers.push_back(std::async(std::launch::async, work));
-  }
-  work();
-  for (std::future<void>& helper : helpers) helper.get();
-}
 
 /// The family whose turns are counted from the seed's angles, with the number of closures that its poses have.
 std::optional<PoseFamily> family_of(const Arm& arm, const Tracker& tracker, SolveOptions options,
@@ -130,7 +120,7 @@ void solve_range(Poses& all, std::size_t begin, std::size_t end, std::size_t thr
   for (const PoseFamily& family : all.families) follow(all, family, begin, threads, followed);
   const double share = following.total() / static_cast<double>(end - begin);
   std::atomic<std::size_t> next = begin;
-  on_threads(std::min(threads, end - begin), [&] {
+  on_threads(static_cast<int>(std::min(threads, end - begin)), [&] {
     for (std::size_t k = next++; k < end && !all.stop; k = next++) {
       const Stopwatch watch;
       std::optional<ArmResult> result;
@@ -171,9 +161,8 @@ std::vector<ArmResult> find_arm_closures(const Arm& arm,
                                          const std::atomic<bool>& stop) {
   for (const Eigen::Isometry3d& pose : poses) require_finite(pose);
   require_unbroken(validate(options));
-  const auto cores = std::max<std::size_t>(1, std::thread::hardware_concurrency());
-  const std::size_t threads = std::min(
-      poses.size(), options.threads > 0 ? static_cast<std::size_t>(options.threads) : cores);
+  const auto threads =
+      std::min(poses.size(), static_cast<std::size_t>(thread_count(options.threads)));
   SolveOptions of_one = options;
   of_one.threads = 1;
   of_one.progress = nullptr;

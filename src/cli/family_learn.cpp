@@ -13,6 +13,7 @@
 #include "moivre/family/learn.h"
 #include "moivre/family/monodromy.h"
 #include "moivre/family_report/family_report.h"
+#include "moivre/numeric/threads.h"
 #include "moivre/polynomial/read.h"
 #include "output.h"
 #include "progress_line.h"
@@ -27,6 +28,7 @@ struct LearnCommand {
   std::string family;
   bool nonzero = false;
   bool monodromy = false;
+  bool trace_test = false;
   StartChoice start;
   TrackerChoice tracker;
   int threads = 0;
@@ -112,16 +114,24 @@ int run_mechanism(const LearnCommand& command, const Tracker& tracker) {
 }
 
 Family learn_by_loops(const LearnCommand& command, Family family, const Tracker& tracker,
-                      const std::atomic<bool>& stop) {
+                      ProgressLine& line, const std::atomic<bool>& stop) {
   const std::optional<KnownPair> pair = random_pair(family, command.start.seed);
   if (!pair) {
     throw std::invalid_argument(
-        "--monodromy needs a member through a random point: the parameters must be linear, and "
-        "each "
-        "equation hold one of its own");
+        "--monodromy found no regular root of any member: Newton's method in unknowns and "
+        "parameters comes to none");
   }
   MonodromyOptions options;
   options.seed = command.start.seed;
+  options.threads = thread_count(command.threads);
+  options.certify = !command.no_certify;
+  if (command.trace_test) options.most_tested = options.most_roots;
+  if (line.is_active()) {
+    options.progress = [&](const LoopProgress& progress) {
+      line.show(std::to_string(progress.loops) + " loops, " + std::to_string(progress.roots) +
+                " roots");
+    };
+  }
   return learn_by_monodromy(std::move(family), *pair, tracker, options, stop);
 }
 
@@ -134,7 +144,7 @@ FamilyFile learn_interruptibly(const LearnCommand& command, Family family, const
   FamilyFile file;
   file.source = command.file;
   file.families.push_back(command.monodromy
-                              ? learn_by_loops(command, std::move(family), tracker, stop)
+                              ? learn_by_loops(command, std::move(family), tracker, line, stop)
                               : learn(std::move(family), tracker, options, stop));
   return file;
 }
@@ -186,6 +196,9 @@ void add_family_learn(CLI::App& family, Chosen& chosen) {
   app.add_flag("--nonzero", command->nonzero, "leave out roots with a coordinate 0");
   app.add_flag("--monodromy", command->monodromy,
                "from one root by loops of members, until the trace test holds; no start system");
+  app.add_flag("--trace-test", command->trace_test,
+               "with --monodromy: test also more than 2000 roots, which takes minutes to hours")
+      ->needs("--monodromy");
   add_start_options(app, command->start);
   add_threads_option(app, command->threads);
   app.add_flag("--no-certify", command->no_certify, "prove nothing");
@@ -194,7 +207,9 @@ void add_family_learn(CLI::App& family, Chosen& chosen) {
   add_tracker_options(app, command->tracker);
   add_examples(app, {"moivre family learn conics.phc --parameters a,b,c -o conics.family",
                      "moivre family learn arm.bertini --parameters L1=300,L2 -o arm.family",
-                     "moivre family learn linkage.toml -o linkage.family"});
+                     "moivre family learn linkage.toml -o linkage.family",
+                     "moivre family learn problems/families/nine-point.bertini --monodromy -o "
+                     "nine-point.family"});
   app.callback([command, &chosen] { chosen = [command] { return run(*command); }; });
 }
 

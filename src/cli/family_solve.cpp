@@ -4,13 +4,13 @@
 
 #include <memory>
 #include <stdexcept>
-#include <thread>
 
 #include "interruption.h"
 #include "moivre/family/member.h"
 #include "moivre/family/values.h"
 #include "moivre/family_report/family_report.h"
 #include "moivre/numeric/stopwatch.h"
+#include "moivre/numeric/threads.h"
 #include "output.h"
 #include "progress_line.h"
 #include "tracker_choice.h"
@@ -118,8 +118,7 @@ int run(const FamilySolveCommand& command) {
   Output csv(command.csv);
   SolveOptions options;
   options.seed = command.seed;
-  options.threads =
-      command.threads > 0 ? command.threads : static_cast<int>(std::thread::hardware_concurrency());
+  options.threads = thread_count(command.threads);
   options.certify = !command.no_certify;
   const std::unique_ptr<Tracker> fallback = make_fallback(command.tracker);
   options.fallback = fallback.get();

@@ -3,10 +3,10 @@
 #include "certified_members.h"
 
 #include <algorithm>
-#include <thread>
 
 #include "moivre/certify/certifier.h"
 #include "moivre/certify/distinct.h"
+#include "moivre/numeric/threads.h"
 
 namespace moivre {
 namespace {
@@ -40,15 +40,16 @@ void certify_member(const Family& family, const Point& p, MemberRoots& member) {
 void certify_members(const Family& family, std::span<const Point> members, int threads,
                      const std::atomic<bool>& stop, std::vector<MemberRoots>& results) {
   std::atomic<std::size_t> next{0};
-  const auto work = [&] {
+  on_threads(threads, [&] {
     for (std::size_t k = next++; k < results.size() && !stop; k = next++) {
       if (results[k].complete) certify_member(family, members[k], results[k]);
     }
-  };
-  std::vector<std::thread> others;
-  for (int k = 1; k < threads; ++k) others.emplace_back(work);
-  work();
-  for (std::thread& other : others) other.join();
+  });
+}
+
+std::size_t certified_roots(const Family& family, int threads, const std::atomic<bool>& stop) {
+  const System member = member_system(family, exact_values(family.generic));
+  return compare(certify(member, family.roots, {}, threads, stop), family.seed).distinct_roots;
 }
 
 }  // namespace moivre

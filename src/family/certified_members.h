@@ -12,4 +12,7 @@ namespace moivre {
 void certify_members(const Family& family, std::span<const Point> members, int threads,
                      const std::atomic<bool>& stop, std::vector<MemberRoots>& results);
 
+/// How many of the family's roots are proved to be roots at p*, no two of them one.
+std::size_t certified_roots(const Family& family, int threads, const std::atomic<bool>& stop);
+
 }  // namespace moivre

@@ -3,62 +3,68 @@
 #include "loops.h"
 
 #include <algorithm>
-#include <cmath>
+#include <numeric>
 
 #include "moivre/family/learn.h"
 #include "moivre/numeric/random.h"
+#include "moivre/numeric/threads.h"
 
 namespace moivre {
 namespace {
 
-// Nearer than this, relative, two regular roots of a generic member are one.
-constexpr double kSame = 1e-6;
 constexpr double kWorstCondition = 1e10;
 constexpr double kLeastFiniteness = 1e-9;
 constexpr double kNewtonTolerance = 1e-12;
 
-/// Departures of a list of points, arrivals in its order.
+/// What the threads share: paths of a list of roots that nobody has begun, and their ends.
+struct Batch {
+  const Homotopy& homotopy;
+  const std::vector<Point>& starts;
+  std::vector<std::size_t> wanted;  ///< numbers of starts
+  std::atomic<std::size_t> next{0};
+  std::vector<std::optional<Point>>& ends;
+};
+
 class BatchSource : public DepartureSource {
  public:
-  BatchSource(const Homotopy& homotopy, const std::vector<Point>& starts)
-      : homotopy_(homotopy), starts_(starts), scratch_(homotopy), ends(starts.size()) {}
+  explicit BatchSource(Batch& batch) : batch_(batch), scratch_(batch.homotopy) {}
 
   std::optional<Departure> next() override {
-    if (next_ == starts_.size()) return std::nullopt;
+    const std::size_t k = batch_.next++;
+    if (k >= batch_.wanted.size()) return std::nullopt;
     Departure departure;
-    departure.path = next_;
-    departure.x = homotopy_.chart().homogeneous(starts_[next_++]);
+    departure.path = batch_.wanted[k];
+    departure.x = batch_.homotopy.chart().homogeneous(batch_.starts[departure.path]);
     return departure;
   }
 
   void arrived(const Departure& departure, Arrival&& arrival) override {
     if (arrival.journey != Journey::arrived) return;
-    CorrectorOptions newton;
-    newton.tolerance = kNewtonTolerance;
-    const Correction correction = scratch_.correct(arrival.x, {1.0, 0.0}, newton, true);
-    const Chart& chart = homotopy_.chart();
-    if (!correction.converged || !(scratch_.condition() <= kWorstCondition)) return;
-    if (chart.finiteness(arrival.x) < kLeastFiniteness) return;
-    ends[departure.path] = chart.affine(arrival.x);
+    const Chart& chart = batch_.homotopy.chart();
+    if (!is_regular(arrival) || chart.finiteness(arrival.x) < kLeastFiniteness) return;
+    batch_.ends[departure.path] = chart.affine(arrival.x);
   }
 
  private:
-  const Homotopy& homotopy_;
-  const std::vector<Point>& starts_;
-  PathSystem scratch_;
-  std::size_t next_ = 0;
+  /// Improves the end where it was followed in double.
+  bool is_regular(Arrival& arrival) {
+    if (arrival.regular_condition) return true;
+    CorrectorOptions newton;
+    newton.tolerance = kNewtonTolerance;
+    const Correction correction = scratch_.correct(arrival.x, {1.0, 0.0}, newton, true);
+    return correction.converged && scratch_.condition() <= kWorstCondition;
+  }
 
- public:
-  std::vector<std::optional<Point>> ends;
+  Batch& batch_;
+  PathSystem scratch_;
 };
 
-std::vector<Point> arrived_points(std::vector<std::optional<Point>> ends) {
-  std::vector<Point> points;
-  for (auto& end : ends) {
-    // A path that jumped comes to a point that is there already.
-    if (end && !is_among(points, *end)) points.push_back(std::move(*end));
-  }
-  return points;
+void follow(Batch& batch, const Tracker& tracker, const Follower& follower) {
+  batch.next = 0;
+  on_threads(std::min(follower.threads, static_cast<int>(batch.wanted.size())), [&] {
+    BatchSource source(batch);
+    tracker.open(batch.homotopy)->run(source, follower.stop);
+  });
 }
 
 Point random_member(const std::vector<double>& sizes, std::uint64_t seed, std::uint64_t number) {
@@ -75,46 +81,48 @@ Point random_member(const std::vector<double>& sizes, std::uint64_t seed, std::u
 
 std::vector<std::optional<Point>> follow_roots(const System& system, const Point& from,
                                                const Point& to, const std::vector<Point>& roots,
-                                               const Tracker& tracker,
-                                               const std::atomic<bool>& stop) {
+                                               const Follower& follower) {
   const Homotopy homotopy = Homotopy::parameters(system, from, to);
-  BatchSource source(homotopy, roots);
-  tracker.open(homotopy)->run(source, stop);
-  return std::move(source.ends);
+  std::vector<std::optional<Point>> ends(roots.size());
+  Batch batch{homotopy, roots, {}, {}, ends};
+  batch.wanted.resize(roots.size());
+  std::iota(batch.wanted.begin(), batch.wanted.end(), std::size_t{0});
+  follow(batch, follower.tracker, follower);
+  // Between generic members all paths are regular. A path that double loses needs more digits.
+  std::erase_if(batch.wanted, [&](std::size_t k) { return ends[k].has_value(); });
+  const auto fine = follower.tracker.in_double_double();
+
+  if (fine) follow(batch, *fine, follower);
+  return ends;
 }
 
-bool is_among(const std::vector<Point>& roots, const Point& x) {
-  const double least = kSame * std::max(1.0, max_norm(x));
-  return std::any_of(roots.begin(), roots.end(), [&](const Point& root) {
-    return std::equal(x.begin(), x.end(), root.begin(),
-                      [&](const Complex& a, const Complex& b) { return std::abs(a - b) <= least; });
-  });
-}
-
-int go_round_loops(const System& system, const Point& base, const std::vector<double>& sizes,
-                   const Tracker& tracker, const MonodromyOptions& options,
-                   std::uint64_t first_number, const std::atomic<bool>& stop,
-                   std::vector<Point>& roots) {
-  int quiet = 0;
-  int loop = 0;
-  for (; loop < options.most_loops && quiet < options.quiet_loops && !stop; ++loop) {
-    const std::uint64_t number = first_number + 2 * static_cast<std::uint64_t>(loop);
-    const Point a = random_member(sizes, options.seed, number);
-    const Point b = random_member(sizes, options.seed, number + 1);
-    std::vector<Point> points = roots;
+LoopCount go_round_loops(const System& system, const Point& base, const LoopSearch& search,
+                         const Follower& follower, RootSet& roots) {
+  const MonodromyOptions& options = search.options;
+  LoopCount count;
+  for (int quiet = 0; count.loops < options.most_loops && quiet < options.quiet_loops &&
+                      roots.size() <= options.most_roots && !follower.stop;) {
+    const std::uint64_t number =
+        search.first_number + 2 * static_cast<std::uint64_t>(count.loops++);
+    const Point a = random_member(search.sizes, options.seed, number);
+    const Point b = random_member(search.sizes, options.seed, number + 1);
+    std::vector<Point> points = roots.roots();
     const Point* from = &base;
     for (const Point* to : {&a, &b, &base}) {
-      points = arrived_points(follow_roots(system, *from, *to, points, tracker, stop));
+      count.paths += points.size();
+      RootSet arrived;  // a path that jumped comes to a point that is there already
+      for (auto& end : follow_roots(system, *from, *to, points, follower)) {
+        if (end) arrived.add(std::move(*end));
+      }
+      points = arrived.roots();
       from = to;
     }
     const std::size_t before = roots.size();
-    for (Point& point : points) {
-      if (!is_among(roots, point)) roots.push_back(std::move(point));
-    }
+    for (Point& point : points) roots.add(std::move(point));
     quiet = roots.size() == before ? quiet + 1 : 0;
-    if (roots.size() > options.most_roots) break;
+    if (options.progress) options.progress({count.loops, roots.size()});
   }
-  return loop;
+  return count;
 }
 
 }  // namespace moivre

@@ -5,22 +5,42 @@
 #pragma once
 
 #include "moivre/family/monodromy.h"
+#include "root_set.h"
 
 namespace moivre {
+
+/// What follows paths, and until when. Results do not depend on the number of threads.
+struct Follower {
+  const Tracker& tracker;
+  const std::atomic<bool>& stop;
+  int threads = 1;
+};
 
 /// Where each root at `from` arrives at `to`; nullopt where its path broke off, or ends at no regular root.
 std::vector<std::optional<Point>> follow_roots(const System& system, const Point& from,
                                                const Point& to, const std::vector<Point>& roots,
-                                               const Tracker& tracker,
-                                               const std::atomic<bool>& stop);
+                                               const Follower& follower);
 
-/// Adds to `roots`, at `base`, all that loops lead to. sizes: of the random members. Returns how many loops were gone round.
-int go_round_loops(const System& system, const Point& base, const std::vector<double>& sizes,
-                   const Tracker& tracker, const MonodromyOptions& options,
-                   std::uint64_t first_number, const std::atomic<bool>& stop,
-                   std::vector<Point>& roots);
+struct LoopSearch {
+  std::vector<double> sizes;       ///< of the random members
+  std::uint64_t first_number = 0;  ///< of the random numbers: other searches take others
+  MonodromyOptions options;
+};
 
-/// Whether the point is among the roots, relative to its size.
-bool is_among(const std::vector<Point>& roots, const Point& x);
+/// What a search did.
+struct LoopCount {
+  int loops = 0;
+  std::uint64_t paths = 0;
+
+  LoopCount& operator+=(const LoopCount& other) {
+    loops += other.loops;
+    paths += other.paths;
+    return *this;
+  }
+};
+
+/// Adds to `roots`, at `base`, all that loops lead to.
+LoopCount go_round_loops(const System& system, const Point& base, const LoopSearch& search,
+                         const Follower& follower, RootSet& roots);
 
 }  // namespace moivre

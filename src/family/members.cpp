@@ -6,11 +6,11 @@
 #include <functional>
 #include <mutex>
 #include <stdexcept>
-#include <thread>
 
 #include "certified_members.h"
 #include "moivre/expression/refusal.h"
 #include "moivre/family/member.h"
+#include "moivre/numeric/threads.h"
 
 namespace moivre {
 namespace {
@@ -198,13 +198,6 @@ void judge(Shared& shared, std::size_t member) {
   shared.report(result.roots.size());
 }
 
-void on_threads(int threads, const std::function<void()>& work) {
-  std::vector<std::thread> others;
-  for (int k = 1; k < threads; ++k) others.emplace_back(work);
-  work();
-  for (std::thread& other : others) other.join();
-}
-
 /// solve_member() may throw only what was thrown before any work.
 void judge_the_rest(Shared& shared, int threads) {
   std::vector<std::size_t> rest;
@@ -260,8 +253,7 @@ std::vector<MemberRoots> roots_of(const Family& family, std::span<const Point> m
   require_fitting(family, members);
   std::vector<MemberRoots> results(members.size());
   if (members.empty()) return results;
-  const int threads =
-      options.threads > 0 ? options.threads : static_cast<int>(std::thread::hardware_concurrency());
+  const int threads = thread_count(options.threads);
   Shared shared{family,
                 members,
                 tracker,

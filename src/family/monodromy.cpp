@@ -6,45 +6,85 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "certified_members.h"
 #include "loops.h"
+#include "moivre/bounds/root_bounds.h"
 #include "moivre/family/learn.h"
 #include "moivre/numeric/random.h"
+#include "moivre/polynomial/tape.h"
 
 namespace moivre {
 namespace {
 
 constexpr std::uint64_t kPairNumber = 1'000'000'000;
 
-/// F(x; p) at a point, for a system in unknowns and parameters, all of them given.
-Complex value_at(const Polynomial& p, const Point& all) {
-  Complex sum = 0;
-  for (const Term& term : p.terms) {
-    Complex value = to_complex(term.coefficient);
-    for (const Power& power : term.monomial) {
-      for (std::uint32_t e = 0; e < power.exponent; ++e) value *= all[power.variable];
+/// All that loops and chance have found.
+struct Search {
+  RootSet roots;
+  LoopCount count;
+  int components = 1;
+};
+
+/// F and its Jacobian in all its variables.
+class JointSystem {
+ public:
+  explicit JointSystem(const System& f)
+      : tape_(make_tape(f)),
+        c_(complex_coefficients(tape_, f)),
+        registers_(tape_.register_count()),
+        value_(tape_.equations),
+        entries_(tape_.jacobian.size()) {}
+
+  void evaluate_at(const Point& z) {
+    evaluate<Complex, Complex>(tape_, c_, z, registers_, value_, entries_);
+    jacobian_.setZero(tape_.equations, tape_.variables);
+    for (std::size_t e = 0; e < entries_.size(); ++e) {
+      jacobian_(tape_.jacobian[e].row, tape_.jacobian[e].column) = entries_[e];
     }
-    sum += value;
   }
-  return sum;
+  Eigen::Map<const Eigen::VectorXcd> value() const {
+    return {value_.data(), static_cast<Eigen::Index>(value_.size())};
+  }
+  const Eigen::MatrixXcd& jacobian() const { return jacobian_; }
+
+ private:
+  Tape tape_;
+  std::vector<Complex> c_;
+  Point registers_, value_, entries_;
+  Eigen::MatrixXcd jacobian_;
+};
+
+/// From z the shortest corrections, in units of `sizes`, until F(z) = 0; false where they do not come to an end, or creep to one, as
+/// they do to multiple roots.
+bool correct(JointSystem& f, const Eigen::VectorXd& sizes, Point& z) {
+  constexpr int kMostSteps = 100;
+  constexpr double kLargest = 1e6;
+  constexpr double kConverged = 1e-13;
+  constexpr double kNear = 1e-4;
+  constexpr double kCreeping = 0.1;
+  const auto units = sizes.asDiagonal();
+  Eigen::Map<Eigen::VectorXcd> at(z.data(), sizes.size());
+  double last = kLargest;
+  for (int step = 0; step < kMostSteps; ++step) {
+    f.evaluate_at(z);
+    const Eigen::VectorXcd dz =
+        (f.jacobian() * units).completeOrthogonalDecomposition().solve(-f.value());
+    at += units * dz;
+    const double size = at.cwiseQuotient(sizes).lpNorm<Eigen::Infinity>();
+    if (!(size <= kLargest)) return false;
+    const double length = dz.lpNorm<Eigen::Infinity>() / size;
+    if (length <= kConverged) return true;
+    if (last <= kNear && length > kCreeping * last) return false;
+    last = length;
+  }
+  return false;
 }
 
-/// Column j: F(x; e_j) - F(x; 0); the last one F(x; 0). Of parameters that are linear.
-Eigen::MatrixXcd in_parameters(const Family& family, const Point& x) {
-  const std::size_t n = family.unknowns();
-  const std::size_t k = family.parameters();
-  Eigen::MatrixXcd a(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(k + 1));
-  Point all = x;
-  all.resize(n + k);
-  for (std::size_t column = 0; column <= k; ++column) {
-    if (column < k) all[n + column] = 1;
-    for (std::size_t i = 0; i < n; ++i) {
-      a(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(column)) =
-          value_at(family.system.polynomials[i], all);
-    }
-    if (column < k) all[n + column] = 0;
-  }
-  for (Eigen::Index column = 0; column < a.cols() - 1; ++column) a.col(column) -= a.rightCols(1);
-  return a;
+/// But for rounding.
+bool has_vanishing_coordinate(const Point& x) {
+  const double nothing = 1e-9 * std::max(1.0, max_norm(x));
+  return std::any_of(x.begin(), x.end(),
+                     [&](const Complex& xj) { return std::abs(xj) <= nothing; });
 }
 
 void require_pair(const Family& family, const KnownPair& pair) {
@@ -54,40 +94,89 @@ void require_pair(const Family& family, const KnownPair& pair) {
                               std::to_string(family.parameters()) + " parameters");
 }
 
-std::string standing_of(const TraceTest& test, int loops) {
-  if (!test.was_made) {
-    return std::to_string(loops) + " loops, the last ones without a new root; no trace test";
+/// What is known about the number of roots.
+std::string standing_of(const Learning& learning, const TraceTest& test, const Search& search) {
+  if (learning.bound) {
+    return "proved: as many certified roots as the " + learning.bound->kind + " allows";
   }
+  if (search.components > 1) {
+    return "the family is reducible: " + std::to_string(search.components) +
+           " components with roots were met by chance; there may be more";
+  }
+  const std::string loops = std::to_string(search.count.loops) + " loops";
+  if (!test.was_made) return loops + ", the last ones without a new root; no trace test";
   const std::string points = std::to_string(test.points) + " points of the curve";
   return test.holds ? "shown: the trace test holds (" + points +
-                          "): no root of the components that were met is missing"
+                          "), and no root of another component was met by chance"
                     : "the trace test fails (" + points + "): roots are missing";
+}
+
+/// Random roots of random members belong to other components where they come to roots that no loop leads to.
+void look_elsewhere(const Family& family, const LoopSearch& loops, const Follower& follower,
+                    Search& search) {
+  for (int k = 1; k <= loops.options.other_pairs && !follower.stop; ++k) {
+    const auto pair = random_pair(family, random_bits(family.seed, RandomStream::family,
+                                                      kPairNumber + static_cast<std::uint64_t>(k)));
+    if (!pair) return;
+    auto end = follow_roots(family.system, pair->p, family.generic, {pair->x}, follower).front();
+    ++search.count.paths;
+    if (!end || !search.roots.add(std::move(*end))) continue;
+    ++search.components;
+    search.count += go_round_loops(family.system, family.generic, loops, follower, search.roots);
+  }
+}
+
+std::string name_of(BoundKind kind) {
+  switch (kind) {
+    case BoundKind::bezout:
+      return "total degree";
+    case BoundKind::multihomogeneous:
+      return "multihomogeneous number";
+    case BoundKind::elimination:
+    case BoundKind::stable_mixed_volume:
+      break;
+  }
+  return to_string(kind);
+}
+
+std::optional<MetBound> met_bound(const Family& family) {
+  const std::uint64_t roots = family.roots.size();
+  const System member = member_system(family, exact_values(family.generic));
+  for (const RootBound& bound : root_bounds(member, roots)) {
+    if (bound.value == roots) return MetBound{name_of(bound.kind), roots};
+  }
+  return std::nullopt;
 }
 
 }  // namespace
 
 std::optional<KnownPair> random_pair(const Family& family, std::uint64_t seed) {
-  if (!is_linear_in_parameters(family)) return std::nullopt;
-  KnownPair pair;
-  for (std::size_t j = 0; j < family.unknowns(); ++j) {
-    const std::uint64_t index = (kPairNumber << 8) + 2 * j;
-    pair.x.push_back((0.5 + random_unit(seed, RandomStream::family, index)) *
-                     random_phase(seed, RandomStream::family, index + 1));
+  constexpr std::uint64_t kMostTrials = 64;
+  constexpr double kLeastRank = 1e-8;
+  const std::size_t n = family.unknowns();
+  const auto rows = static_cast<Eigen::Index>(n);
+  JointSystem f(family.system);
+  Eigen::VectorXd sizes =
+      Eigen::VectorXd::Ones(rows + static_cast<Eigen::Index>(family.parameters()));
+  sizes.tail(static_cast<Eigen::Index>(family.parameters())) = Eigen::Map<const Eigen::VectorXd>(
+      family.sizes.data(), static_cast<Eigen::Index>(family.parameters()));
+  for (std::uint64_t trial = 0; trial < kMostTrials; ++trial) {
+    Point z;
+    for (std::size_t j = 0; j < family.system.variables.size(); ++j) {
+      const std::uint64_t index = ((kPairNumber + trial) << 8) + 2 * j;
+      z.push_back(sizes[static_cast<Eigen::Index>(j)] *
+                  (0.5 + random_unit(seed, RandomStream::family, index)) *
+                  random_phase(seed, RandomStream::family, index + 1));
+    }
+    if (!correct(f, sizes, z)) continue;
+    f.evaluate_at(z);
+    auto in_unknowns = f.jacobian().leftCols(rows).colPivHouseholderQr();
+    if (in_unknowns.setThreshold(kLeastRank).rank() < rows) continue;
+    const auto parameters = z.begin() + static_cast<std::ptrdiff_t>(n);
+    KnownPair pair{Point(z.begin(), parameters), Point(parameters, z.end())};
+    if (!family.nonzero || !has_vanishing_coordinate(pair.x)) return pair;
   }
-  const Point p = generic_member(family, ~seed);
-  const Eigen::MatrixXcd a = in_parameters(family, pair.x);
-  const Eigen::Index k = a.cols() - 1;
-  const Eigen::Map<const Eigen::VectorXcd> at(p.data(), k);
-  const Eigen::VectorXcd rest = a.leftCols(k) * at + a.col(k);
-  const Eigen::VectorXcd step = a.leftCols(k).completeOrthogonalDecomposition().solve(-rest);
-  constexpr double kSolved = 1e-10;
-  if (!((a.leftCols(k) * step + rest).norm() <= kSolved * std::max(1.0, rest.norm()))) {
-    return std::nullopt;
-  }
-  for (Eigen::Index j = 0; j < k; ++j) {
-    pair.p.push_back(p[static_cast<std::size_t>(j)] + step[j]);
-  }
-  return pair;
+  return std::nullopt;
 }
 
 Family learn_by_monodromy(Family unlearned, const KnownPair& pair, const Tracker& tracker,
@@ -96,24 +185,29 @@ Family learn_by_monodromy(Family unlearned, const KnownPair& pair, const Tracker
   Family family = std::move(unlearned);
   family.seed = options.seed;
   family.generic = generic_member(family, options.seed);
+  const Follower follower{tracker, stop, options.threads};
   const auto first =
-      follow_roots(family.system, pair.p, family.generic, {pair.x}, tracker, stop).front();
+      follow_roots(family.system, pair.p, family.generic, {pair.x}, follower).front();
   if (!first && !stop) {
     throw std::invalid_argument("the pair is no regular root of a member of the family");
   }
-  family.roots.clear();
-  if (first) family.roots.push_back(*first);
-  const int loops = go_round_loops(family.system, family.generic, family.sizes, tracker, options, 1,
-                                   stop, family.roots);
+  Search search;
+  if (first) search.roots.add(*first);
+  const LoopSearch loops{family.sizes, 1, options};
+  search.count = go_round_loops(family.system, family.generic, loops, follower, search.roots);
+  look_elsewhere(family, loops, follower, search);
+  family.roots = search.roots.roots();
   Learning& learning = family.learning;
   learning.start = "monodromy";
-  learning.paths = static_cast<std::uint64_t>(loops) * family.roots.size();
+  learning.paths = search.count.paths;
+  if (options.certify) learning.certified = certified_roots(family, options.threads, stop);
+  if (learning.certified == family.roots.size() && !stop) learning.bound = met_bound(family);
   TraceTest test;
-  if (options.test && family.roots.size() <= options.most_tested) {
+  if (options.test && !learning.bound && family.roots.size() <= options.most_tested) {
     test = trace_test(family, tracker, options, stop);
   }
-  learning.complete = test.holds && !stop;
-  learning.standing = standing_of(test, loops);
+  learning.complete = learning.bound || (test.holds && search.components == 1 && !stop);
+  learning.standing = standing_of(learning, test, search);
   return family;
 }
 

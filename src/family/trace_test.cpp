@@ -107,14 +107,14 @@ Trace trace_of(const std::vector<Point>& points, std::uint64_t seed) {
 
 /// Points of the curve that come to p* where the form splits, and are none of the family's roots there.
 std::size_t missing_roots(const System& curve, const Point& base, const std::vector<Point>& points,
-                          const Family& family, const Tracker& tracker,
-                          const std::atomic<bool>& stop) {
+                          const Family& family, const Follower& follower) {
   const Point split = split_form(family.unknowns(), family.seed);
+  const RootSet known(family.roots);
   std::size_t missing = 0;
-  for (auto& end : follow_roots(curve, base, split, points, tracker, stop)) {
+  for (auto& end : follow_roots(curve, base, split, points, follower)) {
     if (!end || std::abs(end->back()) > kAtBase) continue;
     end->pop_back();
-    if (!is_among(family.roots, *end)) ++missing;
+    if (!known.holds(*end)) ++missing;
   }
   return missing;
 }
@@ -131,33 +131,35 @@ TraceTest trace_test(const Family& family, const Tracker& tracker, const Monodro
     v.push_back(family.sizes[j] * random_number(options.seed, kLine, j));
   }
   const System curve = curve_system(family, v);
+  const Follower follower{tracker, stop, options.threads};
   std::vector<Point> starts = family.roots;
   for (Point& point : starts) point.push_back(0);
   const Point base = generic_form(n, options.seed);
-  std::vector<Point> points;
-  for (auto& end : follow_roots(curve, split_form(n, options.seed), base, starts, tracker, stop)) {
-    if (end && !is_among(points, *end)) points.push_back(std::move(*end));
-  }
+  const auto arrivals = [&](const Point& from, const Point& to, const std::vector<Point>& points) {
+    RootSet ends;
+    for (auto& end : follow_roots(curve, from, to, points, follower)) {
+      if (end) ends.add(std::move(*end));
+    }
+    return ends;
+  };
+  RootSet points = arrivals(split_form(n, options.seed), base, starts);
   if (points.size() != starts.size()) return test;
-  const std::vector<double> sizes(base.size(), 1.0);
-  go_round_loops(curve, base, sizes, tracker, options, kTestLoops, stop, points);
+  const LoopSearch search{std::vector<double>(base.size(), 1.0), kTestLoops, options};
+  go_round_loops(curve, base, search, follower, points);
   test.points = points.size();
-  std::vector<Trace> traces{trace_of(points, options.seed)};
+  std::vector<Trace> traces{trace_of(points.roots(), options.seed)};
   const Complex step = random_number(options.seed, kSum, n + 1);
   for (const double multiple : {1.0, 2.0}) {
     Point moved = base;
     moved.back() += multiple * step;
-    std::vector<Point> ends;
-    for (auto& end : follow_roots(curve, base, moved, points, tracker, stop)) {
-      if (end && !is_among(ends, *end)) ends.push_back(std::move(*end));
-    }
+    const RootSet ends = arrivals(base, moved, points.roots());
     if (ends.size() != points.size()) return test;
-    traces.push_back(trace_of(ends, options.seed));
+    traces.push_back(trace_of(ends.roots(), options.seed));
   }
   const double size = traces[0].size + traces[1].size + traces[2].size;
   test.was_made = true;
   test.defect = std::abs(traces[0].sum - 2.0 * traces[1].sum + traces[2].sum) / size;
-  test.missing = missing_roots(curve, base, points, family, tracker, stop);
+  test.missing = missing_roots(curve, base, points.roots(), family, follower);
   test.holds = test.defect <= kLinear && test.missing == 0;
   return test;
 }

@@ -2,9 +2,8 @@
 // The system prepared, the trackers at hand, and how far the coefficients' spread lets ends be believed.
 #include "setting.h"
 
-#include <thread>
-
 #include "certificates.h"
+#include "moivre/numeric/threads.h"
 #include "moivre/tracker/double_double_tracker.h"
 
 namespace moivre {
@@ -36,8 +35,7 @@ Setting::Setting(const System& system, Prepared the_prepared, const Tracker& tra
     : f(system),
       options(solve_options),
       stop(stop_flag),
-      threads(options.threads > 0 ? options.threads
-                                  : static_cast<int>(std::thread::hardware_concurrency())),
+      threads(thread_count(options.threads)),
       trackers(trackers_of(tracker, options)),
       prepared(std::move(the_prepared)),
       endgame(options.endgame),

@@ -7,11 +7,11 @@
 #include <exception>
 #include <mutex>
 #include <stdexcept>
-#include <thread>
 
 #include "moivre/expression/refusal.h"
-#include "moivre/numeric/stopwatch.h"
 #include "moivre/mechanism/dimensions.h"
+#include "moivre/numeric/stopwatch.h"
+#include "moivre/numeric/threads.h"
 
 namespace moivre {
 namespace {
@@ -74,16 +74,8 @@ class Sweep {
         if (!one(k)) return;
       }
     };
-    std::vector<std::thread> others;
-    for (int k = 1; k < threads(); ++k) others.emplace_back(work);
-    work();
-    for (std::thread& other : others) other.join();
+    on_threads(thread_count(options_.closures.solve.threads), work);
     if (refusal) std::rethrow_exception(refusal);
-  }
-
-  int threads() const {
-    const int wanted = options_.closures.solve.threads;
-    return wanted > 0 ? wanted : static_cast<int>(std::thread::hardware_concurrency());
   }
 
   /// Between a and b, which differ in the number `along`, to `width`.
@@ -202,7 +194,7 @@ SweepResult sweep(const Mechanism& mechanism, const std::vector<Varied>& varied,
   const std::size_t columns = varied.size() == 2 ? varied[1].count : 1;
   result.samples.resize(varied[0].count * columns);
   Sweep run(mechanism, varied, tracker, book, options, stop);
-  result.threads = run.threads();
+  result.threads = thread_count(options.closures.solve.threads);
   const auto at = [&](std::size_t k) {
     std::vector<double> values{varied[0].at(k / columns)};
     if (varied.size() == 2) values.push_back(varied[1].at(k % columns));

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "conic_problems.h"
 #include "families.h"
 #include "family_problems.h"
 #include "moivre/tracker_lanes/lane_tracker.h"
@@ -26,8 +27,87 @@ TEST(Monodromy, FindsARandomPairWhereEveryEquationHasAParameterOfItsOwn) {
   const Complex y = pair->x[1];
   EXPECT_LT(std::abs(pair->p[0] * x * y + pair->p[1] * x + pair->p[2]), 1e-12);
   EXPECT_LT(std::abs(pair->p[3] * x * y + pair->p[4] * y * y + pair->p[5]), 1e-12);
-  EXPECT_FALSE(random_pair(conics(), 1));                // its second equation ties x alone
-  EXPECT_FALSE(random_pair(six_r_problem().family, 1));  // and so do the norms of axes
+}
+
+TEST(Monodromy, FindsARandomPairWhereParametersAreNotLinearOrTieNoEquation) {
+  const auto lanes = make_lane_tracker();
+  const Family squares = unlearned_family(
+      read_system({"test", "2 4\nx^2*p^3 - y*q + p*q; x*y - p^2;\n"}), {{"p"}, {"q"}});
+  for (const Family& family : {conics(), six_r_problem().family, squares}) {
+    const auto pair = random_pair(family, 1);
+    ASSERT_TRUE(pair);
+    const SolveResult member = solve(member_system(family, exact_values(pair->p)), *lanes);
+    EXPECT_TRUE(
+        std::any_of(member.solutions.begin(), member.solutions.end(), [&](const Solution& root) {
+          double distance = 0;
+          for (std::size_t j = 0; j < root.x.size(); ++j) {
+            distance = std::max(distance, std::abs(root.x[j] - pair->x[j]));
+          }
+          return !root.singular && distance < 1e-9 * std::max(1.0, max_norm(root.x));
+        }));
+  }
+}
+
+TEST(Monodromy, FindsNoPairWhereNoMemberHasARegularRoot) {
+  const Family doubled = unlearned_family(read_system({"test", "1 2\n(x - p)^2;\n"}), {{"p"}});
+  EXPECT_FALSE(random_pair(doubled, 1));
+}
+
+TEST(Monodromy, CountsConicsThatTouchConics) {
+  const auto lanes = make_lane_tracker();
+  const std::size_t published[] = {1, 6, 36, 184};
+  for (int touched = 0; touched <= 3; ++touched) {
+    const Family unlearned = conics_that_touch(touched);
+    const auto pair = random_pair(unlearned, 5);
+    ASSERT_TRUE(pair) << touched;
+    MonodromyOptions options = with_seed(5);
+    options.test = touched < 3;
+    const Family family = learn_by_monodromy(unlearned, *pair, *lanes, options);
+    EXPECT_EQ(family.roots.size(), published[touched]);
+    EXPECT_EQ(family.learning.certified, published[touched]);
+    EXPECT_EQ(family.learning.complete, options.test) << family.learning.standing;
+  }
+}
+
+TEST(Monodromy, FindsTheSameOnSeveralThreads) {
+  const auto lanes = make_lane_tracker();
+  const Family unlearned = conics_that_touch(1);
+  const auto pair = random_pair(unlearned, 2);
+  ASSERT_TRUE(pair);
+  MonodromyOptions options = with_seed(2);
+  const Family alone = learn_by_monodromy(unlearned, *pair, *lanes, options);
+  options.threads = 3;
+  EXPECT_EQ(learn_by_monodromy(unlearned, *pair, *lanes, options), alone);
+}
+
+/// Two circles in turn on a third one: two pairs of roots that no loop joins, and fewer than any bound allows.
+TEST(Monodromy, TellsThatAFamilyIsReducible) {
+  const auto lanes = make_lane_tracker();
+  const Family unlearned = unlearned_family(
+      read_system(
+          {"test", "2 5\n(x^2 + y^2 - p*x)*(x^2 + y^2 - q*y - r); x^2 + y^2 - x - r*y - p*q;\n"}),
+      {{"p"}, {"q"}, {"r"}});
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    const auto pair = random_pair(unlearned, seed);
+    ASSERT_TRUE(pair);
+    const Family family = learn_by_monodromy(unlearned, *pair, *lanes, with_seed(seed));
+    EXPECT_EQ(family.roots.size(), 4U);
+    EXPECT_FALSE(family.learning.complete);
+    EXPECT_NE(family.learning.standing.find("reducible"), std::string::npos)
+        << family.learning.standing;
+  }
+}
+
+TEST(Monodromy, AProvedBoundNeedsNoTraceTest) {
+  const auto lanes = make_lane_tracker();
+  const Family unlearned = unlearned_family(read_system({"test", "1 2\nx^2 - p^2;\n"}), {{"p"}});
+  const auto pair = random_pair(unlearned, 1);
+  ASSERT_TRUE(pair);
+  const Family family = learn_by_monodromy(unlearned, *pair, *lanes, with_seed(1));
+  EXPECT_EQ(family.roots.size(), 2U);
+  ASSERT_TRUE(family.learning.bound);
+  EXPECT_EQ(family.learning.bound->kind, "total degree");
+  EXPECT_TRUE(family.learning.complete);
 }
 
 TEST(Monodromy, FindsAllRootsOfCoefficientFamiliesAndTheTraceTestHolds) {

@@ -13,17 +13,29 @@
 // Source: [LRS18] for the trace test of such curves, [DHJLLS19] for loops.
 #pragma once
 
+#include <functional>
+
 #include "moivre/family/family.h"
 
 namespace moivre {
 
+struct LoopProgress {
+  int loops = 0;
+  std::size_t roots = 0;
+};
+
 struct MonodromyOptions {
   std::uint64_t seed = 1;
+  int threads = 1;
   int quiet_loops = 10;  ///< without a new root, after which the search ends
   int most_loops = 1000;
   std::size_t most_roots = 100'000;
+  int other_pairs =
+      20;  ///< random roots, which belong to another component where loops do not lead to them
   bool test = true;  ///< the trace test, where the roots are no more than `most_tested`
   std::size_t most_tested = 2000;
+  bool certify = true;  ///< each root, where the module certify is built
+  std::function<void(const LoopProgress&)> progress;  ///< called after each loop
 };
 
 /// Whether all roots of the components were found.
@@ -40,10 +52,11 @@ struct KnownPair {
   Point x, p;
 };
 
-/// A random complex p through which a random x is a root; nullopt where parameters are not linear, or tie x.
+/// A random complex root of a random complex member: Newton's method in x and p together, the shortest corrections first. nullopt where it
+/// leads to no regular root from 64 random beginnings.
 std::optional<KnownPair> random_pair(const Family& family, std::uint64_t seed);
 
-/// Throws std::invalid_argument where the pair is no regular root, or of another size. options: trackers' and threads' part.
+/// A set `stop` keeps what was found. Throws std::invalid_argument where the pair is no regular root, or of another size.
 Family learn_by_monodromy(Family unlearned, const KnownPair& pair, const Tracker& tracker,
                           const MonodromyOptions& options = {},
                           const std::atomic<bool>& stop = std::atomic<bool>{false});
