@@ -4,7 +4,8 @@
 //   monodromy [--seeds N] [--first SEED] [--threads N] [NAME...]
 //
 //   four-bar 2, seven-link-* 14, 16, 18, 6R 16, stewart 40   as in bench/family
-//   nine-link 56, cyclic-7 924                               every coefficient is a parameter
+//   nine-link 56                                             Assur structure 4/4
+//   cyclic-7 924                                             every coefficient is a parameter
 //   three-conics 184                                         conics that touch three conics and pass through two points
 //   five-conics 3264, nine-point 8652                        problems/families; only where they are named
 //
@@ -17,8 +18,8 @@
 #include <string>
 #include <vector>
 
-#include "conic_problems.h"
 #include "family_problems.h"
+#include "loop_problems.h"
 #include "moivre/family/learn.h"
 #include "moivre/numeric/stopwatch.h"
 #include "moivre/tracker_lanes/lane_tracker.h"
@@ -62,8 +63,7 @@ std::vector<LoopProblem> small_problems() {
     problems.push_back({problem.name, problem.roots, std::move(problem.family)});
   }
   const std::string folder = MOIVRE_SOURCE_DIR "/problems/polynomials/";
-  problems.push_back(
-      {"nine-link", 56, coefficient_family(read_system(read_source(folder + "nine-link-56.phc")))});
+  problems.push_back({"nine-link", 56, nine_link()});
   problems.push_back(
       {"cyclic-7", 924, coefficient_family(read_system(read_source(folder + "cyclic-7.phc")))});
   problems.push_back({"three-conics", 184, conics_that_touch(3)});

@@ -4,9 +4,13 @@
 
 #include <gtest/gtest.h>
 
-#include "conic_problems.h"
+#include <array>
+
 #include "families.h"
 #include "family_problems.h"
+#include "loop_problems.h"
+#include "moivre/family/values.h"
+#include "moivre/polynomial/value.h"
 #include "moivre/tracker_lanes/lane_tracker.h"
 
 namespace moivre {
@@ -156,6 +160,37 @@ TEST(Monodromy, AgreesWithDirectSolvesOnKinematics) {
     EXPECT_EQ(found.roots.size(), problem.roots) << problem.name << ": " << found.learning.standing;
     EXPECT_TRUE(found.learning.complete) << problem.name << ": " << found.learning.standing;
   }
+}
+
+/// One of the linkages published for the points of nine-point.csv: x, a, y, b. Their conjugates and the coupler's turns follow.
+TEST(Monodromy, TheNinePointSystemHoldsAPublishedLinkage) {
+  const Family family = declared_family("nine-point.bertini");
+  const std::vector<Point> members =
+      read_members(read_source(MOIVRE_SOURCE_DIR "/problems/families/nine-point.csv"), family);
+  ASSERT_EQ(members.size(), 1U);
+  const Point& p = members.front();
+  const Complex x(-1.3312540705576015, -0.8544136936297421);
+  const Complex a(-0.33884611544501125, -0.7568765326936728);
+  const Complex y(-1.7054407480694351, -0.2622477491324417);
+  const Complex b(-0.6738143864007782, -0.18325576331690963);
+  Point z{x, std::conj(x), a, std::conj(a), y, std::conj(y), b, std::conj(b)};
+  z.resize(24);
+  for (std::size_t j = 0; j < 8; ++j) {
+    const Complex d = p[j];
+    EXPECT_EQ(p[j + 8], std::conj(d));
+    // Two linear equations, of the left and of the right crank, in g and its conjugate.
+    const auto row = [&](const Complex& crank, const Complex& pivot) {
+      return std::array<Complex, 3>{std::conj(pivot - d) * crank, (pivot - d) * std::conj(crank),
+                                    std::norm(d) - 2 * ((std::conj(pivot - crank)) * d).real()};
+    };
+    const auto left = row(x, a);
+    const auto right = row(y, b);
+    const Complex det = left[0] * right[1] - left[1] * right[0];
+    z[8 + j] = (left[2] * right[1] - left[1] * right[2]) / det;
+    z[16 + j] = (left[0] * right[2] - left[2] * right[0]) / det;
+  }
+  const System member = member_system(family, exact_values(p));
+  for (const Polynomial& f : member.polynomials) EXPECT_LT(std::abs(value_at(f, z)), 1e-7);
 }
 
 TEST(Monodromy, RefusesWhatIsNoRoot) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which families do loops learn that no start system fits? Conics that touch conics, and the families of problems/families.
+// Which families do loops learn that no start system fits? Conics that touch conics, a nine-link, the families of problems/families.
 #pragma once
 
 #include <string>
@@ -47,6 +47,38 @@ inline Family conics_that_touch(int conics) {
   const std::string head = std::to_string(unknowns) + " " +
                            std::to_string(static_cast<std::size_t>(unknowns) + parameters.size());
   return unlearned_family(read_system({"conics", head + "\n" + equations}), parameters);
+}
+
+/// Four ternary links in a ring on four bars, in isotropic coordinates (problems/polynomials/nine-link-56.phc): the Assur structure 4/4.
+/// r_j: bars; a_j, b_j, c_j and, conjugate, A_j, B_j, C_j: sides of links, ground. The loops' constants add up to 0.
+inline Family nine_link() {
+  std::vector<NamedParameter> parameters{{"r1"}, {"r2"}, {"r3"}, {"r4"}};
+  std::string equations;
+  for (const char* letters : {"abct", "ABCu"}) {
+    const std::string a(1, letters[0]), b(1, letters[1]), c(1, letters[2]), t(1, letters[3]);
+    const auto bars = [&](const char* plus, const char* minus) {
+      return std::string("r").append(plus) + "*" + t + plus + " - r" + minus + "*" + t + minus;
+    };
+    equations +=
+        bars("1", "2") + " + " + a + "1*" + t + "5 + " + b + "1*" + t + "6 + " + c + "1;\n";
+    equations +=
+        bars("2", "3") + " + " + a + "2*" + t + "6 + " + b + "2*" + t + "7 + " + c + "2;\n";
+    equations +=
+        bars("3", "4") + " + " + a + "3*" + t + "7 + " + b + "3*" + t + "8 + " + c + "3;\n";
+    equations += bars("4", "1") + " + " + a + "4*" + t + "8 + " + b + "4*" + t + "5 - " + c +
+                 "1 - " + c + "2 - " + c + "3;\n";
+    for (const std::string& letter : {a, b, c}) {
+      for (int j = 1; j <= (letter == c ? 3 : 4); ++j) {
+        parameters.push_back({letter + std::to_string(j)});
+      }
+    }
+  }
+  for (int j = 1; j <= 8; ++j) {
+    const std::string number = std::to_string(j);
+    equations += std::string("t").append(number) + "*u" + number + " - 1;\n";
+  }
+  const std::string head = "16 " + std::to_string(16 + parameters.size()) + "\n";
+  return unlearned_family(read_system({"nine-link", head + equations}), parameters);
 }
 
 }  // namespace moivre
