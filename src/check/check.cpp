@@ -75,18 +75,51 @@ void judge_completeness(const Claims& claims, const StandIn& stand_in, Verdicts&
   verdicts.refute(ClaimKind::completeness, why);
 }
 
+/// What is claimed of the stand-in, whose paths and multiplicities are so many times fewer.
+Claims divided(const Claims& claims, std::uint64_t sheets, Verdicts& verdicts) {
+  Claims result = claims;
+  if (sheets == 1) return result;
+  const auto divide = [&](ClaimKind claim, std::uint64_t& count,
+                          std::optional<std::size_t> root = std::nullopt) {
+    verdicts.judge(claim, count % sheets == 0,
+                   std::to_string(count) + " is no multiple of " + std::to_string(sheets) +
+                       ", the product of the equations' exponents",
+                   root);
+    count /= sheets;
+  };
+  for (std::size_t k = 0; k < result.roots.size(); ++k) {
+    RootClaim& root = result.roots[k];
+    divide(ClaimKind::multiplicity, root.multiplicity, k + 1);
+    if (root.singular) {
+      verdicts.judge(ClaimKind::multiplicity, *root.singular,
+                     "equations that are powers have singular roots only", k + 1);
+      root.singular = root.multiplicity > 1;
+    }
+  }
+  if (result.paths) divide(ClaimKind::paths, result.paths->tracked);
+  if (!result.start) return result;
+  divide(ClaimKind::start, result.start->paths);
+  for (auto* count : {&result.start->total_degree, &result.start->multihomogeneous,
+                      &result.start->mixed_volume}) {
+    if (*count) divide(ClaimKind::start, **count);
+  }
+  return result;
+}
+
 }  // namespace
 
-Judgement check(const System& f, const Claims& claims) {
+Judgement check(const System& f, const Claims& given) {
   Judgement judgement;
-  judgement.form = claims.form;
-  judgement.roots.listed = claims.roots.size();
+  judgement.form = given.form;
+  judgement.roots.listed = given.roots.size();
   Verdicts verdicts(judgement);
-  judge_paths(claims, verdicts);
-  judgement.is_judged_whole = judge_system(f, claims, verdicts);
+  judge_paths(given, verdicts);
+  judgement.is_judged_whole = judge_system(f, given, verdicts);
   if (!judgement.is_judged_whole || f.variables.empty()) return judgement;
 
-  const StandIn stand_in = make_stand_in(f, claims.seed);
+  // A list has each root as often as its author's paths came to it.
+  const StandIn stand_in = make_stand_in(f, given.seed, given.form == ClaimForm::solve_json);
+  const Claims claims = divided(given, stand_in.sheets, verdicts);
   judgement.stand_in = stand_in.name;
   judge_start(f, stand_in, claims, verdicts);
   Certifier certifier(make_certify_program(stand_in.system));

@@ -151,9 +151,10 @@ void judge_condition(const Bench& bench, Figures& figures, std::size_t k) {
 void judge_figures(const Bench& bench) {
   if (bench.is_list()) return;
   Figures figures(with_rows_near_one(bench.f));
+  Figures of_bases(with_rows_near_one(bench.stand_in.sheets > 1 ? bench.stand_in.system : bench.f));
   for (std::size_t k = 0; k < bench.entries.size(); ++k) {
     judge_residual(bench, figures, k);
-    if (figures.is_square()) judge_condition(bench, figures, k);
+    if (figures.is_square()) judge_condition(bench, of_bases, k);
   }
 }
 

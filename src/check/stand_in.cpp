@@ -3,11 +3,12 @@
 #include "stand_in.h"
 
 #include "moivre/polynomial/patches.h"
+#include "moivre/polynomial/powers.h"
 #include "moivre/polynomial/square_up.h"
 
 namespace moivre {
 
-StandIn make_stand_in(const System& f, std::uint64_t seed) {
+StandIn make_stand_in(const System& f, std::uint64_t seed, bool counts_paths) {
   StandIn result;
   result.system = has_homogeneous_groups(f) ? with_patches(f, seed) : f;
   result.patches.assign(
@@ -24,6 +25,13 @@ StandIn make_stand_in(const System& f, std::uint64_t seed) {
   } else if (m < n) {
     result.system = with_slices(result.system, seed);
     result.name = "random slices, those of the seed";
+  } else if (counts_paths && !result.has_patches()) {
+    PowerFree bases = power_free(f);
+    result.sheets = bases.sheets;
+    if (bases.sheets > 1) {
+      result.system = std::move(bases.system);
+      result.name = "the bases of equations that are powers";
+    }
   }
   if (result.has_patches()) result.has_all_roots = false;
   return result;

@@ -16,6 +16,7 @@
 #include "moivre/expression/refusal.h"
 #include "moivre/numeric/stopwatch.h"
 #include "moivre/polynomial/patches.h"
+#include "sheets.h"
 #include "squared.h"
 #include "tracking.h"
 
@@ -168,7 +169,12 @@ SolveResult solve(const System& f, const Tracker& tracker, const SolveOptions& o
   if (is_square && options.known_start) {
     if (auto known = options.known_start(f, tracker, options, stop)) return std::move(*known);
   }
-  if (is_square) return solve_by_starts(f, tracker, options, stop);
+  if (is_square) {
+    const PowerFree bases = power_free(f);
+    SolveResult result = solve_by_starts(bases.system, tracker, options, stop);
+    if (bases.sheets > 1) take_back_powers(f, bases, result);
+    return result;
+  }
   SolveResult result = solve_by_starts(squared(f, options), tracker, options, stop);
   take_back(f, result);
   return result;

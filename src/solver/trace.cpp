@@ -8,6 +8,7 @@
 
 #include "beginnings.h"
 #include "facts.h"
+#include "moivre/polynomial/powers.h"
 #include "setting.h"
 
 namespace moivre {
@@ -119,22 +120,25 @@ void follow_to_the_end(const PathProblem& problem, int care, const ToAffine& to_
 Trace trace_path(const System& f, const Tracker& tracker, const SolveOptions& options,
                  std::uint64_t path, const std::atomic<bool>& stop) {
   require_square(f);
-  const Setting setting(f, tracker, options, stop);
+  const PowerFree bases = power_free(f);
+  const Setting setting(bases.system, tracker, options, stop);
   require_paths(setting.prepared);
   const StartPlan& plan = *setting.prepared.plan;
-  if (path >= plan.paths) {
+  const std::uint64_t paths = bases.sheets * plan.paths;
+  if (path >= paths) {
     throw std::invalid_argument("there is no path " + std::to_string(path) +
-                                ": the start system has " + std::to_string(plan.paths) +
-                                ", numbered from 0 to " + std::to_string(plan.paths - 1));
+                                ": the start system has " + std::to_string(paths) +
+                                ", numbered from 0 to " + std::to_string(paths - 1));
   }
   Trace trace;
   trace.system = facts_of(f);
-  trace.paths = plan.paths;
-  trace.path = path;
+  trace.paths = paths;
+  trace.path = path / bases.sheets;
   trace.left_out = setting.prepared.left_out;
   follow_to_the_end(
       setting.problem(0), options.care,
       [&](const Point& x) { return to_original(setting.prepared, x); }, stop, trace);
+  trace.path = path;
   return trace;
 }
 

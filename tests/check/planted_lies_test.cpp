@@ -110,6 +110,17 @@ const Lie kLies[] = {
      ClaimKind::completeness},
     {"completeness proved with double roots that are no fractions", "surds",
      [](Json& r) { r["completeness"] = "proved"; }, ClaimKind::completeness},
+    {"a multiplicity that the exponents do not allow", "powers",
+     [](Json& r) {
+       root(r, 1)["multiplicity"] = 5;
+       root(r, 2)["multiplicity"] = 7;
+     },
+     ClaimKind::multiplicity, 1},
+    {"a root of powers called regular", "powers", [](Json& r) { root(r, 1)["singular"] = false; },
+     ClaimKind::multiplicity, 1},
+    {"a root of powers moved", "powers",
+     [](Json& r) { root(r, 1)["x"][0][0] = root(r, 1)["x"][0][0].get<double>() + 1e-3; },
+     ClaimKind::root, 1},
     {"a conjugate left out", "plane", [](Json& r) { leave_out(r, 4); }, ClaimKind::complete, 3},
     {"a real root called not real", "plane", [](Json& r) { root(r, 1)["real"] = false; },
      ClaimKind::real, 1},
@@ -249,7 +260,7 @@ TEST_P(PlantedLies, AreFoundByTheNameOfTheClaim) {
 INSTANTIATE_TEST_SUITE_P(All, PlantedLies, testing::ValuesIn(kLies));
 
 TEST(Check, HonestResultsPass) {
-  for (const char* name : {"plane", "doubles", "three", "cassou", "eco-6"}) {
+  for (const char* name : {"plane", "doubles", "three", "cassou", "eco-6", "powers"}) {
     const Judgement judgement = judged(name, honest(name));
     EXPECT_TRUE(judgement.holds()) << name << '\n' << lines(judgement.refuted);
   }

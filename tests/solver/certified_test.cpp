@@ -48,7 +48,7 @@ TEST(Certified, EliminationProvesWhatItDecides) {
 }
 
 TEST(Certified, AMultipleRootIsNotCertified) {
-  const SolveResult result = solve_with_cvode(read("2\n x^2 - 2*x + 1;\n y^2 - x*y - 3;\n"));
+  const SolveResult result = solve_with_cvode(read("2\n x^2 - 2*x + 1 + y^2 - x*y - 3;\n y^2 - x*y - 3;\n"));
   expect_conservation(result);
   EXPECT_EQ(result.solutions.size(), 2U);
   EXPECT_EQ(certified(result), 0U);

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+// Counts multiplied, lists repeated.
+#include "sheets.h"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+
+#include "facts.h"
+#include "refine.h"
+
+namespace moivre {
+namespace {
+
+/// Of numbers that are no larger than that of the tracked paths.
+PathCounts times(std::uint64_t sheets, const PathCounts& paths) {
+  PathCounts all;
+  all.tracked = sheets * paths.tracked;
+  all.finite = sheets * paths.finite;
+  all.at_infinity = sheets * paths.at_infinity;
+  all.failed = sheets * paths.failed;
+  all.on_positive_dimensional = sheets * paths.on_positive_dimensional;
+  all.retracked = sheets * paths.retracked;
+  all.handed_over = sheets * paths.handed_over;
+  all.mixed = sheets * paths.mixed;
+  all.double_double = sheets * paths.double_double;
+  return all;
+}
+
+bool fits(std::uint64_t sheets, std::uint64_t count) {
+  return count <= std::numeric_limits<std::uint64_t>::max() / sheets;
+}
+
+void multiply(std::uint64_t sheets, StartCount& count) {
+  if (!count.paths) return;
+  if (fits(sheets, *count.paths)) {
+    *count.paths *= sheets;
+  } else {
+    count = {std::nullopt, "beyond 64 bits"};
+  }
+}
+
+void multiply(std::uint64_t sheets, StartFacts& start) {
+  start.paths *= sheets;
+  for (StartCount* count :
+       {&start.counts.total_degree, &start.counts.multihomogeneous, &start.counts.mixed_volume}) {
+    multiply(sheets, *count);
+  }
+}
+
+/// Each entry `sheets` times in a row; none where these were too many.
+template <class Entry>
+std::vector<Entry> repeated(std::uint64_t sheets, const std::vector<Entry>& entries) {
+  std::vector<Entry> all;
+  if (entries.size() > kMostListed / sheets) return all;
+  all.reserve(sheets * entries.size());
+  for (const Entry& entry : entries) all.insert(all.end(), sheets, entry);
+  return all;
+}
+
+std::vector<FailedPath> renumbered(std::uint64_t sheets, const std::vector<FailedPath>& failures) {
+  std::vector<FailedPath> all = repeated(sheets, failures);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    all[k].path = sheets * all[k].path + k % sheets;
+  }
+  return all;
+}
+
+void multiply(std::uint64_t sheets, Refiner& refiner, Solution& root) {
+  root.path *= sheets;
+  root.multiplicity *= sheets;
+  root.singular = true;
+  root.winding = repeated(sheets, root.winding);
+  root.residual = 0;
+  for (const Complex& value : refiner.relative_values(root.x)) {
+    root.residual = std::max(root.residual, std::abs(value));
+  }
+}
+
+std::string exponents_text(const PowerFree& bases) {
+  std::string text;
+  for (std::size_t i = 0; i < bases.exponents.size(); ++i) {
+    if (bases.exponents[i] == 1) continue;
+    text += text.empty() ? "equation " : ", equation ";
+    text += std::to_string(i + 1) + ": " + std::to_string(bases.exponents[i]);
+  }
+  return text;
+}
+
+}  // namespace
+
+void take_back_powers(const System& f, const PowerFree& bases, SolveResult& result) {
+  const std::uint64_t sheets = bases.sheets;
+  if (!fits(sheets, std::max(result.paths.tracked, result.start.paths))) {
+    throw std::overflow_error("the number of paths exceeds 64 bits");
+  }
+  result.system = facts_of(f);
+  multiply(sheets, result.start);
+  result.paths = times(sheets, result.paths);
+  Refiner refiner(make_refiner_program(f, std::vector<double>(f.variables.size(), 1.0)));
+  for (Solution& root : result.solutions) multiply(sheets, refiner, root);
+  if (result.bound) result.bound->value *= sheets;
+  result.failures = renumbered(sheets, result.failures);
+  result.ledger = repeated(sheets, result.ledger);
+  result.left_out.push_back({"exponents of equations (" + exponents_text(bases) + ")",
+                             "the bases have the same roots: of " + std::to_string(sheets) +
+                                 " paths that coincide one is followed"});
+}
+
+}  // namespace moivre
