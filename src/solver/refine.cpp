@@ -43,7 +43,8 @@ constexpr double kFineNoise = 1e-6;
 constexpr double kFineStagnation = 1e2;
 // The points of a circle, whose mean a singular end is, are not known better: errors of 1.02e-14 were seen.
 constexpr double kSingularAccuracy = 5e-14;
-// Coordinates of a singular root are taken for 0 within so many times its accuracy.
+// Coordinates of a singular root are taken for 0 within so many times the accuracy of its mean. What a residual leaves open is no
+// reason: a mean that is farther from 0 may be that of sheets which end apart.
 constexpr double kSingularSnap = 10;
 
 /// How far a root may be from an end of this accuracy.
@@ -316,7 +317,7 @@ Refined Refiner::keep(const Point& x, double accuracy, int sheets) {
   result.accuracy = std::max({accuracy, kSingularAccuracy, spread});
   result.condition = w_->factor(x) ? w_->lu.condition() : std::numeric_limits<double>::infinity();
   result.residual = residual(x);
-  snap_to_zero(result, kSingularSnap * result.accuracy);
+  snap_to_zero(result, kSingularSnap * std::max(accuracy, kSingularAccuracy));
   return result;
 }
 

@@ -48,7 +48,8 @@ TEST(Certified, EliminationProvesWhatItDecides) {
 }
 
 TEST(Certified, AMultipleRootIsNotCertified) {
-  const SolveResult result = solve_with_cvode(read("2\n x^2 - 2*x + 1 + y^2 - x*y - 3;\n y^2 - x*y - 3;\n"));
+  const SolveResult result =
+      solve_with_cvode(read("2\n x^2 - 2*x + 1 + y^2 - x*y - 3;\n y^2 - x*y - 3;\n"));
   expect_conservation(result);
   EXPECT_EQ(result.solutions.size(), 2U);
   EXPECT_EQ(certified(result), 0U);
@@ -71,6 +72,23 @@ TEST(Certified, ASimpleRootBesideAMultipleOneIsNotTakenForAPartOfIt) {
     if (result.complete) {
       EXPECT_EQ(result.solutions.size(), 18U);
     }
+  }
+}
+
+// Five sheets of a cycle end at the origin, on a line of roots, and the sixth at a simple root 9e-8 beside it. Their mean is no root.
+TEST(Certified, ASimpleRootBesideASetIsNotTakenForAPartOfIt) {
+  const System f = read(
+      "4\n -4102*x^2*w - x*y*z - 6*x*y*w - 5*x*z^2 - 9*x*z*w + 7136*y^3 - 7778*y*w^2 + x*y + "
+      "3174*y*z "
+      "- y*w;\n"
+      " 4*x*y*z + 9*y*z*w + 5*x*z - x*w - y*z + 2*y*w + 3217*w^2;\n"
+      " 3*x^2*z + x*y*w + 3*y^2*w - 4300*y*z*w + x^2 + 89*x*y + y*z;\n"
+      " 9082*x*y*w + z*w^2 - 5764*x^2 + 8034*x*y - 1558*x*w + 5029*z*w;\n");
+  const auto lanes = make_lane_tracker();
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    const SolveResult result = solve(f, *lanes, with_seed(seed));
+    expect_conservation(result);
+    EXPECT_TRUE(!result.complete || result.solutions.size() == 43U) << seed;
   }
 }
 
