@@ -36,7 +36,7 @@ class ChainFinder {
 
 std::vector<std::size_t> ChainFinder::bodies_of(const Joint& joint) const {
   std::vector<std::size_t> bodies{joint.at[0].body, joint.at[1].body};
-  if (joint.type == JointType::gear) bodies.push_back(joint.gear.carrier);
+  if (is_transmission(joint.type)) bodies.push_back(joint.gear.carrier);
   return bodies;
 }
 

@@ -88,7 +88,7 @@ void Bodies::hold_angles() {
     frame_.hold_angle(joint.at[0].body, joint.at[1].body, unit_at(joint.turn_rad), label(joint));
   }
   for (const Joint& joint : mechanism_.joints) {
-    if (joint.type != JointType::gear || !is_settled(joint, angles_)) continue;
+    if (traits(joint.type).turn != JointTurn::geared || !is_settled(joint, angles_)) continue;
     for (const std::size_t body : {joint.at[0].body, joint.at[1].body, joint.gear.carrier}) {
       const auto& [root, value] = *angles_[body];
       if (frame_.angle(body).root == frame_.angle(root).root) continue;

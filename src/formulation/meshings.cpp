@@ -110,7 +110,7 @@ std::vector<std::optional<KnownAngle>> known_angles(const Mechanism& mechanism, 
   for (const Joint& joint : mechanism.joints) {
     if (traits(joint.type).turn == JointTurn::not_at_all) {
       agrees &= angles.add(difference(joint.at[0].body, joint.at[1].body, joint.turn_rad));
-    } else if (joint.type == JointType::gear && !joint.gear.has_all_meshings) {
+    } else if (traits(joint.type).turn == JointTurn::geared && !joint.gear.has_all_meshings) {
       agrees &= angles.add(gear_row(joint));
     }
   }

@@ -31,7 +31,7 @@ class Groups {
 };
 
 /// A gear holds angles, not places.
-bool places(const Joint& joint) { return joint.type != JointType::gear; }
+bool places(const Joint& joint) { return !is_transmission(joint.type); }
 
 void check_connected(Reading& reading, const Mechanism& mechanism) {
   Groups groups(mechanism.bodies.size());

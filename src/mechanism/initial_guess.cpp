@@ -33,7 +33,7 @@ class Placement {
       has_moved = false;
       const std::vector<Pose> before = poses_;
       for (const Joint& joint : mechanism_.joints) {
-        if (joint.type == JointType::gear) continue;
+        if (is_transmission(joint.type)) continue;
         for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
           const std::size_t to = joint.at[1 - end].body;
           if (!before[joint.at[end].body].is_placed || poses_[to].is_placed) continue;

@@ -77,7 +77,11 @@ int freedoms(JointType type, Space space) {
   return (is_planar ? 3 : 6) - row_count(row.place, space) - row_count(row.turn, space);
 }
 
-bool has_slide(JointType type) { return traits(type).place == JointPlace::on_line; }
+bool has_line(JointType type) { return traits(type).place == JointPlace::on_line; }
+
+bool is_transmission(JointType type) { return traits(type).turn == JointTurn::geared; }
+
+bool has_slide(JointType type) { return has_line(type); }
 
 bool has_angle(JointType type) {
   return traits(type).turn == JointTurn::about_axis || traits(type).turn == JointTurn::by_thread;

@@ -121,7 +121,7 @@ std::optional<JointType> read_type(Reading& reading, const toml::table& entry, S
 std::vector<std::string> keys_of(JointType type, Space space) {
   if (type == JointType::gear) return {"type", "name", "bodies", "ratio", "carrier", "phase"};
   std::vector<std::string> keys{"type", "name", "at"};
-  if (space == Space::planar && has_slide(type)) keys.emplace_back("along");
+  if (space == Space::planar && has_line(type)) keys.emplace_back("along");
   if (space == Space::spatial && axis_count(type) > 0) keys.emplace_back("axis");
   if (traits(type).turn == JointTurn::not_at_all) keys.insert(keys.end(), {"turn", "tolerance"});
   if (has_slide(type) || has_angle(type)) keys.emplace_back("limits");

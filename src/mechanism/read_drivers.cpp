@@ -258,7 +258,7 @@ std::optional<double> drawn_angle(const Mechanism& mechanism, std::size_t body) 
 
 /// Of the ways in which its teeth mesh, a gear without a phase has the one nearest to the drawn pose: a phase of whole teeth.
 void take_drawn_meshing(Joint& joint, const Mechanism& mechanism) {
-  if (joint.type != JointType::gear || joint.gear.phase_rad != 0) return;
+  if (traits(joint.type).turn != JointTurn::geared || joint.gear.phase_rad != 0) return;
   const auto i = drawn_angle(mechanism, joint.at[0].body);
   const auto j = drawn_angle(mechanism, joint.at[1].body);
   const auto c = drawn_angle(mechanism, joint.gear.carrier);

@@ -64,6 +64,11 @@ int row_count(JointTurn turn, Space space);
 /// Degrees of freedom of one body relative to the other. Throws std::logic_error where the space has no such joint.
 int freedoms(JointType type, Space space);
 
+/// Whether the second point moves along a line of the first body.
+bool has_line(JointType type);
+/// Whether it ties motions of bodies that other joints hold in their places.
+bool is_transmission(JointType type);
+
 bool has_slide(JointType type);
 bool has_angle(JointType type);
 /// Whether the joint's coordinate is an angle.
