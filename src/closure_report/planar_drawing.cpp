@@ -25,6 +25,10 @@ constexpr double kSlotClearance = 3;  // between a slot's end and the joint it i
 constexpr double kWeldHalfSide = 1;
 constexpr double kRodRadius = 0.55;
 constexpr double kToothMark = 2;  // length of the stroke that shows how a wheel has turned
+constexpr double kRackHalfHeight = 0.9;
+constexpr double kRackMargin = 5;  // that a rack goes on beyond all places of the pinion
+constexpr double kRackTooth = 0.9;
+constexpr double kRackPitch = 1.8;
 
 Complex flat(const Eigen::Vector3d& r) { return {r.x(), r.y()}; }
 
@@ -89,7 +93,8 @@ class PlanarDrawing {
     const bool is_turning = traits(joint.type).turn == JointTurn::about_axis;
     if (place == JointPlace::at_point) return is_turning ? add_pin(joint) : add_weld(joint);
     if (place == JointPlace::on_line) return is_turning ? add_slot(joint) : add_slider(joint);
-    return place == JointPlace::at_distance ? add_rod(joint) : add_gear(joint);
+    if (place == JointPlace::at_distance) return add_rod(joint);
+    return place == JointPlace::off_line ? add_rack(joint) : add_gear(joint);
   }
 
   /// The ground's pivot below a joint, once a place.
@@ -213,16 +218,55 @@ class PlanarDrawing {
     if (distance == 0 || sum == 0) return;
     for (std::size_t k = 0; k < 2; ++k) {
       const double radius = distance * std::abs(teeth[k]) / sum;
-      const Complex centre = at(k == 0 ? (*first)[1] : (*second)[1]);
-      std::vector<Shape> shapes{disc(Style::pitch_circle, centre, radius)};
-      if (wheels[k] != 0 && mechanism_.bodies[wheels[k]].points.size() == 1) {
-        shapes.push_back(
-            polyline(Style::mark, {centre + radius - kToothMark * size_, centre + radius}));
-      }
-      const bool is_ground = wheels[k] == 0;
-      sketch_.add(is_ground ? Sketch::backdrop : Sketch::links, wheels[k], colour(wheels[k]),
-                  std::move(shapes));
+      add_wheel(k == 0 ? (*first)[1] : (*second)[1], radius);
     }
+  }
+
+  /// A pitch circle, with a stroke where no other point shows how it has turned.
+  void add_wheel(const PointOf& centre, double radius) {
+    const std::size_t wheel = centre.body;
+    const Complex z = at(centre);
+    std::vector<Shape> shapes{disc(Style::pitch_circle, z, radius)};
+    if (wheel != 0 && mechanism_.bodies[wheel].points.size() == 1) {
+      shapes.push_back(polyline(Style::mark, {z + radius - kToothMark * size_, z + radius}));
+    }
+    sketch_.add(wheel == 0 ? Sketch::backdrop : Sketch::links, wheel, colour(wheel),
+                std::move(shapes));
+  }
+
+  /// How far the pinion's centre is from the rack's line, on its left.
+  double height_over(const Joint& rack) const {
+    const Eigen::VectorXd& q = poses_.front();
+    const Eigen::Vector3d gap =
+        point_position(mechanism_, rack.at[1], q) - point_position(mechanism_, rack.at[0], q);
+    const Eigen::Vector3d along = orientation(mechanism_, rack.at[0].body, q) * rack.axis[0];
+    return along.x() * gap.y() - along.y() * gap.x();
+  }
+
+  /// A toothed bar where the pinion's pitch circle touches, from the first point to beyond all the pinion's places.
+  void add_rack(const Joint& joint) {
+    const std::size_t body = joint.at[0].body;
+    const Complex along = flat(joint.axis[0]);
+    const Complex away = along * Complex(0, joint.radius > 0 ? 1 : -1);
+    const Complex touching =
+        at(joint.at[0]) + along * Complex(0, height_over(joint) + joint.radius);
+    const auto [least, greatest] = travel(joint);
+    const double first = std::min(least, 0.0) - kRackMargin * size_;
+    const double last = std::max(greatest, 0.0) + kRackMargin * size_;
+    const Complex middle = touching + (first + last) / 2 * along;
+    const double half_height = kRackHalfHeight * size_;
+    const bool is_ground = body == 0;
+    sketch_.add(is_ground ? Sketch::backdrop : Sketch::links, body, colour(body),
+                {rectangle(Style::link, middle + half_height * away, along, (last - first) / 2,
+                           half_height)});
+    std::vector<Shape> teeth;
+    const int count = std::max(2, static_cast<int>((last - first) / (kRackPitch * size_)));
+    for (int k = 0; k <= count; ++k) {
+      const Complex foot = touching + (first + (last - first) * k / count) * along;
+      teeth.push_back(polyline(Style::mark, {foot, foot - kRackTooth * size_ * away}));
+    }
+    sketch_.add(is_ground ? Sketch::backdrop : Sketch::links, body, std::nullopt, std::move(teeth));
+    add_wheel(joint.at[1], std::abs(joint.radius));
   }
 
   void add(const Site& site) {

@@ -86,7 +86,7 @@ const Joint* slideway(const Mechanism& mechanism, std::size_t body) {
   for (const Joint& joint : mechanism.joints) {
     const bool joins = (joint.at[0].body == 0 && joint.at[1].body == body) ||
                        (joint.at[1].body == 0 && joint.at[0].body == body);
-    if (joins && has_line(joint.type) && !has_angle(joint.type)) return &joint;
+    if (joins && joint.type == JointType::prismatic) return &joint;
   }
   return nullptr;
 }

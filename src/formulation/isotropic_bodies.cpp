@@ -6,9 +6,10 @@
 #include <utility>
 
 #include "isotropic_frame.h"
-#include "meshings.h"
+#include "linear_values.h"
 #include "moivre/formulation/block_structure.h"
 #include "moivre/mechanism/phi.h"
+#include "racks.h"
 #include "shared_pins.h"
 
 namespace moivre {
@@ -16,26 +17,32 @@ namespace {
 
 class Bodies {
  public:
-  Bodies(const Mechanism& mechanism, double t, JointEnds ends)
+  Bodies(const Mechanism& mechanism, double t, JointEnds ends, KnownMotions known)
       : mechanism_(mechanism),
         t_(t),
         ends_(std::move(ends)),
-        angles_(known_angles(mechanism, t)),
+        known_(std::move(known)),
         frame_(names(mechanism)),
         size_(Phi(mechanism).length()) {}
 
   Formulation build() &&;
   JointEnds ends_by_order_of_blocks() &&;
+  /// Slides of racks that the linear equations of what is known say, by joint.
+  std::vector<std::optional<double>> linear_slides() &&;
 
  private:
   static std::vector<std::string> names(const Mechanism& mechanism);
   void hold_angles();
+  void hold_known_angles(const std::vector<std::size_t>& bodies, const std::string& name);
+  void hold_rack(const Joint& joint);
   void add_positions();
   void add_joint(const Joint& joint);
   void add_line(const Joint& joint);
   void add_gear(const Joint& joint);
+  void add_rack(const Joint& joint);
   void add_driver(const Driver& driver);
   void read_coordinates();
+  void read_pinion(const Joint& rack);
   void write();
 
   /// A place or direction of a body's frame as a complex number, turned with the body.
@@ -48,12 +55,20 @@ class Bodies {
   }
   /// From the joint's first point to its second.
   Mirrored gap(const Joint& joint) const {
-    const auto& ends = ends_[static_cast<std::size_t>(&joint - mechanism_.joints.data())];
+    const auto& ends = ends_[number(joint)];
     return place(ends[1]) - place(ends[0]);
   }
   Polynomial without_rounding(Polynomial p) const;
   Mirrored without_rounding(const Mirrored& z) const {
     return {without_rounding(z.z), without_rounding(z.conjugate)};
+  }
+  /// Twice the displacement of a rack's second point along its line.
+  Polynomial twice_slide(const Joint& joint) const {
+    const Mirrored advance = swapped(turned(joint.at[0].body, joint.axis[0])) * gap(joint);
+    return without_rounding(advance.z + advance.conjugate);
+  }
+  std::size_t number(const Joint& joint) const {
+    return static_cast<std::size_t>(&joint - mechanism_.joints.data());
   }
   std::string label(const Joint& joint) const { return to_string(joint.type) + " " + joint.name; }
   /// The driver that moves along this joint's line, if there is one.
@@ -62,8 +77,7 @@ class Bodies {
   const Mechanism& mechanism_;
   double t_;
   JointEnds ends_;
-  std::vector<std::optional<KnownAngle>>
-      angles_;  ///< of bodies, as drivers and gears determine them
+  KnownMotions known_;
   IsotropicFrame frame_;
   double size_;  ///< of the mechanism
   std::vector<Mirrored> positions_;
@@ -88,12 +102,33 @@ void Bodies::hold_angles() {
     frame_.hold_angle(joint.at[0].body, joint.at[1].body, unit_at(joint.turn_rad), label(joint));
   }
   for (const Joint& joint : mechanism_.joints) {
-    if (traits(joint.type).turn != JointTurn::geared || !is_settled(joint, angles_)) continue;
-    for (const std::size_t body : {joint.at[0].body, joint.at[1].body, joint.gear.carrier}) {
-      const auto& [root, value] = *angles_[body];
-      if (frame_.angle(body).root == frame_.angle(root).root) continue;
-      frame_.hold_angle(root, body, unit_at(value), label(joint));
-    }
+    if (traits(joint.type).turn != JointTurn::geared || !is_settled(joint, known_.angles)) continue;
+    hold_known_angles({joint.at[0].body, joint.at[1].body, joint.gear.carrier}, label(joint));
+  }
+  for (const Joint& joint : mechanism_.joints) {
+    if (joint.type == JointType::rack) hold_rack(joint);
+  }
+}
+
+void Bodies::hold_known_angles(const std::vector<std::size_t>& bodies, const std::string& name) {
+  for (const std::size_t body : bodies) {
+    const auto& angle = known_.angles[body];
+    if (!angle || frame_.angle(body).root == frame_.angle(angle->root).root) continue;
+    frame_.hold_angle(angle->root, body, unit_at(angle->value), name);
+  }
+}
+
+/// A pinion that follows stands at 0 until its angle is read.
+void Bodies::hold_rack(const Joint& joint) {
+  constexpr double kAgreement = 1e-9;  // as known angles agree
+  const auto& slide = known_.slides[number(joint)];
+  const std::size_t pinion = joint.at[1].body;
+  if (slide && disagreement(joint, *slide, known_.angles) > kAgreement) {
+    frame_.result().contradictions.push_back(label(joint));
+  } else if (slide) {
+    hold_known_angles({joint.at[0].body, pinion}, label(joint));
+  } else if (known_.is_followed[number(joint)]) {
+    frame_.hold_angle(0, pinion, {1, 0}, label(joint));
   }
 }
 
@@ -157,6 +192,14 @@ void Bodies::add_gear(const Joint& joint) {
                   unit_at(-zj * gear.phase_rad));
 }
 
+void Bodies::add_rack(const Joint& joint) {
+  const auto& slide = known_.slides[number(joint)];
+  if (!slide || slide->follows) return;
+  const Rational value = typed_decimal(slide->value);
+  frame_.add_equation(label(joint),
+                      without_rounding(twice_slide(joint) - constant({2 * value, 0})));
+}
+
 void Bodies::add_joint(const Joint& joint) {
   switch (traits(joint.type).place) {
     case JointPlace::at_point:
@@ -173,7 +216,10 @@ void Bodies::add_joint(const Joint& joint) {
       return;
     }
     case JointPlace::anywhere:
-      if (!is_settled(joint, angles_)) add_gear(joint);
+      if (!is_settled(joint, known_.angles)) add_gear(joint);
+      return;
+    case JointPlace::off_line:
+      add_rack(joint);
       return;
     case JointPlace::in_plane:
       break;
@@ -201,6 +247,25 @@ void Bodies::read_coordinates() {
     coordinates.push_back({Part::im, positions_[i].z});
     coordinates.push_back({Part::argument, frame_.t(i).z});
   }
+  for (const Joint& joint : mechanism_.joints) {
+    if (known_.is_followed[number(joint)]) read_pinion(joint);
+  }
+}
+
+/// Its centre is where the polynomials have it, its angle what it has rolled along the rack.
+void Bodies::read_pinion(const Joint& rack) {
+  using Part = Formulation::Reading::Part;
+  const PointOf& centre = rack.at[1];
+  const Eigen::Vector3d& at = mechanism_.bodies[centre.body].points[centre.point].at;
+  const Rational per_slide = 1 / (2 * typed_decimal(rack.radius));
+  const Formulation::Roll roll{
+      frame_.t(rack.at[0].body).z,
+      Coefficient{per_slide, 0} * twice_slide(rack) + constant({Rational(rack.turn_rad), 0})};
+  auto* const readings = frame_.result().coordinates.data() + 3 * (centre.body - 1);
+  const Complex arm(-at.x(), -at.y());
+  readings[0] = {Part::re, place(centre).z, arm, roll};
+  readings[1] = {Part::im, place(centre).z, arm, roll};
+  readings[2] = {Part::argument, {}, 1, roll};
 }
 
 void Bodies::write() {
@@ -235,12 +300,29 @@ JointEnds Bodies::ends_by_order_of_blocks() && {
   });
 }
 
+std::vector<std::optional<double>> Bodies::linear_slides() && {
+  write();
+  const LinearValues values(frame_.result());
+  std::vector<std::optional<double>> slides(mechanism_.joints.size());
+  for (const Joint& joint : mechanism_.joints) {
+    if (joint.type != JointType::rack || known_.slides[number(joint)]) continue;
+    const auto twice = values.value(twice_slide(joint));
+    if (twice) slides[number(joint)] = twice->real() / 2;
+  }
+  return slides;
+}
+
 }  // namespace
 
 Formulation isotropic_bodies(const Mechanism& mechanism, double t) {
   JointEnds ends = typed_ends(mechanism);
-  if (has_shared_pins(mechanism)) ends = Bodies(mechanism, t, ends).ends_by_order_of_blocks();
-  return Bodies(mechanism, t, std::move(ends)).build();
+  const KnownMotions known = known_motions(mechanism, t, [&](const KnownMotions& so_far) {
+    return Bodies(mechanism, t, ends, so_far).linear_slides();
+  });
+  if (has_shared_pins(mechanism)) {
+    ends = Bodies(mechanism, t, ends, known).ends_by_order_of_blocks();
+  }
+  return Bodies(mechanism, t, std::move(ends), known).build();
 }
 
 }  // namespace moivre

@@ -99,7 +99,8 @@ Row gear_row(const Joint& joint) {
 
 }  // namespace
 
-std::vector<std::optional<KnownAngle>> known_angles(const Mechanism& mechanism, double t) {
+std::vector<std::optional<KnownAngle>> known_angles(
+    const Mechanism& mechanism, double t, const std::vector<std::optional<double>>& slides) {
   Angles angles;
   bool agrees = true;
   for (const Driver& driver : mechanism.drivers) {
@@ -113,6 +114,13 @@ std::vector<std::optional<KnownAngle>> known_angles(const Mechanism& mechanism, 
     } else if (traits(joint.type).turn == JointTurn::geared && !joint.gear.has_all_meshings) {
       agrees &= angles.add(gear_row(joint));
     }
+  }
+  // A slide that disagrees with the angles is told by who knows both.
+  for (std::size_t k = 0; k < slides.size(); ++k) {
+    const Joint& joint = mechanism.joints[k];
+    if (!slides[k]) continue;
+    angles.add(
+        difference(joint.at[0].body, joint.at[1].body, joint.turn_rad + *slides[k] / joint.radius));
   }
   if (!agrees) return std::vector<std::optional<KnownAngle>>(mechanism.bodies.size());
   return angles.take(mechanism.bodies.size());

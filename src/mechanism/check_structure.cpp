@@ -30,7 +30,7 @@ class Groups {
   std::vector<std::size_t> parent_;
 };
 
-/// A gear holds angles, not places.
+/// Gears and racks hold motions, not places.
 bool places(const Joint& joint) { return !is_transmission(joint.type); }
 
 void check_connected(Reading& reading, const Mechanism& mechanism) {
@@ -97,6 +97,29 @@ void check_lengths(Reading& reading, const Mechanism& mechanism) {
                   "body '" + mechanism.bodies[body].name +
                       "' has length zero: all its joints are at one place; move one or join its "
                       "neighbours directly");
+  }
+}
+
+/// A pinion turns about the point that its rack names.
+void check_pinions(Reading& reading, const Mechanism& mechanism) {
+  const auto place = [&](const PointOf& p) { return mechanism.bodies[p.body].points[p.point].at; };
+  for (const Joint& rack : mechanism.joints) {
+    if (rack.type != JointType::rack) continue;
+    const PointOf& centre = rack.at[1];
+    const auto is_there = [&](const PointOf& end) {
+      return end.body == centre.body && place(end) == place(centre);
+    };
+    const bool has_pin =
+        std::any_of(mechanism.joints.begin(), mechanism.joints.end(), [&](const Joint& joint) {
+          return joint.type == JointType::revolute &&
+                 (is_there(joint.at[0]) || is_there(joint.at[1]));
+        });
+    if (has_pin) continue;
+    const Body& pinion = mechanism.bodies[centre.body];
+    reading.fault(rack.where, "no revolute joint is at '" + pinion.name + "." +
+                                  pinion.points[centre.point].name +
+                                  "', which should be the pinion's centre; write at = "
+                                  "[\"rack.point\", \"pinion.centre\"]");
   }
 }
 
@@ -198,11 +221,12 @@ void warn_of_count(Mechanism& mechanism) {
       ": too many drivers, unless constraints are redundant (moivre mobility tells)");
 }
 
-/// Whether a joint holds something there.
+/// Whether a joint names the point.
 bool is_used(const Mechanism& mechanism, std::size_t body, std::size_t point) {
   const auto is_it = [&](const PointOf& p) { return p.body == body && p.point == point; };
   return std::any_of(mechanism.joints.begin(), mechanism.joints.end(), [&](const Joint& joint) {
-    return places(joint) && (is_it(joint.at[0]) || is_it(joint.at[1]));
+    return traits(joint.type).place != JointPlace::anywhere &&
+           (is_it(joint.at[0]) || is_it(joint.at[1]));
   });
 }
 
@@ -222,6 +246,7 @@ void check_structure(Reading& reading, Mechanism& mechanism) {
   check_connected(reading, mechanism);
   check_welds(reading, mechanism);
   check_lengths(reading, mechanism);
+  check_pinions(reading, mechanism);
   check_size(reading, mechanism);
   check_count(reading, mechanism);
   check_twin_joints(reading, mechanism);

@@ -15,6 +15,7 @@ const std::vector<JointTraits>& all_joint_types() {
       {JointType::weld, "weld", P::at_point, T::not_at_all, true, true},
       {JointType::rod, "rod", P::at_distance, T::freely, true, true},
       {JointType::gear, "gear", P::anywhere, T::geared, true, false},
+      {JointType::rack, "rack", P::off_line, T::by_rack, true, false},
       {JointType::spherical, "spherical", P::at_point, T::freely, false, true},
       {JointType::cylindrical, "cylindrical", P::on_line, T::about_axis, false, true},
       {JointType::universal, "universal", P::at_point, T::about_two_axes, false, true},
@@ -33,6 +34,7 @@ int row_count(JointPlace place, Space space) {
   const bool is_planar = space == Space::planar;
   switch (place) {
     case JointPlace::anywhere:
+    case JointPlace::off_line:
       return 0;
     case JointPlace::at_distance:
     case JointPlace::in_plane:
@@ -51,6 +53,7 @@ int row_count(JointTurn turn, Space space) {
     case JointTurn::freely:
       return 0;
     case JointTurn::about_two_axes:
+    case JointTurn::by_rack:
     case JointTurn::geared:
       return 1;
     case JointTurn::about_axis:
@@ -77,9 +80,13 @@ int freedoms(JointType type, Space space) {
   return (is_planar ? 3 : 6) - row_count(row.place, space) - row_count(row.turn, space);
 }
 
-bool has_line(JointType type) { return traits(type).place == JointPlace::on_line; }
+bool has_line(JointType type) {
+  return traits(type).place == JointPlace::on_line || traits(type).place == JointPlace::off_line;
+}
 
-bool is_transmission(JointType type) { return traits(type).turn == JointTurn::geared; }
+bool is_transmission(JointType type) {
+  return traits(type).turn == JointTurn::geared || traits(type).turn == JointTurn::by_rack;
+}
 
 bool has_slide(JointType type) { return has_line(type); }
 

@@ -6,6 +6,7 @@
 //   on line      n . (B - A) = 0               n perpendicular to the line, fixed in body i
 //   at distance  (A - B) . (A - B) - L^2 = 0
 //   not at all   phi_j - phi_i - turn = 0
+//   by rack      phi_j - phi_i - turn - s / r = 0, s = e . (B - A)
 //   geared       z_i (phi_i - phi_c) - z_j (phi_j - phi_c - phase) = 0, teeth divided by their common factor
 #include <numeric>
 
@@ -65,6 +66,18 @@ std::vector<std::string> row_names(const std::string& label, const JointTraits& 
   return names;
 }
 
+std::shared_ptr<const Constraint> rack(const Joint& joint, const Ends& ends,
+                                       const std::string& label) {
+  return make_constraint(
+      {label + ": turn"}, coordinates_of({ends.i, ends.j}, kSize),
+      [ends, along = joint.axis[0], turn = joint.turn_rad, radius = joint.radius](const auto& at,
+                                                                                  auto* row) {
+        using S = std::remove_reference_t<decltype(*row)>;
+        const S rolled = S(1 / radius) * displacement(at, ends, along);
+        row[0] = within_half_turn(angle(at, ends.j) - angle(at, ends.i) - S(turn) - rolled);
+      });
+}
+
 std::shared_ptr<const Constraint> gear(const Joint& joint, const std::string& label) {
   const std::size_t i = joint.at[0].body;
   const std::size_t j = joint.at[1].body;
@@ -93,6 +106,7 @@ std::shared_ptr<const Constraint> planar_joint(const Mechanism& mechanism, const
   if (!type.is_planar) throw std::logic_error("a planar mechanism has no joint " + label);
   if (type.turn == JointTurn::geared) return gear(joint, label);
   const Ends ends = ends_of(mechanism, joint, moving);
+  if (type.turn == JointTurn::by_rack) return rack(joint, ends, label);
   const bool has_turn = type.turn == JointTurn::not_at_all;
   return make_constraint(
       row_names(label, type), coordinates_of({ends.i, ends.j}, kSize),

@@ -72,6 +72,8 @@ std::optional<JointType> type_called(const std::string& word) {
                                                       {"cardan", JointType::universal},
                                                       {"hooke", JointType::universal},
                                                       {"gears", JointType::gear},
+                                                      {"pinion", JointType::rack},
+                                                      {"rack-and-pinion", JointType::rack},
                                                       {"helical", JointType::screw},
                                                       {"lead-screw", JointType::screw},
                                                       {"inline", JointType::point_on_line},
@@ -127,6 +129,7 @@ std::vector<std::string> keys_of(JointType type, Space space) {
   if (has_slide(type) || has_angle(type)) keys.emplace_back("limits");
   if (type == JointType::rod) keys.insert(keys.end(), {"length", "tolerance"});
   if (type == JointType::screw) keys.emplace_back("pitch");
+  if (type == JointType::rack) keys.insert(keys.end(), {"radius", "phase"});
   return keys;
 }
 
@@ -231,6 +234,18 @@ void read_pitch(Reading& reading, const toml::table& entry, Joint& joint) {
   joint.pitch = *pitch;
 }
 
+void read_radius(Reading& reading, const toml::table& entry, Joint& joint) {
+  const auto radius = reading.number(entry, "radius");
+  if (radius == 0) {
+    reading.fault(*entry.get("radius"), "a pinion's pitch radius must not be zero");
+  } else if (!radius && !entry.contains("radius")) {
+    reading.fault(entry,
+                  "a rack needs 'radius', that of the pinion's pitch circle (negative where the "
+                  "pinion is on the left of 'along')");
+  }
+  joint.radius = radius.value_or(1);
+}
+
 void read_limits(Reading& reading, const toml::table& entry, const Mechanism& mechanism,
                  Joint& joint) {
   const auto bounds = reading.numbers(entry, "limits", 2);
@@ -307,6 +322,9 @@ Joint read_joint(Reading& reading, const toml::table& entry, const Mechanism& me
     joint.turn_rad = reading.number(entry, "turn").value_or(0) * angle_unit(mechanism);
   if (has("length")) read_length(reading, entry, joint);
   if (has("pitch")) read_pitch(reading, entry, joint);
+  if (has("radius")) read_radius(reading, entry, joint);
+  if (joint.type == JointType::rack)
+    joint.turn_rad = reading.number(entry, "phase").value_or(0) * angle_unit(mechanism);
   if (has("limits")) read_limits(reading, entry, mechanism, joint);
   if (joint.type == JointType::gear) read_gear(reading, entry, mechanism, joint);
   return joint;

@@ -198,6 +198,7 @@ void place_rows(const At<S>& at, const SpatialJoint& joint, S*& row) {
       *row++ = dot(d, d) - in_scalar<S>(joint.length * joint.length);
       break;
     case JointPlace::anywhere:
+    case JointPlace::off_line:
       break;
   }
 }

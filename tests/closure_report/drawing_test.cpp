@@ -205,6 +205,28 @@ velocity = 1
   EXPECT_NEAR(circles[1].radius, 6, kRounding);
 }
 
+TEST(Drawing, ARackTouchesItsPinionsPitchCircle) {
+  const Scene scene(mechanism_file("rack-crank"));
+  ASSERT_EQ(scene.poses.size(), 2U);
+  for (std::size_t pose = 0; pose < 2; ++pose) {
+    const std::vector<Shape> circles = scene.in_pose(pose, Style::pitch_circle);
+    ASSERT_EQ(circles.size(), 1U);
+    EXPECT_NEAR(circles[0].radius, 10, kRounding);
+    const Complex touching = circles[0].points[0] + Complex(0, 10);
+    bool is_touched = false;
+    for (const Shape& bar : scene.in_pose(pose, Style::link)) {
+      const auto on_line = [&](Complex z) { return std::abs(z.imag() - touching.imag()) < 1e-9; };
+      const auto ends =
+          std::minmax_element(bar.points.begin(), bar.points.end(),
+                              [](Complex a, Complex b) { return a.real() < b.real(); });
+      is_touched = is_touched ||
+                   (std::count_if(bar.points.begin(), bar.points.end(), on_line) == 2 &&
+                    ends.first->real() < touching.real() && ends.second->real() > touching.real());
+    }
+    EXPECT_TRUE(is_touched) << "pose " << pose;
+  }
+}
+
 TEST(Drawing, AWeldIsASquareWithoutAPin) {
   const Scene scene(mechanism_text(R"(
 [ground.points]

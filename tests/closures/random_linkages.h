@@ -106,6 +106,7 @@ class LinkageDrawer {
         break;
       case JointPlace::at_point:
       case JointPlace::anywhere:
+      case JointPlace::off_line:
         break;
     }
     if (traits(type).turn == JointTurn::about_two_axes) {

@@ -11,6 +11,7 @@
 //   rod        D Db = L^2
 //   gear       t_i^zi t_c^(zj-zi) t_j^-zj = exp(-i zj phase)      powers moved to the side that keeps the degree low
 //   driven x   p + a t + pb + ab u = 2 x
+//   rack       eb u_i D + e t_i Db = 2 s                         its slide s is known, or its pinion follows (src/formulation/racks.h)
 // Typed equations: cos and sin of whole multiples of angles become polynomials in t and u, lengths stay.
 // A real pose is a fixed point of x_v -> conj(x_mirror(v)): mirror swaps p and pb, t and u, and keeps a length.
 // Coefficients are the shortest decimals that read back as the file's doubles; exp(i phi) is a rational point of the unit
@@ -43,10 +44,17 @@ struct Formulation {
   std::vector<std::string> contradictions;       ///< angles held at two values at once: no closure
   std::vector<std::string> repetitions;          ///< angles held twice at one value
 
-  /// Where q is read from: q_k = Re or Im of a polynomial, or the argument of one.
+  /// A direction that no unknown says: exp(i (arg(frame) + Re(turn_rad))).
+  struct Roll {
+    Polynomial frame;
+    Polynomial turn_rad;
+  };
+  /// Where q is read from: q_k = Re or Im of a number, or its argument. The number is `of`, plus `arm` times the roll's direction.
   struct Reading {
     enum class Part { re, im, argument } part = Part::re;
     Polynomial of;
+    Complex arm = 0;
+    std::optional<Roll> roll = {};
   };
   std::vector<Reading> coordinates;  ///< planar mechanisms and typed equations
   PoseReading poses;                 ///< spatial mechanisms

@@ -69,10 +69,13 @@ struct Joint {
   std::string name;           ///< given, or made from its points
   std::array<PointOf, 2> at;  ///< gear: the bodies only
   std::array<Eigen::Vector3d, 2> axis{Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitX()};
-  ///< unit vectors, one in each body's frame. Planar prismatic and slot: axis[0], the line. Spatial:
+  ///< unit vectors, one in each body's frame. Planar prismatic, slot and rack: axis[0], the line. Spatial:
   ///< the joint's axis or the plane's normal; the two pins of universal; axis[0] of a point on a line or plane
-  double turn_rad = 0;  ///< prismatic, weld: angle of the second body relative to the first
-  double length = 0;    ///< rod
+  double turn_rad =
+      0;  ///< prismatic, weld, rack where its slide is 0: angle of the second body relative to the first
+  double length = 0;  ///< rod
+  double radius =
+      0;  ///< rack: of the pinion's pitch circle, negative where that is on the line's left
   double pitch =
       0;      ///< screw: advance of the second body for a whole turn, negative if left-handed
   Gear gear;  ///< gear
