@@ -24,7 +24,10 @@ constexpr double kSlotMargin = 6;     // that a slot goes on beyond the pin
 constexpr double kSlotClearance = 3;  // between a slot's end and the joint it is measured from
 constexpr double kWeldHalfSide = 1;
 constexpr double kRodRadius = 0.55;
-constexpr double kToothMark = 2;  // length of the stroke that shows how a wheel has turned
+constexpr double kCylinderHalfHeight = 1.3;
+constexpr double kCylinderShare = 0.6;  // of its least length
+constexpr double kLeastShare = 0.3;     // of its greatest length, that counts as the least
+constexpr double kToothMark = 2;        // length of the stroke that shows how a wheel has turned
 constexpr double kRackHalfHeight = 0.9;
 constexpr double kRackMargin = 5;  // that a rack goes on beyond all places of the pinion
 constexpr double kRackTooth = 0.9;
@@ -94,6 +97,7 @@ class PlanarDrawing {
     if (place == JointPlace::at_point) return is_turning ? add_pin(joint) : add_weld(joint);
     if (place == JointPlace::on_line) return is_turning ? add_slot(joint) : add_slider(joint);
     if (place == JointPlace::at_distance) return add_rod(joint);
+    if (place == JointPlace::at_any_distance) return add_actuator(joint);
     return place == JointPlace::off_line ? add_rack(joint) : add_gear(joint);
   }
 
@@ -111,7 +115,7 @@ class PlanarDrawing {
     }
   }
 
-  /// Least and greatest place of the second point along the line, in all poses.
+  /// Least and greatest slide, in all poses.
   std::array<double, 2> travel(const Joint& joint) const {
     std::array<double, 2> range{};
     for (std::size_t k = 0; k < poses_.size(); ++k) {
@@ -178,10 +182,11 @@ class PlanarDrawing {
         {rectangle(Style::weld, at(joint.at[0]), 1, kWeldHalfSide * size_, kWeldHalfSide * size_)});
   }
 
+  MaterialPoint material(const PointOf& point) const {
+    return {point.body, mechanism_.bodies[point.body].points[point.point].at};
+  }
+
   void add_rod(const Joint& joint) {
-    const auto material = [&](const PointOf& point) {
-      return MaterialPoint{point.body, mechanism_.bodies[point.body].points[point.point].at};
-    };
     const std::size_t frame =
         sketch_.add(LineFrame{material(joint.at[0]), material(joint.at[1]), joint.length});
     sketch_.add(Sketch::links, frame, std::nullopt,
@@ -189,6 +194,24 @@ class PlanarDrawing {
     add_pin(joint);
     sketch_.drawing.labels.push_back(
         {LabelKind::body, joint.name, frame, joint.length / 2, std::nullopt, std::nullopt});
+  }
+
+  /// A cylinder that is as long in every pose, and a rod that goes into it.
+  void add_actuator(const Joint& joint) {
+    const MaterialPoint from = material(joint.at[0]);
+    const MaterialPoint to = material(joint.at[1]);
+    sketch_.add(Sketch::links, sketch_.add(LineFrame{from, to, 1}), std::nullopt,
+                {polyline(Style::wire, {0, 1})});
+    const auto [least, greatest] = travel(joint);
+    const double shortest = joint.limits ? std::min(least, joint.limits->lower) : least;
+    const double longest = joint.limits ? std::max(greatest, joint.limits->upper) : greatest;
+    const double half = kCylinderShare * std::max(shortest, kLeastShare * longest) / 2;
+    const std::size_t aim = sketch_.add(AimFrame{from, to});
+    sketch_.add(Sketch::links, aim, std::nullopt,
+                {rectangle(Style::rod, half, 1, half, kCylinderHalfHeight * size_)});
+    add_pin(joint);
+    sketch_.drawing.labels.push_back(
+        {LabelKind::body, joint.name, aim, half, std::nullopt, std::nullopt});
   }
 
   /// The point of the carrier about which a wheel turns, and the same point of the wheel: held together by one joint, or by a

@@ -62,13 +62,14 @@ void Holding::merge(const Joint& joint) {
   std::replace(group_.begin(), group_.end(), from, to);
 }
 
-/// Joints from the group to others; gears tie angles, not places.
+/// Joints that hold the group to others; gears tie angles, not places.
 Joints Holding::ties(std::size_t group) const {
   Joints found;
   const auto& joints = held_.mechanism.joints;
   for (std::size_t k = 0; k < joints.size(); ++k) {
     const bool is_inside = group_of(joints[k].at[0]) == group_of(joints[k].at[1]);
-    if (!is_transmission(joints[k].type) && !is_inside && touches(joints[k], group)) {
+    const bool holds = row_count(traits(joints[k].type).place, Space::planar) > 0;
+    if (holds && !is_inside && touches(joints[k], group)) {
       found.push_back(k);
     }
   }

@@ -38,6 +38,7 @@ class Bodies {
   void add_positions();
   void add_joint(const Joint& joint);
   void add_line(const Joint& joint);
+  void add_distance(const Joint& joint, double length);
   void add_gear(const Joint& joint);
   void add_rack(const Joint& joint);
   void add_driver(const Driver& driver);
@@ -71,7 +72,7 @@ class Bodies {
     return static_cast<std::size_t>(&joint - mechanism_.joints.data());
   }
   std::string label(const Joint& joint) const { return to_string(joint.type) + " " + joint.name; }
-  /// The driver that moves along this joint's line, if there is one.
+  /// The driver of this joint's slide, if there is one.
   const Driver* slide_of(const Joint& joint) const;
 
   const Mechanism& mechanism_;
@@ -192,6 +193,13 @@ void Bodies::add_gear(const Joint& joint) {
                   unit_at(-zj * gear.phase_rad));
 }
 
+/// L |L|: no two points are a length below 0 apart.
+void Bodies::add_distance(const Joint& joint, double length) {
+  const Mirrored d = gap(joint);
+  const Rational square = typed_decimal(length) * typed_decimal(std::abs(length));
+  frame_.add_equation(label(joint), rounded_difference(d.z * d.conjugate, constant({square, 0})));
+}
+
 void Bodies::add_rack(const Joint& joint) {
   const auto& slide = known_.slides[number(joint)];
   if (!slide || slide->follows) return;
@@ -208,18 +216,19 @@ void Bodies::add_joint(const Joint& joint) {
     case JointPlace::on_line:
       add_line(joint);
       return;
-    case JointPlace::at_distance: {
-      const Mirrored d = gap(joint);
-      const Rational length = typed_decimal(joint.length);
-      frame_.add_equation(label(joint),
-                          rounded_difference(d.z * d.conjugate, constant({length * length, 0})));
+    case JointPlace::at_distance:
+      add_distance(joint, joint.length);
       return;
-    }
     case JointPlace::anywhere:
       if (!is_settled(joint, known_.angles)) add_gear(joint);
       return;
     case JointPlace::off_line:
       add_rack(joint);
+      return;
+    case JointPlace::at_any_distance:
+      if (const Driver* driver = slide_of(joint)) {
+        add_distance(joint, driver_state(driver->law, t_).value);
+      }
       return;
     case JointPlace::in_plane:
       break;

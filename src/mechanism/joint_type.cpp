@@ -14,6 +14,7 @@ const std::vector<JointTraits>& all_joint_types() {
       {JointType::slot, "slot", P::on_line, T::about_axis, true, false},
       {JointType::weld, "weld", P::at_point, T::not_at_all, true, true},
       {JointType::rod, "rod", P::at_distance, T::freely, true, true},
+      {JointType::actuator, "actuator", P::at_any_distance, T::freely, true, true},
       {JointType::gear, "gear", P::anywhere, T::geared, true, false},
       {JointType::rack, "rack", P::off_line, T::by_rack, true, false},
       {JointType::spherical, "spherical", P::at_point, T::freely, false, true},
@@ -35,6 +36,7 @@ int row_count(JointPlace place, Space space) {
   switch (place) {
     case JointPlace::anywhere:
     case JointPlace::off_line:
+    case JointPlace::at_any_distance:
       return 0;
     case JointPlace::at_distance:
     case JointPlace::in_plane:
@@ -88,7 +90,13 @@ bool is_transmission(JointType type) {
   return traits(type).turn == JointTurn::geared || traits(type).turn == JointTurn::by_rack;
 }
 
-bool has_slide(JointType type) { return has_line(type); }
+bool has_rows(JointType type, Space space) {
+  return row_count(traits(type).place, space) + row_count(traits(type).turn, space) > 0;
+}
+
+bool has_slide(JointType type) {
+  return has_line(type) || traits(type).place == JointPlace::at_any_distance;
+}
 
 bool has_angle(JointType type) {
   return traits(type).turn == JointTurn::about_axis || traits(type).turn == JointTurn::by_thread;

@@ -4,7 +4,7 @@
 // Rows of the joint's place, then of its turn (joint_type.h):
 //   at point     r_i + A_i a - r_j - A_j b = 0
 //   on line      n . (B - A) = 0               n perpendicular to the line, fixed in body i
-//   at distance  (A - B) . (A - B) - L^2 = 0
+//   at distance  (A - B) . (A - B) - L^2 = 0; a driven actuator: L |L|, so that no length is below 0
 //   not at all   phi_j - phi_i - turn = 0
 //   by rack      phi_j - phi_i - turn - s / r = 0, s = e . (B - A)
 //   geared       z_i (phi_i - phi_c) - z_j (phi_j - phi_c - phase) = 0, teeth divided by their common factor
@@ -97,6 +97,15 @@ std::shared_ptr<const Constraint> gear(const Joint& joint, const std::string& la
                          });
 }
 
+std::shared_ptr<const Constraint> actuator_driver(const std::string& label, const Ends& ends,
+                                                  const Prescription& law) {
+  return make_constraint(
+      {label}, coordinates_of({ends.i, ends.j}, kSize), [law, ends](const auto& at, auto* row) {
+        const auto d = position(at, ends.i, ends.a) - position(at, ends.j, ends.b);
+        row[0] = d.x * d.x + d.y * d.y - signed_square(law_at(law, at.t));
+      });
+}
+
 }  // namespace
 
 std::shared_ptr<const Constraint> planar_joint(const Mechanism& mechanism, const Joint& joint,
@@ -120,7 +129,7 @@ std::shared_ptr<const Constraint> planar_joint(const Mechanism& mechanism, const
           *row++ = d.y;
         } else if (place == JointPlace::on_line) {
           *row++ = displacement(at, ends, normal);
-        } else {
+        } else if (place == JointPlace::at_distance) {
           *row++ = d.x * d.x + d.y * d.y - in_scalar<S>(length * length);
         }
         if (has_turn) *row = relative_angle(at, ends.i, ends.j, turn);
@@ -141,6 +150,7 @@ std::shared_ptr<const Constraint> planar_driver(const Mechanism& mechanism, cons
   if (driver.kind == DriverKind::slide) {
     const Joint& joint = mechanism.joints[driver.joint];
     const Ends ends = ends_of(mechanism, joint, moving);
+    if (!has_line(joint.type)) return actuator_driver(label, ends, law);
     return make_constraint({label}, coordinates_of({ends.i, ends.j}, kSize),
                            [law, ends, along = joint.axis[0]](const auto& at, auto* row) {
                              row[0] = displacement(at, ends, along) - law_at(law, at.t);

@@ -68,6 +68,10 @@ std::optional<JointType> type_called(const std::string& word) {
                                                       {"distance", JointType::rod},
                                                       {"link", JointType::rod},
                                                       {"bar", JointType::rod},
+                                                      {"cylinder", JointType::actuator},
+                                                      {"linear-actuator", JointType::actuator},
+                                                      {"strut", JointType::actuator},
+                                                      {"ram", JointType::actuator},
                                                       {"ball", JointType::spherical},
                                                       {"cardan", JointType::universal},
                                                       {"hooke", JointType::universal},
@@ -128,6 +132,7 @@ std::vector<std::string> keys_of(JointType type, Space space) {
   if (traits(type).turn == JointTurn::not_at_all) keys.insert(keys.end(), {"turn", "tolerance"});
   if (has_slide(type) || has_angle(type)) keys.emplace_back("limits");
   if (type == JointType::rod) keys.insert(keys.end(), {"length", "tolerance"});
+  if (type == JointType::actuator) keys.emplace_back("length");
   if (type == JointType::screw) keys.emplace_back("pitch");
   if (type == JointType::rack) keys.insert(keys.end(), {"radius", "phase"});
   return keys;
@@ -206,14 +211,17 @@ void read_axes(Reading& reading, const toml::table& entry, Space space, Joint& j
 void read_length(Reading& reading, const toml::table& entry, Joint& joint) {
   const auto length = reading.number(entry, "length");
   if (!length) {
-    if (!entry.contains("length")) reading.fault(entry, "a rod needs its 'length'");
+    const bool is_missing = joint.type == JointType::rod && !entry.contains("length");
+    if (is_missing) reading.fault(entry, "a rod needs its 'length'");
     return;
   }
   if (*length <= 0) {
-    reading.fault(*entry.get("length"),
-                  *length == 0
-                      ? "a rod of length zero is a revolute joint (spatial: spherical); write that"
-                      : "a rod's length must be positive");
+    const std::string name = joint.type == JointType::rod ? "a rod" : "an actuator";
+    reading.fault(
+        *entry.get("length"),
+        name + (*length == 0
+                    ? " of length zero is a revolute joint (spatial: spherical); write that"
+                    : "'s length must be positive"));
   }
   joint.length = *length;
 }
@@ -255,6 +263,8 @@ void read_limits(Reading& reading, const toml::table& entry, const Mechanism& me
   if ((*bounds)[0] > (*bounds)[1]) {
     reading.fault(*entry.get("limits"),
                   "the lower limit is above the upper; write limits = [lower, upper]");
+  } else if (joint.type == JointType::actuator && (*bounds)[0] < 0) {
+    reading.fault(*entry.get("limits"), "the limits of an actuator's length are from 0 up");
   }
 }
 

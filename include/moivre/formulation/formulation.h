@@ -8,7 +8,7 @@
 //   revolute   p_i + a t_i = p_j + b t_j,  and the conjugate      linear
 //   line       (eb u_i) D = (e t_i) Db                            prismatic and slot; D = p_j + b t_j - p_i - a t_i
 //   slide      D = s e t_i,  Db = s eb u_i                        a driven line: linear
-//   rod        D Db = L^2
+//   rod        D Db = L^2                                       and an actuator that is driven
 //   gear       t_i^zi t_c^(zj-zi) t_j^-zj = exp(-i zj phase)      powers moved to the side that keeps the degree low
 //   driven x   p + a t + pb + ab u = 2 x
 //   rack       eb u_i D + e t_i Db = 2 s                         its slide s is known, or its pinion follows (src/formulation/racks.h)

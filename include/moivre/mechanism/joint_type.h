@@ -6,13 +6,12 @@
 //   place          plane space                       turn              plane space
 //   anywhere         0     0                         freely              0     0
 //   off_line         0         slide = AB . axis     about_two_axes            1   universal: the axes stay perpendicular
-//   at_distance      1     1   |AB| = L              about_axis          0     2   the plane's normal, or the joint's axis
-//   in_plane               1                         by_thread                 3   about the axis, by the slide
-//   on_line          1     2   slide = AB . axis     by_rack             1         by the slide
-//   at_point         2     3   A = B                 geared              1
-//                                                    not_at_all          1     3   but Joint::turn_rad
-// Coordinates: the slide of on_line and off_line, the angle of about_axis and by_thread. "The" coordinate is the slide where there
-// is one.
+//   at_any_distance  0     0   slide = |AB|          about_axis          0     2   the plane's normal, or the joint's axis
+//   at_distance      1     1   |AB| = L              by_thread                 3   about the axis, by the slide
+//   in_plane               1                         by_rack             1         by the slide
+//   on_line          1     2   slide = AB . axis     geared              1
+//   at_point         2     3   A = B                 not_at_all          1     3   but Joint::turn_rad
+// Coordinates: the slide, and the angle of about_axis and by_thread. "The" coordinate is the slide where there is one.
 // Equations: planar_constraints.cpp, spatial_constraints.cpp; unknowns and polynomials: the module formulation.
 #pragma once
 
@@ -29,8 +28,9 @@ enum class JointType {
   slot,  ///< planar
   weld,
   rod,
-  gear,  ///< planar; two bodies turn in an integer ratio as seen from a carrier
-  rack,  ///< planar; the second body's pitch circle rolls along a line of the first
+  actuator,  ///< a cylinder: a rod whose length is its slide
+  gear,      ///< planar; two bodies turn in an integer ratio as seen from a carrier
+  rack,      ///< planar; the second body's pitch circle rolls along a line of the first
   spherical,
   cylindrical,
   universal,
@@ -40,7 +40,15 @@ enum class JointType {
   point_on_plane
 };
 
-enum class JointPlace { anywhere, off_line, at_distance, in_plane, on_line, at_point };
+enum class JointPlace {
+  anywhere,
+  off_line,
+  at_any_distance,
+  at_distance,
+  in_plane,
+  on_line,
+  at_point
+};
 
 enum class JointTurn { freely, about_two_axes, about_axis, by_thread, by_rack, geared, not_at_all };
 
@@ -71,6 +79,8 @@ int freedoms(JointType type, Space space);
 bool has_line(JointType type);
 /// Whether it ties motions of bodies that other joints hold in their places.
 bool is_transmission(JointType type);
+/// Whether it holds something while nothing drives it.
+bool has_rows(JointType type, Space space);
 
 bool has_slide(JointType type);
 bool has_angle(JointType type);

@@ -73,7 +73,7 @@ struct Joint {
   ///< the joint's axis or the plane's normal; the two pins of universal; axis[0] of a point on a line or plane
   double turn_rad =
       0;  ///< prismatic, weld, rack where its slide is 0: angle of the second body relative to the first
-  double length = 0;  ///< rod
+  double length = 0;  ///< rod; actuator that stands at a length, else 0
   double radius =
       0;  ///< rack: of the pinion's pitch circle, negative where that is on the line's left
   double pitch =
