@@ -98,7 +98,8 @@ class PlanarDrawing {
     if (place == JointPlace::on_line) return is_turning ? add_slot(joint) : add_slider(joint);
     if (place == JointPlace::at_distance) return add_rod(joint);
     if (place == JointPlace::at_any_distance) return add_actuator(joint);
-    return place == JointPlace::off_line ? add_rack(joint) : add_gear(joint);
+    if (place == JointPlace::off_line) return add_rack(joint);
+    return joint.type == JointType::belt ? add_belt(joint) : add_gear(joint);
   }
 
   /// The ground's pivot below a joint, once a place.
@@ -230,19 +231,46 @@ class PlanarDrawing {
     return std::nullopt;
   }
 
+  /// The axles of both wheels; nothing where they do not turn about points of the carrier, apart from each other.
+  std::optional<std::array<std::array<PointOf, 2>, 2>> axles(const Joint& joint) const {
+    const auto first = axle(joint.gear.carrier, joint.at[0].body);
+    const auto second = axle(joint.gear.carrier, joint.at[1].body);
+    if (!first || !second || at((*first)[0]) == at((*second)[0])) return std::nullopt;
+    return std::array{*first, *second};
+  }
+
   void add_gear(const Joint& joint) {
-    const std::array wheels{joint.at[0].body, joint.at[1].body};
-    const auto first = axle(joint.gear.carrier, wheels[0]);
-    const auto second = axle(joint.gear.carrier, wheels[1]);
-    if (!first || !second) return;
-    const double distance = std::abs(at((*second)[0]) - at((*first)[0]));
-    const std::array teeth{joint.gear.teeth[0], joint.gear.teeth[1]};
+    const auto pair = axles(joint);
+    const auto& teeth = joint.gear.teeth;
     const double sum = std::abs(teeth[0] - teeth[1]);
-    if (distance == 0 || sum == 0) return;
+    if (!pair || sum == 0) return;
+    const double distance = std::abs(at((*pair)[1][0]) - at((*pair)[0][0]));
     for (std::size_t k = 0; k < 2; ++k) {
-      const double radius = distance * std::abs(teeth[k]) / sum;
-      add_wheel(k == 0 ? (*first)[1] : (*second)[1], radius);
+      add_wheel((*pair)[k][1], distance * std::abs(teeth[k]) / sum);
     }
+  }
+
+  /// Both pulleys and the common tangents of their circles, outer ones or, crossed, inner ones.
+  void add_belt(const Joint& joint) {
+    const auto pair = axles(joint);
+    if (!pair) return;
+    const auto& [r1, r2] = joint.gear.radii;
+    const Complex from = at((*pair)[0][0]);
+    const Complex to = at((*pair)[1][0]);
+    const Complex along = (to - from) / std::abs(to - from);
+    const double side = joint.gear.teeth[0] > 0 ? 1 : -1;
+    // The tangents' feet stand at this angle to the line of centres.
+    const double cosine = (r1 - side * r2) / std::abs(to - from);
+    add_wheel((*pair)[0][1], r1);
+    add_wheel((*pair)[1][1], r2);
+    if (std::abs(cosine) > 1) return;
+    std::vector<Shape> tangents;
+    for (const double angle : {std::acos(cosine), -std::acos(cosine)}) {
+      const Complex foot = along * std::polar(1.0, angle);
+      tangents.push_back(polyline(Style::mark, {from + r1 * foot, to + side * r2 * foot}));
+    }
+    const std::size_t carrier = joint.gear.carrier;
+    sketch_.add(Sketch::links, carrier, colour(carrier), std::move(tangents));
   }
 
   /// A pitch circle, with a stroke where no other point shows how it has turned.

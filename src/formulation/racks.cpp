@@ -42,7 +42,7 @@ bool is_followed_freely(const Mechanism& mechanism, const Joint& rack) {
   const auto centre = mechanism.bodies[pinion].points[rack.at[1].point].at;
   const auto leaves_free = [&](const Joint& joint) {
     if (&joint == &rack) return true;
-    if (joint.type == JointType::gear && joint.gear.carrier == pinion) return false;
+    if (traits(joint.type).turn == JointTurn::geared && joint.gear.carrier == pinion) return false;
     return std::all_of(joint.at.begin(), joint.at.end(), [&](const PointOf& end) {
       if (end.body != pinion) return true;
       return joint.type == JointType::revolute &&

@@ -16,6 +16,7 @@ const std::vector<JointTraits>& all_joint_types() {
       {JointType::rod, "rod", P::at_distance, T::freely, true, true},
       {JointType::actuator, "actuator", P::at_any_distance, T::freely, true, true},
       {JointType::gear, "gear", P::anywhere, T::geared, true, false},
+      {JointType::belt, "belt", P::anywhere, T::geared, true, false},
       {JointType::rack, "rack", P::off_line, T::by_rack, true, false},
       {JointType::spherical, "spherical", P::at_point, T::freely, false, true},
       {JointType::cylindrical, "cylindrical", P::on_line, T::about_axis, false, true},

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <numeric>
 
 #include "moivre/mechanism/nearest.h"
 #include "read_parts.h"
@@ -76,6 +77,9 @@ std::optional<JointType> type_called(const std::string& word) {
                                                       {"cardan", JointType::universal},
                                                       {"hooke", JointType::universal},
                                                       {"gears", JointType::gear},
+                                                      {"chain", JointType::belt},
+                                                      {"pulley", JointType::belt},
+                                                      {"timing-belt", JointType::belt},
                                                       {"pinion", JointType::rack},
                                                       {"rack-and-pinion", JointType::rack},
                                                       {"helical", JointType::screw},
@@ -125,7 +129,10 @@ std::optional<JointType> read_type(Reading& reading, const toml::table& entry, S
 }
 
 std::vector<std::string> keys_of(JointType type, Space space) {
-  if (type == JointType::gear) return {"type", "name", "bodies", "ratio", "carrier", "phase"};
+  if (type == JointType::gear) return {"type", "name", "bodies", "carrier", "phase", "ratio"};
+  if (type == JointType::belt) {
+    return {"type", "name", "bodies", "carrier", "phase", "radii", "crossed"};
+  }
   std::vector<std::string> keys{"type", "name", "at"};
   if (space == Space::planar && has_line(type)) keys.emplace_back("along");
   if (space == Space::spatial && axis_count(type) > 0) keys.emplace_back("axis");
@@ -268,8 +275,9 @@ void read_limits(Reading& reading, const toml::table& entry, const Mechanism& me
   }
 }
 
+constexpr std::int64_t kMostTeeth = 100000;
+
 std::optional<int> read_teeth(Reading& reading, const toml::node& node) {
-  constexpr std::int64_t kMostTeeth = 100000;
   const auto teeth = node.is_integer() ? node.value<std::int64_t>() : std::nullopt;
   if (teeth && *teeth != 0 && *teeth >= -kMostTeeth && *teeth <= kMostTeeth) {
     return static_cast<int>(*teeth);
@@ -278,23 +286,7 @@ std::optional<int> read_teeth(Reading& reading, const toml::node& node) {
   return std::nullopt;
 }
 
-void read_gear(Reading& reading, const toml::table& entry, const Mechanism& mechanism,
-               Joint& joint) {
-  if (const auto names = reading.texts(entry, "bodies", 2, "[\"body\", \"other\"]")) {
-    const toml::array& at = *entry.get("bodies")->as_array();
-    bool is_found = true;
-    for (std::size_t k = 0; k < 2; ++k) {
-      const auto body = find_body(reading, mechanism, (*names)[k], reading.position(*at.get(k)));
-      is_found = is_found && body;
-      joint.at[k].body = body.value_or(0);
-    }
-    if (is_found && joint.at[0].body == joint.at[1].body) {
-      reading.fault(at,
-                    "the gear ties body '" + (*names)[0] + "' to itself; a gear needs two bodies");
-    }
-  } else if (!entry.contains("bodies")) {
-    reading.fault(entry, "a gear needs its two 'bodies'");
-  }
+void read_ratio(Reading& reading, const toml::table& entry, Joint& joint) {
   const toml::array* ratio = reading.array(entry, "ratio");
   if (ratio != nullptr && ratio->size() == 2) {
     for (std::size_t k = 0; k < 2; ++k) {
@@ -304,11 +296,71 @@ void read_gear(Reading& reading, const toml::table& entry, const Mechanism& mech
     reading.fault(ratio == nullptr ? static_cast<const toml::node&>(entry) : *ratio,
                   "a gear needs 'ratio', the teeth of both wheels: ratio = [-20, 40]");
   }
+}
+
+/// Whole numbers in the ratio of two decimals, without a common factor; nothing where one would be more than kMostTeeth.
+std::optional<std::array<int, 2>> whole_ratio(double a, double b) {
+  constexpr double kFinestDecimal = 1e9;
+  constexpr double kRounding = 1e-15;
+  const auto is_whole = [](double x) { return std::abs(x - std::round(x)) <= kRounding * x; };
+  for (double scale = 1; scale <= kFinestDecimal; scale *= 10) {
+    if (!is_whole(a * scale) || !is_whole(b * scale)) continue;
+    const std::int64_t whole[] = {std::llround(a * scale), std::llround(b * scale)};
+    const std::int64_t common = std::gcd(whole[0], whole[1]);
+    if (std::max(whole[0], whole[1]) / common > kMostTeeth) return std::nullopt;
+    return std::array{static_cast<int>(whole[0] / common), static_cast<int>(whole[1] / common)};
+  }
+  return std::nullopt;
+}
+
+void read_radii(Reading& reading, const toml::table& entry, Joint& joint) {
+  const auto radii = reading.numbers(entry, "radii", 2);
+  if (!radii) {
+    if (!entry.contains("radii"))
+      reading.fault(entry, "a belt needs the 'radii' of both pulleys: radii = [30, 60]");
+    return;
+  }
+  const toml::node& at = *entry.get("radii");
+  if ((*radii)[0] <= 0 || (*radii)[1] <= 0) {
+    reading.fault(at, "a pulley's radius must be positive; a crossed belt has crossed = true");
+    return;
+  }
+  joint.gear.radii = {(*radii)[0], (*radii)[1]};
+  const auto ratio = whole_ratio((*radii)[0], (*radii)[1]);
+  if (!ratio) {
+    reading.fault(at, "the ratio of the radii must be one of whole numbers up to " +
+                          std::to_string(kMostTeeth) + "; round them");
+    return;
+  }
+  joint.gear.teeth = *ratio;
+  if (reading.truth(entry, "crossed").value_or(false)) joint.gear.teeth[0] *= -1;
+}
+
+/// The two wheels of a gear or a belt, their carrier and their phase.
+void read_wheels(Reading& reading, const toml::table& entry, const Mechanism& mechanism,
+                 Joint& joint) {
+  const std::string type = to_string(joint.type);
+  if (const auto names = reading.texts(entry, "bodies", 2, "[\"body\", \"other\"]")) {
+    const toml::array& at = *entry.get("bodies")->as_array();
+    bool is_found = true;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const auto body = find_body(reading, mechanism, (*names)[k], reading.position(*at.get(k)));
+      is_found = is_found && body;
+      joint.at[k].body = body.value_or(0);
+    }
+    if (is_found && joint.at[0].body == joint.at[1].body) {
+      reading.fault(at, "the " + type + " ties body '" + (*names)[0] + "' to itself; a " + type +
+                            " needs two bodies");
+    }
+  } else if (!entry.contains("bodies")) {
+    reading.fault(entry, "a " + type + " needs its two 'bodies'");
+  }
   if (const auto carrier = reading.text(entry, "carrier")) {
     const SourcePosition at = reading.position(*entry.get("carrier"));
     joint.gear.carrier = find_body(reading, mechanism, *carrier, at).value_or(0);
     if (joint.gear.carrier == joint.at[0].body || joint.gear.carrier == joint.at[1].body) {
-      if (joint.gear.carrier != 0) reading.fault(at, "a gear's carrier must be a third body");
+      if (joint.gear.carrier != 0)
+        reading.fault(at, "a " + type + "'s carrier must be a third body");
     }
   }
   joint.gear.phase_rad = reading.number(entry, "phase").value_or(0) * angle_unit(mechanism);
@@ -336,13 +388,15 @@ Joint read_joint(Reading& reading, const toml::table& entry, const Mechanism& me
   if (joint.type == JointType::rack)
     joint.turn_rad = reading.number(entry, "phase").value_or(0) * angle_unit(mechanism);
   if (has("limits")) read_limits(reading, entry, mechanism, joint);
-  if (joint.type == JointType::gear) read_gear(reading, entry, mechanism, joint);
+  if (has("ratio")) read_ratio(reading, entry, joint);
+  if (has("radii")) read_radii(reading, entry, joint);
+  if (has("bodies")) read_wheels(reading, entry, mechanism, joint);
   return joint;
 }
 
 /// "A" where both points are called so, else "crank.A-coupler.B".
 std::string name_from_ends(const Mechanism& mechanism, const Joint& joint) {
-  if (joint.type == JointType::gear) {
+  if (traits(joint.type).place == JointPlace::anywhere) {
     return mechanism.bodies[joint.at[0].body].name + "-" + mechanism.bodies[joint.at[1].body].name;
   }
   const auto point = [&](std::size_t k) {

@@ -205,6 +205,44 @@ velocity = 1
   EXPECT_NEAR(circles[1].radius, 6, kRounding);
 }
 
+TEST(Drawing, ACrossedBeltIsTangentToBothPulleysAndCrosses) {
+  const Scene scene(mechanism_file("belt-five-bar"));
+  const std::vector<Shape> circles = scene.in_pose(0, Style::pitch_circle);
+  ASSERT_EQ(circles.size(), 2U);
+  EXPECT_NEAR(circles[0].radius, 1.1, kRounding);
+  EXPECT_NEAR(circles[1].radius, 0.55, kRounding);
+  std::vector<Shape> tangents = scene.in_pose(0, Style::mark);
+  std::erase_if(tangents, [](const Shape& shape) { return shape.is_closed; });
+  ASSERT_EQ(tangents.size(), 2U);
+  for (const Shape& tangent : tangents) {
+    const Complex along = tangent.points[1] - tangent.points[0];
+    for (std::size_t end = 0; end < 2; ++end) {
+      const Complex spoke = tangent.points[end] - circles[end].points[0];
+      EXPECT_NEAR(std::abs(spoke), circles[end].radius, kRounding);
+      EXPECT_NEAR((std::conj(spoke) * along).real(), 0, kRounding);
+    }
+    EXPECT_LT(tangent.points[0].imag() * tangent.points[1].imag(), 0);
+  }
+}
+
+TEST(Drawing, AnActuatorReachesFromPinToPinAndItsCylinderIsAsLongInEveryPose) {
+  const Scene scene(mechanism_file("crane"));
+  ASSERT_EQ(scene.poses.size(), 4U);
+  for (std::size_t pose = 0; pose < 4; ++pose) {
+    const std::vector<Shape> rods = scene.in_pose(pose, Style::wire);
+    const std::vector<Shape> cylinders = scene.in_pose(pose, Style::rod);
+    ASSERT_EQ(rods.size(), 2U);
+    ASSERT_EQ(cylinders.size(), 2U);
+    EXPECT_TRUE(has_point_near(rods[0], scene.point(pose, 0, 1)));
+    EXPECT_TRUE(has_point_near(rods[0], scene.point(pose, 1, 1)));
+    EXPECT_NEAR(std::abs(cylinders[0].points[1] - cylinders[0].points[0]), 0.6 * 1.1, kRounding);
+    const Complex middle =
+        (cylinders[0].points[1] + cylinders[0].points[2]) / 2.0 - scene.point(pose, 0, 1);
+    const Complex line = scene.point(pose, 1, 1) - scene.point(pose, 0, 1);
+    EXPECT_NEAR((std::conj(line) * middle).imag(), 0, kRounding);
+  }
+}
+
 TEST(Drawing, ARackTouchesItsPinionsPitchCircle) {
   const Scene scene(mechanism_file("rack-crank"));
   ASSERT_EQ(scene.poses.size(), 2U);

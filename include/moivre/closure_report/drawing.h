@@ -8,7 +8,7 @@
 //   spatial bodies    lines between points, seen by an eye far away
 //   typed equations   a dial for each angle, a ruler for each length
 // The lengths of guides and slots, and the size of the symbols, follow from all the poses that are to be shown.
-// Links are drawn as the convex hull of their points. Not drawn: gears whose wheels do not turn about points of the carrier.
+// Links are drawn as the convex hull of their points. Not drawn: gears and belts whose wheels do not turn about points of the carrier.
 #pragma once
 
 #include <Eigen/Core>

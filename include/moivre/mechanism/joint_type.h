@@ -30,6 +30,7 @@ enum class JointType {
   rod,
   actuator,  ///< a cylinder: a rod whose length is its slide
   gear,      ///< planar; two bodies turn in an integer ratio as seen from a carrier
+  belt,      ///< planar; likewise, by the radii of two pulleys
   rack,      ///< planar; the second body's pitch circle rolls along a line of the first
   spherical,
   cylindrical,

@@ -49,11 +49,13 @@ struct PointOf {
   std::size_t point = 0;
 };
 
-/// Teeth of the two wheels, signed: equal signs turn alike (internal mesh), opposite signs against each other.
+/// Teeth of the two wheels, signed: equal signs turn alike (internal mesh, open belt), opposite signs against each other (external
+/// mesh, crossed belt). Of pulleys, whole numbers in the ratio of their radii.
 struct Gear {
   std::array<int, 2> teeth{1, 1};
-  std::size_t carrier = 0;  ///< body; angles are relative to it
-  double phase_rad = 0;     ///< angle of the second wheel where the first stands at 0
+  std::array<double, 2> radii{0, 0};  ///< belt
+  std::size_t carrier = 0;            ///< body; angles are relative to it
+  double phase_rad = 0;               ///< angle of the second wheel where the first stands at 0
   bool has_all_meshings =
       false;  ///< closures in every meshing of the teeth, not in the drawn one alone
 };
