@@ -2,6 +2,8 @@
 // How is a planar mechanism drawn? Links as hulls of their points, joints by type, the ground hatched.
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <numbers>
 #include <numeric>
 #include <set>
 
@@ -98,6 +100,7 @@ class PlanarDrawing {
     if (place == JointPlace::on_line) return is_turning ? add_slot(joint) : add_slider(joint);
     if (place == JointPlace::at_distance) return add_rod(joint);
     if (place == JointPlace::at_any_distance) return add_actuator(joint);
+    if (joint.type == JointType::cam || joint.type == JointType::cam_lever) return add_cam(joint);
     if (place == JointPlace::off_line) return add_rack(joint);
     return joint.type == JointType::belt ? add_belt(joint) : add_gear(joint);
   }
@@ -285,13 +288,51 @@ class PlanarDrawing {
                 std::move(shapes));
   }
 
-  /// How far the pinion's centre is from the rack's line, on its left.
-  double height_over(const Joint& rack) const {
+  /// How far the joint's second point is from the line through its first, on the left.
+  double height_over(const Joint& joint) const {
     const Eigen::VectorXd& q = poses_.front();
     const Eigen::Vector3d gap =
-        point_position(mechanism_, rack.at[1], q) - point_position(mechanism_, rack.at[0], q);
-    const Eigen::Vector3d along = orientation(mechanism_, rack.at[0].body, q) * rack.axis[0];
+        point_position(mechanism_, joint.at[1], q) - point_position(mechanism_, joint.at[0], q);
+    const Eigen::Vector3d along = orientation(mechanism_, line_body(joint), q) * joint.axis[0];
     return along.x() * gap.y() - along.y() * gap.x();
+  }
+
+  /// Where the follower's point is in the carrier, beside the cam's centre, at a lift; nothing of a lever that has no pin on the
+  /// carrier or no other point.
+  std::function<Complex(double)> follower_of(const Joint& joint) const {
+    if (joint.type == JointType::cam) {
+      const Complex along = flat(joint.axis[0]);
+      return [along, height = height_over(joint)](double lift) {
+        return along * Complex(lift, height);
+      };
+    }
+    const auto pair = axles(joint);
+    const std::vector<Complex> points = points_of(joint.at[1].body);
+    if (!pair || points.size() < 2) return nullptr;
+    const Complex pivot = at((*pair)[1][1]);
+    const auto tip =
+        std::find_if(points.begin(), points.end(), [&](Complex point) { return point != pivot; });
+    if (tip == points.end()) return nullptr;
+    return [from = at((*pair)[1][0]) - at((*pair)[0][0]), arm = *tip - pivot](double lift) {
+      return from + std::polar(1.0, lift) * arm;
+    };
+  }
+
+  /// The cam's pitch curve: where the follower's point goes as it is seen from the cam.
+  void add_cam(const Joint& joint) {
+    const auto follower = follower_of(joint);
+    if (!follower) return;
+    constexpr int kSamples = 180;
+    const std::size_t cam = joint.at[0].body;
+    const Complex centre =
+        joint.type == JointType::cam ? at(joint.at[0]) : at((*axles(joint))[0][1]);
+    std::vector<Complex> curve;
+    for (int k = 0; k <= kSamples; ++k) {
+      const double angle = 2 * std::numbers::pi * k / kSamples;
+      const double lift = periodic_state(joint.profile, angle - joint.gear.phase_rad).value;
+      curve.push_back(centre + std::polar(1.0, -angle) * follower(lift));
+    }
+    sketch_.add(Sketch::links, cam, colour(cam), {polyline(Style::link, std::move(curve))});
   }
 
   /// A toothed bar where the pinion's pitch circle touches, from the first point to beyond all the pinion's places.

@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "isotropic_frame.h"
+#include "known_motions.h"
 #include "linear_values.h"
 #include "moivre/formulation/block_structure.h"
 #include "moivre/mechanism/phi.h"
-#include "racks.h"
 #include "shared_pins.h"
 
 namespace moivre {
@@ -34,13 +34,13 @@ class Bodies {
   static std::vector<std::string> names(const Mechanism& mechanism);
   void hold_angles();
   void hold_known_angles(const std::vector<std::size_t>& bodies, const std::string& name);
-  void hold_rack(const Joint& joint);
+  void hold_second(const Joint& joint);
   void add_positions();
   void add_joint(const Joint& joint);
   void add_line(const Joint& joint);
   void add_distance(const Joint& joint, double length);
   void add_gear(const Joint& joint);
-  void add_rack(const Joint& joint);
+  void add_known_slides(const Joint& joint);
   void add_driver(const Driver& driver);
   void read_coordinates();
   void read_pinion(const Joint& rack);
@@ -63,9 +63,9 @@ class Bodies {
   Mirrored without_rounding(const Mirrored& z) const {
     return {without_rounding(z.z), without_rounding(z.conjugate)};
   }
-  /// Twice the displacement of a rack's second point along its line.
+  /// Twice the displacement of the second point along the line.
   Polynomial twice_slide(const Joint& joint) const {
-    const Mirrored advance = swapped(turned(joint.at[0].body, joint.axis[0])) * gap(joint);
+    const Mirrored advance = swapped(turned(line_body(joint), joint.axis[0])) * gap(joint);
     return without_rounding(advance.z + advance.conjugate);
   }
   std::size_t number(const Joint& joint) const {
@@ -107,7 +107,7 @@ void Bodies::hold_angles() {
     hold_known_angles({joint.at[0].body, joint.at[1].body, joint.gear.carrier}, label(joint));
   }
   for (const Joint& joint : mechanism_.joints) {
-    if (joint.type == JointType::rack) hold_rack(joint);
+    if (joint.type == JointType::rack || joint.type == JointType::cam_lever) hold_second(joint);
   }
 }
 
@@ -119,17 +119,17 @@ void Bodies::hold_known_angles(const std::vector<std::size_t>& bodies, const std
   }
 }
 
-/// A pinion that follows stands at 0 until its angle is read.
-void Bodies::hold_rack(const Joint& joint) {
+/// The pinion of a rack, the lever on a cam. A pinion that follows stands at 0 until its angle is read.
+void Bodies::hold_second(const Joint& joint) {
   constexpr double kAgreement = 1e-9;  // as known angles agree
   const auto& slide = known_.slides[number(joint)];
-  const std::size_t pinion = joint.at[1].body;
+  const std::size_t second = joint.at[1].body;
   if (slide && disagreement(joint, *slide, known_.angles) > kAgreement) {
     frame_.result().contradictions.push_back(label(joint));
   } else if (slide) {
-    hold_known_angles({joint.at[0].body, pinion}, label(joint));
+    hold_known_angles({turn_body(joint), second}, label(joint));
   } else if (known_.is_followed[number(joint)]) {
-    frame_.hold_angle(0, pinion, {1, 0}, label(joint));
+    frame_.hold_angle(0, second, {1, 0}, label(joint));
   }
 }
 
@@ -200,12 +200,18 @@ void Bodies::add_distance(const Joint& joint, double length) {
   frame_.add_equation(label(joint), rounded_difference(d.z * d.conjugate, constant({square, 0})));
 }
 
-void Bodies::add_rack(const Joint& joint) {
+/// Of a rack or a cam: what a driver says, and what an angle does.
+void Bodies::add_known_slides(const Joint& joint) {
+  const auto add = [&](double slide) {
+    const Rational value = typed_decimal(slide);
+    frame_.add_equation(label(joint),
+                        without_rounding(twice_slide(joint) - constant({2 * value, 0})));
+  };
+  const Driver* driver = slide_of(joint);
+  if (driver != nullptr) add(driver_state(driver->law, t_).value);
   const auto& slide = known_.slides[number(joint)];
-  if (!slide || slide->follows) return;
-  const Rational value = typed_decimal(slide->value);
-  frame_.add_equation(label(joint),
-                      without_rounding(twice_slide(joint) - constant({2 * value, 0})));
+  const bool is_driven_rack = driver != nullptr && joint.type == JointType::rack;
+  if (slide && !slide->follows && !is_driven_rack) add(slide->value);
 }
 
 void Bodies::add_joint(const Joint& joint) {
@@ -220,10 +226,10 @@ void Bodies::add_joint(const Joint& joint) {
       add_distance(joint, joint.length);
       return;
     case JointPlace::anywhere:
-      if (!is_settled(joint, known_.angles)) add_gear(joint);
+      if (joint.type != JointType::cam_lever && !is_settled(joint, known_.angles)) add_gear(joint);
       return;
     case JointPlace::off_line:
-      add_rack(joint);
+      add_known_slides(joint);
       return;
     case JointPlace::at_any_distance:
       if (const Driver* driver = slide_of(joint)) {
@@ -269,7 +275,7 @@ void Bodies::read_pinion(const Joint& rack) {
   const Rational per_slide = 1 / (2 * typed_decimal(rack.radius));
   const Formulation::Roll roll{
       frame_.t(rack.at[0].body).z,
-      Coefficient{per_slide, 0} * twice_slide(rack) + constant({Rational(rack.turn_rad), 0})};
+      Coefficient{per_slide, 0} * twice_slide(rack) + constant({Rational(rack.gear.phase_rad), 0})};
   auto* const readings = frame_.result().coordinates.data() + 3 * (centre.body - 1);
   const Complex arm(-at.x(), -at.y());
   readings[0] = {Part::re, place(centre).z, arm, roll};

@@ -99,6 +99,14 @@ Row gear_row(const Joint& joint) {
 
 }  // namespace
 
+std::size_t turn_body(const Joint& joint) {
+  return joint.type == JointType::rack ? joint.at[0].body : joint.gear.carrier;
+}
+
+double turn_by(const Joint& joint, double slide) {
+  return joint.type == JointType::rack ? joint.gear.phase_rad + slide / joint.radius : slide;
+}
+
 std::vector<std::optional<KnownAngle>> known_angles(
     const Mechanism& mechanism, double t, const std::vector<std::optional<double>>& slides) {
   Angles angles;
@@ -118,9 +126,8 @@ std::vector<std::optional<KnownAngle>> known_angles(
   // A slide that disagrees with the angles is told by who knows both.
   for (std::size_t k = 0; k < slides.size(); ++k) {
     const Joint& joint = mechanism.joints[k];
-    if (!slides[k]) continue;
-    angles.add(
-        difference(joint.at[0].body, joint.at[1].body, joint.turn_rad + *slides[k] / joint.radius));
+    if (!slides[k] || joint.type == JointType::cam) continue;
+    angles.add(difference(turn_body(joint), joint.at[1].body, turn_by(joint, *slides[k])));
   }
   if (!agrees) return std::vector<std::optional<KnownAngle>>(mechanism.bodies.size());
   return angles.take(mechanism.bodies.size());

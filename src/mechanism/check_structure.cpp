@@ -2,6 +2,7 @@
 // Does the file describe one mechanism? What no single entry shows: loose bodies, weld cycles, links of no length, drivers.
 #include <algorithm>
 #include <numeric>
+#include <optional>
 
 #include "read_parts.h"
 
@@ -30,7 +31,7 @@ class Groups {
   std::vector<std::size_t> parent_;
 };
 
-/// Gears and racks hold motions, not places.
+/// Gears, racks and cams hold motions, not places.
 bool places(const Joint& joint) { return !is_transmission(joint.type); }
 
 void check_connected(Reading& reading, const Mechanism& mechanism) {
@@ -100,26 +101,42 @@ void check_lengths(Reading& reading, const Mechanism& mechanism) {
   }
 }
 
-/// A pinion turns about the point that its rack names.
-void check_pinions(Reading& reading, const Mechanism& mechanism) {
+/// What a rack's second point or a cam's first is: the centre of a wheel.
+struct Centre {
+  PointOf point;
+  const char* of;
+  const char* advice;
+};
+
+std::optional<Centre> centre_of(const Joint& joint) {
+  if (joint.type == JointType::rack) {
+    return Centre{joint.at[1], "pinion", "[\"rack.point\", \"pinion.centre\"]"};
+  }
+  if (joint.type == JointType::cam) {
+    return Centre{joint.at[0], "cam", "[\"cam.centre\", \"follower.point\"]"};
+  }
+  return std::nullopt;
+}
+
+void check_centres(Reading& reading, const Mechanism& mechanism) {
   const auto place = [&](const PointOf& p) { return mechanism.bodies[p.body].points[p.point].at; };
-  for (const Joint& rack : mechanism.joints) {
-    if (rack.type != JointType::rack) continue;
-    const PointOf& centre = rack.at[1];
+  for (const Joint& joint : mechanism.joints) {
+    const auto centre = centre_of(joint);
+    if (!centre) continue;
+    const PointOf& at = centre->point;
     const auto is_there = [&](const PointOf& end) {
-      return end.body == centre.body && place(end) == place(centre);
+      return end.body == at.body && place(end) == place(at);
     };
     const bool has_pin =
-        std::any_of(mechanism.joints.begin(), mechanism.joints.end(), [&](const Joint& joint) {
-          return joint.type == JointType::revolute &&
-                 (is_there(joint.at[0]) || is_there(joint.at[1]));
+        std::any_of(mechanism.joints.begin(), mechanism.joints.end(), [&](const Joint& other) {
+          return other.type == JointType::revolute &&
+                 (is_there(other.at[0]) || is_there(other.at[1]));
         });
     if (has_pin) continue;
-    const Body& pinion = mechanism.bodies[centre.body];
-    reading.fault(rack.where, "no revolute joint is at '" + pinion.name + "." +
-                                  pinion.points[centre.point].name +
-                                  "', which should be the pinion's centre; write at = "
-                                  "[\"rack.point\", \"pinion.centre\"]");
+    const Body& wheel = mechanism.bodies[at.body];
+    reading.fault(joint.where, "no revolute joint is at '" + wheel.name + "." +
+                                   wheel.points[at.point].name + "', which should be the " +
+                                   centre->of + "'s centre; write at = " + centre->advice);
   }
 }
 
@@ -246,7 +263,7 @@ void check_structure(Reading& reading, Mechanism& mechanism) {
   check_connected(reading, mechanism);
   check_welds(reading, mechanism);
   check_lengths(reading, mechanism);
-  check_pinions(reading, mechanism);
+  check_centres(reading, mechanism);
   check_size(reading, mechanism);
   check_count(reading, mechanism);
   check_twin_joints(reading, mechanism);

@@ -18,6 +18,8 @@ const std::vector<JointTraits>& all_joint_types() {
       {JointType::gear, "gear", P::anywhere, T::geared, true, false},
       {JointType::belt, "belt", P::anywhere, T::geared, true, false},
       {JointType::rack, "rack", P::off_line, T::by_rack, true, false},
+      {JointType::cam, "cam", P::off_line, T::by_cam, true, false},
+      {JointType::cam_lever, "cam-lever", P::anywhere, T::by_cam, true, false},
       {JointType::spherical, "spherical", P::at_point, T::freely, false, true},
       {JointType::cylindrical, "cylindrical", P::on_line, T::about_axis, false, true},
       {JointType::universal, "universal", P::at_point, T::about_two_axes, false, true},
@@ -57,6 +59,7 @@ int row_count(JointTurn turn, Space space) {
       return 0;
     case JointTurn::about_two_axes:
     case JointTurn::by_rack:
+    case JointTurn::by_cam:
     case JointTurn::geared:
       return 1;
     case JointTurn::about_axis:
@@ -88,7 +91,8 @@ bool has_line(JointType type) {
 }
 
 bool is_transmission(JointType type) {
-  return traits(type).turn == JointTurn::geared || traits(type).turn == JointTurn::by_rack;
+  const JointTurn turn = traits(type).turn;
+  return turn == JointTurn::geared || turn == JointTurn::by_rack || turn == JointTurn::by_cam;
 }
 
 bool has_rows(JointType type, Space space) {

@@ -31,7 +31,7 @@ inline Jet joint_slide_jet(const Mechanism& mechanism, const Joint& joint, const
   const auto gap = position_jet(mechanism, joint.at[1], at, moving) -
                    position_jet(mechanism, joint.at[0], at, moving);
   if (!has_line(joint.type)) return sqrt(spatial::dot(gap, gap));
-  return spatial::dot(direction_jet(mechanism, joint.at[0].body, joint.axis[0], at), gap);
+  return spatial::dot(direction_jet(mechanism, line_body(joint), joint.axis[0], at), gap);
 }
 
 /// Angle of the joint's second body relative to the first; spatial: about its axis.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <numbers>
 #include <numeric>
 
 #include "moivre/mechanism/nearest.h"
@@ -48,7 +49,7 @@ std::string refusal(const std::string& type) {
           {"rolling", "wheel", "velocity", "nonholonomic", "non-holonomic", "skate", "knife"})) {
     return kVelocityJoint;
   }
-  if (is_one_of({"contact", "stop", "unilateral", "cam", "impact", "bump", "cable", "rope"})) {
+  if (is_one_of({"contact", "stop", "unilateral", "impact", "bump", "cable", "rope"})) {
     return kOneSidedJoint;
   }
   return "";
@@ -82,6 +83,8 @@ std::optional<JointType> type_called(const std::string& word) {
                                                       {"timing-belt", JointType::belt},
                                                       {"pinion", JointType::rack},
                                                       {"rack-and-pinion", JointType::rack},
+                                                      {"cam-follower", JointType::cam},
+                                                      {"rocker-cam", JointType::cam_lever},
                                                       {"helical", JointType::screw},
                                                       {"lead-screw", JointType::screw},
                                                       {"inline", JointType::point_on_line},
@@ -133,6 +136,9 @@ std::vector<std::string> keys_of(JointType type, Space space) {
   if (type == JointType::belt) {
     return {"type", "name", "bodies", "carrier", "phase", "radii", "crossed"};
   }
+  if (type == JointType::cam_lever) {
+    return {"type", "name", "bodies", "carrier", "phase", "profile"};
+  }
   std::vector<std::string> keys{"type", "name", "at"};
   if (space == Space::planar && has_line(type)) keys.emplace_back("along");
   if (space == Space::spatial && axis_count(type) > 0) keys.emplace_back("axis");
@@ -141,6 +147,7 @@ std::vector<std::string> keys_of(JointType type, Space space) {
   if (type == JointType::rod) keys.insert(keys.end(), {"length", "tolerance"});
   if (type == JointType::actuator) keys.emplace_back("length");
   if (type == JointType::screw) keys.emplace_back("pitch");
+  if (type == JointType::cam) keys.insert(keys.end(), {"carrier", "phase", "profile"});
   if (type == JointType::rack) keys.insert(keys.end(), {"radius", "phase"});
   return keys;
 }
@@ -336,9 +343,9 @@ void read_radii(Reading& reading, const toml::table& entry, Joint& joint) {
   if (reading.truth(entry, "crossed").value_or(false)) joint.gear.teeth[0] *= -1;
 }
 
-/// The two wheels of a gear or a belt, their carrier and their phase.
-void read_wheels(Reading& reading, const toml::table& entry, const Mechanism& mechanism,
-                 Joint& joint) {
+/// The two bodies of a joint without points.
+void read_pair(Reading& reading, const toml::table& entry, const Mechanism& mechanism,
+               Joint& joint) {
   const std::string type = to_string(joint.type);
   if (const auto names = reading.texts(entry, "bodies", 2, "[\"body\", \"other\"]")) {
     const toml::array& at = *entry.get("bodies")->as_array();
@@ -355,15 +362,56 @@ void read_wheels(Reading& reading, const toml::table& entry, const Mechanism& me
   } else if (!entry.contains("bodies")) {
     reading.fault(entry, "a " + type + " needs its two 'bodies'");
   }
+}
+
+void read_carrier(Reading& reading, const toml::table& entry, const Mechanism& mechanism,
+                  Joint& joint) {
   if (const auto carrier = reading.text(entry, "carrier")) {
     const SourcePosition at = reading.position(*entry.get("carrier"));
     joint.gear.carrier = find_body(reading, mechanism, *carrier, at).value_or(0);
     if (joint.gear.carrier == joint.at[0].body || joint.gear.carrier == joint.at[1].body) {
       if (joint.gear.carrier != 0)
-        reading.fault(at, "a " + type + "'s carrier must be a third body");
+        reading.fault(at, "a " + to_string(joint.type) + "'s carrier must be a third body");
     }
   }
-  joint.gear.phase_rad = reading.number(entry, "phase").value_or(0) * angle_unit(mechanism);
+}
+
+/// Lifts over a whole turn of the cam, the last one the first.
+void read_profile(Reading& reading, const toml::table& entry, const Mechanism& mechanism,
+                  Joint& joint) {
+  constexpr double kTurn = 2 * std::numbers::pi;
+  constexpr double kRounding = 1e-9;
+  constexpr std::size_t kFewest = 4;
+  const toml::array* rows = reading.array(entry, "profile");
+  if (rows == nullptr) {
+    if (!entry.contains("profile")) {
+      reading.fault(entry, "a " + to_string(joint.type) +
+                               " needs its 'profile', [angle, lift] over a whole turn");
+    }
+    return;
+  }
+  const double lift_unit = joint.type == JointType::cam ? 1 : angle_unit(mechanism);
+  std::vector<double> angle_rad;
+  std::vector<double> lift;
+  for (const toml::node& row : *rows) {
+    const auto pair = reading.numbers(row, "a row of 'profile'", 2);
+    if (!pair) return;
+    const double at = (*pair)[0] * angle_unit(mechanism);
+    if (!angle_rad.empty() && at <= angle_rad.back()) {
+      return reading.fault(row, "the angles of a profile must increase");
+    }
+    angle_rad.push_back(at);
+    lift.push_back((*pair)[1] * lift_unit);
+  }
+  const bool is_whole = angle_rad.size() >= kFewest &&
+                        std::abs(angle_rad.back() - angle_rad.front() - kTurn) <= kRounding &&
+                        lift.back() == lift.front();
+  if (!is_whole) {
+    return reading.fault(*rows,
+                         "a profile needs four or more rows, from one angle to a whole turn "
+                         "further, and ends with the lift that it begins with");
+  }
+  joint.profile = periodic_spline(std::move(angle_rad), std::move(lift));
 }
 
 Joint read_joint(Reading& reading, const toml::table& entry, const Mechanism& mechanism) {
@@ -385,12 +433,15 @@ Joint read_joint(Reading& reading, const toml::table& entry, const Mechanism& me
   if (has("length")) read_length(reading, entry, joint);
   if (has("pitch")) read_pitch(reading, entry, joint);
   if (has("radius")) read_radius(reading, entry, joint);
-  if (joint.type == JointType::rack)
-    joint.turn_rad = reading.number(entry, "phase").value_or(0) * angle_unit(mechanism);
   if (has("limits")) read_limits(reading, entry, mechanism, joint);
   if (has("ratio")) read_ratio(reading, entry, joint);
   if (has("radii")) read_radii(reading, entry, joint);
-  if (has("bodies")) read_wheels(reading, entry, mechanism, joint);
+  if (has("bodies")) read_pair(reading, entry, mechanism, joint);
+  if (has("carrier")) read_carrier(reading, entry, mechanism, joint);
+  if (has("profile")) read_profile(reading, entry, mechanism, joint);
+  if (has("phase")) {
+    joint.gear.phase_rad = reading.number(entry, "phase").value_or(0) * angle_unit(mechanism);
+  }
   return joint;
 }
 

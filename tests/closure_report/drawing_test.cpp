@@ -205,6 +205,21 @@ velocity = 1
   EXPECT_NEAR(circles[1].radius, 6, kRounding);
 }
 
+TEST(Drawing, ACamsPitchCurveRunsThroughItsFollowersPoint) {
+  for (const double angle : {0.0, 1.0, 2.0, 4.0}) {
+    const Scene scene(driven_from(mechanism_file("cam-valve"), angle));
+    const std::vector<Shape> links = scene.in_pose(0, Style::link);
+    const auto curve = std::find_if(links.begin(), links.end(),
+                                    [](const Shape& shape) { return !shape.is_closed; });
+    ASSERT_NE(curve, links.end());
+    const Complex roller = scene.point(0, 2, 0);
+    double nearest = 1e9;
+    for (const Complex z : curve->points) nearest = std::min(nearest, std::abs(z - roller));
+    EXPECT_LT(nearest, 0.6);  // its points are 2 degrees apart at a radius of up to 28
+    EXPECT_NEAR(std::abs(curve->points.front() - curve->points.back()), 0, kRounding);
+  }
+}
+
 TEST(Drawing, ACrossedBeltIsTangentToBothPulleysAndCrosses) {
   const Scene scene(mechanism_file("belt-five-bar"));
   const std::vector<Shape> circles = scene.in_pose(0, Style::pitch_circle);

@@ -11,7 +11,7 @@
 //   rod        D Db = L^2                                       and an actuator that is driven
 //   gear       t_i^zi t_c^(zj-zi) t_j^-zj = exp(-i zj phase)      powers moved to the side that keeps the degree low
 //   driven x   p + a t + pb + ab u = 2 x
-//   rack       eb u_i D + e t_i Db = 2 s                         its slide s is known, or its pinion follows (src/formulation/racks.h)
+//   rack, cam  eb u_i D + e t_i Db = 2 s                         its slide s is known (src/formulation/known_motions.h)
 // Typed equations: cos and sin of whole multiples of angles become polynomials in t and u, lengths stay.
 // A real pose is a fixed point of x_v -> conj(x_mirror(v)): mirror swaps p and pb, t and u, and keeps a length.
 // Coefficients are the shortest decimals that read back as the file's doubles; exp(i phi) is a rational point of the unit

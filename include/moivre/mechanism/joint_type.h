@@ -10,7 +10,8 @@
 //   at_distance      1     1   |AB| = L              by_thread                 3   about the axis, by the slide
 //   in_plane               1                         by_rack             1         by the slide
 //   on_line          1     2   slide = AB . axis     geared              1
-//   at_point         2     3   A = B                 not_at_all          1     3   but Joint::turn_rad
+//   at_point         2     3   A = B                 by_cam              1         a slide or an angle, by the cam's angle
+//                                                    not_at_all          1     3   but Joint::turn_rad
 // Coordinates: the slide, and the angle of about_axis and by_thread. "The" coordinate is the slide where there is one.
 // Equations: planar_constraints.cpp, spatial_constraints.cpp; unknowns and polynomials: the module formulation.
 #pragma once
@@ -32,6 +33,8 @@ enum class JointType {
   gear,      ///< planar; two bodies turn in an integer ratio as seen from a carrier
   belt,      ///< planar; likewise, by the radii of two pulleys
   rack,      ///< planar; the second body's pitch circle rolls along a line of the first
+  cam,  ///< planar; the second body slides along a line of a carrier, by the angle of the first
+  cam_lever,  ///< planar; the second body turns, likewise
   spherical,
   cylindrical,
   universal,
@@ -51,7 +54,16 @@ enum class JointPlace {
   at_point
 };
 
-enum class JointTurn { freely, about_two_axes, about_axis, by_thread, by_rack, geared, not_at_all };
+enum class JointTurn {
+  freely,
+  about_two_axes,
+  about_axis,
+  by_thread,
+  by_rack,
+  by_cam,
+  geared,
+  not_at_all
+};
 
 struct JointTraits {
   JointType type;
@@ -76,7 +88,7 @@ int row_count(JointTurn turn, Space space);
 /// Degrees of freedom of one body relative to the other. Throws std::logic_error where the space has no such joint.
 int freedoms(JointType type, Space space);
 
-/// Whether it reads a line of the first body, along which the second point is measured.
+/// Whether it reads a line, along which the second point is measured.
 bool has_line(JointType type);
 /// Whether it ties motions of bodies that other joints hold in their places.
 bool is_transmission(JointType type);

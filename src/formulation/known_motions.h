@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Which racks are settled before the roots are found? No polynomial ties a slide to an angle, so that one must be known.
+// Which racks and cams are settled before the roots are found? No polynomial ties a slide to an angle, so that one must be known.
 //
 //   s = r (a_p - a_r - phase)      s slide, r pitch radius, a_p and a_r angles of pinion and rack
 // One from the other, in turn, until nothing more follows (docs/decisions/0030-racks.md):
 //   angles known by drivers, welds, gears and racks, whole turns counted    ->  s
 //   s known by a driver, or by linear equations                             ->  an angle
+// A cam gives the lift of its follower, slide or angle, where the cam's own angle is known.
 // A pinion that nothing else holds or reads follows its rack: its angle is read off each root.
 #pragma once
 
@@ -16,13 +17,13 @@
 
 namespace moivre {
 
-/// A rack's slide that is known.
+/// A rack's slide or a cam's lift that is known.
 struct KnownSlide {
   double value = 0;
   bool follows = false;  ///< from the equations of other joints: the rack adds none
 };
 
-/// Known before the roots: angles of bodies, slides of racks (by joint), and which racks' pinions follow them.
+/// Known before the roots: angles of bodies, slides of racks and lifts of cams (by joint), and which racks' pinions follow them.
 struct KnownMotions {
   std::vector<std::optional<KnownAngle>> angles;
   std::vector<std::optional<KnownSlide>> slides;
@@ -32,11 +33,12 @@ struct KnownMotions {
 /// What linear equations say of the racks that are not settled by these.
 using FindSlides = std::function<std::vector<std::optional<double>>(const KnownMotions&)>;
 
-/// Throws std::invalid_argument where a rack is neither settled nor followed.
+/// Throws std::invalid_argument where a rack is neither settled nor followed, and a cam not settled.
 KnownMotions known_motions(const Mechanism& mechanism, double t, const FindSlides& find_slides);
 
-/// By how much slide and angles of a settled rack disagree, in radians modulo whole turns; 0 where no angle is known.
-double disagreement(const Joint& rack, const KnownSlide& slide,
+/// By how much a rack's slide or a cam's lift disagrees with the angle of its second body, in radians modulo whole turns; 0 where
+/// that is not known.
+double disagreement(const Joint& joint, const KnownSlide& slide,
                     const std::vector<std::optional<KnownAngle>>& angles);
 
 }  // namespace moivre

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Angles and slides from each other, round after round.
-#include "racks.h"
+#include "known_motions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,13 +12,24 @@
 namespace moivre {
 namespace {
 
-/// Of the pinion relative to the rack.
-std::optional<double> relative_angle(const Joint& rack,
+/// Of the second body relative to the first.
+std::optional<double> relative_angle(std::size_t i, std::size_t j,
                                      const std::vector<std::optional<KnownAngle>>& angles) {
-  const auto& first = angles[rack.at[0].body];
-  const auto& second = angles[rack.at[1].body];
+  const auto& first = angles[i];
+  const auto& second = angles[j];
   if (!first || !second || first->root != second->root) return std::nullopt;
   return second->value - first->value;
+}
+
+/// What the angles say of a rack's slide or a cam's lift.
+std::optional<double> slide_by_angles(const Joint& joint,
+                                      const std::vector<std::optional<KnownAngle>>& angles) {
+  const bool is_rack = joint.type == JointType::rack;
+  const auto angle = is_rack ? relative_angle(joint.at[0].body, joint.at[1].body, angles)
+                             : relative_angle(joint.gear.carrier, joint.at[0].body, angles);
+  if (!angle) return std::nullopt;
+  const double turned = *angle - joint.gear.phase_rad;
+  return is_rack ? joint.radius * turned : periodic_state(joint.profile, turned).value;
 }
 
 bool reads(const Driver& driver, std::size_t body) {
@@ -63,9 +74,9 @@ std::vector<std::optional<double>> values(const std::vector<std::optional<KnownS
   return found;
 }
 
-class RacksInTurn {
+class MotionsInTurn {
  public:
-  RacksInTurn(const Mechanism& mechanism, double t) : mechanism_(mechanism), t_(t) {
+  MotionsInTurn(const Mechanism& mechanism, double t) : mechanism_(mechanism), t_(t) {
     known_.slides.resize(mechanism.joints.size());
     known_.is_followed.resize(mechanism.joints.size());
     for (std::size_t k = 0; k < mechanism.joints.size(); ++k) {
@@ -85,7 +96,10 @@ class RacksInTurn {
 
  private:
   bool is_rack(std::size_t k) const { return mechanism_.joints[k].type == JointType::rack; }
-  bool is_open(std::size_t k) const { return is_rack(k) && !known_.slides[k]; }
+  bool is_open(std::size_t k) const {
+    const JointTurn turn = traits(mechanism_.joints[k].type).turn;
+    return (turn == JointTurn::by_rack || turn == JointTurn::by_cam) && !known_.slides[k];
+  }
   bool has_open() const {
     for (std::size_t k = 0; k < known_.slides.size(); ++k) {
       if (is_open(k)) return true;
@@ -98,10 +112,10 @@ class RacksInTurn {
       has_grown = false;
       known_.angles = known_angles(mechanism_, t_, values(known_.slides));
       for (std::size_t k = 0; k < known_.slides.size(); ++k) {
-        const Joint& rack = mechanism_.joints[k];
-        const auto angle = is_open(k) ? relative_angle(rack, known_.angles) : std::nullopt;
-        if (!angle) continue;
-        known_.slides[k] = KnownSlide{rack.radius * (*angle - rack.turn_rad), false};
+        const Joint& joint = mechanism_.joints[k];
+        const auto slide = is_open(k) ? slide_by_angles(joint, known_.angles) : std::nullopt;
+        if (!slide) continue;
+        known_.slides[k] = KnownSlide{*slide, false};
         has_grown = true;
       }
     }
@@ -120,6 +134,12 @@ class RacksInTurn {
 
   void follow(std::size_t k) {
     const Joint& rack = mechanism_.joints[k];
+    if (!is_rack(k)) {
+      throw std::invalid_argument(
+          "the " + to_string(rack.type) + " '" + rack.name +
+          "' lifts by a table, which no polynomial says; drive the cam's angle, or follow one pose "
+          "with --from-guess");
+    }
     if (!is_followed_freely(mechanism_, rack)) {
       throw std::invalid_argument(
           "the rack '" + rack.name +
@@ -138,15 +158,15 @@ class RacksInTurn {
 }  // namespace
 
 KnownMotions known_motions(const Mechanism& mechanism, double t, const FindSlides& find_slides) {
-  return RacksInTurn(mechanism, t).run(find_slides);
+  return MotionsInTurn(mechanism, t).run(find_slides);
 }
 
-double disagreement(const Joint& rack, const KnownSlide& slide,
+double disagreement(const Joint& joint, const KnownSlide& slide,
                     const std::vector<std::optional<KnownAngle>>& angles) {
-  const auto angle = relative_angle(rack, angles);
-  if (!angle) return 0;
-  return std::abs(
-      std::remainder(*angle - rack.turn_rad - slide.value / rack.radius, 2 * std::numbers::pi));
+  const auto angle = relative_angle(turn_body(joint), joint.at[1].body, angles);
+  return angle
+             ? std::abs(std::remainder(*angle - turn_by(joint, slide.value), 2 * std::numbers::pi))
+             : 0;
 }
 
 }  // namespace moivre
