@@ -9,15 +9,6 @@
 #include "spatial_bodies.h"
 
 namespace moivre {
-namespace {
-
-Complex direction(const Formulation::Roll& roll, const Point& root) {
-  const double turn_rad = value_at(roll.turn_rad, root).real();
-  return std::polar(1.0, std::arg(value_at(roll.frame, root)) + turn_rad);
-}
-
-}  // namespace
-
 Formulation formulate(const Mechanism& mechanism, double t) {
   if (is_typed(mechanism)) return isotropic_equations(mechanism, t);
   return mechanism.space == Space::spatial ? spatial_bodies(mechanism, t)
@@ -53,7 +44,7 @@ Eigen::VectorXd coordinates_of_root(const Formulation& formulation, const Point&
   for (Eigen::Index k = 0; k < q.size(); ++k) {
     const auto& reading = formulation.coordinates[static_cast<std::size_t>(k)];
     Complex z = value_at(reading.of, root);
-    if (reading.roll) z += reading.arm * direction(*reading.roll, root);
+    if (reading.f) z += reading.arm * reading.f(root);
     q[k] = reading.part == Part::re ? z.real() : reading.part == Part::im ? z.imag() : std::arg(z);
   }
   return q;

@@ -10,6 +10,7 @@
 #include "linear_values.h"
 #include "moivre/formulation/block_structure.h"
 #include "moivre/mechanism/phi.h"
+#include "moivre/polynomial/value.h"
 #include "shared_pins.h"
 
 namespace moivre {
@@ -43,7 +44,8 @@ class Bodies {
   void add_known_slides(const Joint& joint);
   void add_driver(const Driver& driver);
   void read_coordinates();
-  void read_pinion(const Joint& rack);
+  std::function<double(const Point&)> read_lift(const Joint& joint) const;
+  void read_follower(const Joint& joint);
   void write();
 
   /// A place or direction of a body's frame as a complex number, turned with the body.
@@ -119,7 +121,7 @@ void Bodies::hold_known_angles(const std::vector<std::size_t>& bodies, const std
   }
 }
 
-/// The pinion of a rack, the lever on a cam. A pinion that follows stands at 0 until its angle is read.
+/// The pinion of a rack, the lever on a cam. One that follows stands at 0 until its angle is read.
 void Bodies::hold_second(const Joint& joint) {
   constexpr double kAgreement = 1e-9;  // as known angles agree
   const auto& slide = known_.slides[number(joint)];
@@ -200,7 +202,7 @@ void Bodies::add_distance(const Joint& joint, double length) {
   frame_.add_equation(label(joint), rounded_difference(d.z * d.conjugate, constant({square, 0})));
 }
 
-/// Of a rack or a cam: what a driver says, and what an angle does.
+/// Of a rack or a cam: what a driver says, and what an angle does; 0 for a tappet until its lift is read.
 void Bodies::add_known_slides(const Joint& joint) {
   const auto add = [&](double slide) {
     const Rational value = typed_decimal(slide);
@@ -212,6 +214,7 @@ void Bodies::add_known_slides(const Joint& joint) {
   const auto& slide = known_.slides[number(joint)];
   const bool is_driven_rack = driver != nullptr && joint.type == JointType::rack;
   if (slide && !slide->follows && !is_driven_rack) add(slide->value);
+  if (joint.type == JointType::cam && known_.is_followed[number(joint)]) add(0);
 }
 
 void Bodies::add_joint(const Joint& joint) {
@@ -263,24 +266,49 @@ void Bodies::read_coordinates() {
     coordinates.push_back({Part::argument, frame_.t(i).z});
   }
   for (const Joint& joint : mechanism_.joints) {
-    if (known_.is_followed[number(joint)]) read_pinion(joint);
+    if (known_.is_followed[number(joint)]) read_follower(joint);
   }
 }
 
-/// Its centre is where the polynomials have it, its angle what it has rolled along the rack.
-void Bodies::read_pinion(const Joint& rack) {
+/// What the second body of a rack or a cam has turned or been lifted by, at a root.
+std::function<double(const Point&)> Bodies::read_lift(const Joint& joint) const {
+  if (joint.type == JointType::rack) {
+    const Coefficient per_slide{1 / (2 * typed_decimal(joint.radius)), 0};
+    return [turned = per_slide * twice_slide(joint), phase = joint.gear.phase_rad](
+               const Point& root) { return value_at(turned, root).real() + phase; };
+  }
+  const Polynomial turned = frame_.t(joint.at[0].body).z * frame_.t(joint.gear.carrier).conjugate;
+  return [turned, phase = joint.gear.phase_rad, profile = joint.profile](const Point& root) {
+    return periodic_state(profile, std::arg(value_at(turned, root)) - phase).value;
+  };
+}
+
+/// A tappet stands at lift 0 in the polynomials, a pinion and a lever at angle 0.
+void Bodies::read_follower(const Joint& joint) {
   using Part = Formulation::Reading::Part;
-  const PointOf& centre = rack.at[1];
-  const Eigen::Vector3d& at = mechanism_.bodies[centre.body].points[centre.point].at;
-  const Rational per_slide = 1 / (2 * typed_decimal(rack.radius));
-  const Formulation::Roll roll{
-      frame_.t(rack.at[0].body).z,
-      Coefficient{per_slide, 0} * twice_slide(rack) + constant({Rational(rack.gear.phase_rad), 0})};
-  auto* const readings = frame_.result().coordinates.data() + 3 * (centre.body - 1);
+  const std::size_t body = joint.at[1].body;
+  auto* const readings = frame_.result().coordinates.data() + 3 * (body - 1);
+  const auto lift = read_lift(joint);
+  const std::size_t base = joint.type == JointType::cam ? line_body(joint) : turn_body(joint);
+  const Polynomial frame = frame_.t(base).z;
+  if (joint.type == JointType::cam) {
+    const Complex along(joint.axis[0].x(), joint.axis[0].y());
+    const auto lifted = [lift, frame](const Point& root) {
+      return lift(root) * value_at(frame, root);
+    };
+    readings[0] = {Part::re, positions_[body].z, along, lifted};
+    readings[1] = {Part::im, positions_[body].z, along, lifted};
+    return;
+  }
+  const PointOf pivot = *pivot_of(mechanism_, joint);
+  const Eigen::Vector3d& at = mechanism_.bodies[body].points[pivot.point].at;
   const Complex arm(-at.x(), -at.y());
-  readings[0] = {Part::re, place(centre).z, arm, roll};
-  readings[1] = {Part::im, place(centre).z, arm, roll};
-  readings[2] = {Part::argument, {}, 1, roll};
+  const auto turned = [lift, frame](const Point& root) {
+    return std::polar(1.0, std::arg(value_at(frame, root)) + lift(root));
+  };
+  readings[0] = {Part::re, place(pivot).z, arm, turned};
+  readings[1] = {Part::im, place(pivot).z, arm, turned};
+  readings[2] = {Part::argument, {}, 1, turned};
 }
 
 void Bodies::write() {

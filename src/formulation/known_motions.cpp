@@ -32,7 +32,7 @@ std::optional<double> slide_by_angles(const Joint& joint,
   return is_rack ? joint.radius * turned : periodic_state(joint.profile, turned).value;
 }
 
-bool reads(const Driver& driver, std::size_t body) {
+bool reads(const Mechanism& mechanism, const Driver& driver, std::size_t body) {
   switch (driver.kind) {
     case DriverKind::angle:
       return driver.bodies[0] == body || driver.bodies[1] == body;
@@ -41,29 +41,46 @@ bool reads(const Driver& driver, std::size_t body) {
     case DriverKind::z:
       return driver.point.body == body;
     case DriverKind::slide:
+      return mechanism.joints[driver.joint].at[0].body == body ||
+             mechanism.joints[driver.joint].at[1].body == body;
     case DriverKind::unknown:
       break;
   }
   return false;
 }
 
-/// Whether the pinion is held by pins at its centre and by this rack, and by nothing else.
-bool is_followed_freely(const Mechanism& mechanism, const Joint& rack) {
-  const std::size_t pinion = rack.at[1].body;
-  const auto centre = mechanism.bodies[pinion].points[rack.at[1].point].at;
-  const auto leaves_free = [&](const Joint& joint) {
-    if (&joint == &rack) return true;
-    if (traits(joint.type).turn == JointTurn::geared && joint.gear.carrier == pinion) return false;
-    return std::all_of(joint.at.begin(), joint.at.end(), [&](const PointOf& end) {
-      if (end.body != pinion) return true;
-      return joint.type == JointType::revolute &&
-             mechanism.bodies[pinion].points[end.point].at == centre;
-    });
+/// Whether the other joint guides the cam's tappet along the cam's line.
+bool guides(const Joint& other, const Joint& cam) {
+  constexpr double kParallel = 1e-9;
+  return other.type == JointType::prismatic && other.at[0].body == cam.gear.carrier &&
+         other.at[1].body == cam.at[1].body && other.axis[0].cross(cam.axis[0]).norm() <= kParallel;
+}
+
+/// Whether the second body of a rack or a cam is held by that and by pins at one place, or a tappet by its guide, and by nothing
+/// else.
+bool is_followed_freely(const Mechanism& mechanism, const Joint& joint) {
+  const std::size_t body = joint.at[1].body;
+  const auto pivot = pivot_of(mechanism, joint);
+  const auto is_at_pivot = [&](const PointOf& end) {
+    return end.body != body || (pivot && mechanism.bodies[body].points[end.point].at ==
+                                             mechanism.bodies[body].points[pivot->point].at);
   };
-  return pinion != 0 &&
-         std::all_of(mechanism.joints.begin(), mechanism.joints.end(), leaves_free) &&
+  const auto leaves_free = [&](const Joint& other) {
+    if (&other == &joint) return true;
+    if (is_transmission(other.type) && other.gear.carrier == body) return false;
+    if (other.at[0].body != body && other.at[1].body != body) return true;
+    if (joint.type == JointType::cam) return guides(other, joint);
+    return other.type == JointType::revolute && is_at_pivot(other.at[0]) &&
+           is_at_pivot(other.at[1]);
+  };
+  const auto& joints = mechanism.joints;
+  const bool is_held = joint.type == JointType::cam
+                           ? std::any_of(joints.begin(), joints.end(),
+                                         [&](const Joint& other) { return guides(other, joint); })
+                           : pivot.has_value();
+  return body != 0 && is_held && std::all_of(joints.begin(), joints.end(), leaves_free) &&
          std::none_of(mechanism.drivers.begin(), mechanism.drivers.end(),
-                      [&](const Driver& driver) { return reads(driver, pinion); });
+                      [&](const Driver& driver) { return reads(mechanism, driver, body); });
 }
 
 std::vector<std::optional<double>> values(const std::vector<std::optional<KnownSlide>>& slides) {
@@ -133,21 +150,19 @@ class MotionsInTurn {
   }
 
   void follow(std::size_t k) {
-    const Joint& rack = mechanism_.joints[k];
-    if (!is_rack(k)) {
-      throw std::invalid_argument(
-          "the " + to_string(rack.type) + " '" + rack.name +
-          "' lifts by a table, which no polynomial says; drive the cam's angle, or follow one pose "
-          "with --from-guess");
-    }
-    if (!is_followed_freely(mechanism_, rack)) {
-      throw std::invalid_argument(
-          "the rack '" + rack.name +
-          "' ties an angle to a length, which no polynomial says, and neither is known before the "
-          "other; drive the pinion or the rack (slide = \"" +
-          rack.name + "\"), or follow one pose with --from-guess");
-    }
-    known_.is_followed[k] = true;
+    const Joint& joint = mechanism_.joints[k];
+    known_.is_followed[k] = is_followed_freely(mechanism_, joint);
+    if (known_.is_followed[k]) return;
+    const std::string name = "the " + to_string(joint.type) + " '" + joint.name + "' ";
+    throw std::invalid_argument(
+        is_rack(k)
+            ? name +
+                  "ties an angle to a length, which no polynomial says, and neither is known "
+                  "before the other; drive the pinion or the rack (slide = \"" +
+                  joint.name + "\"), or follow one pose with --from-guess"
+            : name +
+                  "lifts by a table, which no polynomial says; drive the cam's angle, or follow "
+                  "one pose with --from-guess");
   }
 
   const Mechanism& mechanism_;
@@ -159,6 +174,17 @@ class MotionsInTurn {
 
 KnownMotions known_motions(const Mechanism& mechanism, double t, const FindSlides& find_slides) {
   return MotionsInTurn(mechanism, t).run(find_slides);
+}
+
+std::optional<PointOf> pivot_of(const Mechanism& mechanism, const Joint& joint) {
+  if (joint.type == JointType::rack) return joint.at[1];
+  for (const Joint& other : mechanism.joints) {
+    if (other.type != JointType::revolute) continue;
+    for (const PointOf& end : other.at) {
+      if (end.body == joint.at[1].body) return end;
+    }
+  }
+  return std::nullopt;
 }
 
 double disagreement(const Joint& joint, const KnownSlide& slide,

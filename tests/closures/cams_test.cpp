@@ -164,6 +164,81 @@ TEST(ACam, ThatNothingDrivesIsRefusedWithWhatWorks) {
   }
 }
 
+/// A piston turns the crank that carries the cams: their angles come out of the loop, and a tappet and a lever hang on them.
+TEST(FollowersOfACam, StandByItsAngleInEveryClosureAndForEverySeed) {
+  const std::string text = R"toml(
+[units]
+angle = "deg"
+[ground.points]
+O = [0, 0]
+G = [1, 0]
+L = [-20, 6]
+[body.crank.points]
+O = [0, 0]
+A = [3, 0]
+[body.rod.points]
+A = [0, 0]
+B = [8, 0]
+[body.piston.points]
+B = [0, 0]
+[body.tappet.points]
+P = [0.5, 0.25]
+[body.lever.points]
+L = [2, 1]
+R = [9, 1]
+[[joint]]
+type = "revolute"
+at = ["ground.O", "crank.O"]
+[[joint]]
+type = "revolute"
+at = ["crank.A", "rod.A"]
+[[joint]]
+type = "revolute"
+at = ["rod.B", "piston.B"]
+[[joint]]
+type = "prismatic"
+at = ["ground.O", "piston.B"]
+along = [1, 0]
+name = "bore"
+[[joint]]
+type = "prismatic"
+at = ["ground.G", "tappet.P"]
+along = [0, -1]
+turn = 25
+[[joint]]
+type = "cam"
+at = ["crank.O", "tappet.P"]
+along = [0, 1]
+phase = 15
+name = "lobe"
+)toml" + eccentric(5, 2, 10) +
+                           R"toml([[joint]]
+type = "revolute"
+at = ["ground.L", "lever.L"]
+[[joint]]
+type = "cam-lever"
+bodies = ["crank", "lever"]
+)toml" + eccentric(10, 6, 10) +
+                           "[[driver]]\nslide = \"bore\"\nstart = 9.5\nvelocity = 2\n";
+  const Mechanism m = mechanism_text(text);
+  const Spline lobe = m.joints[5].profile;
+  const Spline swing = m.joints[7].profile;
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    const ClosureResult result = closures_of(m, seed);
+    EXPECT_TRUE(result.complete) << result.message;
+    EXPECT_EQ(result.counts.complex, 2U);
+    ASSERT_EQ(result.closures.size(), 2U);
+    for (const Closure& closure : result.closures) {
+      const double crank = closure.q[2];
+      EXPECT_LE(closure.newton_iterations, 1);
+      EXPECT_LT(scaled_residual(Phi(m), closure.q, 0), 1e-13);
+      EXPECT_NEAR(point_position(m, {4, 0}, closure.q).y(),
+                  periodic_state(lobe, crank - 15 * kCamDegree).value, 1e-12);
+      EXPECT_NEAR(closure.q[14], periodic_state(swing, crank).value, 1e-12);
+    }
+  }
+}
+
 TEST(ACamInMotion, AgreesWithItsCheckpointsBeyondAWholeTurn) {
   const Mechanism m = mechanism_file("cam-valve");
   MotionOptions options;

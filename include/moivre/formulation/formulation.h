@@ -23,6 +23,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -44,17 +45,13 @@ struct Formulation {
   std::vector<std::string> contradictions;       ///< angles held at two values at once: no closure
   std::vector<std::string> repetitions;          ///< angles held twice at one value
 
-  /// A direction that no unknown says: exp(i (arg(frame) + Re(turn_rad))).
-  struct Roll {
-    Polynomial frame;
-    Polynomial turn_rad;
-  };
-  /// Where q is read from: q_k = Re or Im of a number, or its argument. The number is `of`, plus `arm` times the roll's direction.
+  /// Where q is read from: q_k = Re or Im of a number, or its argument. The number is `of`; of a body that follows a rack or a cam
+  /// it is `of` + `arm` f(root), where f is no polynomial: a direction, a displacement.
   struct Reading {
     enum class Part { re, im, argument } part = Part::re;
     Polynomial of;
     Complex arm = 0;
-    std::optional<Roll> roll = {};
+    std::function<Complex(const Point&)> f = {};
   };
   std::vector<Reading> coordinates;  ///< planar mechanisms and typed equations
   PoseReading poses;                 ///< spatial mechanisms
