@@ -41,6 +41,11 @@ struct Placement {
     if (is_one_place) return {1, from};
     return {(place_of(mechanism, frame.to, q, eye) - from) / frame.length, from};
   }
+  Similarity operator()(const AimFrame& frame) const {
+    const Complex from = place_of(mechanism, frame.from, q, eye);
+    const Complex gap = place_of(mechanism, frame.to, q, eye) - from;
+    return {gap == 0.0 ? 1 : gap / std::abs(gap), from};
+  }
   Similarity operator()(const DialFrame& frame) const {
     return {std::polar(1.0, q[frame.coordinate]), frame.centre};
   }

@@ -147,10 +147,10 @@ std::vector<Site> sites(const Mechanism& mechanism) {
   std::iota(site_of.begin(), site_of.end(), 0);
   std::vector<bool> is_jointed(points.size(), false);
   for (const Joint& joint : mechanism.joints) {
-    if (joint.type == JointType::gear) continue;
+    if (is_transmission(joint.type)) continue;
     const std::size_t a = first_of_body[joint.at[0].body] + joint.at[0].point;
     const std::size_t b = first_of_body[joint.at[1].body] + joint.at[1].point;
-    is_jointed[a] = is_jointed[a] || !has_slide(joint.type);
+    is_jointed[a] = is_jointed[a] || !has_line(joint.type);
     is_jointed[b] = is_jointed[b] || joint.type != JointType::prismatic;
     if (traits(joint.type).place != JointPlace::at_point) continue;
     const std::size_t kept = std::min(site_of[a], site_of[b]);

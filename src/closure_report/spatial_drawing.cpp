@@ -87,6 +87,15 @@ class SpatialDrawing {
     sketch_.add(Sketch::holes, sketch_.add(LineFrame{from, to, 1}), std::nullopt, shapes);
   }
 
+  /// A cylinder for the first part of the line, a rod for the rest.
+  void add_actuator(const Joint& joint) {
+    constexpr double kCylinder = 0.55;
+    const LineFrame line{material(joint.at[0]), material(joint.at[1]), 1};
+    sketch_.add(Sketch::links, sketch_.add(line), std::nullopt,
+                {polyline(Style::mark, {kCylinder, 1}), polyline(Style::wire, {0, kCylinder})});
+    add_label(LabelKind::body, joint.name, sketch_.drawing.frames.size() - 1, kCylinder);
+  }
+
   /// Its points one after the other, round where there are three or more.
   void add_body(std::size_t body) {
     const std::size_t count = mechanism_.bodies[body].points.size();
@@ -110,6 +119,7 @@ class SpatialDrawing {
       add_line(Sketch::links, Style::wire, std::nullopt, first, material(joint.at[1]));
       add_label(LabelKind::body, joint.name, sketch_.drawing.frames.size() - 1, 0.5);
     }
+    if (joint.type == JointType::actuator) add_actuator(joint);
     if (axis_count(joint.type) > 0 && joint.type != JointType::weld) {
       add_axis(first, kAxisReach * size_ * joint.axis[0]);
     }

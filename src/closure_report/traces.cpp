@@ -21,7 +21,8 @@ bool is_held_to_ground(const Mechanism& mechanism, std::size_t body) {
   return std::any_of(mechanism.joints.begin(), mechanism.joints.end(), [&](const Joint& joint) {
     const std::size_t a = joint.at[0].body;
     const std::size_t b = joint.at[1].body;
-    const bool holds = joint.type != JointType::gear && joint.type != JointType::rod;
+    const bool holds = !is_transmission(joint.type) && joint.type != JointType::rod &&
+                       joint.type != JointType::actuator;
     return holds && ((a == 0 && b == body) || (b == 0 && a == body));
   });
 }

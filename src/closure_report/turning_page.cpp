@@ -137,6 +137,14 @@ class Strokes {
       add_stroke(at, place_of(joint.at[1]), kRodColour, kRodWidth);
       return;
     }
+    if (joint.type == JointType::actuator) {
+      constexpr double kCylinder = 0.55;
+      const Vector3d rod_end = place_of(joint.at[1]);
+      const Vector3d cylinder_end = at + kCylinder * (rod_end - at);
+      add_stroke(at, cylinder_end, kRodColour, kBodyWidth);
+      add_stroke(cylinder_end, rod_end, kRodColour, kFineWidth);
+      return;
+    }
     if (axis_count(joint.type) == 0 || joint.type == JointType::weld) return;
     const Eigen::Matrix3d turn = orientation(mechanism_, joint.at[0].body, q_);
     const Vector3d along = turn * joint.axis[0];

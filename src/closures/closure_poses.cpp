@@ -53,9 +53,8 @@ bool is_allowed(ClosureSearch& search, const Eigen::VectorXd& q, BeyondLimits& b
 bool shows_a_loss(const ClosureSearch& search, const NewtonResult& pose) {
   const auto& joints = search.mechanism.joints;
   // It may be in another meshing of the teeth than the drawn one.
-  const bool has_gears = std::any_of(joints.begin(), joints.end(), [](const Joint& joint) {
-    return traits(joint.type).turn == JointTurn::geared;
-  });
+  const bool has_gears = std::any_of(
+      joints.begin(), joints.end(), [](const Joint& joint) { return is_transmission(joint.type); });
   return pose.status == NewtonStatus::converged && !pose.is_singular && !search.result.moves &&
          !has_gears && !beyond_limits_at(search.mechanism, search.phi.canonical(pose.q));
 }

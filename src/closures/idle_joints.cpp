@@ -62,13 +62,14 @@ void Holding::merge(const Joint& joint) {
   std::replace(group_.begin(), group_.end(), from, to);
 }
 
-/// Joints from the group to others; gears tie angles, not places.
+/// Joints that hold the group to others; gears tie angles, not places.
 Joints Holding::ties(std::size_t group) const {
   Joints found;
   const auto& joints = held_.mechanism.joints;
   for (std::size_t k = 0; k < joints.size(); ++k) {
     const bool is_inside = group_of(joints[k].at[0]) == group_of(joints[k].at[1]);
-    if (joints[k].type != JointType::gear && !is_inside && touches(joints[k], group)) {
+    const bool holds = row_count(traits(joints[k].type).place, Space::planar) > 0;
+    if (holds && !is_inside && touches(joints[k], group)) {
       found.push_back(k);
     }
   }
@@ -102,7 +103,7 @@ std::set<std::size_t> Holding::meshing_with(std::size_t group) const {
   for (bool has_grown = true; has_grown;) {
     const std::size_t before = all.size();
     for (const Joint& joint : held_.mechanism.joints) {
-      if (joint.type != JointType::gear) continue;
+      if (!is_transmission(joint.type)) continue;
       const std::size_t wheels[] = {group_of(joint.at[0]), group_of(joint.at[1])};
       if (all.count(wheels[0]) > 0 || all.count(wheels[1]) > 0) all.insert(wheels, wheels + 2);
     }
@@ -117,7 +118,7 @@ bool Holding::is_idle(std::size_t group) const {
   if (wheels.count(group_[0]) > 0 || is_driven(wheels)) return false;
   std::size_t gears = 0;
   for (const Joint& joint : held_.mechanism.joints) {
-    if (joint.type != JointType::gear) continue;
+    if (!is_transmission(joint.type)) continue;
     if (wheels.count(group_[joint.gear.carrier]) > 0) return false;
     gears += wheels.count(group_of(joint.at[0]));
   }
@@ -154,7 +155,7 @@ void Holding::hold(std::size_t number, std::size_t group) {
   const std::size_t other = joint.at[1 - end].body;
   joint.turn_rad = drawn_angle(joint);
   double apart = joint.type == JointType::rod ? joint.length : 0;
-  if (has_slide(joint.type) && joint.limits) {
+  if (has_line(joint.type) && joint.limits) {
     apart = std::clamp(0.0, joint.limits->lower, joint.limits->upper);
   }
   auto& points = held_.mechanism.bodies[joint.at[0].body].points;

@@ -36,7 +36,7 @@ class ChainFinder {
 
 std::vector<std::size_t> ChainFinder::bodies_of(const Joint& joint) const {
   std::vector<std::size_t> bodies{joint.at[0].body, joint.at[1].body};
-  if (joint.type == JointType::gear) bodies.push_back(joint.gear.carrier);
+  if (is_transmission(joint.type)) bodies.push_back(joint.gear.carrier);
   return bodies;
 }
 
@@ -57,7 +57,7 @@ std::vector<std::size_t> ChainFinder::bodies_of(const Driver& driver) const {
   return {};
 }
 
-/// The joints between the body and placed ones; gears among them.
+/// The joints that hold the body to placed ones; gears among them.
 std::vector<std::size_t> ChainFinder::ties(std::size_t body) const {
   std::vector<std::size_t> found;
   for (std::size_t k = 0; k < mechanism_.joints.size(); ++k) {
@@ -66,7 +66,8 @@ std::vector<std::size_t> ChainFinder::ties(std::size_t body) const {
       return other == body || is_placed_[other];
     });
     const bool has_body = std::find(bodies.begin(), bodies.end(), body) != bodies.end();
-    if (is_tie && has_body) found.push_back(k);
+    const bool holds = has_rows(mechanism_.joints[k].type, mechanism_.space);
+    if (is_tie && has_body && holds) found.push_back(k);
   }
   return found;
 }

@@ -46,7 +46,7 @@ int axes(const Mechanism& mechanism) { return mechanism.space == Space::planar ?
 
 bool is_jointed(const Mechanism& mechanism, const PointOf& of) {
   return std::any_of(mechanism.joints.begin(), mechanism.joints.end(), [&](const Joint& joint) {
-    return joint.type != JointType::gear &&
+    return !is_transmission(joint.type) &&
            std::any_of(joint.at.begin(), joint.at.end(), [&](const PointOf& end) {
              return end.body == of.body && end.point == of.point;
            });
@@ -86,7 +86,7 @@ const Joint* slideway(const Mechanism& mechanism, std::size_t body) {
   for (const Joint& joint : mechanism.joints) {
     const bool joins = (joint.at[0].body == 0 && joint.at[1].body == body) ||
                        (joint.at[1].body == 0 && joint.at[0].body == body);
-    if (joins && has_slide(joint.type) && !has_angle(joint.type)) return &joint;
+    if (joins && joint.type == JointType::prismatic) return &joint;
   }
   return nullptr;
 }
@@ -188,7 +188,7 @@ std::vector<std::string> default_outputs(const Mechanism& mechanism) {
   for (const Joint& joint : mechanism.joints) {
     const bool first = joint.at[0].body == 0;
     const bool second = joint.at[1].body == 0;
-    if (first == second || joint.type == JointType::gear) continue;
+    if (first == second || is_transmission(joint.type)) continue;
     const std::string& body = mechanism.bodies[joint.at[first ? 1 : 0].body].name;
     if (has_slide(joint.type)) {
       add(joint.name);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which sums of polynomials do formulations need beside those of polynomial/system.h? Differences, of rounded numbers too.
+// What do formulations need of polynomials beside polynomial/system.h? Differences, of rounded numbers too, and sizes.
 #pragma once
 
 #include <algorithm>
@@ -12,6 +12,14 @@ inline Polynomial operator-(const Polynomial& a, const Polynomial& b) {
   return a + Coefficient{-1, 0} * b;
 }
 inline Polynomial operator-(const Polynomial& a) { return Coefficient{-1, 0} * a; }
+
+inline double largest_coefficient(const Polynomial& p) {
+  double largest = 0;
+  for (const Term& term : p.terms) {
+    largest = std::max(largest, std::abs(to_complex(term.coefficient)));
+  }
+  return largest;
+}
 
 /// a - b where both have coefficients of lengths and points as typed, right to half a unit of their last digit: terms that cancel but
 /// for that do cancel. Left in, they would be roots at 1e16 instead of none.

@@ -9,7 +9,6 @@
 #include "spatial_bodies.h"
 
 namespace moivre {
-
 Formulation formulate(const Mechanism& mechanism, double t) {
   if (is_typed(mechanism)) return isotropic_equations(mechanism, t);
   return mechanism.space == Space::spatial ? spatial_bodies(mechanism, t)
@@ -44,7 +43,8 @@ Eigen::VectorXd coordinates_of_root(const Formulation& formulation, const Point&
   Eigen::VectorXd q(static_cast<Eigen::Index>(formulation.coordinates.size()));
   for (Eigen::Index k = 0; k < q.size(); ++k) {
     const auto& reading = formulation.coordinates[static_cast<std::size_t>(k)];
-    const Complex z = value_at(reading.of, root);
+    Complex z = value_at(reading.of, root);
+    if (reading.f) z += reading.arm * reading.f(root);
     q[k] = reading.part == Part::re ? z.real() : reading.part == Part::im ? z.imag() : std::arg(z);
   }
   return q;

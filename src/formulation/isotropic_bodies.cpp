@@ -6,9 +6,11 @@
 #include <utility>
 
 #include "isotropic_frame.h"
-#include "meshings.h"
+#include "known_motions.h"
+#include "linear_values.h"
 #include "moivre/formulation/block_structure.h"
 #include "moivre/mechanism/phi.h"
+#include "moivre/polynomial/value.h"
 #include "shared_pins.h"
 
 namespace moivre {
@@ -16,26 +18,34 @@ namespace {
 
 class Bodies {
  public:
-  Bodies(const Mechanism& mechanism, double t, JointEnds ends)
+  Bodies(const Mechanism& mechanism, double t, JointEnds ends, KnownMotions known)
       : mechanism_(mechanism),
         t_(t),
         ends_(std::move(ends)),
-        angles_(known_angles(mechanism, t)),
+        known_(std::move(known)),
         frame_(names(mechanism)),
         size_(Phi(mechanism).length()) {}
 
   Formulation build() &&;
   JointEnds ends_by_order_of_blocks() &&;
+  /// Slides of racks that the linear equations of what is known say, by joint.
+  std::vector<std::optional<double>> linear_slides() &&;
 
  private:
   static std::vector<std::string> names(const Mechanism& mechanism);
   void hold_angles();
+  void hold_known_angles(const std::vector<std::size_t>& bodies, const std::string& name);
+  void hold_second(const Joint& joint);
   void add_positions();
   void add_joint(const Joint& joint);
   void add_line(const Joint& joint);
+  void add_distance(const Joint& joint, double length);
   void add_gear(const Joint& joint);
+  void add_known_slides(const Joint& joint);
   void add_driver(const Driver& driver);
   void read_coordinates();
+  std::function<double(const Point&)> read_lift(const Joint& joint) const;
+  void read_follower(const Joint& joint);
   void write();
 
   /// A place or direction of a body's frame as a complex number, turned with the body.
@@ -48,22 +58,29 @@ class Bodies {
   }
   /// From the joint's first point to its second.
   Mirrored gap(const Joint& joint) const {
-    const auto& ends = ends_[static_cast<std::size_t>(&joint - mechanism_.joints.data())];
+    const auto& ends = ends_[number(joint)];
     return place(ends[1]) - place(ends[0]);
   }
   Polynomial without_rounding(Polynomial p) const;
   Mirrored without_rounding(const Mirrored& z) const {
     return {without_rounding(z.z), without_rounding(z.conjugate)};
   }
+  /// Twice the displacement of the second point along the line.
+  Polynomial twice_slide(const Joint& joint) const {
+    const Mirrored advance = swapped(turned(line_body(joint), joint.axis[0])) * gap(joint);
+    return without_rounding(advance.z + advance.conjugate);
+  }
+  std::size_t number(const Joint& joint) const {
+    return static_cast<std::size_t>(&joint - mechanism_.joints.data());
+  }
   std::string label(const Joint& joint) const { return to_string(joint.type) + " " + joint.name; }
-  /// The driver that moves along this joint's line, if there is one.
+  /// The driver of this joint's slide, if there is one.
   const Driver* slide_of(const Joint& joint) const;
 
   const Mechanism& mechanism_;
   double t_;
   JointEnds ends_;
-  std::vector<std::optional<KnownAngle>>
-      angles_;  ///< of bodies, as drivers and gears determine them
+  KnownMotions known_;
   IsotropicFrame frame_;
   double size_;  ///< of the mechanism
   std::vector<Mirrored> positions_;
@@ -88,12 +105,33 @@ void Bodies::hold_angles() {
     frame_.hold_angle(joint.at[0].body, joint.at[1].body, unit_at(joint.turn_rad), label(joint));
   }
   for (const Joint& joint : mechanism_.joints) {
-    if (joint.type != JointType::gear || !is_settled(joint, angles_)) continue;
-    for (const std::size_t body : {joint.at[0].body, joint.at[1].body, joint.gear.carrier}) {
-      const auto& [root, value] = *angles_[body];
-      if (frame_.angle(body).root == frame_.angle(root).root) continue;
-      frame_.hold_angle(root, body, unit_at(value), label(joint));
-    }
+    if (traits(joint.type).turn != JointTurn::geared || !is_settled(joint, known_.angles)) continue;
+    hold_known_angles({joint.at[0].body, joint.at[1].body, joint.gear.carrier}, label(joint));
+  }
+  for (const Joint& joint : mechanism_.joints) {
+    if (joint.type == JointType::rack || joint.type == JointType::cam_lever) hold_second(joint);
+  }
+}
+
+void Bodies::hold_known_angles(const std::vector<std::size_t>& bodies, const std::string& name) {
+  for (const std::size_t body : bodies) {
+    const auto& angle = known_.angles[body];
+    if (!angle || frame_.angle(body).root == frame_.angle(angle->root).root) continue;
+    frame_.hold_angle(angle->root, body, unit_at(angle->value), name);
+  }
+}
+
+/// The pinion of a rack, the lever on a cam. One that follows stands at 0 until its angle is read.
+void Bodies::hold_second(const Joint& joint) {
+  constexpr double kAgreement = 1e-9;  // as known angles agree
+  const auto& slide = known_.slides[number(joint)];
+  const std::size_t second = joint.at[1].body;
+  if (slide && disagreement(joint, *slide, known_.angles) > kAgreement) {
+    frame_.result().contradictions.push_back(label(joint));
+  } else if (slide) {
+    hold_known_angles({turn_body(joint), second}, label(joint));
+  } else if (known_.is_followed[number(joint)]) {
+    frame_.hold_angle(0, second, {1, 0}, label(joint));
   }
 }
 
@@ -157,6 +195,28 @@ void Bodies::add_gear(const Joint& joint) {
                   unit_at(-zj * gear.phase_rad));
 }
 
+/// L |L|: no two points are a length below 0 apart.
+void Bodies::add_distance(const Joint& joint, double length) {
+  const Mirrored d = gap(joint);
+  const Rational square = typed_decimal(length) * typed_decimal(std::abs(length));
+  frame_.add_equation(label(joint), rounded_difference(d.z * d.conjugate, constant({square, 0})));
+}
+
+/// Of a rack or a cam: what a driver says, and what an angle does; 0 for a tappet until its lift is read.
+void Bodies::add_known_slides(const Joint& joint) {
+  const auto add = [&](double slide) {
+    const Rational value = typed_decimal(slide);
+    frame_.add_equation(label(joint),
+                        without_rounding(twice_slide(joint) - constant({2 * value, 0})));
+  };
+  const Driver* driver = slide_of(joint);
+  if (driver != nullptr) add(driver_state(driver->law, t_).value);
+  const auto& slide = known_.slides[number(joint)];
+  const bool is_driven_rack = driver != nullptr && joint.type == JointType::rack;
+  if (slide && !slide->follows && !is_driven_rack) add(slide->value);
+  if (joint.type == JointType::cam && known_.is_followed[number(joint)]) add(0);
+}
+
 void Bodies::add_joint(const Joint& joint) {
   switch (traits(joint.type).place) {
     case JointPlace::at_point:
@@ -165,15 +225,19 @@ void Bodies::add_joint(const Joint& joint) {
     case JointPlace::on_line:
       add_line(joint);
       return;
-    case JointPlace::at_distance: {
-      const Mirrored d = gap(joint);
-      const Rational length = typed_decimal(joint.length);
-      frame_.add_equation(label(joint),
-                          rounded_difference(d.z * d.conjugate, constant({length * length, 0})));
+    case JointPlace::at_distance:
+      add_distance(joint, joint.length);
       return;
-    }
     case JointPlace::anywhere:
-      if (!is_settled(joint, angles_)) add_gear(joint);
+      if (joint.type != JointType::cam_lever && !is_settled(joint, known_.angles)) add_gear(joint);
+      return;
+    case JointPlace::off_line:
+      add_known_slides(joint);
+      return;
+    case JointPlace::at_any_distance:
+      if (const Driver* driver = slide_of(joint)) {
+        add_distance(joint, driver_state(driver->law, t_).value);
+      }
       return;
     case JointPlace::in_plane:
       break;
@@ -201,6 +265,50 @@ void Bodies::read_coordinates() {
     coordinates.push_back({Part::im, positions_[i].z});
     coordinates.push_back({Part::argument, frame_.t(i).z});
   }
+  for (const Joint& joint : mechanism_.joints) {
+    if (known_.is_followed[number(joint)]) read_follower(joint);
+  }
+}
+
+/// What the second body of a rack or a cam has turned or been lifted by, at a root.
+std::function<double(const Point&)> Bodies::read_lift(const Joint& joint) const {
+  if (joint.type == JointType::rack) {
+    const Coefficient per_slide{1 / (2 * typed_decimal(joint.radius)), 0};
+    return [turned = per_slide * twice_slide(joint), phase = joint.gear.phase_rad](
+               const Point& root) { return value_at(turned, root).real() + phase; };
+  }
+  const Polynomial turned = frame_.t(joint.at[0].body).z * frame_.t(joint.gear.carrier).conjugate;
+  return [turned, phase = joint.gear.phase_rad, profile = joint.profile](const Point& root) {
+    return periodic_state(profile, std::arg(value_at(turned, root)) - phase).value;
+  };
+}
+
+/// A tappet stands at lift 0 in the polynomials, a pinion and a lever at angle 0.
+void Bodies::read_follower(const Joint& joint) {
+  using Part = Formulation::Reading::Part;
+  const std::size_t body = joint.at[1].body;
+  auto* const readings = frame_.result().coordinates.data() + 3 * (body - 1);
+  const auto lift = read_lift(joint);
+  const std::size_t base = joint.type == JointType::cam ? line_body(joint) : turn_body(joint);
+  const Polynomial frame = frame_.t(base).z;
+  if (joint.type == JointType::cam) {
+    const Complex along(joint.axis[0].x(), joint.axis[0].y());
+    const auto lifted = [lift, frame](const Point& root) {
+      return lift(root) * value_at(frame, root);
+    };
+    readings[0] = {Part::re, positions_[body].z, along, lifted};
+    readings[1] = {Part::im, positions_[body].z, along, lifted};
+    return;
+  }
+  const PointOf pivot = *pivot_of(mechanism_, joint);
+  const Eigen::Vector3d& at = mechanism_.bodies[body].points[pivot.point].at;
+  const Complex arm(-at.x(), -at.y());
+  const auto turned = [lift, frame](const Point& root) {
+    return std::polar(1.0, std::arg(value_at(frame, root)) + lift(root));
+  };
+  readings[0] = {Part::re, place(pivot).z, arm, turned};
+  readings[1] = {Part::im, place(pivot).z, arm, turned};
+  readings[2] = {Part::argument, {}, 1, turned};
 }
 
 void Bodies::write() {
@@ -235,12 +343,29 @@ JointEnds Bodies::ends_by_order_of_blocks() && {
   });
 }
 
+std::vector<std::optional<double>> Bodies::linear_slides() && {
+  write();
+  const LinearValues values(frame_.result());
+  std::vector<std::optional<double>> slides(mechanism_.joints.size());
+  for (const Joint& joint : mechanism_.joints) {
+    if (joint.type != JointType::rack || known_.slides[number(joint)]) continue;
+    const auto twice = values.value(twice_slide(joint));
+    if (twice) slides[number(joint)] = twice->real() / 2;
+  }
+  return slides;
+}
+
 }  // namespace
 
 Formulation isotropic_bodies(const Mechanism& mechanism, double t) {
   JointEnds ends = typed_ends(mechanism);
-  if (has_shared_pins(mechanism)) ends = Bodies(mechanism, t, ends).ends_by_order_of_blocks();
-  return Bodies(mechanism, t, std::move(ends)).build();
+  const KnownMotions known = known_motions(mechanism, t, [&](const KnownMotions& so_far) {
+    return Bodies(mechanism, t, ends, so_far).linear_slides();
+  });
+  if (has_shared_pins(mechanism)) {
+    ends = Bodies(mechanism, t, ends, known).ends_by_order_of_blocks();
+  }
+  return Bodies(mechanism, t, std::move(ends), known).build();
 }
 
 }  // namespace moivre

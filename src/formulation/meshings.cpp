@@ -99,7 +99,16 @@ Row gear_row(const Joint& joint) {
 
 }  // namespace
 
-std::vector<std::optional<KnownAngle>> known_angles(const Mechanism& mechanism, double t) {
+std::size_t turn_body(const Joint& joint) {
+  return joint.type == JointType::rack ? joint.at[0].body : joint.gear.carrier;
+}
+
+double turn_by(const Joint& joint, double slide) {
+  return joint.type == JointType::rack ? joint.gear.phase_rad + slide / joint.radius : slide;
+}
+
+std::vector<std::optional<KnownAngle>> known_angles(
+    const Mechanism& mechanism, double t, const std::vector<std::optional<double>>& slides) {
   Angles angles;
   bool agrees = true;
   for (const Driver& driver : mechanism.drivers) {
@@ -110,9 +119,15 @@ std::vector<std::optional<KnownAngle>> known_angles(const Mechanism& mechanism, 
   for (const Joint& joint : mechanism.joints) {
     if (traits(joint.type).turn == JointTurn::not_at_all) {
       agrees &= angles.add(difference(joint.at[0].body, joint.at[1].body, joint.turn_rad));
-    } else if (joint.type == JointType::gear && !joint.gear.has_all_meshings) {
+    } else if (traits(joint.type).turn == JointTurn::geared && !joint.gear.has_all_meshings) {
       agrees &= angles.add(gear_row(joint));
     }
+  }
+  // A slide that disagrees with the angles is told by who knows both.
+  for (std::size_t k = 0; k < slides.size(); ++k) {
+    const Joint& joint = mechanism.joints[k];
+    if (!slides[k] || joint.type == JointType::cam) continue;
+    angles.add(difference(turn_body(joint), joint.at[1].body, turn_by(joint, *slides[k])));
   }
   if (!agrees) return std::vector<std::optional<KnownAngle>>(mechanism.bodies.size());
   return angles.take(mechanism.bodies.size());

@@ -26,6 +26,11 @@ ExactPose driven_motion(const DrivenJoint& driven) {
   return motion;
 }
 
+/// L |L|: no two points are a length below 0 apart.
+Rational signed_square(double length) {
+  return typed_decimal(length) * typed_decimal(std::abs(length));
+}
+
 class Grouping {
  public:
   Grouping(const Mechanism& mechanism, double t) : mechanism_(mechanism), t_(t) {
@@ -41,7 +46,9 @@ class Grouping {
   ExactPose end(const Joint& joint, std::size_t k) const;
   std::optional<ExactPose> known_motion(const Joint& joint, const DrivenJoint& driven) const;
   void join(const Joint& joint, const ExactPose& motion);
+  Tie between(const Joint& joint) const;
   void tie(const Joint& joint, const DrivenJoint& driven);
+  void tie_at(const Joint& joint, double length);
   void number_groups();
   void add_driven_points();
 
@@ -65,7 +72,7 @@ ExactPose Grouping::end(const Joint& joint, std::size_t k) const {
 std::optional<ExactPose> Grouping::known_motion(const Joint& joint,
                                                 const DrivenJoint& driven) const {
   const JointTraits& type = traits(joint.type);
-  const bool stands = type.place == JointPlace::at_point || driven.slide;
+  const bool stands = type.place == JointPlace::at_point || (has_line(type.type) && driven.slide);
   const bool keeps_turn = type.turn == JointTurn::not_at_all || driven.angle;
   if (!stands || !keeps_turn) return std::nullopt;
   return driven_motion(driven);
@@ -106,22 +113,41 @@ void Grouping::join(const Joint& joint, const ExactPose& motion) {
   }
 }
 
-void Grouping::tie(const Joint& joint, const DrivenJoint& driven) {
+Tie Grouping::between(const Joint& joint) const {
   Tie tie;
   tie.name = joint.name;
   tie.i = groups_.group_of[joint.at[0].body];
   tie.j = groups_.group_of[joint.at[1].body];
-  tie.at_i = pose_[joint.at[0].body] * end(joint, 0) * driven_motion(driven);
+  tie.at_i = pose_[joint.at[0].body] * end(joint, 0);
   tie.at_j = pose_[joint.at[1].body] * end(joint, 1);
+  return tie;
+}
+
+void Grouping::tie(const Joint& joint, const DrivenJoint& driven) {
+  if (traits(joint.type).place == JointPlace::at_any_distance) {
+    if (driven.slide) tie_at(joint, *driven.slide);
+    return;
+  }
+  Tie tie = between(joint);
+  tie.at_i = tie.at_i * driven_motion(driven);
   tie.place = driven.slide ? JointPlace::at_point : traits(joint.type).place;
   tie.turn = driven.angle ? JointTurn::not_at_all : traits(joint.type).turn;
-  if (is_rod(tie)) tie.square = typed_decimal(joint.length) * typed_decimal(joint.length);
+  if (is_rod(tie)) tie.square = signed_square(joint.length);
   if (tie.turn == JointTurn::by_thread) {
     throw std::invalid_argument(
         "the screw '" + joint.name +
         "' ties an angle to a length, which no polynomial says; drive it (slide = \"" + joint.name +
         "\"), or follow one pose with --from-guess");
   }
+  groups_.ties.push_back(std::move(tie));
+}
+
+/// An actuator is a rod of the driven length.
+void Grouping::tie_at(const Joint& joint, double length) {
+  Tie tie = between(joint);
+  tie.place = JointPlace::at_distance;
+  tie.turn = JointTurn::freely;
+  tie.square = signed_square(length);
   groups_.ties.push_back(std::move(tie));
 }
 

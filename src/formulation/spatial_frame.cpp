@@ -15,14 +15,6 @@ constexpr std::uint64_t kSeed =
 
 }  // namespace
 
-double largest_coefficient(const Polynomial& p) {
-  double largest = 0;
-  for (const Term& term : p.terms) {
-    largest = std::max(largest, std::abs(to_complex(term.coefficient)));
-  }
-  return largest;
-}
-
 Polynomial without_noise(Polynomial p, double size) {
   // What is left of terms that were to cancel: frames are right to 50 bits, and a product of a dozen of them to 45.
   constexpr double kNoise = 1e-13;

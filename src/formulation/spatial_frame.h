@@ -26,7 +26,6 @@ MovingPose to_moving(const ExactPose& pose);
 
 Polynomial real_constant(const Rational& c);
 
-double largest_coefficient(const Polynomial& p);
 /// p but for terms that are rounding beside `size`.
 Polynomial without_noise(Polynomial p, double size);
 

@@ -2,6 +2,7 @@
 // Does the file describe one mechanism? What no single entry shows: loose bodies, weld cycles, links of no length, drivers.
 #include <algorithm>
 #include <numeric>
+#include <optional>
 
 #include "read_parts.h"
 
@@ -30,8 +31,8 @@ class Groups {
   std::vector<std::size_t> parent_;
 };
 
-/// A gear holds angles, not places.
-bool places(const Joint& joint) { return joint.type != JointType::gear; }
+/// Gears, racks and cams hold motions, not places.
+bool places(const Joint& joint) { return !is_transmission(joint.type); }
 
 void check_connected(Reading& reading, const Mechanism& mechanism) {
   Groups groups(mechanism.bodies.size());
@@ -97,6 +98,45 @@ void check_lengths(Reading& reading, const Mechanism& mechanism) {
                   "body '" + mechanism.bodies[body].name +
                       "' has length zero: all its joints are at one place; move one or join its "
                       "neighbours directly");
+  }
+}
+
+/// What a rack's second point or a cam's first is: the centre of a wheel.
+struct Centre {
+  PointOf point;
+  const char* of;
+  const char* advice;
+};
+
+std::optional<Centre> centre_of(const Joint& joint) {
+  if (joint.type == JointType::rack) {
+    return Centre{joint.at[1], "pinion", "[\"rack.point\", \"pinion.centre\"]"};
+  }
+  if (joint.type == JointType::cam) {
+    return Centre{joint.at[0], "cam", "[\"cam.centre\", \"follower.point\"]"};
+  }
+  return std::nullopt;
+}
+
+void check_centres(Reading& reading, const Mechanism& mechanism) {
+  const auto place = [&](const PointOf& p) { return mechanism.bodies[p.body].points[p.point].at; };
+  for (const Joint& joint : mechanism.joints) {
+    const auto centre = centre_of(joint);
+    if (!centre) continue;
+    const PointOf& at = centre->point;
+    const auto is_there = [&](const PointOf& end) {
+      return end.body == at.body && place(end) == place(at);
+    };
+    const bool has_pin =
+        std::any_of(mechanism.joints.begin(), mechanism.joints.end(), [&](const Joint& other) {
+          return other.type == JointType::revolute &&
+                 (is_there(other.at[0]) || is_there(other.at[1]));
+        });
+    if (has_pin) continue;
+    const Body& wheel = mechanism.bodies[at.body];
+    reading.fault(joint.where, "no revolute joint is at '" + wheel.name + "." +
+                                   wheel.points[at.point].name + "', which should be the " +
+                                   centre->of + "'s centre; write at = " + centre->advice);
   }
 }
 
@@ -198,11 +238,12 @@ void warn_of_count(Mechanism& mechanism) {
       ": too many drivers, unless constraints are redundant (moivre mobility tells)");
 }
 
-/// Whether a joint holds something there.
+/// Whether a joint names the point.
 bool is_used(const Mechanism& mechanism, std::size_t body, std::size_t point) {
   const auto is_it = [&](const PointOf& p) { return p.body == body && p.point == point; };
   return std::any_of(mechanism.joints.begin(), mechanism.joints.end(), [&](const Joint& joint) {
-    return places(joint) && (is_it(joint.at[0]) || is_it(joint.at[1]));
+    return traits(joint.type).place != JointPlace::anywhere &&
+           (is_it(joint.at[0]) || is_it(joint.at[1]));
   });
 }
 
@@ -222,6 +263,7 @@ void check_structure(Reading& reading, Mechanism& mechanism) {
   check_connected(reading, mechanism);
   check_welds(reading, mechanism);
   check_lengths(reading, mechanism);
+  check_centres(reading, mechanism);
   check_size(reading, mechanism);
   check_count(reading, mechanism);
   check_twin_joints(reading, mechanism);

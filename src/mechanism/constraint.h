@@ -89,6 +89,12 @@ inline Magnitude law_at(const Prescription& prescribed, const Magnitude& t) {
   return {state.value, std::abs(state.value) + std::abs(state.velocity * t.f)};
 }
 
+/// L |L|: no two points are a length below 0 apart.
+template <class S>
+S signed_square(const S& length) {
+  return length.f < 0 ? -(length * length) : length * length;
+}
+
 /// Indices of the coordinates of the moving ones among `bodies`; `size` coordinates a body, ground has none.
 inline std::vector<std::size_t> coordinates_of(const std::vector<std::size_t>& bodies,
                                                std::size_t size) {

@@ -2,7 +2,9 @@
 // How are a driver's value and two derivatives computed? Parabola, natural cubic spline, Taylor arithmetic.
 #include "moivre/mechanism/driver_law.h"
 
+#include <Eigen/SparseLU>
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace moivre {
@@ -38,15 +40,22 @@ DriverState state(const Spline& s, double t) {
   return result;
 }
 
+void require_table(const std::vector<double>& t, const std::vector<double>& value,
+                   std::size_t least) {
+  if (t.size() < least || value.size() != t.size()) {
+    throw std::invalid_argument("a table needs " + std::to_string(least) + " or more points");
+  }
+  for (std::size_t k = 1; k < t.size(); ++k) {
+    if (!(t[k] > t[k - 1])) throw std::invalid_argument("a table's times must increase");
+  }
+}
+
 }  // namespace
 
 // Thomas' algorithm on h_{k-1} c_{k-1} + 2 (h_{k-1} + h_k) c_k + h_k c_{k+1} = 6 (slope_k - slope_{k-1}).
 Spline natural_spline(std::vector<double> t, std::vector<double> value) {
   const std::size_t n = t.size();
-  if (n < 2 || value.size() != n) throw std::invalid_argument("a table needs two or more points");
-  for (std::size_t k = 1; k < n; ++k) {
-    if (!(t[k] > t[k - 1])) throw std::invalid_argument("a table's times must increase");
-  }
+  require_table(t, value, 2);
   std::vector<double> curvature(n, 0);
   std::vector<double> upper(n, 0);
   for (std::size_t k = 1; k + 1 < n; ++k) {
@@ -60,6 +69,37 @@ Spline natural_spline(std::vector<double> t, std::vector<double> value) {
   }
   for (std::size_t k = n - 1; k-- > 1;) curvature[k] -= upper[k] * curvature[k + 1];
   return {std::move(t), std::move(value), std::move(curvature)};
+}
+
+// The same equations around the period.
+Spline periodic_spline(std::vector<double> t, std::vector<double> value) {
+  require_table(t, value, 4);
+  const std::size_t pieces = t.size() - 1;
+  const auto length = [&](std::size_t k) { return t[k + 1] - t[k]; };
+  const auto slope = [&](std::size_t k) { return (value[k + 1] - value[k]) / length(k); };
+  std::vector<Eigen::Triplet<double>> entries;
+  Eigen::VectorXd bend(static_cast<Eigen::Index>(pieces));
+  for (std::size_t k = 0; k < pieces; ++k) {
+    const std::size_t before = (k + pieces - 1) % pieces;
+    const auto row = static_cast<int>(k);
+    entries.emplace_back(row, static_cast<int>(before), length(before));
+    entries.emplace_back(row, row, 2 * (length(before) + length(k)));
+    entries.emplace_back(row, static_cast<int>((k + 1) % pieces), length(k));
+    bend[row] = 6 * (slope(k) - slope(before));
+  }
+  Eigen::SparseMatrix<double> matrix(bend.size(), bend.size());
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  const Eigen::SparseLU<Eigen::SparseMatrix<double>> lu(matrix);
+  const Eigen::VectorXd solved = lu.solve(bend);
+  std::vector<double> curvature(solved.begin(), solved.end());
+  curvature.push_back(curvature.front());
+  return {std::move(t), std::move(value), std::move(curvature)};
+}
+
+DriverState periodic_state(const Spline& spline, double t) {
+  const double period = spline.t.back() - spline.t.front();
+  const double periods = std::floor((t - spline.t.front()) / period);
+  return state(spline, t - periods * period);
 }
 
 DriverState driver_state(const DriverLaw& law, double t) {

@@ -27,25 +27,30 @@ class Placement {
     poses_[0].is_placed = true;
   }
 
-  /// Ring by ring: bodies at the ground first, then those at them.
+  /// Ring by ring: bodies at the ground first, then those at them. Actuators place what nothing else does.
   std::vector<Pose> place_all() {
-    for (bool has_moved = true; has_moved;) {
-      has_moved = false;
-      const std::vector<Pose> before = poses_;
-      for (const Joint& joint : mechanism_.joints) {
-        if (joint.type == JointType::gear) continue;
-        for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
-          const std::size_t to = joint.at[1 - end].body;
-          if (!before[joint.at[end].body].is_placed || poses_[to].is_placed) continue;
-          poses_[to] = placed(joint, end);
-          has_moved = true;
-        }
-      }
+    while (place_ring(false) || place_ring(true)) {
     }
     return std::move(poses_);
   }
 
  private:
+  bool place_ring(bool by_actuators) {
+    bool has_moved = false;
+    const std::vector<Pose> before = poses_;
+    for (const Joint& joint : mechanism_.joints) {
+      const bool is_actuator = joint.type == JointType::actuator;
+      if (is_transmission(joint.type) || is_actuator != by_actuators) continue;
+      for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
+        const std::size_t to = joint.at[1 - end].body;
+        if (!before[joint.at[end].body].is_placed || poses_[to].is_placed) continue;
+        poses_[to] = placed(joint, end);
+        has_moved = true;
+      }
+    }
+    return has_moved;
+  }
+
   const Eigen::Vector3d& point(const PointOf& p) const {
     return mechanism_.bodies[p.body].points[p.point].at;
   }

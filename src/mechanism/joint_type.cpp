@@ -14,7 +14,12 @@ const std::vector<JointTraits>& all_joint_types() {
       {JointType::slot, "slot", P::on_line, T::about_axis, true, false},
       {JointType::weld, "weld", P::at_point, T::not_at_all, true, true},
       {JointType::rod, "rod", P::at_distance, T::freely, true, true},
+      {JointType::actuator, "actuator", P::at_any_distance, T::freely, true, true},
       {JointType::gear, "gear", P::anywhere, T::geared, true, false},
+      {JointType::belt, "belt", P::anywhere, T::geared, true, false},
+      {JointType::rack, "rack", P::off_line, T::by_rack, true, false},
+      {JointType::cam, "cam", P::off_line, T::by_cam, true, false},
+      {JointType::cam_lever, "cam-lever", P::anywhere, T::by_cam, true, false},
       {JointType::spherical, "spherical", P::at_point, T::freely, false, true},
       {JointType::cylindrical, "cylindrical", P::on_line, T::about_axis, false, true},
       {JointType::universal, "universal", P::at_point, T::about_two_axes, false, true},
@@ -33,6 +38,8 @@ int row_count(JointPlace place, Space space) {
   const bool is_planar = space == Space::planar;
   switch (place) {
     case JointPlace::anywhere:
+    case JointPlace::off_line:
+    case JointPlace::at_any_distance:
       return 0;
     case JointPlace::at_distance:
     case JointPlace::in_plane:
@@ -51,6 +58,8 @@ int row_count(JointTurn turn, Space space) {
     case JointTurn::freely:
       return 0;
     case JointTurn::about_two_axes:
+    case JointTurn::by_rack:
+    case JointTurn::by_cam:
     case JointTurn::geared:
       return 1;
     case JointTurn::about_axis:
@@ -77,7 +86,22 @@ int freedoms(JointType type, Space space) {
   return (is_planar ? 3 : 6) - row_count(row.place, space) - row_count(row.turn, space);
 }
 
-bool has_slide(JointType type) { return traits(type).place == JointPlace::on_line; }
+bool has_line(JointType type) {
+  return traits(type).place == JointPlace::on_line || traits(type).place == JointPlace::off_line;
+}
+
+bool is_transmission(JointType type) {
+  const JointTurn turn = traits(type).turn;
+  return turn == JointTurn::geared || turn == JointTurn::by_rack || turn == JointTurn::by_cam;
+}
+
+bool has_rows(JointType type, Space space) {
+  return row_count(traits(type).place, space) + row_count(traits(type).turn, space) > 0;
+}
+
+bool has_slide(JointType type) {
+  return has_line(type) || traits(type).place == JointPlace::at_any_distance;
+}
 
 bool has_angle(JointType type) {
   return traits(type).turn == JointTurn::about_axis || traits(type).turn == JointTurn::by_thread;

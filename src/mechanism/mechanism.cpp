@@ -38,6 +38,10 @@ std::string time_text(double t) {
 
 }  // namespace
 
+std::size_t line_body(const Joint& joint) {
+  return joint.type == JointType::cam ? joint.gear.carrier : joint.at[0].body;
+}
+
 bool is_typed(const Mechanism& mechanism) { return !mechanism.unknowns.empty(); }
 
 bool is_workable(double number) { return std::abs(number) <= kLargestSize; }

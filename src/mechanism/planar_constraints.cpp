@@ -4,8 +4,10 @@
 // Rows of the joint's place, then of its turn (joint_type.h):
 //   at point     r_i + A_i a - r_j - A_j b = 0
 //   on line      n . (B - A) = 0               n perpendicular to the line, fixed in body i
-//   at distance  (A - B) . (A - B) - L^2 = 0
+//   at distance  (A - B) . (A - B) - L^2 = 0; a driven actuator: L |L|, so that no length is below 0
 //   not at all   phi_j - phi_i - turn = 0
+//   by rack      phi_j - phi_i - phase - s / r = 0, s = e . (B - A)
+//   by cam       s - f(phi_i - phi_c - phase) = 0, or phi_j - phi_c - f = 0: f the profile, c the carrier
 //   geared       z_i (phi_i - phi_c) - z_j (phi_j - phi_c - phase) = 0, teeth divided by their common factor
 #include <numeric>
 
@@ -22,10 +24,11 @@ using planar::position;
 
 using Place = planar::Vector<Jet>;
 
-/// The two bodies of a joint and its points in their frames.
+/// The two bodies of a joint, the body that its line is fixed in, and its points in their frames.
 struct Ends {
   std::size_t i = 0;
   std::size_t j = 0;
+  std::size_t line = 0;
   Place a;
   Place b;
 };
@@ -37,17 +40,23 @@ Place place_of(const Mechanism& mechanism, const PointOf& point, const Dimension
 
 Ends ends_of(const Mechanism& mechanism, const Joint& joint, const Dimension* moving) {
   const auto& [first, second] = joint.at;
-  return {first.body, second.body, place_of(mechanism, first, moving),
+  return {first.body, second.body, line_body(joint), place_of(mechanism, first, moving),
           place_of(mechanism, second, moving)};
 }
 
 Eigen::Vector3d turned_left(const Eigen::Vector3d& e) { return {-e.y(), e.x(), 0}; }
 
-/// e . (B - A), the displacement of the second point along a direction of the first body.
+/// Of bodies that a displacement depends on.
+std::vector<std::size_t> coordinates_along(const Ends& ends) {
+  if (ends.line == ends.i) return coordinates_of({ends.i, ends.j}, kSize);
+  return coordinates_of({ends.i, ends.j, ends.line}, kSize);
+}
+
+/// e . (B - A), the displacement of the second point along a direction of the line's body.
 template <class S>
 S displacement(const At<S>& at, const Ends& ends, const Eigen::Vector3d& along) {
   const auto d = position(at, ends.j, ends.b) - position(at, ends.i, ends.a);
-  const auto e = direction(at, ends.i, along);
+  const auto e = direction(at, ends.line, along);
   return e.x * d.x + e.y * d.y;
 }
 
@@ -63,6 +72,49 @@ std::vector<std::string> row_names(const std::string& label, const JointTraits& 
   if (type.place == JointPlace::at_distance) names = {label + ": length"};
   if (type.turn == JointTurn::not_at_all) names.push_back(label + ": turn");
   return names;
+}
+
+std::shared_ptr<const Constraint> rack(const Joint& joint, const Ends& ends,
+                                       const std::string& label) {
+  return make_constraint(
+      {label + ": turn"}, coordinates_of({ends.i, ends.j}, kSize),
+      [ends, along = joint.axis[0], turn = joint.gear.phase_rad, radius = joint.radius](
+          const auto& at, auto* row) {
+        using S = std::remove_reference_t<decltype(*row)>;
+        const S rolled = S(1 / radius) * displacement(at, ends, along);
+        row[0] = within_half_turn(angle(at, ends.j) - angle(at, ends.i) - S(turn) - rolled);
+      });
+}
+
+/// The profile's lift, carried by the scalar of the angle.
+template <class S>
+S lift_at(const Spline& profile, const S& angle_rad) {
+  const DriverState state = periodic_state(profile, angle_rad.f);
+  return chain(angle_rad, state.value, state.velocity, state.acceleration);
+}
+
+std::shared_ptr<const Constraint> cam(const Joint& joint, const Ends& ends,
+                                      const std::string& label) {
+  return make_constraint({label + ": lift"}, coordinates_along(ends),
+                         [ends, along = joint.axis[0], profile = joint.profile,
+                          phase = joint.gear.phase_rad](const auto& at, auto* row) {
+                           using S = std::remove_reference_t<decltype(*row)>;
+                           const S turned = angle(at, ends.i) - angle(at, ends.line) - S(phase);
+                           row[0] = displacement(at, ends, along) - lift_at(profile, turned);
+                         });
+}
+
+std::shared_ptr<const Constraint> cam_lever(const Joint& joint, const std::string& label) {
+  const std::size_t i = joint.at[0].body;
+  const std::size_t j = joint.at[1].body;
+  const std::size_t c = joint.gear.carrier;
+  return make_constraint(
+      {label + ": turn"}, coordinates_of({i, j, c}, kSize),
+      [=, profile = joint.profile, phase = joint.gear.phase_rad](const auto& at, auto* row) {
+        using S = std::remove_reference_t<decltype(*row)>;
+        const S turned = angle(at, i) - angle(at, c) - S(phase);
+        row[0] = within_half_turn(angle(at, j) - angle(at, c) - lift_at(profile, turned));
+      });
 }
 
 std::shared_ptr<const Constraint> gear(const Joint& joint, const std::string& label) {
@@ -84,6 +136,15 @@ std::shared_ptr<const Constraint> gear(const Joint& joint, const std::string& la
                          });
 }
 
+std::shared_ptr<const Constraint> actuator_driver(const std::string& label, const Ends& ends,
+                                                  const Prescription& law) {
+  return make_constraint(
+      {label}, coordinates_of({ends.i, ends.j}, kSize), [law, ends](const auto& at, auto* row) {
+        const auto d = position(at, ends.i, ends.a) - position(at, ends.j, ends.b);
+        row[0] = d.x * d.x + d.y * d.y - signed_square(law_at(law, at.t));
+      });
+}
+
 }  // namespace
 
 std::shared_ptr<const Constraint> planar_joint(const Mechanism& mechanism, const Joint& joint,
@@ -92,7 +153,10 @@ std::shared_ptr<const Constraint> planar_joint(const Mechanism& mechanism, const
   const JointTraits& type = traits(joint.type);
   if (!type.is_planar) throw std::logic_error("a planar mechanism has no joint " + label);
   if (type.turn == JointTurn::geared) return gear(joint, label);
+  if (joint.type == JointType::cam_lever) return cam_lever(joint, label);
   const Ends ends = ends_of(mechanism, joint, moving);
+  if (type.turn == JointTurn::by_rack) return rack(joint, ends, label);
+  if (type.turn == JointTurn::by_cam) return cam(joint, ends, label);
   const bool has_turn = type.turn == JointTurn::not_at_all;
   return make_constraint(
       row_names(label, type), coordinates_of({ends.i, ends.j}, kSize),
@@ -106,7 +170,7 @@ std::shared_ptr<const Constraint> planar_joint(const Mechanism& mechanism, const
           *row++ = d.y;
         } else if (place == JointPlace::on_line) {
           *row++ = displacement(at, ends, normal);
-        } else {
+        } else if (place == JointPlace::at_distance) {
           *row++ = d.x * d.x + d.y * d.y - in_scalar<S>(length * length);
         }
         if (has_turn) *row = relative_angle(at, ends.i, ends.j, turn);
@@ -127,7 +191,8 @@ std::shared_ptr<const Constraint> planar_driver(const Mechanism& mechanism, cons
   if (driver.kind == DriverKind::slide) {
     const Joint& joint = mechanism.joints[driver.joint];
     const Ends ends = ends_of(mechanism, joint, moving);
-    return make_constraint({label}, coordinates_of({ends.i, ends.j}, kSize),
+    if (!has_line(joint.type)) return actuator_driver(label, ends, law);
+    return make_constraint({label}, coordinates_along(ends),
                            [law, ends, along = joint.axis[0]](const auto& at, auto* row) {
                              row[0] = displacement(at, ends, along) - law_at(law, at.t);
                            });

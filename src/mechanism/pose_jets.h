@@ -25,12 +25,13 @@ inline spatial::Vector<Jet> direction_jet(const Mechanism& mechanism, std::size_
   return {e.x, e.y, Jet(0)};
 }
 
-/// Displacement of the joint's second point along its line.
+/// Displacement of the joint's second point along its line; its distance from the first where there is no line.
 inline Jet joint_slide_jet(const Mechanism& mechanism, const Joint& joint, const At<Jet>& at,
                            const Dimension* moving = nullptr) {
-  const auto along = direction_jet(mechanism, joint.at[0].body, joint.axis[0], at);
-  const auto from = position_jet(mechanism, joint.at[0], at, moving);
-  return spatial::dot(along, position_jet(mechanism, joint.at[1], at, moving) - from);
+  const auto gap = position_jet(mechanism, joint.at[1], at, moving) -
+                   position_jet(mechanism, joint.at[0], at, moving);
+  if (!has_line(joint.type)) return sqrt(spatial::dot(gap, gap));
+  return spatial::dot(direction_jet(mechanism, line_body(joint), joint.axis[0], at), gap);
 }
 
 /// Angle of the joint's second body relative to the first; spatial: about its axis.

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <numbers>
+#include <numeric>
 
 #include "moivre/mechanism/nearest.h"
 #include "read_parts.h"
@@ -47,7 +49,7 @@ std::string refusal(const std::string& type) {
           {"rolling", "wheel", "velocity", "nonholonomic", "non-holonomic", "skate", "knife"})) {
     return kVelocityJoint;
   }
-  if (is_one_of({"contact", "stop", "unilateral", "cam", "impact", "bump", "cable", "rope"})) {
+  if (is_one_of({"contact", "stop", "unilateral", "impact", "bump", "cable", "rope"})) {
     return kOneSidedJoint;
   }
   return "";
@@ -68,10 +70,21 @@ std::optional<JointType> type_called(const std::string& word) {
                                                       {"distance", JointType::rod},
                                                       {"link", JointType::rod},
                                                       {"bar", JointType::rod},
+                                                      {"cylinder", JointType::actuator},
+                                                      {"linear-actuator", JointType::actuator},
+                                                      {"strut", JointType::actuator},
+                                                      {"ram", JointType::actuator},
                                                       {"ball", JointType::spherical},
                                                       {"cardan", JointType::universal},
                                                       {"hooke", JointType::universal},
                                                       {"gears", JointType::gear},
+                                                      {"chain", JointType::belt},
+                                                      {"pulley", JointType::belt},
+                                                      {"timing-belt", JointType::belt},
+                                                      {"pinion", JointType::rack},
+                                                      {"rack-and-pinion", JointType::rack},
+                                                      {"cam-follower", JointType::cam},
+                                                      {"rocker-cam", JointType::cam_lever},
                                                       {"helical", JointType::screw},
                                                       {"lead-screw", JointType::screw},
                                                       {"inline", JointType::point_on_line},
@@ -119,14 +132,23 @@ std::optional<JointType> read_type(Reading& reading, const toml::table& entry, S
 }
 
 std::vector<std::string> keys_of(JointType type, Space space) {
-  if (type == JointType::gear) return {"type", "name", "bodies", "ratio", "carrier", "phase"};
+  if (type == JointType::gear) return {"type", "name", "bodies", "carrier", "phase", "ratio"};
+  if (type == JointType::belt) {
+    return {"type", "name", "bodies", "carrier", "phase", "radii", "crossed"};
+  }
+  if (type == JointType::cam_lever) {
+    return {"type", "name", "bodies", "carrier", "phase", "profile"};
+  }
   std::vector<std::string> keys{"type", "name", "at"};
-  if (space == Space::planar && has_slide(type)) keys.emplace_back("along");
+  if (space == Space::planar && has_line(type)) keys.emplace_back("along");
   if (space == Space::spatial && axis_count(type) > 0) keys.emplace_back("axis");
   if (traits(type).turn == JointTurn::not_at_all) keys.insert(keys.end(), {"turn", "tolerance"});
   if (has_slide(type) || has_angle(type)) keys.emplace_back("limits");
   if (type == JointType::rod) keys.insert(keys.end(), {"length", "tolerance"});
+  if (type == JointType::actuator) keys.emplace_back("length");
   if (type == JointType::screw) keys.emplace_back("pitch");
+  if (type == JointType::cam) keys.insert(keys.end(), {"carrier", "phase", "profile"});
+  if (type == JointType::rack) keys.insert(keys.end(), {"radius", "phase"});
   return keys;
 }
 
@@ -203,14 +225,17 @@ void read_axes(Reading& reading, const toml::table& entry, Space space, Joint& j
 void read_length(Reading& reading, const toml::table& entry, Joint& joint) {
   const auto length = reading.number(entry, "length");
   if (!length) {
-    if (!entry.contains("length")) reading.fault(entry, "a rod needs its 'length'");
+    const bool is_missing = joint.type == JointType::rod && !entry.contains("length");
+    if (is_missing) reading.fault(entry, "a rod needs its 'length'");
     return;
   }
   if (*length <= 0) {
-    reading.fault(*entry.get("length"),
-                  *length == 0
-                      ? "a rod of length zero is a revolute joint (spatial: spherical); write that"
-                      : "a rod's length must be positive");
+    const std::string name = joint.type == JointType::rod ? "a rod" : "an actuator";
+    reading.fault(
+        *entry.get("length"),
+        name + (*length == 0
+                    ? " of length zero is a revolute joint (spatial: spherical); write that"
+                    : "'s length must be positive"));
   }
   joint.length = *length;
 }
@@ -231,6 +256,18 @@ void read_pitch(Reading& reading, const toml::table& entry, Joint& joint) {
   joint.pitch = *pitch;
 }
 
+void read_radius(Reading& reading, const toml::table& entry, Joint& joint) {
+  const auto radius = reading.number(entry, "radius");
+  if (radius == 0) {
+    reading.fault(*entry.get("radius"), "a pinion's pitch radius must not be zero");
+  } else if (!radius && !entry.contains("radius")) {
+    reading.fault(entry,
+                  "a rack needs 'radius', that of the pinion's pitch circle (negative where the "
+                  "pinion is on the left of 'along')");
+  }
+  joint.radius = radius.value_or(1);
+}
+
 void read_limits(Reading& reading, const toml::table& entry, const Mechanism& mechanism,
                  Joint& joint) {
   const auto bounds = reading.numbers(entry, "limits", 2);
@@ -240,11 +277,14 @@ void read_limits(Reading& reading, const toml::table& entry, const Mechanism& me
   if ((*bounds)[0] > (*bounds)[1]) {
     reading.fault(*entry.get("limits"),
                   "the lower limit is above the upper; write limits = [lower, upper]");
+  } else if (joint.type == JointType::actuator && (*bounds)[0] < 0) {
+    reading.fault(*entry.get("limits"), "the limits of an actuator's length are from 0 up");
   }
 }
 
+constexpr std::int64_t kMostTeeth = 100000;
+
 std::optional<int> read_teeth(Reading& reading, const toml::node& node) {
-  constexpr std::int64_t kMostTeeth = 100000;
   const auto teeth = node.is_integer() ? node.value<std::int64_t>() : std::nullopt;
   if (teeth && *teeth != 0 && *teeth >= -kMostTeeth && *teeth <= kMostTeeth) {
     return static_cast<int>(*teeth);
@@ -253,23 +293,7 @@ std::optional<int> read_teeth(Reading& reading, const toml::node& node) {
   return std::nullopt;
 }
 
-void read_gear(Reading& reading, const toml::table& entry, const Mechanism& mechanism,
-               Joint& joint) {
-  if (const auto names = reading.texts(entry, "bodies", 2, "[\"body\", \"other\"]")) {
-    const toml::array& at = *entry.get("bodies")->as_array();
-    bool is_found = true;
-    for (std::size_t k = 0; k < 2; ++k) {
-      const auto body = find_body(reading, mechanism, (*names)[k], reading.position(*at.get(k)));
-      is_found = is_found && body;
-      joint.at[k].body = body.value_or(0);
-    }
-    if (is_found && joint.at[0].body == joint.at[1].body) {
-      reading.fault(at,
-                    "the gear ties body '" + (*names)[0] + "' to itself; a gear needs two bodies");
-    }
-  } else if (!entry.contains("bodies")) {
-    reading.fault(entry, "a gear needs its two 'bodies'");
-  }
+void read_ratio(Reading& reading, const toml::table& entry, Joint& joint) {
   const toml::array* ratio = reading.array(entry, "ratio");
   if (ratio != nullptr && ratio->size() == 2) {
     for (std::size_t k = 0; k < 2; ++k) {
@@ -279,14 +303,115 @@ void read_gear(Reading& reading, const toml::table& entry, const Mechanism& mech
     reading.fault(ratio == nullptr ? static_cast<const toml::node&>(entry) : *ratio,
                   "a gear needs 'ratio', the teeth of both wheels: ratio = [-20, 40]");
   }
+}
+
+/// Whole numbers in the ratio of two decimals, without a common factor; nothing where one would be more than kMostTeeth.
+std::optional<std::array<int, 2>> whole_ratio(double a, double b) {
+  constexpr double kFinestDecimal = 1e9;
+  constexpr double kRounding = 1e-15;
+  const auto is_whole = [](double x) { return std::abs(x - std::round(x)) <= kRounding * x; };
+  for (double scale = 1; scale <= kFinestDecimal; scale *= 10) {
+    if (!is_whole(a * scale) || !is_whole(b * scale)) continue;
+    const std::int64_t whole[] = {std::llround(a * scale), std::llround(b * scale)};
+    const std::int64_t common = std::gcd(whole[0], whole[1]);
+    if (std::max(whole[0], whole[1]) / common > kMostTeeth) return std::nullopt;
+    return std::array{static_cast<int>(whole[0] / common), static_cast<int>(whole[1] / common)};
+  }
+  return std::nullopt;
+}
+
+void read_radii(Reading& reading, const toml::table& entry, Joint& joint) {
+  const auto radii = reading.numbers(entry, "radii", 2);
+  if (!radii) {
+    if (!entry.contains("radii"))
+      reading.fault(entry, "a belt needs the 'radii' of both pulleys: radii = [30, 60]");
+    return;
+  }
+  const toml::node& at = *entry.get("radii");
+  if ((*radii)[0] <= 0 || (*radii)[1] <= 0) {
+    reading.fault(at, "a pulley's radius must be positive; a crossed belt has crossed = true");
+    return;
+  }
+  joint.gear.radii = {(*radii)[0], (*radii)[1]};
+  const auto ratio = whole_ratio((*radii)[0], (*radii)[1]);
+  if (!ratio) {
+    reading.fault(at, "the ratio of the radii must be one of whole numbers up to " +
+                          std::to_string(kMostTeeth) + "; round them");
+    return;
+  }
+  joint.gear.teeth = *ratio;
+  if (reading.truth(entry, "crossed").value_or(false)) joint.gear.teeth[0] *= -1;
+}
+
+/// The two bodies of a joint without points.
+void read_pair(Reading& reading, const toml::table& entry, const Mechanism& mechanism,
+               Joint& joint) {
+  const std::string type = to_string(joint.type);
+  if (const auto names = reading.texts(entry, "bodies", 2, "[\"body\", \"other\"]")) {
+    const toml::array& at = *entry.get("bodies")->as_array();
+    bool is_found = true;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const auto body = find_body(reading, mechanism, (*names)[k], reading.position(*at.get(k)));
+      is_found = is_found && body;
+      joint.at[k].body = body.value_or(0);
+    }
+    if (is_found && joint.at[0].body == joint.at[1].body) {
+      reading.fault(at, "the " + type + " ties body '" + (*names)[0] + "' to itself; a " + type +
+                            " needs two bodies");
+    }
+  } else if (!entry.contains("bodies")) {
+    reading.fault(entry, "a " + type + " needs its two 'bodies'");
+  }
+}
+
+void read_carrier(Reading& reading, const toml::table& entry, const Mechanism& mechanism,
+                  Joint& joint) {
   if (const auto carrier = reading.text(entry, "carrier")) {
     const SourcePosition at = reading.position(*entry.get("carrier"));
     joint.gear.carrier = find_body(reading, mechanism, *carrier, at).value_or(0);
     if (joint.gear.carrier == joint.at[0].body || joint.gear.carrier == joint.at[1].body) {
-      if (joint.gear.carrier != 0) reading.fault(at, "a gear's carrier must be a third body");
+      if (joint.gear.carrier != 0)
+        reading.fault(at, "a " + to_string(joint.type) + "'s carrier must be a third body");
     }
   }
-  joint.gear.phase_rad = reading.number(entry, "phase").value_or(0) * angle_unit(mechanism);
+}
+
+/// Lifts over a whole turn of the cam, the last one the first.
+void read_profile(Reading& reading, const toml::table& entry, const Mechanism& mechanism,
+                  Joint& joint) {
+  constexpr double kTurn = 2 * std::numbers::pi;
+  constexpr double kRounding = 1e-9;
+  constexpr std::size_t kFewest = 4;
+  const toml::array* rows = reading.array(entry, "profile");
+  if (rows == nullptr) {
+    if (!entry.contains("profile")) {
+      reading.fault(entry, "a " + to_string(joint.type) +
+                               " needs its 'profile', [angle, lift] over a whole turn");
+    }
+    return;
+  }
+  const double lift_unit = joint.type == JointType::cam ? 1 : angle_unit(mechanism);
+  std::vector<double> angle_rad;
+  std::vector<double> lift;
+  for (const toml::node& row : *rows) {
+    const auto pair = reading.numbers(row, "a row of 'profile'", 2);
+    if (!pair) return;
+    const double at = (*pair)[0] * angle_unit(mechanism);
+    if (!angle_rad.empty() && at <= angle_rad.back()) {
+      return reading.fault(row, "the angles of a profile must increase");
+    }
+    angle_rad.push_back(at);
+    lift.push_back((*pair)[1] * lift_unit);
+  }
+  const bool is_whole = angle_rad.size() >= kFewest &&
+                        std::abs(angle_rad.back() - angle_rad.front() - kTurn) <= kRounding &&
+                        lift.back() == lift.front();
+  if (!is_whole) {
+    return reading.fault(*rows,
+                         "a profile needs four or more rows, from one angle to a whole turn "
+                         "further, and ends with the lift that it begins with");
+  }
+  joint.profile = periodic_spline(std::move(angle_rad), std::move(lift));
 }
 
 Joint read_joint(Reading& reading, const toml::table& entry, const Mechanism& mechanism) {
@@ -307,14 +432,22 @@ Joint read_joint(Reading& reading, const toml::table& entry, const Mechanism& me
     joint.turn_rad = reading.number(entry, "turn").value_or(0) * angle_unit(mechanism);
   if (has("length")) read_length(reading, entry, joint);
   if (has("pitch")) read_pitch(reading, entry, joint);
+  if (has("radius")) read_radius(reading, entry, joint);
   if (has("limits")) read_limits(reading, entry, mechanism, joint);
-  if (joint.type == JointType::gear) read_gear(reading, entry, mechanism, joint);
+  if (has("ratio")) read_ratio(reading, entry, joint);
+  if (has("radii")) read_radii(reading, entry, joint);
+  if (has("bodies")) read_pair(reading, entry, mechanism, joint);
+  if (has("carrier")) read_carrier(reading, entry, mechanism, joint);
+  if (has("profile")) read_profile(reading, entry, mechanism, joint);
+  if (has("phase")) {
+    joint.gear.phase_rad = reading.number(entry, "phase").value_or(0) * angle_unit(mechanism);
+  }
   return joint;
 }
 
 /// "A" where both points are called so, else "crank.A-coupler.B".
 std::string name_from_ends(const Mechanism& mechanism, const Joint& joint) {
-  if (joint.type == JointType::gear) {
+  if (traits(joint.type).place == JointPlace::anywhere) {
     return mechanism.bodies[joint.at[0].body].name + "-" + mechanism.bodies[joint.at[1].body].name;
   }
   const auto point = [&](std::size_t k) {

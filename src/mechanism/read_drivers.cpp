@@ -258,7 +258,7 @@ std::optional<double> drawn_angle(const Mechanism& mechanism, std::size_t body) 
 
 /// Of the ways in which its teeth mesh, a gear without a phase has the one nearest to the drawn pose: a phase of whole teeth.
 void take_drawn_meshing(Joint& joint, const Mechanism& mechanism) {
-  if (joint.type != JointType::gear || joint.gear.phase_rad != 0) return;
+  if (traits(joint.type).turn != JointTurn::geared || joint.gear.phase_rad != 0) return;
   const auto i = drawn_angle(mechanism, joint.at[0].body);
   const auto j = drawn_angle(mechanism, joint.at[1].body);
   const auto c = drawn_angle(mechanism, joint.gear.carrier);
@@ -283,9 +283,7 @@ void read_driver_tolerances(Reading& reading, const toml::array& entries, Mechan
   }
 }
 
-}  // namespace
-
-void read_drivers(Reading& reading, const toml::table& document, Mechanism& mechanism) {
+void read_driver_entries(Reading& reading, const toml::table& document, Mechanism& mechanism) {
   const toml::array* entries = reading.array(document, "driver");
   if (entries == nullptr) return;
   for (const toml::node& entry : *entries) {
@@ -297,6 +295,37 @@ void read_drivers(Reading& reading, const toml::table& document, Mechanism& mech
   }
   const bool is_whole = mechanism.drivers.size() == entries->size();
   if (is_whole && !is_typed(mechanism)) read_driver_tolerances(reading, *entries, mechanism);
+}
+
+/// An actuator with a length is driven to stand there.
+void hold_actuators(Reading& reading, Mechanism& mechanism) {
+  for (std::size_t k = 0; k < mechanism.joints.size(); ++k) {
+    const Joint& joint = mechanism.joints[k];
+    if (joint.type != JointType::actuator || joint.length == 0) continue;
+    const auto drives_it = [&](const Driver& other) {
+      return other.kind == DriverKind::slide && other.joint == k;
+    };
+    const auto twice = std::find_if(mechanism.drivers.begin(), mechanism.drivers.end(), drives_it);
+    if (twice != mechanism.drivers.end()) {
+      reading.fault(twice->where,
+                    "'" + joint.name + "' has a 'length' to stand at; remove that, or the driver");
+      continue;
+    }
+    Driver driver;
+    driver.kind = DriverKind::slide;
+    driver.name = joint.name;
+    driver.joint = k;
+    driver.law = Parabola{joint.length, 0, 0};
+    driver.where = joint.where;
+    mechanism.drivers.push_back(std::move(driver));
+  }
+}
+
+}  // namespace
+
+void read_drivers(Reading& reading, const toml::table& document, Mechanism& mechanism) {
+  read_driver_entries(reading, document, mechanism);
+  hold_actuators(reading, mechanism);
 }
 
 void read_guess(Reading& reading, const toml::table& document, Mechanism& mechanism) {

@@ -154,7 +154,8 @@ std::vector<std::string> spatial_row_names(const std::string& label, const Joint
       {JointPlace::at_point, {"x", "y", "z"}},
       {JointPlace::on_line, {"line 1", "line 2"}},
       {JointPlace::in_plane, {"height"}},
-      {JointPlace::at_distance, {"length"}}};
+      {JointPlace::at_distance, {"length"}},
+      {JointPlace::at_any_distance, {}}};
   static const std::map<JointTurn, std::vector<std::string>> turns{
       {JointTurn::about_axis, {"tilt 1", "tilt 2"}},
       {JointTurn::by_thread, {"tilt 1", "tilt 2", "thread"}},
@@ -198,6 +199,8 @@ void place_rows(const At<S>& at, const SpatialJoint& joint, S*& row) {
       *row++ = dot(d, d) - in_scalar<S>(joint.length * joint.length);
       break;
     case JointPlace::anywhere:
+    case JointPlace::off_line:
+    case JointPlace::at_any_distance:
       break;
   }
 }
@@ -219,6 +222,15 @@ void turn_rows(const At<S>& at, const SpatialJoint& joint, S* row) {
   if (joint.turn == JointTurn::by_thread) {
     *row = within_half_turn(threaded_angle(at, ends, joint.pitch) - angle_of(p));
   }
+}
+
+std::shared_ptr<const Constraint> actuator_driver(const std::string& label, const Ends& ends,
+                                                  const Prescription& law) {
+  return make_constraint(
+      {label}, coordinates_of({ends.i, ends.j}, kSize), [law, ends](const auto& at, auto* row) {
+        const auto d = position(at, ends.i, ends.a) - position(at, ends.j, ends.b);
+        row[0] = dot(d, d) - signed_square(law_at(law, at.t));
+      });
 }
 
 }  // namespace
@@ -246,6 +258,7 @@ std::shared_ptr<const Constraint> spatial_driver(const Mechanism& mechanism, con
     const Joint& joint = mechanism.joints[driver.joint];
     const Ends ends = ends_of(mechanism, joint, moving);
     const bool turns = driver.kind == DriverKind::angle;
+    if (!turns && !has_line(joint.type)) return actuator_driver(label, ends, law);
     return make_constraint({label}, coordinates_of({ends.i, ends.j}, kSize),
                            [law, ends, turns, pitch = joint.pitch](const auto& at, auto* row) {
                              const auto prescribed = law_at(law, at.t);

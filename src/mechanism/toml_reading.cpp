@@ -108,6 +108,14 @@ std::optional<double> Reading::number(const toml::table& in, const std::string& 
   return node == nullptr ? std::nullopt : number(*node, "'" + key + "'");
 }
 
+std::optional<bool> Reading::truth(const toml::table& in, const std::string& key) {
+  const toml::node* node = in.get(key);
+  if (node == nullptr) return std::nullopt;
+  if (node->is_boolean()) return node->value<bool>();
+  fault(*node, "'" + key + "' must be true or false, not " + kind_of(*node));
+  return std::nullopt;
+}
+
 std::optional<std::string> Reading::text(const toml::table& in, const std::string& key) {
   const toml::node* node = in.get(key);
   if (node == nullptr) return std::nullopt;

@@ -34,6 +34,7 @@ class Reading {
   const toml::table* table(const toml::table& in, const std::string& key);
   const toml::array* array(const toml::table& in, const std::string& key);
   std::optional<double> number(const toml::table& in, const std::string& key);
+  std::optional<bool> truth(const toml::table& in, const std::string& key);
   std::optional<std::string> text(const toml::table& in, const std::string& key);
   std::optional<std::vector<std::string>> texts(const toml::table& in, const std::string& key,
                                                 std::size_t count, const std::string& example);

@@ -205,6 +205,81 @@ velocity = 1
   EXPECT_NEAR(circles[1].radius, 6, kRounding);
 }
 
+TEST(Drawing, ACamsPitchCurveRunsThroughItsFollowersPoint) {
+  for (const double angle : {0.0, 1.0, 2.0, 4.0}) {
+    const Scene scene(driven_from(mechanism_file("cam-valve"), angle));
+    const std::vector<Shape> links = scene.in_pose(0, Style::link);
+    const auto curve = std::find_if(links.begin(), links.end(),
+                                    [](const Shape& shape) { return !shape.is_closed; });
+    ASSERT_NE(curve, links.end());
+    const Complex roller = scene.point(0, 2, 0);
+    double nearest = 1e9;
+    for (const Complex z : curve->points) nearest = std::min(nearest, std::abs(z - roller));
+    EXPECT_LT(nearest, 0.6);  // its points are 2 degrees apart at a radius of up to 28
+    EXPECT_NEAR(std::abs(curve->points.front() - curve->points.back()), 0, kRounding);
+  }
+}
+
+TEST(Drawing, ACrossedBeltIsTangentToBothPulleysAndCrosses) {
+  const Scene scene(mechanism_file("belt-five-bar"));
+  const std::vector<Shape> circles = scene.in_pose(0, Style::pitch_circle);
+  ASSERT_EQ(circles.size(), 2U);
+  EXPECT_NEAR(circles[0].radius, 1.1, kRounding);
+  EXPECT_NEAR(circles[1].radius, 0.55, kRounding);
+  std::vector<Shape> tangents = scene.in_pose(0, Style::mark);
+  std::erase_if(tangents, [](const Shape& shape) { return shape.is_closed; });
+  ASSERT_EQ(tangents.size(), 2U);
+  for (const Shape& tangent : tangents) {
+    const Complex along = tangent.points[1] - tangent.points[0];
+    for (std::size_t end = 0; end < 2; ++end) {
+      const Complex spoke = tangent.points[end] - circles[end].points[0];
+      EXPECT_NEAR(std::abs(spoke), circles[end].radius, kRounding);
+      EXPECT_NEAR((std::conj(spoke) * along).real(), 0, kRounding);
+    }
+    EXPECT_LT(tangent.points[0].imag() * tangent.points[1].imag(), 0);
+  }
+}
+
+TEST(Drawing, AnActuatorReachesFromPinToPinAndItsCylinderIsAsLongInEveryPose) {
+  const Scene scene(mechanism_file("crane"));
+  ASSERT_EQ(scene.poses.size(), 4U);
+  for (std::size_t pose = 0; pose < 4; ++pose) {
+    const std::vector<Shape> rods = scene.in_pose(pose, Style::wire);
+    const std::vector<Shape> cylinders = scene.in_pose(pose, Style::rod);
+    ASSERT_EQ(rods.size(), 2U);
+    ASSERT_EQ(cylinders.size(), 2U);
+    EXPECT_TRUE(has_point_near(rods[0], scene.point(pose, 0, 1)));
+    EXPECT_TRUE(has_point_near(rods[0], scene.point(pose, 1, 1)));
+    EXPECT_NEAR(std::abs(cylinders[0].points[1] - cylinders[0].points[0]), 0.6 * 1.1, kRounding);
+    const Complex middle =
+        (cylinders[0].points[1] + cylinders[0].points[2]) / 2.0 - scene.point(pose, 0, 1);
+    const Complex line = scene.point(pose, 1, 1) - scene.point(pose, 0, 1);
+    EXPECT_NEAR((std::conj(line) * middle).imag(), 0, kRounding);
+  }
+}
+
+TEST(Drawing, ARackTouchesItsPinionsPitchCircle) {
+  const Scene scene(mechanism_file("rack-crank"));
+  ASSERT_EQ(scene.poses.size(), 2U);
+  for (std::size_t pose = 0; pose < 2; ++pose) {
+    const std::vector<Shape> circles = scene.in_pose(pose, Style::pitch_circle);
+    ASSERT_EQ(circles.size(), 1U);
+    EXPECT_NEAR(circles[0].radius, 10, kRounding);
+    const Complex touching = circles[0].points[0] + Complex(0, 10);
+    bool is_touched = false;
+    for (const Shape& bar : scene.in_pose(pose, Style::link)) {
+      const auto on_line = [&](Complex z) { return std::abs(z.imag() - touching.imag()) < 1e-9; };
+      const auto ends =
+          std::minmax_element(bar.points.begin(), bar.points.end(),
+                              [](Complex a, Complex b) { return a.real() < b.real(); });
+      is_touched = is_touched ||
+                   (std::count_if(bar.points.begin(), bar.points.end(), on_line) == 2 &&
+                    ends.first->real() < touching.real() && ends.second->real() > touching.real());
+    }
+    EXPECT_TRUE(is_touched) << "pose " << pose;
+  }
+}
+
 TEST(Drawing, AWeldIsASquareWithoutAPin) {
   const Scene scene(mechanism_text(R"(
 [ground.points]

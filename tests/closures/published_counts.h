@@ -39,6 +39,11 @@ inline const std::vector<PublishedCount>& published_counts() {
       {"inverted-slider-crank", {}, 2, 2, 2},
       {"whitworth", {}, 4, 2, 6},
       {"gear-five-bar", {}, 2, 2, 2},
+      {"belt-five-bar", {}, 2, 2, 2},
+      {"cam-valve", {}, 2, 2, 3},
+      {"crane", {}, 4, 4, 6},
+      {"rack-steering", {}, 4, 4, 7},
+      {"rack-crank", {}, 2, 2, 2},
       {"parallelogram", {}, 1, 1, 2},
       {"unassemblable-triangle", {}, 2, 0, 2},
   };

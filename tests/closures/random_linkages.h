@@ -106,6 +106,8 @@ class LinkageDrawer {
         break;
       case JointPlace::at_point:
       case JointPlace::anywhere:
+      case JointPlace::off_line:
+      case JointPlace::at_any_distance:
         break;
     }
     if (traits(type).turn == JointTurn::about_two_axes) {

@@ -40,6 +40,11 @@ TEST(Examples, EveryMechanismAssemblesFromItsGuessWithItsMobility) {
                         {"whitworth", 12, 11, 11},
                         {"inverted-slider-crank", 9, 8, 8},
                         {"gear-five-bar", 12, 11, 11},
+                        {"belt-five-bar", 12, 11, 11},
+                        {"cam-valve", 9, 8, 8},
+                        {"crane", 6, 4, 4},
+                        {"rack-steering", 18, 17, 17},
+                        {"rack-crank", 12, 11, 11},
                         {"parallelogram", 9, 8, 7},
                         {"rssr", 12, 11, 11},
                         {"bennett", 18, 20, 17}};

@@ -33,6 +33,24 @@ TEST(DriverLaw, SplineGoesThroughItsPointsSmoothly) {
   }
 }
 
+TEST(DriverLaw, PeriodicSplineGoesOnSmoothlyFromOnePeriodToTheNext) {
+  const std::vector<double> t{-1, 0, 1.5, 2, 4};
+  const std::vector<double> value{1, -1, 2, 0, 1};
+  const Spline spline = periodic_spline(t, value);
+  constexpr double kBeside = 1e-9, kPeriod = 5;
+  for (std::size_t k = 0; k < t.size(); ++k) {
+    for (const double periods : {-2.0, 0.0, 3.0}) {
+      const double at = t[k] + periods * kPeriod;
+      EXPECT_NEAR(periodic_state(spline, at).value, value[k], 1e-13);
+      const DriverState left = periodic_state(spline, at - kBeside);
+      const DriverState right = periodic_state(spline, at + kBeside);
+      EXPECT_NEAR(left.velocity, right.velocity, 1e-6);
+      EXPECT_NEAR(left.acceleration, right.acceleration, 1e-6);
+    }
+  }
+  EXPECT_THROW(periodic_spline({0, 1, 2}, {1, 2, 1}), std::invalid_argument);
+}
+
 TEST(DriverLaw, SplineDerivativesMatchDifferencesInsideAndOutside) {
   const DriverLaw law = natural_spline({0, 1, 3, 4}, {0, 2, 1, 5});
   constexpr double kStep = 1e-5;

@@ -21,7 +21,7 @@ std::vector<std::string> toml_blocks(const std::string& page) {
 TEST(MechanismFilePage, ExamplesAreRead) {
   const Source page = read_source(std::string(MOIVRE_SOURCE_DIR) + "/docs/mechanism-file.md");
   const std::vector<std::string> blocks = toml_blocks(page.text);
-  EXPECT_EQ(blocks.size(), 5U);
+  EXPECT_EQ(blocks.size(), 9U);
   for (const std::string& block : blocks) {
     const Mechanism mechanism = read_mechanism({"example", block});
     EXPECT_TRUE(mechanism.warnings.empty());

@@ -86,6 +86,14 @@ axis = [0, 1, 1]
 type = "point-on-plane"
 at = ["ground.Q", "c.B"]
 axis = [1, 1, 1]
+[[joint]]
+type = "actuator"
+at = ["ground.Q", "f.F"]
+name = "leg"
+[[driver]]
+slide = "leg"
+start = 1
+velocity = 0.4
 [[driver]]
 angle = "thread"
 velocity = 2
@@ -101,10 +109,101 @@ z = "f.F"
 table = [[0, 0], [1, 2], [2, 1]]
 )toml";
 
+const std::string kTransmissions = R"toml(
+[ground.points]
+O = [0.2, 0.1]
+Q = [3, 1]
+[body.a.points]
+O = [0.1, 0]
+A = [1, 0.5]
+[body.b.points]
+A = [0.3, 0.2]
+B = [0.3, 1]
+[body.c.points]
+B = [0, 0.2]
+C = [1, 0]
+[[joint]]
+type = "revolute"
+at = ["ground.O", "a.O"]
+[[joint]]
+type = "revolute"
+at = ["a.A", "b.A"]
+[[joint]]
+type = "revolute"
+at = ["b.B", "c.B"]
+[[joint]]
+type = "gear"
+bodies = ["a", "b"]
+ratio = [-2, 3]
+carrier = "c"
+[[joint]]
+type = "belt"
+bodies = ["b", "c"]
+radii = [1.5, 2.5]
+crossed = true
+carrier = "a"
+[[joint]]
+type = "rack"
+at = ["a.A", "b.A"]
+along = [1, 2]
+radius = -0.7
+phase = 0.4
+name = "mesh"
+[[joint]]
+type = "cam"
+at = ["b.A", "c.C"]
+along = [2, -1]
+carrier = "a"
+phase = 0.3
+profile = [[0, 1], [1, 2], [2.5, 1.4], [4, 0.3], [6.283185307179586, 1]]
+name = "lobe"
+[[joint]]
+type = "cam-lever"
+bodies = ["a", "c"]
+carrier = "b"
+profile = [[-1, 0.2], [1, 0.4], [2.5, 0.1], [4, -0.3], [5.283185307179586, 0.2]]
+[[joint]]
+type = "actuator"
+at = ["a.A", "c.C"]
+name = "lift"
+[[driver]]
+slide = "lift"
+start = 1
+velocity = 0.7
+acceleration = 0.3
+[[driver]]
+slide = "mesh"
+value = "sin(t)"
+[[driver]]
+slide = "lobe"
+value = "cos(2*t)"
+)toml";
+
+TEST(Phi, JacobianAndAccelerationTermsOfTransmissionsMatchDifferences) {
+  const Mechanism m = typed(kTransmissions);
+  const Phi phi(m);
+  EXPECT_EQ(phi.size(), 3 * 2 + 5 + 3);
+  VectorXd q(phi.dimension()), qdot(phi.dimension());
+  for (Eigen::Index k = 0; k < q.size(); ++k) {
+    q[k] = std::sin(1.3 * static_cast<double>(k));
+    qdot[k] = std::cos(0.7 * static_cast<double>(k));
+  }
+  constexpr double kTime = 0.7, kStep = 1e-6, kAgreement = 1e-7;
+  const auto along = [&](double s) { return phi.value(q + s * qdot, kTime); };
+  const VectorXd slope = (along(kStep) - along(-kStep)) / (2 * kStep);
+  EXPECT_LT((phi.jacobian(q, kTime) * qdot - slope).norm(), kAgreement);
+  const auto velocity = [&](double s) {
+    const VectorXd there = q + s * qdot;
+    return VectorXd(phi.jacobian(there, kTime + s) * qdot + phi.partial_t(there, kTime + s));
+  };
+  const VectorXd bend = (velocity(kStep) - velocity(-kStep)) / (2 * kStep);
+  EXPECT_LT((phi.acceleration_rhs(q, qdot, kTime) + bend).norm(), kAgreement);
+}
+
 TEST(Phi, SpatialJacobianAndAccelerationTermsMatchDifferences) {
   const Mechanism m = typed(kEverySpatialJoint);
   const Phi phi(m);
-  EXPECT_EQ(phi.size(), 5 + 4 + 5 + 4 + 6 + 1 + 3 + 5 + 3 + 2 + 1 + 4);
+  EXPECT_EQ(phi.size(), 5 + 4 + 5 + 4 + 6 + 1 + 3 + 5 + 3 + 2 + 1 + 5);
   VectorXd q(phi.dimension()), qdot(phi.dimension());
   for (Eigen::Index k = 0; k < q.size(); ++k) {
     q[k] = std::sin(1.3 * static_cast<double>(k));

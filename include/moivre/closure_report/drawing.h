@@ -4,11 +4,11 @@
 // The plane is C, y upwards, lengths in the file's unit. A pose q gives each frame a similarity z -> a z + b, and the figures
 // ride on the frames: SVG, HTML and its animation move the same figures and know no joints.
 //   planar bodies     a = e^(i phi), b = x + i y
-//   rods              from one point to the other
+//   rods, actuators   from one point to the other
 //   spatial bodies    lines between points, seen by an eye far away
 //   typed equations   a dial for each angle, a ruler for each length
 // The lengths of guides and slots, and the size of the symbols, follow from all the poses that are to be shown.
-// Links are drawn as the convex hull of their points. Not drawn: gears whose wheels do not turn about points of the carrier.
+// Links are drawn as the convex hull of their points. Not drawn: gears and belts whose wheels do not turn about points of the carrier.
 #pragma once
 
 #include <Eigen/Core>
@@ -35,6 +35,12 @@ struct LineFrame {
   double length = 1;
 };
 
+/// From one point towards the other, lengths as they are: a = (to - from) / |to - from|, b = from; a = 1 where both are one place.
+struct AimFrame {
+  MaterialPoint from;
+  MaterialPoint to;
+};
+
 /// Turns about `center` with coordinate `coordinate` of q.
 struct DialFrame {
   Eigen::Index coordinate = 0;
@@ -48,7 +54,7 @@ struct RulerFrame {
   double scale = 1;
 };
 
-using Frame = std::variant<LineFrame, DialFrame, RulerFrame>;
+using Frame = std::variant<LineFrame, AimFrame, DialFrame, RulerFrame>;
 
 enum class Style {
   link,          ///< a body: filled with its colour

@@ -8,9 +8,10 @@
 //   revolute   p_i + a t_i = p_j + b t_j,  and the conjugate      linear
 //   line       (eb u_i) D = (e t_i) Db                            prismatic and slot; D = p_j + b t_j - p_i - a t_i
 //   slide      D = s e t_i,  Db = s eb u_i                        a driven line: linear
-//   rod        D Db = L^2
+//   rod        D Db = L^2                                       and an actuator that is driven
 //   gear       t_i^zi t_c^(zj-zi) t_j^-zj = exp(-i zj phase)      powers moved to the side that keeps the degree low
 //   driven x   p + a t + pb + ab u = 2 x
+//   rack, cam  eb u_i D + e t_i Db = 2 s                         its slide s is known (src/formulation/known_motions.h)
 // Typed equations: cos and sin of whole multiples of angles become polynomials in t and u, lengths stay.
 // A real pose is a fixed point of x_v -> conj(x_mirror(v)): mirror swaps p and pb, t and u, and keeps a length.
 // Coefficients are the shortest decimals that read back as the file's doubles; exp(i phi) is a rational point of the unit
@@ -22,6 +23,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -43,10 +45,13 @@ struct Formulation {
   std::vector<std::string> contradictions;       ///< angles held at two values at once: no closure
   std::vector<std::string> repetitions;          ///< angles held twice at one value
 
-  /// Where q is read from: q_k = Re or Im of a polynomial, or the argument of one.
+  /// Where q is read from: q_k = Re or Im of a number, or its argument. The number is `of`; of a body that follows a rack or a cam
+  /// it is `of` + `arm` f(root), where f is no polynomial: a direction, a displacement.
   struct Reading {
     enum class Part { re, im, argument } part = Part::re;
     Polynomial of;
+    Complex arm = 0;
+    std::function<Complex(const Point&)> f = {};
   };
   std::vector<Reading> coordinates;  ///< planar mechanisms and typed equations
   PoseReading poses;                 ///< spatial mechanisms

@@ -30,6 +30,10 @@ struct Spline {
 /// Requires two or more points, t strictly increasing (std::invalid_argument).
 Spline natural_spline(std::vector<double> t, std::vector<double> value);
 
+/// A periodic cubic spline, twice continuously differentiable from one period to the next: the last value is the first. Requires
+/// four or more points, t strictly increasing (std::invalid_argument).
+Spline periodic_spline(std::vector<double> t, std::vector<double> value);
+
 /// `unit` * formula(t): the formula speaks in the file's unit.
 struct TypedLaw {
   Formula formula;
@@ -46,5 +50,8 @@ struct DriverState {
 };
 
 DriverState driver_state(const DriverLaw& law, double t);
+
+/// Of a periodic spline, any number of periods away.
+DriverState periodic_state(const Spline& spline, double t);
 
 }  // namespace moivre

@@ -5,12 +5,14 @@
 // A and a normal of a plane through A. Rows of Phi, in the plane and in space:
 //   place          plane space                       turn              plane space
 //   anywhere         0     0                         freely              0     0
-//   at_distance      1     1   |AB| = L              about_two_axes            1   universal: the axes stay perpendicular
-//   in_plane               1                         about_axis          0     2   the plane's normal, or the joint's axis
-//   on_line          1     2   slide = AB . axis     by_thread                 3   about the axis, by the slide
-//   at_point         2     3   A = B                 geared              1
+//   off_line         0         slide = AB . axis     about_two_axes            1   universal: the axes stay perpendicular
+//   at_any_distance  0     0   slide = |AB|          about_axis          0     2   the plane's normal, or the joint's axis
+//   at_distance      1     1   |AB| = L              by_thread                 3   about the axis, by the slide
+//   in_plane               1                         by_rack             1         by the slide
+//   on_line          1     2   slide = AB . axis     geared              1
+//   at_point         2     3   A = B                 by_cam              1         a slide or an angle, by the cam's angle
 //                                                    not_at_all          1     3   but Joint::turn_rad
-// Coordinates: the slide of on_line and the angle of about_axis and by_thread. "The" coordinate is the slide where there is one.
+// Coordinates: the slide, and the angle of about_axis and by_thread. "The" coordinate is the slide where there is one.
 // Equations: planar_constraints.cpp, spatial_constraints.cpp; unknowns and polynomials: the module formulation.
 #pragma once
 
@@ -27,7 +29,12 @@ enum class JointType {
   slot,  ///< planar
   weld,
   rod,
-  gear,  ///< planar; two bodies turn in an integer ratio as seen from a carrier
+  actuator,  ///< a cylinder: a rod whose length is its slide
+  gear,      ///< planar; two bodies turn in an integer ratio as seen from a carrier
+  belt,      ///< planar; likewise, by the radii of two pulleys
+  rack,      ///< planar; the second body's pitch circle rolls along a line of the first
+  cam,  ///< planar; the second body slides along a line of a carrier, by the angle of the first
+  cam_lever,  ///< planar; the second body turns, likewise
   spherical,
   cylindrical,
   universal,
@@ -37,9 +44,26 @@ enum class JointType {
   point_on_plane
 };
 
-enum class JointPlace { anywhere, at_distance, in_plane, on_line, at_point };
+enum class JointPlace {
+  anywhere,
+  off_line,
+  at_any_distance,
+  at_distance,
+  in_plane,
+  on_line,
+  at_point
+};
 
-enum class JointTurn { freely, about_two_axes, about_axis, by_thread, geared, not_at_all };
+enum class JointTurn {
+  freely,
+  about_two_axes,
+  about_axis,
+  by_thread,
+  by_rack,
+  by_cam,
+  geared,
+  not_at_all
+};
 
 struct JointTraits {
   JointType type;
@@ -63,6 +87,13 @@ int row_count(JointTurn turn, Space space);
 
 /// Degrees of freedom of one body relative to the other. Throws std::logic_error where the space has no such joint.
 int freedoms(JointType type, Space space);
+
+/// Whether it reads a line, along which the second point is measured.
+bool has_line(JointType type);
+/// Whether it ties motions of bodies that other joints hold in their places.
+bool is_transmission(JointType type);
+/// Whether it holds something while nothing drives it.
+bool has_rows(JointType type, Space space);
 
 bool has_slide(JointType type);
 bool has_angle(JointType type);

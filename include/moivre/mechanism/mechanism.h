@@ -49,11 +49,14 @@ struct PointOf {
   std::size_t point = 0;
 };
 
-/// Teeth of the two wheels, signed: equal signs turn alike (internal mesh), opposite signs against each other.
+/// Teeth of the two wheels, signed: equal signs turn alike (internal mesh, open belt), opposite signs against each other (external
+/// mesh, crossed belt). Of pulleys, whole numbers in the ratio of their radii.
 struct Gear {
   std::array<int, 2> teeth{1, 1};
-  std::size_t carrier = 0;  ///< body; angles are relative to it
-  double phase_rad = 0;     ///< angle of the second wheel where the first stands at 0
+  std::array<double, 2> radii{0, 0};  ///< belt
+  std::size_t carrier = 0;            ///< body; angles are relative to it
+  /// Angle of the second wheel where the first stands at 0, of a pinion where its rack does; of a cam where its profile begins.
+  double phase_rad = 0;
   bool has_all_meshings =
       false;  ///< closures in every meshing of the teeth, not in the drawn one alone
 };
@@ -67,18 +70,24 @@ struct Limits {
 struct Joint {
   JointType type = JointType::revolute;
   std::string name;           ///< given, or made from its points
-  std::array<PointOf, 2> at;  ///< gear: the bodies only
+  std::array<PointOf, 2> at;  ///< gear, belt, cam-lever: the bodies only
   std::array<Eigen::Vector3d, 2> axis{Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitX()};
-  ///< unit vectors, one in each body's frame. Planar prismatic and slot: axis[0], the line. Spatial:
-  ///< the joint's axis or the plane's normal; the two pins of universal; axis[0] of a point on a line or plane
+  ///< unit vectors, one in each body's frame. Planar: axis[0], the line of a prismatic joint, slot or rack; a cam's in its
+  ///< carrier. Spatial: the joint's axis or the plane's normal; the two pins of universal; axis[0] of a point on a line or plane
   double turn_rad = 0;  ///< prismatic, weld: angle of the second body relative to the first
-  double length = 0;    ///< rod
+  double length = 0;    ///< rod; actuator that stands at a length, else 0
+  double radius =
+      0;  ///< rack: of the pinion's pitch circle, negative where that is on the line's left
   double pitch =
-      0;      ///< screw: advance of the second body for a whole turn, negative if left-handed
-  Gear gear;  ///< gear
+      0;           ///< screw: advance of the second body for a whole turn, negative if left-handed
+  Gear gear;       ///< of transmissions
+  Spline profile;  ///< cam, cam-lever: the lift by the cam's angle, over a whole turn
   std::optional<Limits> limits;  ///< of its coordinate: the slide where it has one, else the angle
   SourcePosition where;
 };
+
+/// The body in which the joint's line is fixed.
+std::size_t line_body(const Joint& joint);
 
 enum class DriverKind {
   angle,  ///< angle of `bodies[1]` relative to `bodies[0]`; spatial: of `joint`

@@ -31,8 +31,8 @@ Eigen::Matrix3d orientation(const Mechanism& mechanism, std::size_t body, const 
 /// The frame of a spatial joint in a body: z along the axis, x by a fixed rule, so that equal axes make equal frames.
 Eigen::Matrix3d joint_frame(const Eigen::Vector3d& axis);
 
-/// The joint's coordinate (joint_type.h): displacement of the second point along the line, or angle of the second body relative
-/// to the first in [-pi, pi]; nothing for joints that have neither.
+/// The joint's coordinate (joint_type.h): displacement of the second point along the line or distance from the first, or angle of
+/// the second body relative to the first in [-pi, pi]; nothing for joints that have none.
 std::optional<double> joint_coordinate(const Mechanism& mechanism, const Joint& joint,
                                        const Eigen::VectorXd& q);
 
