@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Do closures hold on linkages that nobody tuned them to? Random ones, judged by their own pose and by Newton's method.
 //
-//   random_linkages [--space planar|spatial] [--seed S] [--first K] [--count N] [--starts N] [--cvode] [--show]
+//   random_linkages [--space planar|spatial] [--assemblies] [--seed S] [--first K] [--count N] [--starts N] [--cvode] [--show]
 //
-// A linkage is right where its own pose, which is isolated, is among the closures, closures are different poses, another random
-// seed counts as many complex ones, and Newton's method from random starts comes to no regular pose that is not among them.
-// Printed: every linkage that is not right, with its number, and the sums. With --show the first linkage as a mechanism file.
+// A linkage is right where its own pose, which is isolated, is among the closures, closures are different poses that satisfy every
+// constraint, another random seed counts as many complex ones, and Newton's method from random starts, rounds of N until one brings
+// nothing new, comes to no regular pose that is not among them. With --assemblies groups on cranks are drawn, with gears and idle wheels
+// (random_assemblies.h). Printed: every linkage that is not right, with its number, and the sums. With --show the first linkage as a
+// mechanism file.
 // Exit: 0 none is wrong, 1 some are, 2 usage.
 #include <cstdio>
 #include <ctime>
@@ -27,14 +29,24 @@ struct Request {
   std::uint64_t starts = 100;
   bool by_cvode = false;
   bool shows = false;
+  bool has_assemblies = false;
 };
+
+/// As it is solved, and as Newton's method searches it.
+Assembly drawn(const Request& request, std::uint64_t number) {
+  if (request.has_assemblies) return random_assembly(request.seed, number);
+  const Mechanism linkage = random_linkage(request.space, request.seed, number);
+  return {linkage, linkage};
+}
 
 Request request_of(int argc, char** argv) {
   Request request;
   for (int k = 1; k < argc; ++k) {
     const std::string word = argv[k];
-    if (word == "--cvode" || word == "--show") {
-      (word == "--show" ? request.shows : request.by_cvode) = true;
+    if (word == "--cvode" || word == "--show" || word == "--assemblies") {
+      (word == "--show"    ? request.shows
+       : word == "--cvode" ? request.by_cvode
+                           : request.has_assemblies) = true;
       continue;
     }
     if (k + 1 == argc) throw std::invalid_argument(word + " needs a value");
@@ -93,7 +105,8 @@ std::string joint_text(const Mechanism& mechanism, const Joint& joint) {
       "[[joint]]\ntype = \"" + to_string(joint.type) + "\"\nname = \"" + joint.name + "\"\n";
   if (joint.type == JointType::gear) {
     return text + "bodies = [\"" + body(0) + "\", \"" + body(1) + "\"]\nratio = [" +
-           std::to_string(joint.gear.teeth[0]) + ", " + std::to_string(joint.gear.teeth[1]) + "]\n";
+           std::to_string(joint.gear.teeth[0]) + ", " + std::to_string(joint.gear.teeth[1]) +
+           "]\ncarrier = \"" + mechanism.bodies[joint.gear.carrier].name + "\"\n";
   }
   text += "at = [\"" + point(0) + "\", \"" + point(1) + "\"]\n";
   const bool is_planar = mechanism.space == Space::planar;
@@ -134,16 +147,17 @@ std::string file_of(const Mechanism& mechanism) {
 
 struct Sums {
   std::uint64_t right = 0, undecided = 0, moves = 0, wrong = 0;
+  std::uint64_t closures = 0, by_newton = 0;  ///< of those that are right
 };
 
 void judge(const Request& request, std::uint64_t number, Sums& sums) {
-  const Mechanism mechanism = random_linkage(request.space, request.seed, number);
+  const Assembly linkage = drawn(request, number);
   const auto tracker = request.by_cvode ? make_cvode_tracker() : make_lane_tracker();
   const auto solve = [&](std::uint64_t seed) {
     ClosureOptions options;
     options.solve.threads = 1;
     options.solve.seed = seed;
-    return find_closures(mechanism, *tracker, options);
+    return find_closures(linkage.mechanism, *tracker, options);
   };
   const std::clock_t begin = std::clock();
   std::string what;
@@ -161,9 +175,12 @@ void judge(const Request& request, std::uint64_t number, Sums& sums) {
       what = "undecided";
       ++sums.undecided;
     } else {
-      what =
-          fault_of(mechanism, result, again, request.starts, Draw(request.seed, number + 1000003));
+      const auto by_newton =
+          poses_by_newton(linkage.plain, request.starts, Draw(request.seed, number + 1000003));
+      what = fault_of(linkage.plain, result, again, by_newton);
       ++(what.empty() ? sums.right : sums.wrong);
+      if (what.empty()) sums.closures += result.closures.size();
+      if (what.empty()) sums.by_newton += by_newton.size();
     }
   } catch (const std::exception& error) {
     what = error.what();
@@ -172,21 +189,22 @@ void judge(const Request& request, std::uint64_t number, Sums& sums) {
   constexpr double kLong = 2;
   if (what.empty() && seconds < kLong) return;
   std::printf("%llu: %s (%s, %.2f s)%s\n", static_cast<unsigned long long>(number), what.c_str(),
-              message.c_str(), seconds, told(mechanism).c_str());
+              message.c_str(), seconds, told(linkage.mechanism).c_str());
   std::fflush(stdout);
 }
 
 int run(const Request& request) {
   if (request.shows) {
-    std::printf("%s", file_of(random_linkage(request.space, request.seed, request.first)).c_str());
+    std::printf("%s", file_of(drawn(request, request.first).mechanism).c_str());
     return 0;
   }
   Sums sums;
   for (std::uint64_t k = 0; k < request.count; ++k) judge(request, request.first + k, sums);
-  std::printf(
-      "%llu right, %llu undecided, %llu move, %llu wrong\n",
-      static_cast<unsigned long long>(sums.right), static_cast<unsigned long long>(sums.undecided),
-      static_cast<unsigned long long>(sums.moves), static_cast<unsigned long long>(sums.wrong));
+  const auto count = [](std::uint64_t n) { return static_cast<unsigned long long>(n); };
+  std::printf("%llu right, %llu undecided, %llu move, %llu wrong\n", count(sums.right),
+              count(sums.undecided), count(sums.moves), count(sums.wrong));
+  std::printf("of %llu closures of those that are right Newton's method found %llu\n",
+              count(sums.closures), count(sums.by_newton));
   return sums.wrong == 0 ? 0 : 1;
 }
 

@@ -35,7 +35,8 @@ bool lies_on_motion(ClosureSearch& search, const Eigen::VectorXd& q) {
 /// The first joint whose limits do not allow the pose.
 std::optional<std::size_t> beyond_limits_at(const Mechanism& mechanism, const Eigen::VectorXd& q) {
   for (std::size_t k = 0; k < mechanism.joints.size(); ++k) {
-    if (!is_within_limits(mechanism, mechanism.joints[k], q)) return k;
+    const Joint& joint = mechanism.joints[k];
+    if (joint.limits && !is_within_limits(mechanism, joint, q)) return k;
   }
   return std::nullopt;
 }

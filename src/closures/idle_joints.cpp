@@ -44,10 +44,17 @@ class Holding {
   Joints ties(std::size_t group) const;
   void hold(std::size_t joint, std::size_t group);
   void merge(const Joint& joint);
+  void merge(std::size_t from, std::size_t to);
+  bool merge_meshing();
   double drawn_angle(const Joint& joint) const;
   std::string pose_text(const Joint& joint, std::size_t other) const;
 
   std::size_t group_of(const PointOf& point) const { return group_[point.body]; }
+  /// Whether the gear and its carrier are one group.
+  bool is_inside(const Joint& gear) const {
+    return group_of(gear.at[0]) == group_of(gear.at[1]) &&
+           group_of(gear.at[0]) == group_[gear.gear.carrier];
+  }
   bool touches(const Joint& joint, std::size_t group) const {
     return group_of(joint.at[0]) == group || group_of(joint.at[1]) == group;
   }
@@ -57,9 +64,33 @@ class Holding {
 };
 
 void Holding::merge(const Joint& joint) {
-  const std::size_t from = group_of(joint.at[1]);
-  const std::size_t to = group_of(joint.at[0]);
+  merge(group_of(joint.at[1]), group_of(joint.at[0]));
+  while (merge_meshing()) {
+  }
+}
+
+void Holding::merge(std::size_t from, std::size_t to) {
   std::replace(group_.begin(), group_.end(), from, to);
+}
+
+/// A wheel on a pin of the gear's carrier whose partner cannot turn against that: it cannot either. False where there is none.
+bool Holding::merge_meshing() {
+  const auto& joints = held_.mechanism.joints;
+  for (const Joint& gear : joints) {
+    if (gear.type != JointType::gear && gear.type != JointType::belt) continue;
+    const std::size_t carrier = group_[gear.gear.carrier];
+    for (const std::size_t end : {0U, 1U}) {
+      const std::size_t wheel = group_of(gear.at[1 - end]);
+      if (group_of(gear.at[end]) != carrier || wheel == carrier) continue;
+      const bool is_pinned = std::any_of(joints.begin(), joints.end(), [&](const Joint& pin) {
+        return pin.type == JointType::revolute && touches(pin, wheel) && touches(pin, carrier);
+      });
+      if (!is_pinned) continue;
+      merge(wheel, carrier);
+      return true;
+    }
+  }
+  return false;
 }
 
 /// Joints that hold the group to others; gears tie angles, not places.
@@ -103,7 +134,7 @@ std::set<std::size_t> Holding::meshing_with(std::size_t group) const {
   for (bool has_grown = true; has_grown;) {
     const std::size_t before = all.size();
     for (const Joint& joint : held_.mechanism.joints) {
-      if (!is_transmission(joint.type)) continue;
+      if (!is_transmission(joint.type) || is_inside(joint)) continue;
       const std::size_t wheels[] = {group_of(joint.at[0]), group_of(joint.at[1])};
       if (all.count(wheels[0]) > 0 || all.count(wheels[1]) > 0) all.insert(wheels, wheels + 2);
     }
@@ -118,7 +149,7 @@ bool Holding::is_idle(std::size_t group) const {
   if (wheels.count(group_[0]) > 0 || is_driven(wheels)) return false;
   std::size_t gears = 0;
   for (const Joint& joint : held_.mechanism.joints) {
-    if (!is_transmission(joint.type)) continue;
+    if (!is_transmission(joint.type) || is_inside(joint)) continue;
     if (wheels.count(group_[joint.gear.carrier]) > 0) return false;
     gears += wheels.count(group_of(joint.at[0]));
   }

@@ -149,9 +149,18 @@ MotionResult empty_result(const MotionRun& run) {
 }
 
 void order_tracks(MotionRun& run) {
-  std::stable_sort(run.tracks.begin(), run.tracks.end(), [](const Track& a, const Track& b) {
+  std::vector<double> times;
+  for (const Track& track : run.tracks) times.push_back(track.begins());
+  std::sort(times.begin(), times.end());
+  // Of times that differ by rounding the first alone.
+  const auto is_same = [&](double a, double b) { return is_same_time(run, a, b); };
+  times.erase(std::unique(times.begin(), times.end(), is_same), times.end());
+  const auto time_of = [&](const Track& track) {
+    return *(std::upper_bound(times.begin(), times.end(), track.begins()) - 1);
+  };
+  std::stable_sort(run.tracks.begin(), run.tracks.end(), [&](const Track& a, const Track& b) {
     if (a.is_from_start != b.is_from_start) return a.is_from_start;
-    return !a.is_from_start && a.begins() < b.begins();
+    return !a.is_from_start && time_of(a) < time_of(b);
   });
 }
 

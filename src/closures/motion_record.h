@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What does the result say of the tracks? Branches with ids, events that they share, a row for every checkpoint.
 //
-// Tracks that begin at `from` keep their order and so the ids of the closures there; later ones follow by where they begin.
+// Tracks that begin at `from` keep their order and so the ids of the closures there; later ones follow by where they begin. Those
+// that begin at one event, where their times differ by rounding, stand in the order in which they were found.
 // One event stands for all branches that begin or end there; the best known time and pose of it is kept.
 // A closure without a branch, a branch without a closure, and a branch that does not lead back are failures, a sentence each.
 #pragma once

@@ -50,6 +50,10 @@ bool is_same_event(const MotionRun& run, const BranchEvent& a, const BranchEvent
   return a.kind == b.kind && is_at(run, a, b.time, b.q, b.uncertainty);
 }
 
+bool is_same_time(const MotionRun& run, double a, double b) {
+  return std::abs(a - b) <= kSameTime * duration(run);
+}
+
 bool is_event_time(const MotionRun& run, const BranchEvent& event, double time) {
   return is_near(run, event, time, event.uncertainty);
 }
@@ -68,9 +72,7 @@ bool is_instant(MotionRun& run, double time, const Closure& closure) {
   const Phi& phi = run.phi;
   // What closes by least squares alone has no curve of exact poses through it anywhere.
   if (phi.size() <= phi.dimension() || closure.is_fitted || closure.singular) return false;
-  Eigen::MatrixXd E(phi.size(), phi.dimension() + 1);
-  E << phi.jacobian(closure.q, time), phi.partial_t(closure.q, time);
-  if (numerical_rank(E) <= phi.dimension()) return false;
+  if (numerical_rank(phi.extended_jacobian(closure.q, time)) <= phi.dimension()) return false;
   run.instants.push_back({time, closure.q});
   return true;
 }

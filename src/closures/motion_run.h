@@ -34,6 +34,9 @@ struct MotionRun {
 
 bool is_same_event(const MotionRun& run, const BranchEvent& a, const BranchEvent& b);
 
+/// Whether they are one time, but for rounding.
+bool is_same_time(const MotionRun& run, double a, double b);
+
 /// Whether the event is at that time, as far as it is known.
 bool is_event_time(const MotionRun& run, const BranchEvent& event, double time);
 

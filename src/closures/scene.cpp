@@ -15,21 +15,6 @@ bool is_filled(const MotionRun& run, const Scene& a, const Scene& b) {
   return whole >= a.closures.counts.complex && whole >= b.closures.counts.complex;
 }
 
-std::optional<std::size_t> nearest_closure(const MotionRun& run, const Scene& scene,
-                                           const Eigen::VectorXd& q) {
-  const auto& closures = scene.closures.closures;
-  std::optional<std::size_t> nearest;
-  double least = kSamePose;
-  for (std::size_t j = 0; j < closures.size(); ++j) {
-    if (!is_same_pose(run.phi, q, closures[j].q)) continue;
-    const double gap = distance(run.phi, q, closures[j].q);
-    if (gap > least) continue;
-    least = gap;
-    nearest = j;
-  }
-  return nearest;
-}
-
 }  // namespace
 
 Scene solve_scene(const MotionRun& run, const Tracker& tracker, double time) {
@@ -41,6 +26,7 @@ Scene solve_scene(const MotionRun& run, const Tracker& tracker, double time) {
   Scene scene;
   scene.time = time;
   scene.closures = find_closures(run.mechanism, tracker, options, run.stop);
+  scene.poses = KnownPoses(run.phi, scene.closures.closures);
   scene.track_of.resize(scene.closures.closures.size());
   return scene;
 }
@@ -58,13 +44,13 @@ bool look_closer(const MotionRun& run, const Tracker& tracker, std::vector<Scene
   if (run.mechanism.drivers.empty() || scenes.empty()) return false;
   std::vector<Scene> all;
   for (std::size_t c = 0; c < scenes.size(); ++c) {
-    if (c > 0 && !is_filled(run, scenes[c - 1], scenes[c])) {
+    if (c > 0 && !is_filled(run, all.back(), scenes[c])) {
       const int before = static_cast<int>(c - 1) * kFiner;
       for (int k = 1; k < kFiner && !run.stop; ++k) {
         all.push_back(solve_scene(run, tracker, run.times.fine(before + k)));
       }
     }
-    all.push_back(scenes[c]);
+    all.push_back(std::move(scenes[c]));
   }
   const bool is_new = all.size() > scenes.size();
   scenes = std::move(all);
@@ -77,7 +63,7 @@ std::optional<std::pair<std::size_t, std::size_t>> match(const MotionRun& run, S
   for (std::size_t k = 0; k < run.tracks.size(); ++k) {
     const BranchSample* sample = run.tracks[k].at(scene.time);
     if (sample == nullptr) continue;
-    const auto nearest = nearest_closure(run, scene, sample->q);
+    const auto nearest = scene.poses.nearest(run.phi, scene.closures.closures, sample->q);
     if (!nearest) continue;
     auto& owner = scene.track_of[*nearest];
     if (!owner) {

@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "known_poses.h"
 #include "motion_run.h"
 
 namespace moivre {
@@ -15,6 +16,7 @@ namespace moivre {
 struct Scene {
   double time = 0;
   ClosureResult closures;
+  KnownPoses poses;                                  ///< of the closures
   std::vector<std::optional<std::size_t>> track_of;  ///< one a closure: index into the tracks
 };
 

@@ -29,12 +29,25 @@ Slice slice_of(const Formulation& formulation, const Scene& scene) {
   return {scene.time, complex_pairs(formulation, scene.closures.solutions)};
 }
 
-/// Where a track is between two samples, roughly: a closure that is nearer by far than any other is the track's.
-std::optional<std::size_t> closure_of(const MotionRun& run, const BranchSample& before,
-                                      const BranchSample& after, const Scene& scene) {
+/// Where a track is between its samples, roughly: the polynomial through them.
+Eigen::VectorXd between(const Phi& phi, const std::vector<const BranchSample*>& samples,
+                        double time) {
+  const Eigen::VectorXd& base = samples.front()->q;
+  Eigen::VectorXd there = base;
+  for (const BranchSample* sample : samples) {
+    double weight = 1;
+    for (const BranchSample* other : samples) {
+      if (other != sample) weight *= (time - other->time) / (sample->time - other->time);
+    }
+    there += weight * phi.canonical(sample->q - base);
+  }
+  return there;
+}
+
+/// The closure that is nearer by far than any other to where a track is, which is the track's.
+std::optional<std::size_t> closure_of(const MotionRun& run, const Eigen::VectorXd& there,
+                                      const Scene& scene) {
   constexpr double kByFar = 0.1;
-  const double share = (scene.time - before.time) / (after.time - before.time);
-  const Eigen::VectorXd there = before.q + share * run.phi.canonical(after.q - before.q);
   const auto& closures = scene.closures.closures;
   std::optional<std::size_t> nearest;
   double least = std::numeric_limits<double>::infinity();
@@ -54,11 +67,17 @@ std::vector<int> passing_tracks(const MotionRun& run, const Scene& scene) {
   const auto& times = run.times.all;
   const auto after = std::upper_bound(times.begin(), times.end(), scene.time);
   if (after == times.begin() || after == times.end()) return count;
+  // Two before and two behind, where there are so many.
+  const auto first = std::max(times.begin() + 2, after) - 2;
+  const auto last = std::min(times.end() - 2, after) + 2;
   for (const Track& track : run.tracks) {
-    const BranchSample* a = track.at(*(after - 1));
-    const BranchSample* b = track.at(*after);
-    if (a == nullptr || b == nullptr) continue;
-    if (const auto closure = closure_of(run, *a, *b, scene)) ++count[*closure];
+    if (track.at(*(after - 1)) == nullptr || track.at(*after) == nullptr) continue;
+    std::vector<const BranchSample*> samples;
+    for (auto time = first; time != last; ++time) {
+      if (const BranchSample* sample = track.at(*time)) samples.push_back(sample);
+    }
+    const Eigen::VectorXd there = between(run.phi, samples, scene.time);
+    if (const auto closure = closure_of(run, there, scene)) ++count[*closure];
   }
   return count;
 }

@@ -13,11 +13,14 @@ constexpr double kTighter = 0.25;
 // Of the steps on the way back: what one length jumps over another does not.
 constexpr double kOther = 0.6;
 
-const BranchSample* sample_at(const Branch& branch, double time) {
-  for (const BranchSample& sample : branch.samples) {
-    if (sample.time == time) return &sample;
-  }
-  return nullptr;
+/// Samples go one way in time.
+const BranchSample* sample_at(const Branch& branch, double time, bool is_forwards) {
+  const auto& samples = branch.samples;
+  const auto at =
+      std::partition_point(samples.begin(), samples.end(), [&](const BranchSample& sample) {
+        return is_forwards ? sample.time < time : sample.time > time;
+      });
+  return at != samples.end() && at->time == time ? &*at : nullptr;
 }
 
 /// Where a branch came to: its event, its last sample, or `anchor`.
@@ -38,27 +41,32 @@ void refuse_crossing_at(double time, Branch& branch) {
       "that Phi does not tell it from one where branches cross";
 }
 
+/// Of the larger pose.
+double size_of(const Phi& phi, const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+  return std::max(size_of(phi, a), size_of(phi, b));
+}
+
+}  // namespace
+
 bool is_length(const Phi& phi, Eigen::Index k) {
   return phi.coordinates()[static_cast<std::size_t>(k)].kind == CoordinateKind::length;
 }
 
-/// The largest length of the poses, 1 at least.
-double size_of(const Phi& phi, const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+double size_of(const Phi& phi, const Eigen::VectorXd& q) {
   double size = 1;
-  for (Eigen::Index k = 0; k < a.size(); ++k) {
-    if (is_length(phi, k)) size = std::max({size, std::abs(a[k]), std::abs(b[k])});
+  for (Eigen::Index k = 0; k < q.size(); ++k) {
+    if (is_length(phi, k)) size = std::max(size, std::abs(q[k]));
   }
   return size;
 }
-
-}  // namespace
 
 double Track::begins() const { return reached(backwards, anchor.time); }
 
 double Track::ends() const { return reached(forwards, anchor.time); }
 
 const BranchSample* Track::at(double time) const {
-  return sample_at(time < anchor.time ? backwards : forwards, time);
+  const bool is_forwards = time >= anchor.time;
+  return sample_at(is_forwards ? forwards : backwards, time, is_forwards);
 }
 
 BranchOptions TrackFollower::options_of(const Track& track) const {
@@ -107,6 +115,7 @@ void TrackFollower::run(Track& track) const {
   // At either end of the times one of the two has nothing to do but to hold the anchor.
   if (later.size() == 1) {
     track.forwards.status = BranchStatus::reached;
+    track.forwards.message = "followed to the end";
     track.forwards.samples.push_back(track.backwards.samples.front());
   }
   if (earlier.size() == 1) track.backwards.status = BranchStatus::reached;

@@ -23,7 +23,7 @@ constexpr std::size_t kMegabyte = 1'000'000;
 /// Far more than a system at the limit of a million terms takes; a device without end is not read for ever.
 constexpr std::size_t kLongestText = 256 * kMegabyte;
 /// Read at a time.
-constexpr std::size_t kPiece = 1 << 20;
+constexpr std::size_t kPiece = 1 << 16;
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 

@@ -5,34 +5,46 @@
 #include <cmath>
 
 #include "isotropic_frame.h"
+#include "moivre/mechanism/phi.h"
 #include "moivre/polynomial/value.h"
 #include "spatial_bodies.h"
 
 namespace moivre {
 Formulation formulate(const Mechanism& mechanism, double t) {
   if (is_typed(mechanism)) return isotropic_equations(mechanism, t);
-  return mechanism.space == Space::spatial ? spatial_bodies(mechanism, t)
-                                           : isotropic_bodies(mechanism, t);
+  Formulation formulation = mechanism.space == Space::spatial ? spatial_bodies(mechanism, t)
+                                                              : isotropic_bodies(mechanism, t);
+  formulation.length = Phi(mechanism).length();
+  return formulation;
 }
 
 double residual_of_root(const Formulation& formulation, const Point& root) {
-  double length = 0;
+  double length = formulation.length;
   for (std::size_t v = 0; v < root.size(); ++v) {
     if (!formulation.is_direction[v]) length = std::max(length, std::abs(root[v]));
   }
   if (length == 0) length = 1;
+  std::vector<double> sizes;
+  for (std::size_t v = 0; v < root.size(); ++v) {
+    sizes.push_back(std::max(std::abs(root[v]), formulation.is_direction[v] ? 1 : length));
+  }
   double largest = 0;
   for (const Polynomial& p : formulation.system.polynomials) {
+    Complex sum = 0;
     double size = 0;
     for (const Term& term : p.terms) {
-      double product = std::abs(to_complex(term.coefficient));
+      Complex value = to_complex(term.coefficient);
+      double product = std::abs(value);
       for (const Power& factor : term.monomial) {
-        const double least = formulation.is_direction[factor.variable] ? 1 : length;
-        product *= std::pow(std::max(std::abs(root[factor.variable]), least), factor.exponent);
+        for (std::uint32_t k = 0; k < factor.exponent; ++k) {
+          value *= root[factor.variable];
+          product *= sizes[factor.variable];
+        }
       }
+      sum += value;
       size += product;
     }
-    if (size > 0) largest = std::max(largest, std::abs(value_at(p, root)) / size);
+    if (size > 0) largest = std::max(largest, std::abs(sum) / size);
   }
   return largest;
 }

@@ -74,6 +74,7 @@ CurveScale scale_of(const Phi& phi, const VectorXd& q, const std::vector<double>
 /// are noise has no scale of its own.
 VectorXd least_residual(const Phi& phi, const VectorXd& q, double t) {
   const VectorXd clean = without_noise(phi, q);
+  if (clean == q) return q;
   return scaled_residual(phi, clean, t) < scaled_residual(phi, q, t) ? clean : q;
 }
 

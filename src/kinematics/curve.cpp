@@ -48,13 +48,12 @@ VectorXd across(const VectorXd& tangent, const VectorXd& v) {
   return rest.normalized();
 }
 
-/// Of E^T: coordinates and the time, which the drivers' rows read, by constraints.
-StaircaseOrder order_of(const Phi& phi) {
+/// Of E. The drivers' rows read the time, others where `all_read_time`.
+Pattern pattern_of(const Phi& phi, bool all_read_time) {
   Pattern rows = phi.reads();
-  for (auto row = rows.end() - phi.driver_size(); row != rows.end(); ++row) {
-    row->push_back(phi.dimension());
-  }
-  return staircase_order(transposed(rows, phi.dimension() + 1), phi.size());
+  const Index first = all_read_time ? 0 : phi.size() - phi.driver_size();
+  for (auto row = rows.begin() + first; row != rows.end(); ++row) row->push_back(phi.dimension());
+  return rows;
 }
 
 }  // namespace
@@ -64,7 +63,7 @@ class Curve::Bordered {
  public:
   Bordered(const MatrixXd& E, const StaircaseOrder* order) : E_(E) {
     if (order == nullptr) return;
-    stairs_.emplace(E.transpose(), *order);
+    stairs_.emplace(StaircaseQr::of_transposed(E, *order));
     tangent_ = stairs_->left_null_vector();
   }
 
@@ -84,8 +83,10 @@ class Curve::Bordered {
   /// The right singular vector of the smallest singular value of E across the tangent, which is the normal.
   VectorXd weakest(VectorXd v, int iterations) const {
     v = across(normal_, v);
+    if (stairs_) return weakest_by_stairs(v, iterations);
+    const auto R = dense_.matrixQR().topRows(v.size()).triangularView<Eigen::Upper>();
     for (int k = 0; k < iterations; ++k) {
-      const VectorXd next = inverse_squared(v);
+      const VectorXd next = R.solve(R.transpose().solve(v));
       if (!next.allFinite() || !(next.norm() > 0)) break;
       v = across(normal_, next.normalized());
     }
@@ -96,10 +97,12 @@ class Curve::Bordered {
   const VectorXd& tangent() const { return tangent_; }
 
  private:
-  VectorXd inverse_squared(const VectorXd& v) const {
-    if (stairs_) return stairs_->solve_transposed(stairs_->solve(v));
-    const auto R = dense_.matrixQR().topRows(v.size()).triangularView<Eigen::Upper>();
-    return R.solve(R.transpose().solve(v));
+  /// The same iterations; but for the first half and the last one, all of them on the other side of E, without reflections.
+  VectorXd weakest_by_stairs(const VectorXd& v, int iterations) const {
+    VectorXd u = stairs_->solve(v);
+    for (int k = 1; k < iterations; ++k) u = stairs_->inverse_gram(u.normalized());
+    const VectorXd next = stairs_->solve_transposed(u.normalized());
+    return next.allFinite() && next.norm() > 0 ? across(normal_, next.normalized()) : v;
   }
 
   const MatrixXd& E_;
@@ -115,9 +118,14 @@ struct Curve::Rows {
 };
 
 Curve::Curve(const Phi& phi, CurveScale scale, double slack, bool only_drivers_read_time)
-    : phi_(phi), scale_(std::move(scale)), slack_(slack) {
+    : phi_(phi),
+      scale_(std::move(scale)),
+      slack_(slack),
+      pattern_(pattern_of(phi, !only_drivers_read_time)) {
   const bool is_square = phi.size() == phi.dimension() && phi.size() > kStairsPay;
-  if (is_square && only_drivers_read_time) order_ = order_of(phi);
+  if (is_square && only_drivers_read_time) {
+    order_ = staircase_order(transposed(pattern_, phi.dimension() + 1), phi.size());
+  }
 }
 
 VectorXd Curve::point(const VectorXd& q, double t) const {
@@ -133,14 +141,17 @@ VectorXd Curve::q_of(const VectorXd& y) const {
 double Curve::t_of(const VectorXd& y) const { return scale_.t0 + scale_.T * y[y.size() - 1]; }
 
 Curve::Rows Curve::rows(const VectorXd& y) const {
-  const VectorXd q = q_of(y);
-  const double t = t_of(y);
-  MatrixXd E(phi_.size(), y.size());
-  E << phi_.jacobian(q, t) * scale_.w.asDiagonal(), phi_.partial_t(q, t) * scale_.T;
-  VectorXd length = E.rowwise().norm();
+  MatrixXd E = phi_.extended_jacobian(q_of(y), t_of(y));
+  VectorXd length(E.rows());
   for (Index i = 0; i < E.rows(); ++i) {
-    if (!(length[i] > 0)) length[i] = 1;
-    E.row(i) /= length[i];
+    const auto& columns = pattern_[static_cast<std::size_t>(i)];
+    double square = 0;
+    for (const Index k : columns) {
+      E(i, k) *= k < scale_.w.size() ? scale_.w[k] : scale_.T;
+      square += E(i, k) * E(i, k);
+    }
+    length[i] = square > 0 ? std::sqrt(square) : 1;
+    for (const Index k : columns) E(i, k) /= length[i];
   }
   return {std::move(E), std::move(length)};
 }
@@ -152,8 +163,7 @@ VectorXd Curve::bend(const VectorXd& y, const VectorXd& tangent) const {
   const double t = t_of(y);
   const VectorXd qdot = tangent.head(q.size()).cwiseProduct(scale_.w);
   const double tdot = tangent[q.size()] * scale_.T;
-  return phi_.quadratic(q, qdot, t) + tdot * phi_.mixed(q, qdot, t) +
-         tdot * tdot * phi_.partial_tt(q, t);
+  return phi_.second_derivative(q, qdot, t, tdot);
 }
 
 CurvePoint Curve::described(const VectorXd& y, const Rows& rows, Bordered& equations,

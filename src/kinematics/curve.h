@@ -69,6 +69,7 @@ class Curve {
   const Phi& phi_;
   CurveScale scale_;
   double slack_;
+  Pattern pattern_;                      ///< of E
   std::optional<StaircaseOrder> order_;  ///< of E^T
 };
 

@@ -54,7 +54,8 @@ std::vector<Index> free_coordinates(const Phi& phi, const NewtonOptions& options
 
 /// Phi_q, its columns those of the free coordinates.
 MatrixXd jacobian(const Phi& phi, const VectorXd& q, double t, const std::vector<Index>& free) {
-  return phi.jacobian(q, t)(Eigen::all, free);
+  const bool all_are_free = static_cast<Index>(free.size()) == phi.dimension();
+  return all_are_free ? phi.jacobian(q, t) : phi.jacobian(q, t)(Eigen::all, free);
 }
 
 double size_of(const VectorXd& q) { return std::max(1.0, q.lpNorm<Eigen::Infinity>()); }
@@ -141,17 +142,18 @@ void describe_end(const Phi& phi, double t, const std::vector<Index>& free,
   if (!last.q.allFinite()) return;
   const MatrixXd J = jacobian(phi, last.q, t, free);
   if (J.size() == 0 || !J.allFinite()) return;
-  const auto tall = [&](const MatrixXd& A) {
-    return J.rows() >= J.cols() ? A : MatrixXd(A.transpose());
-  };
-  const Index full_rank = std::min(J.rows(), J.cols());
-  const StaircaseOrder order = staircase_order(pattern_of(tall(J)), full_rank);
-  run.smallest_singular_value = smallest_singular_value(tall(J), order);
+  const bool is_tall = J.rows() >= J.cols();
+  const MatrixXd A = is_tall ? J : MatrixXd(J.transpose());
+  const Index full_rank = A.cols();
+  const StaircaseOrder order = staircase_order(pattern_of(A), full_rank);
+  run.smallest_singular_value = smallest_singular_value(A, order);
   run.rank = stays_regular(J, run.smallest_singular_value) ? full_rank : numerical_rank(J);
   last.rank = run.rank;
   run.is_singular = run.rank < full_rank;
   if (!options.with_condition) return;
-  const ExtremeSingularValues scaled = extreme_singular_values(tall(equilibrated(J)), order);
+  const MatrixXd scaled_J = equilibrated(J);
+  const ExtremeSingularValues scaled =
+      extreme_singular_values(is_tall ? scaled_J : MatrixXd(scaled_J.transpose()), order);
   run.condition = scaled.largest / scaled.smallest;
 }
 

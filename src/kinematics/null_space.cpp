@@ -14,6 +14,7 @@ using Eigen::MatrixXd;
 MatrixXd null_space(const MatrixXd& A) {
   if (A.rows() == 0 || A.cols() == 0) return MatrixXd::Identity(A.cols(), A.cols());
   const Eigen::Index freedoms = A.cols() - numerical_rank(A);
+  if (freedoms == 0) return MatrixXd(A.cols(), 0);
   return right_singular_vectors(A).rightCols(freedoms);
 }
 

@@ -72,10 +72,11 @@ Pattern transposed(const Pattern& pattern, Index columns) {
   return result;
 }
 
-StaircaseOrder staircase_order(const Pattern& pattern, Index columns) {
+StaircaseOrder staircase_order(Pattern pattern, Index columns) {
   StaircaseOrder order;
   order.columns = column_order(pattern, transposed(pattern, columns));
-  std::vector<Index> place(at(columns));
+  std::vector<Index>& place = order.place;
+  place.resize(at(columns));
   for (std::size_t k = 0; k < order.columns.size(); ++k) {
     place[at(order.columns[k])] = static_cast<Index>(k);
   }
@@ -101,60 +102,94 @@ StaircaseOrder staircase_order(const Pattern& pattern, Index columns) {
     order.row_end.push_back(std::max(row, k + 1));
     order.column_end.push_back(std::max(end, k + 1));
   }
+  order.pattern = std::move(pattern);
   return order;
 }
 
-StaircaseQr::StaircaseQr(const MatrixXd& A, const StaircaseOrder& order)
-    : order_(order), factors_(A.rows(), A.cols()), tau_(VectorXd::Zero(A.cols())) {
-  for (Index i = 0; i < A.rows(); ++i) {
-    for (Index k = 0; k < A.cols(); ++k) {
-      factors_(i, k) = A(order.rows[at(i)], order.columns[at(k)]);
-    }
-  }
-  for (Index k = 0; k < A.cols(); ++k) eliminate(k);
+StaircaseQr::StaircaseQr(const StaircaseOrder& order)
+    : order_(order),
+      factors_(RowMajor::Zero(static_cast<Index>(order.rows.size()),
+                              static_cast<Index>(order.columns.size()))),
+      tau_(VectorXd::Zero(factors_.cols())),
+      sum_(static_cast<std::size_t>(factors_.cols())) {}
+
+StaircaseQr::StaircaseQr(const MatrixXd& A, const StaircaseOrder& order) : StaircaseQr(order) {
+  factorize([&](Index i, Index k) { return A(i, k); });
 }
 
-/// One reflection, of the rows that have something in column k.
+StaircaseQr StaircaseQr::of_transposed(const MatrixXd& A, const StaircaseOrder& order) {
+  StaircaseQr qr(order);
+  qr.factorize([&](Index i, Index k) { return A(k, i); });
+  return qr;
+}
+
+template <class Entry>
+void StaircaseQr::factorize(const Entry& entry) {
+  for (Index i = 0; i < factors_.rows(); ++i) {
+    const Index row = order_.rows[at(i)];
+    for (const Index k : order_.pattern[at(row)]) factors_(i, order_.place[at(k)]) = entry(row, k);
+  }
+  for (Index k = 0; k < factors_.cols(); ++k) eliminate(k);
+}
+
+/// One reflection, of the rows that have something in column k. Stairs are narrow: plain loops are the fastest.
 void StaircaseQr::eliminate(Index k) {
-  const Index below = order_.row_end[at(k)] - k - 1;
-  auto column = factors_.col(k).segment(k + 1, below);
-  const double rest = column.squaredNorm();
+  const Index below = this->below(k);
+  const Index wide = width(k);
+  const Index stride = factors_.cols();
+  double* const top = &factors_(k, k);
+  double rest = 0;
+  for (Index i = 1; i <= below; ++i) rest += top[i * stride] * top[i * stride];
   if (!(rest > 0)) return;
-  const double head = factors_(k, k);
+  const double head = top[0];
   const double length = std::sqrt(head * head + rest);
   const double leading = head <= 0 ? head - length : -rest / (head + length);
   tau_[k] = 2 * leading * leading / (rest + leading * leading);
-  column /= leading;
-  factors_(k, k) = length;
-  if (width(k) == 0) return;
-  auto top = factors_.row(k).segment(k + 1, width(k));
-  auto block = factors_.block(k + 1, k + 1, below, width(k));
-  Eigen::RowVectorXd sum = top;
-  for (Index i = 0; i < below; ++i) sum += column[i] * block.row(i);
-  sum *= tau_[k];
-  top -= sum;
-  for (Index i = 0; i < below; ++i) block.row(i) -= column[i] * sum;
+  top[0] = length;
+  double* const sum = sum_.data();
+  for (Index j = 1; j <= wide; ++j) sum[j] = top[j];
+  for (Index i = 1; i <= below; ++i) {
+    const double* const row = top + i * stride;
+    const double share = top[i * stride] /= leading;
+    for (Index j = 1; j <= wide; ++j) sum[j] += share * row[j];
+  }
+  for (Index j = 1; j <= wide; ++j) {
+    sum[j] *= tau_[k];
+    top[j] -= sum[j];
+  }
+  for (Index i = 1; i <= below; ++i) {
+    double* const row = top + i * stride;
+    const double share = row[0];
+    for (Index j = 1; j <= wide; ++j) row[j] -= share * sum[j];
+  }
 }
 
 void StaircaseQr::reflect(Index k, VectorXd& b) const {
-  const Index below = order_.row_end[at(k)] - k - 1;
-  const auto column = factors_.col(k).segment(k + 1, below);
-  const double sum = tau_[k] * (b[k] + column.dot(b.segment(k + 1, below)));
-  b[k] -= sum;
-  b.segment(k + 1, below) -= sum * column;
+  const Index below = this->below(k);
+  const Index stride = factors_.cols();
+  const double* const column = &factors_(k, k);
+  double* const from = &b[k];
+  double sum = from[0];
+  for (Index i = 1; i <= below; ++i) sum += column[i * stride] * from[i];
+  sum *= tau_[k];
+  from[0] -= sum;
+  for (Index i = 1; i <= below; ++i) from[i] -= sum * column[i * stride];
 }
 
 void StaircaseQr::solve_upper(VectorXd& v) const {
   for (Index k = factors_.cols(); k-- > 0;) {
-    v[k] -= factors_.row(k).segment(k + 1, width(k)).dot(v.segment(k + 1, width(k)));
-    v[k] /= factors_(k, k);
+    const double* const row = &factors_(k, k);
+    double rest = v[k];
+    for (Index j = width(k); j > 0; --j) rest -= row[j] * v[k + j];
+    v[k] = rest / row[0];
   }
 }
 
 void StaircaseQr::solve_lower(VectorXd& v) const {
   for (Index k = 0; k < factors_.cols(); ++k) {
-    v[k] /= factors_(k, k);
-    v.segment(k + 1, width(k)) -= v[k] * factors_.row(k).segment(k + 1, width(k)).transpose();
+    const double* const row = &factors_(k, k);
+    const double value = v[k] /= row[0];
+    for (Index j = 1; j <= width(k); ++j) v[k + j] -= value * row[j];
   }
 }
 
@@ -211,6 +246,12 @@ VectorXd StaircaseQr::inverse_squared(VectorXd v) const {
   solve_lower(v);
   solve_upper(v);
   return v;
+}
+
+VectorXd StaircaseQr::inverse_gram(const VectorXd& v) const {
+  VectorXd x(v.size());
+  x(order_.columns) = inverse_squared(v(order_.columns));
+  return x;
 }
 
 }  // namespace moivre

@@ -23,19 +23,23 @@ Pattern pattern_of(const Eigen::MatrixXd& A);
 Pattern transposed(const Pattern& pattern, Eigen::Index columns);
 
 struct StaircaseOrder {
+  Pattern pattern;  ///< that it was made for
   std::vector<Eigen::Index> rows;
   std::vector<Eigen::Index> columns;
+  std::vector<Eigen::Index> place;  ///< of each column among `columns`
   std::vector<Eigen::Index>
       row_end;  ///< rows before this have something in the first k + 1 columns
   std::vector<Eigen::Index> column_end;  ///< columns before this, in the rows that column k changes
 };
 
-StaircaseOrder staircase_order(const Pattern& pattern, Eigen::Index columns);
+StaircaseOrder staircase_order(Pattern pattern, Eigen::Index columns);
 
 class StaircaseQr {
  public:
   /// Nothing of A lies outside of the pattern that `order` was made for; `order` must outlive it.
   StaircaseQr(const Eigen::MatrixXd& A, const StaircaseOrder& order);
+  /// Of A^T; `order` is for its pattern.
+  static StaircaseQr of_transposed(const Eigen::MatrixXd& A, const StaircaseOrder& order);
 
   bool is_regular() const;
   /// Of R, modulus.
@@ -47,6 +51,9 @@ class StaircaseQr {
   /// m = n + 1: the unit vector with A^T y = 0.
   Eigen::VectorXd left_null_vector() const;
 
+  /// (A^T A)^-1 v
+  Eigen::VectorXd inverse_gram(const Eigen::VectorXd& v) const;
+
   /// In the order of R: R^T R v, and the inverse of that.
   Eigen::VectorXd squared(const Eigen::VectorXd& v) const;
   Eigen::VectorXd inverse_squared(Eigen::VectorXd v) const;
@@ -54,10 +61,16 @@ class StaircaseQr {
  private:
   using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
+  explicit StaircaseQr(const StaircaseOrder& order);
+  template <class Entry>
+  void factorize(const Entry& entry);
   void eliminate(Eigen::Index k);
   void reflect(Eigen::Index k, Eigen::VectorXd& b) const;
   Eigen::Index width(Eigen::Index k) const {
     return order_.column_end[static_cast<std::size_t>(k)] - k - 1;
+  }
+  Eigen::Index below(Eigen::Index k) const {
+    return order_.row_end[static_cast<std::size_t>(k)] - k - 1;
   }
   void solve_upper(Eigen::VectorXd& v) const;
   void solve_lower(Eigen::VectorXd& v) const;
@@ -65,6 +78,7 @@ class StaircaseQr {
   const StaircaseOrder& order_;
   RowMajor factors_;  ///< R, and below it the reflections, each without its leading 1
   Eigen::VectorXd tau_;
+  std::vector<double> sum_;  ///< of rows, while one column is eliminated
 };
 
 }  // namespace moivre

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "moivre/mechanism/gradient.h"
 #include "moivre/mechanism/jet.h"
 #include "moivre/mechanism/mechanism.h"
 
@@ -33,6 +34,7 @@ class Constraint {
   virtual ~Constraint() = default;
 
   virtual void evaluate(const At<Jet>& at, Jet* rows) const = 0;
+  virtual void evaluate(const At<Gradient>& at, Gradient* rows) const = 0;
   virtual void evaluate(const At<Magnitude>& at, Magnitude* rows) const = 0;
 
   const std::vector<std::string> row_names;
@@ -46,6 +48,7 @@ class ConstraintOf final : public Constraint {
       : Constraint(std::move(names), std::move(coordinates)), rows_(std::move(rows)) {}
 
   void evaluate(const At<Jet>& at, Jet* rows) const override { rows_(at, rows); }
+  void evaluate(const At<Gradient>& at, Gradient* rows) const override { rows_(at, rows); }
   void evaluate(const At<Magnitude>& at, Magnitude* rows) const override { rows_(at, rows); }
 
  private:
@@ -61,13 +64,13 @@ std::shared_ptr<const Constraint> make_constraint(std::vector<std::string> names
                                                     std::move(rows));
 }
 
-/// A dimension in the scalar of the coordinates.
+/// A dimension beside coordinates in the scalar S: a plain number, but for a Jet, along whose line it may move.
 template <class S>
-S in_scalar(const Jet& dimension) {
+auto in_scalar(const Jet& dimension) {
   if constexpr (std::is_same_v<S, Jet>) {
     return dimension;
   } else {
-    return S(dimension.f);
+    return dimension.f;
   }
 }
 
@@ -83,6 +86,11 @@ inline Jet law_at(const Prescription& prescribed, const Jet& t) {
   Jet value = chain(t, state.value, state.velocity, state.acceleration);
   value.d += prescribed.rate;
   return value;
+}
+/// `rate` is of a dimension, and a gradient has none of these.
+inline Gradient law_at(const Prescription& prescribed, const Gradient& t) {
+  const DriverState state = driver_state(prescribed.law, t.f);
+  return chain(t, state.value, state.velocity, state.acceleration);
 }
 inline Magnitude law_at(const Prescription& prescribed, const Magnitude& t) {
   const DriverState state = driver_state(prescribed.law, t.f);

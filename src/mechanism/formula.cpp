@@ -6,6 +6,7 @@
 #include <numbers>
 #include <optional>
 
+#include "moivre/mechanism/gradient.h"
 #include "moivre/mechanism/nearest.h"
 #include "refusals.h"
 
@@ -236,6 +237,7 @@ S evaluate(const Formula& formula, std::span<const S> q, const S& t) {
 }
 
 template Jet evaluate<Jet>(const Formula&, std::span<const Jet>, const Jet&);
+template Gradient evaluate<Gradient>(const Formula&, std::span<const Gradient>, const Gradient&);
 template Magnitude evaluate<Magnitude>(const Formula&, std::span<const Magnitude>,
                                        const Magnitude&);
 

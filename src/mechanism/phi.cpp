@@ -123,6 +123,7 @@ Phi::Phi(const Mechanism& mechanism)
     row_names_.insert(row_names_.end(), constraint->row_names.begin(), constraint->row_names.end());
   }
   driver_size_ = static_cast<Index>(mechanism.drivers.size());
+  timeless_ = mechanism.equations.empty() ? mechanism.joints.size() : 0;
 }
 
 std::vector<std::vector<Index>> Phi::reads() const {
@@ -154,9 +155,10 @@ VectorXd Phi::derivative(const Line& line, int order) const {
   }
   std::vector<Jet> rows(row_names_.size());
   Jet* row = rows.data();
-  for (const auto& constraint : constraints_) {
-    constraint->evaluate(At<Jet>{q, Jet(line.t, line.tdot, 0)}, row);
-    row += constraint->row_names.size();
+  const std::size_t still = line.qdot == nullptr && order > 0 ? timeless_ : 0;
+  for (std::size_t k = 0; k < constraints_.size(); ++k) {
+    if (k >= still) constraints_[k]->evaluate(At<Jet>{q, Jet(line.t, line.tdot, 0)}, row);
+    row += constraints_[k]->row_names.size();
   }
   VectorXd result(size());
   for (Index i = 0; i < size(); ++i) {
@@ -187,33 +189,52 @@ VectorXd Phi::mixed(const VectorXd& q, const VectorXd& qdot, double t) const {
 
 VectorXd Phi::velocity_rhs(const VectorXd& q, double t) const { return -partial_t(q, t); }
 
-VectorXd Phi::acceleration_rhs(const VectorXd& q, const VectorXd& qdot, double t) const {
-  return -derivative({q, &qdot, t, 1}, 2);
+VectorXd Phi::second_derivative(const VectorXd& q, const VectorXd& qdot, double t,
+                                double tdot) const {
+  return derivative({q, &qdot, t, tdot}, 2);
 }
 
-// Column by column, and only the coordinates that a constraint reads.
-MatrixXd Phi::jacobian(const VectorXd& q, double t) const {
-  MatrixXd result = MatrixXd::Zero(size(), dimension());
-  std::vector<Jet> point(coordinates_.size());
-  for (std::size_t k = 0; k < point.size(); ++k) point[k] = Jet(q[static_cast<Index>(k)]);
-  std::vector<Jet> rows;
+VectorXd Phi::acceleration_rhs(const VectorXd& q, const VectorXd& qdot, double t) const {
+  return -second_derivative(q, qdot, t, 1);
+}
+
+/// A few columns at a time, and only the coordinates that a constraint reads.
+void Phi::add_jacobian(const VectorXd& q, double t, MatrixXd& to) const {
+  std::vector<Gradient> point(q.begin(), q.end());
+  std::vector<Gradient> rows;
   Index first = 0;
   for (const auto& constraint : constraints_) {
     rows.resize(constraint->row_names.size());
-    for (const std::size_t k : constraint->depends_on) {
-      point[k].d = 1;
-      constraint->evaluate(At<Jet>{point, Jet(t)}, rows.data());
-      point[k].d = 0;
-      for (std::size_t i = 0; i < rows.size(); ++i) {
-        result(first + static_cast<Index>(i), static_cast<Index>(k)) = rows[i].d;
+    const auto& on = constraint->depends_on;
+    for (std::size_t begin = 0; begin < on.size(); begin += Gradient::kDirections) {
+      const std::size_t count = std::min(Gradient::kDirections, on.size() - begin);
+      for (std::size_t k = 0; k < count; ++k) point[on[begin + k]].d[k] = 1;
+      constraint->evaluate(At<Gradient>{point, Gradient(t)}, rows.data());
+      for (std::size_t k = 0; k < count; ++k) {
+        point[on[begin + k]].d[k] = 0;
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+          to(first + static_cast<Index>(i), static_cast<Index>(on[begin + k])) += rows[i].d[k];
+        }
       }
     }
     first += static_cast<Index>(rows.size());
   }
+}
+
+MatrixXd Phi::jacobian(const VectorXd& q, double t) const {
+  MatrixXd result = MatrixXd::Zero(size(), dimension());
+  add_jacobian(q, t, result);
   return result;
 }
 
-VectorXd Phi::term_magnitudes(const VectorXd& q, double t) const {
+MatrixXd Phi::extended_jacobian(const VectorXd& q, double t) const {
+  MatrixXd result = MatrixXd::Zero(size(), dimension() + 1);
+  add_jacobian(q, t, result);
+  result.col(dimension()) = partial_t(q, t);
+  return result;
+}
+
+std::vector<Magnitude> Phi::magnitudes(const VectorXd& q, double t) const {
   const std::vector<Magnitude> point(q.begin(), q.end());
   std::vector<Magnitude> rows(row_names_.size());
   Magnitude* row = rows.data();
@@ -221,6 +242,11 @@ VectorXd Phi::term_magnitudes(const VectorXd& q, double t) const {
     constraint->evaluate(At<Magnitude>{point, Magnitude(t)}, row);
     row += constraint->row_names.size();
   }
+  return rows;
+}
+
+VectorXd Phi::term_magnitudes(const VectorXd& q, double t) const {
+  const std::vector<Magnitude> rows = magnitudes(q, t);
   VectorXd result(size());
   for (Index i = 0; i < size(); ++i) result[i] = rows[static_cast<std::size_t>(i)].sum;
   return result;
@@ -255,12 +281,10 @@ bool Phi::has_long_rotation(const VectorXd& q) const {
 }
 
 double scaled_residual(const Phi& phi, const VectorXd& q, double t) {
-  const VectorXd value = phi.value(q, t);
-  const VectorXd scale = phi.term_magnitudes(q, t);
   double worst = 0;
-  for (Index i = 0; i < phi.size(); ++i) {
-    if (std::isnan(value[i])) return value[i];
-    if (value[i] != 0) worst = std::max(worst, std::abs(value[i]) / scale[i]);
+  for (const Magnitude& row : phi.magnitudes(q, t)) {
+    if (std::isnan(row.f)) return row.f;
+    if (row.f != 0) worst = std::max(worst, std::abs(row.f) / row.sum);
   }
   return worst;
 }

@@ -30,11 +30,10 @@ S angle(const At<S>& at, std::size_t body) {
 /// A(phi) s: a direction fixed in the body, seen from the ground.
 template <class S>
 Vector<S> direction(const At<S>& at, std::size_t body, const Vector<Jet>& s) {
-  const S x = in_scalar<S>(s.x);
-  const S y = in_scalar<S>(s.y);
-  if (body == 0) return {x, y};
-  const S c = cos(angle(at, body));
-  const S k = sin(angle(at, body));
+  const auto x = in_scalar<S>(s.x);
+  const auto y = in_scalar<S>(s.y);
+  if (body == 0) return {S(x), S(y)};
+  const auto [c, k] = cosine_and_sine(angle(at, body));
   return {x * c - y * k, x * k + y * c};
 }
 template <class S>

@@ -174,6 +174,46 @@ TEST(Closures, TheDriversTimeMovesTheCrank) {
   expect_assembled(later, mechanism);
 }
 
+// All positions are 0 there but for rounding: an equation between two of them has no scale but the mechanism's.
+TEST(Closures, ABodyWeldedToTheOriginOfOneThatStandsWhereItWasDrawnLosesNoClosure) {
+  const std::string platform = R"toml(
+[ground.points]
+A = [1.1, 1.3]
+B = [-1.9, 0.1]
+C = [-0.9, 1.7]
+[body.plate.points]
+A = [1.1, -1.0]
+B = [-0.9, -1.4]
+C = [2.0, -0.8]
+O = [0, 0]
+[[joint]]
+type = "rod"
+at = ["ground.A", "plate.A"]
+length = 2.3
+[[joint]]
+type = "rod"
+at = ["ground.B", "plate.B"]
+length = 1.8027756377319946
+[[joint]]
+type = "rod"
+at = ["ground.C", "plate.C"]
+length = 3.8288379438153295
+)toml";
+  const std::string tag = R"toml(
+[body.tag.points]
+O = [0, 0]
+[[joint]]
+type = "weld"
+at = ["plate.O", "tag.O"]
+)toml";
+  const ClosureResult alone = closures_of(mechanism_text(platform));
+  const ClosureResult tagged = closures_of(mechanism_text(platform + tag));
+  EXPECT_TRUE(tagged.complete) << tagged.message;
+  EXPECT_EQ(tagged.counts.rejected, 0U);
+  EXPECT_EQ(tagged.counts.complex, alone.counts.complex);
+  EXPECT_EQ(tagged.counts.real, alone.counts.real);
+}
+
 TEST(Closures, IdsAreLettersInOrder) {
   const ClosureResult result = closures_of(mechanism_file("jansen-leg"));
   ASSERT_EQ(result.closures.size(), 8u);

@@ -276,6 +276,44 @@ TEST(Motion, ExchangeThatCannotBeRepairedIsSaid) {
   EXPECT_FALSE(result.failures.empty());
 }
 
+/// Follows branches as always, and moves their events in time by less than these are known to, in turns by `shift` and not at all.
+struct RoundedOtherwise {
+  double shift;
+  int calls = 0;
+
+  Branch operator()(const Mechanism& mechanism, const VectorXd& q0,
+                    const std::vector<double>& times, const BranchOptions& options,
+                    const std::atomic<bool>& stop) {
+    Branch branch = follow_branch(mechanism, q0, times, options, stop);
+    if (branch.event && ++calls % 2 == 0) branch.event->time += shift;
+    return branch;
+  }
+};
+
+TEST(Motion, RoundingDoesNotChangeTheNamesOfBranchesThatBeginTogether) {
+  const Mechanism m = mechanism_file("jansen-leg");
+  const MotionResult expected = motion_of(m, options_for(m));
+  for (const double shift : {1e-12, -1e-12}) {
+    MotionOptions options = options_for(m);
+    options.follow = RoundedOtherwise{shift};
+    const MotionResult result = motion_of(m, options);
+    ASSERT_EQ(result.branches.size(), expected.branches.size());
+    for (std::size_t k = 0; k < result.branches.size(); ++k) {
+      EXPECT_LE(gap(m, result.branches[k].end_pose, expected.branches[k].end_pose), 1e-4)
+          << "branch " << result.branches[k].id << ", shifted by " << shift;
+    }
+  }
+}
+
+TEST(Motion, BranchThatIsFoundAtTheLastCheckpointSaysHowItEnded) {
+  const Mechanism m = mechanism_file("jansen-leg");
+  MotionOptions options = options_for(m);
+  options.checkpoints = 1;
+  for (const MotionBranch& branch : motion_of(m, options).branches) {
+    EXPECT_EQ(branch.message, branch.end_event ? "dead point" : "followed to the end") << branch.id;
+  }
+}
+
 TEST(Motion, LongStepsDoNotChangeTheBranches) {
   // Steps that may turn by anything and miss by anything: the samples and the checkpoints hold them.
   const Mechanism m = mechanism_file("jansen-leg");

@@ -108,6 +108,29 @@ TEST(Moves, NotALinkThatDanglesFromAnAssembledTriangleSinceItIsHeld) {
   EXPECT_EQ(result.idle[0].body, "tail");
 }
 
+// The outer pair turns on a wheel of the inner one: held to that, it is one with it.
+TEST(Moves, NotAPairOfWheelsOnAWheelOfAPairSinceAllAreHeld) {
+  std::string text = test::triangle_text("2.5");
+  const auto wheel = [&](const std::string& name, const std::string& on) {
+    text += "[body." + name + ".points]\nA = [0, 0]\n[[joint]]\ntype = \"revolute\"\nat = [\"" +
+            on + ".A\", \"" + name + ".A\"]\n";
+  };
+  const auto mesh = [&](const std::string& a, const std::string& b, const std::string& carrier) {
+    text += "[[joint]]\ntype = \"gear\"\nbodies = [\"" + a + "\", \"" + b +
+            "\"]\nratio = [1, -2]\ncarrier = \"" + carrier + "\"\n";
+  };
+  wheel("inner1", "left");
+  wheel("inner2", "left");
+  mesh("inner1", "inner2", "left");
+  wheel("outer1", "inner1");
+  wheel("outer2", "inner1");
+  mesh("outer1", "outer2", "inner1");
+  const ClosureResult result = closures_of(mechanism_text(text));
+  EXPECT_FALSE(result.moves) << result.message;
+  EXPECT_EQ(result.counts.real, 2U);
+  EXPECT_EQ(result.idle.size(), 2U);
+}
+
 TEST(Moves, WhatDanglesAllOverIsNotHeld) {
   Mechanism mechanism = triangle_with_a_tail("2.5");
   mechanism.joints.erase(mechanism.joints.begin() + 2);  // the tip: two links that hang from pivots

@@ -35,12 +35,34 @@ TEST_P(RandomLinkages, HaveTheirOwnPoseAndNoneThatNewtonsMethodAloneFinds) {
     const ClosureResult result = by_lanes(linkage, k + 1);
     if (!result.complete || result.moves) continue;
     ++decided;
-    EXPECT_EQ(test::fault_of(linkage, result, by_lanes(linkage, k + 1001), kStarts,
-                             test::Draw(drawn.seed, k + 1000003)),
-              "")
+    const auto by_newton =
+        test::poses_by_newton(linkage, kStarts, test::Draw(drawn.seed, k + 1000003));
+    EXPECT_EQ(test::fault_of(linkage, result, by_lanes(linkage, k + 1001), by_newton), "")
         << "linkage " << k;
   }
   EXPECT_GE(10 * decided, 9 * drawn.count);
+}
+
+TEST(RandomAssemblies, HaveTheClosuresOfTheSameWithoutIdleWheelsAndWithDriversForGears) {
+  constexpr std::uint64_t kSeed = 11;
+  constexpr std::uint64_t kCount = 40;
+  constexpr std::uint64_t kStarts = 20;
+  std::uint64_t decided = 0;
+  std::uint64_t idle = 0;
+  for (std::uint64_t k = 0; k < kCount; ++k) {
+    const test::Assembly drawn = test::random_assembly(kSeed, k);
+    const ClosureResult result = by_lanes(drawn.mechanism, k + 1);
+    if (!result.complete || result.moves) continue;
+    ++decided;
+    idle += result.idle.size();
+    const auto by_newton =
+        test::poses_by_newton(drawn.plain, kStarts, test::Draw(kSeed, k + 1000003));
+    EXPECT_EQ(test::fault_of(drawn.plain, result, by_lanes(drawn.mechanism, k + 1001), by_newton),
+              "")
+        << "assembly " << k;
+  }
+  EXPECT_GE(10 * decided, 9 * kCount);
+  EXPECT_GT(idle, 5U);
 }
 
 INSTANTIATE_TEST_SUITE_P(Spaces, RandomLinkages,
@@ -52,7 +74,7 @@ TEST(TheJudgeOfLinkages, SeesALostAClonedAndAMiscountedClosure) {
   const Mechanism linkage = test::random_linkage(Space::planar, 3, 0);
   const ClosureResult right = by_lanes(linkage, 1);
   const auto told = [&](const ClosureResult& result, const ClosureResult& again) {
-    return test::fault_of(linkage, result, again, 0, test::Draw(1, 1));
+    return test::fault_of(linkage, result, again, {});
   };
   EXPECT_EQ(told(right, right), "");
   ClosureResult lost = right;
@@ -61,6 +83,13 @@ TEST(TheJudgeOfLinkages, SeesALostAClonedAndAMiscountedClosure) {
   ClosureResult cloned = right;
   cloned.closures.push_back(cloned.closures.front());
   EXPECT_NE(told(cloned, right).find("told twice"), std::string::npos);
+  ClosureResult bent = right;
+  bent.closures.push_back(right.closures.front());
+  bent.closures.back().q[0] += 1e-3;
+  EXPECT_NE(told(bent, right).find("leaves"), std::string::npos);
+  std::vector<Eigen::VectorXd> unknown{right.closures.front().q};
+  unknown.front()[0] += 1e-3;
+  EXPECT_NE(test::fault_of(linkage, right, right, unknown).find("one more"), std::string::npos);
   ClosureResult more = right;
   ++more.counts.complex;
   EXPECT_NE(told(right, more).find("by another seed"), std::string::npos);

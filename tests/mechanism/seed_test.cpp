@@ -239,6 +239,12 @@ circle = "x^2 + y^2 - 9"
   EXPECT_LT((phi.quadratic(q, qdot, kTime) - quadratic).norm(), kAgreement);
   EXPECT_LT((phi.acceleration_rhs(q, qdot, kTime) + quadratic + mixed + Phi_tt).norm(),
             2 * kAgreement);
+  constexpr double kRate = 1.3;
+  const VectorXd along = quadratic + kRate * mixed + kRate * kRate * Phi_tt;
+  EXPECT_LT((phi.second_derivative(q, qdot, kTime, kRate) - along).norm(), 4 * kAgreement);
+  MatrixXd extended(2, 3);
+  extended << phi.jacobian(q, kTime), Phi_t;
+  EXPECT_LT((phi.extended_jacobian(q, kTime) - extended).norm(), kAgreement);
 }
 
 TEST(SeedP32, RightHandSidesAreMinusPhiTAndGamma) {

@@ -40,7 +40,8 @@ struct Formulation {
   std::vector<std::string> equation_names;
   std::vector<std::size_t> mirror;  ///< of each variable
   std::vector<bool>
-      is_direction;  ///< of each variable: t or u, of size 1 where real; else a length
+      is_direction;   ///< of each variable: t or u, of size 1 where real; else a length
+  double length = 0;  ///< the mechanism's largest; 0 of typed equations, which have none
   std::vector<std::vector<std::string>> owners;  ///< bodies (or unknowns) that a variable places
   std::vector<std::string> contradictions;       ///< angles held at two values at once: no closure
   std::vector<std::string> repetitions;          ///< angles held twice at one value
@@ -93,8 +94,8 @@ Formulation formulate(const Mechanism& mechanism, double t);
 /// q of a root; meaningful where the root is real.
 Eigen::VectorXd coordinates_of_root(const Formulation& formulation, const Point& root);
 
-/// max_i |F_i| / sum |terms of F_i|, where a direction counts as at least 1 and a length as at least the largest one. Without
-/// this an equation like p = 0 would have rounding errors as its only scale.
+/// max_i |F_i| / sum |terms of F_i|, where a direction counts as at least 1 and a length as at least the largest one, of the root and
+/// of the mechanism. Without this an equation like p = 0 would have rounding errors as its only scale.
 double residual_of_root(const Formulation& formulation, const Point& root);
 
 /// max_v |x_v - conj(x_mirror(v))| / max(1, |x|_inf): 0 for a real pose.

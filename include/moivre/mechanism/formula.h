@@ -59,7 +59,7 @@ bool depends_on_time(const Formula& formula);
 /// Whether 2 pi more in the unknown change nothing: it stands in sin, cos and tan only, with whole factors.
 bool repeats_by_turns(const Formula& formula, std::size_t unknown);
 
-/// The formula at q and t in the scalar S (Jet or Magnitude).
+/// The formula at q and t in the scalar S (Jet, Gradient or Magnitude).
 template <class S>
 S evaluate(const Formula& formula, std::span<const S> q, const S& t);
 

@@ -2,13 +2,14 @@
 // How does a formula change along a line? Second-order Taylor arithmetic, and its twin that sums magnitudes of terms.
 //
 // A Jet is (f, f', f'') of a function of one parameter s. A formula written once for a scalar type S gives
-//   S = Jet along e_k        -> one column of the Jacobian (f')
+//   S = Jet along e_k        -> one column of the Jacobian (f'); S = Gradient (gradient.h) has several at once
 //   S = Jet along (q', 1)    -> (Phi_q q')_q q' + 2 Phi_qt q' + Phi_tt (f''), the acceleration terms at once
 //   S = Magnitude            -> the sum of |terms|, the scale against which |Phi_i| is small or not.
 // Both take plain doubles as constants. Where a function is not defined (sqrt(-1)) the result is NaN.
 #pragma once
 
 #include <cmath>
+#include <utility>
 
 namespace moivre {
 
@@ -73,6 +74,14 @@ template <class S>
 S cos(const S& a) {
   const double c = std::cos(a.f);
   return chain(a, c, -std::sin(a.f), -c);
+}
+
+/// cos(a) and sin(a).
+template <class S>
+std::pair<S, S> cosine_and_sine(const S& a) {
+  const double c = std::cos(a.f);
+  const double s = std::sin(a.f);
+  return {chain(a, c, -s, -c), chain(a, s, c, -s)};
 }
 
 template <class S>

@@ -6,7 +6,7 @@
 //   acceleration  Phi_q q'' = gamma = -((Phi_q q')_q q' + 2 Phi_qt q' + Phi_tt)
 // Symbols: q (n coordinates), t seconds, Phi_q (m x n, row i = constraint i), qdot = q'.
 // Rows that compare angles (turns, gears, angle drivers) are taken to the nearest whole turn: an angle and the same
-// angle plus 2 pi are the same pose. Jacobians come from Taylor arithmetic along each coordinate, exact to rounding.
+// angle plus 2 pi are the same pose. Derivatives come from Taylor arithmetic, exact to rounding.
 // Not defined: derivatives where a rod's ends meet are zero rows (the rank shows it); where sqrt or log leave their
 // domain the row is NaN.
 #pragma once
@@ -21,6 +21,7 @@
 namespace moivre {
 
 class Constraint;
+struct Magnitude;
 
 class Phi {
  public:
@@ -44,12 +45,18 @@ class Phi {
   /// Sum of the magnitudes of the terms of each row: |Phi_i| is small when it is small beside this.
   Eigen::VectorXd term_magnitudes(const Eigen::VectorXd& q, double t) const;
   Eigen::MatrixXd jacobian(const Eigen::VectorXd& q, double t) const;
+  /// [Phi_q Phi_t], m x (n + 1)
+  Eigen::MatrixXd extended_jacobian(const Eigen::VectorXd& q, double t) const;
   Eigen::VectorXd partial_t(const Eigen::VectorXd& q, double t) const;
   Eigen::VectorXd partial_tt(const Eigen::VectorXd& q, double t) const;
   /// (Phi_q q')_q q'
   Eigen::VectorXd quadratic(const Eigen::VectorXd& q, const Eigen::VectorXd& qdot, double t) const;
   /// 2 Phi_qt q'
   Eigen::VectorXd mixed(const Eigen::VectorXd& q, const Eigen::VectorXd& qdot, double t) const;
+
+  /// The second derivative along the line (q + s qdot, t + s tdot): (Phi_q q')_q q' + 2 t' Phi_qt q' + t'^2 Phi_tt.
+  Eigen::VectorXd second_derivative(const Eigen::VectorXd& q, const Eigen::VectorXd& qdot, double t,
+                                    double tdot) const;
 
   /// -Phi_t
   Eigen::VectorXd velocity_rhs(const Eigen::VectorXd& q, double t) const;
@@ -70,12 +77,17 @@ class Phi {
   Phi() = default;
   struct Line;
   Eigen::VectorXd derivative(const Line& line, int order) const;
+  void add_jacobian(const Eigen::VectorXd& q, double t, Eigen::MatrixXd& to) const;
+  std::vector<Magnitude> magnitudes(const Eigen::VectorXd& q, double t) const;
+  friend double scaled_residual(const Phi& phi, const Eigen::VectorXd& q, double t);
 
   std::vector<Coordinate> coordinates_;
   std::vector<std::string> group_names_;
   std::vector<std::string> row_names_;
   std::vector<std::shared_ptr<const Constraint>> constraints_;
   Eigen::Index driver_size_ = 0;
+  std::size_t timeless_ =
+      0;  ///< so many constraints, the first ones, do not read t: those of joints
   double length_ = 1;
 };
 
