@@ -98,8 +98,9 @@ Joints Holding::ties(std::size_t group) const {
   Joints found;
   const auto& joints = held_.mechanism.joints;
   for (std::size_t k = 0; k < joints.size(); ++k) {
+    const bool is_within = group_of(joints[k].at[0]) == group_of(joints[k].at[1]);
     const bool holds = row_count(traits(joints[k].type).place, Space::planar) > 0;
-    if (holds && !is_inside(joints[k]) && touches(joints[k], group)) {
+    if (holds && !is_within && touches(joints[k], group)) {
       found.push_back(k);
     }
   }

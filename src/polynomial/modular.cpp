@@ -15,16 +15,6 @@ constexpr std::uint64_t kRootOfMinusOne = 583529827753931384;
 __extension__ using Wide = unsigned __int128;
 static_assert(Wide{kRootOfMinusOne} * kRootOfMinusOne % kPrime == kPrime - 1, "not a root of -1");
 
-/// Fermat: a^(p-2) a = 1.
-Residue inverse(Residue a) {
-  Residue result = 1;
-  for (std::uint64_t e = kPrime - 2; e != 0; e >>= 1) {
-    if (e & 1) result = times(result, a);
-    a = times(a, a);
-  }
-  return result;
-}
-
 Residue residue(const Integer& a) {
   const auto size = static_cast<Residue>(Integer(abs(a) % kPrime));
   return a < 0 && size != 0 ? kPrime - size : size;
@@ -60,6 +50,18 @@ ModularRow reduced(const ModularRow& row, const ModularRow& pivot, Residue multi
 }
 
 }  // namespace
+
+Residue minus(Residue a) { return a == 0 ? 0 : kPrime - a; }
+
+// Fermat: a^(p-2) a = 1.
+Residue inverse(Residue a) {
+  Residue result = 1;
+  for (std::uint64_t e = kPrime - 2; e != 0; e >>= 1) {
+    if (e & 1) result = times(result, a);
+    a = times(a, a);
+  }
+  return result;
+}
 
 Residue times(Residue a, Residue b) { return static_cast<Residue>(Wide{a} * b % kPrime); }
 

@@ -21,6 +21,9 @@ using Residue = std::uint64_t;
 
 Residue times(Residue a, Residue b);
 Residue plus(Residue a, Residue b);
+Residue minus(Residue a);
+/// Of a nonzero residue.
+Residue inverse(Residue a);
 Residue residue(const GaussianInteger& a);
 /// Throws std::invalid_argument where the prime divides a denominator.
 Residue residue(const Coefficient& a);

@@ -2,14 +2,22 @@
 // Bases of powers, term by term from the highest one down.
 #include "moivre/polynomial/powers.h"
 
+#include <algorithm>
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 #include "integer_polynomial.h"
+#include "modular.h"
 
 namespace moivre {
 namespace {
+
+// Products of terms while the base of one equation is looked for; a few seconds.
+constexpr std::size_t kMostWork = 4'000'000;
+// Equations of a higher degree are looked at no further.
+constexpr std::uint64_t kHighestDegree = 4096;
 
 Monomial root_of(Monomial m, std::uint32_t exponent) {
   for (Power& power : m) power.exponent /= exponent;
@@ -39,19 +47,106 @@ Polynomial power(const Polynomial& base, std::uint32_t exponent) {
   return result;
 }
 
+/// A polynomial in one unknown modulo the prime, from the constant on; the last coefficient is not 0.
+using Line = std::vector<Residue>;
+
+void trim(Line& p) {
+  while (!p.empty() && p.back() == 0) p.pop_back();
+}
+
+Line derivative(const Line& p) {
+  Line result;
+  for (std::size_t k = 1; k < p.size(); ++k) result.push_back(times(k, p[k]));
+  trim(result);
+  return result;
+}
+
+Line remainder(Line a, const Line& b) {
+  const Residue scale = inverse(b.back());
+  while (a.size() >= b.size()) {
+    const Residue factor = minus(times(a.back(), scale));
+    const std::size_t shift = a.size() - b.size();
+    for (std::size_t k = 0; k < b.size(); ++k) {
+      a[shift + k] = plus(a[shift + k], times(factor, b[k]));
+    }
+    trim(a);
+  }
+  return a;
+}
+
+std::size_t degree_of_gcd(Line a, Line b) {
+  while (!b.empty()) a = std::exchange(b, remainder(std::move(a), b));
+  return a.size() - 1;
+}
+
+/// p(s) from its values at s = 0, 1, ..., by divided differences.
+Line interpolated(std::vector<Residue> values) {
+  const std::size_t n = values.size();
+  for (std::size_t level = 1; level < n; ++level) {
+    const Residue over = inverse(level);
+    for (std::size_t k = n; k-- > level;) {
+      values[k] = times(plus(values[k], minus(values[k - 1])), over);
+    }
+  }
+  Line p{values[n - 1]};
+  for (std::size_t k = n - 1; k-- > 0;) {
+    p.push_back(0);
+    for (std::size_t j = p.size(); j-- > 1;) p[j] = plus(p[j - 1], times(minus(k), p[j]));
+    p[0] = plus(times(minus(k), p[0]), values[k]);
+  }
+  trim(p);
+  return p;
+}
+
+Residue to_the(Residue x, std::uint32_t exponent) {
+  Residue result = 1;
+  for (; exponent > 0; exponent >>= 1) {
+    if (exponent & 1) result = times(result, x);
+    x = times(x, x);
+  }
+  return result;
+}
+
+/// f on the line of points (a_v + b_v s).
+Line on_a_line(const Polynomial& f) {
+  constexpr Residue kOffset = 1'000'003;
+  constexpr Residue kSlope = 777'767'777;
+  const IntegerPolynomial whole = to_integer(f);
+  std::vector<Residue> values;
+  for (Residue s = 0; s <= degree(f); ++s) {
+    Residue value = 0;
+    for (const auto& [monomial, coefficient] : whole.terms) {
+      Residue product = residue(coefficient);
+      for (const Power& factor : monomial) {
+        const Residue v = factor.variable + 1;
+        const Residue x = plus(times(kOffset, times(v, v)), times(plus(kSlope, v), s));
+        product = times(product, to_the(x, factor.exponent));
+      }
+      value = plus(value, product);
+    }
+    values.push_back(value);
+  }
+  return interpolated(std::move(values));
+}
+
+/// f is no higher power than this: a power of e has deg f / e different points on a line at most. Nearly always 1 if f is none.
+std::uint64_t most_exponent(const Polynomial& f) {
+  const Line p = on_a_line(f);
+  if (p.size() < 2) return 1;
+  const std::size_t d = p.size() - 1;
+  return d / (d - degree_of_gcd(p, derivative(p)));
+}
+
 /// g with f = g^exponent, for f and g of leading coefficient 1.
 ///
 /// Terms of g are found from the highest down: f - (g so far)^exponent begins with exponent * lt(g)^(exponent - 1) times the next one.
 std::optional<Polynomial> base_of(const Polynomial& f, std::uint32_t exponent) {
   const Monomial& leading = f.terms.front().monomial;
-  for (const Power& of_leading : leading) {
-    if (of_leading.exponent % exponent != 0) return std::nullopt;
-  }
   Polynomial g{{{{Rational(1), Rational(0)}, root_of(leading, exponent)}}};
   const Monomial divisor = power(g, exponent - 1).terms.front().monomial;
   const Coefficient share{Rational(1) / Rational(exponent), Rational(0)};
   const Coefficient minus_one{Rational(-1), Rational(0)};
-  while (g.terms.size() <= f.terms.size()) {
+  for (std::size_t work = 0; work <= kMostWork; work += f.terms.size() * g.terms.size()) {
     const Polynomial rest = f + minus_one * power(g, exponent);
     if (rest.terms.empty()) return g;
     const auto next = quotient(rest.terms.front().monomial, divisor);
@@ -75,21 +170,18 @@ struct PowerOf {
   std::uint64_t exponent = 1;
 };
 
-/// f, not constant, as a power of a polynomial that is none.
+/// f, not constant, as the highest power.
 PowerOf as_power(const Polynomial& f) {
-  PowerOf result{f, 1};
-  std::uint32_t left = common_exponent(f);
-  if (left == 1) return result;
+  const std::uint32_t common = common_exponent(f);
+  if (common == 1 || degree(f) > kHighestDegree) return {f, 1};
   const Coefficient one{Rational(1), Rational(0)};
-  result.base = (one / f.terms.front().coefficient) * f;
-  for (std::uint32_t prime = 2; prime <= left; ++prime) {
-    for (; left % prime == 0; left /= prime) {
-      auto base = base_of(result.base, prime);
-      if (!base) continue;
-      result = {std::move(*base), result.exponent * prime};
-    }
+  const Polynomial monic = (one / f.terms.front().coefficient) * f;
+  const std::uint64_t most = most_exponent(monic);
+  for (auto e = static_cast<std::uint32_t>(std::min<std::uint64_t>(most, common)); e > 1; --e) {
+    if (common % e != 0) continue;
+    if (auto base = base_of(monic, e)) return {std::move(*base), e};
   }
-  return result;
+  return {f, 1};
 }
 
 }  // namespace

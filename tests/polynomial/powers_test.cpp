@@ -68,6 +68,17 @@ TEST(PowerFree, MultipliesTheExponentsOfASystem) {
   EXPECT_EQ(result.system.variables, f.variables);
 }
 
+TEST(PowerFree, IsQuickWherePowersAreLargeOrThereAreNone) {
+  std::string random = "x^500";
+  for (int k = 0; k < 500; ++k) {
+    random += " + " + std::to_string((k * 7919) % 1009 + 1) + "." + std::to_string(k % 97) + "*x^" +
+              std::to_string(k);
+  }
+  EXPECT_EQ(of(random).sheets, 1U);
+  EXPECT_EQ(of("(x^2 + 3*x*y - 5*y^2 + 7*z^2 - x + 2*y - 11*z + 13)^4").sheets, 4U);
+  EXPECT_EQ(of("(x^2 + 3*x*y - 5*y^2 + 7*z^2 - x + 2*y - 11*z + 13)^4 + 1").sheets, 1U);
+}
+
 TEST(PowerFree, LeavesZeroPolynomials) {
   const PowerFree result = power_free({{"x"}, {Polynomial{}}});
   EXPECT_EQ(result.sheets, 1U);
