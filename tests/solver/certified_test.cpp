@@ -85,7 +85,7 @@ TEST(Certified, ASimpleRootBesideASetIsNotTakenForAPartOfIt) {
       " 3*x^2*z + x*y*w + 3*y^2*w - 4300*y*z*w + x^2 + 89*x*y + y*z;\n"
       " 9082*x*y*w + z*w^2 - 5764*x^2 + 8034*x*y - 1558*x*w + 5029*z*w;\n");
   const auto lanes = make_lane_tracker();
-  for (const std::uint64_t seed : {1, 2, 3}) {
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
     const SolveResult result = solve(f, *lanes, with_seed(seed));
     expect_conservation(result);
     EXPECT_TRUE(!result.complete || result.solutions.size() == 43U) << seed;
