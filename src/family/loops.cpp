@@ -91,7 +91,6 @@ std::vector<std::optional<Point>> follow_roots(const System& system, const Point
   // Between generic members all paths are regular. A path that double loses needs more digits.
   std::erase_if(batch.wanted, [&](std::size_t k) { return ends[k].has_value(); });
   const auto fine = follower.tracker.in_double_double();
-
   if (fine) follow(batch, *fine, follower);
   return ends;
 }

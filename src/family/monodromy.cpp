@@ -22,7 +22,7 @@ constexpr std::uint64_t kPairNumber = 1'000'000'000;
 struct Search {
   RootSet roots;
   LoopCount count;
-  int components = 1;
+  int components = 1;  ///< at most: a root that loops have lost counts as one
 };
 
 /// F and its Jacobian in all its variables.
@@ -100,8 +100,9 @@ std::string standing_of(const Learning& learning, const TraceTest& test, const S
     return "proved: as many certified roots as the " + learning.bound->kind + " allows";
   }
   if (search.components > 1) {
-    return "the family is reducible: " + std::to_string(search.components) +
-           " components with roots were met by chance; there may be more";
+    return std::to_string(search.components - 1) +
+           " times a random root was none of those that loops lead to: the family is reducible, or "
+           "loops have lost roots; there may be more";
   }
   const std::string loops = std::to_string(search.count.loops) + " loops";
   if (!test.was_made) return loops + ", the last ones without a new root; no trace test";

@@ -7,8 +7,8 @@
 // additive in each equation. For the same reason F's total degree, multihomogeneous numbers and mixed volume are `sheets` times
 // those of B. So the paths of F are those of B, each `sheets` times.
 //
-// Exact, in Gaussian integers: c_i takes what remains. An equation is taken as it is where its base would have more terms than itself,
-// where it is constant, and where `sheets` would leave 64 bits.
+// Exact, in Gaussian integers: c_i takes what remains. A line modulo a prime tells at once what is no power. An equation is taken as it is
+// where it is constant, of a degree above 4096, or where its base takes more than a few seconds, and where `sheets` would leave 64 bits.
 // Not supported: factors of which only some are powers.
 #pragma once
 
