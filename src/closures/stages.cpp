@@ -7,7 +7,9 @@
 #include <utility>
 
 #include "moivre/formulation/exact.h"
+#include "moivre/numeric/random.h"
 #include "moivre/polynomial/eliminate.h"
+#include "moivre/solver/member_start.h"
 #include "quadratic_block.h"
 
 namespace moivre {
@@ -91,12 +93,16 @@ class Stages {
   }
 
  private:
-  System system_at(const Block& block, const PartialRoot& root) const;
+  System system_at(const Block& block, const PartialRoot& root) const {
+    return system_at(formulation_.system, block, root);
+  }
+  static System system_at(const System& all, const Block& block, const PartialRoot& root);
   void note_set(const PartialRoot& root);
   bool is_excluded(const PartialRoot& root);
   void solve_lone(const Block& block);
   SolveResult solved(const Block& block, const QuadraticBlock& formula, const PartialRoot& root);
-  SolveResult followed(const System& f);
+  std::optional<GivenStart> general_start(const Block& block, const PartialRoot& root) const;
+  SolveResult followed(const Block& block, const PartialRoot& root);
   void add_roots(const Block& block, const QuadraticBlock& formula, const PartialRoot& root,
                  Stage& stage, std::vector<PartialRoot>& next);
   PartialRoot child_of(const PartialRoot& root, const Block& block, const Solution& solution);
@@ -115,15 +121,15 @@ class Stages {
   std::uint64_t formulas_ = 0;  ///< solves by formula
 };
 
-System Stages::system_at(const Block& block, const PartialRoot& root) const {
-  std::vector<std::uint32_t> place(formulation_.system.variables.size());
+System Stages::system_at(const System& all, const Block& block, const PartialRoot& root) {
+  std::vector<std::uint32_t> place(all.variables.size());
   System f;
   for (const std::size_t v : block.variables) {
     place[v] = static_cast<std::uint32_t>(f.variables.size());
-    f.variables.push_back(formulation_.system.variables[v]);
+    f.variables.push_back(all.variables[v]);
   }
   for (const std::size_t e : block.equations) {
-    f.polynomials.push_back(substituted(formulation_.system.polynomials[e], root.value, place));
+    f.polynomials.push_back(substituted(all.polynomials[e], root.value, place));
   }
   return f;
 }
@@ -238,22 +244,55 @@ bool has_proved_bound(const SolveResult& result, const std::vector<PartialRoot>&
   return is_bound && result.paths.tracked == children.size();
 }
 
-SolveResult Stages::followed(const System& f) {
+/// From a general member of the class, where the block is all there is of one. Its coefficients are real: a complex factor keeps the
+/// line to this member away from those with fewer poses.
+std::optional<GivenStart> Stages::general_start(const Block& block, const PartialRoot& root) const {
+  const auto& theorem = formulation_.theorem;
+  const bool is_whole = theorem && options_.start == StartKind::automatic &&
+                        block.variables.size() == theorem->general.system.variables.size() &&
+                        block.equations.size() == theorem->general.system.polynomials.size();
+  if (!is_whole) return std::nullopt;
+  const System f = system_at(block, root);
+  if (eliminate(f).verdict != Reduction::Verdict::square) return std::nullopt;
+  System general = system_at(theorem->general.system, block, root);
+  const Coefficient factor = exactly(random_phase(options_.seed, RandomStream::generic_member, 0));
+  for (Polynomial& p : general.polynomials) p = factor * p;
+  std::vector<Point> roots;
+  for (const Point& known : theorem->general.roots) {
+    Point& x = roots.emplace_back();
+    for (const std::size_t v : block.variables) x.push_back(known[v]);
+  }
+  GivenStart start = start_from_member("family", f, general, roots);
+  start.why =
+      "the " + std::to_string(roots.size()) + " poses of " + theorem->of + " in general position";
+  return start;
+}
+
+SolveResult Stages::followed(const Block& block, const PartialRoot& root) {
+  const System f = system_at(block, root);
+  const std::optional<GivenStart> start = general_start(block, root);
+  const auto solve_with = [&](const SolveOptions& options) {
+    if (start && !options.known_start) return solve_from(f, *start, tracker_, options, stop_);
+    return solve(f, tracker_, options, stop_);
+  };
   SolveOptions options = options_;
   options.certify = false;
   const auto paths = total_degree(degrees(f));
   if (paths && *paths <= kPathsForOneThread) options.threads = 1;
   const bool are_few = paths && *paths <= kPathsWithoutSearch;
   if (options.start == StartKind::automatic && are_few) options.start = StartKind::total_degree;
-  SolveResult result = solve(f, tracker_, options, stop_);
+  SolveResult result = solve_with(options);
   // Where paths are in doubt, roots that are proved may be as many as a proved bound allows: the paths lead to no other. And what
   // passes for a point of a set may be proved to be a root.
+  const auto instead = [&](SolveResult&& another) {
+    run_.work += result.work;
+    add_solving(result.time, run_.time);
+    result = std::move(another);
+  };
   if ((!result.complete || !result.on_sets.empty()) && !stop_ && options_.certify) {
-    const SolveResult first = std::move(result);
-    result = solve(f, tracker_, options_, stop_);
-    run_.work += first.work;
-    add_solving(first.time, run_.time);
+    instead(solve_with(options_));
   }
+  if (start && !result.complete && !stop_) instead(solve(f, tracker_, options_, stop_));
   return result;
 }
 
@@ -285,7 +324,7 @@ void Stages::prove(PartialRoot& root) {
 SolveResult Stages::solved(const Block& block, const QuadraticBlock& formula,
                            const PartialRoot& root) {
   auto roots = options_.start == StartKind::automatic ? formula.roots(root.value) : std::nullopt;
-  if (!roots) return followed(system_at(block, root));
+  if (!roots) return followed(block, root);
   ++formulas_;
   SolveResult result;
   result.complete = true;

@@ -6,6 +6,7 @@
 
 #include "moivre/mechanism/phi.h"
 #include "serial_loop.h"
+#include "six_rods.h"
 
 namespace moivre {
 namespace {
@@ -65,16 +66,19 @@ void add_ground_ties(SpatialFrame& frame, const RigidGroups& groups) {
 
 /// A body on six rods has 40 poses in general, and so none has more that are isolated [RongaVust95].
 std::optional<Formulation::Theorem> theorem_of(const RigidGroups& groups,
-                                               const std::vector<Part>& parts) {
+                                               const std::vector<Part>& parts, double length) {
   constexpr std::size_t kRods = 6;
   constexpr std::uint64_t kMostPoses = 40;
   if (parts.size() != 1 || parts.front().groups.size() != 1) return std::nullopt;
   const auto& ties = parts.front().ties;
-  const bool is_platform =
-      ties.size() == kRods &&
-      std::all_of(ties.begin(), ties.end(), [&](std::size_t k) { return is_rod(groups.ties[k]); });
+  const bool is_platform = ties.size() == kRods && groups.driven_points.empty() &&
+                           std::all_of(ties.begin(), ties.end(), [&](std::size_t k) {
+                             const Tie& tie = groups.ties[k];
+                             return is_rod(tie) && (tie.i == 0) != (tie.j == 0);
+                           });
   if (!is_platform) return std::nullopt;
-  return Formulation::Theorem{"a body on six rods", kMostPoses};
+  return Formulation::Theorem{"a body on six rods", kMostPoses,
+                              general_six_rods(groups, parts.front(), length)};
 }
 
 void read_poses(const RigidGroups& groups, PoseReading& poses) {
@@ -105,7 +109,7 @@ Formulation spatial_bodies(const Mechanism& mechanism, double t) {
     }
   }
   Formulation formulation = std::move(frame.result());
-  formulation.theorem = theorem_of(groups, parts);
+  formulation.theorem = theorem_of(groups, parts, frame.length());
   read_poses(groups, formulation.poses);
   formulation.contradictions.insert(formulation.contradictions.end(), groups.contradictions.begin(),
                                     groups.contradictions.end());

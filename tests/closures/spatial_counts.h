@@ -44,14 +44,14 @@ inline const std::vector<SpatialCount>& spatial_counts() {
       {"bricard-driven", 4, 2, 8, 0, 0},
       {"delta-reduced", 2, 2, 2, 2, 0},
       {"delta-inverse", 8, 8, 6, 0, 0},
-      {"delta", 40, 12, 84, 40, 0},
+      {"delta", 40, 12, 40, 40, 0},
       {"3-upu", 16, 16, 700, 0, 0},
-      {"dietmaier", 40, 40, 84, 40, 0},
-      {"planar-platform", 40, 12, 84, 40, 0},
-      {"platform-6-4", 32, 4, 84, 40, 0},
-      {"platform-6-3", 16, 6, 84, 40, 0},
-      {"octahedral-3-3", 16, 4, 84, 40, 0},
-      {"griffis-duffy", 0, 0, 84, 40, 1},
+      {"dietmaier", 40, 40, 40, 40, 0},
+      {"planar-platform", 40, 12, 40, 40, 0},
+      {"platform-6-4", 32, 4, 40, 40, 0},
+      {"platform-6-3", 16, 6, 40, 40, 0},
+      {"octahedral-3-3", 16, 4, 40, 40, 0},
+      {"griffis-duffy", 0, 0, 40, 40, 1},
   };
   return counts;
 }

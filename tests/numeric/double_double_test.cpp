@@ -118,6 +118,29 @@ TEST(ComplexDoubleDouble, ProductsAreExactToADozenUnitsOfTheirModulus) {
   }
 }
 
+// Errors are gathered and added once: of the size of the terms, also where these cancel.
+TEST(ComplexDoubleDouble, SumsOfProductsAreExactToADozenUnitsOfTheirTerms) {
+  RandomDoubleDouble next;
+  for (int k = 0; k < kCount; ++k) {
+    const ComplexDoubleDouble a(next(), next());
+    const ComplexDoubleDouble b(next(), next());
+    const bool cancels = k % 2 == 0;
+    const ComplexDoubleDouble sum = cancels ? -product(a, b) : ComplexDoubleDouble(next(), next());
+    const Coefficient x{exact(a.re), exact(a.im)};
+    const Coefficient y{exact(b.re), exact(b.im)};
+    const Coefficient z{exact(sum.re), exact(sum.im)};
+    const Coefficient wanted = z + x * y;
+    const Rational size = abs(z.re) + abs(z.im) + (abs(x.re) + abs(x.im)) * (abs(y.re) + abs(y.im));
+    const ComplexDoubleDouble all = add_product(a, b, sum);
+    expect_within(all.re, wanted.re, size * kComplexError);
+    expect_within(all.im, wanted.im, size * kComplexError);
+    const Rational real_size = abs(z.re) + abs(z.im) + abs(x.re) * (abs(y.re) + abs(y.im));
+    const ComplexDoubleDouble by_real = add_product(a.re, b, sum);
+    expect_within(by_real.re, z.re + x.re * y.re, real_size * kComplexError);
+    expect_within(by_real.im, z.im + x.re * y.im, real_size * kComplexError);
+  }
+}
+
 TEST(ComplexDoubleDouble, TheReciprocalTimesTheNumberIsOne) {
   RandomDoubleDouble next;
   for (int k = 0; k < kCount; ++k) {

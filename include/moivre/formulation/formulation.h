@@ -64,10 +64,17 @@ struct Formulation {
   };
   std::vector<Exclusion> exclusions;
 
+  /// A member of a class in general position. On almost every line of coefficients through it and another member, from which no
+  /// exclusion vanishes, there are as many roots as it has.
+  struct GeneralMember {
+    System system;  ///< equation by equation of the same kind as the formulation's, in its unknowns
+    std::vector<Point> roots;
+  };
   /// A theorem: no member of this class has more isolated poses, complex ones included.
   struct Theorem {
     std::string of;  ///< "a body on six rods"
     std::uint64_t most = 0;
+    GeneralMember general;  ///< with as many
   };
   std::optional<Theorem> theorem;
   std::vector<std::pair<std::string, std::string>> left_out;  ///< what was left out, and why

@@ -68,7 +68,7 @@ class HomotopyEvaluator {
 
  private:
   static S blend(const Time<S>& t, const S& f, const S& g) {
-    return product(t.t, f) + product(t.rest, g);
+    return add_product(t.rest, g, product(t.t, f));
   }
 
   void move(const Time<S>& t) {
@@ -107,8 +107,8 @@ class HomotopyEvaluator {
   S entry(const typename Program::Blend& b, const Time<S>& t) const {
     if (program_.has_weighted_registers()) return sum(b.f, weighted_) + moving(b);
     S total = moving(b);
-    if (!b.f.is_empty()) total += product(t.t, sum(b.f, registers_));
-    if (!b.g.is_empty()) total += product(t.rest, sum(b.g, registers_));
+    if (!b.f.is_empty()) total = add_product(t.t, sum(b.f, registers_), total);
+    if (!b.g.is_empty()) total = add_product(t.rest, sum(b.g, registers_), total);
     return total;
   }
 
@@ -116,11 +116,11 @@ class HomotopyEvaluator {
     S total(0.0);
     for (std::uint32_t k = terms.real_begin; k < terms.real_end; ++k) {
       const typename Program::RealTerm& term = program_.real_terms[k];
-      total += product(term.c, r[term.monomial]);
+      total = add_product(term.c, r[term.monomial], total);
     }
     for (std::uint32_t k = terms.complex_begin; k < terms.complex_end; ++k) {
       const typename Program::ComplexTerm& term = program_.complex_terms[k];
-      total += product(S(term.re, term.im), r[term.monomial]);
+      total = add_product(S(term.re, term.im), r[term.monomial], total);
     }
     return total;
   }
@@ -131,7 +131,7 @@ class HomotopyEvaluator {
     S total(0.0);
     for (std::uint32_t k = b.moving_begin; k < b.moving_end; ++k) {
       const typename Program::MovingTerm& term = program_.moving_terms[k];
-      total += product(c[term.coefficient], registers_[term.monomial]);
+      total = add_product(c[term.coefficient], registers_[term.monomial], total);
     }
     return total;
   }

@@ -68,7 +68,7 @@ class MovingCoefficients {
     void evaluate(const Time<S>& t, const Point& to, std::vector<S>& values,
                   std::vector<S>& rates) {
       for (std::size_t j = 0; j < p.size(); ++j) {
-        p[j] = product(t.rest, S(law.from[j])) + product(t.t, S(to[j]));
+        p[j] = add_product(t.t, S(to[j]), product(t.rest, S(law.from[j])));
       }
       const std::size_t count = rates.size();
       moivre::evaluate<S, S>(law.tape, std::span<const S>(coefficients), std::span<const S>(p),
@@ -78,7 +78,7 @@ class MovingCoefficients {
       for (std::size_t k = 0; k < jacobian.size(); ++k) {
         const Tape::Entry& entry = law.tape.jacobian[k];
         const S speed = S(to[entry.column]) - S(law.from[entry.column]);
-        rates[entry.row] += product(jacobian[k], speed);
+        rates[entry.row] = add_product(jacobian[k], speed, rates[entry.row]);
       }
     }
 
@@ -91,7 +91,7 @@ class MovingCoefficients {
       const typename Program::Moving& moving = program_.moving[k];
       const S f(moving.f_re, moving.f_im);
       const S g(moving.g_re, moving.g_im);
-      c[k] = product(t.t, f) + product(t.rest, g);
+      c[k] = add_product(t.rest, g, product(t.t, f));
       slope[k] = f - g;
     }
   }

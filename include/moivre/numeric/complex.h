@@ -2,7 +2,7 @@
 // How are complex numbers multiplied in inner loops? By the textbook product, in which a NaN stays a NaN.
 //
 // std::complex's operator* looks for NaN after every product (C99 Annex G) and costs several times as much.
-// `product` is what the tape, the LU and the homotopy multiply with; other scalars overload it.
+// `product` and `add_product` are what the tape, the LU and the homotopy multiply with; other scalars overload them.
 #pragma once
 
 #include <algorithm>
@@ -22,6 +22,14 @@ inline Complex product(const Complex& a, const Complex& b) {
 inline Complex product(const Complex& a, double b) { return {a.real() * b, a.imag() * b}; }
 inline Complex product(double a, const Complex& b) { return product(b, a); }
 inline double product(double a, double b) { return a * b; }
+
+/// sum + a b.
+inline Complex add_product(const Complex& a, const Complex& b, const Complex& sum) {
+  return sum + product(a, b);
+}
+inline Complex add_product(double a, const Complex& b, const Complex& sum) {
+  return sum + product(a, b);
+}
 
 /// conj(a) * b.
 inline Complex conjugate_product(const Complex& a, const Complex& b) {

@@ -4,6 +4,8 @@
 //   |lo| <= ulp(hi)/2;  sums and products by error-free transformations [Dekker71], [Knuth98];
 //   relative error of a sum or product at most 2^-102, of a quotient 2^-100. The exponent range is double's: values
 //   below 1e-292 lose digits.
+//   Complex products and sums of products gather their errors and add them once: at most 2^-100 of the sum of the terms'
+//   magnitudes, as a scalar product in any floating arithmetic, and not of the result where terms cancel.
 // DoubleDouble is a real scalar of a tape; ComplexDoubleDouble the complex one. Not supported: square roots,
 // transcendental functions, NaN payloads.
 #pragma once
@@ -69,6 +71,34 @@ inline DoubleDouble operator/(DoubleDouble a, DoubleDouble b) {
 }
 inline DoubleDouble& operator+=(DoubleDouble& a, DoubleDouble b) { return a = a + b; }
 inline DoubleDouble product(DoubleDouble a, DoubleDouble b) { return a * b; }
+/// a b + c d.
+inline DoubleDouble sum_of_products(DoubleDouble a, DoubleDouble b, DoubleDouble c,
+                                    DoubleDouble d) {
+  const DoubleDouble p = detail::two_product(a.hi, b.hi);
+  const DoubleDouble q = detail::two_product(c.hi, d.hi);
+  const DoubleDouble all = detail::two_sum(p.hi, q.hi);
+  const double left = p.lo + (a.hi * b.lo + a.lo * b.hi);
+  const double right = q.lo + (c.hi * d.lo + c.lo * d.hi);
+  return detail::quick_two_sum(all.hi, (left + right) + all.lo);
+}
+/// sum + a b.
+inline DoubleDouble add_product(DoubleDouble a, DoubleDouble b, DoubleDouble sum) {
+  const DoubleDouble p = detail::two_product(a.hi, b.hi);
+  const DoubleDouble all = detail::two_sum(sum.hi, p.hi);
+  const double low = p.lo + (a.hi * b.lo + a.lo * b.hi);
+  return detail::quick_two_sum(all.hi, low + (all.lo + sum.lo));
+}
+/// sum + a b + c d.
+inline DoubleDouble add_products(DoubleDouble a, DoubleDouble b, DoubleDouble c, DoubleDouble d,
+                                 DoubleDouble sum) {
+  const DoubleDouble p = detail::two_product(a.hi, b.hi);
+  const DoubleDouble q = detail::two_product(c.hi, d.hi);
+  const DoubleDouble pq = detail::two_sum(p.hi, q.hi);
+  const DoubleDouble all = detail::two_sum(sum.hi, pq.hi);
+  const double left = p.lo + (a.hi * b.lo + a.lo * b.hi);
+  const double right = q.lo + (c.hi * d.lo + c.lo * d.hi);
+  return detail::quick_two_sum(all.hi, (left + right) + (all.lo + (pq.lo + sum.lo)));
+}
 inline double to_double(DoubleDouble a) { return a.hi + a.lo; }
 
 /// The double-double nearest to r (up to its last bit).
@@ -102,10 +132,19 @@ inline ComplexDoubleDouble& operator+=(ComplexDoubleDouble& a, const ComplexDoub
   return a = a + b;
 }
 inline ComplexDoubleDouble product(const ComplexDoubleDouble& a, const ComplexDoubleDouble& b) {
-  return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
+  return {sum_of_products(a.re, b.re, -a.im, b.im), sum_of_products(a.re, b.im, a.im, b.re)};
 }
 inline ComplexDoubleDouble product(DoubleDouble a, const ComplexDoubleDouble& b) {
   return {a * b.re, a * b.im};
+}
+inline ComplexDoubleDouble add_product(const ComplexDoubleDouble& a, const ComplexDoubleDouble& b,
+                                       const ComplexDoubleDouble& sum) {
+  return {add_products(a.re, b.re, -a.im, b.im, sum.re),
+          add_products(a.re, b.im, a.im, b.re, sum.im)};
+}
+inline ComplexDoubleDouble add_product(DoubleDouble a, const ComplexDoubleDouble& b,
+                                       const ComplexDoubleDouble& sum) {
+  return {add_product(a, b.re, sum.re), add_product(a, b.im, sum.im)};
 }
 inline Complex to_complex(const ComplexDoubleDouble& a) {
   return {to_double(a.re), to_double(a.im)};

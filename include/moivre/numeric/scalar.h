@@ -2,7 +2,7 @@
 // What must a complex scalar offer so that tapes and homotopies can be evaluated in it?
 //
 // Scalar<S> names its real coefficient type and rounds exact coefficients to it. S itself needs S(double), +, -, +=
-// and product(S, S), product(Real, S).
+// product(S, S), product(Real, S) and add_product of the same.
 #pragma once
 
 #include "moivre/numeric/double_double.h"

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// Both members in the units that suit the one that is sought.
+#include "moivre/solver/member_start.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace moivre {
+
+Scaling scaling_to(const System& member) {
+  Scaling scaling = choose_scaling(member);
+  const System scaled = scale(member, scaling);
+  for (std::size_t i = 0; i < scaled.polynomials.size(); ++i) {
+    double largest = -std::numeric_limits<double>::infinity();
+    for (const Term& term : scaled.polynomials[i].terms) {
+      largest = std::max(largest, log2_size(term.coefficient));
+    }
+    if (std::isfinite(largest)) {
+      scaling.equation_log2[i] -= static_cast<int>(std::floor(largest));
+    }
+  }
+  return scaling;
+}
+
+std::vector<Point> scaled_roots(const std::vector<Point>& roots, const Scaling& scaling) {
+  std::vector<Point> points;
+  for (const Point& root : roots) {
+    Point& z = points.emplace_back();
+    for (std::size_t j = 0; j < root.size(); ++j) {
+      z.push_back(std::ldexp(1.0, -scaling.variable_log2[j]) * root[j]);
+    }
+    z.push_back(1);
+  }
+  return points;
+}
+
+GivenStart start_from_member(std::string kind, const System& f, const System& g,
+                             const std::vector<Point>& roots_of_g) {
+  GivenStart start;
+  start.scaling = scaling_to(f);
+  start.plan =
+      plan_from_roots(std::move(kind), Homotopy(scale(f, start.scaling), scale(g, start.scaling)),
+                      scaled_roots(roots_of_g, start.scaling));
+  start.why = "the " + std::to_string(roots_of_g.size()) + " roots of a generic member";
+  return start;
+}
+
+}  // namespace moivre
