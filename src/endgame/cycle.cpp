@@ -63,12 +63,23 @@ class PowerMeans {
   std::vector<Mean> means_;
 };
 
-/// Coefficient of order j of a function with these samples on one turn, times their number.
-Complex laurent(const std::vector<Complex>& p, int j) {
-  const double step = 2 * std::numbers::pi / static_cast<double>(p.size());
+/// The points of one turn, e^{-2 pi i k / samples}.
+std::vector<Complex> unit_roots(std::size_t samples) {
+  const double step = 2 * std::numbers::pi / static_cast<double>(samples);
+  std::vector<Complex> roots;
+  for (std::size_t k = 0; k < samples; ++k) {
+    roots.push_back(std::polar(1.0, -step * static_cast<double>(k)));
+  }
+  return roots;
+}
+
+/// Coefficient of order -j of a function with these samples on one turn, times their number.
+Complex laurent_of_pole(const std::vector<Complex>& p, std::size_t j,
+                        const std::vector<Complex>& turn) {
   Complex sum;
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    sum += product(p[i], std::polar(1.0, -j * step * static_cast<double>(i)));
+  const std::size_t count = p.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    sum = add_product(p[i], turn[(count - j) * i % count], sum);
   }
   return sum;
 }
@@ -95,6 +106,7 @@ SumsAndErrors sums_and_errors(const std::vector<Complex>& z, int m, double known
   for (const Complex& sample : z) unit = std::max(unit, modulus(sample));
   if (unit == 0) return worst;
   const auto samples = static_cast<std::size_t>(ends.samples);
+  const std::vector<Complex> turn = unit_roots(samples);
   std::vector<Complex> powers(z.size(), Complex(1));
   for (int k = 1; k <= m; ++k) {
     std::vector<Complex> p(samples);
@@ -105,10 +117,10 @@ SumsAndErrors sums_and_errors(const std::vector<Complex>& z, int m, double known
       size += modulus(powers[i]);
     }
     // Coefficients that differ by `samples` in their order are one: of order -1 and -2 are also those that the sum is wrong by, or nearly.
-    const double seen = modulus(laurent(p, -1)) + modulus(laurent(p, -2));
+    const double seen = modulus(laurent_of_pole(p, 1, turn)) + modulus(laurent_of_pole(p, 2, turn));
     const double rounding = k * std::max(known, std::numeric_limits<double>::epsilon()) * size;
     const double error = std::max(seen, rounding);
-    worst.sum = std::max(worst.sum, modulus(laurent(p, 0)) / error);
+    worst.sum = std::max(worst.sum, modulus(laurent_of_pole(p, 0, turn)) / error);
     worst.error = std::max(worst.error, error / (k * size));
   }
   return worst;

@@ -119,14 +119,20 @@ std::nullopt_t Endgame::fail(Failure failure) {
 
 std::optional<Departure> Endgame::accept(Arrival&& arrival, PathSystem& path) {
   path.set_frame(frame_.get());
-  std::optional<Departure> next = proceed(std::move(arrival), path);
+  return hand_on(proceed(std::move(arrival), path), path);
+}
+
+std::optional<Departure> Endgame::hand_on(std::optional<Departure> next, PathSystem& path) {
   if (!next && may_look_again()) next = look_again(path);
-  if (!next && !end_.x.empty()) {
-    end_.size = 1 / chart_.finiteness(end_.x);
-    end_.x = outside(frame_, std::move(end_.x));
-    end_.frame = frame_;
-  }
+  if (!next && !waits_) deliver_end();
   return next;
+}
+
+void Endgame::deliver_end() {
+  if (end_.x.empty()) return;
+  end_.size = 1 / chart_.finiteness(end_.x);
+  end_.x = outside(frame_, std::move(end_.x));
+  end_.frame = frame_;
 }
 
 std::optional<Departure> Endgame::proceed(Arrival&& arrival, PathSystem& path) {
@@ -136,10 +142,14 @@ std::optional<Departure> Endgame::proceed(Arrival&& arrival, PathSystem& path) {
   switch (phase_) {
     case Phase::whole_way:
       return judge_arrival(std::move(arrival), path);
+    case Phase::first_approach:
     case Phase::approach:
-      if (arrival.journey != Journey::arrived) return conclude(path);
-      outpost_ = std::move(arrival.x);
-      radius_ /= options_.ends.shrink;
+      if (arrival.journey == Journey::arrived) {
+        outpost_ = std::move(arrival.x);
+        radius_ = next_radius_;
+      } else if (phase_ == Phase::approach) {
+        return conclude(path);
+      }
       return begin_circle();
     case Phase::circle:
       return next_turn(std::move(arrival), path);
@@ -165,7 +175,7 @@ std::optional<Departure> Endgame::judge_arrival(Arrival&& arrival, PathSystem& p
   polish_outpost(path);
   watched_at_ = outpost_;
   watched_radius_ = radius_;
-  return begin_circle();
+  return begin_first_circle();
 }
 
 // A tracker that has t = 1 in view passes points of the way as near to the path as it needs for that.
@@ -202,6 +212,28 @@ Point Endgame::normalized(Point x) const {
   return x;
 }
 
+// The least of the radii that all paths have in common from the watched one on.
+double Endgame::common_radius() const {
+  const double last = options_.ends.creeping_radius / options_.ends.shrink;
+  const double steps = std::log(radius_ / last) / std::log(options_.ends.shrink);
+  return last * std::pow(options_.ends.shrink, std::ceil(steps));
+}
+
+std::optional<Departure> Endgame::approach(double radius) {
+  next_radius_ = radius;
+  return along(Contour::spiral(radius_, std::log(radius / radius_)), outpost_);
+}
+
+std::optional<Departure> Endgame::begin_first_circle() {
+  phase_ = Phase::first_approach;
+  return approach(common_radius());
+}
+
+Departure Endgame::walk_turn(Point x) {
+  return along(Contour::spiral(radius_, Complex(0, 2 * std::numbers::pi)), std::move(x),
+               options_.ends.samples);
+}
+
 std::optional<Departure> Endgame::begin_circle() {
   phase_ = Phase::circle;
   turns_ = 0;
@@ -209,8 +241,11 @@ std::optional<Departure> Endgame::begin_circle() {
   patch_.clear();
   for (const Complex& xi : outpost_) patch_.push_back(std::conj(xi));
   turn_begin_ = normalized(outpost_);
-  return along(Contour::spiral(radius_, Complex(0, 2 * std::numbers::pi)), outpost_,
-               options_.ends.samples);
+  return walk_turn(outpost_);
+}
+
+bool Endgame::may_wait() const {
+  return options_.may_wait && turns_ == 1 && radius_ == next_radius_ && !looks_again_;
 }
 
 std::optional<Departure> Endgame::next_turn(Arrival&& arrival, PathSystem& path) {
@@ -222,8 +257,41 @@ std::optional<Departure> Endgame::next_turn(Arrival&& arrival, PathSystem& path)
       end_.count.accepted > options_.ends.maximum_steps) {
     return shrink(path);
   }
-  return along(Contour::spiral(radius_, Complex(0, 2 * std::numbers::pi)), std::move(arrival.x),
-               options_.ends.samples);
+  if (!may_wait()) return walk_turn(std::move(arrival.x));
+  waits_ = true;
+  turn_end_ = std::move(arrival.x);
+  return std::nullopt;
+}
+
+Departure Endgame::go_on() {
+  waits_ = options_.may_wait = false;
+  return walk_turn(std::move(turn_end_));
+}
+
+std::vector<Point> Endgame::turn() const {
+  std::vector<Point> samples;
+  for (const Point& sample : samples_) samples.push_back(outside(frame_, sample));
+  return samples;
+}
+
+std::optional<Departure> Endgame::join(const std::vector<std::vector<Point>>& turns,
+                                       std::size_t own, PathSystem& path) {
+  path.set_frame(frame_.get());
+  waits_ = options_.may_wait = false;
+  for (std::size_t k = 1; k < turns.size(); ++k) {
+    for (const Point& sample : turns[(own + k) % turns.size()]) {
+      samples_.push_back(normalized(inside(frame_, sample)));
+    }
+  }
+  turns_ = static_cast<int>(turns.size());
+  return hand_on(estimate_end(path), path);
+}
+
+void Endgame::end_with(const Endgame& sheet) {
+  waits_ = false;
+  end_.status = sheet.end_.status;
+  end_.is_as_rounded = sheet.end_.is_as_rounded;
+  deliver_end();
 }
 
 // Coefficient c_j of the Laurent series in u = (1 - t)^{1/m} / r^{1/m}, from the samples on |u| = 1.
@@ -270,10 +338,14 @@ bool Endgame::stays_at_infinity(PathSystem& path) {
   newton.tolerance = options_.ends.sample_error;  // the next correction would be its square
   newton.fine = true;
   const auto count = static_cast<std::size_t>(options_.ends.samples);
-  for (std::size_t k = 0; k < samples_.size(); ++k) {
-    const double at = static_cast<double>(k % count + 1) / static_cast<double>(count);
-    if (!path.correct(samples_[k], circle.at(at), newton, true).converged) return false;
-    samples_[k] = normalized(samples_[k]);
+  for (std::size_t first_turn = 0; first_turn < count; ++first_turn) {
+    const PathTime time =
+        circle.at(static_cast<double>(first_turn + 1) / static_cast<double>(count));
+    // At one t after another: its coefficients are evaluated once for all sheets.
+    for (std::size_t k = first_turn; k < samples_.size(); k += count) {
+      if (!path.correct(samples_[k], time, newton, true).converged) return false;
+      samples_[k] = normalized(std::move(samples_[k]));
+    }
   }
   return sums_and_errors(samples_of_x0(), turns_, known, options_.ends).sum <= options_.ends.shrink;
 }
@@ -319,6 +391,9 @@ std::optional<Departure> Endgame::estimate_end(PathSystem& path) {
     last_.reset();
     return shrink(path);
   }
+  // So near to infinity smaller circles tell more than agreement does.
+  if (chart_.finiteness(outside(frame_, estimate.x)) < 1 / options_.ends.beyond)
+    return shrink(path);
   if (last_ && last_->winding == estimate.winding) {
     const double change = difference(estimate.x, normalized(last_->x));
     if (!best_ || change < best_difference_) {
@@ -342,7 +417,7 @@ std::optional<Departure> Endgame::shrink(PathSystem& path) {
     return conclude(path);
   }
   phase_ = Phase::approach;
-  return along(Contour::spiral(radius_, -std::log(options_.ends.shrink)), outpost_);
+  return approach(radius_ / options_.ends.shrink);
 }
 
 // With an estimate at hand a landing has to prove it wrong; without one, any landing is welcome, and the

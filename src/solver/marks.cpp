@@ -15,11 +15,14 @@ namespace {
 // Marks are not to depend on a run's seed: whoever looks one up needs none.
 constexpr std::uint64_t kSeed = 1;
 
-double tolerance_at(Complex mark) { return Marks::kMarkTolerance * std::max(1.0, std::abs(mark)); }
+// Points are known to this, relative, where they are compared.
+constexpr double kMarkTolerance = 1e-7;
 
 bool are_one(Complex a, Complex b) { return std::abs(a - b) <= tolerance_at(a); }
 
 }  // namespace
+
+double tolerance_at(Complex mark) { return kMarkTolerance * std::max(1.0, std::abs(mark)); }
 
 Complex mark_of(const Point& x) {
   Complex mark = 0;

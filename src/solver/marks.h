@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // By what is a point known again among many, at 16 bytes each? By its mark, a number that all its coordinates have a part in.
 //
-//   mark = sum_j a_j z_j / |z_j| + b_j log |z_j|,  z_j = x_j / x_0,  a_j and b_j of random phases: the same for all multiples of
+//   mark = sum_j a_j z_j / |z_j| + b_j log |z_j|,  z_j = x_j / x_n,  a_j and b_j of random phases: the same for all multiples of
 //   a homogeneous point, and for different points different but by chance, however small the coordinates in which they differ
 //
 // A plan of several stages computes no path number from a start point of its last stage. The marks of all such points are
@@ -16,14 +16,15 @@
 
 namespace moivre {
 
-/// x: homogeneous coordinates, none of them 0, the last one x_0.
+/// x: homogeneous coordinates, none of them 0.
 Complex mark_of(const Point& x);
 
-/// Of paths by number; a path without a mark has none. Two marks are one when they agree to `kMarkTolerance`.
+/// So far two marks of one point may lie apart.
+double tolerance_at(Complex mark);
+
+/// Of paths by number; a path without a mark has none.
 class Marks {
  public:
-  static constexpr double kMarkTolerance = 1e-7;
-
   void set(std::uint64_t path, Complex mark);
   void forget(std::uint64_t path);
   bool is_empty() const { return marks_.empty(); }

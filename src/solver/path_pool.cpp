@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: MIT
-// The path pool: a shared counter of paths, a session and its endgames on every thread.
+// The path pool: a shared counter of paths, a session and its endgames on every thread; then cycles, walked together.
 #include "path_pool.h"
 
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <map>
+#include <memory>
 #include <mutex>
+#include <utility>
+#include <vector>
 
 #include "beginnings.h"
+#include "cycles.h"
 #include "marks.h"
 
 namespace moivre {
@@ -22,20 +27,39 @@ constexpr std::uint64_t kFewPaths = 4;
 constexpr std::uint64_t kBlock = 128;
 constexpr std::uint64_t kBlocksOfAThread = 4;
 
-/// What the threads share: the next path to begin and the sink.
+// Paths that may wait for one another: so many endgames with the samples of a turn are kept at most.
+constexpr std::uint64_t kTogether = 4096;
+
+/// A path that has walked one turn.
+struct Waiting {
+  std::uint64_t path;
+  std::unique_ptr<Endgame> endgame;
+};
+
+/// What the threads share: the next path to begin, the sink, and the paths that wait.
 struct Shared {
-  std::uint64_t count;
+  std::uint64_t first, beyond;  ///< of the paths by their order
   const std::function<std::uint64_t(std::uint64_t)>& path_of;
   int care;
   const EndSink& sink;
   const std::atomic<bool>& stop;
-  std::atomic<std::uint64_t> next{0};
-  std::mutex sink_mutex;
+  std::atomic<std::uint64_t> next{first};
+  std::mutex sink_mutex = {};
+  std::vector<Waiting> waiting = {};
+
+  void hand_in(std::uint64_t path, PathEnd&& end) {
+    const std::lock_guard lock(sink_mutex);
+    sink(path, std::move(end));
+  }
+  void let_wait(std::uint64_t path, std::unique_ptr<Endgame> endgame) {
+    const std::lock_guard lock(sink_mutex);
+    waiting.push_back({path, std::move(endgame)});
+  }
 
   std::optional<std::uint64_t> draw() {
     if (stop.load(std::memory_order_relaxed)) return std::nullopt;
     const std::uint64_t k = next.fetch_add(1, std::memory_order_relaxed);
-    if (k >= count) return std::nullopt;
+    if (k >= beyond) return std::nullopt;
     return path_of(k);
   }
 };
@@ -43,8 +67,11 @@ struct Shared {
 /// Feeds the session of the last stage: first what its endgames ask for, then new paths.
 class SessionSource : public DepartureSource {
  public:
-  SessionSource(const PathProblem& problem, Shared& shared, Beginnings& beginnings)
+  /// beginnings: of new paths; nullptr: there are none.
+  SessionSource(const PathProblem& problem, const EndgameOptions& options, Shared& shared,
+                Beginnings* beginnings)
       : problem_(problem),
+        options_(options),
         shared_(shared),
         beginnings_(beginnings),
         scratch_(problem.plan.last()) {}
@@ -55,29 +82,56 @@ class SessionSource : public DepartureSource {
       ready_.pop_back();
       return departure;
     }
-    while (std::optional<Beginning> beginning = beginnings_.next()) {
+    while (std::optional<Beginning> beginning = beginnings_ ? beginnings_->next() : std::nullopt) {
       if (!beginning->lost) return depart(std::move(*beginning));
-      hand_in(beginning->path, std::move(*beginning->lost));
+      shared_.hand_in(beginning->path, std::move(*beginning->lost));
     }
     return std::nullopt;
   }
 
   void arrived(const Departure& departure, Arrival&& arrival) override {
     const auto found = under_way_.find(departure.path);
-    if (auto next = found->second->accept(std::move(arrival), scratch_)) {
-      ready_.push_back(std::move(*next));
-      return;
-    }
-    hand_in(departure.path, std::move(found->second->end()));
+    std::unique_ptr<Endgame> endgame = std::move(found->second);
     under_way_.erase(found);
+    auto next = endgame->accept(std::move(arrival), scratch_);
+    take_up({departure.path, std::move(endgame)}, std::move(next));
+  }
+
+  /// The sheets of one cycle, in the order of their turns. What the first finds at infinity holds for all.
+  void join(std::vector<Waiting>&& sheets) {
+    std::vector<std::vector<Point>> turns;
+    for (const Waiting& sheet : sheets) turns.push_back(sheet.endgame->turn());
+    Endgame& first = *sheets.front().endgame;
+    std::optional<Departure> next_of_first = first.join(turns, 0, scratch_);
+    const bool is_told = !next_of_first && first.end().status == PathStatus::at_infinity;
+    for (std::size_t k = 1; k < sheets.size(); ++k) {
+      std::optional<Departure> next;
+      if (is_told) {
+        sheets[k].endgame->end_with(first);
+      } else {
+        next = sheets[k].endgame->join(turns, k, scratch_);
+      }
+      take_up(std::move(sheets[k]), std::move(next));
+    }
+    take_up(std::move(sheets.front()), std::move(next_of_first));
+  }
+
+  void take_up(Waiting&& path, std::optional<Departure>&& next) {
+    if (next) {
+      ready_.push_back(std::move(*next));
+      under_way_[path.path] = std::move(path.endgame);
+    } else if (path.endgame->waits()) {
+      shared_.let_wait(path.path, std::move(path.endgame));
+    } else {
+      shared_.hand_in(path.path, std::move(path.endgame->end()));
+    }
   }
 
  private:
   Departure depart(Beginning&& beginning) {
     const std::uint64_t path = beginning.path;
     auto& endgame = under_way_[path];
-    endgame = std::make_unique<Endgame>(problem_.endgame, problem_.plan.last().chart(), path,
-                                        shared_.care);
+    endgame = std::make_unique<Endgame>(options_, problem_.plan.last().chart(), path, shared_.care);
     PathEnd& end = endgame->end();
     end.count = beginning.count;
     end.stage = problem_.plan.stages.size() - 1;
@@ -85,27 +139,70 @@ class SessionSource : public DepartureSource {
     return endgame->depart(std::move(beginning.x), std::move(beginning.frame));
   }
 
-  void hand_in(std::uint64_t path, PathEnd&& end) {
-    const std::lock_guard lock(shared_.sink_mutex);
-    shared_.sink(path, std::move(end));
-  }
-
   const PathProblem& problem_;
+  const EndgameOptions& options_;
   Shared& shared_;
-  Beginnings& beginnings_;
+  Beginnings* beginnings_;
   PathSystem scratch_;
   std::vector<Departure> ready_;
   std::map<std::uint64_t, std::unique_ptr<Endgame>> under_way_;
 };
 
-void track_on_one_thread(const PathProblem& problem, std::uint64_t threads, Shared& shared) {
-  const std::uint64_t share = shared.count / (threads * kBlocksOfAThread) + 1;
+void track_on_one_thread(const PathProblem& problem, const EndgameOptions& options,
+                         std::uint64_t threads, Shared& shared) {
+  const std::uint64_t share = (shared.beyond - shared.first) / (threads * kBlocksOfAThread) + 1;
   Beginnings beginnings(problem.plan, problem.tracker, shared.care, std::min(kBlock, share),
                         [&] { return shared.draw(); });
-  SessionSource source(problem, shared, beginnings);
+  SessionSource source(problem, options, shared, &beginnings);
   const auto session = problem.tracker.open(problem.plan.last());
   if (problem.plan.stages.size() == 1) return session->run(source, shared.stop);
   while (beginnings.advance(shared.stop)) session->run(source, shared.stop);
+}
+
+/// Paths that have waited go on: together where they are the sheets of one cycle, else alone.
+void walk_on(const PathProblem& problem, const EndgameOptions& options, int threads,
+             Shared& shared) {
+  std::vector<Waiting> waiting = std::exchange(shared.waiting, {});
+  std::sort(waiting.begin(), waiting.end(),
+            [](const Waiting& a, const Waiting& b) { return a.path < b.path; });
+  std::vector<Turn> turns;
+  for (const Waiting& path : waiting) {
+    const Endgame& endgame = *path.endgame;
+    turns.push_back(
+        {endgame.radius(), mark_of(endgame.begin_of_turn()), mark_of(endgame.end_of_turn())});
+  }
+  const auto most = static_cast<std::size_t>(options.ends.maximum_winding);
+  const std::vector<std::vector<std::size_t>> cycles = cycles_of(turns, most);
+  const std::size_t sessions = std::min(static_cast<std::size_t>(threads), cycles.size());
+  for_each_parallel(sessions, threads, [&](std::size_t s) {
+    SessionSource source(problem, options, shared, nullptr);
+    for (std::size_t c = s; c < cycles.size(); c += sessions) {
+      std::vector<Waiting> sheets;
+      for (const std::size_t k : cycles[c]) sheets.push_back(std::move(waiting[k]));
+      if (sheets.size() > 1 && !shared.stop) {
+        source.join(std::move(sheets));
+        continue;
+      }
+      for (Waiting& path : sheets) {
+        Departure next = path.endgame->go_on();
+        source.take_up(std::move(path), std::move(next));
+      }
+    }
+    problem.tracker.open(problem.plan.last())->run(source, shared.stop);
+  });
+}
+
+/// All paths of `shared`, of which some may wait for one another.
+void track_together(const PathProblem& problem, std::uint64_t count, int threads, Shared& shared) {
+  EndgameOptions options = problem.endgame;
+  options.may_wait = count > 1;
+  const bool few = count <= kFewPaths && shared.care == 0;
+  const std::uint64_t sessions =
+      few ? std::min<std::uint64_t>(count, 1)
+          : std::min<std::uint64_t>(static_cast<std::uint64_t>(threads), count);
+  for_each_parallel(sessions, threads,
+                    [&](std::size_t) { track_on_one_thread(problem, options, sessions, shared); });
+  if (!shared.waiting.empty()) walk_on(problem, options, threads, shared);
 }
 
 }  // namespace
@@ -125,13 +222,11 @@ void for_each_parallel(std::size_t count, int threads, const std::function<void(
 void track_paths(const PathProblem& problem, std::uint64_t count,
                  const std::function<std::uint64_t(std::uint64_t)>& path_of, int care, int threads,
                  const EndSink& sink, const std::atomic<bool>& stop) {
-  Shared shared{count, path_of, care, sink, stop, {}, {}};
-  const bool few = count <= kFewPaths && care == 0;
-  const std::uint64_t sessions =
-      few ? std::min<std::uint64_t>(count, 1)
-          : std::min<std::uint64_t>(static_cast<std::uint64_t>(threads), count);
-  for_each_parallel(sessions, threads,
-                    [&](std::size_t) { track_on_one_thread(problem, sessions, shared); });
+  for (std::uint64_t begin = 0; begin < count && !stop; begin += kTogether) {
+    const std::uint64_t end = std::min(begin + kTogether, count);
+    Shared shared{begin, end, path_of, care, sink, stop};
+    track_together(problem, end - begin, threads, shared);
+  }
 }
 
 std::optional<Point> followed_back(const PathProblem& problem, const Point& x, int care,

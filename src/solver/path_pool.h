@@ -2,8 +2,11 @@
 // How are many paths followed to their ends on all threads?
 // Every thread has a session, a scratch and the endgames of the paths it has under way.
 //
-// Results do not depend on the number of threads: a path's journey depends on its number and care
-// alone. Memory: the endgames under way and what the sink keeps.
+// A path that has walked one turn around t = 1 waits until all others of its thousands have come so far: those that lead to one
+// another are the sheets of one cycle, and its samples are theirs (cycles.h). So a cycle of m sheets takes m turns, not m times m.
+//
+// Results do not depend on the number of threads: a path's journey depends on its number, its care and the paths that it is
+// followed with. Memory: the endgames under way, those that wait, and what the sink keeps.
 #pragma once
 
 #include <cstdint>

@@ -8,12 +8,15 @@
 //      begin there. If it reaches t = 1 with a well-conditioned J, the end is regular and no endgame is needed.
 //   2. Otherwise it is followed in circles t = 1 - r e^{i theta}. After m turns the path closes; m is the winding number. The
 //      mean of equidistant samples is the end point (Cauchy's integral; the error falls geometrically in the number of
-//      samples). Radii shrink until two estimates agree.
+//      samples). Radii shrink until two estimates agree. All paths have radii in common.
 //   3. The power sums of the m points over one t tell whether these end together (cycle.h). The path ends at infinity if two
 //      things hold: those of x_0 are all 0, and the faces of the path's direction have a common root near it (face.h). If the
 //      points end apart, the circle is too wide, or more digits are needed.
 //   4. After several turns around a mean that is not clearly a singular root, a straight segment to t = 1 (the landing) tells
 //      whether simple roots close to each other were taken for one.
+//
+// The m points over one t are where m paths have arrived. So after one turn that leads to another point a path may wait for the
+// others: turn by turn they have walked the circle together (waits(), join()). What each would see alone is the same.
 //
 // x: N homogeneous coordinates of a chart, which knows x_0. accuracy: relative, |x - x*|_inf / |x|_inf in homogeneous coordinates.
 // Edges: a path that breaks off far from t = 1 has failed, with the reason. Not supported: winding numbers above maximum_winding.
@@ -48,6 +51,7 @@ struct EndgameOptions {
   /// The path is followed towards t = 1 as far as it leads before circles are tried: useful with many digits.
   bool goes_straight = false;
   bool only_regular = false;  ///< an end that is not regular is a failure: no circle is tried
+  bool may_wait = false;      ///< for other paths of its cycle, after the first turn
   EndParameters ends;
 };
 
@@ -83,13 +87,30 @@ class Endgame : public Watcher {
   /// Takes an arrival. Returns the next departure, or nullopt when the verdict is known. `path`: scratch for evaluations.
   std::optional<Departure> accept(Arrival&& arrival, PathSystem& path);
 
+  /// The verdict is not known, and there is no departure: one turn has led from begin_of_turn() to another sheet's, which may be
+  /// that of another path that waits. Ends by join() or go_on().
+  bool waits() const noexcept { return waits_; }
+  double radius() const noexcept { return radius_; }
+  /// Homogeneous, in no frame; both over 1 - t = radius().
+  Point begin_of_turn() const { return outside(frame_, turn_begin_); }
+  Point end_of_turn() const { return outside(frame_, turn_end_); }
+  /// Alone.
+  Departure go_on();
+  /// The samples of its turn, homogeneous, in no frame.
+  std::vector<Point> turn() const;
+  /// With the turns of all sheets of its cycle, each beginning where the one before has ended, its own turns[own].
+  std::optional<Departure> join(const std::vector<std::vector<Point>>& turns, std::size_t own,
+                                PathSystem& path);
+  /// As a sheet of the same cycle, which has ended at infinity.
+  void end_with(const Endgame& sheet);
+
   const PathEnd& end() const noexcept { return end_; }
   PathEnd& end() noexcept { return end_; }
 
   Verdict watch(const StepRecord& step, PathSystem& path) noexcept override;
 
  private:
-  enum class Phase { whole_way, approach, circle, landing };
+  enum class Phase { whole_way, first_approach, approach, circle, landing };
 
   struct Estimate {
     Point x;
@@ -102,7 +123,14 @@ class Endgame : public Watcher {
   void polish_outpost(PathSystem& path);
   bool may_look_again() const;
   std::optional<Departure> look_again(PathSystem& path);
+  std::optional<Departure> hand_on(std::optional<Departure> next, PathSystem& path);
+  void deliver_end();
+  double common_radius() const;
+  std::optional<Departure> approach(double radius);
+  std::optional<Departure> begin_first_circle();
   std::optional<Departure> begin_circle();
+  Departure walk_turn(Point x);
+  bool may_wait() const;
   std::optional<Departure> next_turn(Arrival&& arrival, PathSystem& path);
   std::optional<Departure> shrink(PathSystem& path);
   std::optional<Departure> conclude(PathSystem& path);
@@ -130,9 +158,10 @@ class Endgame : public Watcher {
   PathEnd end_;
 
   // Watching.
-  int creeping_ = 0;   ///< recorded steps within the creeping radius
-  Point outpost_;      ///< last watched point, from which circles begin
-  double radius_ = 0;  ///< its |1 - t|
+  int creeping_ = 0;        ///< recorded steps within the creeping radius
+  Point outpost_;           ///< last watched point, from which circles begin
+  double radius_ = 0;       ///< its |1 - t|
+  double next_radius_ = 0;  ///< of the circle that is approached
 
   // Where circles began, and whether they are repeated from there.
   Point watched_at_;
@@ -140,8 +169,10 @@ class Endgame : public Watcher {
   bool looks_again_ = false;
 
   // Circles.
-  Point patch_;                 // affine patch of the circle's samples
-  Point turn_begin_;            // normalized point at angle 0
+  Point patch_;       // affine patch of the circle's samples
+  Point turn_begin_;  // normalized point at angle 0
+  Point turn_end_;    // point that waits
+  bool waits_ = false;
   std::vector<Point> samples_;  // normalized, over all turns so far
   int turns_ = 0;
   std::optional<Estimate> last_;

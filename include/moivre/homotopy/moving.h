@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What are the moving coefficients at t, and how fast do they move? c_k(t) and dc_k/dt, by the homotopy's law.
 //
-//   straight     c = t f + (1 - t) g          dc = f - g
+//   straight     c = t f + (1 - t) g          dc = f - g,    evaluated as g + t dc, or as f - (1 - t) dc near t = 1
 //   toric        c = g e^{-w (1 - t)}         dc = w c        w: the weights of the path, one a term of the homotopy
 //   framed       as said, times the factor of the term in the path's frame
 //   parameters   c = q((1 - t) p + t p')      dc = q_p (p' - p)
@@ -29,6 +29,12 @@ class MovingCoefficients {
   MovingCoefficients(const Homotopy& homotopy, const Program& program)
       : program_(program), c(program.moving_count()), slope(program.moving.size()) {
     if (homotopy.parameter_law()) parameters_.emplace(*homotopy.parameter_law());
+    if (program.law != CoefficientLaw::straight) return;
+    for (const typename Program::Moving& moving : program.moving) {
+      const S f(moving.f_re, moving.f_im);
+      const S g(moving.g_re, moving.g_im);
+      lines_.push_back({f, g, f - g});
+    }
   }
 
   /// frame: the path's where the homotopy is framed or of members, else nullptr. Fills `c` of the values, and `slope`.
@@ -87,12 +93,13 @@ class MovingCoefficients {
   };
 
   void move_straight(const Time<S>& t) {
-    for (std::size_t k = 0; k < program_.moving.size(); ++k) {
-      const typename Program::Moving& moving = program_.moving[k];
-      const S f(moving.f_re, moving.f_im);
-      const S g(moving.g_re, moving.g_im);
-      c[k] = add_product(t.rest, g, product(t.t, f));
-      slope[k] = f - g;
+    const bool is_near_end = magnitude1(t.rest) < 0.5;
+    const S back = -t.rest;
+    for (std::size_t k = 0; k < lines_.size(); ++k) {
+      const Line& line = lines_[k];
+      c[k] =
+          is_near_end ? add_product(back, line.rate, line.f) : add_product(t.t, line.rate, line.g);
+      slope[k] = line.rate;
     }
   }
 
@@ -115,8 +122,14 @@ class MovingCoefficients {
     }
   }
 
+  /// From g to f.
+  struct Line {
+    S f, g, rate;
+  };
+
   const Program& program_;
   std::optional<Parameters> parameters_;
+  std::vector<Line> lines_;  ///< of the straight law
 
  public:
   std::vector<S> c;      ///< c_k of all moving coefficients, multiples too
