@@ -29,6 +29,20 @@ double difference(const Point& a, const Point& b) {
   return std::sqrt(largest / size);
 }
 
+/// One combination of the coordinates of each, which tells points apart but for bad luck.
+std::vector<Complex> combinations(const std::vector<Point>& points, std::uint64_t path) {
+  std::vector<Complex> phases;
+  for (std::size_t i = 0; i < points.front().size(); ++i) {
+    phases.push_back(random_phase(path, RandomStream::slice, i));
+  }
+  std::vector<Complex> z;
+  for (const Point& point : points) {
+    Complex& sum = z.emplace_back();
+    for (std::size_t i = 0; i < point.size(); ++i) sum = add_product(phases[i], point[i], sum);
+  }
+  return z;
+}
+
 }  // namespace
 
 std::string to_string(PathStatus status) {
@@ -324,46 +338,61 @@ FaceRoot Endgame::place_at_infinity(PathSystem& path) const {
                    valuations(samples_, chart_.homogenizing(), turns_), options_.ends);
 }
 
-// A large finite root with the same face is told by the errors of the samples. Where these leave a doubt, or are large, the samples
-// get all their digits first: residuals in double-double.
-bool Endgame::stays_at_infinity(PathSystem& path) {
-  const double known = path.homotopy().largest_error();
-  const SumsAndErrors first = sums_and_errors(samples_of_x0(), turns_, known, options_.ends);
-  if (first.sum > options_.ends.shrink) return false;
-  // u times the operations of as many residuals.
-  const double rounding = options_.ends.samples * options_.ends.rounding;
-  if (first.error * std::max(first.sum, 1.0) <= rounding) return true;
+// Gives the samples all their digits: residuals in double-double. False where Newton's method does not converge.
+bool Endgame::polish_samples(PathSystem& path) {
   const Contour circle = Contour::spiral(radius_, Complex(0, 2 * std::numbers::pi));
   CorrectorOptions newton;
   newton.tolerance = options_.ends.sample_error;  // the next correction would be its square
   newton.fine = true;
   const auto count = static_cast<std::size_t>(options_.ends.samples);
-  for (std::size_t first_turn = 0; first_turn < count; ++first_turn) {
-    const PathTime time =
-        circle.at(static_cast<double>(first_turn + 1) / static_cast<double>(count));
+  for (std::size_t of_turn = 0; of_turn < count; ++of_turn) {
+    const PathTime time = circle.at(static_cast<double>(of_turn + 1) / static_cast<double>(count));
     // At one t after another: its coefficients are evaluated once for all sheets.
-    for (std::size_t k = first_turn; k < samples_.size(); k += count) {
+    for (std::size_t k = of_turn; k < samples_.size(); k += count) {
       if (!path.correct(samples_[k], time, newton, true).converged) return false;
       samples_[k] = normalized(std::move(samples_[k]));
     }
   }
-  return sums_and_errors(samples_of_x0(), turns_, known, options_.ends).sum <= options_.ends.shrink;
+  return true;
 }
 
-// In one combination of the coordinates, which tells points apart but for bad luck.
-bool Endgame::sheets_meet(const Point& x) const {
-  Point phases(x.size());
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    phases[i] = random_phase(path_, RandomStream::slice, i);
-  }
-  const auto combination = [&](const Point& point) {
-    Complex sum;
-    for (std::size_t i = 0; i < point.size(); ++i) sum += product(phases[i], point[i]);
-    return sum;
+// A large finite root with the same face, or nearly, is told by the errors of the samples. Where the face has its root exactly these
+// errors have to be those of rounding: if they are larger, or leave a doubt, the samples get all their digits first.
+bool Endgame::stays_at_infinity(FaceRoot place, PathSystem& path) {
+  const double known = path.homotopy().largest_error();
+  const auto measured = [&] {
+    return sums_and_errors(samples_of_x0(), turns_, known, options_.ends);
   };
-  std::vector<Complex> z;
-  for (const Point& sample : samples_) z.push_back(combination(sample));
-  return meet_together(z, combination(x), turns_, options_.ends);
+  // u times the operations of as many residuals.
+  const double rounding = options_.ends.samples * options_.ends.rounding;
+  const auto is_known = [&](const SumsAndErrors& sums) {
+    return sums.error * std::max(sums.sum, 1.0) <= rounding;
+  };
+  const SumsAndErrors first = measured();
+  if (first.sum > options_.ends.shrink) return false;
+  if (place == FaceRoot::as_rounded || is_known(first)) return true;
+  if (!polish_samples(path)) return false;
+  const SumsAndErrors fine = measured();
+  return fine.sum <= options_.ends.shrink && is_known(fine);
+}
+
+bool Endgame::sheets_meet(const Point& x) const {
+  return meet_together(combinations(samples_, path_), combinations({x}, path_).front(), turns_,
+                       options_.ends);
+}
+
+// Simple roots that lie beside each other meet as far as the samples tell, on a circle that is wide beside their distance.
+bool Endgame::sheets_meet_in_all_digits(PathSystem& path) {
+  if (!polish_samples(path)) return true;
+  const Complex common = combinations({laurent_coefficient(0)}, path_).front();
+  std::vector<Complex> apart = combinations(samples_, path_);
+  double size = 0;
+  for (Complex& z : apart) {
+    z -= common;
+    size = std::max(size, modulus(z));
+  }
+  const double known = std::numeric_limits<double>::epsilon() * modulus(common) / size;
+  return sums_and_errors(apart, turns_, known, options_.ends).sum <= options_.ends.shrink;
 }
 
 // Size of the highest coefficient that the samples resolve: what comes after it is aliased.
@@ -376,10 +405,10 @@ std::optional<Departure> Endgame::estimate_end(PathSystem& path) {
   const bool is_beyond = ends_beyond(x0);
   if (is_beyond || vanish_together(x0, turns_, options_.ends)) {
     const FaceRoot place = place_at_infinity(path);
-    if (place == FaceRoot::exact && !stays_at_infinity(path)) {
-      return is_beyond ? fail(Failure::precision) : shrink(path);
-    }
     if (place != FaceRoot::none) {
+      if (!stays_at_infinity(place, path)) {
+        return is_beyond ? fail(Failure::precision) : shrink(path);
+      }
       end_.status = PathStatus::at_infinity;
       end_.is_as_rounded = place == FaceRoot::as_rounded;
       return std::nullopt;
@@ -387,7 +416,7 @@ std::optional<Departure> Endgame::estimate_end(PathSystem& path) {
   }
   if (is_beyond) return fail(Failure::precision);
   Estimate estimate{laurent_coefficient(0), turns_};
-  if (!sheets_meet(estimate.x)) {
+  if (estimate.winding >= parted_ || !sheets_meet(estimate.x)) {
     last_.reset();
     return shrink(path);
   }
@@ -399,10 +428,14 @@ std::optional<Departure> Endgame::estimate_end(PathSystem& path) {
     if (!best_ || change < best_difference_) {
       best_ = estimate;
       best_difference_ = change;
-    } else {
-      return conclude(path);
     }
-    if (change < options_.ends.sample_error) return conclude(path);
+    if (change > best_difference_ || change < options_.ends.sample_error) {
+      if (estimate.winding == 1 || sheets_meet_in_all_digits(path)) return conclude(path);
+      parted_ = estimate.winding;
+      best_.reset();
+      last_.reset();
+      return shrink(path);
+    }
   } else if (!best_) {
     best_ = estimate;
     best_difference_ = truncation();

@@ -43,6 +43,15 @@ TEST(Cycle, SheetsOfAPowerSeriesWithoutAConstantTermVanishTogether) {
   }
 }
 
+// The circle is wide beside their distance: the sum of squares is lost in the errors that samples may have, not in those they have.
+TEST(Cycle, SheetsThatEndBesideEachOtherAreToldApartByTheErrorsThatTheSamplesHave) {
+  const EndParameters ends;
+  const auto beside = two_sheets(1e-7);
+  EXPECT_TRUE(meet_together(beside, 0.0, 2, ends));
+  EXPECT_GT(sums_and_errors(beside, 2, 0, ends).sum, ends.shrink);
+  EXPECT_LE(sums_and_errors(two_sheets(0), 2, 0, ends).sum, ends.shrink);
+}
+
 TEST(Cycle, ALimitThatIsNotZeroIsSeenWhereverTheOthersEnd) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const int m = 1 + static_cast<int>(seed % 6);

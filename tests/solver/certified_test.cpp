@@ -117,6 +117,21 @@ TEST(Certified, EndsBeyondTheDigitsOfAFileAreToldAsSuch) {
   }
 }
 
+// A pair 7e-7 of its size apart, whose mean has a residual of 3e-17. On circles of 1e-4 its sheets meet as far as double tells.
+TEST(Certified, APairWhoseMeanLooksLikeARootIsTwoRoots) {
+  const System f = read(
+      "2\n 4*x^5 + 40*x^4*y + 160*x^3*y^2 + 320*x^2*y^3 + 320*x*y^4 + 128*y^5 - 7*x^4 - 56*x^3*y"
+      " - 168*x^2*y^2 - 224*x*y^3 - 112*y^4 - 237.996399999936*x^3 - 1427.978399999616*x^2*y"
+      " - 2855.956799999232*x*y^2 - 1903.971199999488*y^3 + 180.957700000656*x^2"
+      " + 723.830800002624*x*y + 723.830800002624*y^2 + 3660.1188000017600576*x"
+      " + 7320.2376000035201152*y + 900.0324000004000144;\n"
+      " 6*x^2 + 17*x*y + 11*y^2 - 2*x - 2*y - 1;\n");
+  const auto lanes = make_lane_tracker();
+  for (const std::uint64_t seed : {1U, 2U, 3U, 4U, 5U}) {
+    expect_proved(solve(f, *lanes, with_seed(seed)), "total degree");
+  }
+}
+
 TEST(Certified, ADoubleRootAndNearlyOneAreToldApart) {
   const std::string y = "y^2 - x*y - 3;\n";
   const std::string ten16 = "10000000000000000";

@@ -23,6 +23,7 @@
 // Source: [MSW91] for the Cauchy integral, [HuberVerschelde98] and [Timme21] for valuations.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -142,8 +143,10 @@ class Endgame : public Watcher {
   std::vector<Complex> samples_of_x0() const;
   bool ends_beyond(const std::vector<Complex>& x0) const;
   FaceRoot place_at_infinity(PathSystem& path) const;
-  bool stays_at_infinity(PathSystem& path);
+  bool stays_at_infinity(FaceRoot place, PathSystem& path);
+  bool polish_samples(PathSystem& path);
   bool sheets_meet(const Point& x) const;
+  bool sheets_meet_in_all_digits(PathSystem& path);
   bool is_regular_arrival(const Arrival& arrival, PathSystem& path, double condition);
   std::nullopt_t decide_infinity();
   Point normalized(Point x) const;
@@ -175,6 +178,8 @@ class Endgame : public Watcher {
   bool waits_ = false;
   std::vector<Point> samples_;  // normalized, over all turns so far
   int turns_ = 0;
+  int parted_ = std::numeric_limits<
+      int>::max();  // so many sheets were seen to end apart: so many do not meet on smaller circles
   std::optional<Estimate> last_;
   std::optional<Estimate> best_;
   double best_difference_ = 0;
