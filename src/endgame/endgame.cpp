@@ -332,6 +332,16 @@ bool Endgame::ends_beyond(const std::vector<Complex>& x0) const {
   return end_beyond(unit / options_.ends.beyond, x0, turns_);
 }
 
+// By which factor the circle is to be smaller so that such an end lies beyond: x_0 falls like r^w.
+double Endgame::way_beyond(const std::vector<Complex>& x0) const {
+  const std::vector<double> v = valuations(samples_, chart_.homogenizing(), turns_);
+  const double w = -*std::min_element(v.begin(), v.end());
+  const double unit = chart_.finiteness(outpost_) / chart_.finiteness(outside(frame_, outpost_));
+  const double way = unit / options_.ends.beyond / limit_bound(x0, turns_);
+  const double least = 1 / options_.ends.shrink;
+  return w > 0 ? std::min(least, std::pow(way, 1 / w)) : least;
+}
+
 // The faces of the cycle's direction have a common root there.
 FaceRoot Endgame::place_at_infinity(PathSystem& path) const {
   return face_root(path, outside(frame_, outpost_), radius_,
@@ -356,9 +366,10 @@ bool Endgame::polish_samples(PathSystem& path) {
   return true;
 }
 
-// A large finite root with the same face, or nearly, is told by the errors of the samples. Where the face has its root exactly these
-// errors have to be those of rounding: if they are larger, or leave a doubt, the samples get all their digits first.
+// A large finite root with the same face is told by the errors of the samples. Where these leave a doubt, or are large, the samples
+// get all their digits first. What is at infinity but for the digits of the coefficients is beyond those of double.
 bool Endgame::stays_at_infinity(FaceRoot place, PathSystem& path) {
+  if (place == FaceRoot::as_rounded) return ends_beyond(samples_of_x0());
   const double known = path.homotopy().largest_error();
   const auto measured = [&] {
     return sums_and_errors(samples_of_x0(), turns_, known, options_.ends);
@@ -370,7 +381,7 @@ bool Endgame::stays_at_infinity(FaceRoot place, PathSystem& path) {
   };
   const SumsAndErrors first = measured();
   if (first.sum > options_.ends.shrink) return false;
-  if (place == FaceRoot::as_rounded || is_known(first)) return true;
+  if (is_known(first)) return true;
   if (!polish_samples(path)) return false;
   const SumsAndErrors fine = measured();
   return fine.sum <= options_.ends.shrink && is_known(fine);
@@ -407,7 +418,9 @@ std::optional<Departure> Endgame::estimate_end(PathSystem& path) {
     const FaceRoot place = place_at_infinity(path);
     if (place != FaceRoot::none) {
       if (!stays_at_infinity(place, path)) {
-        return is_beyond ? fail(Failure::precision) : shrink(path);
+        if (is_beyond) return fail(Failure::precision);
+        return shrink(path,
+                      place == FaceRoot::as_rounded ? way_beyond(x0) : 1 / options_.ends.shrink);
       }
       end_.status = PathStatus::at_infinity;
       end_.is_as_rounded = place == FaceRoot::as_rounded;
@@ -445,12 +458,16 @@ std::optional<Departure> Endgame::estimate_end(PathSystem& path) {
 }
 
 std::optional<Departure> Endgame::shrink(PathSystem& path) {
-  if (radius_ / options_.ends.shrink < options_.ends.least_radius ||
+  return shrink(path, 1 / options_.ends.shrink);
+}
+
+std::optional<Departure> Endgame::shrink(PathSystem& path, double factor) {
+  if (factor * radius_ < options_.ends.least_radius ||
       end_.count.accepted > options_.ends.maximum_steps) {
     return conclude(path);
   }
   phase_ = Phase::approach;
-  return approach(radius_ / options_.ends.shrink);
+  return approach(factor * radius_);
 }
 
 // With an estimate at hand a landing has to prove it wrong; without one, any landing is welcome, and the
