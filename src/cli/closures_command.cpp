@@ -172,6 +172,7 @@ int run(const ClosuresCommand& command) {
   options.solve.start = kind_of(command.start);
   options.solve.threads = command.threads;
   options.solve.certify = !command.no_certify;
+  options.with_mobility = !command.json.empty();
   const std::unique_ptr<Tracker> fallback = make_fallback(tracker_of(command));
   options.solve.fallback = fallback.get();
   ProgressLine line(!command.quiet);

@@ -32,7 +32,7 @@ struct ClosureOptions {
   SolveOptions solve;
   /// Roots by proof, where solve.certify says so too and the module certify was built.
   bool certify = true;
-  bool with_mobility = true;  ///< ClosureResult::mobility
+  bool with_mobility = false;  ///< ClosureResult::mobility
 };
 
 /// One group of bodies, solved once for every solution of the groups before it.
@@ -119,9 +119,10 @@ struct ClosureResult {
   std::vector<SubChain>
       sub_chains;          ///< two or more, or none: then the mechanism was solved as a whole
   bool all_listed = true;  ///< false: closures or solutions are more than kMostListed
-  std::optional<Mobility> mobility;  ///< at the first closure; at moves->pose where there is none
-  Eigen::Index coordinates = 0;      ///< n
-  Eigen::Index constraints = 0;      ///< m, without drivers
+  /// Where it was asked for: at the first closure; at moves->pose where there is none.
+  std::optional<ConstraintRank> mobility;
+  Eigen::Index coordinates = 0;  ///< n
+  Eigen::Index constraints = 0;  ///< m, without drivers
   std::vector<FailedPath> failures;
   std::vector<LeftOut> left_out;
   std::vector<IdleJoint> idle;         ///< held, so that the others have isolated closures
