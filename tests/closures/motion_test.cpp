@@ -565,7 +565,7 @@ class TiringTracker : public Tracker {
  public:
   explicit TiringTracker(int limit) : limit_(limit) {}
   std::string kind() const override { return inner_->kind(); }
-  std::vector<std::pair<std::string, std::string>> options_in_force() const override { return {}; }
+  OptionsInForce options_in_force() const override { return {}; }
   std::unique_ptr<TrackerSession> open(const Homotopy& homotopy) const override {
     class Session : public TrackerSession {
      public:

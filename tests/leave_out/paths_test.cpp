@@ -46,7 +46,7 @@ class CountingTracker : public Tracker {
   explicit CountingTracker(std::unique_ptr<Tracker> inner) : inner_(std::move(inner)) {}
 
   std::string kind() const override { return inner_->kind(); }
-  std::vector<std::pair<std::string, std::string>> options_in_force() const override {
+  OptionsInForce options_in_force() const override {
     return inner_->options_in_force();
   }
   std::unique_ptr<TrackerSession> open(const Homotopy& homotopy) const override {
@@ -107,7 +107,7 @@ class CountingTracker : public Tracker {
     Fine(const CountingTracker& counts, std::unique_ptr<Tracker> inner)
         : counts_(counts), inner_(std::move(inner)) {}
     std::string kind() const override { return inner_->kind(); }
-    std::vector<std::pair<std::string, std::string>> options_in_force() const override {
+    OptionsInForce options_in_force() const override {
       return inner_->options_in_force();
     }
     std::unique_ptr<TrackerSession> open(const Homotopy& homotopy) const override {

@@ -106,7 +106,7 @@ struct ClosureResult {
   SystemFacts reduced;  ///< of all stages together
   StartFacts start;
   std::string tracker;
-  std::vector<std::pair<std::string, std::string>> tracker_options;
+  OptionsInForce tracker_options;
   PathCounts paths;  ///< over all stages
   std::vector<Stage> stages;
   std::vector<Solution> solutions;  ///< complex closures in `system`'s variables; real: a pose
