@@ -60,14 +60,19 @@
     };
   });
 
-  // Round steps: 1, 2 or 5 times a power of ten, about `wanted` of them.
+  // Round steps: 1, 2 or 5 times a power of ten, about `wanted` of them; three at least.
   const ticksOf = (low, high, wanted) => {
     const rough = (high - low) / wanted;
     const power = 10 ** Math.floor(Math.log10(rough));
-    const step = [1, 2, 5, 10].find((m) => m * power >= rough) * power;
-    const ticks = [];
-    for (let k = Math.ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; ++k) ticks.push(k * step);
-    return ticks;
+    const steps = [0.5, 1, 2, 5, 10].map((m) => m * power);
+    const multiples = (step) => {
+      const ticks = [];
+      for (let k = Math.ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; ++k) ticks.push(k * step);
+      return ticks;
+    };
+    const first = steps.findIndex((step) => step >= rough);
+    const ticks = multiples(steps[first]);
+    return ticks.length >= 3 ? ticks : multiples(steps[first - 1]);
   };
   // What does not vary by more than `noise` is drawn as constant. Where a value runs away (velocities do near a dead point),
   // the scale is that of the bulk.

@@ -125,6 +125,15 @@ def check_motion(browser, page):
         expect(unit in later, f"{page.name}: an axis in {unit}")
 
 
+def check_ticks(browser, page):
+    """Every axis of every quantity has numbers to be read off."""
+    for number in range(page.read_text().count("<option")):
+        dom = browser.dom(page, f"#plot={number}")
+        for kind, plot in re.findall(r'<div class="plot" id="plot-(\w+)">(.*?)</svg>', dom, re.S):
+            ticks = re.findall(r'class="tick"[^>]*text-anchor="end">(-?[\d.e+-]+)<', plot)
+            expect(len(ticks) >= 3, f"{page.name}: {kind} of quantity {number} has three ticks, not {ticks}")
+
+
 def check_slider(browser, page):
     moved = page.with_name("moved.html")
     moved.write_text(page.read_text().replace("</body>", MOVE_SLIDER))
@@ -255,6 +264,7 @@ def main():
         browser = Browser(program, folder)
         four_bar = page_of(moivre, folder, "motion", mechanisms / "four-bar.toml")
         check_motion(browser, four_bar)
+        check_ticks(browser, four_bar)
         check_slider(browser, four_bar)
         check_animation(browser, four_bar)
         check_animation(browser, page_of(moivre, folder, "motion", mechanisms / "stephenson-3.toml"))
