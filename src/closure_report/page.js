@@ -3,8 +3,9 @@
 (() => {
   const byId = (id) => document.getElementById(id);
   const data = JSON.parse(byId('data').textContent);
+  const svgNamespace = 'http://www.w3.org/2000/svg';
   const svgElement = (name, attributes, parent) => {
-    const made = document.createElementNS('http://www.w3.org/2000/svg', name);
+    const made = document.createElementNS(svgNamespace, name);
     for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, value);
     parent.appendChild(made);
     return made;
@@ -226,7 +227,7 @@
     const [, , width, height] = byId('panel-0').querySelector('svg').getAttribute('viewBox').split(' ').map(Number);
     const [top, caption] = [34, 24];
     const size = [columns * width, top + Math.ceil(shown.length / columns) * (height + caption)];
-    const root = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
+    const root = document.createElementNS(svgNamespace, 'svg');
     root.setAttribute('viewBox', `0 0 ${size[0]} ${size[1]}`);
     svgElement('title', {}, root).textContent = document.title;
     const style = document.querySelector('style').textContent;
