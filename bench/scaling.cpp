@@ -98,9 +98,7 @@ class TimedTracker : public moivre::Tracker {
  public:
   explicit TimedTracker(const moivre::Tracker& tracker) : tracker_(tracker) {}
   std::string kind() const override { return tracker_.kind(); }
-  std::vector<std::pair<std::string, std::string>> options_in_force() const override {
-    return tracker_.options_in_force();
-  }
+  moivre::OptionsInForce options_in_force() const override { return tracker_.options_in_force(); }
   std::unique_ptr<moivre::TrackerSession> open(const moivre::Homotopy& homotopy) const override {
     {
       const std::lock_guard lock(sessions.mutex);

@@ -94,7 +94,7 @@ std::optional<double> dimension_tolerance(const ClosuresCommand& command) {
   const std::vector<std::string>& given = command.tracker.of_lanes;
   const bool is_given = std::find(given.begin(), given.end(), kTolerance) != given.end();
   if (!command.sensitivity || !is_given) return std::nullopt;
-  const double tolerance = command.tracker.tolerance;
+  const double tolerance = std::get<double>(command.tracker.values.at("tolerance"));
   if (!(tolerance >= 0) || !is_workable(tolerance)) {
     throw std::invalid_argument("--tolerance of dimensions must be a length from 0 up");
   }
@@ -105,7 +105,7 @@ std::optional<double> dimension_tolerance(const ClosuresCommand& command) {
 TrackerChoice tracker_of(const ClosuresCommand& command) {
   TrackerChoice choice = command.tracker;
   if (!command.sensitivity) return choice;
-  choice.tolerance = TrackerChoice().tolerance;
+  choice.values["tolerance"] = TrackerChoice().values["tolerance"];
   std::erase(choice.of_lanes, kTolerance);
   return choice;
 }
@@ -172,6 +172,7 @@ int run(const ClosuresCommand& command) {
   options.solve.start = kind_of(command.start);
   options.solve.threads = command.threads;
   options.solve.certify = !command.no_certify;
+  options.with_mobility = !command.json.empty();
   const std::unique_ptr<Tracker> fallback = make_fallback(tracker_of(command));
   options.solve.fallback = fallback.get();
   ProgressLine line(!command.quiet);

@@ -2,6 +2,7 @@
 // The command line as a whole: its commands, its errors, its exit codes.
 #include <algorithm>
 #include <cstdio>
+#include <iterator>
 #include <new>
 #include <sstream>
 #include <string_view>
@@ -109,6 +110,29 @@ int refuse(const std::string& text) {
   return kUsage;
 }
 
+struct Command {
+  const char* name;
+  void (*add)(CLI::App& moivre, Chosen& chosen);
+};
+
+constexpr Command kCommands[]{
+    {"solve", add_solve_command},         {"track", add_track_command},
+    {"info", add_info_command},           {"closures", add_closures_command},
+    {"motion", add_motion_command},       {"newton", add_newton_command},
+    {"mobility", add_mobility_command},   {"guesses", add_guesses_command},
+    {"mechanism", add_mechanism_command}, {"study", add_study_command},
+    {"check", add_check_command},         {"family", add_family_command},
+    {"sweep", add_sweep_command}};
+
+/// Only the one that is called, where the first word names it: the options of all the others take half a millisecond.
+void add_commands(CLI::App& moivre, Chosen& chosen, const std::string& first_word) {
+  const bool is_named = std::any_of(std::begin(kCommands), std::end(kCommands),
+                                    [&](const Command& c) { return c.name == first_word; });
+  for (const Command& command : kCommands) {
+    if (!is_named || command.name == first_word) command.add(moivre, chosen);
+  }
+}
+
 int parse_and_run(int argc, char** argv) {
   CLI::App moivre(
       "Finds every root of a polynomial system, and every way a mechanism can be assembled, by "
@@ -121,20 +145,8 @@ int parse_and_run(int argc, char** argv) {
   moivre.add_flag("--verbose")->description("with --version: tell what is built in as well");
   moivre.require_subcommand(1);
   moivre.footer("moivre COMMAND --help explains a command and shows examples.\n");
-  add_solve_command(moivre, chosen);
-  add_track_command(moivre, chosen);
-  add_info_command(moivre, chosen);
-  add_closures_command(moivre, chosen);
-  add_motion_command(moivre, chosen);
-  add_newton_command(moivre, chosen);
-  add_mobility_command(moivre, chosen);
-  add_guesses_command(moivre, chosen);
-  add_mechanism_command(moivre, chosen);
-  add_study_command(moivre, chosen);
-  add_check_command(moivre, chosen);
-  add_family_command(moivre, chosen);
-  add_sweep_command(moivre, chosen);
   const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+  add_commands(moivre, chosen, words.empty() ? "" : words.front());
   const std::string empty = empty_words(words);
   if (!empty.empty()) return refuse(empty);
   try {

@@ -48,14 +48,14 @@ TrackerChoice choice_of(const std::string& curve, double tolerance) {
   const std::size_t plus = curve.find('+');
   if (curve.starts_with("lanes")) {
     choice.kind = "lanes";
-    choice.tolerance = tolerance;
-    if (plus != std::string::npos) choice.predictor = curve.substr(plus + 1);
+    choice.values["tolerance"] = tolerance;
+    if (plus != std::string::npos) choice.values["predictor"] = curve.substr(plus + 1);
     return choice;
   }
   choice.kind = "cvode";
-  choice.rtol = tolerance;
-  choice.method = curve.substr(0, plus);
-  if (plus != std::string::npos) choice.iteration = "newton";
+  choice.values["rtol"] = tolerance;
+  choice.values["method"] = curve.substr(0, plus);
+  if (plus != std::string::npos) choice.values["iteration"] = "newton";
   return choice;
 }
 

@@ -2,9 +2,13 @@
 // Makes the tracker that was chosen, of those that this program was built with.
 #include "tracker_choice.h"
 
+#include <algorithm>
+#include <functional>
 #include <stdexcept>
 
 #include "common_options.h"
+#include "moivre/tracker/cvode_options.h"
+#include "moivre/tracker/lane_options.h"
 
 #if MOIVRE_WITH_CVODE
 #include "moivre/tracker_cvode/cvode_tracker.h"
@@ -16,91 +20,72 @@
 namespace moivre {
 namespace {
 
-#if MOIVRE_WITH_CVODE
-void take_defaults_of_cvode(TrackerChoice& choice) {
-  const CvodeOptions options;
-  choice.kind = "cvode";
-  choice.rtol = options.rtol;
-  choice.maximum_steps = options.maximum_steps;
-}
-
-CvodeMethod cvode_method(const std::string& name) {
-  for (const CvodeMethod method :
-       {CvodeMethod::bdf_projection, CvodeMethod::bdf, CvodeMethod::adams}) {
-    if (name == to_string(method)) return method;
-  }
-  if (name == "adams_projection") {
-    throw std::invalid_argument(
-        "--method adams_projection: CVODE projects with BDF only (\"CVodeSetProjFn: projection is "
-        "only supported with BDF\"); take bdf_projection, or adams without projection");
-  }
-  throw std::invalid_argument("--method " + name +
-                              ": the methods are bdf_projection, bdf and adams");
-}
-
-CvodeIteration cvode_iteration(const std::string& name) {
-  for (const CvodeIteration iteration : {CvodeIteration::fixed_point, CvodeIteration::newton}) {
-    if (name == to_string(iteration)) return iteration;
-  }
-  throw std::invalid_argument("--iteration " + name +
-                              ": the iterations are fixed_point and newton");
-}
-
-std::unique_ptr<Tracker> make_cvode(const TrackerChoice& choice) {
-  CvodeOptions options;
-  options.rtol = choice.rtol;
-  options.maximum_steps = choice.maximum_steps;
+/// One with its options as chosen. All words that it does not take, and all numbers out of range, are refused at once.
+template <class Options>
+std::unique_ptr<Tracker> made(const OptionTable<Options>& table, const TrackerChoice& choice,
+                              std::unique_ptr<Tracker> (*make)(const Options&)) {
+  Options options;
   std::unique_ptr<Tracker> tracker;
-  require_all({[&] { options.method = cvode_method(choice.method); },
-               [&] { options.iteration = cvode_iteration(choice.iteration); },
-               [&] { tracker = make_cvode_tracker(options); }});
+  std::vector<std::function<void()>> steps;
+  for (const auto& row : table) {
+    steps.emplace_back([&] { row.set(options, choice.values.at(row.facts.name)); });
+  }
+  steps.emplace_back([&] { tracker = make(options); });
+  require_all(steps);
   return tracker;
 }
-#else
-void take_defaults_of_cvode(TrackerChoice&) {}
 
+#if MOIVRE_WITH_CVODE
+std::unique_ptr<Tracker> make_cvode(const TrackerChoice& choice) {
+  return made(cvode_table(), choice, make_cvode_tracker);
+}
+#else
 std::unique_ptr<Tracker> make_cvode(const TrackerChoice&) {
   throw std::invalid_argument("--tracker cvode: this program was built without the CVODE tracker");
 }
 #endif
 
 #if MOIVRE_WITH_LANES
-void take_defaults_of_lanes(TrackerChoice& choice) {
-  const LaneOptions options;
-  choice.kind = "lanes";
-  choice.tolerance = options.tolerance;
-  choice.maximum_steps = options.maximum_steps;
-}
-
-LanePredictor lane_predictor(const std::string& name) {
-  for (const LanePredictor predictor :
-       {LanePredictor::tangent, LanePredictor::cubic, LanePredictor::quintic}) {
-    if (name == to_string(predictor)) return predictor;
-  }
-  throw std::invalid_argument("--predictor " + name +
-                              ": the predictors are tangent, cubic and quintic");
-}
-
 std::unique_ptr<Tracker> make_lanes(const TrackerChoice& choice) {
-  LaneOptions options;
-  options.predictor = lane_predictor(choice.predictor);
-  options.tolerance = choice.tolerance;
-  options.maximum_steps = choice.maximum_steps;
-  return make_lane_tracker(options);
+  return made(lane_table(), choice, make_lane_tracker);
 }
 #else
-void take_defaults_of_lanes(TrackerChoice&) {}
-
 std::unique_ptr<Tracker> make_lanes(const TrackerChoice&) {
   throw std::invalid_argument("--tracker lanes: this program was built without the lane tracker");
 }
 #endif
 
+bool is_of_lanes_alone(const TrackerOption& option) {
+  return option.trackers.size() == 1 && option.trackers.front() == "lanes";
+}
+
 }  // namespace
 
-TrackerChoice::TrackerChoice() {
-  take_defaults_of_lanes(*this);
-  take_defaults_of_cvode(*this);
+std::vector<TrackerOption> tracker_options() {
+  std::vector<TrackerOption> options;
+  const auto add = [&](const std::string& tracker, const std::vector<OptionFacts>& table) {
+    for (const OptionFacts& facts : table) {
+      const auto same = std::find_if(options.begin(), options.end(), [&](const auto& other) {
+        return other.facts.name == facts.name;
+      });
+      if (same == options.end()) {
+        options.push_back({facts, {tracker}});
+      } else {
+        same->trackers.push_back(tracker);
+      }
+    }
+  };
+  add("cvode", facts_of(cvode_table()));
+  add("lanes", facts_of(lane_table()));
+  std::stable_partition(options.begin(), options.end(),
+                        [](const TrackerOption& option) { return option.trackers.size() == 1; });
+  return options;
+}
+
+TrackerChoice::TrackerChoice() : kind(MOIVRE_WITH_CVODE ? "cvode" : "lanes") {
+  for (const TrackerOption& option : tracker_options()) {
+    values.emplace(option.facts.name, option.facts.standard);
+  }
 }
 
 void add_tracker_options(CLI::App& command, TrackerChoice& choice) {
@@ -108,32 +93,19 @@ void add_tracker_options(CLI::App& command, TrackerChoice& choice) {
   command.add_option("--tracker", choice.kind, "cvode or lanes")
       ->capture_default_str()
       ->group(group);
-  command.add_option("--method", choice.method, "cvode: bdf_projection, bdf or adams")
-      ->capture_default_str()
-      ->group(group);
-  command
-      .add_option("--iteration", choice.iteration,
-                  "cvode: fixed_point, or newton with a Jacobian by difference quotients")
-      ->capture_default_str()
-      ->group(group);
-  command.add_option("--rtol", choice.rtol, "cvode: relative local error of a step")
-      ->capture_default_str()
-      ->group(group);
-  command
-      .add_option("--tolerance", choice.tolerance,
-                  "lanes: relative size of Newton's first correction that steps aim at")
-      ->each([&choice](const std::string&) { choice.of_lanes.emplace_back("--tolerance"); })
-      ->capture_default_str()
-      ->group(group);
-  command
-      .add_option("--predictor", choice.predictor,
-                  "lanes: tangent, cubic or quintic, through one, two or three points and tangents")
-      ->each([&choice](const std::string&) { choice.of_lanes.emplace_back("--predictor"); })
-      ->capture_default_str()
-      ->group(group);
-  command.add_option("--max-steps", choice.maximum_steps, "steps of one path segment")
-      ->capture_default_str()
-      ->group(group);
+  for (const TrackerOption& option : tracker_options()) {
+    const std::string of = option.trackers.size() == 1 ? option.trackers.front() + ": " : "";
+    const auto add = [&](auto& value) {
+      return command.add_option(option.facts.flag, value, of + option.facts.sentence)
+          ->capture_default_str()
+          ->group(group);
+    };
+    CLI::Option* added = std::visit(add, choice.values.at(option.facts.name));
+    if (!is_of_lanes_alone(option)) continue;
+    added->each([&choice, flag = option.facts.flag](const std::string&) {
+      choice.of_lanes.push_back(flag);
+    });
+  }
 }
 
 std::unique_ptr<Tracker> make_tracker(const TrackerChoice& choice, bool has_witness) {

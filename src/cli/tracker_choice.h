@@ -3,26 +3,31 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <cstdint>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "moivre/tracker/option_table.h"
 #include "moivre/tracker/tracker.h"
 
 namespace moivre {
 
 struct TrackerChoice {
   std::string kind;  ///< default: cvode where it was built
-  std::string method = "bdf_projection";
-  std::string iteration = "fixed_point";
-  double rtol = 0;       ///< default: the tracker's own
-  double tolerance = 0;  ///< default: the tracker's own
-  std::string predictor = "quintic";
-  std::int64_t maximum_steps = 0;     ///< default: the tracker's own
-  std::vector<std::string> of_lanes;  ///< the options given that only the lanes take
+  std::map<std::string, OptionValue>
+      values;  ///< of every option of either tracker, by its name; default: the tracker's own
+  std::vector<std::string> of_lanes;  ///< the flags given that only the lanes take
   TrackerChoice();
 };
+
+/// An option, and the trackers that have it.
+struct TrackerOption {
+  OptionFacts facts;
+  std::vector<std::string> trackers;
+};
+/// Of all trackers, built or not; first those of one tracker alone.
+std::vector<TrackerOption> tracker_options();
 void add_tracker_options(CLI::App& command, TrackerChoice& choice);
 /// Throws std::invalid_argument with the reason when there is no such tracker, an option is out of range, or one is given that
 /// the tracker does not take and no `witness` does.

@@ -77,7 +77,8 @@ std::string joints_text(const Mechanism& mechanism, const Eigen::VectorXd& q) {
   return text.empty() ? text : text + '\n';
 }
 
-std::string closure_text(const Closure& closure, const Mechanism& mechanism) {
+std::string closure_text(const Closure& closure, const Mechanism& mechanism,
+                         const std::vector<Coordinate>& names) {
   std::string text =
       "\nclosure " + closure.id +
       (closure.is_fitted ? ", by least squares" : ", path " + std::to_string(closure.path));
@@ -91,7 +92,14 @@ std::string closure_text(const Closure& closure, const Mechanism& mechanism) {
   }
   if (closure.singular) text += ", singular";
   if (closure.certified == true) text += ", certified";
-  return text + '\n' + joints_text(mechanism, closure.q) + pose_text(mechanism, closure.q);
+  return text + '\n' + joints_text(mechanism, closure.q) + pose_text(mechanism, names, closure.q);
+}
+
+std::string closures_text(const std::vector<Closure>& closures, const Mechanism& mechanism) {
+  const std::vector<Coordinate> names = coordinates(mechanism);
+  std::string text;
+  for (const Closure& closure : closures) text += closure_text(closure, mechanism, names);
+  return text;
 }
 
 /// Each with what the drivers place; closures of the whole are one of each.
@@ -101,9 +109,7 @@ std::string sub_chains_text(const ClosureResult& result) {
     text += "\nsub-chain " + joined(part.chain.bodies, ", ") + ": " +
             counted(part.counts.complex, "complex closure") + ", " +
             std::to_string(part.counts.real) + " real\n";
-    for (const Closure& closure : part.closures) {
-      text += closure_text(closure, part.chain.mechanism);
-    }
+    text += closures_text(part.closures, part.chain.mechanism);
   }
   return text;
 }
@@ -115,9 +121,7 @@ std::string closures_text(const ClosureResult& result, const Mechanism& mechanis
   std::string text = (mechanism.title.empty() ? file : mechanism.title + " (" + file + ")") + '\n';
   text += warnings_text(mechanism) + idle_text(result.idle) + answer(result) + stages_text(result);
   text += sub_chains_text(result);
-  if (result.sub_chains.empty()) {
-    for (const Closure& closure : result.closures) text += closure_text(closure, mechanism);
-  }
+  if (result.sub_chains.empty()) text += closures_text(result.closures, mechanism);
   if (result.moves) {
     text += "\nmoves from this pose in " + counted(result.moves->dimension, "direction") + ": " +
             result.moves->shown + '\n' + pose_text(mechanism, result.moves->pose);

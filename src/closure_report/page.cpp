@@ -331,6 +331,7 @@ std::string plots_html(const Page& page, const Json& quantities) {
   return element("h2", {}, "Plots") +
          element("select", {{"id", "quantity"}, {"aria-label", "quantity"}}, options) + '\n' +
          element("button", {{"id", "save"}, {"type", "button"}}, "Save all as CSV") + '\n' +
+         element("button", {{"id", "animate"}, {"type", "button"}}, "Save as animated SVG") + '\n' +
          element("div", {{"id", "legend"}}, legend) + element("div", {{"id", "plots"}}, plots);
 }
 

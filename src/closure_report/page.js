@@ -3,8 +3,9 @@
 (() => {
   const byId = (id) => document.getElementById(id);
   const data = JSON.parse(byId('data').textContent);
+  const svgNamespace = 'http://www.w3.org/2000/svg';
   const svgElement = (name, attributes, parent) => {
-    const made = document.createElementNS('http://www.w3.org/2000/svg', name);
+    const made = document.createElementNS(svgNamespace, name);
     for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, value);
     parent.appendChild(made);
     return made;
@@ -60,14 +61,19 @@
     };
   });
 
-  // Round steps: 1, 2 or 5 times a power of ten, about `wanted` of them.
+  // Round steps: 1, 2 or 5 times a power of ten, about `wanted` of them; three at least.
   const ticksOf = (low, high, wanted) => {
     const rough = (high - low) / wanted;
     const power = 10 ** Math.floor(Math.log10(rough));
-    const step = [1, 2, 5, 10].find((m) => m * power >= rough) * power;
-    const ticks = [];
-    for (let k = Math.ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; ++k) ticks.push(k * step);
-    return ticks;
+    const steps = [0.5, 1, 2, 5, 10].map((m) => m * power);
+    const multiples = (step) => {
+      const ticks = [];
+      for (let k = Math.ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; ++k) ticks.push(k * step);
+      return ticks;
+    };
+    const first = steps.findIndex((step) => step >= rough);
+    const ticks = multiples(steps[first]);
+    return ticks.length >= 3 ? ticks : multiples(steps[first - 1]);
   };
   // What does not vary by more than `noise` is drawn as constant. Where a value runs away (velocities do near a dead point),
   // the scale is that of the bulk.
@@ -201,21 +207,98 @@
     }));
     return [names.map(quoted), ...rows].map((row) => row.join(',')).join('\n') + '\n';
   };
-  const save = () => {
+  const save = (ending, type, content) => {
     const link = document.createElement('a');
-    link.download = `${document.title}.csv`;
-    link.href = URL.createObjectURL(new Blob([csvOf()], {type: 'text/csv'}));
+    link.download = `${document.title}.${ending}`;
+    link.href = URL.createObjectURL(new Blob([content], {type}));
     link.click();
     setTimeout(() => URL.revokeObjectURL(link.href), 1000);
   };
 
-  // Once through all the motion in eight seconds.
+  // Once through all the motion in so many seconds.
+  const seconds = 8;
+
+  // The panels that are shown as one animated SVG, without a script: each frame's similarity as a shift, a turn and a stretch
+  // at a hundred samples or so (SMIL). Before a branch begins and behind its end it stands still, pale.
+  const mostSamples = 120;
+  const svgOf = () => {
+    const shown = data.branches.map((_, k) => k).filter((k) => !hidden.has(data.branches[k]));
+    const columns = Math.ceil(Math.sqrt(shown.length));
+    const [, , width, height] = byId('panel-0').querySelector('svg').getAttribute('viewBox').split(' ').map(Number);
+    const [top, caption] = [34, 24];
+    const size = [columns * width, top + Math.ceil(shown.length / columns) * (height + caption)];
+    const root = document.createElementNS(svgNamespace, 'svg');
+    root.setAttribute('viewBox', `0 0 ${size[0]} ${size[1]}`);
+    svgElement('title', {}, root).textContent = document.title;
+    const style = document.querySelector('style').textContent;
+    svgElement('style', {}, root).textContent = `${style}path,circle{vector-effect:non-scaling-stroke}`;
+    svgElement('rect', {width: size[0], height: size[1], fill: '#fff'}, root);
+    svgElement('text', {class: 'title', x: 12, y: 24}, root).textContent = document.title;
+    shown.forEach((index, place) => {
+      const branch = data.branches[index];
+      const figure = byId('panel-' + index);
+      const at = [place % columns * width, top + Math.floor(place / columns) * (height + caption)];
+      const name = svgElement('text', {class: 'caption', x: at[0] + 12, y: at[1] + 16}, root);
+      name.style.fill = figure.querySelector('b').style.color;
+      name.textContent = [...figure.querySelectorAll('b, small')].map((part) => part.textContent).join(', ');
+      const panel = svgElement('svg', {x: at[0], y: at[1] + caption, width, height}, root);
+      panel.append(...figure.querySelector('svg').cloneNode(true).childNodes);
+      const share = (t) => (t - data.from) / (data.to - data.from);
+      const late = share(branch.t[0]) > 1e-9;
+      const early = share(branch.t[branch.t.length - 1]) < 1 - 1e-9;
+      const stride = Math.ceil(branch.t.length / mostSamples);
+      const taken = branch.t.map((_, k) => k).filter((k) => k % stride === 0 || k === branch.t.length - 1);
+      const frames = taken.map((k) => branch.frames[k]);
+      const rows = [...(late ? frames.slice(0, 1) : []), ...frames, ...(early ? frames.slice(-1) : [])];
+      const inner = taken.map((k) => Math.min(Math.max(share(branch.t[k]), 0), 1).toFixed(5));
+      const keyTimes = [...(late ? ['0'] : []), ...inner, ...(early ? ['1'] : [])];
+      keyTimes[0] = '0';
+      keyTimes[keyTimes.length - 1] = '1';
+      const timing = {dur: `${seconds}s`, repeatCount: 'indefinite'};
+      const animate = (parent, type, values, additive) => svgElement('animateTransform', {
+        attributeName: 'transform', type, additive, values: values.join(';'), keyTimes: keyTimes.join(';'), ...timing}, parent);
+      const round = (x, digits) => Number(x.toFixed(digits));
+      const similarity = (frame) => rows.map((row) => row.slice(4 * frame, 4 * frame + 4));
+      // An angle goes on beyond half a turn.
+      const turnsOf = (matrices) => matrices.reduce((turns, [a, b]) => {
+        const turn = Math.atan2(b, a) * 180 / Math.PI;
+        const last = turns.length ? turns[turns.length - 1] : turn;
+        return [...turns, turn + 360 * Math.round((last - turn) / 360)];
+      }, []);
+      for (const group of panel.querySelectorAll('g[data-frame]')) {
+        const matrices = similarity(Number(group.dataset.frame));
+        group.removeAttribute('transform');
+        group.removeAttribute('data-frame');
+        animate(group, 'translate', matrices.map(([, , e, f]) => `${round(e, 2)} ${round(f, 2)}`), 'replace');
+        animate(group, 'rotate', turnsOf(matrices).map((turn) => round(turn, 2)), 'sum');
+        const stretches = matrices.map(([a, b]) => round(Math.hypot(a, b), 4));
+        if (stretches.some((stretch) => stretch !== 1)) animate(group, 'scale', stretches, 'sum');
+      }
+      for (const label of panel.querySelectorAll('text[data-label]')) {
+        const {frame, x, y, dx, dy, base, turns, series} = JSON.parse(label.dataset.label);
+        label.removeAttribute('data-label');
+        label.setAttribute('x', 0);
+        label.setAttribute('y', 0);
+        if (series !== undefined) label.textContent = data.quantities[series].name;
+        animate(label, 'translate', similarity(frame).map(([a, b, e, f]) => {
+          const [u, v] = turns ? [a / Math.hypot(a, b), b / Math.hypot(a, b)] : [1, 0];
+          return `${round(a * x - b * y + e + u * dx - v * dy, 2)} ${round(b * x + a * y + f + v * dx + u * dy + base, 2)}`;
+        }), 'replace');
+      }
+      if (!late && !early) return;
+      const steps = [...(late ? [['0', 0.3]] : []), [late ? inner[0] : '0', 1], ...(early ? [[inner[inner.length - 1], 0.3]] : [])];
+      svgElement('animate', {attributeName: 'opacity', calcMode: 'discrete', values: steps.map(([, v]) => v).join(';'),
+        keyTimes: steps.map(([k]) => k).join(';'), ...timing}, panel);
+    });
+    return new XMLSerializer().serializeToString(root);
+  };
+
   let playing = null;
   const play = byId('play');
   const step = (stamp) => {
     if (playing === null) return;
     const span = data.to - data.from;
-    const t = now + span * Math.min(stamp - playing, 100) / 8000;
+    const t = now + span * Math.min(stamp - playing, 100) / (1000 * seconds);
     playing = stamp;
     setTime(t > data.to ? data.from : t);
     requestAnimationFrame(step);
@@ -241,7 +324,8 @@
     slider.addEventListener('input', () => setTime(data.from + Number(slider.value) * (data.to - data.from)));
     play.addEventListener('click', togglePlay);
     chooser.addEventListener('change', showPlots);
-    byId('save').addEventListener('click', save);
+    byId('save').addEventListener('click', () => save('csv', 'text/csv', csvOf()));
+    byId('animate').addEventListener('click', () => save('svg', 'image/svg+xml', svgOf()));
     for (const button of document.querySelectorAll('#legend button')) {
       button.addEventListener('click', () => toggleBranch(button));
     }

@@ -39,7 +39,11 @@ std::string idle_text(const std::vector<IdleJoint>& idle) {
 }
 
 std::string pose_text(const Mechanism& mechanism, const Eigen::VectorXd& q) {
-  const std::vector<Coordinate> names = coordinates(mechanism);
+  return pose_text(mechanism, coordinates(mechanism), q);
+}
+
+std::string pose_text(const Mechanism& mechanism, const std::vector<Coordinate>& names,
+                      const Eigen::VectorXd& q) {
   std::string text;
   std::size_t width = 0;
   for (const Coordinate& c : names) width = std::max(width, c.name.size());

@@ -10,6 +10,9 @@
 namespace moivre {
 
 std::string pose_text(const Mechanism& mechanism, const Eigen::VectorXd& q);
+/// `names`: coordinates(mechanism), for many poses of it.
+std::string pose_text(const Mechanism& mechanism, const std::vector<Coordinate>& names,
+                      const Eigen::VectorXd& q);
 
 /// "warning: ..." a line for each of the mechanism's warnings.
 std::string warnings_text(const Mechanism& mechanism);

@@ -60,9 +60,9 @@ void add_mobility(const Phi& phi, bool is_wanted, ClosureResult& result) {
   result.constraints = phi.size() - phi.driver_size();
   if (!is_wanted) return;
   if (!result.closures.empty()) {
-    result.mobility = mobility(phi, result.closures.front().q, result.time);
+    result.mobility = constraint_rank(phi, result.closures.front().q, result.time);
   } else if (result.moves) {
-    result.mobility = mobility(phi, result.moves->pose, result.time);
+    result.mobility = constraint_rank(phi, result.moves->pose, result.time);
   }
 }
 

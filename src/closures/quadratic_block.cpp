@@ -68,6 +68,24 @@ Highest settle(Quadric& q) {
   return highest;
 }
 
+/// A P, where P [x; 1] puts share [x; 1] in as number `pivot`: that column's shares are added to the others.
+template <class Matrix, class Vector>
+Matrix with_column_shared(const Matrix& A, Index pivot, const Vector& share) {
+  Matrix B(A.rows(), A.cols() - 1);
+  for (Index j = 0; j < B.cols(); ++j) {
+    const Index from = j < pivot ? j : j + 1;
+    for (Index i = 0; i < B.rows(); ++i) B(i, j) = A(i, from) + A(i, pivot) * share[j];
+  }
+  return B;
+}
+
+/// P^T M P of a symmetric M.
+template <class Matrix, class Vector>
+Matrix restricted(const Matrix& M, Index pivot, const Vector& share) {
+  const Matrix half = with_column_shared(M, pivot, share);
+  return with_column_shared(Matrix(half.transpose()), pivot, share);
+}
+
 /// Solves the linear equation for its largest unknown and puts that in everywhere. False where none is large enough.
 bool substitute(const Quadric& linear, Reduced& all) {
   const Index k = linear.unknowns();
@@ -75,19 +93,16 @@ bool substitute(const Quadric& linear, Reduced& all) {
   linear.M.col(k).head(k).cwiseAbs().maxCoeff(&pivot);
   const Complex a = linear.M(pivot, k);
   if (!(std::abs(a) > kClear * linear.S(pivot, k))) return false;
-  // [y; 1] = P [y without the pivot; 1]; the constant stands in M once, the other entries of the row twice.
-  MatrixXcd P = MatrixXcd::Zero(k + 1, k);
-  for (Index i = 0, column = 0; i <= k; ++i) {
-    if (i == pivot) continue;
-    P(i, column) = 1;
-    P(pivot, column) = -linear.M(i, k) / a * (i == k ? 0.5 : 1.0);
-    ++column;
+  // y_pivot = share [y without the pivot; 1]; the constant stands in M once, the other entries of the row twice.
+  VectorXcd share(k);
+  for (Index i = 0; i < k; ++i) {
+    const Index from = i < pivot ? i : i + 1;
+    share[i] = -linear.M(from, k) / a * (from == k ? 0.5 : 1.0);
   }
-  const MatrixXd sizes = P.cwiseAbs();
-  all.T = all.T * P;
+  all.T = with_column_shared(all.T, pivot, share);
   for (Quadric& q : all.quadrics) {
-    q.M = (P.transpose() * q.M * P).eval();
-    q.S = (sizes.transpose() * q.S * sizes).eval();
+    q.M = restricted(q.M, pivot, share);
+    q.S = restricted(q.S, pivot, share.cwiseAbs());
     q.has_pivot = false;
   }
   return true;
@@ -267,7 +282,7 @@ std::optional<Solution> QuadraticBlock::refined(const std::vector<Equation>& equ
         const ComplexDoubleDouble by_i = product(term.c, fine[j]);
         value += product(by_i, fine[i]);
         if (i < n) lu.matrix()[e * n + i] += to_complex(by_i);
-        if (j < n) lu.matrix()[e * n + j] += to_complex(product(term.c, fine[i]));
+        if (j < n) lu.matrix()[e * n + j] += i < n ? to_complex(term.c) * x[i] : to_complex(term.c);
       }
       step[e] = -to_complex(value);
     }

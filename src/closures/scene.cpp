@@ -22,7 +22,6 @@ Scene solve_scene(const MotionRun& run, const Tracker& tracker, double time) {
   options.time = time;
   options.solve = run.options.solve;
   options.certify = false;  // what is compared with branches needs no proof of its own
-  options.with_mobility = false;
   Scene scene;
   scene.time = time;
   scene.closures = find_closures(run.mechanism, tracker, options, run.stop);

@@ -55,10 +55,6 @@ Polynomial substituted(const Polynomial& p, const std::vector<KnownValue>& value
   return to_polynomial(std::move(terms));
 }
 
-bool is_lone_linear(const System& f) {
-  return f.polynomials.size() == 1 && degree(f.polynomials.front()) == 1;
-}
-
 class Stages {
  public:
   Stages(const Formulation& formulation, const Tracker& tracker, const SolveOptions& options,
@@ -93,13 +89,18 @@ class Stages {
   }
 
  private:
+  static Polynomial equation_at(const System& all, const Block& block, std::size_t equation,
+                                const PartialRoot& root);
+  Polynomial equation_at(const Block& block, std::size_t equation, const PartialRoot& root) const {
+    return equation_at(formulation_.system, block, equation, root);
+  }
+  static System system_at(const System& all, const Block& block, const PartialRoot& root);
   System system_at(const Block& block, const PartialRoot& root) const {
     return system_at(formulation_.system, block, root);
   }
-  static System system_at(const System& all, const Block& block, const PartialRoot& root);
   void note_set(const PartialRoot& root);
   bool is_excluded(const PartialRoot& root);
-  void solve_lone(const Block& block);
+  void solve_lone(const Block& block, Polynomial of_first_root);
   SolveResult solved(const Block& block, const QuadraticBlock& formula, const PartialRoot& root);
   std::optional<GivenStart> general_start(const Block& block, const PartialRoot& root) const;
   SolveResult followed(const Block& block, const PartialRoot& root);
@@ -121,15 +122,21 @@ class Stages {
   std::uint64_t formulas_ = 0;  ///< solves by formula
 };
 
-System Stages::system_at(const System& all, const Block& block, const PartialRoot& root) {
+/// In the block's variables, numbered in its order.
+Polynomial Stages::equation_at(const System& all, const Block& block, std::size_t equation,
+                               const PartialRoot& root) {
   std::vector<std::uint32_t> place(all.variables.size());
-  System f;
-  for (const std::size_t v : block.variables) {
-    place[v] = static_cast<std::uint32_t>(f.variables.size());
-    f.variables.push_back(all.variables[v]);
+  for (std::size_t k = 0; k < block.variables.size(); ++k) {
+    place[block.variables[k]] = static_cast<std::uint32_t>(k);
   }
+  return substituted(all.polynomials[equation], root.value, place);
+}
+
+System Stages::system_at(const System& all, const Block& block, const PartialRoot& root) {
+  System f;
+  for (const std::size_t v : block.variables) f.variables.push_back(all.variables[v]);
   for (const std::size_t e : block.equations) {
-    f.polynomials.push_back(substituted(all.polynomials[e], root.value, place));
+    f.polynomials.push_back(equation_at(all, block, e, root));
   }
   return f;
 }
@@ -156,19 +163,21 @@ void Stages::note_set(const PartialRoot& root) {
 }
 
 /// One equation a x + b = 0, its x put in above every root so far. Where a vanishes there is none, where b does too a set of them.
-void Stages::solve_lone(const Block& block) {
+void Stages::solve_lone(const Block& block, Polynomial of_first_root) {
   ++lone_;
   prover_.add_lone(block);
+  const std::size_t equation = block.equations.front();
+  double size = 0;
+  for (const Term& term : formulation_.system.polynomials[equation].terms) {
+    size = std::max(size, std::abs(to_complex(term.coefficient)));
+  }
   std::vector<PartialRoot> next;
   for (PartialRoot& root : run_.roots) {
-    const Polynomial p = system_at(block, root).polynomials.front();
-    Coefficient a{0, 0};
-    Coefficient b{0, 0};
+    const Polynomial p = &root == &run_.roots.front() ? std::move(of_first_root)
+                                                      : equation_at(block, equation, root);
+    Coefficient a;
+    Coefficient b;
     for (const Term& term : p.terms) (term.monomial.empty() ? b : a) = term.coefficient;
-    double size = 0;
-    for (const Term& term : formulation_.system.polynomials[block.equations.front()].terms) {
-      size = std::max(size, std::abs(to_complex(term.coefficient)));
-    }
     if (std::abs(to_complex(a)) <= kCancelled * size) {
       if (std::abs(to_complex(b)) <= kCancelled * size) note_set(root);
       run_.is_proved = false;
@@ -379,7 +388,10 @@ void Stages::add_roots(const Block& block, const QuadraticBlock& formula, const 
 
 void Stages::solve_block(const Block& block) {
   if (run_.roots.empty()) return;
-  if (is_lone_linear(system_at(block, run_.roots.front()))) return solve_lone(block);
+  if (block.equations.size() == 1) {
+    Polynomial lone = equation_at(block, block.equations.front(), run_.roots.front());
+    if (degree(lone) == 1) return solve_lone(block, std::move(lone));
+  }
   prover_.close_group(block);
   const QuadraticBlock formula(formulation_, block);
   Stage stage;

@@ -22,7 +22,8 @@ constexpr std::size_t kMaximumFaultsInText = 1000;
 constexpr std::size_t kMegabyte = 1'000'000;
 /// Far more than a system at the limit of a million terms takes; a device without end is not read for ever.
 constexpr std::size_t kLongestText = 256 * kMegabyte;
-/// Read at a time.
+/// Read at a time: first a mechanism's usual length, for every page of memory that is touched costs a microsecond.
+constexpr std::size_t kFirstPiece = 1 << 12;
 constexpr std::size_t kPiece = 1 << 16;
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
@@ -76,9 +77,11 @@ std::string all_texts(const Source& source, const std::vector<Diagnostic>& fault
 
 Source read_whole(const std::string& name, std::istream& stream) {
   std::string text;
-  std::vector<char> piece(kPiece);
-  while (stream.read(piece.data(), kPiece) || stream.gcount() > 0) {
-    text.append(piece.data(), static_cast<std::size_t>(stream.gcount()));
+  for (std::size_t piece = kFirstPiece; stream; piece = kPiece) {
+    const std::size_t before = text.size();
+    text.resize(before + piece);
+    stream.read(text.data() + before, static_cast<std::streamsize>(piece));
+    text.resize(before + static_cast<std::size_t>(stream.gcount()));
     if (text.size() <= kLongestText) continue;
     throw std::invalid_argument(name + ": is longer than " +
                                 std::to_string(kLongestText / kMegabyte) +

@@ -8,10 +8,11 @@
 
 namespace moivre {
 
-inline Polynomial operator-(const Polynomial& a, const Polynomial& b) {
-  return a + Coefficient{-1, 0} * b;
+inline Polynomial operator-(Polynomial a) {
+  for (Term& term : a.terms) term.coefficient = -term.coefficient;
+  return a;
 }
-inline Polynomial operator-(const Polynomial& a) { return Coefficient{-1, 0} * a; }
+inline Polynomial operator-(const Polynomial& a, const Polynomial& b) { return a + -b; }
 
 inline double largest_coefficient(const Polynomial& p) {
   double largest = 0;

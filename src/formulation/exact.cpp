@@ -4,8 +4,11 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdint>
+#include <cstdlib>
 #include <limits>
 #include <numbers>
+#include <stdexcept>
 #include <string>
 
 #include "moivre/numeric/integer.h"
@@ -14,31 +17,42 @@ namespace moivre {
 namespace {
 
 Rational power_of_ten(int exponent) {
-  const Integer power = pow(Integer(10), static_cast<unsigned>(std::abs(exponent)));
-  return exponent < 0 ? ratio(1, power) : ratio(power);
+  constexpr int kWord = 18;  // 10^18 < 2^63
+  const int size = std::abs(exponent);
+  if (size > kWord) {
+    const Integer power = pow(Integer(10), static_cast<unsigned>(size));
+    return exponent < 0 ? ratio(1, power) : ratio(power);
+  }
+  std::int64_t power = 1;
+  for (int k = 0; k < size; ++k) power *= 10;
+  return exponent < 0 ? Rational(1, power) : Rational(power);
 }
 
 }  // namespace
 
+// The shortest decimal of a double has up to 17 digits: they fit a word.
 Rational typed_decimal(double x) {
+  if (!std::isfinite(x))
+    throw std::invalid_argument("no decimal was typed for " + std::to_string(x));
   constexpr std::size_t kLongestDouble = 32;
   char text[kLongestDouble];
-  const auto end = std::to_chars(text, text + sizeof text, x, std::chars_format::scientific);
-  const std::string all(text, end.ptr);
-  const std::size_t e = all.find('e');
-  const std::size_t dot = all.find('.');
-  std::string digits = all.substr(0, e);
-  int exponent = std::stoi(all.substr(e + 1));
-  if (dot < e) {
-    exponent -= static_cast<int>(e - dot - 1);
-    digits.erase(dot, 1);
+  const char* const end =
+      std::to_chars(text, text + sizeof text, std::abs(x), std::chars_format::scientific).ptr;
+  std::int64_t digits = 0;
+  int decimals = 0;
+  const char* place = text;
+  for (bool is_behind_dot = false; *place != 'e'; ++place) {
+    if (*place == '.') {
+      is_behind_dot = true;
+      continue;
+    }
+    digits = 10 * digits + (*place - '0');
+    if (is_behind_dot) ++decimals;
   }
-  // Leading zeros would be read as an octal number.
-  const bool is_negative = digits.front() == '-';
-  const std::size_t first = digits.find_first_of("123456789");
-  if (first == std::string::npos) return Rational(0);
-  const Rational value = ratio(Integer(digits.substr(first))) * power_of_ten(exponent);
-  return is_negative ? -value : value;
+  place += place[1] == '+' ? 2 : 1;
+  int exponent = 0;
+  std::from_chars(place, end, exponent);
+  return Rational(x < 0 ? -digits : digits) * power_of_ten(exponent - decimals);
 }
 
 Coefficient typed_decimal(double x, double y) { return {typed_decimal(x), typed_decimal(y)}; }

@@ -50,6 +50,7 @@ class Bodies {
 
   /// A place or direction of a body's frame as a complex number, turned with the body.
   Mirrored turned(std::size_t body, const Eigen::Vector3d& at) const {
+    if (at.x() == 0 && at.y() == 0) return {};
     return typed_decimal(at.x(), at.y()) * frame_.t(body);
   }
   Mirrored place(const PointOf& point) const {

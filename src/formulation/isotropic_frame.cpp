@@ -43,6 +43,7 @@ void IsotropicFrame::add_angles(const std::string& prefix) {
     t_of_[node] = t;
     add_equation("unit " + name, unknown(t) * unknown(u) - constant({1, 0}));
   }
+  for (std::size_t node = 0; node <= names_.size(); ++node) t_.push_back(direction(node));
 }
 
 std::uint32_t IsotropicFrame::add_variable(const std::string& name,
@@ -81,7 +82,7 @@ void IsotropicFrame::add_equations(const std::string& name, const Mirrored& z) {
   add_equation(name + ", conjugate", z.conjugate);
 }
 
-Mirrored IsotropicFrame::t(std::size_t node) const {
+Mirrored IsotropicFrame::direction(std::size_t node) const {
   const SharedAngle angle = classes_.find(node);
   const Coefficient inverse = conjugate(angle.factor);
   if (angle.root == 0) return {constant(angle.factor), constant(inverse)};

@@ -51,7 +51,8 @@ class IsotropicFrame {
   void add_equation(const std::string& name, Polynomial p);
   void add_equations(const std::string& name, const Mirrored& z);
 
-  Mirrored t(std::size_t node) const;
+  /// Once angles are added.
+  const Mirrored& t(std::size_t node) const { return t_[node]; }
   SharedAngle angle(std::size_t node) const { return classes_.find(node); }
   /// prod t_node^power = value, as one polynomial of low degree.
   void add_turn(const std::string& name, const std::vector<std::pair<std::size_t, int>>& powers,
@@ -63,10 +64,12 @@ class IsotropicFrame {
 
  private:
   std::uint32_t add_variable(const std::string& name, std::vector<std::string> owners);
+  Mirrored direction(std::size_t node) const;
 
   std::vector<std::string> names_;
   AngleClasses classes_;
   std::vector<std::uint32_t> t_of_;  ///< of each class root: the variable t; u is the next
+  std::vector<Mirrored> t_;          ///< of each node
   Formulation result_;
 };
 

@@ -17,8 +17,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// Below, Jacobi's rotations are as fast.
-constexpr Index kSmall = 16;
+// Below, there is nothing to iterate.
+constexpr Index kSmall = 2;
 // Of an eigenvalue: standing still so far from one look to the next is converged.
 constexpr double kStandstill = 1e-13;
 // Of the largest one, which a condition number is made of.
@@ -50,7 +50,7 @@ std::optional<double> largest_eigenvalue(const Operator& apply, Index n, double 
     if (!w.allFinite()) return std::nullopt;
     alpha[k] = Q.col(k).dot(w);
     for (int twice = 0; twice < 2; ++twice) {
-      w -= Q.leftCols(k + 1) * (Q.leftCols(k + 1).transpose() * w);
+      for (Index j = 0; j <= k; ++j) w -= Q.col(j).dot(w) * Q.col(j);
     }
     beta[k] = w.norm();
     const bool is_spanned = k + 1 == n || !(beta[k] > kStandstill * std::abs(alpha[0]));

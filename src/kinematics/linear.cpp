@@ -60,7 +60,7 @@ bool has_surely_full_rank(const MatrixXd& equilibrated) {
                             ? equilibrated
                             : MatrixXd(equilibrated.transpose());
   if (tall.cols() <= kStairsPay || !tall.allFinite()) return false;
-  const StaircaseOrder order = staircase_order(pattern_of(tall), tall.cols());
+  const StaircaseOrder order = staircase_order(tall);
   return is_surely_regular(tall, order);
 }
 

@@ -146,6 +146,13 @@ std::string to_text(const RedundantRow& redundant) {
   return text;
 }
 
+ConstraintRank constraint_rank(const Phi& phi, const VectorXd& q, double t) {
+  const Phi joints = phi.without_drivers();
+  const MatrixXd J = joints.jacobian(q, t);
+  const Index rank = numerical_rank(J);
+  return {rank, J.cols() - rank, redundant_rows(joints, J, rank)};
+}
+
 Mobility mobility(const Phi& phi, const VectorXd& q, double t) {
   const Phi joints = phi.without_drivers();
   const MatrixXd J = joints.jacobian(q, t);

@@ -145,7 +145,7 @@ void describe_end(const Phi& phi, double t, const std::vector<Index>& free,
   const bool is_tall = J.rows() >= J.cols();
   const MatrixXd A = is_tall ? J : MatrixXd(J.transpose());
   const Index full_rank = A.cols();
-  const StaircaseOrder order = staircase_order(pattern_of(A), full_rank);
+  const StaircaseOrder order = staircase_order(A);
   run.smallest_singular_value = smallest_singular_value(A, order);
   run.rank = stays_regular(J, run.smallest_singular_value) ? full_rank : numerical_rank(J);
   last.rank = run.rank;

@@ -106,6 +106,21 @@ StaircaseOrder staircase_order(Pattern pattern, Index columns) {
   return order;
 }
 
+StaircaseOrder staircase_order(const MatrixXd& A) {
+  constexpr Index kOrderPays = 32;
+  if (A.cols() >= kOrderPays) return staircase_order(pattern_of(A), A.cols());
+  StaircaseOrder order;
+  order.rows.resize(at(A.rows()));
+  order.columns.resize(at(A.cols()));
+  std::iota(order.rows.begin(), order.rows.end(), Index{0});
+  std::iota(order.columns.begin(), order.columns.end(), Index{0});
+  order.place = order.columns;
+  order.pattern.assign(order.rows.size(), order.columns);
+  order.row_end.assign(order.columns.size(), A.rows());
+  order.column_end.assign(order.columns.size(), A.cols());
+  return order;
+}
+
 StaircaseQr::StaircaseQr(const StaircaseOrder& order)
     : order_(order),
       factors_(RowMajor::Zero(static_cast<Index>(order.rows.size()),

@@ -33,6 +33,8 @@ struct StaircaseOrder {
 };
 
 StaircaseOrder staircase_order(Pattern pattern, Eigen::Index columns);
+/// For this matrix alone. A small one stays as it is, one stair: to find an order takes longer than to do without.
+StaircaseOrder staircase_order(const Eigen::MatrixXd& A);
 
 class StaircaseQr {
  public:

@@ -3,8 +3,10 @@
 #include "moivre/numeric/rational.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <ostream>
 #include <stdexcept>
@@ -77,15 +79,85 @@ using Number = Rational::Number;
 
 Rational from(Number&& value) { return Rational(std::move(value)); }
 
+/// What is there is overwritten: no memory is asked for.
+void put(Number&& value, std::unique_ptr<Number>& place) {
+  if (value.above.is_zero()) {
+    place = nullptr;
+  } else if (place) {
+    *place = std::move(value);
+  } else {
+    place = std::make_unique<Number>(std::move(value));
+  }
+}
+
 bool is_whole(const Number& x) { return x.below == 1; }
 
 void require_divisor(bool is_zero) {
   if (is_zero) throw std::invalid_argument("division of an exact number by zero");
 }
 
+/// Numerator and denominator of a number that was typed nearly always fit a machine word: their arithmetic takes a tenth of the
+/// time. What overflows is taken with integers of any length.
+struct Short {
+  std::int64_t above = 0;
+  std::int64_t below = 1;
+};
+
+/// n, where |n| < 2^63.
+bool fits(const Integer& n, std::int64_t& word) {
+  const auto& limbs = n.backend();
+  if (limbs.size() != 1 || *limbs.limbs() >> 63U != 0) return false;
+  const auto size = static_cast<std::int64_t>(*limbs.limbs());
+  word = limbs.sign() ? -size : size;
+  return true;
+}
+
+bool fits(const Number& x, Short& both) {
+  return fits(x.above, both.above) && fits(x.below, both.below);
+}
+
+bool has_53_bits(std::int64_t n) { return std::abs(n) >> Double::digits == 0; }
+
+bool multiplied(std::int64_t a, std::int64_t b, std::int64_t& product) {
+  return !__builtin_mul_overflow(a, b, &product) &&
+         product != std::numeric_limits<std::int64_t>::min();
+}
+
+/// a + sign b; what both denominators have in common is looked at alone [Knuth98, 4.5.1].
+bool added(const Short& a, const Short& b, int sign, Short& sum) {
+  const std::int64_t common = a.below == b.below ? a.below : std::gcd(a.below, b.below);
+  const std::int64_t a_rest = a.below / common;
+  std::int64_t first = 0;
+  std::int64_t second = 0;
+  if (!multiplied(a.above, b.below / common, first) || !multiplied(b.above, a_rest, second) ||
+      __builtin_add_overflow(first, sign * second, &sum.above) ||
+      sum.above == std::numeric_limits<std::int64_t>::min()) {
+    return false;
+  }
+  if (sum.above == 0) {
+    sum.below = 1;
+    return true;
+  }
+  const std::int64_t shared = common == 1 ? 1 : std::gcd(sum.above, common);
+  sum.above /= shared;
+  return multiplied(a_rest, b.below / shared, sum.below);
+}
+
+bool multiplied(const Short& a, const Short& b, Short& product) {
+  const std::int64_t first = b.below == 1 ? 1 : std::gcd(a.above, b.below);
+  const std::int64_t second = a.below == 1 ? 1 : std::gcd(b.above, a.below);
+  return multiplied(a.above / first, b.above / second, product.above) &&
+         multiplied(a.below / second, b.below / first, product.below);
+}
+
 /// In lowest terms.
 Number fraction(Integer numerator, Integer denominator) {
   require_divisor(denominator.is_zero());
+  Short z;
+  if (fits(numerator, z.above) && fits(denominator, z.below)) {
+    const std::int64_t common = std::gcd(z.above, z.below) * (z.below < 0 ? -1 : 1);
+    return {z.above / common, z.below / common};
+  }
   if (denominator < 0) {
     numerator = -numerator;
     denominator = -denominator;
@@ -100,6 +172,11 @@ Number fraction(Integer numerator, Integer denominator) {
 
 /// a + sign b; what both denominators have in common is looked at alone [Knuth98, 4.5.1].
 Number sum(const Number& a, const Number& b, int sign) {
+  Short x;
+  Short y;
+  Short z;
+  if (fits(a, x) && fits(b, y) && added(x, y, sign, z)) return {z.above, z.below};
+  if (sign < 0 && a.above == b.above && a.below == b.below) return {};
   const Integer b_above = sign < 0 ? Integer(-b.above) : b.above;
   if (is_whole(a) && is_whole(b)) return {a.above + b_above, 1};
   const Integer common = common_divisor(a.below, b.below);
@@ -112,25 +189,31 @@ Number sum(const Number& a, const Number& b, int sign) {
   return {above / shared, a_rest * (b.below / shared)};
 }
 
-/// (above / below) times b, where above / below is in lowest terms and below positive.
-Number product(const Integer& above, const Integer& below, const Number& b) {
-  if (below == 1 && is_whole(b)) return {above * b.above, 1};
-  const Integer first = common_divisor(above, b.below);
-  const Integer second = common_divisor(b.above, below);
+Number product(const Number& a, const Number& b) {
+  Short x;
+  Short y;
+  Short z;
+  if (fits(a, x) && fits(b, y) && multiplied(x, y, z)) return {z.above, z.below};
+  if (is_whole(a) && is_whole(b)) return {a.above * b.above, 1};
+  const Integer first = common_divisor(a.above, b.below);
+  const Integer second = common_divisor(b.above, a.below);
   const auto rest = [](const Integer& n, const Integer& divisor) {
     return divisor == 1 ? n : Integer(n / divisor);
   };
-  return {rest(above, first) * rest(b.above, second), rest(below, second) * rest(b.below, first)};
+  return {rest(a.above, first) * rest(b.above, second),
+          rest(a.below, second) * rest(b.below, first)};
 }
 
-/// Of x, exactly.
+/// Of x, exactly: an odd mantissa has no divisor in common with a power of two.
 Number number_of(double x) {
+  if (x == 0) return {};
   int exponent = 0;
-  const double mantissa = std::ldexp(std::frexp(x, &exponent), Double::digits);
-  exponent -= Double::digits;
-  const Integer whole = static_cast<std::int64_t>(mantissa);
-  if (exponent >= 0) return {whole << static_cast<unsigned>(exponent), 1};
-  return fraction(whole, Integer(1) << static_cast<unsigned>(-exponent));
+  auto mantissa = static_cast<std::int64_t>(std::ldexp(std::frexp(x, &exponent), Double::digits));
+  const int twos = std::countr_zero(static_cast<std::uint64_t>(mantissa));
+  mantissa >>= twos;
+  exponent += twos - Double::digits;
+  if (exponent >= 0) return {Integer(mantissa) << static_cast<unsigned>(exponent), 1};
+  return {mantissa, Integer(1) << static_cast<unsigned>(-exponent)};
 }
 
 }  // namespace
@@ -141,8 +224,10 @@ Rational& Rational::operator=(Rational&& other) noexcept = default;
 Rational::~Rational() = default;
 
 Rational::Rational(double value) : Rational(number_of(value)) {}
-Rational::Rational(std::int64_t numerator, std::int64_t denominator)
-    : Rational(from(fraction(numerator, denominator))) {}
+Rational::Rational(std::int64_t numerator, std::int64_t denominator) {
+  if (denominator == 1 && numerator == 0) return;
+  *this = from(denominator == 1 ? Number{numerator, 1} : fraction(numerator, denominator));
+}
 Rational::Rational(Number&& number)
     : number_(number.above.is_zero() ? nullptr : std::make_unique<Number>(std::move(number))) {}
 Rational::Rational(const Rational& other)
@@ -157,21 +242,23 @@ const Rational::Number& Rational::number() const {
 }
 
 Rational& Rational::operator+=(const Rational& other) {
-  return other.is_zero() ? *this : *this = from(sum(number(), other.number(), 1));
+  if (!other.is_zero()) put(sum(number(), other.number(), 1), number_);
+  return *this;
 }
 Rational& Rational::operator-=(const Rational& other) {
-  return other.is_zero() ? *this : *this = from(sum(number(), other.number(), -1));
+  if (!other.is_zero()) put(sum(number(), other.number(), -1), number_);
+  return *this;
 }
 Rational& Rational::operator*=(const Rational& other) {
-  return is_zero() ? *this
-                   : *this = from(product(numerator(*this), denominator(*this), other.number()));
+  if (!is_zero()) put(product(number(), other.number()), number_);
+  return *this;
 }
 Rational& Rational::operator/=(const Rational& other) {
   require_divisor(other.is_zero());
   if (is_zero()) return *this;
   const auto& [above, below] = other.number();
-  return *this = from(product(numerator(*this), denominator(*this),
-                              above < 0 ? Number{-below, -above} : Number{below, above}));
+  put(product(number(), above < 0 ? Number{-below, -above} : Number{below, above}), number_);
+  return *this;
 }
 
 Rational operator-(const Rational& a) { return from({-numerator(a), denominator(a)}); }
@@ -212,7 +299,7 @@ Coefficient operator-(const Coefficient& a, const Coefficient& b) {
 Coefficient operator-(const Coefficient& a) { return {-a.re, -a.im}; }
 
 Coefficient operator*(const Coefficient& a, const Coefficient& b) {
-  if (is_real(a) && is_real(b)) return {a.re * b.re, 0};
+  if (is_real(a) && is_real(b)) return {a.re * b.re, {}};
   return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
 }
 
@@ -230,6 +317,10 @@ bool is_real(const Coefficient& a) { return a.im.is_zero(); }
 
 double to_double(const Rational& r) {
   if (r.is_zero()) return 0.0;
+  Short words;
+  if (fits(r.number(), words) && has_53_bits(words.above) && has_53_bits(words.below)) {
+    return static_cast<double>(words.above) / static_cast<double>(words.below);
+  }
   const Integer& n = numerator(r);
   const double magnitude = positive_quotient_to_double(abs(n), denominator(r));
   return n < 0 ? -magnitude : magnitude;

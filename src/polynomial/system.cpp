@@ -113,8 +113,10 @@ Polynomial operator*(const Polynomial& a, const Polynomial& b) {
 }
 
 Polynomial operator*(const Coefficient& c, const Polynomial& p) {
+  static const Coefficient kOne{1, 0};
   if (is_zero(c)) return {};
   Polynomial multiple = p;
+  if (c == kOne) return multiple;
   for (Term& term : multiple.terms) term.coefficient = c * term.coefficient;
   return multiple;
 }

@@ -18,21 +18,6 @@ bool is_list_of_objects(const Json& value) {
   return value.is_array() && !value.empty() && value.front().is_object();
 }
 
-Json number_or_text(const std::string& text) {
-  const char* end = text.data() + text.size();
-  std::int64_t integer = 0;
-  if (const auto read = std::from_chars(text.data(), end, integer);
-      read.ec == std::errc() && read.ptr == end) {
-    return integer;
-  }
-  double real = 0;
-  if (const auto read = std::from_chars(text.data(), end, real);
-      read.ec == std::errc() && read.ptr == end) {
-    return to_json(real);
-  }
-  return text;
-}
-
 }  // namespace
 
 Json to_json(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
@@ -53,10 +38,11 @@ Json to_json(const std::vector<LeftOut>& left_out) {
   return list;
 }
 
-Json tracker_json(const std::string& kind,
-                  const std::vector<std::pair<std::string, std::string>>& options) {
+Json tracker_json(const std::string& kind, const OptionsInForce& options) {
   Json tracker = {{"kind", kind}};
-  for (const auto& [name, value] : options) tracker[name] = number_or_text(value);
+  for (const auto& [name, value] : options) {
+    std::visit([&, &key = name](const auto& v) { tracker[key] = v; }, value);
+  }
   return tracker;
 }
 

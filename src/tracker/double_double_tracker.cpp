@@ -215,7 +215,7 @@ class DoubleDoubleTracker : public Tracker {
   explicit DoubleDoubleTracker(const DoubleDoubleOptions& options) : options_(options) {}
 
   std::string kind() const override { return "double-double"; }
-  std::vector<std::pair<std::string, std::string>> options_in_force() const override;
+  OptionsInForce options_in_force() const override;
   std::unique_ptr<TrackerSession> open(const Homotopy& homotopy) const override {
     return std::make_unique<DoubleDoubleSession>(options_, homotopy);
   }
@@ -224,10 +224,8 @@ class DoubleDoubleTracker : public Tracker {
   DoubleDoubleOptions options_;
 };
 
-std::vector<std::pair<std::string, std::string>> DoubleDoubleTracker::options_in_force() const {
-  char tolerance[32];
-  std::snprintf(tolerance, sizeof tolerance, "%g", options_.tolerance);
-  return {{"tolerance", tolerance}, {"maximum_steps", std::to_string(options_.maximum_steps)}};
+OptionsInForce DoubleDoubleTracker::options_in_force() const {
+  return {{"tolerance", options_.tolerance}, {"maximum_steps", options_.maximum_steps}};
 }
 
 }  // namespace

@@ -245,14 +245,7 @@ class CvodeTracker : public Tracker {
   explicit CvodeTracker(const CvodeOptions& options) : options_(options) {}
 
   std::string kind() const override { return "cvode"; }
-  std::vector<std::pair<std::string, std::string>> options_in_force() const override {
-    char rtol[32];
-    std::snprintf(rtol, sizeof rtol, "%g", options_.rtol);
-    return {{"method", to_string(options_.method)},
-            {"iteration", to_string(options_.iteration)},
-            {"rtol", rtol},
-            {"maximum_steps", std::to_string(options_.maximum_steps)}};
-  }
+  OptionsInForce options_in_force() const override { return in_force(cvode_table(), options_); }
   std::unique_ptr<TrackerSession> open(const Homotopy& homotopy) const override {
     return std::make_unique<CvodeSession>(options_, homotopy);
   }
@@ -262,37 +255,6 @@ class CvodeTracker : public Tracker {
 };
 
 }  // namespace
-
-std::string to_string(CvodeMethod method) {
-  switch (method) {
-    case CvodeMethod::bdf_projection:
-      return "bdf_projection";
-    case CvodeMethod::bdf:
-      return "bdf";
-    case CvodeMethod::adams:
-      return "adams";
-  }
-  return "";
-}
-
-std::string to_string(CvodeIteration iteration) {
-  switch (iteration) {
-    case CvodeIteration::fixed_point:
-      return "fixed_point";
-    case CvodeIteration::newton:
-      return "newton";
-  }
-  return "";
-}
-
-std::vector<std::string> validate(const CvodeOptions& options) {
-  std::vector<std::string> broken;
-  if (!(options.rtol > 0 && options.rtol <= 0.5)) {
-    broken.push_back("rtol must lie in (0, 0.5]");
-  }
-  if (options.maximum_steps < 1) broken.push_back("maximum_steps must be at least 1");
-  return broken;
-}
 
 std::unique_ptr<Tracker> make_cvode_tracker(const CvodeOptions& options) {
   require_unbroken(validate(options));

@@ -47,7 +47,6 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 #include <algorithm>
-#include <cstdio>
 
 #include "moivre/expression/refusal.h"
 
@@ -73,7 +72,7 @@ class LaneTracker : public Tracker {
   LaneTracker(const LaneOptions& options, bool fine) : options_(options), fine_(fine) {}
 
   std::string kind() const override { return "lanes"; }
-  std::vector<std::pair<std::string, std::string>> options_in_force() const override;
+  OptionsInForce options_in_force() const override;
   std::unique_ptr<TrackerSession> open(const Homotopy& homotopy) const override {
     const LaneFunctions functions = lane_functions();
     return std::unique_ptr<TrackerSession>(fine_ ? functions.open_fine_session(options_, homotopy)
@@ -90,44 +89,17 @@ class LaneTracker : public Tracker {
   bool fine_;  // in double-double
 };
 
-std::vector<std::pair<std::string, std::string>> LaneTracker::options_in_force() const {
-  char tolerance[32];
-  std::snprintf(tolerance, sizeof tolerance, "%g", options_.tolerance);
-  std::vector<std::pair<std::string, std::string>> options = {
-      {"target", lane_target()},
-      {"lanes", std::to_string(lane_width())},
-      {"predictor", to_string(options_.predictor)},
-      {"tolerance", tolerance},
-      {"maximum_steps", std::to_string(options_.maximum_steps)}};
-  if (fine_) options.emplace_back("precision", "double-double");
+OptionsInForce LaneTracker::options_in_force() const {
+  OptionsInForce options{{"target", lane_target()},
+                         {"lanes", static_cast<std::int64_t>(lane_width())}};
+  for (OptionInForce& chosen : in_force(lane_table(), options_)) {
+    options.push_back(std::move(chosen));
+  }
+  if (fine_) options.push_back({"precision", "double-double"});
   return options;
 }
 
 }  // namespace
-
-std::string to_string(LanePredictor predictor) {
-  switch (predictor) {
-    case LanePredictor::tangent:
-      return "tangent";
-    case LanePredictor::cubic:
-      return "cubic";
-    case LanePredictor::quintic:
-      return "quintic";
-  }
-  return "";
-}
-
-int order_of(LanePredictor predictor) {
-  switch (predictor) {
-    case LanePredictor::tangent:
-      return 2;
-    case LanePredictor::cubic:
-      return 4;
-    case LanePredictor::quintic:
-      return 6;
-  }
-  return 0;
-}
 
 std::string lane_target() { return lane_functions().target_name; }
 std::size_t lane_width() { return lane_functions().width; }
@@ -138,15 +110,6 @@ std::vector<std::string> lane_targets() {
     names.emplace_back(hwy::TargetName(rest & -rest));
   }
   return names;
-}
-
-std::vector<std::string> validate(const LaneOptions& options) {
-  std::vector<std::string> broken;
-  if (!(options.tolerance > 0 && options.tolerance <= 0.1)) {
-    broken.push_back("tolerance must lie in (0, 0.1]");
-  }
-  if (options.maximum_steps < 1) broken.push_back("maximum_steps must be at least 1");
-  return broken;
 }
 
 std::unique_ptr<Tracker> make_lane_tracker(const LaneOptions& options) {

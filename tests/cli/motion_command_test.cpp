@@ -60,12 +60,19 @@ velocity = 1
 TEST(MotionCommand, TellsBranchesAndWhereTheyEnd) {
   Scene scene;
   scene.write("crank.toml", kCrank);
-  const Outcome outcome = scene.run({"motion", "crank.toml", "--to", "1"});
+  const Outcome outcome = scene.run({"motion", "crank.toml", "--to", "1", "--json", "motion.json"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
-  EXPECT_TRUE(contains(outcome.out, "2 branches from t = 0 s (crank = 60 deg)")) << outcome.out;
   EXPECT_TRUE(contains(outcome.out, "dead point at t = 0.5 s (crank = 90 deg): A, B end"))
       << outcome.out;
+  const Json motion = Json::parse(scene.read("motion.json"));
+  ASSERT_EQ(motion["branches"].size(), 2U);
+  for (const Json& branch : motion["branches"]) {
+    EXPECT_EQ(branch["begins"], 0);
+    EXPECT_EQ(branch["begin_event"], nullptr);
+    EXPECT_NEAR(branch["ends"], 0.5, 1e-9);
+    EXPECT_EQ(motion["events"][branch["end_event"].get<std::size_t>()]["kind"], "dead point");
+  }
 }
 
 TEST(MotionCommand, GoesRoundOnceByDefault) {
@@ -273,9 +280,12 @@ TEST(MotionCommand, GuessThatDoesNotAssembleIsUndecided) {
   std::string apart = kCrank;
   apart.replace(apart.find("length = 3"), 10, "length = 30");
   scene.write("apart.toml", apart);
-  const Outcome outcome = scene.run({"motion", "apart.toml", "--from-guess"});
+  const Outcome outcome = scene.run({"motion", "apart.toml", "--from-guess", "--json", "-"});
   EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_TRUE(contains(outcome.out, "guess 1: Newton-Raphson")) << outcome.out;
+  const Json motion = Json::parse(outcome.out);
+  EXPECT_EQ(motion["complete"], false);
+  EXPECT_EQ(motion["failures"].size(), 1U);
+  EXPECT_TRUE(motion["branches"].empty());
   EXPECT_EQ(scene.run({"motion", "apart.toml"}).exit_code, 0);
 }
 
@@ -288,7 +298,7 @@ TEST(MotionCommand, InterruptEndsItWithWhatIsFinished) {
         ::kill(process, SIGINT);
       });
   EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
-  EXPECT_TRUE(contains(outcome.out, "\"complete\": false"));
+  EXPECT_EQ(Json::parse(outcome.out)["complete"], false);
 }
 
 TEST(MotionCommand, HelpShowsExamples) {

@@ -53,11 +53,13 @@ TEST_F(RobotCommands, AnArmOfSevenJointsNeedsOneHeld) {
   const std::string panda = kRobots + "panda.urdf";
   expect_refusal({"closures", panda, "--tip", "panda_hand_tcp", "--pose", kPose},
                  {"7 free joints", "--hold", "panda_joint7"});
-  const Outcome outcome = scene.run({"closures", panda, "--tip", "panda_hand_tcp", "--hold",
-                                     "panda_joint7=0.8", "--pose", "0.4 0.2 0.3 0 1 0 0"});
+  const Outcome outcome =
+      scene.run({"closures", panda, "--tip", "panda_hand_tcp", "--hold", "panda_joint7=0.8",
+                 "--pose", "0.4 0.2 0.3 0 1 0 0", "--json", "-"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_TRUE(contains(outcome.out, "8 complex closures")) << outcome.out;
-  EXPECT_TRUE(contains(outcome.out, "held: panda_joint7 = 0.8")) << outcome.out;
+  const Json report = Json::parse(outcome.out);
+  EXPECT_EQ(report["counts"]["complex"], 8);
+  EXPECT_EQ(report["held"], Json({{"panda_joint7", 0.8}}));
 }
 
 TEST_F(RobotCommands, EveryFaultOfTheQuestionIsNamed) {

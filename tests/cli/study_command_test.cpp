@@ -54,9 +54,13 @@ TEST(StudyCommand, MeasuresEachSettingAgainstTheReference) {
 TEST(StudyCommand, SaysWithExitCodeTwoThatTheReferenceIsNotComplete) {
   Scene scene;
   scene.write("f.phc", kCircleAndHyperbola);
-  const Outcome outcome = scene.run(study({"f.phc", "--count", "5"}));
+  const Outcome outcome = scene.run(study({"f.phc", "--count", "5", "--json", "-"}));
   EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_TRUE(contains(outcome.out, "not complete: 4 of 5 roots were found")) << outcome.out;
+  const Json report = Json::parse(outcome.out);
+  const Json& reference = report["files"][0]["reference"];
+  EXPECT_EQ(reference["known"], 5);
+  EXPECT_EQ(reference["with_multiplicity"], 4);
+  EXPECT_EQ(reference["complete"], false);
 }
 
 TEST(StudyCommand, TakesMechanismsAndPolynomialsTogether) {

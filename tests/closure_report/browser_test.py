@@ -5,12 +5,14 @@
 #   browser_test.py <moivre> <root of the tree>     exit code 77, with the reason, where there is no Chromium
 import html
 import json
+import math
 import pathlib
 import re
 import shutil
 import subprocess
 import sys
 import tempfile
+import xml.etree.ElementTree
 
 SKIPPED = 77
 BROWSERS = ("chromium", "chromium-browser", "google-chrome")
@@ -30,6 +32,14 @@ URL.createObjectURL = (blob) => { blob.text().then((text) => { document.body.dat
 document.getElementById('save').click();
 document.querySelector('#legend button').click();
 document.querySelectorAll('#panels figcaption')[1].click();
+</script></body>"""
+
+
+# What one does who hides the second branch and saves the others as an animation.
+ANIMATE = """<script>
+URL.createObjectURL = (blob) => { blob.text().then((text) => { document.body.dataset.svg = text; }); return '#'; };
+document.querySelectorAll('#legend button')[1].click();
+document.getElementById('animate').click();
 </script></body>"""
 
 
@@ -115,6 +125,15 @@ def check_motion(browser, page):
         expect(unit in later, f"{page.name}: an axis in {unit}")
 
 
+def check_ticks(browser, page):
+    """Every axis of every quantity has numbers to be read off."""
+    for number in range(page.read_text().count("<option")):
+        dom = browser.dom(page, f"#plot={number}")
+        for kind, plot in re.findall(r'<div class="plot" id="plot-(\w+)">(.*?)</svg>', dom, re.S):
+            ticks = re.findall(r'class="tick"[^>]*text-anchor="end">(-?[\d.e+-]+)<', plot)
+            expect(len(ticks) >= 3, f"{page.name}: {kind} of quantity {number} has three ticks, not {ticks}")
+
+
 def check_slider(browser, page):
     moved = page.with_name("moved.html")
     moved.write_text(page.read_text().replace("</body>", MOVE_SLIDER))
@@ -142,6 +161,44 @@ def check_controls(browser, page):
     last = plain.count("<option") - 1
     alone = browser.dom(page, f"#plot={last}")
     expect('id="plot-velocity" hidden' in alone, "what has no velocity has one plot")
+
+
+def check_animation(browser, page):
+    """The saved animation needs no page, shows what is not hidden, and has each frame where the page's data have it."""
+    used = page.with_name("animated.html")
+    used.write_text(page.read_text().replace("</body>", ANIMATE))
+    dom = browser.dom(used)
+    expect_works(dom, used.name)
+    svg = html.unescape(re.search(r'data-svg="([^"]*)"', dom).group(1))
+    root = xml.etree.ElementTree.fromstring(svg)
+    expect(root.tag == "{http://www.w3.org/2000/svg}svg", "the animation is an SVG document")
+    expect("<script" not in svg and "NaN" not in svg and "http://" not in svg.replace("http://www.w3.org/2000/svg", ""),
+           "without a script, a fault, or anything from elsewhere")
+    data = json.loads(re.search(r'<script type="application/json" id="data">(.*?)</script>', page.read_text(), re.S).group(1))
+    panels = len(root.findall("{http://www.w3.org/2000/svg}svg"))
+    expect(panels == len(data["branches"]) - 1, f"a panel for every branch that is shown, not {panels}")
+    figures = re.findall(r'data-frame="(\d+)"', page.read_text().split('id="panel-1"')[0])
+    branch = data["branches"][0]
+    for figure, frame in zip(root.find("{http://www.w3.org/2000/svg}svg").findall("{http://www.w3.org/2000/svg}g"), map(int, figures), strict=True):
+        check_moves(figure, [row[4 * frame:4 * frame + 4] for row in branch["frames"]])
+
+
+def check_moves(figure, frames):
+    """An animated figure is where its frame is: shift, turn and stretch, a value each at each sample."""
+    moves = {move.get("type"): move for move in figure.findall("{http://www.w3.org/2000/svg}animateTransform")}
+    values = {kind: move.get("values").split(";") for kind, move in moves.items()}
+    times = [float(time) for time in moves["translate"].get("keyTimes").split(";")]
+    expect(times[0] == 0 and times[-1] == 1 and times == sorted(times), "times go from 0 to 1")
+    expect(all(len(of) == len(times) for of in values.values()), "each time has a value")
+    frames = frames[::-(-len(frames) // 120)]
+    for k, (a, b, e, f) in enumerate(frames[:len(times)]):
+        x, y = map(float, values["translate"][k].split())
+        turn = math.radians(float(values["rotate"][k]))
+        stretch = float(values["scale"][k]) if "scale" in values else 1
+        off = max(abs(x - e), abs(y - f), 100 * abs(stretch * math.cos(turn) - a), 100 * abs(stretch * math.sin(turn) - b))
+        expect(off < 0.03, f"sample {k} is {off} pixels off")
+    turns = [float(turn) for turn in values["rotate"]]
+    expect(all(abs(turn - before) < 180 for before, turn in zip(turns, turns[1:])), "no figure turns back at half a turn")
 
 
 def check_turning(browser, page, panels, rows):
@@ -207,7 +264,10 @@ def main():
         browser = Browser(program, folder)
         four_bar = page_of(moivre, folder, "motion", mechanisms / "four-bar.toml")
         check_motion(browser, four_bar)
+        check_ticks(browser, four_bar)
         check_slider(browser, four_bar)
+        check_animation(browser, four_bar)
+        check_animation(browser, page_of(moivre, folder, "motion", mechanisms / "stephenson-3.toml"))
         check_controls(browser, page_of(moivre, folder, "motion", mechanisms / "four-bar.toml", "--columns",
                                         "joints,transmission"))
         check_motion(browser, page_of(moivre, folder, "motion", mechanisms / "slider-crank-equations.toml"))

@@ -26,6 +26,7 @@ inline ClosureResult closures_of(const Mechanism& mechanism, std::uint64_t seed 
   options.time = time;
   options.solve.seed = seed;
   options.solve.threads = 1;
+  options.with_mobility = true;
   return find_closures(mechanism, *make_cvode_tracker(), options);
 }
 

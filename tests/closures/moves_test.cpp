@@ -25,7 +25,6 @@ void expect_moves(const Mechanism& mechanism, std::uint64_t dimension) {
     ASSERT_TRUE(result.moves) << "seed " << seed << ": " << result.message;
     EXPECT_EQ(result.moves->dimension, dimension) << "seed " << seed;
     EXPECT_LE(scaled_residual(Phi(mechanism), result.moves->pose, 0), 1e-12);
-    EXPECT_NE(result.message.find("moves"), std::string::npos);
   }
 }
 
@@ -141,7 +140,8 @@ TEST(Moves, NotWhatDanglesFromATriangleThatCannotBeAssembled) {
   const ClosureResult result = closures_of(triangle_with_a_tail("4"));
   EXPECT_TRUE(result.complete) << result.message;
   EXPECT_FALSE(result.moves);
-  EXPECT_NE(result.message.find("cannot be assembled"), std::string::npos) << result.message;
+  EXPECT_EQ(result.counts.real, 0U);
+  EXPECT_TRUE(result.closures.empty());
 }
 
 /// Links 3 and 4 over `base`; two links of 2, pinned to their tip and to each other, turn about it as one.

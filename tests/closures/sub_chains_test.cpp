@@ -152,7 +152,7 @@ TEST(SubChains, AreCountedWhereTheirProductIsTooLongToBeListed) {
 TEST(SubChains, LeaveAVerdictToTheWholeWhereOneOfThemHasNoClosure) {
   const ClosureResult result = closures_of(legs({{}, {1, 1, 9}}));
   EXPECT_EQ(result.counts.real, 0U);
-  EXPECT_NE(result.message.find("cannot be assembled"), std::string::npos) << result.message;
+  EXPECT_TRUE(result.closures.empty());
 }
 
 MotionOptions one_turn(int steps) {

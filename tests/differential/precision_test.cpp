@@ -40,7 +40,7 @@ TEST(LanesInDoubleDouble, GiveTheSameRootsThroughout) {
     const SolveResult result = solve_in_lanes(f, Precision::double_double);
     EXPECT_TRUE(result.complete);
     EXPECT_EQ(result.tracker, "lanes");
-    EXPECT_EQ(result.tracker_options.back().second, "double-double");
+    EXPECT_EQ(result.tracker_options.back().value, OptionValue("double-double"));
     EXPECT_EQ(result.paths.double_double, result.paths.tracked);
     test::expect_conservation(result);
     test::expect_counts_of_index(result, test::problem(name));

@@ -74,5 +74,15 @@ TEST(ParseError, SaysEveryFaultAndBoundsItsText) {
   EXPECT_NE(std::string(many.what()).find("f: 4000 more faults"), std::string::npos);
 }
 
+TEST(ReadSource, IsWholeWhateverItsLength) {
+  const std::string path = testing::TempDir() + "moivre-long.phc";
+  for (const std::size_t length : {0U, 1U, 4095U, 4096U, 4097U, 69631U, 69632U, 69633U, 300000U}) {
+    std::string text(length, ' ');
+    for (std::size_t k = 0; k < length; ++k) text[k] = static_cast<char>('a' + k % 23);
+    std::ofstream(path, std::ios::binary) << text;
+    EXPECT_EQ(read_source(path).text, text) << length;
+  }
+}
+
 }  // namespace
 }  // namespace moivre

@@ -3,11 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <stdexcept>
 
 #include "../mechanism/files.h"
 #include "moivre/formulation/exact.h"
 #include "moivre/formulation/formulation.h"
+#include "moivre/numeric/integer.h"
 
 namespace moivre {
 namespace {
@@ -20,6 +23,12 @@ TEST(Exact, ReadsTheDecimalThatWasTyped) {
   EXPECT_EQ(typed_decimal(1200), Rational(1200));
   EXPECT_EQ(typed_decimal(0), Rational(0));
   EXPECT_EQ(typed_decimal(-0.08), Rational(-2, 25));
+  EXPECT_EQ(typed_decimal(-0.0), Rational(0));
+  EXPECT_EQ(typed_decimal(1.7976931348623157e308),
+            Rational(17976931348623157) * ratio(pow(Integer(10), 292)));
+  EXPECT_EQ(typed_decimal(5e-324), Rational(5) / ratio(pow(Integer(10), 324)));
+  EXPECT_EQ(typed_decimal(3.141592653589793), Rational(3141592653589793, 1000000000000000));
+  EXPECT_THROW(typed_decimal(std::numeric_limits<double>::infinity()), std::invalid_argument);
 }
 
 TEST(Exact, DirectionsLieOnTheUnitCircleExactly) {

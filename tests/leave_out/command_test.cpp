@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "command_line.h"
+#include "moivre/kinematics/mobility.h"
 #include "moivre/mechanism/read.h"
 #include "wrapped_polynomials.h"
 #include "wrapped_sundials.h"
@@ -13,6 +14,7 @@
 namespace {
 
 moivre::test::CallCounter toml_counter;
+moivre::test::CallCounter rank_counter;
 
 }  // namespace
 
@@ -23,6 +25,17 @@ moivre::Mechanism wrap_read(const moivre::Source& source) __asm__(
 moivre::Mechanism wrap_read(const moivre::Source& source) {
   toml_counter.raise();
   return real_read(source);
+}
+
+moivre::ConstraintRank
+real_rank(const moivre::Phi& phi, const Eigen::VectorXd& q, double t) __asm__(
+    "__real__ZN6moivre15constraint_rankERKNS_3PhiERKN5Eigen6MatrixIdLin1ELi1ELi0ELin1ELi1EEEd");
+moivre::ConstraintRank
+wrap_rank(const moivre::Phi& phi, const Eigen::VectorXd& q, double t) __asm__(
+    "__wrap__ZN6moivre15constraint_rankERKNS_3PhiERKN5Eigen6MatrixIdLin1ELi1ELi0ELin1ELi1EEEd");
+moivre::ConstraintRank wrap_rank(const moivre::Phi& phi, const Eigen::VectorXd& q, double t) {
+  rank_counter.raise();
+  return real_rank(phi, q, t);
 }
 
 namespace moivre {
@@ -36,6 +49,7 @@ struct Calls {
   int thread_pools = test::thread_pools.calls();
   int closure_searches = test::closure_searches.calls();
   int solves = test::solves.calls();
+  int ranks = rank_counter.calls();
 };
 
 /// The calls that a command made; it must decide everything.
@@ -47,9 +61,12 @@ Calls calls_of(std::vector<std::string> words) {
   const Calls before;
   EXPECT_EQ(run_command_line(static_cast<int>(arguments.size()), arguments.data()), kDecided);
   const Calls after;
-  return {after.toml_files - before.toml_files, after.sundials_contexts - before.sundials_contexts,
+  return {after.toml_files - before.toml_files,
+          after.sundials_contexts - before.sundials_contexts,
           after.thread_pools - before.thread_pools,
-          after.closure_searches - before.closure_searches, after.solves - before.solves};
+          after.closure_searches - before.closure_searches,
+          after.solves - before.solves,
+          after.ranks - before.ranks};
 }
 
 TEST(LeaveOut, APolynomialRunReadsNoToml) {
@@ -81,6 +98,13 @@ TEST(LeaveOut, MobilityTracksNoPath) {
   const Calls calls = calls_of({"mobility", kProblems + "/mechanisms/four-bar.toml"});
   EXPECT_EQ(calls.sundials_contexts, 0);
   EXPECT_EQ(calls.solves, 0);
+}
+
+TEST(LeaveOut, RanksOfConstraintsAreFoundForJsonOnly) {
+  const std::string four_bar = kProblems + "/mechanisms/four-bar.toml";
+  EXPECT_EQ(calls_of({"closures", four_bar}).ranks, 0);
+  EXPECT_EQ(calls_of({"motion", four_bar, "--steps", "4"}).ranks, 0);
+  EXPECT_EQ(calls_of({"closures", four_bar, "--json", "/dev/null"}).ranks, 1);
 }
 
 TEST(LeaveOut, TheCommandForMotionFromAGuessSolvesNoPolynomials) {

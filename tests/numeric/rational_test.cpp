@@ -11,6 +11,7 @@
 #include <random>
 #include <sstream>
 #include <stdexcept>
+#include <vector>
 
 #include "moivre/numeric/integer.h"
 
@@ -88,6 +89,46 @@ TEST(Rational, KeepsWhatItWasMadeOfInLowestTerms) {
   EXPECT_EQ(Rational(~std::uint64_t{0}) + 1, ratio(Integer(1) << 64U));
   EXPECT_EQ(Rational(std::numeric_limits<std::int64_t>::min()), -ratio(Integer(1) << 63U));
   EXPECT_EQ(Rational(-0.375), Rational(-3, 8));
+}
+
+/// Integers on both sides of what a word holds, and their neighbours.
+std::vector<Integer> around_a_word(std::mt19937_64& random) {
+  std::vector<Integer> found;
+  for (const unsigned bits : {1U, 2U, 31U, 32U, 33U, 53U, 62U, 63U, 64U, 65U, 127U}) {
+    const Integer power = Integer(1) << bits;
+    for (const Integer& n : {Integer(power - 1), power, Integer(power + 1)}) found.push_back(n);
+    found.push_back(1 + random() % power);
+  }
+  return found;
+}
+
+TEST(Rational, AddsAndMultipliesWithoutOverflowAroundTheLengthOfAWord) {
+  std::mt19937_64 random(11);
+  const std::vector<Integer> integers = around_a_word(random);
+  const auto any = [&] { return integers[random() % integers.size()]; };
+  for (int k = 0; k < 20000; ++k) {
+    const Integer a = any() * (k % 2 == 0 ? 1 : -1);
+    const Integer c = any() * (k % 3 == 0 ? 1 : -1);
+    const Integer b = any();
+    const Integer d = k % 5 == 0 ? b : any();
+    const Rational x = ratio(a, b);
+    const Rational y = ratio(c, d);
+    ASSERT_EQ(x + y, ratio(a * d + c * b, b * d)) << x << " + " << y;
+    ASSERT_EQ(x - y, ratio(a * d - c * b, b * d)) << x << " - " << y;
+    ASSERT_EQ(x * y, ratio(a * c, b * d)) << x << " * " << y;
+    ASSERT_EQ(x / y, ratio(a * d, b * c)) << x << " / " << y;
+    ASSERT_TRUE((x - x).is_zero());
+    ASSERT_EQ(numerator(x) * b, a * denominator(x));
+    ASSERT_EQ(common_divisor(numerator(x * y), denominator(x * y)), 1);
+  }
+}
+
+TEST(Rational, IsTheDoubleThatItWasMadeOf) {
+  for (const double x : {0.1, -0.375, 3e300, 5e-324, -1.5, 0x1p62, 0x1p63, 1e-16}) {
+    EXPECT_EQ(to_double(Rational(x)), x);
+    EXPECT_EQ(Rational(x), exactly(x));
+    EXPECT_EQ(common_divisor(numerator(Rational(x)), denominator(Rational(x))), 1);
+  }
 }
 
 TEST(Rational, IsOrderedAndPrintedAsANumber) {

@@ -52,9 +52,7 @@ class TamperedTracker : public Tracker {
  public:
   explicit TamperedTracker(Tampering tamper) : tamper_(std::move(tamper)) {}
   std::string kind() const override { return inner_->kind(); }
-  std::vector<std::pair<std::string, std::string>> options_in_force() const override {
-    return inner_->options_in_force();
-  }
+  OptionsInForce options_in_force() const override { return inner_->options_in_force(); }
   std::unique_ptr<TrackerSession> open(const Homotopy& homotopy) const override {
     return std::make_unique<TamperedSession>(inner_->open(homotopy), tamper_);
   }

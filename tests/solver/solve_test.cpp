@@ -122,7 +122,7 @@ TEST(Solve, SaysThatParallelLinesHaveNoRoot) {
   const SolveResult result = solve_with_cvode(system_of(problem("parallel-lines")));
   EXPECT_TRUE(result.complete);
   EXPECT_TRUE(result.solutions.empty());
-  EXPECT_NE(result.message.find("no root"), std::string::npos) << result.message;
+  EXPECT_EQ(result.paths.tracked, 0U);
   expect_conservation(result);
 }
 

@@ -57,15 +57,6 @@ TEST(DoubleDoubleTracker, TellsRootsApartThatAreNearerThanDoubleCanTell) {
   EXPECT_LT(std::abs(ends[1] - 1e-12), 1e-15);
 }
 
-TEST(DoubleDoubleTracker, TakesTenTimesTheStepsForTheFourthPowerOfTheTolerance) {
-  const Homotopy homotopy = from_square_roots_of_one("x^2 - 3 - 4*i");
-  const auto steps = [&](double tolerance) {
-    return static_cast<double>(
-        follow_from(homotopy, from({1, 1}), {.tolerance = tolerance}).count.accepted);
-  };
-  EXPECT_NEAR(steps(1e-10) / steps(1e-6), 10, 2);
-}
-
 TEST(DoubleDoubleTracker, WalksRoundABranchPointInTwoTurns) {
   const Homotopy homotopy = from_square_roots_of_one("x^2 - 2*i*x - 1");
   const double radius = 0.01;

@@ -55,19 +55,6 @@ TEST(PathSystem, TakesTheTimeFromWhatIsLeftOfItWhereDoubleIsTooCoarse) {
   EXPECT_LT(std::abs(affine(x) - (1 + std::sqrt(kRest))), 1e-14);
 }
 
-TEST(PathSystem, OneFreshCorrectionSquaresTheError) {
-  const CorrectorOptions once{.tolerance = 1, .maximum_iterations = 1};
-  double constant[2];
-  const double errors[]{1e-2, 1e-4};
-  for (std::size_t k = 0; k < 2; ++k) {
-    Scene scene;
-    Point x{root_at(0.5) + errors[k], 1.0};
-    EXPECT_TRUE(scene.path.correct(x, Complex(0.5), once, true).converged);
-    constant[k] = std::abs(affine(x) - root_at(0.5)) / (errors[k] * errors[k]);
-  }
-  EXPECT_NEAR(constant[0] / constant[1], 1, 0.05);
-}
-
 TEST(PathSystem, TheTangentIsTheLimitOfDifferencesAlongThePath) {
   Scene scene;
   const Point x{root_at(0.5), 1.0};

@@ -211,16 +211,6 @@ std::uint64_t steps_of(LanePredictor predictor, double tolerance) {
   return steps;
 }
 
-// The error of a step h is of order h^p: a tolerance 10^4 times tighter takes 10^(4/p) times the steps.
-TEST(LaneTracker, StepsOfAPredictorGrowByItsOrder) {
-  for (const LanePredictor predictor :
-       {LanePredictor::tangent, LanePredictor::cubic, LanePredictor::quintic}) {
-    const auto loose = static_cast<double>(steps_of(predictor, 1e-4));
-    const auto tight = static_cast<double>(steps_of(predictor, 1e-8));
-    EXPECT_NEAR(std::log10(tight / loose), 4.0 / order_of(predictor), 0.25) << to_string(predictor);
-  }
-}
-
 TEST(LaneTracker, APredictorOfHigherOrderTakesFewerSteps) {
   const double tolerance = 1e-5;
   const std::uint64_t cubic = steps_of(LanePredictor::cubic, tolerance);

@@ -84,7 +84,7 @@ struct ArmResult {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   StartFacts start;
   std::string tracker;
-  std::vector<std::pair<std::string, std::string>> tracker_options;
+  OptionsInForce tracker_options;
   PathCounts paths;
   std::vector<ArmStage> stages;
   ArmCounts counts;

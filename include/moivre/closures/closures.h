@@ -32,7 +32,7 @@ struct ClosureOptions {
   SolveOptions solve;
   /// Roots by proof, where solve.certify says so too and the module certify was built.
   bool certify = true;
-  bool with_mobility = true;  ///< ClosureResult::mobility
+  bool with_mobility = false;  ///< ClosureResult::mobility
 };
 
 /// One group of bodies, solved once for every solution of the groups before it.
@@ -106,7 +106,7 @@ struct ClosureResult {
   SystemFacts reduced;  ///< of all stages together
   StartFacts start;
   std::string tracker;
-  std::vector<std::pair<std::string, std::string>> tracker_options;
+  OptionsInForce tracker_options;
   PathCounts paths;  ///< over all stages
   std::vector<Stage> stages;
   std::vector<Solution> solutions;  ///< complex closures in `system`'s variables; real: a pose
@@ -119,9 +119,10 @@ struct ClosureResult {
   std::vector<SubChain>
       sub_chains;          ///< two or more, or none: then the mechanism was solved as a whole
   bool all_listed = true;  ///< false: closures or solutions are more than kMostListed
-  std::optional<Mobility> mobility;  ///< at the first closure; at moves->pose where there is none
-  Eigen::Index coordinates = 0;      ///< n
-  Eigen::Index constraints = 0;      ///< m, without drivers
+  /// Where it was asked for: at the first closure; at moves->pose where there is none.
+  std::optional<ConstraintRank> mobility;
+  Eigen::Index coordinates = 0;  ///< n
+  Eigen::Index constraints = 0;  ///< m, without drivers
   std::vector<FailedPath> failures;
   std::vector<LeftOut> left_out;
   std::vector<IdleJoint> idle;         ///< held, so that the others have isolated closures

@@ -105,7 +105,7 @@ struct MotionResult {
   double to = 0;
   std::vector<double> times;  ///< of the samples
   std::string tracker;        ///< empty: no polynomials were solved
-  std::vector<std::pair<std::string, std::string>> tracker_options;
+  OptionsInForce tracker_options;
   std::vector<MotionBranch> branches;   ///< in the order of their ids
   std::vector<MotionEvent> events;      ///< by time
   std::vector<Checkpoint> checkpoints;  ///< by time; the first is `from`

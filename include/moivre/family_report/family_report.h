@@ -33,7 +33,7 @@ struct MembersRun {
   std::string name;   ///< of the family's file
   std::string table;  ///< the table's
   std::string tracker;
-  std::vector<std::pair<std::string, std::string>> tracker_options;
+  OptionsInForce tracker_options;
   int threads = 1;
   double seconds = 0;
 };

@@ -34,6 +34,15 @@ struct RedundantRow {
 /// "Phi5 = Phi1 - Phi3", by the rows' names.
 std::string to_text(const RedundantRow& redundant);
 
+/// What counts alone, drivers left out: a tenth of the work of `mobility`.
+struct ConstraintRank {
+  Eigen::Index rank = 0;                ///< by pivoted QR
+  Eigen::Index degrees_of_freedom = 0;  ///< n - rank
+  std::vector<RedundantRow> redundant;
+};
+
+ConstraintRank constraint_rank(const Phi& phi, const Eigen::VectorXd& q, double t = 0);
+
 /// A body (or unknown) that can move while all others stand still, and that no driver holds.
 struct IdleFreedom {
   std::string name;

@@ -34,8 +34,7 @@ Json to_json(const StartFacts& start);
 /// What was tracked: the number of its variables, which have no names of their own, and its degrees.
 Json reduced_json(const SystemFacts& reduced);
 /// Kind, and every option in force; numbers as numbers.
-Json tracker_json(const std::string& kind,
-                  const std::vector<std::pair<std::string, std::string>>& options);
+Json tracker_json(const std::string& kind, const OptionsInForce& options);
 
 Json work_json(const StepCount& work);
 

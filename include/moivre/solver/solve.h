@@ -228,7 +228,7 @@ struct SolveResult {
   SystemFacts reduced;  ///< what was tracked
   StartFacts start;
   std::string tracker;
-  std::vector<std::pair<std::string, std::string>> tracker_options;
+  OptionsInForce tracker_options;
   PathCounts paths;
   std::vector<Solution> solutions;  ///< by path number
   /// nullopt: certificates were not asked for, or F has more equations than unknowns.

@@ -38,7 +38,7 @@ struct Trace {
   PathEnd end;
   Point x;  ///< affine end point, as the tracker and the endgame leave it; empty at infinity
   std::string tracker;
-  std::vector<std::pair<std::string, std::string>> tracker_options;
+  OptionsInForce tracker_options;
   std::vector<LeftOut> left_out;
 };
 

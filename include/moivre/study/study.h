@@ -66,7 +66,7 @@ struct StudyRow {
   std::string curve;
   double tolerance = 0;
   std::string tracker;
-  std::vector<std::pair<std::string, std::string>> tracker_options;
+  OptionsInForce tracker_options;
   StudyOutcome own;
   StudyOutcome repaired;
   std::optional<StudyWalk> walk;  ///< nullopt where there are no paths to simple roots

@@ -23,6 +23,7 @@
 
 #include "moivre/homotopy/homotopy.h"
 #include "moivre/tracker/contour.h"
+#include "moivre/tracker/options_in_force.h"
 #include "moivre/tracker/path_system.h"
 
 namespace moivre {
@@ -112,7 +113,7 @@ class Tracker {
   /// "cvode", "lanes".
   virtual std::string kind() const = 0;
   /// Name and value of every option in force, for the report.
-  virtual std::vector<std::pair<std::string, std::string>> options_in_force() const = 0;
+  virtual OptionsInForce options_in_force() const = 0;
   /// A session on `homotopy`, which must outlive it. Thread-safe.
   virtual std::unique_ptr<TrackerSession> open(const Homotopy& homotopy) const = 0;
   /// The same tracker with all of a path in double-double; nullptr if there is none.

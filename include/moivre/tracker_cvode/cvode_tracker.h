@@ -16,31 +16,12 @@
 // Source: [SUNDIALS], [EichCvodeProjection93] for integrating with coordinate projection.
 #pragma once
 
-#include <cstdint>
 #include <memory>
-#include <string>
-#include <vector>
 
+#include "moivre/tracker/cvode_options.h"
 #include "moivre/tracker/tracker.h"
 
 namespace moivre {
-
-enum class CvodeMethod { bdf_projection, bdf, adams };
-std::string to_string(CvodeMethod method);
-
-/// How the implicit formula of one step is solved.
-enum class CvodeIteration { fixed_point, newton };
-std::string to_string(CvodeIteration iteration);
-
-struct CvodeOptions {
-  CvodeMethod method = CvodeMethod::bdf_projection;
-  CvodeIteration iteration = CvodeIteration::fixed_point;
-  double rtol = 1e-2;                  ///< relative local error per step, in (0, 0.5]
-  std::int64_t maximum_steps = 20000;  ///< accepted and rejected steps of one segment
-};
-
-/// Every broken rule as a sentence; empty when the options can be used.
-std::vector<std::string> validate(const CvodeOptions& options);
 
 /// Throws std::invalid_argument with all sentences of validate().
 std::unique_ptr<Tracker> make_cvode_tracker(const CvodeOptions& options = {});

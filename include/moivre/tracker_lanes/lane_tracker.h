@@ -11,39 +11,17 @@
 // Not supported: targets without fixed-size vectors. Sources: [Timme21] for step control by contraction.
 #pragma once
 
-#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "moivre/tracker/lane_options.h"
 #include "moivre/tracker/tracker.h"
 
 namespace moivre {
 
-/// Hermite extrapolation through the last points and tangents of a path: how many of them.
-enum class LanePredictor {
-  tangent,  ///< one: Euler's, local order 2
-  cubic,    ///< two: local order 4
-  quintic   ///< three: local order 6
-};
-
-/// "tangent", "cubic", "quintic".
-std::string to_string(LanePredictor predictor);
-/// Local order.
-int order_of(LanePredictor predictor);
-
-struct LaneOptions {
-  /// |dx|_w of the first Newton correction that steps aim at, in (0, 0.1].
-  double tolerance = 3e-3;
-  std::int64_t maximum_steps = 20000;  ///< accepted and rejected steps of one segment
-  LanePredictor predictor = LanePredictor::quintic;
-};
-
 /// The largest tolerance in double-double, so that paths do not jump there.
 inline constexpr double kFineLaneTolerance = 1e-5;
-
-/// Every broken rule as a sentence; empty when the options can be used.
-std::vector<std::string> validate(const LaneOptions& options);
 
 /// Throws std::invalid_argument with all sentences of validate().
 std::unique_ptr<Tracker> make_lane_tracker(const LaneOptions& options = {});

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// The table of the lanes' options.
+#include "moivre/tracker/lane_options.h"
+
+namespace moivre {
+
+std::string to_string(LanePredictor predictor) {
+  switch (predictor) {
+    case LanePredictor::tangent:
+      return "tangent";
+    case LanePredictor::cubic:
+      return "cubic";
+    case LanePredictor::quintic:
+      return "quintic";
+  }
+  return "";
+}
+
+int order_of(LanePredictor predictor) {
+  switch (predictor) {
+    case LanePredictor::tangent:
+      return 2;
+    case LanePredictor::cubic:
+      return 4;
+    case LanePredictor::quintic:
+      return 6;
+  }
+  return 0;
+}
+
+const OptionTable<LaneOptions>& lane_table() {
+  using O = LaneOptions;
+  static const OptionTable<O> kTable{
+      word_row(
+          {.name = "predictor",
+           .flag = "--predictor",
+           .sentence = "tangent, cubic or quintic, through one, two or three points and tangents",
+           .plural = "predictors"},
+          &O::predictor, {LanePredictor::tangent, LanePredictor::cubic, LanePredictor::quintic}),
+      number_row<O, double>(
+          {.name = "tolerance",
+           .flag = "--tolerance",
+           .sentence = "relative size of Newton's first correction that steps aim at",
+           .range = "must lie in (0, 0.1]"},
+          &O::tolerance, [](double tolerance) { return tolerance > 0 && tolerance <= 0.1; }),
+      number_row<O, std::int64_t>({.name = "maximum_steps",
+                                   .flag = "--max-steps",
+                                   .sentence = "steps of one path segment",
+                                   .range = "must be at least 1"},
+                                  &O::maximum_steps,
+                                  [](std::int64_t steps) { return steps >= 1; })};
+  return kTable;
+}
+
+std::vector<std::string> validate(const LaneOptions& options) {
+  return broken_rules(lane_table(), options);
+}
+
+}  // namespace moivre
