@@ -332,16 +332,6 @@ bool Endgame::ends_beyond(const std::vector<Complex>& x0) const {
   return end_beyond(unit / options_.ends.beyond, x0, turns_);
 }
 
-// By which factor the circle is to be smaller so that such an end lies beyond: x_0 falls like r^w.
-double Endgame::way_beyond(const std::vector<Complex>& x0) const {
-  const std::vector<double> v = valuations(samples_, chart_.homogenizing(), turns_);
-  const double w = -*std::min_element(v.begin(), v.end());
-  const double unit = chart_.finiteness(outpost_) / chart_.finiteness(outside(frame_, outpost_));
-  const double way = unit / options_.ends.beyond / limit_bound(x0, turns_);
-  const double least = 1 / options_.ends.shrink;
-  return w > 0 ? std::min(least, std::pow(way, 1 / w)) : least;
-}
-
 // The faces of the cycle's direction have a common root there.
 FaceRoot Endgame::place_at_infinity(PathSystem& path) const {
   return face_root(path, outside(frame_, outpost_), radius_,
@@ -418,9 +408,7 @@ std::optional<Departure> Endgame::estimate_end(PathSystem& path) {
     const FaceRoot place = place_at_infinity(path);
     if (place != FaceRoot::none) {
       if (!stays_at_infinity(place, path)) {
-        if (is_beyond) return fail(Failure::precision);
-        return shrink(path,
-                      place == FaceRoot::as_rounded ? way_beyond(x0) : 1 / options_.ends.shrink);
+        return is_beyond ? fail(Failure::precision) : shrink(path);
       }
       end_.status = PathStatus::at_infinity;
       end_.is_as_rounded = place == FaceRoot::as_rounded;
@@ -458,16 +446,12 @@ std::optional<Departure> Endgame::estimate_end(PathSystem& path) {
 }
 
 std::optional<Departure> Endgame::shrink(PathSystem& path) {
-  return shrink(path, 1 / options_.ends.shrink);
-}
-
-std::optional<Departure> Endgame::shrink(PathSystem& path, double factor) {
-  if (factor * radius_ < options_.ends.least_radius ||
-      end_.count.accepted > options_.ends.maximum_steps) {
+  const double smaller = radius_ / options_.ends.shrink;
+  if (smaller < options_.ends.least_radius || end_.count.accepted > options_.ends.maximum_steps) {
     return conclude(path);
   }
   phase_ = Phase::approach;
-  return approach(factor * radius_);
+  return approach(smaller);
 }
 
 // With an estimate at hand a landing has to prove it wrong; without one, any landing is welcome, and the

@@ -134,7 +134,6 @@ class Endgame : public Watcher {
   bool may_wait() const;
   std::optional<Departure> next_turn(Arrival&& arrival, PathSystem& path);
   std::optional<Departure> shrink(PathSystem& path);
-  std::optional<Departure> shrink(PathSystem& path, double factor);
   std::optional<Departure> conclude(PathSystem& path);
   std::optional<Departure> estimate_end(PathSystem& path);
   Point laurent_coefficient(int j) const;
@@ -143,7 +142,6 @@ class Endgame : public Watcher {
   std::optional<Departure> land();
   std::vector<Complex> samples_of_x0() const;
   bool ends_beyond(const std::vector<Complex>& x0) const;
-  double way_beyond(const std::vector<Complex>& x0) const;
   FaceRoot place_at_infinity(PathSystem& path) const;
   bool stays_at_infinity(FaceRoot place, PathSystem& path);
   bool polish_samples(PathSystem& path);
