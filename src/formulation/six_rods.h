@@ -7,7 +7,7 @@
 //
 // Bodies on six rods have 40 poses in general [RongaVust95], and so have six general equations of the span with Study's quadric (a test
 // solves such). So the 40 paths from the poses of G lead to every isolated pose of any body on six rods.
-// Roots with |q|^2 = 0 that are no pose, among them 36 of an octahedral platform, are not sought.
+// Roots with |q|^2 = 0 are no poses. They are not sought; the formulation excludes those that a path reaches.
 #pragma once
 
 #include "moivre/formulation/formulation.h"
