@@ -3,6 +3,7 @@
 #include "moivre/closures/motion.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 
 #include "moivre/closures/idle_joints.h"
@@ -10,8 +11,8 @@
 #include "moivre/numeric/stopwatch.h"
 #include "motion_product.h"
 #include "motion_record.h"
+#include "pair_search.h"
 #include "reconcile.h"
-#include "short_branches.h"
 #include "step_aside.h"
 
 namespace moivre {
@@ -74,18 +75,27 @@ void tell_why_nothing_moves(const std::vector<Scene>& scenes, MotionResult& resu
   }
 }
 
-/// Closures between checkpoints that were not all found: a short branch may have been missed there.
-void enter_undecided(const MotionRun& run, const std::vector<Scene>& solved, MotionResult& result) {
-  for (const Scene& scene : solved) {
-    if (scene.closures.complete || run.stop) continue;
-    result.failures.push_back("closures " + at_time(scene.time) + ": " + scene.closures.message);
-  }
-}
-
 void tell_instants(const std::vector<double>& instants, MotionResult& result) {
   for (const double time : instants) {
     result.left_out.push_back({"closures " + at_time(time),
                                "complex ones meet there and part again: a pose for an instant"});
+  }
+}
+
+/// Scenes until there is one between any two neighbouring events, with every pair of complex closures followed.
+void search_pairs(MotionRun& run, const Tracker& tracker, std::vector<Scene>& scenes,
+                  PairSearch& pairs) {
+  // Each brings at least one event; more than these are not met.
+  constexpr int kMostRounds = 100;
+  for (int round = 0; round < kMostRounds && !run.stop; ++round) {
+    pairs.follow(scenes);
+    std::vector<Track> brief = pairs.take_brief();
+    const bool is_new = !brief.empty();
+    std::move(brief.begin(), brief.end(), std::back_inserter(run.tracks));
+    const std::vector<double> open = pairs.open_times(scenes);
+    if (!is_new && open.empty()) break;
+    add_scenes(run, tracker, open, scenes);
+    reconcile(run, scenes);
   }
 }
 
@@ -109,12 +119,11 @@ void tell_crossings(const std::vector<double>& times, MotionResult& result) {
 }
 
 LeftOut left_unseen(const MotionOptions& options) {
-  static_assert(kFiner == 16, "update the sentence below");
   if (options.checkpoints > 0) {
     return {
-        "branches that begin and end between two checkpoints and meet no other",
-        "closures are solved at checkpoints, 16 times as often where some are complex, and where "
-        "those come near to real"};
+        "branches that begin and end between two checkpoints, and meet no other but at a limit",
+        "closures are solved between any two events, and complex ones are followed to where they "
+        "become real; what limits hide is looked at 16 times between checkpoints"};
   }
   return {"checkpoints",
           "none were asked for: branches that begin later are not seen, and an exchange would not "
@@ -134,13 +143,15 @@ MotionResult find_motion_of_whole(const Mechanism& mechanism, const Tracker& tra
   result.time_s.track = watch.total();
   begin_tracks(run, scenes);
   reconcile(run, scenes);
-  if (look_closer(run, tracker, scenes)) {
-    reconcile(run, scenes);
-    const ShortBranches found = follow_short_branches(run, tracker, scenes);
-    count_work(found.solved, result);
-    enter_undecided(run, found.solved, result);
-    tell_instants(found.instants, result);
-    reconcile(run, scenes);
+  if (options.checkpoints > 0 && !mechanism.drivers.empty() && !scenes.empty()) {
+    PairSearch pairs(run, tracker);
+    const auto can_follow = [&](double time) { return pairs.can_follow(time); };
+    if (look_closer(run, tracker, can_follow, scenes)) reconcile(run, scenes);
+    search_pairs(run, tracker, scenes, pairs);
+    tell_instants(pairs.instants(), result);
+    for (const std::string& doubt : pairs.doubts()) {
+      result.left_out.push_back({"a short branch, if there is one", doubt});
+    }
   }
   const std::vector<double> crossings = step_aside(run, tracker, scenes);
   if (!crossings.empty()) reconcile(run, scenes);

@@ -9,11 +9,18 @@
 namespace moivre {
 namespace {
 
+/// Whether branches lie before a dead point where they are known to lie behind it, or the other way.
+bool is_other_side(const MotionEvent& event, bool is_ending) {
+  if (event.at.kind != EventKind::dead_point) return false;
+  return is_ending ? event.ending.empty() : event.beginning.empty();
+}
+
 /// Index of the event in result.events, where it is entered if it is new.
-std::size_t event_index(const MotionRun& run, const BranchEvent& event, MotionResult& result) {
+std::size_t event_index(const MotionRun& run, const BranchEvent& event, bool is_ending,
+                        MotionResult& result) {
   for (std::size_t k = 0; k < result.events.size(); ++k) {
     BranchEvent& known = result.events[k].at;
-    if (!is_same_event(run, known, event)) continue;
+    if (!is_same_event(run, known, event) || is_other_side(result.events[k], is_ending)) continue;
     if (event.uncertainty < known.uncertainty) {
       known = event;
       result.events[k].drivers = driver_values(run.mechanism, event.time);
@@ -38,11 +45,11 @@ std::vector<BranchSample> samples_of(const MotionRun& run, const Track& track) {
 void enter_events(const MotionRun& run, const Track& track, MotionBranch& branch,
                   MotionResult& result) {
   if (track.backwards.event) {
-    branch.begin_event = event_index(run, *track.backwards.event, result);
+    branch.begin_event = event_index(run, *track.backwards.event, false, result);
     result.events[*branch.begin_event].beginning.push_back(branch.id);
   }
   if (track.forwards.event) {
-    branch.end_event = event_index(run, *track.forwards.event, result);
+    branch.end_event = event_index(run, *track.forwards.event, true, result);
     result.events[*branch.end_event].ending.push_back(branch.id);
   }
 }

@@ -46,6 +46,13 @@ MotionRun::MotionRun(const Mechanism& the_mechanism, const MotionOptions& the_op
       follower{mechanism, times.all, with_velocities_at(times.samples, options.branch),
                options.follow, stop} {}
 
+void MotionRun::add_time(double time) {
+  const auto at = std::lower_bound(times.all.begin(), times.all.end(), time);
+  if (at != times.all.end() && *at == time) return;
+  times.all.insert(at, time);
+  for (Track& track : tracks) follower.add_sample(track, time);
+}
+
 bool is_same_event(const MotionRun& run, const BranchEvent& a, const BranchEvent& b) {
   return a.kind == b.kind && is_at(run, a, b.time, b.q, b.uncertainty);
 }

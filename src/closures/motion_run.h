@@ -22,10 +22,13 @@ struct MotionRun {
   const MotionOptions& options;
   const std::atomic<bool>& stop;
   const Phi phi;
-  const MotionTimes times;
+  MotionTimes times;
   const TrackFollower follower;
   std::vector<Track> tracks;
   std::vector<BranchPose> instants;  ///< closures through which no branch leads
+
+  /// From now on tracks have a pose at that time, too.
+  void add_time(double time);
 
   void show_progress(double share) const {
     if (options.progress) options.progress(share);

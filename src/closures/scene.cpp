@@ -7,12 +7,15 @@
 namespace moivre {
 namespace {
 
-/// Whether every closure, complex ones too, is on a track from `a` to `b`: none is left from which a branch could begin.
-bool is_filled(const MotionRun& run, const Scene& a, const Scene& b) {
-  const auto whole = static_cast<std::uint64_t>(
-      std::count_if(run.tracks.begin(), run.tracks.end(),
-                    [&](const Track& track) { return track.at(a.time) && track.at(b.time); }));
-  return whole >= a.closures.counts.complex && whole >= b.closures.counts.complex;
+/// Whether a branch could begin and end between two scenes and not show where complex closures go.
+bool is_hidden(const Scene& a, const Scene& b, const std::function<bool(double)>& can_follow) {
+  const auto has_limited = [](const Scene& scene) { return scene.closures.counts.filtered > 0; };
+  const auto has_complex = [](const Scene& scene) {
+    const ClosureCounts& counts = scene.closures.counts;
+    return counts.complex > counts.real;
+  };
+  if (has_limited(a) || has_limited(b)) return true;
+  return (has_complex(a) || has_complex(b)) && !can_follow((a.time + b.time) / 2);
 }
 
 }  // namespace
@@ -39,11 +42,12 @@ std::vector<Scene> solve_scenes(const MotionRun& run, const Tracker& tracker) {
   return scenes;
 }
 
-bool look_closer(const MotionRun& run, const Tracker& tracker, std::vector<Scene>& scenes) {
+bool look_closer(const MotionRun& run, const Tracker& tracker,
+                 const std::function<bool(double)>& can_follow, std::vector<Scene>& scenes) {
   if (run.mechanism.drivers.empty() || scenes.empty()) return false;
   std::vector<Scene> all;
   for (std::size_t c = 0; c < scenes.size(); ++c) {
-    if (c > 0 && !is_filled(run, all.back(), scenes[c])) {
+    if (c > 0 && is_hidden(all.back(), scenes[c], can_follow)) {
       const int before = static_cast<int>(c - 1) * kFiner;
       for (int k = 1; k < kFiner && !run.stop; ++k) {
         all.push_back(solve_scene(run, tracker, run.times.fine(before + k)));
@@ -54,6 +58,17 @@ bool look_closer(const MotionRun& run, const Tracker& tracker, std::vector<Scene
   const bool is_new = all.size() > scenes.size();
   scenes = std::move(all);
   return is_new;
+}
+
+void add_scenes(MotionRun& run, const Tracker& tracker, const std::vector<double>& times,
+                std::vector<Scene>& scenes) {
+  for (const double time : times) {
+    if (run.stop) return;
+    run.add_time(time);
+    scenes.push_back(solve_scene(run, tracker, time));
+  }
+  std::sort(scenes.begin(), scenes.end(),
+            [](const Scene& a, const Scene& b) { return a.time < b.time; });
 }
 
 std::optional<std::pair<std::size_t, std::size_t>> match(const MotionRun& run, Scene& scene) {

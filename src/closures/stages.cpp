@@ -58,15 +58,14 @@ Polynomial substituted(const Polynomial& p, const std::vector<KnownValue>& value
 class Stages {
  public:
   Stages(const Formulation& formulation, const Tracker& tracker, const SolveOptions& options,
-         const std::atomic<bool>& stop, RootProver& prover)
+         const std::atomic<bool>& stop, RootProver& prover, PartialRoot begun)
       : formulation_(formulation),
         tracker_(tracker),
         options_(options),
         stop_(stop),
         prover_(prover) {
-    PartialRoot root;
-    root.value.resize(formulation.system.variables.size());
-    run_.roots.push_back(std::move(root));
+    begun.value.resize(formulation.system.variables.size());
+    run_.roots.push_back(std::move(begun));
   }
 
   void solve_block(const Block& block);
@@ -431,8 +430,8 @@ void add_solving(const SolveTime& part, SolveTime& sum) {
 
 StageRun solve_blocks(const Formulation& formulation, const std::vector<Block>& blocks,
                       const Tracker& tracker, const SolveOptions& options,
-                      const std::atomic<bool>& stop, RootProver& prover) {
-  Stages stages(formulation, tracker, options, stop, prover);
+                      const std::atomic<bool>& stop, RootProver& prover, PartialRoot begun) {
+  Stages stages(formulation, tracker, options, stop, prover, std::move(begun));
   for (const Block& block : blocks) stages.solve_block(block);
   return std::move(stages).take();
 }

@@ -70,9 +70,9 @@ bool may_be_real(const Formulation& formulation, const PartialRoot& root);
 /// Adds the seconds of starting, tracking and refining: what solves one after another have in common.
 void add_solving(const SolveTime& part, SolveTime& sum);
 
-/// Solves the blocks in turn, and proves their roots where the prover does.
+/// Solves the blocks in turn, and proves their roots where the prover does. `begun`: what is known before.
 StageRun solve_blocks(const Formulation& formulation, const std::vector<Block>& blocks,
                       const Tracker& tracker, const SolveOptions& options,
-                      const std::atomic<bool>& stop, RootProver& prover);
+                      const std::atomic<bool>& stop, RootProver& prover, PartialRoot begun = {});
 
 }  // namespace moivre

@@ -89,11 +89,20 @@ Branch TrackFollower::follow_back(const BranchPose& pose, const std::vector<doub
   return follow_branch(mechanism, pose.q, backs, steps, stop);
 }
 
-bool TrackFollower::reaches(const BranchPose& pose, double time) const {
-  BranchOptions steps = options;
+void TrackFollower::add_sample(Track& track, double time) const {
+  if (time < track.begins() || time > track.ends()) return;
+  const bool is_forwards = time >= track.anchor.time;
+  std::vector<BranchSample>& samples = (is_forwards ? track.forwards : track.backwards).samples;
+  const auto next =
+      std::partition_point(samples.begin(), samples.end(), [&](const BranchSample& sample) {
+        return is_forwards ? sample.time < time : sample.time > time;
+      });
+  if (next == samples.begin()) return;
+  BranchOptions steps = options_of(track);
   steps.velocity_times.emplace();
-  const std::vector<double> way{pose.time, time};
-  return follow_branch(mechanism, pose.q, way, steps, stop).samples.size() == way.size();
+  const BranchSample& before = *(next - 1);
+  Branch way = follow_branch(mechanism, before.q, {before.time, time}, steps, stop);
+  if (way.samples.size() == 2) samples.insert(next, std::move(way.samples.back()));
 }
 
 void TrackFollower::run(Track& track) const {

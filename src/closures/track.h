@@ -40,11 +40,11 @@ struct TrackFollower {
   /// A way that ends at the anchor of a simple closure, as if branches crossed there, has failed: it cannot be followed.
   Track follow(const BranchPose& anchor, bool is_simple = false) const;
   void follow_again(Track& track) const;
+  /// Adds the pose at a time between samples, where the branch is there.
+  void add_sample(Track& track, double time) const;
   /// From a pose back through `backs` times, with steps that are not those of the way there.
   Branch follow_back(const BranchPose& pose, const std::vector<double>& backs,
                      const Track& track) const;
-  /// Whether the branch through the pose is there at another time too, without a sample on the way.
-  bool reaches(const BranchPose& pose, double time) const;
 
  private:
   BranchOptions options_of(const Track& track) const;

@@ -10,9 +10,10 @@
 // it was found, with other steps, and must pass through the same closures.
 // If a branch ends at a dead point, the other branch there is found by following the curve around the fold.
 // Ids do not change during the motion: A, B, ... as find_closures gives them at `from`, then new ones as branches begin.
-// If closures are complex, a branch could begin and end unseen between two checkpoints. Closures are then solved 16 times there,
-// and again where three of these show that a complex pair is about to become real. A pose that exists for an instant only is
-// not a branch (`left_out` says so). Not seen: a short branch that meets no other and does not show in this way.
+// If closures are complex, a branch could begin and end unseen between two checkpoints. So closures are solved between any two
+// neighbouring events, and complex ones are followed to where they become real, however briefly. Where they cannot be followed, or limits
+// hide closures, these are solved 16 times between checkpoints. A pose that exists for an instant only is not a branch. `left_out` says of
+// both. The scenes in between are checkpoints of the result, too.
 // Sub-chains that share no more than what the drivers place (sub_chains.h) are followed each on its own: a branch of the whole is
 // one of each, from where the last of them begins to where the first ends. They are listed up to kMostBranchesListed. Of more, one
 // for each branch of a sub-chain is listed, and circuits are told of each sub-chain alone.

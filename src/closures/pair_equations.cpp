@@ -1,0 +1,373 @@
+// SPDX-License-Identifier: MIT
+// Polynomials in numbers a + b sqrt(s), their derivatives, and Newton's method on them.
+#include "pair_equations.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace moivre {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXcd;
+using RowMatrix = Eigen::Matrix<Complex, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+constexpr std::size_t kNoPlace = static_cast<std::size_t>(-1);
+// Corrections shrink by squares; what shrinks less began too far away.
+constexpr int kPairCorrections = 8;
+constexpr double kPairShrinks = 0.5;
+// Beside |y|: a correction this small leaves an error of its square, below rounding.
+constexpr double kPairConverged = 1e-8;
+
+/// a + b e, e^2 = s, with the derivatives of a and b by s.
+struct RootNumber {
+  Complex a;
+  Complex b;
+  Complex a_s = 0;
+  Complex b_s = 0;
+};
+
+RootNumber times(const RootNumber& x, const RootNumber& y, const Complex& s) {
+  const Complex bb = product(x.b, y.b);
+  return {product(x.a, y.a) + product(s, bb), product(x.a, y.b) + product(x.b, y.a),
+          product(x.a_s, y.a) + product(x.a, y.a_s) + bb +
+              product(s, product(x.b_s, y.b) + product(x.b, y.b_s)),
+          product(x.a_s, y.b) + product(x.a, y.b_s) + product(x.b_s, y.a) + product(x.b, y.a_s)};
+}
+
+/// The blocks that a block needs, with those of mirror images, in their order.
+std::vector<std::size_t> needed_blocks(const Formulation& formulation,
+                                       const std::vector<Block>& blocks, std::size_t block) {
+  std::vector<std::size_t> owner(formulation.system.variables.size(), kNoPlace);
+  for (std::size_t k = 0; k < blocks.size(); ++k) {
+    for (const std::size_t v : blocks[k].variables) owner[v] = k;
+  }
+  std::vector<bool> is_needed(blocks.size(), false);
+  is_needed[block] = true;
+  const auto need = [&](std::size_t variable) {
+    if (owner[variable] != kNoPlace) is_needed[owner[variable]] = true;
+  };
+  // Blocks need earlier ones only; a mirror image may be later by a few.
+  for (std::size_t before = 0, now = 1; now != before;) {
+    before = now;
+    for (std::size_t k = blocks.size(); k-- > 0;) {
+      if (!is_needed[k]) continue;
+      for (const std::size_t v : blocks[k].variables) need(formulation.mirror[v]);
+      for (const std::size_t e : blocks[k].equations) {
+        for (const Term& term : formulation.system.polynomials[e].terms) {
+          for (const Power& power : term.monomial) need(power.variable);
+        }
+      }
+    }
+    now = static_cast<std::size_t>(std::count(is_needed.begin(), is_needed.end(), true));
+  }
+  std::vector<std::size_t> needed;
+  for (std::size_t k = 0; k < blocks.size(); ++k) {
+    if (is_needed[k] && k != block) needed.push_back(k);
+  }
+  return needed;
+}
+
+/// [J B] -> J^-1 B by Gauss's elimination, with pivots by columns in that order: most entries that are zero stay so.
+MatrixXcd solved(RowMatrix both, const std::vector<Index>& columns) {
+  const Index n = both.rows();
+  const Index sides = both.cols() - n;
+  std::vector<Index> row_of(columns.size());
+  std::vector<Index> open(columns.size());
+  std::iota(open.begin(), open.end(), 0);
+  std::vector<Index> filled;
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    const Index column = columns[k];
+    const auto pivot = std::max_element(open.begin(), open.end(), [&](Index a, Index b) {
+      return std::norm(both(a, column)) < std::norm(both(b, column));
+    });
+    const Index row = row_of[k] = *pivot;
+    *pivot = open.back();
+    open.pop_back();
+    const Complex* const of_row = &both(row, 0);
+    filled.clear();
+    for (std::size_t j = k + 1; j < columns.size(); ++j) {
+      if (of_row[columns[j]] != 0.0) filled.push_back(columns[j]);
+    }
+    for (Index j = n; j < n + sides; ++j) filled.push_back(j);
+    const Complex scale = reciprocal(of_row[column]);
+    for (const Index i : open) {
+      Complex* const of_i = &both(i, 0);
+      if (of_i[column] == 0.0) continue;
+      const Complex factor = product(of_i[column], scale);
+      for (const Index j : filled) of_i[j] -= product(factor, of_row[j]);
+    }
+  }
+  MatrixXcd X(n, sides);
+  for (std::size_t k = columns.size(); k-- > 0;) {
+    const Complex* const of_row = &both(row_of[k], 0);
+    const Complex scale = reciprocal(of_row[columns[k]]);
+    for (Index side = 0; side < sides; ++side) {
+      Complex sum = of_row[n + side];
+      for (std::size_t j = k + 1; j < columns.size(); ++j) {
+        if (of_row[columns[j]] != 0.0) sum -= product(of_row[columns[j]], X(columns[j], side));
+      }
+      X(columns[k], side) = product(scale, sum);
+    }
+  }
+  return X;
+}
+
+}  // namespace
+
+struct PairEquations::Linearized {
+  PairVector value;    ///< n
+  RowMatrix jacobian;  ///< (n + 1) x (n + 1); the last row is the caller's
+};
+
+PairEquations::PairEquations(const MovingPolynomials& polynomials, const std::vector<Block>& blocks,
+                             std::size_t block, double from, double to)
+    : polynomials_(polynomials), from_(from), duration_(to - from) {
+  const Formulation& f = polynomials.formulation();
+  place_.assign(f.system.variables.size(), kNoPlace);
+  std::vector<std::size_t> all = needed_blocks(f, blocks, block);
+  all.push_back(block);
+  for (const std::size_t k : all) {
+    if (k == block) needed_ = variables_.size();
+    for (const std::size_t v : blocks[k].variables) {
+      place_[v] = variables_.size();
+      variables_.push_back(static_cast<std::uint32_t>(v));
+    }
+    rows_.insert(rows_.end(), blocks[k].equations.begin(), blocks[k].equations.end());
+  }
+  for (std::size_t k = 0; k < variables_.size(); ++k) {
+    const std::size_t image = place_[f.mirror[variables_[k]]];
+    has_mirror_ = has_mirror_ && image != kNoPlace && (image < needed_) == (k < needed_);
+    mirror_.push_back(static_cast<Index>(image));
+  }
+  order_columns();
+}
+
+/// By the number of terms that a column is in.
+void PairEquations::order_columns() {
+  std::vector<std::size_t> entries(static_cast<std::size_t>(size() + 1), 0);
+  for (const std::size_t row : rows_) {
+    for (const MovingPolynomials::MovingTerm& term : polynomials_.rows()[row]) {
+      for (const std::uint32_t v : term.factors) {
+        const std::size_t k = place_[v];
+        // What is multiplied by others fills more than what is added.
+        entries[k] += 1 + 4 * (term.factors.size() - 1);
+        if (k >= needed_)
+          entries[k + variables_.size() - needed_] += 1 + 4 * (term.factors.size() - 1);
+      }
+    }
+  }
+  entries[static_cast<std::size_t>(at_s())] = entries[static_cast<std::size_t>(at_tau())] =
+      kNoPlace;
+  columns_.resize(entries.size());
+  std::iota(columns_.begin(), columns_.end(), 0);
+  std::stable_sort(columns_.begin(), columns_.end(), [&](Index a, Index b) {
+    return entries[static_cast<std::size_t>(a)] < entries[static_cast<std::size_t>(b)];
+  });
+}
+
+Point PairEquations::restricted(const Point& root) const {
+  Point x;
+  for (const std::uint32_t v : variables_) x.push_back(root[v] / polynomials_.units()[v]);
+  return x;
+}
+
+Point PairEquations::image(const Point& x) const {
+  Point image(x.size());
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    image[k] = std::conj(x[static_cast<std::size_t>(mirror_[k])]);
+  }
+  return image;
+}
+
+PairVector PairEquations::point(const Point& x, double tau) const {
+  const Point other = image(x);
+  PairVector y = PairVector::Zero(size() + 1);
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    y[static_cast<Index>(k)] = (x[k] + other[k]) / 2.0;
+    if (k < needed_) continue;
+    // sqrt(s) = i: u is real in the mirror's sense.
+    y[first_u() + static_cast<Index>(k - needed_)] = (x[k] - other[k]) / Complex(0, 2);
+  }
+  y[at_s()] = -1;
+  y[at_tau()] = tau;
+  return normalized(y);
+}
+
+std::array<Point, 2> PairEquations::roots(const PairVector& y) const {
+  const Complex root = std::sqrt(Complex(y[at_s()].real(), 0));
+  std::array<Point, 2> both;
+  for (std::size_t side = 0; side < 2; ++side) {
+    for (std::size_t k = 0; k < variables_.size(); ++k) {
+      Complex x = y[static_cast<Index>(k)];
+      if (k >= needed_) {
+        x += (side == 0 ? root : -root) * y[first_u() + static_cast<Index>(k - needed_)];
+      }
+      both[side].push_back(x);
+    }
+  }
+  return both;
+}
+
+PairVector PairEquations::without_u_and_s(PairVector y) const {
+  y.segment(first_u(), own() + 1).setZero();
+  return y;
+}
+
+PairVector PairEquations::normalized(PairVector y) const {
+  const double length = y.segment(first_u(), own()).norm();
+  y.segment(first_u(), own()) /= length;
+  y[at_s()] *= length * length;
+  return y;
+}
+
+/// What rounding took away from the real structure is put back.
+PairVector PairEquations::made_real(const PairVector& y) const {
+  PairVector real = y;
+  for (std::size_t k = 0; k < variables_.size(); ++k) {
+    const auto at = static_cast<Index>(k);
+    real[at] = (y[at] + std::conj(y[mirror_[k]])) / 2.0;
+    if (k < needed_) continue;
+    const Index shift = first_u() - static_cast<Index>(needed_);
+    real[at + shift] = (y[at + shift] + std::conj(y[mirror_[k] + shift])) / 2.0;
+  }
+  real[at_s()] = y[at_s()].real();
+  real[at_tau()] = y[at_tau()].real();
+  return real;
+}
+
+bool PairEquations::linearize(const PairVector& y, const PairVector& base, Linearized& to) const {
+  const auto moving = polynomials_.at(time(y[at_tau()].real()));
+  if (!moving) return false;
+  const Index n = size();
+  const Complex s = y[at_s()];
+  to.value = PairVector::Zero(n);
+  to.jacobian = RowMatrix::Zero(n + 1, n + 1);
+  const auto needed = static_cast<Index>(needed_);
+  std::vector<RootNumber> factors;
+  for (std::size_t r = 0; r < rows_.size(); ++r) {
+    const auto row_a = static_cast<Index>(r);
+    const Index row_b = r < needed_ ? Index{-1} : row_a + own();
+    for (const MovingPolynomials::MovingTerm& term : polynomials_.rows()[rows_[r]]) {
+      factors.clear();
+      for (const std::uint32_t v : term.factors) {
+        const std::size_t k = place_[v];
+        const auto place = static_cast<Index>(k);
+        factors.push_back({y[place], k < needed_ ? Complex(0) : y[first_u() + place - needed]});
+      }
+      const Complex c = moving->c[term.number];
+      for (std::size_t skip = 0; skip <= factors.size(); ++skip) {
+        RootNumber rest{1, 0};
+        for (std::size_t i = 0; i < factors.size(); ++i) {
+          if (i != skip) rest = times(rest, factors[i], s);
+        }
+        const Complex a = product(c, rest.a);
+        const Complex b = product(c, rest.b);
+        if (skip == factors.size()) {
+          const Complex rate = moving->rate[term.number] * duration_;
+          to.value[row_a] += a;
+          to.jacobian(row_a, at_s()) += product(c, rest.a_s);
+          to.jacobian(row_a, at_tau()) += product(rate, rest.a);
+          if (row_b < 0) continue;
+          to.value[row_b] += b;
+          to.jacobian(row_b, at_s()) += product(c, rest.b_s);
+          to.jacobian(row_b, at_tau()) += product(rate, rest.b);
+          continue;
+        }
+        const auto place = static_cast<Index>(place_[term.factors[skip]]);
+        const Index u = first_u() + place - needed;
+        to.jacobian(row_a, place) += a;
+        if (place >= needed) to.jacobian(row_a, u) += product(s, b);
+        if (row_b < 0) continue;
+        to.jacobian(row_b, place) += b;
+        if (place >= needed) to.jacobian(row_b, u) += a;
+      }
+    }
+  }
+  const auto u0 = base.segment(first_u(), own());
+  to.value[n - 1] = u0.dot(y.segment(first_u(), own())) - 1.0;
+  to.jacobian.row(n - 1).segment(first_u(), own()) = u0.adjoint();
+  return to.value.allFinite() && to.jacobian.allFinite();
+}
+
+std::optional<PairPoint> PairEquations::corrected(PairVector y, const PairVector& base,
+                                                  const PairVector& normal, double offset,
+                                                  const PairVector& before) const {
+  double last = 0;
+  Linearized here;
+  for (int k = 0; k < kPairCorrections; ++k) {
+    if (!linearize(y, base, here)) return std::nullopt;
+    here.jacobian.row(size()) = normal.adjoint();
+    RowMatrix both(size() + 1, size() + 3);
+    both << here.jacobian, PairVector::Zero(size() + 1), PairVector::Unit(size() + 1, size());
+    both.col(size() + 1).head(size()) = -here.value;
+    both(size(), size() + 1) = offset - normal.dot(y);
+    const MatrixXcd sides = solved(std::move(both), columns_);
+    const double length = sides.col(0).norm();
+    if (!std::isfinite(length) || (k > 0 && length > kPairShrinks * last)) return std::nullopt;
+    y += sides.col(0);
+    last = length;
+    if (length > kPairConverged * y.norm()) continue;
+    const PairVector along = made_real(sides.col(1));
+    const double way = before.dot(along).real() < 0 ? -along.norm() : along.norm();
+    if (!std::isfinite(way) || way == 0) return std::nullopt;
+    return PairPoint{made_real(y), along / way};
+  }
+  return std::nullopt;
+}
+
+/// Newton's method with the derivatives in double: each step brings their digits.
+std::optional<double> PairEquations::sharp_s(const PairVector& y) const {
+  constexpr int kMostRounds = 8;
+  constexpr double kSharp = 1e-26;
+  const auto c = polynomials_.sharply_at(time(y[at_tau()].real()));
+  Linearized here;
+  if (!c || !linearize(y, y, here)) return std::nullopt;
+  here.jacobian.row(size()) = PairVector::Unit(size() + 1, at_tau()).adjoint();
+  std::vector<ComplexDoubleDouble> sharp(y.begin(), y.end());
+  const auto needed = static_cast<Index>(needed_);
+  for (int round = 0; round < kMostRounds; ++round) {
+    PairVector miss = PairVector::Zero(size() + 1);
+    for (std::size_t r = 0; r < rows_.size(); ++r) {
+      ComplexDoubleDouble a;
+      ComplexDoubleDouble b;
+      for (const MovingPolynomials::MovingTerm& term : polynomials_.rows()[rows_[r]]) {
+        ComplexDoubleDouble term_a = (*c)[term.number];
+        ComplexDoubleDouble term_b;
+        for (const std::uint32_t v : term.factors) {
+          const std::size_t k = place_[v];
+          const ComplexDoubleDouble& m = sharp[k];
+          const ComplexDoubleDouble u =
+              k < needed_ ? ComplexDoubleDouble() : sharp[k + variables_.size() - needed_];
+          const ComplexDoubleDouble next =
+              product(term_a, m) +
+              product(sharp[static_cast<std::size_t>(at_s())], product(term_b, u));
+          term_b = product(term_a, u) + product(term_b, m);
+          term_a = next;
+        }
+        a += term_a;
+        b += term_b;
+      }
+      const auto row = static_cast<Index>(r);
+      miss[row] = -to_complex(a);
+      if (row >= needed) miss[row + own()] = -to_complex(b);
+    }
+    ComplexDoubleDouble along = -1.0;
+    for (Index k = first_u(); k < first_u() + own(); ++k) {
+      along += product(ComplexDoubleDouble(std::conj(y[k])), sharp[static_cast<std::size_t>(k)]);
+    }
+    miss[size() - 1] = -to_complex(along);
+    RowMatrix both(size() + 1, size() + 2);
+    both << here.jacobian, miss;
+    const PairVector step = solved(std::move(both), columns_).col(0);
+    for (Index k = 0; k < size(); ++k) sharp[static_cast<std::size_t>(k)] += step[k];
+    if (!step.allFinite()) return std::nullopt;
+    if (step.norm() <= kSharp * y.norm()) {
+      return to_complex(sharp[static_cast<std::size_t>(at_s())]).real();
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace moivre

@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: MIT
+// Pairs of scenes, followed once each, and the times that part the motion.
+#include "pair_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "moivre/formulation/exact.h"
+#include "moivre/mechanism/pose.h"
+#include "stages.h"
+#include "track.h"
+
+namespace moivre {
+namespace {
+
+// Of a stretch: no mechanism is symmetric about this place.
+constexpr double kWithin = 0.4472;
+// Values of one pair that were found twice, in units.
+constexpr double kSamePair = 1e-6;
+
+double distance(const Point& a, const Point& b) {
+  double largest = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) largest = std::max(largest, std::abs(a[k] - b[k]));
+  return largest;
+}
+
+/// Times at which the formulations are looked at anew: drivers move smoothly between.
+std::vector<double> knots(const MotionRun& run) {
+  constexpr int kFewest = 4;
+  const int count = std::max(kFewest, std::min(run.options.checkpoints, 16));
+  std::vector<double> times;
+  for (int k = 0; k <= count; ++k) {
+    times.push_back(run.times.from + (run.times.to - run.times.from) * k / count);
+  }
+  return times;
+}
+
+const BranchPose& nearest(const Phi& phi, const std::vector<BranchPose>& poses,
+                          const BranchPose& to) {
+  return *std::min_element(poses.begin(), poses.end(),
+                           [&](const BranchPose& a, const BranchPose& b) {
+                             return distance(phi, a.q, to.q) < distance(phi, b.q, to.q);
+                           });
+}
+
+bool is_allowed(const Mechanism& mechanism, const Eigen::VectorXd& q) {
+  return std::all_of(mechanism.joints.begin(), mechanism.joints.end(), [&](const Joint& joint) {
+    return !joint.limits || is_within_limits(mechanism, joint, q);
+  });
+}
+
+/// From one dead point to the other, too short for steps between.
+Track brief_track(const BranchPose& begin, const BranchPose& pose, const BranchPose& end) {
+  Track track;
+  track.anchor = pose;
+  track.is_simple = true;
+  for (const bool is_forwards : {true, false}) {
+    const BranchPose& last = is_forwards ? end : begin;
+    BranchEvent event;
+    event.time = last.time;
+    event.q = last.q;
+    Branch way;
+    way.status = BranchStatus::ended;
+    way.message = to_string(event.kind);
+    BranchSample sample;
+    sample.time = pose.time;
+    sample.q = pose.q;
+    way.samples.push_back(std::move(sample));
+    way.pieces.push_back({0, 0, {pose.q, last.q}, {}, {}});
+    way.event = std::move(event);
+    (is_forwards ? track.forwards : track.backwards) = std::move(way);
+  }
+  return track;
+}
+
+}  // namespace
+
+PairSearch::PairSearch(const MotionRun& run, const Tracker& tracker)
+    : run_(run), tracker_(tracker) {}
+
+void PairSearch::prepare() {
+  if (polynomials_) return;
+  polynomials_ = std::make_unique<MovingPolynomials>(run_.mechanism, knots(run_));
+  const BlockStructure structure = block_structure(polynomials_->formulation().system);
+  if (!structure.free_variables.empty()) return;
+  blocks_ = structure.blocks;
+  for (std::size_t k = 0; k < blocks_.size(); ++k) {
+    auto equations =
+        std::make_unique<PairEquations>(*polynomials_, blocks_, k, run_.times.from, run_.times.to);
+    equations_.push_back(equations->has_mirror() ? std::move(equations) : nullptr);
+  }
+}
+
+bool PairSearch::can_follow(double time) {
+  prepare();
+  return !equations_.empty() && polynomials_->at(time).has_value();
+}
+
+/// The pairs that a closure which is not real belongs to: in each block that is the first one not real.
+void PairSearch::enter_pairs(const Point& root, PairScene& scene) {
+  for (std::size_t block = 0; block < equations_.size(); ++block) {
+    if (equations_[block] == nullptr) continue;
+    const PairEquations& equations = *equations_[block];
+    const Point x = equations.restricted(root);
+    const Point image = equations.image(x);
+    const double size = std::max(1.0, max_norm(x));
+    double needed = 0;
+    double own = 0;
+    for (std::size_t k = 0; k < x.size(); ++k) {
+      double& apart = k < equations.needed() ? needed : own;
+      apart = std::max(apart, std::abs(x[k] - image[k]));
+    }
+    if (needed > kHolds * size || own <= kHolds * size) continue;
+    const bool is_known =
+        std::any_of(scene.pairs.begin(), scene.pairs.end(), [&](const KnownPair& pair) {
+          return pair.block == block &&
+                 std::min(distance(pair.x, x), distance(pair.x, image)) <= kSamePair * size;
+        });
+    if (!is_known) scene.pairs.push_back({block, x, false});
+  }
+}
+
+void PairSearch::enter(const Scene& scene) {
+  PairScene entered{scene.time, scene.closures.complete, {}};
+  for (const Solution& closure : scene.closures.solutions) {
+    if (closure.real || closure.singular) continue;
+    prepare();
+    enter_pairs(closure.x, entered);
+  }
+  scenes_.push_back(std::move(entered));
+}
+
+/// Once.
+void PairSearch::tell(const std::string& doubt) {
+  if (std::find(doubts_.begin(), doubts_.end(), doubt) == doubts_.end()) doubts_.push_back(doubt);
+}
+
+/// A pair at a scene; false where the curve is back at its beginning.
+bool PairSearch::pass(std::size_t scene, std::size_t block, const Point& x,
+                      const KnownPair& begun) {
+  const Point image = equations_[block]->image(x);
+  const double most = kSamePair * std::max(1.0, max_norm(x));
+  for (KnownPair& pair : scenes_[scene].pairs) {
+    if (pair.block != block || std::min(distance(pair.x, x), distance(pair.x, image)) > most) {
+      continue;
+    }
+    pair.is_passed = true;
+    return &pair != &begun;
+  }
+  if (scenes_[scene].is_complete) {
+    tell("a pair of complex closures that is there " + at_time(scenes_[scene].time) +
+         " is not among those that were solved");
+  }
+  return true;
+}
+
+/// Poses in which a block's root is: the other blocks are solved above it.
+std::vector<BranchPose> PairSearch::poses_above(const PairEquations& equations, const Point& x,
+                                                double time) {
+  const Formulation there = formulate(run_.mechanism, time);
+  PartialRoot begun;
+  begun.value.resize(there.system.variables.size());
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    const std::uint32_t v = equations.variables()[k];
+    begun.value[v] = std::make_shared<const Known>(exactly(x[k] * polynomials_->units()[v]));
+  }
+  std::vector<Block> others;
+  for (const Block& block : blocks_) {
+    if (!begun.value[block.variables.front()]) others.push_back(block);
+  }
+  RootProver prover(there, false);
+  const StageRun run = solve_blocks(there, others, tracker_, run_.options.solve, run_.stop, prover,
+                                    std::move(begun));
+  if (!run.complete) {
+    tell("closures are real " + at_time(time) +
+         " for less than a millionth of the motion, and not all of them were found");
+  }
+  std::vector<BranchPose> poses;
+  for (const PartialRoot& found : run.roots) {
+    if (!may_be_real(there, found)) continue;
+    Point root;
+    for (const KnownValue& value : found.value) root.push_back(value->rounded);
+    const Eigen::VectorXd q = coordinates_of_root(there, root);
+    const bool is_assembled = residual_by_size(run_.phi, q, time) <= kAssembled;
+    if (is_assembled && is_allowed(run_.mechanism, q)) poses.push_back({time, q});
+  }
+  return poses;
+}
+
+/// Both of them, as branches between their meetings.
+void PairSearch::take_brief(const PairEquations& equations, const RealWhile& life) {
+  const bool is_known =
+      std::any_of(brief_lives_.begin(), brief_lives_.end(), [&](const RealWhile& known) {
+        return known.roots[0].size() == life.roots[0].size() &&
+               std::abs(known.at - life.at) <= kBriefest * equations.duration() &&
+               distance(known.roots[0], life.roots[0]) <= kSamePlace;
+      });
+  if (is_known) return;
+  brief_lives_.push_back(life);
+  const std::vector<BranchPose> begins = poses_above(equations, life.meetings[0], life.times[0]);
+  const std::vector<BranchPose> ends = poses_above(equations, life.meetings[1], life.times[1]);
+  for (const Point& x : life.roots) {
+    for (const BranchPose& pose : poses_above(equations, x, life.at)) {
+      if (!begins.empty() && !ends.empty()) {
+        brief_.push_back(
+            brief_track(nearest(run_.phi, begins, pose), pose, nearest(run_.phi, ends, pose)));
+        continue;
+      }
+      tell("closures are real " + at_time(life.at) +
+           " for less than a millionth of the motion, and where they meet was not "
+           "found");
+    }
+  }
+}
+
+void PairSearch::take(const PairEquations& equations, const PairCurve& curve) {
+  borders_.insert(borders_.end(), curve.borders.begin(), curve.borders.end());
+  instants_.insert(instants_.end(), curve.undecided.begin(), curve.undecided.end());
+  fold_backs_.insert(fold_backs_.end(), curve.fold_backs.begin(), curve.fold_backs.end());
+  for (const RealWhile& life : curve.short_lives) {
+    if (life.times[1] - life.times[0] <= kBriefest * equations.duration()) {
+      take_brief(equations, life);
+    }
+  }
+  // Where nothing can be followed scenes are nearer to each other.
+  if (!curve.is_lost || run_.stop || !can_follow(curve.last)) return;
+  tell("a pair of complex closures could not be followed beyond t = " + std::to_string(curve.last) +
+       " s");
+}
+
+void PairSearch::follow(std::size_t scene, std::size_t pair) {
+  KnownPair& begun = scenes_[scene].pairs[pair];
+  const PairEquations& equations = *equations_[begun.block];
+  std::vector<double> times;
+  for (const PairScene& other : scenes_) times.push_back(other.time);
+  begun.is_passed = true;
+  bool has_come_back = false;
+  for (const bool forwards : {true, false}) {
+    if (has_come_back || run_.stop) return;
+    const PassingPair passing = [&](std::size_t number, const Point& x) {
+      has_come_back = !pass(number, begun.block, x, begun);
+      return !has_come_back;
+    };
+    take(equations,
+         follow_pair(equations, begun.x, scenes_[scene].time, forwards, times, passing, run_.stop));
+  }
+}
+
+void PairSearch::follow(const std::vector<Scene>& scenes) {
+  for (const Scene& scene : scenes) {
+    const bool is_known = std::any_of(scenes_.begin(), scenes_.end(), [&](const PairScene& known) {
+      return known.time == scene.time;
+    });
+    if (!is_known) enter(scene);
+  }
+  for (std::size_t k = 0; k < scenes_.size(); ++k) {
+    for (std::size_t j = 0; j < scenes_[k].pairs.size() && !run_.stop; ++j) {
+      if (!scenes_[k].pairs[j].is_passed) follow(k, j);
+    }
+  }
+}
+
+std::vector<double> PairSearch::open_times(const std::vector<Scene>& scenes) const {
+  std::vector<double> parts = borders_;
+  for (const Track& track : run_.tracks) {
+    for (const Branch* way : {&track.forwards, &track.backwards}) {
+      if (way->event) parts.push_back(way->event->time);
+    }
+  }
+  parts.push_back(run_.times.from);
+  parts.push_back(run_.times.to);
+  std::sort(parts.begin(), parts.end());
+  const double least = kBriefest * (run_.times.to - run_.times.from);
+  std::vector<double> open;
+  for (std::size_t k = 1; k < parts.size(); ++k) {
+    const double from = parts[k - 1];
+    const double to = parts[k];
+    if (to - from <= least) continue;
+    const bool is_seen = std::any_of(scenes.begin(), scenes.end(), [&](const Scene& scene) {
+      const bool is_singular =
+          std::any_of(scene.closures.solutions.begin(), scene.closures.solutions.end(),
+                      [](const Solution& closure) { return closure.singular; });
+      if (is_singular) return false;
+      const bool is_at_border = scene.time == run_.times.from || scene.time == run_.times.to;
+      return is_at_border ? scene.time == from || scene.time == to
+                          : scene.time > from && scene.time < to;
+    });
+    if (!is_seen) open.push_back(from + kWithin * (to - from));
+  }
+  for (const double time : fold_backs_) {
+    const auto is_there = [&](double other) { return std::abs(other - time) <= least; };
+    const bool is_seen = std::any_of(open.begin(), open.end(), is_there) ||
+                         std::any_of(scenes.begin(), scenes.end(),
+                                     [&](const Scene& scene) { return is_there(scene.time); });
+    if (!is_seen) open.push_back(time);
+  }
+  return open;
+}
+
+std::vector<Track> PairSearch::take_brief() { return std::exchange(brief_, {}); }
+
+}  // namespace moivre

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// Between which times do closures become real that no scene shows? Every pair of complex ones is followed (pair_curve.h).
+//
+// Let B be the times at which some pair meets, or turns back, or a branch begins or ends. Between two neighbouring times of B the
+// number of real closures is the same. So with one scene there, and all its pairs followed, nothing is missed: two roots that are
+// real for a while at another time are a pair in that scene, or in the scene of an earlier while, and following it leads there.
+// Stretches shorter than kBriefest have no scene of their own; the roots that are real there come from the pair's own curve. But where
+// three roots are real these are well apart, and a scene shows them, however short that is.
+// Every pair that passes a scene must be one of its pairs.
+// Edges: closures beyond a joint's limits are no branches; that they come within limits for a while is seen at scenes alone.
+// A mechanism without drivers, or with fewer equations than unknowns, has no pairs that move.
+#pragma once
+
+#include <memory>
+
+#include "pair_curve.h"
+#include "scene.h"
+
+namespace moivre {
+
+class PairSearch {
+ public:
+  /// Both must outlive it.
+  PairSearch(const MotionRun& run, const Tracker& tracker);
+  PairSearch(const PairSearch&) = delete;  // the equations refer to the polynomials
+  PairSearch& operator=(const PairSearch&) = delete;
+
+  /// Whether pairs can be followed at that time.
+  bool can_follow(double time);
+  /// Follows the pairs of all scenes that no earlier curve passes.
+  void follow(const std::vector<Scene>& scenes);
+  /// Times in stretches of B without a scene, and in fold-backs: where to solve closures next; empty where nothing is left to see.
+  std::vector<double> open_times(const std::vector<Scene>& scenes) const;
+  /// Branches that live so briefly that no scene shows them, from the pair's curve; each is given once.
+  std::vector<Track> take_brief();
+
+  /// Times at which a pair meets and parts again, as far as rounding tells.
+  const std::vector<double>& instants() const { return instants_; }
+  /// What could not be followed, or was not found among a scene's closures, each a sentence.
+  const std::vector<std::string>& doubts() const { return doubts_; }
+
+ private:
+  struct KnownPair {
+    std::size_t block = 0;
+    Point x;
+    bool is_passed = false;
+  };
+  struct PairScene {
+    double time = 0;
+    bool is_complete = false;
+    std::vector<KnownPair> pairs;
+  };
+  void prepare();
+  void tell(const std::string& doubt);
+  void enter(const Scene& scene);
+  void enter_pairs(const Point& root, PairScene& scene);
+  void follow(std::size_t scene, std::size_t pair);
+  bool pass(std::size_t scene, std::size_t block, const Point& x, const KnownPair& begun);
+  void take(const PairEquations& equations, const PairCurve& curve);
+  void take_brief(const PairEquations& equations, const RealWhile& life);
+  std::vector<BranchPose> poses_above(const PairEquations& equations, const Point& x, double time);
+
+  const MotionRun& run_;
+  const Tracker& tracker_;
+  std::unique_ptr<MovingPolynomials> polynomials_;  ///< null before something is complex
+  std::vector<Block> blocks_;
+  std::vector<std::unique_ptr<PairEquations>> equations_;  ///< of each block; null: it has no pairs
+  std::vector<PairScene> scenes_;
+  std::vector<double> borders_;
+  std::vector<double> fold_backs_;
+  std::vector<double> instants_;
+  std::vector<RealWhile> brief_lives_;
+  std::vector<Track> brief_;
+  std::vector<std::string> doubts_;
+};
+
+}  // namespace moivre
