@@ -393,7 +393,8 @@ bool Endgame::sheets_meet_in_all_digits(PathSystem& path) {
     size = std::max(size, modulus(z));
   }
   const double known = std::numeric_limits<double>::epsilon() * modulus(common) / size;
-  return sums_and_errors(apart, turns_, known, options_.ends).sum <= options_.ends.shrink;
+  // All samples may err one way.
+  return sums_and_errors(apart, turns_, known, options_.ends).sum <= options_.ends.samples;
 }
 
 // Size of the highest coefficient that the samples resolve: what comes after it is aliased.
