@@ -357,9 +357,9 @@ bool Endgame::polish_samples(PathSystem& path) {
 }
 
 // A large finite root with the same face is told by the errors of the samples. Where these leave a doubt, or are large, the samples
-// get all their digits first. What is at infinity but for the digits of the coefficients is beyond those of double.
+// get all their digits first. Where the face has its root but for the digits of the coefficients, these say no more.
 bool Endgame::stays_at_infinity(FaceRoot place, PathSystem& path) {
-  if (place == FaceRoot::as_rounded) return ends_beyond(samples_of_x0());
+  if (place == FaceRoot::as_rounded) return true;
   const double known = path.homotopy().largest_error();
   const auto measured = [&] {
     return sums_and_errors(samples_of_x0(), turns_, known, options_.ends);
