@@ -378,15 +378,12 @@ bool Endgame::stays_at_infinity(FaceRoot place, PathSystem& path) {
   };
   // u times the operations of as many residuals.
   const double rounding = options_.ends.samples * options_.ends.rounding;
-  const auto is_known = [&](const SumsAndErrors& sums) {
-    return sums.error * std::max(sums.sum, 1.0) <= rounding;
-  };
   const SumsAndErrors first = measured();
   if (first.sum > options_.ends.shrink) return false;
-  if (is_known(first)) return true;
+  if (first.error * std::max(first.sum, 1.0) <= rounding) return true;
   if (!polish_samples(path)) return false;
   const SumsAndErrors fine = measured();
-  return fine.sum <= options_.ends.shrink && is_known(fine);
+  return fine.sum <= options_.ends.shrink && fine.error <= options_.ends.sample_error;
 }
 
 bool Endgame::sheets_meet(const Point& x) const {
