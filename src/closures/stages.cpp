@@ -256,17 +256,20 @@ bool has_proved_bound(const SolveResult& result, const std::vector<PartialRoot>&
 /// line to this member away from those with fewer poses.
 std::optional<GivenStart> Stages::general_start(const Block& block, const PartialRoot& root) const {
   const auto& theorem = formulation_.theorem;
-  const bool is_whole = theorem && options_.start == StartKind::automatic &&
-                        block.variables.size() == theorem->general.system.variables.size() &&
-                        block.equations.size() == theorem->general.system.polynomials.size();
-  if (!is_whole) return std::nullopt;
+  const System& all = formulation_.system;
+  const bool is_whole = theorem && block.variables.size() == all.variables.size() &&
+                        block.equations.size() == all.polynomials.size();
+  if (!is_whole || options_.start != StartKind::automatic || options_.known_start) {
+    return std::nullopt;
+  }
   const System f = system_at(block, root);
   if (eliminate(f).verdict != Reduction::Verdict::square) return std::nullopt;
-  System general = system_at(theorem->general.system, block, root);
+  const Formulation::GeneralMember member = theorem->general();
+  System general = system_at(member.system, block, root);
   const Coefficient factor = exactly(random_phase(options_.seed, RandomStream::generic_member, 0));
   for (Polynomial& p : general.polynomials) p = factor * p;
   std::vector<Point> roots;
-  for (const Point& known : theorem->general.roots) {
+  for (const Point& known : member.roots) {
     Point& x = roots.emplace_back();
     for (const std::size_t v : block.variables) x.push_back(known[v]);
   }
@@ -280,8 +283,8 @@ SolveResult Stages::followed(const Block& block, const PartialRoot& root) {
   const System f = system_at(block, root);
   const std::optional<GivenStart> start = general_start(block, root);
   const auto solve_with = [&](const SolveOptions& options) {
-    if (start && !options.known_start) return solve_from(f, *start, tracker_, options, stop_);
-    return solve(f, tracker_, options, stop_);
+    return start ? solve_from(f, *start, tracker_, options, stop_)
+                 : solve(f, tracker_, options, stop_);
   };
   SolveOptions options = options_;
   options.certify = false;
@@ -290,13 +293,13 @@ SolveResult Stages::followed(const Block& block, const PartialRoot& root) {
   const bool are_few = paths && *paths <= kPathsWithoutSearch;
   if (options.start == StartKind::automatic && are_few) options.start = StartKind::total_degree;
   SolveResult result = solve_with(options);
-  // Where paths are in doubt, roots that are proved may be as many as a proved bound allows: the paths lead to no other. And what
-  // passes for a point of a set may be proved to be a root.
   const auto instead = [&](SolveResult&& another) {
     run_.work += result.work;
     add_solving(result.time, run_.time);
     result = std::move(another);
   };
+  // Where paths are in doubt, roots that are proved may be as many as a proved bound allows: the paths lead to no other. And what
+  // passes for a point of a set may be proved to be a root.
   if ((!result.complete || !result.on_sets.empty()) && !stop_ && options_.certify) {
     instead(solve_with(options_));
   }

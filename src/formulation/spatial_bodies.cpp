@@ -77,8 +77,9 @@ std::optional<Formulation::Theorem> theorem_of(const RigidGroups& groups,
                              return is_rod(tie) && (tie.i == 0) != (tie.j == 0);
                            });
   if (!is_platform) return std::nullopt;
-  return Formulation::Theorem{"a body on six rods", kMostPoses,
-                              general_six_rods(groups, parts.front(), length)};
+  return Formulation::Theorem{
+      "a body on six rods", kMostPoses,
+      [groups, part = parts.front(), length] { return general_six_rods(groups, part, length); }};
 }
 
 void read_poses(const RigidGroups& groups, PoseReading& poses) {

@@ -49,12 +49,7 @@ const OptionTable<CvodeOptions>& cvode_table() {
                              .sentence = "relative local error of a step",
                              .range = "must lie in (0, 0.5]"},
                             &O::rtol, [](double rtol) { return rtol > 0 && rtol <= 0.5; }),
-      number_row<O, std::int64_t>({.name = "maximum_steps",
-                                   .flag = "--max-steps",
-                                   .sentence = "steps of one path segment",
-                                   .range = "must be at least 1"},
-                                  &O::maximum_steps,
-                                  [](std::int64_t steps) { return steps >= 1; })};
+      steps_row<O>()};
   return kTable;
 }
 

@@ -43,12 +43,7 @@ const OptionTable<LaneOptions>& lane_table() {
            .sentence = "relative size of Newton's first correction that steps aim at",
            .range = "must lie in (0, 0.1]"},
           &O::tolerance, [](double tolerance) { return tolerance > 0 && tolerance <= 0.1; }),
-      number_row<O, std::int64_t>({.name = "maximum_steps",
-                                   .flag = "--max-steps",
-                                   .sentence = "steps of one path segment",
-                                   .range = "must be at least 1"},
-                                  &O::maximum_steps,
-                                  [](std::int64_t steps) { return steps >= 1; })};
+      steps_row<O>()};
   return kTable;
 }
 

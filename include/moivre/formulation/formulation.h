@@ -74,7 +74,7 @@ struct Formulation {
   struct Theorem {
     std::string of;  ///< "a body on six rods"
     std::uint64_t most = 0;
-    GeneralMember general;  ///< with as many
+    std::function<GeneralMember()> general;  ///< one with as many; made where it is asked for
   };
   std::optional<Theorem> theorem;
   std::vector<std::pair<std::string, std::string>> left_out;  ///< what was left out, and why

@@ -75,6 +75,17 @@ OptionRow<Options> word_row(OptionFacts facts, Choice Options::*member,
   return row;
 }
 
+/// The budget of a path segment, which every tracker has.
+template <class Options>
+OptionRow<Options> steps_row() {
+  return number_row<Options, std::int64_t>({.name = "maximum_steps",
+                                            .flag = "--max-steps",
+                                            .sentence = "steps of one path segment",
+                                            .range = "must be at least 1"},
+                                           &Options::maximum_steps,
+                                           [](std::int64_t steps) { return steps >= 1; });
+}
+
 template <class Options>
 OptionsInForce in_force(const OptionTable<Options>& table, const Options& options) {
   OptionsInForce values;
