@@ -7,7 +7,7 @@ if(TARGET moivre_tracker_cvode AND TARGET moivre_tracker_lanes AND TARGET moivre
   target_include_directories(short_branches PRIVATE ${PROJECT_SOURCE_DIR}/tests/closures)
   target_compile_definitions(short_branches PRIVATE MOIVRE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   if(MOIVRE_BUILD_TESTS)
-    add_test(NAME "bench: three short branches" COMMAND short_branches --count 1)
+    add_test(NAME "bench: three short branches" COMMAND short_branches --count 1 --share 1e-3 --share 1e-5)
     set_tests_properties("bench: three short branches" PROPERTIES LABELS bench-smoke)
   endif()
 endif()

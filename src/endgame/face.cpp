@@ -73,11 +73,14 @@ class Faces {
                        [](const Face& face) { return face.size() > 1; });
   }
 
-  /// Gauss-Newton from y, in the units. Singular values of the Jacobian below the threshold, beside the largest, are those of
-  /// the torus that acts on all roots of a face, or of directions in which a step would lead astray.
-  FaceRoot root_near(std::vector<Number> y, double rank_threshold) const {
+  /// Gauss-Newton from y, in the units. Singular values of the Jacobian below a threshold, beside the largest, are those of the torus
+  /// that acts on all roots of a face, or of directions in which a step would lead astray. Towards a multiple root others
+  /// become small too: where what is left lies in the directions cut off, fewer of them are.
+  FaceRoot root_near(std::vector<Number> y) const {
     VectorXcd value(static_cast<Index>(faces_.size()));
     MatrixXcd jacobian(value.size(), static_cast<Index>(y.size()));
+    double threshold = ends_.agreement;
+    double least = std::numeric_limits<double>::infinity();
     // Towards an m-fold root the values fall by (1 - 1/m)^m < 1/e with each iteration.
     const auto iterations = static_cast<int>(std::ceil(-std::log(ends_.fine_rounding)));
     for (int k = 0; k < iterations; ++k) {
@@ -86,8 +89,10 @@ class Faces {
       const double largest = value.lpNorm<Eigen::Infinity>();
       if (largest <= zero)
         return largest > ends_.fine_rounding ? FaceRoot::as_rounded : FaceRoot::exact;
+      if (largest > least / 2) threshold = std::max(threshold / 10, ends_.rounding);
+      least = std::min(least, largest);
       Eigen::CompleteOrthogonalDecomposition<MatrixXcd> qr;
-      qr.setThreshold(rank_threshold);
+      qr.setThreshold(threshold);
       const VectorXcd dz = qr.compute(jacobian).solve(-value);
       if (!dz.allFinite()) return FaceRoot::none;
       for (std::size_t j = 0; j < y.size(); ++j) {
@@ -209,8 +214,7 @@ FaceRoot face_root(PathSystem& path, const Point& x, double radius,
   }
   const Faces faces(path, radius, *direction, log2, ends);
   if (!faces.may_vanish()) return FaceRoot::none;
-  const FaceRoot root = faces.root_near(y, ends.agreement);
-  return root != FaceRoot::none ? root : faces.root_near(y, ends.rounding);
+  return faces.root_near(std::move(y));
 }
 
 }  // namespace moivre

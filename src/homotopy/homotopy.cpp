@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "moivre/polynomial/digits.h"
 #include "moivre/polynomial/homogenize.h"
 #include "moivre/polynomial/scale.h"
 
@@ -118,10 +117,17 @@ double Homotopy::largest_error() const {
   return errors_.empty() ? 0 : *std::max_element(errors_.begin(), errors_.end());
 }
 
-void Homotopy::set_coefficient_error(double relative) {
+void Homotopy::set_coefficient_errors(const CoefficientErrors& errors) {
   errors_.clear();
-  if (relative == 0) return;
-  for (const Coefficient& c : f_) errors_.push_back(is_computed(c) ? relative : 0);
+  if (errors.empty()) return;
+  std::vector<double> of_f;
+  for (const std::vector<double>& own : errors) of_f.insert(of_f.end(), own.begin(), own.end());
+  auto next = of_f.begin();
+  for (const Coefficient& c : f_) {
+    const bool has_one = !is_zero(c) && next != of_f.end();
+    errors_.push_back(has_one ? *next++ : 0);
+  }
+  if (next != of_f.end()) throw std::invalid_argument("more errors than coefficients");
 }
 
 Homotopy Homotopy::framed(const System& f, const System& g) {

@@ -13,6 +13,8 @@ namespace {
 
 // So many significant digits are nobody's choice: the number was computed, and rounded.
 constexpr double kRoundedDigits = 10;
+// Beside such numbers others are written without the zeros at their ends: one in a hundred has more than two.
+constexpr double kZerosAtTheEnd = 2;
 // Numbers of so many digits were computed in double.
 constexpr double kDoubleDigits = 15;
 constexpr double kMostDoubleDigits = 17;
@@ -20,8 +22,6 @@ constexpr double kMostDoubleDigits = 17;
 constexpr std::size_t kDoubleBits = 40;
 constexpr std::size_t kDoubleLength = 53;
 constexpr int kDoubleErrorLog2 = -49;
-// Ten digits and their power of five, or as much of anything else.
-constexpr std::size_t kComputedBits = 40;
 
 /// How often `factor` divides n, and what is left of n.
 std::size_t take_out(Integer& n, int factor) {
@@ -37,8 +37,8 @@ Rational half_unit(std::size_t decimals) {
   return ratio(1, 2 * boost::multiprecision::pow(Integer(10), static_cast<unsigned>(decimals)));
 }
 
-/// Half a unit of the last digit; 0 where the number is meant as it stands.
-Rational error_of(const Rational& a) {
+/// Half a unit of the last digit; 0 where the number is meant as it stands: it has fewer significant digits than `least`.
+Rational error_of(const Rational& a, double least) {
   if (a.is_zero()) return 0;
   Integer rest = denominator(a);
   const std::size_t twos = take_out(rest, 2);
@@ -51,36 +51,40 @@ Rational error_of(const Rational& a) {
     return is_double ? as_double : times_power_of_two(1, -static_cast<std::int64_t>(twos) - 1);
   }
   const double digits = log2_size({a, 0}) * std::log10(2.0) + static_cast<double>(decimals);
-  if (digits < kRoundedDigits - 1) return 0;
+  if (digits < least - 1) return 0;
+  if (digits < kRoundedDigits - 1) return half_unit(decimals + 1);
   const bool was_double = digits >= kDoubleDigits - 1 && digits < kMostDoubleDigits;
   return was_double ? std::max(half_unit(decimals), as_double) : half_unit(decimals);
 }
 
-bool is_computed(const Rational& a) {
-  if (a.is_zero()) return false;
-  Integer above = abs(numerator(a));
-  Integer below = denominator(a);
-  take_out(above, 2);
-  take_out(below, 2);
-  return bit_length(above) + bit_length(below) >= kComputedBits;
-}
-
-}  // namespace
-
-double coefficient_error(const System& f) {
+double error_of(const Coefficient& c, double least) {
   double largest = 0;
-  for (const Polynomial& p : f.polynomials) {
-    for (const Term& term : p.terms) {
-      for (const Rational* part : {&term.coefficient.re, &term.coefficient.im}) {
-        const Rational error = error_of(*part);
-        if (error.is_zero()) continue;
-        largest = std::max(largest, std::exp2(log2_size({error, 0}) - log2_size(term.coefficient)));
-      }
+  for (const Rational* part : {&c.re, &c.im}) {
+    const Rational error = error_of(*part, least);
+    if (!error.is_zero()) {
+      largest = std::max(largest, std::exp2(log2_size({error, 0}) - log2_size(c)));
     }
   }
   return largest;
 }
 
-bool is_computed(const Coefficient& c) { return is_computed(c.re) || is_computed(c.im); }
+}  // namespace
+
+CoefficientErrors coefficient_errors(const System& f) {
+  const auto are_rounded = [](const Polynomial& p) {
+    return std::any_of(p.terms.begin(), p.terms.end(), [](const Term& term) {
+      return error_of(term.coefficient, kRoundedDigits) > 0;
+    });
+  };
+  if (std::none_of(f.polynomials.begin(), f.polynomials.end(), are_rounded)) return {};
+  CoefficientErrors errors;
+  for (const Polynomial& p : f.polynomials) {
+    std::vector<double>& own = errors.emplace_back();
+    for (const Term& term : p.terms) {
+      own.push_back(error_of(term.coefficient, kRoundedDigits - kZerosAtTheEnd));
+    }
+  }
+  return errors;
+}
 
 }  // namespace moivre

@@ -332,13 +332,11 @@ std::optional<Pivot> choose_pivot(const State& s, const Limits& limits,
   return best;
 }
 
-/// x_variable as the affine form that the real-pivot row gives.
-Substitution to_substitution(const IntegerTerms& form, const Integer& divisor,
-                             std::uint32_t variable) {
+Substitution to_substitution(const AffineForm& form) {
   Substitution result;
-  result.variable = variable;
-  for (const auto& [m, c] : form) {
-    const Coefficient value{ratio(c.re, divisor), ratio(c.im, divisor)};
+  result.variable = form.variable;
+  for (const auto& [m, c] : form.terms) {
+    const Coefficient value{ratio(c.re, form.divisor), ratio(c.im, form.divisor)};
     if (m.empty()) {
       result.constant = value;
     } else {
@@ -351,33 +349,57 @@ Substitution to_substitution(const IntegerTerms& form, const Integer& divisor,
 /// False, and nothing changed, where a coefficient would grow beyond the limit.
 bool substitute(State& s, const Pivot& pivot, const Limits& limits) {
   const Monomial unknown{{pivot.variable, 1}};
-  IntegerPolynomial linear = with_real_coefficient(s.rows[pivot.row].p, unknown);
-  const Integer divisor = linear.terms.at(unknown).re;
-  linear.terms.erase(unknown);
-  for (auto& [m, c] : linear.terms) c = -c;
-
+  const AffineForm form =
+      form_of(with_real_coefficient(s.rows[pivot.row].p, unknown), pivot.variable);
   std::vector<Row> rows;
   for (std::size_t i = 0; i < s.rows.size(); ++i) {
     if (i == pivot.row) continue;
-    rows.push_back(
-        {substituted(s.rows[i].p, pivot.variable, linear.terms, divisor), s.rows[i].origin});
+    rows.push_back({substituted(s.rows[i].p, form), s.rows[i].origin});
     if (bit_length(rows.back().p) > limits.bits) return false;
   }
   s.rows = std::move(rows);
   s.is_eliminated[pivot.variable] = true;
-  s.substitutions.push_back(to_substitution(linear.terms, divisor, pivot.variable));
+  s.substitutions.push_back(to_substitution(form));
   return true;
 }
 
 // ---- the way through, and its account ----
 
+/// Absolute errors of the coefficients of p.
+TermErrors to_term_errors(const Polynomial& p, const std::vector<double>& relative) {
+  TermErrors errors;
+  for (std::size_t k = 0; k < relative.size(); ++k) {
+    if (relative[k] == 0) continue;
+    errors[p.terms[k].monomial] = relative[k] * std::exp2(log2_size(p.terms[k].coefficient));
+  }
+  return errors;
+}
+
 State start(const System& f) {
   State s;
+  const CoefficientErrors errors = coefficient_errors(f);
   for (std::size_t i = 0; i < f.polynomials.size(); ++i) {
     s.rows.push_back({to_integer(f.polynomials[i]), i});
+    if (!errors.empty()) s.rows.back().p.errors = to_term_errors(f.polynomials[i], errors[i]);
   }
   s.is_eliminated.assign(f.variables.size(), false);
   return s;
+}
+
+/// Relative to the coefficients. What leaves double's range is not told.
+CoefficientErrors errors_left(const State& s) {
+  CoefficientErrors errors;
+  double largest = 0;
+  for (const Row& row : s.rows) {
+    std::vector<double>& own = errors.emplace_back();
+    for (const auto& [m, c] : row.p.terms) {
+      const auto found = row.p.errors.find(m);
+      const double error = found == row.p.errors.end() ? 0 : found->second / size_of(row.p, c);
+      own.push_back(std::isfinite(error) ? error : 0);
+      largest = std::max(largest, own.back());
+    }
+  }
+  return largest > 0 ? errors : CoefficientErrors{};
 }
 
 Limits choose_limits(const State& s, const System& f) {
@@ -502,6 +524,7 @@ Reduction eliminate(const System& f) {
 
   Reduction result;
   result.system = to_system(last, f);
+  result.errors = errors_left(last);
   result.verdict = judge(last, result.system, f);
   for (std::size_t j = 0; j < last.is_eliminated.size(); ++j) {
     if (!last.is_eliminated[j]) result.kept.push_back(j);

@@ -3,7 +3,10 @@
 #include "integer_polynomial.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
+
+#include "moivre/polynomial/scale.h"
 
 namespace moivre {
 namespace {
@@ -54,6 +57,59 @@ void remove_common_divisor(IntegerPolynomial& p) {
     c.im /= divisor;
   }
   p.factor = p.factor * Coefficient{ratio(divisor), 0};
+}
+
+/// A size and its error.
+struct Rough {
+  double size = 0;
+  double error = 0;
+};
+using RoughTerms = std::map<Monomial, Rough, MonomialOrder>;
+
+void add_to(RoughTerms& sum, const Monomial& m, const Rough& c) {
+  Rough& at = sum[m];
+  at.size += c.size;
+  at.error += c.error;
+}
+
+RoughTerms operator*(const RoughTerms& a, const RoughTerms& b) {
+  RoughTerms result;
+  for (const auto& [m, c] : a) {
+    for (const auto& [n, d] : b) {
+      add_to(result, product(m, n), {c.size * d.size, c.size * d.error + c.error * d.size});
+    }
+  }
+  return result;
+}
+
+RoughTerms rough(const IntegerTerms& terms, double unit, const TermErrors& errors) {
+  RoughTerms result;
+  for (const auto& [m, c] : terms) {
+    result[m].size = unit * std::exp2(log2_size(Coefficient{ratio(c.re), ratio(c.im)}));
+  }
+  for (const auto& [m, error] : errors) result[m].error = error;
+  return result;
+}
+
+/// Horner, as for the terms themselves.
+TermErrors errors_of_substituted(const IntegerPolynomial& p, const AffineForm& form) {
+  if (p.errors.empty() && form.errors.empty()) return {};
+  std::map<std::uint32_t, RoughTerms> by_exponent;
+  for (const auto& [m, c] : rough(p.terms, std::exp2(log2_size(p.factor)), p.errors)) {
+    by_exponent[exponent_of(m, form.variable)].emplace(without_variable(m, form.variable), c);
+  }
+  const double unit = std::exp2(-log2_size(Coefficient{ratio(form.divisor), 0}));
+  const RoughTerms value = rough(form.terms, unit, form.errors);
+  RoughTerms sum;
+  for (std::uint32_t e = by_exponent.rbegin()->first + 1; e-- > 0;) {
+    sum = sum * value;
+    for (const auto& [m, c] : by_exponent[e]) add_to(sum, m, c);
+  }
+  TermErrors errors;
+  for (const auto& [m, c] : sum) {
+    if (c.error > 0) errors[m] = c.error;
+  }
+  return errors;
 }
 
 }  // namespace
@@ -129,16 +185,49 @@ IntegerPolynomial without_monomial(const IntegerPolynomial& p, const IntegerPoly
   for (const auto& [n, c] : pivot.terms) add_to(result.terms, n, multiplier * c);
   result.factor = result.factor / Coefficient{ratio(leading), 0};
   make_primitive(result);
+  if (p.errors.empty() && pivot.errors.empty()) return result;
+  const auto error_at = [&m](const IntegerPolynomial& q) {
+    const auto found = q.errors.find(m);
+    return found == q.errors.end() ? 0 : found->second;
+  };
+  // Where the coefficients of m are others, so is the multiple that removes it.
+  const double size = size_of(pivot, pivot.terms.at(m));
+  const double share = size_of(p, at->second) / size;
+  const double error_of_share = (error_at(p) + share * error_at(pivot)) / size;
+  for (const auto& [n, error] : pivot.errors) result.errors[n] += share * error;
+  for (const auto& [n, c] : pivot.terms) result.errors[n] += error_of_share * size_of(pivot, c);
+  result.errors.erase(m);
   return result;
 }
 
-IntegerPolynomial substituted(const IntegerPolynomial& p, std::uint32_t variable,
-                              const IntegerTerms& form, const Integer& divisor) {
+double size_of(const IntegerPolynomial& p, const GaussianInteger& c) {
+  return std::exp2(log2_size(p.factor) + log2_size(Coefficient{ratio(c.re), ratio(c.im)}));
+}
+
+AffineForm form_of(const IntegerPolynomial& linear, std::uint32_t variable) {
+  const Monomial unknown{{variable, 1}};
+  AffineForm form{variable, linear.terms, linear.terms.at(unknown).re, {}};
+  form.terms.erase(unknown);
+  for (auto& [m, c] : form.terms) c = -c;
+  if (linear.errors.empty()) return form;
+  const double size = size_of(linear, linear.terms.at(unknown));
+  for (const auto& [m, error] : linear.errors) {
+    if (m != unknown) form.errors[m] = error / size;
+  }
+  const auto of_unknown = linear.errors.find(unknown);
+  if (of_unknown == linear.errors.end()) return form;
+  for (const auto& [m, c] : form.terms) {
+    form.errors[m] += size_of(linear, c) / size * (of_unknown->second / size);
+  }
+  return form;
+}
+
+IntegerPolynomial substituted(const IntegerPolynomial& p, const AffineForm& form) {
   std::map<std::uint32_t, IntegerTerms> by_exponent;
   std::uint32_t highest = 0;
   for (const auto& [m, c] : p.terms) {
-    const std::uint32_t e = exponent_of(m, variable);
-    by_exponent[e].emplace(without_variable(m, variable), c);
+    const std::uint32_t e = exponent_of(m, form.variable);
+    by_exponent[e].emplace(without_variable(m, form.variable), c);
     highest = std::max(highest, e);
   }
   if (highest == 0) return p;
@@ -149,14 +238,15 @@ IntegerPolynomial substituted(const IntegerPolynomial& p, std::uint32_t variable
   Integer power = 1;
   for (std::uint32_t e = highest + 1; e-- > 0;) {
     if (e < highest) {
-      result.terms = result.terms * form;
-      power *= divisor;
+      result.terms = result.terms * form.terms;
+      power *= form.divisor;
     }
     for (const auto& [m, c] : by_exponent[e]) {
       add_to(result.terms, m, {c.re * power, c.im * power});
     }
   }
   result.factor = p.factor / Coefficient{ratio(power), 0};
+  result.errors = errors_of_substituted(p, form);
   make_primitive(result);
   return result;
 }

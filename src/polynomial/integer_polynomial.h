@@ -3,7 +3,8 @@
 //
 // Sums and products of integers need no greatest common divisor; the content is taken out once a move. Of the multiples
 // of a polynomial by Gaussian integers one stands for all: the one whose leading coefficient is real and whose real and
-// imaginary parts have no common divisor. Without it the integers would triple with every move. Private to the module.
+// imaginary parts have no common divisor. Without it the integers would triple with every move. Where a file's numbers were
+// rounded, errors go with the coefficients: bounds to first order. Private to the module.
 #pragma once
 
 #include <cstddef>
@@ -26,11 +27,28 @@ GaussianInteger conjugate(const GaussianInteger& a);
 
 using IntegerTerms = std::map<Monomial, GaussianInteger, MonomialOrder>;
 
+/// Absolute errors of coefficients, of those too that cancelled.
+using TermErrors = std::map<Monomial, double, MonomialOrder>;
+
 /// factor * sum of the terms; no term is zero.
 struct IntegerPolynomial {
   IntegerTerms terms;
   Coefficient factor{1, 0};
+  TermErrors errors = {};  ///< empty: exact
 };
+
+/// |coefficient|, the factor included.
+double size_of(const IntegerPolynomial& p, const GaussianInteger& c);
+
+/// x_variable = form / divisor; `divisor` positive.
+struct AffineForm {
+  std::uint32_t variable = 0;
+  IntegerTerms terms;
+  Integer divisor;
+  TermErrors errors;  ///< of form / divisor
+};
+/// What a linear polynomial whose coefficient of `variable` is real gives for it.
+AffineForm form_of(const IntegerPolynomial& linear, std::uint32_t variable);
 
 IntegerPolynomial to_integer(const Polynomial& p);
 Polynomial to_polynomial(const IntegerPolynomial& p);
@@ -47,9 +65,8 @@ IntegerPolynomial with_real_coefficient(const IntegerPolynomial& p, const Monomi
 IntegerPolynomial without_monomial(const IntegerPolynomial& p, const IntegerPolynomial& pivot,
                                    const Monomial& m);
 
-/// p with x_variable = form / divisor; `divisor` positive.
-IntegerPolynomial substituted(const IntegerPolynomial& p, std::uint32_t variable,
-                              const IntegerTerms& form, const Integer& divisor);
+/// p with the form in the place of its variable.
+IntegerPolynomial substituted(const IntegerPolynomial& p, const AffineForm& form);
 
 /// Exponent of the variable in the monomial.
 std::uint32_t exponent_of(const Monomial& m, std::uint32_t variable);

@@ -8,14 +8,13 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "moivre/polynomial/digits.h"
-
 namespace moivre {
 namespace {
 
 Reduction keep_everything(const System& f) {
   Reduction whole;
   whole.system = f;
+  whole.errors = coefficient_errors(f);
   whole.kept.resize(f.variables.size());
   std::iota(whole.kept.begin(), whole.kept.end(), std::size_t{0});
   if (f.variables.empty()) whole.verdict = Reduction::Verdict::solved;
@@ -76,7 +75,7 @@ Scaling unit_rows(const System& f) {
 
 namespace {
 
-Prepared prepare_reduced(const System& f, Reduction reduction, const SolveOptions& options,
+Prepared prepare_reduced(Reduction reduction, const SolveOptions& options,
                          const std::atomic<bool>& stop) {
   Prepared prepared;
   prepared.reduction = std::move(reduction);
@@ -97,7 +96,7 @@ Prepared prepare_reduced(const System& f, Reduction reduction, const SolveOption
   const System tracked = scale(scaled, unit_rows(scaled));
   prepared.spread_log2 = spread_log2(tracked);
   take_start(tracked, options, stop, prepared);
-  if (prepared.plan) prepared.plan->stages.back().set_coefficient_error(coefficient_error(f));
+  if (prepared.plan) prepared.plan->stages.back().set_coefficient_errors(prepared.reduction.errors);
   return prepared;
 }
 
@@ -126,9 +125,9 @@ double expected_cost(const Prepared& prepared) {
 
 Prepared prepare(const System& f, const SolveOptions& options, const std::atomic<bool>& stop) {
   Prepared reduced =
-      prepare_reduced(f, options.eliminate ? eliminate(f) : keep_everything(f), options, stop);
+      prepare_reduced(options.eliminate ? eliminate(f) : keep_everything(f), options, stop);
   if (!may_have_fewer_paths_whole(reduced, options)) return reduced;
-  Prepared whole = prepare_reduced(f, keep_everything(f), options, stop);
+  Prepared whole = prepare_reduced(keep_everything(f), options, stop);
   if (whole.interrupted) return whole;
   if (whole.start.kind != "polyhedral" || expected_cost(whole) >= expected_cost(reduced)) {
     return reduced;

@@ -64,10 +64,11 @@ RefinerProgram::RefinerProgram(const System& given, std::vector<double> natural_
   c = complex_coefficients(tape, f);
   exact = round_coefficients<ComplexDoubleDouble>(tape, f, to_complex_double_double);
   for (const Complex& ck : c) size.push_back(std::abs(ck));
-  if (const double relative = coefficient_error(given); relative > 0) {
-    error = round_coefficients<double>(tape, f, [&](const Coefficient& ck) {
-      return is_computed(ck) ? relative * std::exp2(log2_size(ck)) : 0;
-    });
+  if (const CoefficientErrors relative = coefficient_errors(given); !relative.empty()) {
+    for (std::size_t k = 0; k < size.size(); ++k) {
+      const Tape::Origin& origin = tape.coefficients[k];
+      error.push_back(relative[origin.equation][origin.term] * size[k]);
+    }
   }
   for (const std::uint64_t d : degrees(f)) {
     curvature = std::max(curvature, std::pow(static_cast<double>(d) / kLowDegree, 2));

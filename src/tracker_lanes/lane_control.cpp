@@ -19,6 +19,10 @@ constexpr std::int64_t kMaximumStepsNearEnd = 2000;
 // Contraction of Newton above which a step is refused, and the one that steps aim at.
 constexpr double kContraction = 0.1;
 constexpr double kContractionAimedAt = 0.02;
+// A tangent that was refined once errs by the square of Newton's contraction, and the predictor multiplies that by ten and more. Where a
+// first correction of this share of the tolerance contracts no better than so, it is bad tangents that shorten the steps.
+constexpr double kSharpBend = 0.1;
+constexpr double kContractionInBends = 0.003;
 // Steps aim at this fraction of what the control formula gives, and change by these factors at most.
 constexpr double kSafety = 0.9;
 constexpr double kLargestGrowth = 2;
@@ -200,6 +204,12 @@ LaneControl::Move LaneControl::judge_step(const Outcome& outcome) {
   return outcome.residual <= rules_.rounding_residual ? Move::rescue : reject(factor_);
 }
 
+bool LaneControl::bends_sharply(const Outcome& outcome) const {
+  return outcome.second > rules_.point_tolerance &&
+         outcome.second > kContractionInBends * outcome.first &&
+         outcome.first < kSharpBend * tolerance_;
+}
+
 LaneControl::Move LaneControl::accept(const Outcome& outcome) {
   ++arrival_.count.accepted;
   last_step_ = step_;
@@ -212,7 +222,9 @@ LaneControl::Move LaneControl::accept(const Outcome& outcome) {
   h_ = std::max(step_ * std::clamp(factor_, kLargestCut, kLargestGrowth), uncut);
   const double error = outcome.second * std::min(outcome.second / outcome.first, 1.0);
   const bool is_seen = rules_.polishes_watched && is_watched() && is_near_end();
-  if (has_landed() ? error > wanted_accuracy() : is_seen && error > rules_.point_tolerance) {
+  const bool is_wanted =
+      has_landed() ? error > wanted_accuracy() : is_seen && error > rules_.point_tolerance;
+  if (is_wanted || bends_sharply(outcome)) {
     rounds_ = 0;
     state_ = State::polishing;
   } else {

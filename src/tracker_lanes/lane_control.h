@@ -104,6 +104,7 @@ class LaneControl {
   Move accept(const Outcome& outcome);
   Move reject(double factor);
   void choose_step();
+  bool bends_sharply(const Outcome& outcome) const;
   bool is_watched() const;
   double wanted_accuracy() const;
   bool is_near_end() const;

@@ -6,10 +6,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "build.h"
 #include "moivre/numeric/integer.h"
+#include "moivre/polynomial/read.h"
+#include "moivre/polynomial/scale.h"
 
 namespace moivre {
 namespace {
@@ -350,6 +353,67 @@ TEST(Elimination, CoefficientsOfThousandsOfDigitsAreNotMade) {
   const System f = system(2, {ratio(huge + 7, huge + 1) * x + y - one, curve});
   EXPECT_EQ(eliminate(f).system, f);
   EXPECT_EQ(eliminate(system(2, {Rational(2) * x + y - one, curve})).system.variables.size(), 1U);
+}
+
+/// The file with each rounded number moved by half a unit of its last digit, some up, some down.
+System moved(System f, const CoefficientErrors& errors, unsigned which) {
+  unsigned k = 0;
+  for (std::size_t i = 0; i < f.polynomials.size(); ++i) {
+    for (std::size_t j = 0; j < f.polynomials[i].terms.size(); ++j, ++k) {
+      Coefficient& c = f.polynomials[i].terms[j].coefficient;
+      const double factor = (which >> k & 1 ? 1 : -1) * errors[i][j];
+      c = c * Coefficient{Rational(1) + Rational(factor), 0};
+    }
+  }
+  return f;
+}
+
+TEST(Elimination, ErrorsOfRoundedNumbersAreCarriedToWhatIsLeft) {
+  const System f = read_system({"test", R"(3
+    x^2*z^2 + 12*x*z + 35.99999999992;
+    2*x - 9*z - 2.00000000003;
+    -x^2*z + 7*x*y*z - 2*x*z^2 - 3*x^2 - 5*x*z - 8*x + 42*y - 12*z - 27.99999999994;)"});
+  const Reduction reduction = eliminate(f);
+  ASSERT_EQ(reduction.system.variables.size(), 2);
+  ASSERT_EQ(reduction.errors.size(), 2);
+  std::vector<std::vector<double>> largest(2);
+  for (unsigned which = 0; which < 1U << 15; which += 7) {
+    const Reduction other = eliminate(moved(f, coefficient_errors(f), which));
+    for (std::size_t i = 0; i < 2; ++i) {
+      const std::vector<Term>& terms = reduction.system.polynomials[i].terms;
+      ASSERT_EQ(other.system.polynomials[i].terms.size(), terms.size());
+      largest[i].resize(terms.size());
+      for (std::size_t k = 0; k < terms.size(); ++k) {
+        const Coefficient difference =
+            other.system.polynomials[i].terms[k].coefficient - terms[k].coefficient;
+        if (is_zero(difference)) continue;
+        const double relative = std::exp2(log2_size(difference) - log2_size(terms[k].coefficient));
+        largest[i][k] = std::max(largest[i][k], relative);
+      }
+    }
+  }
+  for (std::size_t i = 0; i < 2; ++i) {
+    for (std::size_t k = 0; k < largest[i].size(); ++k) {
+      EXPECT_LE(largest[i][k], 1.001 * reduction.errors[i][k]) << i << ' ' << k;
+      EXPECT_GE(largest[i][k], 0.3 * reduction.errors[i][k]) << i << ' ' << k;
+    }
+  }
+}
+
+TEST(Elimination, CombinedEquationsHaveTheErrorsOfBoth) {
+  const System f =
+      read_system({"test", "2\n x^2*y^2 + x - 0.5;\n 2*x^2*y^2 + y^2 - 1.25 - 0.1234567890123*x;\n"});
+  const Reduction reduction = eliminate(f);
+  ASSERT_EQ(reduction.errors.size(), 2);
+  double largest = 0;
+  for (const auto& own : reduction.errors) {
+    for (const double error : own) largest = std::max(largest, error);
+  }
+  EXPECT_NEAR(largest / (0.5e-13 / 2.1234567890123), 1, 1e-3);
+}
+
+TEST(Elimination, ExactNumbersLeaveNoErrors) {
+  EXPECT_TRUE(eliminate(read_system({"test", "2\n x^2 + 3*y;\n x - y/3 + 0.7;\n"})).errors.empty());
 }
 
 TEST(Elimination, RestoreInDoubleAgreesWithTheExactOne) {

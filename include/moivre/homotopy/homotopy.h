@@ -24,6 +24,7 @@
 #include "moivre/homotopy/chart.h"
 #include "moivre/homotopy/frame.h"
 #include "moivre/homotopy/time.h"
+#include "moivre/polynomial/digits.h"
 #include "moivre/polynomial/tape.h"
 
 namespace moivre {
@@ -73,8 +74,8 @@ class Homotopy {
   double error(std::size_t k) const { return errors_.empty() ? 0 : errors_[k]; }
   /// The largest of them.
   double largest_error() const;
-  /// F was computed from a file that is known to `relative` (polynomial/digits.h).
-  void set_coefficient_error(double relative);
+  /// Of F's coefficients (polynomial/digits.h), or empty. Throws std::invalid_argument where they are not F's.
+  void set_coefficient_errors(const CoefficientErrors& errors);
   /// log2 of the size of g_k, or of f_k where the start has no such term; of a framed homotopy only.
   double log2_size(std::size_t k) const { return log2_sizes_[k]; }
   /// The first term of equation i.

@@ -5,18 +5,19 @@
 //               q = 2^k, k >= 40: of 53 bits a double, computed by a few operations: known to 2^-49 |c|; of more: known to 2^-k / 2
 //               any other number, 31/10, 1/3, or a whole one, is meant as it stands
 //
-// The file's error is that of its worst coefficient, and so is the error of each long number that was computed from it. If something
-// vanishes within this error, it vanishes for some system that the file may mean.
+// If something vanishes within the errors of all coefficients, it vanishes for some system that the file may mean.
 #pragma once
+
+#include <vector>
 
 #include "moivre/polynomial/system.h"
 
 namespace moivre {
 
-/// Of f as read: the largest relative error of a coefficient; 0 where all are exact.
-double coefficient_error(const System& f);
+/// Of each term of each polynomial, relative; 0: exact.
+using CoefficientErrors = std::vector<std::vector<double>>;
 
-/// The real or imaginary part is longer than an exact number, whatever power of two it was scaled by.
-bool is_computed(const Coefficient& c);
+/// Of f as read; empty where all are exact.
+CoefficientErrors coefficient_errors(const System& f);
 
 }  // namespace moivre

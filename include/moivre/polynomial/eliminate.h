@@ -29,6 +29,7 @@
 #include <utility>
 #include <vector>
 
+#include "moivre/polynomial/digits.h"
 #include "moivre/polynomial/system.h"
 
 namespace moivre {
@@ -68,6 +69,7 @@ struct Reduction {
 
   Verdict verdict = Verdict::square;
   System system;                  ///< R, with F's groups as far as their unknowns are kept
+  CoefficientErrors errors;       ///< of R, from F's, to first order
   std::vector<std::size_t> kept;  ///< places of the kept unknowns, ascending
   std::vector<Substitution>
       substitutions;  ///< in order: each names kept unknowns and those of later ones
