@@ -190,7 +190,8 @@ std::optional<Departure> Endgame::judge_arrival(Arrival&& arrival, PathSystem& p
   if (arrival.regular_condition) {
     end_.condition = *arrival.regular_condition;
     end_.accuracy = options_.ends.fine_rounding;
-    return decide_infinity();
+    if (is_known_finite()) return take_finite();
+    if (outpost_.empty()) return fail(Failure::precision);
   }
   // Without a watched point there is nowhere to turn back to: the root it arrived at proves itself later.
   const double condition =
@@ -494,14 +495,17 @@ std::optional<Departure> Endgame::conclude(PathSystem& path) {
   end_.t = 1;
   end_.condition = condition;
   end_.singular = best_->winding > 1 || is_singular;
-  return decide_infinity();
+  return take_finite();
 }
 
-// x_0 beside its error tells, of a regular end in double-double even that it is 0.
-std::nullopt_t Endgame::decide_infinity() {
-  const bool is_finite = chart_.finiteness(end_.x) > 10 * end_.accuracy;
-  if (!is_finite && end_.accuracy > options_.ends.fine_rounding) return fail(Failure::precision);
-  end_.status = is_finite ? PathStatus::finite : PathStatus::at_infinity;
+// x_0 beside its error. That it is 0, no number of digits tells: a root of size 1e31 ends as an end at infinity does.
+bool Endgame::is_known_finite() const {
+  return chart_.finiteness(end_.x) > 10 * end_.accuracy;
+}
+
+std::nullopt_t Endgame::take_finite() {
+  if (!is_known_finite()) return fail(Failure::precision);
+  end_.status = PathStatus::finite;
   return std::nullopt;
 }
 

@@ -208,6 +208,25 @@ TEST(Certified, ARootAsFarAsATrillionIsNotTakenForOneAtInfinity) {
   }
 }
 
+// Of its sixteen roots two are of size 1e31: in double-double they are regular ends whose x_0 is 0 as far as any digit tells.
+TEST(Certified, ARegularEndThatNoDigitPartsFromInfinityIsNotCalledInfinite) {
+  const System f = read(
+      "5\n 6*x*y - 200000*x - 900000000*y*z - 70000000*y*u + 600000000;\n"
+      " -200000000*x - 500*y + 80000*z - 70*w - 6;\n"
+      " -300000000*y - 60000*z^2 - 3000*z + 10000000*u^2 + 20;\n"
+      " 20000*x + 600000*z*u - 3000000*u^2 + 5*u*w - 3000*u + 500;\n"
+      " -800*x*w - 5000000*y*z - 300000*y*w + 90000*z^2 - 30000000*z*w - 80000*u - 30;\n");
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    SCOPED_TRACE(seed);
+    SolveOptions options = with_seed(seed);
+    expect_proved(solve_with_cvode(f, options), "total degree");
+    options.start = StartKind::total_degree;
+    options.second_start = false;
+    const SolveResult alone = solve_with_cvode(f, options);
+    EXPECT_TRUE(!alone.complete || alone.solutions.size() == 16U);
+  }
+}
+
 TEST(Certified, WhatIsNotDecidedIsOpen) {
   CvodeOptions few;
   few.maximum_steps = 5;
