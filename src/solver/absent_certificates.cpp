@@ -18,7 +18,9 @@ Prover::~Prover() = default;
 std::shared_ptr<const Certificate> Prover::prove(const Point&) { return nullptr; }
 std::shared_ptr<const Certificate> Prover::prove_in_double(const Point&) { return nullptr; }
 
-std::vector<std::vector<std::uint64_t>> groups_of(const Run& run) { return run.ledger.groups(); }
+std::vector<std::vector<std::uint64_t>> groups_of(const Run& run) {
+  return groups_beside_sets(run);
+}
 
 std::uint64_t proved_roots(const Setting&, const std::vector<std::shared_ptr<const Certificate>>&) {
   return 0;

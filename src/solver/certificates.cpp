@@ -79,7 +79,7 @@ std::shared_ptr<const Certificate> Prover::prove_in_double(const Point& x) {
 }
 
 std::vector<std::vector<std::uint64_t>> groups_of(const Run& run) {
-  std::vector<std::vector<std::uint64_t>> groups = run.ledger.groups();
+  std::vector<std::vector<std::uint64_t>> groups = groups_beside_sets(run);
   const auto& program = run.setting.certify_program;
   const bool are_single = std::all_of(groups.begin(), groups.end(),
                                       [](const auto& group) { return group.size() == 1; });

@@ -44,7 +44,7 @@ class Prover {
   std::unique_ptr<Work> work_;
 };
 
-/// Paths that end at one point, as Ledger::groups(), but for ends that are proved to be different roots: those are groups of
+/// Paths that end at one point, as groups_beside_sets(), but for ends that are proved to be different roots: those are groups of
 /// their own. An end without a certificate stays with the first of its group.
 std::vector<std::vector<std::uint64_t>> groups_of(const Run& run);
 

@@ -28,7 +28,8 @@ struct Root {
   bool is_counted = false;     ///< exact algebra has its multiplicity; nothing is known of cycles
   double tolerance = 0;        ///< relative, within which another end is the same root
   std::shared_ptr<const Certificate> certificate;  ///< of a simple root that is proved
-  mutable std::optional<SetHere> on_set;  ///< a positive-dimensional set that it lies on, once asked
+  mutable std::optional<SetHere>
+      on_set;  ///< a positive-dimensional set that it lies on, once asked
 };
 
 class Ledger {

@@ -27,9 +27,6 @@ constexpr std::uint64_t kFewPaths = 4;
 constexpr std::uint64_t kBlock = 128;
 constexpr std::uint64_t kBlocksOfAThread = 4;
 
-// Paths that may wait for one another: so many endgames with the samples of a turn are kept at most.
-constexpr std::uint64_t kTogether = 4096;
-
 /// A path that has walked one turn.
 struct Waiting {
   std::uint64_t path;
@@ -222,8 +219,8 @@ void for_each_parallel(std::size_t count, int threads, const std::function<void(
 void track_paths(const PathProblem& problem, std::uint64_t count,
                  const std::function<std::uint64_t(std::uint64_t)>& path_of, int care, int threads,
                  const EndSink& sink, const std::atomic<bool>& stop) {
-  for (std::uint64_t begin = 0; begin < count && !stop; begin += kTogether) {
-    const std::uint64_t end = std::min(begin + kTogether, count);
+  for (std::uint64_t begin = 0; begin < count && !stop; begin += kPathsTogether) {
+    const std::uint64_t end = std::min(begin + kPathsTogether, count);
     Shared shared{begin, end, path_of, care, sink, stop};
     track_together(problem, end - begin, threads, shared);
   }

@@ -27,6 +27,9 @@ struct PathProblem {
 /// Receives the verdict on a path; called by one thread at a time, in any order of paths.
 using EndSink = std::function<void(std::uint64_t path, PathEnd&& end)>;
 
+/// So many paths are followed before others begin: at most so many wait for one another.
+inline constexpr std::uint64_t kPathsTogether = 4096;
+
 /// Follows `count` paths, the k-th being path_of(k), on `threads` threads. Paths cut short by
 /// `stop` end as Failure::cancelled; those not yet begun are not reported.
 void track_paths(const PathProblem& problem, std::uint64_t count,

@@ -2,6 +2,8 @@
 // The three ways to follow paths: all, some again with more care, some again with more digits.
 #include "tracking.h"
 
+#include <algorithm>
+
 #include "ends.h"
 
 namespace moivre {
@@ -57,9 +59,14 @@ void track_all(Run& run) {
     take_end(run, path, std::move(end));
     if (setting.options.progress) setting.options.progress(progress);
   };
-  track_paths(
-      setting.problem(0), progress.total, [](std::uint64_t k) { return k; }, setting.options.care,
-      setting.threads, sink, setting.stop);
+  for (std::uint64_t first = 0; first < progress.total && !setting.stop; first += kPathsTogether) {
+    // Ends that wait to be refined take much more memory than roots.
+    refine_ends(run);
+    track_paths(
+        setting.problem(0), std::min(kPathsTogether, progress.total - first),
+        [first](std::uint64_t k) { return first + k; }, setting.options.care, setting.threads, sink,
+        setting.stop);
+  }
   if (progress.done < progress.total) run.interrupted = true;
 }
 

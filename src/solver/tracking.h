@@ -9,7 +9,7 @@
 
 namespace moivre {
 
-/// Follows every path of the start system, and reports the progress. Finite ends wait for refine_ends().
+/// Follows every path of the start system, and reports the progress. The last thousands of finite ends wait for refine_ends().
 void track_all(Run& run);
 
 /// Follows these with that care: by the same tracker first, by the fallback later.

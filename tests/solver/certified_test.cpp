@@ -208,6 +208,21 @@ TEST(Certified, ARootAsFarAsATrillionIsNotTakenForOneAtInfinity) {
   }
 }
 
+// The line of roots x = 0 passes a simple root at 2e-8 of its size: nearer than an end on the line is known.
+TEST(Certified, AnEndOnASetIsNotCountedToASimpleRootBesideIt) {
+  const System f = read(
+      "2\n -6980*x^3*y^2 - 5662*x;\n"
+      " -x*y^4 - x^2*y^2 - 6060*x*y^3 + 8141*x*y^2 - 1823*x*y + 9*x;\n");
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    SCOPED_TRACE(seed);
+    const SolveResult result = solve_with_cvode(f, with_seed(seed));
+    expect_conservation(result);
+    EXPECT_TRUE(result.complete);
+    EXPECT_EQ(result.solutions.size(), 8U);
+    for (const Solution& root : result.solutions) EXPECT_EQ(root.multiplicity, 1U);
+  }
+}
+
 // Of its sixteen roots two are of size 1e31: in double-double they are regular ends whose x_0 is 0 as far as any digit tells.
 TEST(Certified, ARegularEndThatNoDigitPartsFromInfinityIsNotCalledInfinite) {
   const System f = read(
