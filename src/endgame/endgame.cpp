@@ -448,7 +448,7 @@ std::optional<Departure> Endgame::estimate_end(PathSystem& path) {
       last_.reset();
       const Complex mean = combinations({estimate.x}, path_).front();
       const double branch = radius_ * branch_share(combinations(samples_, path_), mean);
-      return branch < least_radius() ? fail(Failure::precision) : shrink(path);
+      return branch < options_.ends.least_radius ? fail(Failure::precision) : shrink(path);
     }
   } else if (!best_) {
     best_ = estimate;
@@ -458,15 +458,9 @@ std::optional<Departure> Endgame::estimate_end(PathSystem& path) {
   return shrink(path);
 }
 
-// Double-double has twice the digits.
-double Endgame::least_radius() const {
-  const double least = options_.ends.least_radius;
-  return options_.goes_straight ? least * least : least;
-}
-
 std::optional<Departure> Endgame::shrink(PathSystem& path) {
   const double smaller = radius_ / options_.ends.shrink;
-  if (smaller < least_radius() || end_.count.accepted > options_.ends.maximum_steps) {
+  if (smaller < options_.ends.least_radius || end_.count.accepted > options_.ends.maximum_steps) {
     return conclude(path);
   }
   phase_ = Phase::approach;

@@ -148,7 +148,6 @@ class Endgame : public Watcher {
   bool sheets_meet(const Point& x) const;
   bool sheets_meet_in_all_digits(PathSystem& path);
   bool is_regular_arrival(const Arrival& arrival, PathSystem& path, double condition);
-  double least_radius() const;
   bool is_known_finite() const;
   std::nullopt_t take_finite();
   Point normalized(Point x) const;
