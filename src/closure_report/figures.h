@@ -54,6 +54,9 @@ std::vector<Site> sites(const Mechanism& mechanism);
 /// Whether the joint's second point moves along a line or in a plane through its first, so that a line between them is in it.
 bool is_guided(const Joint& joint);
 
+/// It turns about a line on which all its points lie, as a forearm does, or the bodies between a wrist's axes.
+bool hides_its_turn(const Mechanism& mechanism, std::size_t body);
+
 /// All named points in all poses, as they are seen.
 Box extent(const Mechanism& mechanism, const std::vector<Eigen::VectorXd>& poses,
            const Eye& eye = {});

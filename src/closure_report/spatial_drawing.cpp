@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How is a spatial mechanism drawn? Bodies as thick lines between their points, joints with their axes, and where x, y, z go.
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 
@@ -13,6 +14,8 @@ constexpr double kPinRadius = 0.75;
 constexpr double kMarkRadius = 0.45;
 constexpr double kAxisReach = 4.5;  // of a joint's axis, to each side
 constexpr double kTriadReach = 6;
+constexpr double kStubReach = 9;  // of a body that hides its turn, along the axis that it carries
+constexpr double kAlong = 1e-6;   // sine of the angle between a line and an axis along it
 
 using Eigen::Vector3d;
 
@@ -87,6 +90,15 @@ class SpatialDrawing {
     sketch_.add(Sketch::holes, sketch_.add(LineFrame{from, to, 1}), std::nullopt, shapes);
   }
 
+  /// Nothing else shows how the body is turned: an arrow in its colour.
+  void add_stub(const MaterialPoint& at, const Vector3d& reach) {
+    constexpr Complex kBarb(-0.3, 0.14);
+    const LineFrame line{at, {at.body, at.at + reach}, 1};
+    sketch_.add(Sketch::links, sketch_.add(line), at.body - 1,
+                {polyline(Style::wire, {0, 1}),
+                 polyline(Style::wire, {1.0 + kBarb, 1, 1.0 + std::conj(kBarb)})});
+  }
+
   /// A cylinder for the first part of the line, a rod for the rest.
   void add_actuator(const Joint& joint) {
     constexpr double kCylinder = 0.55;
@@ -104,7 +116,7 @@ class SpatialDrawing {
     for (std::size_t k = 0; k < lines; ++k) {
       const MaterialPoint from = material({body, k});
       const MaterialPoint to = material({body, (k + 1) % count});
-      if (from.at == to.at) continue;  // axes that meet: there is nothing to draw between them
+      if (from.at == to.at) continue;
       add_line(Sketch::links, Style::wire, body - 1, from, to);
       if (is_named || mechanism_.bodies[body].name.empty()) continue;
       is_named = true;
@@ -122,6 +134,8 @@ class SpatialDrawing {
     if (joint.type == JointType::actuator) add_actuator(joint);
     if (axis_count(joint.type) > 0 && joint.type != JointType::weld) {
       add_axis(first, kAxisReach * size_ * joint.axis[0]);
+      if (hides_its_turn(mechanism_, first.body))
+        add_stub(first, kStubReach * size_ * joint.axis[0]);
     }
     if (is_guided(joint)) {
       add_line(Sketch::holes, Style::axis, std::nullopt, first, material(joint.at[1]));
@@ -152,6 +166,21 @@ class SpatialDrawing {
 };
 
 }  // namespace
+
+bool hides_its_turn(const Mechanism& mechanism, std::size_t body) {
+  const auto& points = mechanism.bodies[body].points;
+  const auto is_line_along = [&](const Vector3d& axis) {
+    return std::all_of(points.begin(), points.end(), [&](const auto& point) {
+      const Vector3d from_first = point.at - points.front().at;
+      return from_first.cross(axis).norm() <= kAlong * from_first.norm();
+    });
+  };
+  return body > 0 &&
+         std::any_of(mechanism.joints.begin(), mechanism.joints.end(), [&](const Joint& joint) {
+           return axis_count(joint.type) > 0 && joint.at[1].body == body &&
+                  is_line_along(joint.axis[1]);
+         });
+}
 
 Drawing draw_spatial(const Mechanism& mechanism, const std::vector<Eigen::VectorXd>& poses,
                      const View& view) {

@@ -34,6 +34,7 @@ constexpr double kTriad = 0.35;
 constexpr double kFrame = 0.16;
 constexpr double kAxis = 0.06;
 constexpr double kArrowAxis = 0.09;
+constexpr double kStub = 0.3;  // of a body that hides its turn, along the axis that it carries
 
 Json place_json(const Vector3d& at) {
   return Json::array({rounded(at.x()), rounded(at.y()), rounded(at.z())});
@@ -151,13 +152,21 @@ class Strokes {
     if (is_guided(joint)) add_stroke(at, place_of(joint.at[1]), kRodColour, kFineWidth);
     const double reach = (has_arrows ? kArrowAxis : kAxis) * size_;
     add_stroke(at - reach * along, at + reach * along, kRodColour, kFineWidth);
-    if (!has_arrows) return;
-    // Four barbs: a head that is seen from every side.
-    const Vector3d tip = at + reach * along;
+    if (has_arrows) add_head(at + reach * along, along, reach, kRodColour, kFineWidth);
+    const std::size_t body = joint.at[0].body;
+    if (!hides_its_turn(mechanism_, body)) return;
+    const Vector3d tip = at + kStub * size_ * along;
+    add_stroke(at, tip, colour_text(body - 1), kRodWidth);
+    add_head(tip, along, kStub * size_, colour_text(body - 1), kRodWidth);
+  }
+
+  /// Four barbs: a head that is seen from every side.
+  void add_head(const Vector3d& tip, const Vector3d& along, double length,
+                const std::string& colour, double width) {
     const Vector3d aside = along.unitOrthogonal();
     for (const Vector3d& barb :
          {aside, Vector3d(-aside), Vector3d(along.cross(aside)), Vector3d(aside.cross(along))}) {
-      add_stroke(tip, tip + 0.3 * reach * (0.5 * barb - along), kRodColour, kFineWidth);
+      add_stroke(tip, tip + 0.3 * length * (0.5 * barb - along), colour, width);
     }
   }
 

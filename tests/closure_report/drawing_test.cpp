@@ -336,6 +336,27 @@ TEST(Drawing, ASpatialBodyIsDrawnBetweenItsPointsAsTheyAreSeen) {
   }
 }
 
+// Where the wrist flips, no point moves: the forearm turns about the line of its points.
+TEST(Drawing, EveryPostureOfAPumaHasBodiesThatAreSeenElsewhere) {
+  const Scene scene(mechanism_file("puma-560"));
+  ASSERT_EQ(scene.poses.size(), 8U);
+  for (std::size_t i = 0; i < scene.poses.size(); ++i) {
+    const std::vector<Shape> bodies = scene.in_pose(i, Style::wire);
+    for (std::size_t j = 0; j < i; ++j) {
+      const std::vector<Shape> others = scene.in_pose(j, Style::wire);
+      ASSERT_EQ(bodies.size(), others.size());
+      double farthest = 0;
+      for (std::size_t k = 0; k < bodies.size(); ++k) {
+        for (std::size_t point = 0; point < bodies[k].points.size(); ++point) {
+          farthest =
+              std::max(farthest, std::abs(bodies[k].points[point] - others[k].points[point]));
+        }
+      }
+      EXPECT_GT(farthest, 2 * scene.drawing.symbol) << i << ' ' << j;
+    }
+  }
+}
+
 TEST(Drawing, PointsThatAJointHoldsTogetherHaveOneLabel) {
   const Drawing drawing = Scene(mechanism_file("four-bar")).drawing;
   std::vector<std::string> names;

@@ -213,7 +213,7 @@ TEST(Certified, AnEndOnASetIsNotCountedToASimpleRootBesideIt) {
   const System f = read(
       "2\n -6980*x^3*y^2 - 5662*x;\n"
       " -x*y^4 - x^2*y^2 - 6060*x*y^3 + 8141*x*y^2 - 1823*x*y + 9*x;\n");
-  for (const std::uint64_t seed : {1, 2, 3}) {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     SCOPED_TRACE(seed);
     const SolveResult result = solve_with_cvode(f, with_seed(seed));
     expect_conservation(result);
@@ -231,7 +231,7 @@ TEST(Certified, ARegularEndThatNoDigitPartsFromInfinityIsNotCalledInfinite) {
       " -300000000*y - 60000*z^2 - 3000*z + 10000000*u^2 + 20;\n"
       " 20000*x + 600000*z*u - 3000000*u^2 + 5*u*w - 3000*u + 500;\n"
       " -800*x*w - 5000000*y*z - 300000*y*w + 90000*z^2 - 30000000*z*w - 80000*u - 30;\n");
-  for (const std::uint64_t seed : {1, 2, 3}) {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     SCOPED_TRACE(seed);
     SolveOptions options = with_seed(seed);
     expect_proved(solve_with_cvode(f, options), "total degree");
