@@ -80,7 +80,7 @@ class Faces {
     VectorXcd value(static_cast<Index>(faces_.size()));
     MatrixXcd jacobian(value.size(), static_cast<Index>(y.size()));
     double threshold = ends_.agreement;
-    double least = std::numeric_limits<double>::infinity();
+    double before = 0;
     // Towards an m-fold root the values fall by (1 - 1/m)^m < 1/e with each iteration.
     const auto iterations = static_cast<int>(std::ceil(-std::log(ends_.fine_rounding)));
     for (int k = 0; k < iterations; ++k) {
@@ -89,8 +89,9 @@ class Faces {
       const double largest = value.lpNorm<Eigen::Infinity>();
       if (largest <= zero)
         return largest > ends_.fine_rounding ? FaceRoot::as_rounded : FaceRoot::exact;
-      if (largest > least / 2) threshold = std::max(threshold / 10, ends_.rounding);
-      least = std::min(least, largest);
+      const bool is_stuck = std::abs(largest - before) < before / 10;
+      if (is_stuck) threshold = std::max(threshold / 10, ends_.rounding);
+      before = largest;
       Eigen::CompleteOrthogonalDecomposition<MatrixXcd> qr;
       qr.setThreshold(threshold);
       const VectorXcd dz = qr.compute(jacobian).solve(-value);

@@ -20,7 +20,6 @@ constexpr double kDoubleDigits = 15;
 constexpr double kMostDoubleDigits = 17;
 // Bits behind the point that only a double has, and what a few operations in double lose.
 constexpr std::size_t kDoubleBits = 40;
-constexpr std::size_t kDoubleLength = 53;
 constexpr int kDoubleErrorLog2 = -49;
 
 /// How often `factor` divides n, and what is left of n.
@@ -46,10 +45,7 @@ Rational error_of(const Rational& a, double least) {
   const std::size_t decimals = std::max(twos, fives);
   if (rest != 1 || decimals == 0) return 0;
   const Rational as_double = times_power_of_two(abs(a), kDoubleErrorLog2);
-  if (fives == 0 && twos >= kDoubleBits) {
-    const bool is_double = bit_length(numerator(a)) <= kDoubleLength;
-    return is_double ? as_double : times_power_of_two(1, -static_cast<std::int64_t>(twos) - 1);
-  }
+  if (twos >= fives + kDoubleBits) return as_double;
   const double digits = log2_size({a, 0}) * std::log10(2.0) + static_cast<double>(decimals);
   if (digits < least - 1) return 0;
   if (digits < kRoundedDigits - 1) return half_unit(decimals + 1);

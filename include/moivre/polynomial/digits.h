@@ -2,7 +2,7 @@
 // How exact are the coefficients of a file? Numbers that were rounded are known to half a unit of their last digit.
 //
 //   c = p / q:  q divides 10^k, k >= 1 least, ten or more significant digits:   known to 0.5 10^-k; from 15 digits on to a double's error
-//               q = 2^k, k >= 40: of 53 bits a double, computed by a few operations: known to 2^-49 |c|; of more: known to 2^-k / 2
+//               q = 2^j 10^k, j >= 40:  computed from doubles by a few operations: known to 2^-49 |c|
 //               any other number, 31/10, 1/3, or a whole one, is meant as it stands
 //
 // If something vanishes within the errors of all coefficients, it vanishes for some system that the file may mean.
