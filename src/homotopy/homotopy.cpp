@@ -124,8 +124,9 @@ void Homotopy::set_coefficient_errors(const CoefficientErrors& errors) {
   for (const std::vector<double>& own : errors) of_f.insert(of_f.end(), own.begin(), own.end());
   auto next = of_f.begin();
   for (const Coefficient& c : f_) {
-    const bool has_one = !is_zero(c) && next != of_f.end();
-    errors_.push_back(has_one ? *next++ : 0);
+    if (!is_zero(c) && next == of_f.end())
+      throw std::invalid_argument("fewer errors than coefficients");
+    errors_.push_back(is_zero(c) ? 0 : *next++);
   }
   if (next != of_f.end()) throw std::invalid_argument("more errors than coefficients");
 }

@@ -195,8 +195,11 @@ IntegerPolynomial without_monomial(const IntegerPolynomial& p, const IntegerPoly
   const double share = size_of(p, at->second) / size;
   const double error_of_share = (error_at(p) + share * error_at(pivot)) / size;
   for (const auto& [n, error] : pivot.errors) result.errors[n] += share * error;
-  for (const auto& [n, c] : pivot.terms) result.errors[n] += error_of_share * size_of(pivot, c);
   result.errors.erase(m);
+  if (error_of_share == 0) return result;
+  for (const auto& [n, c] : pivot.terms) {
+    if (n != m) result.errors[n] += error_of_share * size_of(pivot, c);
+  }
   return result;
 }
 

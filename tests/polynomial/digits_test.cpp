@@ -40,5 +40,25 @@ TEST(Digits, EachCoefficientIsKnownAsWellAsItsOwnDigits) {
   EXPECT_NEAR(errors[0][2] / (0.5e-12 / 0.352598136811), 1, 1e-9);
 }
 
+TEST(Digits, BesideRoundedNumbersShorterOnesHaveLostTheirLastZeros) {
+  const CoefficientErrors errors = coefficient_errors(
+      read_system({"test", "1\n 0.29463726*x^3 + 1.08561*x^2 - 2.21583*x + 0.8110958214;\n"}));
+  ASSERT_EQ(errors.size(), 1);
+  EXPECT_NEAR(errors[0][0] / (0.5e-9 / 0.29463726), 1, 1e-9);
+  EXPECT_EQ(errors[0][1], 0);
+  EXPECT_EQ(errors[0][2], 0);
+  EXPECT_EQ(relative_error("0.29463726"), 0);
+}
+
+TEST(Digits, WhatWasComputedFromDoublesIsKnownNoBetterHoweverManyBitsItHas) {
+  const Rational cosine(0.8253356149096783);
+  for (const Rational& c : {cosine, cosine * cosine, Rational(31, 100) * cosine * cosine}) {
+    const System f{{"x"}, {{{{{c, 0}, {{0, 1}}}}}}};
+    const CoefficientErrors errors = coefficient_errors(f);
+    ASSERT_EQ(errors.size(), 1);
+    EXPECT_NEAR(errors[0][0] * 0x1p49, 1, 1e-9);
+  }
+}
+
 }  // namespace
 }  // namespace moivre

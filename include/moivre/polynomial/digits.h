@@ -3,6 +3,7 @@
 //
 //   c = p / q:  q divides 10^k, k >= 1 least, ten or more significant digits:   known to 0.5 10^-k; from 15 digits on to a double's error
 //               q = 2^j 10^k, j >= 40:  computed from doubles by a few operations: known to 2^-49 |c|
+//               eight or nine digits beside such numbers: its last zeros were not written, known to 0.05 10^-k
 //               any other number, 31/10, 1/3, or a whole one, is meant as it stands
 //
 // If something vanishes within the errors of all coefficients, it vanishes for some system that the file may mean.
