@@ -21,5 +21,4 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/moivreConfigVersion.cmake
   COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/moivreConfig.cmake ${PROJECT_BINARY_DIR}/moivreConfigVersion.cmake
   ${CMAKE_CURRENT_LIST_DIR}/layers.cmake ${CMAKE_CURRENT_LIST_DIR}/FindMPFR.cmake
-  ${CMAKE_CURRENT_LIST_DIR}/FindArb.cmake
   DESTINATION ${package_dir})

@@ -72,7 +72,7 @@ set(MOIVRE_THIRD_PARTY_cli CLI11::CLI11)
 
 # What is known of each package: the arguments of find_package, and how its headers begin (a regular expression).
 # Of a package in MOIVRE_HEADER_ONLY only the headers are used, and nothing is linked: a consumer of the installed library
-# needs it only where it is vocabulary of the public headers (MOIVRE_VOCABULARY).
+# needs it only where it is vocabulary of the public headers (MOIVRE_VOCABULARY). Arb is loaded at its first use.
 set(MOIVRE_FIND_Eigen3::Eigen Eigen3 3.4)
 set(MOIVRE_FIND_Boost::headers Boost 1.74)
 set(MOIVRE_FIND_taocpp::pegtl pegtl 3.2)
@@ -101,7 +101,7 @@ set(MOIVRE_HEADERS_CLI11::CLI11 "CLI/")
 
 set(MOIVRE_VOCABULARY Eigen3::Eigen Boost::headers)
 set(MOIVRE_HEADER_ONLY Eigen3::Eigen Boost::headers taocpp::pegtl nlohmann_json::nlohmann_json
-    CLI11::CLI11 hwy::hwy)
+    CLI11::CLI11 hwy::hwy Arb::Arb)
 
 # moivre_closure(<variable> <module>...): the modules and everything they use, in the order of MOIVRE_MODULES.
 function(moivre_closure variable)

@@ -5,27 +5,27 @@
 // of its operands; S(double) is exact and brings none. Memory is FLINT's, which keeps some for each thread.
 #pragma once
 
-#include <acb.h>
-
 #include <algorithm>
 #include <utility>
+
+#include "arb_library.h"
 
 namespace moivre {
 
 class ArbBall {
  public:
-  ArbBall() { acb_init(value_); }
-  explicit ArbBall(double value) : ArbBall() { acb_set_d(value_, value); }
+  ArbBall() { arb().acb_init(value_); }
+  explicit ArbBall(double value) : ArbBall() { arb().acb_set_d(value_, value); }
   ArbBall(const ArbBall& other) : bits_(other.bits_) {
-    acb_init(value_);
-    acb_set(value_, other.value_);
+    arb().acb_init(value_);
+    arb().acb_set(value_, other.value_);
   }
   ArbBall(ArbBall&& other) noexcept : ArbBall() { swap(other); }
   ArbBall& operator=(ArbBall other) noexcept {
     swap(other);
     return *this;
   }
-  ~ArbBall() { acb_clear(value_); }
+  ~ArbBall() { arb().acb_clear(value_); }
 
   acb_ptr get() { return value_; }
   acb_srcptr get() const { return value_; }
@@ -34,7 +34,7 @@ class ArbBall {
 
   ArbBall& operator+=(const ArbBall& other) {
     bits_ = std::max(bits_, other.bits_);
-    acb_add(value_, value_, other.value_, std::max(bits_, kLeastBits));
+    arb().acb_add(value_, value_, other.value_, std::max(bits_, kLeastBits));
     return *this;
   }
 
@@ -42,14 +42,14 @@ class ArbBall {
   static constexpr slong kLeastBits = 53;
 
   void swap(ArbBall& other) noexcept {
-    acb_swap(value_, other.value_);
+    arb().acb_swap(value_, other.value_);
     std::swap(bits_, other.bits_);
   }
 
   friend ArbBall product(const ArbBall& a, const ArbBall& b) {
     ArbBall result;
     result.bits_ = std::max(a.bits_, b.bits_);
-    acb_mul(result.value_, a.value_, b.value_, std::max(result.bits_, kLeastBits));
+    arb().acb_mul(result.value_, a.value_, b.value_, std::max(result.bits_, kLeastBits));
     return result;
   }
 
@@ -60,12 +60,12 @@ class ArbBall {
 /// An upper bound on a modulus, as FLINT keeps it.
 class ArbSize {
  public:
-  ArbSize() { mag_init(value_); }
+  ArbSize() { arb().mag_init(value_); }
   /// At least `value`, which must not be negative.
-  explicit ArbSize(double value) : ArbSize() { mag_set_d(value_, value); }
+  explicit ArbSize(double value) : ArbSize() { arb().mag_set_d(value_, value); }
   ArbSize(const ArbSize&) = delete;
   ArbSize& operator=(const ArbSize&) = delete;
-  ~ArbSize() { mag_clear(value_); }
+  ~ArbSize() { arb().mag_clear(value_); }
 
   mag_ptr get() { return value_; }
   mag_srcptr get() const { return value_; }
@@ -74,8 +74,8 @@ class ArbSize {
   double upper() const {
     // mag_get_d gives 0 below this size.
     constexpr double kSmallest = 0x1p-999;
-    const double value = mag_get_d(value_);
-    return value == 0 && !mag_is_zero(value_) ? kSmallest : value;
+    const double value = arb().mag_get_d(value_);
+    return value == 0 && !arb().mag_is_zero(value_) ? kSmallest : value;
   }
 
  private:

@@ -2,9 +2,6 @@
 // Krawczyk's operator in Arb's balls: the rounding is Arb's care, the points and radii are chosen here.
 #include "arb_stage.h"
 
-#include <flint/flint.h>
-#include <flint/fmpz.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -49,25 +46,25 @@ struct FlintCaches {
   FlintCaches() = default;
   FlintCaches(const FlintCaches&) = delete;
   FlintCaches& operator=(const FlintCaches&) = delete;
-  ~FlintCaches() { flint_cleanup(); }
+  ~FlintCaches() { arb().flint_cleanup(); }
 };
 
 void set(fmpz_t result, const Integer& value) {
   std::vector<std::uint64_t> limbs;
   export_bits(abs(value), std::back_inserter(limbs), 64, false);  // least significant first
-  fmpz_set_ui_array(result, limbs.data(), static_cast<slong>(limbs.size()));
-  if (value < 0) fmpz_neg(result, result);
+  arb().fmpz_set_ui_array(result, limbs.data(), static_cast<slong>(limbs.size()));
+  if (value < 0) arb().fmpz_neg(result, result);
 }
 
 void set(arb_t result, const Rational& value, slong bits) {
   fmpz_t over, under;
-  fmpz_init(over);
-  fmpz_init(under);
+  arb().fmpz_init(over);
+  arb().fmpz_init(under);
   set(over, numerator(value));
   set(under, denominator(value));
-  arb_fmpz_div_fmpz(result, over, under, bits);
-  fmpz_clear(over);
-  fmpz_clear(under);
+  arb().arb_fmpz_div_fmpz(result, over, under, bits);
+  arb().fmpz_clear(over);
+  arb().fmpz_clear(under);
 }
 
 ArbBall to_arb(const Coefficient& c, slong bits) {
@@ -81,10 +78,10 @@ ArbBall to_arb(const Coefficient& c, slong bits) {
 /// Adds a double, exactly.
 void add_exactly(arb_t sum, double value) {
   arf_t term;
-  arf_init_set_ui(term, 0);
-  arf_set_d(term, value);
-  arb_add_arf(sum, sum, term, ARF_PREC_EXACT);
-  arf_clear(term);
+  arb().arf_init_set_ui(term, 0);
+  arb().arf_set_d(term, value);
+  arb().arb_add_arf(sum, sum, term, ARF_PREC_EXACT);
+  arb().arf_clear(term);
 }
 
 void add_exactly(ArbBall& sum, const Complex& value) {
@@ -94,27 +91,27 @@ void add_exactly(ArbBall& sum, const Complex& value) {
 
 /// Takes the double nearest to the midpoint off it, exactly.
 double take_double(arb_t rest) {
-  const double part = arf_get_d(arb_midref(rest), ARF_RND_NEAR);
+  const double part = arb().arf_get_d(arb_midref(rest), ARF_RND_NEAR);
   if (std::isfinite(part)) add_exactly(rest, -part);
   return part;
 }
 
 double modulus_of(acb_srcptr z) {
   mag_t size;
-  mag_init(size);
-  acb_get_mag(size, z);
-  const double result = mag_get_d(size);
-  mag_clear(size);
+  arb().mag_init(size);
+  arb().acb_get_mag(size, z);
+  const double result = arb().mag_get_d(size);
+  arb().mag_clear(size);
   return result;
 }
 
 /// |a - b|, to the precision of a bound.
 double distance(acb_srcptr a, acb_srcptr b) {
   acb_t difference;
-  acb_init(difference);
-  acb_sub(difference, a, b, kBitsOfDouble);
+  arb().acb_init(difference);
+  arb().acb_sub(difference, a, b, kBitsOfDouble);
   const double result = modulus_of(difference);
-  acb_clear(difference);
+  arb().acb_clear(difference);
   return result;
 }
 
@@ -152,12 +149,12 @@ const std::vector<ArbBall>& ArbStage::coefficients() {
 void ArbStage::take(std::span<const Enclosure> given) {
   for (std::size_t k = 0; k < given.size(); ++k) {
     ArbBall& z = x_[n_ + k];
-    acb_zero(z.get());
+    arb().acb_zero(z.get());
     add_exactly(z, given[k].middle);
     for (const Complex& part : given[k].finer) add_exactly(z, part);
     const ArbSize error(given[k].error);
-    arb_add_error_mag(acb_realref(z.get()), error.get());
-    arb_add_error_mag(acb_imagref(z.get()), error.get());
+    arb().arb_add_error_mag(acb_realref(z.get()), error.get());
+    arb().arb_add_error_mag(acb_imagref(z.get()), error.get());
     z.set_bits(bits_ + kGuardBits);
   }
 }
@@ -167,7 +164,7 @@ ArbOutcome ArbStage::prove(std::span<const Complex> midpoint, std::span<const Po
                            Certificate& result) {
   bits_ = bits;
   for (std::size_t j = 0; j < n_; ++j) {
-    acb_zero(m_[j].get());
+    arb().acb_zero(m_[j].get());
     add_exactly(m_[j], midpoint[j]);
     for (const Point& part : finer) add_exactly(m_[j], part[j]);
     m_[j].set_bits(bits_ + kGuardBits);
@@ -185,11 +182,11 @@ ArbOutcome ArbStage::prove(std::span<const Complex> midpoint, std::span<const Po
 void ArbStage::evaluate_at(std::span<const ArbBall> unknowns) {
   std::copy(unknowns.begin(), unknowns.end(), x_.begin());
   evaluate<ArbBall, ArbBall>(program_.tape, coefficients(), x_, registers_, values_, jacobian_);
-  acb_mat_zero(j_.get());
-  for (std::size_t i = 0; i < n_; ++i) acb_set(f_.entry(i, 0), values_[i].get());
+  arb().acb_mat_zero(j_.get());
+  for (std::size_t i = 0; i < n_; ++i) arb().acb_set(f_.entry(i, 0), values_[i].get());
   for (std::size_t k = 0; k < jacobian_.size(); ++k) {
     const Tape::Entry& entry = program_.tape.jacobian[k];
-    acb_set(j_.entry(entry.row, entry.column), jacobian_[k].get());
+    arb().acb_set(j_.entry(entry.row, entry.column), jacobian_[k].get());
   }
 }
 
@@ -206,8 +203,8 @@ ArbOutcome ArbStage::approach(double farthest) {
   int stalls = 0;
   for (slong k = 0; k < kIterationsPerBit * bits_; ++k) {
     evaluate_at(m_);
-    acb_mat_zero(step_.get());  // approximate functions leave radii as they are
-    if (!acb_mat_approx_solve(step_.get(), j_.get(), f_.get(), bits_ + kGuardBits)) {
+    arb().acb_mat_zero(step_.get());  // approximate functions leave radii as they are
+    if (!arb().acb_mat_approx_solve(step_.get(), j_.get(), f_.get(), bits_ + kGuardBits)) {
       return ArbOutcome::not_proved;
     }
     const double least = std::max(kLeastWeight * largest_coordinate(), kLeastRadius);
@@ -215,8 +212,8 @@ ArbOutcome ArbStage::approach(double farthest) {
     double moved = 0;
     for (std::size_t j = 0; j < n_; ++j) {
       acb_ptr mj = m_[j].get();
-      acb_sub(mj, mj, step_.entry(j, 0), bits_ + kGuardBits);
-      acb_get_mid(mj, mj);
+      arb().acb_sub(mj, mj, step_.entry(j, 0), bits_ + kGuardBits);
+      arb().acb_get_mid(mj, mj);
       const double step = modulus_of(step_.entry(j, 0));
       const double size = modulus_of(mj);
       if (!std::isfinite(step) || !std::isfinite(size)) return ArbOutcome::not_proved;
@@ -239,7 +236,7 @@ void ArbStage::split_midpoint(Certificate& result) {
   result.finer.assign(parts, Point(n_));
   for (std::size_t j = 0; j < n_; ++j) {
     ArbBall rest = m_[j];
-    acb_zero(m_[j].get());
+    arb().acb_zero(m_[j].get());
     for (std::size_t k = 0; k <= parts; ++k) {
       const Complex part(take_double(acb_realref(rest.get())),
                          take_double(acb_imagref(rest.get())));
@@ -254,11 +251,11 @@ void ArbStage::split_midpoint(Certificate& result) {
 bool ArbStage::find_radii(Certificate& result) {
   const slong bits = bits_ + kGuardBits;
   evaluate_at(m_);
-  if (!acb_mat_approx_inv(y_.get(), j_.get(), bits)) return false;
-  acb_mat_mul(step_.get(), y_.get(), f_.get(), bits);
+  if (!arb().acb_mat_approx_inv(y_.get(), j_.get(), bits)) return false;
+  arb().acb_mat_mul(step_.get(), y_.get(), f_.get(), bits);
   for (std::size_t j = 0; j < n_; ++j) {
     ArbSize size;
-    acb_get_mag(size.get(), step_.entry(j, 0));
+    arb().acb_get_mag(size.get(), step_.entry(j, 0));
     fixed_[j] = size.upper();
   }
   const auto b = static_cast<double>(bits_);
@@ -298,11 +295,11 @@ void ArbStage::image(const std::vector<double>& rho, std::vector<double>& kappa)
   ball_ = m_;
   for (std::size_t j = 0; j < n_; ++j) {
     const ArbSize radius(rho[j]);
-    acb_add_error_mag(ball_[j].get(), radius.get());
+    arb().acb_add_error_mag(ball_[j].get(), radius.get());
   }
   evaluate_at(ball_);
-  acb_mat_mul(g_.get(), y_.get(), j_.get(), bits);
-  for (std::size_t j = 0; j < n_; ++j) acb_sub_si(g_.entry(j, j), g_.entry(j, j), 1, bits);
+  arb().acb_mat_mul(g_.get(), y_.get(), j_.get(), bits);
+  for (std::size_t j = 0; j < n_; ++j) arb().acb_sub_si(g_.entry(j, j), g_.entry(j, j), 1, bits);
   kappa = apply(rho);
 }
 
@@ -319,9 +316,9 @@ std::vector<double> ArbStage::apply(const std::vector<double>& reach) {
     ArbSize sum(fixed_[j]);
     for (std::size_t k = 0; k < n_; ++k) {
       ArbSize size;
-      acb_get_mag(size.get(), g_.entry(j, k));
+      arb().acb_get_mag(size.get(), g_.entry(j, k));
       const ArbSize part(reach[k]);
-      mag_addmul(sum.get(), size.get(), part.get());
+      arb().mag_addmul(sum.get(), size.get(), part.get());
     }
     result[j] = sum.upper();
   }

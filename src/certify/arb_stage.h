@@ -5,8 +5,6 @@
 // a root needs coordinates and radii within their range.
 #pragma once
 
-#include <acb_mat.h>
-
 #include <map>
 #include <span>
 #include <vector>
@@ -20,11 +18,11 @@ namespace moivre {
 class ArbMatrix {
  public:
   ArbMatrix(std::size_t rows, std::size_t columns) {
-    acb_mat_init(value_, static_cast<slong>(rows), static_cast<slong>(columns));
+    arb().acb_mat_init(value_, static_cast<slong>(rows), static_cast<slong>(columns));
   }
   ArbMatrix(const ArbMatrix&) = delete;
   ArbMatrix& operator=(const ArbMatrix&) = delete;
-  ~ArbMatrix() { acb_mat_clear(value_); }
+  ~ArbMatrix() { arb().acb_mat_clear(value_); }
 
   acb_mat_struct* get() { return value_; }
   acb_ptr entry(std::size_t i, std::size_t j) {

@@ -3,10 +3,10 @@
 #include "moivre/certify/certifier.h"
 
 #include <algorithm>
+#include <future>
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <thread>
 
 #include "arb_stage.h"
 #include "double_stage.h"
@@ -189,10 +189,12 @@ std::vector<Certificate> certify(const System& f, const std::vector<Point>& poin
       certifier.certify(points[k], certificates[k]);
     }
   };
-  std::vector<std::jthread> others;
-  for (std::size_t first = 1; first < workers; ++first) others.emplace_back(work, first);
+  std::vector<std::future<void>> others;
+  for (std::size_t first = 1; first < workers; ++first) {
+    others.push_back(std::async(std::launch::async, work, first));
+  }
   work(0);
-  others.clear();
+  for (std::future<void>& other : others) other.get();
   return certificates;
 }
 

@@ -25,7 +25,7 @@ constexpr double kSearchStepCost = 10;
 // So many multiply-adds, a few milliseconds, a search may take before anything else is counted.
 constexpr double kQuickSearchCost = 5e6;
 // Partitions of so few unknowns are all tried in less.
-constexpr std::size_t kFewUnknowns = 7;
+constexpr std::size_t kFewUnknowns = 6;
 // A search asked for by name, or by moivre info, may take so many steps: a minute or so.
 constexpr std::uint64_t kLongSearch = 100'000'000;
 
