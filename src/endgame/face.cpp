@@ -44,7 +44,7 @@ std::optional<Direction> direction_of(const std::vector<double>& valuations,
 /// A term of a face in the units of the point, beside the largest of its equation.
 struct FaceTerm {
   Number c;
-  double error;  ///< of c, relative
+  const NumberErrors* errors;  ///< of c, relative
   const Monomial* monomial;
 };
 using Face = std::vector<FaceTerm>;
@@ -131,8 +131,8 @@ class Faces {
       const Number value = is_start ? product(DoubleDouble(radius), coefficients.g[first + k])
                                     : coefficients.f[first + k];
       largest = std::max(largest, std::log2(magnitude1(value)) + shifts[k]);
-      const double error = is_start ? 0 : homotopy.error(first + k);
-      face.push_back({value, error, &terms[k].monomial});
+      static const NumberErrors exact;
+      face.push_back({value, is_start ? &exact : &homotopy.errors(first + k), &terms[k].monomial});
     }
     std::size_t next = 0;
     for (std::size_t k = 0; k < terms.size(); ++k) {
@@ -160,16 +160,16 @@ class Faces {
       const Complex scale = 1.0 / to_complex(*largest);
       const auto row = static_cast<Index>(i);
       Number sum(0.0);
-      double error = 0;
+      NumberErrors errors;
       for (std::size_t k = 0; k < terms.size(); ++k) {
         sum += terms[k];
         const Complex share = to_complex(terms[k]) * scale;
-        error += faces_[i][k].error * std::abs(share);
+        add(errors, share, *faces_[i][k].errors);
         add_exponents(*faces_[i][k].monomial, share, jacobian, row);
         add_exponents(*reference.monomial, -share, jacobian, row);
       }
       value[row] = to_complex(sum) * scale;
-      all_errors += error;
+      all_errors += bound(errors);
     }
     return std::max(ends_.fine_rounding, all_errors);
   }

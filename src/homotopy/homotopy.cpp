@@ -113,20 +113,27 @@ Homotopy::Homotopy(const System& f, const System& g) {
   set_support(support);
 }
 
+const NumberErrors& Homotopy::errors(std::size_t k) const {
+  static const NumberErrors exact;
+  return errors_.empty() ? exact : errors_[k];
+}
+
 double Homotopy::largest_error() const {
-  return errors_.empty() ? 0 : *std::max_element(errors_.begin(), errors_.end());
+  double largest = 0;
+  for (const NumberErrors& own : errors_) largest = std::max(largest, bound(own));
+  return largest;
 }
 
 void Homotopy::set_coefficient_errors(const CoefficientErrors& errors) {
   errors_.clear();
   if (errors.empty()) return;
-  std::vector<double> of_f;
-  for (const std::vector<double>& own : errors) of_f.insert(of_f.end(), own.begin(), own.end());
+  std::vector<NumberErrors> of_f;
+  for (const std::vector<NumberErrors>& own : errors) of_f.insert(of_f.end(), own.begin(), own.end());
   auto next = of_f.begin();
   for (const Coefficient& c : f_) {
     if (!is_zero(c) && next == of_f.end())
       throw std::invalid_argument("fewer errors than coefficients");
-    errors_.push_back(is_zero(c) ? 0 : *next++);
+    errors_.push_back(is_zero(c) ? NumberErrors{} : *next++);
   }
   if (next != of_f.end()) throw std::invalid_argument("more errors than coefficients");
 }

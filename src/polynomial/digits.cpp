@@ -74,10 +74,13 @@ CoefficientErrors coefficient_errors(const System& f) {
   };
   if (std::none_of(f.polynomials.begin(), f.polynomials.end(), are_rounded)) return {};
   CoefficientErrors errors;
+  std::uint32_t number = 0;
   for (const Polynomial& p : f.polynomials) {
-    std::vector<double>& own = errors.emplace_back();
+    std::vector<NumberErrors>& own = errors.emplace_back();
     for (const Term& term : p.terms) {
-      own.push_back(error_of(term.coefficient, kRoundedDigits - kZerosAtTheEnd));
+      const double error = error_of(term.coefficient, kRoundedDigits - kZerosAtTheEnd);
+      own.emplace_back();
+      if (error > 0) own.back().push_back({number++, error});
     }
   }
   return errors;

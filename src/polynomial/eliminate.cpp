@@ -366,11 +366,11 @@ bool substitute(State& s, const Pivot& pivot, const Limits& limits) {
 // ---- the way through, and its account ----
 
 /// Absolute errors of the coefficients of p.
-TermErrors to_term_errors(const Polynomial& p, const std::vector<double>& relative) {
+TermErrors to_term_errors(const Polynomial& p, const std::vector<NumberErrors>& relative) {
   TermErrors errors;
   for (std::size_t k = 0; k < relative.size(); ++k) {
-    if (relative[k] == 0) continue;
-    errors[p.terms[k].monomial] = relative[k] * std::exp2(log2_size(p.terms[k].coefficient));
+    if (relative[k].empty()) continue;
+    add(errors[p.terms[k].monomial], to_complex(p.terms[k].coefficient), relative[k]);
   }
   return errors;
 }
@@ -389,17 +389,19 @@ State start(const System& f) {
 /// Relative to the coefficients. What leaves double's range is not told.
 CoefficientErrors errors_left(const State& s) {
   CoefficientErrors errors;
-  double largest = 0;
+  bool is_exact = true;
   for (const Row& row : s.rows) {
-    std::vector<double>& own = errors.emplace_back();
+    std::vector<NumberErrors>& own = errors.emplace_back();
     for (const auto& [m, c] : row.p.terms) {
+      own.emplace_back();
       const auto found = row.p.errors.find(m);
-      const double error = found == row.p.errors.end() ? 0 : found->second / size_of(row.p, c);
-      own.push_back(std::isfinite(error) ? error : 0);
-      largest = std::max(largest, own.back());
+      if (found == row.p.errors.end()) continue;
+      add(own.back(), 1.0 / value_of(row.p, c), found->second);
+      if (!std::isfinite(bound(own.back()))) own.back().clear();
+      is_exact = is_exact && own.back().empty();
     }
   }
-  return largest > 0 ? errors : CoefficientErrors{};
+  return is_exact ? CoefficientErrors{} : errors;
 }
 
 Limits choose_limits(const State& s, const System& f) {

@@ -59,57 +59,63 @@ void remove_common_divisor(IntegerPolynomial& p) {
   p.factor = p.factor * Coefficient{ratio(divisor), 0};
 }
 
-/// A size and its error.
-struct Rough {
-  double size = 0;
-  double error = 0;
+/// A coefficient in double and its errors.
+struct Rounded {
+  Complex value;
+  NumberErrors errors;
 };
-using RoughTerms = std::map<Monomial, Rough, MonomialOrder>;
+using RoundedTerms = std::map<Monomial, Rounded, MonomialOrder>;
 
-void add_to(RoughTerms& sum, const Monomial& m, const Rough& c) {
-  Rough& at = sum[m];
-  at.size += c.size;
-  at.error += c.error;
-}
-
-RoughTerms operator*(const RoughTerms& a, const RoughTerms& b) {
-  RoughTerms result;
+RoundedTerms operator*(const RoundedTerms& a, const RoundedTerms& b) {
+  RoundedTerms result;
   for (const auto& [m, c] : a) {
     for (const auto& [n, d] : b) {
-      add_to(result, product(m, n), {c.size * d.size, c.size * d.error + c.error * d.size});
+      Rounded& at = result[product(m, n)];
+      at.value += c.value * d.value;
+      add(at.errors, c.value, d.errors);
+      add(at.errors, d.value, c.errors);
     }
   }
   return result;
 }
 
-RoughTerms rough(const IntegerTerms& terms, double unit, const TermErrors& errors) {
-  RoughTerms result;
+RoundedTerms rounded(const IntegerTerms& terms, const Coefficient& factor,
+                     const TermErrors& errors) {
+  RoundedTerms result;
   for (const auto& [m, c] : terms) {
-    result[m].size = unit * std::exp2(log2_size(Coefficient{ratio(c.re), ratio(c.im)}));
+    result[m].value = to_complex(factor * Coefficient{ratio(c.re), ratio(c.im)});
   }
-  for (const auto& [m, error] : errors) result[m].error = error;
+  for (const auto& [m, error] : errors) result[m].errors = error;
   return result;
 }
 
 /// Horner, as for the terms themselves.
 TermErrors errors_of_substituted(const IntegerPolynomial& p, const AffineForm& form) {
   if (p.errors.empty() && form.errors.empty()) return {};
-  std::map<std::uint32_t, RoughTerms> by_exponent;
-  for (const auto& [m, c] : rough(p.terms, std::exp2(log2_size(p.factor)), p.errors)) {
+  std::map<std::uint32_t, RoundedTerms> by_exponent;
+  for (const auto& [m, c] : rounded(p.terms, p.factor, p.errors)) {
     by_exponent[exponent_of(m, form.variable)].emplace(without_variable(m, form.variable), c);
   }
-  const double unit = std::exp2(-log2_size(Coefficient{ratio(form.divisor), 0}));
-  const RoughTerms value = rough(form.terms, unit, form.errors);
-  RoughTerms sum;
+  const RoundedTerms value = rounded(form.terms, {ratio(1, form.divisor), 0}, form.errors);
+  RoundedTerms sum;
   for (std::uint32_t e = by_exponent.rbegin()->first + 1; e-- > 0;) {
     sum = sum * value;
-    for (const auto& [m, c] : by_exponent[e]) add_to(sum, m, c);
+    for (const auto& [m, c] : by_exponent[e]) {
+      sum[m].value += c.value;
+      add(sum[m].errors, 1, c.errors);
+    }
   }
   TermErrors errors;
-  for (const auto& [m, c] : sum) {
-    if (c.error > 0) errors[m] = c.error;
+  for (auto& [m, c] : sum) {
+    if (!c.errors.empty()) errors[m] = std::move(c.errors);
   }
   return errors;
+}
+
+const NumberErrors& errors_at(const TermErrors& errors, const Monomial& m) {
+  static const NumberErrors exact;
+  const auto found = errors.find(m);
+  return found == errors.end() ? exact : found->second;
 }
 
 }  // namespace
@@ -186,25 +192,23 @@ IntegerPolynomial without_monomial(const IntegerPolynomial& p, const IntegerPoly
   result.factor = result.factor / Coefficient{ratio(leading), 0};
   make_primitive(result);
   if (p.errors.empty() && pivot.errors.empty()) return result;
-  const auto error_at = [&m](const IntegerPolynomial& q) {
-    const auto found = q.errors.find(m);
-    return found == q.errors.end() ? 0 : found->second;
-  };
   // Where the coefficients of m are others, so is the multiple that removes it.
-  const double size = size_of(pivot, pivot.terms.at(m));
-  const double share = size_of(p, at->second) / size;
-  const double error_of_share = (error_at(p) + share * error_at(pivot)) / size;
-  for (const auto& [n, error] : pivot.errors) result.errors[n] += share * error;
+  const Complex divisor = value_of(pivot, pivot.terms.at(m));
+  const Complex share = value_of(p, at->second) / divisor;
+  NumberErrors of_share;
+  add(of_share, 1.0 / divisor, errors_at(p.errors, m));
+  add(of_share, -share / divisor, errors_at(pivot.errors, m));
+  for (const auto& [n, errors] : pivot.errors) add(result.errors[n], -share, errors);
   result.errors.erase(m);
-  if (error_of_share == 0) return result;
+  if (of_share.empty()) return result;
   for (const auto& [n, c] : pivot.terms) {
-    if (n != m) result.errors[n] += error_of_share * size_of(pivot, c);
+    if (n != m) add(result.errors[n], -value_of(pivot, c), of_share);
   }
   return result;
 }
 
-double size_of(const IntegerPolynomial& p, const GaussianInteger& c) {
-  return std::exp2(log2_size(p.factor) + log2_size(Coefficient{ratio(c.re), ratio(c.im)}));
+Complex value_of(const IntegerPolynomial& p, const GaussianInteger& c) {
+  return to_complex(p.factor * Coefficient{ratio(c.re), ratio(c.im)});
 }
 
 AffineForm form_of(const IntegerPolynomial& linear, std::uint32_t variable) {
@@ -213,14 +217,14 @@ AffineForm form_of(const IntegerPolynomial& linear, std::uint32_t variable) {
   form.terms.erase(unknown);
   for (auto& [m, c] : form.terms) c = -c;
   if (linear.errors.empty()) return form;
-  const double size = size_of(linear, linear.terms.at(unknown));
-  for (const auto& [m, error] : linear.errors) {
-    if (m != unknown) form.errors[m] = error / size;
+  const Complex divisor = value_of(linear, linear.terms.at(unknown));
+  for (const auto& [m, errors] : linear.errors) {
+    if (m != unknown) add(form.errors[m], -1.0 / divisor, errors);
   }
-  const auto of_unknown = linear.errors.find(unknown);
-  if (of_unknown == linear.errors.end()) return form;
-  for (const auto& [m, c] : form.terms) {
-    form.errors[m] += size_of(linear, c) / size * (of_unknown->second / size);
+  const NumberErrors& of_unknown = errors_at(linear.errors, unknown);
+  if (of_unknown.empty()) return form;
+  for (const auto& [m, c] : linear.terms) {
+    if (m != unknown) add(form.errors[m], value_of(linear, c) / divisor / divisor, of_unknown);
   }
   return form;
 }

@@ -4,13 +4,14 @@
 // Sums and products of integers need no greatest common divisor; the content is taken out once a move. Of the multiples
 // of a polynomial by Gaussian integers one stands for all: the one whose leading coefficient is real and whose real and
 // imaginary parts have no common divisor. Without it the integers would triple with every move. Where a file's numbers were
-// rounded, errors go with the coefficients: bounds to first order. Private to the module.
+// rounded, errors go with the coefficients, to first order. Private to the module.
 #pragma once
 
 #include <cstddef>
 #include <map>
 
 #include "moivre/numeric/integer.h"
+#include "moivre/polynomial/number_errors.h"
 #include "moivre/polynomial/system.h"
 
 namespace moivre {
@@ -28,7 +29,7 @@ GaussianInteger conjugate(const GaussianInteger& a);
 using IntegerTerms = std::map<Monomial, GaussianInteger, MonomialOrder>;
 
 /// Absolute errors of coefficients, of those too that cancelled.
-using TermErrors = std::map<Monomial, double, MonomialOrder>;
+using TermErrors = std::map<Monomial, NumberErrors, MonomialOrder>;
 
 /// factor * sum of the terms; no term is zero.
 struct IntegerPolynomial {
@@ -37,8 +38,8 @@ struct IntegerPolynomial {
   TermErrors errors = {};  ///< empty: exact
 };
 
-/// |coefficient|, the factor included.
-double size_of(const IntegerPolynomial& p, const GaussianInteger& c);
+/// A coefficient, the factor included.
+Complex value_of(const IntegerPolynomial& p, const GaussianInteger& c);
 
 /// x_variable = form / divisor; `divisor` positive.
 struct AffineForm {

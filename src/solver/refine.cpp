@@ -67,7 +67,7 @@ RefinerProgram::RefinerProgram(const System& given, std::vector<double> natural_
   if (const CoefficientErrors relative = coefficient_errors(given); !relative.empty()) {
     for (std::size_t k = 0; k < size.size(); ++k) {
       const Tape::Origin& origin = tape.coefficients[k];
-      error.push_back(relative[origin.equation][origin.term] * size[k]);
+      error.push_back(bound(relative[origin.equation][origin.term]) * size[k]);
     }
   }
   for (const std::uint64_t d : degrees(f)) {

@@ -11,7 +11,7 @@ namespace {
 
 double relative_error(const std::string& c) {
   const CoefficientErrors errors = coefficient_errors(read_system({"test", "1\n " + c + "*x;\n"}));
-  return errors.empty() ? 0 : errors.at(0).at(0);
+  return errors.empty() ? 0 : bound(errors.at(0).at(0));
 }
 
 TEST(Digits, ShortDecimalsFractionsAndWholeNumbersAreMeantAsTheyStand) {
@@ -35,18 +35,18 @@ TEST(Digits, EachCoefficientIsKnownAsWellAsItsOwnDigits) {
   const System f = read_system({"test", "1\n 0.5*x^2 + 0.3525981368114*x + 0.352598136811;\n"});
   const CoefficientErrors errors = coefficient_errors(f);
   ASSERT_EQ(errors.size(), 1);
-  EXPECT_EQ(errors[0][0], 0);
-  EXPECT_NEAR(errors[0][1] / (0.5e-13 / 0.3525981368114), 1, 1e-9);
-  EXPECT_NEAR(errors[0][2] / (0.5e-12 / 0.352598136811), 1, 1e-9);
+  EXPECT_TRUE(errors[0][0].empty());
+  EXPECT_NEAR(bound(errors[0][1]) / (0.5e-13 / 0.3525981368114), 1, 1e-9);
+  EXPECT_NEAR(bound(errors[0][2]) / (0.5e-12 / 0.352598136811), 1, 1e-9);
 }
 
 TEST(Digits, BesideRoundedNumbersShorterOnesHaveLostTheirLastZeros) {
   const CoefficientErrors errors = coefficient_errors(
       read_system({"test", "1\n 0.29463726*x^3 + 1.08561*x^2 - 2.21583*x + 0.8110958214;\n"}));
   ASSERT_EQ(errors.size(), 1);
-  EXPECT_NEAR(errors[0][0] / (0.5e-9 / 0.29463726), 1, 1e-9);
-  EXPECT_EQ(errors[0][1], 0);
-  EXPECT_EQ(errors[0][2], 0);
+  EXPECT_NEAR(bound(errors[0][0]) / (0.5e-9 / 0.29463726), 1, 1e-9);
+  EXPECT_TRUE(errors[0][1].empty());
+  EXPECT_TRUE(errors[0][2].empty());
   EXPECT_EQ(relative_error("0.29463726"), 0);
 }
 
@@ -56,7 +56,7 @@ TEST(Digits, WhatWasComputedFromDoublesIsKnownNoBetterHoweverManyBitsItHas) {
     const System f{{"x"}, {{{{{c, 0}, {{0, 1}}}}}}};
     const CoefficientErrors errors = coefficient_errors(f);
     ASSERT_EQ(errors.size(), 1);
-    EXPECT_NEAR(errors[0][0] * 0x1p49, 1, 1e-9);
+    EXPECT_NEAR(bound(errors[0][0]) * 0x1p49, 1, 1e-9);
   }
 }
 

@@ -117,6 +117,20 @@ TEST(Certified, EndsBeyondTheDigitsOfAFileAreToldAsSuch) {
   }
 }
 
+// Eliminating z puts 2.00000000003 into nearly every coefficient. Its errors alone would hide that the four roots, of size
+// 1e6, are finite; but they cancel in the square of (x z + 6).
+TEST(Certified, RootsThatNoErrorOfTheFilesNumbersMovesToInfinityAreFinite) {
+  const System f = read(
+      "3\n x^2*z^2 + 12*x*z + 35.99999999992;\n 2*x - 9*z - 2.00000000003;\n"
+      " -x^2*z + 7*x*y*z - 2*x*z^2 - 3*x^2 - 5*x*z - 8*x + 42*y - 12*z - 27.99999999994;\n");
+  const auto lanes = make_lane_tracker();
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    const SolveResult result = solve(f, *lanes, with_seed(seed));
+    EXPECT_EQ(result.completeness, RootCompleteness::proved) << seed;
+    EXPECT_EQ(result.solutions.size(), 4U) << seed;
+  }
+}
+
 // A pair 7e-7 of its size apart, whose mean has a residual of 3e-17. On circles of 1e-4 its sheets meet as far as double tells.
 TEST(Certified, APairWhoseMeanLooksLikeARootIsTwoRoots) {
   const System f = read(

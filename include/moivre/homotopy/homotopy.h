@@ -70,9 +70,9 @@ class Homotopy {
   /// and at t = 0 on the tangent there.
   const Coefficient& f(std::size_t k) const { return f_[k]; }
   const Coefficient& g(std::size_t k) const { return g_[k]; }
-  /// Relative error of f_k; 0 where it is exact.
-  double error(std::size_t k) const { return errors_.empty() ? 0 : errors_[k]; }
-  /// The largest of them.
+  /// What the errors of the file's numbers change in f_k, relative to it; none where it is exact.
+  const NumberErrors& errors(std::size_t k) const;
+  /// The largest bound() of them.
   double largest_error() const;
   /// Of F's coefficients (polynomial/digits.h), or empty. Throws std::invalid_argument where they are not F's.
   void set_coefficient_errors(const CoefficientErrors& errors);
@@ -94,7 +94,7 @@ class Homotopy {
   std::vector<std::size_t> first_;
   std::vector<Coefficient> f_;
   std::vector<Coefficient> g_;
-  std::vector<double> errors_;
+  std::vector<NumberErrors> errors_;
   std::vector<double> log2_sizes_;
   std::optional<ParameterLaw> parameters_;
 };

@@ -11,14 +11,15 @@
 
 #include <vector>
 
+#include "moivre/polynomial/number_errors.h"
 #include "moivre/polynomial/system.h"
 
 namespace moivre {
 
-/// Of each term of each polynomial, relative; 0: exact.
-using CoefficientErrors = std::vector<std::vector<double>>;
+/// Of each term of each polynomial, relative to its coefficient.
+using CoefficientErrors = std::vector<std::vector<NumberErrors>>;
 
-/// Of f as read; empty where all are exact.
+/// Of f as read, where each rounded coefficient is a number of its own; empty where all are exact.
 CoefficientErrors coefficient_errors(const System& f);
 
 }  // namespace moivre
