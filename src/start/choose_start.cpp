@@ -184,6 +184,9 @@ class Chooser {
     if (!search_.paths) {
       throw std::overflow_error("the multihomogeneous Bezout number does not fit into 64 bits");
     }
+    if (search_.groups.size() == 1) {
+      return take_total_degree("no partition has fewer paths than one group: the total degree");
+    }
     chosen_.plan = multihomogeneous_plan(f_, search_.groups, options_.seed);
     chosen_.why = why;
     if (chosen_.plan) return;

@@ -73,6 +73,14 @@ TEST(Start, FindsRootsWithZeroCoordinates) {
   }
 }
 
+TEST(Start, OfOneGroupIsThatOfTheTotalDegree) {
+  const System f = system_of(problem("cyclic-5"));
+  const SolveResult result = solve_with_cvode(f, with_start(StartKind::multihomogeneous, 3));
+  EXPECT_EQ(result.start.kind, to_string(StartKind::total_degree));
+  EXPECT_EQ(result.start.counts.multihomogeneous.paths, result.start.counts.total_degree.paths);
+  EXPECT_EQ(result.solutions.size(), 70U);
+}
+
 TEST(Start, ResultsDoNotDependOnTheNumberOfThreads) {
   for (const StartKind start : kStarts) {
     SolveOptions one = with_start(start, 7);
