@@ -22,6 +22,8 @@ constexpr slong kIterationsPerBit = 1;
 constexpr double kSettledShare = 0.6;
 // Where corrections have not become smaller so many times in a row, this precision has no more to give.
 constexpr int kMostStalls = 4;
+// Towards a root of multiplicity m corrections fall to a share of 1 - 1/m, at least a half; quadratically, to less and less.
+constexpr double kQuadraticShare = 0.1;
 
 /// Radii to begin with, b bits: 2^(error_bits b) times the error, 2^(point_bits b) of the coordinates, each taken for no smaller
 /// than a share of the largest. The order is that of double.
@@ -171,9 +173,10 @@ ArbOutcome ArbStage::prove(std::span<const Complex> midpoint, std::span<const Po
   }
   take(given);
   start_ = m_;
-  if (approach(farthest) == ArbOutcome::left) return ArbOutcome::left;
+  const ArbOutcome outcome = approach(farthest);
+  if (outcome == ArbOutcome::left) return outcome;
   split_midpoint(result);
-  if (!find_radii(result)) return ArbOutcome::not_proved;
+  if (!find_radii(result)) return outcome;
   result.bits = bits;
   return ArbOutcome::proved;
 }
@@ -196,11 +199,14 @@ double ArbStage::largest_coordinate() const {
   return largest;
 }
 
-/// Newton's method until its correction is small enough, or no better; the test is left to say what the point is worth.
+/// Newton's method until its correction is small enough, or no better; the test is left to say what the point is worth. Never
+/// `proved`.
 ArbOutcome ArbStage::approach(double farthest) {
   const double settled = std::exp2(-kSettledShare * static_cast<double>(bits_));
   double last = HUGE_VAL;
+  double last_ratio = 1;
   int stalls = 0;
+  ArbOutcome outcome = ArbOutcome::not_proved;
   for (slong k = 0; k < kIterationsPerBit * bits_; ++k) {
     evaluate_at(m_);
     arb().acb_mat_zero(step_.get());  // approximate functions leave radii as they are
@@ -221,12 +227,16 @@ ArbOutcome ArbStage::approach(double farthest) {
       moved = std::max(moved, distance(mj, start_[j].get()));
     }
     if (moved > farthest) return ArbOutcome::left;
+    const double ratio = share / last;
+    const bool is_quadratic = last_ratio < kQuadraticShare && ratio < last_ratio;
+    if (is_quadratic) outcome = ArbOutcome::converged;
     if (share <= settled) break;
     stalls = share < last ? 0 : stalls + 1;
     last = share;
+    last_ratio = ratio;
     if (stalls > kMostStalls) break;
   }
-  return ArbOutcome::not_proved;
+  return outcome;
 }
 
 /// m_ <- a sum of doubles near it, exactly what `result` then holds.

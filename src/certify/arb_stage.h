@@ -37,6 +37,7 @@ class ArbMatrix {
 enum class ArbOutcome {
   proved,
   not_proved,
+  converged,  ///< not proved, but Newton's method converged quadratically: the proof lacks digits
   left  ///< Newton's method left the neighbourhood: with more digits it would, too
 };
 

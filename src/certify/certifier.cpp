@@ -71,7 +71,8 @@ class Certifier::Work {
       if (is_settled(x, result)) return;
     }
     const double farthest = 2 * options_.accuracy * scale_of(x);
-    for (int bits = kFirstArbBits; bits <= options_.most_bits; bits *= 2) {
+    int most_bits = options_.most_bits;
+    for (int bits = kFirstArbBits; bits <= most_bits; bits *= 2) {
       Certificate finer;
       const ArbOutcome outcome = arb().prove(x, {}, given, bits, farthest, finer);
       if (outcome == ArbOutcome::proved) {
@@ -84,6 +85,7 @@ class Certifier::Work {
         result.bits = bits;
       }
       if (outcome == ArbOutcome::left) return;
+      if (outcome == ArbOutcome::converged) most_bits = kMostArbBits;
     }
   }
 

@@ -418,15 +418,13 @@ std::optional<Departure> Endgame::estimate_end(PathSystem& path) {
   if (is_beyond || vanish_together(x0, turns_, options_.ends)) {
     const FaceRoot place = place_at_infinity(path);
     if (place != FaceRoot::none) {
-      if (!stays_at_infinity(place, path)) {
-        return is_beyond ? fail(Failure::precision) : shrink(path);
-      }
+      if (!stays_at_infinity(place, path)) return shrink(path);
       end_.status = PathStatus::at_infinity;
       end_.is_as_rounded = place == FaceRoot::as_rounded;
       return std::nullopt;
     }
   }
-  if (is_beyond) return fail(Failure::precision);
+  if (is_beyond) return shrink(path);
   Estimate estimate{laurent_coefficient(0), turns_};
   if (estimate.winding >= parted_ || !sheets_meet(estimate.x)) {
     last_.reset();

@@ -17,6 +17,7 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXcd;
 using Eigen::VectorXcd;
+using Eigen::VectorXd;
 using Number = ComplexDoubleDouble;
 
 /// Valuations as integers over one denominator.
@@ -78,17 +79,18 @@ class Faces {
   /// become small too: where what is left lies in the directions cut off, fewer of them are.
   FaceRoot root_near(std::vector<Number> y) const {
     VectorXcd value(static_cast<Index>(faces_.size()));
+    VectorXd error(value.size());
     MatrixXcd jacobian(value.size(), static_cast<Index>(y.size()));
     double threshold = ends_.agreement;
     double before = 0;
     // Towards an m-fold root the values fall by (1 - 1/m)^m < 1/e with each iteration.
     const auto iterations = static_cast<int>(std::ceil(-std::log(ends_.fine_rounding)));
     for (int k = 0; k < iterations; ++k) {
-      double zero = 0;
-      fused([&] { zero = evaluate(y, value, jacobian); });
+      fused([&] { evaluate(y, value, error, jacobian); });
       const double largest = value.lpNorm<Eigen::Infinity>();
-      if (largest <= zero)
-        return largest > ends_.fine_rounding ? FaceRoot::as_rounded : FaceRoot::exact;
+      if (largest <= ends_.fine_rounding) return FaceRoot::exact;
+      if (largest <= error.sum() && vanish_as_rounded(value, error, jacobian))
+        return FaceRoot::as_rounded;
       const bool is_stuck = std::abs(largest - before) < before / 10;
       if (is_stuck) threshold = std::max(threshold / 10, ends_.rounding);
       before = largest;
@@ -144,11 +146,26 @@ class Faces {
     return face;
   }
 
-  // Each face over its largest term, and its derivatives in log y: the torus that acts on the roots of a face is exactly
-  // their null space. Returns what counts as 0: where coefficients were rounded, all faces together are known to their errors.
-  double evaluate(const std::vector<Number>& y, VectorXcd& value, MatrixXcd& jacobian) const {
+  // Do the faces have a root beside this point for other coefficients that the file may mean: value + J dy + d = 0 with
+  // |d_i| <= error_i? What no dy removes lies in the left null space of J; the least d / error in the 2-norm is tried. Where
+  // only exact equations are left over, that is beyond the rank of the errors and left to Gauss-Newton.
+  bool vanish_as_rounded(const VectorXcd& value, const VectorXd& error,
+                         const MatrixXcd& jacobian) const {
+    Eigen::ColPivHouseholderQR<MatrixXcd> qr;
+    qr.setThreshold(ends_.agreement);
+    qr.compute(jacobian);
+    const MatrixXcd q = qr.householderQ();
+    const MatrixXcd left = q.rightCols(value.size() - qr.rank()).adjoint();
+    const MatrixXcd effects = left * error.asDiagonal();
+    const VectorXcd share = effects.completeOrthogonalDecomposition().solve(left * value);
+    return share.lpNorm<Eigen::Infinity>() <= 1;
+  }
+
+  // Each face over its largest term, what errors of the file's numbers change in it, and its derivatives in log y: the torus
+  // that acts on the roots of a face is exactly their null space.
+  void evaluate(const std::vector<Number>& y, VectorXcd& value, VectorXd& error,
+                MatrixXcd& jacobian) const {
     jacobian.setZero();
-    double all_errors = 0;
     std::vector<Number> terms;
     for (std::size_t i = 0; i < faces_.size(); ++i) {
       terms.clear();
@@ -169,9 +186,8 @@ class Faces {
         add_exponents(*reference.monomial, -share, jacobian, row);
       }
       value[row] = to_complex(sum) * scale;
-      all_errors += bound(errors);
+      error[row] = bound(errors);
     }
-    return std::max(ends_.fine_rounding, all_errors);
   }
 
   Number value_of(const FaceTerm& term, const std::vector<Number>& y) const {

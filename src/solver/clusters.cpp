@@ -18,7 +18,7 @@ namespace {
 using Proofs = std::vector<std::shared_ptr<const Certificate>>;
 
 // Of a true multiple root each bit takes a step or more, and each step what a certificate does: no more bits than one step of
-// precisions beyond double.
+// precisions beyond double. The certifier takes more where it sees a simple root.
 constexpr int kBits = 128;
 // Newton's method goes so many times the cluster's radius at most.
 constexpr double kWay = 4;

@@ -131,6 +131,50 @@ TEST(Certified, RootsThatNoErrorOfTheFilesNumbersMovesToInfinityAreFinite) {
   }
 }
 
+// (x - 4 z - 1)^3 = -1e-12, and y is 1e4 times larger the nearer x - 4 z is to 1. The digits of the file may make it 5e-13, not 0.
+TEST(Certified, ARootOfAFaceNeedsErrorsInTheEquationsThatDoNotVanish) {
+  const System f = read(
+      "3\n x^3 - 12*x^2*z + 48*x*z^2 - 64*z^3 - 3*x^2 + 24*x*z - 48*z^2 + 3*x - 12*z - 0.999999999999;\n"
+      " 6*x^2 - 3*x*y - 18*x*z + 12*y*z - 24*z^2 - 7*x + 3*y - 5*z + 6.999999999996;\n"
+      " -6*x*y + 5*z + 2.999999999997;\n");
+  const auto lanes = make_lane_tracker();
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    const SolveResult result = solve(f, *lanes, with_seed(seed));
+    expect_conservation(result);
+    EXPECT_TRUE(!result.complete || result.solutions.size() == 6U) << seed;
+  }
+}
+
+// Some ends are beyond 1e11 at the first circle that tells anything, and turn out to be a root of size 4000 and infinity nearer to t = 1.
+TEST(Certified, AnEndThatIsNotToldFromAfarIsLookedAtFromNearer) {
+  const System f = read(
+      "3\n -x^2*y*z - 8*x*y^2*z + x^2*y - 4466*x*y*z + 7*x^2 + x;\n"
+      " x^2*y^2 + x*y^2 - 3595*y^2 - y;\n"
+      " -8*x^2*z^2 + 8359*y*z^3 - 9*y*z^2 + x*z - z;\n");
+  const auto lanes = make_lane_tracker();
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    expect_proved(solve(f, *lanes, with_seed(seed)), "stable mixed volume");
+  }
+}
+
+// x + y = 3 and 3 +- 6e-8 i: 128 bits converge to each, and do not prove it.
+TEST(Certified, ThreeRootsThatNewtonsMethodTellsApartAreProvedWithMoreDigits) {
+  const System f = read(
+      "3\n -x^5 - 5*x^4*y - 10*x^3*y^2 - 10*x^2*y^3 - 5*x*y^4 - y^5 + 7*x^4 + 28*x^3*y + 42*x^2*y^2"
+      " + 28*x*y^3 + 7*y^4 - 9.9996000000000036*x^3 - 29.9988000000000108*x^2*y"
+      " - 29.9988000000000108*x*y^2 - 9.9996000000000036*y^3 - 18.0035999999999964*x^2"
+      " - 36.0071999999999928*x*y - 18.0035999999999964*y^2 + 27.01080000000001800144*x"
+      " + 27.01080000000001800144*y + 26.98920000000001079568;\n"
+      " -3*x^2 - 6*x*y - 2*y^2 - 4*y*z + 4*z^2 - 5*x - 5*y - 5;\n"
+      " 5*x*z + y*z + 9*z^2 + 6*z + 3;\n");
+  const auto lanes = make_lane_tracker();
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    const SolveResult result = solve(f, *lanes, with_seed(seed));
+    expect_proved(result, "total degree");
+    EXPECT_EQ(result.solutions.size(), 20U);
+  }
+}
+
 // A pair 7e-7 of its size apart, whose mean has a residual of 3e-17. On circles of 1e-4 its sheets meet as far as double tells.
 TEST(Certified, APairWhoseMeanLooksLikeARootIsTwoRoots) {
   const System f = read(
