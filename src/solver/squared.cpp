@@ -86,7 +86,7 @@ void take_back(const System& f, SolveResult& result) {
              std::to_string(n - m)});
   }
   if (!has_patches) return;
-  for (Solution& root : result.solutions) root.x = normalised(f.groups, std::move(root.x));
+  for (Solution& root : result.solutions) root.x = normalized(f.groups, std::move(root.x));
   result.left_out.push_back({"a patch for each homogeneous group",
                              "roots are told with one coordinate of each group equal to 1"});
 }
