@@ -47,7 +47,8 @@ void tell_of_squared(bool is_overdetermined, SolveResult& result) {
   result.completeness.reset();
   for (Solution& root : result.solutions) root.certified.reset();
   result.left_out.push_back(
-      {"certificates", "a proof of the combinations' roots is none of the file's equations"});
+      {"certificates",
+       "a proved root of the combinations need not be a root of the file's equations"});
 }
 
 std::string counted_equations(std::size_t count) {
