@@ -254,7 +254,7 @@ void add_closures_command(CLI::App& moivre, Chosen& chosen) {
   CLI::Option& tolerance = *app.get_option(kTolerance);
   tolerance.description(
       "with --sensitivity: tolerance of point coordinates and rod lengths, in the file's unit; "
-      "more specific tolerances in the file come first; otherwise, " +
+      "more specific tolerances in the file come first. Without it, " +
       tolerance.get_description());
   add_examples(app,
                {"moivre closures four-bar.toml", "moivre closures four-bar.toml --at 0.5",

@@ -34,7 +34,7 @@ const OptionTable<LaneOptions>& lane_table() {
       word_row({.name = "predictor",
                 .flag = "--predictor",
                 .sentence =
-                    "tangent, cubic or quintic: from one, two or three points and their tangents",
+                    "tangent, cubic or quintic, from one, two or three points and their tangents",
                 .plural = "predictors"},
                &O::predictor,
                {LanePredictor::tangent, LanePredictor::cubic, LanePredictor::quintic}),
