@@ -112,8 +112,8 @@ std::string weakest_text(const ArmResult& result, const Arm& arm) {
   for (const ArmClosure& closure : result.closures) {
     if (closure.smallest_singular_value > kNearlySingular) continue;
     text += closure.id + " is singular, or nearly (smallest singular value " +
-            rounded_text(closure.smallest_singular_value) + "): the tip hardly moves by " +
-            joints_text(closure.weakest.joints, arm) + ", and hardly can by " +
+            rounded_text(closure.smallest_singular_value) + "): the tip hardly moves under " +
+            joints_text(closure.weakest.joints, arm) + "; it can hardly move along " +
             twist_text(closure.weakest.tip) + '\n';
   }
   return text;

@@ -72,7 +72,7 @@ void check_free(const Robot& robot, const std::vector<std::size_t>& free,
   if (free.size() > kMostFree) {
     faults.push_back(
         "there are " + std::to_string(free.size()) +
-        " free joints, and a pose leaves a motion where there are more than six: hold " +
+        " free joints; with more than six the arm can move while the tip stands. Hold " +
         std::to_string(free.size() - kMostFree) +
         " of them by --hold JOINT=VALUE: " + listed_names(names));
   }

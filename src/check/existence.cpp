@@ -15,7 +15,7 @@ constexpr double kListTolerance = 1e-8;
 constexpr double kListCorrections = 10;
 // Where a result knows no accuracy. Certificates look no farther either.
 constexpr double kUnknownAccuracy = 1e-6;
-// Another chart and its rounding change distances by no more than this, for roots that are normalised.
+// Another chart and its rounding change distances by no more than this, for roots that are normalized.
 constexpr double kChart = 1e3;
 constexpr double kChartRounding = 1e-13;
 // Bounds of distances lose less than this share.
@@ -84,7 +84,7 @@ void accept(Bench& bench, const Entry& entry, const RootClaim& root, std::size_t
   verdicts.hold(ClaimKind::root);
   if (!has_accuracy) return;
   if (bench.stand_in.has_patches()) {
-    return verdicts.leave_open(ClaimKind::accuracy, "stated in normalised coordinates", number);
+    return verdicts.leave_open(ClaimKind::accuracy, "stated in normalized coordinates", number);
   }
   verdicts.hold(ClaimKind::accuracy);
 }

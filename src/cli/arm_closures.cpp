@@ -76,12 +76,13 @@ void require_one_to_draw(const ArmRun& run, std::size_t poses) {
 
 void add_robot_options(CLI::App& command, ArmOptions& options) {
   const std::string group = kRobots;
-  command.add_option("--tip", options.tip, "link to be placed; default: the only leaf")
+  command.add_option("--tip", options.tip, "link that takes the pose; default: the only leaf")
       ->type_name("LINK")
       ->group(group);
   command
       .add_option("--pose", options.pose,
-                  "of the tip in the base: \"x y z qw qx qy qz\", metres and a unit quaternion")
+                  "pose of the tip in the base's frame: \"x y z qw qx qy qz\", metres and a unit "
+                  "quaternion")
       ->group(group);
   command
       .add_option("--hold", options.held,
@@ -91,17 +92,17 @@ void add_robot_options(CLI::App& command, ArmOptions& options) {
   command
       .add_option("--loops", options.loops,
                   "side file (.toml) that closes loops: points of links, joints and drivers; the "
-                  "robot is a mechanism then")
+                  "robot is then treated as a mechanism")
       ->type_name("PATH")
       ->group(group);
 }
 
 void add_arm_options(CLI::App& command, ArmOptions& options) {
-  command.add_option("--base", options.base, "link that stands; default: the root")
+  command.add_option("--base", options.base, "link that is fixed; default: the root")
       ->type_name("LINK")
       ->group(kRobots);
   add_robot_options(command, options);
-  command.add_option("--poses", options.poses, "file of poses, one a line (CSV)")
+  command.add_option("--poses", options.poses, "file of poses, one per line (CSV)")
       ->type_name("PATH")
       ->group(kRobots);
 }

@@ -44,7 +44,7 @@ int run(const CheckCommand& command) {
 void add_check_command(CLI::App& moivre, Chosen& chosen) {
   const auto command = std::make_shared<CheckCommand>();
   CLI::App& app = *moivre.add_subcommand(
-      "check", "Judge a result: certificates, sums, bounds; exit code 2 where a claim is false");
+      "check", "Check a result by certificates, sums and bounds; exit code 2 if a claim is false");
   add_file(app, command->file);
   app.add_option("RESULT", command->result,
                  "JSON of moivre solve, or PHCpack's solution list; - is standard input")

@@ -228,13 +228,12 @@ void add_closures_command(CLI::App& moivre, Chosen& chosen) {
   add_mechanism_file(app, command->file);
   add_time_option(app, command->at);
   add_mechanism_options(app, command->mechanism);
-  app.add_flag(
-      "--sensitivity", command->sensitivity,
-      "tell how far each closure moves with every dimension (named as in moivre sweep), and "
-      "how far it may be off where there are tolerances");
+  app.add_flag("--sensitivity", command->sensitivity,
+               "show how far each closure moves with every dimension (named as in moivre sweep); "
+               "with tolerances, also how far it may be off");
   add_arm_options(app, command->arm);
   app.add_flag("--no-certify", command->no_certify,
-               "prove nothing: closures are not certified, and their completeness is not told");
+               "leave out certificates; completeness is then not stated");
   add_start_options(app, command->start);
   add_threads_option(app, command->threads);
   add_quiet_flag(app, command->quiet);
@@ -254,8 +253,8 @@ void add_closures_command(CLI::App& moivre, Chosen& chosen) {
   add_tracker_options(app, command->tracker);
   CLI::Option& tolerance = *app.get_option(kTolerance);
   tolerance.description(
-      "with --sensitivity: how far coordinates of points and lengths of rods may "
-      "be off, up or down, where the file says nothing nearer, in its unit; else " +
+      "with --sensitivity: tolerance of point coordinates and rod lengths, in the file's unit; "
+      "more specific tolerances in the file come first. Without it, " +
       tolerance.get_description());
   add_examples(app,
                {"moivre closures four-bar.toml", "moivre closures four-bar.toml --at 0.5",

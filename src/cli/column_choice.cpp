@@ -40,14 +40,13 @@ std::vector<std::string> words_of(const std::string& list) {
 
 void add_column_options(CLI::App& app, ColumnChoice& choice) {
   app.add_option("--columns", choice.groups,
-                 "a designer's quantities, by group: the table has these columns, text and JSON "
-                 "their extremes, "
-                 "the page their plots; --columns help lists the groups")
+                 "groups of design quantities: columns of the table, extremes in text and JSON, "
+                 "plots on the page; --columns help lists the groups")
       ->type_name("LIST");
   app.add_option("--output", choice.outputs,
-                 "with --columns: what mechanical advantage and time ratio are of, a body, a joint "
-                 "or a point's coordinate; "
-                 "may be repeated; default: what is tied to the ground and not driven")
+                 "with --columns: the output of mechanical advantage and time ratio: a body, a "
+                 "joint or a point's coordinate; may be repeated; default: what is joined to the "
+                 "ground and not driven")
       ->type_name("NAME");
 }
 

@@ -142,7 +142,7 @@ int parse_and_run(int argc, char** argv) {
   Chosen chosen;
   const bool verbose = std::find(argv, argv + argc, std::string_view("--verbose")) != argv + argc;
   moivre.set_version_flag("--version", [verbose] { return version_text(verbose); });
-  moivre.add_flag("--verbose")->description("with --version: tell what is built in as well");
+  moivre.add_flag("--verbose")->description("with --version: also list what is built in");
   moivre.require_subcommand(1);
   moivre.footer("moivre COMMAND --help explains a command and shows examples.\n");
   const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);

@@ -47,7 +47,7 @@ void add_start_options(CLI::App& command, StartChoice& choice) {
       .add_option("--start", choice.kind,
                   "start system: auto, total-degree, multihomogeneous or polyhedral")
       ->capture_default_str();
-  command.add_option("--seed", choice.seed, "of the random numbers in the start system")
+  command.add_option("--seed", choice.seed, "seed of the random numbers in the start system")
       ->check(CLI::Validator(not_64_bits, ""))
       ->capture_default_str();
 }

@@ -39,10 +39,9 @@ void give_digits(const System& f, int digits, SolveResult& result, const std::at
     }
   }
   if (without > 0) {
-    result.left_out.push_back(
-        {std::to_string(digits) + " digits of " + counted(without, "root"),
-         "Newton's method does not converge quadratically there, as at every singular root, so no "
-         "bound would vouch for the digits"});
+    result.left_out.push_back({std::to_string(digits) + " digits of " + counted(without, "root"),
+                               "Newton's method does not converge quadratically there, as at every "
+                               "singular root; no digit could be guaranteed"});
   }
   if (not_begun > 0) {
     result.complete = false;

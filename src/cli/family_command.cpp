@@ -25,7 +25,7 @@ int run(const FamilyInfoCommand& command) {
 
 void add_info(CLI::App& family, Chosen& chosen) {
   const auto command = std::make_shared<FamilyInfoCommand>();
-  CLI::App& app = *family.add_subcommand("info", "Tell what a family file holds");
+  CLI::App& app = *family.add_subcommand("info", "Show what a family file holds");
   app.add_option("FILE", command->file, "family file")->required();
   add_json_option(app, command->json);
   add_quiet_flag(app, command->quiet);
@@ -37,7 +37,8 @@ void add_info(CLI::App& family, Chosen& chosen) {
 
 void add_family_command(CLI::App& moivre, Chosen& chosen) {
   CLI::App& app = *moivre.add_subcommand(
-      "family", "Solve a system with parameters once, then every member by as many paths as roots");
+      "family",
+      "Solve a system with parameters once, then each member with one path per generic root");
   app.require_subcommand(1);
   add_family_learn(app, chosen);
   add_family_solve(app, chosen);

@@ -99,7 +99,8 @@ SolveOptions options_of(const LearnCommand& command, const Tracker* fallback) {
 int run_mechanism(const LearnCommand& command, const Tracker& tracker) {
   if (!command.parameters.empty()) {
     throw std::invalid_argument(
-        "--parameters are for polynomial files: of a mechanism every dimension and driver is one");
+        "--parameters is for polynomial files; in a mechanism every dimension and driver is a "
+        "parameter");
   }
   Output out(command.family);
   Output json(command.json);
@@ -166,8 +167,8 @@ int run(const LearnCommand& command) {
       learn_interruptibly(command, std::move(family), *tracker, interruption.stop());
   const Learning& learning = file.families.front().learning;
   if (interruption.stop()) {
-    throw std::invalid_argument("interrupted: nothing was learned, " + command.family +
-                                " is as it was");
+    throw std::invalid_argument("interrupted: nothing was learned, and " + command.family +
+                                " is unchanged");
   }
   deliver(
       {{&out, [&] { return family_text(file); }},
@@ -187,21 +188,22 @@ void add_family_learn(CLI::App& family, Chosen& chosen) {
                  "polynomial system, in PHCpack's or Bertini's text form; or a mechanism (.toml)")
       ->required();
   app.add_option("--parameters", command->parameters,
-                 "names in the file that are parameters, with a typical size where that is not "
-                 "near 1: a,b=100; Bertini's `parameter` are parameters anyway")
+                 "names in the file that are parameters, with a typical size if that is not near "
+                 "1: a,b=100; Bertini's `parameter` are parameters anyway")
       ->type_name("NAMES");
   app.add_option("-o,--output", command->family, "write the family here")
       ->required()
       ->type_name("PATH");
   app.add_flag("--nonzero", command->nonzero, "leave out roots with a coordinate 0");
   app.add_flag("--monodromy", command->monodromy,
-               "from one root by loops of members, until the trace test holds; no start system");
+               "find the roots from one root, along loops of members; needs no start system");
   app.add_flag("--trace-test", command->trace_test,
-               "with --monodromy: test also more than 2000 roots, which takes minutes to hours")
+               "with --monodromy: make the trace test with more than 2000 roots too; takes minutes "
+               "to hours")
       ->needs("--monodromy");
   add_start_options(app, command->start);
   add_threads_option(app, command->threads);
-  app.add_flag("--no-certify", command->no_certify, "prove nothing");
+  app.add_flag("--no-certify", command->no_certify, "leave out certificates");
   add_quiet_flag(app, command->quiet);
   add_json_option(app, command->json);
   add_tracker_options(app, command->tracker);

@@ -141,12 +141,13 @@ void add_family_solve(CLI::App& family, Chosen& chosen) {
          "--table", command->table,
          "solve a member for each row: a column for each parameter, named in the first line")
       ->type_name("PATH");
-  app.add_option("--seed", command->seed, "of what is random when a member is judged")
+  app.add_option("--seed", command->seed, "seed of the random numbers when a member is judged")
       ->check(CLI::Validator(not_64_bits, ""))
       ->capture_default_str();
   add_threads_option(app, command->threads);
-  app.add_flag("--all", command->all, "print the roots that are not real as well");
-  app.add_flag("--no-certify", command->no_certify, "prove nothing: many members take less time");
+  app.add_flag("--all", command->all, "also print the roots that are not real");
+  app.add_flag("--no-certify", command->no_certify,
+               "leave out certificates; many members then take less time");
   add_quiet_flag(app, command->quiet);
   add_json_option(app, command->json);
   app.add_option("--csv", command->csv, "write a table of the roots here")->type_name("PATH");

@@ -34,10 +34,10 @@ int run(const InfoCommand& command) {
 void add_info_command(CLI::App& moivre, Chosen& chosen) {
   const auto command = std::make_shared<InfoCommand>();
   CLI::App& app =
-      *moivre.add_subcommand("info", "Tell the structure of a polynomial file; solve nothing");
+      *moivre.add_subcommand("info", "Show the structure of a polynomial file without solving it");
   add_file(app, command->file);
   add_start_options(app, command->start);
-  app.add_option("--threads", command->threads, "as in solve; there is nothing to share out here")
+  app.add_option("--threads", command->threads, "accepted as in solve; has no effect here")
       ->capture_default_str();
   add_json_option(app, command->json);
   add_quiet_flag(app, command->quiet);

@@ -36,7 +36,7 @@ int run(const MechanismCommand& command) {
 void add_mechanism_command(CLI::App& moivre, Chosen& chosen) {
   const auto command = std::make_shared<MechanismCommand>();
   CLI::App& app = *moivre.add_subcommand(
-      "mechanism", "Type a robot (URDF) as a mechanism file, for a person to go on from");
+      "mechanism", "Write a robot (URDF) as a mechanism file that you can edit");
   app.add_option("FILE", command->file, "robot (.urdf); - is standard input")->required();
   app.add_option("-o,--output", command->output,
                  "write the mechanism file here; - is standard output")

@@ -66,13 +66,12 @@ Mechanism read_any_mechanism(const std::string& file) {
 
 void add_mechanism_options(CLI::App& command, MechanismChoice& choice) {
   command
-      .add_option(
-          "--fit", choice.fit,
-          "take closures that miss by no more than this, by least squares: for lengths that "
-          "were rounded, in the file's unit")
+      .add_option("--fit", choice.fit,
+                  "accept closures that miss by no more than this length, in the file's unit; for "
+                  "lengths that were rounded")
       ->type_name("LENGTH");
   command.add_flag("--meshings", choice.all_meshings,
-                   "closures in every meshing of the teeth of gears, not in the drawn one alone");
+                   "find closures in every meshing of the gears, not only in the drawn one");
 }
 
 void apply(const MechanismChoice& choice, Mechanism& mechanism) {

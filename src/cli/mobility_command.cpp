@@ -58,10 +58,9 @@ int run(const MobilityCommand& command) {
 
 void add_mobility_command(CLI::App& moivre, Chosen& chosen) {
   const auto command = std::make_shared<MobilityCommand>();
-  CLI::App& app =
-      *moivre.add_subcommand("mobility",
-                             "Tell degrees of freedom and redundant constraints: at the pose that "
-                             "Newton-Raphson finds from a guess, without one at the closures");
+  CLI::App& app = *moivre.add_subcommand("mobility",
+                                         "Find degrees of freedom and redundant constraints: at "
+                                         "the closures, or at the pose found from a guess");
   add_any_file(app, command->file);
   add_guess_options(app, command->guess);
   add_quiet_flag(app, command->quiet);

@@ -199,11 +199,11 @@ int run(const MotionCommand& command) {
 }
 
 void add_time_options(CLI::App& app, MotionCommand& command) {
-  app.add_option("--from", command.options.from, "time of the drivers to begin at, in seconds")
+  app.add_option("--from", command.options.from, "start time of the drivers, in seconds")
       ->capture_default_str();
   app.add_option("--to", command.to,
-                 "time to end at; default: one turn of the first driver later, where it turns");
-  app.add_option("--steps", command.options.steps, "samples are written at so many equal steps")
+                 "end time, in seconds; default: after one turn of the first driver, if it turns");
+  app.add_option("--steps", command.options.steps, "number of equal time steps between the samples")
       ->capture_default_str();
   app.add_option("--checkpoints", command.options.checkpoints,
                  "how often the closures are solved again and compared with the branches")
@@ -219,15 +219,14 @@ void add_motion_command(CLI::App& moivre, Chosen& chosen) {
   add_any_file(app, command->file);
   add_time_options(app, *command);
   app.add_option("--guess", command->guesses,
-                 "follow only the pose assembled from the file's guess with this value put in, "
-                 "angles in the file's unit; may be repeated; no closures are solved")
+                 "change this value of the file's guess and follow only the pose assembled from "
+                 "it; angles in the file's unit; may be repeated; no closures are solved")
       ->type_name("NAME=VALUE");
   app.add_flag("--from-guess", command->from_guess,
-               "follow only the pose assembled from the file's guess as it is");
-  app.add_option(
-         "--closure", command->closures,
-         "tell only the branches that can be reached from this closure (A, B, ... where the "
-         "motion begins) without taking the mechanism apart; may be repeated")
+               "follow only the pose assembled from the file's guess");
+  app.add_option("--closure", command->closures,
+                 "show only the branches that can be reached from this closure without taking the "
+                 "mechanism apart (A, B, ... at the start of the motion); may be repeated")
       ->type_name("NAME");
   add_mechanism_options(app, command->mechanism);
   add_start_options(app, command->start);
@@ -239,8 +238,8 @@ void add_motion_command(CLI::App& moivre, Chosen& chosen) {
   add_column_options(app, command->columns);
   app.add_flag(
       "--continuous", command->angles.goes_on,
-      "let angles go on beyond half a turn along a branch, in CSV and JSON, without a jump");
-  app.add_option("--svg", command->svg, "draw the curves of points, a colour a branch, here")
+      "continue angles beyond half a turn along a branch, without a jump, in CSV and JSON");
+  app.add_option("--svg", command->svg, "draw the curves of points here, one colour per branch")
       ->type_name("PATH");
   app.add_option("--html", command->html,
                  "write a page here that drives all branches by a slider and plots them")

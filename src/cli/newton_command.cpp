@@ -48,16 +48,16 @@ int run(const NewtonCommand& command) {
 void add_newton_command(CLI::App& moivre, Chosen& chosen) {
   const auto command = std::make_shared<NewtonCommand>();
   CLI::App& app = *moivre.add_subcommand(
-      "newton", "Run Newton-Raphson from a guess; exit code 2 where it does not converge");
+      "newton", "Run Newton-Raphson from a guess; exit code 2 if it does not converge");
   add_any_file(app, command->file);
   add_guess_options(app, command->guess);
   app.add_option("--weight", command->weights,
-                 "weight of a coordinate where steps are of least norm; may be repeated")
+                 "weight of a coordinate in minimum-norm steps; may be repeated")
       ->type_name("NAME=VALUE");
   app.add_option("--tolerance", command->options.residual_tolerance,
                  "tolerance on |Phi_i|, relative to the sum of the magnitudes of its terms")
       ->capture_default_str();
-  app.add_option("--max-iterations", command->options.maximum_iterations, "the run ends there")
+  app.add_option("--max-iterations", command->options.maximum_iterations, "limit on the iterations")
       ->capture_default_str();
   add_quiet_flag(app, command->quiet);
   add_json_option(app, command->json);

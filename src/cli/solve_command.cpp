@@ -137,18 +137,17 @@ void add_solve_command(CLI::App& moivre, Chosen& chosen) {
   add_file(app, command->file);
   add_start_options(app, command->start);
   add_threads_option(app, command->threads);
-  app.add_flag("--all", command->all, "print the roots that are not real as well");
+  app.add_flag("--all", command->all, "also print the roots that are not real");
   app.add_flag(
       "--slice", command->slice,
-      "cut a system of fewer equations than unknowns by random linear ones: witness points");
-  app.add_option(
-         "--digits", command->digits,
-         "give every root to so many significant digits, 1 to 1000; a singular root has none")
+      "add random linear equations where equations are missing; the roots are witness points");
+  app.add_option("--digits", command->digits,
+                 "give every nonsingular root to N significant digits, 1 to 1000")
       ->type_name("N");
   app.add_flag("--cross-check", command->cross_check,
-               "solve with the other tracker as well and compare, path by path");
+               "also solve with the other tracker, and compare path by path");
   app.add_flag("--no-certify", command->no_certify,
-               "prove nothing: roots are not certified, and their completeness is not told");
+               "leave out certificates; completeness is then not stated");
   add_quiet_flag(app, command->quiet);
   add_json_option(app, command->json);
   app.add_option("--csv", command->csv, "write a table of the roots here")->type_name("PATH");
@@ -158,8 +157,8 @@ void add_solve_command(CLI::App& moivre, Chosen& chosen) {
   app.add_option("--phc", command->phc, "write PHCpack's solution list here")->type_name("PATH");
   add_tracker_options(app, command->tracker);
   app.add_option("--precision", command->precision,
-                 "of the paths: auto (double-double where double fails), double or double-double; "
-                 "lanes stay lanes in each")
+                 "precision of the paths: auto (double-double where double fails), double or "
+                 "double-double; lanes: several paths at once in each")
       ->capture_default_str()
       ->group("Tracker");
   add_examples(

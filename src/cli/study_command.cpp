@@ -16,9 +16,8 @@ void add_study_command(CLI::App& moivre, Chosen& chosen) {
                  "mechanisms (.toml), else polynomial systems in PHCpack's or Bertini's text form")
       ->required();
   app.add_option("--settings", command->choice.curves,
-                 "bdf_projection, bdf, adams, each with +newton or without; lanes, with +cubic or "
-                 "+tangent or "
-                 "without; default: all")
+                 "bdf_projection, bdf and adams, each also with +newton; lanes, also with +cubic "
+                 "or +tangent; default: all")
       ->delimiter(',')
       ->type_name("NAME,...");
   app.add_option("--tolerances", command->choice.tolerances,
@@ -29,16 +28,16 @@ void add_study_command(CLI::App& moivre, Chosen& chosen) {
   app.add_option("--seed", command->seed, "the first seed")
       ->check(CLI::Validator(not_64_bits, ""))
       ->capture_default_str();
-  app.add_option("--seeds", command->seeds, "how many seeds, one after another")
+  app.add_option("--seeds", command->seeds, "number of seeds, one after another")
       ->capture_default_str();
   app.add_option("--count", command->count,
-                 "isolated roots with multiplicity, where they are known; default: as the "
-                 "index.json beside the file says")
+                 "known number of isolated roots, with multiplicity; default: from the index.json "
+                 "beside the file")
       ->check(CLI::Validator(not_64_bits, ""))
       ->type_name("N");
   add_quiet_flag(app, command->quiet);
   add_json_option(app, command->json);
-  app.add_option("--csv", command->csv, "write a table here, one row a file and setting")
+  app.add_option("--csv", command->csv, "write a table here, one row per file and setting")
       ->type_name("PATH");
   app.add_option(
          "--out", command->out,

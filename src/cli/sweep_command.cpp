@@ -114,7 +114,7 @@ void add_sweep_command(CLI::App& moivre, Chosen& chosen) {
       "sweep", "Count a mechanism's closures while one or two of its numbers vary");
   add_mechanism_file(app, command->file);
   app.add_option("--vary", command->vary,
-                 "a number and its values, NAME=FROM:TO:N; names: body.point.x, body.point.y, "
+                 "what varies and its values, NAME=FROM:TO:N; names: body.point.x, body.point.y, "
                  "joint.length, joint.turn, a driver's name; once or twice")
       ->required()
       ->type_name("RANGE");
@@ -122,7 +122,7 @@ void add_sweep_command(CLI::App& moivre, Chosen& chosen) {
   add_mechanism_options(app, command->mechanism);
   add_start_options(app, command->start);
   add_threads_option(app, command->threads);
-  app.add_flag("--no-borders", command->no_borders, "do not sharpen where counts change");
+  app.add_flag("--no-borders", command->no_borders, "do not locate where the counts change");
   app.add_option("--family", command->family,
                  "use the families in this file, and add those that are learned")
       ->type_name("PATH");

@@ -89,10 +89,10 @@ void add_track_command(CLI::App& moivre, Chosen& chosen) {
       ->type_name("FILE");
   app.add_option("--points", command->points,
                  "its roots: PHCpack's solution list, a table of solve --csv, or numbers (re im of "
-                 "each variable, a point a line)")
+                 "each variable, one point per line)")
       ->type_name("FILE");
   add_start_options(app, command->start);
-  app.add_option("--threads", command->threads, "as in solve; one path runs on one thread")
+  app.add_option("--threads", command->threads, "accepted as in solve; one path runs on one thread")
       ->capture_default_str();
   add_json_option(app, command->json);
   app.add_option("--csv", command->csv, "write the steps here instead of to standard output")

@@ -85,7 +85,7 @@ std::string driver_text(const Circuit& circuit, const MotionResult& motion,
                  : text + ", and all is as before after " + std::to_string(driver.turns) + " turns";
     }
     case DriverMotion::turns_over_dead_points:
-      return driver.name + " comes round, but stands in dead points at " +
+      return driver.name + " turns fully only over dead points, at " +
              places_text(circuit.dead_points, motion, mechanism);
     case DriverMotion::open:
       return driver.name + " goes " + range_text(mechanism, driver) +

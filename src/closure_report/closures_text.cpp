@@ -28,7 +28,7 @@ std::string factors_text(const ClosureResult& result) {
 std::string completeness_line(const ClosureResult& result) {
   if (!result.completeness) return "";
   if (*result.completeness == RootCompleteness::proved) {
-    return "every closure is certified, and they are as many as can be: proved complete\n";
+    return "every closure is certified, and there can be no more: proved complete\n";
   }
   const auto& roots = result.solutions;
   const auto count = [&](auto claim) {

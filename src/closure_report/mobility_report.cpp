@@ -86,7 +86,7 @@ std::string mobility_text(const Mobility& mobility, const NewtonResult& pose,
   text += warnings_text(mechanism) + kinds_text(heading.kinds);
   if (!is_assembled(pose)) {
     text += "not assembled: Newton-Raphson ended with " + to_string(pose.status) +
-            "; what follows is of its last iterate. --guess gives it another start" +
+            ". The rest is about its last iterate. --guess sets another start" +
             (mechanism.space == Space::planar ? ", moivre guesses lists good ones" : "") + "\n";
   }
   text += count(mobility.coordinates, "coordinate") + ", " +

@@ -135,7 +135,7 @@ std::string sub_chains_text(const MotionResult& result) {
   }
   std::string text = std::to_string(counts.size()) + " independent sub-chains, of " +
                      joined(counts, ", ") +
-                     " branches: a branch of the whole is one of each, while all are there\n";
+                     " branches: a branch of the whole is one of each, as long as all exist\n";
   for (const MotionSubChain& part : result.sub_chains) {
     text += "\nsub-chain " + joined(part.chain.bodies, ", ") + '\n' +
             course_text(part.motion, part.chain.mechanism);

@@ -226,7 +226,9 @@ std::string breaking_text(const Sensitivities& told, const ClosureSensitivity& c
   const bool has_tolerance = std::any_of(closure.breaking.begin(), closure.breaking.end(),
                                          [&](std::size_t k) { return told.tolerances[k] > 0; });
   if (has_tolerance) {
-    text += "  so there is no spread: a tolerance of 0 takes such a dimension out\n";
+    text +=
+        "  so worst case and root sum square are not known; a tolerance of 0 leaves such a "
+        "dimension out\n";
   }
   return text;
 }

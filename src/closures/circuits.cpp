@@ -314,22 +314,22 @@ constexpr double kOver = 1e-6;
 std::vector<std::string> CircuitFinder::notes() const {
   std::vector<std::string> notes;
   if (!motion_.complete) {
-    notes.emplace_back("the motion is not complete: circuits that are told apart may be one");
+    notes.emplace_back("the motion is not complete: circuits that are listed apart may be one");
   }
   if (motion_.checkpoints.empty()) {
     notes.emplace_back("no closures were solved: there may be other circuits");
   }
   if (mechanism_.drivers.size() > 1) {
     notes.emplace_back(
-        "the drivers move together as prescribed: moved otherwise they may join circuits");
+        "the drivers move together as prescribed: another motion of theirs may join circuits");
   }
   for (const Driver& driver : mechanism_.drivers) {
     if (!turns_back(driver, motion_)) continue;
     notes.push_back("driver '" + driver.name +
-                    "' turns back: a circuit that it goes through twice is told twice");
+                    "' turns back: a circuit that it goes through twice is listed twice");
   }
   if (turns_of_drivers(mechanism_, motion_) > 1 + kOver) {
-    notes.emplace_back("the drivers go more than one turn: a circuit may be told once a turn");
+    notes.emplace_back("the drivers go more than one turn: a circuit may be listed once per turn");
   } else if (!drivers_return(mechanism_, motion_)) {
     notes.emplace_back(
         "the drivers do not come back to where they began: circuits may be joined outside of this "
@@ -353,7 +353,7 @@ Circuits CircuitFinder::find() const {
   if (found.is_full_turn && is_open && motion_.complete) {
     found.is_full_turn = false;
     found.notes.emplace_back(
-        "the turn ends in poses that it did not begin with, as gears do: circuits go on beyond it");
+        "the turn ends in other poses than it began with, as gears do: circuits go on beyond it");
   }
   return found;
 }

@@ -194,10 +194,10 @@ void tell_listed(ClosureResult& whole) {
   whole.all_listed = whole.counts.complex <= kMostListed;
   if (whole.all_listed) return;
   whole.left_out.push_back(
-      {"closures of independent sub-chains one by one",
+      {"some combinations of the sub-chains' closures",
        "beyond " + std::to_string(kMostListed) +
-           " they are not listed: sub_chains has those of each sub-chain, closures and solutions "
-           "each of them once, the other sub-chains in their first"});
+           " they are not all listed: sub_chains has the closures of each sub-chain; closures and "
+           "solutions list each of these once, with the first closure of the others"});
 }
 
 }  // namespace

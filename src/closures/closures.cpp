@@ -35,7 +35,7 @@ ClosureResult described(const ClosureSearch& search) {
   result.coordinates = search.phi.dimension();
   result.complete = true;
   for (const std::string& name : search.formulation.repetitions) {
-    result.left_out.push_back({name, "it holds an angle that is held already, at the same value"});
+    result.left_out.push_back({name, "its angle is already held at the same value"});
   }
   for (const auto& [what, why] : search.formulation.left_out)
     result.left_out.push_back({what, why});
@@ -51,7 +51,7 @@ void add_spins(ClosureSearch& search) {
     }
     search.result.idle.push_back({search.mechanism.bodies[body].name,
                                   joint == nullptr ? "" : joint->name,
-                                  "turned about the line of its two joints as little as can be"});
+                                  "shown with the least turn about the line of its two joints"});
   }
 }
 
@@ -76,8 +76,8 @@ std::string shortfall(const ClosureSearch& search) {
            std::to_string(kMovingStarts) + " starts; there may be none: give a guess, or drivers";
   }
   if (search.lost_images > 0) return "a closure's mirror image is missing: a path was lost";
-  if (search.rootless > 0) return "a pose closes to which no root leads: roots were lost";
-  if (search.unpolished > 0) return "a real root was found that Newton-Raphson does not confirm";
+  if (search.rootless > 0) return "a closure was found that is none of the roots: roots were lost";
+  if (search.unpolished > 0) return "Newton-Raphson does not confirm a real root";
   return search.stop ? "interrupted: what is finished is reported" : "some paths failed";
 }
 
@@ -138,7 +138,7 @@ void conclude(ClosureSearch& search) {
   if (completeness && !search.result.complete) completeness = RootCompleteness::open;
   search.result.message = verdict(search);
   for (const std::string& name : search.formulation.contradictions) {
-    search.result.message += "; " + name + " holds an angle that is held at another value already";
+    search.result.message += "; " + name + " holds an angle that is already held at another value";
   }
 }
 

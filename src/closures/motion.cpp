@@ -77,8 +77,9 @@ void tell_why_nothing_moves(const std::vector<Scene>& scenes, MotionResult& resu
 
 void tell_instants(const std::vector<double>& instants, MotionResult& result) {
   for (const double time : instants) {
-    result.left_out.push_back({"closures " + at_time(time),
-                               "complex ones meet there and part again: a pose for an instant"});
+    result.left_out.push_back(
+        {"closures " + at_time(time),
+         "complex closures meet there and separate again: a pose for an instant"});
   }
 }
 
@@ -106,7 +107,7 @@ void tell_instants(const std::vector<BranchPose>& instants, MotionResult& result
   for (const auto& [time, count] : counts) {
     result.left_out.push_back(
         {std::to_string(count) + (count == 1 ? " closure " : " closures ") + at_time(time),
-         "the constraints agree there for an instant only: no branch leads through"});
+         "the constraints are compatible for an instant only: no branch passes through"});
   }
 }
 
@@ -121,13 +122,14 @@ void tell_crossings(const std::vector<double>& times, MotionResult& result) {
 LeftOut left_unseen(const MotionOptions& options) {
   if (options.checkpoints > 0) {
     return {
-        "branches that begin and end between two checkpoints, and meet no other but at a limit",
-        "closures are solved between any two events, and complex ones are followed to where they "
-        "become real; what limits hide is looked at 16 times between checkpoints"};
+        "branches that begin and end between two checkpoints, and meet no others except at a joint "
+        "limit",
+        "they may be missed: between two checkpoints, what joint limits hide is looked at only 16 "
+        "times"};
   }
   return {"checkpoints",
-          "none were asked for: branches that begin later are not seen, and an exchange would not "
-          "be"};
+          "none were asked for: branches that begin later are not found, and exchanged branches "
+          "not noticed"};
 }
 
 }  // namespace
@@ -198,8 +200,8 @@ MotionResult follow_guesses(const Mechanism& mechanism, const std::vector<Eigen:
   }
   enter_branches(run, result);
   conclude(run, result);
-  result.left_out.push_back({"closures and checkpoints",
-                             "the motion was asked for from guesses: no polynomials were solved"});
+  result.left_out.push_back(
+      {"closures and checkpoints", "the motion starts from guesses: no polynomials were solved"});
   result.time_s.total = watch.total();
   return result;
 }

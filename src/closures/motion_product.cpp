@@ -392,11 +392,10 @@ void MotionProduct::enter_account() {
   result_.tracker = motion(0).tracker;
   result_.tracker_options = motion(0).tracker_options;
   if (result_.all_listed) return;
-  result_.left_out.push_back(
-      {"branches of independent sub-chains one by one",
-       "beyond " + std::to_string(kMostBranchesListed) +
-           " they are not listed: one for each branch of a sub-chain is, and "
-           "circuits are told of each sub-chain"});
+  result_.left_out.push_back({"some combinations of the sub-chains' branches",
+                              "beyond " + std::to_string(kMostBranchesListed) +
+                                  " they are not all listed: each branch of a sub-chain is listed "
+                                  "once, and circuits are given for each sub-chain"});
 }
 
 /// Leaves the samples that were asked for.

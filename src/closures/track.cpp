@@ -37,8 +37,8 @@ void refuse_crossing_at(double time, Branch& branch) {
   branch.event.reset();
   branch.status = BranchStatus::failed;
   branch.message =
-      "not followed: the pose is so nearly singular, or its lengths so different, "
-      "that Phi does not tell it from one where branches cross";
+      "not followed: the pose is too close to singular, or its lengths differ too much, to tell it "
+      "from a crossing of branches";
 }
 
 /// Of the larger pose.

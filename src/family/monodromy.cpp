@@ -101,8 +101,8 @@ std::string standing_of(const Learning& learning, const TraceTest& test, const S
   }
   if (search.components > 1) {
     return std::to_string(search.components - 1) +
-           " times a random root was none of those that loops lead to: the family is reducible, or "
-           "loops have lost roots; there may be more";
+           " times a random root was not among those that loops lead to: the family is reducible, "
+           "or loops have lost roots; there may be more";
   }
   const std::string loops = std::to_string(search.count.loops) + " loops";
   if (!test.was_made) return loops + ", the last ones without a new root; no trace test";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Exact numbers from doubles; the unit circle by its rational parametrisation.
+// Exact numbers from doubles; the unit circle by its rational parametrization.
 #include "moivre/formulation/exact.h"
 
 #include <charconv>

@@ -398,7 +398,7 @@ bool Follower::take_samples(const Segment& segment, double until) {
 /// far off.
 VectorXd Follower::correction(const VectorXd& q, double t, bool is_careful) const {
   const MatrixXd J = phi_.jacobian(q, t);
-  if (is_careful || J.rows() != J.cols()) return Factorisation(J).solve(-phi_.value(q, t));
+  if (is_careful || J.rows() != J.cols()) return Factorization(J).solve(-phi_.value(q, t));
   return StaircaseQr(J, order_).solve(-phi_.value(q, t));
 }
 

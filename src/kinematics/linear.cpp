@@ -99,7 +99,7 @@ Index numerical_rank(const MatrixXd& A) {
   return qr.rank();
 }
 
-struct Factorisation::Factors {
+struct Factorization::Factors {
   Eigen::PartialPivLU<MatrixXd> lu;
   Eigen::LDLT<MatrixXd> normal;
   Eigen::HouseholderQR<MatrixXd> qr;  // of A, or of (A W^(-1/2))^T for minimum_norm
@@ -129,7 +129,7 @@ struct Factorisation::Factors {
   }
 };
 
-Factorisation::Factorisation(const MatrixXd& A, const LinearOptions& options)
+Factorization::Factorization(const MatrixXd& A, const LinearOptions& options)
     : A_(A), root_weights_(VectorXd::Ones(A.cols())), rank_(numerical_rank(A)) {
   if (options.weights.size() != 0) {
     if (options.weights.size() != A.cols() || !(options.weights.array() > 0).all() ||
@@ -144,7 +144,7 @@ Factorisation::Factorisation(const MatrixXd& A, const LinearOptions& options)
   if (A.size() != 0) factors_ = std::make_shared<const Factors>(method_, A, root_weights_);
 }
 
-VectorXd Factorisation::solve(const VectorXd& b) const {
+VectorXd Factorization::solve(const VectorXd& b) const {
   if (!factors_) return VectorXd::Zero(A_.cols());
   const auto& [lu, normal, qr, svd] = *factors_;
   switch (method_) {

@@ -190,7 +190,7 @@ NewtonResult newton(const Phi& phi, const VectorXd& guess, double t, const Newto
       status = NewtonStatus::diverged;
       break;
     }
-    const Factorisation factors(J, options.linear);
+    const Factorization factors(J, options.linear);
     const VectorXd step = factors.solve(-phi.value(row.q, t));
     row.step = step.lpNorm<Eigen::Infinity>();
     row.rank = factors.rank();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// dq/dp from one factorisation; what is left over of a right-hand side tells whether the mechanism still closes.
+// dq/dp from one factorization; what is left over of a right-hand side tells whether the mechanism still closes.
 #include "moivre/kinematics/sensitivity.h"
 
 #include <Eigen/QR>
@@ -41,7 +41,7 @@ Index rank_within(const MatrixXd& A, double tolerance) {
 PoseSensitivity pose_sensitivity(const Phi& phi, const VectorXd& q, double t,
                                  const MatrixXd& partial_p, const PoseKind& kind) {
   const MatrixXd J = phi.jacobian(q, t);
-  const Factorisation factors(J);
+  const Factorization factors(J);
   const VectorXd scale = row_lengths(J).cwiseInverse();
   PoseSensitivity result;
   const Index rank = kind.is_multiple ? rank_within(J, kHalfTheDigits) : factors.rank();

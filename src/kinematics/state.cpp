@@ -52,9 +52,9 @@ std::string names_of(const Phi& phi, const std::vector<Index>& chosen) {
 MotionState motion_state(const Phi& phi, const VectorXd& q, double t,
                          const LinearOptions& options) {
   const MatrixXd J = phi.jacobian(q, t);
-  const Factorisation factors(J, options);
+  const Factorization factors(J, options);
   MotionState state;
-  state.factorisations = 1;
+  state.factorizations = 1;
   state.q = q;
   state.method = factors.method();
   state.rank = factors.rank();
@@ -121,9 +121,9 @@ MotionState partitioned_state(const Phi& joints, const Partition& partition, con
   require_usable(partition);
   const MatrixXd J = joints.jacobian(q, t);
   const MatrixXd Phi_v = columns(J, partition.independent);
-  const Factorisation factors(columns(J, partition.dependent));
+  const Factorization factors(columns(J, partition.dependent));
   MotionState state;
-  state.factorisations = 1;
+  state.factorizations = 1;
   state.q = q;
   state.method = factors.method();
   state.rank = factors.rank();

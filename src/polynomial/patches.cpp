@@ -67,7 +67,7 @@ System with_patches(const System& f, std::uint64_t seed) {
   return g;
 }
 
-Point normalised(const std::vector<VariableGroup>& groups, Point x) {
+Point normalized(const std::vector<VariableGroup>& groups, Point x) {
   for (const VariableGroup& group : groups) {
     if (!group.is_homogeneous) continue;
     double largest = 0;

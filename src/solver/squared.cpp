@@ -47,7 +47,8 @@ void tell_of_squared(bool is_overdetermined, SolveResult& result) {
   result.completeness.reset();
   for (Solution& root : result.solutions) root.certified.reset();
   result.left_out.push_back(
-      {"certificates", "a proof of the combinations' roots is none of the file's equations"});
+      {"certificates",
+       "a proved root of the combinations need not be a root of the file's equations"});
 }
 
 std::string counted_equations(std::size_t count) {
@@ -86,7 +87,7 @@ void take_back(const System& f, SolveResult& result) {
              std::to_string(n - m)});
   }
   if (!has_patches) return;
-  for (Solution& root : result.solutions) root.x = normalised(f.groups, std::move(root.x));
+  for (Solution& root : result.solutions) root.x = normalized(f.groups, std::move(root.x));
   result.left_out.push_back({"a patch for each homogeneous group",
                              "roots are told with one coordinate of each group equal to 1"});
 }

@@ -17,7 +17,7 @@ namespace moivre {
 /// F as it is solved. Throws std::invalid_argument where m < n and nothing is to be sliced.
 System squared(const System& f, const SolveOptions& options);
 
-/// From a result on squared(f, ...): excess roots dropped and counted, coordinates of homogeneous groups normalised, and a
+/// From a result on squared(f, ...): excess roots dropped and counted, coordinates of homogeneous groups normalized, and a
 /// sentence for what was done.
 void take_back(const System& f, SolveResult& result);
 

@@ -103,7 +103,7 @@ std::vector<std::string> study_legend() {
       "the delivered roots, residuals in double-double; plain err: of the same with residuals in "
       "plain double",
       "|H|: largest along the paths, before and after the correction of a step; steps and "
-      "factorisations: median over the seeds"};
+      "factorizations: median over the seeds"};
 }
 
 std::string processor_name() {

@@ -31,16 +31,17 @@ int order_of(LanePredictor predictor) {
 const OptionTable<LaneOptions>& lane_table() {
   using O = LaneOptions;
   static const OptionTable<O> kTable{
-      word_row(
-          {.name = "predictor",
-           .flag = "--predictor",
-           .sentence = "tangent, cubic or quintic, through one, two or three points and tangents",
-           .plural = "predictors"},
-          &O::predictor, {LanePredictor::tangent, LanePredictor::cubic, LanePredictor::quintic}),
+      word_row({.name = "predictor",
+                .flag = "--predictor",
+                .sentence =
+                    "tangent, cubic or quintic, from one, two or three points and their tangents",
+                .plural = "predictors"},
+               &O::predictor,
+               {LanePredictor::tangent, LanePredictor::cubic, LanePredictor::quintic}),
       number_row<O, double>(
           {.name = "tolerance",
            .flag = "--tolerance",
-           .sentence = "relative size of Newton's first correction that steps aim at",
+           .sentence = "target for the relative size of a step's first Newton correction",
            .range = "must lie in (0, 0.1]"},
           &O::tolerance, [](double tolerance) { return tolerance > 0 && tolerance <= 0.1; }),
       steps_row<O>()};

@@ -205,7 +205,7 @@ TEST(CyclicEight, InterruptedItTellsNoRootThatIsNone) {
   }
 }
 
-/// The discretised H-equation: 2 n H_i - c H_i (1 + sum_j i/(i+j) H_j) - 2 n, j = 1..n-1 [Chandrasekhar60].
+/// The discretized H-equation: 2 n H_i - c H_i (1 + sum_j i/(i+j) H_j) - 2 n, j = 1..n-1 [Chandrasekhar60].
 System chandra(int n) {
   std::string text = std::to_string(n) + "\n";
   for (int i = 1; i <= n; ++i) {

@@ -20,18 +20,18 @@ MatrixXd random_matrix(Eigen::Index rows, Eigen::Index columns) {
 }
 
 TEST(Linear, MethodFollowsShapeAndRank) {
-  EXPECT_EQ(Factorisation(random_matrix(4, 4)).method(), LinearMethod::lu);
-  EXPECT_EQ(Factorisation(random_matrix(6, 4)).method(), LinearMethod::qr);
-  EXPECT_EQ(Factorisation(random_matrix(3, 5)).method(), LinearMethod::minimum_norm);
-  EXPECT_EQ(Factorisation(random_matrix(4, 2) * random_matrix(2, 5)).method(), LinearMethod::svd);
+  EXPECT_EQ(Factorization(random_matrix(4, 4)).method(), LinearMethod::lu);
+  EXPECT_EQ(Factorization(random_matrix(6, 4)).method(), LinearMethod::qr);
+  EXPECT_EQ(Factorization(random_matrix(3, 5)).method(), LinearMethod::minimum_norm);
+  EXPECT_EQ(Factorization(random_matrix(4, 2) * random_matrix(2, 5)).method(), LinearMethod::svd);
 }
 
 TEST(Linear, MinimumNormEqualsTheSvdAndItsWeightedForm) {
   const MatrixXd A = random_matrix(3, 5);
   const VectorXd b = VectorXd::LinSpaced(3, 1, 2);
   const VectorXd weights = VectorXd::LinSpaced(5, 0.5, 4);
-  const VectorXd x = Factorisation(A, {LinearMethod::minimum_norm, weights}).solve(b);
-  const VectorXd y = Factorisation(A, {LinearMethod::svd, weights}).solve(b);
+  const VectorXd x = Factorization(A, {LinearMethod::minimum_norm, weights}).solve(b);
+  const VectorXd y = Factorization(A, {LinearMethod::svd, weights}).solve(b);
   EXPECT_LT((A * x - b).norm(), 1e-14);
   EXPECT_LT((x - y).norm(), 1e-13);
   const MatrixXd W_inverse = weights.cwiseInverse().asDiagonal();
@@ -57,12 +57,12 @@ TEST(Linear, NoiseInAZeroRowStaysNoise) {
 TEST(Linear, EmptyMatricesHaveRankZeroAndFullNullSpace) {
   EXPECT_EQ(numerical_rank(MatrixXd(0, 3)), 0);
   EXPECT_EQ(null_space(MatrixXd(0, 3)), MatrixXd::Identity(3, 3));
-  EXPECT_EQ(Factorisation(MatrixXd(0, 3)).solve(VectorXd()), VectorXd::Zero(3));
+  EXPECT_EQ(Factorization(MatrixXd(0, 3)).solve(VectorXd()), VectorXd::Zero(3));
 }
 
 TEST(Linear, WeightsMustBePositiveAndOneACoordinate) {
-  EXPECT_THROW(Factorisation(random_matrix(2, 3), {{}, VectorXd::Ones(2)}), std::invalid_argument);
-  EXPECT_THROW(Factorisation(random_matrix(2, 3), {{}, VectorXd::Zero(3)}), std::invalid_argument);
+  EXPECT_THROW(Factorization(random_matrix(2, 3), {{}, VectorXd::Ones(2)}), std::invalid_argument);
+  EXPECT_THROW(Factorization(random_matrix(2, 3), {{}, VectorXd::Zero(3)}), std::invalid_argument);
 }
 
 }  // namespace

@@ -445,14 +445,14 @@ TEST(SeedP29, VelocitiesAndAccelerationsOfExample313) {
   EXPECT_NEAR(left.acceleration[2], 46.188022, kSixDigits);
 }
 
-TEST(SeedP32, OneFactorisationServesVelocityAndAcceleration) {
+TEST(SeedP32, OneFactorizationServesVelocityAndAcceleration) {
   const Phi phi(four_bar_equations());
   const VectorXd q = open_closure(phi);
-  EXPECT_EQ(motion_state(phi, q, 0).factorisations, 1);
+  EXPECT_EQ(motion_state(phi, q, 0).factorizations, 1);
   const Phi joints = phi.without_drivers();
   const Partition crank = make_partition(joints, q, {0});
   EXPECT_EQ(
-      partitioned_state(joints, crank, q, single_unknown(25), single_unknown(15)).factorisations,
+      partitioned_state(joints, crank, q, single_unknown(25), single_unknown(15)).factorizations,
       1);
 }
 
@@ -475,7 +475,7 @@ TEST(SeedP34, NormalEquationsSolveTheRedundantSystemInFourSteps) {
 }
 
 TEST(SeedP34, NormalEquationsWithoutFullColumnRankSayThatTheyWereReplaced) {
-  const Factorisation factors(A48(), {LinearMethod::normal_equations, {}});
+  const Factorization factors(A48(), {LinearMethod::normal_equations, {}});
   EXPECT_EQ(factors.method(), LinearMethod::svd);
   EXPECT_EQ(factors.rank(), 2);
 }
@@ -484,7 +484,7 @@ TEST(SeedP35, LeastSquaresSolution) {
   const Vector3d b(3, 1, 2);
   for (const LinearMethod method :
        {LinearMethod::normal_equations, LinearMethod::qr, LinearMethod::svd}) {
-    const VectorXd x = Factorisation(A35(), {method, {}}).solve(b);
+    const VectorXd x = Factorization(A35(), {method, {}}).solve(b);
     EXPECT_NEAR(x[0], 1.5, 1e-14) << to_string(method);
     EXPECT_NEAR(x[1], 0, 1e-14) << to_string(method);
     EXPECT_NEAR((A35() * x - b).norm(), 0.707107, kSixDigits) << to_string(method);
@@ -518,19 +518,19 @@ sphere = "x^2 + y^2 + z^2 - 4"
 TEST(SeedP37, QrOfASquareSystemEqualsLu) {
   const MatrixXd A = (MatrixXd(3, 3) << 4, 1, -2, 0.5, 3, 1, 2, -1, 5).finished();
   const Vector3d b(1, 2, 3);
-  const VectorXd by_lu = Factorisation(A).solve(b);
-  EXPECT_EQ(Factorisation(A).method(), LinearMethod::lu);
-  EXPECT_LT((Factorisation(A, {LinearMethod::qr, {}}).solve(b) - by_lu).norm(), 1e-15);
+  const VectorXd by_lu = Factorization(A).solve(b);
+  EXPECT_EQ(Factorization(A).method(), LinearMethod::lu);
+  EXPECT_LT((Factorization(A, {LinearMethod::qr, {}}).solve(b) - by_lu).norm(), 1e-15);
 }
 
 TEST(SeedP38, QrOfATallSystemIsTheLeastSquaresSolution) {
-  const Factorisation factors(A35());
+  const Factorization factors(A35());
   EXPECT_EQ(factors.method(), LinearMethod::qr);
   EXPECT_LT((factors.solve(Vector3d(3, 1, 2)) - Eigen::Vector2d(1.5, 0)).norm(), 1e-14);
 }
 
 TEST(SeedP39, SvdGivesTheMinimumNormWhereTheRankIsDeficient) {
-  const Factorisation factors(A48());
+  const Factorization factors(A48());
   EXPECT_EQ(factors.method(), LinearMethod::svd);
   const Vector3d b = A48() * Vector3d(1, 2, 3);
   const VectorXd x = factors.solve(b);

@@ -77,7 +77,7 @@ TEST(LeaveOut, APolynomialRunReadsNoToml) {
   EXPECT_EQ(calls_of({"mobility", kProblems + "/mechanisms/four-bar.toml"}).toml_files, 1);
 }
 
-TEST(LeaveOut, TheCommandWithLanesInitialisesNothingOfSundials) {
+TEST(LeaveOut, TheCommandWithLanesInitializesNothingOfSundials) {
   const std::string file = kProblems + "/polynomials/katsura-5.phc";
   EXPECT_EQ(calls_of({"solve", file, "--tracker", "lanes"}).sundials_contexts, 0);
   EXPECT_GT(calls_of({"solve", file, "--tracker", "cvode"}).sundials_contexts, 0);

@@ -11,7 +11,7 @@ namespace moivre {
 namespace {
 
 using test::accelerations;
-using test::factorisations;
+using test::factorizations;
 using test::velocities;
 
 struct FourBar {
@@ -35,9 +35,9 @@ TEST(LeaveOut, AccelerationIsSolvedWithTheFactorsOfVelocity) {
   const FourBar four_bar;
   MotionState state;
   const int calls =
-      factorisations.calls_of([&] { state = motion_state(four_bar.phi, four_bar.pose.q, 0); });
+      factorizations.calls_of([&] { state = motion_state(four_bar.phi, four_bar.pose.q, 0); });
   EXPECT_EQ(calls, 1);
-  EXPECT_EQ(state.factorisations, 1);
+  EXPECT_EQ(state.factorizations, 1);
 }
 
 TEST(LeaveOut, PartitionedAccelerationIsSolvedWithTheFactorsOfVelocity) {
@@ -45,7 +45,7 @@ TEST(LeaveOut, PartitionedAccelerationIsSolvedWithTheFactorsOfVelocity) {
   const Phi joints = four_bar.phi.without_drivers();
   const Partition partition = choose_partition(joints, four_bar.pose.q);
   const Vector one = Vector::Ones(static_cast<Eigen::Index>(partition.independent.size()));
-  const int calls = factorisations.calls_of(
+  const int calls = factorizations.calls_of(
       [&] { partitioned_state(joints, partition, four_bar.pose.q, one, one); });
   EXPECT_EQ(calls, 1);
 }

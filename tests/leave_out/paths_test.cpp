@@ -148,15 +148,15 @@ TEST(LeaveOut, NoEndgameRunsOnRegularEnds) {
 // The lanes have factors of their own: where they track, only an endgame asks PathSystem for any, at an end that it judges.
 TEST(LeaveOut, AnEndgameFactorsLessThanOnceAPathOnTheWayToRegularEnds) {
   const auto tracker = make_lane_tracker();
-  const auto factorisations_of = [&](const std::string& name) {
+  const auto factorizations_of = [&](const std::string& name) {
     return linearizations.calls_of([&] {
       const SolveResult result = solve(problem(name), *tracker, on_threads(1));
       EXPECT_TRUE(result.complete);
     });
   };
   constexpr int kPathsOfKatsura = 32;
-  EXPECT_LT(factorisations_of("katsura-5"), kPathsOfKatsura);
-  EXPECT_GT(factorisations_of("multiplicity-3"), 0);
+  EXPECT_LT(factorizations_of("katsura-5"), kPathsOfKatsura);
+  EXPECT_GT(factorizations_of("multiplicity-3"), 0);
 }
 
 TEST(LeaveOut, AnEndgameRunsWhereARootIsMultiple) {
@@ -216,7 +216,7 @@ TEST(LeaveOut, ManyPathsTakeTheThreads) {
   EXPECT_EQ(tracker.sessions, kThreads);
 }
 
-TEST(LeaveOut, LanesInitialiseNothingOfSundials) {
+TEST(LeaveOut, LanesInitializeNothingOfSundials) {
   const auto lanes = make_lane_tracker();
   const auto fallback = make_cvode_tracker();
   SolveOptions options = on_threads(1);

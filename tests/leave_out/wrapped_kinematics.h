@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// How often were velocity, acceleration and a factorisation asked for? Counters on the calls between modules; include once.
+// How often were velocity, acceleration and a factorization asked for? Counters on the calls between modules; include once.
 //
-// The names are those that g++ and clang++ give Phi::velocity_rhs, Phi::acceleration_rhs and Factorisation's constructor.
+// The names are those that g++ and clang++ give Phi::velocity_rhs, Phi::acceleration_rhs and Factorization's constructor.
 // The two that return an Eigen vector get its place as their first argument.
 #pragma once
 
@@ -13,7 +13,7 @@ namespace moivre::test {
 
 inline CallCounter velocities;
 inline CallCounter accelerations;
-inline CallCounter factorisations;
+inline CallCounter factorizations;
 
 }  // namespace moivre::test
 
@@ -40,14 +40,14 @@ Vector wrap_acceleration(const moivre::Phi* phi, const Vector& q, const Vector& 
   return real_acceleration(phi, q, qdot, t);
 }
 
-void real_factorisation(moivre::Factorisation* self, const Matrix& A, const moivre::LinearOptions& options) __asm__(
-    "__real__ZN6moivre13FactorisationC1ERKN5Eigen6MatrixIdLin1ELin1ELi0ELin1ELin1EEERKNS_"
+void real_factorization(moivre::Factorization* self, const Matrix& A, const moivre::LinearOptions& options) __asm__(
+    "__real__ZN6moivre13FactorizationC1ERKN5Eigen6MatrixIdLin1ELin1ELi0ELin1ELin1EEERKNS_"
     "13LinearOptionsE");
-void wrap_factorisation(moivre::Factorisation* self, const Matrix& A, const moivre::LinearOptions& options) __asm__(
-    "__wrap__ZN6moivre13FactorisationC1ERKN5Eigen6MatrixIdLin1ELin1ELi0ELin1ELin1EEERKNS_"
+void wrap_factorization(moivre::Factorization* self, const Matrix& A, const moivre::LinearOptions& options) __asm__(
+    "__wrap__ZN6moivre13FactorizationC1ERKN5Eigen6MatrixIdLin1ELin1ELi0ELin1ELin1EEERKNS_"
     "13LinearOptionsE");
-void wrap_factorisation(moivre::Factorisation* self, const Matrix& A,
+void wrap_factorization(moivre::Factorization* self, const Matrix& A,
                         const moivre::LinearOptions& options) {
-  moivre::test::factorisations.raise();
-  real_factorisation(self, A, options);
+  moivre::test::factorizations.raise();
+  real_factorization(self, A, options);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How often was SUNDIALS initialised, and a CVODE memory made? Counters on the calls; include once.
+// How often was SUNDIALS initialized, and a CVODE memory made? Counters on the calls; include once.
 #pragma once
 
 #include <sundials/sundials_context.h>

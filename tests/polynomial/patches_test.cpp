@@ -71,12 +71,12 @@ TEST(Patches, DegreesInAGroupCountItsVariablesOnly) {
 }
 
 // x v = 2 y u and x^2 u = y^2 v: y = 0 or v = 0 leaves no point; with y = v = 1, x = 2u and 4u^3 = 1.
-TEST(Patches, NormalisedPointsDoNotDependOnThePatch) {
+TEST(Patches, NormalizedPointsDoNotDependOnThePatch) {
   const System f = two_planes();
   const double u = std::cbrt(0.25);
   const Point expected{1, 1 / (2 * u), u, 1};
   for (const Complex scale : {Complex(1, 0), Complex(-3, 2), Complex(0, 1e-8), Complex(1e9, -1)}) {
-    const Point x = normalised(f.groups, {2 * u * scale, scale, u * scale, scale});
+    const Point x = normalized(f.groups, {2 * u * scale, scale, u * scale, scale});
     for (std::size_t j = 0; j < 4; ++j) EXPECT_LT(std::abs(x[j] - expected[j]), 1e-14) << scale;
     EXPECT_EQ(x[0], 1.0);
   }
@@ -84,11 +84,11 @@ TEST(Patches, NormalisedPointsDoNotDependOnThePatch) {
 
 TEST(Patches, OfCoordinatesOfOneSizeTheFirstBecomesOne) {
   const std::vector<VariableGroup> groups{{{0, 1, 2}, true}, {{3}, false}};
-  const Point x = normalised(groups, {Complex(0, 1), Complex(1 + 1e-15, 0), 0.1, 7});
+  const Point x = normalized(groups, {Complex(0, 1), Complex(1 + 1e-15, 0), 0.1, 7});
   EXPECT_EQ(x[0], 1.0);
   EXPECT_LT(std::abs(x[1] - Complex(0, -1)), 1e-14);
   EXPECT_EQ(x[3], 7.0);
-  EXPECT_EQ(normalised(groups, {0, 0, 0, 2}), (Point{0, 0, 0, 2}));
+  EXPECT_EQ(normalized(groups, {0, 0, 0, 2}), (Point{0, 0, 0, 2}));
 }
 
 TEST(Groups, FollowTheirUnknownsThroughElimination) {

@@ -37,10 +37,10 @@ struct LinearOptions {
   Eigen::VectorXd weights;             ///< diagonal of W, empty: all 1
 };
 
-class Factorisation {
+class Factorization {
  public:
   /// Throws std::invalid_argument when there are weights and they are not n positive numbers.
-  explicit Factorisation(const Eigen::MatrixXd& A, const LinearOptions& options = {});
+  explicit Factorization(const Eigen::MatrixXd& A, const LinearOptions& options = {});
 
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
   LinearMethod method() const { return method_; }

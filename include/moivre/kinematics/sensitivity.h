@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How does an assembled pose move when a dimension changes? dq/dp by the implicit function theorem.
 //
-//   Phi(q(p), p) = 0  =>  Phi_q dq/dp_k = -Phi_p,k        one factorisation of Phi_q for all dimensions
+//   Phi(q(p), p) = 0  =>  Phi_q dq/dp_k = -Phi_p,k        one factorization of Phi_q for all dimensions
 // Symbols: q (n coordinates), p dimensions (mechanism/dimensions.h), Phi_p (m x p, mechanism/dimension_rates.h), the drivers held.
 // Edges, each an answer of its own:
 //   dead point   rank Phi_q < n: the pose moves like the square root of a change. There is no derivative, except by dimensions

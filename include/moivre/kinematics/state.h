@@ -26,7 +26,7 @@ struct MotionState {
   bool is_determined = false;  ///< rank = number of dependent coordinates: no other motion fits
   double velocity_residual = 0;
   double acceleration_residual = 0;
-  int factorisations = 0;
+  int factorizations = 0;
 };
 
 /// Velocity and acceleration at an assembled pose q, drivers appended. Where coordinates stay free the shortest are given.

@@ -6,7 +6,7 @@
 //   but a few seeds in 2^kPatchBits no root has a . x_j = 0. Isolated roots in the product of projective spaces are isolated
 //   roots of the patched system, with the same multiplicity, and none of them is at infinity.
 //
-// The point found depends on the seed; normalised() gives coordinates that do not: in each group the first coordinate whose
+// The point found depends on the seed; normalized() gives coordinates that do not: in each group the first coordinate whose
 // modulus is near the group's largest becomes 1.
 #pragma once
 
@@ -37,6 +37,6 @@ std::set<std::uint64_t> degrees_in(const Polynomial& p,
 bool is_homogeneous(const Polynomial& p, const std::vector<std::uint32_t>& variables);
 
 /// x, all n coordinates, with each homogeneous group scaled; a group that is zero or not finite stays as it is.
-Point normalised(const std::vector<VariableGroup>& groups, Point x);
+Point normalized(const std::vector<VariableGroup>& groups, Point x);
 
 }  // namespace moivre

@@ -80,7 +80,7 @@ template <class Options>
 OptionRow<Options> steps_row() {
   return number_row<Options, std::int64_t>({.name = "maximum_steps",
                                             .flag = "--max-steps",
-                                            .sentence = "steps of one path segment",
+                                            .sentence = "limit on the steps of one path segment",
                                             .range = "must be at least 1"},
                                            &Options::maximum_steps,
                                            [](std::int64_t steps) { return steps >= 1; });
