@@ -73,6 +73,7 @@ TEST(StudyReport, CsvRowsHaveAsManyFieldsAsTheHeadAndQuoteCommas) {
 TEST(StudyReport, ScriptMarksSettingsThatLoseRootsWithTheirNumber) {
   const std::string script = study_diagrams(study_by_hand()).at(0).script;
   EXPECT_EQ(data_of(script, "own0"), "0.003 1e-05 2\n");
+  EXPECT_EQ(data_of(script, "own1"), "0.003 1 0\n");
   EXPECT_EQ(data_of(script, "solve0"), "0.03 1e-16 0\n");
   EXPECT_EQ(data_of(script, "solve1"), "0.03 1 0\n");
   EXPECT_EQ(data_of(script, "lost_own0"), "0.003 1e-05 2\n");
