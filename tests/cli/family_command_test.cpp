@@ -16,10 +16,10 @@ constexpr const char* kConics = "2 5\na*x^2 + b*x*y + y^2 - c; x^2 + y^2 - x - 1
 /// Learns a family in the scene.
 void learn_conics(const Scene& scene) {
   scene.write("conics.phc", kConics);
-  const Outcome outcome = scene.run({"family", "learn", "conics.phc", "--parameters", "a,b,c", "-o",
-                                     "conics.family", "--json", "-"});
-  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_EQ(Json::parse(outcome.out)["families"][0]["roots"], 4);
+  const Outcome outcome =
+      scene.run({"family", "learn", "conics.phc", "--parameters", "a,b,c", "-o", "conics.family"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_TRUE(contains(outcome.out, "\na generic member has 4 roots; ")) << outcome.out;
 }
 
 TEST(FamilyCommand, LearnsAndSolvesAMember) {
@@ -36,7 +36,8 @@ TEST(FamilyCommand, LearnsAndSolvesAMember) {
   const Outcome info = scene.run({"family", "info", "conics.family"});
   EXPECT_EQ(info.exit_code, 0);
   EXPECT_TRUE(has_line(info.out, "unknowns x, y; parameters a, b, c")) << info.out;
-  EXPECT_TRUE(contains(info.out, "\na generic member has 4 roots; ")) << info.out;
+  const Outcome told = scene.run({"family", "info", "conics.family", "--json", "-"});
+  EXPECT_EQ(Json::parse(told.out)["families"][0]["roots"], 4);
 }
 
 TEST(FamilyCommand, SolvesATable) {
