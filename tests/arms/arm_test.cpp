@@ -18,33 +18,33 @@ std::string refusal_of(const Robot& robot, const ArmChoice& choice) {
   return "";
 }
 
-bool has(const std::string& text, const std::string& words) {
-  return text.find(words) != std::string::npos;
-}
-
 TEST(ArmTest, TheTipMustBeChosenWhereTheRobotHasSeveralEnds) {
   const std::string refusal = refusal_of(robot_of("ur5"), {});
-  EXPECT_TRUE(has(refusal, "ee_link, base, tool0")) << refusal;
+  EXPECT_EQ(refusal, "the robot ends in 3 links, choose one by --tip: ee_link, base, tool0");
 }
 
 TEST(ArmTest, SevenFreeJointsAreRefusedWithTheirNames) {
   const std::string refusal = refusal_of(robot_of("panda"), {std::nullopt, "panda_hand_tcp", {}});
-  EXPECT_TRUE(has(refusal, "7 free joints")) << refusal;
-  EXPECT_TRUE(has(refusal, "panda_joint1, panda_joint2")) << refusal;
-  EXPECT_TRUE(has(refusal, "--hold")) << refusal;
+  EXPECT_EQ(refusal,
+            "there are 7 free joints, and a pose leaves a motion where there are more than six: "
+            "hold 1 of them by --hold JOINT=VALUE: panda_joint1, panda_joint2, panda_joint3, "
+            "panda_joint4, panda_joint5, panda_joint6, panda_joint7");
 }
 
 TEST(ArmTest, EveryFaultOfAChoiceIsNamed) {
   const std::string refusal =
       refusal_of(robot_of("ur5"), {"bas_link", "tool", {{"elbow", 0}, {"world_joint", 1}}});
-  for (const std::string words : {"no link 'bas_link'; did you mean 'base_link'?", "no link 'tool'",
-                                  "no joint 'elbow'", "joint 'world_joint' is fixed"}) {
-    EXPECT_TRUE(has(refusal, words)) << words << " in " << refusal;
-  }
+  EXPECT_EQ(
+      refusal,
+      "--hold: there is no joint 'elbow'; known are 'shoulder_pan_joint', 'shoulder_lift_joint', "
+      "'elbow_joint', 'wrist_1_joint', 'wrist_2_joint', 'wrist_3_joint', 'ee_fixed_joint', "
+      "'base_link-base_fixed_joint', ...; --hold: joint 'world_joint' is fixed; there is no link "
+      "'bas_link'; did you mean 'base_link'?; there is no link 'tool'; did you mean 'tool0'?");
 }
 
 TEST(ArmTest, BaseAndTipAlikeLeaveNoFreeJoint) {
-  EXPECT_TRUE(has(refusal_of(robot_of("ur5"), {"tool0", "tool0", {}}), "no joint between"));
+  EXPECT_EQ(refusal_of(robot_of("ur5"), {"tool0", "tool0", {}}),
+            "no joint between base and tip is free to move");
 }
 
 TEST(ArmTest, AJointThatMimicsAHeldOneIsHeldWithIt) {
@@ -60,7 +60,9 @@ TEST(ArmTest, AJointThatMimicsAHeldOneIsHeldWithIt) {
 TEST(ArmTest, TwoJointsThatMoveTogetherInTheChainAreRefused) {
   const Robot robot = robot_of("panda");
   const std::string refusal = refusal_of(robot, {"panda_leftfinger", "panda_rightfinger", {}});
-  EXPECT_TRUE(has(refusal, "move together")) << refusal;
+  EXPECT_EQ(refusal,
+            "joints 'panda_finger_joint1' and 'panda_finger_joint2' move together (mimic) and are "
+            "both in the chain, which is not supported; hold one of them by --hold");
 }
 
 TEST(ArmTest, TheChainUpwardsIsTheInverseOfTheChainDownwards) {

@@ -32,27 +32,30 @@ TEST(CommandLine, TellsItsVersion) {
   EXPECT_EQ(outcome.out, "moivre " MOIVRE_VERSION "\n");
 }
 
+constexpr const char* kTheCommands =
+    "The commands are solve, track, info, closures, motion, newton, mobility, guesses, mechanism, "
+    "study, check, family, sweep.\n";
+
 TEST(CommandLine, SuggestsTheCommandThatATypoMeant) {
   const Outcome outcome = Scene().run({"slove", "f.phc"});
   EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_TRUE(contains(outcome.err, "unknown command slove; did you mean solve?")) << outcome.err;
+  EXPECT_EQ(outcome.err,
+            std::string("moivre: unknown command slove; did you mean solve?\n") + kTheCommands);
 }
 
 TEST(CommandLine, SuggestsNothingWhereNothingIsAlike) {
   const Outcome outcome = Scene().run({"entirely-different"});
   EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_FALSE(contains(outcome.err, "did you mean")) << outcome.err;
-  EXPECT_TRUE(contains(outcome.err,
-                       "The commands are solve, track, info, closures, motion, newton, mobility, "
-                       "guesses, mechanism, study, check, family, sweep."))
-      << outcome.err;
+  EXPECT_EQ(outcome.err,
+            std::string("moivre: unknown command entirely-different\n") + kTheCommands);
 }
 
 TEST(CommandLine, AsksForACommandAndForAFile) {
   const Scene scene;
   EXPECT_EQ(scene.run({}).exit_code, 1);
   EXPECT_EQ(scene.run({"solve"}).exit_code, 1);
-  EXPECT_TRUE(contains(scene.run({"solve"}).err, "FILE"));
+  EXPECT_EQ(scene.run({"solve"}).err,
+            "moivre: FILE is required\nmoivre --help shows how to call it.\n");
 }
 
 TEST(CommandLine, TakesTheCommonOptionsWhereverAPolynomialFileIsRead) {
@@ -86,7 +89,7 @@ TEST(CommandLine, SaysWhenItsResultCouldNotBeWritten) {
   scene.write("f.phc", "1\nx^2 - 1;\n");
   const Outcome outcome = scene.run({"solve", "f.phc", "--json", "/dev/full"});
   EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_TRUE(contains(outcome.err, "cannot write /dev/full")) << outcome.err;
+  EXPECT_EQ(outcome.err, "moivre: cannot write /dev/full: No space left on device\n");
 }
 
 TEST(EditDistance, CountsInsertionsDeletionsReplacementsAndSwaps) {

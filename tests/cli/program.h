@@ -42,6 +42,11 @@ class Scene {
   std::string folder_;
 };
 
+/// Is this one of the lines of the text, from its first character to its last?
+inline bool has_line(const std::string& text, const std::string& line) {
+  return ('\n' + text).find('\n' + line + '\n') != std::string::npos;
+}
+
 inline bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }

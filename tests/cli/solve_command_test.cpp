@@ -79,7 +79,13 @@ TEST(SolveCommand, GivesAsManyDigitsAsAreAskedFor) {
     EXPECT_EQ(solution["x_digits"][0][1], "0");
   }
   EXPECT_EQ(roots, (std::set<std::string>{digits, "-" + digits}));
-  EXPECT_TRUE(contains(scene.read("f.csv"), "," + digits + ",0\n"));
+  std::istringstream table(scene.read("f.csv"));
+  std::string line;
+  std::getline(table, line);
+  EXPECT_TRUE(line.ends_with(",x.re,x.im")) << line;
+  std::set<std::string> rows;
+  while (std::getline(table, line)) rows.insert(line.substr(line.rfind(',', line.rfind(',') - 1)));
+  EXPECT_EQ(rows, (std::set<std::string>{"," + digits + ",0", ",-" + digits + ",0"}));
 }
 
 TEST(SolveCommand, SaysThatASingularRootHasNoDigits) {
@@ -101,7 +107,8 @@ TEST(SolveCommand, RefusesNumbersOfDigitsOutOfRange) {
   for (const char* digits : {"0", "-3", "1001"}) {
     const Outcome outcome = scene.run({"solve", "f.phc", "--digits", digits});
     EXPECT_EQ(outcome.exit_code, 1);
-    EXPECT_TRUE(contains(outcome.err, "must lie between 1 and 1000")) << outcome.err;
+    EXPECT_EQ(outcome.err, std::string("moivre: --digits ") + digits +
+                               ": the number of digits must lie between 1 and 1000\n");
   }
 }
 
@@ -140,8 +147,10 @@ TEST(SolveCommand, WritesAllFormsAtOnce) {
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(outcome.out + outcome.err, "");
   EXPECT_EQ(Json::parse(scene.read("f.json"))["solutions"].size(), 4U);
-  EXPECT_TRUE(contains(scene.read("f.csv"), "path,real,singular,"));
-  EXPECT_TRUE(contains(scene.read("f.roots"), "THE SOLUTIONS :\n4 2\n"));
+  const std::string table = scene.read("f.csv");
+  EXPECT_EQ(table.substr(0, table.find('\n')),
+            "path,real,singular,multiplicity,residual,accuracy,condition,x.re,x.im,y.re,y.im");
+  EXPECT_TRUE(contains(scene.read("f.roots"), "\nTHE SOLUTIONS :\n4 2\n"));
 }
 
 TEST(SolveCommand, ListsEveryPathAndItsRoot) {
@@ -204,8 +213,10 @@ TEST(SolveCommand, RefusesAnUnderdeterminedSystemWithoutJson) {
   const Outcome outcome = scene.run({"solve", "under.phc", "--json", "f.json"});
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_EQ(outcome.out, "");
-  EXPECT_TRUE(contains(outcome.err, "underdetermined")) << outcome.err;
-  EXPECT_TRUE(contains(outcome.err, "--slice")) << outcome.err;
+  EXPECT_TRUE(outcome.err.ends_with(
+      ": it is underdetermined: its roots form sets of dimension 1 or more, and none is isolated. "
+      "moivre solve --slice cuts them by random linear equations\n"))
+      << outcome.err;
   EXPECT_FALSE(scene.has("f.json"));
 }
 
@@ -225,14 +236,16 @@ TEST(SolveCommand, NamesTheLineOfAFault) {
   const Outcome outcome = scene.run({"solve", "f.phc", "--json", "-"});
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_EQ(outcome.out, "");
-  EXPECT_EQ(outcome.err.rfind("f.phc:2:", 0), 0U) << outcome.err;
-  EXPECT_TRUE(contains(outcome.err, "^\n")) << outcome.err;
+  EXPECT_EQ(outcome.err,
+            "f.phc:2:7: error: unbalanced parenthesis: this `(` is never closed\n"
+            "    x^2 + (y - 5;\n"
+            "          ^\n");
 }
 
 TEST(SolveCommand, RefusesAFileThatIsNotThere) {
   const Outcome outcome = Scene().run({"solve", "absent.phc"});
   EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_TRUE(contains(outcome.err, "absent.phc")) << outcome.err;
+  EXPECT_EQ(outcome.err, "moivre: absent.phc: cannot be opened: No such file or directory\n");
 }
 
 TEST(SolveCommand, FindsAnUnwritableOutputBeforeItSolves) {
@@ -241,8 +254,7 @@ TEST(SolveCommand, FindsAnUnwritableOutputBeforeItSolves) {
   const auto begin = std::chrono::steady_clock::now();
   const Outcome outcome = scene.run({"solve", "f.phc", "--json", "no/such/folder.json"});
   EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_TRUE(contains(outcome.err, "cannot write no/such/folder.json: No such file"))
-      << outcome.err;
+  EXPECT_EQ(outcome.err, "moivre: cannot write no/such/folder.json: No such file or directory\n");
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(1));
 }
 
@@ -281,21 +293,24 @@ TEST(SolveCommand, RefusesEachWrongOptionWithItsReason) {
   scene.write("f.phc", kCircleAndHyperbola);
   const std::vector<Refusal> refusals = {
       {{"--tracker", "lanes", "--tolerance", "0"}, "tolerance must lie in (0, 0.1]"},
-      {{"--tracker", "magic"}, "the trackers are cvode and lanes"},
-      {{"--method", "adams_projection"}, "projection is only supported with BDF"},
-      {{"--method", "euler"}, "the methods are bdf_projection, bdf and adams"},
-      {{"--iteration", "halley"}, "the iterations are fixed_point and newton"},
+      {{"--tracker", "magic"}, "--tracker magic: the trackers are cvode and lanes"},
+      {{"--method", "adams_projection"},
+       "--method adams_projection: CVODE projects with BDF only (\"CVodeSetProjFn: projection is "
+       "only supported with BDF\"); take bdf_projection, or adams without projection"},
+      {{"--method", "euler"}, "--method euler: the methods are bdf_projection, bdf and adams"},
+      {{"--iteration", "halley"}, "--iteration halley: the iterations are fixed_point and newton"},
       {{"--start", "magic"},
-       "the start systems are auto, total-degree, multihomogeneous and polyhedral"},
-      {{"--tracker", "lanes", "--predictor", "x"}, "the predictors are tangent, cubic and quintic"},
+       "--start magic: the start systems are auto, total-degree, multihomogeneous and polyhedral"},
+      {{"--tracker", "lanes", "--predictor", "x"},
+       "--predictor x: the predictors are tangent, cubic and quintic"},
       {{"--rtol", "0"}, "rtol must lie in (0, 0.5]"},
       {{"--rtol", "nan"}, "rtol must lie in (0, 0.5]"},
       {{"--max-steps", "0"}, "maximum_steps must be at least 1"},
       {{"--threads", "-1"}, "threads must lie between 0 (all cores) and 1024"},
       {{"--threads", "100000"}, "threads must lie between 0 (all cores) and 1024"},
       {{"--seed", "-1"}, "--seed: -1 is negative"},
-      {{"--seed", "18446744073709551616"}, "18446744073709551616 is beyond 64 bits"},
-      {{"--seed", "x"}, "--seed"},
+      {{"--seed", "18446744073709551616"}, "--seed: 18446744073709551616 is beyond 64 bits"},
+      {{"--seed", "x"}, "Could not convert: --seed = x"},
       {{"--jsn", "-"}, "unknown option --jsn; did you mean --json?"},
       {{"--tread=2"}, "unknown option --tread; did you mean --threads?"}};
   for (const Refusal& refusal : refusals) {
@@ -304,7 +319,7 @@ TEST(SolveCommand, RefusesEachWrongOptionWithItsReason) {
     const Outcome outcome = scene.run(arguments);
     EXPECT_EQ(outcome.exit_code, 1) << refusal.options[0];
     EXPECT_EQ(outcome.out, "") << refusal.options[0];
-    EXPECT_TRUE(contains(outcome.err, refusal.message)) << outcome.err;
+    EXPECT_TRUE(has_line(outcome.err, "moivre: " + refusal.message)) << outcome.err;
   }
 }
 
@@ -315,11 +330,14 @@ TEST(SolveCommand, NamesEveryWrongOptionAtOnce) {
       scene.run({"solve", "f.phc", "--start", "magic", "--threads", "-1", "--precision", "half",
                  "--method", "euler", "--iteration", "halley", "--rtol", "7", "--max-steps", "0"});
   EXPECT_EQ(outcome.exit_code, 1);
-  for (const char* fault :
-       {"--start magic", "threads must lie", "--precision half", "--method euler",
-        "--iteration halley", "rtol must lie", "maximum_steps must"}) {
-    EXPECT_TRUE(contains(outcome.err, fault)) << fault << "\n" << outcome.err;
-  }
+  EXPECT_EQ(outcome.err,
+            "moivre: --start magic: the start systems are auto, total-degree, multihomogeneous and "
+            "polyhedral\n"
+            "moivre: threads must lie between 0 (all cores) and 1024\n"
+            "moivre: --precision half: the precisions are auto, double and double-double\n"
+            "moivre: --method euler: the methods are bdf_projection, bdf and adams\n"
+            "moivre: --iteration halley: the iterations are fixed_point and newton\n"
+            "moivre: rtol must lie in (0, 0.5]; maximum_steps must be at least 1\n");
 }
 
 TEST(SolveCommand, EndsOnCtrlCWithWhatIsFinished) {
@@ -334,7 +352,7 @@ TEST(SolveCommand, EndsOnCtrlCWithWhatIsFinished) {
   EXPECT_EQ(outcome.exit_code, 2);
   const Json json = Json::parse(outcome.out);
   EXPECT_EQ(json["complete"], false);
-  EXPECT_TRUE(contains(json["message"], "interrupted"));
+  EXPECT_EQ(json["message"], "interrupted: what is finished is reported");
   EXPECT_LT(json["paths"]["tracked"].get<int>(), 8192);
 }
 

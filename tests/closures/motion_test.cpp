@@ -409,7 +409,9 @@ TEST(Motion, WithoutDriversAFreeMechanismMoves) {
   m.drivers.clear();
   const MotionResult result = motion_of(m, options_for(m, 3));
   EXPECT_TRUE(result.branches.empty());
-  EXPECT_NE(result.message.find("moves"), std::string::npos) << result.message;
+  EXPECT_EQ(
+      result.message,
+      "moves: the closures form a set of positive dimension; there is no driver that holds it");
 }
 
 TEST(Motion, FromGuessesNoPolynomialIsSolved) {
@@ -441,7 +443,7 @@ TEST(Motion, GuessThatDoesNotAssembleIsAFailureOfItsOwn) {
   const MotionResult result = follow_guesses(m, {initial_guess(m)}, options_for(m, 3));
   EXPECT_FALSE(result.complete);
   ASSERT_EQ(result.failures.size(), 1U);
-  EXPECT_NE(result.failures[0].find("guess 1"), std::string::npos);
+  EXPECT_EQ(result.failures[0], "guess 1: Newton-Raphson not converged after 50 steps");
 }
 
 TEST(Motion, InterruptedRunIsNotComplete) {
@@ -449,7 +451,7 @@ TEST(Motion, InterruptedRunIsNotComplete) {
   const std::atomic<bool> stop{true};
   const MotionResult result = find_motion(m, *make_cvode_tracker(), options_for(m, 3), stop);
   EXPECT_FALSE(result.complete);
-  EXPECT_NE(result.message.find("interrupted"), std::string::npos);
+  EXPECT_EQ(result.message, "interrupted: what is finished is reported");
 }
 
 TEST(Motion, WrongOptionsAreRefusedAllAtOnce) {

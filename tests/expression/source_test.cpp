@@ -28,8 +28,10 @@ TEST(Source, IsReadWithoutItsByteOrderMark) {
 }
 
 TEST(Source, IsRefusedWithTheReason) {
-  EXPECT_NE(reason_not_to_read(testing::TempDir()).find("is a directory"), std::string::npos);
-  EXPECT_NE(reason_not_to_read("no/such/file").find("No such file"), std::string::npos);
+  EXPECT_EQ(reason_not_to_read(testing::TempDir()),
+            testing::TempDir() + ": cannot be read: it is a directory");
+  EXPECT_EQ(reason_not_to_read("no/such/file"),
+            "no/such/file: cannot be opened: No such file or directory");
 }
 
 TEST(SourcePosition, MovesOverLinesAndColumns) {
@@ -71,7 +73,9 @@ TEST(ParseError, SaysEveryFaultAndBoundsItsText) {
             "f:1:1: error: one\n    x\n    ^\nf:1:1: error: two\n    x\n    ^\n");
   const ParseError many(source, std::vector<Diagnostic>(5000, {{}, "same"}));
   EXPECT_EQ(many.diagnostics().size(), 5000U);
-  EXPECT_NE(std::string(many.what()).find("f: 4000 more faults"), std::string::npos);
+  std::string first_thousand;
+  for (int k = 0; k < 1000; ++k) first_thousand += "f:1:1: error: same\n    x\n    ^\n";
+  EXPECT_TRUE(many.what() == first_thousand + "f: 4000 more faults\n");
 }
 
 TEST(ReadSource, IsWholeWhateverItsLength) {

@@ -58,16 +58,21 @@ TEST(FamilyFile, IsReadBackToTheLastBit) {
 
 TEST(FamilyFile, RefusesWhatIsNotItsOwnWithTheReason) {
   const std::string text = family_text(conics_file());
-  EXPECT_NE(refusal("2\nx^2 + y; y - 1;\n").find("no family file"), std::string::npos);
-  EXPECT_NE(refusal("").find("no family file"), std::string::npos);
-  EXPECT_NE(refusal(text.substr(0, text.size() / 2)).find("cut short"), std::string::npos);
-  EXPECT_NE(refusal(text + " ").find("cut short"), std::string::npos);
+  const std::string is_none = "f.family: this is no family file; moivre family learn writes them";
+  EXPECT_EQ(refusal("2\nx^2 + y; y - 1;\n"), is_none);
+  EXPECT_EQ(refusal(""), is_none);
+  const std::string is_short =
+      "f.family: the file is cut short, or was changed: it does not end with its checksum";
+  EXPECT_EQ(refusal(text.substr(0, text.size() / 2)), is_short);
+  EXPECT_EQ(refusal(text + " "), is_short);
   std::string changed = text;
   changed[changed.find("0.") + 2] ^= 1;
-  EXPECT_NE(refusal(changed).find("changed"), std::string::npos);
+  EXPECT_EQ(refusal(changed),
+            "f.family: the file was changed: its checksum is another; learn the family again");
   std::string later = text;
   later.replace(later.find("\"moivre_family\": 1"), 18, "\"moivre_family\": 9");
-  EXPECT_NE(refusal(sealed(later)).find("version 9"), std::string::npos);
+  EXPECT_EQ(refusal(sealed(later)),
+            "f.family: the file has version 9, this program reads version 1");
 }
 
 TEST(FamilyFile, EveryChangedByteIsSeen) {

@@ -27,14 +27,12 @@ TEST(Values, AreExactAndInAnyOrder) {
 }
 
 TEST(Values, NameEveryFault) {
-  const std::string text = refusal("a=x, d=2, b");
-  EXPECT_NE(text.find("a=x: this is not a number"), std::string::npos) << text;
-  EXPECT_NE(text.find("no parameter d; its parameters are a, b, c"), std::string::npos) << text;
-  EXPECT_NE(text.find("b: write name=value"), std::string::npos) << text;
-  EXPECT_NE(text.find("no value for b, c"), std::string::npos) << text;
-  EXPECT_NE(refusal("a=1,a=2,b=0,c=0").find("a is given twice"), std::string::npos);
-  for (const char* bad : {"a=", "a=1/0", "a=2^0.5", "a=sin(1)", "a=1)"}) {
-    EXPECT_NE(refusal(bad).find("not a number"), std::string::npos) << bad;
+  EXPECT_EQ(refusal("a=x, d=2, b"),
+            "a=x: this is not a number; the family has no parameter d; its parameters are a, b, c; "
+            "b: write name=value; no value for b, c");
+  EXPECT_EQ(refusal("a=1,a=2,b=0,c=0"), "a is given twice");
+  for (const std::string bad : {"a=", "a=1/0", "a=2^0.5", "a=sin(1)", "a=1)"}) {
+    EXPECT_EQ(refusal(bad), bad + ": this is not a number; no value for b, c");
   }
 }
 
@@ -53,7 +51,7 @@ TEST(Table, NamesLineAndColumnOfEveryFault) {
   } catch (const ParseError& error) {
     ASSERT_EQ(error.diagnostics().size(), 4U) << error.what();
     EXPECT_EQ(error.diagnostics()[0].at.column, 5U);
-    EXPECT_NE(error.diagnostics()[1].message.find("no value for c"), std::string::npos);
+    EXPECT_EQ(error.diagnostics()[1].message, "the table has no value for c");
     EXPECT_EQ(error.diagnostics()[2].at.line, 2U);
     EXPECT_EQ(error.diagnostics()[2].at.column, 3U);
     EXPECT_EQ(error.diagnostics()[3].at.line, 3U);

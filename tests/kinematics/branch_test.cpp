@@ -384,7 +384,9 @@ TEST(Branch, WithoutDriversAFreeMechanismIsRefusedByItsResult) {
   m.drivers.clear();
   const Branch branch = followed(m, 0, 1, 2);
   EXPECT_EQ(branch.status, BranchStatus::failed);
-  EXPECT_NE(branch.message.find("give drivers"), std::string::npos);
+  EXPECT_EQ(
+      branch.message,
+      "fewer constraints than coordinates: the pose moves though the drivers stand; give drivers");
 }
 
 TEST(Branch, BeginningAtABifurcationEndsAtOnce) {
@@ -405,7 +407,7 @@ TEST(Branch, StopsWhenToldAndAtTheLimitOfSteps) {
   options.maximum_steps = 3;
   const Branch branch = follow_branch(m, q0, even_times(0, 1, 2), options);
   EXPECT_EQ(branch.status, BranchStatus::failed);
-  EXPECT_NE(branch.message.find("limit of steps"), std::string::npos);
+  EXPECT_EQ(branch.message, "not followed further: the limit of steps was reached");
 }
 
 TEST(Branch, WrongCallsAreRefused) {

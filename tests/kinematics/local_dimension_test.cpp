@@ -46,7 +46,7 @@ TEST(LocalDimension, AFoldedTriangleStandsThoughItsNullSpaceDoesNot) {
   ASSERT_EQ(numerical_rank(phi.jacobian(q, 0)), 5);
   const LocalDimension found = local_dimension(phi, q);
   EXPECT_EQ(found.dimension, 0);
-  EXPECT_NE(found.shown.find("meet no closure"), std::string::npos) << found.shown;
+  EXPECT_EQ(found.shown, "second random slices beside this pose meet no closure");
 }
 
 VectorXd parallel_cranks(double crank_rad) {
@@ -64,7 +64,7 @@ TEST(LocalDimension, AThirdParallelCrankMovesThoughTheCountOfEquationsSaysNo) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     const LocalDimension found = local_dimension(phi, parallel_cranks(60 * kDegree), 0, seed);
     EXPECT_EQ(found.dimension, 1) << seed;
-    EXPECT_NE(found.shown.find("slices"), std::string::npos) << found.shown;
+    EXPECT_EQ(found.shown, "second random slices beside a pose meet the closures again");
   }
 }
 

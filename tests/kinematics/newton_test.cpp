@@ -52,7 +52,8 @@ TEST(Newton, HasTheSingularValuesOfAnSvdWhereThereAreManyCoordinates) {
 TEST(Newton, DivergesWhereTheIteratesFly) {
   const NewtonResult run = run_on("atan(x)", 2);
   EXPECT_EQ(run.status, NewtonStatus::diverged);
-  EXPECT_NE(run.message.find("diverged"), std::string::npos);
+  EXPECT_EQ(run.message,
+            "diverged after 5 steps: the iterates leave every bound; try another guess");
 }
 
 TEST(Newton, DivergesWherePhiIsNotDefined) {
@@ -104,8 +105,9 @@ TEST(Newton, RefusesAWrongGuessWithEveryRule) {
     newton(phi, VectorXd::Zero(2), 0, options);
     FAIL() << "the guess has the wrong size";
   } catch (const std::invalid_argument& error) {
-    EXPECT_NE(std::string(error.what()).find("2 entries, there are 9"), std::string::npos);
-    EXPECT_NE(std::string(error.what()).find("residual_tolerance"), std::string::npos);
+    EXPECT_EQ(
+        std::string(error.what()),
+        "the guess has 2 entries, there are 9 coordinates. residual_tolerance must be positive.");
   }
 }
 

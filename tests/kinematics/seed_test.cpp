@@ -105,7 +105,8 @@ TEST(SeedP11, RankDropsToTenWhereTheCranksLieInLine) {
     EXPECT_TRUE(m.is_singular) << crank_deg;
     EXPECT_EQ(m.rank_nearby, 11) << crank_deg;
     ASSERT_FALSE(m.warnings.empty());
-    EXPECT_NE(m.warnings[0].find("singular pose"), std::string::npos);
+    EXPECT_TRUE(m.warnings[0].starts_with("singular pose: rank 10 here, 11 next to it; "))
+        << m.warnings[0];
   }
   EXPECT_EQ(mobility(phi, parallel_pose(90 * kDegree)).rank, 11);
 }
@@ -252,10 +253,11 @@ TEST(SeedP16, ChoiceThatMakesPhiUSingularIsRefused) {
   ASSERT_LT(joints.value(q, 0).norm(), 1e-12);
   const Partition refused = make_partition(joints, q, {2});
   EXPECT_FALSE(refused.is_usable());
-  EXPECT_NE(refused.refusal.find("Phi_u is singular: phi3"), std::string::npos) << refused.refusal;
+  EXPECT_EQ(refused.refusal, "Phi_u is singular: phi3 cannot be chosen freely at this pose");
   EXPECT_TRUE(make_partition(joints, q, {0}).is_usable());
   EXPECT_TRUE(choose_partition(joints, q).is_usable());
-  EXPECT_NE(make_partition(joints, q, {0, 1}).refusal.find("2 independent"), std::string::npos);
+  EXPECT_TRUE(make_partition(joints, q, {0, 1})
+                  .refusal.starts_with("2 independent coordinates were chosen, "));
 }
 
 TEST(SeedP17, DifferentialOfPhiIsPhiQDq) {

@@ -249,26 +249,36 @@ TEST(Tolerances, AreTheNarrowestThatIsTyped) {
   EXPECT_DOUBLE_EQ(tolerance_of(m, "crank-yoke"), 0.5 * kDegree);
 }
 
-void expect_fault(const std::string& text, const std::string& part) {
+void expect_fault(const std::string& text, const std::string& line) {
   try {
     typed(text);
-    FAIL() << "it was read: " << part;
+    FAIL() << "it was read: " << line;
   } catch (const ParseError& error) {
-    EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+    const std::string said = error.what();
+    EXPECT_EQ(said.substr(0, said.find('\n')), "typed.toml:" + line);
   }
 }
 
 TEST(Tolerances, ThatMakeNoSenseAreFaultsWithTheirPlace) {
   const std::string triangle = test::triangle_text("2.5");
-  expect_fault("tolerance = -0.1\n" + triangle, "from 0 up");
-  expect_fault("tolerance = \"fine\"\n" + triangle, "'tolerance' must be a number");
-  expect_fault("[ground.tolerances]\nQ = 0.1\n" + triangle, "body 'ground' has no point 'Q'");
-  expect_fault("[ground.tolerances]\nO = [0.1, 0.1, 0.1]\n" + triangle, "must be 2 numbers");
-  expect_fault("[ground.tolerances]\nO = [0.1, -0.1]\n" + triangle, "from 0 up");
-  expect_fault(triangle + "tolerance = 0.1\n", "a revolute joint");
+  const std::string from_zero = "a tolerance is how far a number may be off, up or down: from 0 up";
+  expect_fault("tolerance = -0.1\n" + triangle, "1:13: error: " + from_zero);
+  expect_fault("tolerance = \"fine\"\n" + triangle,
+               "1:13: error: 'tolerance' must be a number, not a string");
+  expect_fault("[ground.tolerances]\nQ = 0.1\n" + triangle,
+               "2:1: error: body 'ground' has no point 'Q'; known are 'O', 'P'");
+  expect_fault(
+      "[ground.tolerances]\nO = [0.1, 0.1, 0.1]\n" + triangle,
+      "2:5: error: the tolerance of 'ground.O' must be 2 numbers in brackets, not 3 entries");
+  expect_fault("[ground.tolerances]\nO = [0.1, -0.1]\n" + triangle, "2:5: error: " + from_zero);
+  expect_fault(triangle + "tolerance = 0.1\n",
+               "19:1: error: unknown key 'tolerance' in a revolute joint; known are 'type', "
+               "'name', 'at', 'limits'");
   const Source equations = read_source(std::string(MOIVRE_SOURCE_DIR) +
                                        "/problems/mechanisms/slider-crank-equations.toml");
-  expect_fault("tolerance = 0.1\n" + equations.text, "tolerances are of the dimensions of bodies");
+  expect_fault(
+      "tolerance = 0.1\n" + equations.text,
+      "1:13: error: tolerances are of the dimensions of bodies; this file has typed equations");
 }
 
 }  // namespace

@@ -12,7 +12,9 @@ TEST(ReaderLimits, StopsAnExpansionWhoseTermsFallTogetherByItsWork) {
   for (int k = 2; k < 6000; ++k) text += "*(x+" + std::to_string(k) + ")";
   const std::vector<Diagnostic> faults = faults_of(text + ";\n");
   ASSERT_EQ(faults.size(), 1U);
-  EXPECT_NE(faults[0].message.find("takes more than 50000000 products"), std::string::npos);
+  EXPECT_EQ(
+      faults[0].message,
+      "the expansion takes more than 50000000 products of terms (with all before it in this file)");
 }
 
 TEST(ReaderLimits, BoundWhatCopiesOfASubfunctionCost) {
@@ -20,7 +22,9 @@ TEST(ReaderLimits, BoundWhatCopiesOfASubfunctionCost) {
   for (int k = 0; k < 20'000; ++k) text += " + s";
   const std::vector<Diagnostic> faults = faults_of(text + ";\n");
   ASSERT_EQ(faults.size(), 1U);
-  EXPECT_NE(faults[0].message.find("takes more than"), std::string::npos);
+  EXPECT_EQ(
+      faults[0].message,
+      "the expansion takes more than 50000000 products of terms (with all before it in this file)");
 }
 
 TEST(ReaderLimits, NameASumOfTooManyTermsOnce) {
@@ -31,7 +35,7 @@ TEST(ReaderLimits, NameASumOfTooManyTermsOnce) {
   }
   const std::vector<Diagnostic> faults = faults_of(text + ";\n");
   ASSERT_EQ(faults.size(), 1U);
-  EXPECT_NE(faults[0].message.find("more than 1000000 terms"), std::string::npos);
+  EXPECT_EQ(faults[0].message, "the expansion has more than 1000000 terms");
 }
 
 TEST(ReaderLimits, LetALineOfTenMegabytesPass) {

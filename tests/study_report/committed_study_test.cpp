@@ -122,8 +122,10 @@ TEST(CommittedStudy, HasEachDiagramWithItsScript) {
   const std::string page = text_of("docs/results/study.md");
   for (const char* name : {"katsura-6", "puma", "jansen-leg-motion", "four-bar-motion"}) {
     const std::string file = std::string("docs/results/study/") + name;
-    EXPECT_NE(text_of(file + ".svg").find("</svg>"), std::string::npos) << name;
-    EXPECT_NE(text_of(file + ".gp").find("set output"), std::string::npos) << name;
+    EXPECT_TRUE(text_of(file + ".svg").ends_with("</svg>\n\n")) << name;
+    EXPECT_NE(text_of(file + ".gp").find(std::string("\nset output \"") + name + ".svg\"\n"),
+              std::string::npos)
+        << name;
     EXPECT_NE(page.find(std::string("(study/") + name + ".svg)"), std::string::npos) << name;
   }
 }

@@ -42,6 +42,15 @@ bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
+/// The rows of gnuplot's block of data of that name.
+std::string data_of(const std::string& script, const std::string& name) {
+  const std::string head = "$" + name + " << EOD\n";
+  const std::size_t at = script.find(head);
+  if (at == std::string::npos) return "no block " + name;
+  const std::size_t begin = at + head.size();
+  return script.substr(begin, script.find("EOD\n", begin) - begin);
+}
+
 TEST(StudyReport, TextHasARowASetting) {
   const std::string text = study_text(study_by_hand());
   EXPECT_TRUE(contains(text, "\nbdf "));
@@ -63,10 +72,11 @@ TEST(StudyReport, CsvRowsHaveAsManyFieldsAsTheHeadAndQuoteCommas) {
 
 TEST(StudyReport, ScriptMarksSettingsThatLoseRootsWithTheirNumber) {
   const std::string script = study_diagrams(study_by_hand()).at(0).script;
-  EXPECT_TRUE(contains(script, "$own0 << EOD\n0.003 1e-05 2\nEOD"));
-  EXPECT_TRUE(contains(script, "$solve0 << EOD\n0.03 1e-16 0\nEOD"));
-  EXPECT_TRUE(contains(script, "$solve1 << EOD\n0.03 1 0\nEOD"));
-  EXPECT_TRUE(contains(script, "$lost_own0 << EOD\n0.003 1e-05 2\nEOD"));
+  EXPECT_EQ(data_of(script, "own0"), "0.003 1e-05 2\n");
+  EXPECT_EQ(data_of(script, "own1"), "0.003 1 0\n");
+  EXPECT_EQ(data_of(script, "solve0"), "0.03 1e-16 0\n");
+  EXPECT_EQ(data_of(script, "solve1"), "0.03 1 0\n");
+  EXPECT_EQ(data_of(script, "lost_own0"), "0.003 1e-05 2\n");
   EXPECT_TRUE(contains(script, "$lost_own0 using 1:2:3 with labels"));
   EXPECT_FALSE(contains(script, "$lost_solve0 using"));
   EXPECT_TRUE(contains(script, "CPU time of all paths [s]"));

@@ -33,6 +33,9 @@ std::string refusal_of(const std::string& text) {
   return "";
 }
 
+constexpr const char* kDoctypeRefused =
+    "a DOCTYPE is refused: its entities are not expanded, and a URDF needs none; remove it";
+
 TEST(HostileUrdfTest, EntitiesAreNotExpanded) {
   std::string text = "<!DOCTYPE robot [<!ENTITY a0 \"ha\">";
   for (int k = 1; k < 30; ++k) {
@@ -41,7 +44,7 @@ TEST(HostileUrdfTest, EntitiesAreNotExpanded) {
   }
   text += "]><robot name=\"&a29;\"><link name=\"&a29;\"/></robot>";
   const double begin = cpu_seconds();
-  EXPECT_NE(refusal_of(text).find("DOCTYPE"), std::string::npos);
+  EXPECT_EQ(refusal_of(text), kDoctypeRefused);
   EXPECT_LT(cpu_seconds() - begin, kSoon);
 }
 
@@ -49,7 +52,7 @@ TEST(HostileUrdfTest, NothingOutsideTheFileIsOpened) {
   const std::string text =
       "<!DOCTYPE robot [<!ENTITY x SYSTEM \"file:///etc/passwd\">]>"
       "<robot name=\"r\"><link name=\"&x;\"/></robot>";
-  EXPECT_NE(refusal_of(text).find("DOCTYPE"), std::string::npos);
+  EXPECT_EQ(refusal_of(text), kDoctypeRefused);
 }
 
 TEST(HostileUrdfTest, AMillionElementsInsideOneAnotherAreHarmless) {
@@ -61,10 +64,11 @@ TEST(HostileUrdfTest, AMillionElementsInsideOneAnotherAreHarmless) {
 }
 
 TEST(HostileUrdfTest, HugeFilesAreRefused) {
-  EXPECT_NE(refusal_of(repeated(" ", 20'000'000)).find("16 MB"), std::string::npos);
+  EXPECT_EQ(refusal_of(repeated(" ", 20'000'000)),
+            "the file is longer than 16 MB, more than any robot's tree");
   const std::string links = "<robot name='r'>" + repeated("<link name='a'/>", 30'000) + "</robot>";
   const double begin = cpu_seconds();
-  EXPECT_NE(refusal_of(links).find("20,000"), std::string::npos);
+  EXPECT_EQ(refusal_of(links), "there are more than 20,000 links and joints");
   EXPECT_LT(cpu_seconds() - begin, kSoon);
 }
 
@@ -81,13 +85,13 @@ TEST(HostileUrdfTest, ALongChainIsReadSoon) {
 }
 
 TEST(HostileUrdfTest, AZeroByteIsRefused) {
-  EXPECT_NE(refusal_of(std::string("<robot name='r'>\0</robot>", 25)).find("zero byte"),
-            std::string::npos);
+  EXPECT_EQ(refusal_of(std::string("<robot name='r'>\0</robot>", 25)),
+            "a zero byte stands here; a URDF is UTF-8 text");
 }
 
 TEST(HostileUrdfTest, BytesThatAreNoUtf8AreRefusedAtTheirPlace) {
   const std::string text = "<robot name='r'>\n<link name='K\xF6rper'/></robot>";  // Latin-1
-  EXPECT_NE(refusal_of(text).find("no UTF-8"), std::string::npos);
+  EXPECT_EQ(refusal_of(text), "a byte that is no UTF-8 stands here; save the file as UTF-8");
   EXPECT_EQ(refusal_of("<robot name='K\xC3\xB6rper'><link name='a'/></robot>"), "");
   try {
     read_urdf({"latin.urdf", text});
