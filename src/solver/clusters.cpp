@@ -25,18 +25,30 @@ constexpr double kWay = 4;
 // Starts around a cluster that is shown to be none, beside two a root.
 constexpr std::size_t kMostStarts = 32;
 
+/// Some path ends at this simple root, or at one that may be the same.
+bool is_held(const Run& run, const Certificate& proof) {
+  const auto may_be_it = [&](const auto& entry) {
+    const Root& root = entry.second;
+    if (root.certificate) return relation(*root.certificate, proof) != Relation::distinct;
+    return root.point.simple && relative_distance(root.point.x, proof.midpoint) <= root.tolerance;
+  };
+  return std::any_of(run.ledger.roots().begin(), run.ledger.roots().end(), may_be_it);
+}
+
 class Cluster {
  public:
-  Cluster(const Setting& setting, const Root& end, std::size_t paths)
-      : setting_(setting),
+  Cluster(const Run& run, const Root& end, std::size_t paths)
+      : run_(run),
+        setting_(run.setting),
         end_(end),
         paths_(paths),
         radius_(end.tolerance * std::max(1.0, max_norm(end.point.x))),
-        prover_(setting.certify_program, kWay * end.tolerance, kBits) {
+        prover_(setting_.certify_program, kWay * end.tolerance, kBits) {
     choose_direction();
   }
 
-  /// The different roots that are proved within it; no more are looked for than there are paths.
+  /// Different roots proved beside it that no other path holds; no more are looked for than there are paths. How well the end
+  /// is known does not matter: a root that no path holds is one that these have missed.
   Proofs roots() {
     const std::size_t starts = std::min(2 * paths_, kMostStarts);
     for (std::size_t k = 0; k < starts && found_.size() < paths_; ++k) try_start(k, starts);
@@ -64,11 +76,12 @@ class Cluster {
     if (setting_.stop) return;
     const double turn = static_cast<double>(k) / static_cast<double>(count);
     auto proof = prover_.prove(beside(direction_, std::polar(1.0, 2 * std::numbers::pi * turn)));
-    if (!proof || relative_distance(end_.point.x, proof->midpoint) > end_.tolerance) return;
+    if (!proof || is_held(run_, *proof)) return;
     found_.push_back(std::move(proof));
     if (proved_roots(setting_, found_) < found_.size()) found_.pop_back();
   }
 
+  const Run& run_;
   const Setting& setting_;
   const Root& end_;
   std::size_t paths_;
@@ -78,17 +91,17 @@ class Cluster {
   Proofs found_;
 };
 
-/// What is known of a cluster: different roots that are proved within it, or that it is none, or nothing.
+/// What is known of a cluster: different roots that are proved beside it, or that it is none, or nothing.
 struct Finding {
   Proofs roots;
   bool is_refuted = false;
 };
 
-Finding look_into(const Setting& setting, const Root& end, std::size_t paths) {
-  const std::uint64_t multiplicity = exact_multiplicity(setting.f, end.point.x);
+Finding look_into(const Run& run, const Root& end, std::size_t paths) {
+  const std::uint64_t multiplicity = exact_multiplicity(run.setting.f, end.point.x);
   if (multiplicity == paths) return {};
   Finding finding;
-  finding.roots = Cluster(setting, end, paths).roots();
+  finding.roots = Cluster(run, end, paths).roots();
   finding.is_refuted = multiplicity > 0 || !finding.roots.empty();
   return finding;
 }
@@ -125,7 +138,7 @@ void part_clusters(Run& run) {
   std::vector<Finding> findings(clusters.size());
   for_each_parallel(clusters.size(), setting.threads, [&](std::size_t k) {
     const Root& end = run.ledger.roots().at(clusters[k].front());
-    findings[k] = look_into(setting, end, clusters[k].size());
+    findings[k] = look_into(run, end, clusters[k].size());
   });
   if (setting.stop) run.interrupted = true;
   if (run.interrupted) return;
@@ -133,7 +146,10 @@ void part_clusters(Run& run) {
   for (std::size_t k = 0; k < clusters.size(); ++k) {
     if (!findings[k].is_refuted) continue;
     const Proofs& proofs = findings[k].roots;
-    const bool are_all = proofs.size() == clusters[k].size();
+    // What two clusters came to, one of them has missed.
+    const bool are_new = std::none_of(proofs.begin(), proofs.end(),
+                                      [&](const auto& proof) { return is_held(run, *proof); });
+    const bool are_all = are_new && proofs.size() == clusters[k].size();
     for (std::size_t i = 0; i < clusters[k].size(); ++i) {
       const std::uint64_t path = clusters[k][i];
       if (are_all) {

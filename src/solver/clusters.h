@@ -5,7 +5,7 @@
 //   around it, d where F changes least: at m simple roots it comes to one of them, from opposite sides of two roots to both; at a root
 //   of multiplicity m, a bit or less nearer a step, to nothing that could be proved.
 //
-// m roots proved: the m paths end at them, one each. Fewer: what is told is not true, and the paths have failed. None: a root of
+// m roots proved that no other path holds: the m paths end at them, one each. Fewer: what is told is not true, and the paths have failed. None: a root of
 // multiplicity m, as far as the most bits of a certificate show; that stays numerical. Where x itself is a root, exactly, its
 // multiplicity is known (exact_roots.h): if it is m nothing is looked for, if not the paths have failed.
 // Edges: roots of a cluster so near that the bits do not part them; without certificates nothing is parted.

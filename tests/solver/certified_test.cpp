@@ -175,6 +175,26 @@ TEST(Certified, ThreeRootsThatNewtonsMethodTellsApartAreProvedWithMoreDigits) {
   }
 }
 
+// x - 2 y = 5 +- 9e-6 i: their mean is told as a double root known to 8e-9, and neither lies so near to it.
+TEST(Certified, ARootThatNoPathHoldsRefutesADoubleOneHoweverWellThatSeemsKnown) {
+  const System f = read(
+      "2\n -21*x^6 + 252*x^5*y - 1260*x^4*y^2 + 3360*x^3*y^3 - 5040*x^2*y^4 + 4032*x*y^5 - 1344*y^6"
+      " + 300*x^5 - 3000*x^4*y + 12000*x^3*y^2 - 24000*x^2*y^3 + 24000*x*y^4 - 9600*y^5"
+      " - 1518.001701001701*x^4 + 12144.013608013608*x^3*y - 36432.040824040824*x^2*y^2"
+      " + 48576.054432054432*x*y^3 - 24288.027216027216*y^4 + 3144.01749600729*x^3"
+      " - 18864.10497604374*x^2*y + 37728.20995208748*x*y^2 - 25152.13996805832*y^3"
+      " - 1905.046170007533137781*x^2 + 7620.184680030132551124*x*y"
+      " - 7620.184680030132551124*y^2 - 1500.000000002915960634*x + 3000.000000005831921268*y"
+      " + 1500.030375004860098415;\n"
+      " 6*x^2 - 19*x*y + 15*y^2 + 8*x - 12*y + 2;\n");
+  const auto lanes = make_lane_tracker();
+  for (std::uint64_t seed = 10; seed <= 15; ++seed) {
+    const SolveResult result = solve(f, *lanes, with_seed(seed));
+    expect_proved(result, "total degree");
+    EXPECT_EQ(result.solutions.size(), 12U) << seed;
+  }
+}
+
 // A pair 7e-7 of its size apart, whose mean has a residual of 3e-17. On circles of 1e-4 its sheets meet as far as double tells.
 TEST(Certified, APairWhoseMeanLooksLikeARootIsTwoRoots) {
   const System f = read(
