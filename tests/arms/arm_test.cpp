@@ -26,8 +26,8 @@ TEST(ArmTest, TheTipMustBeChosenWhereTheRobotHasSeveralEnds) {
 TEST(ArmTest, SevenFreeJointsAreRefusedWithTheirNames) {
   const std::string refusal = refusal_of(robot_of("panda"), {std::nullopt, "panda_hand_tcp", {}});
   EXPECT_EQ(refusal,
-            "there are 7 free joints, and a pose leaves a motion where there are more than six: "
-            "hold 1 of them by --hold JOINT=VALUE: panda_joint1, panda_joint2, panda_joint3, "
+            "there are 7 free joints; with more than six the arm can move while the tip stands. "
+            "Hold 1 of them by --hold JOINT=VALUE: panda_joint1, panda_joint2, panda_joint3, "
             "panda_joint4, panda_joint5, panda_joint6, panda_joint7");
 }
 

@@ -330,7 +330,7 @@ TEST(Circuits, GearsThatComeBackInAnotherMeshingLeaveCircuitsOpen) {
   ASSERT_EQ(circuits.notes.size(), 1U);
   EXPECT_EQ(
       circuits.notes[0],
-      "the turn ends in poses that it did not begin with, as gears do: circuits go on beyond it");
+      "the turn ends in other poses than it began with, as gears do: circuits go on beyond it");
   ASSERT_FALSE(circuits.circuits.empty());
   for (const Circuit& circuit : circuits.circuits) {
     EXPECT_EQ(circuit.driver_motion, DriverMotion::open);

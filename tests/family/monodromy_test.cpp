@@ -98,7 +98,7 @@ TEST(Monodromy, TellsThatAFamilyIsReducible) {
     EXPECT_EQ(family.roots.size(), 4U);
     EXPECT_FALSE(family.learning.complete);
     EXPECT_EQ(family.learning.standing,
-              "1 times a random root was none of those that loops lead to: the family is "
+              "1 times a random root was not among those that loops lead to: the family is "
               "reducible, or loops have lost roots; there may be more");
   }
 }
