@@ -154,6 +154,7 @@ class Faces {
     Eigen::ColPivHouseholderQR<MatrixXcd> qr;
     qr.setThreshold(ends_.agreement);
     qr.compute(jacobian);
+    if (qr.rank() == value.size()) return false;  // there is an exact root beside it
     const MatrixXcd q = qr.householderQ();
     const MatrixXcd left = q.rightCols(value.size() - qr.rank()).adjoint();
     const MatrixXcd effects = left * error.asDiagonal();
