@@ -85,7 +85,9 @@ class Certifier::Work {
         result.bits = bits;
       }
       if (outcome == ArbOutcome::left) return;
-      if (outcome == ArbOutcome::converged) most_bits = kMostArbBits;
+      if (outcome == ArbOutcome::converged) {
+        most_bits = std::max(most_bits, std::min(2 * bits, kMostArbBits));
+      }
     }
   }
 

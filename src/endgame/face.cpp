@@ -133,8 +133,7 @@ class Faces {
       const Number value = is_start ? product(DoubleDouble(radius), coefficients.g[first + k])
                                     : coefficients.f[first + k];
       largest = std::max(largest, std::log2(magnitude1(value)) + shifts[k]);
-      static const NumberErrors exact;
-      face.push_back({value, is_start ? &exact : &homotopy.errors(first + k), &terms[k].monomial});
+      face.push_back({value, &homotopy.errors(first + k), &terms[k].monomial});
     }
     std::size_t next = 0;
     for (std::size_t k = 0; k < terms.size(); ++k) {

@@ -35,7 +35,7 @@ inline constexpr int kMostArbBits = 1024;  ///< radii of more bits fall below th
 struct CertifyOptions {
   /// A root counts as found where |x* - x|_inf <= accuracy max(1, |x|_inf), x the given point.
   double accuracy = 1e-6;
-  /// kDoubleBits: nothing but double. More are taken where Newton's method converges quadratically: the proof lacks digits.
+  /// kDoubleBits: nothing but double. Twice as many follow where Newton's method converges quadratically: the proof lacks digits.
   int most_bits = kMostArbBits;
   /// Of a real F: go on with more digits until the root is proved real or not.
   bool decide_reality = true;

@@ -70,7 +70,7 @@ class Homotopy {
   /// and at t = 0 on the tangent there.
   const Coefficient& f(std::size_t k) const { return f_[k]; }
   const Coefficient& g(std::size_t k) const { return g_[k]; }
-  /// What the errors of the file's numbers change in f_k, relative to it; none where it is exact.
+  /// What the errors of the file's numbers change in f_k, relative to it; none where it is exact or zero.
   const NumberErrors& errors(std::size_t k) const;
   /// The largest bound() of them.
   double largest_error() const;
