@@ -22,7 +22,7 @@ namespace {
 
 constexpr mode_t kReadWriteForAll = 0666;  // less what the umask takes away
 
-[[noreturn]] void refuse(const std::string& path) {
+[[noreturn]] void refuse_path(const std::string& path) {
   throw std::invalid_argument("cannot write " + path + ": " + std::strerror(errno));
 }
 
@@ -115,19 +115,20 @@ bool is_replaced(const std::string& path, std::string_view text) {
   const int error = errno;
   ::unlink(beside.c_str());
   errno = error;
-  refuse(path);
+  refuse_path(path);
 }
 
 void write_in_place(const std::string& path, std::string_view text) {
   Descriptor file(open_to_write(path, O_CREAT | O_TRUNC));
-  if (!file.is_open() || !has_written_all(file.number(), text) || !has_closed(file)) refuse(path);
+  if (!file.is_open() || !has_written_all(file.number(), text) || !has_closed(file))
+    refuse_path(path);
 }
 
 /// Refuses a path at which no new file can be made.
 void require_room_for(const std::string& path) {
   const std::string target = behind_links(path);
   const Descriptor file(open_to_write(target, O_CREAT | O_EXCL));
-  if (!file.is_open()) refuse(path);
+  if (!file.is_open()) refuse_path(path);
   ::unlink(target.c_str());
 }
 
@@ -137,12 +138,12 @@ Output::Output(const std::string& path) : path_(path) {
   if (!is_wanted() || is_stdout()) return;
   const auto old = status_of(path);
   if (!old) {
-    if (errno != ENOENT) refuse(path);
+    if (errno != ENOENT) refuse_path(path);
     require_room_for(path);
     return;
   }
   Descriptor file(open_to_write(path, 0));
-  if (!file.is_open()) refuse(path);
+  if (!file.is_open()) refuse_path(path);
   if (!S_ISREG(old->st_mode)) device_ = file.release();
 }
 
@@ -157,7 +158,7 @@ void Output::write(std::string_view text) {
     return;
   }
   Descriptor device(std::exchange(device_, -1));
-  if (!has_written_all(device.number(), text) || !has_closed(device)) refuse(path_);
+  if (!has_written_all(device.number(), text) || !has_closed(device)) refuse_path(path_);
 }
 
 void deliver(const std::vector<Form>& forms, bool quiet, const std::function<std::string()>& text,
@@ -186,7 +187,7 @@ void deliver(const std::vector<Form>& forms, bool quiet, const std::function<std
 }
 
 void write_to_stdout(std::string_view text) {
-  if (!has_written_all(STDOUT_FILENO, text)) refuse("standard output");
+  if (!has_written_all(STDOUT_FILENO, text)) refuse_path("standard output");
 }
 
 namespace {

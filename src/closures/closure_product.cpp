@@ -22,7 +22,7 @@ std::uint64_t times(std::uint64_t a, std::uint64_t b) {
 }
 
 template <class Count>
-std::uint64_t product(const std::vector<ClosureResult>& parts, const Count& count) {
+std::uint64_t product_of(const std::vector<ClosureResult>& parts, const Count& count) {
   std::uint64_t all = 1;
   for (const ClosureResult& part : parts) all = times(all, count(part));
   return all;
@@ -182,9 +182,9 @@ void add_account(const ClosureResult& part, ClosureResult& whole) {
 
 ClosureCounts counts_of(const std::vector<ClosureResult>& parts) {
   ClosureCounts counts;
-  counts.complex = product(parts, [](const ClosureResult& part) { return part.counts.complex; });
-  counts.real = product(parts, [](const ClosureResult& part) { return part.counts.real; });
-  counts.filtered = counts.real - product(parts, [](const ClosureResult& part) {
+  counts.complex = product_of(parts, [](const ClosureResult& part) { return part.counts.complex; });
+  counts.real = product_of(parts, [](const ClosureResult& part) { return part.counts.real; });
+  counts.filtered = counts.real - product_of(parts, [](const ClosureResult& part) {
                       return part.counts.real - part.counts.filtered;
                     });
   return counts;

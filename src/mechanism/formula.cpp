@@ -86,7 +86,7 @@ Kind function_of(const Expression& call, std::vector<Diagnostic>& faults) {
   return found->second;
 }
 
-Kind kind_of(const Expression& expression, std::vector<Diagnostic>& faults) {
+Kind checked_kind(const Expression& expression, std::vector<Diagnostic>& faults) {
   switch (expression.kind) {
     case Expression::Kind::sum:
       return Kind::sum;
@@ -172,7 +172,7 @@ Formula resolve(const Expression& expression, const Names& names, std::vector<Di
     return result;
   }
   const std::size_t faults_before = faults.size();
-  result.kind = kind_of(expression, faults);
+  result.kind = checked_kind(expression, faults);
   for (const Expression& operand : expression.operands) {
     result.operands.push_back(resolve(operand, names, faults));
   }

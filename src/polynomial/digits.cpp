@@ -46,7 +46,8 @@ Rational error_of(const Rational& a, double least) {
   if (rest != 1 || decimals == 0) return 0;
   const Rational as_double = times_power_of_two(abs(a), kDoubleErrorLog2);
   if (twos >= fives + kDoubleBits) return as_double;
-  const double digits = log2_size({a, 0}) * std::log10(2.0) + static_cast<double>(decimals);
+  const double digits =
+      log2_size(Coefficient{a, 0}) * std::log10(2.0) + static_cast<double>(decimals);
   if (digits < least - 1) return 0;
   if (digits < kRoundedDigits - 1) return half_unit(decimals + 1);
   const bool was_double = digits >= kDoubleDigits - 1 && digits < kMostDoubleDigits;
@@ -58,7 +59,7 @@ double error_of(const Coefficient& c, double least) {
   for (const Rational* part : {&c.re, &c.im}) {
     const Rational error = error_of(*part, least);
     if (!error.is_zero()) {
-      largest = std::max(largest, std::exp2(log2_size({error, 0}) - log2_size(c)));
+      largest = std::max(largest, std::exp2(log2_size(Coefficient{error, 0}) - log2_size(c)));
     }
   }
   return largest;

@@ -79,7 +79,7 @@ constexpr std::uint64_t kSearchWork = 3;
 constexpr std::uint64_t kCopyWork = 10;
 
 /// A term times a polynomial keeps the order of the terms, so nothing is sorted.
-Polynomial times(const Term& factor, Polynomial p, Account& account) {
+Polynomial product(const Term& factor, Polynomial p, Account& account) {
   for (Term& term : p.terms) {
     term.monomial = product(factor.monomial, term.monomial);
     term.coefficient = factor.coefficient * term.coefficient;
@@ -88,9 +88,9 @@ Polynomial times(const Term& factor, Polynomial p, Account& account) {
   return p;
 }
 
-Polynomial times(Polynomial a, Polynomial b, Account& account) {
-  if (a.terms.size() == 1) return times(a.terms.front(), std::move(b), account);
-  if (b.terms.size() == 1) return times(b.terms.front(), std::move(a), account);
+Polynomial product(Polynomial a, Polynomial b, Account& account) {
+  if (a.terms.size() == 1) return product(a.terms.front(), std::move(b), account);
+  if (b.terms.size() == 1) return product(b.terms.front(), std::move(a), account);
   TermMap terms;
   for (const Term& s : a.terms) {
     account.charge(kSearchWork * b.terms.size());
@@ -172,7 +172,7 @@ Polynomial raised(const Polynomial& p, std::uint64_t k, Account& account) {
   }
   account.require(least_products(p, k));
   Polynomial result = p;
-  for (std::uint64_t j = 1; j < k; ++j) result = times(p, std::move(result), account);
+  for (std::uint64_t j = 1; j < k; ++j) result = product(p, std::move(result), account);
   return result;
 }
 
@@ -312,7 +312,7 @@ Expander::Value Expander::product_of(const Expression& e, const Environment& nam
       continue;
     }
     result = within_limits(e.operands[k].at, [&](Account& account) {
-      return times(std::move(*result), std::move(*factor), account);
+      return product(std::move(*result), std::move(*factor), account);
     });
   }
   return result;

@@ -12,7 +12,7 @@ namespace moivre {
 namespace {
 
 // A simple root is known this much better than ends of different paths are apart.
-constexpr double kSimpleTolerance = 1e-13;
+constexpr double kSimpleRounding = 1e-13;
 // On a curve of roots J is singular; as rounded it may still pass for a simple root's, of a condition above this.
 constexpr double kDoubtfulCondition = 1e14;
 // A singular end is not known better than this; ends nearer than that are one root.
@@ -109,7 +109,7 @@ Point last_point(const Run& run, const PathEnd& end) {
 
 }  // namespace
 
-double simple_tolerance(const Refined& root) { return 4 * root.accuracy + kSimpleTolerance; }
+double simple_tolerance(const Refined& root) { return 4 * root.accuracy + kSimpleRounding; }
 
 void count_following(Run& run, std::uint64_t path, const PathEnd& end) {
   run.work += end.count;

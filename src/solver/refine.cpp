@@ -16,7 +16,7 @@ namespace moivre {
 namespace {
 
 constexpr double kUnitRoundoff = 0x1p-53;
-constexpr int kMaximumIterations = 15;
+constexpr int kMaximumRefinements = 15;
 // Newton is refused when its first correction is further than so many times the stated accuracy.
 constexpr double kTravel = 1e4;
 constexpr double kLeastTravel = 1e-6;
@@ -183,7 +183,7 @@ const std::vector<Complex>& Refiner::relative_values(const Point& x) {
 bool Refiner::newton(Point& x, double reach) {
   Workspace& w = *w_;
   double last = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < kMaximumIterations; ++k) {
+  for (int k = 0; k < kMaximumRefinements; ++k) {
     if (!w.factor(x)) return false;
     const double size = w.correction(x);
     if (!(size <= reach)) return false;
@@ -283,7 +283,7 @@ Refined Refiner::refine_fine(const Point& x) {
   std::copy(x.begin(), x.end(), w.fine_x.begin());
   double last = kLeastTravel;
   bool contracts = true;
-  for (int k = 0; k < kMaximumIterations && contracts; ++k) {
+  for (int k = 0; k < kMaximumRefinements && contracts; ++k) {
     if (!w.fine->correct(w.fine_x)) return result;
     const double size = w.size_at(w.fine->rounded(), x);
     if (!(size <= (k == 0 ? kLeastTravel : kFineNoise))) return result;

@@ -20,7 +20,7 @@ constexpr double kLeastPart = 1e-4;
 // Of the lifting: ties are rare, slacks stay within 64 bits; random parts of up to four binary orders of magnitude.
 constexpr double kLiftingUnit = 0x1p20;
 constexpr double kRandomPart = 4;
-constexpr std::uint64_t kMostLiftings = 8;
+constexpr std::uint64_t kMostCoefficientLiftings = 8;
 
 double modulus_of(const Coefficient& c) { return is_zero(c) ? 1 : std::exp2(log2_size(c)); }
 
@@ -143,7 +143,7 @@ std::vector<Support> start_supports(const System& f) {
 CellSearch start_cells(const System& f, std::uint64_t seed, const CellSearchOptions& options) {
   const std::vector<Support> supports = start_supports(f);
   CellSearch search;
-  for (std::uint64_t attempt = 0; attempt < kMostLiftings; ++attempt) {
+  for (std::uint64_t attempt = 0; attempt < kMostCoefficientLiftings; ++attempt) {
     const Lifting lifting = coefficient_lifting(f, supports, seed, attempt);
     search = mixed_cells_of_lifting(supports, lifting, seed, options);
     if (search.end != CellSearchEnd::not_generic) return search;

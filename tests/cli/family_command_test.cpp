@@ -11,11 +11,11 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr const char* kConics = "2 5\na*x^2 + b*x*y + y^2 - c; x^2 + y^2 - x - 1;\n";
+constexpr const char* kConicFamily = "2 5\na*x^2 + b*x*y + y^2 - c; x^2 + y^2 - x - 1;\n";
 
 /// Learns a family in the scene.
 void learn_conics(const Scene& scene) {
-  scene.write("conics.phc", kConics);
+  scene.write("conics.phc", kConicFamily);
   const Outcome outcome =
       scene.run({"family", "learn", "conics.phc", "--parameters", "a,b,c", "-o", "conics.family"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;

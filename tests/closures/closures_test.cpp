@@ -13,7 +13,7 @@
 namespace moivre {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
+using test::kDegree;
 constexpr std::uint64_t kSeeds = 20;
 
 // |Phi_i| beside the sum of the magnitudes of its terms: rounding of a few operations, no more.

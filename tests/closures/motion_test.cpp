@@ -10,14 +10,16 @@
 #include <limits>
 #include <numbers>
 
+#include "gap.h"
 #include "mechanisms.h"
 
 namespace moivre {
 namespace {
 
 using Eigen::VectorXd;
+using test::gap;
+using test::kDegree;
 
-constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kDriverValue = 1e-10;  // radians: how exactly events are located
 
 MotionOptions options_for(const Mechanism& mechanism, int steps = 60, std::uint64_t seed = 1) {
@@ -31,10 +33,6 @@ MotionOptions options_for(const Mechanism& mechanism, int steps = 60, std::uint6
 
 MotionResult motion_of(const Mechanism& mechanism, const MotionOptions& options) {
   return find_motion(mechanism, *make_cvode_tracker(), options);
-}
-
-double gap(const Mechanism& mechanism, const VectorXd& a, const VectorXd& b) {
-  return Phi(mechanism).canonical(a - b).lpNorm<Eigen::Infinity>();
 }
 
 void expect_whole(const MotionResult& result, const Mechanism& mechanism) {

@@ -10,7 +10,7 @@
 namespace moivre {
 namespace {
 
-constexpr std::uint64_t kSeeds = 5;
+constexpr std::uint64_t kRandomSeeds = 5;
 
 Mechanism undriven(const std::string& file) {
   Mechanism mechanism = mechanism_file(file);
@@ -19,7 +19,7 @@ Mechanism undriven(const std::string& file) {
 }
 
 void expect_moves(const Mechanism& mechanism, std::uint64_t dimension) {
-  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+  for (std::uint64_t seed = 1; seed <= kRandomSeeds; ++seed) {
     const ClosureResult result = closures_of(mechanism, seed);
     EXPECT_TRUE(result.complete) << result.message;
     ASSERT_TRUE(result.moves) << "seed " << seed << ": " << result.message;
@@ -75,7 +75,7 @@ TEST(Moves, AThirdParallelCrankHasNoIsolatedClosureForAnySeed) {
 TEST(Moves, TypedEquationsToo) { expect_moves(undriven("slider-crank-equations"), 1); }
 
 TEST(Moves, NotATriangleThatLiesFolded) {
-  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+  for (std::uint64_t seed = 1; seed <= kRandomSeeds; ++seed) {
     const ClosureResult result = closures_of(mechanism_text(test::triangle_text("3")), seed);
     EXPECT_TRUE(result.complete) << result.message;
     EXPECT_FALSE(result.moves);
@@ -86,7 +86,7 @@ TEST(Moves, NotATriangleThatLiesFolded) {
 }
 
 TEST(Moves, NotAParallelogramThatIsHeldAtItsChangePoint) {
-  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+  for (std::uint64_t seed = 1; seed <= kRandomSeeds; ++seed) {
     const ClosureResult result = closures_of(mechanism_file("parallelogram"), seed);
     EXPECT_TRUE(result.complete) << result.message;
     EXPECT_FALSE(result.moves);
@@ -195,7 +195,7 @@ TEST(Moves, AFoldedPairTypedOnTwoLinksOfOnePin) {
   Joint& second = mechanism.joints[4];
   ASSERT_EQ(second.name, "R2");
   second.at[0] = right;
-  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+  for (std::uint64_t seed = 1; seed <= kRandomSeeds; ++seed) {
     const ClosureResult result = closures_of(mechanism, seed);
     EXPECT_TRUE(result.complete) << result.message;
     ASSERT_TRUE(result.moves) << result.message;
@@ -245,7 +245,7 @@ e1 = "(x - 1)*(y - 2)"
 e2 = "(x - 1)*(y - 3)"
 e3 = "(x - 1)*(y - 5) + (y - 5)"
 )toml");
-  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+  for (std::uint64_t seed = 1; seed <= kRandomSeeds; ++seed) {
     const ClosureResult result = closures_of(mechanism, seed);
     EXPECT_TRUE(result.complete) << result.message;
     EXPECT_FALSE(result.moves);

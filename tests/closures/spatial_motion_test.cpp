@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "gap.h"
 #include "mechanisms.h"
 #include "moivre/closures/motion.h"
 #include "moivre/mechanism/pose.h"
@@ -15,6 +16,7 @@ namespace moivre {
 namespace {
 
 using Eigen::VectorXd;
+using test::gap;
 
 constexpr double kPi = std::numbers::pi;
 
@@ -25,10 +27,6 @@ MotionResult motion_of(const Mechanism& mechanism, int steps, int checkpoints) {
   options.checkpoints = checkpoints;
   options.solve.threads = 1;
   return find_motion(mechanism, *make_cvode_tracker(), options);
-}
-
-double gap(const Mechanism& mechanism, const VectorXd& a, const VectorXd& b) {
-  return Phi(mechanism).canonical(a - b).lpNorm<Eigen::Infinity>();
 }
 
 /// Value of the joint of that name.

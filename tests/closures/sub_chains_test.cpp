@@ -10,6 +10,7 @@
 #include "closure_poses.h"
 #include "closure_roots.h"
 #include "closure_search.h"
+#include "gap.h"
 #include "mechanisms.h"
 #include "moivre/closures/circuits.h"
 #include "moivre/numeric/random.h"
@@ -17,6 +18,8 @@
 
 namespace moivre {
 namespace {
+
+using test::gap;
 
 /// A crank with dyads, couplers c1, c2, ... and rockers r1, r2, ... of these lengths.
 struct Dyad {
@@ -59,10 +62,6 @@ ClosureResult closures_of_whole(const Mechanism& mechanism, std::uint64_t seed) 
   find_roots(search);
   find_poses(search);
   return search.result;
-}
-
-double gap(const Mechanism& mechanism, const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
-  return Phi(mechanism).canonical(a - b).lpNorm<Eigen::Infinity>();
 }
 
 TEST(SubChains, AreWhatTheDrivenCrankAndTheGroundAloneTieTogether) {

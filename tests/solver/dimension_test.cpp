@@ -8,6 +8,7 @@
 
 #include "moivre/numeric/random.h"
 #include "moivre/polynomial/read.h"
+#include "problem_set.h"
 
 namespace moivre {
 namespace {
@@ -16,7 +17,7 @@ constexpr std::uint64_t kSeeds = 50;
 /// What endgames leave of the digits of a singular end.
 constexpr double kEndgameErrors[] = {0, 1e-5};
 
-System read(const std::string& text) { return read_system({"test", text}); }
+using test::read;
 
 /// At x and, by each of the errors, beside it.
 void expect_on_set(const System& f, const Point& x, bool expected) {
@@ -62,8 +63,7 @@ TEST(DimensionTest, SeesASetWhoseCoefficientsWereRounded) {
 TEST(DimensionTest, TellsASetFromOneThatIsThereAsRoundedOnly) {
   const std::vector<double> unit{1, 1};
   const RefinerProgram circle(read("2\n x^2 + y^2 - 5;\n (x^2 + y^2 - 5)*(x + 7);\n"), unit);
-  const RefinerProgram nearly(
-      read("2\n x^2 + y^2 - 5;\n x^2 + y^2 - 5.0000000000000002;\n"), unit);
+  const RefinerProgram nearly(read("2\n x^2 + y^2 - 5;\n x^2 + y^2 - 5.0000000000000002;\n"), unit);
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
     EXPECT_EQ(set_through(circle, {1, 2}, seed), SetHere::sharp) << seed;
     EXPECT_EQ(set_through(nearly, {1, 2}, seed), SetHere::blurred) << seed;

@@ -7,13 +7,14 @@
 #include <cmath>
 
 #include "moivre/polynomial/read.h"
+#include "problem_set.h"
 
 namespace moivre {
 namespace {
 
 constexpr double kRounding = 1e-14;
 
-System read(const std::string& text) { return read_system({"test", text}); }
+using test::read;
 
 /// x - 3 z is eliminated; sizes 1e6 and 1e-6 are scaled away.
 System badly_scaled() { return read("3\n x - 3*z;\n 1e-12*x^2 - 1;\n 1e12*y^2 + 1e-6*x - 3;\n"); }

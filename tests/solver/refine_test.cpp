@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "moivre/polynomial/read.h"
+#include "problem_set.h"
 
 namespace moivre {
 namespace {
@@ -15,7 +16,7 @@ namespace {
 constexpr double kTrackerError = 1e-8;
 constexpr double kUnit = 0x1p-52;
 
-System read(const std::string& text) { return read_system({"test", text}); }
+using test::read;
 
 Refiner refiner_of(const std::string& text) {
   const System f = read(text);
