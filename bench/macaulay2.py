@@ -17,7 +17,7 @@ import threading
 
 # Below 2^15, as Macaulay2's F4 wants, and of the form 4k+1.
 PRIMES = ((32749, 32717), (32633, 32609))
-ANSWER = re.compile(r"ANSWER (-?\d+) (\d+) (\d+) (\d+)")      # what Macaulay2 repeats of its input does not look so
+ANSWER = re.compile(r"ANSWER((?: -?\d+)+)")      # what Macaulay2 repeats of its input does not look so
 KEYS = ("dimension", "degree", "with_multiplicity", "distinct")
 PRELUDE = """
 prepare = I -> if numgens I > 1 then forceGB groebnerBasis(I, Strategy=>"F4") else gb I;
@@ -40,8 +40,38 @@ tell = I -> (
 """
 
 
+# The real roots of a real system, over the rationals: of a linear form that takes as many values as there are roots, the real
+# values are those of the real roots, and Sturm's sequence counts them.
+REAL_KEYS = ("real", "distinct")
+REAL_PRELUDE = """
+needsPackage "RealRoots";
+isolated = I -> (J := I; while dim J > 0 do J = saturate(J, topComponents J); J);
+real1 = J -> (
+  R := ring J; D := degree J; Q := R/J; B := basis Q;
+  l := sum(gens R, x -> (random 199 - 99) * x);
+  M := lift(last coefficients(sub(l, Q) * B, Monomials=>B), QQ);
+  v := matrix apply(D, i -> {random 19 - 9_QQ}); K := v; scan(D, i -> (v = M * v; K = K | v));
+  r := rank K; c := flatten entries solve(K_{0..r-1}, K_{r});
+  T := QQ[getSymbol "t"]; f := T_0^r - sum(r, i -> c#i * T_0^i); f = f // gcd(f, diff(T_0, f));
+  (first degree f, SturmCount f));
+tell = I -> (
+  J := isolated I;
+  if dim J < 0 then << "ANSWER 0 0" << endl
+  else (best := max apply(2, i -> real1 J); << "ANSWER " << best#1 << " " << best#0 << endl));
+"""
+
+
 def residue(c, prime):
     return c.numerator * pow(c.denominator, -1, prime) % prime
+
+
+def real_question(system):
+    """Macaulay2's text for REAL_PRELUDE; the coefficients must be real."""
+    polynomials = []
+    for p in system.polynomials:
+        terms = ["*".join([f"({c[0]})"] + [f"x_{v}^{e}" for v, e in enumerate(m) if e] + ["1_R"]) for m, c in p.items()]
+        polynomials.append("+".join(terms))
+    return f"R = QQ[x_0..x_{len(system.variables) - 1}];\ntell ideal({','.join(polynomials)});\n"
 
 
 def question(system, prime):
@@ -60,21 +90,20 @@ def question(system, prime):
 class Macaulay2:
     """One process that answers questions; it is started again after one that took too long."""
 
-    def __init__(self):
-        self.process = None
+    def __init__(self, prelude=PRELUDE, keys=KEYS):
+        self.process, self.prelude, self.keys = None, prelude, keys
 
     def _start(self):
         self.process = subprocess.Popen(["nice", "M2", "-q", "--silent", "--no-readline", "--stop"], stdin=subprocess.PIPE,
                                         stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, bufsize=1)
         self.lines = queue.Queue()
         threading.Thread(target=self._listen, args=(self.process, self.lines), daemon=True).start()
-        self.process.stdin.write(PRELUDE)
+        self.process.stdin.write(self.prelude)
 
-    @staticmethod
-    def _listen(process, lines):
+    def _listen(self, process, lines):
         for line in process.stdout:
             if match := ANSWER.fullmatch(line.strip()):
-                lines.put(dict(zip(KEYS, map(int, match.groups()))))
+                lines.put(dict(zip(self.keys, map(int, match[1].split()))))
         lines.put(None)
 
     def stop(self):
@@ -84,7 +113,7 @@ class Macaulay2:
         self.process = None
 
     def ask(self, text, timeout_s):
-        """{key: number} for KEYS, or None where no answer came."""
+        """{key: number} for the keys, or None where no answer came."""
         if not self.process:
             self._start()
         try:

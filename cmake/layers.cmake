@@ -48,6 +48,10 @@ set(MOIVRE_USES_cli closure_study multiprecision report check_report family_repo
 # Where a module is switched off, those named here make do without it; cli makes do with what is there.
 set(MOIVRE_DO_WITHOUT_certify solver closures)
 
+# Modules that write text and pictures: what they do takes microseconds, so that optimizing their code further only lengthens
+# the build.
+set(MOIVRE_LIGHT report check_report family_report closure_report arm_report sweep_report study_report cli)
+
 # Third-party packages, each private to the modules that name it. Eigen and Boost's integers are
 # the exception: they are vocabulary of the public headers.
 set(MOIVRE_THIRD_PARTY_numeric Eigen3::Eigen Boost::headers)

@@ -20,8 +20,8 @@ std::vector<double> even_times(const MotionOptions& options, int steps) {
 
 /// Both, ascending; what is the same but for rounding once, as in `a`.
 std::vector<double> merged(const std::vector<double>& a, const std::vector<double>& b) {
-  constexpr double kRounding = 1e-12;
-  const double width = kRounding * (a.back() - a.front());
+  constexpr double kTimeRounding = 1e-12;
+  const double width = kTimeRounding * (a.back() - a.front());
   std::vector<double> all = a;
   for (const double time : b) {
     const auto next = std::lower_bound(a.begin(), a.end(), time - width);

@@ -4,9 +4,18 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <vector>
+
 #include "program.h"
 
 namespace moivre::test {
+
+/// What a command says to wrong options.
+struct Refusal {
+  std::vector<std::string> options;
+  std::string message;
+};
 
 class RefusingCommands : public testing::Test {
  protected:

@@ -12,6 +12,7 @@
 
 #include "problems.h"
 #include "program.h"
+#include "refusing.h"
 
 namespace moivre::test {
 namespace {
@@ -282,11 +283,6 @@ TEST(SolveCommand, WillNotOverwriteTheProblemOrMixTwoResults) {
   EXPECT_EQ(scene.run({"solve", "f.phc", "--json", "-", "--csv", "-"}).exit_code, 1);
   EXPECT_EQ(scene.run({"solve", "f.phc", "--json", "a", "--csv", "a"}).exit_code, 1);
 }
-
-struct Refusal {
-  std::vector<std::string> options;
-  std::string message;
-};
 
 TEST(SolveCommand, RefusesEachWrongOptionWithItsReason) {
   Scene scene;

@@ -8,6 +8,7 @@
 
 #include "problems.h"
 #include "program.h"
+#include "refusing.h"
 
 namespace moivre::test {
 namespace {
@@ -119,10 +120,6 @@ TEST(StudyCommand, RefusesEachWrongOptionWithItsReason) {
   scene.write("wide.phc", "1 2\nx + y;\n");
   scene.write("torn.phc", "1\nx - ;\n");
   scene.write("file", "");
-  struct Refusal {
-    std::vector<std::string> arguments;
-    std::string message;
-  };
   const std::vector<Refusal> refusals = {
       {{"f.phc", "--settings", "euler,lanes,heun"},
        "moivre: --settings euler,heun: the settings are bdf_projection, bdf_projection+newton, "
@@ -150,7 +147,7 @@ TEST(StudyCommand, RefusesEachWrongOptionWithItsReason) {
       {{}, "moivre: FILE is required\n"}};
   for (const Refusal& refusal : refusals) {
     std::vector<std::string> arguments = {"study"};
-    arguments.insert(arguments.end(), refusal.arguments.begin(), refusal.arguments.end());
+    arguments.insert(arguments.end(), refusal.options.begin(), refusal.options.end());
     const Outcome outcome = scene.run(arguments);
     EXPECT_EQ(outcome.exit_code, 1) << refusal.message;
     EXPECT_EQ(outcome.out, "") << refusal.message;
