@@ -54,11 +54,11 @@ std::size_t regular_roots_within(Bench& bench, Certifier& certifier, const Entry
   return firsts.size();
 }
 
-/// Of the point as it is, or of the simplest fractions within `reach`; 0: neither is a root, or nothing can be said.
-std::uint64_t exact_multiplicity(const System& f, const Point& x, double reach) {
+/// Of the point as it is, or of the simplest fractions within `reach`; of dimension 0: neither is a root, or nothing can be said.
+LocalRing exact_ring(const System& f, const Point& x, double reach) {
   const double error = reach / std::max(1.0, max_norm(x));
-  const auto here = local_multiplicity(f, simplest(x, 0));
-  return here ? *here : local_multiplicity(f, simplest(x, error)).value_or(0);
+  const auto here = local_ring(f, simplest(x, 0));
+  return here ? *here : local_ring(f, simplest(x, error)).value_or(LocalRing{});
 }
 
 void judge_cluster(Bench& bench, Certifier& certifier, Entry& entry, const RootClaim& root,
@@ -69,13 +69,16 @@ void judge_cluster(Bench& bench, Certifier& certifier, Entry& entry, const RootC
     entry.is_refuted = true;
     return verdicts.refute(ClaimKind::root, "no root lies within " + rough(entry.reach), number);
   }
-  if (const std::uint64_t counted = exact_multiplicity(bench.stand_in.system, entry.x, entry.reach);
-      counted > 1) {
-    if (counted == m) verdicts.judgement().roots.counted += m;
-    return verdicts.judge(ClaimKind::multiplicity, counted == m,
-                          "exact algebra counts this root " + std::to_string(counted) + " times, " +
-                              std::to_string(m) + " is claimed",
-                          number);
+  const LocalRing ring = exact_ring(bench.stand_in.system, entry.x, entry.reach);
+  const bool is_counted = ring.is_isolated && ring.dimension > 1;
+  if (is_counted || (!ring.is_isolated && ring.dimension > m)) {
+    const bool holds = is_counted && ring.dimension == m;
+    if (holds) verdicts.judgement().roots.counted += m;
+    return verdicts.judge(
+        ClaimKind::multiplicity, holds,
+        "exact algebra counts this root " + std::string(is_counted ? "" : "at least ") +
+            std::to_string(ring.dimension) + " times, " + std::to_string(m) + " is claimed",
+        number);
   }
   const bool is_narrow = entry.reach <= kWidestDisc * std::max(1.0, max_norm(entry.x));
   const std::size_t regular = is_narrow ? regular_roots_within(bench, certifier, entry, m) : 0;

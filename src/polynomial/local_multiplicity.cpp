@@ -102,8 +102,8 @@ class Macaulay {
     });
   }
 
-  /// dim D_j for the least j <= k with dim D_j = dim D_{j-1}; nullopt where there is none.
-  std::optional<std::uint64_t> standstill() const {
+  /// Up to the least j <= k with dim D_j = dim D_{j-1}, or to k where there is none.
+  LocalRing ring() const {
     ModularRows reduced;
     std::vector<std::uint64_t> dimension(k_ + 1);  // first columns of each degree that no row has
     for (const Exponents& m : monomials_) ++dimension[degree(m)];
@@ -113,12 +113,16 @@ class Macaulay {
         if (first != nullptr) --dimension[degree(monomials_[*first])];
       }
     }
-    std::uint64_t sum = 0;
+    LocalRing ring;
     for (const std::uint64_t more : dimension) {
-      if (more == 0) return sum;
-      sum += more;
+      if (more == 0) {
+        ring.is_isolated = true;
+        return ring;
+      }
+      ring.dimension += more;
     }
-    return std::nullopt;
+    ring.grows_steadily = dimension[k_] == dimension[k_ - 1] && dimension[k_] < k_;
+    return ring;
   }
 
  private:
@@ -142,18 +146,26 @@ class Macaulay {
 
 }  // namespace
 
-std::optional<std::uint64_t> local_multiplicity(const System& f,
-                                                const std::vector<Coefficient>& x) {
+std::optional<LocalRing> local_ring(const System& f, const std::vector<Coefficient>& x) {
   for (const std::uint64_t d : degrees(f)) {
     if (d > kMostDegree) return std::nullopt;
   }
   std::vector<Residue> root;
   for (const Coefficient& xi : x) root.push_back(residue(xi));
+  std::optional<LocalRing> ring;
   for (std::uint64_t k = 2;; ++k) {
     const Macaulay macaulay(f, root, k);
-    if (macaulay.is_too_large() || !macaulay.has_root()) return std::nullopt;
-    if (const auto multiplicity = macaulay.standstill()) return multiplicity;
+    if (macaulay.is_too_large()) return ring;
+    if (!macaulay.has_root()) return std::nullopt;
+    ring = macaulay.ring();
+    if (ring->is_isolated) return ring;
   }
+}
+
+std::optional<std::uint64_t> local_multiplicity(const System& f,
+                                                const std::vector<Coefficient>& x) {
+  const std::optional<LocalRing> ring = local_ring(f, x);
+  return ring && ring->is_isolated ? std::optional(ring->dimension) : std::nullopt;
 }
 
 }  // namespace moivre

@@ -9,8 +9,9 @@
 #include "certificates.h"
 #include "coincidence.h"
 #include "ends.h"
-#include "exact_roots.h"
 #include "moivre/numeric/random.h"
+#include "moivre/numeric/simplest.h"
+#include "moivre/polynomial/local_multiplicity.h"
 
 namespace moivre {
 namespace {
@@ -95,14 +96,17 @@ class Cluster {
 struct Finding {
   Proofs roots;
   bool is_refuted = false;
+  bool is_on_curve = false;
 };
 
 Finding look_into(const Run& run, const Root& end, std::size_t paths) {
-  const std::uint64_t multiplicity = exact_multiplicity(run.setting.f, end.point.x);
-  if (multiplicity == paths) return {};
+  const auto ring = local_ring(run.setting.f, simplest(end.point.x, 0));
+  if (ring && ring->is_isolated && ring->dimension == paths) return {};
   Finding finding;
-  finding.roots = Cluster(run, end, paths).roots();
-  finding.is_refuted = multiplicity > 0 || !finding.roots.empty();
+  const bool is_refuted = ring && (ring->is_isolated || ring->dimension > paths);
+  finding.is_on_curve = is_refuted && ring->grows_steadily;
+  if (!finding.is_on_curve) finding.roots = Cluster(run, end, paths).roots();
+  finding.is_refuted = is_refuted || !finding.roots.empty();
   return finding;
 }
 
@@ -152,7 +156,9 @@ void part_clusters(Run& run) {
     const bool are_all = are_new && proofs.size() == clusters[k].size();
     for (std::size_t i = 0; i < clusters[k].size(); ++i) {
       const std::uint64_t path = clusters[k][i];
-      if (are_all) {
+      if (findings[k].is_on_curve) {
+        run.ledger.roots().at(path).on_set = SetHere::sharp;
+      } else if (are_all) {
         enter(run, refiner, path, proofs[i]);
       } else {
         run.ledger.enter_failure({path, Failure::precision, 1});

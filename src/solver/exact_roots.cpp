@@ -50,10 +50,6 @@ void look_near(Run& run, const Point& x) {
 
 }  // namespace
 
-std::uint64_t exact_multiplicity(const System& f, const Point& x) {
-  return local_multiplicity(f, simplest(x, 0)).value_or(0);
-}
-
 std::vector<ExactRoot> exact_roots(Run& run) {
   if (!run.setting.certify_program) return {};
   look_near(run, Point(run.setting.f.variables.size()));

@@ -14,9 +14,6 @@
 
 namespace moivre {
 
-/// 0: x is no root of F, or nothing can be said.
-std::uint64_t exact_multiplicity(const System& f, const Point& x);
-
 /// Of multiplicity 2 at least; none where nothing is to be proved.
 std::vector<ExactRoot> exact_roots(Run& run);
 

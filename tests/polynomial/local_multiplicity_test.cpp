@@ -10,10 +10,18 @@
 namespace moivre {
 namespace {
 
+std::vector<Coefficient> exact(const Point& x) {
+  std::vector<Coefficient> result;
+  for (const Complex& xi : x) result.push_back({Rational(xi.real()), Rational(xi.imag())});
+  return result;
+}
+
 std::optional<std::uint64_t> multiplicity(const std::string& text, const Point& x) {
-  std::vector<Coefficient> exact;
-  for (const Complex& xi : x) exact.push_back({Rational(xi.real()), Rational(xi.imag())});
-  return local_multiplicity(read_system({"test", text}), exact);
+  return local_multiplicity(read_system({"test", text}), exact(x));
+}
+
+LocalRing ring(const std::string& text, const Point& x) {
+  return local_ring(read_system({"test", text}), exact(x)).value_or(LocalRing{});
 }
 
 TEST(LocalMultiplicity, IsTheProductOfTheDegreesForPowers) {
@@ -50,6 +58,28 @@ TEST(LocalMultiplicity, SaysNothingOfAPointThatIsNoRoot) {
 TEST(LocalMultiplicity, SaysNothingOfARootThatIsNotIsolated) {
   EXPECT_FALSE(multiplicity("2\n x*y;\n x^2;\n", {0, 0}));
   EXPECT_FALSE(multiplicity("2\n x^2 + y^2 - 5;\n (x^2 + y^2 - 5)*x;\n", {1, 2}));
+}
+
+TEST(LocalRing, OfACurveGrowsByItsMultiplicityAtEachStep) {
+  // A line, with an embedded point at 0; a node; three lines.
+  for (const char* text :
+       {"2\n x*y;\n x^2;\n", "1 2\n y^2 - x^2 - x^3;\n", "3\n x*y;\n y*z;\n x*z;\n"}) {
+    const LocalRing of_curve = ring(text, Point(text[0] == '3' ? 3 : 2));
+    EXPECT_TRUE(of_curve.grows_steadily) << text;
+    EXPECT_FALSE(of_curve.is_isolated) << text;
+  }
+}
+
+TEST(LocalRing, OfAnIsolatedRootHasNoMoreDimensionsThanItsMultiplicity) {
+  const LocalRing looked_through = ring("2\n x^2;\n y^3;\n", {0, 0});
+  EXPECT_TRUE(looked_through.is_isolated);
+  EXPECT_EQ(looked_through.dimension, 6U);
+  // 1600, beyond what is looked at: at each step one more than before.
+  const LocalRing too_large = ring("2\n x^40;\n y^40;\n", {0, 0});
+  EXPECT_FALSE(too_large.is_isolated);
+  EXPECT_FALSE(too_large.grows_steadily);
+  EXPECT_GT(too_large.dimension, 100U);
+  EXPECT_LE(too_large.dimension, 1600U);
 }
 
 TEST(LocalMultiplicity, GivesUpWhereThePowersAreTooHigh) {

@@ -406,5 +406,23 @@ TEST_F(CertifiedEnds, ThatAreMoreThanTheRootsHaveFailed) {
   EXPECT_EQ(run.ledger.failures().size(), 3U);
 }
 
+// Five forms of degree 2 that vanish on two lines through 0. 28 of the 32 paths end at 0, in whole cycles, but its local ring has more
+// than 28 dimensions: 0 is no isolated root, though random planes beside it miss the lines.
+TEST(Certified, ARootWithMorePartsThanPathsIsNotIsolated) {
+  const System f = read(
+      "5\n592*x1*x4+x1*x5-x2*x5-2859*x3^2+8167*x3*x4+2*x3*x5;\n2*x1^2-645*x4*x5+4751*x5^2;\n"
+      "x1*x3-x2^2-3*x2*x3+566*x3^2-x3*x5-3*x4^2+x4*x5;\n"
+      "-9*x1*x2-2*x3^2+7*x3*x4+7444*x3*x5+x4*x5;\n"
+      "4*x1*x2+x1*x3+7*x1*x4-4431*x2*x3-x2*x5+6156*x3*x4;\n");
+  const auto lanes = make_lane_tracker();
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    SCOPED_TRACE(seed);
+    const SolveResult result = solve(f, *lanes, with_seed(seed));
+    EXPECT_TRUE(result.complete);
+    EXPECT_TRUE(result.solutions.empty());
+    EXPECT_EQ(result.paths.on_positive_dimensional, 28U);
+  }
+}
+
 }  // namespace
 }  // namespace moivre::test
