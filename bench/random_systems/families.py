@@ -256,11 +256,40 @@ def combined(dice):
     return [plus(f[0], scaled(p, dice.digit())) if k else p for k, p in enumerate(f)]
 
 
+def cones(dice):
+    """Few lines through one point in many dimensions, each equation of order 2 there: singular, on curves, and hard to see so."""
+    n = dice.choice((3, 4, 4, 5, 5))
+    lines = [[dice.randint(-3, 3) for _ in range(n)] for _ in range(dice.randint(1, 3))]
+    lines = [v for v in lines if any(v)]
+
+    def form_through(v):
+        j = next(i for i in range(n) if v[i])
+        c = [dice.randint(-5, 5) for _ in range(n)]
+        c[j] = Fraction(-sum(a * b for i, (a, b) in enumerate(zip(c, v)) if i != j), v[j])
+        return plus(*(scaled(variable(n, i), a * abs(v[j])) for i, a in enumerate(c)))
+
+    def product():
+        parts = [form_through(v) for v in lines]
+        while len(parts) < 2:
+            parts.append(dice.linear(n, with_constant=False))
+        return times(*parts)
+
+    point = [dice.choice((0, 0, dice.randint(-2, 2))) for _ in range(n)]
+    images = [plus(variable(n, i), constant(n, -a)) if a else variable(n, i) for i, a in enumerate(point)]
+    f = []
+    for _ in range(n):
+        p = plus(*(product() for _ in range(2 * n)))
+        if dice.random() < 0.3:
+            p = times(p, dice.linear(n))
+        f.append(substituted(p, images) if p else p)
+    return f
+
+
 FAMILIES = {
     "sparse": sparse, "wide": wide, "shared": shared, "tops": tops, "linprod": linprod, "multiple": multiple,
     "no-constants": no_constants, "complex": complex_coefficients, "near-real": near_real, "sizes": sizes,
     "many-unknowns": many_unknowns, "faces": faces, "orbits": orbits, "near-multiple": near_multiple,
-    "beside-curves": beside_curves, "combined": combined,
+    "beside-curves": beside_curves, "combined": combined, "cones": cones,
 }
 
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 #include "certificates.h"
 #include "coincidence.h"
@@ -99,8 +100,14 @@ struct Finding {
   bool is_on_curve = false;
 };
 
+/// Of the end as it is, or of the simplest fractions within what is known of it; nullopt: neither is a root, or nothing can be said.
+std::optional<LocalRing> exact_ring(const System& f, const Root& end) {
+  const auto here = local_ring(f, simplest(end.point.x, 0));
+  return here ? here : local_ring(f, simplest(end.point.x, end.tolerance));
+}
+
 Finding look_into(const Run& run, const Root& end, std::size_t paths) {
-  const auto ring = local_ring(run.setting.f, simplest(end.point.x, 0));
+  const auto ring = exact_ring(run.setting.f, end);
   if (ring && ring->is_isolated && ring->dimension == paths) return {};
   Finding finding;
   const bool is_refuted = ring && (ring->is_isolated || ring->dimension > paths);
