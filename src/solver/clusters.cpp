@@ -100,10 +100,13 @@ struct Finding {
   bool is_on_curve = false;
 };
 
-/// Of the end as it is, or of the simplest fractions within what is known of it; nullopt: neither is a root, or nothing can be said.
+/// Of the end as it is, or of the simplest fractions within what is known of it, unless these are a simple root, another one beside it.
+/// nullopt: neither is a root, or nothing can be said.
 std::optional<LocalRing> exact_ring(const System& f, const Root& end) {
   const auto here = local_ring(f, simplest(end.point.x, 0));
-  return here ? here : local_ring(f, simplest(end.point.x, end.tolerance));
+  if (here) return here;
+  const auto near = local_ring(f, simplest(end.point.x, end.tolerance));
+  return near && near->dimension > 1 ? near : std::nullopt;
 }
 
 Finding look_into(const Run& run, const Root& end, std::size_t paths) {

@@ -21,8 +21,8 @@
 namespace moivre {
 
 struct LocalRing {
-  std::uint64_t dimension =
-      0;  ///< of D_k for the largest k looked at: an isolated root has no smaller multiplicity
+  /// Of D_k for the largest k looked at: an isolated root has no smaller multiplicity.
+  std::uint64_t dimension = 0;
   bool is_isolated = false;  ///< dim D_k stands still: `dimension` is the multiplicity
   /// The last two steps of k added equally many functionals, fewer than k. No graded ring can grow faster then [Gotzmann78], and
   /// one without relations of higher degree goes on so forever: a curve passes through x.
