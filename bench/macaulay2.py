@@ -19,9 +19,11 @@ import threading
 PRIMES = ((32749, 32717), (32633, 32609))
 ANSWER = re.compile(r"ANSWER((?: -?\d+)+)")      # what Macaulay2 repeats of its input does not look so
 KEYS = ("dimension", "degree", "with_multiplicity", "distinct")
-PRELUDE = """
-prepare = I -> if numgens I > 1 then forceGB groebnerBasis(I, Strategy=>"F4") else gb I;
+ISOLATED = """
 isolated = I -> (J := I; while dim J > 0 do J = saturate(J, topComponents J); J);
+"""
+PRELUDE = ISOLATED + """
+prepare = I -> if numgens I > 1 then forceGB groebnerBasis(I, Strategy=>"F4") else gb I;
 -- The values that a random linear form takes on the roots of J: its minimal polynomial in R/J from a Krylov sequence, and of
 -- that the squarefree part. Two roots with one value make them too few, never too many.
 values1 = J -> (
@@ -43,9 +45,8 @@ tell = I -> (
 # The real roots of a real system, over the rationals: of a linear form that takes as many values as there are roots, the real
 # values are those of the real roots, and Sturm's sequence counts them.
 REAL_KEYS = ("real", "distinct")
-REAL_PRELUDE = """
+REAL_PRELUDE = ISOLATED + """
 needsPackage "RealRoots";
-isolated = I -> (J := I; while dim J > 0 do J = saturate(J, topComponents J); J);
 real1 = J -> (
   R := ring J; D := degree J; Q := R/J; B := basis Q;
   l := sum(gens R, x -> (random 199 - 99) * x);

@@ -26,12 +26,19 @@ void expect_proved(const SolveResult& result, const std::string& kind) {
 }
 
 /// By the lanes, with each of the seeds first ... last.
+std::vector<SolveResult> solved_by_lanes(const System& f, std::uint64_t first, std::uint64_t last) {
+  const auto lanes = make_lane_tracker();
+  std::vector<SolveResult> results;
+  for (std::uint64_t seed = first; seed <= last; ++seed) {
+    results.push_back(solve(f, *lanes, with_seed(seed)));
+  }
+  return results;
+}
+
 void expect_proved(const System& f, std::uint64_t first, std::uint64_t last, std::size_t roots,
                    const std::string& kind) {
-  const auto lanes = make_lane_tracker();
-  for (std::uint64_t seed = first; seed <= last; ++seed) {
-    SCOPED_TRACE(seed);
-    const SolveResult result = solve(f, *lanes, with_seed(seed));
+  for (const SolveResult& result : solved_by_lanes(f, first, last)) {
+    SCOPED_TRACE(result.seed);
     expect_proved(result, kind);
     EXPECT_EQ(result.solutions.size(), roots);
   }
@@ -145,11 +152,9 @@ TEST(Certified, ARootOfAFaceNeedsErrorsInTheEquationsThatDoNotVanish) {
       "0.999999999999;\n"
       " 6*x^2 - 3*x*y - 18*x*z + 12*y*z - 24*z^2 - 7*x + 3*y - 5*z + 6.999999999996;\n"
       " -6*x*y + 5*z + 2.999999999997;\n");
-  const auto lanes = make_lane_tracker();
-  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-    const SolveResult result = solve(f, *lanes, with_seed(seed));
+  for (const SolveResult& result : solved_by_lanes(f, 1, 5)) {
     expect_conservation(result);
-    EXPECT_TRUE(!result.complete || result.solutions.size() == 6U) << seed;
+    EXPECT_TRUE(!result.complete || result.solutions.size() == 6U) << result.seed;
   }
 }
 
@@ -414,10 +419,8 @@ TEST(Certified, ARootWithMorePartsThanPathsIsNotIsolated) {
       "x1*x3-x2^2-3*x2*x3+566*x3^2-x3*x5-3*x4^2+x4*x5;\n"
       "-9*x1*x2-2*x3^2+7*x3*x4+7444*x3*x5+x4*x5;\n"
       "4*x1*x2+x1*x3+7*x1*x4-4431*x2*x3-x2*x5+6156*x3*x4;\n");
-  const auto lanes = make_lane_tracker();
-  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-    SCOPED_TRACE(seed);
-    const SolveResult result = solve(f, *lanes, with_seed(seed));
+  for (const SolveResult& result : solved_by_lanes(f, 1, 3)) {
+    SCOPED_TRACE(result.seed);
     EXPECT_TRUE(result.complete);
     EXPECT_TRUE(result.solutions.empty());
     EXPECT_EQ(result.paths.on_positive_dimensional, 28U);
