@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "modular.h"
+#include "local_polynomial.h"
 
 namespace moivre {
 namespace {
@@ -15,89 +15,20 @@ constexpr std::size_t kMostColumns = 500;
 // Of a term: powers are multiplied out one by one.
 constexpr std::uint64_t kMostDegree = 1000;
 
-/// Exponents of a monomial in y.
-using Exponents = std::vector<std::uint32_t>;
-
-std::uint64_t degree(const Exponents& a) {
-  std::uint64_t sum = 0;
-  for (const std::uint32_t e : a) sum += e;
-  return sum;
-}
-
-struct LocalOrder {
-  bool operator()(const Exponents& a, const Exponents& b) const {
-    const std::uint64_t da = degree(a);
-    const std::uint64_t db = degree(b);
-    return da != db ? da < db : a < b;
-  }
-};
-using LocalPolynomial = std::map<Exponents, Residue, LocalOrder>;
-
-void add(LocalPolynomial& p, const Exponents& m, Residue c) {
-  const auto [place, is_new] = p.try_emplace(m, c);
-  if (!is_new) place->second = plus(place->second, c);
-}
-
-/// All monomials in n unknowns of degree k at most, by ascending degree; empty where there are more than kMostColumns.
-std::vector<Exponents> monomials(std::size_t n, std::uint64_t k) {
-  std::vector<Exponents> all{Exponents(n)};
-  std::size_t begin = 0;
-  for (std::uint64_t d = 1; d <= k; ++d) {
-    const std::size_t end = all.size();
-    for (std::size_t i = begin; i < end; ++i) {
-      // Each monomial once: a factor no earlier than the last one.
-      std::size_t last = 0;
-      for (std::size_t j = 0; j < n; ++j) {
-        if (all[i][j] > 0) last = j;
-      }
-      for (std::size_t j = last; j < n; ++j) {
-        Exponents next = all[i];
-        ++next[j];
-        all.push_back(std::move(next));
-        if (all.size() > kMostColumns) return {};
-      }
-    }
-    begin = end;
-  }
-  return all;
-}
-
-/// p(x + y), up to degree k in y.
-LocalPolynomial moved(const Polynomial& p, const std::vector<Residue>& x, std::uint64_t k) {
-  LocalPolynomial sum;
-  for (const Term& term : p.terms) {
-    LocalPolynomial power{{Exponents(x.size()), residue(term.coefficient)}};
-    for (const Power& factor : term.monomial) {
-      for (std::uint32_t e = 0; e < factor.exponent; ++e) {
-        LocalPolynomial next;
-        for (const auto& [m, c] : power) {
-          if (x[factor.variable] != 0) add(next, m, times(c, x[factor.variable]));
-          if (degree(m) == k) continue;
-          Exponents larger = m;
-          ++larger[factor.variable];
-          add(next, larger, c);
-        }
-        power = std::move(next);
-      }
-    }
-    for (const auto& [m, c] : power) add(sum, m, c);
-  }
-  std::erase_if(sum, [](const auto& term) { return term.second == 0; });
-  return sum;
-}
-
 class Macaulay {
  public:
   /// Up to degree k.
   Macaulay(const System& f, const std::vector<Residue>& x, std::uint64_t k)
-      : k_(k), monomials_(monomials(x.size(), k)) {
+      : k_(k), monomials_(monomials(x.size(), k, kMostColumns)) {
     for (std::size_t c = 0; c < monomials_.size(); ++c) column_[monomials_[c]] = c;
-    for (const Polynomial& p : f.polynomials) rows_.push_back(moved(p, x, k));
+    for (const Polynomial& p : f.polynomials) {
+      rows_.push_back(moved(p, x, k, [](const Coefficient& c) { return residue(c); }));
+    }
   }
 
   bool is_too_large() const { return monomials_.empty(); }
   bool has_root() const {
-    return std::all_of(rows_.begin(), rows_.end(), [](const LocalPolynomial& p) {
+    return std::all_of(rows_.begin(), rows_.end(), [](const LocalPolynomial<Residue>& p) {
       return p.empty() || degree(p.begin()->first) > 0;
     });
   }
@@ -108,7 +39,7 @@ class Macaulay {
     std::vector<std::uint64_t> dimension(k_ + 1);  // first columns of each degree that no row has
     for (const Exponents& m : monomials_) ++dimension[degree(m)];
     for (const Exponents& factor : monomials_) {
-      for (const LocalPolynomial& p : rows_) {
+      for (const LocalPolynomial<Residue>& p : rows_) {
         const std::size_t* first = reduced.add(multiple(factor, p));
         if (first != nullptr) --dimension[degree(monomials_[*first])];
       }
@@ -126,7 +57,7 @@ class Macaulay {
   }
 
  private:
-  ModularRow multiple(const Exponents& factor, const LocalPolynomial& p) const {
+  ModularRow multiple(const Exponents& factor, const LocalPolynomial<Residue>& p) const {
     ModularRow row;
     for (const auto& [m, c] : p) {
       if (degree(m) + degree(factor) > k_) break;
@@ -141,7 +72,7 @@ class Macaulay {
   std::uint64_t k_;
   std::vector<Exponents> monomials_;
   std::map<Exponents, std::size_t, LocalOrder> column_;
-  std::vector<LocalPolynomial> rows_;
+  std::vector<LocalPolynomial<Residue>> rows_;
 };
 
 }  // namespace

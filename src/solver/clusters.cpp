@@ -13,6 +13,7 @@
 #include "moivre/numeric/random.h"
 #include "moivre/numeric/simplest.h"
 #include "moivre/polynomial/local_multiplicity.h"
+#include "moivre/polynomial/numerical_multiplicity.h"
 
 namespace moivre {
 namespace {
@@ -109,6 +110,14 @@ std::optional<LocalRing> exact_ring(const System& f, const Root& end) {
   return near && near->dimension > 1 ? near : std::nullopt;
 }
 
+/// The roots that the end may be have a local ring of as many dimensions as paths end there, and it does not grow; or nothing can be said.
+bool is_shown(const System& f, const Root& end, std::size_t paths) {
+  const double error = end.point.accuracy * std::max(1.0, max_norm(end.point.x));
+  const auto ring = local_ring_near(f, end.point.x, error);
+  if (!ring) return true;
+  return ring->is_isolated ? ring->dimension == paths : ring->dimension <= paths;
+}
+
 Finding look_into(const Run& run, const Root& end, std::size_t paths) {
   const auto ring = exact_ring(run.setting.f, end);
   if (ring && ring->is_isolated && ring->dimension == paths) return {};
@@ -116,7 +125,8 @@ Finding look_into(const Run& run, const Root& end, std::size_t paths) {
   const bool is_refuted = ring && (ring->is_isolated || ring->dimension > paths);
   finding.is_on_curve = is_refuted && ring->grows_steadily;
   if (!finding.is_on_curve) finding.roots = Cluster(run, end, paths).roots();
-  finding.is_refuted = is_refuted || !finding.roots.empty();
+  finding.is_refuted =
+      is_refuted || !finding.roots.empty() || (!ring && !is_shown(run.setting.f, end, paths));
   return finding;
 }
 

@@ -427,5 +427,35 @@ TEST(Certified, ARootWithMorePartsThanPathsIsNotIsolated) {
   }
 }
 
+// Order 2 on lines through (0, +-sqrt(3), 0): no fractions are these roots, so that only numerical ranks refute the six paths that end at
+// one of them in whole cycles.
+TEST(Certified, AnIrrationalRootOnACurveIsNotIsolated) {
+  const System f = read(
+      "3\n26*x2^4-82*x1*x2^2+44*x2^2*x3-111*x1^2-91*x1*x3-156*x2^2+28*x3^2+246*x1-132*x3+234;\n"
+      "800*x2^6+504*x1*x2^4+124*x2^4*x3+704*x1^2*x2^2+976*x1*x2^2*x3-6300*x2^4-1040*x2^2*x3^2-"
+      "220*x1^3-1496*x1^2*x3-2232*x1*x2^2-2305*x1*x3^2+408*x2^2*x3-126*x3^3-1122*x1^2-651*x1*x3+"
+      "16200*x2^2+3246*x3^2+2160*x1-2340*x3-13500;\n"
+      "-4*x2^4-143*x1*x2^2+4*x2^2*x3-107*x1^2-85*x1*x3+24*x2^2-28*x3^2+429*x1-12*x3-36;\n");
+  for (const SolveResult& result : solved_by_lanes(f, 1, 3)) {
+    SCOPED_TRACE(result.seed);
+    for (const Solution& root : result.solutions) EXPECT_FALSE(root.singular);
+  }
+}
+
+// Five forms of degree 2 in a^2 - 2, b - a, ..., e - a without a common zero but 0: 2^5 each at a = +-sqrt(2). The ring stands still behind
+// 462 monomials only, too many to be looked at.
+TEST(Certified, AnIrrationalRootOfHighMultiplicityIsToldAsBefore) {
+  const System f = read(
+      "5\n(a^2 - 2)^2 + (b - a)*(c - a);\n(b - a)^2 + (c - a)*(d - a);\n(c - a)^2 + (d - a)*(e - "
+      "a);\n"
+      "(d - a)^2 + (e - a)*(a^2 - 2);\n(e - a)^2 + (a^2 - 2)*(b - a);\n");
+  for (const SolveResult& result : solved_by_lanes(f, 1, 2)) {
+    SCOPED_TRACE(result.seed);
+    EXPECT_TRUE(result.complete);
+    ASSERT_EQ(result.solutions.size(), 2U);
+    for (const Solution& root : result.solutions) EXPECT_EQ(root.multiplicity, 32U);
+  }
+}
+
 }  // namespace
 }  // namespace moivre::test
