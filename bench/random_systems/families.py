@@ -256,8 +256,8 @@ def combined(dice):
     return [plus(f[0], scaled(p, dice.digit())) if k else p for k, p in enumerate(f)]
 
 
-def cones(dice):
-    """Few lines through one point in many dimensions, each equation of order 2 there: singular, on curves, and hard to see so."""
+def through_lines(dice, images_of):
+    """Few lines through 0 in many dimensions, each equation of order 2 there: singular, on curves, and hard to see so. Then 0 is moved."""
     n = dice.choice((3, 4, 4, 5, 5))
     lines = [[dice.randint(-3, 3) for _ in range(n)] for _ in range(dice.randint(1, 3))]
     lines = [v for v in lines if any(v)]
@@ -274,8 +274,7 @@ def cones(dice):
             parts.append(dice.linear(n, with_constant=False))
         return times(*parts)
 
-    point = [dice.choice((0, 0, dice.randint(-2, 2))) for _ in range(n)]
-    images = [plus(variable(n, i), constant(n, -a)) if a else variable(n, i) for i, a in enumerate(point)]
+    images = images_of(n)
     f = []
     for _ in range(n):
         p = plus(*(product() for _ in range(2 * n)))
@@ -285,11 +284,34 @@ def cones(dice):
     return f
 
 
+def cones(dice):
+    """The lines meet in a rational point."""
+
+    def moved(n):
+        point = [dice.choice((0, 0, dice.randint(-2, 2))) for _ in range(n)]
+        return [plus(variable(n, i), constant(n, -a)) if a else variable(n, i) for i, a in enumerate(point)]
+
+    return through_lines(dice, moved)
+
+
+def irrational_cones(dice):
+    """Curves instead of lines, through two points with a coordinate +-sqrt(2) or +-sqrt(3): no exact algebra knows them."""
+
+    def folded(n):
+        images = [variable(n, i) for i in range(n)]
+        i = dice.randint(0, n - 1)
+        images[i] = plus(times(images[i], images[i]), constant(n, -dice.randint(2, 3)))
+        return images
+
+    return through_lines(dice, folded)
+
+
 FAMILIES = {
     "sparse": sparse, "wide": wide, "shared": shared, "tops": tops, "linprod": linprod, "multiple": multiple,
     "no-constants": no_constants, "complex": complex_coefficients, "near-real": near_real, "sizes": sizes,
     "many-unknowns": many_unknowns, "faces": faces, "orbits": orbits, "near-multiple": near_multiple,
     "beside-curves": beside_curves, "combined": combined, "cones": cones,
+    "irrational-cones": irrational_cones,
 }
 
 
