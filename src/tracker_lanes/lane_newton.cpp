@@ -29,9 +29,10 @@ void LaneNewton<Complex>::normalize(Point& x) {
 
 Rescue LaneNewton<ComplexDoubleDouble>::rescue(FinePoint& x, FinePoint& dx,
                                                const LaneControl& control) {
+  using Fine = FinePathSystem<ComplexDoubleDouble>;
   const WorkCount before = fine_.work();
   const bool is_end = control.is_proving_end();
-  SettlingRules rules = is_end ? kSettledAtEnd : kSettledOnPath;
+  SettlingRules rules = is_end ? Fine::at_end() : Fine::on_path();
   rules.aim = std::min(rules.aim, control.rescue_tolerance());
   fine_.set_patch(x);
   const Settling settling = fine_.settle(x, control.next_time(), rules);
@@ -46,7 +47,7 @@ Rescue LaneNewton<ComplexDoubleDouble>::rescue(FinePoint& x, FinePoint& dx,
 }
 
 const Point& LaneNewton<ComplexDoubleDouble>::rounded(const FinePoint& x) {
-  round_into(x, rounded_);
+  round_into<ComplexDoubleDouble>(x, rounded_);
   return rounded_;
 }
 

@@ -54,7 +54,7 @@ class LaneNewton<ComplexDoubleDouble> {
     fine_.set_frame(frame);
     path_.set_frame(frame);
   }
-  static Time<ComplexDoubleDouble> time(const PathTime& t) { return fine_time(t); }
+  static Time<ComplexDoubleDouble> time(const PathTime& t) { return fine_time<ComplexDoubleDouble>(t); }
 
   Rescue rescue(FinePoint& x, FinePoint& dx, const LaneControl& control);
   /// To norm 1 as far as double tells: no path depends on its scale.
@@ -62,7 +62,7 @@ class LaneNewton<ComplexDoubleDouble> {
   const Point& rounded(const FinePoint& x);
 
  private:
-  FinePathSystem fine_;
+  FinePathSystem<ComplexDoubleDouble> fine_;
   PathSystem path_;
   Point rounded_;
 };

@@ -18,7 +18,7 @@ using test::from_square_roots_of_one;
 const std::atomic<bool> kGoOn{false};
 
 Arrival follow_from(const Homotopy& homotopy, const Departure& departure,
-                    const DoubleDoubleOptions& options = {}) {
+                    const FineTrackerOptions& options = {}) {
   return follow(*make_double_double_tracker(options)->open(homotopy), departure, kGoOn);
 }
 

@@ -272,9 +272,9 @@ TEST(EveryTarget, FindsThePointOfAPathThatOneAloneFindsToTwentyEightDigits) {
       for (const Complex& xi : arrival.x) x.push_back(ComplexDoubleDouble(xi / norm * (1 + 1e-10)));
       x.front() += ComplexDoubleDouble(1e-9);
       near.push_back(x);
-      FinePathSystem one(homotopy);
+      FinePathSystem<ComplexDoubleDouble> one(homotopy);
       one.set_patch(x);
-      ASSERT_TRUE(one.settle(x, arrival.t, kSettledAtEnd).converged);
+      ASSERT_TRUE(one.settle(x, arrival.t, one.at_end()).converged);
       settled.push_back(x);
     }
     test::on_every_target([&] {
@@ -283,7 +283,7 @@ TEST(EveryTarget, FindsThePointOfAPathThatOneAloneFindsToTwentyEightDigits) {
         const auto begin = near.begin() + static_cast<std::ptrdiff_t>(first);
         const std::vector<Numbers> some(begin, begin + static_cast<std::ptrdiff_t>(width));
         std::vector<Numbers> points(width, Numbers(homotopy.coordinates()));
-        HWY_DYNAMIC_DISPATCH(polish)(homotopy, some, fine_time(PathTime(t, 1 - t)), points);
+        HWY_DYNAMIC_DISPATCH(polish)(homotopy, some, fine_time<ComplexDoubleDouble>(PathTime(t, 1 - t)), points);
         for (std::size_t k = 0; k < width; ++k) {
           EXPECT_LT(affine_distance(points[k], settled[first + k]), kSamePoint) << first + k;
         }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What does an interpreter of homotopies run? The tape with its coefficients rounded, written out in the order of use.
 //
-//   Real: what coefficients are rounded to, double or DoubleDouble
+//   Real: what coefficients are rounded to, double or a type of more digits
 //   products: as in polynomial/tape.h
 //   values: H_i;  jacobian: H_ij where not structurally zero;  zeros: the others.  Each is a blend
 //
@@ -16,7 +16,6 @@
 #include <vector>
 
 #include "moivre/homotopy/homotopy.h"
-#include "moivre/numeric/double_double.h"
 
 namespace moivre {
 
@@ -87,7 +86,7 @@ struct HomotopyProgram {
   bool stands_still() const { return moving.empty(); }
 };
 
-/// For double and DoubleDouble.
+/// Instantiated for double and DoubleDouble; for other types by whoever includes homotopy/write_program.h.
 template <class Real>
 HomotopyProgram<Real> make_program(const Homotopy& homotopy);
 

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: MIT
+// How is a path followed that double cannot decide? Entirely in a scalar S of more digits: point, H, J, factors, step.
+//
+//   predict   the cubic through the last two points and tangents (Hermite); the tangent alone at first
+//   correct   Newton's method, a fresh J each time, until it has converged far below the step's tolerance
+//   step      from the first Newton correction, whose size is the predictor's error: h <- h (tolerance / |dx_1|)^{1/4}
+//
+// For the few paths that need it: in double-double a step takes some thirty times as long as in double, in a hundred digits some
+// thousand times. s and 1 - s are both stored, so that steps near either end may be as small as doubles are. A path reaches t = 1
+// only at a regular end: Newton's method must contract far better than at a multiple root until rounding stops it, and the condition
+// must not be too large for S. At a singular end the result is step_too_small. Each level of Departure::care divides the
+// tolerance by 10. Owns its memory; allocates nothing a step but what S does.
+// Not supported: an end whose condition needs 1 - t below the smallest double.
+// Source: [Deuflhard04] for the step, [Timme21] for the norm.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "moivre/tracker/fine_path_system.h"
+#include "moivre/tracker/tracker.h"
+
+namespace moivre {
+
+struct FineTrackerOptions {
+  double tolerance = 1e-5;             ///< |dx_1|_w that steps aim at
+  std::int64_t maximum_steps = 20000;  ///< of one segment
+};
+
+/// A place on the contour, from both ends.
+struct Place {
+  double s = 0;
+  double left = 1;
+
+  Place ahead(double h) const {
+    if (h >= left) return {1, 0};
+    return s < 0.5 ? Place{s + h, 1 - (s + h)} : Place{1 - (left - h), left - h};
+  }
+  PathTime on(const Contour& contour) const { return contour.at(s, left); }
+  double step_to(const Place& other) const { return s < 0.5 ? other.s - s : left - other.left; }
+};
+
+/// Follows one departure after the other.
+template <class S>
+class FineSession : public TrackerSession {
+ public:
+  FineSession(const FineTrackerOptions& options, const Homotopy& homotopy)
+      : options_(options),
+        path_(homotopy),
+        watched_(homotopy),
+        x_(path_.coordinates()),
+        dx_(path_.coordinates()),
+        previous_x_(path_.coordinates()),
+        previous_dx_(path_.coordinates()),
+        trial_(path_.coordinates()) {}
+
+  void run(DepartureSource& source, const std::atomic<bool>& stop) noexcept override {
+    while (std::optional<Departure> departure = source.next()) {
+      Arrival arrival = travel(*departure, stop);
+      source.arrived(*departure, std::move(arrival));
+    }
+  }
+
+ private:
+  using Real = typename Scalar<S>::Real;
+  using FinePoint = std::vector<S>;
+
+  static constexpr double kFirstStep = 1e-3;
+  static constexpr double kSafety = 0.8;
+  static constexpr double kLargestGrowth = 2;
+  static constexpr double kLeastGrowth = 0.2;
+  static constexpr double kRefusedStep = 0.25;
+  static constexpr double kOrder = 4;  // Hermite's cubic
+  static constexpr double kCareFactor = 10;
+  // A step is refused when its first correction is so many times the tolerance.
+  static constexpr double kLargestOvershoot = 30;
+  // A first correction below this fraction of the tolerance lengthens the step no further.
+  static constexpr double kLeastCorrection = 1e-12;
+
+  Arrival travel(const Departure& departure, const std::atomic<bool>& stop);
+  Journey go(const Departure& departure, const std::atomic<bool>& stop, Arrival& arrival);
+  bool depart(const Departure& departure);
+  void predict(double h);
+  bool step(const Departure& departure, const Place& next, double h, Settling& settling);
+  bool is_watched(const Departure& departure, const Settling& settling, double h);
+  Point rounded() const;
+
+  FineTrackerOptions options_;
+  FinePathSystem<S> path_;
+  PathSystem watched_;  // for watchers, who look in double
+  Place place_;
+  FinePoint x_;
+  FinePoint dx_;
+  double last_step_ = 0;  // 0: no previous point
+  FinePoint previous_x_;
+  FinePoint previous_dx_;
+  FinePoint trial_;
+};
+
+template <class S>
+Point FineSession<S>::rounded() const {
+  Point result(x_.size());
+  round_into<S>(x_, result);
+  return result;
+}
+
+template <class S>
+bool FineSession<S>::depart(const Departure& departure) {
+  place_ = Place();
+  last_step_ = 0;
+  path_.set_frame(departure.frame.get());
+  watched_.set_frame(departure.frame.get());
+  std::transform(departure.x.begin(), departure.x.end(), x_.begin(),
+                 [](const Complex& xi) { return S(xi); });
+  const Real scale(1 / max_norm(departure.x));
+  for (S& xi : x_) xi = product(scale, xi);
+  path_.set_patch(x_);
+  const PathTime t = place_.on(departure.contour);
+  if (!path_.settle(x_, t, FinePathSystem<S>::on_path()).converged) return false;
+  path_.tangent(departure.contour.dt(0), dx_);
+  return true;
+}
+
+// trial <- x + x' h + c2 h^2 + c3 h^3, through the previous point at -last_step.
+template <class S>
+void FineSession<S>::predict(double h) {
+  const Real step(h);
+  if (last_step_ == 0) {
+    for (std::size_t i = 0; i < x_.size(); ++i) trial_[i] = x_[i] + product(step, dx_[i]);
+    return;
+  }
+  const Real rate = Real(1.0) / Real(last_step_);
+  for (std::size_t i = 0; i < x_.size(); ++i) {
+    // Divided differences: of x twice (d), of x' (e).
+    const S d = product(rate, dx_[i] - product(rate, x_[i] - previous_x_[i]));
+    const S e = product(rate, dx_[i] - previous_dx_[i]);
+    const S c2 = product(Real(3.0), d) - e;
+    const S c3 = product(rate, c2 - d);
+    const S slope = dx_[i] + product(step, c2 + product(step, c3));
+    trial_[i] = x_[i] + product(step, slope);
+  }
+}
+
+/// Takes the step to `next` when Newton's method finds the path there.
+template <class S>
+bool FineSession<S>::step(const Departure& departure, const Place& next, double h,
+                          Settling& settling) {
+  const double reach =
+      kLargestOvershoot * options_.tolerance / std::pow(kCareFactor, departure.care);
+  const PathTime t = next.on(departure.contour);
+  predict(h);
+  const bool is_end = t.rest == 0.0;
+  SettlingRules rules = is_end ? FinePathSystem<S>::at_end() : FinePathSystem<S>::on_path();
+  rules.reach = reach;
+  settling = path_.settle(trial_, t, rules);
+  if (!settling.converged || (is_end && !path_.is_regular_end(settling))) return false;
+  std::swap(previous_x_, x_);
+  std::swap(previous_dx_, dx_);
+  std::swap(x_, trial_);
+  path_.tangent(departure.contour.dt(next.s), dx_);
+  last_step_ = h;
+  place_ = next;
+  path_.set_patch(x_);
+  path_.bring_to_patch(x_, dx_);
+  path_.bring_to_patch(previous_x_, previous_dx_);
+  return true;
+}
+
+template <class S>
+bool FineSession<S>::is_watched(const Departure& departure, const Settling& settling, double h) {
+  if (departure.watcher == nullptr) return false;
+  const PathTime t = place_.on(departure.contour);
+  if (std::abs(t.rest) > departure.watch_radius) return false;
+  const Point x = rounded();
+  const StepRecord record{place_.s,      t, x, h, static_cast<int>(kOrder), settling.drift,
+                          settling.first};
+  return departure.watcher->watch(record, watched_) == Watcher::Verdict::stop;
+}
+
+template <class S>
+Journey FineSession<S>::go(const Departure& departure, const std::atomic<bool>& stop,
+                           Arrival& arrival) {
+  const double tolerance = options_.tolerance / std::pow(kCareFactor, departure.care);
+  double h = kFirstStep;
+  int sample = 0;
+  while (place_.left > 0) {
+    if (stop.load(std::memory_order_relaxed)) return Journey::cancelled;
+    const StepCount& count = arrival.count;
+    if (count.accepted + count.rejected >= static_cast<std::uint64_t>(options_.maximum_steps)) {
+      return Journey::step_limit;
+    }
+    Place next = place_.ahead(h);
+    const double stop_at =
+        departure.samples > 0 ? static_cast<double>(sample + 1) / departure.samples : 1;
+    const bool is_sample = departure.samples > 0 && next.s >= stop_at;
+    if (is_sample) next = stop_at == 1 ? Place{1, 0} : Place{stop_at, 1 - stop_at};
+    const double taken = place_.step_to(next);
+    if (!(taken > FinePathSystem<S>::least_step())) return Journey::step_too_small;
+    Settling settling;
+    if (!step(departure, next, taken, settling)) {
+      ++arrival.count.rejected;
+      h = kRefusedStep * taken;
+      continue;
+    }
+    ++arrival.count.accepted;
+    if (is_sample) {
+      arrival.samples.push_back(rounded());
+      ++sample;
+    }
+    const double growth =
+        kSafety *
+        std::pow(tolerance / std::max(settling.first, kLeastCorrection * tolerance), 1 / kOrder);
+    h = std::max(is_sample ? h : 0, taken * std::clamp(growth, kLeastGrowth, kLargestGrowth));
+    if (is_watched(departure, settling, taken)) return Journey::stopped;
+  }
+  return Journey::arrived;
+}
+
+template <class S>
+Arrival FineSession<S>::travel(const Departure& departure, const std::atomic<bool>& stop) {
+  Arrival arrival;
+  const WorkCount before = path_.work();
+  arrival.journey = depart(departure) ? go(departure, stop, arrival) : Journey::bad_start;
+  arrival.x = rounded();
+  arrival.s = place_.s;
+  arrival.t = place_.on(departure.contour);
+  arrival.count.work = path_.work() - before;
+  if (arrival.journey == Journey::arrived && arrival.t.rest == 0.0) {
+    arrival.regular_condition = path_.condition();
+  }
+  return arrival;
+}
+
+/// One path after the other in S.
+template <class S>
+class FineTracker : public Tracker {
+ public:
+  FineTracker(std::string kind, const FineTrackerOptions& options)
+      : kind_(std::move(kind)), options_(options) {}
+
+  std::string kind() const override { return kind_; }
+  OptionsInForce options_in_force() const override {
+    return {{"tolerance", options_.tolerance}, {"maximum_steps", options_.maximum_steps}};
+  }
+  std::unique_ptr<TrackerSession> open(const Homotopy& homotopy) const override {
+    return std::make_unique<FineSession<S>>(options_, homotopy);
+  }
+
+ private:
+  std::string kind_;
+  FineTrackerOptions options_;
+};
+
+}  // namespace moivre
