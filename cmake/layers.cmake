@@ -3,22 +3,22 @@
 # components by it, and tests/layers checks every include by it. It only sets variables, so that `cmake -P` can read it too.
 # A module may use what its line names and what those use (one way only).
 
-set(MOIVRE_MODULES numeric expression polynomial multiprecision certify homotopy tracker tracker_cvode tracker_lanes endgame
+set(MOIVRE_MODULES numeric expression polynomial certify homotopy tracker tracker_cvode tracker_lanes multiprecision endgame
     start bounds check solver family study mechanism urdf kinematics formulation closures design arms closure_study sweep report check_report
     family_report closure_report arm_report sweep_report study_report cli)
 
 set(MOIVRE_USES_numeric "")
 set(MOIVRE_USES_expression numeric)
 set(MOIVRE_USES_polynomial expression)
-set(MOIVRE_USES_multiprecision polynomial)
 set(MOIVRE_USES_certify polynomial)
 set(MOIVRE_USES_homotopy polynomial)
 set(MOIVRE_USES_tracker homotopy)
 set(MOIVRE_USES_tracker_cvode tracker)
 set(MOIVRE_USES_tracker_lanes tracker)
+set(MOIVRE_USES_multiprecision tracker)
 set(MOIVRE_USES_endgame tracker)
 set(MOIVRE_USES_start homotopy)
-set(MOIVRE_USES_solver start endgame certify)
+set(MOIVRE_USES_solver start endgame certify multiprecision)
 set(MOIVRE_USES_bounds start)
 set(MOIVRE_USES_family solver bounds)
 # The judge of a result shares nothing with what makes one: no tracker, no endgame, no solver.
@@ -47,6 +47,7 @@ set(MOIVRE_USES_cli closure_study multiprecision report check_report family_repo
 
 # Where a module is switched off, those named here make do without it; cli makes do with what is there.
 set(MOIVRE_DO_WITHOUT_certify solver closures)
+set(MOIVRE_DO_WITHOUT_multiprecision solver)
 
 # Modules that write text and pictures: what they do takes microseconds, so that optimizing their code further only lengthens
 # the build.

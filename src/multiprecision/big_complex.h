@@ -1,18 +1,21 @@
 // SPDX-License-Identifier: MIT
-// How are complex numbers of D decimal digits a scalar of tapes and of elimination?
+// How are complex numbers of D decimal digits a scalar of tapes, of elimination and of paths?
 #pragma once
 
 #include <boost/multiprecision/mpfr.hpp>
 
 #include "moivre/numeric/complex.h"
 #include "moivre/numeric/integer.h"
+#include "moivre/numeric/scalar.h"
 
 namespace moivre {
 
+template <unsigned D>
+using BigBackend =
+    boost::multiprecision::mpfr_float_backend<D, boost::multiprecision::allocate_stack>;
 /// A number of D digits: its precision is part of its type, so threads share no setting.
 template <unsigned D>
-using BigReal = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<D>,
-                                              boost::multiprecision::et_off>;
+using BigReal = boost::multiprecision::number<BigBackend<D>, boost::multiprecision::et_off>;
 
 template <unsigned D>
 struct BigComplex {
@@ -26,6 +29,10 @@ struct BigComplex {
       : re(std::move(real)), im(std::move(imaginary)) {}
   template <unsigned E>
   explicit BigComplex(const BigComplex<E>& value) : re(value.re), im(value.im) {}
+
+  friend bool operator==(const BigComplex& a, const BigComplex& b) {
+    return a.re == b.re && a.im == b.im;
+  }
 };
 
 template <unsigned D>
@@ -51,8 +58,29 @@ BigComplex<D> product(const BigComplex<D>& a, const BigComplex<D>& b) {
   return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
 }
 template <unsigned D>
+BigComplex<D> product(const BigReal<D>& a, const BigComplex<D>& b) {
+  return {a * b.re, a * b.im};
+}
+template <unsigned D>
 BigReal<D> product(const BigReal<D>& a, const BigReal<D>& b) {
   return a * b;
+}
+template <unsigned D>
+BigComplex<D> add_product(const BigComplex<D>& a, const BigComplex<D>& b,
+                          const BigComplex<D>& sum) {
+  return sum + product(a, b);
+}
+template <unsigned D>
+BigComplex<D> add_product(const BigReal<D>& a, const BigComplex<D>& b, const BigComplex<D>& sum) {
+  return sum + product(a, b);
+}
+template <unsigned D>
+BigComplex<D> conj(const BigComplex<D>& a) {
+  return {a.re, -a.im};
+}
+template <unsigned D>
+Complex to_complex(const BigComplex<D>& a) {
+  return {static_cast<double>(a.re), static_cast<double>(a.im)};
 }
 /// |a|^2.
 template <unsigned D>
@@ -77,5 +105,22 @@ template <unsigned D>
 BigComplex<D> to_big(const Coefficient& c) {
   return {to_big<D>(c.re), to_big<D>(c.im)};
 }
+
+template <unsigned D>
+struct RealScalar<boost::multiprecision::number<BigBackend<D>, boost::multiprecision::et_off>> {
+  static BigReal<D> round(const Rational& r) { return to_big<D>(r); }
+};
+
+template <unsigned D>
+struct Scalar<BigComplex<D>> {
+  using Real = BigReal<D>;
+  /// 10^-D: the arithmetic has a few bits more.
+  static constexpr double epsilon = [] {
+    double power = 1;
+    for (unsigned k = 0; k < D; ++k) power /= 10;
+    return power;
+  }();
+  static BigComplex<D> round(const Coefficient& c) { return to_big<D>(c); }
+};
 
 }  // namespace moivre

@@ -79,7 +79,8 @@ Json to_json(const PathCounts& paths) {
           {"retracked", paths.retracked},
           {"handed_over", paths.handed_over},
           {"mixed", paths.mixed},
-          {"double_double", paths.double_double}};
+          {"double_double", paths.double_double},
+          {"multiprecision", paths.multiprecision}};
 }
 
 Json to_json(const FailedPath& failure) {

@@ -50,6 +50,10 @@ std::string paths_line(const SolveResult& result) {
     text += paths.retracked > 0 ? ", " : "; ";
     text += std::to_string(paths.double_double) + " in double-double";
   }
+  if (paths.multiprecision > 0) {
+    text += paths.retracked > 0 ? ", " : "; ";
+    text += std::to_string(paths.multiprecision) + " in more digits";
+  }
   return text + '\n';
 }
 

@@ -64,6 +64,7 @@ void count_paths(const Run& run, PathCounts& counts) {
     if (path.handed_over) ++counts.handed_over;
     if (path.rung == Rung::mixed) ++counts.mixed;
     if (path.rung == Rung::double_double) ++counts.double_double;
+    if (path.rung == Rung::multiprecision) ++counts.multiprecision;
   }
 }
 
@@ -92,6 +93,7 @@ PathCounts& PathCounts::operator+=(const PathCounts& other) {
   handed_over += other.handed_over;
   mixed += other.mixed;
   double_double += other.double_double;
+  multiprecision += other.multiprecision;
   return *this;
 }
 

@@ -13,6 +13,8 @@ namespace {
 
 // A root's image under conjugation is known as well as the root; Newton's method takes it from there.
 constexpr double kImageAccuracy = 1e-12;
+// So many paths go ahead in more digits than double-double.
+constexpr std::size_t kFirstAhead = 2;
 
 /// The paths of a group whose ends are simple roots, and those whose ends are not. Where there are both, several roots lie
 /// nearer to each other than the latter are known: no path but one ends at a simple root.
@@ -160,12 +162,17 @@ void resolve_blurred_sets(Run& run) {
   fail_unsettled(run);
 }
 
+/// After all care. More digits save no steps: where the caller's budget ended a path it stays ended.
+PathSet unsettled_paths(Run& run, const PathSet& beyond = {}) {
+  PathSet paths = doubtful_paths(run, run.setting.options.maximum_care + 1, beyond);
+  for (const std::uint64_t path : paths_failed_by(run, Failure::step_limit)) paths.erase(path);
+  return paths;
+}
+
 /// In double-double a path may turn out to end where another was thought to: that one is followed next. Each is once.
 void climb_last(Run& run, PathSet climbed) {
   while (!run.interrupted) {
-    PathSet last = doubtful_paths(run, run.setting.options.maximum_care + 1, climbed);
-    // More digits save no steps: the caller's budget stands.
-    for (const std::uint64_t path : paths_failed_by(run, Failure::step_limit)) last.erase(path);
+    PathSet last = unsettled_paths(run, climbed);
     for (const std::uint64_t path : climbed) last.erase(path);
     if (last.empty()) return;
     climb(run, last);
@@ -173,7 +180,29 @@ void climb_last(Run& run, PathSet climbed) {
   }
 }
 
-/// In double, with more care, and in double-double.
+bool is_simple_root(const Run& run, std::uint64_t path) {
+  const auto root = run.ledger.roots().find(path);
+  return root != run.ledger.roots().end() && root->second.point.simple;
+}
+
+/// Simple roots that double-double cannot part, by more digits. A path that ends at none costs as much as thousands in double:
+/// some go ahead, and others follow as long as one of those before has found a root.
+void climb_to_clusters(Run& run) {
+  for (const auto& tracker : run.setting.trackers.finer) {
+    const PathSet doubtful = unsettled_paths(run);
+    std::size_t together = kFirstAhead;
+    for (auto next = doubtful.begin(); next != doubtful.end() && !run.interrupted; together *= 2) {
+      PathSet ahead;
+      while (next != doubtful.end() && ahead.size() < together) ahead.insert(*next++);
+      climb_beyond_double_double(run, *tracker, ahead);
+      const bool helps = std::any_of(ahead.begin(), ahead.end(),
+                                     [&](auto path) { return is_simple_root(run, path); });
+      if (!helps) break;
+    }
+  }
+}
+
+/// In double, with more care, and in more digits.
 void settle_ends(Run& run) {
   const SolveOptions& options = run.setting.options;
   if (settle_by_bound(run)) return;
@@ -193,6 +222,8 @@ void settle_ends(Run& run) {
   }
   if (run.interrupted || settle_by_bound(run)) return;
   climb_last(run, beyond);
+  if (run.interrupted || settle_by_bound(run)) return;
+  climb_to_clusters(run);
   if (!run.interrupted && !settle_by_bound(run)) fail_unsettled(run);
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 #include "certificates.h"
 #include "dimension.h"
@@ -87,8 +88,14 @@ std::vector<Root> refined_roots(const Run& run) {
   for_each_parallel(chunks, run.setting.threads, [&](std::size_t chunk) {
     Refiner refiner(run.setting.refiner_program);
     Prover prover(run.setting.certify_program);
+    std::optional<Prover> fine_prover;  // made when it is first needed
     for (std::size_t k = chunk; k < roots.size(); k += chunks) {
-      roots[k] = refined_root(run, refiner, prover, run.ends[k].second);
+      const auto& [path, end] = run.ends[k];
+      const bool is_fine = run.ledger.rung(path) == Rung::multiprecision;
+      if (is_fine && !fine_prover) {
+        fine_prover.emplace(run.setting.certify_program, kFarthestRoot, kMostFineProofBits);
+      }
+      roots[k] = refined_root(run, refiner, is_fine ? *fine_prover : prover, end);
     }
   });
   return roots;

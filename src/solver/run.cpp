@@ -16,6 +16,8 @@ std::string to_string(Rung rung) {
       return "mixed";
     case Rung::double_double:
       return "double-double";
+    case Rung::multiprecision:
+      return "multiprecision";
   }
   return "";
 }

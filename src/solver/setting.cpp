@@ -3,6 +3,7 @@
 #include "setting.h"
 
 #include "certificates.h"
+#include "finer_trackers.h"
 #include "moivre/numeric/threads.h"
 #include "moivre/tracker/double_double_tracker.h"
 
@@ -18,9 +19,12 @@ constexpr int kFallbackCare = 2;
 
 Trackers trackers_of(const Tracker& tracker, const SolveOptions& options) {
   if (options.precision == Precision::double_precision) {
-    return {tracker, options.fallback, nullptr, nullptr};
+    return {tracker, options.fallback, nullptr, nullptr, {}};
   }
-  return {tracker, options.fallback, tracker.in_double_double(), make_double_double_tracker()};
+  Trackers trackers{
+      tracker, options.fallback, tracker.in_double_double(), make_double_double_tracker(), {}};
+  if (options.certify && has_certificates()) trackers.finer = make_finer_trackers();
+  return trackers;
 }
 
 }  // namespace

@@ -5,12 +5,14 @@
 //   fallback    SolveOptions::fallback, where there is one: what `first` could not settle with one level more of care
 //   fine_own    `first` in double-double, several paths at once; nullptr where it has none
 //   fine        double-double, one path at a time; nullptr where no path is to be followed beyond double
+//   finer       more digits, one path at a time; none where roots are not proved, since double tells no other root of these
 //
 // Edges: where the elimination decided the system, prepared.plan is nullopt and there are no paths.
 #pragma once
 
 #include <atomic>
 #include <memory>
+#include <vector>
 
 #include "path_pool.h"
 #include "prepare.h"
@@ -25,6 +27,7 @@ struct Trackers {
   const Tracker* fallback;
   std::unique_ptr<Tracker> fine_own;
   std::unique_ptr<Tracker> fine;
+  std::vector<std::unique_ptr<Tracker>> finer;
 };
 
 struct Setting {

@@ -24,6 +24,7 @@ PathCounts times(std::uint64_t sheets, const PathCounts& paths) {
   all.handed_over = sheets * paths.handed_over;
   all.mixed = sheets * paths.mixed;
   all.double_double = sheets * paths.double_double;
+  all.multiprecision = sheets * paths.multiprecision;
   return all;
 }
 

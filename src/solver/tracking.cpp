@@ -27,7 +27,7 @@ void track_these(Run& run, const PathProblem& problem, const PathSet& paths, int
 }
 
 /// Returns the paths that came to no verdict.
-PathSet climb_with(Run& run, const Tracker& tracker, Taken taken, const PathSet& paths) {
+PathSet climb_with(Run& run, const Tracker& tracker, Rung rung, Taken taken, const PathSet& paths) {
   PathSet left;
   if (paths.empty() || run.interrupted) return left;
   const Setting& setting = run.setting;
@@ -42,7 +42,7 @@ PathSet climb_with(Run& run, const Tracker& tracker, Taken taken, const PathSet&
       return;
     }
     take_end(run, path, std::move(end));
-    run.ledger.set_rung(path, Rung::double_double);
+    run.ledger.set_rung(path, rung);
   });
   return left;
 }
@@ -80,14 +80,19 @@ void track_again(Run& run, const PathSet& paths, int care) {
 
 PathSet climb_together(Run& run, const PathSet& paths, Taken taken) {
   const Trackers& trackers = run.setting.trackers;
-  return trackers.fine_own ? climb_with(run, *trackers.fine_own, taken, paths) : PathSet{};
+  return trackers.fine_own ? climb_with(run, *trackers.fine_own, Rung::double_double, taken, paths)
+                           : PathSet{};
 }
 
 void climb(Run& run, const PathSet& paths, Taken taken) {
   const Trackers& trackers = run.setting.trackers;
   if (!trackers.fine) return;
-  climb_with(run, *trackers.fine, taken,
+  climb_with(run, *trackers.fine, Rung::double_double, taken,
              trackers.fine_own ? climb_together(run, paths, taken) : paths);
+}
+
+void climb_beyond_double_double(Run& run, const Tracker& tracker, const PathSet& paths) {
+  climb_with(run, tracker, Rung::multiprecision, Taken::regular_ends, paths);
 }
 
 }  // namespace moivre

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which paths are followed, by whom and how carefully? All of them once; those in doubt again, and again in double-double.
+// Which paths are followed, by whom and how carefully? All of them once; those in doubt again, and again in more digits.
 //
 // Every verdict goes to ends.h. A path that is followed again loses its entry in the ledger only when the new verdict is
 // there: an interruption leaves no path without one. What `stop` cuts short marks the run as interrupted.
@@ -25,5 +25,8 @@ void climb(Run& run, const PathSet& paths, Taken taken = Taken::all_ends);
 /// Follows these together in double-double. Returns the paths that it does not decide; does nothing, and returns none, where
 /// the tracker has no double-double of its own.
 PathSet climb_together(Run& run, const PathSet& paths, Taken taken = Taken::all_ends);
+
+/// Follows these to regular ends by a tracker of more digits than double-double. A path that finds none keeps its entry.
+void climb_beyond_double_double(Run& run, const Tracker& tracker, const PathSet& paths);
 
 }  // namespace moivre

@@ -47,7 +47,8 @@ struct Progress {
 enum class Rung : std::uint8_t {
   double_precision,  ///< double throughout
   mixed,             ///< residuals in double-double where rounding stopped Newton's method
-  double_double      ///< the whole path in double-double
+  double_double,     ///< the whole path in double-double
+  multiprecision     ///< the whole path in a hundred digits or more
 };
 std::string to_string(Rung rung);
 
@@ -117,9 +118,10 @@ struct PathCounts {
   std::uint64_t failed = 0;
   std::uint64_t on_positive_dimensional = 0;
   std::uint64_t retracked = 0;
-  std::uint64_t handed_over = 0;    ///< of these, to SolveOptions::fallback
-  std::uint64_t mixed = 0;          ///< to finite ends, that needed residuals in double-double
-  std::uint64_t double_double = 0;  ///< that needed double-double throughout
+  std::uint64_t handed_over = 0;     ///< of these, to SolveOptions::fallback
+  std::uint64_t mixed = 0;           ///< to finite ends, that needed residuals in double-double
+  std::uint64_t double_double = 0;   ///< that needed double-double throughout
+  std::uint64_t multiprecision = 0;  ///< that needed more digits
 
   PathCounts& operator+=(const PathCounts& other);
   friend bool operator==(const PathCounts&, const PathCounts&) = default;
