@@ -14,8 +14,9 @@
 
 // clang-format off
 #define MOIVRE_ARB_FUNCTIONS(USE)                                                         \
-  USE(acb_add) USE(acb_add_error_mag) USE(acb_clear) USE(acb_get_mag)                     \
-  USE(acb_get_mid) USE(acb_init) USE(acb_mat_approx_inv) USE(acb_mat_approx_solve)        \
+  USE(acb_add) USE(acb_add_error_mag) USE(acb_clear) USE(acb_contains_zero)               \
+  USE(acb_get_mag) USE(acb_get_mid) USE(acb_init) USE(acb_mat_approx_inv)                 \
+  USE(acb_mat_approx_solve)                                                               \
   USE(acb_mat_clear) USE(acb_mat_init) USE(acb_mat_mul) USE(acb_mat_zero)                 \
   USE(acb_mul) USE(acb_set) USE(acb_set_d) USE(acb_sub) USE(acb_sub_si) USE(acb_swap)     \
   USE(acb_zero) USE(arb_add_arf) USE(arb_add_error_mag) USE(arb_fmpz_div_fmpz)            \

@@ -199,6 +199,11 @@ double ArbStage::largest_coordinate() const {
   return largest;
 }
 
+bool ArbStage::differs_from_zero(std::span<const ArbBall> values) {
+  return std::any_of(values.begin(), values.end(),
+                     [](const ArbBall& value) { return arb().acb_contains_zero(value.get()) == 0; });
+}
+
 /// Newton's method until its correction is small enough, or no better; the test is left to say what the point is worth. Never
 /// `proved`.
 ArbOutcome ArbStage::approach(double farthest) {
@@ -207,8 +212,10 @@ ArbOutcome ArbStage::approach(double farthest) {
   double last_ratio = 1;
   int stalls = 0;
   ArbOutcome outcome = ArbOutcome::not_proved;
+  bool tells = true;  // no step so far may have been made of rounding errors
   for (slong k = 0; k < kIterationsPerBit * bits_; ++k) {
     evaluate_at(m_);
+    tells = tells && differs_from_zero(values_);
     arb().acb_mat_zero(step_.get());  // approximate functions leave radii as they are
     if (!arb().acb_mat_approx_solve(step_.get(), j_.get(), f_.get(), bits_ + kGuardBits)) {
       return ArbOutcome::not_proved;
@@ -226,7 +233,7 @@ ArbOutcome ArbStage::approach(double farthest) {
       share = std::max(share, step / std::max(size, least));
       moved = std::max(moved, distance(mj, start_[j].get()));
     }
-    if (moved > farthest) return ArbOutcome::left;
+    if (moved > farthest) return tells ? ArbOutcome::left : ArbOutcome::not_proved;
     const double ratio = share / last;
     const bool is_quadratic = last_ratio < kQuadraticShare && ratio < last_ratio;
     if (is_quadratic) outcome = ArbOutcome::converged;

@@ -38,7 +38,7 @@ enum class ArbOutcome {
   proved,
   not_proved,
   converged,  ///< not proved, but Newton's method converged quadratically: the proof lacks digits
-  left  ///< Newton's method left the neighbourhood: with more digits it would, too
+  left  ///< Newton's method left the neighbourhood by steps that are not made of rounding: with more digits it would, too
 };
 
 class ArbStage {
@@ -61,6 +61,7 @@ class ArbStage {
   void tighten(std::vector<double>& kappa);
   std::vector<double> apply(const std::vector<double>& reach);
   void evaluate_at(std::span<const ArbBall> unknowns);
+  static bool differs_from_zero(std::span<const ArbBall> values);
   const std::vector<ArbBall>& coefficients();
 
   const CertifyProgram& program_;

@@ -17,8 +17,6 @@ namespace moivre {
 inline constexpr double kFarthestRoot = 1e-5;
 /// More digits part roots that the ends, points of double, do not: that is for paths of more digits.
 inline constexpr int kMostProofBits = 256;
-/// For the ends of these.
-inline constexpr int kMostFineProofBits = 1024;
 
 /// Whether the module certify is built in.
 bool has_certificates();

@@ -8,6 +8,7 @@
 
 #include "certificates.h"
 #include "dimension.h"
+#include "moivre/certify/certifier.h"
 
 namespace moivre {
 namespace {
@@ -93,7 +94,7 @@ std::vector<Root> refined_roots(const Run& run) {
       const auto& [path, end] = run.ends[k];
       const bool is_fine = run.ledger.rung(path) == Rung::multiprecision;
       if (is_fine && !fine_prover) {
-        fine_prover.emplace(run.setting.certify_program, kFarthestRoot, kMostFineProofBits);
+        fine_prover.emplace(run.setting.certify_program, kFarthestRoot, kMostArbBits);
       }
       roots[k] = refined_root(run, refiner, is_fine ? *fine_prover : prover, end);
     }

@@ -30,7 +30,8 @@ namespace moivre {
 
 inline constexpr int kDoubleBits = 53;
 inline constexpr int kFirstArbBits = 128;
-inline constexpr int kMostArbBits = 1024;  ///< radii of more bits fall below the smallest double
+/// A ball 2^-900 wide, about as small as a double says, holds a root whose J is as small: half for the one, half for the other.
+inline constexpr int kMostArbBits = 2048;
 
 struct CertifyOptions {
   /// A root counts as found where |x* - x|_inf <= accuracy max(1, |x|_inf), x the given point.

@@ -41,6 +41,8 @@ class Contour {
   }
   /// The point s, given left = 1 - s too: with all the digits of the smaller one.
   PathTime at(double s, double left) const { return s < 0.5 ? at(s) : before_end(left); }
+  /// A segment to t = 1.
+  bool ends_at_one() const { return kind_ == Kind::segment && to_ == 1.0; }
   /// dt/ds.
   Complex dt(double s) const {
     if (kind_ == Kind::segment) return rate_;

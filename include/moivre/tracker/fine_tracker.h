@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // How is a path followed that double cannot decide? Entirely in a scalar S of more digits: point, H, J, factors, step.
 //
-//   predict   the cubic through the last two points and tangents (Hermite); the tangent alone at first
+//   w         -log(1 - s) where the contour ends at t = 1, elsewhere s: (1 - s)^{1/m}, as at a singular end, is smooth in it
+//   predict   the cubic in w through the last two points and tangents (Hermite); the tangent alone at first
 //   correct   Newton's method, a fresh J each time, until it has converged far below the step's tolerance
 //   step      from the first Newton correction, whose size is the predictor's error: h <- h (tolerance / |dx_1|)^{1/4}
+//   land      to w = infinity, by the cubic in s, as soon as a step would come several times nearer to the end
 //
 // For the few paths that need it: in double-double a step takes some thirty times as long as in double, in a hundred digits some
 // thousand times. s and 1 - s are both stored, so that steps near either end may be as small as doubles are. A path reaches t = 1
@@ -18,6 +20,7 @@
 #include <cmath>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "moivre/tracker/fine_path_system.h"
@@ -35,12 +38,27 @@ struct Place {
   double s = 0;
   double left = 1;
 
-  Place ahead(double h) const {
-    if (h >= left) return {1, 0};
-    return s < 0.5 ? Place{s + h, 1 - (s + h)} : Place{1 - (left - h), left - h};
-  }
+  bool is_end() const { return left == 0; }
   PathTime on(const Contour& contour) const { return contour.at(s, left); }
-  double step_to(const Place& other) const { return s < 0.5 ? other.s - s : left - other.left; }
+  double distance_to(const Place& other) const { return s < 0.5 ? other.s - s : left - other.left; }
+};
+
+/// Steps h of w.
+struct Clock {
+  bool is_logarithmic = false;
+
+  Place ahead(const Place& from, double h) const {
+    const double distance = is_logarithmic ? -from.left * std::expm1(-h) : h;
+    if (distance >= from.left) return {1, 0};
+    if (from.s < 0.5) return {from.s + distance, 1 - (from.s + distance)};
+    const double left = is_logarithmic ? from.left * std::exp(-h) : from.left - h;
+    return {1 - left, left};
+  }
+  double step(const Place& from, const Place& to) const {
+    return is_logarithmic ? std::log(from.left / to.left) : from.distance_to(to);
+  }
+  /// ds/dw.
+  double pace(const Place& at) const { return is_logarithmic ? at.left : 1; }
 };
 
 /// Follows one departure after the other.
@@ -75,6 +93,10 @@ class FineSession : public TrackerSession {
   static constexpr double kRefusedStep = 0.25;
   static constexpr double kOrder = 4;  // Hermite's cubic
   static constexpr double kCareFactor = 10;
+  // A step of w that brings 1 - s down to an eighth: landing is tried first.
+  static constexpr double kLandingStep = 2;
+  // To 1e-13 of 1 - s: what the last two points tell reaches no further.
+  static constexpr double kLargestStep = 30;
   // A step is refused when its first correction is so many times the tolerance.
   static constexpr double kLargestOvershoot = 30;
   // A first correction below this fraction of the tolerance lengthens the step no further.
@@ -83,18 +105,19 @@ class FineSession : public TrackerSession {
   Arrival travel(const Departure& departure, const std::atomic<bool>& stop);
   Journey go(const Departure& departure, const std::atomic<bool>& stop, Arrival& arrival);
   bool depart(const Departure& departure);
-  void predict(double h);
-  bool step(const Departure& departure, const Place& next, double h, Settling& settling);
-  bool is_watched(const Departure& departure, const Settling& settling, double h);
+  void predict(const Place& next);
+  bool step(const Departure& departure, const Place& next, Settling& settling);
+  bool is_watched(const Departure& departure, const Settling& settling, double taken);
   Point rounded() const;
 
   FineTrackerOptions options_;
   FinePathSystem<S> path_;
   PathSystem watched_;  // for watchers, who look in double
+  Clock clock_;
   Place place_;
   FinePoint x_;
-  FinePoint dx_;
-  double last_step_ = 0;  // 0: no previous point
+  FinePoint dx_;  // by w
+  std::optional<Place> previous_;
   FinePoint previous_x_;
   FinePoint previous_dx_;
   FinePoint trial_;
@@ -109,8 +132,9 @@ Point FineSession<S>::rounded() const {
 
 template <class S>
 bool FineSession<S>::depart(const Departure& departure) {
+  clock_ = {departure.contour.ends_at_one()};
   place_ = Place();
-  last_step_ = 0;
+  previous_.reset();
   path_.set_frame(departure.frame.get());
   watched_.set_frame(departure.frame.get());
   std::transform(departure.x.begin(), departure.x.end(), x_.begin(),
@@ -120,38 +144,42 @@ bool FineSession<S>::depart(const Departure& departure) {
   path_.set_patch(x_);
   const PathTime t = place_.on(departure.contour);
   if (!path_.settle(x_, t, FinePathSystem<S>::on_path()).converged) return false;
-  path_.tangent(departure.contour.dt(0), dx_);
+  path_.tangent(departure.contour.dt(0) * clock_.pace(place_), dx_);
   return true;
 }
 
-// trial <- x + x' h + c2 h^2 + c3 h^3, through the previous point at -last_step.
+// trial <- x + x' h + c2 h^2 + c3 h^3, through the previous point. To the end h is one of s, and so are the derivatives.
 template <class S>
-void FineSession<S>::predict(double h) {
-  const Real step(h);
-  if (last_step_ == 0) {
-    for (std::size_t i = 0; i < x_.size(); ++i) trial_[i] = x_[i] + product(step, dx_[i]);
+void FineSession<S>::predict(const Place& next) {
+  const Clock clock{clock_.is_logarithmic && !next.is_end()};
+  const Real step(clock.step(place_, next));
+  const Real slope(clock.pace(place_) / clock_.pace(place_));
+  if (!previous_) {
+    for (std::size_t i = 0; i < x_.size(); ++i) {
+      trial_[i] = x_[i] + product(step, product(slope, dx_[i]));
+    }
     return;
   }
-  const Real rate = Real(1.0) / Real(last_step_);
+  const Real previous_slope(clock.pace(*previous_) / clock_.pace(*previous_));
+  const Real rate = Real(1.0) / Real(clock.step(*previous_, place_));
   for (std::size_t i = 0; i < x_.size(); ++i) {
+    const S dx = product(slope, dx_[i]);
     // Divided differences: of x twice (d), of x' (e).
-    const S d = product(rate, dx_[i] - product(rate, x_[i] - previous_x_[i]));
-    const S e = product(rate, dx_[i] - previous_dx_[i]);
+    const S d = product(rate, dx - product(rate, x_[i] - previous_x_[i]));
+    const S e = product(rate, dx - product(previous_slope, previous_dx_[i]));
     const S c2 = product(Real(3.0), d) - e;
     const S c3 = product(rate, c2 - d);
-    const S slope = dx_[i] + product(step, c2 + product(step, c3));
-    trial_[i] = x_[i] + product(step, slope);
+    trial_[i] = x_[i] + product(step, dx + product(step, c2 + product(step, c3)));
   }
 }
 
 /// Takes the step to `next` when Newton's method finds the path there.
 template <class S>
-bool FineSession<S>::step(const Departure& departure, const Place& next, double h,
-                          Settling& settling) {
+bool FineSession<S>::step(const Departure& departure, const Place& next, Settling& settling) {
   const double reach =
       kLargestOvershoot * options_.tolerance / std::pow(kCareFactor, departure.care);
   const PathTime t = next.on(departure.contour);
-  predict(h);
+  predict(next);
   const bool is_end = t.rest == 0.0;
   SettlingRules rules = is_end ? FinePathSystem<S>::at_end() : FinePathSystem<S>::on_path();
   rules.reach = reach;
@@ -160,8 +188,8 @@ bool FineSession<S>::step(const Departure& departure, const Place& next, double 
   std::swap(previous_x_, x_);
   std::swap(previous_dx_, dx_);
   std::swap(x_, trial_);
-  path_.tangent(departure.contour.dt(next.s), dx_);
-  last_step_ = h;
+  path_.tangent(departure.contour.dt(next.s) * clock_.pace(next), dx_);
+  previous_ = place_;
   place_ = next;
   path_.set_patch(x_);
   path_.bring_to_patch(x_, dx_);
@@ -170,12 +198,13 @@ bool FineSession<S>::step(const Departure& departure, const Place& next, double 
 }
 
 template <class S>
-bool FineSession<S>::is_watched(const Departure& departure, const Settling& settling, double h) {
+bool FineSession<S>::is_watched(const Departure& departure, const Settling& settling,
+                                double taken) {
   if (departure.watcher == nullptr) return false;
   const PathTime t = place_.on(departure.contour);
   if (std::abs(t.rest) > departure.watch_radius) return false;
   const Point x = rounded();
-  const StepRecord record{place_.s,      t, x, h, static_cast<int>(kOrder), settling.drift,
+  const StepRecord record{place_.s,      t, x, taken, static_cast<int>(kOrder), settling.drift,
                           settling.first};
   return departure.watcher->watch(record, watched_) == Watcher::Verdict::stop;
 }
@@ -192,17 +221,26 @@ Journey FineSession<S>::go(const Departure& departure, const std::atomic<bool>& 
     if (count.accepted + count.rejected >= static_cast<std::uint64_t>(options_.maximum_steps)) {
       return Journey::step_limit;
     }
-    Place next = place_.ahead(h);
+    Settling settling;
+    if (clock_.is_logarithmic && h >= kLandingStep) {
+      if (step(departure, {1, 0}, settling)) {
+        ++arrival.count.accepted;
+        return is_watched(departure, settling, previous_->left) ? Journey::stopped
+                                                                : Journey::arrived;
+      }
+      ++arrival.count.rejected;
+    }
+    Place next = clock_.ahead(place_, h);
     const double stop_at =
         departure.samples > 0 ? static_cast<double>(sample + 1) / departure.samples : 1;
     const bool is_sample = departure.samples > 0 && next.s >= stop_at;
     if (is_sample) next = stop_at == 1 ? Place{1, 0} : Place{stop_at, 1 - stop_at};
-    const double taken = place_.step_to(next);
+    const double taken = place_.distance_to(next);
     if (!(taken > FinePathSystem<S>::least_step())) return Journey::step_too_small;
-    Settling settling;
-    if (!step(departure, next, taken, settling)) {
+    const double tried = clock_.step(place_, next);
+    if (!step(departure, next, settling)) {
       ++arrival.count.rejected;
-      h = kRefusedStep * taken;
+      h = kRefusedStep * tried;
       continue;
     }
     ++arrival.count.accepted;
@@ -213,7 +251,8 @@ Journey FineSession<S>::go(const Departure& departure, const std::atomic<bool>& 
     const double growth =
         kSafety *
         std::pow(tolerance / std::max(settling.first, kLeastCorrection * tolerance), 1 / kOrder);
-    h = std::max(is_sample ? h : 0, taken * std::clamp(growth, kLeastGrowth, kLargestGrowth));
+    h = std::max(is_sample ? h : 0, tried * std::clamp(growth, kLeastGrowth, kLargestGrowth));
+    h = std::min(h, kLargestStep);
     if (is_watched(departure, settling, taken)) return Journey::stopped;
   }
   return Journey::arrived;
