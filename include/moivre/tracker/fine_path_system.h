@@ -43,8 +43,9 @@ struct SettlingRules {
 /// What Newton's method did.
 struct Settling {
   bool converged = false;
-  double first = 0;  ///< |dx_1|_w
-  double last = 0;   ///< |dx_k|_w of the last correction
+  double first = 0;   ///< |dx_1|_w
+  double second = 0;  ///< |dx_2|_w; 0 where there was none, or rounding made it
+  double last = 0;    ///< |dx_k|_w of the last correction
   double drift = 0;  ///< max_i |H_i| before the first one
 };
 
@@ -52,7 +53,7 @@ template <class S>
 class FinePathSystem {
  public:
   /// Of a point on the way, and of a regular end at t = 1, known beyond double.
-  static SettlingRules on_path() { return {kReach, digits(0.4), digits(0.3)}; }
+  static SettlingRules on_path() { return {kReach, digits(0.5), digits(0.3)}; }
   static SettlingRules at_end() { return {kReach, kKnown, digits(0.3)}; }
   /// No step is shorter: what is left of t cannot be told from it.
   static constexpr double least_step() { return kKnown; }
@@ -130,12 +131,13 @@ class FinePathSystem {
       const double size = correct(x);
       if (!std::isfinite(size)) return result;
       if (k == 0) result.first = size;
+      if (k == 1 && size > rules.aim) result.second = size;
       result.last = size;
       if (size > (k == 0 ? 1 : kContraction) * previous) {
         result.converged = k > 0 && size <= rules.rounding && residual() < kRoundingResidual;
         return result;
       }
-      if (size <= rules.aim) {
+      if (k > 0 && size <= rules.aim) {
         result.converged = true;
         return result;
       }

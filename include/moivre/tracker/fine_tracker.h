@@ -5,7 +5,7 @@
 //   predict   the cubic in w through the last two points and tangents (Hermite); the tangent alone at first
 //   correct   Newton's method, a fresh J each time, until it has converged far below the step's tolerance
 //   step      from the first Newton correction, whose size is the predictor's error: h <- h (tolerance / |dx_1|)^{1/4}
-//   land      to w = infinity, by the cubic in s, as soon as a step would come several times nearer to the end
+//   land      to w = infinity, by the cubic in s, as soon as a step of w is as long as what is left of s
 //
 // For the few paths that need it: in double-double a step takes some thirty times as long as in double, in a hundred digits some
 // thousand times. s and 1 - s are both stored, so that steps near either end may be as small as doubles are. A path reaches t = 1
@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -93,19 +94,24 @@ class FineSession : public TrackerSession {
   static constexpr double kRefusedStep = 0.25;
   static constexpr double kOrder = 4;  // Hermite's cubic
   static constexpr double kCareFactor = 10;
-  // A step of w that brings 1 - s down to an eighth: landing is tried first.
-  static constexpr double kLandingStep = 2;
+  // A step of w that is as long as all that is left of s, at the pace at which it begins: landing is tried first.
+  static constexpr double kLandingStep = 1;
   // To 1e-13 of 1 - s: what the last two points tell reaches no further.
   static constexpr double kLargestStep = 30;
   // A step is refused when its first correction is so many times the tolerance.
   static constexpr double kLargestOvershoot = 30;
+  // What Newton's method is to contract by at first, which is how far the prediction is from the path beside the distance to the next
+  // sheet; and how near an end has to be predicted beside that distance.
+  static constexpr double kContraction = 0.01;
+  static constexpr double kSureLanding = 0.1;
   // A first correction below this fraction of the tolerance lengthens the step no further.
   static constexpr double kLeastCorrection = 1e-12;
 
   Arrival travel(const Departure& departure, const std::atomic<bool>& stop);
   Journey go(const Departure& departure, const std::atomic<bool>& stop, Arrival& arrival);
   bool depart(const Departure& departure);
-  void predict(const Place& next);
+  double predict(const Place& next);
+  double growth(const Settling& settling, double tolerance) const;
   bool step(const Departure& departure, const Place& next, Settling& settling);
   bool is_watched(const Departure& departure, const Settling& settling, double taken);
   Point rounded() const;
@@ -116,7 +122,8 @@ class FineSession : public TrackerSession {
   Clock clock_;
   Place place_;
   FinePoint x_;
-  FinePoint dx_;  // by w
+  FinePoint dx_;      // by w
+  double apart_ = 0;  // of x from the next sheet, relative to |x|
   std::optional<Place> previous_;
   FinePoint previous_x_;
   FinePoint previous_dx_;
@@ -148,9 +155,9 @@ bool FineSession<S>::depart(const Departure& departure) {
   return true;
 }
 
-// trial <- x + x' h + c2 h^2 + c3 h^3, through the previous point. To the end h is one of s, and so are the derivatives.
+// trial <- x + x' h + c2 h^2 + c3 h^3, through the previous point; |c3 h^3|. To the end h is one of s, and so are the derivatives.
 template <class S>
-void FineSession<S>::predict(const Place& next) {
+double FineSession<S>::predict(const Place& next) {
   const Clock clock{clock_.is_logarithmic && !next.is_end()};
   const Real step(clock.step(place_, next));
   const Real slope(clock.pace(place_) / clock_.pace(place_));
@@ -158,10 +165,11 @@ void FineSession<S>::predict(const Place& next) {
     for (std::size_t i = 0; i < x_.size(); ++i) {
       trial_[i] = x_[i] + product(step, product(slope, dx_[i]));
     }
-    return;
+    return std::numeric_limits<double>::infinity();
   }
   const Real previous_slope(clock.pace(*previous_) / clock_.pace(*previous_));
   const Real rate = Real(1.0) / Real(clock.step(*previous_, place_));
+  double last_term = 0;
   for (std::size_t i = 0; i < x_.size(); ++i) {
     const S dx = product(slope, dx_[i]);
     // Divided differences: of x twice (d), of x' (e).
@@ -169,8 +177,11 @@ void FineSession<S>::predict(const Place& next) {
     const S e = product(rate, dx - product(previous_slope, previous_dx_[i]));
     const S c2 = product(Real(3.0), d) - e;
     const S c3 = product(rate, c2 - d);
-    trial_[i] = x_[i] + product(step, dx + product(step, c2 + product(step, c3)));
+    const S cubic = product(step, product(step, product(step, c3)));
+    trial_[i] = x_[i] + product(step, dx + product(step, c2)) + cubic;
+    last_term = std::max(last_term, magnitude1(to_complex(cubic)));
   }
+  return last_term / max_norm(rounded());
 }
 
 /// Takes the step to `next` when Newton's method finds the path there.
@@ -179,8 +190,9 @@ bool FineSession<S>::step(const Departure& departure, const Place& next, Settlin
   const double reach =
       kLargestOvershoot * options_.tolerance / std::pow(kCareFactor, departure.care);
   const PathTime t = next.on(departure.contour);
-  predict(next);
   const bool is_end = t.rest == 0.0;
+  const double last_term = predict(next);
+  if (is_end && last_term > kSureLanding * apart_) return false;
   SettlingRules rules = is_end ? FinePathSystem<S>::at_end() : FinePathSystem<S>::on_path();
   rules.reach = reach;
   settling = path_.settle(trial_, t, rules);
@@ -191,6 +203,7 @@ bool FineSession<S>::step(const Departure& departure, const Place& next, Settlin
   path_.tangent(departure.contour.dt(next.s) * clock_.pace(next), dx_);
   previous_ = place_;
   place_ = next;
+  apart_ = settling.first * settling.first / settling.second;
   path_.set_patch(x_);
   path_.bring_to_patch(x_, dx_);
   path_.bring_to_patch(previous_x_, previous_dx_);
@@ -207,6 +220,15 @@ bool FineSession<S>::is_watched(const Departure& departure, const Settling& sett
   const StepRecord record{place_.s,      t, x, taken, static_cast<int>(kOrder), settling.drift,
                           settling.first};
   return departure.watcher->watch(record, watched_) == Watcher::Verdict::stop;
+}
+
+/// Of a step, by both of what the first corrections tell: the prediction's error, and how near that is to the next sheet.
+template <class S>
+double FineSession<S>::growth(const Settling& settling, double tolerance) const {
+  const double error = std::max(settling.first / tolerance, kLeastCorrection);
+  const double contraction = settling.second / (kContraction * settling.first);
+  const double growth = kSafety * std::pow(std::max(error, contraction), -1 / kOrder);
+  return std::clamp(growth, kLeastGrowth, kLargestGrowth);
 }
 
 template <class S>
@@ -248,10 +270,7 @@ Journey FineSession<S>::go(const Departure& departure, const std::atomic<bool>& 
       arrival.samples.push_back(rounded());
       ++sample;
     }
-    const double growth =
-        kSafety *
-        std::pow(tolerance / std::max(settling.first, kLeastCorrection * tolerance), 1 / kOrder);
-    h = std::max(is_sample ? h : 0, tried * std::clamp(growth, kLeastGrowth, kLargestGrowth));
+    h = std::max(is_sample ? h : 0, tried * growth(settling, tolerance));
     h = std::min(h, kLargestStep);
     if (is_watched(departure, settling, taken)) return Journey::stopped;
   }
