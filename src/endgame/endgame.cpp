@@ -198,7 +198,9 @@ std::optional<Departure> Endgame::judge_arrival(Arrival&& arrival, PathSystem& p
       outpost_.empty() ? std::numeric_limits<double>::infinity() : options_.ends.regular_condition;
   if (is_regular_arrival(arrival, path, condition)) return std::nullopt;
   if (outpost_.empty()) return fail(to_failure(arrival.journey));
-  if (options_.only_regular) return fail(Failure::precision);
+  if (options_.only_regular) {
+    return fail(arrival.journey == Journey::step_limit ? Failure::step_limit : Failure::precision);
+  }
   polish_outpost(path);
   watched_at_ = outpost_;
   watched_radius_ = radius_;
@@ -497,9 +499,7 @@ std::optional<Departure> Endgame::conclude(PathSystem& path) {
 }
 
 // x_0 beside its error. That it is 0, no number of digits tells: a root of size 1e31 ends as an end at infinity does.
-bool Endgame::is_known_finite() const {
-  return chart_.finiteness(end_.x) > 10 * end_.accuracy;
-}
+bool Endgame::is_known_finite() const { return chart_.finiteness(end_.x) > 10 * end_.accuracy; }
 
 std::nullopt_t Endgame::take_finite() {
   if (!is_known_finite()) return fail(Failure::precision);

@@ -26,9 +26,14 @@ void track_these(Run& run, const PathProblem& problem, const PathSet& paths, int
   refine_ends(run);
 }
 
-/// Returns the paths that came to no verdict.
-PathSet climb_with(Run& run, const Tracker& tracker, Rung rung, Taken taken, const PathSet& paths) {
-  PathSet left;
+/// The paths that came to no verdict, and those of them that ran out of steps.
+struct Left {
+  PathSet undecided;
+  PathSet out_of_steps;
+};
+
+Left climb_with(Run& run, const Tracker& tracker, Rung rung, Taken taken, const PathSet& paths) {
+  Left left;
   if (paths.empty() || run.interrupted) return left;
   const Setting& setting = run.setting;
   EndgameOptions endgame = setting.endgame;
@@ -38,7 +43,8 @@ PathSet climb_with(Run& run, const Tracker& tracker, Rung rung, Taken taken, con
   track_these(run, problem, paths, 0, [&](std::uint64_t path, PathEnd&& end) {
     if (end.status == PathStatus::failed) {
       count_following(run, path, end);
-      left.insert(path);
+      left.undecided.insert(path);
+      if (end.failure == Failure::step_limit) left.out_of_steps.insert(path);
       return;
     }
     take_end(run, path, std::move(end));
@@ -80,8 +86,9 @@ void track_again(Run& run, const PathSet& paths, int care) {
 
 PathSet climb_together(Run& run, const PathSet& paths, Taken taken) {
   const Trackers& trackers = run.setting.trackers;
-  return trackers.fine_own ? climb_with(run, *trackers.fine_own, Rung::double_double, taken, paths)
-                           : PathSet{};
+  return trackers.fine_own
+             ? climb_with(run, *trackers.fine_own, Rung::double_double, taken, paths).undecided
+             : PathSet{};
 }
 
 void climb(Run& run, const PathSet& paths, Taken taken) {
@@ -91,8 +98,8 @@ void climb(Run& run, const PathSet& paths, Taken taken) {
              trackers.fine_own ? climb_together(run, paths, taken) : paths);
 }
 
-void climb_beyond_double_double(Run& run, const Tracker& tracker, const PathSet& paths) {
-  climb_with(run, tracker, Rung::multiprecision, Taken::regular_ends, paths);
+PathSet climb_beyond_double_double(Run& run, const Tracker& tracker, const PathSet& paths) {
+  return climb_with(run, tracker, Rung::multiprecision, Taken::regular_ends, paths).out_of_steps;
 }
 
 }  // namespace moivre
