@@ -186,7 +186,7 @@ bool is_simple_root(const Run& run, std::uint64_t path) {
 }
 
 /// Simple roots that double-double cannot part, by more digits. A path that ends at none costs as much as thousands in double:
-/// some go ahead, and others follow as long as one of those before has found a root.
+/// some go ahead, and others follow as long as one of those before has found a root. More digits save no steps.
 void climb_to_clusters(Run& run) {
   PathSet out_of_steps;
   for (const auto& tracker : run.setting.trackers.finer) {
@@ -196,7 +196,9 @@ void climb_to_clusters(Run& run) {
     for (auto next = doubtful.begin(); next != doubtful.end() && !run.interrupted; together *= 2) {
       PathSet ahead;
       while (next != doubtful.end() && ahead.size() < together) ahead.insert(*next++);
-      out_of_steps.merge(climb_beyond_double_double(run, *tracker, ahead));
+      PathSet stuck = climb_beyond_double_double(run, *tracker, ahead);
+      if (stuck == ahead) return;
+      out_of_steps.merge(stuck);
       const bool helps = std::any_of(ahead.begin(), ahead.end(),
                                      [&](auto path) { return is_simple_root(run, path); });
       if (!helps) break;

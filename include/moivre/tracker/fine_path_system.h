@@ -38,6 +38,7 @@ struct SettlingRules {
   double reach = 0;     ///< |dx_1|_w above which the point is refused
   double aim = 0;       ///< |dx_k|_w that ends it
   double rounding = 0;  ///< |dx_k|_w that passes where rounding stops it
+  double share = 0;     ///< |dx_k|_w / |dx_1|_w that ends it as well
 };
 
 /// What Newton's method did.
@@ -46,15 +47,15 @@ struct Settling {
   double first = 0;   ///< |dx_1|_w
   double second = 0;  ///< |dx_2|_w; 0 where there was none, or rounding made it
   double last = 0;    ///< |dx_k|_w of the last correction
-  double drift = 0;  ///< max_i |H_i| before the first one
+  double drift = 0;   ///< max_i |H_i| before the first one
 };
 
 template <class S>
 class FinePathSystem {
  public:
   /// Of a point on the way, and of a regular end at t = 1, known beyond double.
-  static SettlingRules on_path() { return {kReach, digits(0.5), digits(0.3)}; }
-  static SettlingRules at_end() { return {kReach, kKnown, digits(0.3)}; }
+  static SettlingRules on_path() { return {kReach, digits(0.5), digits(0.3), 0}; }
+  static SettlingRules at_end() { return {kReach, kKnown, digits(0.3), 0}; }
   /// No step is shorter: what is left of t cannot be told from it.
   static constexpr double least_step() { return kKnown; }
 
@@ -137,7 +138,7 @@ class FinePathSystem {
         result.converged = k > 0 && size <= rules.rounding && residual() < kRoundingResidual;
         return result;
       }
-      if (k > 0 && size <= rules.aim) {
+      if (k > 0 && (size <= rules.aim || size <= rules.share * result.first)) {
         result.converged = true;
         return result;
       }

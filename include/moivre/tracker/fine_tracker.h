@@ -3,7 +3,7 @@
 //
 //   w         -log(1 - s) where the contour ends at t = 1, elsewhere s: (1 - s)^{1/m}, as at a singular end, is smooth in it
 //   predict   the cubic in w through the last two points and tangents (Hermite); the tangent alone at first
-//   correct   Newton's method, a fresh J each time, until it has converged far below the step's tolerance
+//   correct   Newton's method, a fresh J each time, until it corrects far less than at first
 //   step      from the first Newton correction, whose size is the predictor's error: h <- h (tolerance / |dx_1|)^{1/4}
 //   land      to w = infinity, by the cubic in s, as soon as a step of w is as long as what is left of s
 //
@@ -104,6 +104,9 @@ class FineSession : public TrackerSession {
   // sheet; and how near an end has to be predicted beside that distance.
   static constexpr double kContraction = 0.01;
   static constexpr double kSureLanding = 0.1;
+  // A point of the way is known when Newton's method, which is to contract quadratically, corrects it by this share of the first
+  // correction.
+  static constexpr double kFarBelow = 1e-4;
   // A first correction below this fraction of the tolerance lengthens the step no further.
   static constexpr double kLeastCorrection = 1e-12;
 
@@ -195,6 +198,7 @@ bool FineSession<S>::step(const Departure& departure, const Place& next, Settlin
   if (is_end && last_term > kSureLanding * apart_) return false;
   SettlingRules rules = is_end ? FinePathSystem<S>::at_end() : FinePathSystem<S>::on_path();
   rules.reach = reach;
+  if (!is_end) rules.share = kFarBelow;
   settling = path_.settle(trial_, t, rules);
   if (!settling.converged || (is_end && !path_.is_regular_end(settling))) return false;
   std::swap(previous_x_, x_);
