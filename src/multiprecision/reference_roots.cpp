@@ -66,9 +66,7 @@ class Climb {
   ReferenceRoot from(const Point& approximation) {
     given_ = &approximation;
     root_ = ReferenceRoot();
-    std::vector<BigComplex<kFirstRung>> x;
-    for (const Complex& xi : approximation) x.emplace_back(xi);
-    rung(x, kFirstIterations);
+    rung(given_in<kFirstRung>(), kFirstIterations);
     return std::move(root_);
   }
 
@@ -87,25 +85,34 @@ class Climb {
     return *made;
   }
 
-  /// Newton's method in D digits, until the result stands or the next rung is to go on.
+  template <unsigned D>
+  std::vector<BigComplex<D>> given_in() const {
+    std::vector<BigComplex<D>> x;
+    for (const Complex& xi : *given_) x.emplace_back(xi);
+    return x;
+  }
+
+  /// Newton's method in D digits, until the result stands or the next rung is to go on. Where it is lost in rounding errors, as beside
+  /// roots of many near each other, the next rung begins anew.
   template <unsigned D>
   void rung(std::vector<BigComplex<D>> x, int iterations) {
     root_.working_digits = static_cast<int>(D);
     const bool may_finish = static_cast<int>(D) >= digits_ + kGuardDigits;
     std::vector<BigComplex<D>> dx(x.size());
     bool fills_rung = false;
-    for (int k = 0; k < iterations && !fills_rung; ++k) {
+    for (int k = 0; k < iterations && (!fills_rung || may_finish); ++k) {
       if (!newton<D>().correction(x, dx)) return;
       const double size = log10_of<D>(largest_size(dx) / scale_of(x));
       if (std::isnan(size)) return;
       root_.corrections_log10.push_back(size);
       if (may_finish && finish(x, dx, size)) return;
       for (std::size_t i = 0; i < x.size(); ++i) x[i] += dx[i];
-      fills_rung = !may_finish && size < -static_cast<double>(D) / 2;
+      fills_rung = size < -static_cast<double>(D) / 2;
     }
-    if (!fills_rung && !may_finish) return;
     if constexpr (next_rung<D>() != 0) {
-      std::vector<BigComplex<next_rung<D>()>> finer;
+      constexpr unsigned kNext = next_rung<D>();
+      if (!fills_rung) return rung(given_in<kNext>(), kFirstIterations);
+      std::vector<BigComplex<kNext>> finer;
       for (const BigComplex<D>& xi : x) finer.emplace_back(xi);
       rung(std::move(finer), kLaterIterations);
     }

@@ -142,7 +142,7 @@ TEST(Certified, RootsThatNoErrorOfTheFilesNumbersMovesToInfinityAreFinite) {
   const System f = read(
       "3\n x^2*z^2 + 12*x*z + 35.99999999992;\n 2*x - 9*z - 2.00000000003;\n"
       " -x^2*z + 7*x*y*z - 2*x*z^2 - 3*x^2 - 5*x*z - 8*x + 42*y - 12*z - 27.99999999994;\n");
-  expect_proved(f, 1, 5, 4, "mixed volume");
+  expect_proved(f, 1, 5, 4, "multihomogeneous number");
 }
 
 // (x - 4 z - 1)^3 = -1e-12, and y is 1e4 times larger the nearer x - 4 z is to 1. The digits of the file may make it 5e-13, not 0.
