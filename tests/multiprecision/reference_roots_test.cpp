@@ -165,6 +165,13 @@ TEST(ReferenceRoots, TellRootsApartThatAgreeIn14Digits) {
   EXPECT_EQ(roots[1].x[0].re, "1." + std::string(13, '0') + "1" + std::string(35, '0'));
 }
 
+// In 90 and in 180 digits rounding errors hide them.
+TEST(ReferenceRoots, OfThirtyWithinAMillionthAreGiven) {
+  const auto roots = reference_roots(system_of("1\n(x - 1)^30 - 1e-180;\n"), {{1.000001}}, 20);
+  ASSERT_TRUE(roots[0].converged);
+  EXPECT_EQ(roots[0].x[0].re, "1.0000010000000000000");
+}
+
 TEST(ReferenceRoots, RefuseDigitsOfASingularRoot) {
   const System f = system_of("2\nx^2 - 2*x + 1;\ny - x;\n");
   for (const Point& x : {Point{1, 1}, Point{1 + 1e-8, 1 - 1e-9}}) {

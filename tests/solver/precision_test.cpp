@@ -122,6 +122,33 @@ TEST(Precision, RootsAMillionthApartAreNotOneSingularRoot) {
   }
 }
 
+TEST(Precision, TenRootsWithinAMillionthAreFoundByPathsOfMoreDigits) {
+  const System f = test::read("1\n (x - 1)^10 - 1e-60;\n");
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    SCOPED_TRACE(seed);
+    const SolveResult result = solve_with(f, Precision::automatic, seed);
+    test::expect_conservation(result);
+    EXPECT_EQ(result.completeness, RootCompleteness::proved);
+    EXPECT_EQ(result.paths.multiprecision, 10U);
+    ASSERT_EQ(result.solutions.size(), 10U);
+    for (const Solution& s : result.solutions) {
+      EXPECT_EQ(s.precision, Rung::multiprecision);
+      EXPECT_NEAR(std::abs(s.x[0] - 1.0), 1e-6, 1e-15);
+      EXPECT_LT(s.accuracy, 1e-15);
+    }
+  }
+}
+
+// Double holds no other proof of a root that only more digits part from the next one.
+TEST(Precision, NoPathHasMoreDigitsThanDoubleDoubleWhereRootsAreNotProved) {
+  SolveOptions options = with_seed(1);
+  options.certify = false;
+  const SolveResult result =
+      test::solve_with_cvode(test::read("1\n (x - 1)^10 - 1e-60;\n"), options);
+  EXPECT_EQ(result.paths.multiprecision, 0U);
+  EXPECT_NE(result.solutions.size(), 10U);
+}
+
 TEST(Precision, ASingularRootStaysOneInDoubleDouble) {
   for (const char* name :
        {"multiplicity-2", "multiplicity-7", "double-lines-4", "griewank-osborne"}) {
@@ -137,6 +164,7 @@ TEST(Precision, EachRungHasAName) {
   EXPECT_EQ(to_string(Rung::double_precision), "double");
   EXPECT_EQ(to_string(Rung::mixed), "mixed");
   EXPECT_EQ(to_string(Rung::double_double), "double-double");
+  EXPECT_EQ(to_string(Rung::multiprecision), "multiprecision");
 }
 
 }  // namespace

@@ -42,6 +42,23 @@ TEST(DoubleDoubleTracker, DoesNotArriveAtADoubleRoot) {
   EXPECT_LT(std::abs(affine(arrival.x) - Complex(0, 1)), 1e-9);
 }
 
+// Both sheets pass from a distance of 1 to one of 2e-8: a landing from too far away ends at the other's root.
+TEST(DoubleDoubleTracker, LandsOnlyWhereTheNextSheetIsFartherThanTheLandingIsUnsure) {
+  const Homotopy homotopy = from_square_roots_of_one("x^2 - 2*i*x - 1 - 1e-16");
+  for (const double tolerance : {1e-3, 1e-4, 1e-5, 1e-6, 1e-7}) {
+    SCOPED_TRACE(tolerance);
+    std::vector<double> ends;
+    for (const double start : {1.0, -1.0}) {
+      const Arrival arrival = follow_from(homotopy, from({start, 1}), {.tolerance = tolerance});
+      ASSERT_EQ(arrival.journey, Journey::arrived);
+      ends.push_back(affine(arrival.x).real());
+    }
+    std::sort(ends.begin(), ends.end());
+    EXPECT_NEAR(ends[0], -1e-8, 1e-15);
+    EXPECT_NEAR(ends[1], 1e-8, 1e-15);
+  }
+}
+
 TEST(DoubleDoubleTracker, TellsRootsApartThatAreNearerThanDoubleCanTell) {
   // Roots i and i + 1e-12: their condition is 1e24 in coefficients that double holds.
   const Homotopy homotopy = from_square_roots_of_one("x^2 - (2*i + 1e-12)*x - 1 + 1e-12*i");
