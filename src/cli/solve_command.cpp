@@ -157,7 +157,7 @@ void add_solve_command(CLI::App& moivre, Chosen& chosen) {
   app.add_option("--phc", command->phc, "write PHCpack's solution list here")->type_name("PATH");
   add_tracker_options(app, command->tracker);
   app.add_option("--precision", command->precision,
-                 "precision of the paths: auto (double-double where double fails), double or "
+                 "precision of the paths: auto (more digits where double fails), double or "
                  "double-double; lanes: several paths at once in each")
       ->capture_default_str()
       ->group("Tracker");
