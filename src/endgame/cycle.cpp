@@ -84,6 +84,18 @@ Complex laurent_of_pole(const std::vector<Complex>& p, std::size_t j,
   return sum;
 }
 
+/// What all numbers may change in the sum of z^k, in units: |sum_i k z_i^{k-1} dz_i| of each. powers: z^{k-1}.
+double change_of_sum(const std::vector<Complex>& powers,
+                     const std::vector<std::vector<Complex>>& changes, int k) {
+  double all = 0;
+  for (const std::vector<Complex>& change : changes) {
+    Complex sum;
+    for (std::size_t i = 0; i < powers.size(); ++i) sum = add_product(powers[i], change[i], sum);
+    all += k * modulus(sum);
+  }
+  return all;
+}
+
 }  // namespace
 
 double limit_bound(const std::vector<Complex>& z, int m) {
@@ -100,7 +112,8 @@ bool vanish_together(const std::vector<Complex>& z, int m, const EndParameters& 
 }
 
 SumsAndErrors sums_and_errors(const std::vector<Complex>& z, int m, double known,
-                              const EndParameters& ends) {
+                              const EndParameters& ends,
+                              const std::vector<std::vector<Complex>>& changes) {
   SumsAndErrors worst;
   double unit = 0;
   for (const Complex& sample : z) unit = std::max(unit, modulus(sample));
@@ -109,6 +122,7 @@ SumsAndErrors sums_and_errors(const std::vector<Complex>& z, int m, double known
   const std::vector<Complex> turn = unit_roots(samples);
   std::vector<Complex> powers(z.size(), Complex(1));
   for (int k = 1; k <= m; ++k) {
+    const double changed = change_of_sum(powers, changes, k) / unit;
     std::vector<Complex> p(samples);
     double size = 0;
     for (std::size_t i = 0; i < z.size(); ++i) {
@@ -120,7 +134,8 @@ SumsAndErrors sums_and_errors(const std::vector<Complex>& z, int m, double known
     const double seen = modulus(laurent_of_pole(p, 1, turn)) + modulus(laurent_of_pole(p, 2, turn));
     const double rounding = k * std::max(known, std::numeric_limits<double>::epsilon()) * size;
     const double error = std::max(seen, rounding);
-    worst.sum = std::max(worst.sum, modulus(laurent_of_pole(p, 0, turn)) / error);
+    const double sum = std::max(0.0, modulus(laurent_of_pole(p, 0, turn)) - changed);
+    worst.sum = std::max(worst.sum, sum / error);
     worst.error = std::max(worst.error, error / (k * size));
   }
   return worst;

@@ -36,9 +36,11 @@ struct SumsAndErrors {
   double error = 0;  ///< the largest of the errors, relative
 };
 
-/// known: relative, to which z is known otherwise.
+/// known: relative, to which z is known otherwise. changes: of z, what each of the file's numbers may change in it; the sums may differ from 0
+/// by what these make of them, to first order.
 SumsAndErrors sums_and_errors(const std::vector<Complex>& z, int m, double known,
-                              const EndParameters& ends);
+                              const EndParameters& ends,
+                              const std::vector<std::vector<Complex>>& changes = {});
 
 /// No limit exceeds `bound`, and all are nearer to 0 than the samples are.
 bool end_beyond(double bound, const std::vector<Complex>& z, int m);

@@ -9,6 +9,7 @@
 
 #include "cycle.h"
 #include "face.h"
+#include "file_errors.h"
 #include "moivre/numeric/random.h"
 
 namespace moivre {
@@ -371,22 +372,43 @@ bool Endgame::polish_samples(PathSystem& path) {
   return true;
 }
 
+// What the power sums of x_0 are is what the errors of the file's numbers make of them.
+bool Endgame::errors_explain(PathSystem& path) const {
+  if (path.homotopy().largest_error() == 0) return false;
+  const Contour circle = Contour::spiral(radius_, Complex(0, 2 * std::numbers::pi));
+  const auto changes =
+      changes_of_x0(path, frame_.get(), circle, static_cast<std::size_t>(options_.ends.samples),
+                    samples_, patch_);
+  const SumsAndErrors sums = sums_and_errors(samples_of_x0(), turns_, 0, options_.ends, changes);
+  return sums.sum <= options_.ends.shrink && sums.error <= options_.ends.sample_error;
+}
+
 // A large finite root with the same face is told by the errors of the samples. Where these leave a doubt, or are large, the samples
-// get all their digits first. Where the face has its root but for the digits of the coefficients, these say no more.
-bool Endgame::stays_at_infinity(FaceRoot place, PathSystem& path) {
-  if (place == FaceRoot::as_rounded) return true;
+// get all their digits first. What the digits of the coefficients explain is at infinity as rounded.
+FaceRoot Endgame::confirmed(FaceRoot place, PathSystem& path) {
   const double known = path.homotopy().largest_error();
   const auto measured = [&] {
     return sums_and_errors(samples_of_x0(), turns_, known, options_.ends);
   };
-  // u times the operations of as many residuals.
-  const double rounding = options_.ends.samples * options_.ends.rounding;
-  const SumsAndErrors first = measured();
-  if (first.sum > options_.ends.shrink) return false;
-  if (first.error * std::max(first.sum, 1.0) <= rounding) return true;
-  if (!polish_samples(path)) return false;
-  const SumsAndErrors fine = measured();
-  return fine.sum <= options_.ends.shrink && fine.error <= options_.ends.sample_error;
+  if (place == FaceRoot::exact) {
+    // u times the operations of as many residuals.
+    const double rounding = options_.ends.samples * options_.ends.rounding;
+    const SumsAndErrors first = measured();
+    if (first.sum > options_.ends.shrink) {
+      return errors_explain(path) ? FaceRoot::as_rounded : FaceRoot::none;
+    }
+    if (first.error * std::max(first.sum, 1.0) <= rounding) return FaceRoot::exact;
+  } else if (errors_explain(path)) {
+    return FaceRoot::as_rounded;
+  }
+  if (!polish_samples(path)) return FaceRoot::none;
+  if (place == FaceRoot::exact) {
+    const SumsAndErrors fine = measured();
+    if (fine.sum <= options_.ends.shrink && fine.error <= options_.ends.sample_error) {
+      return FaceRoot::exact;
+    }
+  }
+  return errors_explain(path) ? FaceRoot::as_rounded : FaceRoot::none;
 }
 
 bool Endgame::sheets_meet(const Point& x) const {
@@ -420,9 +442,10 @@ std::optional<Departure> Endgame::estimate_end(PathSystem& path) {
   if (is_beyond || vanish_together(x0, turns_, options_.ends)) {
     const FaceRoot place = place_at_infinity(path);
     if (place != FaceRoot::none) {
-      if (!stays_at_infinity(place, path)) return shrink(path);
+      const FaceRoot infinity = confirmed(place, path);
+      if (infinity == FaceRoot::none) return shrink(path);
       end_.status = PathStatus::at_infinity;
-      end_.is_as_rounded = place == FaceRoot::as_rounded;
+      end_.is_as_rounded = infinity == FaceRoot::as_rounded;
       return std::nullopt;
     }
   }

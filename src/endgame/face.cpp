@@ -83,27 +83,32 @@ class Faces {
     MatrixXcd jacobian(value.size(), static_cast<Index>(y.size()));
     double threshold = ends_.agreement;
     double before = 0;
+    FaceRoot result = FaceRoot::none;
     // Towards an m-fold root the values fall by (1 - 1/m)^m < 1/e with each iteration.
     const auto iterations = static_cast<int>(std::ceil(-std::log(ends_.fine_rounding)));
     for (int k = 0; k < iterations; ++k) {
       fused([&] { evaluate(y, value, error, jacobian); });
       const double largest = value.lpNorm<Eigen::Infinity>();
       if (largest <= ends_.fine_rounding) return FaceRoot::exact;
-      if (largest <= error.sum() && vanish_as_rounded(value, error, jacobian))
-        return FaceRoot::as_rounded;
       const bool is_stuck = std::abs(largest - before) < before / 10;
+      if (result == FaceRoot::none && largest <= error.sum() &&
+          vanish_as_rounded(value, error, jacobian)) {
+        result = FaceRoot::as_rounded;
+      }
+      // The errors make up for nothing where the way leads on to a root, slowly where that is a multiple one.
+      if (result == FaceRoot::as_rounded && is_stuck) break;
       if (is_stuck) threshold = std::max(threshold / 10, ends_.rounding);
       before = largest;
       Eigen::CompleteOrthogonalDecomposition<MatrixXcd> qr;
       qr.setThreshold(threshold);
       const VectorXcd dz = qr.compute(jacobian).solve(-value);
-      if (!dz.allFinite()) return FaceRoot::none;
+      if (!dz.allFinite()) break;
       for (std::size_t j = 0; j < y.size(); ++j) {
         // 1 + (e^dz - 1) keeps all digits of double-double where dz is small.
         y[j] += product(Number(exp_minus_1(dz[static_cast<Index>(j)])), y[j]);
       }
     }
-    return FaceRoot::none;
+    return result;
   }
 
  private:

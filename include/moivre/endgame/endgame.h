@@ -143,7 +143,8 @@ class Endgame : public Watcher {
   std::vector<Complex> samples_of_x0() const;
   bool ends_beyond(const std::vector<Complex>& x0) const;
   FaceRoot place_at_infinity(PathSystem& path) const;
-  bool stays_at_infinity(FaceRoot place, PathSystem& path);
+  FaceRoot confirmed(FaceRoot place, PathSystem& path);
+  bool errors_explain(PathSystem& path) const;
   bool polish_samples(PathSystem& path);
   bool sheets_meet(const Point& x) const;
   bool sheets_meet_in_all_digits(PathSystem& path);

@@ -84,6 +84,9 @@ class PathSystem {
   /// dx <- J^{-1} [-H_t dt; 0] with the factors of the last linearize().
   void tangent(Complex dt, std::span<Complex> dx) noexcept;
 
+  /// w <- J^{-H} w with the factors of the last linearize(): n + 1.
+  void solve_adjoint(std::span<Complex> w) noexcept { lu_.solve_adjoint(w); }
+
   /// Newton from x at fixed t, x replaced. Simplified: the factors of the last linearize() serve as long as they contract;
   /// they are renewed once when they do not, and at the start when `fresh`.
   Correction correct(std::span<Complex> x, const PathTime& t, const CorrectorOptions& options,
