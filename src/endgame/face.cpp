@@ -91,10 +91,7 @@ class Faces {
       const double largest = value.lpNorm<Eigen::Infinity>();
       if (largest <= ends_.fine_rounding) return FaceRoot::exact;
       const bool is_stuck = std::abs(largest - before) < before / 10;
-      if (result == FaceRoot::none && largest <= error.sum() &&
-          vanish_as_rounded(value, error, jacobian)) {
-        result = FaceRoot::as_rounded;
-      }
+      if (largest <= error.sum()) result = FaceRoot::as_rounded;
       // The errors make up for nothing where the way leads on to a root, slowly where that is a multiple one.
       if (result == FaceRoot::as_rounded && is_stuck) break;
       if (is_stuck) threshold = std::max(threshold / 10, ends_.rounding);
@@ -148,22 +145,6 @@ class Faces {
       ++next;
     }
     return face;
-  }
-
-  // Do the faces have a root beside this point for other coefficients that the file may mean: value + J dy + d = 0 with
-  // |d_i| <= error_i? What no dy removes lies in the left null space of J; the least d / error in the 2-norm is tried. Where
-  // only exact equations are left over, that is beyond the rank of the errors and left to Gauss-Newton.
-  bool vanish_as_rounded(const VectorXcd& value, const VectorXd& error,
-                         const MatrixXcd& jacobian) const {
-    Eigen::ColPivHouseholderQR<MatrixXcd> qr;
-    qr.setThreshold(ends_.agreement);
-    qr.compute(jacobian);
-    if (qr.rank() == value.size()) return false;  // there is an exact root beside it
-    const MatrixXcd q = qr.householderQ();
-    const MatrixXcd left = q.rightCols(value.size() - qr.rank()).adjoint();
-    const MatrixXcd effects = left * error.asDiagonal();
-    const VectorXcd share = effects.completeOrthogonalDecomposition().solve(left * value);
-    return share.lpNorm<Eigen::Infinity>() <= 1;
   }
 
   // Each face over its largest term, what errors of the file's numbers change in it, and its derivatives in log y: the torus
