@@ -8,8 +8,8 @@
 // generic system has no such point in any direction, since the faces are n equations for what are n - 1 unknowns. A path that
 // merely grows for a while, to a large finite root, finds none. So its direction is taken for that of an end at infinity where
 // Newton's method in log x, from the path's own point, makes all faces vanish to the rounding of double-double, and nowhere else.
-// Where the file's numbers were rounded (Homotopy::errors) their errors may make up for what no step removes from the faces'
-// values: then another system that the file may mean has a root at infinity there.
+// Where the file's numbers were rounded (Homotopy::errors) faces whose values are within the sum of all errors may vanish for another
+// system that the file may mean. Whether the ends do go to infinity for it, the samples tell (file_errors.h).
 //
 //   w: valuations, rounded to fractions of the least denominator that they allow
 //   Edges: a face of one term cannot vanish. Coordinates that are 0 have no valuation, and terms with them no part.
@@ -26,7 +26,7 @@ namespace moivre {
 enum class FaceRoot {
   none,
   exact,
-  as_rounded  ///< of faces whose coefficients differ from F's by less than their errors
+  as_rounded  ///< perhaps, of faces whose coefficients differ from F's by less than their errors
 };
 
 /// x: homogeneous, not in a frame, at 1 - t = radius. valuations: of x_j / x_0, n of them.

@@ -145,6 +145,19 @@ TEST(Certified, RootsThatNoErrorOfTheFilesNumbersMovesToInfinityAreFinite) {
   expect_proved(f, 1, 5, 4, "multihomogeneous number");
 }
 
+// (9 x^2 - 5 z + 4)^2 = 2e-12, known to 0.5e-12, keeps four roots from infinity. Their face vanishes exactly, whatever the digits are.
+TEST(Certified, ARootOfAFaceIsAtInfinityOnlyWhereTheFilesNumbersMayMoveTheEndsThere) {
+  const System f = read(
+      "3\n 81*x^4 - 90*x^2*z + 72*x^2 + 25*z^2 - 40*z + 15.999999999998;\n"
+      " -8*x*y - 6*y^2 + 5*y + 4.000000000008;\n"
+      " -81*x^3 + 27*x^2*y + 81*x^2*z - 81*x^2 - 8*x*y + 45*x*z - 15*y*z - 45*z^2 - 36*x + 12*y"
+      " + 81*z - 38.000000000002;\n");
+  for (const SolveResult& result : solved_by_lanes(f, 1, 5)) {
+    expect_conservation(result);
+    EXPECT_TRUE(!result.complete || result.solutions.size() == 8U) << result.seed;
+  }
+}
+
 // (x - 4 z - 1)^3 = -1e-12, and y is 1e4 times larger the nearer x - 4 z is to 1. The digits of the file may make it 5e-13, not 0.
 TEST(Certified, ARootOfAFaceNeedsErrorsInTheEquationsThatDoNotVanish) {
   const System f = read(
