@@ -3,7 +3,7 @@
 
 option(MOIVRE_WITH_CVODE "Build the CVODE tracker (needs SUNDIALS)" ON)
 option(MOIVRE_WITH_LANES "Build the lane tracker (needs Highway)" ON)
-option(MOIVRE_WITH_MULTIPRECISION "Build the roots to many digits (needs MPFR)" ON)
+option(MOIVRE_WITH_MULTIPRECISION "Build the roots, and the paths, of many digits (needs MPFR)" ON)
 option(MOIVRE_WITH_CERTIFY "Build the certificates of roots (needs Arb)" ON)
 option(MOIVRE_WITH_STUDY "Build the study of error against run time (needs multiprecision)" ON)
 option(MOIVRE_WITH_MECHANISM "Build mechanisms, and all that needs them (needs toml++ and pugixml)" ON)

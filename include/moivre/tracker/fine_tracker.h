@@ -4,8 +4,10 @@
 //   w         -log(1 - s) where the contour ends at t = 1, elsewhere s: (1 - s)^{1/m}, as at a singular end, is smooth in it
 //   predict   the cubic in w through the last two points and tangents (Hermite); the tangent alone at first
 //   correct   Newton's method, a fresh J each time, until it corrects far less than at first
-//   step      from the first Newton correction, whose size is the predictor's error: h <- h (tolerance / |dx_1|)^{1/4}
-//   land      to w = infinity, by the cubic in s, as soon as a step of w is as long as what is left of s
+//   step      h <- h min(tolerance / |dx_1|, Theta / (|dx_2| / |dx_1|))^{1/4}: the first correction is the predictor's error; beside the
+//             next sheet's distance, about |dx_1|^2 / |dx_2|, it is how fast Newton's method contracts
+//   land      to w = infinity, by the cubic in s, as soon as a step of w is as long as what is left of s and the cubic's last term
+//             is small beside the next sheet's distance
 //
 // For the few paths that need it: in double-double a step takes some thirty times as long as in double, in a hundred digits some
 // thousand times. s and 1 - s are both stored, so that steps near either end may be as small as doubles are. A path reaches t = 1
@@ -33,6 +35,8 @@ struct FineTrackerOptions {
   double tolerance = 1e-5;             ///< |dx_1|_w that steps aim at
   std::int64_t maximum_steps = 20000;  ///< of one segment
 };
+
+namespace detail {
 
 /// A place on the contour, from both ends.
 struct Place {
@@ -62,6 +66,8 @@ struct Clock {
   double pace(const Place& at) const { return is_logarithmic ? at.left : 1; }
 };
 
+}  // namespace detail
+
 /// Follows one departure after the other.
 template <class S>
 class FineSession : public TrackerSession {
@@ -74,7 +80,8 @@ class FineSession : public TrackerSession {
         dx_(path_.coordinates()),
         previous_x_(path_.coordinates()),
         previous_dx_(path_.coordinates()),
-        trial_(path_.coordinates()) {}
+        trial_(path_.coordinates()),
+        rounded_(path_.coordinates()) {}
 
   void run(DepartureSource& source, const std::atomic<bool>& stop) noexcept override {
     while (std::optional<Departure> departure = source.next()) {
@@ -86,6 +93,8 @@ class FineSession : public TrackerSession {
  private:
   using Real = typename Scalar<S>::Real;
   using FinePoint = std::vector<S>;
+  using Place = detail::Place;
+  using Clock = detail::Clock;
 
   static constexpr double kFirstStep = 1e-3;
   static constexpr double kSafety = 0.8;
@@ -100,8 +109,7 @@ class FineSession : public TrackerSession {
   static constexpr double kLargestStep = 30;
   // A step is refused when its first correction is so many times the tolerance.
   static constexpr double kLargestOvershoot = 30;
-  // What Newton's method is to contract by at first, which is how far the prediction is from the path beside the distance to the next
-  // sheet; and how near an end has to be predicted beside that distance.
+  // Theta, and how near an end has to be predicted beside the distance to the next sheet.
   static constexpr double kContraction = 0.01;
   static constexpr double kSureLanding = 0.1;
   // A point of the way is known when Newton's method, which is to contract quadratically, corrects it by this share of the first
@@ -117,7 +125,7 @@ class FineSession : public TrackerSession {
   double growth(const Settling& settling, double tolerance) const;
   bool step(const Departure& departure, const Place& next, Settling& settling);
   bool is_watched(const Departure& departure, const Settling& settling, double taken);
-  Point rounded() const;
+  const Point& rounded();
 
   FineTrackerOptions options_;
   FinePathSystem<S> path_;
@@ -131,13 +139,13 @@ class FineSession : public TrackerSession {
   FinePoint previous_x_;
   FinePoint previous_dx_;
   FinePoint trial_;
+  Point rounded_;
 };
 
 template <class S>
-Point FineSession<S>::rounded() const {
-  Point result(x_.size());
-  round_into<S>(x_, result);
-  return result;
+const Point& FineSession<S>::rounded() {
+  round_into<S>(x_, rounded_);
+  return rounded_;
 }
 
 template <class S>
@@ -145,6 +153,7 @@ bool FineSession<S>::depart(const Departure& departure) {
   clock_ = {departure.contour.ends_at_one()};
   place_ = Place();
   previous_.reset();
+  apart_ = 0;
   path_.set_frame(departure.frame.get());
   watched_.set_frame(departure.frame.get());
   std::transform(departure.x.begin(), departure.x.end(), x_.begin(),
@@ -220,7 +229,7 @@ bool FineSession<S>::is_watched(const Departure& departure, const Settling& sett
   if (departure.watcher == nullptr) return false;
   const PathTime t = place_.on(departure.contour);
   if (std::abs(t.rest) > departure.watch_radius) return false;
-  const Point x = rounded();
+  const Point& x = rounded();
   const StepRecord record{place_.s,      t, x, taken, static_cast<int>(kOrder), settling.drift,
                           settling.first};
   return departure.watcher->watch(record, watched_) == Watcher::Verdict::stop;
