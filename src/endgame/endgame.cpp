@@ -259,9 +259,12 @@ std::optional<Departure> Endgame::begin_first_circle() {
   return approach(common_radius());
 }
 
+Contour Endgame::circle() const {
+  return Contour::spiral(radius_, Complex(0, 2 * std::numbers::pi));
+}
+
 Departure Endgame::walk_turn(Point x) {
-  return along(Contour::spiral(radius_, Complex(0, 2 * std::numbers::pi)), std::move(x),
-               options_.ends.samples);
+  return along(circle(), std::move(x), options_.ends.samples);
 }
 
 std::optional<Departure> Endgame::begin_circle() {
@@ -356,13 +359,13 @@ FaceRoot Endgame::place_at_infinity(PathSystem& path) const {
 
 // Gives the samples all their digits: residuals in double-double. False where Newton's method does not converge.
 bool Endgame::polish_samples(PathSystem& path) {
-  const Contour circle = Contour::spiral(radius_, Complex(0, 2 * std::numbers::pi));
+  const Contour turn = circle();
   CorrectorOptions newton;
   newton.tolerance = options_.ends.sample_error;  // the next correction would be its square
   newton.fine = true;
   const auto count = static_cast<std::size_t>(options_.ends.samples);
   for (std::size_t of_turn = 0; of_turn < count; ++of_turn) {
-    const PathTime time = circle.at(static_cast<double>(of_turn + 1) / static_cast<double>(count));
+    const PathTime time = turn.at(static_cast<double>(of_turn + 1) / static_cast<double>(count));
     // At one t after another: its coefficients are evaluated once for all sheets.
     for (std::size_t k = of_turn; k < samples_.size(); k += count) {
       if (!path.correct(samples_[k], time, newton, true).converged) return false;
@@ -375,9 +378,8 @@ bool Endgame::polish_samples(PathSystem& path) {
 // What the power sums of x_0 are is what the errors of the file's numbers make of them.
 bool Endgame::errors_explain(PathSystem& path) const {
   if (path.homotopy().largest_error() == 0) return false;
-  const Contour circle = Contour::spiral(radius_, Complex(0, 2 * std::numbers::pi));
   const auto changes =
-      changes_of_x0(path, frame_.get(), circle, static_cast<std::size_t>(options_.ends.samples),
+      changes_of_x0(path, frame_.get(), circle(), static_cast<std::size_t>(options_.ends.samples),
                     samples_, patch_);
   const SumsAndErrors sums = sums_and_errors(samples_of_x0(), turns_, 0, options_.ends, changes);
   return sums.sum <= options_.ends.shrink && sums.error <= options_.ends.sample_error;

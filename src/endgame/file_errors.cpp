@@ -4,16 +4,10 @@
 
 #include <algorithm>
 
+#include "moivre/polynomial/value.h"
+
 namespace moivre {
 namespace {
-
-Complex value_of(const Monomial& monomial, const Point& x) {
-  Complex value = 1;
-  for (const Power& power : monomial) {
-    for (std::uint32_t e = 0; e < power.exponent; ++e) value = product(value, x[power.variable]);
-  }
-  return value;
-}
 
 /// l J^{-1}, l = e_0 - x_0 a.
 Point gradient_of_x0(PathSystem& path, const Point& x, const Point& patch) {
@@ -62,7 +56,7 @@ std::vector<std::vector<Complex>> changes_of_x0(PathSystem& path, const PathFram
         Complex moved = product(t.t, to_complex(coefficients.f[term]));
         if (frame != nullptr) moved *= frame->factors[term];
         const Complex effect =
-            -product(w[i], product(moved, value_of(terms[k].monomial, samples[s])));
+            -product(w[i], product(moved, value_at(terms[k].monomial, samples[s])));
         for (const NumberError& error : errors) {
           Complex& change = changes[error.number][s];
           change = add_product(effect, error.change, change);

@@ -3,27 +3,24 @@
 #include "moivre/polynomial/value.h"
 
 namespace moivre {
-namespace {
-
-Complex value_of(const Term& term, const Point& x) {
-  Complex product = to_complex(term.coefficient);
-  for (const Power& factor : term.monomial) {
-    for (std::uint32_t k = 0; k < factor.exponent; ++k) product *= x[factor.variable];
+Complex value_at(const Monomial& monomial, const Point& x) {
+  Complex value = 1;
+  for (const Power& power : monomial) {
+    for (std::uint32_t k = 0; k < power.exponent; ++k) value *= x[power.variable];
   }
-  return product;
+  return value;
 }
-
-}  // namespace
 
 Complex value_at(const Polynomial& p, const Point& x) {
   Complex sum = 0;
-  for (const Term& term : p.terms) sum += value_of(term, x);
+  for (const Term& term : p.terms) sum += to_complex(term.coefficient) * value_at(term.monomial, x);
   return sum;
 }
 
 double term_size(const Polynomial& p, const Point& x) {
   double sum = 0;
-  for (const Term& term : p.terms) sum += std::abs(value_of(term, x));
+  for (const Term& term : p.terms)
+    sum += std::abs(to_complex(term.coefficient) * value_at(term.monomial, x));
   return sum;
 }
 

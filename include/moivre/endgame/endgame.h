@@ -130,6 +130,7 @@ class Endgame : public Watcher {
   std::optional<Departure> approach(double radius);
   std::optional<Departure> begin_first_circle();
   std::optional<Departure> begin_circle();
+  Contour circle() const;
   Departure walk_turn(Point x);
   bool may_wait() const;
   std::optional<Departure> next_turn(Arrival&& arrival, PathSystem& path);

@@ -7,6 +7,7 @@
 
 namespace moivre {
 
+Complex value_at(const Monomial& monomial, const Point& x);
 Complex value_at(const Polynomial& p, const Point& x);
 
 /// Sum of the magnitudes of the terms.
