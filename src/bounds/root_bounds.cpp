@@ -8,6 +8,7 @@
 #include "moivre/polynomial/eliminate.h"
 #include "moivre/start/mixed_volume.h"
 #include "moivre/start/multihomogeneous.h"
+#include "moivre/start/strata.h"
 
 namespace moivre {
 namespace {
@@ -47,6 +48,18 @@ RootBound stable_mixed_volume_bound(const System& f) {
   return bound;
 }
 
+RootBound strata_bound(const System& f) {
+  RootBound bound{BoundKind::strata, std::nullopt, ""};
+  bound.value = most_isolated_points(f, kLiftingSeeds[0], bounded(f));
+  if (!bound.value) bound.missing = "a stratum of which nothing is known";
+  return bound;
+}
+
+bool lacks_constant(const Polynomial& p) {
+  return std::none_of(p.terms.begin(), p.terms.end(),
+                      [](const Term& term) { return term.monomial.empty(); });
+}
+
 RootBound bezout(const System& f) {
   RootBound bound{BoundKind::bezout, total_degree(degrees(f)), ""};
   if (!bound.value) bound.missing = "beyond 64 bits";
@@ -84,11 +97,13 @@ std::string to_string(BoundKind kind) {
       return "multihomogeneous";
     case BoundKind::stable_mixed_volume:
       return "stable mixed volume";
+    case BoundKind::strata:
+      return "mixed volume of the strata";
   }
   return "";
 }
 
-std::vector<RootBound> root_bounds(const System& f, std::uint64_t enough) {
+std::vector<RootBound> root_bounds(const System& f, const KnownRoots& known) {
   require_square(f);
   const Reduction reduction = eliminate(f);
   if (reduction.verdict == Reduction::Verdict::solved) return {{BoundKind::elimination, 1, ""}};
@@ -100,16 +115,18 @@ std::vector<RootBound> root_bounds(const System& f, std::uint64_t enough) {
   std::vector<RootBound> bounds;
   const auto is_met = [&](const RootBound& bound) {
     bounds.push_back(bound);
-    return bound.value && *bound.value <= enough;
+    return bound.value && *bound.value <= known.count(bound.kind);
   };
   if (is_met(bezout(r)) || is_met(multihomogeneous(r))) return bounds;
   RootBound volume = stable_mixed_volume_bound(r);
   // What elimination fills with monomials may have a larger volume than before.
   const bool is_filled = !reduction.substitutions.empty();
-  if (is_filled && (!volume.value || *volume.value > enough)) {
+  if (is_filled && (!volume.value || *volume.value > known.roots)) {
     volume = smaller(volume, stable_mixed_volume_bound(f));
   }
-  bounds.push_back(volume);
+  const bool may_have_zeros =
+      std::any_of(f.polynomials.begin(), f.polynomials.end(), lacks_constant);
+  if (!is_met(volume) && may_have_zeros) bounds.push_back(strata_bound(f));
   return bounds;
 }
 

@@ -23,7 +23,8 @@ std::string bounds_text(const std::vector<RootBound>& bounds) {
 /// Bounds on the stand-in's roots, and whether the distinct ones, and those that exact algebra counts, meet one.
 void find_bounds(const StandIn& stand_in, Judgement& judgement) {
   const std::size_t distinct = judgement.roots.distinct;
-  const std::uint64_t known = distinct + judgement.roots.counted;
+  const KnownRoots known{distinct + judgement.roots.counted,
+                         distinct + judgement.roots.counted_points};
   judgement.bounds = root_bounds(stand_in.system, known);
   for (const RootBound& bound : judgement.bounds) {
     if (!bound.value) continue;
@@ -32,7 +33,7 @@ void find_bounds(const StandIn& stand_in, Judgement& judgement) {
                              to_string(bound.kind) + " bounds them by " +
                              std::to_string(*bound.value));
     }
-    if (*bound.value == known) judgement.proved_by = bound.kind;
+    if (*bound.value == known.count(bound.kind)) judgement.proved_by = bound.kind;
   }
 }
 
@@ -46,7 +47,7 @@ void judge_sum(const Claims& claims, Verdicts& verdicts) {
       sum += root.multiplicity;
   }
   for (const RootBound& bound : verdicts.judgement().bounds) {
-    if (!bound.value) continue;
+    if (!bound.value || bound.kind == BoundKind::strata) continue;
     verdicts.judge(ClaimKind::multiplicity, sum <= *bound.value,
                    "the multiplicities add up to " + std::to_string(sum) +
                        ", and there are at most " + std::to_string(*bound.value) + " roots (" +

@@ -73,7 +73,10 @@ void judge_cluster(Bench& bench, Certifier& certifier, Entry& entry, const RootC
   const bool is_counted = ring.is_isolated && ring.dimension > 1;
   if (is_counted || (!ring.is_isolated && ring.dimension > m)) {
     const bool holds = is_counted && ring.dimension == m;
-    if (holds) verdicts.judgement().roots.counted += m;
+    if (holds) {
+      verdicts.judgement().roots.counted += m;
+      ++verdicts.judgement().roots.counted_points;
+    }
     return verdicts.judge(
         ClaimKind::multiplicity, holds,
         "exact algebra counts this root " + std::string(is_counted ? "" : "at least ") +

@@ -135,6 +135,7 @@ std::string name_of(BoundKind kind) {
       return "multihomogeneous number";
     case BoundKind::elimination:
     case BoundKind::stable_mixed_volume:
+    case BoundKind::strata:
       break;
   }
   return to_string(kind);
@@ -143,8 +144,9 @@ std::string name_of(BoundKind kind) {
 std::optional<MetBound> met_bound(const Family& family) {
   const std::uint64_t roots = family.roots.size();
   const System member = member_system(family, exact_values(family.generic));
-  for (const RootBound& bound : root_bounds(member, roots)) {
-    if (bound.value == roots) return MetBound{name_of(bound.kind), roots};
+  for (const RootBound& bound : root_bounds(member, {roots, roots})) {
+    if (bound.value != roots) continue;
+    return MetBound{name_of(bound.kind), roots, bound.kind == BoundKind::strata};
   }
   return std::nullopt;
 }

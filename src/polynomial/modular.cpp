@@ -75,12 +75,17 @@ Residue residue(const Coefficient& a) {
   return plus(residue(a.re), times(kRootOfMinusOne, residue(a.im)));
 }
 
-const std::size_t* ModularRows::add(ModularRow row) {
+ModularRow ModularRows::rest_of(ModularRow row) const {
   while (!row.empty()) {
     const auto pivot = pivots_.find(row.front().first);
     if (pivot == pivots_.end()) break;
     row = reduced(row, pivot->second, row.front().second);
   }
+  return row;
+}
+
+const std::size_t* ModularRows::add(ModularRow row) {
+  row = rest_of(std::move(row));
   if (row.empty()) return nullptr;
   const Residue unit = inverse(row.front().second);
   for (auto& [column, value] : row) value = times(value, unit);

@@ -36,9 +36,14 @@ class ModularRows {
  public:
   /// The first column of what is left of the row beside the others; nullptr where nothing is.
   const std::size_t* add(ModularRow row);
+  /// The row is a combination of them.
+  bool span(ModularRow row) const { return rest_of(std::move(row)).empty(); }
   std::size_t rank() const { return pivots_.size(); }
 
  private:
+  /// Its first column is none of theirs; what comes behind may be.
+  ModularRow rest_of(ModularRow row) const;
+
   std::map<std::size_t, ModularRow> pivots_;  // by first column, where the value is 1
 };
 

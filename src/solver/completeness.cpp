@@ -13,6 +13,7 @@
 #include "exact_roots.h"
 #include "moivre/start/mixed_volume.h"
 #include "moivre/start/polyhedral.h"
+#include "moivre/start/strata.h"
 
 namespace moivre {
 namespace {
@@ -104,7 +105,21 @@ std::optional<MetBound> volume_met_by(Run& run, std::uint64_t roots) {
   return std::nullopt;
 }
 
-std::optional<MetBound> bound_met_by(Run& run, std::uint64_t roots) {
+/// Roots at 0 and curves on which coordinates vanish leave it as it is. What is known of `points` is asked once.
+std::optional<MetBound> strata_met_by(Run& run, std::uint64_t points) {
+  const System& f = run.setting.f;
+  if (!lacks_origin(f) || std::exchange(run.bounds.points_asked, points) == points) {
+    return std::nullopt;
+  }
+  const auto most =
+      most_isolated_points(f, run.setting.options.seed, bounded_search(run, f), points);
+  const std::string kind = "mixed volume of the strata";
+  if (!is_met(most, points, kind)) return std::nullopt;
+  return MetBound{kind, points, true};
+}
+
+/// What is known: `roots` with their multiplicities, at `points`.
+std::optional<MetBound> bound_met_by(Run& run, std::uint64_t roots, std::uint64_t points) {
   const std::optional<MetBound>& given = run.setting.prepared.given_bound;
   if (given && is_met(given->value, roots, given->kind)) return given;
   const StartCounts& counts = run.setting.prepared.start.counts;
@@ -114,13 +129,14 @@ std::optional<MetBound> bound_met_by(Run& run, std::uint64_t roots) {
   for (const auto& [kind, count] : degrees) {
     if (is_met(count->paths, roots, kind)) return MetBound{kind, roots};
   }
-  return volume_met_by(run, roots);
+  const auto volume = volume_met_by(run, roots);
+  return volume ? volume : strata_met_by(run, points);
 }
 
-/// Sets bounds.met where `roots`, proved and with their multiplicities, meet a bound.
-bool meets_bound(Run& run, std::uint64_t roots) {
+/// Sets bounds.met where `roots`, proved and with their multiplicities, or their `points` meet a bound.
+bool meets_bound(Run& run, std::uint64_t roots, std::uint64_t points) {
   if (!run.setting.certify_program || run.interrupted || run.setting.stop) return false;
-  if (!run.bounds.met) run.bounds.met = bound_met_by(run, roots);
+  if (!run.bounds.met) run.bounds.met = bound_met_by(run, roots, points);
   return run.bounds.met.has_value();
 }
 
@@ -158,6 +174,7 @@ class Places {
  public:
   explicit Places(std::vector<ExactRoot> exact) : places_(std::move(exact)) {}
 
+  std::uint64_t points() const { return places_.size(); }
   std::uint64_t count() const {
     std::uint64_t sum = 0;
     for (const ExactRoot& place : places_) sum += place.multiplicity;
@@ -213,7 +230,8 @@ std::vector<std::uint64_t> spare_paths(Run& run, Places& places) {
 
 bool settle_by_bound(Run& run) {
   Places places(exact_roots(run));
-  if (!meets_bound(run, proved_roots(run) + places.count())) return false;
+  const std::uint64_t proved = proved_roots(run);
+  if (!meets_bound(run, proved + places.count(), proved + places.points())) return false;
   const std::vector<std::uint64_t> spare = spare_paths(run, places);
   // Paths that are said to be at infinity cannot be told from each other any more.
   if (spare.size() < places.count()) return false;

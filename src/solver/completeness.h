@@ -7,6 +7,8 @@
 //   multihomogeneous       the number of the partition found [MorganSommese87]; any partition's is a bound
 //   mixed volume           of what is tracked or of the system as given, 0 added to the supports [LiWang96]
 //   stable mixed volume    of one of them, where a support lacks 0 [HuberSturmfels97]
+//   mixed volume of the strata   of the system as given, where a support lacks 0 (start/strata.h); it bounds the points, whatever
+//                          their multiplicities, and no curve on which coordinates vanish keeps it from being met
 //
 // A mixed volume counts where two liftings that have nothing in common agree: cells found alone are a lower bound. A search
 // costs no more than the paths are expected to, and none is begun whose number is known not to be met.

@@ -11,9 +11,9 @@
 namespace moivre {
 namespace {
 
-// How far an end may be from its root, relative to the coordinate or to 1: nothing, and what is left of the digits of double at
+// How far an end may be from its root, relative to the coordinate or to 1: nothing, all digits of double, and what is left of them at
 // roots of low, of middle and of high multiplicity.
-constexpr double kEndErrors[] = {0, 1e-9, 1e-5, 1e-2, 0.1};
+constexpr double kEndErrors[] = {0, 1e-15, 1e-12, 1e-9, 1e-5, 1e-2, 0.1};
 // A root of multiplicity m leaves m paths, some of them near it. More candidates than this would cost more than paths do.
 constexpr std::size_t kMostFailures = 64;
 

@@ -35,6 +35,7 @@ struct Bounds {
   SoughtBound counted;  ///< the mixed volume that the start has counted
   SoughtBound reduced;  ///< the stable mixed volume of what is tracked
   SoughtBound whole;    ///< of the system as given
+  std::optional<std::uint64_t> points_asked;  ///< whether they are all, by their strata
 };
 
 /// By the candidate, real and imaginary part of each coordinate in turn; multiplicity 0: it is no root, or nothing can be said.

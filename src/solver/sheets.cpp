@@ -100,7 +100,7 @@ void take_back_powers(const System& f, const PowerFree& bases, SolveResult& resu
   result.paths = times(sheets, result.paths);
   Refiner refiner(make_refiner_program(f, std::vector<double>(f.variables.size(), 1.0)));
   for (Solution& root : result.solutions) multiply(sheets, refiner, root);
-  if (result.bound) result.bound->value *= sheets;
+  if (result.bound && !result.bound->is_of_points) result.bound->value *= sheets;
   result.failures = renumbered(sheets, result.failures);
   result.ledger = repeated(sheets, result.ledger);
   result.left_out.push_back({"exponents of equations (" + exponents_text(bases) + ")",

@@ -19,7 +19,7 @@ System problem(const std::string& name) {
 }
 
 TEST(RootBounds, OfCassouAreThePublishedOnes) {
-  const std::vector<RootBound> bounds = root_bounds(problem("cassou"), 0);
+  const std::vector<RootBound> bounds = root_bounds(problem("cassou"), {});
   ASSERT_EQ(bounds.size(), 3U);
   EXPECT_EQ(bounds[0].value, 1344U);
   EXPECT_LT(bounds[1].value, 1344U);
@@ -29,23 +29,33 @@ TEST(RootBounds, OfCassouAreThePublishedOnes) {
 
 TEST(RootBounds, EndWithTheFirstThatIsMet) {
   const System f = system_of("2\nx^2 + y^2 - 5;\nx*y - 2;\n");
-  const std::vector<RootBound> bounds = root_bounds(f, 4);
+  const std::vector<RootBound> bounds = root_bounds(f, {4, 4});
   ASSERT_EQ(bounds.size(), 1U);
   EXPECT_EQ(bounds[0].kind, BoundKind::bezout);
   EXPECT_EQ(bounds[0].value, 4U);
-  EXPECT_EQ(root_bounds(f, 3).size(), 3U);
+  EXPECT_EQ(root_bounds(f, {3, 3}).size(), 3U);
 }
 
 TEST(RootBounds, CountRootsWithZeroCoordinates) {
   const std::vector<RootBound> bounds =
-      root_bounds(system_of("2\nx^2 + x*y - x;\ny^2 + 2*x*y - y;\n"), 0);
-  ASSERT_EQ(bounds.size(), 3U);
+      root_bounds(system_of("2\nx^2 + x*y - x;\ny^2 + 2*x*y - y;\n"), {});
+  ASSERT_EQ(bounds.size(), 4U);
   EXPECT_EQ(bounds[2].value, 4U);  // (0,0), (1,0), (0,1), and one more
+  EXPECT_EQ(bounds[3].kind, BoundKind::strata);
+  EXPECT_EQ(bounds[3].value, 4U);
+}
+
+TEST(RootBounds, OfPointsAreMetByPointsAndOthersByMultiplicities) {
+  const System f = system_of("2\nx^3 - 2*y^4;\ny^2 - 5*x^3;\n");
+  EXPECT_EQ(root_bounds(f, {12, 7}).size(), 1U);  // 6 roots, and the origin six times
+  const std::vector<RootBound> bounds = root_bounds(f, {7, 7});
+  EXPECT_EQ(bounds.back().kind, BoundKind::strata);
+  EXPECT_EQ(bounds.back().value, 7U);
 }
 
 TEST(RootBounds, AreToldByEliminationWhereThatDecides) {
   const auto alone = [](const std::string& text) {
-    const std::vector<RootBound> bounds = root_bounds(system_of(text), 0);
+    const std::vector<RootBound> bounds = root_bounds(system_of(text), {});
     EXPECT_EQ(bounds.size(), 1U);
     EXPECT_EQ(bounds[0].kind, BoundKind::elimination);
     return bounds[0].value;
@@ -56,7 +66,7 @@ TEST(RootBounds, AreToldByEliminationWhereThatDecides) {
 }
 
 TEST(RootBounds, AreRefusedWhereASystemIsNotSquare) {
-  EXPECT_THROW(root_bounds(system_of("1 2\nx + y;\n"), 0), std::invalid_argument);
+  EXPECT_THROW(root_bounds(system_of("1 2\nx + y;\n"), {}), std::invalid_argument);
 }
 
 TEST(StructureCounts, AreThoseOfTheStarts) {

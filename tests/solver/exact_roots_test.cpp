@@ -34,6 +34,18 @@ TEST(ExactRoots, ThatNoDoubleHolds) {
 }
 
 // Ten roots 1e-6 around 1: in double-double their paths tell one root of multiplicity 10 there, but 1 is no root.
+// 17 times 0, twice a point of denominators 410758 and 6962, and four simple roots: the mixed volume.
+TEST(ExactRoots, OfLongDenominators) {
+  const System f = read(
+      "3\n -3156*x^2*y + 118*x*z^2 + y^3 + 5*y^2*z - 9*x^2;\n"
+      " 9*y*z^2 + 8*z^3 + x^2 + 9959*x*y + 7*x*z;\n -6*x*y^2 - 4*y^2*z;\n");
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    const SolveResult result = solve_with_cvode(f, with_seed(seed));
+    EXPECT_EQ(result.completeness, RootCompleteness::proved);
+    EXPECT_EQ(result.solutions.size(), 6U);
+  }
+}
+
 TEST(ExactRoots, AreNotMadeOfPointsThatAreNearRoots) {
   SolveOptions options = with_seed(1);
   options.precision = Precision::double_precision;

@@ -5,8 +5,10 @@
 //   multihomogeneous   the least number of the partitions tried (start/multihomogeneous.h) [MorganSommese87]
 //   stable mixed volume   of the monomials (start/mixed_volume.h) [HuberSturmfels97]; it counts only if two
 //                      independent liftings give the same sum, since a search could miss cells
+//   mixed volume of the strata   of the system as given, where an equation lacks a constant term (start/strata.h) [Bernstein75]
 //
-// Each bounds the isolated roots in C^n, counted with multiplicity. If as many certified roots are pairwise distinct, they are all.
+// Each bounds the isolated roots in C^n, counted with multiplicity; but the last bounds their points, whatever their multiplicity. If as
+// many certified roots are pairwise distinct, they are all.
 // The search for mixed cells has a bounded number of steps. Edges: elimination alone may give the number of isolated roots; then
 // there is one bound, `elimination`. Not supported: systems that are not square; bounds beyond 64 bits have no value.
 #pragma once
@@ -20,8 +22,8 @@
 
 namespace moivre {
 
-enum class BoundKind { elimination, bezout, multihomogeneous, stable_mixed_volume };
-/// "elimination", "Bezout", "multihomogeneous", "stable mixed volume".
+enum class BoundKind { elimination, bezout, multihomogeneous, stable_mixed_volume, strata };
+/// "elimination", "Bezout", "multihomogeneous", "stable mixed volume", "mixed volume of the strata".
 std::string to_string(BoundKind kind);
 
 struct RootBound {
@@ -30,9 +32,17 @@ struct RootBound {
   std::string missing;  ///< the reason, where there is no value
 };
 
-/// Bounds in the order of their cost, up to the first one equal to `enough`. That is a number of known roots, so no bound can be
-/// lower. Throws std::invalid_argument when F is not square.
-std::vector<RootBound> root_bounds(const System& f, std::uint64_t enough);
+struct KnownRoots {
+  std::uint64_t roots = 0;   ///< with their multiplicities
+  std::uint64_t points = 0;  ///< at which they lie
+
+  /// What a bound of this kind bounds.
+  std::uint64_t count(BoundKind kind) const { return kind == BoundKind::strata ? points : roots; }
+};
+
+/// Bounds in the order of their cost, up to the first one that `known` roots meet; no bound can be lower. Throws
+/// std::invalid_argument when F is not square.
+std::vector<RootBound> root_bounds(const System& f, const KnownRoots& known);
 
 /// Two counts of paths that starts have; nullopt beyond 64 bits, or beyond a bounded search.
 struct StructureCounts {

@@ -68,6 +68,7 @@ struct RootTally {
   std::size_t distinct = 0;   ///< different ones among these
   std::uint64_t counted =
       0;  ///< multiplicities, by exact algebra, of singular roots that are known exactly
+  std::size_t counted_points = 0;  ///< of these
   std::size_t real = 0;  ///< of the distinct ones, proved
   std::size_t not_real = 0;
   std::size_t doubled = 0;    ///< proved to be an earlier one of the list
