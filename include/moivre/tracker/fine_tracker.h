@@ -2,12 +2,12 @@
 // How is a path followed that double cannot decide? Entirely in a scalar S of more digits: point, H, J, factors, step.
 //
 //   w         -log(1 - s) where the contour ends at t = 1, elsewhere s: (1 - s)^{1/m}, as at a singular end, is smooth in it
-//   predict   the cubic in w through the last two points and tangents (Hermite); the tangent alone at first
+//   predict   the polynomial in w through the last six points and tangents (tracker/hermite_predictor.h); the tangent alone at first
 //   correct   Newton's method, a fresh J each time, until it corrects far less than at first
-//   step      h <- h min(tolerance / |dx_1|, Theta / (|dx_2| / |dx_1|))^{1/4}: the first correction is the predictor's error; beside the
-//             next sheet's distance, about |dx_1|^2 / |dx_2|, it is how fast Newton's method contracts
-//   land      to w = infinity, by the cubic in s, as soon as a step of w is as long as what is left of s and the cubic's last term
-//             is small beside the next sheet's distance
+//   step      h <- h min(tolerance / |dx_1|, Theta / (|dx_2| / |dx_1|))^{1 / order}: the first correction is the predictor's error;
+//             beside the next sheet's distance, about |dx_1|^2 / |dx_2|, it is how fast Newton's method contracts
+//   land      to w = infinity, by the polynomial in s, as soon as a step of w is as long as what is left of s and the polynomial's
+//             last term is small beside the next sheet's distance
 //
 // For the few paths that need it: in double-double a step takes some thirty times as long as in double, in a hundred digits some
 // thousand times. s and 1 - s are both stored, so that steps near either end may be as small as doubles are. A path reaches t = 1
@@ -19,6 +19,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -26,7 +27,9 @@
 #include <optional>
 #include <string>
 
+#include "moivre/numeric/log_ratio.h"
 #include "moivre/tracker/fine_path_system.h"
+#include "moivre/tracker/hermite_predictor.h"
 #include "moivre/tracker/tracker.h"
 
 namespace moivre {
@@ -76,12 +79,13 @@ class FineSession : public TrackerSession {
       : options_(options),
         path_(homotopy),
         watched_(homotopy),
-        x_(path_.coordinates()),
-        dx_(path_.coordinates()),
-        previous_x_(path_.coordinates()),
-        previous_dx_(path_.coordinates()),
         trial_(path_.coordinates()),
-        rounded_(path_.coordinates()) {}
+        rounded_(path_.coordinates()) {
+    for (Known& known : known_) {
+      known.x.resize(path_.coordinates());
+      known.dx.resize(path_.coordinates());
+    }
+  }
 
   void run(DepartureSource& source, const std::atomic<bool>& stop) noexcept override {
     while (std::optional<Departure> departure = source.next()) {
@@ -95,17 +99,25 @@ class FineSession : public TrackerSession {
   using FinePoint = std::vector<S>;
   using Place = detail::Place;
   using Clock = detail::Clock;
+  using Predictor = HermitePredictor<S>;
+
+  /// A point that the path has passed.
+  struct Known {
+    Place place;
+    Real w;
+    FinePoint x;
+    FinePoint dx;  ///< by s
+  };
 
   static constexpr double kFirstStep = 1e-3;
   static constexpr double kSafety = 0.8;
   static constexpr double kLargestGrowth = 2;
   static constexpr double kLeastGrowth = 0.2;
   static constexpr double kRefusedStep = 0.25;
-  static constexpr double kOrder = 4;  // Hermite's cubic
   static constexpr double kCareFactor = 10;
   // A step of w that is as long as all that is left of s, at the pace at which it begins: landing is tried first.
   static constexpr double kLandingStep = 1;
-  // To 1e-13 of 1 - s: what the last two points tell reaches no further.
+  // To 1e-13 of 1 - s: what the last points tell reaches no further.
   static constexpr double kLargestStep = 30;
   // A step is refused when its first correction is so many times the tolerance.
   static constexpr double kLargestOvershoot = 30;
@@ -121,7 +133,12 @@ class FineSession : public TrackerSession {
   Arrival travel(const Departure& departure, const std::atomic<bool>& stop);
   Journey go(const Departure& departure, const std::atomic<bool>& stop, Arrival& arrival);
   bool depart(const Departure& departure);
+  const Known& here() const { return known_.front(); }
+  const Place& place() const { return here().place; }
+  /// w or, to the end, s.
+  Real position(const Place& place, bool is_in_w) const;
   double predict(const Place& next);
+  double order() const { return static_cast<double>(2 * count_); }
   double growth(const Settling& settling, double tolerance) const;
   bool step(const Departure& departure, const Place& next, Settling& settling);
   bool is_watched(const Departure& departure, const Settling& settling, double taken);
@@ -131,69 +148,62 @@ class FineSession : public TrackerSession {
   FinePathSystem<S> path_;
   PathSystem watched_;  // for watchers, who look in double
   Clock clock_;
-  Place place_;
-  FinePoint x_;
-  FinePoint dx_;      // by w
-  double apart_ = 0;  // of x from the next sheet, relative to |x|
-  std::optional<Place> previous_;
-  FinePoint previous_x_;
-  FinePoint previous_dx_;
+  LogRatio<S> log_ratio_;
+  Predictor predictor_;
+  std::array<HermiteNode<S>, Predictor::kMostNodes> nodes_;
+  std::array<Known, Predictor::kMostNodes> known_;  // the newest first
+  std::size_t count_ = 0;                           // of them
+  double apart_ = 0;  // of the newest from the next sheet, relative to |x|
   FinePoint trial_;
   Point rounded_;
 };
 
 template <class S>
 const Point& FineSession<S>::rounded() {
-  round_into<S>(x_, rounded_);
+  round_into<S>(here().x, rounded_);
   return rounded_;
 }
 
 template <class S>
 bool FineSession<S>::depart(const Departure& departure) {
   clock_ = {departure.contour.ends_at_one()};
-  place_ = Place();
-  previous_.reset();
+  Known& start = known_.front();
+  start.place = Place();
+  start.w = position(start.place, true);
+  count_ = 1;
   apart_ = 0;
   path_.set_frame(departure.frame.get());
   watched_.set_frame(departure.frame.get());
-  std::transform(departure.x.begin(), departure.x.end(), x_.begin(),
+  std::transform(departure.x.begin(), departure.x.end(), start.x.begin(),
                  [](const Complex& xi) { return S(xi); });
   const Real scale(1 / max_norm(departure.x));
-  for (S& xi : x_) xi = product(scale, xi);
-  path_.set_patch(x_);
-  const PathTime t = place_.on(departure.contour);
-  if (!path_.settle(x_, t, FinePathSystem<S>::on_path()).converged) return false;
-  path_.tangent(departure.contour.dt(0) * clock_.pace(place_), dx_);
+  for (S& xi : start.x) xi = product(scale, xi);
+  path_.set_patch(start.x);
+  const PathTime t = start.place.on(departure.contour);
+  if (!path_.settle(start.x, t, FinePathSystem<S>::on_path()).converged) return false;
+  path_.tangent(departure.contour.dt(0), start.dx);
   return true;
 }
 
-// trial <- x + x' h + c2 h^2 + c3 h^3, through the previous point; |c3 h^3|. To the end h is one of s, and so are the derivatives.
+template <class S>
+typename Scalar<S>::Real FineSession<S>::position(const Place& place, bool is_in_w) const {
+  if (clock_.is_logarithmic && is_in_w) return log_ratio_(1, place.left);
+  return place.s < 0.5 ? Real(place.s) : Real(1.0) - Real(place.left);
+}
+
+// trial <- the polynomial through the known points; the size of its last term beside |x|.
 template <class S>
 double FineSession<S>::predict(const Place& next) {
-  const Clock clock{clock_.is_logarithmic && !next.is_end()};
-  const Real step(clock.step(place_, next));
-  const Real slope(clock.pace(place_) / clock_.pace(place_));
-  if (!previous_) {
-    for (std::size_t i = 0; i < x_.size(); ++i) {
-      trial_[i] = x_[i] + product(step, product(slope, dx_[i]));
-    }
-    return std::numeric_limits<double>::infinity();
+  const bool is_in_w = clock_.is_logarithmic && !next.is_end();
+  for (std::size_t i = 0; i < count_; ++i) {
+    const Known& known = known_[i];
+    nodes_[i].w = is_in_w ? known.w : position(known.place, false);
+    nodes_[i].slope = Real(is_in_w ? clock_.pace(known.place) : 1.0);
+    nodes_[i].x = &known.x;
+    nodes_[i].dx = &known.dx;
   }
-  const Real previous_slope(clock.pace(*previous_) / clock_.pace(*previous_));
-  const Real rate = Real(1.0) / Real(clock.step(*previous_, place_));
-  double last_term = 0;
-  for (std::size_t i = 0; i < x_.size(); ++i) {
-    const S dx = product(slope, dx_[i]);
-    // Divided differences: of x twice (d), of x' (e).
-    const S d = product(rate, dx - product(rate, x_[i] - previous_x_[i]));
-    const S e = product(rate, dx - product(previous_slope, previous_dx_[i]));
-    const S c2 = product(Real(3.0), d) - e;
-    const S c3 = product(rate, c2 - d);
-    const S cubic = product(step, product(step, product(step, c3)));
-    trial_[i] = x_[i] + product(step, dx + product(step, c2)) + cubic;
-    last_term = std::max(last_term, magnitude1(to_complex(cubic)));
-  }
-  return last_term / max_norm(rounded());
+  return predictor_.predict({nodes_.data(), count_}, position(next, is_in_w), trial_) /
+         max_norm(rounded());
 }
 
 /// Takes the step to `next` when Newton's method finds the path there.
@@ -210,16 +220,16 @@ bool FineSession<S>::step(const Departure& departure, const Place& next, Settlin
   if (!is_end) rules.share = kFarBelow;
   settling = path_.settle(trial_, t, rules);
   if (!settling.converged || (is_end && !path_.is_regular_end(settling))) return false;
-  std::swap(previous_x_, x_);
-  std::swap(previous_dx_, dx_);
-  std::swap(x_, trial_);
-  path_.tangent(departure.contour.dt(next.s) * clock_.pace(next), dx_);
-  previous_ = place_;
-  place_ = next;
+  std::rotate(known_.begin(), known_.end() - 1, known_.end());
+  count_ = std::min(count_ + 1, known_.size());
+  Known& now = known_.front();
+  std::swap(now.x, trial_);
+  path_.tangent(departure.contour.dt(next.s), now.dx);
+  now.place = next;
+  now.w = next.is_end() ? Real(0.0) : position(next, true);
   apart_ = settling.first * settling.first / settling.second;
-  path_.set_patch(x_);
-  path_.bring_to_patch(x_, dx_);
-  path_.bring_to_patch(previous_x_, previous_dx_);
+  path_.set_patch(now.x);
+  for (std::size_t i = 0; i < count_; ++i) path_.bring_to_patch(known_[i].x, known_[i].dx);
   return true;
 }
 
@@ -227,10 +237,10 @@ template <class S>
 bool FineSession<S>::is_watched(const Departure& departure, const Settling& settling,
                                 double taken) {
   if (departure.watcher == nullptr) return false;
-  const PathTime t = place_.on(departure.contour);
+  const PathTime t = place().on(departure.contour);
   if (std::abs(t.rest) > departure.watch_radius) return false;
   const Point& x = rounded();
-  const StepRecord record{place_.s,      t, x, taken, static_cast<int>(kOrder), settling.drift,
+  const StepRecord record{place().s,     t, x, taken, static_cast<int>(order()), settling.drift,
                           settling.first};
   return departure.watcher->watch(record, watched_) == Watcher::Verdict::stop;
 }
@@ -240,7 +250,7 @@ template <class S>
 double FineSession<S>::growth(const Settling& settling, double tolerance) const {
   const double error = std::max(settling.first / tolerance, kLeastCorrection);
   const double contraction = settling.second / (kContraction * settling.first);
-  const double growth = kSafety * std::pow(std::max(error, contraction), -1 / kOrder);
+  const double growth = kSafety * std::pow(std::max(error, contraction), -1 / order());
   return std::clamp(growth, kLeastGrowth, kLargestGrowth);
 }
 
@@ -250,7 +260,7 @@ Journey FineSession<S>::go(const Departure& departure, const std::atomic<bool>& 
   const double tolerance = options_.tolerance / std::pow(kCareFactor, departure.care);
   double h = kFirstStep;
   int sample = 0;
-  while (place_.left > 0) {
+  while (place().left > 0) {
     if (stop.load(std::memory_order_relaxed)) return Journey::cancelled;
     const StepCount& count = arrival.count;
     if (count.accepted + count.rejected >= static_cast<std::uint64_t>(options_.maximum_steps)) {
@@ -260,19 +270,19 @@ Journey FineSession<S>::go(const Departure& departure, const std::atomic<bool>& 
     if (clock_.is_logarithmic && h >= kLandingStep) {
       if (step(departure, {1, 0}, settling)) {
         ++arrival.count.accepted;
-        return is_watched(departure, settling, previous_->left) ? Journey::stopped
-                                                                : Journey::arrived;
+        return is_watched(departure, settling, known_[1].place.left) ? Journey::stopped
+                                                                     : Journey::arrived;
       }
       ++arrival.count.rejected;
     }
-    Place next = clock_.ahead(place_, h);
+    Place next = clock_.ahead(place(), h);
     const double stop_at =
         departure.samples > 0 ? static_cast<double>(sample + 1) / departure.samples : 1;
     const bool is_sample = departure.samples > 0 && next.s >= stop_at;
     if (is_sample) next = stop_at == 1 ? Place{1, 0} : Place{stop_at, 1 - stop_at};
-    const double taken = place_.distance_to(next);
+    const double taken = place().distance_to(next);
     if (!(taken > FinePathSystem<S>::least_step())) return Journey::step_too_small;
-    const double tried = clock_.step(place_, next);
+    const double tried = clock_.step(place(), next);
     if (!step(departure, next, settling)) {
       ++arrival.count.rejected;
       h = kRefusedStep * tried;
@@ -296,8 +306,8 @@ Arrival FineSession<S>::travel(const Departure& departure, const std::atomic<boo
   const WorkCount before = path_.work();
   arrival.journey = depart(departure) ? go(departure, stop, arrival) : Journey::bad_start;
   arrival.x = rounded();
-  arrival.s = place_.s;
-  arrival.t = place_.on(departure.contour);
+  arrival.s = place().s;
+  arrival.t = place().on(departure.contour);
   arrival.count.work = path_.work() - before;
   if (arrival.journey == Journey::arrived && arrival.t.rest == 0.0) {
     arrival.regular_condition = path_.condition();
