@@ -50,7 +50,10 @@ class Watcher {
 struct Departure {
   std::uint64_t path = 0;
   Contour contour = Contour::segment(0, 1);
-  Point x;          ///< N coordinates, on the path at contour(0) or near it
+  Point x;  ///< N coordinates, on the path at contour(0) or near it
+  /// From where the session's last departure, of the same path, has ended: trackers with more digits than double begin with all digits of
+  /// that point, not with x, which may lie as near to another sheet. Others begin with x.
+  bool goes_on = false;
   int care = 0;     ///< 0: as the options say; each level more tracks with tighter tolerances
   int samples = 0;  ///< points wanted at s = 1/samples, 2/samples, ..., 1; 0: none
   Watcher* watcher = nullptr;  ///< not owned; nullptr: nobody watches
@@ -114,6 +117,8 @@ class Tracker {
   virtual std::string kind() const = 0;
   /// Name and value of every option in force, for the report.
   virtual OptionsInForce options_in_force() const = 0;
+  /// Relative, of the numbers that paths are made of.
+  virtual double rounding() const { return 0x1p-53; }
   /// A session on `homotopy`, which must outlive it. Thread-safe.
   virtual std::unique_ptr<TrackerSession> open(const Homotopy& homotopy) const = 0;
   /// The same tracker with all of a path in double-double; nullptr if there is none.
