@@ -429,15 +429,12 @@ bool Endgame::errors_explain(PathSystem& path) const {
 // A large finite root with the same face is told by the errors of the samples. Where these leave a doubt, or are large, the samples
 // get all their digits first. What the digits of the coefficients explain is at infinity as rounded.
 FaceRoot Endgame::confirmed(FaceRoot place, PathSystem& path) {
-  const double known = path.homotopy().largest_error();
-  const auto measured = [&] {
-    return sums_and_errors(samples_of_x0(), turns_, known, options_.ends);
+  const auto measured = [&] { return sums_and_errors(samples_of_x0(), turns_, 0, options_.ends); };
+  const auto are_lost = [&](const SumsAndErrors& sums) {
+    return sums.sum <= options_.ends.shrink && sums.error <= options_.ends.sample_error;
   };
   if (is_last_circle_) {
-    const SumsAndErrors last = measured();
-    const bool is_told = place == FaceRoot::exact && last.sum <= options_.ends.shrink &&
-                         last.error <= options_.ends.sample_error;
-    return is_told ? FaceRoot::exact : FaceRoot::none;
+    return place == FaceRoot::exact && are_lost(measured()) ? FaceRoot::exact : FaceRoot::none;
   }
   if (place == FaceRoot::exact) {
     // u times the operations of as many residuals.
@@ -451,12 +448,7 @@ FaceRoot Endgame::confirmed(FaceRoot place, PathSystem& path) {
     return FaceRoot::as_rounded;
   }
   if (!polish_samples(path)) return FaceRoot::none;
-  if (place == FaceRoot::exact) {
-    const SumsAndErrors fine = measured();
-    if (fine.sum <= options_.ends.shrink && fine.error <= options_.ends.sample_error) {
-      return FaceRoot::exact;
-    }
-  }
+  if (place == FaceRoot::exact && are_lost(measured())) return FaceRoot::exact;
   return errors_explain(path) ? FaceRoot::as_rounded : FaceRoot::none;
 }
 

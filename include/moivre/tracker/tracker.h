@@ -50,16 +50,16 @@ class Watcher {
 struct Departure {
   std::uint64_t path = 0;
   Contour contour = Contour::segment(0, 1);
-  Point x;  ///< N coordinates, on the path at contour(0) or near it
-  /// From where the session's last departure, of the same path, has ended: trackers with more digits than double begin with all digits of
-  /// that point, not with x, which may lie as near to another sheet. Others begin with x.
-  bool goes_on = false;
+  Point x;          ///< N coordinates, on the path at contour(0) or near it
   int care = 0;     ///< 0: as the options say; each level more tracks with tighter tolerances
   int samples = 0;  ///< points wanted at s = 1/samples, 2/samples, ..., 1; 0: none
   Watcher* watcher = nullptr;  ///< not owned; nullptr: nobody watches
   /// The watcher sees the steps that end with |1 - t| no larger than this.
   double watch_radius = std::numeric_limits<double>::infinity();
   FramePointer frame = nullptr;  ///< the path's, where the homotopy is framed; x is in it
+  /// From where the session's last departure, of the same path, has ended: trackers with more digits than double begin with all digits of
+  /// that point, not with x, which may lie as near to another sheet. Others begin with x.
+  bool goes_on = false;
 };
 
 enum class Journey {
