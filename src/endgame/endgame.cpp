@@ -30,16 +30,6 @@ double difference(const Point& a, const Point& b) {
   return std::sqrt(largest / size);
 }
 
-/// The largest of the coordinates' own: no coordinate is too small to count.
-double coordinate_difference(const Point& a, const Point& b) {
-  double largest = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    const double size = std::abs(b[i]);
-    if (size > 0) largest = std::max(largest, std::abs(a[i] - b[i]) / size);
-  }
-  return largest;
-}
-
 /// One combination of the coordinates of each, which tells points apart but for bad luck.
 std::vector<Complex> combinations(const std::vector<Point>& points, std::uint64_t path) {
   std::vector<Complex> phases;
@@ -145,7 +135,6 @@ Watcher::Verdict Endgame::watch(const StepRecord& step, PathSystem&) noexcept {
     radius_ = radius;
   }
   if (radius < options_.ends.creeping_radius && !options_.goes_straight) ++creeping_;
-  if (radius < options_.last_radius && is_far_out(step.x, radius)) return Verdict::stop;
   return creeping_ >= kCreepingSteps ? Verdict::stop : Verdict::go_on;
 }
 
@@ -210,11 +199,6 @@ std::optional<Departure> Endgame::judge_arrival(Arrival&& arrival, PathSystem& p
       outpost_.empty() ? std::numeric_limits<double>::infinity() : options_.ends.regular_condition;
   if (is_regular_arrival(arrival, path, condition)) return std::nullopt;
   if (outpost_.empty()) return fail(to_failure(arrival.journey));
-  const double radius = std::abs(arrival.t.rest);
-  if (options_.last_radius > 0 && radius < options_.ends.least_radius &&
-      is_far_out(arrival.x, radius)) {
-    return look_to_infinity(std::move(arrival));
-  }
   if (options_.only_regular) {
     return fail(arrival.journey == Journey::step_limit ? Failure::step_limit : Failure::precision);
   }
@@ -229,20 +213,6 @@ void Endgame::polish_outpost(PathSystem& path) {
   Point x = outpost_;
   const PathTime time{1.0 - radius_, radius_};
   if (path.correct(x, time, CorrectorOptions{}, true).converged) outpost_ = std::move(x);
-}
-
-// x_0 is nearly 0 by now.
-bool Endgame::is_far_out(std::span<const Complex> x, double radius) const {
-  return radius > 0 && chart_.finiteness(x) < options_.ends.agreement;
-}
-
-// The samples have all their digits, and sheets nearer to each other than doubles are one here: nothing but infinity is told.
-std::optional<Departure> Endgame::look_to_infinity(Arrival&& arrival) {
-  is_last_circle_ = true;
-  if (arrival.journey == Journey::step_limit) unless_infinite_ = Failure::step_limit;
-  radius_ = std::abs(arrival.t.rest);
-  outpost_ = std::move(arrival.x);
-  return begin_circle();
 }
 
 bool Endgame::may_look_again() const {
@@ -297,14 +267,6 @@ Departure Endgame::walk_turn(Point x) {
   return along(circle(), std::move(x), options_.ends.samples);
 }
 
-// With all digits of the last point, so from where that is: the end of a turn is its begin up to rounding only.
-Departure Endgame::walk_on(Point x, Complex rest) {
-  const Contour turn = Contour::spiral(rest, Complex(0, 2 * std::numbers::pi));
-  Departure departure = along(turn, std::move(x), options_.ends.samples);
-  departure.goes_on = true;
-  return departure;
-}
-
 std::optional<Departure> Endgame::begin_circle() {
   phase_ = Phase::circle;
   turns_ = 0;
@@ -312,7 +274,7 @@ std::optional<Departure> Endgame::begin_circle() {
   patch_.clear();
   for (const Complex& xi : outpost_) patch_.push_back(std::conj(xi));
   turn_begin_ = normalized(outpost_);
-  return is_last_circle_ ? walk_on(outpost_, radius_) : walk_turn(outpost_);
+  return walk_turn(outpost_);
 }
 
 bool Endgame::may_wait() const {
@@ -323,14 +285,11 @@ std::optional<Departure> Endgame::next_turn(Arrival&& arrival, PathSystem& path)
   if (arrival.journey != Journey::arrived) return shrink(path);
   ++turns_;
   for (Point& sample : arrival.samples) samples_.push_back(normalized(std::move(sample)));
-  const double gap = is_last_circle_ ? coordinate_difference(samples_.back(), turn_begin_)
-                                     : difference(samples_.back(), turn_begin_);
-  if (gap < options_.ends.agreement) return estimate_end(path);
+  if (difference(samples_.back(), turn_begin_) < options_.ends.agreement) return estimate_end(path);
   if (turns_ >= options_.ends.maximum_winding ||
       end_.count.accepted > options_.ends.maximum_steps) {
     return shrink(path);
   }
-  if (is_last_circle_) return walk_on(std::move(arrival.x), arrival.t.rest);
   if (!may_wait()) return walk_turn(std::move(arrival.x));
   waits_ = true;
   turn_end_ = std::move(arrival.x);
@@ -427,26 +386,30 @@ bool Endgame::errors_explain(PathSystem& path) const {
 }
 
 // A large finite root with the same face is told by the errors of the samples. Where these leave a doubt, or are large, the samples
-// get all their digits first, so that no error of theirs passes for one of the file. What the digits of the coefficients explain is at infinity
-// as rounded.
+// get all their digits first. What the digits of the coefficients explain is at infinity as rounded.
 FaceRoot Endgame::confirmed(FaceRoot place, PathSystem& path) {
-  const auto measured = [&] { return sums_and_errors(samples_of_x0(), turns_, 0, options_.ends); };
-  const auto are_lost = [&](const SumsAndErrors& sums) {
-    return sums.sum <= options_.ends.shrink && sums.error <= options_.ends.sample_error;
+  const double known = path.homotopy().largest_error();
+  const auto measured = [&] {
+    return sums_and_errors(samples_of_x0(), turns_, known, options_.ends);
   };
-  if (is_last_circle_) {
-    return place == FaceRoot::exact && are_lost(measured()) ? FaceRoot::exact : FaceRoot::none;
-  }
   if (place == FaceRoot::exact) {
     // u times the operations of as many residuals.
     const double rounding = options_.ends.samples * options_.ends.rounding;
     const SumsAndErrors first = measured();
-    if (first.sum <= options_.ends.shrink && first.error * std::max(first.sum, 1.0) <= rounding) {
+    if (first.sum > options_.ends.shrink) {
+      return errors_explain(path) ? FaceRoot::as_rounded : FaceRoot::none;
+    }
+    if (first.error * std::max(first.sum, 1.0) <= rounding) return FaceRoot::exact;
+  } else if (errors_explain(path)) {
+    return FaceRoot::as_rounded;
+  }
+  if (!polish_samples(path)) return FaceRoot::none;
+  if (place == FaceRoot::exact) {
+    const SumsAndErrors fine = measured();
+    if (fine.sum <= options_.ends.shrink && fine.error <= options_.ends.sample_error) {
       return FaceRoot::exact;
     }
   }
-  if (!polish_samples(path)) return FaceRoot::none;
-  if (place == FaceRoot::exact && are_lost(measured())) return FaceRoot::exact;
   return errors_explain(path) ? FaceRoot::as_rounded : FaceRoot::none;
 }
 
@@ -488,7 +451,7 @@ std::optional<Departure> Endgame::estimate_end(PathSystem& path) {
       return std::nullopt;
     }
   }
-  if (is_beyond || is_last_circle_) return shrink(path);
+  if (is_beyond) return shrink(path);
   Estimate estimate{laurent_coefficient(0), turns_};
   if (estimate.winding >= parted_ || !sheets_meet(estimate.x)) {
     last_.reset();
@@ -521,7 +484,6 @@ std::optional<Departure> Endgame::estimate_end(PathSystem& path) {
 }
 
 std::optional<Departure> Endgame::shrink(PathSystem& path) {
-  if (is_last_circle_) return fail(unless_infinite_);
   const double smaller = radius_ / options_.ends.shrink;
   if (smaller < options_.ends.least_radius || end_.count.accepted > options_.ends.maximum_steps) {
     return conclude(path);

@@ -180,15 +180,13 @@ void climb_last(Run& run, PathSet climbed) {
   }
 }
 
-/// It ends at a simple root or at infinity.
-bool is_decided(const Run& run, std::uint64_t path) {
+bool is_simple_root(const Run& run, std::uint64_t path) {
   const auto root = run.ledger.roots().find(path);
-  return root != run.ledger.roots().end() ? root->second.point.simple
-                                          : !run.ledger.failures().contains(path);
+  return root != run.ledger.roots().end() && root->second.point.simple;
 }
 
-/// Simple roots that double-double cannot part, and ends at infinity beside others, by more digits. A path that comes to no verdict costs as
-/// much as thousands in double: some go ahead, and others follow as long as one of those before has come to one. More digits save no steps.
+/// Simple roots that double-double cannot part, by more digits. A path that ends at none costs as much as thousands in double:
+/// some go ahead, and others follow as long as one of those before has found a root. More digits save no steps.
 void climb_to_clusters(Run& run) {
   PathSet out_of_steps;
   for (const auto& tracker : run.setting.trackers.finer) {
@@ -202,7 +200,7 @@ void climb_to_clusters(Run& run) {
       if (stuck == ahead) return;
       out_of_steps.merge(stuck);
       const bool helps = std::any_of(ahead.begin(), ahead.end(),
-                                     [&](auto path) { return is_decided(run, path); });
+                                     [&](auto path) { return is_simple_root(run, path); });
       if (!helps) break;
     }
   }

@@ -3,7 +3,6 @@
 #include "tracking.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "ends.h"
 
@@ -40,8 +39,6 @@ Left climb_with(Run& run, const Tracker& tracker, Rung rung, Taken taken, const 
   EndgameOptions endgame = setting.endgame;
   endgame.goes_straight = true;
   endgame.only_regular = taken == Taken::regular_ends;
-  // Beside s = 1 - t the coefficients keep a third of the digits.
-  if (rung == Rung::multiprecision) endgame.last_radius = std::pow(tracker.rounding(), 2.0 / 3);
   const PathProblem problem{*setting.prepared.plan, tracker, endgame};
   track_these(run, problem, paths, 0, [&](std::uint64_t path, PathEnd&& end) {
     if (end.status == PathStatus::failed) {

@@ -35,12 +35,12 @@ std::pair<double, double> error_at_one(int k, std::size_t nodes) {
   }
   std::vector<Node> list;
   for (std::size_t i = 0; i < nodes; ++i) {
-    list.push_back(
-        {Number(1 - 0.0625 * static_cast<double>(i + 1)), Number(1.0), &known[i].x, &known[i].dx});
+    list.push_back({DoubleDouble(1 - 0.0625 * static_cast<double>(i + 1)), DoubleDouble(1.0),
+                    &known[i].x, &known[i].dx});
   }
   std::vector<Number> y(1);
   HermitePredictor<Number> predictor;
-  const double last = predictor.predict(list, Number(1.0), y);
+  const double last = predictor.predict(list, DoubleDouble(1.0), y);
   return {std::abs(to_complex(y[0] - Number(1.0))), last};
 }
 
@@ -65,8 +65,8 @@ TEST(HermitePredictor, TakesDerivativesWithTheirSlope) {
   const Known known = power(2, 1, 1);
   std::vector<Number> y(1);
   HermitePredictor<Number> predictor;
-  predictor.predict(std::vector<Node>{{Number(2.0), Number(0.5), &known.x, &known.dx}}, Number(6.0),
-                    y);
+  predictor.predict(std::vector<Node>{{DoubleDouble(2.0), DoubleDouble(0.5), &known.x, &known.dx}},
+                    DoubleDouble(6.0), y);
   EXPECT_EQ(to_complex(y[0]), Complex(4));
 }
 
@@ -75,29 +75,14 @@ TEST(LogRatio, HasAllDigits) {
   // log 2 and log 10, to 32 digits.
   const DoubleDouble log2{0x1.62e42fefa39efp-1, 0x1.abc9e3b39803fp-56};
   const DoubleDouble log10{0x1.26bb1bbb55516p+1, -0x1.f48ad494ea3e9p-53};
-  const auto difference = [](const Number& a, DoubleDouble b) {
-    return std::abs(to_complex(a - Number(b, DoubleDouble(0.0))));
-  };
+  const auto difference = [](DoubleDouble a, DoubleDouble b) { return std::abs((a - b).hi); };
   EXPECT_LT(difference(log_ratio(2, 1), log2), 1e-31);
   EXPECT_LT(difference(log_ratio(10, 1), log10), 1e-30);
   EXPECT_LT(difference(log_ratio(1, 10), -log10), 1e-30);
   EXPECT_LT(difference(log_ratio(7, 7), DoubleDouble(0.0)), 1e-31);
-  const Number far = log_ratio(1e300, 1) + log_ratio(1, 1e-300);
-  EXPECT_LT(std::abs(to_complex(log_ratio(1e300, 1e-300) - far)), 1e-27);
-}
-
-TEST(LogRatio, OfAFullTurnIsTwoPi) {
-  const LogRatio<Number> log_ratio;
-  Number sum(0.0);
-  const Complex quarter[] = {1, {4, 3}, {3, 4}};
-  std::vector<Complex> turn;
-  for (const Complex& power : {Complex(1), Complex(0, 1), Complex(-1), Complex(0, -1)}) {
-    for (const Complex& z : quarter) turn.push_back(product(power, z));
-  }
-  turn.push_back(1);
-  for (std::size_t k = 1; k < turn.size(); ++k) sum += log_ratio(turn[k], turn[k - 1]);
-  const DoubleDouble two_pi{0x1.921fb54442d18p+2, 0x1.1a62633145c07p-52};
-  EXPECT_LT(std::abs(to_complex(sum - Number(DoubleDouble(0.0), two_pi))), 1e-29);
+  EXPECT_LT(difference(log_ratio(1e300, 1e-300),
+                       DoubleDouble(0.0) + log_ratio(1e300, 1) + log_ratio(1, 1e-300)),
+            1e-27);
 }
 
 }  // namespace

@@ -25,7 +25,6 @@
 
 #include <limits>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "moivre/endgame/end_parameters.h"
@@ -53,10 +52,7 @@ struct EndgameOptions {
   /// The path is followed towards t = 1 as far as it leads before circles are tried: useful with many digits.
   bool goes_straight = false;
   bool only_regular = false;  ///< an end that is not regular is a failure: no circle is tried
-  /// But one, for trackers with many more digits than double: from where the path is nearer to t = 1 than this, or can be followed no
-  /// further, if x_0 is nearly 0 there. It tells whether the path is on its way to infinity. 0: none.
-  double last_radius = 0;
-  bool may_wait = false;  ///< for other paths of its cycle, after the first turn
+  bool may_wait = false;      ///< for other paths of its cycle, after the first turn
   EndParameters ends;
 };
 
@@ -125,8 +121,6 @@ class Endgame : public Watcher {
   std::optional<Departure> proceed(Arrival&& arrival, PathSystem& path);
   Departure along(const Contour& contour, Point x, int samples = 0, Watcher* watcher = nullptr);
   std::optional<Departure> judge_arrival(Arrival&& arrival, PathSystem& path);
-  bool is_far_out(std::span<const Complex> x, double radius) const;
-  std::optional<Departure> look_to_infinity(Arrival&& arrival);
   void polish_outpost(PathSystem& path);
   bool may_look_again() const;
   std::optional<Departure> look_again(PathSystem& path);
@@ -138,7 +132,6 @@ class Endgame : public Watcher {
   std::optional<Departure> begin_circle();
   Contour circle() const;
   Departure walk_turn(Point x);
-  Departure walk_on(Point x, Complex rest);
   bool may_wait() const;
   std::optional<Departure> next_turn(Arrival&& arrival, PathSystem& path);
   std::optional<Departure> shrink(PathSystem& path);
@@ -180,8 +173,6 @@ class Endgame : public Watcher {
   Point watched_at_;
   double watched_radius_ = 0;
   bool looks_again_ = false;
-  bool is_last_circle_ = false;  ///< of samples in many digits, from where the path has come to
-  Failure unless_infinite_ = Failure::precision;
 
   // Circles.
   Point patch_;       // affine patch of the circle's samples

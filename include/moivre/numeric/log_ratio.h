@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: MIT
-// log(a / b) of two complex doubles in a complex scalar S of more digits than double.
+// log(a / b) of two doubles in a real type of more digits than double.
 //
-//   2^e of both apart, p and q are left;  log(p / q) = 2 (z + z^3 / 3 + z^5 / 5 + ...), z = (p - q) / (p + q)
+//   a / b = 2^e m_a / m_b, m in [1/2, 1);  log(m_a / m_b) = 2 (z + z^3 / 3 + z^5 / 5 + ...), z = (m_a - m_b) / (m_a + m_b)
 //
-// On one ray |z| <= 1/3, and each term adds a digit; with an angle between p and q it takes more.
-// Edges: a, b finite and not 0, in one half plane: an angle of a right one or more gives nonsense. S: numeric/scalar.h.
+// |z| <= 1/3, so each term adds a digit. Edges: a, b > 0 and finite. S: the complex scalar whose real type it is (numeric/scalar.h).
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 
-#include "moivre/numeric/complex.h"
 #include "moivre/numeric/scalar.h"
 
 namespace moivre {
@@ -20,41 +17,34 @@ class LogRatio {
   using Real = typename Scalar<S>::Real;
 
  public:
-  LogRatio() : log2_(log_of(S(2.0), S(1.0))) {}
+  LogRatio() : log2_(log_of(Real(2.0), Real(1.0))) {}
 
-  S operator()(const Complex& a, const Complex& b) const {
-    const int ea = exponent(a);
-    const int eb = exponent(b);
-    const S powers = product(Real(static_cast<double>(ea - eb)), log2_);
-    return powers + log_of(S(scaled(a, -ea)), S(scaled(b, -eb)));
+  Real operator()(double a, double b) const {
+    int ea = 0;
+    int eb = 0;
+    const Real ma(std::frexp(a, &ea));
+    const Real mb(std::frexp(b, &eb));
+    return Real(static_cast<double>(ea - eb)) * log2_ + log_of(ma, mb);
   }
 
  private:
-  static int exponent(const Complex& a) {
-    int e = 0;
-    std::frexp(std::max(std::abs(a.real()), std::abs(a.imag())), &e);
-    return e;
-  }
-  static Complex scaled(const Complex& a, int e) {
-    return {std::ldexp(a.real(), e), std::ldexp(a.imag(), e)};
-  }
-
-  static S log_of(const S& p, const S& q) {
-    const S z = product(p - q, reciprocal(p + q));
-    const S square = product(z, z);
-    const double ratio = magnitude1(to_complex(square));
-    S power = z + z;
-    S sum = power;
+  /// log(p / q), 1/2 <= p / q <= 2.
+  static Real log_of(const Real& p, const Real& q) {
+    constexpr double kRatio = 9;
+    const Real z = (p - q) / (p + q);
+    const Real square = z * z;
+    Real power = z + z;
+    Real sum = power;
     double odd = 1;
-    for (double size = 1; size > Scalar<S>::epsilon && ratio < 1; size *= ratio) {
-      power = product(power, square);
+    for (double size = 1; size > Scalar<S>::epsilon; size /= kRatio) {
+      power = power * square;
       odd += 2;
-      sum += product(Real(1.0) / Real(odd), power);
+      sum = sum + power / Real(odd);
     }
     return sum;
   }
 
-  S log2_;
+  Real log2_;
 };
 
 }  // namespace moivre

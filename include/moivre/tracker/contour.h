@@ -43,8 +43,6 @@ class Contour {
   PathTime at(double s, double left) const { return s < 0.5 ? at(s) : before_end(left); }
   /// A segment to t = 1.
   bool ends_at_one() const { return kind_ == Kind::segment && to_ == 1.0; }
-  /// A segment to t = 1, or about it.
-  bool is_about_one() const { return kind_ == Kind::spiral || ends_at_one(); }
   /// dt/ds.
   Complex dt(double s) const {
     if (kind_ == Kind::segment) return rate_;

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 // How is a path followed that double cannot decide? Entirely in a scalar S of more digits: point, H, J, factors, step.
 //
-//   w         -log(1 - t) where the contour ends at t = 1 or turns about it, elsewhere t: (1 - t)^{1/m}, as at a singular end, is
-//             smooth in it
+//   w         -log(1 - s) where the contour ends at t = 1, elsewhere s: (1 - s)^{1/m}, as at a singular end, is smooth in it
 //   predict   the polynomial in w through the last six points and tangents (tracker/hermite_predictor.h); the tangent alone at first
 //   correct   Newton's method, a fresh J each time, until it corrects far less than at first
 //   step      h <- h min(tolerance / |dx_1|, Theta / (|dx_2| / |dx_1|))^{1 / order}: the first correction is the predictor's error;
 //             beside the next sheet's distance, about |dx_1|^2 / |dx_2|, it is how fast Newton's method contracts
-//   land      to w = infinity, by the polynomial in t, as soon as a step of w is as long as what is left of s and the polynomial's
+//   land      to w = infinity, by the polynomial in s, as soon as a step of w is as long as what is left of s and the polynomial's
 //             last term is small beside the next sheet's distance
 //
 // For the few paths that need it: in double-double a step takes some thirty times as long as in double, in a hundred digits some
@@ -52,7 +51,7 @@ struct Place {
   double distance_to(const Place& other) const { return s < 0.5 ? other.s - s : left - other.left; }
 };
 
-/// Steps h: of -log(1 - s), or of s.
+/// Steps h of w.
 struct Clock {
   bool is_logarithmic = false;
 
@@ -66,6 +65,8 @@ struct Clock {
   double step(const Place& from, const Place& to) const {
     return is_logarithmic ? std::log(from.left / to.left) : from.distance_to(to);
   }
+  /// ds/dw.
+  double pace(const Place& at) const { return is_logarithmic ? at.left : 1; }
 };
 
 }  // namespace detail
@@ -102,10 +103,10 @@ class FineSession : public TrackerSession {
 
   /// A point that the path has passed.
   struct Known {
-    PathTime t{0.0};
-    S w;
+    Place place;
+    Real w;
     FinePoint x;
-    FinePoint dx;  ///< by t
+    FinePoint dx;  ///< by s
   };
 
   static constexpr double kFirstStep = 1e-3;
@@ -133,9 +134,10 @@ class FineSession : public TrackerSession {
   Journey go(const Departure& departure, const std::atomic<bool>& stop, Arrival& arrival);
   bool depart(const Departure& departure);
   const Known& here() const { return known_.front(); }
-  S w_at(const PathTime& t) const;
-  double predict(const PathTime& next);
-  void know(const PathTime& t);
+  const Place& place() const { return here().place; }
+  /// w or, to the end, s.
+  Real position(const Place& place, bool is_in_w) const;
+  double predict(const Place& next);
   double order() const { return static_cast<double>(2 * count_); }
   double growth(const Settling& settling, double tolerance) const;
   bool step(const Departure& departure, const Place& next, Settling& settling);
@@ -146,9 +148,6 @@ class FineSession : public TrackerSession {
   FinePathSystem<S> path_;
   PathSystem watched_;  // for watchers, who look in double
   Clock clock_;
-  bool is_about_one_ = false;  // the contour
-  Place place_;
-  std::optional<std::uint64_t> travelled_;  // the path of the last departure
   LogRatio<S> log_ratio_;
   Predictor predictor_;
   std::array<HermiteNode<S>, Predictor::kMostNodes> nodes_;
@@ -167,66 +166,44 @@ const Point& FineSession<S>::rounded() {
 
 template <class S>
 bool FineSession<S>::depart(const Departure& departure) {
-  const bool has_points = departure.goes_on && travelled_ == departure.path;
-  travelled_ = departure.path;
   clock_ = {departure.contour.ends_at_one()};
-  is_about_one_ = departure.contour.is_about_one();
-  place_ = Place();
+  Known& start = known_.front();
+  start.place = Place();
+  start.w = position(start.place, true);
+  count_ = 1;
+  apart_ = 0;
   path_.set_frame(departure.frame.get());
   watched_.set_frame(departure.frame.get());
-  const PathTime t = place_.on(departure.contour);
-  if (has_points) {
-    if (t.rest == here().t.rest) return true;
-    predict(t);
-  } else {
-    count_ = 0;
-    apart_ = 0;
-    const Real scale(1 / max_norm(departure.x));
-    std::transform(departure.x.begin(), departure.x.end(), trial_.begin(),
-                   [&](const Complex& xi) { return product(scale, S(xi)); });
-    path_.set_patch(trial_);
-  }
-  if (!path_.settle(trial_, t, FinePathSystem<S>::on_path()).converged) return false;
-  know(t);
+  std::transform(departure.x.begin(), departure.x.end(), start.x.begin(),
+                 [](const Complex& xi) { return S(xi); });
+  const Real scale(1 / max_norm(departure.x));
+  for (S& xi : start.x) xi = product(scale, xi);
+  path_.set_patch(start.x);
+  const PathTime t = start.place.on(departure.contour);
+  if (!path_.settle(start.x, t, FinePathSystem<S>::on_path()).converged) return false;
+  path_.tangent(departure.contour.dt(0), start.dx);
   return true;
 }
 
-/// The point in trial_, where J has been factored.
 template <class S>
-void FineSession<S>::know(const PathTime& t) {
-  const S w = w_at(t);
-  std::rotate(known_.begin(), known_.end() - 1, known_.end());
-  count_ = std::min(count_ + 1, known_.size());
-  Known& now = known_.front();
-  std::swap(now.x, trial_);
-  path_.tangent(1, now.dx);
-  now.t = t;
-  now.w = w;
-  path_.set_patch(now.x);
-  for (std::size_t i = 0; i < count_; ++i) path_.bring_to_patch(known_[i].x, known_[i].dx);
+typename Scalar<S>::Real FineSession<S>::position(const Place& place, bool is_in_w) const {
+  if (clock_.is_logarithmic && is_in_w) return log_ratio_(1, place.left);
+  return place.s < 0.5 ? Real(place.s) : Real(1.0) - Real(place.left);
 }
 
-// Not asked for at t = 1.
+// trial <- the polynomial through the known points; the size of its last term beside |x|.
 template <class S>
-S FineSession<S>::w_at(const PathTime& t) const {
-  if (!is_about_one_) return fine_time<S>(t).t;
-  if (t.rest == 0.0) return S(0.0);
-  return count_ == 0 ? log_ratio_(1, t.rest) : here().w + log_ratio_(here().t.rest, t.rest);
-}
-
-// trial <- the polynomial through the known points; the size of its last term beside |x|. To t = 1 it is one in t.
-template <class S>
-double FineSession<S>::predict(const PathTime& next) {
-  const bool is_in_w = is_about_one_ && next.rest != 0.0;
+double FineSession<S>::predict(const Place& next) {
+  const bool is_in_w = clock_.is_logarithmic && !next.is_end();
   for (std::size_t i = 0; i < count_; ++i) {
     const Known& known = known_[i];
-    nodes_[i].w = is_in_w ? known.w : fine_time<S>(known.t).t;
-    nodes_[i].slope = is_in_w ? S(known.t.rest) : S(1.0);
+    nodes_[i].w = is_in_w ? known.w : position(known.place, false);
+    nodes_[i].slope = Real(is_in_w ? clock_.pace(known.place) : 1.0);
     nodes_[i].x = &known.x;
     nodes_[i].dx = &known.dx;
   }
-  const S w = is_in_w ? w_at(next) : fine_time<S>(next).t;
-  return predictor_.predict({nodes_.data(), count_}, w, trial_) / max_norm(rounded());
+  return predictor_.predict({nodes_.data(), count_}, position(next, is_in_w), trial_) /
+         max_norm(rounded());
 }
 
 /// Takes the step to `next` when Newton's method finds the path there.
@@ -236,16 +213,23 @@ bool FineSession<S>::step(const Departure& departure, const Place& next, Settlin
       kLargestOvershoot * options_.tolerance / std::pow(kCareFactor, departure.care);
   const PathTime t = next.on(departure.contour);
   const bool is_end = t.rest == 0.0;
-  const double last_term = predict(t);
+  const double last_term = predict(next);
   if (is_end && last_term > kSureLanding * apart_) return false;
   SettlingRules rules = is_end ? FinePathSystem<S>::at_end() : FinePathSystem<S>::on_path();
   rules.reach = reach;
   if (!is_end) rules.share = kFarBelow;
   settling = path_.settle(trial_, t, rules);
   if (!settling.converged || (is_end && !path_.is_regular_end(settling))) return false;
-  know(t);
-  place_ = next;
+  std::rotate(known_.begin(), known_.end() - 1, known_.end());
+  count_ = std::min(count_ + 1, known_.size());
+  Known& now = known_.front();
+  std::swap(now.x, trial_);
+  path_.tangent(departure.contour.dt(next.s), now.dx);
+  now.place = next;
+  now.w = next.is_end() ? Real(0.0) : position(next, true);
   apart_ = settling.first * settling.first / settling.second;
+  path_.set_patch(now.x);
+  for (std::size_t i = 0; i < count_; ++i) path_.bring_to_patch(known_[i].x, known_[i].dx);
   return true;
 }
 
@@ -253,10 +237,10 @@ template <class S>
 bool FineSession<S>::is_watched(const Departure& departure, const Settling& settling,
                                 double taken) {
   if (departure.watcher == nullptr) return false;
-  const PathTime t = place_.on(departure.contour);
+  const PathTime t = place().on(departure.contour);
   if (std::abs(t.rest) > departure.watch_radius) return false;
   const Point& x = rounded();
-  const StepRecord record{place_.s,      t, x, taken, static_cast<int>(order()), settling.drift,
+  const StepRecord record{place().s,     t, x, taken, static_cast<int>(order()), settling.drift,
                           settling.first};
   return departure.watcher->watch(record, watched_) == Watcher::Verdict::stop;
 }
@@ -276,7 +260,7 @@ Journey FineSession<S>::go(const Departure& departure, const std::atomic<bool>& 
   const double tolerance = options_.tolerance / std::pow(kCareFactor, departure.care);
   double h = kFirstStep;
   int sample = 0;
-  while (place_.left > 0) {
+  while (place().left > 0) {
     if (stop.load(std::memory_order_relaxed)) return Journey::cancelled;
     const StepCount& count = arrival.count;
     if (count.accepted + count.rejected >= static_cast<std::uint64_t>(options_.maximum_steps)) {
@@ -284,21 +268,21 @@ Journey FineSession<S>::go(const Departure& departure, const std::atomic<bool>& 
     }
     Settling settling;
     if (clock_.is_logarithmic && h >= kLandingStep) {
-      const double left = place_.left;
       if (step(departure, {1, 0}, settling)) {
         ++arrival.count.accepted;
-        return is_watched(departure, settling, left) ? Journey::stopped : Journey::arrived;
+        return is_watched(departure, settling, known_[1].place.left) ? Journey::stopped
+                                                                     : Journey::arrived;
       }
       ++arrival.count.rejected;
     }
-    Place next = clock_.ahead(place_, h);
+    Place next = clock_.ahead(place(), h);
     const double stop_at =
         departure.samples > 0 ? static_cast<double>(sample + 1) / departure.samples : 1;
     const bool is_sample = departure.samples > 0 && next.s >= stop_at;
     if (is_sample) next = stop_at == 1 ? Place{1, 0} : Place{stop_at, 1 - stop_at};
-    const double taken = place_.distance_to(next);
+    const double taken = place().distance_to(next);
     if (!(taken > FinePathSystem<S>::least_step())) return Journey::step_too_small;
-    const double tried = clock_.step(place_, next);
+    const double tried = clock_.step(place(), next);
     if (!step(departure, next, settling)) {
       ++arrival.count.rejected;
       h = kRefusedStep * tried;
@@ -322,8 +306,8 @@ Arrival FineSession<S>::travel(const Departure& departure, const std::atomic<boo
   const WorkCount before = path_.work();
   arrival.journey = depart(departure) ? go(departure, stop, arrival) : Journey::bad_start;
   arrival.x = rounded();
-  arrival.s = place_.s;
-  arrival.t = place_.on(departure.contour);
+  arrival.s = place().s;
+  arrival.t = place().on(departure.contour);
   arrival.count.work = path_.work() - before;
   if (arrival.journey == Journey::arrived && arrival.t.rest == 0.0) {
     arrival.regular_condition = path_.condition();
@@ -342,7 +326,6 @@ class FineTracker : public Tracker {
   OptionsInForce options_in_force() const override {
     return {{"tolerance", options_.tolerance}, {"maximum_steps", options_.maximum_steps}};
   }
-  double rounding() const override { return Scalar<S>::epsilon; }
   std::unique_ptr<TrackerSession> open(const Homotopy& homotopy) const override {
     return std::make_unique<FineSession<S>>(options_, homotopy);
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Where does a path go on? The polynomial through its last points and tangents, in a scalar S of more digits than double.
 //
-//   p(w_i) = x_i, p'(w_i) = x'_i at k complex nodes: degree 2 k - 1, Newton's form with each node twice (Hermite)
+//   p(w_i) = x_i, p'(w_i) = x'_i at k nodes: degree 2 k - 1, Newton's form with each node twice (Hermite)
 //   error a step h ahead, the nodes h apart: (k!)^2 (h / R)^{2 k} of |x|, R the distance of the next singular point
 //
 // Beside another sheet many digits are asked for: they take many steps at a low order and few at a high one. A node more costs next to
@@ -24,20 +24,24 @@ namespace moivre {
 /// x' = slope dx.
 template <class S>
 struct HermiteNode {
-  S w;
-  S slope;
+  using Real = typename Scalar<S>::Real;
+
+  Real w;
+  Real slope;
   const std::vector<S>* x = nullptr;
   const std::vector<S>* dx = nullptr;
 };
 
 template <class S>
 class HermitePredictor {
+  using Real = typename Scalar<S>::Real;
+
  public:
   static constexpr std::size_t kMostNodes = 6;
 
   /// y <- p(w). nodes: 1 ... kMostNodes, all w_i different. Returns the largest coordinate of the term of highest degree; infinity
   /// where there is but one node.
-  double predict(std::span<const HermiteNode<S>> nodes, const S& w, std::span<S> y) {
+  double predict(std::span<const HermiteNode<S>> nodes, const Real& w, std::span<S> y) {
     const std::size_t count = 2 * nodes.size();
     prepare(nodes, w);
     double last_term = 0;
@@ -64,22 +68,22 @@ class HermitePredictor {
   static constexpr std::size_t kMost = 2 * kMostNodes;
 
   /// 1 / (w_{i + order} - w_i) of doubled nodes, and the products of w - w_i.
-  void prepare(std::span<const HermiteNode<S>> nodes, const S& w) {
+  void prepare(std::span<const HermiteNode<S>> nodes, const Real& w) {
     const std::size_t count = 2 * nodes.size();
-    product_[0] = S(1.0);
+    product_[0] = Real(1.0);
     for (std::size_t order = 1; order < count; ++order) {
-      product_[order] = product(product_[order - 1], w - nodes[(order - 1) / 2].w);
+      product_[order] = product_[order - 1] * (w - nodes[(order - 1) / 2].w);
       for (std::size_t i = 0; i + order < count; ++i) {
         const std::size_t last = (i + order) / 2;
         if (last == i / 2) continue;
-        reciprocal_[order][i] = reciprocal(nodes[last].w - nodes[i / 2].w);
+        reciprocal_[order][i] = Real(1.0) / (nodes[last].w - nodes[i / 2].w);
       }
     }
   }
 
   std::array<S, kMost> difference_;
-  std::array<S, kMost> product_;
-  std::array<std::array<S, kMost>, kMost> reciprocal_;
+  std::array<Real, kMost> product_;
+  std::array<std::array<Real, kMost>, kMost> reciprocal_;
 };
 
 }  // namespace moivre

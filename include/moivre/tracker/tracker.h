@@ -57,9 +57,6 @@ struct Departure {
   /// The watcher sees the steps that end with |1 - t| no larger than this.
   double watch_radius = std::numeric_limits<double>::infinity();
   FramePointer frame = nullptr;  ///< the path's, where the homotopy is framed; x is in it
-  /// From where the session's last departure, of the same path, has ended: trackers with more digits than double begin with all digits of
-  /// that point, not with x, which may lie as near to another sheet. Others begin with x.
-  bool goes_on = false;
 };
 
 enum class Journey {
@@ -117,8 +114,6 @@ class Tracker {
   virtual std::string kind() const = 0;
   /// Name and value of every option in force, for the report.
   virtual OptionsInForce options_in_force() const = 0;
-  /// Relative, of the numbers that paths are made of.
-  virtual double rounding() const { return 0x1p-53; }
   /// A session on `homotopy`, which must outlive it. Thread-safe.
   virtual std::unique_ptr<TrackerSession> open(const Homotopy& homotopy) const = 0;
   /// The same tracker with all of a path in double-double; nullptr if there is none.
