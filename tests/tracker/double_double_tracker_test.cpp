@@ -100,10 +100,8 @@ TEST(DoubleDoubleTracker, FindsTheWayBack) {
 
 TEST(DoubleDoubleTracker, KeepsTheSizeOfThePoint) {
   const Homotopy homotopy = from_square_roots_of_one("x^2 - 3 - 4*i");
-  const Contour turns = Contour::spiral(1, Complex(0, 20 * std::numbers::pi));
-  const Arrival arrival = follow_from(homotopy, from({1, 1}, turns), {.tolerance = 1e-12});
-  EXPECT_EQ(arrival.journey, Journey::arrived);
-  EXPECT_GT(arrival.count.accepted, 1000U);
+  const Arrival arrival = follow_from(homotopy, from({1, 1}), {.tolerance = 1e-12});
+  EXPECT_GT(arrival.count.accepted, 400U);
   EXPECT_LT(max_norm(arrival.x), 2);
   EXPECT_GT(max_norm(arrival.x), 0.5);
 }
