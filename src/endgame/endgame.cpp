@@ -386,24 +386,20 @@ bool Endgame::errors_explain(PathSystem& path) const {
 }
 
 // A large finite root with the same face is told by the errors of the samples. Where these leave a doubt, or are large, the samples
-// get all their digits first. What the digits of the coefficients explain is at infinity as rounded.
+// get all their digits first, so that no error of theirs passes for one of the file. What the digits of the coefficients explain is at infinity
+// as rounded.
 FaceRoot Endgame::confirmed(FaceRoot place, PathSystem& path) {
-  const double known = path.homotopy().largest_error();
-  const auto measured = [&] {
-    return sums_and_errors(samples_of_x0(), turns_, known, options_.ends);
-  };
+  const auto measured = [&] { return sums_and_errors(samples_of_x0(), turns_, 0, options_.ends); };
   if (place == FaceRoot::exact) {
     // u times the operations of as many residuals.
     const double rounding = options_.ends.samples * options_.ends.rounding;
     const SumsAndErrors first = measured();
-    if (first.sum > options_.ends.shrink) {
-      return errors_explain(path) ? FaceRoot::as_rounded : FaceRoot::none;
+    if (first.sum <= options_.ends.shrink && first.error * std::max(first.sum, 1.0) <= rounding) {
+      return FaceRoot::exact;
     }
-    if (first.error * std::max(first.sum, 1.0) <= rounding) return FaceRoot::exact;
-  } else if (errors_explain(path)) {
-    return FaceRoot::as_rounded;
   }
-  if (!polish_samples(path)) return FaceRoot::none;
+  // With more digits than double the samples of a path have all of theirs.
+  if (!options_.goes_straight && !polish_samples(path)) return FaceRoot::none;
   if (place == FaceRoot::exact) {
     const SumsAndErrors fine = measured();
     if (fine.sum <= options_.ends.shrink && fine.error <= options_.ends.sample_error) {

@@ -42,9 +42,12 @@ System on_stratum(const System& f, Zeros zeros) {
   return g;
 }
 
-bool has_equation_of_one_term(const System& f) {
-  return std::any_of(f.polynomials.begin(), f.polynomials.end(),
-                     [](const Polynomial& p) { return p.terms.size() == 1; });
+/// Where two liftings agree.
+std::optional<std::uint64_t> volume_of(const System& f, std::uint64_t seed,
+                                       const CellSearchOptions& options) {
+  const std::vector<Support> supports = supports_of(f);
+  const auto first = mixed_volume(supports, seed, options).value;
+  return first && first == mixed_volume(supports, ~seed, options).value ? first : std::nullopt;
 }
 
 }  // namespace
@@ -54,8 +57,7 @@ std::optional<std::uint64_t> most_isolated_points(const System& f, std::uint64_t
                                                   std::uint64_t most) {
   const std::size_t n = f.variables.size();
   if (n > kMostCoordinates) return std::nullopt;
-  std::vector<Zeros>
-      sets;  // of fewer equations than unknowns: in their closures no root is isolated
+  std::vector<Zeros> sets;    // fewer equations than unknowns: no root of the closure is isolated
   std::vector<System> spare;  // more equations than unknowns
   std::uint64_t sum = 0;
   for (Zeros zeros = 0; zeros < Zeros{1} << n; ++zeros) {
@@ -65,14 +67,14 @@ std::optional<std::uint64_t> most_isolated_points(const System& f, std::uint64_t
     System here = on_stratum(f, zeros);
     const std::size_t k = here.variables.size();
     const std::size_t m = here.polynomials.size();
-    if (m < k) sets.push_back(zeros);
-    if (m < k || has_equation_of_one_term(here)) continue;
-    if (m > k) {
+    if (m < k) {
+      sets.push_back(zeros);
+    } else if (m > k) {
       spare.push_back(std::move(here));
     } else if (k == 0) {
       ++sum;
-    } else {
-      const auto volume = verified_mixed_volume(supports_of(here), seed, options).value;
+    } else if (!has_no_torus_root(here)) {
+      const auto volume = volume_of(here, seed, options);
       if (!volume) return std::nullopt;
       sum += *volume;
     }

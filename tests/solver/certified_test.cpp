@@ -160,6 +160,23 @@ TEST(Certified, ARootOfAFaceIsAtInfinityOnlyWhereTheFilesNumbersMayMoveTheEndsTh
   }
 }
 
+// A^2 = 1e-10 and A L = -9 have roots of size 1e6, to which four sheets go that look as if they went to infinity, to 1e-11 of the squares of x_0.
+// That is less than the file's relative error of 5e-11, but no number of the file changes these squares by as much. In double alone
+// these ends are not known.
+TEST(Certified, WhatIsLostInTheLargestErrorOfTheFileIsNotAtInfinity) {
+  const System f = read(
+      "3\n x^2*y^2 - 10*x*y^2*z + 25*y^2*z^2 + 6*x*y*z - 30*y*z^2 + 2*x*y - 10*y*z + 9*z^2 + 6*z + "
+      "0.9999999999;\n"
+      " 9*x^2*y - 9*x*y^2 - 49*x*y*z + 45*y^2*z + 20*y*z^2 + 2*x*y + 27*x*z - 37*y*z - 12*z^2 + 9*x"
+      " - 9*y + 2*z + 11.0000000008;\n"
+      " -40*x^2 - 30*x*y + 15*x*z + 10*y^2 + 15*y*z + 67*x - 23*y - 27*z + 9.0000000005;\n");
+  SolveOptions options = with_seed(1);
+  options.precision = Precision::double_precision;
+  const SolveResult result = solve(f, *make_lane_tracker(), options);
+  EXPECT_EQ(result.paths.at_infinity, 0U);
+  EXPECT_FALSE(result.complete);
+}
+
 // (x - 4 z - 1)^3 = -1e-12, and y is 1e4 times larger the nearer x - 4 z is to 1. The digits of the file may make it 5e-13, not 0.
 TEST(Certified, ARootOfAFaceNeedsErrorsInTheEquationsThatDoNotVanish) {
   const System f = read(
