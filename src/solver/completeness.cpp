@@ -146,9 +146,8 @@ Refined point_of(const Run& run, const ExactRoot& exact) {
   point.condition = std::numeric_limits<double>::infinity();
   if (!exact.is_rounded) return point;
   point.accuracy = std::numeric_limits<double>::epsilon();
-  for (const Complex& value : Refiner(run.setting.refiner_program).relative_values(exact.x)) {
-    point.residual = std::max(point.residual, std::abs(value));
-  }
+  Refiner refiner(run.setting.refiner_program);
+  point.residual = refiner.residual(exact.x);
   return point;
 }
 

@@ -78,11 +78,13 @@ class Refiner {
   /// F(x) / sum |terms|, each equation, in double-double from the exact coefficients.
   const std::vector<Complex>& relative_values(const Point& x);
 
+  /// max_i |relative_values(x)_i|.
+  double residual(const Point& x);
+
  private:
   bool newton(Point& x, double reach);
   bool is_simple(const Point& x);
   double sensitivity(const Point& x);
-  double residual(const Point& x);
   double natural_residual(const Point& x);
   void snap_to_zero(Refined& root, double accuracy);
   bool take_snapped(Refined& root, Point&& snapped);

@@ -72,10 +72,7 @@ void multiply(std::uint64_t sheets, Refiner& refiner, Solution& root) {
   root.multiplicity *= sheets;
   root.singular = true;
   root.winding = repeated(sheets, root.winding);
-  root.residual = 0;
-  for (const Complex& value : refiner.relative_values(root.x)) {
-    root.residual = std::max(root.residual, std::abs(value));
-  }
+  root.residual = refiner.residual(root.x);
 }
 
 std::string exponents_text(const PowerFree& bases) {
