@@ -168,7 +168,7 @@ void Refiner::measure_by(std::vector<double> units) {
   w_->unit = units.empty() ? w_->program->unit : std::move(units);
 }
 
-const std::vector<Complex>& Refiner::relative_values(const Point& x) {
+const std::vector<Complex>& Refiner::relative_values(const Point& x) & {
   Workspace& w = *w_;
   w.evaluate_fine(x);
   w.evaluate_sizes(x, {});

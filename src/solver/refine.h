@@ -76,7 +76,8 @@ class Refiner {
   Refined keep(const Point& x, double accuracy, int sheets);
 
   /// F(x) / sum |terms|, each equation, in double-double from the exact coefficients.
-  const std::vector<Complex>& relative_values(const Point& x);
+  /// Lives until the next call, and no longer than the Refiner: a temporary one is refused.
+  const std::vector<Complex>& relative_values(const Point& x) &;
 
   /// max_i |relative_values(x)_i|.
   double residual(const Point& x);
