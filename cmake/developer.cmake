@@ -19,6 +19,10 @@ if(MOIVRE_CCACHE AND NOT DEFINED MOIVRE_CCACHE_WORKS)
     set(MOIVRE_CCACHE_WORKS FALSE CACHE INTERNAL "ccache compiled a file for this user")
   endif()
 endif()
+# It caches sources behind a precompiled header only when told that what such a header defines is no matter.
 if(MOIVRE_CCACHE_WORKS AND NOT DEFINED CMAKE_CXX_COMPILER_LAUNCHER)
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${MOIVRE_CCACHE})
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${MOIVRE_CCACHE})
+  add_compile_options(
+    "$<$<COMPILE_LANG_AND_ID:CXX,GNU>:-fpch-preprocess>"
+    "$<$<COMPILE_LANG_AND_ID:CXX,Clang>:SHELL:-Xclang -fno-pch-timestamp>")
 endif()

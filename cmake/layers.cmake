@@ -49,9 +49,13 @@ set(MOIVRE_USES_cli closure_study multiprecision report check_report family_repo
 set(MOIVRE_DO_WITHOUT_certify solver closures)
 set(MOIVRE_DO_WITHOUT_multiprecision solver)
 
-# Modules that write text and pictures: what they do takes microseconds, so that optimizing their code further only lengthens
-# the build.
-set(MOIVRE_LIGHT report check_report family_report closure_report arm_report sweep_report study_report cli)
+# Modules that read, decide and write: their time goes into what they call, so that optimizing their own code further only
+# lengthens the build.
+set(MOIVRE_LIGHT expression bounds check study urdf formulation closures design arms closure_study sweep report check_report
+    family_report closure_report arm_report sweep_report study_report cli)
+
+# Modules that add compiler flags of their own.
+set(MOIVRE_OWN_FLAGS certify tracker_lanes)
 
 # Third-party packages, each private to the modules that name it. Eigen and Boost's integers are
 # the exception: they are vocabulary of the public headers.

@@ -11,9 +11,9 @@ namespace moivre {
 namespace {
 
 /// Sines and cosines are kept to so many bits, more than their doubles have for any angle that is not tiny.
-constexpr std::size_t kBits = 60;
+constexpr std::size_t kTurnBits = 60;
 
-Integer fixed_point(double x) { return {std::llround(std::ldexp(x, static_cast<int>(kBits)))}; }
+Integer fixed_point(double x) { return {std::llround(std::ldexp(x, static_cast<int>(kTurnBits)))}; }
 
 using RationalDisplacement = DualQuaternion<Rational>;
 
@@ -46,13 +46,13 @@ ExactDisplacement elementary_turn(const Rational& angle, std::size_t axis) {
   return turn;
 }
 
-/// Any four numbers are a turn: products of turns are cut to kBits. What is equal, or zero, stays so.
+/// Any four numbers are a turn: products of turns are cut to kTurnBits. What is equal, or zero, stays so.
 ExactDisplacement cut_short(const ExactDisplacement& turn) {
   ExactDisplacement result = reduced(turn);
   std::size_t bits = 0;
   for (const Integer& part : result) bits = std::max(bits, bit_length(part));
-  if (bits <= kBits) return result;
-  const Integer unit = Integer(1) << static_cast<unsigned>(bits - kBits);
+  if (bits <= kTurnBits) return result;
+  const Integer unit = Integer(1) << static_cast<unsigned>(bits - kTurnBits);
   for (Integer& part : result) part /= unit;
   return reduced(result);
 }

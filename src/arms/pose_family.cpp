@@ -17,9 +17,9 @@ namespace moivre {
 namespace {
 
 using RealDisplacement = DualQuaternion<double>;
-using Column = Eigen::Matrix<double, 8, 1>;
+using RealColumn = Eigen::Matrix<double, 8, 1>;
 /// Coefficients of the monomials in the tangents; bit k of the index is the exponent of t_k+1.
-using Expansion = std::vector<RealDisplacement>;
+using RealExpansion = std::vector<RealDisplacement>;
 
 /// Coefficients below this, beside the largest, are zeros of the arm's structure: rounding of sums of numbers near 1.
 constexpr double kStructuralZero = 1e-13;
@@ -33,10 +33,10 @@ RealDisplacement real_part(const ComplexDisplacement& g) {
   return result;
 }
 
-Column column(const RealDisplacement& g) { return Eigen::Map<const Column>(g.data()); }
+RealColumn real_column(const RealDisplacement& g) { return Eigen::Map<const RealColumn>(g.data()); }
 
 RealDisplacement unit(RealDisplacement g) {
-  const double size = column(g).norm();
+  const double size = real_column(g).norm();
   for (double& part : g) part /= size;
   return g;
 }
@@ -72,12 +72,12 @@ std::vector<RealDisplacement> products_inside(const Loop& loop, const Cut& cut) 
 std::vector<RealDisplacement> forms_of(const std::vector<RealDisplacement>& products) {
   Eigen::MatrixXd span(8, static_cast<Eigen::Index>(products.size()));
   for (std::size_t k = 0; k < products.size(); ++k) {
-    span.col(static_cast<Eigen::Index>(k)) = column(unit(products[k]));
+    span.col(static_cast<Eigen::Index>(k)) = real_column(unit(products[k]));
   }
   const Eigen::MatrixXd U = svd(span, SingularVectors::full).U;
   std::vector<RealDisplacement> forms(4);
   for (std::size_t k = 0; k < forms.size(); ++k) {
-    Eigen::Map<Column>(forms[k].data()) = U.col(static_cast<Eigen::Index>(4 + k));
+    Eigen::Map<RealColumn>(forms[k].data()) = U.col(static_cast<Eigen::Index>(4 + k));
   }
   return forms;
 }
@@ -99,8 +99,8 @@ std::vector<RealDisplacement> combinations(const std::vector<RealDisplacement>& 
 }
 
 /// The outside's product backwards: what the inside's must be.
-Expansion outside_product(const Loop& loop, const Cut& cut) {
-  Expansion terms{RealDisplacement{1}};
+RealExpansion real_outside_product(const Loop& loop, const Cut& cut) {
+  RealExpansion terms{RealDisplacement{1}};
   for (const std::size_t joint : cut.outside) {
     const LoopJoint& own = loop.joints[joint];
     const RealDisplacement before = unit(real_part(own.rounded_before));
@@ -115,7 +115,7 @@ Expansion outside_product(const Loop& loop, const Cut& cut) {
 }
 
 double coefficient(const RealDisplacement& form, const RealDisplacement& term) {
-  return column(form).dot(column(term));
+  return real_column(form).dot(real_column(term));
 }
 
 /// Sizes of all coefficients, the larger ones of some poses.
@@ -125,7 +125,7 @@ std::vector<std::vector<double>> measured_sizes(const Arm& arm, const PoseFamily
   for (std::uint64_t k = 0; k < kMeasured; ++k) {
     const Eigen::Isometry3d pose =
         forward_kinematics(arm, random_joint_values(arm, seed, kFirstMeasured + k));
-    const Expansion terms = outside_product(loop_at(poses, pose), poses.cut);
+    const RealExpansion terms = real_outside_product(loop_at(poses, pose), poses.cut);
     for (std::size_t i = 0; i < sizes.size(); ++i) {
       sizes[i].resize(terms.size());
       for (std::size_t j = 0; j < terms.size(); ++j) {
@@ -196,7 +196,7 @@ Loop loop_at(const PoseFamily& poses, const Eigen::Isometry3d& pose) {
 }
 
 Point member_of(const PoseFamily& poses, const Loop& loop) {
-  const Expansion terms = outside_product(loop, poses.cut);
+  const RealExpansion terms = real_outside_product(loop, poses.cut);
   Point member;
   for (std::size_t i = 0; i < poses.forms.size(); ++i) {
     for (const std::size_t bits : poses.terms[i]) {

@@ -19,8 +19,8 @@ constexpr double kUnknownAccuracy = 1e-6;
 constexpr double kChart = 1e3;
 constexpr double kChartRounding = 1e-13;
 // Bounds of distances lose less than this share.
-constexpr double kUp = 1 + 0x1p-40;
-constexpr double kDown = 1 - 0x1p-40;
+constexpr double kRoundedUp = 1 + 0x1p-40;
+constexpr double kRoundedDown = 1 - 0x1p-40;
 
 /// max(1, |x|_inf), also where the square of a coordinate overflows.
 double scale_of(const Point& x) {
@@ -35,7 +35,7 @@ double reach_of(const Bench& bench, const RootClaim& root, const Point& x) {
   }
   double accuracy = root.accuracy.value_or(kUnknownAccuracy);
   if (bench.stand_in.has_patches()) accuracy = std::max(kChart * accuracy, kChartRounding);
-  return std::max(0.0, accuracy) * scale_of(x) * kUp;
+  return std::max(0.0, accuracy) * scale_of(x) * kRoundedUp;
 }
 
 bool is_finite(const Point& x) {
@@ -139,8 +139,8 @@ DistanceBounds distance(const Certificate& certificate, const Point& x) {
   for (std::size_t j = 0; j < x.size(); ++j) {
     const Coefficient part = offset(certificate, x, j);
     const double size = std::hypot(to_double(part.re), to_double(part.im));
-    d.most = std::max(d.most, (size * kUp + certificate.error[j]) * kUp);
-    d.least = std::max(d.least, (size * kDown - certificate.error[j]) * kDown);
+    d.most = std::max(d.most, (size * kRoundedUp + certificate.error[j]) * kRoundedUp);
+    d.least = std::max(d.least, (size * kRoundedDown - certificate.error[j]) * kRoundedDown);
   }
   return d;
 }

@@ -35,6 +35,10 @@ struct Sketch {
   Drawing finished() &&;
 };
 
+/// Of pins and of marks, in radii of a revolute joint.
+inline constexpr double kPinRadius = 0.75;
+inline constexpr double kMarkRadius = 0.45;
+
 /// Radius of a revolute joint, for a picture with this extent.
 double symbol_size(const Box& extent);
 

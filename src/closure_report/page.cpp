@@ -33,7 +33,7 @@ namespace moivre {
 namespace {
 
 /// What can be plotted: a coordinate, or one coordinate of a point.
-struct Quantity {
+struct PlottedQuantity {
   std::string name;
   std::optional<Eigen::Index> coordinate;
   bool is_angle = false;
@@ -61,8 +61,8 @@ struct Page {
   PageColumns columns;
 };
 
-std::vector<Quantity> quantities(const Mechanism& mechanism) {
-  std::vector<Quantity> all;
+std::vector<PlottedQuantity> quantities(const Mechanism& mechanism) {
+  std::vector<PlottedQuantity> all;
   const std::vector<Coordinate> names = coordinates(mechanism);
   const auto add_points = [&](bool is_jointed) {
     for (const MovingPoint& moving : moving_points(mechanism)) {
@@ -87,7 +87,7 @@ std::vector<Quantity> quantities(const Mechanism& mechanism) {
 Json at_grid(double x, double grid) { return std::round(x * grid) / grid; }
 
 /// Value, velocity and acceleration, in the file's unit of angle; null where an event has none.
-std::array<Json, 3> states(const Quantity& quantity, const TracedPose& pose,
+std::array<Json, 3> states(const PlottedQuantity& quantity, const TracedPose& pose,
                            const Mechanism& mechanism) {
   const bool in_degrees = quantity.is_angle && mechanism.units.angle == "deg";
   const double unit = in_degrees ? 180 / std::numbers::pi : 1;
@@ -108,7 +108,8 @@ std::array<Json, 3> states(const Quantity& quantity, const TracedPose& pose,
           rounded(state.acceleration[quantity.axis])};
 }
 
-Json series_json(const PageBranch& branch, const Quantity& quantity, const Mechanism& mechanism) {
+Json series_json(const PageBranch& branch, const PlottedQuantity& quantity,
+                 const Mechanism& mechanism) {
   std::array<Json, 3> columns{Json::array(), Json::array(), Json::array()};
   for (const TracedPose& pose : branch.poses) {
     std::array<Json, 3> values = states(quantity, pose, mechanism);
@@ -117,7 +118,7 @@ Json series_json(const PageBranch& branch, const Quantity& quantity, const Mecha
   return columns;
 }
 
-std::string unit_of(const Quantity& quantity, const Mechanism& mechanism) {
+std::string unit_of(const PlottedQuantity& quantity, const Mechanism& mechanism) {
   return quantity.is_angle ? mechanism.units.angle : mechanism.units.length;
 }
 
@@ -181,7 +182,7 @@ Canvas make_canvas(const Page& page, const Mechanism& mechanism) {
 }
 
 Json branch_json(const PageBranch& branch, const Canvas& canvas,
-                 const std::vector<Quantity>& plotted, const Mechanism& mechanism) {
+                 const std::vector<PlottedQuantity>& plotted, const Mechanism& mechanism) {
   Json t = Json::array();
   Json frames = Json::array();
   for (const TracedPose& pose : branch.poses) {
@@ -194,7 +195,7 @@ Json branch_json(const PageBranch& branch, const Canvas& canvas,
     frames.push_back(std::move(row));
   }
   Json series = Json::array();
-  for (const Quantity& quantity : plotted) {
+  for (const PlottedQuantity& quantity : plotted) {
     series.push_back(series_json(branch, quantity, mechanism));
   }
   return {{"t", t},
@@ -223,7 +224,7 @@ std::string matrix_text(const std::array<double, 4>& m) {
 /// A label keeps the place beside its anchor that it has in the branch's first pose; a body's turns with the body.
 std::string label_html(const PlacedLabel& placed, const Canvas& canvas,
                        const std::vector<Similarity>& places,
-                       const std::vector<Quantity>& plotted) {
+                       const std::vector<PlottedQuantity>& plotted) {
   const Label& label = *placed.label;
   const Complex anchor = canvas.map(places[label.frame](label.at));
   const Complex own = canvas.own(label.at);
@@ -253,7 +254,7 @@ std::string label_html(const PlacedLabel& placed, const Canvas& canvas,
 }
 
 std::string panel_html(const PageBranch& branch, std::size_t number, const Canvas& canvas,
-                       const std::vector<Quantity>& plotted, const Mechanism& mechanism) {
+                       const std::vector<PlottedQuantity>& plotted, const Mechanism& mechanism) {
   const Eigen::VectorXd& q = branch.poses.front().q;
   const std::vector<Similarity> places = place(canvas.drawing, mechanism, q);
   std::string svg;
@@ -337,7 +338,7 @@ std::string plots_html(const Page& page, const Json& quantities) {
 
 std::string page_html(const Page& page, const Mechanism& mechanism) {
   const bool moves = page.to > page.from && !page.branches.empty();
-  const std::vector<Quantity> plotted = quantities(mechanism);
+  const std::vector<PlottedQuantity> plotted = quantities(mechanism);
   std::string body = element("h1", {}, escaped(page.title)) + '\n' +
                      element("p", {}, escaped(page.summary)) + '\n';
   body += element("noscript", {}, "The first poses; a browser that runs scripts can move them.");
@@ -345,7 +346,7 @@ std::string page_html(const Page& page, const Mechanism& mechanism) {
   if (moves) body += drive_html();
   Json data{{"from", page.from}, {"to", page.to}, {"times", page.times}};
   data["drivers"] = drivers_json(page, mechanism);
-  data["quantities"] = list_json(plotted, [&](const Quantity& quantity) {
+  data["quantities"] = list_json(plotted, [&](const PlottedQuantity& quantity) {
     return Json{{"name", quantity.name}, {"units", units_json(unit_of(quantity, mechanism))}};
   });
   for (const Json& quantity : page.columns.quantities) data["quantities"].push_back(quantity);

@@ -17,14 +17,14 @@ namespace moivre {
 namespace {
 
 // All in pixels.
-constexpr double kPinRadius = 5;
-constexpr double kMargin = 16;       // around the sheet
+constexpr double kPinDot = 5;
+constexpr double kSheetMargin = 16;  // around the sheet
 constexpr double kGap = 12;          // between panels
 constexpr double kLabelRoom = 30;    // around the mechanism in its panel
 constexpr double kCaptionRoom = 26;  // above it
 constexpr double kCaptionLeft = 10;
-constexpr double kWidest = 1180;    // of all panels in a row
-constexpr double kNarrowest = 440;  // of a sheet
+constexpr double kWidest = 1180;         // of all panels in a row
+constexpr double kNarrowestSheet = 440;  // of a sheet
 constexpr double kTitleFont = 17;
 constexpr double kNoteFont = 12;
 constexpr double kTitleLine = 22;
@@ -101,7 +101,7 @@ struct Layout {
   std::size_t rows = 1;
   double width() const {
     const double n = static_cast<double>(columns);
-    return std::max(kNarrowest, n * panel_width + (n - 1) * kGap);
+    return std::max(kNarrowestSheet, n * panel_width + (n - 1) * kGap);
   }
 };
 
@@ -135,11 +135,11 @@ std::string heading(const Sheet& sheet, double width, double& y) {
   std::string svg;
   for (const std::string& line : wrapped(sheet.title, kTitleFont, width)) {
     y += kTitleLine;
-    svg += text_svg({kMargin, y}, "start", "title", line);
+    svg += text_svg({kSheetMargin, y}, "start", "title", line);
   }
   for (const std::string& line : wrapped(sheet.summary, kNoteFont, width)) {
     y += kNoteLine;
-    svg += text_svg({kMargin, y}, "start", "note", line);
+    svg += text_svg({kSheetMargin, y}, "start", "note", line);
   }
   return svg;
 }
@@ -173,7 +173,7 @@ std::string panel_svg(const Panel& panel, const Aspect& aspect, const Mechanism&
 
 }  // namespace
 
-double pixel_scale(const Drawing& drawing) { return kPinRadius / drawing.symbol; }
+double pixel_scale(const Drawing& drawing) { return kPinDot / drawing.symbol; }
 
 bool drives_angle(const Mechanism& mechanism, const Driver& driver) {
   if (driver.kind == DriverKind::unknown) return mechanism.unknowns[driver.unknown].is_angle;
@@ -204,7 +204,7 @@ std::string sheet_svg(const Sheet& sheet, const Mechanism& mechanism) {
   const double scale = scale_for(aspects, size);
   const double room = heading_room(sheet);
   const Layout layout = lay_out(size * scale, sheet, aspects.size());
-  double y = kMargin / 2;
+  double y = kSheetMargin / 2;
   std::string svg = heading(sheet, layout.width(), y);
   y += kGap;
   for (std::size_t k = 0; k < sheet.panels.size() * aspects.size(); ++k) {
@@ -212,7 +212,7 @@ std::string sheet_svg(const Sheet& sheet, const Mechanism& mechanism) {
     const std::size_t row = k / layout.columns;
     const std::size_t column = k % layout.columns;
     Box frame;
-    const Complex corner(kMargin + static_cast<double>(column) * (layout.panel_width + kGap),
+    const Complex corner(kSheetMargin + static_cast<double>(column) * (layout.panel_width + kGap),
                          y + static_cast<double>(row) * (layout.panel_height + kGap));
     frame.include(corner);
     frame.include(corner + Complex(layout.panel_width, layout.panel_height));
@@ -224,10 +224,10 @@ std::string sheet_svg(const Sheet& sheet, const Mechanism& mechanism) {
   }
   y += static_cast<double>(layout.rows) * (layout.panel_height + kGap);
   if (aspects.front().drawing.to_scale || sheet.views == Views::three) {
-    svg += scale_bar({kMargin, y + kFooter / 3}, scale, mechanism.units.length);
+    svg += scale_bar({kSheetMargin, y + kFooter / 3}, scale, mechanism.units.length);
     y += kFooter;
   }
-  return svg_document(layout.width() + 2 * kMargin, y, sheet.title, svg);
+  return svg_document(layout.width() + 2 * kSheetMargin, y, sheet.title, svg);
 }
 
 }  // namespace moivre

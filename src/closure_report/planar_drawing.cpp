@@ -15,8 +15,6 @@ namespace {
 
 // Sizes, all in radii of a revolute joint.
 constexpr double kLinkRadius = 1.3;
-constexpr double kPinRadius = 0.75;
-constexpr double kMarkRadius = 0.45;
 constexpr double kSlotRadius = 0.85;
 constexpr double kSlotFrameRadius = 1.8;
 constexpr double kBlockHalfLength = 2.4;

@@ -20,30 +20,30 @@ using Eigen::MatrixXd;
 constexpr std::size_t kShown = 5;
 constexpr std::size_t kListed = 8;
 
-using Row = std::vector<std::string>;
+using TableRow = std::vector<std::string>;
 
 // Of the largest number of its kind; less is rounding.
-constexpr double kNoiseShare = 1e-11;
+constexpr double kSensitivityNoise = 1e-11;
 
 /// Four digits; rounding noise beside `size` is 0.
 std::string rate_text(double x, double size) {
   if (std::isnan(x)) return "-";
-  if (std::abs(x) <= kNoiseShare * size) return "0";
+  if (std::abs(x) <= kSensitivityNoise * size) return "0";
   char text[32];
   std::snprintf(text, sizeof text, "%.4g", x);
   return text;
 }
 
 /// Columns as wide as their widest cell; the `numbers` behind the first are right-aligned. A row of one cell is a line of words.
-std::string aligned(const std::vector<Row>& rows, std::size_t numbers) {
+std::string aligned(const std::vector<TableRow>& rows, std::size_t numbers) {
   std::vector<std::size_t> width;
-  for (const Row& row : rows) {
+  for (const TableRow& row : rows) {
     width.resize(std::max(width.size(), row.size()));
     if (row.size() == 1) continue;
     for (std::size_t k = 0; k < row.size(); ++k) width[k] = std::max(width[k], row[k].size());
   }
   std::string text;
-  for (const Row& row : rows) {
+  for (const TableRow& row : rows) {
     if (row.size() == 1) {
       text += "  " + row[0] + '\n';
       continue;
@@ -68,7 +68,7 @@ class Tables {
       const MatrixXd rates = closure.rates.row(static_cast<Index>(i));
       double& noise = is_length ? length_noise_ : angle_noise_;
       for (std::size_t k = 0; k < told.dimensions.size(); ++k) {
-        noise = std::max(noise, kNoiseShare * weight(rates, k));
+        noise = std::max(noise, kSensitivityNoise * weight(rates, k));
       }
     }
   }
@@ -82,7 +82,7 @@ class Tables {
   std::string with_unit(const std::string& number, bool is_angle) const;
   std::vector<std::size_t> ranked(const MatrixXd& rates) const;
   double weight(const MatrixXd& rates, std::size_t dimension) const;
-  void add_spreads(Index first, Index axes, std::vector<Row>& rows) const;
+  void add_spreads(Index first, Index axes, std::vector<TableRow>& rows) const;
 
   const Sensitivities& told_;
   const ClosureSensitivity& closure_;
@@ -129,9 +129,9 @@ std::vector<std::size_t> Tables::ranked(const MatrixXd& rates) const {
   return order;
 }
 
-void Tables::add_spreads(Index first, Index axes, std::vector<Row>& rows) const {
+void Tables::add_spreads(Index first, Index axes, std::vector<TableRow>& rows) const {
   const auto add = [&](const char* name, const Eigen::VectorXd& spread) {
-    Row row{std::string("  ") + name};
+    TableRow row{std::string("  ") + name};
     for (Index axis = 0; axis < axes; ++axis) {
       const double value = spread[first + axis];
       row.push_back(std::isnan(value) ? "none" : rate_text(value, value));
@@ -161,12 +161,12 @@ std::string Tables::of_point(const MovingPoint& point) const {
   const MatrixXd rates = closure_.rates.middleRows(first, axes);
   const std::vector<std::size_t> order = ranked(rates);
   constexpr std::array<const char*, 3> kAxes{"x", "y", "z"};
-  std::vector<Row> rows{{point.name}};
+  std::vector<TableRow> rows{{point.name}};
   rows.front().insert(rows.front().end(), kAxes.begin(), kAxes.begin() + axes);
   for (std::size_t k = 0; k < std::min(kShown, order.size()); ++k) {
     const std::size_t dimension = order[k];
     const auto column = rates.col(static_cast<Index>(dimension));
-    Row row{"  " + told_.dimensions[dimension].name};
+    TableRow row{"  " + told_.dimensions[dimension].name};
     for (Index axis = 0; axis < axes; ++axis) {
       row.push_back(rate_text(column[axis] * unit(dimension), column.norm() * unit(dimension)));
     }
@@ -184,7 +184,7 @@ std::string Tables::of_point(const MovingPoint& point) const {
 
 /// What a designer reads off as output: the bodies' angles (in space the joints'), and the slides.
 std::string Tables::of_angles_and_slides() const {
-  std::vector<Row> rows{{"angles and slides", "most", "by"}};
+  std::vector<TableRow> rows{{"angles and slides", "most", "by"}};
   if (told_.has_tolerances()) {
     rows.front().insert(rows.front().end(), {"worst case", "root sum square"});
   }
@@ -200,8 +200,8 @@ std::string Tables::of_angles_and_slides() const {
     if (order.empty() || weight(rates, order[0]) <= noise) continue;
     const double one = is_angle && mechanism_.units.angle == "deg" ? std::numbers::pi / 180 : 1;
     const double most = rates(0, static_cast<Index>(order[0])) * unit(order[0]) / one;
-    Row row{"  " + quantity.name, with_unit(rate_text(most, most), is_angle),
-            told_.dimensions[order[0]].name};
+    TableRow row{"  " + quantity.name, with_unit(rate_text(most, most), is_angle),
+                 told_.dimensions[order[0]].name};
     for (const Eigen::VectorXd* spread : {&closure_.worst_case, &closure_.root_sum_square}) {
       if (!told_.has_tolerances()) break;
       const double value = (*spread)[static_cast<Index>(i)] / one;

@@ -10,8 +10,6 @@ namespace moivre {
 namespace {
 
 // Sizes, all in radii of a revolute joint.
-constexpr double kPinRadius = 0.75;
-constexpr double kMarkRadius = 0.45;
 constexpr double kAxisReach = 4.5;  // of a joint's axis, to each side
 constexpr double kTriadReach = 6;
 constexpr double kStubReach = 9;  // of a body that hides its turn, along the axis that it carries

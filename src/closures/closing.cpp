@@ -2,8 +2,10 @@
 // Gauss-Newton on all closure polynomials.
 #include "closing.h"
 
-#include <Eigen/QR>
+#include <Eigen/Core>
 #include <cmath>
+
+#include "moivre/numeric/qr.h"
 
 namespace moivre {
 namespace {
@@ -63,7 +65,7 @@ double residual_when_polished(const Formulation& formulation, Point root) {
       4;  // a root's error is squared each time; beside a near miss they stand still
   for (int k = 0; k < kSteps; ++k) {
     const Linearized at = linearized(formulation.system, root);
-    const Eigen::VectorXcd step = at.jacobian.colPivHouseholderQr().solve(at.value);
+    const Eigen::VectorXcd step = PivotedQr<Complex>(at.jacobian).solve(at.value);
     if (!step.allFinite()) break;
     for (Index v = 0; v < step.size(); ++v) root[static_cast<std::size_t>(v)] -= step[v];
   }

@@ -2,13 +2,14 @@
 // Faces from rounded valuations, and Gauss-Newton in logarithms on them: faces in double-double, their slopes in double.
 #include "face.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
 
 #include "moivre/numeric/fused.h"
+#include "moivre/numeric/qr.h"
 #include "moivre/polynomial/scale.h"
 
 namespace moivre {
@@ -96,9 +97,7 @@ class Faces {
       if (result == FaceRoot::as_rounded && is_stuck) break;
       if (is_stuck) threshold = std::max(threshold / 10, ends_.rounding);
       before = largest;
-      Eigen::CompleteOrthogonalDecomposition<MatrixXcd> qr;
-      qr.setThreshold(threshold);
-      const VectorXcd dz = qr.compute(jacobian).solve(-value);
+      const VectorXcd dz = shortest_solution(jacobian, -value, threshold);
       if (!dz.allFinite()) break;
       for (std::size_t j = 0; j < y.size(); ++j) {
         // 1 + (e^dz - 1) keeps all digits of double-double where dz is small.

@@ -13,8 +13,8 @@ namespace moivre {
 namespace {
 
 constexpr double kWorstCondition = 1e10;
-constexpr double kLeastFiniteness = 1e-9;
-constexpr double kNewtonTolerance = 1e-12;
+constexpr double kLeastLoopFiniteness = 1e-9;
+constexpr double kLoopNewtonTolerance = 1e-12;
 
 /// What the threads share: paths of a list of roots that nobody has begun, and their ends.
 struct Batch {
@@ -41,7 +41,7 @@ class BatchSource : public DepartureSource {
   void arrived(const Departure& departure, Arrival&& arrival) override {
     if (arrival.journey != Journey::arrived) return;
     const Chart& chart = batch_.homotopy.chart();
-    if (!is_regular(arrival) || chart.finiteness(arrival.x) < kLeastFiniteness) return;
+    if (!is_regular(arrival) || chart.finiteness(arrival.x) < kLeastLoopFiniteness) return;
     batch_.ends[departure.path] = chart.affine(arrival.x);
   }
 
@@ -50,7 +50,7 @@ class BatchSource : public DepartureSource {
   bool is_regular(Arrival& arrival) {
     if (arrival.regular_condition) return true;
     CorrectorOptions newton;
-    newton.tolerance = kNewtonTolerance;
+    newton.tolerance = kLoopNewtonTolerance;
     const Correction correction = scratch_.correct(arrival.x, {1.0, 0.0}, newton, true);
     return correction.converged && scratch_.condition() <= kWorstCondition;
   }

@@ -2,7 +2,7 @@
 // A family from one pair: to a generic member, round loops, and the verdict of the trace test.
 #include "moivre/family/monodromy.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <stdexcept>
 
@@ -10,6 +10,7 @@
 #include "loops.h"
 #include "moivre/bounds/root_bounds.h"
 #include "moivre/family/learn.h"
+#include "moivre/numeric/qr.h"
 #include "moivre/numeric/random.h"
 #include "moivre/polynomial/tape.h"
 
@@ -67,8 +68,8 @@ bool correct(JointSystem& f, const Eigen::VectorXd& sizes, Point& z) {
   double last = kLargest;
   for (int step = 0; step < kMostSteps; ++step) {
     f.evaluate_at(z);
-    const Eigen::VectorXcd dz =
-        (f.jacobian() * units).completeOrthogonalDecomposition().solve(-f.value());
+    const Eigen::MatrixXcd J = f.jacobian() * units;
+    const Eigen::VectorXcd dz = shortest_solution(J, -f.value());
     at += units * dz;
     const double size = at.cwiseQuotient(sizes).lpNorm<Eigen::Infinity>();
     if (!(size <= kLargest)) return false;
@@ -173,8 +174,8 @@ std::optional<KnownPair> random_pair(const Family& family, std::uint64_t seed) {
     }
     if (!correct(f, sizes, z)) continue;
     f.evaluate_at(z);
-    auto in_unknowns = f.jacobian().leftCols(rows).colPivHouseholderQr();
-    if (in_unknowns.setThreshold(kLeastRank).rank() < rows) continue;
+    const PivotedQr<Complex> in_unknowns(f.jacobian().leftCols(rows));
+    if (in_unknowns.rank(kLeastRank) < rows) continue;
     const auto parameters = z.begin() + static_cast<std::ptrdiff_t>(n);
     KnownPair pair{Point(z.begin(), parameters), Point(parameters, z.end())};
     if (!family.nonzero || !has_vanishing_coordinate(pair.x)) return pair;

@@ -63,9 +63,9 @@ JointLoop short_cut(const JointLoop& loop) {
   });
 }
 
-class Equations {
+class LoopEquations {
  public:
-  Equations(SpatialFrame& frame, JointLoop loop) : frame_(frame), loop_(std::move(loop)) {}
+  LoopEquations(SpatialFrame& frame, JointLoop loop) : frame_(frame), loop_(std::move(loop)) {}
 
   void add_general();
   void add_decoupled();
@@ -91,7 +91,7 @@ class Equations {
 };
 
 /// Unknown coordinates for the dyad of elements k and k + 1, with their half angles.
-std::array<Polynomial, 4> Equations::add_dyad_coordinates(std::size_t k) {
+std::array<Polynomial, 4> LoopEquations::add_dyad_coordinates(std::size_t k) {
   std::vector<std::string> owners = e(k).owners;
   owners.insert(owners.end(), e(k + 1).owners.begin(), e(k + 1).owners.end());
   const std::string name = "c_" + e(k).name + "_";
@@ -107,14 +107,14 @@ std::array<Polynomial, 4> Equations::add_dyad_coordinates(std::size_t k) {
   return c;
 }
 
-MovingPose Equations::dyad_pose(const std::array<Polynomial, 4>& c, std::size_t k) const {
+MovingPose LoopEquations::dyad_pose(const std::array<Polynomial, 4>& c, std::size_t k) const {
   const DyadSpace space = dyad_space(e(k), e(k + 1), frame_.length());
   MovingPose pose;
   for (std::size_t i = 0; i < c.size(); ++i) pose = pose + c[i] * to_moving(space.basis[i]);
   return pose;
 }
 
-void Equations::add_quadric(const std::array<Polynomial, 4>& c, std::size_t k) {
+void LoopEquations::add_quadric(const std::array<Polynomial, 4>& c, std::size_t k) {
   // Where the loop's geometry makes it hold everywhere, rounding alone is left.
   const Polynomial outer = c[0] * c[3];
   const Polynomial inner = c[1] * c[2];
@@ -123,7 +123,7 @@ void Equations::add_quadric(const std::array<Polynomial, 4>& c, std::size_t k) {
 }
 
 /// Of elements k and k + 1, whose dyad has the coordinates c.
-void Equations::add_half_angles(const std::array<Polynomial, 4>& c, std::size_t k) {
+void LoopEquations::add_half_angles(const std::array<Polynomial, 4>& c, std::size_t k) {
   frame_.add_equation(e(k).name, c[0] * e(k).unknown - c[2]);
   frame_.add_equation(e(k + 1).name, c[0] * e(k + 1).unknown - c[1]);
   exclude(k);
@@ -131,11 +131,11 @@ void Equations::add_half_angles(const std::array<Polynomial, 4>& c, std::size_t 
 }
 
 /// Half angles of the dyad of elements k and k + 1, whose pose is known as polynomials.
-void Equations::add_dyad_of(const MovingPose& pose, std::size_t k) {
+void LoopEquations::add_dyad_of(const MovingPose& pose, std::size_t k) {
   add_half_angles(coordinates_in(dyad_space(e(k), e(k + 1), frame_.length()), pose), k);
 }
 
-void Equations::in_space(const MovingPose& pose, const DyadSpace& space) {
+void LoopEquations::in_space(const MovingPose& pose, const DyadSpace& space) {
   double size = 0;
   for (std::size_t k = 0; k < kEntries; ++k) {
     size = std::max(size, largest_coefficient(entry(pose, k)) / (k < 4 ? 1 : frame_.length()));
@@ -150,7 +150,7 @@ void Equations::in_space(const MovingPose& pose, const DyadSpace& space) {
 }
 
 /// E_1 D_23 E_4 in the space of 5 and 6.
-void Equations::add_general() {
+void LoopEquations::add_general() {
   const DyadSpace outer = dyad_space(e(4), e(5), frame_.length());
   const std::array<Polynomial, 4> inner = add_dyad_coordinates(1);
   add_quadric(inner, 1);
@@ -164,7 +164,7 @@ void Equations::add_general() {
 }
 
 /// E_1 D_23 in the space of 4, 5 and 6, which E_4 does not leave.
-void Equations::add_decoupled() {
+void LoopEquations::add_decoupled() {
   const DyadSpace outer = dyad_space(e(4), e(5), frame_.length());
   // Inside V Study's quadric holds, and with it the dyad's.
   const MovingPose pose = element(0) * dyad_pose(add_dyad_coordinates(1), 1);
@@ -180,7 +180,7 @@ void Equations::add_decoupled() {
 
 /// Three to five elements: E_1 D_23 ... , the last dyad in its space, where it need not be on the quadric. Four equations of the
 /// space come first: of five elements they alone have 4 paths, and the quadrics are checks.
-void Equations::add_short() {
+void LoopEquations::add_short() {
   const std::size_t last = loop_.elements.size() - 2;
   const bool has_inner_dyad = last == 3;
   MovingPose rest = to_moving(conjugate(loop_.whole));
@@ -204,19 +204,19 @@ void Equations::add_short() {
 }
 
 /// Three turns and three slides: the turns alone close like a spherical loop, and then the slides are linear.
-void Equations::add_turns_first() {
+void LoopEquations::add_turns_first() {
   JointLoop turns{{}, {loop_.whole.q, {}}};
   for (LoopElement element : loop_.elements) {
     if (!element.is_turn) continue;
     element.axis.g = {};
     turns.elements.push_back(std::move(element));
   }
-  Equations(frame_, std::move(turns)).add_short();
+  LoopEquations(frame_, std::move(turns)).add_short();
   add_shift();
 }
 
 /// Slides alone turn nothing: what turns once round the loop must stand, and the slides are linear.
-void Equations::add_slides() {
+void LoopEquations::add_slides() {
   constexpr double kTurned = 1;
   for (std::size_t k = 1; k < loop_.whole.q.size(); ++k) {
     frame_.add_equation("loop", without_noise(to_moving(loop_.whole).q[k], kTurned));
@@ -225,7 +225,7 @@ void Equations::add_slides() {
 }
 
 /// The loop's displacement is none, where its turn is none.
-void Equations::add_shift() {
+void LoopEquations::add_shift() {
   MovingPose rest = conjugate(whole());
   for (std::size_t k = 0; k < loop_.elements.size(); ++k) rest = rest * element(k);
   const char* const parts[] = {"x", "y", "z"};
@@ -245,15 +245,15 @@ bool takes_plain_slides(const JointLoop& loop, double length) {
 
 void add_loop_equations(SpatialFrame& frame, const JointLoop& loop) {
   if (count_turns(loop) == 0) {
-    Equations(frame, loop).add_slides();
+    LoopEquations(frame, loop).add_slides();
     return;
   }
   if (loop.elements.size() < kSix) {
-    Equations(frame, short_cut(loop)).add_short();
+    LoopEquations(frame, short_cut(loop)).add_short();
     return;
   }
   if (count_turns(loop) == kTurnsOfSpace) {
-    Equations(frame, loop).add_turns_first();
+    LoopEquations(frame, loop).add_turns_first();
     return;
   }
   Cut cut = best_cut(loop, frame.length());
@@ -261,7 +261,7 @@ void add_loop_equations(SpatialFrame& frame, const JointLoop& loop) {
     add_four_turns(frame, *begun);
     return;
   }
-  Equations equations(frame, std::move(cut.loop));
+  LoopEquations equations(frame, std::move(cut.loop));
   if (cut.has_common_space) {
     equations.add_decoupled();
   } else {

@@ -12,7 +12,7 @@ namespace moivre {
 namespace {
 
 // Angles of the file in radians, added up: equal ones differ by far less.
-constexpr double kSameAngle = 1e-9;
+constexpr double kSameTurn = 1e-9;
 
 /// sum of coefficients times angles = value.
 struct Row {
@@ -40,7 +40,7 @@ class Angles {
       const Rational factor = found->second;
       subtract(row, factor, solved);
     }
-    if (row.coefficients.empty()) return std::abs(row.value) <= kSameAngle;
+    if (row.coefficients.empty()) return std::abs(row.value) <= kSameTurn;
     const std::size_t pivot = row.coefficients.begin()->first;
     const Rational scale = 1 / row.coefficients.begin()->second;
     for (auto& entry : row.coefficients) entry.second = entry.second * scale;

@@ -2,9 +2,10 @@
 // The curve's derivatives from those of Phi, its points by Newton's method on the equations and a plane.
 #include "curve.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <cmath>
 
+#include "moivre/numeric/qr.h"
 #include "moivre/numeric/svd.h"
 
 namespace moivre {
@@ -69,7 +70,7 @@ class Curve::Bordered {
 
   void border(const VectorXd& normal) {
     normal_ = normal;
-    if (!stairs_) dense_.compute(bordered(E_, normal));
+    if (!stairs_) dense_ = Qr(bordered(E_, normal));
   }
   VectorXd solve(const VectorXd& r, double s) const {
     if (!stairs_) {
@@ -84,9 +85,8 @@ class Curve::Bordered {
   VectorXd weakest(VectorXd v, int iterations) const {
     v = across(normal_, v);
     if (stairs_) return weakest_by_stairs(v, iterations);
-    const auto R = dense_.matrixQR().topRows(v.size()).triangularView<Eigen::Upper>();
     for (int k = 0; k < iterations; ++k) {
-      const VectorXd next = R.solve(R.transpose().solve(v));
+      const VectorXd next = dense_.inverse_gram(v);
       if (!next.allFinite() || !(next.norm() > 0)) break;
       v = across(normal_, next.normalized());
     }
@@ -109,7 +109,7 @@ class Curve::Bordered {
   VectorXd normal_;
   std::optional<StaircaseQr> stairs_;
   VectorXd tangent_;
-  Eigen::HouseholderQR<MatrixXd> dense_;
+  Qr dense_;
 };
 
 struct Curve::Rows {

@@ -4,12 +4,12 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include "extreme_singular_values.h"
+#include "moivre/numeric/qr.h"
 #include "moivre/numeric/svd.h"
 
 namespace moivre {
@@ -94,16 +94,14 @@ Index numerical_rank(const MatrixXd& A) {
   if (A.size() == 0) return 0;
   const MatrixXd scaled = equilibrated(A);
   if (has_surely_full_rank(scaled)) return std::min(A.rows(), A.cols());
-  Eigen::ColPivHouseholderQR<MatrixXd> qr(scaled);
-  qr.setThreshold(kRankTolerance);
-  return qr.rank();
+  return PivotedQr<double>(scaled).rank(kRankTolerance);
 }
 
 struct Factorization::Factors {
   Eigen::PartialPivLU<MatrixXd> lu;
   Eigen::LDLT<MatrixXd> normal;
-  Eigen::HouseholderQR<MatrixXd> qr;  // of A, or of (A W^(-1/2))^T for minimum_norm
-  Svd svd;                            // of A W^(-1/2)
+  Qr qr;    // of A, or of (A W^(-1/2))^T for minimum_norm
+  Svd svd;  // of A W^(-1/2)
 
   Factors(LinearMethod method, const MatrixXd& A, const VectorXd& root_weights) {
     const auto weighted = [&]() -> MatrixXd {
@@ -117,10 +115,10 @@ struct Factorization::Factors {
         normal.compute(A.transpose() * A);
         break;
       case LinearMethod::qr:
-        qr.compute(A);
+        qr = Qr(A);
         break;
       case LinearMethod::minimum_norm:
-        qr.compute(weighted().transpose());
+        qr = Qr(weighted().transpose());
         break;
       case LinearMethod::svd:
         svd = moivre::svd(weighted(), SingularVectors::thin);
@@ -154,14 +152,9 @@ VectorXd Factorization::solve(const VectorXd& b) const {
       return normal.solve(A_.transpose() * b);
     case LinearMethod::qr:
       return qr.solve(b);
-    case LinearMethod::minimum_norm: {
-      // (A W^(-1/2))^T = Q [R; 0]: z = Q [R^-T b; 0] is the shortest solution, x = W^(-1/2) z.
-      const Index m = A_.rows();
-      VectorXd z = VectorXd::Zero(A_.cols());
-      z.head(m) = qr.matrixQR().topRows(m).triangularView<Eigen::Upper>().transpose().solve(b);
-      z.applyOnTheLeft(qr.householderQ());
-      return z.cwiseQuotient(root_weights_);
-    }
+    case LinearMethod::minimum_norm:
+      // The shortest z with A W^(-1/2) z = b, x = W^(-1/2) z.
+      return qr.solve_transposed(b).cwiseQuotient(root_weights_);
     case LinearMethod::svd:
       break;
   }

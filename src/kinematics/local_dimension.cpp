@@ -2,12 +2,13 @@
 // Ranks where they decide, and else Gauss-Newton on planes moved away from the pose.
 #include "moivre/kinematics/local_dimension.h"
 
-#include <Eigen/QR>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
 #include "moivre/kinematics/linear.h"
 #include "moivre/kinematics/null_space.h"
+#include "moivre/numeric/qr.h"
 #include "moivre/numeric/random.h"
 
 namespace moivre {
@@ -73,7 +74,7 @@ class Slicing {
       C.data()[i] =
           2 * random_unit(seed_, RandomStream::slice, static_cast<std::uint64_t>(index)) - 1;
     }
-    const MatrixXd orthonormal = C.householderQr().householderQ() * MatrixXd::Identity(k, d);
+    const MatrixXd orthonormal = Qr(C).basis();
     return (null_space_ * orthonormal).transpose();
   }
 
@@ -87,14 +88,13 @@ class Slicing {
   /// A point of the planes in the null space N of Phi_q: N c with A N c = step, the rest of c at random.
   VectorXd start_on(const MatrixXd& A, double step, int number) const {
     const MatrixXd AN = A * null_space_;
-    const auto inverse = AN.completeOrthogonalDecomposition();
     VectorXd wander(null_space_.cols());
     for (Index i = 0; i < wander.size(); ++i) {
       const auto index = static_cast<std::uint64_t>(number * wander.size() + i);
       wander[i] = kWander * step * (2 * random_unit(seed_, RandomStream::start_system, index) - 1);
     }
-    const VectorXd least = inverse.solve(VectorXd::Constant(A.rows(), step));
-    return null_space_ * (least + wander - inverse.solve(AN * wander));
+    const VectorXd wanted = VectorXd::Constant(A.rows(), step) - AN * wander;
+    return null_space_ * (wander + shortest_solution(AN, wanted));
   }
 
   /// Gauss-Newton on Phi(q + scale z) = 0, A z = step (1, 1, ..., 1).
@@ -109,7 +109,7 @@ class Slicing {
       if (!rest.allFinite()) return false;
       if (rest.lpNorm<Eigen::Infinity>() <= kOnTheSet) return true;
       J << weight_.asDiagonal() * phi_.jacobian(y, t_) * scale_.asDiagonal(), A;
-      z -= J.completeOrthogonalDecomposition().solve(rest);
+      z -= shortest_solution(J, rest);
       if (!(z.lpNorm<Eigen::Infinity>() <= kNeighbourhood * step)) return false;
     }
     return false;

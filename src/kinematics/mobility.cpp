@@ -2,13 +2,14 @@
 // How is mobility counted? Rank twice, redundant rows by projection on the rows before them, neighbours by a step along R.
 #include "moivre/kinematics/mobility.h"
 
-#include <Eigen/QR>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
 #include "moivre/kinematics/null_space.h"
 #include "moivre/kinematics/state.h"
+#include "moivre/numeric/qr.h"
 #include "moivre/numeric/svd.h"
 
 namespace moivre {
@@ -44,9 +45,8 @@ std::vector<RedundantRow> redundant_rows(const Phi& joints, const MatrixXd& J, I
     }
     RedundantRow row{i, joints.row_names()[static_cast<std::size_t>(i)], {}};
     const MatrixXd basis = J(kept, Eigen::all).transpose();
-    const VectorXd share = basis.size() == 0
-                               ? VectorXd()
-                               : VectorXd(basis.colPivHouseholderQr().solve(J.row(i).transpose()));
+    const VectorXd share =
+        basis.size() == 0 ? VectorXd() : PivotedQr<double>(basis).solve(J.row(i).transpose());
     for (Index k = 0; k < share.size(); ++k) {
       const Index source = kept[static_cast<std::size_t>(k)];
       const double part = std::abs(share[k]) * J.row(source).norm();

@@ -2,9 +2,10 @@
 // How is a null space found? The last right singular vectors, as many as the rank leaves over.
 #include "moivre/kinematics/null_space.h"
 
-#include <Eigen/QR>
+#include <Eigen/Core>
 
 #include "moivre/kinematics/linear.h"
+#include "moivre/numeric/qr.h"
 #include "moivre/numeric/svd.h"
 
 namespace moivre {
@@ -26,10 +27,7 @@ MatrixXd null_space_basis(const MatrixXd& A) {
   const Eigen::VectorXd scale =
       lengths.unaryExpr([](double length) { return length > 0 ? 1 / length : 1.0; });
   const MatrixXd scaled = scale.asDiagonal() * A.transpose();
-  const Eigen::ColPivHouseholderQR<MatrixXd> qr(scaled);
-  MatrixXd last = MatrixXd::Zero(A.cols(), freedoms);
-  last.bottomRows(freedoms).setIdentity();
-  return scale.asDiagonal() * (qr.householderQ() * last);
+  return scale.asDiagonal() * PivotedQr<double>(scaled).last_columns_of_Q(freedoms);
 }
 
 Eigen::VectorXd shortest_direction(const MatrixXd& A) {

@@ -2,11 +2,12 @@
 // dq/dp from one factorization; what is left over of a right-hand side tells whether the mechanism still closes.
 #include "moivre/kinematics/sensitivity.h"
 
-#include <Eigen/QR>
+#include <Eigen/Core>
 #include <limits>
 
 #include "moivre/kinematics/linear.h"
 #include "moivre/kinematics/null_space.h"
+#include "moivre/numeric/qr.h"
 
 namespace moivre {
 namespace {
@@ -31,9 +32,7 @@ VectorXd row_lengths(const MatrixXd& A) {
 constexpr double kHalfTheDigits = 1e-6;
 
 Index rank_within(const MatrixXd& A, double tolerance) {
-  Eigen::ColPivHouseholderQR<MatrixXd> qr(equilibrated(A));
-  qr.setThreshold(tolerance);
-  return qr.rank();
+  return PivotedQr<double>(equilibrated(A)).rank(tolerance);
 }
 
 }  // namespace

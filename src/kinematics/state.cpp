@@ -2,9 +2,11 @@
 // How are velocity and acceleration solved from one factorization, appended or partitioned?
 #include "moivre/kinematics/state.h"
 
-#include <Eigen/QR>
+#include <Eigen/Core>
 #include <algorithm>
 #include <stdexcept>
+
+#include "moivre/numeric/qr.h"
 
 namespace moivre {
 namespace {
@@ -26,8 +28,7 @@ void require_usable(const Partition& partition) {
 /// Smallest over largest pivot of the equilibrated matrix; 1 for an empty one.
 double pivot_ratio(const MatrixXd& A) {
   if (A.size() == 0) return 1;
-  const Eigen::ColPivHouseholderQR<MatrixXd> qr(equilibrated(A));
-  const VectorXd pivots = qr.matrixQR().diagonal().cwiseAbs();
+  const VectorXd pivots = PivotedQr<double>(equilibrated(A)).pivots();
   return pivots[0] > 0 ? pivots[pivots.size() - 1] / pivots[0] : 0;
 }
 
@@ -70,9 +71,8 @@ MotionState motion_state(const Phi& phi, const VectorXd& q, double t,
 
 Partition choose_partition(const Phi& joints, const VectorXd& q, double t) {
   const MatrixXd J = joints.jacobian(q, t);
-  const Eigen::ColPivHouseholderQR<MatrixXd> qr(equilibrated(J));
   const Index rank = numerical_rank(J);
-  const auto& order = qr.colsPermutation().indices();
+  const Eigen::VectorXi order = PivotedQr<double>(equilibrated(J)).order();
   std::vector<Index> independent(order.begin() + rank, order.end());
   return make_partition(joints, q, std::move(independent), t);
 }

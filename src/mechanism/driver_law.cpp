@@ -2,7 +2,7 @@
 // How are a driver's value and two derivatives computed? Parabola, natural cubic spline, Taylor arithmetic.
 #include "moivre/mechanism/driver_law.h"
 
-#include <Eigen/SparseLU>
+#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -89,8 +89,8 @@ Spline periodic_spline(std::vector<double> t, std::vector<double> value) {
   }
   Eigen::SparseMatrix<double> matrix(bend.size(), bend.size());
   matrix.setFromTriplets(entries.begin(), entries.end());
-  const Eigen::SparseLU<Eigen::SparseMatrix<double>> lu(matrix);
-  const Eigen::VectorXd solved = lu.solve(bend);
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors(matrix);
+  const Eigen::VectorXd solved = factors.solve(bend);
   std::vector<double> curvature(solved.begin(), solved.end());
   curvature.push_back(curvature.front());
   return {std::move(t), std::move(value), std::move(curvature)};

@@ -2,23 +2,23 @@
 // The inverse of R grows by a column for each column of A, until it is too large.
 #include "moivre/numeric/rank.h"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "moivre/numeric/qr.h"
 
 namespace moivre {
 
 using Eigen::Index;
 using Eigen::MatrixXcd;
-using Eigen::VectorXcd;
 
 Index least_rank(const MatrixXcd& A, double error) {
   if (A.size() == 0) return 0;
   const Index most = std::min(A.rows(), A.cols());
   const double rounding = static_cast<double>(most) * std::numeric_limits<double>::epsilon();
   const double noise = error + rounding * A.norm();
-  const MatrixXcd R = Eigen::ColPivHouseholderQR<MatrixXcd>(A).matrixR().topRows(most);
+  const MatrixXcd R = PivotedQr<std::complex<double>>(A).R();
   MatrixXcd inverse = MatrixXcd::Zero(most, most);
   double squares = 0;
   for (Index r = 0; r < most; ++r) {

@@ -2,7 +2,7 @@
 // Scaling by powers of two: least squares on the logarithms of the coefficients.
 #include "moivre/polynomial/scale.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "moivre/numeric/integer.h"
+#include "moivre/numeric/qr.h"
 
 namespace moivre {
 namespace {
@@ -112,9 +113,7 @@ Eigen::VectorXd least_squares(const System& f, const Sizes& sizes) {
     }
     if (count > 0) normal.noalias() -= (w / count) * sum * sum.transpose();
   }
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition(n, n);
-  decomposition.setThreshold(kRankTolerance);
-  return decomposition.compute(normal).solve(right);
+  return shortest_solution(normal, right, kRankTolerance);
 }
 
 /// Integers nearest to the minimum, or zeros where they do not pay or would make coefficients of

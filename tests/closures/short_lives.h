@@ -284,14 +284,15 @@ class BriefLifeDrawer {
     if (!found || !is_sane((*found)[5])) return std::nullopt;
     const FineVector y = found->head(5);
     const FineVector v = found->tail(4);
-    const FineMatrix N = loops.jacobian(y, (*found)[5]).fullPivLu().kernel();
-    if (N.cols() != 2) return std::nullopt;
-    const FineMatrix Z = N.householderQr().householderQ() * FineMatrix::Identity(5, 2);
-    const FineMatrix Q =
+    const FineMatrix rows = loops.jacobian(y, (*found)[5]).transpose();
+    const auto qr = rows.colPivHouseholderQr();
+    if (qr.rank() != 3) return std::nullopt;
+    const FineMatrix Z = (qr.householderQ() * FineMatrix::Identity(5, 5)).rightCols(2);
+    const Eigen::Matrix<Fine, 2, 2> Q =
         Z.transpose() * (loops.second(y, (*found)[5]).transpose() * v).asDiagonal() * Z;
     const Fine g = v.dot(loops.by_lambda(y));
     const FineVector n = Z.row(4).transpose();
-    const FineVector to = Q.fullPivLu().solve(n);
+    const FineVector to = Q.inverse() * n;
     const Fine det = Q.determinant();
     const Fine reach = n.dot(to);
     const bool is_island = det > 0;
@@ -363,8 +364,9 @@ class BriefLifeDrawer {
       J.block(9, 0, 1, 6) = row.transpose();
     };
     FineVector x(10);
-    x << y, lambda,
-        loops.jacobian(y, lambda).leftCols(4).jacobiSvd(Eigen::ComputeFullV).matrixV().col(3);
+    const FineMatrix rows = loops.jacobian(y, lambda).leftCols(4).transpose();
+    const FineMatrix null = rows.colPivHouseholderQr().householderQ() * FineMatrix::Identity(4, 4);
+    x << y, lambda, null.col(3);
     return fine_newton(system, x);
   }
 

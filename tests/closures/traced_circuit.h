@@ -5,13 +5,14 @@
 // beside the mechanism's, Newton's method back to the curve, until the curve closes. Extremes: of parabolas through three poses.
 #pragma once
 
-#include <Eigen/QR>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
 
 #include "moivre/kinematics/newton.h"
+#include "moivre/numeric/qr.h"
 
 namespace moivre::test {
 
@@ -78,23 +79,14 @@ class CircuitTracer {
   /// In coordinates beside the weights, of unit length. Phi_q^T has one column less than rows: the last column of its Q.
   Eigen::VectorXd null_vector(const Eigen::VectorXd& q) const {
     const Eigen::MatrixXd J = joints_.jacobian(q, 0) * weights_.asDiagonal();
-    const Eigen::HouseholderQR<Eigen::MatrixXd> qr(J.transpose());
-    const Eigen::VectorXd last = Eigen::VectorXd::Unit(J.cols(), J.cols() - 1);
-    return qr.householderQ() * last;
+    return PivotedQr<double>(J.transpose()).last_columns_of_Q(1);
   }
 
   Eigen::VectorXd corrected(Eigen::VectorXd q) const {
     for (int k = 0; k < 4; ++k) {
       const Eigen::MatrixXd J = joints_.jacobian(q, 0) * weights_.asDiagonal();
-      const Eigen::HouseholderQR<Eigen::MatrixXd> qr(J.transpose());
-      const Eigen::Index m = J.rows();
-      // J = R^T Q^T: the shortest step is Q R^-T value.
-      const Eigen::VectorXd inner =
-          qr.matrixQR().topRows(m).triangularView<Eigen::Upper>().transpose().solve(
-              joints_.value(q, 0));
-      Eigen::VectorXd step = Eigen::VectorXd::Zero(J.cols());
-      step.head(m) = inner;
-      q -= (qr.householderQ() * step).cwiseProduct(weights_);
+      const Eigen::VectorXd step = Qr(J.transpose()).solve_transposed(joints_.value(q, 0));
+      q -= step.cwiseProduct(weights_);
     }
     return q;
   }

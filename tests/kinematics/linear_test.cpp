@@ -35,8 +35,8 @@ TEST(Linear, MinimumNormEqualsTheSvdAndItsWeightedForm) {
   EXPECT_LT((A * x - b).norm(), 1e-14);
   EXPECT_LT((x - y).norm(), 1e-13);
   const MatrixXd W_inverse = weights.cwiseInverse().asDiagonal();
-  const VectorXd formula =
-      W_inverse * A.transpose() * (A * W_inverse * A.transpose()).inverse() * b;
+  const Eigen::Matrix3d gram = A * W_inverse * A.transpose();
+  const VectorXd formula = W_inverse * A.transpose() * (gram.inverse() * b);
   EXPECT_LT((x - formula).norm(), 1e-13);
 }
 

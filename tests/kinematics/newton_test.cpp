@@ -4,11 +4,12 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/SVD>
+#include <Eigen/Core>
 #include <cmath>
 #include <stdexcept>
 
 #include "../mechanism/files.h"
+#include "moivre/numeric/svd.h"
 
 namespace moivre {
 namespace {
@@ -37,12 +38,9 @@ TEST(Newton, HasTheSingularValuesOfAnSvdWhereThereAreManyCoordinates) {
     NewtonOptions options;
     options.with_condition = true;
     const NewtonResult run = newton(phi, initial_guess(mechanism), 0, options);
-    const auto values = [](const Eigen::MatrixXd& J) {
-      return VectorXd(Eigen::JacobiSVD<Eigen::MatrixXd>(J).singularValues());
-    };
     const Eigen::MatrixXd J = phi.jacobian(run.q, 0);
-    const VectorXd raw = values(J);
-    const VectorXd scaled = values(equilibrated(J));
+    const VectorXd raw = singular_values(J);
+    const VectorXd scaled = singular_values(equilibrated(J));
     const Eigen::Index last = raw.size() - 1;
     EXPECT_NEAR(run.smallest_singular_value / raw[last], 1, 1e-9) << name;
     EXPECT_NEAR(run.condition * scaled[last] / scaled[0], 1, 1e-9) << name;

@@ -2,13 +2,14 @@
 // Do solves, velocities, accelerations, ranks and null spaces meet the course notes? A test a page, with the page's numbers.
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 #include <cmath>
 
 #include "../mechanism/files.h"
 #include "moivre/kinematics/mobility.h"
 #include "moivre/kinematics/null_space.h"
 #include "moivre/kinematics/state.h"
+#include "moivre/numeric/svd.h"
 
 namespace moivre {
 namespace {
@@ -543,19 +544,20 @@ TEST(SeedP39, SvdGivesTheMinimumNormWhereTheRankIsDeficient) {
 TEST(SeedP40, EigenvaluesAndVectorsOfATransposeA) {
   const MatrixXd AtA = A35().transpose() * A35();
   EXPECT_EQ(AtA, (MatrixXd(2, 2) << 6, 2, 2, 1).finished());
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(AtA);
+  const auto [U, sigma, V] = svd(A35(), SingularVectors::thin);
+  EXPECT_LT((AtA * V - V * sigma.cwiseAbs2().asDiagonal()).norm(), 1e-14);
   constexpr double kFourDigits = 5e-5;
-  EXPECT_NEAR(eigen.eigenvalues()[0], 0.2984, kFourDigits);
-  EXPECT_NEAR(eigen.eigenvalues()[1], 6.7016, kFourDigits);
-  EXPECT_NEAR(std::abs(eigen.eigenvectors()(0, 0)), 0.3310, kFourDigits);
-  EXPECT_NEAR(std::abs(eigen.eigenvectors()(1, 0)), 0.9436, kFourDigits);
+  EXPECT_NEAR(sigma[1] * sigma[1], 0.2984, kFourDigits);
+  EXPECT_NEAR(sigma[0] * sigma[0], 6.7016, kFourDigits);
+  EXPECT_NEAR(std::abs(V(0, 1)), 0.3310, kFourDigits);
+  EXPECT_NEAR(std::abs(V(1, 1)), 0.9436, kFourDigits);
 }
 
 TEST(SeedP41, SingularValuesAndTheThirdLeftVector) {
-  const Eigen::JacobiSVD<MatrixXd> svd(A35());
+  const VectorXd sigma = singular_values(A35());
   constexpr double kFourDigits = 5e-5;
-  EXPECT_NEAR(svd.singularValues()[0], 2.5887, kFourDigits);
-  EXPECT_NEAR(svd.singularValues()[1], 0.5463, kFourDigits);
+  EXPECT_NEAR(sigma[0], 2.5887, kFourDigits);
+  EXPECT_NEAR(sigma[1], 0.5463, kFourDigits);
   const MatrixXd b3 = left_null_space(A35());
   ASSERT_EQ(b3.cols(), 1);
   EXPECT_NEAR(b3(0, 0), 0, 1e-15);
@@ -564,21 +566,21 @@ TEST(SeedP41, SingularValuesAndTheThirdLeftVector) {
 }
 
 TEST(SeedP42, SvdMultipliesBackToA) {
-  const Eigen::JacobiSVD<MatrixXd> svd(A35(), Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const auto [U, sigma, V] = svd(A35(), SingularVectors::full);
   MatrixXd S = MatrixXd::Zero(3, 2);
-  S.diagonal() = svd.singularValues();
-  EXPECT_LT((svd.matrixU() * S * svd.matrixV().transpose() - A35()).norm(), 1e-12);
-  EXPECT_LT((svd.matrixU().transpose() * svd.matrixU() - MatrixXd::Identity(3, 3)).norm(), 1e-14);
+  S.diagonal() = sigma;
+  EXPECT_LT((U * S * V.transpose() - A35()).norm(), 1e-12);
+  EXPECT_LT((U.transpose() * U - MatrixXd::Identity(3, 3)).norm(), 1e-14);
 }
 
 TEST(SeedP43, ThePrintedUIsOrthogonalOnlyWithTheSignOfItsLastEntryPutRight) {
-  const Eigen::JacobiSVD<MatrixXd> svd(A35(), Eigen::ComputeFullU);
-  const VectorXd b3 = svd.matrixU().col(2) * (svd.matrixU()(1, 2) > 0 ? -1 : 1);
+  const MatrixXd U = svd(A35(), SingularVectors::full).U;
+  const VectorXd b3 = U.col(2) * (U(1, 2) > 0 ? -1 : 1);
   EXPECT_NEAR(b3[1], -0.7071, 5e-5);
   EXPECT_NEAR(b3[2], +0.7071, 5e-5);
   const VectorXd printed = Vector3d(b3[0], b3[1], -b3[2]);
-  EXPECT_LT(std::abs(b3.dot(svd.matrixU().col(0))), 1e-15);
-  EXPECT_GT(std::abs(printed.dot(svd.matrixU().col(0))), 0.5);
+  EXPECT_LT(std::abs(b3.dot(U.col(0))), 1e-15);
+  EXPECT_GT(std::abs(printed.dot(U.col(0))), 0.5);
 }
 
 TEST(SeedP44, LeftNullVectorsAreTheRedundancyVectors) {

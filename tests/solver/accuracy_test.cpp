@@ -2,11 +2,12 @@
 // Are solutions roots of the system as given, and is the accuracy that is stated true?
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <boost/multiprecision/cpp_complex.hpp>
 #include <cmath>
 
 #include "moivre/numeric/integer.h"
+#include "moivre/numeric/qr.h"
 #include "problem_set.h"
 
 namespace moivre {
@@ -91,7 +92,7 @@ double error_of(const System& f, const Point& start) {
     for (std::size_t i = 0; i < x.size(); ++i) {
       right[static_cast<Eigen::Index>(i)] = -to_double(value_of(f.polynomials[i], x));
     }
-    const Eigen::VectorXcd dx = jacobian_of(f, x).partialPivLu().solve(right);
+    const Eigen::VectorXcd dx = PivotedQr<Complex>(jacobian_of(f, x)).solve(right);
     for (std::size_t i = 0; i < x.size(); ++i) {
       const Complex step = dx[static_cast<Eigen::Index>(i)];
       x[i] += Fine(step.real(), step.imag());
