@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: MIT
+# moivre_precompile(<target> <carrier>): what nearly every source includes is read once, not once a source.
+#
+# A precompiled header serves targets of its own compiler flags only, so that there is one for each optimization level and one
+# for the tests; modules with flags of their own do without. So do the presets dev and tidy
+# (CMAKE_DISABLE_PRECOMPILE_HEADERS), in which every source has to include what it uses.
+
+# moivre_precompiled(<carrier> OPTIONS <flag>... HEADERS <header>...): a target of an empty source, that has the header.
+function(moivre_precompiled carrier)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "OPTIONS;HEADERS")
+  set(source ${PROJECT_BINARY_DIR}/precompiled/${carrier}.cpp)
+  file(CONFIGURE OUTPUT ${source} CONTENT "// Carries a precompiled header.\n")
+  add_library(${carrier} OBJECT ${source})
+  target_compile_options(${carrier} PRIVATE ${arg_OPTIONS})
+  target_link_libraries(${carrier} PRIVATE Eigen3::Eigen Boost::headers moivre_warnings)
+  target_precompile_headers(${carrier} PRIVATE <Eigen/Core> <boost/multiprecision/cpp_int.hpp> <algorithm> <cmath>
+    <complex> <functional> <map> <memory> <optional> <set> <sstream> <string> <vector> ${arg_HEADERS})
+endfunction()
+
+function(moivre_precompile target carrier)
+  target_precompile_headers(${target} REUSE_FROM ${carrier})
+endfunction()
+
+moivre_precompiled(moivre_headers)
+moivre_precompiled(moivre_light_headers OPTIONS $<$<CONFIG:Release>:-O1>)
