@@ -8,6 +8,7 @@
 #include "moivre/arm_report/arm_report.h"
 #include "moivre/arms/posture.h"
 #include "moivre/closure_report/sheet.h"
+#include "moivre/expression/counted.h"
 #include "moivre/report/number_text.h"
 #include "skeleton.h"
 

@@ -7,6 +7,7 @@
 
 #include "moivre/arm_report/arm_report.h"
 #include "moivre/arms/posture.h"
+#include "moivre/expression/counted.h"
 #include "moivre/report/number_text.h"
 #include "moivre/report/text_blocks.h"
 

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "moivre/arms/arm_closures.h"
+#include "moivre/expression/counted.h"
 #include "moivre/expression/refusal.h"
 #include "moivre/numeric/stopwatch.h"
 #include "moivre/numeric/threads.h"
@@ -46,7 +47,7 @@ std::optional<ArmResult> result_of(const Arm& arm, const PoseFamily& family,
   result.tracker_options = tracker.options_in_force();
   result.start.kind = "family";
   result.start.paths = result.paths.tracked = result.paths.finite = roots.roots.size();
-  result.start.why = "the " + std::to_string(roots.roots.size()) + " roots of a generic member";
+  result.start.why = "the " + counted(roots.roots.size(), "root") + " of a generic member";
   result.stages.push_back({names_of(arm, family.cut.outside), 1, result.paths});
   std::vector<Solution> solutions;
   for (std::size_t k = 0; k < roots.roots.size(); ++k) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "moivre/expression/counted.h"
 #include "moivre/polynomial/eliminate.h"
 #include "moivre/start/mixed_volume.h"
 #include "moivre/start/multihomogeneous.h"
@@ -81,8 +82,8 @@ RootBound smaller(const RootBound& a, const RootBound& b) {
 void require_square(const System& f) {
   if (f.polynomials.size() == f.variables.size()) return;
   throw std::invalid_argument("bounds on roots are those of square systems; this one has " +
-                              std::to_string(f.polynomials.size()) + " equations in " +
-                              std::to_string(f.variables.size()) + " unknowns");
+                              counted(f.polynomials.size(), "equation") + " in " +
+                              counted(f.variables.size(), "unknown"));
 }
 
 }  // namespace

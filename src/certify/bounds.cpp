@@ -5,14 +5,16 @@
 #include <stdexcept>
 #include <string>
 
+#include "moivre/expression/counted.h"
+
 namespace moivre {
 
 std::optional<std::uint64_t> bezout_bound(const System& f) {
   if (f.polynomials.size() != f.variables.size()) {
     throw std::invalid_argument(
         "Bezout's number bounds the roots of square systems; this one has " +
-        std::to_string(f.polynomials.size()) + " equations in " +
-        std::to_string(f.variables.size()) + " unknowns");
+        counted(f.polynomials.size(), "equation") + " in " +
+        counted(f.variables.size(), "unknown"));
   }
   return total_degree(degrees(f));
 }

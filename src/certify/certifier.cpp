@@ -11,6 +11,7 @@
 #include "arb_stage.h"
 #include "double_stage.h"
 #include "moivre/certify/distinct.h"
+#include "moivre/expression/counted.h"
 #include "reality.h"
 
 namespace moivre {
@@ -111,11 +112,11 @@ class Certifier::Work {
  private:
   void require_dimension(std::size_t n, std::size_t given) const {
     if (n != dimension()) {
-      throw std::invalid_argument("a point has " + std::to_string(n) + " coordinates, the system " +
-                                  std::to_string(dimension()) + " unknowns");
+      throw std::invalid_argument("a point has " + counted(n, "coordinate") + ", the system " +
+                                  counted(dimension(), "unknown"));
     }
     if (given != program_->given) {
-      throw std::invalid_argument(std::to_string(given) + " numbers are given, the system has " +
+      throw std::invalid_argument(counted(given, "number") + " are given, the system has " +
                                   std::to_string(program_->given));
     }
   }
@@ -180,9 +181,8 @@ std::vector<Certificate> certify(const System& f, const std::vector<Point>& poin
   checked(options);
   for (const Point& x : points) {
     if (x.size() == program->dimension()) continue;
-    throw std::invalid_argument("a point has " + std::to_string(x.size()) +
-                                " coordinates, the system " + std::to_string(program->dimension()) +
-                                " unknowns");
+    throw std::invalid_argument("a point has " + counted(x.size(), "coordinate") + ", the system " +
+                                counted(program->dimension(), "unknown"));
   }
   std::vector<Certificate> certificates(points.size());
   const auto workers = std::clamp<std::size_t>(static_cast<std::size_t>(std::max(threads, 1)), 1,

@@ -11,6 +11,7 @@
 #include <string>
 #include <utility>
 
+#include "moivre/expression/counted.h"
 #include "moivre/numeric/integer.h"
 
 namespace moivre {
@@ -103,8 +104,8 @@ std::shared_ptr<const CertifyProgram> make_certify_program(const System& f, std:
   const std::size_t unknowns = f.variables.size() - std::min(given, f.variables.size());
   if (f.polynomials.size() != unknowns) {
     throw std::invalid_argument("certificates are for square systems; this one has " +
-                                std::to_string(f.polynomials.size()) + " equations in " +
-                                std::to_string(unknowns) + " unknowns");
+                                counted(f.polynomials.size(), "equation") + " in " +
+                                counted(unknowns, "unknown"));
   }
   if (unknowns == 0) {
     throw std::invalid_argument("a system without unknowns has no root to certify");

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "bench.h"
+#include "moivre/expression/counted.h"
 #include "moivre/expression/joined.h"
 
 namespace moivre {
@@ -50,7 +51,7 @@ void judge_sum(const Claims& claims, Verdicts& verdicts) {
     if (!bound.value || bound.kind == BoundKind::strata) continue;
     verdicts.judge(ClaimKind::multiplicity, sum <= *bound.value,
                    "the multiplicities add up to " + std::to_string(sum) +
-                       ", and there are at most " + std::to_string(*bound.value) + " roots (" +
+                       ", and there are at most " + counted(*bound.value, "root") + " (" +
                        to_string(bound.kind) + ")");
   }
 }

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "json_reader.h"
+#include "moivre/expression/counted.h"
 #include "moivre/expression/joined.h"
 #include "read_forms.h"
 
@@ -30,7 +31,7 @@ Point read_point(const JsonPlace& place, std::size_t dimension) {
   Point x;
   if (!place.is_list()) return x;
   if (place.size() != dimension) {
-    place.fault("expected " + std::to_string(dimension) + " coordinates, found " +
+    place.fault("expected " + counted(dimension, "coordinate") + ", found " +
                 std::to_string(place.size()));
   }
   for (std::size_t j = 0; j < place.size(); ++j) {

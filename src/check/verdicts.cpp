@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "moivre/expression/counted.h"
+
 namespace moivre {
 
 std::string to_string(ClaimKind kind) {
@@ -53,8 +55,6 @@ std::string rough(double x) {
 
 std::string root_name(std::size_t number) { return "root " + std::to_string(number); }
 
-std::string counted_roots(std::uint64_t count) {
-  return std::to_string(count) + (count == 1 ? " root" : " roots");
-}
+std::string counted_roots(std::uint64_t count) { return counted(count, "root"); }
 
 }  // namespace moivre

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "moivre/check_report/check_report.h"
+#include "moivre/expression/counted.h"
 #include "moivre/expression/joined.h"
 #include "moivre/report/number_text.h"
 

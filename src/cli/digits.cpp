@@ -8,6 +8,7 @@
 #include "moivre/report/number_text.h"
 
 #if MOIVRE_WITH_MULTIPRECISION
+#include "moivre/expression/counted.h"
 #include "moivre/multiprecision/reference_roots.h"
 #endif
 

@@ -9,6 +9,7 @@
 
 #include "interruption.h"
 #include "learn_mechanism.h"
+#include "moivre/expression/counted.h"
 #include "moivre/expression/words.h"
 #include "moivre/family/learn.h"
 #include "moivre/family/monodromy.h"
@@ -129,8 +130,7 @@ Family learn_by_loops(const LearnCommand& command, Family family, const Tracker&
   if (command.trace_test) options.most_tested = options.most_roots;
   if (line.is_active()) {
     options.progress = [&](const LoopProgress& progress) {
-      line.show(std::to_string(progress.loops) + " loops, " + std::to_string(progress.roots) +
-                " roots");
+      line.show(std::to_string(progress.loops) + " loops, " + counted(progress.roots, "root"));
     };
   }
   return learn_by_monodromy(std::move(family), *pair, tracker, options, stop);

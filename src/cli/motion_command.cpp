@@ -17,6 +17,7 @@
 #include "moivre/closure_report/picture.h"
 #include "moivre/closure_report/readings_report.h"
 #include "moivre/closures/circuits.h"
+#include "moivre/expression/counted.h"
 #include "moivre/numeric/stopwatch.h"
 #include "moivre/report/number_text.h"
 #include "output.h"
@@ -83,10 +84,10 @@ void require_room(const Mechanism& mechanism, const MotionCommand& command,
       static_cast<double>(reader == nullptr ? 0 : reader->quantities().size());
   const auto require = [&](const std::string& path, const char* option, double most) {
     if (path.empty() || command.options.steps * numbers <= most) return;
-    throw std::invalid_argument(std::string(option) + ": " + std::to_string(command.options.steps) +
-                                " steps would not fit into memory; take " +
-                                std::to_string(std::llround(std::floor(most / numbers))) +
-                                " at most");
+    throw std::invalid_argument(
+        std::string(option) + ": " + counted(command.options.steps, "step") +
+        " would not fit into memory; take " +
+        std::to_string(std::llround(std::floor(most / numbers))) + " at most");
   };
   require_all({[&] { require(command.json, "--json", kMostInTree); },
                [&] { require(command.html, "--html", kMostInTree); },

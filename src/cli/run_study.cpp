@@ -18,6 +18,7 @@
 #if MOIVRE_WITH_MECHANISM
 #include "mechanism_input.h"
 #include "moivre/closure_study/closure_study.h"
+#include "moivre/expression/counted.h"
 #include "moivre/mechanism/read.h"
 #endif
 

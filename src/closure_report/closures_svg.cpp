@@ -5,6 +5,7 @@
 
 #include "labels.h"
 #include "moivre/closure_report/picture.h"
+#include "moivre/expression/counted.h"
 #include "moivre/report/number_text.h"
 #include "panels.h"
 #include "pose_text.h"

@@ -5,6 +5,7 @@
 
 #include "joint_values.h"
 #include "moivre/closure_report/closure_report.h"
+#include "moivre/expression/counted.h"
 #include "moivre/expression/joined.h"
 #include "moivre/report/number_text.h"
 #include "moivre/report/text_blocks.h"

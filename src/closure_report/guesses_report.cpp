@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "moivre/closure_report/kinematics_report.h"
+#include "moivre/expression/counted.h"
 #include "moivre/report/json.h"
 #include "moivre/report/number_text.h"
 

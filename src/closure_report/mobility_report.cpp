@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A mobility: counts, redundant rows by name, directions that are free.
 #include "moivre/closure_report/kinematics_report.h"
+#include "moivre/expression/counted.h"
 #include "moivre/expression/joined.h"
 #include "moivre/report/number_text.h"
 #include "pose_json.h"

@@ -9,6 +9,7 @@
 #include "circuits_report.h"
 #include "labels.h"
 #include "moivre/closure_report/picture.h"
+#include "moivre/expression/counted.h"
 #include "moivre/report/number_text.h"
 #include "panels.h"
 #include "svg.h"

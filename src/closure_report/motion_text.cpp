@@ -6,6 +6,7 @@
 
 #include "circuits_report.h"
 #include "moivre/closure_report/motion_report.h"
+#include "moivre/expression/counted.h"
 #include "moivre/expression/joined.h"
 #include "moivre/report/number_text.h"
 #include "moivre/report/text_blocks.h"

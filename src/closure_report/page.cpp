@@ -18,6 +18,7 @@
 #include "labels.h"
 #include "moivre/closure_report/angles.h"
 #include "moivre/closure_report/sheet.h"
+#include "moivre/expression/counted.h"
 #include "moivre/mechanism/pose.h"
 #include "moivre/report/json.h"
 #include "moivre/report/markup.h"

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "moivre/closure_report/sensitivity_report.h"
+#include "moivre/expression/counted.h"
 #include "moivre/report/number_text.h"
 #include "traces.h"
 

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "canonical_order.h"
+#include "moivre/expression/counted.h"
 #include "moivre/kinematics/local_dimension.h"
 #include "moivre/kinematics/newton.h"
 #include "moivre/mechanism/closure_id.h"
@@ -130,8 +131,7 @@ void tell_limits(const BeyondLimits& beyond_limits, ClosureSearch& search) {
   for (const auto& [joint, count] : beyond_limits) {
     const Joint& at = search.mechanism.joints[joint];
     search.result.left_out.push_back(
-        {std::to_string(count) + (count == 1 ? " closure" : " closures"),
-         "outside the limits of " + to_string(at.type) + " " + at.name});
+        {counted(count, "closure"), "outside the limits of " + to_string(at.type) + " " + at.name});
   }
 }
 

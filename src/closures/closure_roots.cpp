@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "closing.h"
+#include "moivre/expression/counted.h"
 #include "moving_pose.h"
 #include "squared_up.h"
 #include "stages.h"
@@ -107,9 +108,9 @@ void settle_by_theorem(const Formulation& formulation, StageRun& run) {
   for (PathCounts* paths : {&run.paths, &run.stages.front().paths}) {
     paths->at_infinity += std::exchange(paths->failed, 0);
   }
-  run.left_out.push_back({std::to_string(run.failures.size()) + " paths that were in doubt",
-                          std::to_string(theorem->most) + " closures are proved, and " +
-                              theorem->of + " has no more: they lead to no other"});
+  run.left_out.push_back({counted(run.failures.size(), "path") + " that were in doubt",
+                          counted(theorem->most, "closure") + " are proved, and " + theorem->of +
+                              " has no more: they lead to no other"});
   run.failures.clear();
   run.complete = true;
 }
@@ -179,7 +180,7 @@ void solve_determined(ClosureSearch& search, const BlockStructure& structure) {
   if (!structure.spare_equations.empty()) {
     result.left_out.push_back(
         {std::to_string(structure.spare_equations.size()) + " of " +
-             std::to_string(search.formulation.system.polynomials.size()) + " equations",
+             counted(search.formulation.system.polynomials.size(), "equation"),
          "there are more than unknowns; every root is checked on all of them"});
   }
   RootProver prover(search.formulation, search.wants_proofs());

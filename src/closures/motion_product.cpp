@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "canonical_order.h"
+#include "moivre/expression/counted.h"
 #include "moivre/mechanism/closure_id.h"
 #include "motion_times.h"
 
@@ -346,8 +347,8 @@ void MotionProduct::enter_checkpoint(const std::vector<const Checkpoint*>& rows)
     ++branches;
   }
   if (whole.agrees) {
-    whole.message = "one to one in each sub-chain: " + std::to_string(allowed) + " closures, " +
-                    std::to_string(branches) + " branches listed";
+    whole.message = "one to one in each sub-chain: " + counted(allowed, "closure") + ", " +
+                    counted(branches, "branch", "branches") + " listed";
   }
   result_.checkpoints.push_back(std::move(whole));
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "moivre/expression/counted.h"
 #include "moivre/mechanism/closure_id.h"
 
 namespace moivre {
@@ -187,8 +188,8 @@ void enter_checkpoint(const MotionRun& run, const Scene& scene, MotionResult& re
   const std::size_t matched = enter_lone_closures(run, scene, row, result);
   const std::size_t present = enter_lone_branches(run, scene, row, result);
   if (row.agrees) {
-    row.message = "one to one: " + std::to_string(matched) + " closures, " +
-                  std::to_string(present) + " branches";
+    row.message = "one to one: " + counted(matched, "closure") + ", " +
+                  counted(present, "branch", "branches");
   } else if (run.stop) {
     row.message = kNotCompared;
   } else if (!scene.closures.complete) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "moivre/expression/counted.h"
 #include "moivre/formulation/exact.h"
 #include "moivre/numeric/random.h"
 #include "moivre/polynomial/eliminate.h"
@@ -80,8 +81,7 @@ class Stages {
     }
     if (formulas_ > 0) {
       run_.left_out.push_back(
-          {"following the paths of " + std::to_string(formulas_) +
-               (formulas_ == 1 ? " solve" : " solves"),
+          {"following the paths of " + counted(formulas_, "solve"),
            "what comes down to one quadratic equation, or to linear ones, is solved by formula"});
     }
     return std::move(run_);

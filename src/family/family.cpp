@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "moivre/expression/counted.h"
+
 namespace moivre {
 namespace {
 
@@ -62,7 +64,7 @@ std::vector<std::string> Family::parameter_names() const {
 System member_system(const Family& family, const ParameterValues& p) {
   if (p.size() != family.parameters()) {
     throw std::invalid_argument("a member of this family has " +
-                                std::to_string(family.parameters()) + " parameters, got " +
+                                counted(family.parameters(), "parameter") + ", got " +
                                 std::to_string(p.size()));
   }
   System member;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "moivre/expression/counted.h"
 #include "moivre/expression/joined.h"
 #include "moivre/expression/refusal.h"
 #include "moivre/numeric/random.h"
@@ -36,9 +37,9 @@ std::vector<std::string> broken_rules(const System& system,
   const std::size_t unknowns = system.variables.size() - parameters.size();
   if (unknowns != system.polynomials.size()) {
     broken.push_back("a family has as many equations as unknowns: without the " +
-                     std::to_string(parameters.size()) + " parameters there are " +
-                     std::to_string(unknowns) + " unknowns and " +
-                     std::to_string(system.polynomials.size()) + " equations");
+                     counted(parameters.size(), "parameter") + " there are " +
+                     counted(unknowns, "unknown") + " and " +
+                     counted(system.polynomials.size(), "equation"));
   }
   return broken;
 }

@@ -2,6 +2,7 @@
 // The start that a family gives to one of its members.
 #include "moivre/family/member.h"
 
+#include "moivre/expression/counted.h"
 #include "moivre/solver/member_start.h"
 
 namespace moivre {
@@ -23,7 +24,7 @@ GivenStart start_by_parameters(const Family& family, const ParameterValues& p,
   start.plan = plan_from_roots(
       "family", Homotopy::parameters(scale(family.system, of_all), family.generic, rounded(p)),
       scaled_roots(family.roots, start.scaling));
-  start.why = "the " + std::to_string(family.roots.size()) + " roots of a generic member";
+  start.why = "the " + counted(family.roots.size(), "root") + " of a generic member";
   return start;
 }
 

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "certified_members.h"
+#include "moivre/expression/counted.h"
 #include "moivre/expression/refusal.h"
 #include "moivre/family/member.h"
 #include "moivre/numeric/threads.h"
@@ -238,7 +239,7 @@ void require_fitting(const Family& family, std::span<const Point> members) {
   for (std::size_t k = 0; k < members.size(); ++k) {
     if (members[k].size() == family.parameters()) continue;
     throw std::invalid_argument("member " + std::to_string(k) + " has " +
-                                std::to_string(members[k].size()) + " parameters, the family " +
+                                counted(members[k].size(), "parameter") + ", the family " +
                                 std::to_string(family.parameters()));
   }
 }

@@ -9,6 +9,7 @@
 #include "certified_members.h"
 #include "loops.h"
 #include "moivre/bounds/root_bounds.h"
+#include "moivre/expression/counted.h"
 #include "moivre/family/learn.h"
 #include "moivre/numeric/qr.h"
 #include "moivre/numeric/random.h"
@@ -91,8 +92,8 @@ bool has_vanishing_coordinate(const Point& x) {
 void require_pair(const Family& family, const KnownPair& pair) {
   if (pair.x.size() == family.unknowns() && pair.p.size() == family.parameters()) return;
   throw std::invalid_argument("a pair has a number for each of the " +
-                              std::to_string(family.unknowns()) + " unknowns and " +
-                              std::to_string(family.parameters()) + " parameters");
+                              counted(family.unknowns(), "unknown") + " and " +
+                              counted(family.parameters(), "parameter"));
 }
 
 /// What is known about the number of roots.
@@ -107,7 +108,7 @@ std::string standing_of(const Learning& learning, const TraceTest& test, const S
   }
   const std::string loops = std::to_string(search.count.loops) + " loops";
   if (!test.was_made) return loops + ", the last ones without a new root; no trace test";
-  const std::string points = std::to_string(test.points) + " points of the curve";
+  const std::string points = counted(test.points, "point") + " of the curve";
   return test.holds ? "shown: the trace test holds (" + points +
                           "), and no root of another component was met by chance"
                     : "the trace test fails (" + points + "): roots are missing";

@@ -2,6 +2,7 @@
 // A family and its members for people.
 #include <map>
 
+#include "moivre/expression/counted.h"
 #include "moivre/expression/joined.h"
 #include "moivre/family_report/family_report.h"
 #include "moivre/report/number_text.h"

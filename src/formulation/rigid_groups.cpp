@@ -216,8 +216,8 @@ std::size_t freedom(const Tie& tie) {
 }
 
 std::size_t turn_freedom(const Tie& tie) {
-  constexpr int kTurnsOfSpace = 3;
-  return static_cast<std::size_t>(kTurnsOfSpace - row_count(tie.turn, Space::spatial));
+  constexpr int kFreeTurns = 3;
+  return static_cast<std::size_t>(kFreeTurns - row_count(tie.turn, Space::spatial));
 }
 
 bool is_rod(const Tie& tie) { return tie.place == JointPlace::at_distance; }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "moivre/expression/counted.h"
 #include "moivre/polynomial/homogenize.h"
 #include "moivre/polynomial/scale.h"
 
@@ -128,7 +129,8 @@ void Homotopy::set_coefficient_errors(const CoefficientErrors& errors) {
   errors_.clear();
   if (errors.empty()) return;
   std::vector<NumberErrors> of_f;
-  for (const std::vector<NumberErrors>& own : errors) of_f.insert(of_f.end(), own.begin(), own.end());
+  for (const std::vector<NumberErrors>& own : errors)
+    of_f.insert(of_f.end(), own.begin(), own.end());
   auto next = of_f.begin();
   for (const Coefficient& c : f_) {
     if (!is_zero(c) && next == of_f.end())
@@ -158,9 +160,8 @@ Homotopy Homotopy::members(const System& family, const Point& from) {
   const std::size_t n = family.polynomials.size();
   if (family.variables.size() != n + from.size()) {
     throw std::invalid_argument("a parameter homotopy needs n polynomials in n unknowns and the " +
-                                std::to_string(from.size()) + " parameters; got " +
-                                std::to_string(n) + " in " +
-                                std::to_string(family.variables.size()) + " variables");
+                                counted(from.size(), "parameter") + "; got " + std::to_string(n) +
+                                " in " + std::to_string(family.variables.size()) + " variables");
   }
   const auto unknowns = family.variables.begin() + static_cast<std::ptrdiff_t>(n);
   System support{{family.variables.begin(), unknowns}, {}};
@@ -186,8 +187,8 @@ Homotopy Homotopy::members(const System& family, const Point& from) {
 Homotopy Homotopy::parameters(const System& family, const Point& from, const Point& to) {
   if (from.size() != to.size()) {
     throw std::invalid_argument("a parameter homotopy needs two members; got " +
-                                std::to_string(from.size()) + " and " + std::to_string(to.size()) +
-                                " parameters");
+                                std::to_string(from.size()) + " and " +
+                                counted(to.size(), "parameter"));
   }
   Homotopy homotopy = members(family, from);
   ParameterLaw& law = *homotopy.parameters_;

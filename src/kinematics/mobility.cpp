@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "moivre/expression/counted.h"
 #include "moivre/kinematics/null_space.h"
 #include "moivre/kinematics/state.h"
 #include "moivre/numeric/qr.h"
@@ -108,10 +109,10 @@ std::vector<std::string> warnings_of(const Mobility& m, bool is_assembled) {
                        std::to_string(m.rank_by_svd) + ": the rank is doubtful here");
   }
   if (m.is_singular) {
-    warnings.push_back("singular pose: rank " + std::to_string(m.rank) + " here, " +
-                       std::to_string(m.rank_nearby) +
-                       " next to it; away from here the mechanism has " +
-                       std::to_string(m.coordinates - m.rank_nearby) + " degrees of freedom");
+    warnings.push_back(
+        "singular pose: rank " + std::to_string(m.rank) + " here, " +
+        std::to_string(m.rank_nearby) + " next to it; away from here the mechanism has " +
+        counted(m.coordinates - m.rank_nearby, "degree of freedom", "degrees of freedom"));
   } else if (m.is_near_singular) {
     warnings.push_back("near a singular pose: the smallest counted singular value is " +
                        number_text(m.singular_values[m.rank - 1] / m.singular_values[0]) +

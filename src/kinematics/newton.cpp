@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "extreme_singular_values.h"
+#include "moivre/expression/counted.h"
 #include "noise.h"
 
 namespace moivre {
@@ -29,7 +30,7 @@ void validate(const Phi& phi, const VectorXd& guess, const NewtonOptions& option
   std::string broken;
   if (guess.size() != phi.dimension()) {
     broken += "the guess has " + std::to_string(guess.size()) + " entries, there are " +
-              std::to_string(phi.dimension()) + " coordinates. ";
+              counted(phi.dimension(), "coordinate") + ". ";
   }
   if (!guess.allFinite()) broken += "the guess must be finite. ";
   if (!(options.residual_tolerance > 0)) broken += "residual_tolerance must be positive. ";
@@ -110,15 +111,15 @@ NewtonStatus at_rest(const Phi& phi, const NewtonIteration& row, double t, Index
 }
 
 std::string message_of(const NewtonResult& run) {
-  const std::string after = " after " + std::to_string(run.steps()) + " steps";
+  const std::string after = " after " + counted(run.steps(), "step");
   switch (run.status) {
     case NewtonStatus::converged:
       return "converged" + after + (run.is_singular ? ", at a singular pose" : "");
     case NewtonStatus::diverged:
       return "diverged" + after + ": the iterates leave every bound; try another guess";
     case NewtonStatus::cycling:
-      return "cycles" + after + ": the iterates repeat every " + std::to_string(run.cycle_length) +
-             " steps; try another guess";
+      return "cycles" + after + ": the iterates repeat every " + counted(run.cycle_length, "step") +
+             "; try another guess";
     case NewtonStatus::singular:
       return "stopped" + after + " at a singular Jacobian (rank " + std::to_string(run.rank) +
              ") where Phi is not zero; try another guess";

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "moivre/expression/counted.h"
 #include "moivre/numeric/qr.h"
 
 namespace moivre {
@@ -99,7 +100,7 @@ Partition make_partition(const Phi& joints, const VectorXd& q, std::vector<Index
   if (chosen != freedoms) {
     partition.refusal = std::to_string(chosen) +
                         " independent coordinates were chosen, the pose has " +
-                        std::to_string(freedoms) + " degrees of freedom";
+                        counted(freedoms, "degree of freedom", "degrees of freedom");
   } else if (numerical_rank(Phi_u) < Phi_u.cols()) {
     partition.refusal = "Phi_u is singular: " + names_of(joints, partition.independent) +
                         " cannot be chosen freely at this pose";

@@ -4,6 +4,7 @@
 #include <numeric>
 #include <optional>
 
+#include "moivre/expression/counted.h"
 #include "read_parts.h"
 
 namespace moivre {
@@ -74,8 +75,8 @@ void check_count(Reading& reading, const Mechanism& mechanism) {
   constexpr std::size_t kMostBodies = 300;
   if (mechanism.bodies.size() <= kMostBodies + 1) return;
   reading.fault(mechanism.bodies[kMostBodies + 1].where,
-                "there are " + std::to_string(mechanism.bodies.size() - 1) + " bodies, at most " +
-                    std::to_string(kMostBodies) + " are taken");
+                "there are " + counted(mechanism.bodies.size() - 1, "body", "bodies") +
+                    ", at most " + std::to_string(kMostBodies) + " are taken");
 }
 
 /// A body that is held at one place only, by pins twice or more, turns about it for nothing.
@@ -215,9 +216,9 @@ void check_drivers(Reading& reading, const Mechanism& mechanism) {
   const int most = freedoms_at_most(mechanism);
   if (static_cast<int>(drivers.size()) > most) {
     reading.fault(drivers[static_cast<std::size_t>(most)].where,
-                  "too many drivers: the joints leave at most " + std::to_string(most) +
-                      " degrees of freedom, there are " + std::to_string(drivers.size()) +
-                      " drivers");
+                  "too many drivers: the joints leave at most " +
+                      counted(most, "degree of freedom", "degrees of freedom") + ", there are " +
+                      std::to_string(drivers.size()) + " drivers");
   }
 }
 

@@ -6,6 +6,7 @@
 #include <cctype>
 #include <cmath>
 
+#include "moivre/expression/counted.h"
 #include "moivre/mechanism/mechanism.h"
 #include "moivre/mechanism/nearest.h"
 
@@ -147,7 +148,7 @@ std::optional<std::vector<double>> Reading::numbers(const toml::node& node, cons
                                                     std::size_t count) {
   const toml::array* entries = node.as_array();
   if (entries == nullptr || entries->size() != count) {
-    fault(node, what + " must be " + std::to_string(count) + " numbers in brackets, not " +
+    fault(node, what + " must be " + counted(count, "number") + " in brackets, not " +
                     (entries == nullptr ? kind_of(node)
                                         : std::to_string(entries->size()) + " entries" +
                                               comma_advice(*entries, count)));

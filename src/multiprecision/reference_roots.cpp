@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "big_newton.h"
+#include "moivre/expression/counted.h"
 
 namespace moivre {
 namespace {
@@ -171,13 +172,13 @@ void require_usable(const System& f, const std::vector<Point>& approximations, i
   }
   if (f.polynomials.size() != n) {
     throw std::invalid_argument("digits are for square systems; this one has " +
-                                std::to_string(f.polynomials.size()) + " equations in " +
-                                std::to_string(n) + " unknowns");
+                                counted(f.polynomials.size(), "equation") + " in " +
+                                counted(n, "unknown"));
   }
   for (const Point& x : approximations) {
     if (x.size() == n) continue;
-    throw std::invalid_argument("an approximation has " + std::to_string(x.size()) +
-                                " coordinates, the system " + std::to_string(n) + " unknowns");
+    throw std::invalid_argument("an approximation has " + counted(x.size(), "coordinate") +
+                                ", the system " + counted(n, "unknown"));
   }
 }
 

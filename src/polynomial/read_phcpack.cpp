@@ -9,6 +9,7 @@
 #include <unordered_map>
 
 #include "expand.h"
+#include "moivre/expression/counted.h"
 #include "read_formats.h"
 #include "statements.h"
 
@@ -63,8 +64,8 @@ std::optional<CountLine> take_count_line(std::string_view& text, SourcePosition&
   at = after(at, text.substr(0, length));
   text.remove_prefix(length);
   if (integers.size() > 2) {
-    faults.push_back({begin, "the count line holds " + std::to_string(integers.size()) +
-                                 " numbers; expected `n` or `n m` (n polynomials, m unknowns)"});
+    faults.push_back({begin, "the count line holds " + counted(integers.size(), "number") +
+                                 "; expected `n` or `n m` (n polynomials, m unknowns)"});
     return std::nullopt;
   }
   return CountLine{.polynomials = integers.front(), .unknowns = integers.back(), .at = begin};

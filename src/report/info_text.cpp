@@ -2,6 +2,7 @@
 // The structure of a system for people.
 #include <string>
 
+#include "moivre/expression/counted.h"
 #include "moivre/expression/joined.h"
 #include "moivre/polynomial/scale.h"
 #include "moivre/report/info.h"

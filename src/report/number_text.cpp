@@ -57,12 +57,4 @@ std::string phc_text(Complex x) {
          formatted("% .*E", kMostDigits - 1, x.imag());
 }
 
-std::string counted(std::uint64_t count, std::string_view noun) {
-  return counted(count, noun, std::string(noun) + "s");
-}
-
-std::string counted(std::uint64_t count, std::string_view noun, std::string_view plural) {
-  return std::to_string(count) + ' ' + std::string(count == 1 ? noun : plural);
-}
-
 }  // namespace moivre

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string_view>
 
+#include "moivre/expression/counted.h"
 #include "moivre/expression/words.h"
 
 namespace moivre {
@@ -171,9 +172,8 @@ class PointReader {
       if (words.size() == 2 * variables_.size()) {
         take_numbers(line, words);
       } else {
-        fault(line, "expected " + std::to_string(2 * variables_.size()) +
-                        " numbers, re and im of each variable, found " +
-                        std::to_string(words.size()));
+        fault(line, "expected " + counted(2 * variables_.size(), "number") +
+                        ", re and im of each variable, found " + std::to_string(words.size()));
       }
     }
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "moivre/expression/counted.h"
 #include "moivre/report/number_text.h"
 #include "moivre/report/solve_report.h"
 #include "moivre/report/text_blocks.h"
@@ -153,8 +154,8 @@ std::string failures_text(const std::vector<FailedPath>& failures) {
 std::string cross_check_text(const SolveResult& result) {
   if (!result.cross_check) return "";
   const CrossCheck& check = *result.cross_check;
-  std::string text = "cross-check by " + check.witness + ": " + std::to_string(check.common) +
-                     " roots in common, " + std::to_string(check.missed) + " missed here, " +
+  std::string text = "cross-check by " + check.witness + ": " + counted(check.common, "root") +
+                     " in common, " + std::to_string(check.missed) + " missed here, " +
                      std::to_string(check.unwitnessed) + " missed there\n";
   for (std::size_t k = 0; k < std::min(check.disagreements.size(), kFailuresShown); ++k) {
     const Disagreement& difference = check.disagreements[k];

@@ -2,6 +2,7 @@
 // A trace as CSV, as JSON and as a sentence.
 #include "moivre/report/track_report.h"
 
+#include "moivre/expression/counted.h"
 #include "moivre/report/json.h"
 #include "moivre/report/number_text.h"
 #include "moivre/report/text_blocks.h"

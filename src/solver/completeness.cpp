@@ -11,6 +11,7 @@
 #include "certificates.h"
 #include "coincidence.h"
 #include "exact_roots.h"
+#include "moivre/expression/counted.h"
 #include "moivre/start/mixed_volume.h"
 #include "moivre/start/polyhedral.h"
 #include "moivre/start/strata.h"
@@ -25,7 +26,7 @@ constexpr std::uint64_t kLeastSearch = 10'000;
 bool is_met(const std::optional<std::uint64_t>& bound, std::uint64_t roots,
             const std::string& kind) {
   if (bound && *bound < roots) {
-    throw std::logic_error(std::to_string(roots) + " roots are proved, but the " + kind + " is " +
+    throw std::logic_error(counted(roots, "root") + " are proved, but the " + kind + " is " +
                            std::to_string(*bound));
   }
   return bound == roots;
@@ -252,7 +253,7 @@ void tell_completeness(const Run& run, SolveResult& result) {
   const std::uint64_t left = run.ledger.count(PathVerdict::left_by_bound);
   if (left == 0) return;
   result.left_out.push_back(
-      {std::to_string(left) + (left == 1 ? " path" : " paths") + " in doubt",
+      {counted(left, "path") + " in doubt",
        "the certified roots are as many as the " + result.bound->kind + ": it leads to no other"});
 }
 

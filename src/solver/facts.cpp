@@ -4,6 +4,8 @@
 
 #include <stdexcept>
 
+#include "moivre/expression/counted.h"
+
 namespace moivre {
 
 SystemFacts facts_of(const System& f) {
@@ -15,8 +17,8 @@ void require_square(const System& f) {
   const std::size_t unknowns = f.variables.size();
   if (equations == unknowns) return;
   throw std::invalid_argument(
-      "the system has " + std::to_string(equations) + " equations in " + std::to_string(unknowns) +
-      " unknowns: " +
+      "the system has " + counted(equations, "equation") + " in " + counted(unknowns, "unknown") +
+      ": " +
       (equations > unknowns
            ? "it is overdetermined, and paths belong to the system that solve squares it up to"
            : "it is underdetermined: its roots form sets of dimension " +

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "moivre/expression/counted.h"
+
 namespace moivre {
 
 Scaling scaling_to(const System& member) {
@@ -42,7 +44,7 @@ GivenStart start_from_member(std::string kind, const System& f, const System& g,
   start.plan =
       plan_from_roots(std::move(kind), Homotopy(scale(f, start.scaling), scale(g, start.scaling)),
                       scaled_roots(roots_of_g, start.scaling));
-  start.why = "the " + std::to_string(roots_of_g.size()) + " roots of a generic member";
+  start.why = "the " + counted(roots_of_g.size(), "root") + " of a generic member";
   return start;
 }
 

@@ -8,6 +8,8 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "moivre/expression/counted.h"
+
 namespace moivre {
 namespace {
 
@@ -133,8 +135,8 @@ Prepared prepare(const System& f, const SolveOptions& options, const std::atomic
     return reduced;
   }
   whole.left_out.push_back({"elimination of linear equations",
-                            "without it there are " + std::to_string(whole.plan->paths) +
-                                " paths, with it " + std::to_string(reduced.plan->paths)});
+                            "without it there are " + counted(whole.plan->paths, "path") +
+                                ", with it " + std::to_string(reduced.plan->paths)});
   return whole;
 }
 

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "facts.h"
+#include "moivre/expression/counted.h"
 #include "refine.h"
 
 namespace moivre {
@@ -101,8 +102,8 @@ void take_back_powers(const System& f, const PowerFree& bases, SolveResult& resu
   result.failures = renumbered(sheets, result.failures);
   result.ledger = repeated(sheets, result.ledger);
   result.left_out.push_back({"exponents of equations (" + exponents_text(bases) + ")",
-                             "the bases have the same roots; of " + std::to_string(sheets) +
-                                 " paths that coincide, one is followed"});
+                             "the bases have the same roots; of " + counted(sheets, "path") +
+                                 " that coincide, one is followed"});
 }
 
 }  // namespace moivre

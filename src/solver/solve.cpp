@@ -13,6 +13,7 @@
 #include "doubts.h"
 #include "ends.h"
 #include "facts.h"
+#include "moivre/expression/counted.h"
 #include "moivre/expression/refusal.h"
 #include "moivre/numeric/stopwatch.h"
 #include "moivre/polynomial/patches.h"
@@ -137,8 +138,8 @@ SolveResult solve_again(const System& f, const Tracker& tracker, SolveOptions op
   if (!second.complete) return std::move(first);
   second.left_out.push_back({"the " + first.start.kind + " start",
                              std::to_string(first.paths.failed) + " of its " +
-                                 std::to_string(first.paths.tracked) +
-                                 " paths were undecided; the result is from --start polyhedral"});
+                                 counted(first.paths.tracked, "path") +
+                                 " were undecided; the result is from --start polyhedral"});
   second.time.start += first.time.total;
   second.time.total += first.time.total;
   return second;

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "facts.h"
+#include "moivre/expression/counted.h"
 #include "moivre/polynomial/patches.h"
 #include "moivre/polynomial/square_up.h"
 #include "refine.h"
@@ -51,9 +52,7 @@ void tell_of_squared(bool is_overdetermined, SolveResult& result) {
        "a proved root of the combinations need not be a root of the file's equations"});
 }
 
-std::string counted_equations(std::size_t count) {
-  return std::to_string(count) + (count == 1 ? " equation" : " equations");
-}
+std::string counted_equations(std::size_t count) { return counted(count, "equation"); }
 
 }  // namespace
 
@@ -75,9 +74,9 @@ void take_back(const System& f, SolveResult& result) {
   result.system = facts_of(f);
   if (m > n) {
     drop_excess(g, result);
-    result.left_out.push_back({counted_equations(m) + " squared up to " + std::to_string(n),
-                               std::to_string(result.excess) +
-                                   " roots of the combinations fail an equation of the file"});
+    result.left_out.push_back(
+        {counted_equations(m) + " squared up to " + std::to_string(n),
+         counted(result.excess, "root") + " of the combinations fail an equation of the file"});
   }
   tell_of_squared(m > n, result);
   if (m < n) {

@@ -7,6 +7,7 @@
 #include <limits>
 #include <set>
 
+#include "moivre/expression/counted.h"
 #include "moivre/multiprecision/reference_roots.h"
 
 namespace moivre {
@@ -105,7 +106,7 @@ void ReferenceRoots::judge(bool has_witness) {
     facts_.complete = facts_.with_multiplicity == *facts_.known;
     facts_.completeness = facts_.complete ? "the count of " + count + " roots is known, and met"
                                           : "not complete: " + count + " of " +
-                                                std::to_string(*facts_.known) + " roots were found";
+                                                counted(*facts_.known, "root") + " were found";
   } else if (has_witness) {
     facts_.complete = all_agree;
     facts_.completeness = all_agree

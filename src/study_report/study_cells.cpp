@@ -4,6 +4,7 @@
 
 #include <fstream>
 
+#include "moivre/expression/counted.h"
 #include "moivre/report/number_text.h"
 
 namespace moivre {

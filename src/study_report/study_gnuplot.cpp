@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "gnuplot_axes.h"
+#include "moivre/expression/counted.h"
 #include "moivre/report/number_text.h"
 #include "moivre/study_report/study_report.h"
 

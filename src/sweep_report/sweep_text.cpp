@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 
+#include "moivre/expression/counted.h"
 #include "moivre/report/json.h"
 #include "moivre/report/number_text.h"
 #include "moivre/sweep_report/sweep_report.h"

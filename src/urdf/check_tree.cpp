@@ -2,6 +2,7 @@
 // Do the joints make one tree of the links? What no single joint shows: two parents, loops, several roots, circles of mimics.
 #include <algorithm>
 
+#include "moivre/expression/counted.h"
 #include "moivre/expression/joined.h"
 #include "read_parts.h"
 
@@ -63,8 +64,8 @@ void find_root(XmlReading& reading, const std::vector<pugi::xml_node>& links, Ro
     }
     if (roots.size() > kListed) names.emplace_back("...");
     reading.fault(links[roots[1]],
-                  "there are " + std::to_string(roots.size()) +
-                      " roots, links that no joint has as child: " + joined(names, ", ") +
+                  "there are " + counted(roots.size(), "root") +
+                      ", links that no joint has as child: " + joined(names, ", ") +
                       "; tie them by joints, fixed ones say");
   }
   if (!roots.empty()) robot.root = roots.front();

@@ -42,11 +42,5 @@ TEST(ExactText, ReadsBackAsTheSameDouble) {
   }
 }
 
-TEST(Counted, KnowsThePlural) {
-  EXPECT_EQ(counted(1, "path"), "1 path");
-  EXPECT_EQ(counted(0, "path"), "0 paths");
-  EXPECT_EQ(counted(2, "is", "are"), "2 are");
-}
-
 }  // namespace
 }  // namespace moivre::test

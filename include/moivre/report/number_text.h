@@ -24,9 +24,4 @@ std::string rough_text(double x);
 /// "re im" in scientific notation with 17 digits, signs aligned, as PHCpack writes it.
 std::string phc_text(Complex x);
 
-/// "1 path", "2 paths".
-std::string counted(std::uint64_t count, std::string_view noun);
-/// `noun` takes another ending in the plural: counted(2, "entry", "entries").
-std::string counted(std::uint64_t count, std::string_view noun, std::string_view plural);
-
 }  // namespace moivre
