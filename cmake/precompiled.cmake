@@ -21,5 +21,11 @@ function(moivre_precompile target carrier)
   target_precompile_headers(${target} REUSE_FROM ${carrier})
 endfunction()
 
+# Half of the light modules write JSON.
+find_package(nlohmann_json QUIET)
+set(json "")
+if(nlohmann_json_FOUND)
+  set(json <nlohmann/json.hpp>)
+endif()
 moivre_precompiled(moivre_headers)
-moivre_precompiled(moivre_light_headers OPTIONS $<$<CONFIG:Release>:-O1>)
+moivre_precompiled(moivre_light_headers OPTIONS $<$<CONFIG:Release>:-O1> HEADERS ${json})
