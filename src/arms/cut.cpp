@@ -2,7 +2,7 @@
 // Groups of three first, then the pair whose axes are farthest from meeting and from being parallel.
 #include "cut.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <cmath>
 
 #include "moivre/numeric/svd.h"

@@ -2,9 +2,11 @@
 // From the outside's tangents to the inside's.
 #include "read_back.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <array>
 #include <cmath>
+
+#include "moivre/numeric/qr.h"
 
 namespace moivre {
 namespace {
@@ -35,19 +37,20 @@ using Coordinates = Eigen::Matrix<Complex, 4, 1>;
 
 class Pair {
  public:
-  Pair(const Loop& loop, std::size_t a, std::size_t b) {
-    const LoopJoint& first = loop.joints[a];
-    const LoopJoint& second = loop.joints[b];
-    const ComplexDisplacement moved = first.rounded_step * second.rounded_before;
-    Eigen::Matrix<Complex, 8, 4> products;
-    products << column(second.rounded_before), column(second.rounded_before * second.rounded_step),
-        column(moved), column(moved * second.rounded_step);
-    solver_.compute(products);
-  }
-  Coordinates coordinates(const ComplexDisplacement& g) const { return solver_.solve(column(g)); }
+  Pair(const Loop& loop, std::size_t a, std::size_t b)
+      : products_(products(loop.joints[a], loop.joints[b])) {}
+  Coordinates coordinates(const ComplexDisplacement& g) const { return products_.solve(column(g)); }
 
  private:
-  Eigen::ColPivHouseholderQR<Eigen::Matrix<Complex, 8, 4>> solver_;
+  static Eigen::MatrixXcd products(const LoopJoint& first, const LoopJoint& second) {
+    const ComplexDisplacement moved = first.rounded_step * second.rounded_before;
+    Eigen::MatrixXcd columns(8, 4);
+    columns << column(second.rounded_before), column(second.rounded_before * second.rounded_step),
+        column(moved), column(moved * second.rounded_step);
+    return columns;
+  }
+
+  PivotedQr<Complex> products_;
 };
 
 /// The two joints that have these coordinates (a matrix of rank 1).
@@ -152,9 +155,9 @@ ReadBack read_back(const Loop& loop, const Cut& cut, const Point& x, double accu
   };
   if (cut.kind == CutKind::one) {
     const LoopJoint& only = loop.joints[cut.inside[0]];
-    Eigen::Matrix<Complex, 8, 2> span;
+    Eigen::MatrixXcd span(8, 2);
     span << column({1}), column(only.rounded_step);
-    const Eigen::Matrix<Complex, 2, 1> a = span.colPivHouseholderQr().solve(column(wanted));
+    const Eigen::VectorXcd a = PivotedQr<Complex>(span).solve(column(wanted));
     at[cut.inside[0]] = {a[0], a[1]};
     take();
     return result;

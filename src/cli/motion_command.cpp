@@ -161,7 +161,6 @@ int run(const MotionCommand& command) {
   Output csv(command.csv);
   Output svg(command.svg);
   Output html(command.html);
-  if (svg.is_wanted()) require_drawable_motion(mechanism);
   ProgressLine line(!command.quiet);
   if (line.is_active()) {
     options.progress = [&](double share) {
@@ -240,7 +239,9 @@ void add_motion_command(CLI::App& moivre, Chosen& chosen) {
   app.add_flag(
       "--continuous", command->angles.goes_on,
       "continue angles beyond half a turn along a branch, without a jump, in CSV and JSON");
-  app.add_option("--svg", command->svg, "draw the curves of points here, one colour per branch")
+  app.add_option("--svg", command->svg,
+                 "draw the curves of points here, one colour per branch; of typed equations each "
+                 "unknown over the time")
       ->type_name("PATH");
   app.add_option("--html", command->html,
                  "write a page here that drives all branches by a slider and plots them")

@@ -2,11 +2,12 @@
 // Planes across the null space, Gauss-Newton on them when moved, and the way back to x.
 #include "dimension.h"
 
-#include <Eigen/Dense>
+#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
+#include "moivre/numeric/qr.h"
 #include "moivre/numeric/random.h"
 
 namespace moivre {
@@ -202,7 +203,7 @@ std::optional<double> Neighbourhood::settle(const VectorXcd& plane, double step,
     if (k > 0 && size < kOnTheSet) break;
     waited = size < aim / 2 ? 0 : waited + 1;
     aim = std::min(aim, size);
-    const VectorXcd dz = j_.completeOrthogonalDecomposition().solve(-value_);
+    const VectorXcd dz = shortest_solution(j_, -value_);
     for (Index i = 0; i < dz.size(); ++i) z[static_cast<std::size_t>(i)] += Number(dz[i]);
   }
   return is_root ? std::optional(best) : std::nullopt;

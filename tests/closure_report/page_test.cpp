@@ -217,9 +217,17 @@ TEST(MotionPicture, BranchesThatShareACurveAreDashesInTurn) {
   EXPECT_EQ(count(motion_svg(motion_of(four_bar), four_bar, "file"), "dashoffset"), 0U);
 }
 
-TEST(MotionPicture, OfTypedEquationsIsRefused) {
-  EXPECT_THROW(require_drawable_motion(mechanism_file("redundant-system")), std::invalid_argument);
-  EXPECT_NO_THROW(require_drawable_motion(mechanism_file("rssr")));
+TEST(MotionPicture, OfTypedEquationsPlotsEachUnknownOverTheTime) {
+  const Mechanism mechanism = mechanism_file("slider-crank-equations");
+  const MotionResult motion = motion_of(mechanism);
+  const std::string svg = motion_svg(motion, mechanism, "file");
+  EXPECT_TRUE(test::Markup(svg).is_well_formed());
+  EXPECT_EQ(count(svg, "<rect class=\"axis\""), mechanism.unknowns.size());
+  for (const Unknown& unknown : mechanism.unknowns) EXPECT_GE(count(svg, '>' + unknown.name), 1U);
+  // A curve of each branch in each plot and one in the legend, and there two dashes for shared curves.
+  EXPECT_EQ(count(svg, "several branches on one curve"), 1U);
+  EXPECT_EQ(count(svg, "<path class=\"curve "),
+            motion.branches.size() * (mechanism.unknowns.size() + 1) + 2);
 }
 
 TEST(MotionPicture, NoNameBreaksOutOfIt) {

@@ -19,11 +19,8 @@ namespace moivre {
 std::string closures_svg(const ClosureResult& result, const Mechanism& mechanism,
                          const std::string& file, Views views = Views::standing);
 
-/// Throws std::invalid_argument where the mechanism has no points (typed equations).
+/// Curves of points; for typed equations, which have none, each unknown over the time.
 std::string motion_svg(const MotionResult& result, const Mechanism& mechanism,
                        const std::string& file);
-
-/// Throws as motion_svg would, before any work.
-void require_drawable_motion(const Mechanism& mechanism);
 
 }  // namespace moivre
