@@ -10,7 +10,7 @@ function(moivre_precompiled carrier)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "OPTIONS;HEADERS")
   set(source ${PROJECT_BINARY_DIR}/precompiled/${carrier}.cpp)
   file(CONFIGURE OUTPUT ${source} CONTENT "// Carries a precompiled header.\n")
-  add_library(${carrier} OBJECT ${source})
+  add_library(${carrier} OBJECT EXCLUDE_FROM_ALL ${source})
   target_compile_options(${carrier} PRIVATE ${arg_OPTIONS})
   target_link_libraries(${carrier} PRIVATE Eigen3::Eigen Boost::headers moivre_warnings)
   target_precompile_headers(${carrier} PRIVATE <Eigen/Core> <boost/multiprecision/cpp_int.hpp> <algorithm> <cmath>

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "bench.h"
+#include "moivre/expression/counted.h"
 #include "moivre/expression/joined.h"
 #include "moivre/polynomial/eliminate.h"
 
@@ -162,7 +163,7 @@ void judge_start(const System& f, const StandIn& stand_in, const Claims& claims,
 void judge_paths(const Claims& claims, Verdicts& verdicts) {
   if (claims.listed) {
     verdicts.judge(ClaimKind::complete, *claims.listed == claims.roots.size(),
-                   "the list announces " + counted_roots(*claims.listed) + " and holds " +
+                   "the list announces " + counted(*claims.listed, "root") + " and holds " +
                        std::to_string(claims.roots.size()));
   }
   if (!claims.paths) return;

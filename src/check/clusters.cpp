@@ -7,6 +7,7 @@
 #include "bench.h"
 #include "exclusion.h"
 #include "moivre/certify/distinct.h"
+#include "moivre/expression/counted.h"
 #include "moivre/numeric/random.h"
 #include "moivre/numeric/simplest.h"
 #include "moivre/polynomial/local_multiplicity.h"
@@ -87,7 +88,7 @@ void judge_cluster(Bench& bench, Certifier& certifier, Entry& entry, const RootC
   const std::size_t regular = is_narrow ? regular_roots_within(bench, certifier, entry, m) : 0;
   if (regular > 0 && (regular < m || m == 1)) {
     return verdicts.refute(ClaimKind::multiplicity,
-                           counted_roots(regular) + " of multiplicity 1 proved within " +
+                           counted(regular, "root") + " of multiplicity 1 proved within " +
                                rough(entry.reach) + ", a singular one of multiplicity " +
                                std::to_string(m) + " is claimed",
                            number);

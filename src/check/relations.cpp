@@ -6,6 +6,7 @@
 
 #include "bench.h"
 #include "moivre/certify/distinct.h"
+#include "moivre/expression/counted.h"
 
 namespace moivre {
 namespace {
@@ -151,7 +152,7 @@ void judge_counts(Bench& bench) {
   if (counts.complex) {
     bench.verdicts.judge(
         ClaimKind::complete, *counts.complex == roots.size(),
-        counted_roots(*counts.complex) + " counted, " + std::to_string(roots.size()) + " listed");
+        counted(*counts.complex, "root") + " counted, " + std::to_string(roots.size()) + " listed");
   }
   if (counts.real) {
     const auto real = std::count_if(roots.begin(), roots.end(),

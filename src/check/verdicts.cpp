@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "moivre/expression/counted.h"
-
 namespace moivre {
 
 std::string to_string(ClaimKind kind) {
@@ -54,7 +52,5 @@ std::string rough(double x) {
 }
 
 std::string root_name(std::size_t number) { return "root " + std::to_string(number); }
-
-std::string counted_roots(std::uint64_t count) { return counted(count, "root"); }
 
 }  // namespace moivre

@@ -31,7 +31,5 @@ class Verdicts {
 std::string rough(double x);
 /// "root 3".
 std::string root_name(std::size_t number);
-/// "1 root", "2 roots".
-std::string counted_roots(std::uint64_t count);
 
 }  // namespace moivre

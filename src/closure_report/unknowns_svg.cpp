@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 // How do typed equations move? A plot of each unknown over the time, one below the other, every branch in its colour.
 #include <algorithm>
-#include <cmath>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "moivre/expression/counted.h"
 #include "motion_curves.h"
@@ -36,8 +39,7 @@ class UnknownsPicture {
   UnknownsPicture(const MotionResult& result, const Mechanism& mechanism)
       : result_(result),
         mechanism_(mechanism),
-        looks_(branch_looks(find_circuits(mechanism, result), result)),
-        times_{result.from, result.to} {
+        looks_(branch_looks(find_circuits(mechanism, result), result)) {
     for (const MotionBranch& branch : result.branches) {
       poses_.push_back(traced_poses(mechanism, branch, result));
     }
@@ -75,7 +77,7 @@ class UnknownsPicture {
   };
   Unit unit(std::size_t unknown) const {
     if (!mechanism_.unknowns[unknown].is_angle) return {mechanism_.units.length, 1};
-    if (mechanism_.units.angle == "deg") return {"deg", 180 / std::acos(-1.0)};
+    if (mechanism_.units.angle == "deg") return {"deg", 180 / std::numbers::pi};
     return {"rad", 1};
   }
 
@@ -115,7 +117,7 @@ class UnknownsPicture {
     // Upwards, as curves are, so that PixelMap{} turns them over.
     const auto place = [&](const TracedPose& pose) {
       const double inner = kPlotHeight - 2 * kPlotRoom;
-      return Complex(left + kPlotRoom + (kPlotWidth - 2 * kPlotRoom) * times_.share(pose.time),
+      return Complex(left + kPlotRoom + (kPlotWidth - 2 * kPlotRoom) * times().share(pose.time),
                      -(y + kPlotRoom + inner * (1 - range.share(value(pose, unknown)))));
     };
     std::vector<std::vector<Complex>> curves;
@@ -145,17 +147,18 @@ class UnknownsPicture {
     return svg + marks;
   }
 
+  Interval times() const { return {result_.from, result_.to}; }
+
   std::string times_svg(double y) const {
     const double left = kMotionMargin + kNumbersRoom;
-    return text_svg({left, y}, "start", "note", "t = " + short_text(times_.lower) + " s") +
+    return text_svg({left, y}, "start", "note", "t = " + short_text(times().lower) + " s") +
            text_svg({left + kPlotWidth, y}, "end", "note",
-                    "t = " + short_text(times_.upper) + " s");
+                    "t = " + short_text(times().upper) + " s");
   }
 
   const MotionResult& result_;
   const Mechanism& mechanism_;
   std::vector<BranchLook> looks_;
-  Interval times_;
   std::vector<std::vector<TracedPose>> poses_;  ///< of each branch
   bool is_shared_ = false;
 };

@@ -142,8 +142,8 @@ void close_account(const Run& run, SolveResult& result) {
   const std::uint64_t as_rounded = run.ledger.count(PathVerdict::as_rounded);
   if (as_rounded == 0) return;
   result.left_out.push_back({"what the file's digits do not tell",
-                             counted(as_rounded, "path") +
-                                 " end at infinity for coefficients that differ from the "
+                             counted(as_rounded, "path") + (as_rounded == 1 ? " ends" : " end") +
+                                 " at infinity for coefficients that differ from the "
                                  "file's by less than half a unit of "
                                  "the last digit"});
 }

@@ -52,8 +52,6 @@ void tell_of_squared(bool is_overdetermined, SolveResult& result) {
        "a proved root of the combinations need not be a root of the file's equations"});
 }
 
-std::string counted_equations(std::size_t count) { return counted(count, "equation"); }
-
 }  // namespace
 
 System squared(const System& f, const SolveOptions& options) {
@@ -75,13 +73,13 @@ void take_back(const System& f, SolveResult& result) {
   if (m > n) {
     drop_excess(g, result);
     result.left_out.push_back(
-        {counted_equations(m) + " squared up to " + std::to_string(n),
+        {counted(m, "equation") + " squared up to " + std::to_string(n),
          counted(result.excess, "root") + " of the combinations fail an equation of the file"});
   }
   tell_of_squared(m > n, result);
   if (m < n) {
     result.left_out.push_back(
-        {"cut by " + counted_equations(n - m),
+        {"cut by " + counted(n - m, "equation"),
          "asked for by --slice: the roots are witness points of sets of dimension " +
              std::to_string(n - m)});
   }
