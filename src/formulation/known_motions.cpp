@@ -2,6 +2,7 @@
 // Angles and slides from each other, round after round.
 #include "known_motions.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>

@@ -10,6 +10,7 @@
 #include "certificates.h"
 #include "coincidence.h"
 #include "ends.h"
+#include "moivre/certify/distinct.h"
 #include "moivre/numeric/random.h"
 #include "moivre/numeric/simplest.h"
 #include "moivre/polynomial/local_multiplicity.h"
