@@ -9,7 +9,6 @@
 namespace moivre {
 namespace {
 
-constexpr std::uint64_t kPrime = (std::uint64_t{1} << 61) - 31;
 constexpr std::uint64_t kRootOfMinusOne = 583529827753931384;
 
 __extension__ using Wide = unsigned __int128;
@@ -51,8 +50,6 @@ ModularRow reduced(const ModularRow& row, const ModularRow& pivot, Residue multi
 
 }  // namespace
 
-Residue minus(Residue a) { return a == 0 ? 0 : kPrime - a; }
-
 // Fermat: a^(p-2) a = 1.
 Residue inverse(Residue a) {
   Residue result = 1;
@@ -63,16 +60,21 @@ Residue inverse(Residue a) {
   return result;
 }
 
-Residue times(Residue a, Residue b) { return static_cast<Residue>(Wide{a} * b % kPrime); }
-
-Residue plus(Residue a, Residue b) { return (a + b) % kPrime; }
-
 Residue residue(const GaussianInteger& a) {
   return plus(residue(a.re), times(kRootOfMinusOne, residue(a.im)));
 }
 
 Residue residue(const Coefficient& a) {
   return plus(residue(a.re), times(kRootOfMinusOne, residue(a.im)));
+}
+
+std::optional<Residue> residue_if_faithful(const Coefficient& a) {
+  for (const Rational* part : {&a.re, &a.im}) {
+    if (!part->is_zero() && denominator(*part) % kPrime == 0) return std::nullopt;
+  }
+  const Residue image = residue(a);
+  if (image == 0 && !(a == Coefficient{})) return std::nullopt;
+  return image;
 }
 
 ModularRow ModularRows::rest_of(ModularRow row) const {

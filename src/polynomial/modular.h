@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -19,14 +20,26 @@ namespace moivre {
 /// In [0, 2^61 - 31).
 using Residue = std::uint64_t;
 
-Residue times(Residue a, Residue b);
-Residue plus(Residue a, Residue b);
-Residue minus(Residue a);
+inline constexpr Residue kPrime = (Residue{1} << 61) - 31;
+
+// 2^61 is 31 modulo the prime: a product is folded twice, and is then less than twice the prime.
+inline Residue times(Residue a, Residue b) {
+  __extension__ using Wide = unsigned __int128;
+  constexpr Residue kLow = (Residue{1} << 61) - 1;
+  const Wide product = Wide{a} * b;
+  const Wide once = (product & kLow) + 31 * (product >> 61);
+  const auto twice = static_cast<Residue>(once & kLow) + 31 * static_cast<Residue>(once >> 61);
+  return twice < kPrime ? twice : twice - kPrime;
+}
+inline Residue plus(Residue a, Residue b) { return a + b < kPrime ? a + b : a + b - kPrime; }
+inline Residue minus(Residue a) { return a == 0 ? 0 : kPrime - a; }
 /// Of a nonzero residue.
 Residue inverse(Residue a);
 Residue residue(const GaussianInteger& a);
 /// Throws std::invalid_argument where the prime divides a denominator.
 Residue residue(const Coefficient& a);
+/// nullopt where the prime divides a denominator, or a nonzero number has the image 0.
+std::optional<Residue> residue_if_faithful(const Coefficient& a);
 
 /// Column and nonzero value, sorted by column.
 using ModularRow = std::vector<std::pair<std::size_t, Residue>>;

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// How is a polynomial modulo the prime reduced by others? Term after term in the degree reverse lexicographic order.
+//
+// Not supported: more than 15 unknowns, degrees beyond 255. Private to the module.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "modular.h"
+#include "moivre/polynomial/system.h"
+
+namespace moivre {
+
+/// The degree, then the exponents; what is beyond the unknowns is 0.
+struct DegreeAndExponents {
+  static constexpr std::size_t kMostUnknowns = 15;
+  static constexpr std::uint64_t kMostDegree = 255;
+
+  std::array<std::uint8_t, 1 + kMostUnknowns> at{};
+
+  std::uint64_t degree() const { return at[0]; }
+  bool operator==(const DegreeAndExponents&) const = default;
+};
+
+/// By degree; of one degree, who has more of the first unknown comes first.
+bool precedes(const DegreeAndExponents& a, const DegreeAndExponents& b);
+bool divides(const DegreeAndExponents& a, const DegreeAndExponents& b);
+/// Of a multiple by its divisor.
+DegreeAndExponents quotient(const DegreeAndExponents& multiple, const DegreeAndExponents& divisor);
+/// nullopt beyond the largest degree, as in all that follows.
+std::optional<DegreeAndExponents> lcm(const DegreeAndExponents& a, const DegreeAndExponents& b);
+bool are_coprime(const DegreeAndExponents& a, const DegreeAndExponents& b);
+
+/// Terms in descending order, the first with coefficient 1; empty: 0.
+using ModularPolynomial = std::vector<std::pair<DegreeAndExponents, Residue>>;
+
+/// nullopt, too, where the prime divides a numerator or a denominator: the image would be that of another system.
+std::optional<ModularPolynomial> modular(const Polynomial& p);
+
+/// A number of terms that may be looked at; what has used them up is given up.
+class Work {
+ public:
+  explicit Work(std::uint64_t terms) : left_(terms) {}
+  void spend(std::uint64_t terms) { left_ -= terms < left_ ? terms : left_; }
+  bool is_used_up() const { return left_ == 0; }
+
+ private:
+  std::uint64_t left_;
+};
+
+/// No term of what is left is a multiple of a leading monomial of `basis`. nullopt, too, where the work is used up.
+std::optional<ModularPolynomial> reduced(ModularPolynomial p,
+                                         const std::vector<const ModularPolynomial*>& basis,
+                                         Work& work);
+
+/// The difference of the multiples that have the least common multiple as leading monomial.
+std::optional<ModularPolynomial> s_polynomial(const ModularPolynomial& p,
+                                              const ModularPolynomial& q);
+
+}  // namespace moivre
