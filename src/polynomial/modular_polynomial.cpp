@@ -104,7 +104,7 @@ std::optional<ModularPolynomial> modular(const Polynomial& p) {
 
 std::optional<ModularPolynomial> reduced(ModularPolynomial p,
                                          const std::vector<const ModularPolynomial*>& basis,
-                                         Work& work) {
+                                         TermBudget& budget) {
   ModularPolynomial rest;
   ModularPolynomial sum;
   std::size_t first = 0;
@@ -113,7 +113,7 @@ std::optional<ModularPolynomial> reduced(ModularPolynomial p,
     const auto divisor = std::find_if(basis.begin(), basis.end(), [&](const auto* q) {
       return divides(q->front().first, m);
     });
-    work.spend(1);
+    budget.spend(1);
     if (divisor == basis.end()) {
       rest.push_back(p[first++]);
       continue;
@@ -122,8 +122,8 @@ std::optional<ModularPolynomial> reduced(ModularPolynomial p,
     merge(p, first + 1, minus(c), quotient(m, q.front().first), q, sum);
     std::swap(p, sum);
     first = 0;
-    work.spend(p.size());
-    if (work.is_used_up()) return std::nullopt;
+    budget.spend(p.size());
+    if (budget.is_used_up()) return std::nullopt;
   }
   make_monic(rest);
   return rest;

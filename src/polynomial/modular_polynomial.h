@@ -41,10 +41,10 @@ using ModularPolynomial = std::vector<std::pair<DegreeAndExponents, Residue>>;
 /// nullopt, too, where the prime divides a numerator or a denominator: the image would be that of another system.
 std::optional<ModularPolynomial> modular(const Polynomial& p);
 
-/// A number of terms that may be looked at; what has used them up is given up.
-class Work {
+/// How many terms may still be looked at.
+class TermBudget {
  public:
-  explicit Work(std::uint64_t terms) : left_(terms) {}
+  explicit TermBudget(std::uint64_t terms) : left_(terms) {}
   void spend(std::uint64_t terms) { left_ -= terms < left_ ? terms : left_; }
   bool is_used_up() const { return left_ == 0; }
 
@@ -52,10 +52,10 @@ class Work {
   std::uint64_t left_;
 };
 
-/// No term of what is left is a multiple of a leading monomial of `basis`. nullopt, too, where the work is used up.
+/// No term of what is left is a multiple of a leading monomial of `basis`. nullopt, too, where the budget is used up.
 std::optional<ModularPolynomial> reduced(ModularPolynomial p,
                                          const std::vector<const ModularPolynomial*>& basis,
-                                         Work& work);
+                                         TermBudget& budget);
 
 /// The difference of the multiples that have the least common multiple as leading monomial.
 std::optional<ModularPolynomial> s_polynomial(const ModularPolynomial& p,

@@ -36,16 +36,16 @@ class Staircase {
     return true;
   }
 
-  /// Finite; the count ends beyond the work.
-  std::uint64_t size(Work& work) const { return size_from({}, 0, work); }
+  /// Finite; the count ends with the budget.
+  std::uint64_t size(TermBudget& budget) const { return size_from({}, 0, budget); }
 
  private:
   /// Of the multiples of m by the unknowns from i on.
-  std::uint64_t size_from(Leading m, std::size_t i, Work& work) const {
+  std::uint64_t size_from(Leading m, std::size_t i, TermBudget& budget) const {
     std::uint64_t size = 0;
-    while (!work.is_used_up() && is_under(m)) {
-      work.spend(1);
-      size += i + 1 == n_ ? 1 : size_from(m, i + 1, work);
+    while (!budget.is_used_up() && is_under(m)) {
+      budget.spend(1);
+      size += i + 1 == n_ ? 1 : size_from(m, i + 1, budget);
       ++m.at[0];
       ++m.at[1 + i];
     }
@@ -63,8 +63,8 @@ class Staircase {
 
 class GroebnerBasis {
  public:
-  GroebnerBasis(std::size_t n, std::uint64_t known, std::uint64_t most_terms)
-      : n_(n), known_(known), work_(most_terms) {}
+  GroebnerBasis(std::size_t n, const QuotientRingOptions& options)
+      : n_(n), known_(options.known), budget_(options.most_terms), stop_(options.stop) {}
 
   QuotientRing of(std::vector<ModularPolynomial> f) {
     std::sort(f.begin(), f.end(), [](const auto& a, const auto& b) {
@@ -74,6 +74,7 @@ class GroebnerBasis {
       if (!take(std::move(p))) return {};
     }
     while (!is_enough_ && !pairs_.empty()) {
+      if (stop_ != nullptr && *stop_) return {};
       const Pair pair = next_pair();
       auto s = s_polynomial(elements_[pair.first], elements_[pair.second]);
       if (!s || !take(std::move(*s))) return {};
@@ -95,8 +96,8 @@ class GroebnerBasis {
   QuotientRing verdict() {
     const Staircase stairs = staircase();
     if (!stairs.is_finite()) return {Verdict::infinite, 0};
-    const std::uint64_t size = stairs.size(work_);
-    return work_.is_used_up() ? QuotientRing{} : QuotientRing{Verdict::finite, size};
+    const std::uint64_t size = stairs.size(budget_);
+    return budget_.is_used_up() ? QuotientRing{} : QuotientRing{Verdict::finite, size};
   }
 
   Pair next_pair() {
@@ -112,14 +113,14 @@ class GroebnerBasis {
   bool take(ModularPolynomial p) {
     std::vector<const ModularPolynomial*> reducers;
     for (const std::size_t i : minimal_) reducers.push_back(&elements_[i]);
-    auto rest = reduced(std::move(p), reducers, work_);
+    auto rest = reduced(std::move(p), reducers, budget_);
     if (!rest) return false;
     if (rest->empty()) return true;
     elements_.push_back(std::move(*rest));
     if (!pair_up(elements_.size() - 1)) return false;
     const Staircase stairs = staircase();
-    is_enough_ = stairs.is_finite() && stairs.size(work_) <= known_;
-    return !work_.is_used_up();
+    is_enough_ = stairs.is_finite() && stairs.size(budget_) <= known_;
+    return !budget_.is_used_up();
   }
 
   /// Which pairs are needed beside those there are [GebauerMoeller88].
@@ -155,7 +156,8 @@ class GroebnerBasis {
 
   std::size_t n_;
   std::uint64_t known_;
-  Work work_;
+  TermBudget budget_;
+  const std::atomic<bool>* stop_;
   std::deque<ModularPolynomial> elements_;  // all that were found
   std::vector<std::size_t> minimal_;        // those whose leading monomial no other divides
   std::vector<Pair> pairs_;
@@ -164,14 +166,14 @@ class GroebnerBasis {
 
 }  // namespace
 
-QuotientRing quotient_ring(const System& f, std::uint64_t known, std::uint64_t most_terms) {
+QuotientRing quotient_ring(const System& f, const QuotientRingOptions& options) {
   std::vector<ModularPolynomial> images;
   for (const Polynomial& p : f.polynomials) {
     auto image = modular(p);
     if (!image) return {};
     images.push_back(std::move(*image));
   }
-  return GroebnerBasis(f.variables.size(), known, most_terms).of(std::move(images));
+  return GroebnerBasis(f.variables.size(), options).of(std::move(images));
 }
 
 }  // namespace moivre

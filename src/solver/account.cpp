@@ -133,9 +133,10 @@ void close_account(const Run& run, SolveResult& result) {
   for (const auto& [path, failure] : run.ledger.failures()) result.failures.push_back(failure);
   result.work = run.work;
   const bool all_decided = result.paths.failed == 0 && run.unsettled_conjugates == 0;
-  result.complete = !run.interrupted && all_decided;
+  const auto contradiction = contradiction_by_algebra(run, result);
+  result.complete = !run.interrupted && all_decided && !contradiction;
   result.message = run.interrupted           ? "interrupted: what is finished is reported"
-                   : all_decided             ? "every path was decided"
+                   : all_decided             ? contradiction.value_or("every path was decided")
                    : result.paths.failed > 0 ? "some paths failed"
                                              : "a root's conjugate is missing among the roots";
   tell_completeness(run, result);

@@ -21,6 +21,10 @@ namespace {
 
 // Steps of a search that are always worth it: some milliseconds.
 constexpr std::uint64_t kLeastSearch = 10'000;
+// Terms of the algebra that are always worth it, some milliseconds; beyond them, a share of what the paths cost, in multiply-adds a term.
+constexpr double kLeastTerms = 500'000;
+constexpr double kAlgebraShare = 0.2;
+constexpr double kTermCost = 20;
 
 /// The bound whose value is `roots`; throws where it is less.
 bool is_met(const std::optional<std::uint64_t>& bound, std::uint64_t roots,
@@ -85,6 +89,19 @@ const std::optional<std::uint64_t>& once(SoughtBound& bound, const auto& search)
   return bound.value;
 }
 
+/// Looked for once, when `roots` are known.
+const QuotientRing& ring_of(Run& run, std::uint64_t roots) {
+  if (run.bounds.ring) return *run.bounds.ring;
+  const Prepared& prepared = run.setting.prepared;
+  const double cost = cost_of_paths(prepared.reduction.system, prepared.start.paths);
+  QuotientRingOptions options;
+  options.known = roots;
+  options.most_terms = static_cast<std::uint64_t>(
+      std::min(std::max(kLeastTerms, kAlgebraShare * cost / kTermCost), 1e18));
+  options.stop = &run.setting.stop;
+  return run.bounds.ring.emplace(quotient_ring(prepared.reduction.system, options));
+}
+
 std::optional<MetBound> volume_met_by(Run& run, std::uint64_t roots) {
   const Setting& setting = run.setting;
   const System& reduced = setting.prepared.reduction.system;
@@ -103,6 +120,15 @@ std::optional<MetBound> volume_met_by(Run& run, std::uint64_t roots) {
   const auto search = [&] { return verified_volume(run, setting.f); };
   const std::string kind = lacks_origin(setting.f) ? "stable mixed volume" : "mixed volume";
   if (is_met(once(run.bounds.whole, search), roots, kind)) return MetBound{kind, roots};
+  return std::nullopt;
+}
+
+/// No mixed volume is less than the number of roots.
+std::optional<MetBound> ring_or_volume_met_by(Run& run, std::uint64_t roots) {
+  const QuotientRing& ring = ring_of(run, roots);
+  if (ring.verdict != QuotientRing::Verdict::finite) return volume_met_by(run, roots);
+  const std::string kind = "dimension of the quotient ring";
+  if (is_met(ring.dimension, roots, kind)) return MetBound{kind, roots};
   return std::nullopt;
 }
 
@@ -130,8 +156,9 @@ std::optional<MetBound> bound_met_by(Run& run, std::uint64_t roots, std::uint64_
   for (const auto& [kind, count] : degrees) {
     if (is_met(count->paths, roots, kind)) return MetBound{kind, roots};
   }
-  const auto volume = volume_met_by(run, roots);
-  return volume ? volume : strata_met_by(run, points);
+  const auto met = counts.mixed_volume.paths == roots ? volume_met_by(run, roots)
+                                                      : ring_or_volume_met_by(run, roots);
+  return met ? met : strata_met_by(run, points);
 }
 
 /// Sets bounds.met where `roots`, proved and with their multiplicities, or their `points` meet a bound.
@@ -238,6 +265,19 @@ bool settle_by_bound(Run& run) {
   for (std::size_t k = places.fill(run, spare); k < spare.size(); ++k) run.ledger.leave(spare[k]);
   run.unsettled_conjugates = 0;
   return true;
+}
+
+std::optional<std::string> contradiction_by_algebra(const Run& run, const SolveResult& result) {
+  const std::optional<QuotientRing>& ring = run.bounds.ring;
+  if (!ring || ring->verdict != QuotientRing::Verdict::finite) return std::nullopt;
+  if (!result.on_sets.empty()) return "exact algebra tells that no root lies on a curve, paths end as on one";
+  std::uint64_t roots = 0;
+  for (const Solution& root : result.solutions) roots += root.multiplicity;
+  // Ends that the digits of the file do not tell from infinity may be roots of the file to the letter.
+  const std::uint64_t hidden = run.ledger.count(PathVerdict::as_rounded);
+  if (roots <= ring->dimension && ring->dimension <= roots + hidden) return std::nullopt;
+  return "exact algebra counts " + counted(ring->dimension, "root") +
+         " with their multiplicities, those found count " + std::to_string(roots);
 }
 
 void tell_completeness(const Run& run, SolveResult& result) {

@@ -5,6 +5,7 @@
 //   elimination            what exact elimination of linear equations decides alone
 //   total degree           d_1 ... d_n of what is tracked; elimination keeps the roots one to one (polynomial/eliminate.h)
 //   multihomogeneous       the number of the partition found [MorganSommese87]; any partition's is a bound
+//   quotient ring          the dimension that exact algebra finds (polynomial/quotient_ring.h): the number of roots itself
 //   mixed volume           of what is tracked or of the system as given, 0 added to the supports [LiWang96]
 //   stable mixed volume    of one of them, where a support lacks 0 [HuberSturmfels97]
 //   mixed volume of the strata   of the system as given, where a support lacks 0 (start/strata.h); it bounds the points, whatever
@@ -23,6 +24,9 @@ namespace moivre {
 /// many as its multiplicity, some on sets of positive dimension; every other ends at no isolated root, and counts as at infinity.
 /// False, and nothing is changed, where none is met.
 bool settle_by_bound(Run& run);
+
+/// Why the roots told cannot be all and right, where the dimension of the quotient ring was sought and found.
+std::optional<std::string> contradiction_by_algebra(const Run& run, const SolveResult& result);
 
 /// proved, shown or open, and the bound; nothing where no certificates were asked for. Requires a closed account.
 void tell_completeness(const Run& run, SolveResult& result);

@@ -12,6 +12,7 @@
 
 #include "ledger.h"
 #include "marks.h"
+#include "moivre/polynomial/quotient_ring.h"
 #include "setting.h"
 
 namespace moivre {
@@ -35,6 +36,7 @@ struct Bounds {
   SoughtBound counted;  ///< the mixed volume that the start has counted
   SoughtBound reduced;  ///< the stable mixed volume of what is tracked
   SoughtBound whole;    ///< of the system as given
+  std::optional<QuotientRing> ring;  ///< of what is tracked, once it was looked for
   std::optional<std::uint64_t> points_asked;  ///< whether they are all, by their strata
 };
 

@@ -237,9 +237,12 @@ std::optional<StartKind> start_kind(const std::string& name) {
   return std::nullopt;
 }
 
+double cost_of_paths(const System& f, std::uint64_t paths) {
+  return kInfinityCost * static_cast<double>(paths) * path_cost(f);
+}
+
 std::uint64_t search_steps_for(const System& f, std::uint64_t paths) {
-  const double cost = kInfinityCost * static_cast<double>(paths) * path_cost(f);
-  return static_cast<std::uint64_t>(std::min(cost / search_step_cost(f), 1e18));
+  return static_cast<std::uint64_t>(std::min(cost_of_paths(f, paths) / search_step_cost(f), 1e18));
 }
 
 ChosenStart choose_start(const System& f, const StartChoiceOptions& options) {

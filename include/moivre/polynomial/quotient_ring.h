@@ -7,13 +7,13 @@
 // Where all roots are isolated the dimension is the number of roots in C^n, each counted with its multiplicity; those at infinity
 // do not count. Some leading monomials found bound it already. Chance: what vanishes modulo p only would give another number, with
 // probability about 1e-18 for each number met; a p that divides a coefficient of f is refused.
-// Not supported: roots on curves (no dimension is finite then), more than 15 unknowns, degrees beyond 255; no more terms are
-// looked at than allowed.
+// Not supported: more than 15 unknowns, degrees beyond 255; no more terms are looked at than allowed. Roots on curves make the
+// dimension infinite.
 // Sources: [Buchberger65], which pairs are needed [GebauerMoeller88].
 #pragma once
 
+#include <atomic>
 #include <cstdint>
-#include <optional>
 
 #include "moivre/polynomial/system.h"
 
@@ -26,8 +26,12 @@ struct QuotientRing {
   std::uint64_t dimension = 0;  ///< where finite
 };
 
-/// `known`: so many roots are there: at this bound the search ends. `most_terms`: of polynomials, that may be looked at; a
-/// million take about ten milliseconds.
-QuotientRing quotient_ring(const System& f, std::uint64_t known, std::uint64_t most_terms);
+struct QuotientRingOptions {
+  std::uint64_t known = 0;                     ///< so many roots are there: at this bound the search ends
+  std::uint64_t most_terms = 1'000'000;        ///< to be looked at: some ten nanoseconds each
+  const std::atomic<bool>* stop = nullptr;
+};
+
+QuotientRing quotient_ring(const System& f, const QuotientRingOptions& options);
 
 }  // namespace moivre

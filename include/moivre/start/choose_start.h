@@ -57,6 +57,9 @@ struct ChosenStart {
 /// f: n polynomials in n variables (std::invalid_argument otherwise).
 ChosenStart choose_start(const System& f, const StartChoiceOptions& options);
 
+/// Multiply-adds that this number of paths is expected to cost.
+double cost_of_paths(const System& f, std::uint64_t paths);
+
 /// The number of search steps that cost as much as this number of paths (CellSearchOptions::most_steps).
 std::uint64_t search_steps_for(const System& f, std::uint64_t paths);
 
