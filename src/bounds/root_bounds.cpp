@@ -7,6 +7,7 @@
 
 #include "moivre/expression/counted.h"
 #include "moivre/polynomial/eliminate.h"
+#include "moivre/polynomial/quotient_ring.h"
 #include "moivre/start/mixed_volume.h"
 #include "moivre/start/multihomogeneous.h"
 #include "moivre/start/strata.h"
@@ -18,6 +19,8 @@ namespace {
 constexpr std::uint64_t kCellWork = 4'000'000'000;
 // A step costs about so many of them for each unknown and term (start/mixed_cells.h).
 constexpr std::uint64_t kStepCost = 10;
+// Terms that the algebra may look at: less than a second.
+constexpr std::uint64_t kAlgebraTerms = 20'000'000;
 // Any two seeds: what they draw has nothing in common.
 constexpr std::uint64_t kLiftingSeeds[] = {101, 202};
 
@@ -46,6 +49,23 @@ RootBound stable_mixed_volume_bound(const System& f) {
     first = volume.value;
   }
   bound.value = first;
+  return bound;
+}
+
+RootBound quotient_ring_bound(const System& f, std::uint64_t known) {
+  RootBound bound{BoundKind::quotient_ring, std::nullopt, ""};
+  const QuotientRing ring = quotient_ring(f, {known, kAlgebraTerms, nullptr});
+  switch (ring.verdict) {
+    case QuotientRing::Verdict::finite:
+      bound.value = ring.dimension;
+      break;
+    case QuotientRing::Verdict::infinite:
+      bound.missing = "infinite: some roots lie on curves";
+      break;
+    case QuotientRing::Verdict::not_found:
+      bound.missing = "not found within the terms that are looked at";
+      break;
+  }
   return bound;
 }
 
@@ -98,6 +118,8 @@ std::string to_string(BoundKind kind) {
       return "multihomogeneous";
     case BoundKind::stable_mixed_volume:
       return "stable mixed volume";
+    case BoundKind::quotient_ring:
+      return "dimension of the quotient ring";
     case BoundKind::strata:
       return "mixed volume of the strata";
   }
@@ -127,7 +149,8 @@ std::vector<RootBound> root_bounds(const System& f, const KnownRoots& known) {
   }
   const bool may_have_zeros =
       std::any_of(f.polynomials.begin(), f.polynomials.end(), lacks_constant);
-  if (!is_met(volume) && may_have_zeros) bounds.push_back(strata_bound(f));
+  if (is_met(volume) || is_met(quotient_ring_bound(r, known.roots))) return bounds;
+  if (may_have_zeros) bounds.push_back(strata_bound(f));
   return bounds;
 }
 

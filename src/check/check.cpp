@@ -8,6 +8,7 @@
 #include "bench.h"
 #include "moivre/expression/counted.h"
 #include "moivre/expression/joined.h"
+#include "moivre/polynomial/digits.h"
 
 namespace moivre {
 namespace {
@@ -38,8 +39,7 @@ void find_bounds(const StandIn& stand_in, Judgement& judgement) {
   }
 }
 
-/// Multiplicities bounded by what is proved beforehand.
-void judge_sum(const Claims& claims, Verdicts& verdicts) {
+std::uint64_t sum_of_multiplicities(const Claims& claims) {
   std::uint64_t sum = 0;
   for (const RootClaim& root : claims.roots) {
     if (root.multiplicity > UINT64_MAX - sum)
@@ -47,6 +47,12 @@ void judge_sum(const Claims& claims, Verdicts& verdicts) {
     else
       sum += root.multiplicity;
   }
+  return sum;
+}
+
+/// Multiplicities bounded by what is known beforehand.
+void judge_sum(const Claims& claims, Verdicts& verdicts) {
+  const std::uint64_t sum = sum_of_multiplicities(claims);
   for (const RootBound& bound : verdicts.judgement().bounds) {
     if (!bound.value || bound.kind == BoundKind::strata) continue;
     verdicts.judge(ClaimKind::multiplicity, sum <= *bound.value,
@@ -56,14 +62,29 @@ void judge_sum(const Claims& claims, Verdicts& verdicts) {
   }
 }
 
+/// Every path decided: no root is left out. The dimension of the quotient ring is not a bound alone, but their number.
+void judge_all_there(const System& f, const Claims& claims, Verdicts& verdicts) {
+  const auto& bounds = verdicts.judgement().bounds;
+  const auto ring = std::find_if(bounds.begin(), bounds.end(), [](const RootBound& bound) {
+    return bound.kind == BoundKind::quotient_ring && bound.value;
+  });
+  const std::uint64_t sum = sum_of_multiplicities(claims);
+  if (!claims.complete || ring == bounds.end() || sum >= *ring->value) return;
+  const std::string why = "exact algebra counts " + counted(*ring->value, "root") +
+                          " with their multiplicities, these add up to " + std::to_string(sum);
+  if (coefficient_errors(f).empty()) return verdicts.refute(ClaimKind::complete, why);
+  verdicts.leave_open(ClaimKind::complete,
+                      why + "; the digits of the file may not tell the others from infinity");
+}
+
 void judge_completeness(const Claims& claims, const StandIn& stand_in, Verdicts& verdicts) {
   if (!claims.completeness || *claims.completeness == "open") return;
+  const Judgement& judgement = verdicts.judgement();
+  if (judgement.proved_by) return verdicts.hold(ClaimKind::completeness);
   if (*claims.completeness == "shown") {
     return verdicts.leave_open(ClaimKind::completeness,
                                "\"shown\" rests on paths, which are not followed here");
   }
-  const Judgement& judgement = verdicts.judgement();
-  if (judgement.proved_by) return verdicts.hold(ClaimKind::completeness);
   if (!stand_in.has_all_roots) {
     return verdicts.refute(ClaimKind::completeness,
                            "\"proved\", and there is no bound on roots of this file: its equations "
@@ -133,7 +154,10 @@ Judgement check(const System& f, const Claims& given) {
   judge_digits(bench);
   if (stand_in.has_all_roots) {
     find_bounds(stand_in, judgement);
-    if (!bench.is_list()) judge_sum(claims, verdicts);
+    if (!bench.is_list()) {
+      judge_sum(claims, verdicts);
+      judge_all_there(f, claims, verdicts);
+    }
   }
   judge_completeness(claims, stand_in, verdicts);
   return judgement;

@@ -98,14 +98,15 @@ void require_pair(const Family& family, const KnownPair& pair) {
 
 /// What is known about the number of roots.
 std::string standing_of(const Learning& learning, const TraceTest& test, const Search& search) {
+  const std::string elsewhere = std::to_string(search.components - 1) +
+                                " times a random root was not among those that loops lead to: the "
+                                "family is reducible, or loops have lost roots";
   if (learning.bound) {
-    return "proved: as many certified roots as the " + learning.bound->kind + " allows";
+    const std::string proved =
+        "proved: as many certified roots as the " + learning.bound->kind + " allows";
+    return search.components > 1 ? proved + "; " + elsewhere : proved;
   }
-  if (search.components > 1) {
-    return std::to_string(search.components - 1) +
-           " times a random root was not among those that loops lead to: the family is reducible, "
-           "or loops have lost roots; there may be more";
-  }
+  if (search.components > 1) return elsewhere + "; there may be more";
   const std::string loops = std::to_string(search.count.loops) + " loops";
   if (!test.was_made) return loops + ", the last ones without a new root; no trace test";
   const std::string points = counted(test.points, "point") + " of the curve";
@@ -137,6 +138,7 @@ std::string name_of(BoundKind kind) {
       return "multihomogeneous number";
     case BoundKind::elimination:
     case BoundKind::stable_mixed_volume:
+    case BoundKind::quotient_ring:
     case BoundKind::strata:
       break;
   }

@@ -84,10 +84,15 @@ std::string completeness_line(const SolveResult& result) {
   const auto count = [&](auto claim) {
     return static_cast<std::uint64_t>(std::count_if(roots.begin(), roots.end(), claim));
   };
-  const std::uint64_t regular = count([](const Solution& root) { return !root.singular; });
+  // A multiple root is certified where the equations are powers, by their bases.
+  const auto is_regular = [](const Solution& root) { return !root.singular; };
   const std::uint64_t certified =
       count([](const Solution& root) { return root.certified == true; });
-  return std::to_string(certified) + " of " + counted(regular, "regular root") +
+  const std::uint64_t certifiable =
+      count([&](const Solution& root) { return is_regular(root) || root.certified == true; });
+  const bool all_regular = certifiable == count(is_regular);
+  return std::to_string(certified) + " of " +
+         counted(certifiable, all_regular ? "regular root" : "root") +
          " certified: completeness " + to_string(*result.completeness) + '\n';
 }
 

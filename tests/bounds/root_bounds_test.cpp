@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "moivre/polynomial/read.h"
@@ -20,11 +21,13 @@ System problem(const std::string& name) {
 
 TEST(RootBounds, OfCassouAreThePublishedOnes) {
   const std::vector<RootBound> bounds = root_bounds(problem("cassou"), {});
-  ASSERT_EQ(bounds.size(), 3U);
+  ASSERT_EQ(bounds.size(), 4U);
   EXPECT_EQ(bounds[0].value, 1344U);
   EXPECT_LT(bounds[1].value, 1344U);
   EXPECT_EQ(bounds[2].kind, BoundKind::stable_mixed_volume);
   EXPECT_EQ(bounds[2].value, 24U);
+  EXPECT_EQ(bounds[3].kind, BoundKind::quotient_ring);
+  EXPECT_EQ(bounds[3].value, 16U);
 }
 
 TEST(RootBounds, EndWithTheFirstThatIsMet) {
@@ -33,16 +36,18 @@ TEST(RootBounds, EndWithTheFirstThatIsMet) {
   ASSERT_EQ(bounds.size(), 1U);
   EXPECT_EQ(bounds[0].kind, BoundKind::bezout);
   EXPECT_EQ(bounds[0].value, 4U);
-  EXPECT_EQ(root_bounds(f, {3, 3}).size(), 3U);
+  EXPECT_EQ(root_bounds(f, {3, 3}).size(), 4U);
 }
 
 TEST(RootBounds, CountRootsWithZeroCoordinates) {
   const std::vector<RootBound> bounds =
       root_bounds(system_of("2\nx^2 + x*y - x;\ny^2 + 2*x*y - y;\n"), {});
-  ASSERT_EQ(bounds.size(), 4U);
+  ASSERT_EQ(bounds.size(), 5U);
   EXPECT_EQ(bounds[2].value, 4U);  // (0,0), (1,0), (0,1), and one more
-  EXPECT_EQ(bounds[3].kind, BoundKind::strata);
+  EXPECT_EQ(bounds[3].kind, BoundKind::quotient_ring);
   EXPECT_EQ(bounds[3].value, 4U);
+  EXPECT_EQ(bounds[4].kind, BoundKind::strata);
+  EXPECT_EQ(bounds[4].value, 4U);
 }
 
 TEST(RootBounds, OfPointsAreMetByPointsAndOthersByMultiplicities) {
@@ -51,6 +56,16 @@ TEST(RootBounds, OfPointsAreMetByPointsAndOthersByMultiplicities) {
   const std::vector<RootBound> bounds = root_bounds(f, {7, 7});
   EXPECT_EQ(bounds.back().kind, BoundKind::strata);
   EXPECT_EQ(bounds.back().value, 7U);
+}
+
+TEST(RootBounds, TellThatTheQuotientRingIsInfiniteWhereRootsLieOnCurves) {
+  const std::vector<RootBound> bounds = root_bounds(system_of("2\nx^2*y - x;\nx*y^2 - 3*x;\n"), {});
+  const auto ring = std::find_if(bounds.begin(), bounds.end(), [](const RootBound& bound) {
+    return bound.kind == BoundKind::quotient_ring;
+  });
+  ASSERT_NE(ring, bounds.end());
+  EXPECT_FALSE(ring->value);
+  EXPECT_EQ(ring->missing, "infinite: some roots lie on curves");
 }
 
 TEST(RootBounds, AreToldByEliminationWhereThatDecides) {

@@ -96,8 +96,16 @@ TEST(Monodromy, TellsThatAFamilyIsReducible) {
     ASSERT_TRUE(pair);
     const Family family = learn_by_monodromy(unlearned, *pair, *lanes, with_seed(seed));
     EXPECT_EQ(family.roots.size(), 4U);
-    EXPECT_FALSE(family.learning.complete);
+    EXPECT_TRUE(family.learning.complete);
     EXPECT_EQ(family.learning.standing,
+              "proved: as many certified roots as the dimension of the quotient ring allows; 1 "
+              "times a random root was not among those that loops lead to: the family is "
+              "reducible, or loops have lost roots");
+    MonodromyOptions uncertified = with_seed(seed);
+    uncertified.certify = false;
+    const Family unproved = learn_by_monodromy(unlearned, *pair, *lanes, uncertified);
+    EXPECT_FALSE(unproved.learning.complete);
+    EXPECT_EQ(unproved.learning.standing,
               "1 times a random root was not among those that loops lead to: the family is "
               "reducible, or loops have lost roots; there may be more");
   }

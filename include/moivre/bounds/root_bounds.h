@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
-// How many isolated roots can a square system have at most? All bounds that are proved without solving it.
+// How many isolated roots can a square system have at most? All bounds that are known without following a path.
 //
 //   Bezout             d_1 d_2 ... d_n of what exact elimination leaves (polynomial/eliminate.h, which keeps the roots)
 //   multihomogeneous   the least number of the partitions tried (start/multihomogeneous.h) [MorganSommese87]
 //   stable mixed volume   of the monomials (start/mixed_volume.h) [HuberSturmfels97]; it counts only if two
 //                      independent liftings give the same sum, since a search could miss cells
+//   quotient ring      its dimension (polynomial/quotient_ring.h), which is the number of roots itself [Buchberger65]
 //   mixed volume of the strata   of the system as given, where an equation lacks a constant term (start/strata.h) [Bernstein75]
 //
 // Each bounds the isolated roots in C^n, counted with multiplicity; but the last bounds their points, whatever their multiplicity. If as
 // many certified roots are pairwise distinct, they are all.
-// The search for mixed cells has a bounded number of steps. Edges: elimination alone may give the number of isolated roots; then
+// The search for mixed cells and the algebra have a bounded number of steps. Edges: elimination alone may give the number of isolated roots; then
 // there is one bound, `elimination`. Not supported: systems that are not square; bounds beyond 64 bits have no value.
 #pragma once
 
@@ -22,8 +23,16 @@
 
 namespace moivre {
 
-enum class BoundKind { elimination, bezout, multihomogeneous, stable_mixed_volume, strata };
-/// "elimination", "Bezout", "multihomogeneous", "stable mixed volume", "mixed volume of the strata".
+enum class BoundKind {
+  elimination,
+  bezout,
+  multihomogeneous,
+  stable_mixed_volume,
+  quotient_ring,
+  strata
+};
+/// "elimination", "Bezout", "multihomogeneous", "stable mixed volume", "dimension of the quotient ring", "mixed volume of the
+/// strata".
 std::string to_string(BoundKind kind);
 
 struct RootBound {

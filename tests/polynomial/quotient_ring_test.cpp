@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+// Does exact algebra count the roots that the literature counts, and say so where it cannot?
+#include "moivre/polynomial/quotient_ring.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+
+#include "moivre/polynomial/read.h"
+
+namespace moivre::test {
+namespace {
+
+using Verdict = QuotientRing::Verdict;
+
+constexpr std::uint64_t kTerms = 20'000'000;
+
+System system_of(const std::string& text) { return read_system({"test", text}); }
+
+QuotientRing ring_of(const std::string& text) { return quotient_ring(system_of(text), {0, kTerms}); }
+
+std::uint64_t roots_of(const std::string& text) {
+  const QuotientRing ring = ring_of(text);
+  EXPECT_EQ(ring.verdict, Verdict::finite) << text;
+  return ring.dimension;
+}
+
+struct Published {
+  const char* problem;
+  std::uint64_t roots;
+};
+
+class QuotientRingOfProblems : public testing::TestWithParam<Published> {};
+
+TEST_P(QuotientRingOfProblems, HasThePublishedNumberOfRootsAsDimension) {
+  const System f = read_system(read_source(std::string(MOIVRE_SOURCE_DIR) +
+                                           "/problems/polynomials/" + GetParam().problem + ".phc"));
+  const QuotientRing ring = quotient_ring(f, {0, kTerms});
+  EXPECT_EQ(ring.verdict, Verdict::finite);
+  EXPECT_EQ(ring.dimension, GetParam().roots);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Literature, QuotientRingOfProblems,
+    testing::Values(Published{"cyclic-5", 70}, Published{"cyclic-6", 156}, Published{"cassou", 16},
+                    Published{"katsura-5", 32}, Published{"noon-3", 21}, Published{"puma", 16},
+                    Published{"kin1", 48}, Published{"reimer-5", 144}),
+    [](const auto& given) {
+      std::string name = given.param.problem;
+      std::replace(name.begin(), name.end(), '-', '_');
+      return name;
+    });
+
+TEST(QuotientRing, CountsEachRootWithItsMultiplicity) {
+  EXPECT_EQ(roots_of("2\n(x - 1)^3*(x + 2);\ny^2 - x - 3;\n"), 8U);
+  EXPECT_EQ(roots_of("2\nx^3 - 2*y^4;\ny^2 - 5*x^3;\n"), 12U);
+  EXPECT_EQ(roots_of("1\n(x^2 - 2)^5;\n"), 10U);
+}
+
+TEST(QuotientRing, DoesNotCountRootsAtInfinity) {
+  EXPECT_EQ(roots_of("2\nx^2 + y^2 - 1;\nx^2 + y^2 - x;\n"), 2U);
+  EXPECT_EQ(roots_of("2\nx*y - 1;\nx^2*y - 2*x + 3;\n"), 1U);
+}
+
+TEST(QuotientRing, IsZeroWhereTheEquationsContradictEachOther) {
+  EXPECT_EQ(roots_of("2\nx*y - 1;\nx*y - 2;\n"), 0U);
+}
+
+TEST(QuotientRing, IsInfiniteWhereRootsLieOnCurves) {
+  EXPECT_EQ(ring_of("2\nx*y - x;\nx^2 - 3*x;\n").verdict, Verdict::infinite);
+  EXPECT_EQ(ring_of("2\nx*y - 1;\n2*x*y - 2;\n").verdict, Verdict::infinite);
+}
+
+TEST(QuotientRing, OfAnyNumberOfEquationsCountsTheirCommonRoots) {
+  EXPECT_EQ(roots_of("3 2\nx^2 - 1;\ny^2 - 1;\nx*y - 1;\n"), 2U);
+}
+
+TEST(QuotientRing, TakesComplexAndDecimalCoefficientsAsTheyStand) {
+  EXPECT_EQ(roots_of("2\nx^2 + (1 + 2*i)*y - 3;\ny^2 - i*x*y + 0.1;\n"), 4U);
+  // Two roots beside each other are no double root.
+  EXPECT_EQ(roots_of("1\n(x - 1)^2 - 1e-60;\n"), 2U);
+}
+
+TEST(QuotientRing, IsGivenUpWithTheTermsAllowedAndWhenItIsStopped) {
+  const System f = system_of("2\nx^2*y + y^3 - 3*x + 1;\nx^3 - y^2*x + 7*y;\n");
+  EXPECT_EQ(quotient_ring(f, {0, 10}).verdict, Verdict::not_found);
+  const std::atomic<bool> stop = true;
+  EXPECT_EQ(quotient_ring(f, {0, kTerms, &stop}).verdict, Verdict::not_found);
+  EXPECT_EQ(quotient_ring(f, {0, kTerms}).dimension, 9U);
+}
+
+TEST(QuotientRing, IsNotFoundBeyondItsDegreesAndUnknowns) {
+  EXPECT_EQ(ring_of("1\nx^300 - 2;\n").verdict, Verdict::not_found);
+  std::string many = "16\n";
+  for (int k = 0; k < 16; ++k) many += "x" + std::to_string(k) + "^2 - 2;\n";
+  EXPECT_EQ(ring_of(many).verdict, Verdict::not_found);
+}
+
+// 2^61 - 31 x^2 loses its highest term modulo the prime.
+TEST(QuotientRing, IsNotFoundWhereThePrimeDividesACoefficient) {
+  EXPECT_EQ(ring_of("1\n2305843009213693921*x^2 - x - 1;\n").verdict, Verdict::not_found);
+  EXPECT_EQ(ring_of("1\nx^2/2305843009213693921 - x - 1;\n").verdict, Verdict::not_found);
+}
+
+// Whatever is known, at least as many: where all are, the search may end.
+TEST(QuotientRing, NeverCountsFewerThanThereAre) {
+  const System f = system_of("2\nx^2*y + y^3 - 3*x + 1;\nx^3 - y^2*x + 7*y;\n");
+  for (std::uint64_t known = 0; known <= 9; ++known) {
+    EXPECT_EQ(quotient_ring(f, {known, kTerms}).dimension, 9U) << known;
+  }
+}
+
+}  // namespace
+}  // namespace moivre::test
