@@ -190,7 +190,7 @@ std::optional<Departure> Endgame::judge_arrival(Arrival&& arrival, PathSystem& p
   end_.x = arrival.x;
   if (arrival.regular_condition) {
     end_.condition = *arrival.regular_condition;
-    end_.accuracy = options_.ends.fine_rounding;
+    end_.accuracy = arrival.accuracy;
     if (is_known_finite()) return take_finite();
     if (outpost_.empty()) return fail(Failure::precision);
   }

@@ -267,6 +267,12 @@ bool settle_by_bound(Run& run) {
   return true;
 }
 
+bool is_root_missing(Run& run) {
+  const std::optional<QuotientRing>& ring = run.bounds.ring;
+  if (!ring || ring->verdict != QuotientRing::Verdict::finite) return false;
+  return proved_roots(run) + Places(exact_roots(run)).count() < ring->dimension;
+}
+
 std::optional<std::string> contradiction_by_algebra(const Run& run, const SolveResult& result) {
   const std::optional<QuotientRing>& ring = run.bounds.ring;
   if (!ring || ring->verdict != QuotientRing::Verdict::finite) return std::nullopt;

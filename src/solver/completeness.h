@@ -25,6 +25,9 @@ namespace moivre {
 /// False, and nothing is changed, where none is met.
 bool settle_by_bound(Run& run);
 
+/// Exact algebra has counted more roots than are proved: some path in doubt leads to one. False where it has no count.
+bool is_root_missing(Run& run);
+
 /// Why the roots told cannot be all and right, where the dimension of the quotient ring was sought and found.
 std::optional<std::string> contradiction_by_algebra(const Run& run, const SolveResult& result);
 

@@ -197,11 +197,12 @@ void climb_to_clusters(Run& run) {
       PathSet ahead;
       while (next != doubtful.end() && ahead.size() < together) ahead.insert(*next++);
       PathSet stuck = climb_beyond_double_double(run, *tracker, ahead);
-      if (stuck == ahead) return;
+      if (stuck == ahead && !is_root_missing(run)) return;
       out_of_steps.merge(stuck);
       const bool helps = std::any_of(ahead.begin(), ahead.end(),
                                      [&](auto path) { return is_simple_root(run, path); });
-      if (!helps) break;
+      if (!helps && !is_root_missing(run)) break;
+      if (helps && settle_by_bound(run)) return;
     }
   }
 }

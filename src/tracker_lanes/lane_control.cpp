@@ -264,6 +264,7 @@ LaneControl::Move LaneControl::judge_rescue(const Rescue& rescue) {
     return Move::stay;
   }
   arrival_.regular_condition = rescue.regular_condition;
+  arrival_.accuracy = rescue.accuracy;
   if (before == State::under_way) return accept({last_.first, 0, last_.residual});
   state_ = State::under_way;
   if (before == State::departing) return Move::depart;

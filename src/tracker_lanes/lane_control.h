@@ -47,6 +47,7 @@ struct Rescue {
   bool converged = false;
   WorkCount work;
   std::optional<double> regular_condition;  ///< of a regular end
+  double accuracy = 0;                      ///< then: |dx| / |x|
 };
 
 class LaneControl {

@@ -39,7 +39,10 @@ Rescue LaneNewton<ComplexDoubleDouble>::rescue(FinePoint& x, FinePoint& dx,
   Rescue result;
   result.converged = settling.converged && (!is_end || fine_.is_regular_end(settling));
   if (result.converged) {
-    if (is_end) result.regular_condition = fine_.condition();
+    if (is_end) {
+      result.regular_condition = fine_.condition();
+      result.accuracy = Fine::end_accuracy();
+    }
     fine_.tangent(control.next_dt(), dx);
   }
   result.work = fine_.work() - before;

@@ -58,6 +58,8 @@ class FinePathSystem {
   static SettlingRules at_end() { return {kReach, kKnown, digits(0.3), 0}; }
   /// No step is shorter: what is left of t cannot be told from it.
   static constexpr double least_step() { return kKnown; }
+  /// |dx| / |x| to which a regular end is known.
+  static constexpr double end_accuracy() { return kKnown; }
 
   explicit FinePathSystem(const Homotopy& homotopy)
       : n_(homotopy.equations()),

@@ -311,6 +311,7 @@ Arrival FineSession<S>::travel(const Departure& departure, const std::atomic<boo
   arrival.count.work = path_.work() - before;
   if (arrival.journey == Journey::arrived && arrival.t.rest == 0.0) {
     arrival.regular_condition = path_.condition();
+    arrival.accuracy = FinePathSystem<S>::end_accuracy();
   }
   return arrival;
 }

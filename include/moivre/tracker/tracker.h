@@ -87,6 +87,7 @@ struct Arrival {
   /// At t = 1, from trackers with more digits than double: condition of J, where Newton's method converged quadratically to
   /// a point that is known beyond double. nullopt: not tested.
   std::optional<double> regular_condition;
+  double accuracy = 0;  ///< then: |dx| / |x| that x had before it was rounded to double
 };
 
 /// Hands out departures. `next` may be called by the thread of one session only.
