@@ -21,10 +21,12 @@ namespace {
 
 // Steps of a search that are always worth it: some milliseconds.
 constexpr std::uint64_t kLeastSearch = 10'000;
-// Terms of the algebra that are always worth it, some milliseconds; beyond them, a share of what the paths cost, in multiply-adds a term.
+// Terms of the algebra that are always worth it, some milliseconds; beyond them, a share of what the paths cost, in multiply-adds a
+// term; and where paths are in doubt, less time than one of them takes in more digits.
 constexpr double kLeastTerms = 500'000;
 constexpr double kAlgebraShare = 0.2;
 constexpr double kTermCost = 20;
+constexpr double kTermsInDoubt = 20'000'000;
 
 /// The bound whose value is `roots`; throws where it is less.
 bool is_met(const std::optional<std::uint64_t>& bound, std::uint64_t roots,
@@ -89,17 +91,23 @@ const std::optional<std::uint64_t>& once(SoughtBound& bound, const auto& search)
   return bound.value;
 }
 
-/// Looked for once, when `roots` are known.
-const QuotientRing& ring_of(Run& run, std::uint64_t roots) {
-  if (run.bounds.ring) return *run.bounds.ring;
+std::uint64_t terms_worth_looking_at(const Run& run) {
   const Prepared& prepared = run.setting.prepared;
   const double cost = cost_of_paths(prepared.reduction.system, prepared.start.paths);
-  QuotientRingOptions options;
-  options.known = roots;
-  options.most_terms = static_cast<std::uint64_t>(
-      std::min(std::max(kLeastTerms, kAlgebraShare * cost / kTermCost), 1e18));
-  options.stop = &run.setting.stop;
-  return run.bounds.ring.emplace(quotient_ring(prepared.reduction.system, options));
+  const double least = run.ledger.failures().empty() ? kLeastTerms : kTermsInDoubt;
+  return static_cast<std::uint64_t>(std::min(std::max(least, kAlgebraShare * cost / kTermCost), 1e18));
+}
+
+/// Looked for when `roots` are known, and again where more terms are worth it and fewer did not do.
+const QuotientRing& ring_of(Run& run, std::uint64_t roots) {
+  const std::uint64_t most_terms = terms_worth_looking_at(run);
+  if (run.bounds.ring.verdict == QuotientRing::Verdict::not_found &&
+      run.bounds.ring_terms < most_terms) {
+    run.bounds.ring_terms = most_terms;
+    run.bounds.ring = quotient_ring(run.setting.prepared.reduction.system,
+                                    {roots, most_terms, &run.setting.stop});
+  }
+  return run.bounds.ring;
 }
 
 std::optional<MetBound> volume_met_by(Run& run, std::uint64_t roots) {
@@ -268,21 +276,21 @@ bool settle_by_bound(Run& run) {
 }
 
 bool is_root_missing(Run& run) {
-  const std::optional<QuotientRing>& ring = run.bounds.ring;
-  if (!ring || ring->verdict != QuotientRing::Verdict::finite) return false;
-  return proved_roots(run) + Places(exact_roots(run)).count() < ring->dimension;
+  const QuotientRing& ring = run.bounds.ring;
+  return ring.verdict == QuotientRing::Verdict::finite &&
+         proved_roots(run) + Places(exact_roots(run)).count() < ring.dimension;
 }
 
 std::optional<std::string> contradiction_by_algebra(const Run& run, const SolveResult& result) {
-  const std::optional<QuotientRing>& ring = run.bounds.ring;
-  if (!ring || ring->verdict != QuotientRing::Verdict::finite) return std::nullopt;
+  const QuotientRing& ring = run.bounds.ring;
+  if (ring.verdict != QuotientRing::Verdict::finite) return std::nullopt;
   if (!result.on_sets.empty()) return "exact algebra tells that no root lies on a curve, paths end as on one";
   std::uint64_t roots = 0;
   for (const Solution& root : result.solutions) roots += root.multiplicity;
   // Ends that the digits of the file do not tell from infinity may be roots of the file to the letter.
   const std::uint64_t hidden = run.ledger.count(PathVerdict::as_rounded);
-  if (roots <= ring->dimension && ring->dimension <= roots + hidden) return std::nullopt;
-  return "exact algebra counts " + counted(ring->dimension, "root") +
+  if (roots <= ring.dimension && ring.dimension <= roots + hidden) return std::nullopt;
+  return "exact algebra counts " + counted(ring.dimension, "root") +
          " with their multiplicities, those found count " + std::to_string(roots);
 }
 

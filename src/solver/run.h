@@ -36,7 +36,8 @@ struct Bounds {
   SoughtBound counted;  ///< the mixed volume that the start has counted
   SoughtBound reduced;  ///< the stable mixed volume of what is tracked
   SoughtBound whole;    ///< of the system as given
-  std::optional<QuotientRing> ring;  ///< of what is tracked, once it was looked for
+  QuotientRing ring;  ///< of what is tracked
+  std::uint64_t ring_terms = 0;  ///< that were allowed for it
   std::optional<std::uint64_t> points_asked;  ///< whether they are all, by their strata
 };
 
