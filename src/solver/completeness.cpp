@@ -21,10 +21,10 @@ namespace {
 
 // Steps of a search that are always worth it: some milliseconds.
 constexpr std::uint64_t kLeastSearch = 10'000;
-// Terms of the algebra that are always worth it, some milliseconds; beyond them, a share of what the paths cost, in multiply-adds a
+// Terms of the algebra that are always worth it, some thirty milliseconds at most; beyond them, a share of what the paths cost, in multiply-adds a
 // term; and where paths are in doubt, less time than one of them takes in more digits.
-constexpr double kLeastTerms = 500'000;
-constexpr double kAlgebraShare = 0.2;
+constexpr double kLeastTerms = 3'000'000;
+constexpr double kAlgebraShare = 0.5;
 constexpr double kTermCost = 20;
 constexpr double kTermsInDoubt = 20'000'000;
 
