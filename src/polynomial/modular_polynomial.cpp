@@ -9,7 +9,7 @@
 namespace moivre {
 namespace {
 
-bool is_larger(const DegreeAndExponents& a, const DegreeAndExponents& b) { return precedes(b, a); }
+bool is_larger(const DegreeAndExponents& a, const DegreeAndExponents& b) { return is_smaller(b, a); }
 
 DegreeAndExponents product(const DegreeAndExponents& a, const DegreeAndExponents& b) {
   DegreeAndExponents ab;
@@ -34,15 +34,16 @@ void merge(const ModularPolynomial& p, std::size_t first, Residue c, const Degre
   sum.insert(sum.end(), a, p.end());
 }
 
-void make_monic(ModularPolynomial& p) {
-  if (p.empty() || p.front().second == 1) return;
-  const Residue scale = inverse(p.front().second);
-  for (auto& [m, c] : p) c = times(c, scale);
-}
-
 }  // namespace
 
-bool precedes(const DegreeAndExponents& a, const DegreeAndExponents& b) {
+ModularPolynomial monic(ModularPolynomial p) {
+  if (p.empty() || p.front().second == 1) return p;
+  const Residue scale = inverse(p.front().second);
+  for (auto& [m, c] : p) c = times(c, scale);
+  return p;
+}
+
+bool is_smaller(const DegreeAndExponents& a, const DegreeAndExponents& b) {
   if (a.at[0] != b.at[0]) return a.at[0] < b.at[0];
   return std::memcmp(a.at.data(), b.at.data(), a.at.size()) > 0;
 }
@@ -98,8 +99,7 @@ std::optional<ModularPolynomial> modular(const Polynomial& p) {
   }
   std::sort(image.begin(), image.end(),
             [](const auto& a, const auto& b) { return is_larger(a.first, b.first); });
-  make_monic(image);
-  return image;
+  return monic(std::move(image));
 }
 
 std::optional<ModularPolynomial> reduced(ModularPolynomial p,
@@ -125,7 +125,6 @@ std::optional<ModularPolynomial> reduced(ModularPolynomial p,
     budget.spend(p.size());
     if (budget.is_used_up()) return std::nullopt;
   }
-  make_monic(rest);
   return rest;
 }
 

@@ -26,8 +26,8 @@ struct DegreeAndExponents {
   bool operator==(const DegreeAndExponents&) const = default;
 };
 
-/// By degree; of one degree, who has more of the first unknown comes first.
-bool precedes(const DegreeAndExponents& a, const DegreeAndExponents& b);
+/// By degree; of one degree, who has more of the first unknown is smaller.
+bool is_smaller(const DegreeAndExponents& a, const DegreeAndExponents& b);
 bool divides(const DegreeAndExponents& a, const DegreeAndExponents& b);
 /// Of a multiple by its divisor.
 DegreeAndExponents quotient(const DegreeAndExponents& multiple, const DegreeAndExponents& divisor);
@@ -35,10 +35,13 @@ DegreeAndExponents quotient(const DegreeAndExponents& multiple, const DegreeAndE
 std::optional<DegreeAndExponents> lcm(const DegreeAndExponents& a, const DegreeAndExponents& b);
 bool are_coprime(const DegreeAndExponents& a, const DegreeAndExponents& b);
 
-/// Terms in descending order, the first with coefficient 1; empty: 0.
+/// Terms in descending order; empty: 0. Those that reduce others have 1 as first coefficient.
 using ModularPolynomial = std::vector<std::pair<DegreeAndExponents, Residue>>;
 
-/// nullopt, too, where the prime divides a numerator or a denominator: the image would be that of another system.
+/// With 1 as first coefficient, but for 0.
+ModularPolynomial monic(ModularPolynomial p);
+
+/// Monic. nullopt, too, where the prime divides a numerator or a denominator: the image would be that of another system.
 std::optional<ModularPolynomial> modular(const Polynomial& p);
 
 /// How many terms may still be looked at.

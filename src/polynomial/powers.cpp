@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "integer_polynomial.h"
-#include "modular.h"
+#include "modular_line.h"
 
 namespace moivre {
 namespace {
@@ -45,38 +45,6 @@ Polynomial power(const Polynomial& base, std::uint32_t exponent) {
   Polynomial result = base;
   for (std::uint32_t e = 1; e < exponent; ++e) result = result * base;
   return result;
-}
-
-/// A polynomial in one unknown modulo the prime, from the constant on; the last coefficient is not 0.
-using Line = std::vector<Residue>;
-
-void trim(Line& p) {
-  while (!p.empty() && p.back() == 0) p.pop_back();
-}
-
-Line derivative(const Line& p) {
-  Line result;
-  for (std::size_t k = 1; k < p.size(); ++k) result.push_back(times(k, p[k]));
-  trim(result);
-  return result;
-}
-
-Line remainder(Line a, const Line& b) {
-  const Residue scale = inverse(b.back());
-  while (a.size() >= b.size()) {
-    const Residue factor = minus(times(a.back(), scale));
-    const std::size_t shift = a.size() - b.size();
-    for (std::size_t k = 0; k < b.size(); ++k) {
-      a[shift + k] = plus(a[shift + k], times(factor, b[k]));
-    }
-    trim(a);
-  }
-  return a;
-}
-
-std::size_t degree_of_gcd(Line a, Line b) {
-  while (!b.empty()) a = std::exchange(b, remainder(std::move(a), b));
-  return a.size() - 1;
 }
 
 /// p(s) from its values at s = 0, 1, ..., by divided differences.

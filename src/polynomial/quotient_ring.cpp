@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A Groebner basis, the pair of the least common multiple first, and the monomials under its staircase.
+// A Groebner basis, the pair of the least common multiple first; the monomials under its staircase; a multiplication among them.
 #include "moivre/polynomial/quotient_ring.h"
 
 #include <algorithm>
@@ -7,12 +7,17 @@
 #include <utility>
 #include <vector>
 
+#include "modular_line.h"
 #include "modular_polynomial.h"
+#include "moivre/numeric/random.h"
 
 namespace moivre {
 namespace {
 
 using Leading = DegreeAndExponents;
+
+// In the time of a term, beside each other in memory.
+constexpr std::uint64_t kMultiplicationsOfATerm = 2;
 
 struct Pair {
   std::size_t first = 0;
@@ -36,20 +41,26 @@ class Staircase {
     return true;
   }
 
-  /// Finite; the count ends with the budget.
-  std::uint64_t size(TermBudget& budget) const { return size_from({}, 0, budget); }
+  /// Finite; the list ends with the budget. In ascending order.
+  std::vector<Leading> monomials(TermBudget& budget) const {
+    std::vector<Leading> list;
+    append_multiples({}, 0, budget, list);
+    std::sort(list.begin(), list.end(), is_smaller);
+    return list;
+  }
 
  private:
-  /// Of the multiples of m by the unknowns from i on.
-  std::uint64_t size_from(Leading m, std::size_t i, TermBudget& budget) const {
-    std::uint64_t size = 0;
-    while (!budget.is_used_up() && is_under(m)) {
+  /// By the unknowns from i on.
+  void append_multiples(Leading m, std::size_t i, TermBudget& budget,
+                        std::vector<Leading>& list) const {
+    for (; !budget.is_used_up() && is_under(m); ++m.at[0], ++m.at[1 + i]) {
       budget.spend(1);
-      size += i + 1 == n_ ? 1 : size_from(m, i + 1, budget);
-      ++m.at[0];
-      ++m.at[1 + i];
+      if (i + 1 == n_) {
+        list.push_back(m);
+      } else {
+        append_multiples(m, i + 1, budget, list);
+      }
     }
-    return size;
   }
 
   bool is_under(const Leading& m) const {
@@ -61,20 +72,65 @@ class Staircase {
   std::vector<Leading> corners_;
 };
 
+/// Square, by rows that are mostly full.
+class Multiplication {
+ public:
+  explicit Multiplication(std::size_t dimension)
+      : dimension_(dimension), rows_(dimension * dimension) {}
+
+  Residue& at(std::size_t i, std::size_t j) { return rows_[i * dimension_ + j]; }
+
+  /// The degree of its minimal polynomial, each root once.
+  std::uint64_t distinct_eigenvalues() const {
+    const auto random = [](std::uint64_t i) {
+      return random_bits(kSeed, RandomStream::algebra, i) % kPrime;
+    };
+    std::vector<Residue> left, right;
+    for (std::size_t i = 0; i < dimension_; ++i) {
+      left.push_back(random(kVectors + 2 * i));
+      right.push_back(random(kVectors + 2 * i + 1));
+    }
+    std::vector<Residue> sequence;
+    for (std::size_t k = 0; k < 2 * dimension_; ++k) {
+      sequence.push_back(product(left.data(), right));
+      right = times_vector(right);
+    }
+    return distinct_roots(minimal_polynomial(sequence));
+  }
+
+  static constexpr std::uint64_t kSeed = 1;
+  static constexpr std::uint64_t kVectors = 1000;
+
+ private:
+  Residue product(const Residue* row, const std::vector<Residue>& x) const {
+    Residue sum = 0;
+    for (std::size_t j = 0; j < dimension_; ++j) sum = plus(sum, times(row[j], x[j]));
+    return sum;
+  }
+  std::vector<Residue> times_vector(const std::vector<Residue>& x) const {
+    std::vector<Residue> y;
+    for (std::size_t i = 0; i < dimension_; ++i) y.push_back(product(&rows_[i * dimension_], x));
+    return y;
+  }
+
+  std::size_t dimension_;
+  std::vector<Residue> rows_;
+};
+
 class GroebnerBasis {
  public:
   GroebnerBasis(std::size_t n, const QuotientRingOptions& options)
-      : n_(n), known_(options.known), budget_(options.most_terms), stop_(options.stop) {}
+      : n_(n), options_(options), budget_(options.most_terms) {}
 
   QuotientRing of(std::vector<ModularPolynomial> f) {
     std::sort(f.begin(), f.end(), [](const auto& a, const auto& b) {
-      return !b.empty() && (a.empty() || precedes(a.front().first, b.front().first));
+      return !b.empty() && (a.empty() || is_smaller(a.front().first, b.front().first));
     });
     for (ModularPolynomial& p : f) {
       if (!take(std::move(p))) return {};
     }
     while (!is_enough_ && !pairs_.empty()) {
-      if (stop_ != nullptr && *stop_) return {};
+      if (options_.stop != nullptr && *options_.stop) return {};
       const Pair pair = next_pair();
       auto s = s_polynomial(elements_[pair.first], elements_[pair.second]);
       if (!s || !take(std::move(*s))) return {};
@@ -95,14 +151,54 @@ class GroebnerBasis {
 
   QuotientRing verdict() {
     const Staircase stairs = staircase();
-    if (!stairs.is_finite()) return {Verdict::infinite, 0};
-    const std::uint64_t size = stairs.size(budget_);
-    return budget_.is_used_up() ? QuotientRing{} : QuotientRing{Verdict::finite, size};
+    if (!stairs.is_finite()) return {Verdict::infinite, 0, std::nullopt};
+    const std::vector<Leading> basis = stairs.monomials(budget_);
+    if (budget_.is_used_up()) return {};
+    QuotientRing ring{Verdict::finite, basis.size(), std::nullopt};
+    if (options_.counts_points) ring.points = points(basis);
+    return ring;
+  }
+
+  std::vector<const ModularPolynomial*> reducers() const {
+    std::vector<const ModularPolynomial*> list;
+    for (const std::size_t i : minimal_) list.push_back(&elements_[i]);
+    return list;
+  }
+
+  /// m times the linear form.
+  ModularPolynomial multiple(const Leading& m) const {
+    ModularPolynomial p;
+    for (std::size_t i = 0; i < n_; ++i) {
+      Leading larger = m;
+      ++larger.at[0];
+      ++larger.at[1 + i];
+      const Residue c = random_bits(Multiplication::kSeed, RandomStream::algebra, i) % kPrime;
+      p.emplace_back(larger, c);
+    }
+    std::sort(p.begin(), p.end(),
+              [](const auto& a, const auto& b) { return is_smaller(b.first, a.first); });
+    return p;
+  }
+
+  std::optional<std::uint64_t> points(const std::vector<Leading>& basis) {
+    const std::uint64_t size = basis.size();
+    if (size * size * size / kMultiplicationsOfATerm > options_.most_terms) return std::nullopt;
+    Multiplication multiplication(basis.size());
+    for (std::size_t j = 0; j < basis.size(); ++j) {
+      if (basis[j].degree() == DegreeAndExponents::kMostDegree) return std::nullopt;
+      const auto image = reduced(multiple(basis[j]), reducers(), budget_);
+      if (!image) return std::nullopt;
+      for (const auto& [m, c] : *image) {
+        const auto place = std::lower_bound(basis.begin(), basis.end(), m, is_smaller);
+        multiplication.at(static_cast<std::size_t>(place - basis.begin()), j) = c;
+      }
+    }
+    return multiplication.distinct_eigenvalues();
   }
 
   Pair next_pair() {
     const auto next = std::min_element(pairs_.begin(), pairs_.end(), [](const Pair& a, const Pair& b) {
-      return precedes(a.lcm, b.lcm);
+      return is_smaller(a.lcm, b.lcm);
     });
     const Pair pair = *next;
     pairs_.erase(next);
@@ -111,15 +207,13 @@ class GroebnerBasis {
 
   /// False where it is given up.
   bool take(ModularPolynomial p) {
-    std::vector<const ModularPolynomial*> reducers;
-    for (const std::size_t i : minimal_) reducers.push_back(&elements_[i]);
-    auto rest = reduced(std::move(p), reducers, budget_);
+    auto rest = reduced(std::move(p), reducers(), budget_);
     if (!rest) return false;
     if (rest->empty()) return true;
-    elements_.push_back(std::move(*rest));
+    elements_.push_back(monic(std::move(*rest)));
     if (!pair_up(elements_.size() - 1)) return false;
     const Staircase stairs = staircase();
-    is_enough_ = stairs.is_finite() && stairs.size(budget_) <= known_;
+    is_enough_ = stairs.is_finite() && stairs.monomials(budget_).size() <= options_.known;
     return !budget_.is_used_up();
   }
 
@@ -155,9 +249,8 @@ class GroebnerBasis {
   }
 
   std::size_t n_;
-  std::uint64_t known_;
+  QuotientRingOptions options_;
   TermBudget budget_;
-  const std::atomic<bool>* stop_;
   std::deque<ModularPolynomial> elements_;  // all that were found
   std::vector<std::size_t> minimal_;        // those whose leading monomial no other divides
   std::vector<Pair> pairs_;

@@ -9,6 +9,7 @@
 
 #include "certificates.h"
 #include "coincidence.h"
+#include "completeness.h"
 #include "ends.h"
 #include "moivre/certify/distinct.h"
 #include "moivre/numeric/random.h"
@@ -160,6 +161,7 @@ void part_clusters(Run& run) {
   const Setting& setting = run.setting;
   if (!setting.certify_program || run.interrupted) return;
   const auto clusters = clusters_of(run);
+  if (clusters.empty() || are_as_counted(run)) return;
   std::vector<Finding> findings(clusters.size());
   for_each_parallel(clusters.size(), setting.threads, [&](std::size_t k) {
     const Root& end = run.ledger.roots().at(clusters[k].front());

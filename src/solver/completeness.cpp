@@ -281,6 +281,22 @@ bool is_root_missing(Run& run) {
          proved_roots(run) + Places(exact_roots(run)).count() < ring.dimension;
 }
 
+bool are_as_counted(Run& run) {
+  const QuotientRing& ring = run.bounds.ring;
+  if (ring.verdict != QuotientRing::Verdict::finite || !run.ledger.failures().empty()) return false;
+  run.bounds.points = quotient_ring(run.setting.prepared.reduction.system,
+                                    {0, static_cast<std::uint64_t>(kTermsInDoubt), &run.setting.stop, true})
+                          .points;
+  const auto groups = groups_of(run);
+  std::uint64_t roots = 0;
+  for (const auto& group : groups) {
+    const Root& end = run.ledger.roots().at(group.front());
+    if (!end.point.simple && is_on_set(run, end)) return false;
+    roots += group.size();
+  }
+  return roots == ring.dimension && groups.size() == run.bounds.points;
+}
+
 std::optional<std::string> contradiction_by_algebra(const Run& run, const SolveResult& result) {
   const QuotientRing& ring = run.bounds.ring;
   if (ring.verdict != QuotientRing::Verdict::finite) return std::nullopt;
@@ -289,9 +305,17 @@ std::optional<std::string> contradiction_by_algebra(const Run& run, const SolveR
   for (const Solution& root : result.solutions) roots += root.multiplicity;
   // Ends that the digits of the file do not tell from infinity may be roots of the file to the letter.
   const std::uint64_t hidden = run.ledger.count(PathVerdict::as_rounded);
-  if (roots <= ring.dimension && ring.dimension <= roots + hidden) return std::nullopt;
-  return "exact algebra counts " + counted(ring.dimension, "root") +
-         " with their multiplicities, those found count " + std::to_string(roots);
+  const auto is_between = [&](std::uint64_t count, std::uint64_t found) {
+    return found <= count && count <= found + hidden;
+  };
+  if (!is_between(ring.dimension, roots)) {
+    return "exact algebra counts " + counted(ring.dimension, "root") +
+           " with their multiplicities, those found count " + std::to_string(roots);
+  }
+  const std::optional<std::uint64_t>& points = run.bounds.points;
+  if (!points || is_between(*points, result.solutions.size())) return std::nullopt;
+  return "exact algebra counts " + counted(*points, "different root") + ", those found are " +
+         std::to_string(result.solutions.size());
 }
 
 void tell_completeness(const Run& run, SolveResult& result) {

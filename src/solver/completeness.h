@@ -28,6 +28,10 @@ bool settle_by_bound(Run& run);
 /// Exact algebra has counted more roots than are proved: some path in doubt leads to one. False where it has no count.
 bool is_root_missing(Run& run);
 
+/// As many roots with their multiplicities, and as many different ones, as exact algebra counts: then each has its multiplicity.
+/// Requires that no path is lost. False where algebra has no counts, and where paths end on sets of positive dimension.
+bool are_as_counted(Run& run);
+
 /// Why the roots told cannot be all and right, where the dimension of the quotient ring was sought and found.
 std::optional<std::string> contradiction_by_algebra(const Run& run, const SolveResult& result);
 

@@ -37,7 +37,8 @@ struct Bounds {
   SoughtBound reduced;  ///< the stable mixed volume of what is tracked
   SoughtBound whole;    ///< of the system as given
   QuotientRing ring;  ///< of what is tracked
-  std::uint64_t ring_terms = 0;  ///< that were allowed for it
+  std::uint64_t ring_terms = 0;         ///< that were allowed for it
+  std::optional<std::uint64_t> points;  ///< different roots of what is tracked, where they were asked for and found
   std::optional<std::uint64_t> points_asked;  ///< whether they are all, by their strata
 };
 

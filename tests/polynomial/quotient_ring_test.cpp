@@ -58,6 +58,19 @@ TEST(QuotientRing, CountsEachRootWithItsMultiplicity) {
   EXPECT_EQ(roots_of("1\n(x^2 - 2)^5;\n"), 10U);
 }
 
+TEST(QuotientRing, CountsDifferentRootsWhereAskedTo) {
+  const auto points_of = [](const std::string& text) {
+    return quotient_ring(system_of(text), {0, kTerms, nullptr, true}).points;
+  };
+  EXPECT_EQ(points_of("2\n(x - 1)^3*(x + 2);\ny^2 - x - 3;\n"), 4U);
+  EXPECT_EQ(points_of("2\nx^3 - 2*y^4;\ny^2 - 5*x^3;\n"), 7U);  // 6 roots, and the origin six times
+  EXPECT_EQ(points_of("1\n(x^2 - 2)^5;\n"), 2U);
+  EXPECT_EQ(points_of("1\n(x - 1)^2 - 1e-60;\n"), 2U);
+  EXPECT_EQ(points_of("2\nx^2 + y^2 - 1;\nx^2 + y^2 - 4;\n"), 0U);
+  EXPECT_EQ(points_of("2\nx*y - x;\nx^2 - 3*x;\n"), std::nullopt);
+  EXPECT_FALSE(ring_of("1\nx^2 - 2;\n").points);
+}
+
 TEST(QuotientRing, DoesNotCountRootsAtInfinity) {
   EXPECT_EQ(roots_of("2\nx^2 + y^2 - 1;\nx^2 + y^2 - x;\n"), 2U);
   EXPECT_EQ(roots_of("2\nx*y - 1;\nx^2*y - 2*x + 3;\n"), 1U);

@@ -32,7 +32,8 @@ enum class RandomStream : std::uint64_t {
   check = 15,
   formulation = 17,
   family = 20,
-  arm = 21
+  arm = 21,
+  algebra = 22
 };
 
 namespace detail {

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// How many roots does a system have? The dimension of its quotient ring, by exact algebra: no tracking, no rounding.
+// How many roots does a system have, and how many different ones? The dimension of its quotient ring, and the degree of a squarefree
+// polynomial, by exact algebra: no tracking, no rounding.
 //
 //   f: any number of equations in n unknowns, coefficients exact; p a prime of 61 bits
 //   dimension = monomials that no leading monomial of a Groebner basis of f modulo p divides, degree reverse lexicographic order
 //
 // Where all roots are isolated the dimension is the number of roots in C^n, each counted with its multiplicity; those at infinity
-// do not count. Some leading monomials found bound it already. Chance: what vanishes modulo p only would give another number, with
+// do not count. A random linear form of the unknowns takes different values at different roots; they are the roots of the minimal
+// polynomial of the multiplication by it [Wiedemann86]. Some leading monomials found bound it already. Chance: what vanishes modulo p only would give another number, with
 // probability about 1e-18 for each number met; a p that divides a coefficient of f is refused.
 // Not supported: more than 15 unknowns, degrees beyond 255; no more terms are looked at than allowed. Roots on curves make the
 // dimension infinite.
@@ -14,6 +16,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <optional>
 
 #include "moivre/polynomial/system.h"
 
@@ -24,12 +27,14 @@ struct QuotientRing {
 
   Verdict verdict = Verdict::not_found;
   std::uint64_t dimension = 0;  ///< where finite
+  std::optional<std::uint64_t> points;  ///< different roots, where finite and asked for
 };
 
 struct QuotientRingOptions {
   std::uint64_t known = 0;                     ///< so many roots are there: at this bound the search ends
   std::uint64_t most_terms = 1'000'000;        ///< to be looked at: some ten nanoseconds each
   const std::atomic<bool>* stop = nullptr;
+  bool counts_points = false;  ///< as many multiplications, beside, as the cube of the dimension; given up beyond most_terms
 };
 
 QuotientRing quotient_ring(const System& f, const QuotientRingOptions& options);
