@@ -9,7 +9,9 @@
 namespace moivre {
 namespace {
 
-bool is_larger(const DegreeAndExponents& a, const DegreeAndExponents& b) { return is_smaller(b, a); }
+bool is_larger(const DegreeAndExponents& a, const DegreeAndExponents& b) {
+  return is_smaller(b, a);
+}
 
 DegreeAndExponents product(const DegreeAndExponents& a, const DegreeAndExponents& b) {
   DegreeAndExponents ab;
@@ -109,17 +111,16 @@ std::optional<ModularPolynomial> reduced(ModularPolynomial p,
   ModularPolynomial sum;
   std::size_t first = 0;
   while (first < p.size()) {
-    const auto [m, c] = p[first];
-    const auto divisor = std::find_if(basis.begin(), basis.end(), [&](const auto* q) {
-      return divides(q->front().first, m);
-    });
+    const DegreeAndExponents m = p[first].first;
+    const auto divisor = std::find_if(basis.begin(), basis.end(),
+                                      [&](const auto* q) { return divides(q->front().first, m); });
     budget.spend(1);
     if (divisor == basis.end()) {
       rest.push_back(p[first++]);
       continue;
     }
     const ModularPolynomial& q = **divisor;
-    merge(p, first + 1, minus(c), quotient(m, q.front().first), q, sum);
+    merge(p, first + 1, minus(p[first].second), quotient(m, q.front().first), q, sum);
     std::swap(p, sum);
     first = 0;
     budget.spend(p.size());

@@ -19,6 +19,13 @@ using Leading = DegreeAndExponents;
 // In the time of a term, beside each other in memory.
 constexpr std::uint64_t kMultiplicationsOfATerm = 2;
 
+// Random numbers: coefficients of the linear form, then of two vectors.
+constexpr std::uint64_t kFirstOfVectors = 1000;
+Residue random_residue(std::uint64_t i) {
+  constexpr std::uint64_t kSeed = 1;
+  return random_bits(kSeed, RandomStream::algebra, i) % kPrime;
+}
+
 struct Pair {
   std::size_t first = 0;
   std::size_t second = 0;
@@ -33,9 +40,8 @@ class Staircase {
   /// A power of each unknown leads.
   bool is_finite() const {
     for (std::size_t i = 0; i < n_; ++i) {
-      const bool is_bounded = std::any_of(corners_.begin(), corners_.end(), [i](const Leading& m) {
-        return m.at[1 + i] == m.at[0];
-      });
+      const bool is_bounded = std::any_of(corners_.begin(), corners_.end(),
+                                          [i](const Leading& m) { return m.at[1 + i] == m.at[0]; });
       if (!is_bounded) return false;
     }
     return true;
@@ -82,13 +88,10 @@ class Multiplication {
 
   /// The degree of its minimal polynomial, each root once.
   std::uint64_t distinct_eigenvalues() const {
-    const auto random = [](std::uint64_t i) {
-      return random_bits(kSeed, RandomStream::algebra, i) % kPrime;
-    };
     std::vector<Residue> left, right;
     for (std::size_t i = 0; i < dimension_; ++i) {
-      left.push_back(random(kVectors + 2 * i));
-      right.push_back(random(kVectors + 2 * i + 1));
+      left.push_back(random_residue(kFirstOfVectors + 2 * i));
+      right.push_back(random_residue(kFirstOfVectors + 2 * i + 1));
     }
     std::vector<Residue> sequence;
     for (std::size_t k = 0; k < 2 * dimension_; ++k) {
@@ -97,9 +100,6 @@ class Multiplication {
     }
     return distinct_roots(minimal_polynomial(sequence));
   }
-
-  static constexpr std::uint64_t kSeed = 1;
-  static constexpr std::uint64_t kVectors = 1000;
 
  private:
   Residue product(const Residue* row, const std::vector<Residue>& x) const {
@@ -172,8 +172,7 @@ class GroebnerBasis {
       Leading larger = m;
       ++larger.at[0];
       ++larger.at[1 + i];
-      const Residue c = random_bits(Multiplication::kSeed, RandomStream::algebra, i) % kPrime;
-      p.emplace_back(larger, c);
+      p.emplace_back(larger, random_residue(i));
     }
     std::sort(p.begin(), p.end(),
               [](const auto& a, const auto& b) { return is_smaller(b.first, a.first); });
@@ -197,9 +196,9 @@ class GroebnerBasis {
   }
 
   Pair next_pair() {
-    const auto next = std::min_element(pairs_.begin(), pairs_.end(), [](const Pair& a, const Pair& b) {
-      return is_smaller(a.lcm, b.lcm);
-    });
+    const auto next =
+        std::min_element(pairs_.begin(), pairs_.end(),
+                         [](const Pair& a, const Pair& b) { return is_smaller(a.lcm, b.lcm); });
     const Pair pair = *next;
     pairs_.erase(next);
     return pair;

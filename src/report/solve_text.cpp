@@ -92,8 +92,8 @@ std::string completeness_line(const SolveResult& result) {
       count([&](const Solution& root) { return is_regular(root) || root.certified == true; });
   const bool all_regular = certifiable == count(is_regular);
   return std::to_string(certified) + " of " +
-         counted(certifiable, all_regular ? "regular root" : "root") +
-         " certified: completeness " + to_string(*result.completeness) + '\n';
+         counted(certifiable, all_regular ? "regular root" : "root") + " certified: completeness " +
+         to_string(*result.completeness) + '\n';
 }
 
 /// All the digits that were asked for, or those that the accuracy justifies.

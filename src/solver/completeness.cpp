@@ -95,7 +95,8 @@ std::uint64_t terms_worth_looking_at(const Run& run) {
   const Prepared& prepared = run.setting.prepared;
   const double cost = cost_of_paths(prepared.reduction.system, prepared.start.paths);
   const double least = run.ledger.failures().empty() ? kLeastTerms : kTermsInDoubt;
-  return static_cast<std::uint64_t>(std::min(std::max(least, kAlgebraShare * cost / kTermCost), 1e18));
+  return static_cast<std::uint64_t>(
+      std::min(std::max(least, kAlgebraShare * cost / kTermCost), 1e18));
 }
 
 /// Looked for when `roots` are known, and again where more terms are worth it and fewer did not do.
@@ -284,9 +285,10 @@ bool is_root_missing(Run& run) {
 bool are_as_counted(Run& run) {
   const QuotientRing& ring = run.bounds.ring;
   if (ring.verdict != QuotientRing::Verdict::finite || !run.ledger.failures().empty()) return false;
-  run.bounds.points = quotient_ring(run.setting.prepared.reduction.system,
-                                    {0, static_cast<std::uint64_t>(kTermsInDoubt), &run.setting.stop, true})
-                          .points;
+  run.bounds.points =
+      quotient_ring(run.setting.prepared.reduction.system,
+                    {0, static_cast<std::uint64_t>(kTermsInDoubt), &run.setting.stop, true})
+          .points;
   const auto groups = groups_of(run);
   std::uint64_t roots = 0;
   for (const auto& group : groups) {
@@ -300,7 +302,8 @@ bool are_as_counted(Run& run) {
 std::optional<std::string> contradiction_by_algebra(const Run& run, const SolveResult& result) {
   const QuotientRing& ring = run.bounds.ring;
   if (ring.verdict != QuotientRing::Verdict::finite) return std::nullopt;
-  if (!result.on_sets.empty()) return "exact algebra tells that no root lies on a curve, paths end as on one";
+  if (!result.on_sets.empty())
+    return "exact algebra tells that no root lies on a curve, paths end as on one";
   std::uint64_t roots = 0;
   for (const Solution& root : result.solutions) roots += root.multiplicity;
   // Ends that the digits of the file do not tell from infinity may be roots of the file to the letter.

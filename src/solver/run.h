@@ -33,12 +33,13 @@ struct ExactRoot {
 /// What is known of proved bounds on the number of isolated roots (completeness.h).
 struct Bounds {
   std::optional<MetBound> met;
-  SoughtBound counted;  ///< the mixed volume that the start has counted
-  SoughtBound reduced;  ///< the stable mixed volume of what is tracked
-  SoughtBound whole;    ///< of the system as given
-  QuotientRing ring;  ///< of what is tracked
-  std::uint64_t ring_terms = 0;         ///< that were allowed for it
-  std::optional<std::uint64_t> points;  ///< different roots of what is tracked, where they were asked for and found
+  SoughtBound counted;           ///< the mixed volume that the start has counted
+  SoughtBound reduced;           ///< the stable mixed volume of what is tracked
+  SoughtBound whole;             ///< of the system as given
+  QuotientRing ring;             ///< of what is tracked
+  std::uint64_t ring_terms = 0;  ///< that were allowed for it
+  std::optional<std::uint64_t>
+      points;  ///< different roots of what is tracked, where they were asked for and found
   std::optional<std::uint64_t> points_asked;  ///< whether they are all, by their strata
 };
 

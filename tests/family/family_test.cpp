@@ -110,10 +110,11 @@ TEST(SolveMember, JudgesTheEndsOfSpecialMembers) {
 // Four roots, and a line of roots, for which exact algebra has no number either.
 TEST(SolveMember, TellsNoMoreThanTheFamilyWasLearned) {
   const auto lanes = make_lane_tracker();
-  Family family = learn(
-      unlearned_family(read_system({"test", "2 4\n(x + y - 1)*(x^2 + y^2 - a); (x + y - 1)*(x*y - b);\n"}),
-                       {{"a"}, {"b"}}),
-      *lanes, with_seed(1));
+  Family family =
+      learn(unlearned_family(
+                read_system({"test", "2 4\n(x + y - 1)*(x^2 + y^2 - a); (x + y - 1)*(x*y - b);\n"}),
+                {{"a"}, {"b"}}),
+            *lanes, with_seed(1));
   const ParameterValues p = exact_values(random_member(2, 0));
   family.learning.bound.reset();
   family.learning.complete = true;

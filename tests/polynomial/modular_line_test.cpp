@@ -21,10 +21,10 @@ TEST(ModularLine, ASequenceThatEndsInZerosObeysAPowerOfTheShift) {
 }
 
 TEST(ModularLine, RootsThatCoincideAreOne) {
-  EXPECT_EQ(distinct_roots({4, kPrime - 4, 1}), 1U);                 // (x - 2)^2
-  EXPECT_EQ(distinct_roots({3, kPrime - 4, 1}), 2U);                 // (x - 1)(x - 3)
-  EXPECT_EQ(distinct_roots({1, 0, 2, 0, 1}), 2U);                    // (x^2 + 1)^2
-  EXPECT_EQ(distinct_roots({0, 0, 0, 1}), 1U);                       // x^3
+  EXPECT_EQ(distinct_roots({4, kPrime - 4, 1}), 1U);  // (x - 2)^2
+  EXPECT_EQ(distinct_roots({3, kPrime - 4, 1}), 2U);  // (x - 1)(x - 3)
+  EXPECT_EQ(distinct_roots({1, 0, 2, 0, 1}), 2U);     // (x^2 + 1)^2
+  EXPECT_EQ(distinct_roots({0, 0, 0, 1}), 1U);        // x^3
   EXPECT_EQ(distinct_roots({5}), 0U);
 }
 

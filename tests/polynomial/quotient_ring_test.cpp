@@ -18,7 +18,9 @@ constexpr std::uint64_t kTerms = 20'000'000;
 
 System system_of(const std::string& text) { return read_system({"test", text}); }
 
-QuotientRing ring_of(const std::string& text) { return quotient_ring(system_of(text), {0, kTerms}); }
+QuotientRing ring_of(const std::string& text) {
+  return quotient_ring(system_of(text), {0, kTerms});
+}
 
 std::uint64_t roots_of(const std::string& text) {
   const QuotientRing ring = ring_of(text);
@@ -41,16 +43,16 @@ TEST_P(QuotientRingOfProblems, HasThePublishedNumberOfRootsAsDimension) {
   EXPECT_EQ(ring.dimension, GetParam().roots);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Literature, QuotientRingOfProblems,
-    testing::Values(Published{"cyclic-5", 70}, Published{"cyclic-6", 156}, Published{"cassou", 16},
-                    Published{"katsura-5", 32}, Published{"noon-3", 21}, Published{"puma", 16},
-                    Published{"kin1", 48}, Published{"reimer-5", 144}),
-    [](const auto& given) {
-      std::string name = given.param.problem;
-      std::replace(name.begin(), name.end(), '-', '_');
-      return name;
-    });
+INSTANTIATE_TEST_SUITE_P(Literature, QuotientRingOfProblems,
+                         testing::Values(Published{"cyclic-5", 70}, Published{"cyclic-6", 156},
+                                         Published{"cassou", 16}, Published{"katsura-5", 32},
+                                         Published{"noon-3", 21}, Published{"puma", 16},
+                                         Published{"kin1", 48}, Published{"reimer-5", 144}),
+                         [](const auto& given) {
+                           std::string name = given.param.problem;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
 
 TEST(QuotientRing, CountsEachRootWithItsMultiplicity) {
   EXPECT_EQ(roots_of("2\n(x - 1)^3*(x + 2);\ny^2 - x - 3;\n"), 8U);

@@ -48,8 +48,10 @@ void expect_proved(const System& f, std::uint64_t first, std::uint64_t last, std
 
 TEST(Certified, CompletenessIsProvedWhereABoundIsMet) {
   const std::pair<const char*, const char*> expected[]{
-      {"katsura-5", "total degree"},       {"noon-3", "mixed volume"},
-      {"eco-6", "mixed volume"},           {"puma", "multihomogeneous number"},
+      {"katsura-5", "total degree"},
+      {"noon-3", "mixed volume"},
+      {"eco-6", "mixed volume"},
+      {"puma", "multihomogeneous number"},
       {"cyclic-5", "dimension of the quotient ring"},
       {"cassou", "dimension of the quotient ring"},
       {"seven-link-14", "dimension of the quotient ring"}};

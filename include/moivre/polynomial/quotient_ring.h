@@ -26,15 +26,16 @@ struct QuotientRing {
   enum class Verdict { finite, infinite, not_found };
 
   Verdict verdict = Verdict::not_found;
-  std::uint64_t dimension = 0;  ///< where finite
+  std::uint64_t dimension = 0;          ///< where finite
   std::optional<std::uint64_t> points;  ///< different roots, where finite and asked for
 };
 
 struct QuotientRingOptions {
-  std::uint64_t known = 0;                     ///< so many roots are there: at this bound the search ends
-  std::uint64_t most_terms = 1'000'000;        ///< to be looked at: some ten nanoseconds each
+  std::uint64_t known = 0;               ///< so many roots are there: at this bound the search ends
+  std::uint64_t most_terms = 1'000'000;  ///< to be looked at: some ten nanoseconds each
   const std::atomic<bool>* stop = nullptr;
-  bool counts_points = false;  ///< as many multiplications, beside, as the cube of the dimension; given up beyond most_terms
+  bool counts_points =
+      false;  ///< as many multiplications, beside, as the cube of the dimension; given up beyond most_terms
 };
 
 QuotientRing quotient_ring(const System& f, const QuotientRingOptions& options);

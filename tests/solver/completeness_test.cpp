@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+// Does a result that does not add up to what exact algebra counts say so?
+#include "completeness.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <memory>
+
+#include "moivre/tracker_cvode/cvode_tracker.h"
+#include "moivre/tracker_lanes/lane_tracker.h"
+#include "problem_set.h"
+
+namespace moivre::test {
+namespace {
+
+SolveResult with_roots(std::size_t roots, std::uint64_t multiplicity) {
+  SolveResult result;
+  result.solutions.resize(roots);
+  for (Solution& root : result.solutions) root.multiplicity = multiplicity;
+  return result;
+}
+
+class Contradiction : public testing::Test {
+ protected:
+  /// With so many roots, and so many different ones, by algebra.
+  std::string of(const SolveResult& result, std::uint64_t dimension,
+                 std::optional<std::uint64_t> points = std::nullopt) {
+    run_.bounds.ring = {QuotientRing::Verdict::finite, dimension, std::nullopt};
+    run_.bounds.points = points;
+    return contradiction_by_algebra(run_, result).value_or("");
+  }
+
+  std::unique_ptr<Tracker> tracker_ = make_cvode_tracker();
+  std::atomic<bool> stop_ = false;
+  Setting setting_{read("2\n x^2 + y^2 - 5;\n x*y - 2;\n"), *tracker_, SolveOptions{}, stop_};
+  moivre::Run run_{setting_};
+};
+
+TEST_F(Contradiction, IsNoneWhereTheCountsAgree) {
+  EXPECT_EQ(of(with_roots(4, 1), 4), "");
+  EXPECT_EQ(of(with_roots(2, 2), 4, 2), "");
+}
+
+TEST_F(Contradiction, IsToldWhereARootIsMissing) {
+  EXPECT_EQ(of(with_roots(3, 1), 4),
+            "exact algebra counts 4 roots with their multiplicities, those found count 3");
+}
+
+TEST_F(Contradiction, IsToldWhereAMultiplicityIsTooLarge) {
+  EXPECT_EQ(of(with_roots(2, 3), 4),
+            "exact algebra counts 4 roots with their multiplicities, those found count 6");
+}
+
+TEST_F(Contradiction, IsToldWhereSimpleRootsPassForAMultipleOne) {
+  EXPECT_EQ(of(with_roots(2, 2), 4, 4),
+            "exact algebra counts 4 different roots, those found are 2");
+}
+
+TEST_F(Contradiction, IsToldWherePathsEndOnACurveThatIsNotThere) {
+  SolveResult result = with_roots(4, 1);
+  result.on_sets.push_back(Point(2));
+  EXPECT_EQ(of(result, 4), "exact algebra tells that no root lies on a curve, paths end as on one");
+}
+
+// What the digits of the file send to infinity may be a root of the file to the letter.
+TEST_F(Contradiction, AllowsForEndsThatTheDigitsOfTheFileDoNotTell) {
+  run_.ledger.enter_infinity(0, true);
+  EXPECT_EQ(of(with_roots(3, 1), 4), "");
+  EXPECT_NE(of(with_roots(2, 1), 4), "");
+}
+
+// Sixteen double roots with irrational coordinates: numerical ranks do not confirm them.
+TEST(CountedRoots, AreDoubleWhereAlgebraCountsTheDifferentOnes) {
+  const System f = read(
+      "6\n"
+      "-84*x1^3+252*x1^2*x2+756*x1^2*x4-252*x1^2*x5+504*x1^2*x6-252*x1*x2^2-1512*x1*x2*x4"
+      "+504*x1*x2*x5-1008*x1*x2*x6-2268*x1*x4^2+1512*x1*x4*x5-3024*x1*x4*x6-252*x1*x5^2"
+      "+1008*x1*x5*x6-1008*x1*x6^2+84*x2^3+756*x2^2*x4-252*x2^2*x5+504*x2^2*x6+2268*x2*x4^2"
+      "-1512*x2*x4*x5+3024*x2*x4*x6+252*x2*x5^2-1008*x2*x5*x6+1008*x2*x6^2+2268*x4^3-2268*x4^2*x5"
+      "+4536*x4^2*x6+756*x4*x5^2-3024*x4*x5*x6+3024*x4*x6^2-84*x5^3+504*x5^2*x6-1008*x5*x6^2"
+      "+672*x6^3-204*x1^2+408*x1*x2+1224*x1*x4-408*x1*x5+816*x1*x6-204*x2^2-1224*x2*x4+408*x2*x5"
+      "-816*x2*x6-1836*x4^2+1224*x4*x5-2448*x4*x6-204*x5^2+816*x5*x6-816*x6^2-156*x1+156*x2"
+      "+468*x4-156*x5+312*x6-36;\n"
+      "-9*x1^2+18*x1*x2+54*x1*x4-18*x1*x5+36*x1*x6-8*x2^2-50*x2*x4+16*x2*x5-36*x2*x6-77*x4^2"
+      "+50*x4*x5-108*x4*x6-8*x5^2+36*x5*x6-36*x6^2+3*x1-3*x2-9*x4+3*x5-6*x6+4;\n"
+      "6*x1^2-6*x1*x2-24*x1*x4+6*x1*x5-24*x1*x6+4*x2^2+4*x2*x3+22*x2*x4-8*x2*x5+12*x2*x6+x3^2"
+      "+8*x3*x4-4*x3*x5+34*x4^2-22*x4*x5+48*x4*x6+4*x5^2-12*x5*x6+24*x6^2+4*x1-4*x2-12*x4+4*x5"
+      "-8*x6-9;\n"
+      "-12*x1*x2-6*x1*x3-24*x1*x4+12*x1*x5+5*x2^2-10*x2*x3+34*x2*x4-10*x2*x5+24*x2*x6-6*x3^2"
+      "-14*x3*x4+10*x3*x5+12*x3*x6+49*x4^2-34*x4*x5+48*x4*x6+5*x5^2-24*x5*x6+18*x2+9*x3+36*x4"
+      "-18*x5+4;\n"
+      "6*x1*x2+3*x1*x3+12*x1*x4-6*x1*x5-48*x2^2-42*x2*x3-214*x2*x4+96*x2*x5-12*x2*x6-9*x3^2"
+      "-95*x3*x4+42*x3*x5-6*x3*x6-236*x4^2+214*x4*x5-24*x4*x6-47*x5^2+12*x5*x6-4*x2-2*x3-8*x4"
+      "+4*x5+8;\n"
+      "-3*x1+22*x2+9*x3+40*x4-21*x5+10*x6+4;\n");
+  const auto lanes = make_lane_tracker();
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    const SolveResult result = solve(f, *lanes, with_seed(seed));
+    EXPECT_TRUE(result.complete) << result.message;
+    EXPECT_EQ(result.solutions.size(), 32U);
+  }
+}
+
+// Of size 1e39: x_0 is lost in the digits of double-double, and the other ten doubtful paths go to infinity.
+TEST(CountedRoots, AreLookedForInMoreDigitsAsLongAsOneIsMissing) {
+  const System f = read(
+      "5\n8*x2^2-x2*x5+x3*x4-x3*x5+x1+3*x5-6;\n-x1^2+x2-2506*x3-9*x4+1;\n"
+      "7503*x3*x4-1658*x3*x5-5381*x2-1607*x3-553;\n8661*x2*x5-1312*x1-4*x2-x3+x4+4*x5-1;\n"
+      "-4132*x1*x2-x3*x4-4*x4*x5-x4-1;\n");
+  const auto lanes = make_lane_tracker();
+  SolveOptions options = with_seed(7);
+  options.start = StartKind::total_degree;
+  const SolveResult result = solve(f, *lanes, options);
+  EXPECT_EQ(result.solutions.size(), 22U);
+  ASSERT_TRUE(result.bound) << result.message;
+  EXPECT_EQ(result.bound->kind, "dimension of the quotient ring");
+}
+
+}  // namespace
+}  // namespace moivre::test
