@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
 #include <stdexcept>
 
 #include "moivre/kinematics/null_space.h"
