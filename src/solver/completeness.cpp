@@ -326,13 +326,14 @@ void tell_completeness(const Run& run, SolveResult& result) {
   const bool all_certified =
       std::all_of(result.solutions.begin(), result.solutions.end(),
                   [](const Solution& root) { return root.singular || *root.certified; });
-  result.bound = run.bounds.met;
+  // Where a result contradicts what is known a bound proves nothing of it.
+  if (result.complete) result.bound = run.bounds.met;
   const bool is_shown = result.complete && all_certified && run.setting.prepared.leads_to_all;
   result.completeness = result.bound ? RootCompleteness::proved
                         : is_shown   ? RootCompleteness::shown
                                      : RootCompleteness::open;
   const std::uint64_t left = run.ledger.count(PathVerdict::left_by_bound);
-  if (left == 0) return;
+  if (left == 0 || !result.bound) return;
   result.left_out.push_back(
       {counted(left, "path") + " in doubt",
        "the certified roots are as many as the " + result.bound->kind + ": it leads to no other"});

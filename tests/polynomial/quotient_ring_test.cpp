@@ -32,6 +32,7 @@ struct Published {
   const char* problem;
   std::uint64_t roots;
 };
+void PrintTo(const Published& published, std::ostream* out) { *out << published.problem; }
 
 class QuotientRingOfProblems : public testing::TestWithParam<Published> {};
 
