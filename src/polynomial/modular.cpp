@@ -11,8 +11,7 @@ namespace {
 
 constexpr std::uint64_t kRootOfMinusOne = 583529827753931384;
 
-__extension__ using Wide = unsigned __int128;
-static_assert(Wide{kRootOfMinusOne} * kRootOfMinusOne % kPrime == kPrime - 1, "not a root of -1");
+static_assert(times(kRootOfMinusOne, kRootOfMinusOne) == kPrime - 1, "not a root of -1");
 
 Residue residue(const Integer& a) {
   const auto size = static_cast<Residue>(Integer(abs(a) % kPrime));

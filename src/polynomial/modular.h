@@ -23,7 +23,7 @@ using Residue = std::uint64_t;
 inline constexpr Residue kPrime = (Residue{1} << 61) - 31;
 
 // 2^61 is 31 modulo the prime: a product is folded twice, and is then less than twice the prime.
-inline Residue times(Residue a, Residue b) {
+constexpr Residue times(Residue a, Residue b) {
   __extension__ using Wide = unsigned __int128;
   constexpr Residue kLow = (Residue{1} << 61) - 1;
   const Wide product = Wide{a} * b;
@@ -31,8 +31,8 @@ inline Residue times(Residue a, Residue b) {
   const auto twice = static_cast<Residue>(once & kLow) + 31 * static_cast<Residue>(once >> 61);
   return twice < kPrime ? twice : twice - kPrime;
 }
-inline Residue plus(Residue a, Residue b) { return a + b < kPrime ? a + b : a + b - kPrime; }
-inline Residue minus(Residue a) { return a == 0 ? 0 : kPrime - a; }
+constexpr Residue plus(Residue a, Residue b) { return a + b < kPrime ? a + b : a + b - kPrime; }
+constexpr Residue minus(Residue a) { return a == 0 ? 0 : kPrime - a; }
 /// Of a nonzero residue.
 Residue inverse(Residue a);
 Residue residue(const GaussianInteger& a);

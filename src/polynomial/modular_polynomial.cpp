@@ -90,7 +90,6 @@ std::optional<ModularPolynomial> modular(const Polynomial& p) {
     std::uint64_t degree = 0;
     for (const Power& power : term.monomial) {
       degree += power.exponent;
-      if (power.variable >= DegreeAndExponents::kMostUnknowns) return std::nullopt;
       if (degree > DegreeAndExponents::kMostDegree) return std::nullopt;
       m.at[1 + power.variable] = static_cast<std::uint8_t>(power.exponent);
     }

@@ -259,13 +259,15 @@ class GroebnerBasis {
 }  // namespace
 
 QuotientRing quotient_ring(const System& f, const QuotientRingOptions& options) {
+  const std::size_t n = f.variables.size();
+  if (n == 0 || n > DegreeAndExponents::kMostUnknowns) return {};
   std::vector<ModularPolynomial> images;
   for (const Polynomial& p : f.polynomials) {
     auto image = modular(p);
     if (!image) return {};
     images.push_back(std::move(*image));
   }
-  return GroebnerBasis(f.variables.size(), options).of(std::move(images));
+  return GroebnerBasis(n, options).of(std::move(images));
 }
 
 }  // namespace moivre

@@ -28,7 +28,7 @@ TEST(ModularLine, RootsThatCoincideAreOne) {
   EXPECT_EQ(distinct_roots({5}), 0U);
 }
 
-TEST(ModularLine, ProductsArePaidBackByInverses) {
+TEST(ModularLine, ANumberTimesItsInverseIsOne) {
   for (const Residue a : {Residue{1}, Residue{2}, kPrime - 1, kPrime / 2, Residue{1} << 60}) {
     EXPECT_EQ(times(a, inverse(a)), 1U);
     EXPECT_EQ(plus(a, minus(a)), 0U);

@@ -111,6 +111,11 @@ TEST(QuotientRing, IsNotFoundBeyondItsDegreesAndUnknowns) {
   std::string many = "16\n";
   for (int k = 0; k < 16; ++k) many += "x" + std::to_string(k) + "^2 - 2;\n";
   EXPECT_EQ(ring_of(many).verdict, Verdict::not_found);
+  // The last one is in no equation.
+  System one_more = system_of("1\nx^2 - 2;\n");
+  one_more.variables.resize(16, "y");
+  EXPECT_EQ(quotient_ring(one_more, {0, kTerms}).verdict, Verdict::not_found);
+  EXPECT_EQ(quotient_ring(System{}, {0, kTerms}).verdict, Verdict::not_found);
 }
 
 // 2^61 - 31 x^2 loses its highest term modulo the prime.

@@ -10,8 +10,8 @@
 //
 // Each bounds the isolated roots in C^n, counted with multiplicity; but the last bounds their points, whatever their multiplicity. If as
 // many certified roots are pairwise distinct, they are all.
-// The search for mixed cells and the algebra have a bounded number of steps. Edges: elimination alone may give the number of isolated roots; then
-// there is one bound, `elimination`. Not supported: systems that are not square; bounds beyond 64 bits have no value.
+// The search for mixed cells and the algebra have a bounded number of steps. Edges: elimination alone may give the number of isolated
+// roots; then there is one bound, `elimination`. Not supported: systems that are not square; bounds beyond 64 bits have no value.
 #pragma once
 
 #include <cstdint>

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// How many roots does a system have, and how many different ones? The dimension of its quotient ring, and the degree of a squarefree
-// polynomial, by exact algebra: no tracking, no rounding.
+// How many roots does a system have, and how many different ones? The dimension of its quotient ring, and the degree of a
+// squarefree polynomial, by exact algebra: no tracking, no rounding.
 //
 //   f: any number of equations in n unknowns, coefficients exact; p a prime of 61 bits
 //   dimension = monomials that no leading monomial of a Groebner basis of f modulo p divides, degree reverse lexicographic order
 //
 // Where all roots are isolated the dimension is the number of roots in C^n, each counted with its multiplicity; those at infinity
-// do not count. A random linear form of the unknowns takes different values at different roots; they are the roots of the minimal
-// polynomial of the multiplication by it [Wiedemann86]. Some leading monomials found bound it already. Chance: what vanishes modulo p only would give another number, with
-// probability about 1e-18 for each number met; a p that divides a coefficient of f is refused.
-// Not supported: more than 15 unknowns, degrees beyond 255; no more terms are looked at than allowed. Roots on curves make the
-// dimension infinite.
+// do not count. Leading monomials found so far bound it already. A random linear form of the unknowns takes different values at
+// different roots: they are the roots of the minimal polynomial of the multiplication by it [Wiedemann86].
+// Chance: what vanishes modulo p only would give another number, with probability about 1e-18 for each number met; a p that divides
+// a coefficient of f is refused. Roots on curves make the dimension infinite.
+// Not supported: no unknown, or more than 15; degrees beyond 255; no more terms are looked at than allowed.
 // Sources: [Buchberger65], which pairs are needed [GebauerMoeller88].
 #pragma once
 
