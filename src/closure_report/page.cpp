@@ -25,7 +25,7 @@
 #include "moivre/report/number_text.h"
 #include "page_assets.h"
 #include "page_columns.h"
-#include "page_parts.h"
+#include "moivre/closure_report/document.h"
 #include "panels.h"
 #include "svg.h"
 #include "traces.h"

@@ -2,7 +2,7 @@
 // Quantities by what they are of, and their values by time.
 #include "page_columns.h"
 
-#include "page_parts.h"
+#include "moivre/closure_report/document.h"
 #include "readings_parts.h"
 
 namespace moivre {

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstdio>
 
-#include "moivre/report/markup.h"
 #include "pose_text.h"
 
 namespace moivre {
@@ -101,18 +100,6 @@ std::string shape_svg(const Shape& shape, const Similarity& at, const PixelMap& 
 }
 
 }  // namespace
-
-std::string element(std::string_view name, const std::vector<Attribute>& attributes,
-                    std::string_view content) {
-  std::string text = "<";
-  text += name;
-  for (const Attribute& attribute : attributes) {
-    text.append(1, ' ').append(attribute.name).append("=\"");
-    text.append(escaped(attribute.value)).append(1, '"');
-  }
-  if (content.empty()) return text + "/>";
-  return text.append(1, '>').append(content).append("</").append(name).append(1, '>');
-}
 
 std::string pixel_text(double x) {
   if (!std::isfinite(x)) return "0";

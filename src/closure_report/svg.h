@@ -7,16 +7,9 @@
 #include <vector>
 
 #include "moivre/closure_report/drawing.h"
+#include "moivre/report/markup.h"
 
 namespace moivre {
-
-struct Attribute {
-  std::string_view name;
-  std::string value;
-};
-/// <name attribute="value">content</name>, values escaped, the content as it is; without content <name .../>.
-std::string element(std::string_view name, const std::vector<Attribute>& attributes,
-                    std::string_view content = "");
 
 /// The shortest decimal to 1/100; "0" where x is not finite.
 std::string pixel_text(double x);
@@ -40,7 +33,6 @@ std::string figures_svg(const Drawing& drawing, const std::vector<Similarity>& p
 std::string colour_text(std::size_t number);
 /// Of a line, as stroke-dasharray: number 0 is solid, and so are all whose colour is in the palette's first round.
 std::string dashes_text(std::size_t colour, std::size_t number = 0);
-std::string colour_class(std::optional<std::size_t> colour);
 
 /// Rules for the classes that figures and texts have.
 std::string style_sheet();

@@ -12,7 +12,7 @@
 #include "moivre/mechanism/pose.h"
 #include "moivre/report/markup.h"
 #include "page_assets.h"
-#include "page_parts.h"
+#include "moivre/closure_report/document.h"
 #include "svg.h"
 
 namespace moivre {

@@ -38,4 +38,16 @@ std::string escaped(std::string_view text) {
   return safe;
 }
 
+std::string element(std::string_view name, const std::vector<Attribute>& attributes,
+                    std::string_view content) {
+  std::string text = "<";
+  text += name;
+  for (const Attribute& attribute : attributes) {
+    text.append(1, ' ').append(attribute.name).append("=\"");
+    text.append(escaped(attribute.value)).append(1, '"');
+  }
+  if (content.empty()) return text + "/>";
+  return text.append(1, '>').append(content).append("</").append(name).append(1, '>');
+}
+
 }  // namespace moivre

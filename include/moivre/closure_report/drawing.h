@@ -96,6 +96,9 @@ struct Figure {
 
 enum class LabelKind { body, point, unknown };
 
+/// The class that the style sheet of pictures and pages (document.h) gives to a colour; colours repeat.
+std::string colour_class(std::optional<std::size_t> colour);
+
 /// A name beside a place; `coordinate`: followed by its value.
 struct Label {
   LabelKind kind = LabelKind::point;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Escapes for a script's data, and the head of every page.
-#include "page_parts.h"
+#include "moivre/closure_report/document.h"
 
 #include <cmath>
 #include <cstdlib>
@@ -40,7 +40,8 @@ std::string script_data(const Json& json) {
   return safe;
 }
 
-std::string html_document(const std::string& title, std::string body, std::string_view script) {
+std::string html_document(const std::string& title, std::string body, std::string_view script,
+                          std::string_view style) {
   constexpr std::string_view kErrorHook =
       "addEventListener('error',e=>{document.documentElement.dataset.state='failed';"
       "document.getElementById('error').textContent='This page failed: '+e.message;});";
@@ -54,7 +55,7 @@ std::string html_document(const std::string& title, std::string body, std::strin
           "style-src 'unsafe-inline'; script-src 'unsafe-inline'\">\n")
           .append(element("title", {}, escaped(title)))
           .append(element("style", {}, style_sheet()))
-          .append(element("style", {}, page_style()));
+          .append(element("style", {}, std::string(page_style()).append(style)));
   return std::string("<!DOCTYPE html>\n")
       .append(element("html", {{"lang", "en"}},
                       element("head", {}, head) + '\n' + element("body", {}, body)))
