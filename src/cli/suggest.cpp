@@ -7,8 +7,13 @@
 namespace moivre {
 namespace {
 
-// Words are alike while at most one letter in this many differs.
+// Words are alike while at most one letter in this many is wrong; the dashes of an option are no letters.
 constexpr std::size_t kLettersAMistake = 3;
+
+std::size_t most_mistakes(const std::string& word) {
+  const std::size_t dashes = std::min(word.find_first_not_of('-'), word.size());
+  return std::max<std::size_t>((word.size() - dashes) / kLettersAMistake, 1);
+}
 
 }  // namespace
 
@@ -40,9 +45,7 @@ std::optional<std::string> nearest(const std::string& word, const std::vector<st
       best_distance = distance;
     }
   }
-  if (best == nullptr || best_distance > (word.size() + kLettersAMistake - 1) / kLettersAMistake) {
-    return std::nullopt;
-  }
+  if (best == nullptr || best_distance > most_mistakes(word)) return std::nullopt;
   return *best;
 }
 
