@@ -38,7 +38,8 @@ set(MOIVRE_USES_check_report check report)
 set(MOIVRE_USES_family_report family report)
 set(MOIVRE_USES_design closures)
 set(MOIVRE_USES_closure_report design report)
-set(MOIVRE_USES_sweep_report sweep report)
+# The closures of a sample are shown as all closures are.
+set(MOIVRE_USES_sweep_report sweep closure_report)
 # A robot's postures are drawn by what draws closures.
 set(MOIVRE_USES_arm_report arms closure_report)
 set(MOIVRE_USES_study_report study report)

@@ -32,6 +32,7 @@ struct SweepCommand {
   std::string json;
   std::string csv;
   std::string svg;
+  std::string html;
 };
 
 /// "crank.A.x=10:50:200".
@@ -69,15 +70,17 @@ int run(const SweepCommand& command) {
   require_all(
       {[&] { require_known(command.start); }, [&] { require_threads(command.threads); },
        [&] {
-         require_distinct({command.json, command.csv, command.svg, command.family}, command.file);
+         require_distinct({command.json, command.csv, command.svg, command.html, command.family},
+                          command.file);
        },
-       [&] { require_ending(command.svg, ".svg"); }, [&] { varied_of(command.vary); },
-       [&] { tracker = make_tracker(command.tracker); }});
+       [&] { require_ending(command.svg, ".svg"); }, [&] { require_ending(command.html, ".html"); },
+       [&] { varied_of(command.vary); }, [&] { tracker = make_tracker(command.tracker); }});
   Mechanism mechanism = read_mechanism_file(command.file);
   apply(command.mechanism, mechanism);
   Output json(command.json);
   Output csv(command.csv);
   Output svg(command.svg);
+  Output html(command.html);
   MechanismFamilies families(command.family, command.file, command.start.seed);
   SweepOptions options;
   options.closures.time = command.at;
@@ -85,6 +88,7 @@ int run(const SweepCommand& command) {
   options.closures.solve.start = kind_of(command.start);
   options.closures.solve.threads = command.threads;
   options.sharpen = !command.no_borders;
+  options.keep_closures = !command.html.empty();
   const std::unique_ptr<Tracker> fallback = make_fallback(command.tracker);
   options.closures.solve.fallback = fallback.get();
   ProgressLine line(!command.quiet);
@@ -100,7 +104,8 @@ int run(const SweepCommand& command) {
   deliver(
       {{&json, [&] { return sweep_json(result, command.file); }},
        {&csv, [&] { return sweep_csv(result); }},
-       {&svg, [&] { return sweep_svg(result, command.file); }}},
+       {&svg, [&] { return sweep_svg(result, command.file); }},
+       {&html, [&] { return sweep_html(result, mechanism, command.file); }}},
       command.quiet, [&] { return sweep_text(result, command.file); },
       result.complete ? "" : "some samples are not decided");
   return result.complete ? kDecided : kUndecided;
@@ -131,13 +136,16 @@ void add_sweep_command(CLI::App& moivre, Chosen& chosen) {
   app.add_option("--csv", command->csv, "write a table of the samples here")->type_name("PATH");
   app.add_option("--svg", command->svg, "draw a curve, or a map of counts, here")
       ->type_name("PATH");
+  app.add_option("--html", command->html,
+                 "write a page here: the curve or the map, and the closures where one points")
+      ->type_name("PATH");
   add_tracker_options(app, command->tracker);
   add_examples(
       app,
       {"moivre sweep four-bar.toml --vary crank.A.x=10:150:100 --svg counts.svg",
        "moivre sweep four-bar.toml --vary crank=0:360:181 --csv counts.csv",
        "moivre sweep 3-rpr.toml --vary \"leg 1.length=8:24:60\" --vary \"leg 2.length=8:24:60\" "
-       "--svg map.svg"});
+       "--html map.html"});
   app.callback([command, &chosen] { chosen = [command] { return run(*command); }; });
 }
 

@@ -48,6 +48,9 @@ class Sweep {
     sample.real = result.counts.real;
     sample.complete = result.complete;
     sample.moves = result.moves.has_value();
+    if (options_.keep_closures) {
+      for (const Closure& closure : result.closures) sample.closures.push_back(closure.q);
+    }
     return sample;
   }
 

@@ -6,12 +6,11 @@
 
 #include "moivre/report/markup.h"
 #include "moivre/sweep_report/sweep_report.h"
+#include "plot_frame.h"
 
 namespace moivre {
 namespace {
 
-constexpr double kWidth = 720, kHeight = 480;
-constexpr double kLeft = 70, kRight = 110, kTop = 40, kBottom = 60;
 // Light to dark with the number of closures; told apart without colours, too.
 constexpr const char* kColours[] = {"#f4f4f4", "#c6dbef", "#9ecae1", "#6baed6", "#4292c6",
                                     "#2171b5", "#08519c", "#08306b", "#041a3d"};
@@ -40,14 +39,15 @@ struct Axis {
   }
 };
 
-Axis horizontal(double from, double to) { return {from, to, kLeft, kWidth - kRight}; }
-Axis vertical(double from, double to) { return {from, to, kHeight - kBottom, kTop}; }
+Axis horizontal(double from, double to) { return {from, to, kPlotLeft, kPlotRight}; }
+Axis vertical(double from, double to) { return {from, to, kPlotBottom, kPlotTop}; }
 
 std::string head(const std::string& title) {
-  return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + number(kWidth) + "\" height=\"" +
-         number(kHeight) + "\" font-family=\"sans-serif\" font-size=\"13\">\n" +
+  return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + number(kPictureWidth) +
+         "\" height=\"" + number(kPictureHeight) + "\" viewBox=\"0 0 " + number(kPictureWidth) +
+         ' ' + number(kPictureHeight) + "\" font-family=\"sans-serif\" font-size=\"13\">\n" +
          "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n" +
-         text_at(kLeft, kTop - 16, "start", title);
+         text_at(kPlotLeft, kPlotTop - 16, "start", title);
 }
 
 std::string ticks(const Varied& number_varied, const Axis& axis, bool is_horizontal) {
@@ -55,15 +55,15 @@ std::string ticks(const Varied& number_varied, const Axis& axis, bool is_horizon
   constexpr int kTicks = 4;
   for (int k = 0; k <= kTicks; ++k) {
     const double value = number_varied.from + (number_varied.to - number_varied.from) * k / kTicks;
-    text += is_horizontal ? text_at(axis(value), kHeight - kBottom + 20, "middle", number(value))
-                          : text_at(kLeft - 8, axis(value) + 4, "end", number(value));
+    text += is_horizontal ? text_at(axis(value), kPlotBottom + 20, "middle", number(value))
+                          : text_at(kPlotLeft - 8, axis(value) + 4, "end", number(value));
   }
   return text;
 }
 
 std::string frame() {
-  return "<rect x=\"" + number(kLeft) + "\" y=\"" + number(kTop) + "\" width=\"" +
-         number(kWidth - kLeft - kRight) + "\" height=\"" + number(kHeight - kTop - kBottom) +
+  return "<rect x=\"" + number(kPlotLeft) + "\" y=\"" + number(kPlotTop) + "\" width=\"" +
+         number(kPlotRight - kPlotLeft) + "\" height=\"" + number(kPlotBottom - kPlotTop) +
          "\" fill=\"none\" stroke=\"#444\"/>\n";
 }
 
@@ -99,19 +99,19 @@ std::string curve_svg(const SweepResult& result, const std::string& title) {
   const Axis y = vertical(-0.5, static_cast<double>(most) + 0.5);
   std::string svg = head(title) + frame() + ticks(varied, x, true);
   for (std::uint64_t k = 0; k <= most; ++k) {
-    svg += text_at(kLeft - 8, y(static_cast<double>(k)) + 4, "end", std::to_string(k));
+    svg += text_at(kPlotLeft - 8, y(static_cast<double>(k)) + 4, "end", std::to_string(k));
   }
   svg += curve(result, x, y, false, "stroke:#999;stroke-width:1;stroke-dasharray:4 3");
   svg += curve(result, x, y, true, "stroke:#2171b5;stroke-width:2");
   for (const SweepBorder& border : result.borders) {
     svg += "<g>" +
-           line(x(border.at[0]), kTop, x(border.at[0]), kHeight - kBottom,
+           line(x(border.at[0]), kPlotTop, x(border.at[0]), kPlotBottom,
                 "stroke:#d94801;stroke-width:0.7") +
            "<title>" + escaped(varied.name) + " = " + number(border.at[0]) + "</title></g>\n";
   }
-  svg += text_at((kLeft + kWidth - kRight) / 2, kHeight - 16, "middle", varied.name);
-  svg += text_at(kWidth - kRight + 8, kTop + 14, "start", "real") +
-         text_at(kWidth - kRight + 8, kTop + 32, "start", "all (dashed)");
+  svg += text_at((kPlotLeft + kPlotRight) / 2, kPictureHeight - 16, "middle", varied.name);
+  svg += text_at(kPlotRight + 8, kPlotTop + 14, "start", "real") +
+         text_at(kPlotRight + 8, kPlotTop + 32, "start", "all (dashed)");
   return svg + "</svg>\n";
 }
 
@@ -180,8 +180,8 @@ std::string map_svg(const SweepResult& result, const std::string& title) {
   const Axis y = vertical(b.from, b.to);
   std::set<std::uint64_t> counts;
   for (const SweepSample& sample : result.samples) counts.insert(sample.real);
-  const double width = (kWidth - kLeft - kRight) / static_cast<double>(a.count - 1);
-  const double height = (kHeight - kTop - kBottom) / static_cast<double>(b.count - 1);
+  const double width = (kPlotRight - kPlotLeft) / static_cast<double>(a.count - 1);
+  const double height = (kPlotBottom - kPlotTop) / static_cast<double>(b.count - 1);
   std::string svg = head(title) + "<clipPath id=\"map\">" + frame() + "</clipPath>\n" +
                     "<g clip-path=\"url(#map)\" shape-rendering=\"crispEdges\">\n";
   for (const SweepSample& sample : result.samples) {
@@ -193,15 +193,15 @@ std::string map_svg(const SweepResult& result, const std::string& title) {
   svg += "</g>\n";
   for (const auto& cell : borders_by_cell(result)) svg += cell_borders(cell, x, y);
   svg += frame() + ticks(a, x, true) + ticks(b, y, false);
-  svg += text_at((kLeft + kWidth - kRight) / 2, kHeight - 16, "middle", a.name);
-  svg += "<g transform=\"translate(16 " + number((kTop + kHeight - kBottom) / 2) +
+  svg += text_at((kPlotLeft + kPlotRight) / 2, kPictureHeight - 16, "middle", a.name);
+  svg += "<g transform=\"translate(16 " + number((kPlotTop + kPlotBottom) / 2) +
          ") rotate(-90)\">" + text_at(0, 0, "middle", b.name) + "</g>\n";
-  double place = kTop;
+  double place = kPlotTop;
   for (const std::uint64_t count : counts) {
-    svg += "<rect x=\"" + number(kWidth - kRight + 12) + "\" y=\"" + number(place) +
+    svg += "<rect x=\"" + number(kPlotRight + 12) + "\" y=\"" + number(place) +
            "\" width=\"16\" height=\"16\" stroke=\"#444\" fill=\"" +
            colour(count, *counts.rbegin()) + "\"/>\n" +
-           text_at(kWidth - kRight + 34, place + 13, "start", std::to_string(count) + " real");
+           text_at(kPlotRight + 34, place + 13, "start", std::to_string(count) + " real");
     place += 22;
   }
   return svg + "</svg>\n";

@@ -72,6 +72,18 @@ document.body.dataset.seen = JSON.stringify({
 </script></body>"""
 
 
+# What one does who points at the picture of a sweep, at shares of its plot.
+POINT_AT = """<script>
+const picture = document.querySelector('#picture svg');
+const plot = JSON.parse(document.getElementById('data').textContent).plot;
+const box = picture.getBoundingClientRect();
+const at = (share, from, to, pixels, all) => (from + share * (to - from)) / all * pixels;
+picture.dispatchEvent(new PointerEvent('pointermove', {
+  clientX: box.left + at(%s, plot[0], plot[2], box.width, picture.viewBox.baseVal.width),
+  clientY: box.top + at(%s, plot[3], plot[1], box.height, picture.viewBox.baseVal.height)}));
+</script></body>"""
+
+
 class Browser:
     def __init__(self, program, folder):
         self.program = program
@@ -242,6 +254,30 @@ def check_arm(browser, moivre, root, folder):
                 expect(sum(name in caption for caption in captions) == 1, f"one posture is called {name!r}")
 
 
+def seen_closures(dom):
+    return len(re.findall(r"<figure>", dom.split('<div id="closures">')[1].split("<script")[0]))
+
+
+def check_sweep(browser, moivre, root, folder):
+    """A hand on the picture shows the closures of the sample below it, as many as it has."""
+    mechanisms = root / "problems/mechanisms"
+    curve = page_of(moivre, folder, "sweep", mechanisms / "four-bar.toml", "--vary", "crank.A.x=10:299:100")
+    for share, closures in ((0.5, 2), (0.95, 0)):
+        pointed = curve.with_name("pointed.html")
+        pointed.write_text(curve.read_text().replace("</body>", POINT_AT % (share, 0.5)))
+        dom = browser.dom(pointed)
+        expect_works(dom, "a sweep over one number")
+        expect(seen_closures(dom) == closures, f"{closures} closures at {share} of the range, not {seen_closures(dom)}")
+        expect(f"2 complex closures, {closures} real" in dom, "which the page says")
+    square = page_of(moivre, folder, "sweep", mechanisms / "3-rpr.toml", "--vary", "leg 1.length=8:24:17", "--vary",
+                     "leg 2.length=8:24:9")
+    dom = browser.dom(square, "#at=12,20")
+    expect_works(dom, "a sweep over two numbers")
+    expect(">12 <" in dom and ">20 <" in dom, "the address chooses the sample")
+    expect(seen_closures(dom) == 4, f"a platform has 4 closures there, not {seen_closures(dom)}")
+    expect(dom.split('<div id="closures">')[1].count('class="rod"') == 12, "with three legs each")
+
+
 def check_names(browser, moivre, root, folder):
     text = (root / "problems/mechanisms/four-bar.toml").read_text()
     mechanism = folder / "evil.toml"
@@ -278,6 +314,7 @@ def main():
         check_turning(browser, page_of(moivre, folder, "closures", mechanisms / "octahedral-3-3.toml"), 4, 2)
         postures = check_turning(browser, page_of(moivre, folder, "closures", mechanisms / "puma-560.toml"), 8, 2)
         expect(all("J6 " in caption for caption in postures), "joints' values tell postures apart that look alike")
+        check_sweep(browser, moivre, root, folder)
         check_names(browser, moivre, root, folder)
     print("the pages work")
 

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <set>
 
-#include "moivre/mechanism/read.h"
 #include "moivre/mechanism/dimensions.h"
+#include "moivre/mechanism/read.h"
 #include "moivre/tracker_lanes/lane_tracker.h"
 
 namespace moivre {

@@ -11,6 +11,7 @@
 // disappear between two samples with the same count are not seen.
 #pragma once
 
+#include <Eigen/Core>
 #include <functional>
 #include <string>
 #include <vector>
@@ -36,6 +37,7 @@ struct Varied {
 struct SweepOptions {
   ClosureOptions closures;  ///< threads: over samples
   bool sharpen = true;
+  bool keep_closures = false;
   std::function<void(std::size_t done, std::size_t total)> progress;  ///< never twice at once
 };
 
@@ -44,7 +46,8 @@ struct SweepSample {
   std::uint64_t complex = 0;  ///< isolated closures, the real ones among them
   std::uint64_t real = 0;
   bool complete = false;
-  bool moves = false;  ///< closures form a set of positive dimension
+  bool moves = false;                     ///< closures form a set of positive dimension
+  std::vector<Eigen::VectorXd> closures;  ///< q of the real ones, where options.keep_closures
 };
 
 struct SweepBorder {

@@ -4,6 +4,9 @@
 //   text   how many samples have how many real closures, and the borders of one number
 //   JSON   everything;  CSV one sample per line
 //   SVG    one number: the number of real closures as a curve, that of all as a thin one; two: a map, a colour a number, with its borders
+//   HTML   the picture, and the closures of the sample that one points at, chooses by a slider or names in the address (#at=12.5,9)
+// The page draws bodies as the hulls of their points; for typed equations it lists the unknowns. It needs closures kept by the sweep, and
+// shows those of at most kMostShown samples, evenly thinned, so that a browser can hold them.
 #pragma once
 
 #include <string>
@@ -16,5 +19,9 @@ std::string sweep_text(const SweepResult& result, const std::string& file);
 std::string sweep_json(const SweepResult& result, const std::string& file);
 std::string sweep_csv(const SweepResult& result);
 std::string sweep_svg(const SweepResult& result, const std::string& title);
+
+inline constexpr std::size_t kMostShown = 10'000;
+std::string sweep_html(const SweepResult& result, const Mechanism& mechanism,
+                       const std::string& file);
 
 }  // namespace moivre

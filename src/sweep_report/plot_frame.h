@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// Where in a sweep's picture is a value? The rectangle of its plot, in pixels, y downwards.
+#pragma once
+
+namespace moivre {
+
+inline constexpr double kPictureWidth = 720;
+inline constexpr double kPictureHeight = 480;
+inline constexpr double kPlotLeft = 70;
+inline constexpr double kPlotRight = kPictureWidth - 110;
+inline constexpr double kPlotTop = 40;
+inline constexpr double kPlotBottom = kPictureHeight - 60;
+
+}  // namespace moivre
