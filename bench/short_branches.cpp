@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "moivre/closures/motion.h"
+#include "moivre/motion/motion.h"
 #include "moivre/tracker_cvode/cvode_tracker.h"
 #include "moivre/tracker_lanes/lane_tracker.h"
 #include "short_lives.h"

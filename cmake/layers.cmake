@@ -4,7 +4,7 @@
 # A module may use what its line names and what those use (one way only).
 
 set(MOIVRE_MODULES numeric expression polynomial certify homotopy tracker tracker_cvode tracker_lanes multiprecision endgame
-    start bounds check solver family study mechanism urdf kinematics formulation closures design arms closure_study sweep report check_report
+    start bounds check solver family study mechanism urdf kinematics formulation closures motion design arms closure_study sweep report check_report
     family_report closure_report arm_report sweep_report study_report cli)
 
 set(MOIVRE_USES_numeric "")
@@ -29,14 +29,15 @@ set(MOIVRE_USES_urdf mechanism)
 set(MOIVRE_USES_kinematics mechanism)
 set(MOIVRE_USES_formulation mechanism polynomial)
 set(MOIVRE_USES_closures kinematics formulation solver certify)
+set(MOIVRE_USES_motion closures)
 # An arm's polynomials need no Phi: what puts its joint values right is the product of its transforms.
 set(MOIVRE_USES_arms urdf family)
-set(MOIVRE_USES_closure_study closures study)
+set(MOIVRE_USES_closure_study motion study)
 set(MOIVRE_USES_sweep closures family)
 set(MOIVRE_USES_report solver)
 set(MOIVRE_USES_check_report check report)
 set(MOIVRE_USES_family_report family report)
-set(MOIVRE_USES_design closures)
+set(MOIVRE_USES_design motion)
 set(MOIVRE_USES_closure_report design report)
 # The closures of a sample are shown as all closures are.
 set(MOIVRE_USES_sweep_report sweep closure_report)

@@ -16,7 +16,7 @@
 #include "moivre/closure_report/page.h"
 #include "moivre/closure_report/picture.h"
 #include "moivre/closure_report/readings_report.h"
-#include "moivre/closures/circuits.h"
+#include "moivre/motion/circuits.h"
 #include "moivre/expression/counted.h"
 #include "moivre/numeric/stopwatch.h"
 #include "moivre/report/number_text.h"

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "moivre/closures/circuits.h"
+#include "moivre/motion/circuits.h"
 #include "moivre/report/json.h"
 
 namespace moivre {

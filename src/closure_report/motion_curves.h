@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "circuits_report.h"
-#include "moivre/closures/motion.h"
+#include "moivre/motion/motion.h"
 #include "svg.h"
 
 namespace moivre {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "moivre/closures/motion.h"
+#include "moivre/motion/motion.h"
 #include "moivre/report/json.h"
 
 namespace moivre {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "moivre/closure_report/angles.h"
-#include "moivre/closures/motion.h"
+#include "moivre/motion/motion.h"
 
 namespace moivre {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "figures.h"
-#include "moivre/closures/motion.h"
+#include "moivre/motion/motion.h"
 
 namespace moivre {
 

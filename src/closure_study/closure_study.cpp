@@ -4,7 +4,7 @@
 
 #include "moivre/closure_study/motion_table.h"
 #include "moivre/closures/closures.h"
-#include "moivre/closures/motion.h"
+#include "moivre/motion/motion.h"
 
 namespace moivre {
 namespace {

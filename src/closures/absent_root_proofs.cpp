@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Proofs of roots where the module certify was not built: there are none.
-#include "root_proofs.h"
+#include "moivre/closures/root_proofs.h"
 
 namespace moivre {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Coordinate by coordinate: sorted by its value, cut where neighbours differ, each piece by the next coordinate.
-#include "canonical_order.h"
+#include "moivre/closures/canonical_order.h"
 
 #include <algorithm>
 #include <numbers>

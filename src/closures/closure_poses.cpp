@@ -7,13 +7,13 @@
 #include <map>
 #include <optional>
 
-#include "canonical_order.h"
+#include "moivre/closures/canonical_order.h"
+#include "moivre/closures/same_pose.h"
 #include "moivre/expression/counted.h"
 #include "moivre/kinematics/local_dimension.h"
 #include "moivre/kinematics/newton.h"
 #include "moivre/mechanism/closure_id.h"
 #include "moivre/mechanism/pose.h"
-#include "track.h"
 
 namespace moivre {
 namespace {

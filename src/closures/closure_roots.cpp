@@ -10,10 +10,10 @@
 #include <utility>
 
 #include "closing.h"
+#include "moivre/closures/stages.h"
 #include "moivre/expression/counted.h"
 #include "moving_pose.h"
 #include "squared_up.h"
-#include "stages.h"
 
 namespace moivre {
 namespace {

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "moivre/closures/closures.h"
-#include "root_proofs.h"
+#include "moivre/closures/root_proofs.h"
 
 namespace moivre {
 

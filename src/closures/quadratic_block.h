@@ -16,11 +16,11 @@
 #include <optional>
 #include <vector>
 
+#include "moivre/closures/stages.h"
 #include "moivre/formulation/block_structure.h"
 #include "moivre/formulation/formulation.h"
 #include "moivre/numeric/double_double.h"
 #include "moivre/solver/solve.h"
-#include "stages.h"
 
 namespace moivre {
 

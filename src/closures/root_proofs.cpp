@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Krawczyk's test for one group of blocks after another, the values of the groups before in their balls.
-#include "root_proofs.h"
+#include "moivre/closures/root_proofs.h"
 
 #include <algorithm>
 #include <map>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Blocks in turn: known values substituted, lone linear equations solved exactly, the rest by homotopy continuation.
-#include "stages.h"
+#include "moivre/closures/stages.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Does the order of closures depend on their poses alone?
-#include "canonical_order.h"
+#include "moivre/closures/canonical_order.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Are roots of a triangular system proved block after block: that they are, that they are real, that an expression vanishes there?
-#include "root_proofs.h"
+#include "moivre/closures/root_proofs.h"
 
 #include <gtest/gtest.h>
 

@@ -13,7 +13,7 @@
 namespace moivre {
 namespace {
 
-constexpr std::size_t kPoses = 40;
+constexpr std::size_t kAllPoses = 40;
 const std::vector<std::string> kPlatforms{"dietmaier",    "planar-platform", "platform-6-4",
                                           "platform-6-3", "octahedral-3-3",  "delta"};
 
@@ -49,7 +49,7 @@ TEST(SixRodsInGeneral, AreSatisfiedByTheirPosesInTheUnitsOfAnyPlatform) {
   for (const std::string& file : kPlatforms) {
     const Formulation formulation = platform(file);
     const auto general = general_of(formulation);
-    ASSERT_EQ(general.roots.size(), kPoses) << file;
+    ASSERT_EQ(general.roots.size(), kAllPoses) << file;
     for (const Point& x : general.roots) {
       EXPECT_LT(relative_residual(general.system, x), 1e-13) << file;
     }
@@ -63,7 +63,7 @@ TEST(SixRodsInGeneral, HaveNoOtherPosesThanTheKnown) {
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     const SolveResult anew = solved_anew(general.system, seed);
     EXPECT_TRUE(anew.complete);
-    ASSERT_EQ(anew.solutions.size(), kPoses);
+    ASSERT_EQ(anew.solutions.size(), kAllPoses);
     for (const Point& known : general.roots) {
       const auto is_it = [&](const Solution& root) { return apart(root.x, known) < 1e-9; };
       EXPECT_EQ(std::count_if(anew.solutions.begin(), anew.solutions.end(), is_it), 1);
@@ -100,7 +100,7 @@ TEST(SixRodsInGeneral, LieInASpanWhoseGeneralSystemsHaveFortyRoots) {
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     const SolveResult result = solved_anew(of_the_span(seed), seed);
     EXPECT_TRUE(result.complete);
-    EXPECT_EQ(result.solutions.size(), kPoses) << "seed " << seed;
+    EXPECT_EQ(result.solutions.size(), kAllPoses) << "seed " << seed;
   }
 }
 
@@ -108,7 +108,7 @@ TEST(SixRodsInGeneral, LeadToAllPosesByFortyPaths) {
   for (const std::string& file : kPlatforms) {
     const ClosureResult result = closures_of(mechanism_file(file), 7);
     EXPECT_TRUE(result.complete) << file;
-    EXPECT_EQ(result.paths.tracked, kPoses) << file;
+    EXPECT_EQ(result.paths.tracked, kAllPoses) << file;
     EXPECT_EQ(result.start.kind, "family") << file;
   }
 }
@@ -126,7 +126,7 @@ TEST(SixRodsInGeneral, GiveWayToTheStartThatIsAskedFor) {
   const ClosureResult result =
       find_closures(mechanism_file("dietmaier"), *make_cvode_tracker(), options);
   EXPECT_EQ(result.start.kind, "polyhedral");
-  EXPECT_EQ(result.counts.complex, kPoses);
+  EXPECT_EQ(result.counts.complex, kAllPoses);
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "moivre/closures/closures.h"
-#include "moivre/closures/motion.h"
+#include "moivre/motion/motion.h"
 #include "moivre/kinematics/newton.h"
 #include "moivre/mechanism/read.h"
 #include "moivre/tracker_cvode/cvode_tracker.h"

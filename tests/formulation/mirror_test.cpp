@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Is the mirror image of a root a root, exactly? Proofs that a closure is real rest on it (src/closures/root_proofs.h).
+// Is the mirror image of a root a root, exactly? Proofs that a closure is real rest on it (moivre/closures/root_proofs.h).
 #include <gtest/gtest.h>
 
 #include <algorithm>

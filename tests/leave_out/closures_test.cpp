@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "moivre/closures/motion.h"
+#include "moivre/motion/motion.h"
 #include "moivre/mechanism/read.h"
 #include "moivre/tracker_cvode/cvode_tracker.h"
 #include "wrapped_kinematics.h"

@@ -12,7 +12,7 @@
 
 #include <string>
 
-#include "moivre/closures/motion.h"
+#include "moivre/motion/motion.h"
 
 namespace moivre {
 

@@ -11,7 +11,7 @@
 #include <string>
 
 #include "moivre/closure_report/sheet.h"
-#include "moivre/closures/motion.h"
+#include "moivre/motion/motion.h"
 
 namespace moivre {
 

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "moivre/closures/motion.h"
+#include "moivre/motion/motion.h"
 #include "moivre/design/quantity.h"
 
 namespace moivre {

@@ -2,8 +2,8 @@
 // Which motions are refused before any work? Every broken rule, as a sentence.
 #include <cmath>
 
-#include "moivre/closures/motion.h"
 #include "moivre/expression/refusal.h"
+#include "moivre/motion/motion.h"
 
 namespace moivre {
 namespace {

@@ -9,7 +9,7 @@
 // event by the poses alone.
 #pragma once
 
-#include "moivre/closures/motion.h"
+#include "moivre/motion/motion.h"
 
 namespace moivre {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Is every closure followed, on its own branch, to where that ends, and is an exchange of branches found out?
-#include "moivre/closures/motion.h"
+#include "moivre/motion/motion.h"
 
 #include <gtest/gtest.h>
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "moivre/closures/same_pose.h"
+
 namespace moivre {
 namespace {
 

@@ -11,7 +11,7 @@
 #include <functional>
 #include <numbers>
 
-#include "moivre/closures/circuits.h"
+#include "moivre/motion/circuits.h"
 
 namespace moivre {
 

@@ -6,7 +6,7 @@
 // Not joined: what a joint's limit ends.
 #pragma once
 
-#include "moivre/closures/circuits.h"
+#include "moivre/motion/circuits.h"
 
 namespace moivre {
 

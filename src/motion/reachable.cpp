@@ -4,8 +4,8 @@
 #include <queue>
 #include <stdexcept>
 
-#include "moivre/closures/circuits.h"
 #include "moivre/expression/joined.h"
+#include "moivre/motion/circuits.h"
 
 namespace moivre {
 namespace {

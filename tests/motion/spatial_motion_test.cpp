@@ -8,8 +8,8 @@
 
 #include "gap.h"
 #include "mechanisms.h"
-#include "moivre/closures/motion.h"
 #include "moivre/mechanism/pose.h"
+#include "moivre/motion/motion.h"
 #include "moivre/numeric/svd.h"
 
 namespace moivre {

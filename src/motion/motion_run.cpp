@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "moivre/closures/same_pose.h"
 #include "moivre/kinematics/linear.h"
 
 namespace moivre {

@@ -7,7 +7,7 @@
 #include <map>
 #include <tuple>
 
-#include "canonical_order.h"
+#include "moivre/closures/canonical_order.h"
 #include "moivre/expression/counted.h"
 #include "moivre/mechanism/closure_id.h"
 #include "motion_times.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Branches are sorted into circuits and stretches; angles are summed along the joins.
-#include "moivre/closures/circuits.h"
+#include "moivre/motion/circuits.h"
 
 #include <algorithm>
 #include <boost/pending/disjoint_sets.hpp>

@@ -6,9 +6,10 @@
 #include <cmath>
 #include <utility>
 
+#include "moivre/closures/same_pose.h"
+#include "moivre/closures/stages.h"
 #include "moivre/formulation/exact.h"
 #include "moivre/mechanism/pose.h"
-#include "stages.h"
 #include "track.h"
 
 namespace moivre {

@@ -24,7 +24,7 @@
 #include <utility>
 #include <vector>
 
-#include "moivre/closures/motion.h"
+#include "moivre/motion/motion.h"
 
 namespace moivre {
 

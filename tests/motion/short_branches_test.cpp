@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "moivre/closures/motion.h"
+#include "moivre/motion/motion.h"
 #include "moivre/tracker_lanes/lane_tracker.h"
 #include "short_lives.h"
 

@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "moivre/closures/closures.h"
+#include "moivre/closures/root_proofs.h"
 #include "moivre/formulation/block_structure.h"
-#include "root_proofs.h"
 
 namespace moivre {
 

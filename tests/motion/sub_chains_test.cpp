@@ -12,7 +12,7 @@
 #include "closure_search.h"
 #include "gap.h"
 #include "mechanisms.h"
-#include "moivre/closures/circuits.h"
+#include "moivre/motion/circuits.h"
 #include "moivre/numeric/random.h"
 #include "motion_product.h"
 

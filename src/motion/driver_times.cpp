@@ -4,7 +4,7 @@
 #include <numbers>
 #include <optional>
 
-#include "moivre/closures/motion.h"
+#include "moivre/motion/motion.h"
 
 namespace moivre {
 namespace {

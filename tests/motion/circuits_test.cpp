@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Are circuits those that a hand finds which moves the linkage, and do links turn and rock as the books say?
-#include "moivre/closures/circuits.h"
+#include "moivre/motion/circuits.h"
 
 #include <gtest/gtest.h>
 
@@ -11,9 +11,9 @@
 #include "linkages.h"
 #include "mechanisms.h"
 #include "moivre/closures/four_bars.h"
+#include "moivre/closures/same_pose.h"
 #include "moivre/numeric/random.h"
 #include "traced_circuit.h"
-#include "track.h"
 
 namespace moivre {
 namespace {

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The motion: closures at checkpoints, tracks through them, both reconciled and put into the result.
-#include "moivre/closures/motion.h"
+#include "moivre/motion/motion.h"
 
 #include <algorithm>
 #include <iterator>
 #include <map>
 
 #include "moivre/closures/idle_joints.h"
+#include "moivre/closures/same_pose.h"
 #include "moivre/kinematics/newton.h"
 #include "moivre/numeric/stopwatch.h"
 #include "motion_product.h"

@@ -5,12 +5,12 @@
 #include <cmath>
 
 #include "mechanisms.h"
-#include "moivre/closures/motion.h"
 #include "moivre/kinematics/mobility.h"
 #include "moivre/kinematics/newton.h"
 #include "moivre/kinematics/state.h"
 #include "moivre/mechanism/driven_joint.h"
 #include "moivre/mechanism/pose.h"
+#include "moivre/motion/motion.h"
 
 namespace moivre {
 namespace {

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "mechanisms.h"
-#include "track.h"
+#include "moivre/closures/same_pose.h"
 
 namespace moivre {
 namespace {

@@ -6,9 +6,9 @@
 #include <numbers>
 
 #include "mechanisms.h"
-#include "moivre/closures/motion.h"
 #include "moivre/kinematics/state.h"
 #include "moivre/mechanism/pose.h"
+#include "moivre/motion/motion.h"
 
 namespace moivre {
 namespace {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "moivre/closures/same_pose.h"
 #include "track.h"
 
 namespace moivre {

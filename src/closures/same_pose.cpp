@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// Poses side by side: angles modulo whole turns, lengths beside the larger pose.
+#include "moivre/closures/same_pose.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace moivre {
+namespace {
+
+/// Of the larger pose.
+double size_of(const Phi& phi, const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+  return std::max(size_of(phi, a), size_of(phi, b));
+}
+
+}  // namespace
+
+bool is_length(const Phi& phi, Eigen::Index k) {
+  return phi.coordinates()[static_cast<std::size_t>(k)].kind == CoordinateKind::length;
+}
+
+double size_of(const Phi& phi, const Eigen::VectorXd& q) {
+  double size = 1;
+  for (Eigen::Index k = 0; k < q.size(); ++k) {
+    if (is_length(phi, k)) size = std::max(size, std::abs(q[k]));
+  }
+  return size;
+}
+
+double distance(const Phi& phi, const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+  const Eigen::VectorXd gap = phi.canonical(phi.canonical(a) - phi.canonical(b));
+  return gap.lpNorm<Eigen::Infinity>() / size_of(phi, a, b);
+}
+
+bool is_same_pose(const Phi& phi, const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+  const double most = kSamePose * size_of(phi, a, b);
+  for (Eigen::Index k = 0; k < a.size(); ++k) {
+    if (is_length(phi, k) && std::abs(a[k] - b[k]) > most) return false;
+  }
+  return distance(phi, a, b) <= kSamePose;
+}
+
+}  // namespace moivre
