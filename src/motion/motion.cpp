@@ -163,6 +163,7 @@ MotionResult find_motion_of_whole(const Mechanism& mechanism, const Tracker& tra
   enter_branches(run, result);
   for (const Scene& scene : scenes) enter_checkpoint(run, scene, result);
   enter_unverified(run, result);
+  enter_unmet(run, result);
   count_work(scenes, result);
   tell_instants(run.instants, result);
   tell_crossings(crossings, result);

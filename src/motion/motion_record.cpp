@@ -206,4 +206,15 @@ void enter_unverified(const MotionRun& run, MotionResult& result) {
   }
 }
 
+void enter_unmet(const MotionRun& run, MotionResult& result) {
+  for (std::size_t k = 0; k < run.tracks.size() && !run.stop; ++k) {
+    for (const bool is_forwards : {false, true}) {
+      if (!lacks_partner(run, run.tracks[k], is_forwards)) continue;
+      const double time = way_of(run.tracks[k], is_forwards).event->time;
+      result.failures.push_back("branch " + result.branches[k].id + " " + at_time(time) +
+                                ": the branch that meets it in its dead point was not found");
+    }
+  }
+}
+
 }  // namespace moivre

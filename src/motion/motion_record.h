@@ -26,4 +26,7 @@ void enter_checkpoint(const MotionRun& run, const Scene& scene, MotionResult& re
 /// Enters the branches that do not lead back to where they were found.
 void enter_unverified(const MotionRun& run, MotionResult& result);
 
+/// Enters the branches that end at a dead point alone.
+void enter_unmet(const MotionRun& run, MotionResult& result);
+
 }  // namespace moivre

@@ -75,6 +75,16 @@ bool is_event_of_a_track(const MotionRun& run, double time, const Eigen::VectorX
   });
 }
 
+bool lacks_partner(const MotionRun& run, const Track& track, bool is_forwards) {
+  const Branch& way = way_of(track, is_forwards);
+  if (!way.event || !way.beyond) return false;
+  if (!(way.beyond->time > run.times.from && way.beyond->time < run.times.to)) return false;
+  return std::none_of(run.tracks.begin(), run.tracks.end(), [&](const Track& other) {
+    const Branch& its_way = way_of(other, is_forwards);
+    return &other != &track && its_way.event && is_same_event(run, *its_way.event, *way.event);
+  });
+}
+
 bool is_instant(MotionRun& run, double time, const Closure& closure) {
   if (is_known_instant(run, time, closure.q)) return true;
   const Phi& phi = run.phi;

@@ -26,6 +26,7 @@ struct MotionRun {
   const TrackFollower follower;
   std::vector<Track> tracks;
   std::vector<BranchPose> instants;  ///< closures through which no branch leads
+  std::vector<BranchEvent> sought;   ///< dead points from which a second branch was followed
 
   /// From now on tracks have a pose at that time, too.
   void add_time(double time);
@@ -45,6 +46,14 @@ bool is_event_time(const MotionRun& run, const BranchEvent& event, double time);
 
 /// Whether a track ends, either way, at that time in the pose q.
 bool is_event_of_a_track(const MotionRun& run, double time, const Eigen::VectorXd& q);
+
+/// The way that a track goes from its anchor.
+inline const Branch& way_of(const Track& track, bool is_forwards) {
+  return is_forwards ? track.forwards : track.backwards;
+}
+
+/// Whether a track ends at a dead point between the times where no other track ends, the same way. `track` is one of the run's.
+bool lacks_partner(const MotionRun& run, const Track& track, bool is_forwards);
 
 /// Whether the closure is there for an instant: more constraints than coordinates, and none of them can hold a moment later,
 /// [Phi_q Phi_t] having full rank. Notes it in the run.

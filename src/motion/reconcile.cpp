@@ -53,24 +53,21 @@ bool settle(MotionRun& run, const std::vector<Scene>& scenes, Scene& scene) {
   return false;
 }
 
-/// Whether another track ends, the same way, where `track` does.
-bool is_met(const MotionRun& run, const Track& track, bool is_forwards) {
-  const BranchEvent& event = *(is_forwards ? track.forwards : track.backwards).event;
-  return std::any_of(run.tracks.begin(), run.tracks.end(), [&](const Track& other) {
-    const Branch& its_way = is_forwards ? other.forwards : other.backwards;
-    return &other != &track && its_way.event && is_same_event(run, *its_way.event, event);
-  });
+bool is_sought(const MotionRun& run, const BranchEvent& event) {
+  return std::any_of(run.sought.begin(), run.sought.end(),
+                     [&](const BranchEvent& other) { return is_same_event(run, event, other); });
 }
 
-/// A branch that meets another at its dead point may live between two checkpoints only. True when one was found.
+/// A branch that meets another at its dead point may live between two checkpoints only. True when one was sought, which is done once for
+/// each dead point: what sets out beyond it and ends elsewhere may come back to it when it is followed again, but never by being sought again.
 bool add_partner(MotionRun& run) {
   for (std::size_t k = 0; k < run.tracks.size() && !run.stop; ++k) {
     for (const bool is_forwards : {true, false}) {
-      const Branch& way = is_forwards ? run.tracks[k].forwards : run.tracks[k].backwards;
-      if (!way.event || !way.beyond) continue;
+      if (!lacks_partner(run, run.tracks[k], is_forwards)) continue;
+      const Branch& way = way_of(run.tracks[k], is_forwards);
+      if (is_sought(run, *way.event)) continue;
+      run.sought.push_back(*way.event);
       const BranchPose beyond = *way.beyond;
-      if (!(beyond.time > run.times.from && beyond.time < run.times.to)) continue;
-      if (is_met(run, run.tracks[k], is_forwards)) continue;
       run.tracks.push_back(run.follower.follow(beyond));
       return true;
     }

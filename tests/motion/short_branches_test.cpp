@@ -75,6 +75,13 @@ void expect_found(BriefKind kind, const std::vector<double>& shares, std::uint64
   }
 }
 
+TEST(ShortBranches, AreToldWhereTheGapBetweenThemIsTooShortToBeFound) {
+  // What sets out beyond one of the dead points does not come back to it: it was sought again without end.
+  const MotionResult motion = turn_of(random_brief_life(BriefKind::gap, 1e-7, 1, 1));
+  EXPECT_FALSE(motion.complete);
+  EXPECT_FALSE(motion.failures.empty());
+}
+
 TEST(ShortBranches, TwoThatLiveBetweenTheSameDeadPointsAreFound) {
   expect_found(BriefKind::island, {1e-3, 1e-5, 1e-7}, 6);
 }
