@@ -7,12 +7,13 @@
 namespace moivre {
 namespace {
 
-// Words are alike while at most one letter in this many is wrong; the dashes of an option are no letters.
+// Words are alike while no more than one letter in this many is wrong, to the nearest whole mistake; dashes of an option are no letters.
 constexpr std::size_t kLettersAMistake = 3;
 
 std::size_t most_mistakes(const std::string& word) {
   const std::size_t dashes = std::min(word.find_first_not_of('-'), word.size());
-  return std::max<std::size_t>((word.size() - dashes) / kLettersAMistake, 1);
+  const std::size_t letters = word.size() - dashes;
+  return std::max<std::size_t>((letters + kLettersAMistake / 2) / kLettersAMistake, 1);
 }
 
 }  // namespace
