@@ -9,6 +9,10 @@
 namespace moivre {
 namespace {
 
+// At first a path gets this share of the steps near t = 1. Most slow paths end at no isolated root, which a bound that the other paths meet
+// tells in no time; where none is met the share is what they lose.
+constexpr std::uint64_t kFirstShare = 8;
+
 /// Verdicts go to `sink`, but for those that the run's end cut short; what is finite is refined.
 void track_these(Run& run, const PathProblem& problem, const PathSet& paths, int care,
                  const EndSink& sink) {
@@ -55,13 +59,20 @@ Left climb_with(Run& run, const Tracker& tracker, Rung rung, Taken taken, const 
 
 }  // namespace
 
-void track_all(Run& run) {
+PathSet track_all(Run& run) {
   const Setting& setting = run.setting;
+  EndgameOptions brief = setting.endgame;
+  brief.ends.maximum_steps /= kFirstShare;
+  const PathProblem problem{*setting.prepared.plan, setting.tracker(), brief};
+  PathSet slow;
   Progress progress;
   progress.total = setting.prepared.plan->paths;
   const EndSink sink = [&](std::uint64_t path, PathEnd&& end) {
     ++progress.done;
     if (end.status == PathStatus::finite) ++progress.finite;
+    if (end.failure == Failure::precision && end.count.accepted > brief.ends.maximum_steps) {
+      slow.insert(path);
+    }
     take_end(run, path, std::move(end));
     if (setting.options.progress) setting.options.progress(progress);
   };
@@ -69,11 +80,12 @@ void track_all(Run& run) {
     // Ends that wait to be refined take much more memory than roots.
     refine_ends(run);
     track_paths(
-        setting.problem(0), std::min(kPathsTogether, progress.total - first),
+        problem, std::min(kPathsTogether, progress.total - first),
         [first](std::uint64_t k) { return first + k; }, setting.options.care, setting.threads, sink,
         setting.stop);
   }
   if (progress.done < progress.total) run.interrupted = true;
+  return slow;
 }
 
 void track_again(Run& run, const PathSet& paths, int care) {

@@ -9,8 +9,9 @@
 
 namespace moivre {
 
-/// Follows every path of the start system, and reports the progress. The last thousands of finite ends wait for refine_ends().
-void track_all(Run& run);
+/// Follows every path of the start system, and reports the progress. The last thousands of finite ends wait for refine_ends(). Paths that go
+/// round t = 1 for long without an end are left for later: returned, and failed until they are tracked again.
+PathSet track_all(Run& run);
 
 /// Follows these with that care: by the same tracker first, by the fallback later.
 void track_again(Run& run, const PathSet& paths, int care);

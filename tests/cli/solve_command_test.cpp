@@ -308,6 +308,7 @@ TEST(SolveCommand, RefusesEachWrongOptionWithItsReason) {
       {{"--seed", "18446744073709551616"}, "--seed: 18446744073709551616 is beyond 64 bits"},
       {{"--seed", "x"}, "Could not convert: --seed = x"},
       {{"--jsn", "-"}, "unknown option --jsn; did you mean --json?"},
+      {{"--html", "f.html"}, "unknown option --html"},
       {{"--tread=2"}, "unknown option --tread; did you mean --threads?"}};
   for (const Refusal& refusal : refusals) {
     std::vector<std::string> arguments = {"solve", "f.phc"};

@@ -117,5 +117,33 @@ TEST(CountedRoots, AreLookedForInMoreDigitsAsLongAsOneIsMissing) {
   EXPECT_EQ(result.bound->kind, "dimension of the quotient ring");
 }
 
+// 720 paths of which 68 go round t = 1 without an end: none is followed to the last of its steps when the others have met a bound.
+TEST(SlowPaths, WaitForTheOthersToMeetABound) {
+  const auto lanes = make_lane_tracker();
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    SolveOptions options = with_seed(seed);
+    options.start = StartKind::total_degree;
+    const SolveResult result = solve(system_of(problem("cyclic-6")), *lanes, options);
+    EXPECT_EQ(result.solutions.size(), 156U);
+    EXPECT_TRUE(result.bound);
+    std::size_t left = 0;
+    for (const PathRecord& path : result.ledger) {
+      if (path.verdict != PathVerdict::left_by_bound) continue;
+      ++left;
+      EXPECT_EQ(path.followed, 1);
+      EXPECT_LT(path.steps, options.endgame.ends.maximum_steps / 2);
+    }
+    EXPECT_GT(left, 0U);
+  }
+}
+
+// A curve beside the roots: no bound is met, and slow paths go on.
+TEST(SlowPaths, GoOnWhereNoBoundIsMet) {
+  const System f = read("2\n(x^2 + y^2 - 5)*(x - 3)^3;\n(x*y - 2)*(x - 3)^3;\n");
+  const SolveResult result = solve(f, *make_lane_tracker(), with_seed(1));
+  EXPECT_TRUE(result.complete) << result.message;
+  EXPECT_EQ(result.solutions.size(), 4U);
+}
+
 }  // namespace
 }  // namespace moivre::test
