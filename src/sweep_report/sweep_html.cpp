@@ -4,14 +4,16 @@
 // Data, as JSON: {"plot": [left, top, right, bottom] in pixels; "axes": [{"name", "unit", "values": [..]}]; "told": [sentence a sample];
 // "closures": [[[x, y, x, y ...] of all points, a closure] a sample]; "bodies": [{"colour": class, "points": [..]}];
 // "lines": [[class, point, point]]; "spots": [["pin" | "ground" | "mark", point]]; "box": [x, y, x, y] around all;
-// "unknowns": [name], whose values stand instead of points where there are no bodies}. The first axis varies slowest.
+// "ids": [of the closures of any sample]; "unknowns": [name], whose values stand instead of points where there are no bodies}. The first axis varies slowest.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
 #include "moivre/closure_report/document.h"
 #include "moivre/closure_report/drawing.h"
 #include "moivre/expression/counted.h"
+#include "moivre/mechanism/closure_id.h"
 #include "moivre/mechanism/dimensions.h"
 #include "moivre/mechanism/pose.h"
 #include "moivre/report/markup.h"
@@ -87,6 +89,15 @@ std::vector<PointOf> all_points(const Mechanism& mechanism) {
   return points;
 }
 
+/// Of as many closures as any sample has.
+Json ids_json(const std::vector<const SweepSample*>& samples) {
+  std::size_t most = 0;
+  for (const SweepSample* sample : samples) most = std::max(most, sample->closures.size());
+  Json ids = Json::array();
+  for (std::size_t k = 0; k < most; ++k) ids.push_back(closure_id(k));
+  return ids;
+}
+
 /// The place of a point among all_points().
 std::size_t number_of(const Mechanism& mechanism, const PointOf& point) {
   std::size_t number = point.point;
@@ -121,18 +132,21 @@ Json lines_json(const Mechanism& mechanism) {
 }
 
 Json spots_json(const Mechanism& mechanism) {
-  std::vector<const char*> kinds(all_points(mechanism).size(), "mark");
+  enum Kind { mark, pin, ground };  // what holds more is shown
+  constexpr std::array kNames{"mark", "pin", "ground"};
+  std::vector<Kind> kinds(all_points(mechanism).size(), mark);
   for (const Joint& joint : mechanism.joints) {
     if (is_transmission(joint.type)) continue;
     const bool at_ground = joint.at[0].body == 0 || joint.at[1].body == 0;
     const bool is_pin = traits(joint.type).place == JointPlace::at_point;
     for (const PointOf& point : joint.at) {
       const bool stands = is_pin ? at_ground : point.body == 0;
-      kinds[number_of(mechanism, point)] = stands ? "ground" : "pin";
+      Kind& kind = kinds[number_of(mechanism, point)];
+      kind = std::max(kind, stands ? ground : pin);
     }
   }
   Json spots = Json::array();
-  for (std::size_t k = 0; k < kinds.size(); ++k) spots.push_back({kinds[k], k});
+  for (std::size_t k = 0; k < kinds.size(); ++k) spots.push_back({kNames[kinds[k]], k});
   return spots;
 }
 
@@ -215,6 +229,7 @@ std::string sweep_html(const SweepResult& result, const Mechanism& mechanism,
   Json data{{"plot", {kPlotLeft, kPlotTop, kPlotRight, kPlotBottom}},
             {"axes", axes_json(mechanism, result, shown)},
             {"told", Json::array()},
+            {"ids", ids_json(samples)},
             {"closures", Json::array()},
             {"bodies", Json::array()},
             {"lines", Json::array()},

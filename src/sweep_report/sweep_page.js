@@ -67,8 +67,6 @@
   };
   const table = (values) => markup('table', {}, data.unknowns.map(
     (name, k) => markup('tr', {}, markup('td', {}, escaped(name)) + markup('td', {}, text(values[k])))).join(''));
-  // As the ids of `closures`: A to Z, then AA.
-  const idOf = (k) => (k >= 26 ? idOf(Math.floor(k / 26) - 1) : '') + String.fromCharCode(65 + k % 26);
 
   const horizontal = document.createElementNS(svgNamespace, 'path');
   const spot = document.createElementNS(svgNamespace, 'circle');
@@ -100,7 +98,7 @@
     const closures = data.closures[k];
     byId('told').textContent = data.told[k];
     byId('closures').innerHTML = closures.map((flat, c) => markup('figure', {}, markup(
-      'figcaption', {}, markup('b', {}, idOf(c))) + (data.unknowns.length > 0 ? table(flat) : drawing(flat)))).join('');
+      'figcaption', {}, markup('b', {}, data.ids[c])) + (data.unknowns.length > 0 ? table(flat) : drawing(flat)))).join('');
   };
 
   const pointed = (event) => {

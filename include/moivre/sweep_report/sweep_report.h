@@ -5,8 +5,9 @@
 //   JSON   everything;  CSV one sample per line
 //   SVG    one number: the number of real closures as a curve, that of all as a thin one; two: a map, a colour a number, with its borders
 //   HTML   the picture, and the closures of the sample that one points at, chooses by a slider or names in the address (#at=12.5,9)
-// The page draws bodies as the hulls of their points; for typed equations it lists the unknowns. It needs closures kept by the sweep, and
-// shows those of at most kMostShown samples, evenly thinned, so that a browser can hold them.
+// The page draws bodies as the hulls of their points; for typed equations it lists the unknowns. It needs closures kept by the sweep,
+// which of multiplied sub-chains may be fewer than are counted, and shows those of at most kMostShown samples, evenly thinned, so that
+// a browser can hold them.
 #pragma once
 
 #include <string>
