@@ -15,9 +15,6 @@
 namespace moivre {
 namespace {
 
-// So many steps within the creeping radius tell creeping from a step that chanced to end there.
-constexpr int kCreepingSteps = 3;
-
 const PathTime kEnd(1.0, 0.0);
 
 double difference(const Point& a, const Point& b) {
@@ -135,7 +132,7 @@ Watcher::Verdict Endgame::watch(const StepRecord& step, PathSystem&) noexcept {
     radius_ = radius;
   }
   if (radius < options_.ends.creeping_radius && !options_.goes_straight) ++creeping_;
-  return creeping_ >= kCreepingSteps ? Verdict::stop : Verdict::go_on;
+  return creeping_ >= options_.creeping_steps ? Verdict::stop : Verdict::go_on;
 }
 
 std::nullopt_t Endgame::fail(Failure failure) {
@@ -200,12 +197,30 @@ std::optional<Departure> Endgame::judge_arrival(Arrival&& arrival, PathSystem& p
   if (is_regular_arrival(arrival, path, condition)) return std::nullopt;
   if (outpost_.empty()) return fail(to_failure(arrival.journey));
   if (options_.only_regular) {
+    end_.outpost = {outside(frame_, outpost_), radius_, end_.mark};
     return fail(arrival.journey == Journey::step_limit ? Failure::step_limit : Failure::precision);
   }
+  return turn_to_circles(path);
+}
+
+Departure Endgame::take_up(const Outpost& outpost, PathSystem& path) {
+  end_.is_taken_up = true;
+  end_.mark = outpost.mark;
+  if (path.homotopy().is_framed()) {
+    frame_ = std::make_shared<const PathFrame>(frame_at(path.homotopy(), outpost.x));
+  }
+  path.set_frame(frame_.get());
+  outpost_ = inside(frame_, outpost.x);
+  radius_ = outpost.radius;
+  return turn_to_circles(path);
+}
+
+Departure Endgame::turn_to_circles(PathSystem& path) {
   polish_outpost(path);
   watched_at_ = outpost_;
   watched_radius_ = radius_;
-  return begin_first_circle();
+  phase_ = Phase::first_approach;
+  return approach(common_radius());
 }
 
 // A tracker that has t = 1 in view passes points of the way as near to the path as it needs for that.
@@ -249,14 +264,9 @@ double Endgame::common_radius() const {
   return last * std::pow(options_.ends.shrink, std::ceil(steps));
 }
 
-std::optional<Departure> Endgame::approach(double radius) {
+Departure Endgame::approach(double radius) {
   next_radius_ = radius;
   return along(Contour::spiral(radius_, std::log(radius / radius_)), outpost_);
-}
-
-std::optional<Departure> Endgame::begin_first_circle() {
-  phase_ = Phase::first_approach;
-  return approach(common_radius());
 }
 
 Contour Endgame::circle() const {

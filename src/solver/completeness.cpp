@@ -38,11 +38,16 @@ bool is_met(const std::optional<std::uint64_t>& bound, std::uint64_t roots,
   return bound == roots;
 }
 
+/// What may be saved of a search: nothing that is always worth it where the paths that wait are few.
+std::uint64_t paths_at_stake(const Run& run) {
+  return run.waiting.empty() ? run.setting.prepared.start.paths : run.waiting.size();
+}
+
 CellSearchOptions bounded_search(const Run& run, const System& f) {
   CellSearchOptions options;
   options.stop = &run.setting.stop;
-  options.most_steps =
-      std::max(kLeastSearch, search_steps_for(f, run.setting.prepared.start.paths));
+  const std::uint64_t least = run.waiting.empty() ? kLeastSearch : 1;
+  options.most_steps = std::max(least, search_steps_for(f, paths_at_stake(run)));
   return options;
 }
 
@@ -85,25 +90,34 @@ bool is_worth_a_search(const Run& run) {
   return setting.options.start != StartKind::automatic;
 }
 
-/// Each search is made once.
-const std::optional<std::uint64_t>& once(SoughtBound& bound, const auto& search) {
-  if (!std::exchange(bound.was_sought, true)) bound.value = search();
+/// A search that was given up is made again where twice as much is worth it.
+bool is_worth_another(std::uint64_t allowed, std::uint64_t worth) { return allowed <= worth / 2; }
+
+/// Each search is made once, unless another is worth it.
+const std::optional<std::uint64_t>& once(SoughtBound& bound, std::uint64_t steps,
+                                         const auto& search) {
+  if (!bound.value && is_worth_another(bound.steps, steps)) {
+    bound.steps = steps;
+    bound.value = search();
+  }
   return bound.value;
 }
 
 std::uint64_t terms_worth_looking_at(const Run& run) {
   const Prepared& prepared = run.setting.prepared;
-  const double cost = cost_of_paths(prepared.reduction.system, prepared.start.paths);
-  const double least = run.ledger.failures().empty() ? kLeastTerms : kTermsInDoubt;
+  const double cost = cost_of_paths(prepared.reduction.system, paths_at_stake(run));
+  const double least = !run.waiting.empty()            ? 0
+                       : run.ledger.failures().empty() ? kLeastTerms
+                                                       : kTermsInDoubt;
   return static_cast<std::uint64_t>(
       std::min(std::max(least, kAlgebraShare * cost / kTermCost), 1e18));
 }
 
-/// Looked for when `roots` are known, and again where more terms are worth it and fewer did not do.
+/// Looked for when `roots` are known.
 const QuotientRing& ring_of(Run& run, std::uint64_t roots) {
   const std::uint64_t most_terms = terms_worth_looking_at(run);
   if (run.bounds.ring.verdict == QuotientRing::Verdict::not_found &&
-      run.bounds.ring_terms < most_terms) {
+      is_worth_another(run.bounds.ring_terms, most_terms)) {
     run.bounds.ring_terms = most_terms;
     run.bounds.ring = quotient_ring(run.setting.prepared.reduction.system,
                                     {roots, most_terms, &run.setting.stop});
@@ -115,20 +129,21 @@ std::optional<MetBound> volume_met_by(Run& run, std::uint64_t roots) {
   const Setting& setting = run.setting;
   const System& reduced = setting.prepared.reduction.system;
   const auto counted = setting.prepared.start.counts.mixed_volume.paths;
+  const std::uint64_t steps = bounded_search(run, reduced).most_steps;
   if (counted == roots) {
     const auto verified = [&] { return is_counted_twice(run, roots) ? counted : std::nullopt; };
-    if (once(run.bounds.counted, verified)) return MetBound{"mixed volume", roots};
+    if (once(run.bounds.counted, steps, verified)) return MetBound{"mixed volume", roots};
     return std::nullopt;
   }
   if (is_worth_a_search(run)) {
     const auto search = [&] { return verified_volume(run, reduced); };
     const std::string kind = lacks_origin(reduced) ? "stable mixed volume" : "mixed volume";
-    if (is_met(once(run.bounds.reduced, search), roots, kind)) return MetBound{kind, roots};
+    if (is_met(once(run.bounds.reduced, steps, search), roots, kind)) return MetBound{kind, roots};
   }
   if (setting.prepared.reduction.substitutions.empty()) return std::nullopt;
   const auto search = [&] { return verified_volume(run, setting.f); };
   const std::string kind = lacks_origin(setting.f) ? "stable mixed volume" : "mixed volume";
-  if (is_met(once(run.bounds.whole, search), roots, kind)) return MetBound{kind, roots};
+  if (is_met(once(run.bounds.whole, steps, search), roots, kind)) return MetBound{kind, roots};
   return std::nullopt;
 }
 
@@ -141,14 +156,18 @@ std::optional<MetBound> ring_or_volume_met_by(Run& run, std::uint64_t roots) {
   return std::nullopt;
 }
 
-/// Roots at 0 and curves on which coordinates vanish leave it as it is. What is known of `points` is asked once.
+/// Roots at 0 and curves on which coordinates vanish leave it as it is. Of the same `points` it is asked once, unless another search is worth it.
 std::optional<MetBound> strata_met_by(Run& run, std::uint64_t points) {
   const System& f = run.setting.f;
-  if (!lacks_origin(f) || std::exchange(run.bounds.points_asked, points) == points) {
+  if (!lacks_origin(f)) return std::nullopt;
+  const CellSearchOptions search = bounded_search(run, f);
+  Bounds& bounds = run.bounds;
+  if (bounds.points_asked == points && !is_worth_another(bounds.strata_steps, search.most_steps)) {
     return std::nullopt;
   }
-  const auto most =
-      most_isolated_points(f, run.setting.options.seed, bounded_search(run, f), points);
+  bounds.points_asked = points;
+  bounds.strata_steps = search.most_steps;
+  const auto most = most_isolated_points(f, run.setting.options.seed, search, points);
   const std::string kind = "mixed volume of the strata";
   if (!is_met(most, points, kind)) return std::nullopt;
   return MetBound{kind, points, true};
@@ -259,6 +278,7 @@ std::vector<std::uint64_t> spare_paths(Run& run, Places& places) {
                  [&](std::uint64_t path) { return proved == group.end() || path != *proved; });
   }
   for (const auto& [path, failure] : run.ledger.failures()) spare.push_back(path);
+  for (const auto& [path, outpost] : run.waiting) spare.push_back(path);
   return spare;
 }
 
@@ -272,6 +292,7 @@ bool settle_by_bound(Run& run) {
   // Paths that are said to be at infinity cannot be told from each other any more.
   if (spare.size() < places.count()) return false;
   for (std::size_t k = places.fill(run, spare); k < spare.size(); ++k) run.ledger.leave(spare[k]);
+  run.waiting.clear();
   run.unsettled_conjugates = 0;
   return true;
 }

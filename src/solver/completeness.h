@@ -13,6 +13,7 @@
 //
 // A mixed volume counts where two liftings that have nothing in common agree: cells found alone are a lower bound. A search
 // costs no more than the paths are expected to, and none is begun whose number is known not to be met.
+// Where paths wait to be followed on, no more than these cost.
 // More proved roots than a bound would be a fault of ours: std::logic_error. Private to the module.
 #pragma once
 

@@ -9,6 +9,7 @@
 #include "certificates.h"
 #include "dimension.h"
 #include "moivre/certify/certifier.h"
+#include "tracking.h"
 
 namespace moivre {
 namespace {
@@ -31,11 +32,14 @@ constexpr int kLeastMultiplicity = 2;
 // A thread is worth waking for so many ends to refine.
 constexpr std::size_t kEndsOfAThread = 16;
 
-/// A proved root near the end is what the path ends at; without a proof it is no simple root.
+/// A proved root near the end is what the path ends at; without a proof it is no simple root. Of an end that may still wait for more effort
+/// double tells enough: near a multiple root a proof is sought in vain, for long.
 void prove(const Run& run, Refiner& refiner, Prover& prover, const Point& x, double accuracy,
            Root& root) {
   if (run.setting.stop) return;
-  const auto certificate = prover.prove(root.point.x);
+  const bool may_wait = run.effort == Effort::regular_ends;
+  const auto certificate =
+      may_wait ? prover.prove_in_double(root.point.x) : prover.prove(root.point.x);
   root.point.simple =
       certificate != nullptr && refiner.is_within_reach(x, accuracy, certificate->midpoint);
   if (!root.point.simple) return;
@@ -108,6 +112,13 @@ bool is_known_singular(const Run& run, const Root& root) {
   return root.point.accuracy <= kWorstAccuracyOnSet && is_on_set(run, root);
 }
 
+/// More effort may find its end.
+bool has_to_wait(const Run& run, const PathEnd& end) {
+  if (end.failure != Failure::precision || run.effort == Effort::all_steps) return false;
+  return run.effort == Effort::regular_ends ||
+         end.count.accepted > endgame_for(run.setting, run.effort).ends.maximum_steps;
+}
+
 /// Of a path that failed on the last stage; empty elsewhere.
 Point last_point(const Run& run, const PathEnd& end) {
   const Prepared& prepared = run.setting.prepared;
@@ -121,7 +132,7 @@ double simple_tolerance(const Refined& root) { return 4 * root.accuracy + kSimpl
 
 void count_following(Run& run, std::uint64_t path, const PathEnd& end) {
   run.work += end.count;
-  run.ledger.count_following(path, end.count, end.stage);
+  run.ledger.count_following(path, end.count, end.stage, end.is_taken_up);
 }
 
 void take_end(Run& run, std::uint64_t path, PathEnd&& end) {
@@ -147,6 +158,8 @@ void take_end(Run& run, std::uint64_t path, PathEnd&& end) {
     case PathStatus::failed:
       if (end.failure == Failure::cancelled) {
         run.interrupted = true;
+      } else if (has_to_wait(run, end)) {
+        run.waiting[path] = end.outpost ? std::move(*end.outpost) : Outpost{};
       } else {
         run.ledger.enter_failure({path, *end.failure, end.t, end.stage}, last_point(run, end));
       }
@@ -164,6 +177,8 @@ void refine_ends(Run& run) {
         roots[k].point.simple || (!run.setting.hides_terms() && is_known_singular(run, roots[k]));
     if (is_root) {
       run.ledger.enter_root(path, std::move(roots[k]));
+    } else if (run.effort == Effort::regular_ends) {
+      run.waiting[path] = {};
     } else {
       run.ledger.enter_failure({path, Failure::precision, end.t, end.stage},
                                std::move(roots[k].point.x));

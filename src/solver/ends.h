@@ -14,15 +14,17 @@
 
 namespace moivre {
 
-/// Enters the verdict on a path; a finite end waits for refine_ends(). A path that was cut short has no entry.
-/// One more following of the path, and what it took.
+/// What one more following of the path, or of the rest of its way, took.
 void count_following(Run& run, std::uint64_t path, const PathEnd& end);
+
+/// Enters the verdict on a path; a finite end waits for refine_ends(). A path that was cut short has no entry, nor has one that waits
+/// for more effort.
 void take_end(Run& run, std::uint64_t path, PathEnd&& end);
 
 /// The tolerance of a simple root.
 double simple_tolerance(const Refined& root);
 
-/// Enters all finite ends that wait, on all threads.
+/// Enters all finite ends that wait, on all threads. Where only regular ends are sought, what is not proved waits for more effort.
 void refine_ends(Run& run);
 
 }  // namespace moivre

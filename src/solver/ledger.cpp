@@ -62,12 +62,14 @@ void Ledger::enter_failure(const FailedPath& failure, Point last) {
 
 void Ledger::leave(std::uint64_t path) { decide(path, PathVerdict::left_by_bound); }
 
-void Ledger::count_following(std::uint64_t path, const StepCount& count, std::size_t stage) {
+void Ledger::count_following(std::uint64_t path, const StepCount& count, std::size_t stage,
+                             bool is_followed_on) {
   PathRecord& known = record(path);
   const std::uint64_t steps = known.steps + count.accepted + count.rejected;
   known.steps = static_cast<std::uint32_t>(
       std::min<std::uint64_t>(steps, std::numeric_limits<std::uint32_t>::max()));
-  if (known.followed < std::numeric_limits<std::uint8_t>::max()) ++known.followed;
+  if (!is_followed_on && known.followed < std::numeric_limits<std::uint8_t>::max())
+    ++known.followed;
   known.stage = static_cast<std::uint8_t>(stage);
 }
 

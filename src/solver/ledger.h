@@ -42,8 +42,9 @@ class Ledger {
   /// It leads to no root that is not known already: a bound says so.
   void leave(std::uint64_t path);
 
-  /// The path was followed once more; `stage`: of the plan, where it ended.
-  void count_following(std::uint64_t path, const StepCount& count, std::size_t stage);
+  /// The path was followed once more, or on; `stage`: of the plan, where it ended.
+  void count_following(std::uint64_t path, const StepCount& count, std::size_t stage,
+                       bool is_followed_on = false);
   void set_rung(std::uint64_t path, Rung rung) { record(path).rung = rung; }
   void set_handed_over(std::uint64_t path) { record(path).handed_over = true; }
 

@@ -36,7 +36,7 @@ struct Waiting {
 /// What the threads share: the next path to begin, the sink, and the paths that wait.
 struct Shared {
   std::uint64_t first, beyond;  ///< of the paths by their order
-  const std::function<std::uint64_t(std::uint64_t)>& path_of;
+  std::function<std::uint64_t(std::uint64_t)> path_of;
   int care;
   const EndSink& sink;
   const std::atomic<bool>& stop;
@@ -94,6 +94,12 @@ class SessionSource : public DepartureSource {
     take_up({departure.path, std::move(endgame)}, std::move(next));
   }
 
+  void take_up(std::uint64_t path, const Outpost& outpost) {
+    auto endgame = new_endgame(path);
+    Departure next = endgame->take_up(outpost, scratch_);
+    take_up({path, std::move(endgame)}, std::move(next));
+  }
+
   /// The sheets of one cycle, in the order of their turns. What the first finds at infinity holds for all.
   void join(std::vector<Waiting>&& sheets) {
     std::vector<std::vector<Point>> turns;
@@ -128,12 +134,18 @@ class SessionSource : public DepartureSource {
   Departure depart(Beginning&& beginning) {
     const std::uint64_t path = beginning.path;
     auto& endgame = under_way_[path];
-    endgame = std::make_unique<Endgame>(options_, problem_.plan.last().chart(), path, shared_.care);
+    endgame = new_endgame(path);
     PathEnd& end = endgame->end();
     end.count = beginning.count;
-    end.stage = problem_.plan.stages.size() - 1;
     if (end.stage > 0) end.mark = mark_of(outside(beginning.frame, beginning.x));
     return endgame->depart(std::move(beginning.x), std::move(beginning.frame));
+  }
+
+  std::unique_ptr<Endgame> new_endgame(std::uint64_t path) const {
+    auto endgame =
+        std::make_unique<Endgame>(options_, problem_.plan.last().chart(), path, shared_.care);
+    endgame->end().stage = problem_.plan.stages.size() - 1;
+    return endgame;
   }
 
   const PathProblem& problem_;
@@ -223,6 +235,27 @@ void track_paths(const PathProblem& problem, std::uint64_t count,
     const std::uint64_t end = std::min(begin + kPathsTogether, count);
     Shared shared{begin, end, path_of, care, sink, stop};
     track_together(problem, end - begin, threads, shared);
+  }
+}
+
+void track_on(const PathProblem& problem, const Outposts& outposts, int care, int threads,
+              const EndSink& sink, const std::atomic<bool>& stop) {
+  EndgameOptions options = problem.endgame;
+  options.may_wait = outposts.size() > 1;
+  std::vector<Outposts::const_iterator> paths;
+  for (auto next = outposts.begin(); next != outposts.end(); ++next) paths.push_back(next);
+  for (std::size_t begin = 0; begin < paths.size() && !stop; begin += kPathsTogether) {
+    const std::size_t end = std::min<std::size_t>(begin + kPathsTogether, paths.size());
+    const std::size_t sessions = std::min(static_cast<std::size_t>(threads), end - begin);
+    Shared shared{begin, end, {}, care, sink, stop};
+    for_each_parallel(sessions, threads, [&](std::size_t s) {
+      SessionSource source(problem, options, shared, nullptr);
+      for (std::size_t k = begin + s; k < end; k += sessions) {
+        source.take_up(paths[k]->first, paths[k]->second);
+      }
+      problem.tracker.open(problem.plan.last())->run(source, stop);
+    });
+    if (!shared.waiting.empty()) walk_on(problem, options, threads, shared);
   }
 }
 

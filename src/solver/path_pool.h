@@ -11,6 +11,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 
 #include "moivre/solver/solve.h"
 #include "moivre/start/start_plan.h"
@@ -35,6 +36,13 @@ inline constexpr std::uint64_t kPathsTogether = 4096;
 void track_paths(const PathProblem& problem, std::uint64_t count,
                  const std::function<std::uint64_t(std::uint64_t)>& path_of, int care, int threads,
                  const EndSink& sink, const std::atomic<bool>& stop);
+
+/// Paths at their outposts, by number.
+using Outposts = std::map<std::uint64_t, Outpost>;
+
+/// Takes these paths up again, as track_paths() follows others.
+void track_on(const PathProblem& problem, const Outposts& outposts, int care, int threads,
+              const EndSink& sink, const std::atomic<bool>& stop);
 
 /// The start point of the last stage from which `x` (homogeneous, an end point at t = 1) is reached: x is followed back to
 /// t = 0. nullopt when the way back breaks off.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What has become of the paths so far? The state of one solve, between its setting and its result.
 //
-// A path is in one of three places: not yet followed to its end, among `ends` (finite, but not yet a root of the system as
-// given), or in the ledger. Who changes what: tracking.h and ends.h bring paths in, doubts.h sends them out again,
+// A path is in one of three places: not yet followed to its end (`waiting`, where it was followed at all), among `ends` (finite, but not
+// yet a root of the system as given), or in the ledger. Who changes what: tracking.h and ends.h bring paths in, doubts.h sends them out again,
 // account.h only reads.
 #pragma once
 
@@ -19,7 +19,7 @@ namespace moivre {
 
 /// A bound that takes a search.
 struct SoughtBound {
-  bool was_sought = false;
+  std::uint64_t steps = 0;             ///< that were allowed for it
   std::optional<std::uint64_t> value;  ///< where the search found it, and twice
 };
 
@@ -28,6 +28,14 @@ struct ExactRoot {
   Point x;                  ///< rounded to double
   bool is_rounded = false;  ///< x is not the root itself
   std::uint64_t multiplicity = 0;
+};
+
+/// How far are paths followed for now? No further than may be enough for the others to meet a bound, which tells of all that wait that
+/// they lead to no other root.
+enum class Effort {
+  regular_ends,  ///< to ends that are proved; no circle is tried
+  few_steps,     ///< to any end, with a share of the steps near t = 1
+  all_steps
 };
 
 /// What is known of proved bounds on the number of isolated roots (completeness.h).
@@ -41,6 +49,7 @@ struct Bounds {
   std::optional<std::uint64_t>
       points;  ///< different roots of what is tracked, where they were asked for and found
   std::optional<std::uint64_t> points_asked;  ///< whether they are all, by their strata
+  std::uint64_t strata_steps = 0;             ///< that were allowed for it
 };
 
 /// By the candidate, real and imaginary part of each coordinate in turn; multiplicity 0: it is no root, or nothing can be said.
@@ -51,6 +60,9 @@ struct Run {
 
   const Setting& setting;
   Ledger ledger;
+  Effort effort = Effort::all_steps;
+  /// Came to no verdict with less effort than all; from an empty outpost a path is followed from its start again.
+  Outposts waiting;
   std::vector<std::pair<std::uint64_t, PathEnd>> ends;  ///< finite, to be refined
   Marks marks;  ///< of the points where paths set out on the last of several stages
   std::uint64_t unsettled_conjugates = 0;  ///< simple roots that no path was found to lead to

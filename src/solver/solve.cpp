@@ -26,8 +26,6 @@ namespace {
 
 // Starts of more paths are not followed by another one.
 constexpr std::uint64_t kMostPathsTwice = 10'000;
-// Fewer slow paths cost less than a bound.
-constexpr std::size_t kManySlow = 32;
 
 /// All that is known before any path is followed.
 SolveResult described(const Setting& setting) {
@@ -106,10 +104,13 @@ bool decided_without_tracking(const Setting& setting, SolveResult& result) {
   return false;
 }
 
-/// With all their steps, unless the other paths have met a bound: then they lead to no root.
-void go_on_with(Run& run, const PathSet& slow) {
-  if (slow.empty() || (slow.size() >= kManySlow && settle_by_bound(run))) return;
-  track_again(run, slow, run.setting.options.care);
+/// All of them, and with more effort those that wait, unless the others have met a bound: then they lead to no other root.
+void track_to_ends(Run& run) {
+  track_all(run);
+  for (const Effort effort : {Effort::few_steps, Effort::all_steps}) {
+    if (run.waiting.empty() || run.interrupted || settle_by_bound(run)) return;
+    track_waiting(run, effort);
+  }
 }
 
 SolveResult solve_in(const Setting& setting, Stopwatch& watch) {
@@ -118,11 +119,9 @@ SolveResult solve_in(const Setting& setting, Stopwatch& watch) {
   if (!decided_without_tracking(setting, result)) {
     Run run(setting);
     const std::clock_t begin = std::clock();
-    const PathSet slow = track_all(run);
+    track_to_ends(run);
     result.time.track_cpu = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
     result.time.track = watch.lap();
-    refine_ends(run);
-    go_on_with(run, slow);
     settle_doubts(run);
     part_clusters(run);
     settle_by_bound(run);

@@ -3,15 +3,43 @@
 #include "tracking.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "ends.h"
 
 namespace moivre {
 namespace {
 
-// At first a path gets this share of the steps near t = 1. Most slow paths end at no isolated root, which a bound that the other paths meet
-// tells in no time; where none is met the share is what they lose.
-constexpr std::uint64_t kFirstShare = 8;
+// The ends of fewer paths are found at once: a bound costs more.
+constexpr std::uint64_t kManyPaths = 32;
+
+// A step within the creeping radius shortens the rest of the way to a regular end by a half or more: from 1e-4 to double's last digit.
+constexpr int kStepsToRegularEnd = 32;
+// Most paths that are slow to end do so at no isolated root, which a bound that the others meet tells in no time; where none is met this share is
+// what they lose.
+constexpr std::uint64_t kShareOfSteps = 8;
+
+Effort first_effort(const Setting& setting) {
+  if (!setting.certify_program) return Effort::all_steps;
+  return setting.prepared.plan->paths < kManyPaths ? Effort::few_steps : Effort::regular_ends;
+}
+
+/// A proof tells more of an end than its condition does, but of a system that is not the file's where its digits are not exact: of those,
+/// too, the end has as many as an agreement takes.
+double condition_of_proved_ends(const Setting& setting) {
+  const EndParameters& ends = setting.endgame.ends;
+  return std::max(ends.regular_condition,
+                  ends.agreement / setting.prepared.plan->last().largest_error());
+}
+
+void report_progress(const Run& run) {
+  if (!run.setting.options.progress) return;
+  Progress progress;
+  progress.total = run.setting.prepared.plan->paths;
+  progress.done = run.ledger.tracked() + run.ends.size();
+  progress.finite = run.ledger.count(PathVerdict::finite) + run.ends.size();
+  run.setting.options.progress(progress);
+}
 
 /// Verdicts go to `sink`, but for those that the run's end cut short; what is finite is refined.
 void track_these(Run& run, const PathProblem& problem, const PathSet& paths, int care,
@@ -59,33 +87,65 @@ Left climb_with(Run& run, const Tracker& tracker, Rung rung, Taken taken, const 
 
 }  // namespace
 
-PathSet track_all(Run& run) {
+EndgameOptions endgame_for(const Setting& setting, Effort effort) {
+  EndgameOptions endgame = setting.endgame;
+  switch (effort) {
+    case Effort::regular_ends:
+      endgame.only_regular = true;
+      endgame.goes_straight = false;
+      endgame.creeping_steps = kStepsToRegularEnd;
+      endgame.ends.regular_condition = condition_of_proved_ends(setting);
+      break;
+    case Effort::few_steps:
+      endgame.ends.maximum_steps /= kShareOfSteps;
+      break;
+    case Effort::all_steps:
+      break;
+  }
+  return endgame;
+}
+
+void track_all(Run& run) {
   const Setting& setting = run.setting;
-  EndgameOptions brief = setting.endgame;
-  brief.ends.maximum_steps /= kFirstShare;
-  const PathProblem problem{*setting.prepared.plan, setting.tracker(), brief};
-  PathSet slow;
-  Progress progress;
-  progress.total = setting.prepared.plan->paths;
+  run.effort = first_effort(setting);
+  const PathProblem problem{*setting.prepared.plan, setting.tracker(),
+                            endgame_for(setting, run.effort)};
+  const std::uint64_t total = setting.prepared.plan->paths;
+  std::uint64_t followed = 0;
   const EndSink sink = [&](std::uint64_t path, PathEnd&& end) {
-    ++progress.done;
-    if (end.status == PathStatus::finite) ++progress.finite;
-    if (end.failure == Failure::precision && end.count.accepted > brief.ends.maximum_steps) {
-      slow.insert(path);
-    }
+    ++followed;
     take_end(run, path, std::move(end));
-    if (setting.options.progress) setting.options.progress(progress);
+    report_progress(run);
   };
-  for (std::uint64_t first = 0; first < progress.total && !setting.stop; first += kPathsTogether) {
-    // Ends that wait to be refined take much more memory than roots.
-    refine_ends(run);
+  for (std::uint64_t first = 0; first < total && !setting.stop; first += kPathsTogether) {
     track_paths(
-        problem, std::min(kPathsTogether, progress.total - first),
+        problem, std::min(kPathsTogether, total - first),
         [first](std::uint64_t k) { return first + k; }, setting.options.care, setting.threads, sink,
         setting.stop);
+    // Ends that wait to be refined take much more memory than roots.
+    refine_ends(run);
   }
-  if (progress.done < progress.total) run.interrupted = true;
-  return slow;
+  if (followed < total) run.interrupted = true;
+}
+
+void track_waiting(Run& run, Effort effort) {
+  const Setting& setting = run.setting;
+  run.effort = effort;
+  const PathProblem problem{*setting.prepared.plan, setting.tracker(),
+                            endgame_for(setting, effort)};
+  Outposts waiting = std::exchange(run.waiting, {});
+  PathSet from_start;
+  for (const auto& [path, outpost] : waiting) {
+    if (outpost.x.empty()) from_start.insert(path);
+  }
+  std::erase_if(waiting, [](const auto& path) { return path.second.x.empty(); });
+  const EndSink sink = [&](std::uint64_t path, PathEnd&& end) {
+    take_end(run, path, std::move(end));
+    report_progress(run);
+  };
+  track_on(problem, waiting, setting.options.care, setting.threads, sink, setting.stop);
+  track_these(run, problem, from_start, setting.options.care, sink);
+  if (setting.stop) run.interrupted = true;
 }
 
 void track_again(Run& run, const PathSet& paths, int care) {

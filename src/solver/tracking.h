@@ -9,9 +9,14 @@
 
 namespace moivre {
 
-/// Follows every path of the start system, and reports the progress. The last thousands of finite ends wait for refine_ends(). Paths that go
-/// round t = 1 for long without an end are left for later: returned, and failed until they are tracked again.
-PathSet track_all(Run& run);
+/// How the ends of paths are sought with that effort.
+EndgameOptions endgame_for(const Setting& setting, Effort effort);
+
+/// Follows every path of the start system, with no more effort than may be enough, and reports the progress.
+void track_all(Run& run);
+
+/// Follows on what waits, from the start, and reports the progress.
+void track_waiting(Run& run, Effort effort);
 
 /// Follows these with that care: by the same tracker first, by the fallback later.
 void track_again(Run& run, const PathSet& paths, int care);

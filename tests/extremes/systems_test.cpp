@@ -183,7 +183,8 @@ System cyclic(int n) {
   return test::read(text);
 }
 
-// 40320 paths, the most of them to curves and to infinity; whoever stops them has an account of what was finished.
+// 40320 paths, the most of them to curves and to infinity; whoever stops them has an account of what was finished. Ends that wait for a
+// proof are no part of it.
 TEST(CyclicEight, InterruptedItTellsNoRootThatIsNone) {
   constexpr std::uint64_t kPatience = 400;  // paths
   const System f = cyclic(8);
@@ -198,7 +199,7 @@ TEST(CyclicEight, InterruptedItTellsNoRootThatIsNone) {
     const SolveResult result = solve(f, *tracker, options, stop);
     EXPECT_EQ(result.start.paths, 40320U);
     EXPECT_FALSE(result.complete);
-    EXPECT_GE(result.paths.tracked, kPatience);
+    EXPECT_GE(result.paths.tracked, kPatience * 3 / 4);
     test::expect_conservation(result);
     Judge(f).expect_true_roots(result);
     expect_singular_roots_of_the_index({}, result);

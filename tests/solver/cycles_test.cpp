@@ -64,7 +64,8 @@ TEST(Cycles, AreWalkedOnceForAllTheirSheets) {
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     const auto tracker = make_lane_tracker();
     const std::atomic<bool> go_on{false};
-    const SolveOptions options = with_seed(seed);
+    SolveOptions options = with_seed(seed);
+    options.certify = false;  // or a bound tells of these paths that no circle is needed
     const SolveResult together = solve(f, *tracker, options);
     std::uint64_t steps_alone = 0;
     for (std::uint64_t path = 0; path < together.paths.tracked; ++path) {

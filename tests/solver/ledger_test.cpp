@@ -63,9 +63,10 @@ TEST(Ledger, AddsUpTheStepsOfEveryFollowingOfAPath) {
   ledger.count_following(3, count, 0);
   ledger.enter_failure({3, Failure::precision, 1});
   ledger.count_following(3, count, 1);
+  ledger.count_following(3, count, 1, true);
   ledger.enter_infinity(3, true);
   const PathRecord& path = ledger.records()[3];
-  EXPECT_EQ(path.steps, 84U);
+  EXPECT_EQ(path.steps, 126U);
   EXPECT_EQ(path.followed, 2);
   EXPECT_EQ(path.stage, 1);
   EXPECT_EQ(path.verdict, PathVerdict::as_rounded);

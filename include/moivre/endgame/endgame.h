@@ -52,8 +52,17 @@ struct EndgameOptions {
   /// The path is followed towards t = 1 as far as it leads before circles are tried: useful with many digits.
   bool goes_straight = false;
   bool only_regular = false;  ///< an end that is not regular is a failure: no circle is tried
-  bool may_wait = false;      ///< for other paths of its cycle, after the first turn
+  /// So many within the creeping radius tell creeping from a step that chanced to end there.
+  int creeping_steps = 3;
+  bool may_wait = false;  ///< for other paths of its cycle, after the first turn
   EndParameters ends;
+};
+
+/// Where a path stands that has no regular end, so that it can be taken up again.
+struct Outpost {
+  Point x;  ///< homogeneous, in no frame
+  double radius = 0;
+  Complex mark;  ///< as in PathEnd
 };
 
 /// The verdict on one path.
@@ -74,6 +83,8 @@ struct PathEnd {
   Complex
       mark;  ///< of its start point on the last stage, if there are several stages (solver/marks.h)
   StepCount count;
+  std::optional<Outpost> outpost;  ///< where only regular ends were sought, and it has none
+  bool is_taken_up = false;        ///< from an outpost: `count` is of the rest of the way
 };
 
 enum class FaceRoot;
@@ -84,6 +95,9 @@ class Endgame : public Watcher {
 
   /// The first departure, from a start point at t = 0, in the frame where there is one.
   Departure depart(Point start, FramePointer frame = nullptr);
+
+  /// The first departure of a path that stands at an outpost on the last stage.
+  Departure take_up(const Outpost& outpost, PathSystem& path);
 
   /// Takes an arrival. Returns the next departure, or nullopt when the verdict is known. `path`: scratch for evaluations.
   std::optional<Departure> accept(Arrival&& arrival, PathSystem& path);
@@ -122,13 +136,13 @@ class Endgame : public Watcher {
   Departure along(const Contour& contour, Point x, int samples = 0, Watcher* watcher = nullptr);
   std::optional<Departure> judge_arrival(Arrival&& arrival, PathSystem& path);
   void polish_outpost(PathSystem& path);
+  Departure turn_to_circles(PathSystem& path);
   bool may_look_again() const;
   std::optional<Departure> look_again(PathSystem& path);
   std::optional<Departure> hand_on(std::optional<Departure> next, PathSystem& path);
   void deliver_end();
   double common_radius() const;
-  std::optional<Departure> approach(double radius);
-  std::optional<Departure> begin_first_circle();
+  Departure approach(double radius);
   std::optional<Departure> begin_circle();
   Contour circle() const;
   Departure walk_turn(Point x);
