@@ -3,6 +3,7 @@
 #include "account.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "certificates.h"
 #include "coincidence.h"
@@ -69,6 +70,14 @@ void count_paths(const Run& run, PathCounts& counts) {
   }
 }
 
+/// A path without an entry could not be said to be lost: a fault of ours.
+void require_all_entries(const Run& run) {
+  const std::uint64_t paths = run.setting.prepared.plan->paths;
+  if (run.interrupted || run.ledger.tracked() == paths) return;
+  throw std::logic_error("of " + counted(paths, "path") + " only " +
+                         std::to_string(run.ledger.tracked()) + " have a verdict");
+}
+
 /// Of a singular root that is told as `best`. Ends further away than both are known to be may be those of other roots, which
 /// the accuracy then covers.
 double accuracy_of_group(const Run& run, const std::vector<std::uint64_t>& group,
@@ -127,6 +136,7 @@ Solution solution_of(const Run& run, const std::vector<std::uint64_t>& group,
 }
 
 void close_account(const Run& run, SolveResult& result) {
+  require_all_entries(run);
   result.ledger = run.ledger.records();
   enter_solutions(run, result);
   count_paths(run, result.paths);

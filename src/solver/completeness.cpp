@@ -38,7 +38,7 @@ bool is_met(const std::optional<std::uint64_t>& bound, std::uint64_t roots,
   return bound == roots;
 }
 
-/// What may be saved of a search: nothing that is always worth it where the paths that wait are few.
+/// So many paths a bound would spare.
 std::uint64_t paths_at_stake(const Run& run) {
   return run.waiting.empty() ? run.setting.prepared.start.paths : run.waiting.size();
 }

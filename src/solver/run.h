@@ -60,7 +60,7 @@ struct Run {
 
   const Setting& setting;
   Ledger ledger;
-  Effort effort = Effort::all_steps;
+  Effort effort = Effort::all_steps;  ///< less only while track_all() or track_waiting() is at work
   /// Came to no verdict with less effort than all; from an empty outpost a path is followed from its start again.
   Outposts waiting;
   std::vector<std::pair<std::uint64_t, PathEnd>> ends;  ///< finite, to be refined

@@ -126,6 +126,7 @@ void track_all(Run& run) {
     refine_ends(run);
   }
   if (followed < total) run.interrupted = true;
+  run.effort = Effort::all_steps;
 }
 
 void track_waiting(Run& run, Effort effort) {
@@ -146,6 +147,7 @@ void track_waiting(Run& run, Effort effort) {
   track_on(problem, waiting, setting.options.care, setting.threads, sink, setting.stop);
   track_these(run, problem, from_start, setting.options.care, sink);
   if (setting.stop) run.interrupted = true;
+  run.effort = Effort::all_steps;
 }
 
 void track_again(Run& run, const PathSet& paths, int care) {

@@ -10,6 +10,7 @@
 #include "moivre/tracker_cvode/cvode_tracker.h"
 #include "moivre/tracker_lanes/lane_tracker.h"
 #include "problem_set.h"
+#include "tracking.h"
 
 namespace moivre::test {
 namespace {
@@ -135,6 +136,27 @@ TEST(WaitingPaths, WalkNoCircleWhereTheOthersMeetABound) {
     }
     EXPECT_EQ(left, 564U);
   }
+}
+
+// What is followed afterwards, in doubt, gets a verdict; nothing waits then.
+TEST(WaitingPaths, AreOnlyThoseOfAnEffortThatIsUnderWay) {
+  const System f = system_of(problem("cyclic-5"));
+  SolveOptions options = with_seed(1);
+  options.start = StartKind::total_degree;
+  const std::atomic<bool> stop{false};
+  const auto lanes = make_lane_tracker();
+  const Setting setting(f, *lanes, options, stop);
+  moivre::Run run(setting);
+  track_all(run);
+  EXPECT_EQ(run.effort, Effort::all_steps);
+  EXPECT_EQ(run.waiting.size(), 50U);
+  EXPECT_EQ(run.ledger.tracked(), 70U);
+  track_waiting(run, Effort::few_steps);
+  EXPECT_EQ(run.effort, Effort::all_steps);
+  EXPECT_EQ(run.waiting.size() + run.ledger.tracked(), 120U);
+  track_waiting(run, Effort::all_steps);
+  EXPECT_TRUE(run.waiting.empty());
+  EXPECT_EQ(run.ledger.tracked(), 120U);
 }
 
 // A curve beside the roots: no bound is met, and few paths go on with all their steps.
