@@ -192,8 +192,11 @@ std::optional<MetBound> bound_met_by(Run& run, std::uint64_t roots, std::uint64_
 /// Sets bounds.met where `roots`, proved and with their multiplicities, or their `points` meet a bound.
 bool meets_bound(Run& run, std::uint64_t roots, std::uint64_t points) {
   if (!run.setting.certify_program || run.interrupted || run.setting.stop) return false;
-  if (!run.bounds.met) run.bounds.met = bound_met_by(run, roots, points);
-  return run.bounds.met.has_value();
+  std::optional<MetBound>& met = run.bounds.met;
+  // Roots that are proved no more do not meet what they did.
+  if (met && met->value > (met->is_of_points ? points : roots)) met.reset();
+  if (!met) met = bound_met_by(run, roots, points);
+  return met.has_value();
 }
 
 Refined point_of(const Run& run, const ExactRoot& exact) {
