@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+#include "effort.h"
 #include "ledger.h"
 #include "marks.h"
 #include "moivre/polynomial/quotient_ring.h"
@@ -28,14 +29,6 @@ struct ExactRoot {
   Point x;                  ///< rounded to double
   bool is_rounded = false;  ///< x is not the root itself
   std::uint64_t multiplicity = 0;
-};
-
-/// How far are paths followed for now? No further than may be enough for the others to meet a bound, which tells of all that wait that
-/// they lead to no other root.
-enum class Effort {
-  regular_ends,  ///< to ends that are proved; no circle is tried
-  few_steps,     ///< to any end, with a share of the steps near t = 1
-  all_steps
 };
 
 /// What is known of proved bounds on the number of isolated roots (completeness.h).

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The three ways to follow paths: all, some again with more care, some again with more digits.
+// The ways to follow paths: all, those that wait with more effort, some again with more care, some again with more digits.
 #include "tracking.h"
 
 #include <algorithm>
@@ -9,28 +9,6 @@
 
 namespace moivre {
 namespace {
-
-// The ends of fewer paths are found at once: a bound costs more.
-constexpr std::uint64_t kManyPaths = 32;
-
-// A step within the creeping radius shortens the rest of the way to a regular end by a half or more: from 1e-4 to double's last digit.
-constexpr int kStepsToRegularEnd = 32;
-// Most paths that are slow to end do so at no isolated root, which a bound that the others meet tells in no time; where none is met this share is
-// what they lose.
-constexpr std::uint64_t kShareOfSteps = 8;
-
-Effort first_effort(const Setting& setting) {
-  if (!setting.certify_program) return Effort::all_steps;
-  return setting.prepared.plan->paths < kManyPaths ? Effort::few_steps : Effort::regular_ends;
-}
-
-/// A proof tells more of an end than its condition does, but of a system that is not the file's where its digits are not exact: of those,
-/// too, the end has as many as an agreement takes.
-double condition_of_proved_ends(const Setting& setting) {
-  const EndParameters& ends = setting.endgame.ends;
-  return std::max(ends.regular_condition,
-                  ends.agreement / setting.prepared.plan->last().largest_error());
-}
 
 void report_progress(const Run& run) {
   if (!run.setting.options.progress) return;
@@ -86,24 +64,6 @@ Left climb_with(Run& run, const Tracker& tracker, Rung rung, Taken taken, const 
 }
 
 }  // namespace
-
-EndgameOptions endgame_for(const Setting& setting, Effort effort) {
-  EndgameOptions endgame = setting.endgame;
-  switch (effort) {
-    case Effort::regular_ends:
-      endgame.only_regular = true;
-      endgame.goes_straight = false;
-      endgame.creeping_steps = kStepsToRegularEnd;
-      endgame.ends.regular_condition = condition_of_proved_ends(setting);
-      break;
-    case Effort::few_steps:
-      endgame.ends.maximum_steps /= kShareOfSteps;
-      break;
-    case Effort::all_steps:
-      break;
-  }
-  return endgame;
-}
 
 void track_all(Run& run) {
   const Setting& setting = run.setting;

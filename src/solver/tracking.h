@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which paths are followed, by whom and how carefully? All of them once; those in doubt again, and again in more digits.
+// Which paths are followed, by whom and how carefully? All of them once, and on where they wait; those in doubt again, and again in more digits.
 //
 // Every verdict goes to ends.h. A path that is followed again loses its entry in the ledger only when the new verdict is
 // there: an interruption leaves no path without one. What `stop` cuts short marks the run as interrupted.
@@ -8,9 +8,6 @@
 #include "run.h"
 
 namespace moivre {
-
-/// How the ends of paths are sought with that effort.
-EndgameOptions endgame_for(const Setting& setting, Effort effort);
 
 /// Follows every path of the start system, with no more effort than may be enough, and reports the progress.
 void track_all(Run& run);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <limits>
 #include <memory>
 
 #include "moivre/tracker_cvode/cvode_tracker.h"
@@ -136,6 +137,23 @@ TEST(WaitingPaths, WalkNoCircleWhereTheOthersMeetABound) {
     }
     EXPECT_EQ(left, 564U);
   }
+}
+
+// A root of the file to the letter that its digits do not determine is none: only of exact numbers a proof is enough.
+TEST(WaitingPaths, AreThoseWhoseProofTheDigitsOfTheFileDoNotBear) {
+  const std::atomic<bool> stop{false};
+  const auto lanes = make_lane_tracker();
+  const auto condition = [&](const System& f) {
+    SolveOptions options = with_seed(1);
+    options.start = StartKind::total_degree;
+    const Setting setting(f, *lanes, options, stop);
+    return endgame_for(setting, Effort::regular_ends).ends.regular_condition;
+  };
+  EXPECT_EQ(condition(read("2\n x^2 + 3*y^2 - 5;\n x*y - 2;\n")),
+            std::numeric_limits<double>::infinity());
+  const double rounded = condition(read("2\n x^2 + 0.333333333333333*y^2 - 5;\n x*y - 2;\n"));
+  EXPECT_GT(rounded, 1e8);
+  EXPECT_LT(rounded, 1e10);
 }
 
 // What is followed afterwards, in doubt, gets a verdict; nothing waits then.

@@ -62,7 +62,6 @@ struct EndgameOptions {
 struct Outpost {
   Point x;  ///< homogeneous, in no frame
   double radius = 0;
-  Complex mark;  ///< as in PathEnd
 };
 
 /// The verdict on one path.
@@ -84,7 +83,8 @@ struct PathEnd {
       mark;  ///< of its start point on the last stage, if there are several stages (solver/marks.h)
   StepCount count;
   std::optional<Outpost> outpost;  ///< where only regular ends were sought, and it has none
-  bool is_taken_up = false;        ///< from an outpost: `count` is of the rest of the way
+  bool is_taken_up =
+      false;  ///< from an outpost: `count` is of the rest of the way, and it has no mark
 };
 
 enum class FaceRoot;
