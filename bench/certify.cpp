@@ -12,7 +12,7 @@
 
 #include "moivre/certify/certifier.h"
 #include "moivre/certify/distinct.h"
-#include "moivre/numeric/lu.h"
+#include "moivre/factorization/lu.h"
 #include "moivre/numeric/random.h"
 #include "moivre/polynomial/read.h"
 #include "moivre/polynomial/tape.h"

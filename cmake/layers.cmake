@@ -3,13 +3,14 @@
 # components by it, and tests/layers checks every include by it. It only sets variables, so that `cmake -P` can read it too.
 # A module may use what its line names and what those use (one way only).
 
-set(MOIVRE_MODULES numeric expression polynomial certify homotopy tracker tracker_cvode tracker_lanes multiprecision endgame
+set(MOIVRE_MODULES numeric factorization expression polynomial certify homotopy tracker tracker_cvode tracker_lanes multiprecision endgame
     start bounds check solver family study mechanism urdf kinematics formulation closures motion design arms closure_study sweep report check_report
     family_report closure_report arm_report sweep_report study_report cli)
 
 set(MOIVRE_USES_numeric "")
+set(MOIVRE_USES_factorization numeric)
 set(MOIVRE_USES_expression numeric)
-set(MOIVRE_USES_polynomial expression)
+set(MOIVRE_USES_polynomial expression factorization)
 set(MOIVRE_USES_certify polynomial)
 set(MOIVRE_USES_homotopy polynomial)
 set(MOIVRE_USES_tracker homotopy)
@@ -26,7 +27,7 @@ set(MOIVRE_USES_check certify bounds)
 set(MOIVRE_USES_study multiprecision solver)
 set(MOIVRE_USES_mechanism expression)
 set(MOIVRE_USES_urdf mechanism)
-set(MOIVRE_USES_kinematics mechanism)
+set(MOIVRE_USES_kinematics mechanism factorization)
 set(MOIVRE_USES_formulation mechanism polynomial)
 set(MOIVRE_USES_closures kinematics formulation solver certify)
 set(MOIVRE_USES_motion closures)
@@ -61,7 +62,8 @@ set(MOIVRE_OWN_FLAGS certify tracker_lanes)
 
 # Third-party packages, each private to the modules that name it. Eigen and Boost's integers are
 # the exception: they are vocabulary of the public headers.
-set(MOIVRE_THIRD_PARTY_numeric Eigen3::Eigen Boost::headers)
+set(MOIVRE_THIRD_PARTY_numeric Boost::headers)
+set(MOIVRE_THIRD_PARTY_factorization Eigen3::Eigen)
 set(MOIVRE_THIRD_PARTY_expression taocpp::pegtl)
 set(MOIVRE_THIRD_PARTY_multiprecision MPFR::MPFR)
 set(MOIVRE_THIRD_PARTY_certify Arb::Arb)
@@ -69,7 +71,7 @@ set(MOIVRE_THIRD_PARTY_tracker_cvode SUNDIALS::cvode)
 set(MOIVRE_THIRD_PARTY_tracker_lanes hwy::hwy)
 set(MOIVRE_THIRD_PARTY_solver TBB::tbb)
 set(MOIVRE_THIRD_PARTY_family nlohmann_json::nlohmann_json)
-set(MOIVRE_THIRD_PARTY_mechanism tomlplusplus::tomlplusplus)
+set(MOIVRE_THIRD_PARTY_mechanism Eigen3::Eigen tomlplusplus::tomlplusplus)
 set(MOIVRE_THIRD_PARTY_urdf pugixml::pugixml)
 set(MOIVRE_THIRD_PARTY_check nlohmann_json::nlohmann_json)
 set(MOIVRE_THIRD_PARTY_report nlohmann_json::nlohmann_json)

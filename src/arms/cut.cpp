@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <cmath>
 
-#include "moivre/numeric/svd.h"
+#include "moivre/factorization/svd.h"
 
 namespace moivre {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "moivre/numeric/svd.h"
+#include "moivre/factorization/svd.h"
 
 namespace moivre {
 namespace {

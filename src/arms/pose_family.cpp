@@ -7,10 +7,10 @@
 
 #include "equations.h"
 #include "exact_displacement.h"
+#include "moivre/factorization/svd.h"
 #include "moivre/family/coefficients.h"
 #include "moivre/family/learn.h"
 #include "moivre/numeric/random.h"
-#include "moivre/numeric/svd.h"
 #include "random_values.h"
 
 namespace moivre {

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "moivre/numeric/qr.h"
+#include "moivre/factorization/qr.h"
 
 namespace moivre {
 namespace {

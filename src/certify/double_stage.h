@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "ball.h"
-#include "moivre/numeric/lu.h"
+#include "moivre/factorization/lu.h"
 #include "program.h"
 
 namespace moivre {

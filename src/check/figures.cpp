@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "bench.h"
+#include "moivre/factorization/lu.h"
 #include "moivre/numeric/double_double.h"
-#include "moivre/numeric/lu.h"
 #include "moivre/polynomial/scale.h"
 #include "moivre/polynomial/tape.h"
 

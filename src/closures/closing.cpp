@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <cmath>
 
-#include "moivre/numeric/qr.h"
+#include "moivre/factorization/qr.h"
 
 namespace moivre {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-#include "moivre/numeric/lu.h"
+#include "moivre/factorization/lu.h"
 
 namespace moivre {
 namespace {

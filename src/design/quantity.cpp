@@ -8,8 +8,8 @@
 #include <stdexcept>
 
 #include "moivre/closures/idle_joints.h"
+#include "moivre/factorization/svd.h"
 #include "moivre/kinematics/linear.h"
-#include "moivre/numeric/svd.h"
 #include "pose_between.h"
 #include "sampled_pose.h"
 

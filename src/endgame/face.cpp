@@ -8,8 +8,8 @@
 #include <limits>
 #include <optional>
 
+#include "moivre/factorization/qr.h"
 #include "moivre/numeric/fused.h"
-#include "moivre/numeric/qr.h"
 #include "moivre/polynomial/scale.h"
 
 namespace moivre {

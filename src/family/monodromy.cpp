@@ -10,8 +10,8 @@
 #include "loops.h"
 #include "moivre/bounds/root_bounds.h"
 #include "moivre/expression/counted.h"
+#include "moivre/factorization/qr.h"
 #include "moivre/family/learn.h"
-#include "moivre/numeric/qr.h"
 #include "moivre/numeric/random.h"
 #include "moivre/polynomial/tape.h"
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "moivre/numeric/svd.h"
+#include "moivre/factorization/svd.h"
 
 namespace moivre {
 namespace {

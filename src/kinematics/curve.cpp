@@ -5,8 +5,8 @@
 #include <Eigen/Core>
 #include <cmath>
 
-#include "moivre/numeric/qr.h"
-#include "moivre/numeric/svd.h"
+#include "moivre/factorization/qr.h"
+#include "moivre/factorization/svd.h"
 
 namespace moivre {
 namespace {

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "moivre/numeric/svd.h"
+#include "moivre/factorization/svd.h"
 
 namespace moivre {
 namespace {

@@ -9,8 +9,8 @@
 #include <stdexcept>
 
 #include "extreme_singular_values.h"
-#include "moivre/numeric/qr.h"
-#include "moivre/numeric/svd.h"
+#include "moivre/factorization/qr.h"
+#include "moivre/factorization/svd.h"
 
 namespace moivre {
 namespace {

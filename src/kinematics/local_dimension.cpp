@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "moivre/factorization/qr.h"
 #include "moivre/kinematics/linear.h"
 #include "moivre/kinematics/null_space.h"
-#include "moivre/numeric/qr.h"
 #include "moivre/numeric/random.h"
 
 namespace moivre {

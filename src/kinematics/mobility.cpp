@@ -8,10 +8,10 @@
 #include <cstdio>
 
 #include "moivre/expression/counted.h"
+#include "moivre/factorization/qr.h"
+#include "moivre/factorization/svd.h"
 #include "moivre/kinematics/null_space.h"
 #include "moivre/kinematics/state.h"
-#include "moivre/numeric/qr.h"
-#include "moivre/numeric/svd.h"
 
 namespace moivre {
 namespace {

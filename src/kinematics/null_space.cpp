@@ -4,9 +4,9 @@
 
 #include <Eigen/Core>
 
+#include "moivre/factorization/qr.h"
+#include "moivre/factorization/svd.h"
 #include "moivre/kinematics/linear.h"
-#include "moivre/numeric/qr.h"
-#include "moivre/numeric/svd.h"
 
 namespace moivre {
 

@@ -5,9 +5,9 @@
 #include <Eigen/Core>
 #include <limits>
 
+#include "moivre/factorization/qr.h"
 #include "moivre/kinematics/linear.h"
 #include "moivre/kinematics/null_space.h"
-#include "moivre/numeric/qr.h"
 
 namespace moivre {
 namespace {

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "moivre/expression/counted.h"
-#include "moivre/numeric/qr.h"
+#include "moivre/factorization/qr.h"
 
 namespace moivre {
 namespace {

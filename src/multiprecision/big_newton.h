@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "big_complex.h"
-#include "moivre/numeric/dense_lu.h"
+#include "moivre/factorization/dense_lu.h"
 #include "moivre/polynomial/tape.h"
 #include "smale_bound.h"
 

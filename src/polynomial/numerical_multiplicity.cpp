@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "local_polynomial.h"
-#include "moivre/numeric/rank.h"
+#include "moivre/factorization/rank.h"
 
 namespace moivre {
 namespace {

@@ -9,8 +9,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "moivre/factorization/qr.h"
 #include "moivre/numeric/integer.h"
-#include "moivre/numeric/qr.h"
 
 namespace moivre {
 namespace {

@@ -2,12 +2,11 @@
 // Planes across the null space, Gauss-Newton on them when moved, and the way back to x.
 #include "dimension.h"
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
-#include "moivre/numeric/qr.h"
+#include "moivre/factorization/qr.h"
 #include "moivre/numeric/random.h"
 
 namespace moivre {
@@ -34,7 +33,7 @@ constexpr double kNearTheSet = 1e-18;
 // Below so many errors of the coefficients it is one of a system that the file may mean, provided the same.
 constexpr double kErrors = 8;
 constexpr double kFall = 16;
-// Singular values of J, whose rows are relative to their terms, of directions in which a set may lie: x is known to 1e-3 at worst.
+// Pivots of J, whose rows are relative to their terms, of directions in which a set may lie: x is known to 1e-3 at worst.
 constexpr double kNullSpace = 1e-2;
 // Where sets cross, a start near each is a matter of luck.
 constexpr int kStarts = 8;
@@ -98,11 +97,10 @@ Neighbourhood::Neighbourhood(const RefinerProgram& program, const Point& x, std:
     scale_.push_back(std::max(std::abs(x[i]), program.unit[i]));
   }
   evaluate_at(FinePoint(x.size()));
-  const Eigen::JacobiSVD<MatrixXcd> svd(j_.topRows(value_.size() - 1), Eigen::ComputeFullV);
-  const Eigen::VectorXd& s = svd.singularValues();
-  const Index rank = (s.array() > kNullSpace).count();
+  const PivotedQr<Complex> rows(j_.topRows(value_.size() - 1).adjoint());
+  const Index rank = (rows.pivots().array() > kNullSpace).count();
   const Index width = rank < dimension() ? dimension() - rank : dimension();
-  null_space_ = svd.matrixV().rightCols(width);
+  null_space_ = rows.last_columns_of_Q(width);
 }
 
 // F in double-double, J in double, each row relative to the sizes of its terms. Coordinates below their step count as of that

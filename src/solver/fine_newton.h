@@ -9,7 +9,7 @@
 
 #include <span>
 
-#include "moivre/numeric/dense_lu.h"
+#include "moivre/factorization/dense_lu.h"
 #include "refine.h"
 
 namespace moivre {

@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "fine_newton.h"
+#include "moivre/factorization/lu.h"
 #include "moivre/numeric/fused.h"
-#include "moivre/numeric/lu.h"
 #include "moivre/polynomial/digits.h"
 #include "prepare.h"
 

@@ -3,7 +3,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "moivre/numeric/lu.h"
+#include "moivre/factorization/lu.h"
 #include "moivre/start/linear_product.h"
 #include "moivre/start/total_degree.h"
 

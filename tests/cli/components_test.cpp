@@ -22,7 +22,7 @@ TEST(Components, AreListedWithTheVerboseVersion) {
   const Outcome outcome = Scene().run({"--version", "--verbose"});
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_TRUE(contains(outcome.out, "moivre " MOIVRE_VERSION "\n"));
-  EXPECT_TRUE(contains(outcome.out, "components:  numeric, expression, polynomial"));
+  EXPECT_TRUE(contains(outcome.out, "components:  numeric, factorization, expression"));
   EXPECT_EQ(contains(outcome.out, "tracker_cvode"), kWithCvode);
   EXPECT_EQ(contains(outcome.out, "tracker_lanes"), kWithLanes);
   EXPECT_EQ(contains(outcome.out, "kinematics"), kWithMechanism);

@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "../mechanism/files.h"
-#include "moivre/numeric/svd.h"
+#include "moivre/factorization/svd.h"
 
 namespace moivre {
 namespace {

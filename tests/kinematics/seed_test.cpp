@@ -7,10 +7,10 @@
 #include <cmath>
 
 #include "../mechanism/files.h"
+#include "moivre/factorization/svd.h"
 #include "moivre/kinematics/mobility.h"
 #include "moivre/kinematics/null_space.h"
 #include "moivre/kinematics/state.h"
-#include "moivre/numeric/svd.h"
 
 namespace moivre {
 namespace {

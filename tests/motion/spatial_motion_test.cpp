@@ -8,9 +8,9 @@
 
 #include "gap.h"
 #include "mechanisms.h"
+#include "moivre/factorization/svd.h"
 #include "moivre/mechanism/pose.h"
 #include "moivre/motion/motion.h"
-#include "moivre/numeric/svd.h"
 
 namespace moivre {
 namespace {

@@ -11,8 +11,8 @@
 #include <numbers>
 #include <vector>
 
+#include "moivre/factorization/qr.h"
 #include "moivre/kinematics/newton.h"
-#include "moivre/numeric/qr.h"
 
 namespace moivre::test {
 

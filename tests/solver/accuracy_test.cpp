@@ -6,8 +6,8 @@
 #include <boost/multiprecision/cpp_complex.hpp>
 #include <cmath>
 
+#include "moivre/factorization/qr.h"
 #include "moivre/numeric/integer.h"
-#include "moivre/numeric/qr.h"
 #include "problem_set.h"
 
 namespace moivre {

@@ -8,7 +8,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "moivre/numeric/lu.h"
+#include "moivre/factorization/lu.h"
 #include "moivre/start/total_degree.h"
 #include "systems.h"
 

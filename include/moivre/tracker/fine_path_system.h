@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "moivre/numeric/dense_lu.h"
+#include "moivre/factorization/dense_lu.h"
 #include "moivre/numeric/fused.h"
 #include "moivre/tracker/path_system.h"
 

@@ -7,7 +7,7 @@
 //   J = [ H_x ]     J dx = [ -H ]    Newton correction         J x' = [ -H_t dt/ds ]   tangent
 //       [ x^H ]            [  0 ]                                     [      0     ]
 //
-// J: N x N, rows scaled (numeric/lu.h). Corrections are measured by |dx|_w = max_i |dx_i| / w_i,
+// J: N x N, rows scaled (factorization/lu.h). Corrections are measured by |dx|_w = max_i |dx_i| / w_i,
 // w_i = max(|x_i|, kRelativeFloor |x|_inf): relative in each coordinate, with a floor.
 //
 // Where rounding of the residual stops Newton's method, H is evaluated in double-double from there on; x, J and its factors stay
@@ -19,8 +19,8 @@
 #include <memory>
 #include <span>
 
+#include "moivre/factorization/lu.h"
 #include "moivre/homotopy/evaluator.h"
-#include "moivre/numeric/lu.h"
 
 namespace moivre {
 

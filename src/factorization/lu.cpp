@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // LU with row scaling and partial pivoting, and Higham's condition estimate on its factors.
-#include "moivre/numeric/lu.h"
+#include "moivre/factorization/lu.h"
 
 #include <cmath>
 #include <limits>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // QR factorizations: least squares, shortest solutions and ranks of matrices that were made to have them.
-#include "moivre/numeric/qr.h"
+#include "moivre/factorization/qr.h"
 
 #include <gtest/gtest.h>
 

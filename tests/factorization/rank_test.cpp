@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Is a rank never told that the error could take away, and is one told that it cannot?
-#include "moivre/numeric/rank.h"
+#include "moivre/factorization/rank.h"
 
 #include <gtest/gtest.h>
 

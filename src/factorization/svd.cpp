@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How is a singular value decomposition computed? Jacobi's rotations for small matrices, bidiagonalization for large ones.
-#include "moivre/numeric/svd.h"
+#include "moivre/factorization/svd.h"
 
 #include <Eigen/SVD>
 #include <algorithm>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The inverse of R grows by a column for each column of A, until it is too large.
-#include "moivre/numeric/rank.h"
+#include "moivre/factorization/rank.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "moivre/numeric/qr.h"
+#include "moivre/factorization/qr.h"
 
 namespace moivre {
 

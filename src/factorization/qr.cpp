@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Eigen's factorizations, each instantiated here and nowhere else, and for matrices only: they are what takes a compiler longest.
-#include "moivre/numeric/qr.h"
+#include "moivre/factorization/qr.h"
 
 namespace moivre {
 namespace {
