@@ -83,8 +83,7 @@ SolveResult solve_interruptibly(const SolveCommand& command, const Problem& prob
 
 /// Roots are refined on the equations as they are.
 void require_digits_possible(const SolveCommand& command, const System& f) {
-  if (!command.digits) return;
-  if (f.polynomials.size() == f.variables.size() && !has_homogeneous_groups(f)) return;
+  if (!command.digits || is_square(f)) return;
   throw std::invalid_argument(
       "--digits needs as many equations as unknowns, and no homogeneous groups");
 }

@@ -56,6 +56,10 @@ bool has_homogeneous_groups(const System& f) {
                      [](const VariableGroup& group) { return group.is_homogeneous; });
 }
 
+bool is_square(const System& f) {
+  return f.polynomials.size() == f.variables.size() && !has_homogeneous_groups(f);
+}
+
 System with_patches(const System& f, std::uint64_t seed) {
   System g = f;
   for (VariableGroup& group : g.groups) {

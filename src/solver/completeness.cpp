@@ -288,12 +288,17 @@ std::vector<std::uint64_t> spare_paths(Run& run, Places& places) {
 }  // namespace
 
 bool settle_by_bound(Run& run) {
+  run.bounds.lacks_paths = false;
   Places places(exact_roots(run));
   const std::uint64_t proved = proved_roots(run);
   if (!meets_bound(run, proved + places.count(), proved + places.points())) return false;
   const std::vector<std::uint64_t> spare = spare_paths(run, places);
-  // Paths that are said to be at infinity cannot be told from each other any more.
-  if (spare.size() < places.count()) return false;
+  // Of the paths that are said to be at infinity some are not, and nothing tells which.
+  run.bounds.lacks_paths = spare.size() < places.count();
+  if (run.bounds.lacks_paths) {
+    run.bounds.met.reset();
+    return false;
+  }
   for (std::size_t k = places.fill(run, spare); k < spare.size(); ++k) run.ledger.leave(spare[k]);
   run.waiting.clear();
   run.unsettled_conjugates = 0;
@@ -324,6 +329,8 @@ bool are_as_counted(Run& run) {
 }
 
 std::optional<std::string> contradiction_by_algebra(const Run& run, const SolveResult& result) {
+  if (run.bounds.lacks_paths && run.setting.prepared.leads_to_all)
+    return "fewer paths end at a multiple root than it has to have";
   const QuotientRing& ring = run.bounds.ring;
   if (ring.verdict != QuotientRing::Verdict::finite) return std::nullopt;
   if (!result.on_sets.empty())

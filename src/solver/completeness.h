@@ -33,7 +33,8 @@ bool is_root_missing(Run& run);
 /// Requires that no path is lost. False where algebra has no counts, and where paths end on sets of positive dimension.
 bool are_as_counted(Run& run);
 
-/// Why the roots told cannot be all and right, where the dimension of the quotient ring was sought and found.
+/// Why the roots told cannot be all and right: an exact root has fewer paths than its multiplicity, or the dimension of the quotient
+/// ring, where it was sought and found, is another.
 std::optional<std::string> contradiction_by_algebra(const Run& run, const SolveResult& result);
 
 /// proved, shown or open, and the bound; nothing where no certificates were asked for. Requires a closed account.

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "coincidence.h"
+#include "moivre/polynomial/patches.h"
 #include "moivre/solver/trace.h"
 
 namespace moivre {
@@ -114,7 +115,8 @@ void cross_check(const System& f, SolveResult& result, const Tracker& tracker,
   own.start = start_kind(result.start.kind).value_or(options.start);
   CrossCheck check = compare(result, solve(f, witness, own, stop));
   own.care = kSettlingCare;
-  const std::size_t settled = std::min(check.disagreements.size(), kMostSettled);
+  // The paths of a system that had to be made square are not those that trace_path() follows.
+  const std::size_t settled = is_square(f) ? std::min(check.disagreements.size(), kMostSettled) : 0;
   for (std::size_t k = 0; k < settled && !stop.load(); ++k) {
     settle(check.disagreements[k], f, tracker, witness, own, stop);
   }

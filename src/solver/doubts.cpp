@@ -180,9 +180,10 @@ void climb_last(Run& run, PathSet climbed) {
   }
 }
 
-bool is_simple_root(const Run& run, std::uint64_t path) {
+bool has_climbed_to_a_simple_root(const Run& run, std::uint64_t path) {
   const auto root = run.ledger.roots().find(path);
-  return root != run.ledger.roots().end() && root->second.point.simple;
+  return root != run.ledger.roots().end() && root->second.point.simple &&
+         run.ledger.rung(path) == Rung::multiprecision;
 }
 
 /// Simple roots that double-double cannot part, by more digits. A path that ends at none costs as much as thousands in double:
@@ -199,8 +200,9 @@ void climb_to_clusters(Run& run) {
       PathSet stuck = climb_beyond_double_double(run, *tracker, ahead);
       if (stuck == ahead && !is_root_missing(run)) return;
       out_of_steps.merge(stuck);
-      const bool helps = std::any_of(ahead.begin(), ahead.end(),
-                                     [&](auto path) { return is_simple_root(run, path); });
+      const bool helps = std::any_of(ahead.begin(), ahead.end(), [&](auto path) {
+        return has_climbed_to_a_simple_root(run, path);
+      });
       if (!helps && !is_root_missing(run)) break;
       if (helps && settle_by_bound(run)) return;
     }

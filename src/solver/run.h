@@ -34,6 +34,7 @@ struct ExactRoot {
 /// What is known of proved bounds on the number of isolated roots (completeness.h).
 struct Bounds {
   std::optional<MetBound> met;
+  bool lacks_paths = false;      ///< fewer are left than the roots that are known exactly need
   SoughtBound counted;           ///< the mixed volume that the start has counted
   SoughtBound reduced;           ///< the stable mixed volume of what is tracked
   SoughtBound whole;             ///< of the system as given

@@ -56,7 +56,7 @@ const Tracker& Setting::tracker() const {
 }
 
 bool Setting::falls_back(int care) const {
-  return trackers.fallback != nullptr && care >= kFallbackCare;
+  return trackers.fallback != nullptr && !is_fine() && care >= kFallbackCare;
 }
 
 PathProblem Setting::problem(int care) const {

@@ -108,6 +108,7 @@ bool decided_without_tracking(const Setting& setting, SolveResult& result) {
 void track_to_ends(Run& run) {
   track_all(run);
   for (const Effort effort : {Effort::few_steps, Effort::all_steps}) {
+    if (effort <= first_effort(run.setting)) continue;
     if (run.waiting.empty() || run.interrupted || settle_by_bound(run)) return;
     track_waiting(run, effort);
   }
@@ -163,7 +164,7 @@ SolveResult solve_by_starts(const System& f, const Tracker& tracker, const Solve
 }
 
 void require_square_start(const System& f) {
-  if (f.polynomials.size() == f.variables.size() && !has_homogeneous_groups(f)) return;
+  if (is_square(f)) return;
   throw std::invalid_argument("a given start needs as many equations as unknowns, got " +
                               std::to_string(f.polynomials.size()) + " in " +
                               std::to_string(f.variables.size()) + " without homogeneous groups");
@@ -174,11 +175,10 @@ void require_square_start(const System& f) {
 SolveResult solve(const System& f, const Tracker& tracker, const SolveOptions& options,
                   const std::atomic<bool>& stop) {
   require_unbroken(validate(options));
-  const bool is_square = f.polynomials.size() == f.variables.size() && !has_homogeneous_groups(f);
-  if (is_square && options.known_start) {
-    if (auto known = options.known_start(f, tracker, options, stop)) return std::move(*known);
-  }
-  if (is_square) {
+  if (is_square(f)) {
+    if (options.known_start) {
+      if (auto known = options.known_start(f, tracker, options, stop)) return std::move(*known);
+    }
     const PowerFree bases = power_free(f);
     SolveResult result = solve_by_starts(bases.system, tracker, options, stop);
     if (bases.sheets > 1) take_back_powers(f, bases, result);

@@ -35,7 +35,8 @@ class Contradiction : public testing::Test {
 
   std::unique_ptr<Tracker> tracker_ = make_cvode_tracker();
   std::atomic<bool> stop_ = false;
-  Setting setting_{read("2\n x^2 + y^2 - 5;\n x*y - 2;\n"), *tracker_, SolveOptions{}, stop_};
+  System f_ = read("2\n x^2 + y^2 - 5;\n x*y - 2;\n");
+  Setting setting_{f_, *tracker_, SolveOptions{}, stop_};
   moivre::Run run_{setting_};
 };
 
@@ -63,6 +64,27 @@ TEST_F(Contradiction, IsToldWherePathsEndOnACurveThatIsNotThere) {
   SolveResult result = with_roots(4, 1);
   result.on_sets.push_back(Point(2));
   EXPECT_EQ(of(result, 4), "exact algebra tells that no root lies on a curve, paths end as on one");
+}
+
+// Four paths lead to 0, which is exact: where all were told to be at infinity no bound proves that nothing is missing.
+TEST(ExactRootsWithoutPaths, AreNoProofButAContradiction) {
+  const auto tracker = make_cvode_tracker();
+  const std::atomic<bool> stop{false};
+  const System f = read("2\n x^2 + y^2;\n x*y;\n");
+  const Setting setting(f, *tracker, SolveOptions{}, stop);
+  moivre::Run run(setting);
+  for (std::uint64_t path = 0; path < 4; ++path) run.ledger.enter_infinity(path, false);
+  EXPECT_FALSE(settle_by_bound(run));
+  EXPECT_FALSE(run.bounds.met);
+  EXPECT_EQ(contradiction_by_algebra(run, SolveResult{}),
+            "fewer paths end at a multiple root than it has to have");
+  for (std::uint64_t path = 0; path < 4; ++path) {
+    FailedPath failed;
+    failed.path = path;
+    run.ledger.enter_failure(failed);
+  }
+  EXPECT_TRUE(settle_by_bound(run));
+  EXPECT_TRUE(run.bounds.met);
 }
 
 // What the digits of the file send to infinity may be a root of the file to the letter.

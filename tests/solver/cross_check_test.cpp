@@ -69,5 +69,18 @@ TEST(CrossCheck, ARootThatOnlyTheWitnessFoundMakesTheResultIncomplete) {
   EXPECT_EQ(lossy.cross_check->missed, 1U);
 }
 
+// Three conics of one pencil: the paths are those of two combinations, which no trace follows.
+TEST(CrossCheck, OfMoreEquationsThanUnknownsTellsTheDifferenceAndSettlesNone) {
+  const System f = test::read("3 2\n x^2 + y^2 - 5;\n x*y - 2;\n x^2 + y^2 + x*y - 7;\n");
+  const auto tracker = make_cvode_tracker();
+  SolveResult lossy = solve_with_cvode(f);
+  ASSERT_EQ(lossy.solutions.size(), 4U);
+  lossy.solutions.pop_back();
+  cross_check(f, lossy, *tracker, *tracker, test::with_seed(1));
+  EXPECT_FALSE(lossy.complete);
+  ASSERT_EQ(lossy.cross_check->disagreements.size(), 1U);
+  EXPECT_FALSE(lossy.cross_check->disagreements[0].jumped);
+}
+
 }  // namespace
 }  // namespace moivre

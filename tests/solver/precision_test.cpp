@@ -2,6 +2,7 @@
 // Does a path climb to the precision that it needs, no other path with it, and does the result say so?
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <set>
 
 #include "moivre/tracker/double_double_tracker.h"
@@ -9,6 +10,7 @@
 #include "path_pool.h"
 #include "prepare.h"
 #include "problem_set.h"
+#include "setting.h"
 
 namespace moivre {
 namespace {
@@ -99,6 +101,19 @@ TEST(Precision, DoubleDoubleThroughoutGivesTheSameRoots) {
     EXPECT_EQ(result.solutions.size(), solve_with(f, Precision::automatic).solutions.size());
     EXPECT_EQ(test::sum_of_multiplicities(result), problem(name).roots.with_multiplicity);
   }
+}
+
+// With a tracker to fall back upon, which has double's digits.
+TEST(Precision, DoubleDoubleThroughoutIsNotGivenUpForAFallback) {
+  const auto tracker = make_cvode_tracker();
+  const auto fallback = make_cvode_tracker();
+  const std::atomic<bool> stop{false};
+  const System f = test::read("2\n x^2 + y^2 - 5;\n x*y - 2;\n");
+  SolveOptions options = test::with_seed(1);
+  options.fallback = fallback.get();
+  EXPECT_TRUE(Setting(f, *tracker, options, stop).falls_back(2));
+  options.precision = Precision::double_double;
+  EXPECT_FALSE(Setting(f, *tracker, options, stop).falls_back(2));
 }
 
 TEST(Precision, RootsAMillionthApartAreNotOneSingularRoot) {

@@ -25,6 +25,8 @@ inline constexpr int kPatchBits = 20;
 inline constexpr double kNearLargest = 0.87;
 
 bool has_homogeneous_groups(const System& f);
+/// As many equations as unknowns, all of them affine: F can be tracked as it is.
+bool is_square(const System& f);
 
 /// F with a patch behind its equations for each homogeneous group; all groups of the result are affine.
 /// Throws std::invalid_argument where a polynomial is not homogeneous in such a group.
