@@ -197,7 +197,7 @@ std::optional<Departure> Endgame::judge_arrival(Arrival&& arrival, PathSystem& p
   if (is_regular_arrival(arrival, path, condition)) return std::nullopt;
   if (outpost_.empty()) return fail(to_failure(arrival.journey));
   if (options_.only_regular) {
-    end_.outpost = {outside(frame_, outpost_), radius_};
+    end_.outpost = {outpost_, radius_, frame_};
     return fail(arrival.journey == Journey::step_limit ? Failure::step_limit : Failure::precision);
   }
   return turn_to_circles(path);
@@ -205,11 +205,9 @@ std::optional<Departure> Endgame::judge_arrival(Arrival&& arrival, PathSystem& p
 
 Departure Endgame::take_up(const Outpost& outpost, PathSystem& path) {
   end_.is_taken_up = true;
-  if (path.homotopy().is_framed()) {
-    frame_ = std::make_shared<const PathFrame>(frame_at(path.homotopy(), outpost.x));
-  }
+  frame_ = outpost.frame;
   path.set_frame(frame_.get());
-  outpost_ = inside(frame_, outpost.x);
+  outpost_ = outpost.x;
   radius_ = outpost.radius;
   return turn_to_circles(path);
 }

@@ -60,8 +60,9 @@ struct EndgameOptions {
 
 /// Where a path stands that has no regular end, so that it can be taken up again.
 struct Outpost {
-  Point x;  ///< homogeneous, in no frame
+  Point x;  ///< homogeneous, in its frame
   double radius = 0;
+  FramePointer frame;
 };
 
 /// The verdict on one path.
