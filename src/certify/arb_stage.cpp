@@ -16,7 +16,7 @@ static_assert(sizeof(ulong) == sizeof(std::uint64_t), "FLINT's limbs have 64 bit
 
 // The evaluations have so many bits more than the points.
 constexpr slong kGuardBits = 32;
-// Newton's method gains a bit an iteration at a double root and near a cluster, until it converges quadratically.
+// Newton's method gains a bit an iteration at a double root and near a cluster, until it converges quadratically or rounding ends it.
 constexpr slong kIterationsPerBit = 1;
 // A correction of fewer than 0.6 bits of the precision leaves, squared, an error below the rounding.
 constexpr double kSettledShare = 0.6;
@@ -131,8 +131,8 @@ ArbStage::ArbStage(const CertifyProgram& program)
       j_(n_, n_),
       y_(n_, n_),
       g_(n_, n_),
-      f_(n_, 1),
-      step_(n_, 1),
+      f_(n_, 2),
+      step_(n_, 2),
       fixed_(n_) {
   thread_local const FlintCaches caches;
 }
@@ -199,9 +199,15 @@ double ArbStage::largest_coordinate() const {
   return largest;
 }
 
-bool ArbStage::differs_from_zero(std::span<const ArbBall> values) {
-  return std::any_of(values.begin(), values.end(),
-                     [](const ArbBall& value) { return arb().acb_contains_zero(value.get()) == 0; });
+/// step_: J^-1 F, and J^-1 of the radius of F, what its rounding errors make of that. False where J is singular.
+bool ArbStage::find_step() {
+  for (std::size_t i = 0; i < n_; ++i) {
+    acb_srcptr value = values_[i].get();
+    arb().arb_get_rad_arb(acb_realref(f_.entry(i, 1)), acb_realref(value));
+    arb().arb_get_rad_arb(acb_imagref(f_.entry(i, 1)), acb_imagref(value));
+  }
+  arb().acb_mat_zero(step_.get());  // approximate functions leave radii as they are
+  return arb().acb_mat_approx_solve(step_.get(), j_.get(), f_.get(), bits_ + kGuardBits) != 0;
 }
 
 /// Newton's method until its correction is small enough, or no better; the test is left to say what the point is worth. Never
@@ -212,16 +218,12 @@ ArbOutcome ArbStage::approach(double farthest) {
   double last_ratio = 1;
   int stalls = 0;
   ArbOutcome outcome = ArbOutcome::not_proved;
-  bool tells = true;  // no step so far may have been made of rounding errors
   for (slong k = 0; k < kIterationsPerBit * bits_; ++k) {
     evaluate_at(m_);
-    tells = tells && differs_from_zero(values_);
-    arb().acb_mat_zero(step_.get());  // approximate functions leave radii as they are
-    if (!arb().acb_mat_approx_solve(step_.get(), j_.get(), f_.get(), bits_ + kGuardBits)) {
-      return ArbOutcome::not_proved;
-    }
+    if (!find_step()) return ArbOutcome::not_proved;
     const double least = std::max(kLeastWeight * largest_coordinate(), kLeastRadius);
     double share = 0;
+    double noise = 0;  // what rounding makes of it
     double moved = 0;
     for (std::size_t j = 0; j < n_; ++j) {
       acb_ptr mj = m_[j].get();
@@ -231,9 +233,12 @@ ArbOutcome ArbStage::approach(double farthest) {
       const double size = modulus_of(mj);
       if (!std::isfinite(step) || !std::isfinite(size)) return ArbOutcome::not_proved;
       share = std::max(share, step / std::max(size, least));
+      noise = std::max(noise, modulus_of(step_.entry(j, 1)) / std::max(size, least));
       moved = std::max(moved, distance(mj, start_[j].get()));
     }
-    if (moved > farthest) return tells ? ArbOutcome::left : ArbOutcome::not_proved;
+    // A step that rounding can make tells nothing, nor would the next.
+    if (!(share > noise)) break;
+    if (moved > farthest) return ArbOutcome::left;
     const double ratio = share / last;
     const bool is_quadratic = last_ratio < kQuadraticShare && ratio < last_ratio;
     if (is_quadratic) outcome = ArbOutcome::converged;

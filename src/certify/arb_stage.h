@@ -61,7 +61,7 @@ class ArbStage {
   void tighten(std::vector<double>& kappa);
   std::vector<double> apply(const std::vector<double>& reach);
   void evaluate_at(std::span<const ArbBall> unknowns);
-  static bool differs_from_zero(std::span<const ArbBall> values);
+  bool find_step();
   const std::vector<ArbBall>& coefficients();
 
   const CertifyProgram& program_;
