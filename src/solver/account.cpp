@@ -17,6 +17,17 @@ namespace {
 // away as the m-th root of the residual says, which is what the accuracy comes from; and circles have little margin.
 constexpr double kSingularMargin = 4;
 
+constexpr std::uint64_t PathCounts::*kCounts[]{&PathCounts::tracked,
+                                               &PathCounts::finite,
+                                               &PathCounts::at_infinity,
+                                               &PathCounts::failed,
+                                               &PathCounts::on_positive_dimensional,
+                                               &PathCounts::retracked,
+                                               &PathCounts::handed_over,
+                                               &PathCounts::mixed,
+                                               &PathCounts::double_double,
+                                               &PathCounts::multiprecision};
+
 /// Of the cycles of a group; none where its multiplicity was counted, not seen.
 std::vector<int> windings(const Run& run, const std::vector<std::uint64_t>& group) {
   if (run.ledger.roots().at(group.front()).is_counted) return {};
@@ -94,16 +105,12 @@ double accuracy_of_group(const Run& run, const std::vector<std::uint64_t>& group
 }  // namespace
 
 PathCounts& PathCounts::operator+=(const PathCounts& other) {
-  tracked += other.tracked;
-  finite += other.finite;
-  at_infinity += other.at_infinity;
-  failed += other.failed;
-  on_positive_dimensional += other.on_positive_dimensional;
-  retracked += other.retracked;
-  handed_over += other.handed_over;
-  mixed += other.mixed;
-  double_double += other.double_double;
-  multiprecision += other.multiprecision;
+  for (const auto count : kCounts) this->*count += other.*count;
+  return *this;
+}
+
+PathCounts& PathCounts::operator*=(std::uint64_t sheets) {
+  for (const auto count : kCounts) this->*count *= sheets;
   return *this;
 }
 

@@ -40,61 +40,40 @@ bool is_held(const Run& run, const Certificate& proof) {
   return std::any_of(run.ledger.roots().begin(), run.ledger.roots().end(), may_be_it);
 }
 
-class Cluster {
- public:
-  Cluster(const Run& run, const Root& end, std::size_t paths)
-      : run_(run),
-        setting_(run.setting),
-        end_(end),
-        paths_(paths),
-        radius_(end.tolerance * std::max(1.0, max_norm(end.point.x))),
-        prover_(setting_.certify_program, kWay * end.tolerance, kBits) {
-    choose_direction();
-  }
+/// x + r turn d, r the cluster's radius.
+Point beside(const Root& end, const Point& d, Complex turn) {
+  const double radius = end.tolerance * std::max(1.0, max_norm(end.point.x));
+  Point x = end.point.x;
+  for (std::size_t j = 0; j < x.size(); ++j) x[j] += product(radius * turn, d[j]);
+  return x;
+}
 
-  /// Different roots proved beside it that no other path holds; no more are looked for than there are paths. How well the end
-  /// is known does not matter: a root that no path holds is one that these have missed.
-  Proofs roots() {
-    const std::size_t starts = std::min(2 * paths_, kMostStarts);
-    for (std::size_t k = 0; k < starts && found_.size() < paths_; ++k) try_start(k, starts);
-    return found_;
+/// Where F changes least. At the cluster itself J may be singular, beside it never is.
+Point softest_direction(const Setting& setting, const Root& end) {
+  Point d;
+  for (std::size_t j = 0; j < end.point.x.size(); ++j) {
+    d.push_back(random_phase(setting.options.seed, RandomStream::cluster, j));
   }
+  return Refiner(setting.refiner_program).softest(beside(end, d, 1), d);
+}
 
- private:
-  Point beside(const Point& direction, Complex turn) const {
-    Point x = end_.point.x;
-    for (std::size_t j = 0; j < x.size(); ++j) x[j] += product(radius_ * turn, direction[j]);
-    return x;
+/// Different roots proved beside the end that no other path holds; no more are looked for than there are paths. How well it
+/// is known does not matter: a root that no path holds is one that these have missed.
+Proofs roots_beside(const Run& run, const Root& end, std::size_t paths) {
+  const Setting& setting = run.setting;
+  const Point d = softest_direction(setting, end);
+  Prover prover(setting.certify_program, kWay * end.tolerance, kBits);
+  const std::size_t starts = std::min(2 * paths, kMostStarts);
+  Proofs found;
+  for (std::size_t k = 0; k < starts && found.size() < paths && !setting.stop; ++k) {
+    const double turn = static_cast<double>(k) / static_cast<double>(starts);
+    auto proof = prover.prove(beside(end, d, std::polar(1.0, 2 * std::numbers::pi * turn)));
+    if (!proof || is_held(run, *proof)) continue;
+    found.push_back(std::move(proof));
+    if (proved_roots(setting, found) < found.size()) found.pop_back();
   }
-
-  /// At the cluster itself J may be singular, beside it never is.
-  void choose_direction() {
-    for (std::size_t j = 0; j < end_.point.x.size(); ++j) {
-      direction_.push_back(random_phase(setting_.options.seed, RandomStream::cluster, j));
-    }
-    Refiner refiner(setting_.refiner_program);
-    direction_ = refiner.softest(beside(direction_, 1), direction_);
-  }
-
-  /// The k-th of `count` points around the end.
-  void try_start(std::size_t k, std::size_t count) {
-    if (setting_.stop) return;
-    const double turn = static_cast<double>(k) / static_cast<double>(count);
-    auto proof = prover_.prove(beside(direction_, std::polar(1.0, 2 * std::numbers::pi * turn)));
-    if (!proof || is_held(run_, *proof)) return;
-    found_.push_back(std::move(proof));
-    if (proved_roots(setting_, found_) < found_.size()) found_.pop_back();
-  }
-
-  const Run& run_;
-  const Setting& setting_;
-  const Root& end_;
-  std::size_t paths_;
-  double radius_;
-  Prover prover_;
-  Point direction_;
-  Proofs found_;
-};
+  return found;
+}
 
 /// What is known of a cluster: different roots that are proved beside it, or that it is none, or nothing.
 struct Finding {
@@ -126,7 +105,7 @@ Finding look_into(const Run& run, const Root& end, std::size_t paths) {
   Finding finding;
   const bool is_refuted = ring && (ring->is_isolated || ring->dimension > paths);
   finding.is_on_curve = is_refuted && ring->grows_steadily;
-  if (!finding.is_on_curve) finding.roots = Cluster(run, end, paths).roots();
+  if (!finding.is_on_curve) finding.roots = roots_beside(run, end, paths);
   finding.is_refuted =
       is_refuted || !finding.roots.empty() || (!ring && !is_shown(run.setting.f, end, paths));
   return finding;

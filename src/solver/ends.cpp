@@ -155,9 +155,7 @@ void take_end(Run& run, std::uint64_t path, PathEnd&& end) {
       run.ledger.enter_infinity(path, end.is_as_rounded);
       return;
     case PathStatus::failed:
-      if (end.failure == Failure::cancelled) {
-        run.interrupted = true;
-      } else if (has_to_wait(run, end)) {
+      if (has_to_wait(run, end)) {
         run.waiting[path] = end.outpost ? std::move(*end.outpost) : Outpost{};
       } else {
         run.ledger.enter_failure({path, *end.failure, end.t, end.stage}, last_point(run, end));

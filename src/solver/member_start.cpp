@@ -2,25 +2,18 @@
 // Both members in the units that suit the one that is sought.
 #include "moivre/solver/member_start.h"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "moivre/expression/counted.h"
+#include "prepare.h"
 
 namespace moivre {
 
 Scaling scaling_to(const System& member) {
   Scaling scaling = choose_scaling(member);
-  const System scaled = scale(member, scaling);
-  for (std::size_t i = 0; i < scaled.polynomials.size(); ++i) {
-    double largest = -std::numeric_limits<double>::infinity();
-    for (const Term& term : scaled.polynomials[i].terms) {
-      largest = std::max(largest, log2_size(term.coefficient));
-    }
-    if (std::isfinite(largest)) {
-      scaling.equation_log2[i] -= static_cast<int>(std::floor(largest));
-    }
+  const Scaling rows = unit_rows(scale(member, scaling));
+  for (std::size_t i = 0; i < rows.equation_log2.size(); ++i) {
+    scaling.equation_log2[i] += rows.equation_log2[i];
   }
   return scaling;
 }

@@ -35,12 +35,11 @@ struct Waiting {
 
 /// What the threads share: the next path to begin, the sink, and the paths that wait.
 struct Shared {
-  std::uint64_t first, beyond;  ///< of the paths by their order
-  std::function<std::uint64_t(std::uint64_t)> path_of;
+  const PathList& paths;
   int care;
   const EndSink& sink;
   const std::atomic<bool>& stop;
-  std::atomic<std::uint64_t> next{first};
+  std::atomic<std::uint64_t> next{0};
   std::mutex sink_mutex = {};
   std::vector<Waiting> waiting = {};
 
@@ -56,15 +55,15 @@ struct Shared {
   std::optional<std::uint64_t> draw() {
     if (stop.load(std::memory_order_relaxed)) return std::nullopt;
     const std::uint64_t k = next.fetch_add(1, std::memory_order_relaxed);
-    if (k >= beyond) return std::nullopt;
-    return path_of(k);
+    if (k >= paths.count) return std::nullopt;
+    return paths.path_of(k);
   }
 };
 
 /// Feeds the session of the last stage: first what its endgames ask for, then new paths.
 class SessionSource : public DepartureSource {
  public:
-  /// beginnings: of new paths; nullptr: there are none.
+  /// beginnings: of new paths; nullptr: there are none, but paths to be taken up.
   SessionSource(const PathProblem& problem, const EndgameOptions& options, Shared& shared,
                 Beginnings* beginnings)
       : problem_(problem),
@@ -74,6 +73,9 @@ class SessionSource : public DepartureSource {
         scratch_(problem.plan.last()) {}
 
   std::optional<Departure> next() override {
+    if (ready_.empty() && shared_.paths.outposts) {
+      if (const auto path = shared_.draw()) take_up(*path, shared_.paths.outposts->at(*path));
+    }
     if (!ready_.empty()) {
       Departure departure = std::move(ready_.back());
       ready_.pop_back();
@@ -92,12 +94,6 @@ class SessionSource : public DepartureSource {
     under_way_.erase(found);
     auto next = endgame->accept(std::move(arrival), scratch_);
     take_up({departure.path, std::move(endgame)}, std::move(next));
-  }
-
-  void take_up(std::uint64_t path, const Outpost& outpost) {
-    auto endgame = new_endgame(path);
-    Departure next = endgame->take_up(outpost, scratch_);
-    take_up({path, std::move(endgame)}, std::move(next));
   }
 
   /// The sheets of one cycle, in the order of their turns. What the first finds at infinity holds for all.
@@ -131,6 +127,12 @@ class SessionSource : public DepartureSource {
   }
 
  private:
+  void take_up(std::uint64_t path, const Outpost& outpost) {
+    auto endgame = new_endgame(path);
+    Departure next = endgame->take_up(outpost, scratch_);
+    take_up({path, std::move(endgame)}, std::move(next));
+  }
+
   Departure depart(Beginning&& beginning) {
     const std::uint64_t path = beginning.path;
     auto& endgame = under_way_[path];
@@ -159,7 +161,12 @@ class SessionSource : public DepartureSource {
 
 void track_on_one_thread(const PathProblem& problem, const EndgameOptions& options,
                          std::uint64_t threads, Shared& shared) {
-  const std::uint64_t share = (shared.beyond - shared.first) / (threads * kBlocksOfAThread) + 1;
+  if (shared.paths.outposts) {
+    SessionSource source(problem, options, shared, nullptr);
+    problem.tracker.open(problem.plan.last())->run(source, shared.stop);
+    return;
+  }
+  const std::uint64_t share = shared.paths.count / (threads * kBlocksOfAThread) + 1;
   Beginnings beginnings(problem.plan, problem.tracker, shared.care, std::min(kBlock, share),
                         [&] { return shared.draw(); });
   SessionSource source(problem, options, shared, &beginnings);
@@ -201,19 +208,6 @@ void walk_on(const PathProblem& problem, const EndgameOptions& options, int thre
   });
 }
 
-/// All paths of `shared`, of which some may wait for one another.
-void track_together(const PathProblem& problem, std::uint64_t count, int threads, Shared& shared) {
-  EndgameOptions options = problem.endgame;
-  options.may_wait = count > 1;
-  const bool few = count <= kFewPaths && shared.care == 0;
-  const std::uint64_t sessions =
-      few ? std::min<std::uint64_t>(count, 1)
-          : std::min<std::uint64_t>(static_cast<std::uint64_t>(threads), count);
-  for_each_parallel(sessions, threads,
-                    [&](std::size_t) { track_on_one_thread(problem, options, sessions, shared); });
-  if (!shared.waiting.empty()) walk_on(problem, options, threads, shared);
-}
-
 }  // namespace
 
 void for_each_parallel(std::size_t count, int threads, const std::function<void(std::size_t)>& f) {
@@ -228,35 +222,17 @@ void for_each_parallel(std::size_t count, int threads, const std::function<void(
   arena.execute([&] { tbb::parallel_for(std::size_t{0}, count, f); });
 }
 
-void track_paths(const PathProblem& problem, std::uint64_t count,
-                 const std::function<std::uint64_t(std::uint64_t)>& path_of, int care, int threads,
+void track_paths(const PathProblem& problem, const PathList& paths, int care, int threads,
                  const EndSink& sink, const std::atomic<bool>& stop) {
-  for (std::uint64_t begin = 0; begin < count && !stop; begin += kPathsTogether) {
-    const std::uint64_t end = std::min(begin + kPathsTogether, count);
-    Shared shared{begin, end, path_of, care, sink, stop};
-    track_together(problem, end - begin, threads, shared);
-  }
-}
-
-void track_on(const PathProblem& problem, const Outposts& outposts, int care, int threads,
-              const EndSink& sink, const std::atomic<bool>& stop) {
+  Shared shared{paths, care, sink, stop};
   EndgameOptions options = problem.endgame;
-  options.may_wait = outposts.size() > 1;
-  std::vector<Outposts::const_iterator> paths;
-  for (auto next = outposts.begin(); next != outposts.end(); ++next) paths.push_back(next);
-  for (std::size_t begin = 0; begin < paths.size() && !stop; begin += kPathsTogether) {
-    const std::size_t end = std::min<std::size_t>(begin + kPathsTogether, paths.size());
-    const std::size_t sessions = std::min(static_cast<std::size_t>(threads), end - begin);
-    Shared shared{begin, end, {}, care, sink, stop};
-    for_each_parallel(sessions, threads, [&](std::size_t s) {
-      SessionSource source(problem, options, shared, nullptr);
-      for (std::size_t k = begin + s; k < end; k += sessions) {
-        source.take_up(paths[k]->first, paths[k]->second);
-      }
-      problem.tracker.open(problem.plan.last())->run(source, stop);
-    });
-    if (!shared.waiting.empty()) walk_on(problem, options, threads, shared);
-  }
+  options.may_wait = paths.count > 1;
+  const bool few = paths.count <= kFewPaths && care == 0;
+  const std::uint64_t sessions =
+      std::min(few ? std::uint64_t{1} : static_cast<std::uint64_t>(threads), paths.count);
+  for_each_parallel(sessions, threads,
+                    [&](std::size_t) { track_on_one_thread(problem, options, sessions, shared); });
+  if (!shared.waiting.empty()) walk_on(problem, options, threads, shared);
 }
 
 std::optional<Point> followed_back(const PathProblem& problem, const Point& x, int care,

@@ -28,21 +28,20 @@ struct PathProblem {
 /// Receives the verdict on a path; called by one thread at a time, in any order of paths.
 using EndSink = std::function<void(std::uint64_t path, PathEnd&& end)>;
 
-/// So many paths are followed before others begin: at most so many wait for one another.
-inline constexpr std::uint64_t kPathsTogether = 4096;
-
-/// Follows `count` paths, the k-th being path_of(k), on `threads` threads. Paths cut short by
-/// `stop` end as Failure::cancelled; those not yet begun are not reported.
-void track_paths(const PathProblem& problem, std::uint64_t count,
-                 const std::function<std::uint64_t(std::uint64_t)>& path_of, int care, int threads,
-                 const EndSink& sink, const std::atomic<bool>& stop);
-
 /// Paths at their outposts, by number.
 using Outposts = std::map<std::uint64_t, Outpost>;
 
-/// Takes these paths up again, as track_paths() follows others.
-void track_on(const PathProblem& problem, const Outposts& outposts, int care, int threads,
-              const EndSink& sink, const std::atomic<bool>& stop);
+/// Which paths, and from where.
+struct PathList {
+  std::uint64_t count = 0;
+  std::function<std::uint64_t(std::uint64_t)> path_of;  ///< the k-th, k < count
+  const Outposts* outposts = nullptr;  ///< where they are taken up again; nullptr: they begin
+};
+
+/// Follows them on `threads` threads, at most all at once: they may wait for one another. Paths cut short by
+/// `stop` end as Failure::cancelled; those not yet begun are not reported.
+void track_paths(const PathProblem& problem, const PathList& paths, int care, int threads,
+                 const EndSink& sink, const std::atomic<bool>& stop);
 
 /// The start point of the last stage from which `x` (homogeneous, an end point at t = 1) is reached: x is followed back to
 /// t = 0. nullopt when the way back breaks off.

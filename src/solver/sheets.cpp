@@ -13,22 +13,6 @@
 namespace moivre {
 namespace {
 
-/// Of numbers that are no larger than that of the tracked paths.
-PathCounts times(std::uint64_t sheets, const PathCounts& paths) {
-  PathCounts all;
-  all.tracked = sheets * paths.tracked;
-  all.finite = sheets * paths.finite;
-  all.at_infinity = sheets * paths.at_infinity;
-  all.failed = sheets * paths.failed;
-  all.on_positive_dimensional = sheets * paths.on_positive_dimensional;
-  all.retracked = sheets * paths.retracked;
-  all.handed_over = sheets * paths.handed_over;
-  all.mixed = sheets * paths.mixed;
-  all.double_double = sheets * paths.double_double;
-  all.multiprecision = sheets * paths.multiprecision;
-  return all;
-}
-
 bool fits(std::uint64_t sheets, std::uint64_t count) {
   return count <= std::numeric_limits<std::uint64_t>::max() / sheets;
 }
@@ -95,7 +79,7 @@ void take_back_powers(const System& f, const PowerFree& bases, SolveResult& resu
   }
   result.system = facts_of(f);
   multiply(sheets, result.start);
-  result.paths = times(sheets, result.paths);
+  result.paths *= sheets;
   Refiner refiner(make_refiner_program(f, std::vector<double>(f.variables.size(), 1.0)));
   for (Solution& root : result.solutions) multiply(sheets, refiner, root);
   if (result.bound && !result.bound->is_of_points) result.bound->value *= sheets;

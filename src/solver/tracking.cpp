@@ -19,21 +19,42 @@ void report_progress(const Run& run) {
   run.setting.options.progress(progress);
 }
 
+/// So many paths are followed before others begin: at most so many wait for one another.
+constexpr std::uint64_t kPathsTogether = 4096;
+
 /// Verdicts go to `sink`, but for those that the run's end cut short; what is finite is refined.
-void track_these(Run& run, const PathProblem& problem, const PathSet& paths, int care,
-                 const EndSink& sink) {
-  const std::vector<std::uint64_t> list(paths.begin(), paths.end());
+void follow(Run& run, const PathProblem& problem, const PathList& paths, int care,
+            const EndSink& sink) {
+  const Setting& setting = run.setting;
+  std::uint64_t ended = 0;
   const EndSink sink_unless_cancelled = [&](std::uint64_t path, PathEnd&& end) {
-    if (end.failure == Failure::cancelled) {
-      run.interrupted = true;
-    } else {
-      sink(path, std::move(end));
-    }
+    if (end.failure == Failure::cancelled) return;
+    ++ended;
+    sink(path, std::move(end));
   };
-  track_paths(
-      problem, list.size(), [&](std::uint64_t k) { return list[k]; }, care, run.setting.threads,
-      sink_unless_cancelled, run.setting.stop);
-  refine_ends(run);
+  for (std::uint64_t first = 0; first < paths.count && !setting.stop; first += kPathsTogether) {
+    const PathList block{std::min(kPathsTogether, paths.count - first),
+                         [&](std::uint64_t k) { return paths.path_of(first + k); }, paths.outposts};
+    track_paths(problem, block, care, setting.threads, sink_unless_cancelled, setting.stop);
+    // Ends that wait to be refined take much more memory than roots.
+    refine_ends(run);
+  }
+  if (ended < paths.count) run.interrupted = true;
+}
+
+void follow(Run& run, const PathProblem& problem, const PathSet& paths, int care,
+            const EndSink& sink, const Outposts* outposts = nullptr) {
+  const std::vector<std::uint64_t> list(paths.begin(), paths.end());
+  follow(run, problem, {list.size(), [&](std::uint64_t k) { return list[k]; }, outposts}, care,
+         sink);
+}
+
+/// They all, as their verdicts come in.
+EndSink taking_ends(Run& run) {
+  return [&run](std::uint64_t path, PathEnd&& end) {
+    take_end(run, path, std::move(end));
+    report_progress(run);
+  };
 }
 
 /// The paths that came to no verdict, and those of them that ran out of steps.
@@ -50,7 +71,7 @@ Left climb_with(Run& run, const Tracker& tracker, Rung rung, Taken taken, const 
   endgame.goes_straight = true;
   endgame.only_regular = taken == Taken::regular_ends;
   const PathProblem problem{*setting.prepared.plan, tracker, endgame};
-  track_these(run, problem, paths, 0, [&](std::uint64_t path, PathEnd&& end) {
+  follow(run, problem, paths, 0, [&](std::uint64_t path, PathEnd&& end) {
     if (end.status == PathStatus::failed) {
       count_following(run, path, end);
       left.undecided.insert(path);
@@ -70,22 +91,8 @@ void track_all(Run& run) {
   run.effort = first_effort(setting);
   const PathProblem problem{*setting.prepared.plan, setting.tracker(),
                             endgame_for(setting, run.effort)};
-  const std::uint64_t total = setting.prepared.plan->paths;
-  std::uint64_t followed = 0;
-  const EndSink sink = [&](std::uint64_t path, PathEnd&& end) {
-    ++followed;
-    take_end(run, path, std::move(end));
-    report_progress(run);
-  };
-  for (std::uint64_t first = 0; first < total && !setting.stop; first += kPathsTogether) {
-    track_paths(
-        problem, std::min(kPathsTogether, total - first),
-        [first](std::uint64_t k) { return first + k; }, setting.options.care, setting.threads, sink,
-        setting.stop);
-    // Ends that wait to be refined take much more memory than roots.
-    refine_ends(run);
-  }
-  if (followed < total) run.interrupted = true;
+  const PathList all{setting.prepared.plan->paths, [](std::uint64_t k) { return k; }};
+  follow(run, problem, all, setting.options.care, taking_ends(run));
   run.effort = Effort::all_steps;
 }
 
@@ -94,19 +101,15 @@ void track_waiting(Run& run, Effort effort) {
   run.effort = effort;
   const PathProblem problem{*setting.prepared.plan, setting.tracker(),
                             endgame_for(setting, effort)};
-  Outposts waiting = std::exchange(run.waiting, {});
-  PathSet from_start;
+  const Outposts waiting = std::exchange(run.waiting, {});
+  PathSet stand_at_outposts;
+  PathSet begin_again;
   for (const auto& [path, outpost] : waiting) {
-    if (outpost.x.empty()) from_start.insert(path);
+    (outpost.x.empty() ? begin_again : stand_at_outposts).insert(path);
   }
-  std::erase_if(waiting, [](const auto& path) { return path.second.x.empty(); });
-  const EndSink sink = [&](std::uint64_t path, PathEnd&& end) {
-    take_end(run, path, std::move(end));
-    report_progress(run);
-  };
-  track_on(problem, waiting, setting.options.care, setting.threads, sink, setting.stop);
-  track_these(run, problem, from_start, setting.options.care, sink);
-  if (setting.stop) run.interrupted = true;
+  const int care = setting.options.care;
+  follow(run, problem, stand_at_outposts, care, taking_ends(run), &waiting);
+  follow(run, problem, begin_again, care, taking_ends(run));
   run.effort = Effort::all_steps;
 }
 
@@ -114,8 +117,8 @@ void track_again(Run& run, const PathSet& paths, int care) {
   if (run.setting.falls_back(care)) {
     for (const std::uint64_t path : paths) run.ledger.set_handed_over(path);
   }
-  track_these(run, run.setting.problem(care), paths, care,
-              [&](std::uint64_t path, PathEnd&& end) { take_end(run, path, std::move(end)); });
+  follow(run, run.setting.problem(care), paths, care,
+         [&](std::uint64_t path, PathEnd&& end) { take_end(run, path, std::move(end)); });
 }
 
 PathSet climb_together(Run& run, const PathSet& paths, Taken taken) {

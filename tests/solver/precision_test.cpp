@@ -61,7 +61,7 @@ std::vector<PathStatus> ends_of_kin1(const std::vector<std::uint64_t>& paths,
   const PathProblem path_problem{*prepared.plan, tracker, options.endgame};
   std::vector<PathStatus> ends;
   track_paths(
-      path_problem, paths.size(), [&](std::uint64_t k) { return paths[k]; }, 0, 1,
+      path_problem, {paths.size(), [&](std::uint64_t k) { return paths[k]; }}, 0, 1,
       [&](std::uint64_t, PathEnd&& end) { ends.push_back(end.status); }, std::atomic<bool>{false});
   return ends;
 }

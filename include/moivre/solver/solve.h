@@ -124,6 +124,7 @@ struct PathCounts {
   std::uint64_t multiprecision = 0;  ///< that needed more digits
 
   PathCounts& operator+=(const PathCounts& other);
+  PathCounts& operator*=(std::uint64_t sheets);
   friend bool operator==(const PathCounts&, const PathCounts&) = default;
 };
 
