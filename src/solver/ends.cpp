@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 #include <optional>
 
 #include "certificates.h"
 #include "dimension.h"
+#include "fine_restore.h"
 #include "moivre/certify/certifier.h"
 
 namespace moivre {
@@ -31,16 +33,41 @@ constexpr int kLeastMultiplicity = 2;
 // A thread is worth waking for so many ends to refine.
 constexpr std::size_t kEndsOfAThread = 16;
 
+/// What refines and proves ends; one a thread, and one for ends of more digits.
+struct Tools {
+  Tools(const Setting& setting, int most_bits)
+      : refiner(setting.refiner_program),
+        prover(setting.certify_program, kFarthestRoot, most_bits),
+        restorer(setting, most_bits) {}
+
+  Refiner refiner;
+  Prover prover;
+  FineRestorer restorer;
+};
+
+/// Proved, and no farther from x than the end's accuracy allows.
+std::shared_ptr<const Certificate> if_within_reach(
+    Refiner& refiner, const Point& x, double accuracy,
+    std::shared_ptr<const Certificate>&& certificate) {
+  const bool is_it = certificate && refiner.is_within_reach(x, accuracy, certificate->midpoint);
+  return is_it ? std::move(certificate) : nullptr;
+}
+
 /// A proved root near the end is what the path ends at; without a proof it is no simple root. Of an end that may still wait for more effort
 /// double tells enough: near a multiple root a proof is sought in vain, for long.
-void prove(const Run& run, Refiner& refiner, Prover& prover, const Point& x, double accuracy,
+void prove(const Run& run, Tools& tools, const PathEnd& end, const Point& x, double accuracy,
            Root& root) {
   if (run.setting.stop) return;
+  auto& [refiner, prover, restorer] = tools;
   const bool may_wait = run.effort == Effort::regular_ends;
-  const auto certificate =
-      may_wait ? prover.prove_in_double(root.point.x) : prover.prove(root.point.x);
-  root.point.simple =
-      certificate != nullptr && refiner.is_within_reach(x, accuracy, certificate->midpoint);
+  auto certificate =
+      if_within_reach(refiner, x, accuracy,
+                      may_wait ? prover.prove_in_double(root.point.x) : prover.prove(root.point.x));
+  if (!certificate && !may_wait) {
+    const std::optional<Point> finer = restorer.restored(end.x);
+    if (finer) certificate = if_within_reach(refiner, *finer, accuracy, prover.prove(*finer));
+  }
+  root.point.simple = certificate != nullptr;
   if (!root.point.simple) return;
   root.point = refiner.take(*certificate, root.point.condition);
   root.certificate = certificate;
@@ -49,16 +76,17 @@ void prove(const Run& run, Refiner& refiner, Prover& prover, const Point& x, dou
 /// Most ends: double proves a root near the end as it stands, and nothing of Refiner::refine() is needed.
 bool prove_as_it_stands(Refiner& refiner, Prover& prover, const Point& x, double accuracy,
                         Root& root) {
-  const auto certificate = prover.prove_in_double(x);
-  if (!certificate || !refiner.is_within_reach(x, accuracy, certificate->midpoint)) return false;
+  const auto certificate = if_within_reach(refiner, x, accuracy, prover.prove_in_double(x));
+  if (!certificate) return false;
   root.point = refiner.take(*certificate, std::numeric_limits<double>::infinity());
   root.certificate = certificate;
   root.tolerance = simple_tolerance(root.point);
   return true;
 }
 
-Root refined_root(const Run& run, Refiner& refiner, Prover& prover, const PathEnd& end) {
+Root refined_root(const Run& run, Tools& tools, const PathEnd& end) {
   const Setting& setting = run.setting;
+  auto& [refiner, prover, restorer] = tools;
   const Point x = to_original(setting.prepared, end.x);
   // A relative error of z_0 is one of z / z_0, larger by the size of the affine point.
   const double accuracy = end.accuracy * std::max(1.0, end.size);
@@ -72,7 +100,7 @@ Root refined_root(const Run& run, Refiner& refiner, Prover& prover, const PathEn
     root.point = refiner.refine_fine(x);
   }
   if (prover.is_on()) {
-    if (!many_sheets) prove(run, refiner, prover, x, accuracy, root);
+    if (!many_sheets) prove(run, tools, end, x, accuracy, root);
   } else if (root.point.simple && root.point.condition > kDoubtfulCondition) {
     root.point.simple = !is_on_set(run, root);
   }
@@ -90,16 +118,13 @@ std::vector<Root> refined_roots(const Run& run) {
   const auto threads = static_cast<std::size_t>(run.setting.threads);
   const std::size_t chunks = std::min(threads, 1 + roots.size() / kEndsOfAThread);
   for_each_parallel(chunks, run.setting.threads, [&](std::size_t chunk) {
-    Refiner refiner(run.setting.refiner_program);
-    Prover prover(run.setting.certify_program);
-    std::optional<Prover> fine_prover;  // made when it is first needed
+    Tools tools(run.setting, kMostProofBits);
+    std::optional<Tools> fine_tools;  // made when they are first needed
     for (std::size_t k = chunk; k < roots.size(); k += chunks) {
       const auto& [path, end] = run.ends[k];
       const bool is_fine = run.ledger.rung(path) == Rung::multiprecision;
-      if (is_fine && !fine_prover) {
-        fine_prover.emplace(run.setting.certify_program, kFarthestRoot, kMostArbBits);
-      }
-      roots[k] = refined_root(run, refiner, is_fine ? *fine_prover : prover, end);
+      if (is_fine && !fine_tools) fine_tools.emplace(run.setting, kMostArbBits);
+      roots[k] = refined_root(run, is_fine ? *fine_tools : tools, end);
     }
   });
   return roots;

@@ -164,13 +164,17 @@ void require_paths(const Prepared& prepared) {
   throw std::invalid_argument("there is no path to follow: elimination alone decides the system");
 }
 
-Point to_original(const Prepared& prepared, const Point& homogeneous) {
+Point to_reduced(const Prepared& prepared, const Point& homogeneous) {
   Point y = prepared.plan->last().chart().affine(homogeneous);
   for (std::size_t j = 0; j < y.size(); ++j) {
     const int e = prepared.scaling.variable_log2[j];
     y[j] = {std::ldexp(y[j].real(), e), std::ldexp(y[j].imag(), e)};
   }
-  return restore(prepared.reduction, y);
+  return y;
+}
+
+Point to_original(const Prepared& prepared, const Point& homogeneous) {
+  return restore(prepared.reduction, to_reduced(prepared, homogeneous));
 }
 
 std::vector<double> natural_sizes(const Prepared& prepared) {

@@ -40,7 +40,8 @@ void require_paths(const Prepared& prepared);
 /// Every equation's largest coefficient in [1, 2), so that rows of F and G are of one size, and none too small for double.
 Scaling unit_rows(const System& f);
 
-/// x of a homogeneous point with z_0 != 0.
+/// y and x of a homogeneous point with z_0 != 0.
+Point to_reduced(const Prepared& prepared, const Point& homogeneous);
 Point to_original(const Prepared& prepared, const Point& homogeneous);
 
 /// Natural size of each original unknown: 2^v of a kept one, 1 of an eliminated one.

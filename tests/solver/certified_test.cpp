@@ -354,6 +354,25 @@ TEST(Certified, ARegularEndThatNoDigitPartsFromInfinityIsNotCalledInfinite) {
   }
 }
 
+// Of its 62 roots one has coordinates of size 1e16 of which two sums are eliminated: one is -247, and 16 digits leave nothing of it.
+TEST(Certified, ARootWhoseEliminatedUnknownsCancelIsFound) {
+  const System f = read(
+      "8\n -627*x1*x2-9*x1*x3-2877*x2*x3+x5*x7-900*x6*x7-7*x1+x2-5005*x3-2*x4+7830*x5-x8+8;\n"
+      " -8*x1*x6+x2*x3+x3*x4-x3*x6+1200*x5*x6-x5*x8+1649*x1-x5+7*x7-x8-8;\n"
+      " -6438*x1*x6-x1*x7+x1*x8+4*x6+x7+5383;\n"
+      " -7705*x1*x6-9*x2*x4+9*x3*x4+4377*x3*x5+x3*x7+x4*x5+x2-713*x3+9*x4-5*x7+3234*x8-3810;\n"
+      " 2*x1*x3+x1*x8-3826*x3^2+6*x3*x5+x4^2-x5*x7-2*x2-400*x4-3*x5-1;\n"
+      " 7394*x1*x2+6*x3*x7-x5*x8+4488*x2-x3+8*x6+x7+3182;\n"
+      " -x1+9*x2+6*x3-6*x4+x5+8*x6-6*x7+7*x8-9;\n"
+      " -4*x1-x2-8*x3-4*x4+8*x5+6*x6+5*x7-6*x8-3;\n");
+  for (std::uint64_t seed = 1; seed <= 2; ++seed) {
+    SCOPED_TRACE(seed);
+    const SolveResult result = solve(f, *make_lane_tracker(), with_seed(seed));
+    EXPECT_EQ(result.completeness, RootCompleteness::proved);
+    EXPECT_EQ(result.solutions.size(), 62U);
+  }
+}
+
 TEST(Certified, WhatIsNotDecidedIsOpen) {
   CvodeOptions few;
   few.maximum_steps = 5;

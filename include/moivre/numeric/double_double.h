@@ -137,6 +137,9 @@ inline ComplexDoubleDouble product(const ComplexDoubleDouble& a, const ComplexDo
 inline ComplexDoubleDouble product(DoubleDouble a, const ComplexDoubleDouble& b) {
   return {a * b.re, a * b.im};
 }
+inline ComplexDoubleDouble operator*(const ComplexDoubleDouble& a, const ComplexDoubleDouble& b) {
+  return product(a, b);
+}
 inline ComplexDoubleDouble add_product(const ComplexDoubleDouble& a, const ComplexDoubleDouble& b,
                                        const ComplexDoubleDouble& sum) {
   return {add_products(a.re, b.re, -a.im, b.im, sum.re),
