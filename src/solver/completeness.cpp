@@ -313,11 +313,7 @@ bool is_root_missing(Run& run) {
 
 bool are_as_counted(Run& run) {
   const QuotientRing& ring = run.bounds.ring;
-  if (ring.verdict != QuotientRing::Verdict::finite || !run.ledger.failures().empty()) return false;
-  run.bounds.points =
-      quotient_ring(run.setting.prepared.reduction.system,
-                    {0, static_cast<std::uint64_t>(kTermsInDoubt), &run.setting.stop, true})
-          .points;
+  if (ring.verdict != QuotientRing::Verdict::finite || run.setting.stop) return false;
   const auto groups = groups_of(run);
   std::uint64_t roots = 0;
   for (const auto& group : groups) {
@@ -325,7 +321,14 @@ bool are_as_counted(Run& run) {
     if (!end.point.simple && is_on_set(run, end)) return false;
     roots += group.size();
   }
-  return roots == ring.dimension && groups.size() == run.bounds.points;
+  if (roots != ring.dimension) return false;
+  if (!run.bounds.points) {
+    run.bounds.points =
+        quotient_ring(run.setting.prepared.reduction.system,
+                      {0, static_cast<std::uint64_t>(kTermsInDoubt), &run.setting.stop, true})
+            .points;
+  }
+  return groups.size() == run.bounds.points;
 }
 
 std::optional<std::string> contradiction_by_algebra(const Run& run, const SolveResult& result) {
@@ -364,10 +367,13 @@ void tell_completeness(const Run& run, SolveResult& result) {
                         : is_shown   ? RootCompleteness::shown
                                      : RootCompleteness::open;
   const std::uint64_t left = run.ledger.count(PathVerdict::left_by_bound);
-  if (left == 0 || !result.bound) return;
+  if (left == 0) return;
+  const std::string why =
+      result.bound ? "the certified roots are as many as the " + result.bound->kind
+                   : "the roots and their multiplicities are as many as exact algebra counts";
   result.left_out.push_back(
       {counted(left, "path") + " in doubt",
-       "the certified roots are as many as the " + result.bound->kind + ": it leads to no other"});
+       why + (left == 1 ? ": it leads to no other" : ": they lead to no other")});
 }
 
 }  // namespace moivre

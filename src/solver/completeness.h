@@ -30,7 +30,7 @@ bool settle_by_bound(Run& run);
 bool is_root_missing(Run& run);
 
 /// As many roots with their multiplicities, and as many different ones, as exact algebra counts: then each has its multiplicity.
-/// Requires that no path is lost. False where algebra has no counts, and where paths end on sets of positive dimension.
+/// False where algebra has no counts, and where paths end on sets of positive dimension.
 bool are_as_counted(Run& run);
 
 /// Why the roots told cannot be all and right: an exact root has fewer paths than its multiplicity, or the dimension of the quotient

@@ -139,6 +139,22 @@ void fail_unsettled(Run& run) {
   }
 }
 
+/// The certified roots, and the multiple ones to which whole cycles lead, are as many as exact algebra counts: the paths still in doubt
+/// lead to none. No proof: of a multiple root the paths tell that it is one.
+bool settle_by_count(Run& run) {
+  if (run.interrupted || !are_as_counted(run)) return false;
+  const auto groups = groups_of(run);
+  const auto in_doubt = [&](const auto& group) { return is_in_doubt(run, group); };
+  if (std::any_of(groups.begin(), groups.end(), in_doubt)) return false;
+  PathSet left;
+  for (const auto& [path, failure] : run.ledger.failures()) left.insert(path);
+  for (const std::uint64_t path : left) run.ledger.leave(path);
+  run.unsettled_conjugates = 0;
+  return true;
+}
+
+bool is_settled(Run& run) { return settle_by_bound(run) || settle_by_count(run); }
+
 /// Where F all but vanishes along a set, simple roots pass for points of it. Paths to such a set are followed in double-double: a root that
 /// is proved at the end of one is none of the set's. Where there is such a root the set is none, and what the other paths end at is not known.
 void resolve_blurred_sets(Run& run) {
@@ -204,7 +220,7 @@ void climb_to_clusters(Run& run) {
         return has_climbed_to_a_simple_root(run, path);
       });
       if (!helps && !is_root_missing(run)) break;
-      if (helps && settle_by_bound(run)) return;
+      if (helps && is_settled(run)) return;
     }
   }
 }
@@ -212,7 +228,7 @@ void climb_to_clusters(Run& run) {
 /// In double, with more care, and in more digits.
 void settle_ends(Run& run) {
   const SolveOptions& options = run.setting.options;
-  if (settle_by_bound(run)) return;
+  if (is_settled(run)) return;
   resolve_clusters(run);
   // Where many paths go at once digits cost less than care, and care helps none that they do not.
   const PathSet beyond = climb_together(run, paths_failed_by(run, Failure::precision));
@@ -221,24 +237,24 @@ void settle_ends(Run& run) {
     const PathSet doubtful = doubtful_paths(run, care, beyond);
     if (doubtful.empty() && beyond.empty()) return;
     if (doubtful.empty()) break;
-    if (settle_by_bound(run)) return;
+    if (is_settled(run)) return;
     track_again(run, doubtful, care);
     if (climbs_later && care == options.care + 1) {
       climb(run, paths_failed_by(run, Failure::precision));
     }
   }
-  if (run.interrupted || settle_by_bound(run)) return;
+  if (run.interrupted || is_settled(run)) return;
   climb_last(run, beyond);
-  if (run.interrupted || settle_by_bound(run)) return;
+  if (run.interrupted || is_settled(run)) return;
   climb_to_clusters(run);
-  if (!run.interrupted && !settle_by_bound(run)) fail_unsettled(run);
+  if (!run.interrupted && !is_settled(run)) fail_unsettled(run);
 }
 
 }  // namespace
 
 void settle_doubts(Run& run) {
   settle_ends(run);
-  if (!run.interrupted && !settle_by_bound(run)) resolve_blurred_sets(run);
+  if (!run.interrupted && !is_settled(run)) resolve_blurred_sets(run);
 }
 
 }  // namespace moivre

@@ -144,7 +144,10 @@ SolveResult solve_again(const System& f, const Tracker& tracker, SolveOptions op
                         const std::atomic<bool>& stop, SolveResult&& first) {
   options.start = StartKind::polyhedral;
   SolveResult second = solve_square(f, tracker, options, stop);
-  if (!second.complete) return std::move(first);
+  if (!second.complete) {
+    first.time.total += second.time.total;
+    return std::move(first);
+  }
   second.left_out.push_back({"the " + first.start.kind + " start",
                              std::to_string(first.paths.failed) + " of its " +
                                  counted(first.paths.tracked, "path") +

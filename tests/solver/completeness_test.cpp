@@ -127,6 +127,24 @@ TEST(CountedRoots, AreDoubleWhereAlgebraCountsTheDifferentOnes) {
 }
 
 // Of size 1e39: x_0 is lost in the digits of double-double, and the other ten doubtful paths go to infinity.
+// 12 simple roots, and three of multiplicity 3 with irrational coordinates: 21 in all. Eleven paths more lead to infinity, some of them too slowly
+// to be told.
+TEST(CountedRoots, EndTheDoubtsAboutOtherPaths) {
+  const System f = read(
+      "2\n -8*(8*y-6*x-3*x^2+1)*(3*y+2*x+7*x*y-4)+3*(8*y-6*x-3*x^2+1)*(3*y+2*x+7*x*y-4)^2"
+      "+8*(8*y-6*x-3*x^2+1)^2*(3*y+2*x+7*x*y-4)-7*(8*y-6*x-3*x^2+1)^2*(3*y+2*x+7*x*y-4)^2;\n"
+      " -3*(3*y+2*x+7*x*y-4)+2*(8*y-6*x-3*x^2+1)*(3*y+2*x+7*x*y-4)^2+9*(8*y-6*x-3*x^2+1)^2"
+      "-8*(8*y-6*x-3*x^2+1)^2*(3*y+2*x+7*x*y-4)^2;\n");
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    SCOPED_TRACE(seed);
+    const SolveResult result = solve(f, *make_lane_tracker(), with_seed(seed));
+    EXPECT_TRUE(result.complete) << result.message;
+    EXPECT_EQ(result.completeness, RootCompleteness::shown);
+    EXPECT_EQ(result.solutions.size(), 15U);
+    EXPECT_EQ(sum_of_multiplicities(result), 21U);
+  }
+}
+
 TEST(CountedRoots, AreLookedForInMoreDigitsAsLongAsOneIsMissing) {
   const System f = read(
       "5\n8*x2^2-x2*x5+x3*x4-x3*x5+x1+3*x5-6;\n-x1^2+x2-2506*x3-9*x4+1;\n"

@@ -141,7 +141,7 @@ enum class PathVerdict : std::uint8_t {
   finite,       ///< ends at an isolated root, or on a set of positive dimension
   at_infinity,  ///< ends there
   as_rounded,   ///< at infinity as far as the digits of the system's coefficients tell
-  left_by_bound,  ///< was in doubt until as many roots were proved as there can be: it leads to no other
+  left_by_bound,  ///< was in doubt until as many roots were known as there can be: it leads to no other
   failed
 };
 /// "finite", "at infinity", "at infinity as rounded", "left by the bound", "failed", "open".
