@@ -266,8 +266,9 @@ class Places {
   std::vector<ExactRoot> places_;
 };
 
-/// Ends at no root that is proved, counted, or on a set of positive dimension.
+/// Ends at no root that is proved, counted, or on a set of positive dimension. Where exact algebra counts the roots there is no such set.
 std::vector<std::uint64_t> spare_paths(Run& run, Places& places) {
+  const bool may_be_on_sets = run.bounds.ring.verdict != QuotientRing::Verdict::finite;
   std::vector<std::uint64_t> spare;
   for (const auto& group : groups_of(run)) {
     const auto proved = std::find_if(group.begin(), group.end(), [&](std::uint64_t path) {
@@ -275,7 +276,7 @@ std::vector<std::uint64_t> spare_paths(Run& run, Places& places) {
     });
     if (proved == group.end()) {
       if (places.is_filled_by(run, group)) continue;
-      if (is_on_set(run, run.ledger.roots().at(group.front()))) continue;
+      if (may_be_on_sets && is_on_set(run, run.ledger.roots().at(group.front()))) continue;
     }
     std::copy_if(group.begin(), group.end(), std::back_inserter(spare),
                  [&](std::uint64_t path) { return proved == group.end() || path != *proved; });
@@ -309,6 +310,12 @@ bool is_root_missing(Run& run) {
   const QuotientRing& ring = run.bounds.ring;
   return ring.verdict == QuotientRing::Verdict::finite &&
          proved_roots(run) + Places(exact_roots(run)).count() < ring.dimension;
+}
+
+bool lacks_ends(const Run& run) {
+  const QuotientRing& ring = run.bounds.ring;
+  return ring.verdict == QuotientRing::Verdict::finite &&
+         run.ledger.count(PathVerdict::finite) < ring.dimension;
 }
 
 bool are_as_counted(Run& run) {

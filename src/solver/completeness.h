@@ -29,6 +29,9 @@ bool settle_by_bound(Run& run);
 /// Exact algebra has counted more roots than are proved: some path in doubt leads to one. False where it has no count.
 bool is_root_missing(Run& run);
 
+/// Fewer paths end at points than exact algebra counts roots with their multiplicities. False where it has no count.
+bool lacks_ends(const Run& run);
+
 /// As many roots with their multiplicities, and as many different ones, as exact algebra counts: then each has its multiplicity.
 /// False where algebra has no counts, and where paths end on sets of positive dimension.
 bool are_as_counted(Run& run);

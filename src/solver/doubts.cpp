@@ -225,6 +225,20 @@ void climb_to_clusters(Run& run) {
   }
 }
 
+PathSet paths_at_infinity(const Run& run) {
+  PathSet paths;
+  for (std::uint64_t path = 0; path < run.ledger.records().size(); ++path) {
+    if (run.ledger.records()[path].verdict == PathVerdict::at_infinity) paths.insert(path);
+  }
+  return paths;
+}
+
+/// A root is missing to which no path in doubt may lead: one that is said to end at infinity has jumped on its way.
+void follow_to_lost_roots(Run& run) {
+  if (run.interrupted || !lacks_ends(run)) return;
+  track_again(run, paths_at_infinity(run), run.setting.options.maximum_care);
+}
+
 /// In double, with more care, and in more digits.
 void settle_ends(Run& run) {
   const SolveOptions& options = run.setting.options;
@@ -235,7 +249,7 @@ void settle_ends(Run& run) {
   const bool climbs_later = !run.setting.trackers.fine_own;
   for (int care = options.care + 1; care <= options.maximum_care && !run.interrupted; ++care) {
     const PathSet doubtful = doubtful_paths(run, care, beyond);
-    if (doubtful.empty() && beyond.empty()) return;
+    if (doubtful.empty() && beyond.empty() && !lacks_ends(run)) return;
     if (doubtful.empty()) break;
     if (is_settled(run)) return;
     track_again(run, doubtful, care);
@@ -243,6 +257,8 @@ void settle_ends(Run& run) {
       climb(run, paths_failed_by(run, Failure::precision));
     }
   }
+  if (run.interrupted || is_settled(run)) return;
+  follow_to_lost_roots(run);
   if (run.interrupted || is_settled(run)) return;
   climb_last(run, beyond);
   if (run.interrupted || is_settled(run)) return;

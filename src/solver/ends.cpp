@@ -63,10 +63,7 @@ void prove(const Run& run, Tools& tools, const PathEnd& end, const Point& x, dou
   auto certificate =
       if_within_reach(refiner, x, accuracy,
                       may_wait ? prover.prove_in_double(root.point.x) : prover.prove(root.point.x));
-  if (!certificate && !may_wait) {
-    const std::optional<Point> finer = restorer.restored(end.x);
-    if (finer) certificate = if_within_reach(refiner, *finer, accuracy, prover.prove(*finer));
-  }
+  if (!certificate && !may_wait) certificate = restorer.proved(prover, end.x);
   root.point.simple = certificate != nullptr;
   if (!root.point.simple) return;
   root.point = refiner.take(*certificate, root.point.condition);

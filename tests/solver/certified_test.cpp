@@ -373,6 +373,24 @@ TEST(Certified, ARootWhoseEliminatedUnknownsCancelIsFound) {
   }
 }
 
+// Of its 56 roots one has coordinates of size 1e11 whose roundings alone move the eliminated unknown, -6.15, by 3e-5.
+TEST(Certified, ARootIsKnownByItsKeptUnknowns) {
+  const System f = read(
+      "7\n 8417*x2*x7+x3*x5+5*x3*x6-7*x4*x6+2562*x1-x6+1;\n"
+      " x1*x2-x1*x5+x2*x5-5*x3*x6+x4*x5+x5^2-1965*x5*x6-2*x2-9540*x5-6808;\n"
+      " -6*x1*x5+4*x2*x4+x2*x7+4*x3^2+6*x4*x7-4*x7+1;\n"
+      " 4867*x2*x3+3317*x2*x6-9084*x3*x5+x5*x7+7301*x1+7*x4-7*x5-x6-2528*x7-1;\n"
+      " -x1*x7-x2*x3-x2*x6+5*x2-9*x4-x7-3450;\n"
+      " x2*x4+2372*x4-1774;\n"
+      " -x1-x2-2*x3+5*x4+2*x5+9*x6+9*x7+5;\n");
+  for (std::uint64_t seed = 1; seed <= 2; ++seed) {
+    SCOPED_TRACE(seed);
+    const SolveResult result = solve(f, *make_lane_tracker(), with_seed(seed));
+    EXPECT_EQ(result.completeness, RootCompleteness::proved);
+    EXPECT_EQ(result.solutions.size(), 56U);
+  }
+}
+
 TEST(Certified, WhatIsNotDecidedIsOpen) {
   CvodeOptions few;
   few.maximum_steps = 5;
