@@ -42,13 +42,12 @@ std::optional<std::size_t> beyond_limits_at(const Mechanism& mechanism, const Ei
   return std::nullopt;
 }
 
-/// Whether the joints' limits allow the pose; where not, it is counted.
-bool is_allowed(ClosureSearch& search, const Eigen::VectorXd& q, BeyondLimits& beyond_limits) {
+/// Whether the joints' limits allow the pose; where not, it is entered.
+bool is_allowed(const ClosureSearch& search, const Eigen::VectorXd& q,
+                BeyondLimits& beyond_limits) {
   const auto beyond = beyond_limits_at(search.mechanism, q);
-  if (!beyond) return true;
-  ++search.result.counts.filtered;
-  ++beyond_limits[*beyond];
-  return false;
+  if (beyond) ++beyond_limits[*beyond];
+  return !beyond;
 }
 
 /// Whether a pose that Newton-Raphson came to, and that is no closure found, shows that one was lost.
@@ -65,7 +64,10 @@ void take_pose(ClosureSearch& search, const Solution& solution, const NewtonResu
                BeyondLimits& beyond_limits) {
   ++search.result.counts.real;
   Closure closure = closure_at(search, polished);
-  if (!is_allowed(search, closure.q, beyond_limits)) return;
+  if (!is_allowed(search, closure.q, beyond_limits)) {
+    ++search.result.counts.filtered;
+    return;
+  }
   closure.path = solution.path;
   closure.multiplicity = solution.multiplicity;
   closure.singular = solution.singular;

@@ -3,10 +3,10 @@
 #include "closure_product.h"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 
 #include "closure_poses.h"
+#include "moivre/numeric/saturating.h"
 
 namespace moivre {
 namespace {
@@ -14,23 +14,9 @@ namespace {
 /// One index a sub-chain.
 using Choice = std::vector<std::size_t>;
 
-constexpr std::uint64_t kCountless = std::numeric_limits<std::uint64_t>::max();
-
-/// Stays at the largest number where the product is larger.
-std::uint64_t times(std::uint64_t a, std::uint64_t b) {
-  return b != 0 && a > kCountless / b ? kCountless : a * b;
-}
-
-template <class Count>
-std::uint64_t product_of(const std::vector<ClosureResult>& parts, const Count& count) {
-  std::uint64_t all = 1;
-  for (const ClosureResult& part : parts) all = times(all, count(part));
-  return all;
-}
-
 std::uint64_t all_of(const std::vector<std::size_t>& sizes) {
   std::uint64_t all = 1;
-  for (const std::size_t size : sizes) all = times(all, size);
+  for (const std::size_t size : sizes) all = saturating_product(all, size);
   return all;
 }
 
@@ -87,7 +73,7 @@ std::uint64_t path_number(const std::vector<ClosureResult>& parts, const PathOf&
   for (std::size_t k = 0; k < parts.size(); ++k) {
     const auto& stages = parts[k].stages;
     const std::uint64_t paths = stages.empty() ? 1 : stages.back().paths.tracked;
-    number = times(number, std::max<std::uint64_t>(paths, 1)) + path_of(k);
+    number = saturating_product(number, std::max<std::uint64_t>(paths, 1)) + path_of(k);
   }
   return number;
 }
@@ -119,7 +105,7 @@ Solution solution_of(const std::vector<ClosureResult>& parts, const Choice& choi
     whole.real = whole.real && part(k).real;
     whole.certified = both(whole.certified, part(k).certified);
     whole.singular = whole.singular || part(k).singular;
-    whole.multiplicity = times(whole.multiplicity, part(k).multiplicity);
+    whole.multiplicity = saturating_product(whole.multiplicity, part(k).multiplicity);
     whole.residual = std::max(whole.residual, part(k).residual);
     whole.accuracy = std::max(whole.accuracy, part(k).accuracy);
     whole.condition = std::max(whole.condition, part(k).condition);
@@ -145,7 +131,7 @@ std::optional<Closure> closure_of(const ClosureSearch& search,
     const Closure& part = parts[k].closures[choice[k]];
     whole.certified = both(whole.certified, part.certified);
     whole.newton_iterations = std::max(whole.newton_iterations, part.newton_iterations);
-    whole.multiplicity = times(whole.multiplicity, part.multiplicity);
+    whole.multiplicity = saturating_product(whole.multiplicity, part.multiplicity);
     whole.singular = whole.singular || part.singular;
     whole.of.push_back(part.id);
     whole.id += (k == 0 ? "" : ".") + part.id;
@@ -158,7 +144,6 @@ void add_account(const ClosureResult& part, ClosureResult& whole) {
   if (part.start.kind != StartFacts().kind) whole.start.kind = part.start.kind;
   whole.start.paths += part.paths.tracked;
   whole.work += part.work;
-  whole.counts.rejected += part.counts.rejected;
   whole.stages.insert(whole.stages.end(), part.stages.begin(), part.stages.end());
   for (const LeftOut& left : part.left_out) {
     const auto is_same = [&](const LeftOut& other) {
@@ -180,16 +165,6 @@ void add_account(const ClosureResult& part, ClosureResult& whole) {
   whole.time_s.refine += part.time_s.refine;
 }
 
-ClosureCounts counts_of(const std::vector<ClosureResult>& parts) {
-  ClosureCounts counts;
-  counts.complex = product_of(parts, [](const ClosureResult& part) { return part.counts.complex; });
-  counts.real = product_of(parts, [](const ClosureResult& part) { return part.counts.real; });
-  counts.filtered = counts.real - product_of(parts, [](const ClosureResult& part) {
-                      return part.counts.real - part.counts.filtered;
-                    });
-  return counts;
-}
-
 void tell_listed(ClosureResult& whole) {
   whole.all_listed = whole.counts.complex <= kMostListed;
   if (whole.all_listed) return;
@@ -201,6 +176,23 @@ void tell_listed(ClosureResult& whole) {
 }
 
 }  // namespace
+
+ClosureCounts product_of(const std::vector<ClosureCounts>& parts) {
+  ClosureCounts whole;
+  whole.complex = whole.real = 1;
+  std::uint64_t within_limits = 1;
+  std::uint64_t real_or_fitted = 1;
+  for (const ClosureCounts& part : parts) {
+    whole.complex = saturating_product(whole.complex, part.complex);
+    whole.real = saturating_product(whole.real, part.real);
+    within_limits = saturating_product(within_limits, part.real - part.filtered);
+    real_or_fitted = saturating_product(real_or_fitted, part.real + part.fitted);
+    whole.rejected += part.rejected;
+  }
+  whole.filtered = whole.real - within_limits;
+  whole.fitted = real_or_fitted - whole.real;
+  return whole;
+}
 
 bool solve_apart(ClosureSearch& search) {
   const std::vector<IndependentChain> chains = independent_chains(search.mechanism);
@@ -214,7 +206,9 @@ bool solve_apart(ClosureSearch& search) {
   if (places.empty()) return false;
   std::vector<std::size_t> closures;
   std::vector<std::size_t> solutions;
+  std::vector<ClosureCounts> counts;
   for (const ClosureResult& part : parts) {
+    counts.push_back(part.counts);
     closures.push_back(part.closures.size());
     solutions.push_back(part.solutions.size());
   }
@@ -230,7 +224,7 @@ bool solve_apart(ClosureSearch& search) {
   for (const Choice& choice : listed_choices(solutions)) {
     whole.solutions.push_back(solution_of(parts, choice, places));
   }
-  whole.counts = counts_of(parts);
+  whole.counts = product_of(counts);
   whole.completeness = least_complete(parts);
   for (std::size_t k = 0; k < parts.size(); ++k) {
     add_account(parts[k], whole);

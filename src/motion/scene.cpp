@@ -9,7 +9,10 @@ namespace {
 
 /// Whether a branch could begin and end between two scenes and not show where complex closures go.
 bool is_hidden(const Scene& a, const Scene& b, const std::function<bool(double)>& can_follow) {
-  const auto has_limited = [](const Scene& scene) { return scene.closures.counts.filtered > 0; };
+  const auto has_limited = [](const Scene& scene) {
+    const ClosureCounts& counts = scene.closures.counts;
+    return counts.real + counts.fitted > scene.closures.closures.size();
+  };
   const auto has_complex = [](const Scene& scene) {
     const ClosureCounts& counts = scene.closures.counts;
     return counts.complex > counts.real;

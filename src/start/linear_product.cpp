@@ -10,8 +10,8 @@
 
 #include "exact_coefficient.h"
 #include "moivre/numeric/random.h"
+#include "moivre/numeric/saturating.h"
 #include "moivre/start/total_degree.h"
-#include "saturating.h"
 
 namespace moivre {
 namespace {

@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "exponent_table.h"
-#include "saturating.h"
+#include "moivre/numeric/saturating.h"
 
 namespace moivre {
 namespace {

@@ -71,6 +71,9 @@ struct ClosureCounts {
   std::uint64_t fitted = 0;  ///< closures that close within Mechanism::fit only; none of the above
 };
 
+/// Of independent sub-chains: closures of the whole are one of each. Counts stop at 2^64 - 1.
+ClosureCounts product_of(const std::vector<ClosureCounts>& parts);
+
 /// A set of closures of positive dimension, with the drivers held.
 struct Moves {
   std::uint64_t dimension = 0;  ///< at `pose`
