@@ -3,7 +3,6 @@
 #include "moivre/motion/motion.h"
 
 #include <algorithm>
-#include <iterator>
 #include <map>
 
 #include "moivre/closures/idle_joints.h"
@@ -81,23 +80,6 @@ void tell_instants(const std::vector<double>& instants, MotionResult& result) {
     result.left_out.push_back(
         {"closures " + at_time(time),
          "complex closures meet there and separate again: a pose for an instant"});
-  }
-}
-
-/// Scenes until there is one between any two neighbouring events, with every pair of complex closures followed.
-void search_pairs(MotionRun& run, const Tracker& tracker, std::vector<Scene>& scenes,
-                  PairSearch& pairs) {
-  // Each brings at least one event; more than these are not met.
-  constexpr int kMostRounds = 100;
-  for (int round = 0; round < kMostRounds && !run.stop; ++round) {
-    pairs.follow(scenes);
-    std::vector<Track> brief = pairs.take_brief();
-    const bool is_new = !brief.empty();
-    std::move(brief.begin(), brief.end(), std::back_inserter(run.tracks));
-    const std::vector<double> open = pairs.open_times(scenes);
-    if (!is_new && open.empty()) break;
-    add_scenes(run, tracker, open, scenes);
-    reconcile(run, scenes);
   }
 }
 

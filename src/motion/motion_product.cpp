@@ -3,13 +3,13 @@
 #include "motion_product.h"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <tuple>
 
 #include "moivre/closures/canonical_order.h"
 #include "moivre/expression/counted.h"
 #include "moivre/mechanism/closure_id.h"
+#include "moivre/numeric/saturating.h"
 #include "motion_times.h"
 
 namespace moivre {
@@ -42,6 +42,7 @@ class MotionProduct {
   void choose();
   void add_choices(const BranchChoice& begun);
   void choose_some();
+  std::optional<BranchChoice> choice_at(double time, std::size_t chain, std::size_t branch) const;
   std::optional<BranchChoice> choice_with(std::size_t chain, std::size_t branch) const;
   void order_choices();
   std::optional<BranchChoice> joined_by(const BranchChoice& choice, std::size_t branch) const;
@@ -112,16 +113,14 @@ void MotionProduct::add_choices(const BranchChoice& begun) {
   }
 }
 
-/// With this branch, the others the first that are there in its middle.
-std::optional<BranchChoice> MotionProduct::choice_with(std::size_t chain,
-                                                       std::size_t branch) const {
-  const MotionBranch& given = motion(chain).branches[branch];
-  const double middle = (given.begins + given.ends) / 2;
+/// With this branch, the others the first that are there at that time.
+std::optional<BranchChoice> MotionProduct::choice_at(double time, std::size_t chain,
+                                                     std::size_t branch) const {
   BranchChoice choice{{}, options_.from, options_.to};
   for (std::size_t k = 0; k < chains_.size(); ++k) {
     const auto& branches = motion(k).branches;
     const auto first = std::find_if(branches.begin(), branches.end(), [&](const MotionBranch& b) {
-      return b.begins <= middle && middle <= b.ends;
+      return b.begins <= time && time <= b.ends;
     });
     if (k != chain && first == branches.end()) return std::nullopt;
     const auto longer =
@@ -130,6 +129,25 @@ std::optional<BranchChoice> MotionProduct::choice_with(std::size_t chain,
     choice = *longer;
   }
   return choice;
+}
+
+/// With this branch, in its middle or else between two times at which some branch begins or ends; nullopt: nothing is ever there with it.
+std::optional<BranchChoice> MotionProduct::choice_with(std::size_t chain,
+                                                       std::size_t branch) const {
+  const MotionBranch& given = motion(chain).branches[branch];
+  if (auto choice = choice_at((given.begins + given.ends) / 2, chain, branch)) return choice;
+  std::vector<double> times;
+  for (const MotionSubChain& part : result_.sub_chains) {
+    for (const MotionBranch& other : part.motion.branches) {
+      times.push_back(std::clamp(other.begins, given.begins, given.ends));
+      times.push_back(std::clamp(other.ends, given.begins, given.ends));
+    }
+  }
+  std::sort(times.begin(), times.end());
+  for (std::size_t k = 1; k < times.size(); ++k) {
+    if (auto choice = choice_at((times[k - 1] + times[k]) / 2, chain, branch)) return choice;
+  }
+  return std::nullopt;
 }
 
 void MotionProduct::choose_some() {
@@ -159,12 +177,12 @@ void MotionProduct::order_choices() {
   std::stable_sort(
       choices_.begin(), choices_.end(),
       [](const BranchChoice& a, const BranchChoice& b) { return a.begins < b.begins; });
+  if (!result_.all_listed) return;
   std::vector<VectorXd> poses;
   for (const BranchChoice& choice : choices_) {
     if (choice.begins > options_.from) break;
     poses.push_back(Phi(mechanism_).canonical(whole_sample(choice, options_.from).q));
   }
-  if (!result_.all_listed) return;
   std::vector<BranchChoice> ordered;
   for (const std::size_t k : canonical_order(poses, coordinates(mechanism_))) {
     ordered.push_back(choices_[k]);
@@ -320,20 +338,17 @@ void MotionProduct::enter_checkpoint(const std::vector<const Checkpoint*>& rows)
   Checkpoint whole;
   whole.time = rows.front()->time;
   whole.drivers = driver_values(mechanism_, whole.time);
-  whole.counts.complex = whole.counts.real = 1;
   whole.agrees = true;
-  std::uint64_t allowed = 1;
+  std::vector<ClosureCounts> counts;
+  std::uint64_t closures = 1;
   for (const Checkpoint* row : rows) {
-    whole.counts.complex *= row->counts.complex;
-    whole.counts.real *= row->counts.real;
-    allowed *= row->counts.real - row->counts.filtered;
-    whole.counts.rejected += row->counts.rejected;
-    whole.counts.fitted += row->counts.fitted;
+    counts.push_back(row->counts);
+    closures = saturating_product(closures, row->branches.size());
     whole.paths += row->paths;
     if (whole.agrees) whole.message = row->message;
     whole.agrees = whole.agrees && row->agrees;
   }
-  whole.counts.filtered = whole.counts.real - allowed;
+  whole.counts = product_of(counts);
   std::size_t branches = 0;
   for (std::size_t b = 0; b < choices_.size(); ++b) {
     bool is_there = true;
@@ -347,7 +362,7 @@ void MotionProduct::enter_checkpoint(const std::vector<const Checkpoint*>& rows)
     ++branches;
   }
   if (whole.agrees) {
-    whole.message = "one to one in each sub-chain: " + counted(allowed, "closure") + ", " +
+    whole.message = "one to one in each sub-chain: " + counted(closures, "closure") + ", " +
                     counted(branches, "branch", "branches") + " listed";
   }
   result_.checkpoints.push_back(std::move(whole));
@@ -396,7 +411,8 @@ void MotionProduct::enter_account() {
   result_.left_out.push_back({"some combinations of the sub-chains' branches",
                               "beyond " + std::to_string(kMostBranchesListed) +
                                   " they are not all listed: each branch of a sub-chain is listed "
-                                  "once, and circuits are given for each sub-chain"});
+                                  "with one of each other that is there with it, and circuits are "
+                                  "given for each sub-chain"});
 }
 
 /// Leaves the samples that were asked for.

@@ -4,13 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "moivre/closures/same_pose.h"
 #include "moivre/closures/stages.h"
+#include "moivre/expression/counted.h"
 #include "moivre/formulation/exact.h"
+#include "moivre/kinematics/state.h"
 #include "moivre/mechanism/pose.h"
-#include "track.h"
+#include "reconcile.h"
 
 namespace moivre {
 namespace {
@@ -51,8 +54,11 @@ bool is_allowed(const Mechanism& mechanism, const Eigen::VectorXd& q) {
   });
 }
 
-/// From one dead point to the other, too short for steps between.
-Track brief_track(const BranchPose& begin, const BranchPose& pose, const BranchPose& end) {
+}  // namespace
+
+Track brief_track(const Phi& phi, const BranchPose& begin, const BranchPose& pose,
+                  const BranchPose& end) {
+  const MotionState state = motion_state(phi, pose.q, pose.time);
   Track track;
   track.anchor = pose;
   track.is_simple = true;
@@ -64,18 +70,14 @@ Track brief_track(const BranchPose& begin, const BranchPose& pose, const BranchP
     Branch way;
     way.status = BranchStatus::ended;
     way.message = to_string(event.kind);
-    BranchSample sample;
-    sample.time = pose.time;
-    sample.q = pose.q;
-    way.samples.push_back(std::move(sample));
+    way.samples.push_back({pose.time, pose.q, state.velocity, state.acceleration,
+                           residual_by_size(phi, pose.q, pose.time), state.is_determined});
     way.pieces.push_back({0, 0, {pose.q, last.q}, {}, {}});
     way.event = std::move(event);
     (is_forwards ? track.forwards : track.backwards) = std::move(way);
   }
   return track;
 }
-
-}  // namespace
 
 PairSearch::PairSearch(const MotionRun& run, const Tracker& tracker)
     : run_(run), tracker_(tracker) {}
@@ -132,7 +134,6 @@ void PairSearch::enter(const Scene& scene) {
   scenes_.push_back(std::move(entered));
 }
 
-/// Once.
 void PairSearch::tell(const std::string& doubt) {
   if (std::find(doubts_.begin(), doubts_.end(), doubt) == doubts_.end()) doubts_.push_back(doubt);
 }
@@ -204,8 +205,8 @@ void PairSearch::take_brief(const PairEquations& equations, const RealWhile& lif
   for (const Point& x : life.roots) {
     for (const BranchPose& pose : poses_above(equations, x, life.at)) {
       if (!begins.empty() && !ends.empty()) {
-        brief_.push_back(
-            brief_track(nearest(run_.phi, begins, pose), pose, nearest(run_.phi, ends, pose)));
+        brief_.push_back(brief_track(run_.phi, nearest(run_.phi, begins, pose), pose,
+                                     nearest(run_.phi, ends, pose)));
         continue;
       }
       tell("closures are real " + at_time(life.at) +
@@ -300,5 +301,23 @@ std::vector<double> PairSearch::open_times(const std::vector<Scene>& scenes) con
 }
 
 std::vector<Track> PairSearch::take_brief() { return std::exchange(brief_, {}); }
+
+void search_pairs(MotionRun& run, const Tracker& tracker, std::vector<Scene>& scenes,
+                  PairSearch& pairs, int most_rounds) {
+  for (int round = 0; round < most_rounds && !run.stop; ++round) {
+    pairs.follow(scenes);
+    std::vector<Track> brief = pairs.take_brief();
+    const bool is_new = !brief.empty();
+    std::move(brief.begin(), brief.end(), std::back_inserter(run.tracks));
+    const std::vector<double> open = pairs.open_times(scenes);
+    if (!is_new && open.empty()) return;
+    add_scenes(run, tracker, open, scenes);
+    reconcile(run, scenes);
+  }
+  const std::vector<double> open = pairs.open_times(scenes);
+  if (run.stop || open.empty()) return;
+  pairs.tell("closures were solved between neighbouring events " + counted(most_rounds, "time") +
+             ", and events are left with none between, such as " + at_time(open.front()));
+}
 
 }  // namespace moivre

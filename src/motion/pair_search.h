@@ -36,6 +36,8 @@ class PairSearch {
 
   /// Times at which a pair meets and parts again, as far as rounding tells.
   const std::vector<double>& instants() const { return instants_; }
+  /// Notes a doubt, once.
+  void tell(const std::string& doubt);
   /// What could not be followed, or was not found among a scene's closures, each a sentence.
   const std::vector<std::string>& doubts() const { return doubts_; }
 
@@ -51,7 +53,6 @@ class PairSearch {
     std::vector<KnownPair> pairs;
   };
   void prepare();
-  void tell(const std::string& doubt);
   void enter(const Scene& scene);
   void enter_pairs(const Point& root, PairScene& scene);
   void follow(std::size_t scene, std::size_t pair);
@@ -73,5 +74,17 @@ class PairSearch {
   std::vector<Track> brief_;
   std::vector<std::string> doubts_;
 };
+
+/// From one dead point to the other through `pose`, too short for steps between.
+Track brief_track(const Phi& phi, const BranchPose& begin, const BranchPose& pose,
+                  const BranchPose& end);
+
+/// Each brings at least one event; more than these are not met.
+inline constexpr int kMostSearches = 100;
+
+/// Scenes until there is one between any two neighbouring events, with every pair of complex closures followed. What is left open is
+/// told as a doubt.
+void search_pairs(MotionRun& run, const Tracker& tracker, std::vector<Scene>& scenes,
+                  PairSearch& pairs, int most_rounds = kMostSearches);
 
 }  // namespace moivre

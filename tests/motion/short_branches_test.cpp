@@ -5,8 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "moivre/kinematics/state.h"
 #include "moivre/motion/motion.h"
 #include "moivre/tracker_lanes/lane_tracker.h"
+#include "motion_record.h"
+#include "pair_search.h"
+#include "reconcile.h"
 #include "short_lives.h"
 
 namespace moivre::test {
@@ -93,6 +97,45 @@ TEST(ShortBranches, OneThatFoldsBackBetweenTwoOthersIsFound) {
 /// At 1e-7 Phi no longer tells a gap from a crossing: there it is a bifurcation.
 TEST(ShortBranches, BranchesThatPartForAMomentAreNotTakenForOne) {
   expect_found(BriefKind::gap, {1e-3, 1e-5}, 3);
+}
+
+TEST(ShortBranches, TheOneThatNoSceneShowsHasItsVelocityWhereItIsASample) {
+  const Mechanism m = example("four-bar");
+  MotionOptions options;
+  options.steps = 2;
+  const std::atomic<bool> stop{false};
+  MotionRun run(m, options, motion_times(options, 0), stop);
+  ClosureOptions at;
+  at.time = run.times.samples[1];
+  const BranchPose pose{at.time, find_closures(m, *make_lane_tracker(), at).closures.front().q};
+  run.tracks.push_back(brief_track(run.phi, pose, pose, pose));
+  MotionResult result = empty_result(run);
+  enter_branches(run, result);
+  ASSERT_EQ(result.branches.front().samples.size(), 1U);
+  const BranchSample& sample = result.branches.front().samples.front();
+  const MotionState state = motion_state(run.phi, pose.q, pose.time);
+  EXPECT_EQ(sample.velocity, state.velocity);
+  EXPECT_EQ(sample.acceleration, state.acceleration);
+}
+
+TEST(ShortBranches, WhatIsLeftUnseenBetweenEventsIsTold) {
+  const BriefLife brief = random_brief_life(BriefKind::island, 1e-3, 12, 0);
+  const Mechanism m = mechanism_of(brief);
+  MotionOptions options;
+  options.to = kTurn_s;
+  options.solve.threads = 1;
+  const std::atomic<bool> stop{false};
+  const auto tracker = make_lane_tracker();
+  const auto doubts_after = [&](int rounds) {
+    MotionRun run(m, options, motion_times(options, options.checkpoints), stop);
+    std::vector<Scene> scenes = solve_scenes(run, *tracker);
+    reconcile(run, scenes);
+    PairSearch pairs(run, *tracker);
+    search_pairs(run, *tracker, scenes, pairs, rounds);
+    return pairs.doubts();
+  };
+  EXPECT_TRUE(doubts_after(kMostSearches).empty());
+  EXPECT_EQ(doubts_after(0).size(), 1U);
 }
 
 /// The dead points' times are from equations of their own: there the mechanism has a closure, and is singular.

@@ -232,6 +232,90 @@ TEST(SubChains, CheckpointsOfTheWholeMultiplyThoseOfEach) {
   EXPECT_EQ(motion.sub_chains.front().motion.branches.front().samples.size(), 9U);
 }
 
+/// Two cranks pinned to one more point of the bar than it needs, with lengths typed to two digits, and the bar held within the angles.
+std::string rounded_leg_text(const std::string& limits) {
+  return R"([body.c2.points]
+O = [0, 0]
+B = [1, 0]
+[body.c3.points]
+O = [0, 0]
+C = [1, 0]
+[body.bar.points]
+A = [0, 0]
+B = [3, 0]
+C = [1.5, 0.001]
+[[joint]]
+type = "revolute"
+at = ["crank.A", "bar.A"]
+[[joint]]
+type = "revolute"
+at = ["ground.P2", "c2.O"]
+)" + limits +
+         R"([[joint]]
+type = "revolute"
+at = ["ground.P3", "c3.O"]
+[[joint]]
+type = "revolute"
+at = ["c2.B", "bar.B"]
+[[joint]]
+type = "revolute"
+at = ["c3.C", "bar.C"]
+)";
+}
+
+/// A dyad, and a parallel leg that closes within `fit` only.
+Mechanism with_rounded_leg(const std::string& limits) {
+  std::string text = legs_text({{3, 2.5, 3}});
+  text.insert(text.find("[body."), "P2 = [3, 0]\nP3 = [1.5, 0]\n");
+  text.insert(text.find("[[driver]]"), rounded_leg_text(limits));
+  return mechanism_text("fit = 0.01\n" + text);
+}
+
+TEST(SubChains, ClosuresThatAreFittedAreCountedWithThoseOfTheOtherChains) {
+  const MotionResult motion = find_motion(with_rounded_leg(""), *make_cvode_tracker(), one_turn(8));
+  ASSERT_EQ(motion.sub_chains.size(), 2U);
+  const Checkpoint& first = motion.checkpoints.front();
+  EXPECT_EQ(first.counts.real, 0U);
+  EXPECT_EQ(first.counts.filtered, 0U);
+  EXPECT_EQ(first.counts.fitted, 2U);
+  EXPECT_EQ(first.message, "one to one in each sub-chain: 2 closures, 2 branches listed");
+}
+
+TEST(SubChains, FittedClosuresBeyondLimitsAreNoneOfTheRealOnes) {
+  const Mechanism mechanism = with_rounded_leg("limits = [3, 4]\n");
+  EXPECT_EQ(closures_of(mechanism).counts.filtered, 0U);
+  const MotionResult motion = find_motion(mechanism, *make_cvode_tracker(), one_turn(8));
+  EXPECT_EQ(motion.checkpoints.front().counts.filtered, 0U);
+  EXPECT_EQ(motion.checkpoints.front().counts.real, 0U);
+}
+
+TEST(SubChains, CountsOfTheWholeStopAtTheLargestNumber) {
+  ClosureCounts part;
+  part.complex = part.real = std::uint64_t{1} << 40;
+  part.filtered = part.real / 2;
+  part.rejected = 3;
+  const ClosureCounts whole = product_of({part, part});
+  EXPECT_EQ(whole.complex, ~std::uint64_t{0});
+  EXPECT_EQ(whole.real, ~std::uint64_t{0});
+  EXPECT_EQ(whole.rejected, 6U);
+  part.filtered = part.real;
+  EXPECT_EQ(product_of({part, part}).filtered, ~std::uint64_t{0});
+}
+
+TEST(SubChains, OfManyBranchesOneIsListedThoughNothingElseIsThereInItsMiddle) {
+  std::vector<Dyad> dyads(8, {3, 2.5, 3});
+  dyads.push_back({2, 1.2, 2.8});  // there at the beginning and at the end of the turn alone
+  const MotionResult motion = find_motion(legs(dyads), *make_cvode_tracker(), one_turn(4));
+  EXPECT_FALSE(motion.all_listed);
+  for (std::size_t k = 0; k < motion.sub_chains.size(); ++k) {
+    for (const MotionBranch& part : motion.sub_chains[k].motion.branches) {
+      EXPECT_TRUE(std::any_of(motion.branches.begin(), motion.branches.end(),
+                              [&](const MotionBranch& whole) { return whole.of[k] == part.id; }))
+          << k << part.id;
+    }
+  }
+}
+
 TEST(SubChains, ManyBranchesAreListedOnceForEachOfASubChain) {
   const MotionResult motion =
       find_motion(legs(std::vector<Dyad>(9, {3, 2.5, 3})), *make_cvode_tracker(), one_turn(4));
