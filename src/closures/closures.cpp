@@ -34,9 +34,6 @@ ClosureResult described(const ClosureSearch& search) {
   result.tracker_options = search.tracker.options_in_force();
   result.coordinates = search.phi.dimension();
   result.complete = true;
-  for (const std::string& name : search.formulation.repetitions) {
-    result.left_out.push_back({name, "its angle is already held at the same value"});
-  }
   for (const auto& [what, why] : search.formulation.left_out)
     result.left_out.push_back({what, why});
   return result;
@@ -137,8 +134,8 @@ void conclude(ClosureSearch& search) {
   auto& completeness = search.result.completeness;
   if (completeness && !search.result.complete) completeness = RootCompleteness::open;
   search.result.message = verdict(search);
-  for (const std::string& name : search.formulation.contradictions) {
-    search.result.message += "; " + name + " holds an angle that is already held at another value";
+  for (const std::string& clause : search.formulation.contradictions) {
+    search.result.message += "; " + clause;
   }
 }
 

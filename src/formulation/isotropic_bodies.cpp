@@ -128,7 +128,7 @@ void Bodies::hold_second(const Joint& joint) {
   const auto& slide = known_.slides[number(joint)];
   const std::size_t second = joint.at[1].body;
   if (slide && disagreement(joint, *slide, known_.angles) > kAgreement) {
-    frame_.result().contradictions.push_back(label(joint));
+    frame_.contradict(label(joint));
   } else if (slide) {
     hold_known_angles({turn_body(joint), second}, label(joint));
   } else if (known_.is_followed[number(joint)]) {

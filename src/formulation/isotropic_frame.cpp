@@ -17,12 +17,16 @@ void IsotropicFrame::hold_angle(std::size_t i, std::size_t j, const Coefficient&
     case AngleClasses::Verdict::joined:
       return;
     case AngleClasses::Verdict::repeated:
-      result_.repetitions.push_back(name);
+      result_.left_out.emplace_back(name, "its angle is already held at the same value");
       return;
     case AngleClasses::Verdict::contradiction:
-      result_.contradictions.push_back(name);
+      contradict(name);
       return;
   }
+}
+
+void IsotropicFrame::contradict(const std::string& name) {
+  result_.contradictions.push_back(name + " holds an angle that is already held at another value");
 }
 
 void IsotropicFrame::add_angles(const std::string& prefix) {
@@ -70,7 +74,7 @@ Polynomial IsotropicFrame::add_real(const std::string& name) {
 
 void IsotropicFrame::add_equation(const std::string& name, Polynomial p) {
   if (p.terms.empty()) {
-    result_.repetitions.push_back(name);
+    result_.left_out.emplace_back(name, "with the angles that are held it is 0 = 0");
     return;
   }
   result_.system.polynomials.push_back(std::move(p));

@@ -39,8 +39,10 @@ class IsotropicFrame {
   /// Nodes of the angle classes: 0 the ground, then one a name.
   explicit IsotropicFrame(std::vector<std::string> names);
 
-  /// t_j = factor t_i, noted as a repetition or a contradiction of `name` where the angle is held already.
+  /// t_j = factor t_i. Where the angle is held already `name` is left out, or contradicts.
   void hold_angle(std::size_t i, std::size_t j, const Coefficient& factor, const std::string& name);
+  /// Notes that `name` wants another angle than the one that is held.
+  void contradict(const std::string& name);
   /// Ends the holding of angles: t and u of every class that is left, with t u = 1.
   void add_angles(const std::string& prefix);
 

@@ -97,7 +97,11 @@ void Grouping::join(const Joint& joint, const ExactPose& motion) {
   const std::size_t to = root_[a];
   if (from == to) {
     const std::string label = to_string(joint.type) + " " + joint.name;
-    (is_same(there, pose_[b]) ? groups_.repetitions : groups_.contradictions).push_back(label);
+    if (is_same(there, pose_[b])) {
+      groups_.left_out.emplace_back(label, "its bodies are already held in the same pose");
+    } else {
+      groups_.contradictions.push_back(label + " holds bodies that are already held otherwise");
+    }
     return;
   }
   // Bodies of the later group move to the earlier one's frame: the ground stays what it is.

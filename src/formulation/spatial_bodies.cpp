@@ -114,7 +114,6 @@ Formulation spatial_bodies(const Mechanism& mechanism, double t) {
   read_poses(groups, formulation.poses);
   formulation.contradictions.insert(formulation.contradictions.end(), groups.contradictions.begin(),
                                     groups.contradictions.end());
-  formulation.repetitions = groups.repetitions;
   formulation.left_out = groups.left_out;
   formulation.spins = groups.spinning;
   return formulation;

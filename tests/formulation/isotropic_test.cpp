@@ -54,6 +54,16 @@ TEST(Isotropic, TheFourBarHasAsManyPolynomialsAsUnknowns) {
   EXPECT_EQ(formulation.system.variables.size(), 10u);  // p, pb of three bodies; t, u of two
 }
 
+TEST(Isotropic, AnEquationThatSaysNothingIsNoAngleHeldTwice) {
+  const Formulation formulation =
+      formulate(test::typed("[unknowns]\nangles = [\"a\"]\n"
+                            "[equations]\nidle = \"cos(a) - cos(a)\"\nrest = \"cos(a) - 0.5\"\n"),
+                0);
+  ASSERT_EQ(formulation.left_out.size(), 1U);
+  EXPECT_EQ(formulation.left_out.front().first, "idle");
+  EXPECT_EQ(formulation.left_out.front().second, "with the angles that are held it is 0 = 0");
+}
+
 std::string refusal(const std::string& equation) {
   try {
     formulate(test::typed("[unknowns]\nangles = [\"a\", \"b\"]\nlengths = [\"d\"]\n"

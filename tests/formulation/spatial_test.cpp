@@ -149,6 +149,19 @@ TEST(SpatialFormulation, AWeldThatContradictsADriverIsNamed) {
   mechanism.joints.push_back(weld);
   const Formulation f = formulate(mechanism, 0);
   ASSERT_EQ(f.contradictions.size(), 1U);
+  EXPECT_EQ(f.contradictions.front(), "weld stuck holds bodies that are already held otherwise");
+}
+
+TEST(SpatialFormulation, ARodOfAnotherLengthBesideADriverContradictsNoAngle) {
+  Mechanism mechanism = test::example("rssr");
+  Joint rod = mechanism.joints[0];
+  rod.type = JointType::rod;
+  rod.name = "brace";
+  rod.length = 12345;
+  mechanism.joints.push_back(rod);
+  const Formulation f = formulate(mechanism, 0);
+  ASSERT_EQ(f.contradictions.size(), 1U);
+  EXPECT_EQ(f.contradictions.front(), "brace does not hold where its ends are already held");
 }
 
 }  // namespace

@@ -43,8 +43,7 @@ struct Formulation {
       is_direction;   ///< of each variable: t or u, of size 1 where real; else a length
   double length = 0;  ///< the mechanism's largest; 0 of typed equations, which have none
   std::vector<std::vector<std::string>> owners;  ///< bodies (or unknowns) that a variable places
-  std::vector<std::string> contradictions;       ///< angles held at two values at once: no closure
-  std::vector<std::string> repetitions;          ///< angles held twice at one value
+  std::vector<std::string> contradictions;       ///< why there is no closure, each a clause
 
   /// Where q is read from: q_k = Re or Im of a number, or its argument. The number is `of`; of a body that follows a rack or a cam
   /// it is `of` + `arm` f(root), where f is no polynomial: a direction, a displacement.
