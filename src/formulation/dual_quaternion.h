@@ -71,6 +71,11 @@ DualQuaternion<T> conjugate(const DualQuaternion<T>& a) {
   return {conjugate(a.q), conjugate(a.g)};
 }
 
+/// d, behind a first number that is 0.
+inline Quaternion<double> shift_of(const DualQuaternion<double>& a) {
+  return scaled(2 / dot(a.q, a.q), product(a.g, conjugate(a.q)));
+}
+
 /// Number k of the eight: q, then g.
 template <class T>
 T& entry(DualQuaternion<T>& a, std::size_t k) {

@@ -23,8 +23,6 @@ Vector8 to_vector(const ExactPose& pose, double length) {
   return v;
 }
 
-Rational number(double x) { return Rational(x); }
-
 Eigen::Matrix<double, 8, 4> plain_span(const LoopElement& a, const LoopElement& b, double length) {
   Eigen::Matrix<double, 8, 4> span;
   const ExactPose one = identity_pose();
@@ -116,17 +114,10 @@ std::array<Rational, 8> ReducedRows::coordinate(std::size_t i) const {
 
 ExactPose shortened(const ExactPose& pose) {
   const DualQuaternion<double> rounded = to_double(pose);
-  const Quaternion<double>& q = rounded.q;
-  std::size_t largest = 0;
-  for (std::size_t k = 1; k < q.size(); ++k) {
-    if (std::abs(q[k]) > std::abs(q[largest])) largest = k;
-  }
-  ExactPose turn;
-  for (std::size_t k = 0; k < q.size(); ++k) turn.q[k] = without_noise(q[k] / q[largest]);
-  const Quaternion<double> shift =
-      scaled(1 / dot(q, q), product(rounded.g, conjugate(q)));  // half of it
-  const ExactPose shifted{{1, 0, 0, 0}, {0, number(shift[1]), number(shift[2]), number(shift[3])}};
-  return shifted * turn;
+  const Quaternion<double> half = scaled(0.5, shift_of(rounded));
+  const ExactPose shifted{{1, 0, 0, 0},
+                          {0, Rational(half[1]), Rational(half[2]), Rational(half[3])}};
+  return shifted * turn_by(rounded.q);
 }
 
 ExactPose axis_at(const ExactPose& frame) {
@@ -157,6 +148,44 @@ DyadSpace dyad_space(const LoopElement& a, const LoopElement& b, double length) 
   }
   for (std::size_t i = 0; i < 4; ++i) space.coordinates[i] = reduced.coordinate(i);
   return space;
+}
+
+std::array<Polynomial, 4> add_dyad_coordinates(SpatialFrame& frame, const LoopElement& a,
+                                               const LoopElement& b) {
+  std::vector<std::string> owners = a.owners;
+  owners.insert(owners.end(), b.owners.begin(), b.owners.end());
+  Polynomial patch = constant({-1, 0});
+  std::array<Polynomial, 4> c;
+  for (std::size_t i = 0; i < c.size(); ++i) {
+    c[i] =
+        frame.add_unknown("c_" + a.name + "_" + std::to_string(i), a.is_turn && b.is_turn, owners);
+    patch = patch + Coefficient{frame.random_number(), 0} * c[i];
+  }
+  frame.add_equation("patch of " + a.name, patch);
+  return c;
+}
+
+MovingPose pose_in(const DyadSpace& space, const std::array<Polynomial, 4>& coordinates) {
+  MovingPose pose;
+  for (std::size_t i = 0; i < coordinates.size(); ++i) {
+    pose = pose + coordinates[i] * to_moving(space.basis[i]);
+  }
+  return pose;
+}
+
+void add_quadric(SpatialFrame& frame, const LoopElement& a, const std::array<Polynomial, 4>& c) {
+  const Polynomial outer = c[0] * c[3];
+  const Polynomial inner = c[1] * c[2];
+  const double size = std::max(largest_coefficient(outer), largest_coefficient(inner));
+  frame.add_equation("dyad of " + a.name, without_noise(outer - inner, size));
+}
+
+void add_half_angles(SpatialFrame& frame, const LoopElement& a, const LoopElement& b,
+                     const std::array<Polynomial, 4>& c) {
+  frame.add_equation(a.name, c[0] * a.unknown - c[2]);
+  frame.add_equation(b.name, c[0] * b.unknown - c[1]);
+  exclude_endless(frame, a);
+  exclude_endless(frame, b);
 }
 
 std::array<Polynomial, 4> coordinates_in(const DyadSpace& space, const MovingPose& pose) {

@@ -25,6 +25,20 @@ DyadSpace dyad_space(const LoopElement& a, const LoopElement& b, double length);
 /// E = b0 + unknown b1 as polynomials.
 MovingPose element_pose(const LoopElement& element);
 
+/// Unknown coordinates for the dyad of a and b, with their patch; b comes behind a.
+std::array<Polynomial, 4> add_dyad_coordinates(SpatialFrame& frame, const LoopElement& a,
+                                               const LoopElement& b);
+
+/// The pose that has these coordinates.
+MovingPose pose_in(const DyadSpace& space, const std::array<Polynomial, 4>& coordinates);
+
+/// c00 c11 = c01 c10, but for rounding: where the loop's geometry makes it hold everywhere, nothing else is left.
+void add_quadric(SpatialFrame& frame, const LoopElement& a, const std::array<Polynomial, 4>& c);
+
+/// The unknowns of a and b, whose dyad has the coordinates c.
+void add_half_angles(SpatialFrame& frame, const LoopElement& a, const LoopElement& b,
+                     const std::array<Polynomial, 4>& c);
+
 /// Coordinates of a pose in the basis; meaningful where it lies in the space.
 std::array<Polynomial, 4> coordinates_in(const DyadSpace& space, const MovingPose& pose);
 

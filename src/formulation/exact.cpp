@@ -57,6 +57,10 @@ Rational typed_decimal(double x) {
 
 Coefficient typed_decimal(double x, double y) { return {typed_decimal(x), typed_decimal(y)}; }
 
+Rational signed_square(double length) {
+  return typed_decimal(length) * typed_decimal(std::abs(length));
+}
+
 Coefficient unit_at(double phi) {
   constexpr double kQuarter = std::numbers::pi / 2;
   // Degrees turned to radians are rounded; a quarter turn is meant where nothing but that rounding is left.

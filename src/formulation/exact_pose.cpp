@@ -3,6 +3,7 @@
 #include "exact_pose.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 #include "moivre/formulation/exact.h"
@@ -40,16 +41,15 @@ ExactPose slide_along_z(double length) { return shift_to({0, 0, length}); }
 
 ExactPose frame_of(const Eigen::Vector3d& axis) {
   const Eigen::Quaterniond turn(joint_frame(axis));
-  const std::array<double, 4> entries{turn.w(), turn.x(), turn.y(), turn.z()};
-  std::size_t largest = 0;
-  for (std::size_t k = 1; k < entries.size(); ++k) {
-    if (std::abs(entries[k]) > std::abs(entries[largest])) largest = k;
-  }
-  ExactPose pose;
-  for (std::size_t k = 0; k < entries.size(); ++k) {
-    pose.q[k] = without_noise(entries[k] / entries[largest]);
-  }
-  return pose;
+  return turn_by({turn.w(), turn.x(), turn.y(), turn.z()});
+}
+
+ExactPose turn_by(const Quaternion<double>& q) {
+  const double largest = *std::max_element(
+      q.begin(), q.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
+  ExactPose turn;
+  for (std::size_t k = 0; k < q.size(); ++k) turn.q[k] = without_noise(q[k] / largest);
+  return turn;
 }
 
 ExactPose tilt(const Rational& half_tangent) { return {{1, half_tangent, 0, 0}, {}}; }

@@ -25,6 +25,8 @@ ExactPose turn_about_z(double angle_rad);
 ExactPose slide_along_z(double length);
 /// The joint's frame (mechanism/pose.h) that has its z axis along `axis`.
 ExactPose frame_of(const Eigen::Vector3d& axis);
+/// A turn by the quaternion q, of any norm: its largest entry becomes 1.
+ExactPose turn_by(const Quaternion<double>& q);
 /// z tilted about x by the angle whose half has this tangent.
 ExactPose tilt(const Rational& half_tangent);
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "arithmetic.h"
+#include "dyad.h"
 
 namespace moivre {
 namespace {
@@ -32,33 +33,6 @@ double sine(const LoopElement& a, const LoopElement& b) {
   return direction(a).cross(direction(b)).norm();
 }
 
-/// M^-1 of four columns.
-std::array<Quaternion<Rational>, 4> inverse_rows(std::array<Quaternion<Rational>, 4> columns) {
-  // Gauss and Jordan on the transpose: rows are the columns given, beside the identity.
-  std::array<Quaternion<Rational>, 4> beside{};
-  for (std::size_t k = 0; k < 4; ++k) beside[k][k] = 1;
-  for (std::size_t k = 0; k < 4; ++k) {
-    std::size_t pivot = k;
-    while (columns[pivot][k].is_zero()) ++pivot;
-    std::swap(columns[pivot], columns[k]);
-    std::swap(beside[pivot], beside[k]);
-    const Rational scale = 1 / columns[k][k];
-    columns[k] = scaled(scale, columns[k]);
-    beside[k] = scaled(scale, beside[k]);
-    for (std::size_t row = 0; row < 4; ++row) {
-      if (row == k) continue;
-      const Rational factor = -columns[row][k];
-      columns[row] = sum(columns[row], scaled(factor, columns[k]));
-      beside[row] = sum(beside[row], scaled(factor, beside[k]));
-    }
-  }
-  std::array<Quaternion<Rational>, 4> rows{};
-  for (std::size_t i = 0; i < 4; ++i) {
-    for (std::size_t k = 0; k < 4; ++k) rows[i][k] = beside[k][i];
-  }
-  return rows;
-}
-
 Polynomial component(const std::array<Rational, 3>& along, const Vector& v) {
   Polynomial sum;
   for (std::size_t k = 0; k < v.size(); ++k) sum = sum + Coefficient{along[k], 0} * v[k];
@@ -79,8 +53,6 @@ class FourTurns {
   }
 
   void add() {
-    add_dyad();
-    find_second_dyad();
     add_turns();
     add_slides();
   }
@@ -88,15 +60,92 @@ class FourTurns {
  private:
   const LoopElement& e(std::size_t k) const { return loop_.elements[k]; }
   const LoopElement& turn(std::size_t k) const { return loop_.elements[turns_[k]]; }
-  ExactPose between(std::size_t first, std::size_t last, std::size_t moved) const;
+
+  /// What stands between two elements: A of the slide that moves, 1 for the others.
+  ExactPose between(std::size_t first, std::size_t last, std::size_t moved) const {
+    return first <= moved && moved < last ? e(moved).axis : identity_pose();
+  }
+
+  /// The dyad of turns `first` and the next one, with the slide `moved` in it.
   MovingPose dyad(std::size_t first, const std::array<Polynomial, 4>& coordinates,
-                  std::size_t moved) const;
-  MovingPose chain(std::size_t moved) const;
-  Vector shift(const MovingPose& pose) const;
-  void add_dyad();
-  void find_second_dyad();
-  void add_turns();
-  void add_slides();
+                  std::size_t moved) const {
+    const auto a = basis_of(turn(first));
+    const auto b = basis_of(turn(first + 1));
+    const ExactPose inside = between(turns_[first] + 1, turns_[first + 1], moved);
+    MovingPose pose;
+    for (std::size_t k = 0; k < 4; ++k) {
+      pose = pose + coordinates[k] * to_moving(a[k / 2] * inside * b[k % 2]);
+    }
+    return pose;
+  }
+
+  /// The product of the loop, linear in the slide `moved`: its factor. No slide moves where `moved` is the loop's size.
+  MovingPose chain(std::size_t moved) const {
+    return to_moving(between(0, turns_[0], moved)) * dyad(0, c_, moved) *
+           to_moving(between(turns_[1] + 1, turns_[2], moved)) * dyad(2, d_, moved) *
+           to_moving(between(turns_[3] + 1, loop_.elements.size(), moved));
+  }
+
+  /// g conj(q(w)) without its real part.
+  Vector shift(const MovingPose& pose) const {
+    const auto g = product(pose.g, to_moving(conjugate(loop_.whole)).q);
+    return {g[1], g[2], g[3]};
+  }
+
+  void add_turns() {
+    c_ = add_dyad_coordinates(frame_, turn(0), turn(1));
+    add_quadric(frame_, turn(0), c_);
+    LoopElement a = turn(2);
+    LoopElement b = turn(3);
+    a.axis.g = b.axis.g = {};
+    const MovingPose rest = conjugate(dyad(0, c_, loop_.elements.size())) * to_moving(loop_.whole);
+    d_ = coordinates_in(dyad_space(a, b, frame_.length()), rest);
+    for (Polynomial& d : d_) d = without_noise(d, largest_coefficient(d));
+    add_quadric(frame_, a, d_);
+    add_half_angles(frame_, turn(0), turn(1), c_);
+    add_half_angles(frame_, turn(2), turn(3), d_);
+  }
+
+  void add_slides() {
+    const std::size_t none = loop_.elements.size();
+    const Quaternion<Rational> q = loop_.whole.q;
+    const MovingPose turned = dyad(0, c_, none);
+    const Polynomial N = dot(turned.q, turned.q);
+    Vector v0 = shift(chain(none));
+    const auto wanted = product(loop_.whole.g, conjugate(q));
+    for (std::size_t k = 0; k < v0.size(); ++k) {
+      v0[k] = rounded_difference(v0[k], Coefficient{wanted[k + 1], 0} * N);
+    }
+    const auto& axis = e(0).axis.g;
+    const std::array<Rational, 3> a1{axis[1], axis[2], axis[3]};
+    // No turn between the slides: v_2 is N times a constant.
+    const bool is_beside = other_ < turns_.front() || other_ > turns_.back();
+    Vector v2 = shift(chain(other_));
+    Vector beside = v2;
+    if (is_beside) {
+      const Quaternion<Rational> there = other_ < turns_.front()
+                                             ? scaled(dot(q, q), e(other_).axis.g)
+                                             : product(product(q, e(other_).axis.g), conjugate(q));
+      for (std::size_t k = 0; k < beside.size(); ++k) beside[k] = real_constant(there[k + 1]);
+      for (std::size_t k = 0; k < v2.size(); ++k) v2[k] = N * beside[k];
+    }
+    std::array<Rational, 3> smallest{};
+    const auto least = std::min_element(
+        a1.begin(), a1.end(), [](const Rational& a, const Rational& b) { return a * a < b * b; });
+    smallest[static_cast<std::size_t>(least - a1.begin())] = 1;
+    const std::array<Rational, 3> m1 = cross(a1, smallest);
+    const std::array<Rational, 3> m2 = cross(a1, m1);
+    const Polynomial lines =
+        component(m1, v0) * component(m2, beside) - component(m2, v0) * component(m1, beside);
+    frame_.add_equation("loop", without_noise(lines, largest_coefficient(lines)));
+    std::array<Rational, 3> m = m1;
+    const Rational part = frame_.random_number();
+    for (std::size_t k = 0; k < m.size(); ++k) m[k] += part * m2[k];
+    frame_.add_equation(e(other_).name, component(m, v0) + e(other_).unknown * component(m, v2));
+    const Rational square = dot(q, q) * (a1[0] * a1[0] + a1[1] * a1[1] + a1[2] * a1[2]);
+    frame_.add_equation(e(0).name, component(a1, v0) + e(other_).unknown * component(a1, v2) +
+                                       e(0).unknown * (Coefficient{square, 0} * N));
+  }
 
   SpatialFrame& frame_;
   const JointLoop& loop_;
@@ -104,114 +153,6 @@ class FourTurns {
   std::size_t other_ = 0;  ///< S_2's number; S_1 is number 0
   std::array<Polynomial, 4> c_, d_;
 };
-
-/// What stands between two elements: A of the slide that moves, 1 for the others.
-ExactPose FourTurns::between(std::size_t first, std::size_t last, std::size_t moved) const {
-  return first <= moved && moved < last ? e(moved).axis : identity_pose();
-}
-
-/// The dyad of turns `first` and the next one, with the slide `moved` in it.
-MovingPose FourTurns::dyad(std::size_t first, const std::array<Polynomial, 4>& coordinates,
-                           std::size_t moved) const {
-  const auto a = basis_of(turn(first));
-  const auto b = basis_of(turn(first + 1));
-  const ExactPose inside = between(turns_[first] + 1, turns_[first + 1], moved);
-  MovingPose pose;
-  for (std::size_t k = 0; k < 4; ++k) {
-    pose = pose + coordinates[k] * to_moving(a[k / 2] * inside * b[k % 2]);
-  }
-  return pose;
-}
-
-/// The product of the loop, linear in the slide `moved`: its factor. No slide moves where `moved` is the loop's size.
-MovingPose FourTurns::chain(std::size_t moved) const {
-  return to_moving(between(0, turns_[0], moved)) * dyad(0, c_, moved) *
-         to_moving(between(turns_[1] + 1, turns_[2], moved)) * dyad(2, d_, moved) *
-         to_moving(between(turns_[3] + 1, loop_.elements.size(), moved));
-}
-
-/// g conj(q(w)) without its real part.
-Vector FourTurns::shift(const MovingPose& pose) const {
-  const auto g = product(pose.g, to_moving(conjugate(loop_.whole)).q);
-  return {g[1], g[2], g[3]};
-}
-
-void FourTurns::add_dyad() {
-  std::vector<std::string> owners = turn(0).owners;
-  owners.insert(owners.end(), turn(1).owners.begin(), turn(1).owners.end());
-  Polynomial patch = constant({-1, 0});
-  for (std::size_t i = 0; i < c_.size(); ++i) {
-    c_[i] = frame_.add_unknown("c_" + turn(0).name + "_" + std::to_string(i), true, owners);
-    patch = patch + Coefficient{frame_.random_number(), 0} * c_[i];
-  }
-  frame_.add_equation("patch of " + turn(0).name, patch);
-  frame_.add_equation("dyad of " + turn(0).name, c_[0] * c_[3] - c_[1] * c_[2]);
-}
-
-void FourTurns::find_second_dyad() {
-  const auto a = basis_of(turn(2));
-  const auto b = basis_of(turn(3));
-  std::array<Quaternion<Rational>, 4> basis;
-  for (std::size_t k = 0; k < 4; ++k) basis[k] = (a[k / 2] * b[k % 2]).q;
-  const auto rows = inverse_rows(basis);
-  const MovingPose rest = conjugate(dyad(0, c_, loop_.elements.size())) * to_moving(loop_.whole);
-  for (std::size_t i = 0; i < 4; ++i) {
-    for (std::size_t k = 0; k < 4; ++k) {
-      d_[i] = d_[i] + Coefficient{rows[i][k], 0} * rest.q[k];
-    }
-    d_[i] = without_noise(d_[i], largest_coefficient(d_[i]));
-  }
-  frame_.add_equation("dyad of " + turn(2).name, d_[0] * d_[3] - d_[1] * d_[2]);
-}
-
-void FourTurns::add_turns() {
-  frame_.add_equation(turn(0).name, c_[0] * turn(0).unknown - c_[2]);
-  frame_.add_equation(turn(1).name, c_[0] * turn(1).unknown - c_[1]);
-  frame_.add_equation(turn(2).name, d_[0] * turn(2).unknown - d_[2]);
-  frame_.add_equation(turn(3).name, d_[0] * turn(3).unknown - d_[1]);
-  for (std::size_t k = 0; k < kTurns; ++k) exclude_endless(frame_, turn(k));
-}
-
-void FourTurns::add_slides() {
-  const std::size_t none = loop_.elements.size();
-  const Quaternion<Rational> q = loop_.whole.q;
-  const MovingPose turned = dyad(0, c_, none);
-  const Polynomial N = dot(turned.q, turned.q);
-  Vector v0 = shift(chain(none));
-  const auto wanted = product(loop_.whole.g, conjugate(q));
-  for (std::size_t k = 0; k < v0.size(); ++k) {
-    v0[k] = rounded_difference(v0[k], Coefficient{wanted[k + 1], 0} * N);
-  }
-  const auto& axis = e(0).axis.g;
-  const std::array<Rational, 3> a1{axis[1], axis[2], axis[3]};
-  // No turn between the slides: v_2 is N times a constant.
-  const bool is_beside = other_ < turns_.front() || other_ > turns_.back();
-  Vector v2 = shift(chain(other_));
-  Vector beside = v2;
-  if (is_beside) {
-    const Quaternion<Rational> there = other_ < turns_.front()
-                                           ? scaled(dot(q, q), e(other_).axis.g)
-                                           : product(product(q, e(other_).axis.g), conjugate(q));
-    for (std::size_t k = 0; k < beside.size(); ++k) beside[k] = real_constant(there[k + 1]);
-    for (std::size_t k = 0; k < v2.size(); ++k) v2[k] = N * beside[k];
-  }
-  std::array<Rational, 3> smallest{};
-  const auto least = std::min_element(
-      a1.begin(), a1.end(), [](const Rational& a, const Rational& b) { return a * a < b * b; });
-  smallest[static_cast<std::size_t>(least - a1.begin())] = 1;
-  const std::array<Rational, 3> m1 = cross(a1, smallest);
-  const std::array<Rational, 3> m2 = cross(a1, m1);
-  const Polynomial lines =
-      component(m1, v0) * component(m2, beside) - component(m2, v0) * component(m1, beside);
-  frame_.add_equation("loop", without_noise(lines, largest_coefficient(lines)));
-  std::array<Rational, 3> m = m1;
-  const Rational part = frame_.random_number();
-  for (std::size_t k = 0; k < m.size(); ++k) m[k] += part * m2[k];
-  frame_.add_equation(e(other_).name, component(m, v0) + e(other_).unknown * component(m, v2));
-  const Rational square = dot(q, q) * (a1[0] * a1[0] + a1[1] * a1[1] + a1[2] * a1[2]);
-  frame_.add_equation(e(0).name, component(a1, v0) + e(other_).unknown * component(a1, v2) +
-                                     e(0).unknown * (Coefficient{square, 0} * N));
-}
 
 }  // namespace
 

@@ -196,11 +196,10 @@ void Bodies::add_gear(const Joint& joint) {
                   unit_at(-zj * gear.phase_rad));
 }
 
-/// L |L|: no two points are a length below 0 apart.
 void Bodies::add_distance(const Joint& joint, double length) {
   const Mirrored d = gap(joint);
-  const Rational square = typed_decimal(length) * typed_decimal(std::abs(length));
-  frame_.add_equation(label(joint), rounded_difference(d.z * d.conjugate, constant({square, 0})));
+  frame_.add_equation(label(joint),
+                      rounded_difference(d.z * d.conjugate, constant({signed_square(length), 0})));
 }
 
 /// Of a rack or a cam: what a driver says, and what an angle does; 0 for a tappet until its lift is read.

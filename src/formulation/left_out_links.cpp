@@ -21,8 +21,7 @@ struct Axis {
 
 Axis axis_of(const ExactPose& frame) {
   const DualQuaternion<double> pose = to_double(frame);
-  const double square = dot(pose.q, pose.q);
-  const Quaternion<double> shift = scaled(2 / square, product(pose.g, conjugate(pose.q)));
+  const Quaternion<double> shift = shift_of(pose);
   const Eigen::Quaterniond turn(pose.q[0], pose.q[1], pose.q[2], pose.q[3]);
   return {{shift[1], shift[2], shift[3]}, turn.normalized() * Vector3d::UnitZ()};
 }

@@ -78,11 +78,8 @@ class LoopEquations {
   MovingPose element(std::size_t k) const { return element_pose(e(k)); }
   MovingPose whole() const { return to_moving(loop_.whole); }
   void exclude(std::size_t k) { exclude_endless(frame_, e(k)); }
-  std::array<Polynomial, 4> add_dyad_coordinates(std::size_t k);
-  MovingPose dyad_pose(const std::array<Polynomial, 4>& c, std::size_t k) const;
-  void add_quadric(const std::array<Polynomial, 4>& c, std::size_t k);
-  void add_half_angles(const std::array<Polynomial, 4>& c, std::size_t k);
-  void add_dyad_of(const MovingPose& pose, std::size_t k);
+  DyadSpace dyad_at(std::size_t k) const { return dyad_space(e(k), e(k + 1), frame_.length()); }
+  std::array<Polynomial, 4> add_inner_dyad();
   void in_space(const MovingPose& pose, const DyadSpace& space);
   void add_shift();
 
@@ -90,49 +87,11 @@ class LoopEquations {
   JointLoop loop_;
 };
 
-/// Unknown coordinates for the dyad of elements k and k + 1, with their half angles.
-std::array<Polynomial, 4> LoopEquations::add_dyad_coordinates(std::size_t k) {
-  std::vector<std::string> owners = e(k).owners;
-  owners.insert(owners.end(), e(k + 1).owners.begin(), e(k + 1).owners.end());
-  const std::string name = "c_" + e(k).name + "_";
-  Polynomial patch = constant({-1, 0});
-  std::array<Polynomial, 4> c;
-  for (std::size_t i = 0; i < c.size(); ++i) {
-    const bool is_direction = e(k).is_turn && e(k + 1).is_turn;
-    c[i] = frame_.add_unknown(name + std::to_string(i), is_direction, owners);
-    patch = patch + Coefficient{frame_.random_number(), 0} * c[i];
-  }
-  frame_.add_equation("patch of " + e(k).name, patch);
-  add_half_angles(c, k);
+/// Unknown coordinates for the dyad of elements 1 and 2, with their half angles.
+std::array<Polynomial, 4> LoopEquations::add_inner_dyad() {
+  const std::array<Polynomial, 4> c = add_dyad_coordinates(frame_, e(1), e(2));
+  add_half_angles(frame_, e(1), e(2), c);
   return c;
-}
-
-MovingPose LoopEquations::dyad_pose(const std::array<Polynomial, 4>& c, std::size_t k) const {
-  const DyadSpace space = dyad_space(e(k), e(k + 1), frame_.length());
-  MovingPose pose;
-  for (std::size_t i = 0; i < c.size(); ++i) pose = pose + c[i] * to_moving(space.basis[i]);
-  return pose;
-}
-
-void LoopEquations::add_quadric(const std::array<Polynomial, 4>& c, std::size_t k) {
-  // Where the loop's geometry makes it hold everywhere, rounding alone is left.
-  const Polynomial outer = c[0] * c[3];
-  const Polynomial inner = c[1] * c[2];
-  const double size = std::max(largest_coefficient(outer), largest_coefficient(inner));
-  frame_.add_equation("dyad of " + e(k).name, without_noise(outer - inner, size));
-}
-
-/// Of elements k and k + 1, whose dyad has the coordinates c.
-void LoopEquations::add_half_angles(const std::array<Polynomial, 4>& c, std::size_t k) {
-  frame_.add_equation(e(k).name, c[0] * e(k).unknown - c[2]);
-  frame_.add_equation(e(k + 1).name, c[0] * e(k + 1).unknown - c[1]);
-  exclude(k);
-  exclude(k + 1);
-}
-
-/// Half angles of the dyad of elements k and k + 1, whose pose is known as polynomials.
-void LoopEquations::add_dyad_of(const MovingPose& pose, std::size_t k) {
-  add_half_angles(coordinates_in(dyad_space(e(k), e(k + 1), frame_.length()), pose), k);
 }
 
 void LoopEquations::in_space(const MovingPose& pose, const DyadSpace& space) {
@@ -151,31 +110,30 @@ void LoopEquations::in_space(const MovingPose& pose, const DyadSpace& space) {
 
 /// E_1 D_23 E_4 in the space of 5 and 6.
 void LoopEquations::add_general() {
-  const DyadSpace outer = dyad_space(e(4), e(5), frame_.length());
-  const std::array<Polynomial, 4> inner = add_dyad_coordinates(1);
-  add_quadric(inner, 1);
-  const MovingPose pose = element(0) * dyad_pose(inner, 1) * element(3);
+  const DyadSpace outer = dyad_at(4);
+  const std::array<Polynomial, 4> inner = add_inner_dyad();
+  add_quadric(frame_, e(1), inner);
+  const MovingPose pose = element(0) * pose_in(dyad_at(1), inner) * element(3);
   // whole^-1 E_1 D_23 E_4 = conj(E_5 E_6), whose conjugate lies in the space of E_5 E_6.
   const MovingPose rest = conjugate(conjugate(whole()) * pose);
   exclude(0);
   exclude(3);
   in_space(rest, outer);
-  add_dyad_of(rest, 4);
+  add_half_angles(frame_, e(4), e(5), coordinates_in(outer, rest));
 }
 
 /// E_1 D_23 in the space of 4, 5 and 6, which E_4 does not leave.
 void LoopEquations::add_decoupled() {
-  const DyadSpace outer = dyad_space(e(4), e(5), frame_.length());
+  const DyadSpace outer = dyad_at(4);
   // Inside V Study's quadric holds, and with it the dyad's.
-  const MovingPose pose = element(0) * dyad_pose(add_dyad_coordinates(1), 1);
+  const MovingPose pose = element(0) * pose_in(dyad_at(1), add_inner_dyad());
   const MovingPose rest = conjugate(conjugate(whole()) * pose);  // E_4 E_5 E_6
   exclude(0);
   in_space(rest, outer);
-  const MovingPose dyad = conjugate(element(3)) * rest;
-  const std::array<Polynomial, 4> c = coordinates_in(outer, dyad);
-  add_quadric(c, 4);
+  const std::array<Polynomial, 4> c = coordinates_in(outer, conjugate(element(3)) * rest);
+  add_quadric(frame_, e(4), c);
   exclude(3);
-  add_dyad_of(dyad, 4);
+  add_half_angles(frame_, e(4), e(5), c);
 }
 
 /// Three to five elements: E_1 D_23 ... , the last dyad in its space, where it need not be on the quadric. Four equations of the
@@ -186,8 +144,8 @@ void LoopEquations::add_short() {
   MovingPose rest = to_moving(conjugate(loop_.whole));
   std::array<Polynomial, 4> inner;
   if (has_inner_dyad) {
-    inner = add_dyad_coordinates(1);
-    rest = rest * element(0) * dyad_pose(inner, 1);
+    inner = add_inner_dyad();
+    rest = rest * element(0) * pose_in(dyad_at(1), inner);
     exclude(0);
   } else {
     for (std::size_t k = 0; k < last; ++k) {
@@ -196,11 +154,12 @@ void LoopEquations::add_short() {
     }
   }
   rest = conjugate(rest);
-  const DyadSpace outer = dyad_space(e(last), e(last + 1), frame_.length());
+  const DyadSpace outer = dyad_at(last);
   in_space(rest, outer);
-  if (has_inner_dyad) add_quadric(inner, 1);
-  add_quadric(coordinates_in(outer, rest), last);
-  add_dyad_of(rest, last);
+  if (has_inner_dyad) add_quadric(frame_, e(1), inner);
+  const std::array<Polynomial, 4> c = coordinates_in(outer, rest);
+  add_quadric(frame_, e(last), c);
+  add_half_angles(frame_, e(last), e(last + 1), c);
 }
 
 /// Three turns and three slides: the turns alone close like a spherical loop, and then the slides are linear.

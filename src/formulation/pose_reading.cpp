@@ -16,9 +16,8 @@ using Eigen::Vector3d;
 Eigen::Isometry3d to_isometry(const DualQuaternion<double>& pose) {
   const Quaternion<double>& q = pose.q;
   Eigen::Isometry3d placed = Eigen::Isometry3d::Identity();
-  const double square = dot(q, q);
-  if (!(square > 0)) return placed;
-  const Quaternion<double> shift = scaled(2 / square, product(pose.g, conjugate(q)));
+  if (!(dot(q, q) > 0)) return placed;
+  const Quaternion<double> shift = shift_of(pose);
   placed.linear() = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized().toRotationMatrix();
   placed.translation() << shift[1], shift[2], shift[3];
   return placed;

@@ -26,11 +26,6 @@ ExactPose driven_motion(const DrivenJoint& driven) {
   return motion;
 }
 
-/// L |L|: no two points are a length below 0 apart.
-Rational signed_square(double length) {
-  return typed_decimal(length) * typed_decimal(std::abs(length));
-}
-
 class Grouping {
  public:
   Grouping(const Mechanism& mechanism, double t) : mechanism_(mechanism), t_(t) {

@@ -70,25 +70,11 @@ void Chain::slide(const std::string& name) {
 }
 
 void Chain::turns(const Tie& tie) {
-  switch (turn_freedom(tie)) {
-    case 0:
-      break;
-    case 1:
-      turn("t_" + tie.name);
-      break;
-    case 2:
-      turn("t1_" + tie.name);
-      fixed(tilt(tie.half_tangent));
-      turn("t2_" + tie.name);
-      break;
-    default:
-      turn("t1_" + tie.name);
-      fixed(tilt(1));
-      turn("t2_" + tie.name);
-      fixed(conjugate(tilt(1)));
-      turn("t3_" + tie.name);
-      break;
-  }
+  if (turn_freedom(tie) == 1) turn("t_" + tie.name);
+  if (turn_freedom(tie) != 2) return;
+  turn("t1_" + tie.name);
+  fixed(tilt(tie.half_tangent));
+  turn("t2_" + tie.name);
 }
 
 void Chain::slides(const Tie& tie) {
@@ -108,12 +94,7 @@ void Chain::follow(const Tie& tie, bool is_last) {
   turns(tie);
   slides(tie);
   fixed(conjugate(tie.at_j));
-  if (is_last) return;
-  PoseReading::Placement placement;
-  placement.group = tie.j;
-  placement.parent = tie.i;
-  for (std::size_t k = 0; k < kEntries; ++k) placement.relative[k] = entry(step_, k);
-  frame_.result().poses.placements.push_back(std::move(placement));
+  if (!is_last) frame_.place(tie.j, tie.i, step_);
 }
 
 }  // namespace

@@ -59,6 +59,12 @@ void SpatialFrame::exclude(Polynomial p, const std::string& reason) {
   result_.exclusions.push_back({std::move(p), reason});
 }
 
+void SpatialFrame::place(std::size_t group, std::size_t parent, const MovingPose& relative) {
+  PoseReading::Placement placement{group, parent, {}, {}};
+  for (std::size_t k = 0; k < kEntries; ++k) placement.relative[k] = entry(relative, k);
+  result_.poses.placements.push_back(std::move(placement));
+}
+
 Rational SpatialFrame::random_number() {
   constexpr std::int64_t kParts = 64;
   const std::uint64_t bits = random_bits(kSeed, RandomStream::formulation, random_count_++);

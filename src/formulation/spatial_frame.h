@@ -41,6 +41,8 @@ class SpatialFrame {
   /// Nothing where p is zero; a contradiction where it is another number.
   void add_equation(const std::string& name, Polynomial p);
   void exclude(Polynomial p, const std::string& reason);
+  /// Notes where a group stands: at this pose in a placed one.
+  void place(std::size_t group, std::size_t parent, const MovingPose& relative);
 
   /// A random number of size 1/2 to 2, positive or negative.
   Rational random_number();

@@ -48,11 +48,7 @@ class Tree {
 };
 
 void Tree::place(std::size_t group, std::size_t parent, MovingPose in_parent) {
-  PoseReading::Placement placement;
-  placement.group = group;
-  placement.parent = parent;
-  for (std::size_t k = 0; k < kEntries; ++k) placement.relative[k] = entry(in_parent, k);
-  frame_.result().poses.placements.push_back(std::move(placement));
+  frame_.place(group, parent, in_parent);
   nodes_[group] = {parent, nodes_[parent].depth + 1, std::move(in_parent)};
 }
 

@@ -13,6 +13,9 @@ Rational typed_decimal(double x);
 /// x + iy, both as typed_decimal.
 Coefficient typed_decimal(double x, double y);
 
+/// L |L|, of the decimal that was typed: no two points are a length below 0 apart.
+Rational signed_square(double length);
+
 /// A rational c within 4 units of rounding of exp(i phi) with c conj(c) = 1 exactly; whole quarter turns give 1, i, -1, -i.
 Coefficient unit_at(double phi);
 
