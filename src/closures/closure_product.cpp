@@ -6,6 +6,8 @@
 #include <map>
 
 #include "closure_poses.h"
+#include "closure_roots.h"
+#include "moivre/closures/stages.h"
 #include "moivre/numeric/saturating.h"
 
 namespace moivre {
@@ -145,24 +147,10 @@ void add_account(const ClosureResult& part, ClosureResult& whole) {
   whole.start.paths += part.paths.tracked;
   whole.work += part.work;
   whole.stages.insert(whole.stages.end(), part.stages.begin(), part.stages.end());
-  for (const LeftOut& left : part.left_out) {
-    const auto is_same = [&](const LeftOut& other) {
-      return other.what == left.what && other.why == left.why;
-    };
-    if (std::none_of(whole.left_out.begin(), whole.left_out.end(), is_same)) {
-      whole.left_out.push_back(left);
-    }
-  }
-  auto& reduced = whole.reduced;
-  const auto& of_part = part.reduced;
-  reduced.variables.insert(reduced.variables.end(), of_part.variables.begin(),
-                           of_part.variables.end());
-  reduced.degrees.insert(reduced.degrees.end(), of_part.degrees.begin(), of_part.degrees.end());
+  add_left_out(part.left_out, whole.left_out);
+  append(part.reduced, whole.reduced);
   whole.time_s.threads = std::max(whole.time_s.threads, part.time_s.threads);
-  whole.time_s.start += part.time_s.start;
-  whole.time_s.track += part.time_s.track;
-  whole.time_s.track_cpu += part.time_s.track_cpu;
-  whole.time_s.refine += part.time_s.refine;
+  add_solving(part.time_s, whole.time_s);
 }
 
 void tell_listed(ClosureResult& whole) {
@@ -176,6 +164,15 @@ void tell_listed(ClosureResult& whole) {
 }
 
 }  // namespace
+
+void add_left_out(const std::vector<LeftOut>& part, std::vector<LeftOut>& whole) {
+  for (const LeftOut& left : part) {
+    const auto is_same = [&](const LeftOut& other) {
+      return other.what == left.what && other.why == left.why;
+    };
+    if (std::none_of(whole.begin(), whole.end(), is_same)) whole.push_back(left);
+  }
+}
 
 ClosureCounts product_of(const std::vector<ClosureCounts>& parts) {
   ClosureCounts whole;

@@ -12,8 +12,8 @@
 #include "closing.h"
 #include "moivre/closures/stages.h"
 #include "moivre/expression/counted.h"
+#include "moivre/polynomial/square_up.h"
 #include "moving_pose.h"
-#include "squared_up.h"
 
 namespace moivre {
 namespace {
@@ -53,12 +53,7 @@ void take_account(ClosureResult& result, const StageRun& run) {
                                                                    : " roots that are no poses"),
                                reason});
   }
-  for (const Stage& stage : run.stages) {
-    auto& all = result.reduced;
-    const auto& of_stage = stage.reduced;
-    all.variables.insert(all.variables.end(), of_stage.variables.begin(), of_stage.variables.end());
-    all.degrees.insert(all.degrees.end(), of_stage.degrees.begin(), of_stage.degrees.end());
-  }
+  for (const Stage& stage : run.stages) append(stage.reduced, result.reduced);
   result.reduced.total_degree = total_degree(result.reduced.degrees);
 }
 
@@ -164,7 +159,7 @@ void solve_free(ClosureSearch& search, const std::vector<Block>& blocks) {
 /// The equations that were solved have a set of roots that the spare ones may cut to isolated ones.
 StageRun solve_combined(const ClosureSearch& search, const StageRun& first) {
   Formulation combined = search.formulation;
-  combined.system = squared_up(search.formulation.system, search.options.solve.seed);
+  combined.system = square_up(search.formulation.system, search.options.solve.seed);
   RootProver prover(combined, false);
   StageRun run = solve_blocks(search, combined, block_structure(combined.system).blocks, prover);
   for (Stage& stage : run.stages) stage.group += ", equations combined";
@@ -258,6 +253,11 @@ std::uint64_t lost_images(const Formulation& formulation, const std::vector<Solu
 }
 
 }  // namespace
+
+void append(const SystemFacts& part, SystemFacts& whole) {
+  whole.variables.insert(whole.variables.end(), part.variables.begin(), part.variables.end());
+  whole.degrees.insert(whole.degrees.end(), part.degrees.begin(), part.degrees.end());
+}
 
 void find_roots(ClosureSearch& search) {
   if (!search.formulation.contradictions.empty()) return;

@@ -161,13 +161,7 @@ std::vector<std::size_t> PinnedLinks::steps_from_drivers() const {
     open.push(link);
   };
   for (const Driver& driver : mechanism_.drivers) {
-    if (driver.kind == DriverKind::angle) {
-      for (const std::size_t body : driver.bodies) reach(body, 0);
-    } else if (driver.kind == DriverKind::slide) {
-      for (const PointOf& at : mechanism_.joints[driver.joint].at) reach(at.body, 0);
-    } else {
-      reach(driver.point.body, 0);
-    }
+    for (const std::size_t body : bodies_of(mechanism_, driver)) reach(body, 0);
   }
   while (!open.empty()) {
     const std::size_t here = open.front();

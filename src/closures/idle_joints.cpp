@@ -108,23 +108,11 @@ Joints Holding::ties(std::size_t group) const {
 }
 
 bool Holding::is_driven(const std::set<std::size_t>& groups) const {
-  const auto has = [&](std::size_t body) { return groups.count(group_[body]) > 0; };
   const auto& mechanism = held_.mechanism;
   return std::any_of(mechanism.drivers.begin(), mechanism.drivers.end(), [&](const Driver& driver) {
-    switch (driver.kind) {
-      case DriverKind::angle:
-        return has(driver.bodies[0]) || has(driver.bodies[1]);
-      case DriverKind::slide:
-        return has(mechanism.joints[driver.joint].at[0].body) ||
-               has(mechanism.joints[driver.joint].at[1].body);
-      case DriverKind::x:
-      case DriverKind::y:
-      case DriverKind::z:
-        return has(driver.point.body);
-      case DriverKind::unknown:
-        break;
-    }
-    return false;
+    const std::vector<std::size_t> bodies = bodies_of(mechanism, driver);
+    return std::any_of(bodies.begin(), bodies.end(),
+                       [&](std::size_t body) { return groups.count(group_[body]) > 0; });
   });
 }
 

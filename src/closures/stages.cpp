@@ -56,6 +56,25 @@ Polynomial substituted(const Polynomial& p, const std::vector<KnownValue>& value
   return to_polynomial(std::move(terms));
 }
 
+/// In the block's variables, numbered in its order.
+Polynomial equation_at(const System& all, const Block& block, std::size_t equation,
+                       const PartialRoot& root) {
+  std::vector<std::uint32_t> place(all.variables.size());
+  for (std::size_t k = 0; k < block.variables.size(); ++k) {
+    place[block.variables[k]] = static_cast<std::uint32_t>(k);
+  }
+  return substituted(all.polynomials[equation], root.value, place);
+}
+
+System system_at(const System& all, const Block& block, const PartialRoot& root) {
+  System f;
+  for (const std::size_t v : block.variables) f.variables.push_back(all.variables[v]);
+  for (const std::size_t e : block.equations) {
+    f.polynomials.push_back(equation_at(all, block, e, root));
+  }
+  return f;
+}
+
 class Stages {
  public:
   Stages(const Formulation& formulation, const Tracker& tracker, const SolveOptions& options,
@@ -88,15 +107,6 @@ class Stages {
   }
 
  private:
-  static Polynomial equation_at(const System& all, const Block& block, std::size_t equation,
-                                const PartialRoot& root);
-  Polynomial equation_at(const Block& block, std::size_t equation, const PartialRoot& root) const {
-    return equation_at(formulation_.system, block, equation, root);
-  }
-  static System system_at(const System& all, const Block& block, const PartialRoot& root);
-  System system_at(const Block& block, const PartialRoot& root) const {
-    return system_at(formulation_.system, block, root);
-  }
   void note_set(const PartialRoot& root);
   bool is_excluded(const PartialRoot& root);
   void solve_lone(const Block& block, Polynomial of_first_root);
@@ -120,25 +130,6 @@ class Stages {
   std::size_t lone_ = 0;
   std::uint64_t formulas_ = 0;  ///< solves by formula
 };
-
-/// In the block's variables, numbered in its order.
-Polynomial Stages::equation_at(const System& all, const Block& block, std::size_t equation,
-                               const PartialRoot& root) {
-  std::vector<std::uint32_t> place(all.variables.size());
-  for (std::size_t k = 0; k < block.variables.size(); ++k) {
-    place[block.variables[k]] = static_cast<std::uint32_t>(k);
-  }
-  return substituted(all.polynomials[equation], root.value, place);
-}
-
-System Stages::system_at(const System& all, const Block& block, const PartialRoot& root) {
-  System f;
-  for (const std::size_t v : block.variables) f.variables.push_back(all.variables[v]);
-  for (const std::size_t e : block.equations) {
-    f.polynomials.push_back(equation_at(all, block, e, root));
-  }
-  return f;
-}
 
 std::string Stages::group_name(const Block& block) const {
   std::vector<std::string> bodies;
@@ -172,8 +163,9 @@ void Stages::solve_lone(const Block& block, Polynomial of_first_root) {
   }
   std::vector<PartialRoot> next;
   for (PartialRoot& root : run_.roots) {
-    const Polynomial p = &root == &run_.roots.front() ? std::move(of_first_root)
-                                                      : equation_at(block, equation, root);
+    const Polynomial p = &root == &run_.roots.front()
+                             ? std::move(of_first_root)
+                             : equation_at(formulation_.system, block, equation, root);
     Coefficient a;
     Coefficient b;
     for (const Term& term : p.terms) (term.monomial.empty() ? b : a) = term.coefficient;
@@ -262,7 +254,7 @@ std::optional<GivenStart> Stages::general_start(const Block& block, const Partia
   if (!is_whole || options_.start != StartKind::automatic || options_.known_start) {
     return std::nullopt;
   }
-  const System f = system_at(block, root);
+  const System f = system_at(all, block, root);
   if (eliminate(f).verdict != Reduction::Verdict::square) return std::nullopt;
   const Formulation::GeneralMember member = theorem->general();
   System general = system_at(member.system, block, root);
@@ -280,7 +272,7 @@ std::optional<GivenStart> Stages::general_start(const Block& block, const Partia
 }
 
 SolveResult Stages::followed(const Block& block, const PartialRoot& root) {
-  const System f = system_at(block, root);
+  const System f = system_at(formulation_.system, block, root);
   const std::optional<GivenStart> start = general_start(block, root);
   const auto solve_with = [&](const SolveOptions& options) {
     return start ? solve_from(f, *start, tracker_, options, stop_)
@@ -375,9 +367,9 @@ void Stages::add_roots(const Block& block, const QuadraticBlock& formula, const 
   run_.time.threads = std::max(run_.time.threads, result.time.threads);
   add_solving(result.time, run_.time);
   run_.complete = run_.complete && result.complete;
-  const bool is_dependent =
-      result.paths.tracked == 0 && result.complete &&
-      eliminate(system_at(block, root)).verdict == Reduction::Verdict::dependent;
+  const bool is_dependent = result.paths.tracked == 0 && result.complete &&
+                            eliminate(system_at(formulation_.system, block, root)).verdict ==
+                                Reduction::Verdict::dependent;
   const bool has_set =
       std::any_of(result.on_sets.begin(), result.on_sets.end(), [&](const Point& x) {
         Solution on_set;
@@ -391,7 +383,8 @@ void Stages::add_roots(const Block& block, const QuadraticBlock& formula, const 
 void Stages::solve_block(const Block& block) {
   if (run_.roots.empty()) return;
   if (block.equations.size() == 1) {
-    Polynomial lone = equation_at(block, block.equations.front(), run_.roots.front());
+    Polynomial lone =
+        equation_at(formulation_.system, block, block.equations.front(), run_.roots.front());
     if (degree(lone) == 1) return solve_lone(block, std::move(lone));
   }
   prover_.close_group(block);

@@ -25,37 +25,12 @@ class ChainFinder {
   bool is_placed_alone(std::size_t body) const;
   bool drives(const Driver& driver, std::size_t joint, std::size_t body) const;
   std::vector<std::size_t> ties(std::size_t body) const;
-  std::vector<std::size_t> bodies_of(const Joint& joint) const;
-  std::vector<std::size_t> bodies_of(const Driver& driver) const;
   std::vector<std::size_t> pieces() const;
   IndependentChain chain(const std::vector<bool>& is_own) const;
 
   const Mechanism& mechanism_;
   std::vector<bool> is_placed_;
 };
-
-std::vector<std::size_t> ChainFinder::bodies_of(const Joint& joint) const {
-  std::vector<std::size_t> bodies{joint.at[0].body, joint.at[1].body};
-  if (is_transmission(joint.type)) bodies.push_back(joint.gear.carrier);
-  return bodies;
-}
-
-std::vector<std::size_t> ChainFinder::bodies_of(const Driver& driver) const {
-  switch (driver.kind) {
-    case DriverKind::angle:
-      if (mechanism_.space == Space::spatial) return bodies_of(mechanism_.joints[driver.joint]);
-      return {driver.bodies[0], driver.bodies[1]};
-    case DriverKind::slide:
-      return bodies_of(mechanism_.joints[driver.joint]);
-    case DriverKind::x:
-    case DriverKind::y:
-    case DriverKind::z:
-      return {driver.point.body};
-    case DriverKind::unknown:
-      break;
-  }
-  return {};
-}
 
 /// The joints that hold the body to placed ones; gears among them.
 std::vector<std::size_t> ChainFinder::ties(std::size_t body) const {
@@ -89,7 +64,7 @@ bool ChainFinder::is_placed_alone(std::size_t body) const {
   const std::vector<std::size_t> joints = ties(body);
   if (joints.size() != 1) return false;
   const auto reach = [&](const Driver& driver) {
-    const std::vector<std::size_t> bodies = bodies_of(driver);
+    const std::vector<std::size_t> bodies = bodies_of(mechanism_, driver);
     return std::find(bodies.begin(), bodies.end(), body) != bodies.end() &&
            std::all_of(bodies.begin(), bodies.end(),
                        [&](std::size_t other) { return other == body || is_placed_[other]; });
@@ -125,7 +100,7 @@ std::vector<std::size_t> ChainFinder::pieces() const {
     }
   };
   for (const Joint& joint : mechanism_.joints) join(bodies_of(joint));
-  for (const Driver& driver : mechanism_.drivers) join(bodies_of(driver));
+  for (const Driver& driver : mechanism_.drivers) join(bodies_of(mechanism_, driver));
   return piece;
 }
 
@@ -163,7 +138,7 @@ IndependentChain ChainFinder::chain(const std::vector<bool>& is_own) const {
     part.joints.push_back(std::move(joint));
   }
   for (Driver driver : mechanism_.drivers) {
-    if (!is_in(bodies_of(driver))) continue;
+    if (!is_in(bodies_of(mechanism_, driver))) continue;
     for (std::size_t& body : driver.bodies) body = place[body];
     driver.point.body = place[driver.point.body];
     driver.joint = place_of_joint[driver.joint];

@@ -34,20 +34,8 @@ std::optional<double> slide_by_angles(const Joint& joint,
 }
 
 bool reads(const Mechanism& mechanism, const Driver& driver, std::size_t body) {
-  switch (driver.kind) {
-    case DriverKind::angle:
-      return driver.bodies[0] == body || driver.bodies[1] == body;
-    case DriverKind::x:
-    case DriverKind::y:
-    case DriverKind::z:
-      return driver.point.body == body;
-    case DriverKind::slide:
-      return mechanism.joints[driver.joint].at[0].body == body ||
-             mechanism.joints[driver.joint].at[1].body == body;
-    case DriverKind::unknown:
-      break;
-  }
-  return false;
+  const std::vector<std::size_t> bodies = bodies_of(mechanism, driver);
+  return std::find(bodies.begin(), bodies.end(), body) != bodies.end();
 }
 
 /// Whether the other joint guides the cam's tappet along the cam's line.

@@ -42,6 +42,29 @@ std::size_t line_body(const Joint& joint) {
   return joint.type == JointType::cam ? joint.gear.carrier : joint.at[0].body;
 }
 
+std::vector<std::size_t> bodies_of(const Joint& joint) {
+  std::vector<std::size_t> bodies{joint.at[0].body, joint.at[1].body};
+  if (is_transmission(joint.type)) bodies.push_back(joint.gear.carrier);
+  return bodies;
+}
+
+std::vector<std::size_t> bodies_of(const Mechanism& mechanism, const Driver& driver) {
+  switch (driver.kind) {
+    case DriverKind::angle:
+      if (mechanism.space == Space::spatial) return bodies_of(mechanism.joints[driver.joint]);
+      return {driver.bodies[0], driver.bodies[1]};
+    case DriverKind::slide:
+      return bodies_of(mechanism.joints[driver.joint]);
+    case DriverKind::x:
+    case DriverKind::y:
+    case DriverKind::z:
+      return {driver.point.body};
+    case DriverKind::unknown:
+      break;
+  }
+  return {};
+}
+
 bool is_typed(const Mechanism& mechanism) { return !mechanism.unknowns.empty(); }
 
 bool is_workable(double number) { return std::abs(number) <= kLargestSize; }
@@ -55,9 +78,7 @@ void require_drivers(const Mechanism& mechanism, double t) {
   std::string broken;
   for (const Driver& driver : mechanism.drivers) {
     const double value = driver_state(driver.law, t).value;
-    const bool is_angle =
-        driver.kind == DriverKind::angle ||
-        (driver.kind == DriverKind::unknown && mechanism.unknowns[driver.unknown].is_angle);
+    const bool is_angle = kind_of(mechanism, driver) == CoordinateKind::angle;
     std::string fault;
     if (!std::isfinite(value)) {
       fault = "no finite value";

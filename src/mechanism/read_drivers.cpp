@@ -137,11 +137,6 @@ void read_target(Reading& reading, const toml::table& entry, const Mechanism& me
   }
 }
 
-bool drives_angle(const Mechanism& mechanism, const Driver& driver) {
-  if (driver.kind == DriverKind::unknown) return mechanism.unknowns[driver.unknown].is_angle;
-  return driver.kind == DriverKind::angle;
-}
-
 std::optional<DriverLaw> read_table(Reading& reading, const toml::array& rows, double unit) {
   std::vector<double> t, value;
   for (const toml::node& row : rows) {
@@ -210,7 +205,8 @@ Driver read_driver(Reading& reading, const toml::table& entry, const Mechanism& 
   const std::size_t faults_before = reading.faults().size();
   read_target(reading, entry, mechanism, driver);
   const bool has_target = reading.faults().size() == faults_before;
-  const double unit = has_target && drives_angle(mechanism, driver) ? angle_unit(mechanism) : 1;
+  const bool is_angle = has_target && kind_of(mechanism, driver) == CoordinateKind::angle;
+  const double unit = is_angle ? angle_unit(mechanism) : 1;
   read_law(reading, entry, unit, driver);
   return driver;
 }

@@ -77,6 +77,37 @@ Ways ways_through(const std::vector<std::size_t>& part, const std::vector<Branch
   return ways;
 }
 
+/// What turns or slides, and its course on each branch.
+struct Measured {
+  std::string name;
+  CoordinateKind kind = CoordinateKind::angle;
+  bool may_turn = true;  ///< a whole turn more is the same pose
+  double from = 0;       ///< where it may turn: its range begins within one turn from here
+  std::vector<Course> on;
+};
+
+std::vector<Measured> measured(const MotionResult& motion, const std::vector<MovingPart>& parts) {
+  std::vector<Measured> all;
+  for (const MovingPart& part : parts) {
+    all.push_back({part.name, part.kind, part.may_turn, -std::numbers::pi, {}});
+    for (const MotionBranch& branch : motion.branches) {
+      all.back().on.push_back(course(branch, part));
+    }
+  }
+  return all;
+}
+
+std::vector<Measured> measured_drivers(const MotionResult& motion, const Mechanism& mechanism) {
+  std::vector<Measured> all;
+  for (const Driver& driver : mechanism.drivers) {
+    all.push_back({driver.name, kind_of(mechanism, driver), may_turn(mechanism, driver), 0, {}});
+    for (const MotionBranch& branch : motion.branches) {
+      all.back().on.push_back(driver_course(branch, driver));
+    }
+  }
+  return all;
+}
+
 double value_at(const Course& course, const BranchEnd& end) {
   return end.is_last ? course.last : course.first;
 }
@@ -87,16 +118,14 @@ struct Unrolled {
   int turns = 0;
 };
 
-/// `course`: of the quantity on a branch.
-template <typename CourseOf>
-Unrolled unrolled(const std::vector<std::size_t>& part, const Ways& ways, bool may_turn,
-                  const CourseOf& course) {
+Unrolled unrolled(const std::vector<std::size_t>& part, const Ways& ways,
+                  const Measured& quantity) {
   Unrolled all;
   for (const std::size_t branch : part) all.shift[branch] = 0;
-  if (!may_turn) return all;
+  if (!quantity.may_turn) return all;
   const auto turns_between = [&](const BranchEnd& a, const BranchEnd& b) {
-    const double gap = value_at(course(a.branch), a) + all.shift[a.branch] -
-                       value_at(course(b.branch), b) - all.shift[b.branch];
+    const double gap = value_at(quantity.on[a.branch], a) + all.shift[a.branch] -
+                       value_at(quantity.on[b.branch], b) - all.shift[b.branch];
     return std::round(gap / kOneTurn);
   };
   for (const auto& [a, b] : ways.leading) all.shift[b.branch] = kOneTurn * turns_between(a, b);
@@ -113,19 +142,26 @@ void shift_to(Swing& swing, double from) {
   swing.upper -= kOneTurn * turns;
 }
 
-template <typename CourseOf>
-Swing swing_over(const std::vector<std::size_t>& part, const Unrolled& all, Swing swing,
-                 const CourseOf& course) {
-  swing.turns = all.turns;
+Swing swing_over(const std::vector<std::size_t>& part, const Ways& ways, const Measured& quantity) {
+  const Unrolled all = unrolled(part, ways, quantity);
+  Swing swing{quantity.name, quantity.kind, all.turns, 0, 0};
   if (all.turns != 0) return swing;
   swing.lower = std::numeric_limits<double>::infinity();
   swing.upper = -swing.lower;
   for (const std::size_t branch : part) {
     const double shift = all.shift.at(branch);
-    swing.lower = std::min(swing.lower, course(branch).lower + shift);
-    swing.upper = std::max(swing.upper, course(branch).upper + shift);
+    swing.lower = std::min(swing.lower, quantity.on[branch].lower + shift);
+    swing.upper = std::max(swing.upper, quantity.on[branch].upper + shift);
   }
+  if (quantity.may_turn) shift_to(swing, quantity.from);
   return swing;
+}
+
+std::vector<Swing> swings(const std::vector<std::size_t>& part, const Ways& ways,
+                          const std::vector<Measured>& quantities) {
+  std::vector<Swing> all;
+  for (const Measured& quantity : quantities) all.push_back(swing_over(part, ways, quantity));
+  return all;
 }
 
 /// Everything that is known of a motion's branches and how they are joined.
@@ -134,32 +170,17 @@ class CircuitFinder {
   CircuitFinder(const Mechanism& mechanism, const MotionResult& motion)
       : mechanism_(mechanism),
         motion_(motion),
-        bodies_(body_quantities(mechanism)),
-        joints_(joint_quantities(mechanism)),
+        drivers_(measured_drivers(motion, mechanism)),
+        bodies_(measured(motion, body_quantities(mechanism))),
+        joints_(measured(motion, joint_quantities(mechanism))),
         joins_(branch_joins(mechanism, motion)),
         smooth_joins_(without_dead_points(joins_)),
-        stretches_(parts_of(motion.branches.size(), smooth_joins_)) {
-    for (const MotionBranch& branch : motion.branches) {
-      driver_courses_.emplace_back();
-      body_courses_.emplace_back();
-      joint_courses_.emplace_back();
-      for (const Driver& driver : mechanism.drivers) {
-        driver_courses_.back().push_back(driver_course(branch, driver));
-      }
-      for (const MovingPart& body : bodies_) body_courses_.back().push_back(course(branch, body));
-      for (const MovingPart& joint : joints_)
-        joint_courses_.back().push_back(course(branch, joint));
-    }
-  }
+        stretches_(parts_of(motion.branches.size(), smooth_joins_)) {}
 
   Circuits find() const;
 
  private:
   Circuit circuit_of_part(const std::vector<std::size_t>& part) const;
-  std::vector<Swing> swings(const std::vector<std::size_t>& part, const Ways& ways,
-                            const std::vector<MovingPart>& quantities,
-                            const std::vector<std::vector<Course>>& all) const;
-  void add_drivers(const Ways& ways, Circuit& circuit) const;
   void add_stretches(Circuit& circuit) const;
   void add_events(Circuit& circuit) const;
   bool has_open_end(const Circuit& circuit) const;
@@ -168,45 +189,13 @@ class CircuitFinder {
 
   const Mechanism& mechanism_;
   const MotionResult& motion_;
-  const std::vector<MovingPart> bodies_;
-  const std::vector<MovingPart> joints_;
+  const std::vector<Measured> drivers_;
+  const std::vector<Measured> bodies_;
+  const std::vector<Measured> joints_;
   const std::vector<BranchJoin> joins_;
   const std::vector<BranchJoin> smooth_joins_;
   const Parts stretches_;
-  std::vector<std::vector<Course>> driver_courses_;  ///< of each branch, of each driver
-  std::vector<std::vector<Course>> body_courses_;
-  std::vector<std::vector<Course>> joint_courses_;
 };
-
-std::vector<Swing> CircuitFinder::swings(const std::vector<std::size_t>& part, const Ways& ways,
-                                         const std::vector<MovingPart>& quantities,
-                                         const std::vector<std::vector<Course>>& all) const {
-  std::vector<Swing> swings;
-  for (std::size_t k = 0; k < quantities.size(); ++k) {
-    const auto course = [&](std::size_t branch) { return all[branch][k]; };
-    const Unrolled turns = unrolled(part, ways, quantities[k].may_turn, course);
-    Swing swing =
-        swing_over(part, turns, {quantities[k].name, quantities[k].kind, 0, 0, 0}, course);
-    if (quantities[k].may_turn) shift_to(swing, -std::numbers::pi);
-    swings.push_back(std::move(swing));
-  }
-  return swings;
-}
-
-void CircuitFinder::add_drivers(const Ways& ways, Circuit& circuit) const {
-  for (std::size_t k = 0; k < mechanism_.drivers.size(); ++k) {
-    const Driver& driver = mechanism_.drivers[k];
-    const bool turns = may_turn(mechanism_, driver);
-    const auto course = [&](std::size_t branch) { return driver_courses_[branch][k]; };
-    const bool is_angle = turns || (driver.kind == DriverKind::unknown &&
-                                    mechanism_.unknowns[driver.unknown].is_angle);
-    const CoordinateKind kind = is_angle ? CoordinateKind::angle : CoordinateKind::length;
-    Swing swing = swing_over(circuit.branches, unrolled(circuit.branches, ways, turns, course),
-                             {driver.name, kind, 0, 0, 0}, course);
-    if (turns) shift_to(swing, 0);
-    circuit.drivers.push_back(std::move(swing));
-  }
-}
 
 /// In each stretch the branches are ordered by where the first driver stands; what the driver does follows from them.
 void CircuitFinder::add_stretches(Circuit& circuit) const {
@@ -215,13 +204,12 @@ void CircuitFinder::add_stretches(Circuit& circuit) const {
     if (!std::binary_search(circuit.branches.begin(), circuit.branches.end(), part.front())) {
       continue;
     }
-    if (!mechanism_.drivers.empty()) {
-      const auto course = [&](std::size_t branch) { return driver_courses_[branch].front(); };
-      const Unrolled all = unrolled(part, ways_through(part, smooth_joins_),
-                                    may_turn(mechanism_, mechanism_.drivers.front()), course);
+    if (!drivers_.empty()) {
+      const Measured& driver = drivers_.front();
+      const Unrolled all = unrolled(part, ways_through(part, smooth_joins_), driver);
       turns = turns || all.turns != 0;
       std::stable_sort(part.begin(), part.end(), [&](std::size_t a, std::size_t b) {
-        return course(a).lower + all.shift.at(a) < course(b).lower + all.shift.at(b);
+        return driver.on[a].lower + all.shift.at(a) < driver.on[b].lower + all.shift.at(b);
       });
     }
     circuit.stretches.push_back(std::move(part));
@@ -275,11 +263,11 @@ Circuit CircuitFinder::circuit_of_part(const std::vector<std::size_t>& part) con
   const Ways ways = ways_through(part, joins_);
   Circuit circuit;
   circuit.branches = part;
-  add_drivers(ways, circuit);
+  circuit.drivers = swings(part, ways, drivers_);
+  circuit.bodies = swings(part, ways, bodies_);
+  circuit.joints = swings(part, ways, joints_);
   add_stretches(circuit);
   add_events(circuit);
-  circuit.bodies = swings(part, ways, bodies_, body_courses_);
-  circuit.joints = swings(part, ways, joints_, joint_courses_);
   return circuit;
 }
 

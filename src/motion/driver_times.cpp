@@ -9,11 +9,6 @@
 namespace moivre {
 namespace {
 
-bool turns(const Mechanism& mechanism, const Driver& driver) {
-  return driver.kind == DriverKind::angle ||
-         (driver.kind == DriverKind::unknown && mechanism.unknowns[driver.unknown].is_angle);
-}
-
 /// Seconds from `from` until the angle has gone one turn on; nullopt where it comes to a halt before.
 std::optional<double> time_of_a_turn(const Parabola& angle, double from) {
   constexpr double kTurn = 2 * std::numbers::pi;
@@ -43,7 +38,7 @@ double natural_duration(const Mechanism& mechanism, double from) {
       if (spline->t.back() > from) return spline->t.back() - from;
     }
     const auto* parabola = std::get_if<Parabola>(&driver.law);
-    if (parabola == nullptr || !turns(mechanism, driver)) continue;
+    if (parabola == nullptr || kind_of(mechanism, driver) != CoordinateKind::angle) continue;
     if (const auto duration = time_of_a_turn(*parabola, from)) return *duration;
   }
   return 1;

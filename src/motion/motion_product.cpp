@@ -10,7 +10,7 @@
 #include "moivre/expression/counted.h"
 #include "moivre/mechanism/closure_id.h"
 #include "moivre/numeric/saturating.h"
-#include "motion_times.h"
+#include "motion_record.h"
 
 namespace moivre {
 namespace {
@@ -53,7 +53,6 @@ class MotionProduct {
   void enter_pieces(const BranchChoice& choice, const std::vector<BranchSample>& all,
                     MotionBranch& branch);
   void enter_event(const BranchChoice& choice, bool is_end, MotionBranch& branch);
-  void order_events();
   void enter_checkpoints();
   void enter_checkpoint(const std::vector<const Checkpoint*>& rows);
   void enter_account();
@@ -314,25 +313,6 @@ void MotionProduct::enter(const BranchChoice& choice, std::size_t number) {
   result_.branches.push_back(std::move(branch));
 }
 
-void MotionProduct::order_events() {
-  std::vector<std::size_t> order(result_.events.size());
-  for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return result_.events[a].at.time < result_.events[b].at.time;
-  });
-  std::vector<MotionEvent> sorted;
-  std::vector<std::size_t> place(order.size());
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    place[order[k]] = k;
-    sorted.push_back(std::move(result_.events[order[k]]));
-  }
-  result_.events = std::move(sorted);
-  for (MotionBranch& branch : result_.branches) {
-    if (branch.begin_event) branch.begin_event = place[*branch.begin_event];
-    if (branch.end_event) branch.end_event = place[*branch.end_event];
-  }
-}
-
 /// The row of the whole where each sub-chain has one at that time.
 void MotionProduct::enter_checkpoint(const std::vector<const Checkpoint*>& rows) {
   Checkpoint whole;
@@ -396,14 +376,7 @@ void MotionProduct::enter_account() {
     for (const std::string& failure : part.failures) {
       result_.failures.push_back("sub-chain of " + chains_[k].bodies.front() + ": " + failure);
     }
-    for (const LeftOut& left : part.left_out) {
-      const auto is_same = [&](const LeftOut& other) {
-        return other.what == left.what && other.why == left.why;
-      };
-      if (std::none_of(result_.left_out.begin(), result_.left_out.end(), is_same)) {
-        result_.left_out.push_back(left);
-      }
-    }
+    add_left_out(part.left_out, result_.left_out);
   }
   result_.tracker = motion(0).tracker;
   result_.tracker_options = motion(0).tracker_options;
@@ -439,7 +412,7 @@ MotionResult MotionProduct::run(const Tracker& tracker) {
   follow_chains(tracker);
   choose();
   for (std::size_t k = 0; k < choices_.size(); ++k) enter(choices_[k], k);
-  order_events();
+  order_events(result_);
   enter_checkpoints();
   enter_account();
   if (finer_ > 1) strip_samples();

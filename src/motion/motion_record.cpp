@@ -89,25 +89,6 @@ void enter_branch(const MotionRun& run, const Track& track, MotionResult& result
   result.branches.push_back(std::move(branch));
 }
 
-void order_events(MotionResult& result) {
-  std::vector<std::size_t> order(result.events.size());
-  for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return result.events[a].at.time < result.events[b].at.time;
-  });
-  std::vector<MotionEvent> sorted;
-  std::vector<std::size_t> place(order.size());
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    place[order[k]] = k;
-    sorted.push_back(std::move(result.events[order[k]]));
-  }
-  result.events = std::move(sorted);
-  for (MotionBranch& branch : result.branches) {
-    if (branch.begin_event) branch.begin_event = place[*branch.begin_event];
-    if (branch.end_event) branch.end_event = place[*branch.end_event];
-  }
-}
-
 /// Enters closures that no branch is at; returns the number of the others.
 std::size_t enter_lone_closures(const MotionRun& run, const Scene& scene, Checkpoint& row,
                                 MotionResult& result) {
@@ -170,6 +151,25 @@ void order_tracks(MotionRun& run) {
     if (a.is_from_start != b.is_from_start) return a.is_from_start;
     return !a.is_from_start && time_of(a) < time_of(b);
   });
+}
+
+void order_events(MotionResult& result) {
+  std::vector<std::size_t> order(result.events.size());
+  for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return result.events[a].at.time < result.events[b].at.time;
+  });
+  std::vector<MotionEvent> sorted;
+  std::vector<std::size_t> place(order.size());
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    place[order[k]] = k;
+    sorted.push_back(std::move(result.events[order[k]]));
+  }
+  result.events = std::move(sorted);
+  for (MotionBranch& branch : result.branches) {
+    if (branch.begin_event) branch.begin_event = place[*branch.begin_event];
+    if (branch.end_event) branch.end_event = place[*branch.end_event];
+  }
 }
 
 void enter_branches(const MotionRun& run, MotionResult& result) {

@@ -20,6 +20,9 @@ void order_tracks(MotionRun& run);
 /// Enters a branch for every track, in their order, and the events, by time.
 void enter_branches(const MotionRun& run, MotionResult& result);
 
+/// Puts the events in the order of their times.
+void order_events(MotionResult& result);
+
 /// Enters the checkpoint's row, and what does not agree there; after enter_branches(), which gives the ids.
 void enter_checkpoint(const MotionRun& run, const Scene& scene, MotionResult& result);
 

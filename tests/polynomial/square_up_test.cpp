@@ -107,6 +107,22 @@ TEST(SquareUp, KeepsRootsOnAFactorThatTheLowEquationsShare) {
   }
 }
 
+// (x - 1)(y - 2) = (x - 1)(y - 3) = 0 hold on all of x = 1; with x (y - 5) the point (1, 5) is left of it.
+TEST(SquareUp, CutsASetThatTwoOfThreeEquationsShare) {
+  const Polynomial x = unknown(0);
+  const Polynomial y = unknown(1);
+  const auto number = [](int c) { return constant({c, 0}); };
+  const Polynomial on_set = x + number(-1);
+  const System f{{"x", "y"},
+                 {on_set * (y + number(-2)), on_set * (y + number(-3)), x * (y + number(-5))}};
+  for (const std::uint64_t seed : {1UL, 2UL, 3UL}) {
+    const System g = square_up(f, seed);
+    EXPECT_TRUE(is_root(g, {{1, 0}, {5, 0}}));
+    EXPECT_EQ(rank_at(g, {{1, 0}, {5, 0}}), 2U);
+    for (const int other : {2, 3, 4}) EXPECT_FALSE(is_root(g, {{1, 0}, {other, 0}}));
+  }
+}
+
 TEST(SquareUp, OfOneDegreeTheLongEquationsLead) {
   const Polynomial x = unknown(0);
   const Polynomial y = unknown(1);

@@ -134,6 +134,9 @@ struct ClosureResult {
   SolveTime time_s;
 };
 
+/// Adds what is not yet said.
+void add_left_out(const std::vector<LeftOut>& part, std::vector<LeftOut>& whole);
+
 /// Throws std::invalid_argument where the mechanism is not supported, before any tracking.
 ClosureResult find_closures(const Mechanism& mechanism, const Tracker& tracker,
                             const ClosureOptions& options = {},

@@ -148,6 +148,10 @@ struct Mechanism {
   std::vector<std::string> warnings;  ///< what is odd but not wrong, each a sentence
 };
 
+/// The bodies that a joint ties, the carrier of a transmission among them; those whose places a driver prescribes.
+std::vector<std::size_t> bodies_of(const Joint& joint);
+std::vector<std::size_t> bodies_of(const Mechanism& mechanism, const Driver& driver);
+
 bool is_typed(const Mechanism& mechanism);
 
 /// A number beyond this is refused: products of half a dozen lengths stay within double.
