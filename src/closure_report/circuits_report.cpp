@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
 #include "moivre/closure_report/angles.h"
@@ -19,6 +18,8 @@ namespace {
 
 // Radians, or lengths: what goes no further stands.
 constexpr double kStands = 1e-9;
+// Of ranges and lengths.
+constexpr int kRangeDigits = 6;
 
 std::vector<std::string> ids_of(const std::vector<std::size_t>& branches,
                                 const MotionResult& motion) {
@@ -36,10 +37,9 @@ std::string range_text(const Mechanism& mechanism, const Swing& swing) {
   const bool is_length = swing.kind == CoordinateKind::length;
   const bool in_degrees = !is_length && mechanism.units.angle == "deg";
   const double unit = in_degrees ? 180 / std::numbers::pi : 1;
-  char text[64];
-  std::snprintf(text, sizeof text, "%.6g .. %.6g", unit * swing.lower, unit * swing.upper);
   const std::string& name = is_length ? mechanism.units.length : mechanism.units.angle;
-  return name.empty() ? text : text + (' ' + name);
+  return short_text(unit * swing.lower, kRangeDigits) + " .. " +
+         short_text(unit * swing.upper, kRangeDigits) + (name.empty() ? "" : ' ' + name);
 }
 
 std::string swing_text(const Mechanism& mechanism, const Swing& swing) {
@@ -142,6 +142,12 @@ std::string circuit_text(const Circuit& circuit, std::size_t number, const Motio
   return swings.empty() ? text : text + "    " + swings + '\n';
 }
 
+std::string rule_text(FourBarRule rule) {
+  return rule == FourBarRule::grashof        ? "Grashof"
+         : rule == FourBarRule::change_point ? "change point"
+                                             : "not Grashof";
+}
+
 std::string four_bar_text(const FourBar& four_bar) {
   const char* sign = four_bar.rule == FourBarRule::grashof        ? " < "
                      : four_bar.rule == FourBarRule::change_point ? " = "
@@ -152,14 +158,10 @@ std::string four_bar_text(const FourBar& four_bar) {
     const std::string letters = barker_letters(*four_bar.type);
     text += to_string(*four_bar.type) + (letters.empty() ? "" : " (" + letters + ")");
   } else {
-    text += four_bar.rule == FourBarRule::grashof        ? "Grashof"
-            : four_bar.rule == FourBarRule::change_point ? "change point"
-                                                         : "not Grashof";
+    text += rule_text(four_bar.rule);
   }
-  char sums[80];
-  std::snprintf(sums, sizeof sums, ", s + l = %.6g%sp + q = %.6g\n", four_bar.shortest_and_longest,
-                sign, four_bar.others);
-  return text + sums;
+  return text + ", s + l = " + short_text(four_bar.shortest_and_longest, kRangeDigits) + sign +
+         "p + q = " + short_text(four_bar.others, kRangeDigits) + '\n';
 }
 
 Json swing_json(const Swing& swing) {
@@ -205,12 +207,9 @@ Json pairs_json(const Circuits& circuits, const MotionResult& motion) {
 }
 
 Json four_bar_json(const FourBar& four_bar) {
-  const char* rule = four_bar.rule == FourBarRule::grashof        ? "Grashof"
-                     : four_bar.rule == FourBarRule::change_point ? "change point"
-                                                                  : "not Grashof";
   return {{"links", four_bar.links},
           {"lengths", list_json(four_bar.lengths, [](double x) { return to_json(x); })},
-          {"rule", rule},
+          {"rule", rule_text(four_bar.rule)},
           {"type", four_bar.type ? Json(to_string(*four_bar.type)) : Json(nullptr)},
           {"letters", four_bar.type ? Json(barker_letters(*four_bar.type)) : Json(nullptr)},
           {"shortest_and_longest", to_json(four_bar.shortest_and_longest)},

@@ -5,9 +5,7 @@
 
 #include "labels.h"
 #include "moivre/closure_report/picture.h"
-#include "moivre/expression/counted.h"
 #include "moivre/report/number_text.h"
-#include "panels.h"
 #include "pose_text.h"
 #include "svg.h"
 
@@ -23,8 +21,7 @@ std::string caption(const Closure& closure) {
 }
 
 std::string summary(const ClosureResult& result, const Mechanism& mechanism) {
-  std::string text = counted(result.counts.complex, "complex closure") + ", " +
-                     std::to_string(result.counts.real) + " real";
+  std::string text = counts_text(result.counts);
   if (result.counts.filtered > 0) {
     text += " (" + std::to_string(result.counts.filtered) + " outside a joint's limits)";
   }

@@ -43,8 +43,7 @@ std::string completeness_line(const ClosureResult& result) {
 }
 
 std::string answer(const ClosureResult& result) {
-  std::string text = counted(result.counts.complex, "complex closure") + ", " +
-                     std::to_string(result.counts.real) + " real" + factors_text(result);
+  std::string text = counts_text(result.counts) + factors_text(result);
   if (result.counts.filtered > 0) {
     text += ", " + std::to_string(result.counts.filtered) + " outside a joint's limits";
   }
@@ -107,9 +106,8 @@ std::string closures_text(const std::vector<Closure>& closures, const Mechanism&
 std::string sub_chains_text(const ClosureResult& result) {
   std::string text;
   for (const SubChain& part : result.sub_chains) {
-    text += "\nsub-chain " + joined(part.chain.bodies, ", ") + ": " +
-            counted(part.counts.complex, "complex closure") + ", " +
-            std::to_string(part.counts.real) + " real\n";
+    text +=
+        "\nsub-chain " + joined(part.chain.bodies, ", ") + ": " + counts_text(part.counts) + '\n';
     text += closures_text(part.closures, part.chain.mechanism);
   }
   return text;

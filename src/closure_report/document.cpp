@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "moivre/report/markup.h"
+#include "moivre/report/number_text.h"
 #include "page_assets.h"
 #include "svg.h"
 
@@ -14,9 +15,7 @@ namespace moivre {
 Json rounded(double x) {
   constexpr int kDigits = 7;
   if (!std::isfinite(x)) return nullptr;
-  char text[32];
-  std::snprintf(text, sizeof text, "%.*g", kDigits, x);
-  return std::strtod(text, nullptr);
+  return std::strtod(short_text(x, kDigits).c_str(), nullptr);
 }
 
 std::string script_data(const Json& json) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <numbers>
 
@@ -19,21 +18,14 @@ using Row = std::array<std::string, 5>;
 std::string six_digits(double x) {
   if (std::isnan(x)) return "-";
   if (std::isinf(x)) return x > 0 ? "unbounded" : "-unbounded";
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", x);
-  return text;
+  return short_text(x, 6);
 }
 
 std::string place_of(const Extreme& extreme, const Mechanism& mechanism) {
   if (std::isnan(extreme.value)) return "";
   // An extreme's place is known to fewer digits than its value.
   constexpr int kDigits = 5;
-  const auto short_number = [](double x) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.*g", kDigits, x);
-    return std::string(text);
-  };
-  if (mechanism.drivers.empty()) return "t = " + short_number(extreme.time) + " s";
+  if (mechanism.drivers.empty()) return "t = " + short_text(extreme.time, kDigits) + " s";
   const AngleForm form{mechanism.units.angle == "deg", true};
   const std::vector<double> values = driver_values(mechanism, extreme.time);
   std::string text;
@@ -42,7 +34,7 @@ std::string place_of(const Extreme& extreme, const Mechanism& mechanism) {
     const CoordinateKind kind = kind_of(mechanism, driver);
     const std::string unit = kind == CoordinateKind::angle ? unit_of(form) : mechanism.units.length;
     text += (k == 0 ? "" : ", ") + label_of(driver) + " = " +
-            short_number(in_form(values[k], kind, form)) + (unit.empty() ? "" : " " + unit);
+            short_text(in_form(values[k], kind, form), kDigits) + (unit.empty() ? "" : " " + unit);
   }
   return text;
 }

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-#include "panels.h"
+#include "pose_text.h"
 
 namespace moivre {
 namespace {
@@ -17,16 +17,6 @@ constexpr double kDash = 9;        // of each of the branches that share a curve
 constexpr double kSampleDash = 5;  // in the legend
 // Pairs of points, so that a long table is drawn at once: curves of more are told alike by their times alone.
 constexpr std::size_t kMostPairs = 4'000'000;
-
-std::string polyline_data(const std::vector<Complex>& points, const PixelMap& map) {
-  std::string data;
-  for (const Complex z : points) {
-    const Complex at = map(z);
-    data.append(1, data.empty() ? 'M' : 'L').append(pixel_text(at.real())).append(1, ' ');
-    data.append(pixel_text(at.imag()));
-  }
-  return data;
-}
 
 double distance_to_segment(Complex z, Complex from, Complex to) {
   const Complex way = to - from;
@@ -84,8 +74,10 @@ std::string shared_sample(Complex at) {
 
 std::string curve_svg(const std::vector<Complex>& points, const PixelMap& map,
                       const BranchLook& look, Share share) {
+  std::vector<Complex> mapped;
+  for (const Complex z : points) mapped.push_back(map(z));
   std::vector<Attribute> attributes{{"class", "curve " + colour_class(look.colour)},
-                                    {"d", polyline_data(points, map)}};
+                                    {"d", path_data(mapped)}};
   const auto dashes_of = [](std::size_t count) {
     return pixel_text(kDash * static_cast<double>(count));
   };
@@ -124,13 +116,8 @@ std::string event_mark(EventKind kind, Complex at) {
       corners = {{0, -1.2}, {1.1, 0.9}, {-1.1, 0.9}};
       break;
   }
-  std::string data;
-  for (const Complex corner : corners) {
-    const Complex z = at + kMarkSize * corner;
-    data.append(1, data.empty() ? 'M' : 'L').append(pixel_text(z.real())).append(1, ' ');
-    data.append(pixel_text(z.imag()));
-  }
-  return element("path", {{"class", "event"}, {"d", data + "Z"}}) + '\n';
+  for (Complex& corner : corners) corner = at + kMarkSize * corner;
+  return element("path", {{"class", "event"}, {"d", path_data(corners) + "Z"}}) + '\n';
 }
 
 std::string begin_mark(Complex at, std::size_t colour) {
@@ -140,20 +127,6 @@ std::string begin_mark(Complex at, std::size_t colour) {
                                     {"cy", pixel_text(at.imag())},
                                     {"r", "3.5"}})) +
          '\n';
-}
-
-std::string motion_heading(const std::string& title, const std::string& note, double width,
-                           double& y) {
-  std::string svg;
-  for (const std::string& line : wrapped(title, 17, width)) {
-    y += 22;
-    svg += text_svg({kMotionMargin, y}, "start", "title", line);
-  }
-  for (const std::string& line : wrapped(note, 12, width)) {
-    y += 17;
-    svg += text_svg({kMotionMargin, y}, "start", "note", line);
-  }
-  return svg;
 }
 
 std::string motion_legend(const MotionResult& result, const Mechanism& mechanism,

@@ -32,11 +32,6 @@ std::string curve_svg(const std::vector<Complex>& points, const PixelMap& map,
 
 std::string begin_mark(Complex at, std::size_t colour);
 std::string event_mark(EventKind kind, Complex at);
-
-/// The title and a note, broken into lines; y: where it begins, afterwards the last line.
-std::string motion_heading(const std::string& title, const std::string& note, double width,
-                           double& y);
-
 /// A line for each branch, and what the marks mean; y: the line before it, afterwards the last one.
 std::string motion_legend(const MotionResult& result, const Mechanism& mechanism,
                           const std::vector<BranchLook>& looks, bool has_shared_curve, double& y);

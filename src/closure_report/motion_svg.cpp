@@ -65,7 +65,7 @@ class MotionPicture {
     const double drawn = box_.width() * map_.scale + 2 * kRoom;
     width_ = std::max(kNarrowestMotion, drawn);
     y_ = kMotionMargin / 2;
-    std::string svg = motion_heading(title, summary(), width_, y_);
+    std::string svg = heading_svg(title, summary(), kMotionMargin, width_, y_);
     const Complex middle(kMotionMargin + width_ / 2, y_ + kRoom + box_.height() * map_.scale / 2);
     map_.origin = middle - std::conj((box_.lower + box_.upper) / 2.0) * map_.scale;
     svg += mechanism_svg() + curves_svg() + labels();

@@ -2,7 +2,6 @@
 // A motion for people: branches from where to where, events with the drivers' values, what the checkpoints say.
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "circuits_report.h"
 #include "moivre/closure_report/motion_report.h"
@@ -15,32 +14,10 @@
 namespace moivre {
 namespace {
 
-std::string seconds(double t) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.8g s", t);
-  return text;
-}
-
-bool is_angle(const Driver& driver, const Mechanism& mechanism) {
-  if (driver.kind == DriverKind::unknown) return mechanism.unknowns[driver.unknown].is_angle;
-  return driver.kind == DriverKind::angle;
-}
-
-/// "crank = 40 deg".
-std::string drivers_text(const Mechanism& mechanism, const std::vector<double>& values) {
-  std::string text;
-  for (std::size_t k = 0; k < values.size(); ++k) {
-    const Driver& driver = mechanism.drivers[k];
-    const auto kind = is_angle(driver, mechanism) ? CoordinateKind::angle : CoordinateKind::length;
-    text += (k == 0 ? "" : ", ") + label_of(driver) + " = " +
-            coordinate_text(mechanism, {driver.name, kind, 0}, values[k]);
-  }
-  return text;
-}
-
 std::string place(const Mechanism& mechanism, double time) {
-  const std::string drivers = drivers_text(mechanism, driver_values(mechanism, time));
-  return "t = " + seconds(time) + (drivers.empty() ? "" : " (" + drivers + ")");
+  constexpr int kDigits = 8;
+  const std::string drivers = drivers_text(mechanism, time);
+  return "t = " + short_text(time, kDigits) + " s" + (drivers.empty() ? "" : " (" + drivers + ")");
 }
 
 std::string branch_text(const MotionBranch& branch, const MotionResult& result,
@@ -106,8 +83,7 @@ std::string checkpoints_text(const std::vector<Checkpoint>& all, const Mechanism
     text += next == k + 1 ? "checkpoint " + place(mechanism, first.time)
                           : counted(next - k, "checkpoint") + ' ' + place(mechanism, first.time) +
                                 " .. " + place(mechanism, all[next - 1].time);
-    text += ": " + counted(first.counts.complex, "complex closure") + ", " +
-            std::to_string(first.counts.real) + " real" +
+    text += ": " + counts_text(first.counts) +
             (first.counts.fitted > 0 ? ", " + std::to_string(first.counts.fitted) + " within fit"
                                      : "") +
             (ids.empty() ? "" : " (" + joined(ids, ", ") + ")") + "; " + verdict_text(first) + '\n';

@@ -8,7 +8,6 @@
 #include "moivre/closure_report/page.h"
 
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <numbers>
 #include <optional>
@@ -17,6 +16,7 @@
 #include "joint_values.h"
 #include "labels.h"
 #include "moivre/closure_report/angles.h"
+#include "moivre/closure_report/document.h"
 #include "moivre/closure_report/sheet.h"
 #include "moivre/expression/counted.h"
 #include "moivre/mechanism/pose.h"
@@ -25,8 +25,8 @@
 #include "moivre/report/number_text.h"
 #include "page_assets.h"
 #include "page_columns.h"
-#include "moivre/closure_report/document.h"
 #include "panels.h"
+#include "pose_text.h"
 #include "svg.h"
 #include "traces.h"
 
@@ -132,7 +132,7 @@ Json units_json(const std::string& unit) {
 Json drivers_json(const Page& page, const Mechanism& mechanism) {
   Json drivers = Json::array();
   for (const Driver& driver : mechanism.drivers) {
-    const bool is_angle = drives_angle(mechanism, driver);
+    const bool is_angle = kind_of(mechanism, driver) == CoordinateKind::angle;
     const bool in_degrees = is_angle && mechanism.units.angle == "deg";
     Json values = Json::array();
     for (const double t : page.times) {
@@ -383,10 +383,6 @@ std::string sentence(const MotionBranch& branch, const MotionResult& result,
   return event ? text + ": " + to_string(result.events[*event].at.kind) : text;
 }
 
-std::string counts_text(const ClosureCounts& counts) {
-  return counted(counts.complex, "complex closure") + ", " + std::to_string(counts.real) + " real";
-}
-
 /// The joints' angles and slides in three digits, for those who compare closures; empty where there are too many to read.
 std::string values_text(const Mechanism& mechanism, const Eigen::VectorXd& q) {
   constexpr std::size_t kMost = 8;
@@ -397,10 +393,8 @@ std::string values_text(const Mechanism& mechanism, const Eigen::VectorXd& q) {
   std::string text;
   for (const JointValue& joint : values) {
     const bool turns = joint.kind == CoordinateKind::angle;
-    char number[32];
-    std::snprintf(number, sizeof number, "%.3g",
-                  turns && in_degrees ? joint.value / kDegree : joint.value);
-    text += (text.empty() ? "" : ", ") + joint.name + " " + number;
+    text += (text.empty() ? "" : ", ") + joint.name + " " +
+            short_text(turns && in_degrees ? joint.value / kDegree : joint.value, 3);
   }
   return text;
 }

@@ -25,9 +25,7 @@ constexpr double kCaptionRoom = 26;  // above it
 constexpr double kCaptionLeft = 10;
 constexpr double kWidest = 1180;         // of all panels in a row
 constexpr double kNarrowestSheet = 440;  // of a sheet
-constexpr double kTitleFont = 17;
 constexpr double kNoteFont = 12;
-constexpr double kTitleLine = 22;
 constexpr double kNoteLine = 17;
 constexpr double kFooter = 34;
 
@@ -131,19 +129,6 @@ Layout lay_out(Complex size, const Sheet& sheet, std::size_t aspects) {
   return layout;
 }
 
-std::string heading(const Sheet& sheet, double width, double& y) {
-  std::string svg;
-  for (const std::string& line : wrapped(sheet.title, kTitleFont, width)) {
-    y += kTitleLine;
-    svg += text_svg({kSheetMargin, y}, "start", "title", line);
-  }
-  for (const std::string& line : wrapped(sheet.summary, kNoteFont, width)) {
-    y += kNoteLine;
-    svg += text_svg({kSheetMargin, y}, "start", "note", line);
-  }
-  return svg;
-}
-
 std::string panel_svg(const Panel& panel, const Aspect& aspect, const Mechanism& mechanism,
                       const PixelMap& map, const Box& frame, double heading) {
   const Drawing& drawing = aspect.drawing;
@@ -175,23 +160,6 @@ std::string panel_svg(const Panel& panel, const Aspect& aspect, const Mechanism&
 
 double pixel_scale(const Drawing& drawing) { return kPinDot / drawing.symbol; }
 
-bool drives_angle(const Mechanism& mechanism, const Driver& driver) {
-  if (driver.kind == DriverKind::unknown) return mechanism.unknowns[driver.unknown].is_angle;
-  return driver.kind == DriverKind::angle;
-}
-
-std::string drivers_text(const Mechanism& mechanism, double time) {
-  std::string text;
-  for (const Driver& driver : mechanism.drivers) {
-    const auto kind =
-        drives_angle(mechanism, driver) ? CoordinateKind::angle : CoordinateKind::length;
-    const Coordinate shown{driver.name, kind, 0};
-    text += (text.empty() ? "" : ", ") + label_of(driver) + " = " +
-            coordinate_text(mechanism, shown, driver_state(driver.law, time).value);
-  }
-  return text;
-}
-
 void require_spatial(const Mechanism& mechanism) {
   if (mechanism.space == Space::spatial && !is_typed(mechanism)) return;
   throw std::invalid_argument(
@@ -205,7 +173,7 @@ std::string sheet_svg(const Sheet& sheet, const Mechanism& mechanism) {
   const double room = heading_room(sheet);
   const Layout layout = lay_out(size * scale, sheet, aspects.size());
   double y = kSheetMargin / 2;
-  std::string svg = heading(sheet, layout.width(), y);
+  std::string svg = heading_svg(sheet.title, sheet.summary, kSheetMargin, layout.width(), y);
   y += kGap;
   for (std::size_t k = 0; k < sheet.panels.size() * aspects.size(); ++k) {
     const Aspect& aspect = aspects[k % aspects.size()];

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
+
+#include "moivre/expression/counted.h"
+#include "moivre/report/number_text.h"
 
 namespace moivre {
 
@@ -17,10 +19,23 @@ std::string coordinate_text(const Mechanism& mechanism, const Coordinate& coordi
   constexpr double kRoundingNoise = 1e-14;
   double shown = in_degrees ? value * 180 / std::numbers::pi : value;
   if (std::abs(shown) < kRoundingNoise) shown = 0;
-  char text[32];
-  std::snprintf(text, sizeof text, "%.8g", shown);
+  constexpr int kDigits = 8;
   const std::string unit = is_length ? mechanism.units.length : mechanism.units.angle;
-  return unit.empty() ? text : text + (" " + unit);
+  return short_text(shown, kDigits) + (unit.empty() ? "" : " " + unit);
+}
+
+std::string drivers_text(const Mechanism& mechanism, double time) {
+  std::string text;
+  for (const Driver& driver : mechanism.drivers) {
+    const Coordinate shown{driver.name, kind_of(mechanism, driver), 0};
+    text += (text.empty() ? "" : ", ") + label_of(driver) + " = " +
+            coordinate_text(mechanism, shown, driver_state(driver.law, time).value);
+  }
+  return text;
+}
+
+std::string counts_text(const ClosureCounts& counts) {
+  return counted(counts.complex, "complex closure") + ", " + std::to_string(counts.real) + " real";
 }
 
 std::string warnings_text(const Mechanism& mechanism) {

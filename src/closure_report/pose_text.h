@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How is a pose told to people? A line a body (or unknown), angles in the file's unit.
+// How are poses, drivers and counts told to people? A line a body (or unknown), angles in the file's unit.
 #pragma once
 
 #include <string>
@@ -22,5 +22,11 @@ std::string idle_text(const std::vector<IdleJoint>& idle);
 
 /// "57.3249 deg", "12.5 mm".
 std::string coordinate_text(const Mechanism& mechanism, const Coordinate& coordinate, double value);
+
+/// "crank = 40 deg, guide = 12 mm": the drivers at this time; empty without drivers.
+std::string drivers_text(const Mechanism& mechanism, double time);
+
+/// "8 complex closures, 4 real".
+std::string counts_text(const ClosureCounts& counts);
 
 }  // namespace moivre

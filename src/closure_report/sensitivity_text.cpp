@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
 #include "moivre/closure_report/sensitivity_report.h"
@@ -30,9 +29,7 @@ constexpr double kSensitivityNoise = 1e-11;
 std::string rate_text(double x, double size) {
   if (std::isnan(x)) return "-";
   if (std::abs(x) <= kSensitivityNoise * size) return "0";
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", x);
-  return text;
+  return short_text(x);
 }
 
 /// Columns as wide as their widest cell; the `numbers` behind the first are right-aligned. A row of one cell is a line of words.

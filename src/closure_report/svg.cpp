@@ -90,13 +90,9 @@ std::string shape_svg(const Shape& shape, const Similarity& at, const PixelMap& 
                               {"cy", pixel_text(points[0].imag())},
                               {"r", pixel_text(radius)}});
   }
-  std::string data;
-  if (shape.is_closed) {
-    data = outline_data(points, radius);
-  } else {
-    for (const Complex z : points) draw_to(data, data.empty() ? 'M' : 'L', z);
-  }
-  return element("path", {{"class", style}, {"d", data}});
+  return element("path",
+                 {{"class", style},
+                  {"d", shape.is_closed ? outline_data(points, radius) : path_data(points)}});
 }
 
 }  // namespace
@@ -111,10 +107,10 @@ std::string pixel_text(double x) {
   return shortest == "-0" ? "0" : shortest;
 }
 
-std::string short_text(double x) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.4g", x);
-  return text;
+std::string path_data(const std::vector<Complex>& points) {
+  std::string data;
+  for (const Complex z : points) draw_to(data, data.empty() ? 'M' : 'L', z);
+  return data;
 }
 
 std::string figure_svg(const Figure& figure, const Similarity& at, const PixelMap& map) {
@@ -198,6 +194,24 @@ std::vector<std::string> wrapped(const std::string& text, double font_size, doub
     begin = end + 1;
   }
   return lines;
+}
+
+std::string heading_svg(const std::string& title, const std::string& note, double left,
+                        double width, double& y) {
+  constexpr double kTitleFont = 17;
+  constexpr double kTitleLine = 22;
+  constexpr double kNoteFont = 12;
+  constexpr double kNoteLine = 17;
+  std::string svg;
+  for (const std::string& line : wrapped(title, kTitleFont, width)) {
+    y += kTitleLine;
+    svg += text_svg({left, y}, "start", "title", line);
+  }
+  for (const std::string& line : wrapped(note, kNoteFont, width)) {
+    y += kNoteLine;
+    svg += text_svg({left, y}, "start", "note", line);
+  }
+  return svg;
 }
 
 std::string label_text(const Label& label, const Mechanism& mechanism, const Eigen::VectorXd& q) {

@@ -8,13 +8,14 @@
 
 #include "moivre/closure_report/drawing.h"
 #include "moivre/report/markup.h"
+#include "moivre/report/number_text.h"
 
 namespace moivre {
 
 /// The shortest decimal to 1/100; "0" where x is not finite.
 std::string pixel_text(double x);
-/// Four significant digits, as in "320.3".
-std::string short_text(double x);
+/// "M1 2L3 4": from each of the points, in pixels, to the next.
+std::string path_data(const std::vector<Complex>& points);
 
 /// z -> conj(z) scale + origin: from the picture's plane to pixels.
 struct PixelMap {
@@ -44,6 +45,10 @@ std::string text_svg(Complex at, std::string_view anchor, std::string_view class
 double text_width(std::string_view text, double font_size);
 /// Broken between words so that no line is wider, where that is possible.
 std::vector<std::string> wrapped(const std::string& text, double font_size, double width);
+
+/// Lines of a title and of a note below it, from `left` on; y moves down.
+std::string heading_svg(const std::string& title, const std::string& note, double left,
+                        double width, double& y);
 
 /// A label's text, with its value where it has one.
 std::string label_text(const Label& label, const Mechanism& mechanism, const Eigen::VectorXd& q);

@@ -47,7 +47,7 @@ class UnknownsPicture {
 
   std::string document(const std::string& title) {
     double y = kMotionMargin / 2;
-    std::string svg = motion_heading(title, summary(), kNumbersRoom + kPlotWidth, y);
+    std::string svg = heading_svg(title, summary(), kMotionMargin, kNumbersRoom + kPlotWidth, y);
     for (std::size_t unknown = 0; unknown < mechanism_.unknowns.size(); ++unknown) {
       y += kPlotGap;
       svg += plot(unknown, y);

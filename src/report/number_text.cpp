@@ -50,6 +50,8 @@ std::string known_digits(Complex x, double error) {
   return re + (x.imag() < 0 ? " - " : " + ") + im + " i";
 }
 
+std::string short_text(double x, int digits) { return formatted("%.*g", digits, x); }
+
 std::string rough_text(double x) { return std::isfinite(x) ? formatted("%.*g", 2, x) : "unknown"; }
 
 std::string phc_text(Complex x) {

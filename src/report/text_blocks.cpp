@@ -3,19 +3,14 @@
 #include "moivre/report/text_blocks.h"
 
 #include <cmath>
-#include <cstdio>
+
+#include "moivre/report/number_text.h"
 
 namespace moivre {
 namespace {
 
 // Degrees in a row from which they are counted instead of listed.
 constexpr std::size_t kLongRun = 4;
-
-std::string six_digits(double x) {
-  char text[24];
-  std::snprintf(text, sizeof text, "%.6g", x);
-  return text;
-}
 
 }  // namespace
 
@@ -38,9 +33,10 @@ std::string count_text(const std::optional<std::uint64_t>& count) {
 }
 
 std::string complex_text(Complex x) {
-  if (x.imag() == 0) return six_digits(x.real());
-  return six_digits(x.real()) + (x.imag() < 0 ? " - " : " + ") + six_digits(std::abs(x.imag())) +
-         " i";
+  constexpr int kDigits = 6;
+  const std::string re = short_text(x.real(), kDigits);
+  if (x.imag() == 0) return re;
+  return re + (x.imag() < 0 ? " - " : " + ") + short_text(std::abs(x.imag()), kDigits) + " i";
 }
 
 std::string left_out_text(const std::vector<LeftOut>& left_out) {

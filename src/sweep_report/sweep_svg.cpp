@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // A sweep as a picture: a curve of counts, or a map of them with its borders.
 #include <algorithm>
-#include <cstdio>
 #include <set>
 
 #include "moivre/report/markup.h"
+#include "moivre/report/number_text.h"
 #include "moivre/sweep_report/sweep_report.h"
 #include "plot_frame.h"
 
@@ -15,11 +15,7 @@ namespace {
 constexpr const char* kColours[] = {"#f4f4f4", "#c6dbef", "#9ecae1", "#6baed6", "#4292c6",
                                     "#2171b5", "#08519c", "#08306b", "#041a3d"};
 
-std::string number(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", x);
-  return text;
-}
+std::string number(double x) { return short_text(x, 6); }
 
 std::string text_at(double x, double y, const char* anchor, const std::string& text) {
   return "<text x=\"" + number(x) + "\" y=\"" + number(y) + "\" text-anchor=\"" + anchor + "\">" +

@@ -36,13 +36,13 @@ std::string mobility_text(const Mobility& mobility, const NewtonResult& pose,
 std::string mobility_json(const Mobility& mobility, const NewtonResult& pose,
                           const Mechanism& mechanism, const KinematicsHeading& heading);
 
-/// As [guess] blocks of a mechanism file, angles in the file's unit.
 /// Whether these are all, and what the solve said of it.
 struct Completeness {
   bool complete = false;
   std::string message;
 };
 
+/// As [guess] blocks of a mechanism file, angles in the file's unit.
 std::string guesses_text(const InitialGuesses& guesses, const Completeness& completeness,
                          const Mechanism& mechanism, const KinematicsHeading& heading);
 /// `complete`: of the solve; whether every path was decided.

@@ -18,6 +18,9 @@ std::string known_digits(double x, double error);
 /// "re + im i", both parts as known_digits.
 std::string known_digits(Complex x, double error);
 
+/// x to so many significant digits, without zeros at the end: 320.28, 1.5e-07.
+std::string short_text(double x, int digits = 4);
+
 /// Two significant digits, as in 2.2e-16; "unknown" where x is not finite.
 std::string rough_text(double x);
 
