@@ -37,17 +37,143 @@ class Holding {
   }
 
  private:
-  bool hold_next();
-  bool is_idle(std::size_t group) const;
-  bool is_driven(const std::set<std::size_t>& groups) const;
-  std::set<std::size_t> meshing_with(std::size_t group) const;
-  Joints ties(std::size_t group) const;
-  void hold(std::size_t joint, std::size_t group);
-  void merge(const Joint& joint);
-  void merge(std::size_t from, std::size_t to);
-  bool merge_meshing();
-  double drawn_angle(const Joint& joint) const;
-  std::string pose_text(const Joint& joint, std::size_t other) const;
+  bool hold_next() {
+    for (std::size_t body = 1; body < group_.size(); ++body) {
+      const std::size_t group = group_[body];
+      if (group == group_[0] || !is_idle(group)) continue;
+      hold(ties(group).front(), group);
+      return true;
+    }
+    return false;
+  }
+
+  /// Wheels on pivots of their own that mesh like a tree, with no other wheel, no carrier among them and no driver.
+  bool is_idle(std::size_t group) const {
+    const std::set<std::size_t> wheels = meshing_with(group);
+    if (wheels.count(group_[0]) > 0 || is_driven(wheels)) return false;
+    std::size_t gears = 0;
+    for (const Joint& joint : held_.mechanism.joints) {
+      if (!is_transmission(joint.type) || is_inside(joint)) continue;
+      if (wheels.count(group_[joint.gear.carrier]) > 0) return false;
+      gears += wheels.count(group_of(joint.at[0]));
+    }
+    return gears + 1 == wheels.size() &&
+           std::all_of(wheels.begin(), wheels.end(),
+                       [&](std::size_t wheel) { return ties(wheel).size() == 1; });
+  }
+
+  bool is_driven(const std::set<std::size_t>& groups) const {
+    const auto& mechanism = held_.mechanism;
+    return std::any_of(
+        mechanism.drivers.begin(), mechanism.drivers.end(), [&](const Driver& driver) {
+          const std::vector<std::size_t> bodies = bodies_of(mechanism, driver);
+          return std::any_of(bodies.begin(), bodies.end(),
+                             [&](std::size_t body) { return groups.count(group_[body]) > 0; });
+        });
+  }
+
+  /// The groups whose wheels mesh with this one's, and so on.
+  std::set<std::size_t> meshing_with(std::size_t group) const {
+    std::set<std::size_t> all{group};
+    for (bool has_grown = true; has_grown;) {
+      const std::size_t before = all.size();
+      for (const Joint& joint : held_.mechanism.joints) {
+        if (!is_transmission(joint.type) || is_inside(joint)) continue;
+        const std::size_t wheels[] = {group_of(joint.at[0]), group_of(joint.at[1])};
+        if (all.count(wheels[0]) > 0 || all.count(wheels[1]) > 0) all.insert(wheels, wheels + 2);
+      }
+      has_grown = all.size() > before;
+    }
+    return all;
+  }
+
+  /// Joints that hold the group to others; gears tie angles, not places.
+  Joints ties(std::size_t group) const {
+    Joints found;
+    const auto& joints = held_.mechanism.joints;
+    for (std::size_t k = 0; k < joints.size(); ++k) {
+      const bool is_within = group_of(joints[k].at[0]) == group_of(joints[k].at[1]);
+      const bool holds = row_count(traits(joints[k].type).place, Space::planar) > 0;
+      if (holds && !is_within && touches(joints[k], group)) {
+        found.push_back(k);
+      }
+    }
+    return found;
+  }
+
+  /// Makes the joint a weld of its two points, or of where the second one slides to or stands at the rod's end.
+  void hold(std::size_t number, std::size_t group) {
+    Joint& joint = held_.mechanism.joints[number];
+    const std::size_t end = group_of(joint.at[0]) == group ? 0 : 1;
+    const std::size_t body = joint.at[end].body;
+    const std::size_t other = joint.at[1 - end].body;
+    joint.turn_rad = drawn_angle(joint);
+    double apart = joint.type == JointType::rod ? joint.length : 0;
+    if (has_line(joint.type) && joint.limits) {
+      apart = std::clamp(0.0, joint.limits->lower, joint.limits->upper);
+    }
+    auto& points = held_.mechanism.bodies[joint.at[0].body].points;
+    if (apart != 0) {
+      BodyPoint point = points[joint.at[0].point];
+      point.at += apart * joint.axis[0];
+      joint.at[0].point = points.size();
+      points.push_back(std::move(point));
+    }
+    joint.type = JointType::weld;
+    joint.limits.reset();
+    held_.idle.push_back({held_.mechanism.bodies[body].name, joint.name, pose_text(joint, other)});
+    merge(joint);
+  }
+
+  void merge(const Joint& joint) {
+    merge(group_of(joint.at[1]), group_of(joint.at[0]));
+    while (merge_meshing()) {
+    }
+  }
+
+  void merge(std::size_t from, std::size_t to) {
+    std::replace(group_.begin(), group_.end(), from, to);
+  }
+
+  /// A wheel on a pin of the gear's carrier whose partner cannot turn against that: it cannot either. False where there is none.
+  bool merge_meshing() {
+    const auto& joints = held_.mechanism.joints;
+    for (const Joint& gear : joints) {
+      if (gear.type != JointType::gear && gear.type != JointType::belt) continue;
+      const std::size_t carrier = group_[gear.gear.carrier];
+      for (const std::size_t end : {0U, 1U}) {
+        const std::size_t wheel = group_of(gear.at[1 - end]);
+        if (group_of(gear.at[end]) != carrier || wheel == carrier) continue;
+        const bool is_pinned = std::any_of(joints.begin(), joints.end(), [&](const Joint& pin) {
+          return pin.type == JointType::revolute && touches(pin, wheel) && touches(pin, carrier);
+        });
+        if (!is_pinned) continue;
+        merge(wheel, carrier);
+        return true;
+      }
+    }
+    return false;
+  }
+
+  double drawn_angle(const Joint& joint) const {
+    if (joint.type == JointType::prismatic) return joint.turn_rad;
+    const auto guess = [&](std::size_t body) {
+      const auto found = held_.mechanism.guess.find(held_.mechanism.bodies[body].name + ".phi");
+      return found == held_.mechanism.guess.end() ? 0 : found->second;
+    };
+    const double angle = guess(joint.at[1].body) - guess(joint.at[0].body);
+    const bool has_limits = is_angular(joint.type) && joint.limits;
+    return has_limits ? std::clamp(angle, joint.limits->lower, joint.limits->upper) : angle;
+  }
+
+  std::string pose_text(const Joint& joint, std::size_t other) const {
+    const bool in_degrees = held_.mechanism.units.angle == "deg";
+    char angle[32];
+    std::snprintf(angle, sizeof angle, "%.8g %s",
+                  in_degrees ? joint.turn_rad * 180 / std::numbers::pi : joint.turn_rad,
+                  held_.mechanism.units.angle.c_str());
+    return std::string("held at ") + angle + " to " + held_.mechanism.bodies[other].name;
+  }
 
   std::size_t group_of(const PointOf& point) const { return group_[point.body]; }
   /// Whether the gear and its carrier are one group.
@@ -62,143 +188,6 @@ class Holding {
   HeldMechanism held_;
   std::vector<std::size_t> group_;  ///< of each body; the ground's is group_[0]
 };
-
-void Holding::merge(const Joint& joint) {
-  merge(group_of(joint.at[1]), group_of(joint.at[0]));
-  while (merge_meshing()) {
-  }
-}
-
-void Holding::merge(std::size_t from, std::size_t to) {
-  std::replace(group_.begin(), group_.end(), from, to);
-}
-
-/// A wheel on a pin of the gear's carrier whose partner cannot turn against that: it cannot either. False where there is none.
-bool Holding::merge_meshing() {
-  const auto& joints = held_.mechanism.joints;
-  for (const Joint& gear : joints) {
-    if (gear.type != JointType::gear && gear.type != JointType::belt) continue;
-    const std::size_t carrier = group_[gear.gear.carrier];
-    for (const std::size_t end : {0U, 1U}) {
-      const std::size_t wheel = group_of(gear.at[1 - end]);
-      if (group_of(gear.at[end]) != carrier || wheel == carrier) continue;
-      const bool is_pinned = std::any_of(joints.begin(), joints.end(), [&](const Joint& pin) {
-        return pin.type == JointType::revolute && touches(pin, wheel) && touches(pin, carrier);
-      });
-      if (!is_pinned) continue;
-      merge(wheel, carrier);
-      return true;
-    }
-  }
-  return false;
-}
-
-/// Joints that hold the group to others; gears tie angles, not places.
-Joints Holding::ties(std::size_t group) const {
-  Joints found;
-  const auto& joints = held_.mechanism.joints;
-  for (std::size_t k = 0; k < joints.size(); ++k) {
-    const bool is_within = group_of(joints[k].at[0]) == group_of(joints[k].at[1]);
-    const bool holds = row_count(traits(joints[k].type).place, Space::planar) > 0;
-    if (holds && !is_within && touches(joints[k], group)) {
-      found.push_back(k);
-    }
-  }
-  return found;
-}
-
-bool Holding::is_driven(const std::set<std::size_t>& groups) const {
-  const auto& mechanism = held_.mechanism;
-  return std::any_of(mechanism.drivers.begin(), mechanism.drivers.end(), [&](const Driver& driver) {
-    const std::vector<std::size_t> bodies = bodies_of(mechanism, driver);
-    return std::any_of(bodies.begin(), bodies.end(),
-                       [&](std::size_t body) { return groups.count(group_[body]) > 0; });
-  });
-}
-
-/// The groups whose wheels mesh with this one's, and so on.
-std::set<std::size_t> Holding::meshing_with(std::size_t group) const {
-  std::set<std::size_t> all{group};
-  for (bool has_grown = true; has_grown;) {
-    const std::size_t before = all.size();
-    for (const Joint& joint : held_.mechanism.joints) {
-      if (!is_transmission(joint.type) || is_inside(joint)) continue;
-      const std::size_t wheels[] = {group_of(joint.at[0]), group_of(joint.at[1])};
-      if (all.count(wheels[0]) > 0 || all.count(wheels[1]) > 0) all.insert(wheels, wheels + 2);
-    }
-    has_grown = all.size() > before;
-  }
-  return all;
-}
-
-/// Wheels on pivots of their own that mesh like a tree, with no other wheel, no carrier among them and no driver.
-bool Holding::is_idle(std::size_t group) const {
-  const std::set<std::size_t> wheels = meshing_with(group);
-  if (wheels.count(group_[0]) > 0 || is_driven(wheels)) return false;
-  std::size_t gears = 0;
-  for (const Joint& joint : held_.mechanism.joints) {
-    if (!is_transmission(joint.type) || is_inside(joint)) continue;
-    if (wheels.count(group_[joint.gear.carrier]) > 0) return false;
-    gears += wheels.count(group_of(joint.at[0]));
-  }
-  return gears + 1 == wheels.size() &&
-         std::all_of(wheels.begin(), wheels.end(),
-                     [&](std::size_t wheel) { return ties(wheel).size() == 1; });
-}
-
-double Holding::drawn_angle(const Joint& joint) const {
-  if (joint.type == JointType::prismatic) return joint.turn_rad;
-  const auto guess = [&](std::size_t body) {
-    const auto found = held_.mechanism.guess.find(held_.mechanism.bodies[body].name + ".phi");
-    return found == held_.mechanism.guess.end() ? 0 : found->second;
-  };
-  const double angle = guess(joint.at[1].body) - guess(joint.at[0].body);
-  const bool has_limits = is_angular(joint.type) && joint.limits;
-  return has_limits ? std::clamp(angle, joint.limits->lower, joint.limits->upper) : angle;
-}
-
-std::string Holding::pose_text(const Joint& joint, std::size_t other) const {
-  const bool in_degrees = held_.mechanism.units.angle == "deg";
-  char angle[32];
-  std::snprintf(angle, sizeof angle, "%.8g %s",
-                in_degrees ? joint.turn_rad * 180 / std::numbers::pi : joint.turn_rad,
-                held_.mechanism.units.angle.c_str());
-  return std::string("held at ") + angle + " to " + held_.mechanism.bodies[other].name;
-}
-
-/// Makes the joint a weld of its two points, or of where the second one slides to or stands at the rod's end.
-void Holding::hold(std::size_t number, std::size_t group) {
-  Joint& joint = held_.mechanism.joints[number];
-  const std::size_t end = group_of(joint.at[0]) == group ? 0 : 1;
-  const std::size_t body = joint.at[end].body;
-  const std::size_t other = joint.at[1 - end].body;
-  joint.turn_rad = drawn_angle(joint);
-  double apart = joint.type == JointType::rod ? joint.length : 0;
-  if (has_line(joint.type) && joint.limits) {
-    apart = std::clamp(0.0, joint.limits->lower, joint.limits->upper);
-  }
-  auto& points = held_.mechanism.bodies[joint.at[0].body].points;
-  if (apart != 0) {
-    BodyPoint point = points[joint.at[0].point];
-    point.at += apart * joint.axis[0];
-    joint.at[0].point = points.size();
-    points.push_back(std::move(point));
-  }
-  joint.type = JointType::weld;
-  joint.limits.reset();
-  held_.idle.push_back({held_.mechanism.bodies[body].name, joint.name, pose_text(joint, other)});
-  merge(joint);
-}
-
-bool Holding::hold_next() {
-  for (std::size_t body = 1; body < group_.size(); ++body) {
-    const std::size_t group = group_[body];
-    if (group == group_[0] || !is_idle(group)) continue;
-    hold(ties(group).front(), group);
-    return true;
-  }
-  return false;
-}
 
 }  // namespace
 

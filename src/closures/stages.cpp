@@ -75,150 +75,6 @@ System system_at(const System& all, const Block& block, const PartialRoot& root)
   return f;
 }
 
-class Stages {
- public:
-  Stages(const Formulation& formulation, const Tracker& tracker, const SolveOptions& options,
-         const std::atomic<bool>& stop, RootProver& prover, PartialRoot begun)
-      : formulation_(formulation),
-        tracker_(tracker),
-        options_(options),
-        stop_(stop),
-        prover_(prover) {
-    begun.value.resize(formulation.system.variables.size());
-    run_.roots.push_back(std::move(begun));
-  }
-
-  void solve_block(const Block& block);
-  StageRun take() && {
-    prove_all();
-    run_.time.threads = std::max(1, run_.time.threads);
-    if (lone_ > 0) {
-      run_.left_out.push_back(
-          lone_ == 1 ? LeftOut{"1 linear equation solved alone", "it has a single unknown left"}
-                     : LeftOut{std::to_string(lone_) + " linear equations solved one by one",
-                               "each has a single unknown left"});
-    }
-    if (formulas_ > 0) {
-      run_.left_out.push_back(
-          {"following the paths of " + counted(formulas_, "solve"),
-           "what comes down to one quadratic equation, or to linear ones, is solved by formula"});
-    }
-    return std::move(run_);
-  }
-
- private:
-  void note_set(const PartialRoot& root);
-  bool is_excluded(const PartialRoot& root);
-  void solve_lone(const Block& block, Polynomial of_first_root);
-  SolveResult solved(const Block& block, const QuadraticBlock& formula, const PartialRoot& root);
-  std::optional<GivenStart> general_start(const Block& block, const PartialRoot& root) const;
-  SolveResult followed(const Block& block, const PartialRoot& root);
-  void add_roots(const Block& block, const QuadraticBlock& formula, const PartialRoot& root,
-                 Stage& stage, std::vector<PartialRoot>& next);
-  PartialRoot child_of(const PartialRoot& root, const Block& block, const Solution& solution);
-  void prove(PartialRoot& root);
-  void prove_all();
-  bool decides_exclusions(const Block& block) const;
-  std::string group_name(const Block& block) const;
-
-  const Formulation& formulation_;
-  const Tracker& tracker_;
-  const SolveOptions& options_;
-  const std::atomic<bool>& stop_;
-  RootProver& prover_;
-  StageRun run_;
-  std::size_t lone_ = 0;
-  std::uint64_t formulas_ = 0;  ///< solves by formula
-};
-
-std::string Stages::group_name(const Block& block) const {
-  std::vector<std::string> bodies;
-  for (const std::size_t v : block.variables) {
-    for (const std::string& owner : formulation_.owners[v]) {
-      if (std::find(bodies.begin(), bodies.end(), owner) == bodies.end()) bodies.push_back(owner);
-    }
-  }
-  constexpr std::size_t kBodiesOfDyad = 2;
-  std::string text =
-      bodies.size() == kBodiesOfDyad ? "dyad" : "group of " + std::to_string(bodies.size());
-  if (bodies.size() == 1) text = "single";
-  for (const std::string& body : bodies) text += (&body == &bodies.front() ? " " : ", ") + body;
-  return text;
-}
-
-/// The block has a set of roots of positive dimension above the root.
-void Stages::note_set(const PartialRoot& root) {
-  run_.moves = true;
-  run_.may_move = run_.may_move || may_be_real(formulation_, root);
-}
-
-/// One equation a x + b = 0, its x put in above every root so far. Where a vanishes there is none, where b does too a set of them.
-void Stages::solve_lone(const Block& block, Polynomial of_first_root) {
-  ++lone_;
-  prover_.add_lone(block);
-  const std::size_t equation = block.equations.front();
-  double size = 0;
-  for (const Term& term : formulation_.system.polynomials[equation].terms) {
-    size = std::max(size, std::abs(to_complex(term.coefficient)));
-  }
-  std::vector<PartialRoot> next;
-  for (PartialRoot& root : run_.roots) {
-    const Polynomial p = &root == &run_.roots.front()
-                             ? std::move(of_first_root)
-                             : equation_at(formulation_.system, block, equation, root);
-    Coefficient a;
-    Coefficient b;
-    for (const Term& term : p.terms) (term.monomial.empty() ? b : a) = term.coefficient;
-    if (std::abs(to_complex(a)) <= kCancelled * size) {
-      if (std::abs(to_complex(b)) <= kCancelled * size) note_set(root);
-      run_.is_proved = false;
-      continue;
-    }
-    root.value[block.variables.front()] = std::make_shared<const Known>(shortened(-b / a));
-    next.push_back(std::move(root));
-  }
-  run_.roots = std::move(next);
-  if (!decides_exclusions(block)) return;
-  prove_all();
-  std::erase_if(run_.roots, [&](const PartialRoot& root) { return is_excluded(root); });
-}
-
-/// Whether an exclusion has one of the block's variables.
-bool Stages::decides_exclusions(const Block& block) const {
-  for (const Formulation::Exclusion& exclusion : formulation_.exclusions) {
-    for (const Term& term : exclusion.of.terms) {
-      for (const Power& power : term.monomial) {
-        if (std::count(block.variables.begin(), block.variables.end(), power.variable) > 0) {
-          return true;
-        }
-      }
-    }
-  }
-  return false;
-}
-
-/// What waits for its group is one.
-void Stages::prove_all() {
-  if (!prover_.close()) return;
-  for (PartialRoot& root : run_.roots) prove(root);
-}
-
-/// Whether the root is no pose; counted where so.
-bool Stages::is_excluded(const PartialRoot& root) {
-  if (formulation_.exclusions.empty()) return false;
-  std::vector<std::optional<Complex>> values;
-  for (const KnownValue& value : root.value) {
-    values.push_back(value ? std::optional(value->rounded) : std::nullopt);
-  }
-  for (const NearExclusion& near : near_exclusions(formulation_, values)) {
-    const std::optional<bool> proved = prover_.vanishes(root.proof, *near.exclusion);
-    if (!proved.value_or(root.singular || near.share <= kVanishes)) continue;
-    run_.excluded[near.exclusion->reason] += root.multiplicity;
-    return true;
-  }
-  return false;
-}
-
 /// Two paths that are led to one root prove one.
 void drop_repeated_proofs(std::vector<PartialRoot>& children) {
   std::vector<KnownProof> proofs;
@@ -244,163 +100,291 @@ bool has_proved_bound(const SolveResult& result, const std::vector<PartialRoot>&
   return is_bound && result.paths.tracked == children.size();
 }
 
-/// From a general member of the class, where the block is all there is of one. Its coefficients are real: a complex factor keeps the
-/// line to this member away from those with fewer poses.
-std::optional<GivenStart> Stages::general_start(const Block& block, const PartialRoot& root) const {
-  const auto& theorem = formulation_.theorem;
-  const System& all = formulation_.system;
-  const bool is_whole = theorem && block.variables.size() == all.variables.size() &&
-                        block.equations.size() == all.polynomials.size();
-  if (!is_whole || options_.start != StartKind::automatic || options_.known_start) {
-    return std::nullopt;
+class Stages {
+ public:
+  Stages(const Formulation& formulation, const Tracker& tracker, const SolveOptions& options,
+         const std::atomic<bool>& stop, RootProver& prover, PartialRoot begun)
+      : formulation_(formulation),
+        tracker_(tracker),
+        options_(options),
+        stop_(stop),
+        prover_(prover) {
+    begun.value.resize(formulation.system.variables.size());
+    run_.roots.push_back(std::move(begun));
   }
-  const System f = system_at(all, block, root);
-  if (eliminate(f).verdict != Reduction::Verdict::square) return std::nullopt;
-  const Formulation::GeneralMember member = theorem->general();
-  System general = system_at(member.system, block, root);
-  const Coefficient factor = exactly(random_phase(options_.seed, RandomStream::generic_member, 0));
-  for (Polynomial& p : general.polynomials) p = factor * p;
-  std::vector<Point> roots;
-  for (const Point& known : member.roots) {
-    Point& x = roots.emplace_back();
-    for (const std::size_t v : block.variables) x.push_back(known[v]);
-  }
-  GivenStart start = start_from_member("family", f, general, roots);
-  start.why =
-      "the " + std::to_string(roots.size()) + " poses of " + theorem->of + " in general position";
-  return start;
-}
 
-SolveResult Stages::followed(const Block& block, const PartialRoot& root) {
-  const System f = system_at(formulation_.system, block, root);
-  const std::optional<GivenStart> start = general_start(block, root);
-  const auto solve_with = [&](const SolveOptions& options) {
-    return start ? solve_from(f, *start, tracker_, options, stop_)
-                 : solve(f, tracker_, options, stop_);
-  };
-  SolveOptions options = options_;
-  options.certify = false;
-  const auto paths = total_degree(degrees(f));
-  if (paths && *paths <= kPathsForOneThread) options.threads = 1;
-  const bool are_few = paths && *paths <= kPathsWithoutSearch;
-  if (options.start == StartKind::automatic && are_few) options.start = StartKind::total_degree;
-  SolveResult result = solve_with(options);
-  const auto instead = [&](SolveResult&& another) {
+  void solve_block(const Block& block) {
+    if (run_.roots.empty()) return;
+    if (block.equations.size() == 1) {
+      Polynomial lone =
+          equation_at(formulation_.system, block, block.equations.front(), run_.roots.front());
+      if (degree(lone) == 1) return solve_lone(block, std::move(lone));
+    }
+    prover_.close_group(block);
+    const QuadraticBlock formula(formulation_, block);
+    Stage stage;
+    stage.group = group_name(block);
+    std::vector<PartialRoot> next;
+    for (const PartialRoot& root : run_.roots) {
+      if (stop_) run_.complete = false;
+      if (stop_) break;
+      add_roots(block, formula, root, stage, next);
+    }
+    run_.paths += stage.paths;
+    run_.stages.push_back(std::move(stage));
+    run_.roots = std::move(next);
+  }
+
+  StageRun take() && {
+    prove_all();
+    run_.time.threads = std::max(1, run_.time.threads);
+    if (lone_ > 0) {
+      run_.left_out.push_back(
+          lone_ == 1 ? LeftOut{"1 linear equation solved alone", "it has a single unknown left"}
+                     : LeftOut{std::to_string(lone_) + " linear equations solved one by one",
+                               "each has a single unknown left"});
+    }
+    if (formulas_ > 0) {
+      run_.left_out.push_back(
+          {"following the paths of " + counted(formulas_, "solve"),
+           "what comes down to one quadratic equation, or to linear ones, is solved by formula"});
+    }
+    return std::move(run_);
+  }
+
+ private:
+  /// The block has a set of roots of positive dimension above the root.
+  void note_set(const PartialRoot& root) {
+    run_.moves = true;
+    run_.may_move = run_.may_move || may_be_real(formulation_, root);
+  }
+
+  /// Whether the root is no pose; counted where so.
+  bool is_excluded(const PartialRoot& root) {
+    if (formulation_.exclusions.empty()) return false;
+    std::vector<std::optional<Complex>> values;
+    for (const KnownValue& value : root.value) {
+      values.push_back(value ? std::optional(value->rounded) : std::nullopt);
+    }
+    for (const NearExclusion& near : near_exclusions(formulation_, values)) {
+      const std::optional<bool> proved = prover_.vanishes(root.proof, *near.exclusion);
+      if (!proved.value_or(root.singular || near.share <= kVanishes)) continue;
+      run_.excluded[near.exclusion->reason] += root.multiplicity;
+      return true;
+    }
+    return false;
+  }
+
+  /// One equation a x + b = 0, its x put in above every root so far. Where a vanishes there is none, where b does too a set of them.
+  void solve_lone(const Block& block, Polynomial of_first_root) {
+    ++lone_;
+    prover_.add_lone(block);
+    const std::size_t equation = block.equations.front();
+    double size = 0;
+    for (const Term& term : formulation_.system.polynomials[equation].terms) {
+      size = std::max(size, std::abs(to_complex(term.coefficient)));
+    }
+    std::vector<PartialRoot> next;
+    for (PartialRoot& root : run_.roots) {
+      const Polynomial p = &root == &run_.roots.front()
+                               ? std::move(of_first_root)
+                               : equation_at(formulation_.system, block, equation, root);
+      Coefficient a;
+      Coefficient b;
+      for (const Term& term : p.terms) (term.monomial.empty() ? b : a) = term.coefficient;
+      if (std::abs(to_complex(a)) <= kCancelled * size) {
+        if (std::abs(to_complex(b)) <= kCancelled * size) note_set(root);
+        run_.is_proved = false;
+        continue;
+      }
+      root.value[block.variables.front()] = std::make_shared<const Known>(shortened(-b / a));
+      next.push_back(std::move(root));
+    }
+    run_.roots = std::move(next);
+    if (!decides_exclusions(block)) return;
+    prove_all();
+    std::erase_if(run_.roots, [&](const PartialRoot& root) { return is_excluded(root); });
+  }
+
+  /// By formula, where that is clear and no start was asked for: a quadratic equation counts as its two paths.
+  SolveResult solved(const Block& block, const QuadraticBlock& formula, const PartialRoot& root) {
+    auto roots = options_.start == StartKind::automatic ? formula.roots(root.value) : std::nullopt;
+    if (!roots) return followed(block, root);
+    ++formulas_;
+    SolveResult result;
+    result.complete = true;
+    result.reduced = QuadraticBlock::reduced_facts(roots->size());
+    result.paths.tracked = result.paths.finite = roots->size();
+    result.start.kind = "formula";
+    result.solutions = std::move(*roots);
+    return result;
+  }
+
+  /// From a general member of the class, where the block is all there is of one. Its coefficients are real: a complex factor keeps the
+  /// line to this member away from those with fewer poses.
+  std::optional<GivenStart> general_start(const Block& block, const PartialRoot& root) const {
+    const auto& theorem = formulation_.theorem;
+    const System& all = formulation_.system;
+    const bool is_whole = theorem && block.variables.size() == all.variables.size() &&
+                          block.equations.size() == all.polynomials.size();
+    if (!is_whole || options_.start != StartKind::automatic || options_.known_start) {
+      return std::nullopt;
+    }
+    const System f = system_at(all, block, root);
+    if (eliminate(f).verdict != Reduction::Verdict::square) return std::nullopt;
+    const Formulation::GeneralMember member = theorem->general();
+    System general = system_at(member.system, block, root);
+    const Coefficient factor =
+        exactly(random_phase(options_.seed, RandomStream::generic_member, 0));
+    for (Polynomial& p : general.polynomials) p = factor * p;
+    std::vector<Point> roots;
+    for (const Point& known : member.roots) {
+      Point& x = roots.emplace_back();
+      for (const std::size_t v : block.variables) x.push_back(known[v]);
+    }
+    GivenStart start = start_from_member("family", f, general, roots);
+    start.why =
+        "the " + std::to_string(roots.size()) + " poses of " + theorem->of + " in general position";
+    return start;
+  }
+
+  SolveResult followed(const Block& block, const PartialRoot& root) {
+    const System f = system_at(formulation_.system, block, root);
+    const std::optional<GivenStart> start = general_start(block, root);
+    const auto solve_with = [&](const SolveOptions& options) {
+      return start ? solve_from(f, *start, tracker_, options, stop_)
+                   : solve(f, tracker_, options, stop_);
+    };
+    SolveOptions options = options_;
+    options.certify = false;
+    const auto paths = total_degree(degrees(f));
+    if (paths && *paths <= kPathsForOneThread) options.threads = 1;
+    const bool are_few = paths && *paths <= kPathsWithoutSearch;
+    if (options.start == StartKind::automatic && are_few) options.start = StartKind::total_degree;
+    SolveResult result = solve_with(options);
+    const auto instead = [&](SolveResult&& another) {
+      run_.work += result.work;
+      add_solving(result.time, run_.time);
+      result = std::move(another);
+    };
+    // Where paths are in doubt, roots that are proved may be as many as a proved bound allows: the paths lead to no other. And what
+    // passes for a point of a set may be proved to be a root.
+    if ((!result.complete || !result.on_sets.empty()) && !stop_ && options_.certify) {
+      instead(solve_with(options_));
+    }
+    if (start && !result.complete && !stop_) instead(solve(f, tracker_, options_, stop_));
+    return result;
+  }
+
+  void add_roots(const Block& block, const QuadraticBlock& formula, const PartialRoot& root,
+                 Stage& stage, std::vector<PartialRoot>& next) {
+    const SolveResult result = solved(block, formula, root);
+    const std::uint64_t first_path = stage.paths.tracked;
+    std::vector<PartialRoot> children;
+    for (const Solution& solution : result.solutions) {
+      children.push_back(child_of(root, block, solution));
+      children.back().path = first_path + solution.path;
+    }
+    drop_repeated_proofs(children);
+    run_.is_proved = run_.is_proved && prover_.is_on() &&
+                     has_proved_bound(result, children, formula.bound(), root.proof == nullptr);
+    for (PartialRoot& child : children) {
+      if (!is_excluded(child)) next.push_back(std::move(child));
+    }
+    for (FailedPath failure : result.failures) {
+      failure.path += first_path;
+      run_.failures.push_back(failure);
+    }
+    if (stage.solves++ == 0) {
+      stage.reduced = result.reduced;
+      run_.left_out.insert(run_.left_out.end(), result.left_out.begin(), result.left_out.end());
+    }
+    stage.paths += result.paths;
+    if (result.start.paths > run_.largest_start.paths) run_.largest_start = result.start;
     run_.work += result.work;
+    run_.time.threads = std::max(run_.time.threads, result.time.threads);
     add_solving(result.time, run_.time);
-    result = std::move(another);
-  };
-  // Where paths are in doubt, roots that are proved may be as many as a proved bound allows: the paths lead to no other. And what
-  // passes for a point of a set may be proved to be a root.
-  if ((!result.complete || !result.on_sets.empty()) && !stop_ && options_.certify) {
-    instead(solve_with(options_));
+    run_.complete = run_.complete && result.complete;
+    const bool is_dependent = result.paths.tracked == 0 && result.complete &&
+                              eliminate(system_at(formulation_.system, block, root)).verdict ==
+                                  Reduction::Verdict::dependent;
+    const bool has_set =
+        std::any_of(result.on_sets.begin(), result.on_sets.end(), [&](const Point& x) {
+          Solution on_set;
+          on_set.x = x;
+          on_set.singular = true;
+          return !is_excluded(child_of(root, block, on_set));
+        });
+    if (is_dependent || has_set) note_set(root);
   }
-  if (start && !result.complete && !stop_) instead(solve(f, tracker_, options_, stop_));
-  return result;
-}
 
-PartialRoot Stages::child_of(const PartialRoot& root, const Block& block,
-                             const Solution& solution) {
-  PartialRoot child = root;
-  for (std::size_t k = 0; k < block.variables.size(); ++k) {
-    child.value[block.variables[k]] = std::make_shared<const Known>(exactly(solution.x[k]));
+  PartialRoot child_of(const PartialRoot& root, const Block& block, const Solution& solution) {
+    PartialRoot child = root;
+    for (std::size_t k = 0; k < block.variables.size(); ++k) {
+      child.value[block.variables[k]] = std::make_shared<const Known>(exactly(solution.x[k]));
+    }
+    child.multiplicity *= solution.multiplicity;
+    child.singular |= solution.singular;
+    child.accuracy = std::max(child.accuracy, solution.accuracy);
+    child.condition = std::max(child.condition, solution.condition);
+    prove(child);
+    return child;
   }
-  child.multiplicity *= solution.multiplicity;
-  child.singular |= solution.singular;
-  child.accuracy = std::max(child.accuracy, solution.accuracy);
-  child.condition = std::max(child.condition, solution.condition);
-  prove(child);
-  return child;
-}
 
-/// Of the prover's last group.
-void Stages::prove(PartialRoot& root) {
-  if (!prover_.is_on()) return;
-  const KnownProof before = std::exchange(root.proof, nullptr);
-  if (root.singular) return;
-  Point x;
-  for (const KnownValue& value : root.value) x.push_back(value ? value->rounded : 0);
-  root.proof = prover_.prove(before, x);
-}
+  /// Of the prover's last group.
+  void prove(PartialRoot& root) {
+    if (!prover_.is_on()) return;
+    const KnownProof before = std::exchange(root.proof, nullptr);
+    if (root.singular) return;
+    Point x;
+    for (const KnownValue& value : root.value) x.push_back(value ? value->rounded : 0);
+    root.proof = prover_.prove(before, x);
+  }
 
-/// By formula, where that is clear and no start was asked for: a quadratic equation counts as its two paths.
-SolveResult Stages::solved(const Block& block, const QuadraticBlock& formula,
-                           const PartialRoot& root) {
-  auto roots = options_.start == StartKind::automatic ? formula.roots(root.value) : std::nullopt;
-  if (!roots) return followed(block, root);
-  ++formulas_;
-  SolveResult result;
-  result.complete = true;
-  result.reduced = QuadraticBlock::reduced_facts(roots->size());
-  result.paths.tracked = result.paths.finite = roots->size();
-  result.start.kind = "formula";
-  result.solutions = std::move(*roots);
-  return result;
-}
+  /// What waits for its group is one.
+  void prove_all() {
+    if (!prover_.close()) return;
+    for (PartialRoot& root : run_.roots) prove(root);
+  }
 
-void Stages::add_roots(const Block& block, const QuadraticBlock& formula, const PartialRoot& root,
-                       Stage& stage, std::vector<PartialRoot>& next) {
-  const SolveResult result = solved(block, formula, root);
-  const std::uint64_t first_path = stage.paths.tracked;
-  std::vector<PartialRoot> children;
-  for (const Solution& solution : result.solutions) {
-    children.push_back(child_of(root, block, solution));
-    children.back().path = first_path + solution.path;
+  /// Whether an exclusion has one of the block's variables.
+  bool decides_exclusions(const Block& block) const {
+    for (const Formulation::Exclusion& exclusion : formulation_.exclusions) {
+      for (const Term& term : exclusion.of.terms) {
+        for (const Power& power : term.monomial) {
+          if (std::count(block.variables.begin(), block.variables.end(), power.variable) > 0) {
+            return true;
+          }
+        }
+      }
+    }
+    return false;
   }
-  drop_repeated_proofs(children);
-  run_.is_proved = run_.is_proved && prover_.is_on() &&
-                   has_proved_bound(result, children, formula.bound(), root.proof == nullptr);
-  for (PartialRoot& child : children) {
-    if (!is_excluded(child)) next.push_back(std::move(child));
-  }
-  for (FailedPath failure : result.failures) {
-    failure.path += first_path;
-    run_.failures.push_back(failure);
-  }
-  if (stage.solves++ == 0) {
-    stage.reduced = result.reduced;
-    run_.left_out.insert(run_.left_out.end(), result.left_out.begin(), result.left_out.end());
-  }
-  stage.paths += result.paths;
-  if (result.start.paths > run_.largest_start.paths) run_.largest_start = result.start;
-  run_.work += result.work;
-  run_.time.threads = std::max(run_.time.threads, result.time.threads);
-  add_solving(result.time, run_.time);
-  run_.complete = run_.complete && result.complete;
-  const bool is_dependent = result.paths.tracked == 0 && result.complete &&
-                            eliminate(system_at(formulation_.system, block, root)).verdict ==
-                                Reduction::Verdict::dependent;
-  const bool has_set =
-      std::any_of(result.on_sets.begin(), result.on_sets.end(), [&](const Point& x) {
-        Solution on_set;
-        on_set.x = x;
-        on_set.singular = true;
-        return !is_excluded(child_of(root, block, on_set));
-      });
-  if (is_dependent || has_set) note_set(root);
-}
 
-void Stages::solve_block(const Block& block) {
-  if (run_.roots.empty()) return;
-  if (block.equations.size() == 1) {
-    Polynomial lone =
-        equation_at(formulation_.system, block, block.equations.front(), run_.roots.front());
-    if (degree(lone) == 1) return solve_lone(block, std::move(lone));
+  std::string group_name(const Block& block) const {
+    std::vector<std::string> bodies;
+    for (const std::size_t v : block.variables) {
+      for (const std::string& owner : formulation_.owners[v]) {
+        if (std::find(bodies.begin(), bodies.end(), owner) == bodies.end()) bodies.push_back(owner);
+      }
+    }
+    constexpr std::size_t kBodiesOfDyad = 2;
+    std::string text =
+        bodies.size() == kBodiesOfDyad ? "dyad" : "group of " + std::to_string(bodies.size());
+    if (bodies.size() == 1) text = "single";
+    for (const std::string& body : bodies) text += (&body == &bodies.front() ? " " : ", ") + body;
+    return text;
   }
-  prover_.close_group(block);
-  const QuadraticBlock formula(formulation_, block);
-  Stage stage;
-  stage.group = group_name(block);
-  std::vector<PartialRoot> next;
-  for (const PartialRoot& root : run_.roots) {
-    if (stop_) run_.complete = false;
-    if (stop_) break;
-    add_roots(block, formula, root, stage, next);
-  }
-  run_.paths += stage.paths;
-  run_.stages.push_back(std::move(stage));
-  run_.roots = std::move(next);
-}
+
+  const Formulation& formulation_;
+  const Tracker& tracker_;
+  const SolveOptions& options_;
+  const std::atomic<bool>& stop_;
+  RootProver& prover_;
+  StageRun run_;
+  std::size_t lone_ = 0;
+  std::uint64_t formulas_ = 0;  ///< solves by formula
+};
 
 }  // namespace
 

@@ -26,27 +26,248 @@ class Bodies {
         frame_(names(mechanism)),
         size_(Phi(mechanism).length()) {}
 
-  Formulation build() &&;
-  JointEnds ends_by_order_of_blocks() &&;
+  Formulation build() && {
+    write();
+    read_coordinates();
+    return std::move(frame_).take();
+  }
+
+  /// Pins begin at the ground, else at the body of the earliest block.
+  JointEnds ends_by_order_of_blocks() && {
+    write();
+    const System& f = frame_.result().system;
+    const BlockStructure structure = block_structure(f);
+    std::vector<std::size_t> block_of(f.variables.size(), structure.blocks.size());
+    for (std::size_t b = 0; b < structure.blocks.size(); ++b) {
+      for (const std::size_t v : structure.blocks[b].variables) block_of[v] = b;
+    }
+    return star_ends(mechanism_, [&](PointOf point) {
+      std::size_t rank =
+          0;  // the ground's, which holds no variable; of others the block, from 1 on
+      for (const Term& term : place(point).z.terms) {
+        for (const Power& power : term.monomial)
+          rank = std::max(rank, block_of[power.variable] + 1);
+      }
+      return rank;
+    });
+  }
+
   /// Slides of racks that the linear equations of what is known say, by joint.
-  std::vector<std::optional<double>> linear_slides() &&;
+  std::vector<std::optional<double>> linear_slides() && {
+    write();
+    const LinearValues values(frame_.result());
+    std::vector<std::optional<double>> slides(mechanism_.joints.size());
+    for (const Joint& joint : mechanism_.joints) {
+      if (joint.type != JointType::rack || known_.slides[number(joint)]) continue;
+      const auto twice = values.value(twice_slide(joint));
+      if (twice) slides[number(joint)] = twice->real() / 2;
+    }
+    return slides;
+  }
 
  private:
-  static std::vector<std::string> names(const Mechanism& mechanism);
-  void hold_angles();
-  void hold_known_angles(const std::vector<std::size_t>& bodies, const std::string& name);
-  void hold_second(const Joint& joint);
-  void add_positions();
-  void add_joint(const Joint& joint);
-  void add_line(const Joint& joint);
-  void add_distance(const Joint& joint, double length);
-  void add_gear(const Joint& joint);
-  void add_known_slides(const Joint& joint);
-  void add_driver(const Driver& driver);
-  void read_coordinates();
-  std::function<double(const Point&)> read_lift(const Joint& joint) const;
-  void read_follower(const Joint& joint);
-  void write();
+  static std::vector<std::string> names(const Mechanism& mechanism) {
+    std::vector<std::string> names;
+    for (std::size_t i = 1; i < mechanism.bodies.size(); ++i) {
+      names.push_back(mechanism.bodies[i].name);
+    }
+    return names;
+  }
+
+  void hold_angles() {
+    for (const Driver& driver : mechanism_.drivers) {
+      if (driver.kind != DriverKind::angle) continue;
+      frame_.hold_angle(driver.bodies[0], driver.bodies[1],
+                        unit_at(driver_state(driver.law, t_).value), "driver " + driver.name);
+    }
+    for (const Joint& joint : mechanism_.joints) {
+      if (traits(joint.type).turn != JointTurn::not_at_all) continue;
+      frame_.hold_angle(joint.at[0].body, joint.at[1].body, unit_at(joint.turn_rad), label(joint));
+    }
+    for (const Joint& joint : mechanism_.joints) {
+      if (traits(joint.type).turn != JointTurn::geared || !is_settled(joint, known_.angles))
+        continue;
+      hold_known_angles({joint.at[0].body, joint.at[1].body, joint.gear.carrier}, label(joint));
+    }
+    for (const Joint& joint : mechanism_.joints) {
+      if (joint.type == JointType::rack || joint.type == JointType::cam_lever) hold_second(joint);
+    }
+  }
+
+  void hold_known_angles(const std::vector<std::size_t>& bodies, const std::string& name) {
+    for (const std::size_t body : bodies) {
+      const auto& angle = known_.angles[body];
+      if (!angle || frame_.angle(body).root == frame_.angle(angle->root).root) continue;
+      frame_.hold_angle(angle->root, body, unit_at(angle->value), name);
+    }
+  }
+
+  /// The pinion of a rack, the lever on a cam. One that follows stands at 0 until its angle is read.
+  void hold_second(const Joint& joint) {
+    constexpr double kAgreement = 1e-9;  // as known angles agree
+    const auto& slide = known_.slides[number(joint)];
+    const std::size_t second = joint.at[1].body;
+    if (slide && disagreement(joint, *slide, known_.angles) > kAgreement) {
+      frame_.contradict(label(joint));
+    } else if (slide) {
+      hold_known_angles({turn_body(joint), second}, label(joint));
+    } else if (known_.is_followed[number(joint)]) {
+      frame_.hold_angle(0, second, {1, 0}, label(joint));
+    }
+  }
+
+  void add_positions() {
+    positions_.push_back({constant({0, 0}), constant({0, 0})});
+    for (std::size_t i = 1; i < mechanism_.bodies.size(); ++i) {
+      const std::string& name = mechanism_.bodies[i].name;
+      positions_.push_back(frame_.add_pair(name, name));
+    }
+  }
+
+  void add_joint(const Joint& joint) {
+    switch (traits(joint.type).place) {
+      case JointPlace::at_point:
+        frame_.add_equations(label(joint), without_rounding(gap(joint)));
+        return;
+      case JointPlace::on_line:
+        add_line(joint);
+        return;
+      case JointPlace::at_distance:
+        add_distance(joint, joint.length);
+        return;
+      case JointPlace::anywhere:
+        if (joint.type != JointType::cam_lever && !is_settled(joint, known_.angles))
+          add_gear(joint);
+        return;
+      case JointPlace::off_line:
+        add_known_slides(joint);
+        return;
+      case JointPlace::at_any_distance:
+        if (const Driver* driver = slide_of(joint)) {
+          add_distance(joint, driver_state(driver->law, t_).value);
+        }
+        return;
+      case JointPlace::in_plane:
+        break;
+    }
+    throw std::logic_error("a planar mechanism has no " + to_string(joint.type) + " joint");
+  }
+
+  void add_line(const Joint& joint) {
+    const Mirrored along = turned(joint.at[0].body, joint.axis[0]);
+    if (const Driver* driver = slide_of(joint)) {
+      const Coefficient s{typed_decimal(driver_state(driver->law, t_).value), 0};
+      frame_.add_equations(label(joint) + ": slide", without_rounding(gap(joint) - s * along));
+      return;
+    }
+    const Mirrored across = swapped(along) * gap(joint);
+    frame_.add_equation(label(joint) + ": line", without_rounding(across.z - across.conjugate));
+  }
+
+  void add_distance(const Joint& joint, double length) {
+    const Mirrored d = gap(joint);
+    frame_.add_equation(
+        label(joint), rounded_difference(d.z * d.conjugate, constant({signed_square(length), 0})));
+  }
+
+  void add_gear(const Joint& joint) {
+    const auto& gear = joint.gear;
+    const int common = std::gcd(gear.teeth[0], gear.teeth[1]);
+    const int zi = gear.teeth[0] / common;
+    const int zj = gear.teeth[1] / common;
+    frame_.add_turn(label(joint),
+                    {{joint.at[0].body, zi}, {gear.carrier, zj - zi}, {joint.at[1].body, -zj}},
+                    unit_at(-zj * gear.phase_rad));
+  }
+
+  /// Of a rack or a cam: what a driver says, and what an angle does; 0 for a tappet until its lift is read.
+  void add_known_slides(const Joint& joint) {
+    const auto add = [&](double slide) {
+      const Rational value = typed_decimal(slide);
+      frame_.add_equation(label(joint),
+                          without_rounding(twice_slide(joint) - constant({2 * value, 0})));
+    };
+    const Driver* driver = slide_of(joint);
+    if (driver != nullptr) add(driver_state(driver->law, t_).value);
+    const auto& slide = known_.slides[number(joint)];
+    const bool is_driven_rack = driver != nullptr && joint.type == JointType::rack;
+    if (slide && !slide->follows && !is_driven_rack) add(slide->value);
+    if (joint.type == JointType::cam && known_.is_followed[number(joint)]) add(0);
+  }
+
+  void add_driver(const Driver& driver) {
+    if (driver.kind != DriverKind::x && driver.kind != DriverKind::y) return;
+    const Mirrored at = place(driver.point);
+    const Rational value = typed_decimal(driver_state(driver.law, t_).value);
+    const std::string name = "driver " + driver.name;
+    if (driver.kind == DriverKind::x) {
+      frame_.add_equation(name, at.z + at.conjugate - constant({2 * value, 0}));
+    } else {
+      frame_.add_equation(name, at.z - at.conjugate - constant({0, 2 * value}));
+    }
+  }
+
+  void read_coordinates() {
+    using Part = Formulation::Reading::Part;
+    for (std::size_t i = 1; i < mechanism_.bodies.size(); ++i) {
+      auto& coordinates = frame_.result().coordinates;
+      coordinates.push_back({Part::re, positions_[i].z});
+      coordinates.push_back({Part::im, positions_[i].z});
+      coordinates.push_back({Part::argument, frame_.t(i).z});
+    }
+    for (const Joint& joint : mechanism_.joints) {
+      if (known_.is_followed[number(joint)]) read_follower(joint);
+    }
+  }
+
+  /// What the second body of a rack or a cam has turned or been lifted by, at a root.
+  std::function<double(const Point&)> read_lift(const Joint& joint) const {
+    if (joint.type == JointType::rack) {
+      const Coefficient per_slide{1 / (2 * typed_decimal(joint.radius)), 0};
+      return [turned = per_slide * twice_slide(joint), phase = joint.gear.phase_rad](
+                 const Point& root) { return value_at(turned, root).real() + phase; };
+    }
+    const Polynomial turned = frame_.t(joint.at[0].body).z * frame_.t(joint.gear.carrier).conjugate;
+    return [turned, phase = joint.gear.phase_rad, profile = joint.profile](const Point& root) {
+      return periodic_state(profile, std::arg(value_at(turned, root)) - phase).value;
+    };
+  }
+
+  /// A tappet stands at lift 0 in the polynomials, a pinion and a lever at angle 0.
+  void read_follower(const Joint& joint) {
+    using Part = Formulation::Reading::Part;
+    const std::size_t body = joint.at[1].body;
+    auto* const readings = frame_.result().coordinates.data() + 3 * (body - 1);
+    const auto lift = read_lift(joint);
+    const std::size_t base = joint.type == JointType::cam ? line_body(joint) : turn_body(joint);
+    const Polynomial frame = frame_.t(base).z;
+    if (joint.type == JointType::cam) {
+      const Complex along(joint.axis[0].x(), joint.axis[0].y());
+      const auto lifted = [lift, frame](const Point& root) {
+        return lift(root) * value_at(frame, root);
+      };
+      readings[0] = {Part::re, positions_[body].z, along, lifted};
+      readings[1] = {Part::im, positions_[body].z, along, lifted};
+      return;
+    }
+    const PointOf pivot = *pivot_of(mechanism_, joint);
+    const Eigen::Vector3d& at = mechanism_.bodies[body].points[pivot.point].at;
+    const Complex arm(-at.x(), -at.y());
+    const auto turned = [lift, frame](const Point& root) {
+      return std::polar(1.0, std::arg(value_at(frame, root)) + lift(root));
+    };
+    readings[0] = {Part::re, place(pivot).z, arm, turned};
+    readings[1] = {Part::im, place(pivot).z, arm, turned};
+    readings[2] = {Part::argument, {}, 1, turned};
+  }
+
+  void write() {
+    hold_angles();
+    add_positions();
+    frame_.add_angles("_");
+    for (const Driver& driver : mechanism_.drivers) add_driver(driver);
+    for (const Joint& joint : mechanism_.joints) add_joint(joint);
+  }
 
   /// A place or direction of a body's frame as a complex number, turned with the body.
   Mirrored turned(std::size_t body, const Eigen::Vector3d& at) const {
@@ -62,7 +283,29 @@ class Bodies {
     const auto& ends = ends_[number(joint)];
     return place(ends[1]) - place(ends[0]);
   }
-  Polynomial without_rounding(Polynomial p) const;
+
+  /// p, linear in lengths, without what points as typed leave where they mean nothing: a coefficient that is rounding beside the
+  /// mechanism's size would be a root at 1e16.
+  Polynomial without_rounding(Polynomial p) const {
+    constexpr double kRounding = 2e-15;  // a sum of a few lengths right to 2^-53
+    const auto has_position = [&](const Term& term) {
+      return std::any_of(term.monomial.begin(), term.monomial.end(), [&](const Power& power) {
+        return !frame_.result().is_direction[power.variable];
+      });
+    };
+    for (Term& term : p.terms) {
+      if (has_position(term)) continue;
+      const Complex size = to_complex(term.coefficient);
+      if (std::abs(size.real()) <= kRounding * size_) term.coefficient.re = 0;
+      if (std::abs(size.imag()) <= kRounding * size_) term.coefficient.im = 0;
+    }
+    const auto is_nothing = [](const Term& term) {
+      return term.coefficient.re.is_zero() && term.coefficient.im.is_zero();
+    };
+    p.terms.erase(std::remove_if(p.terms.begin(), p.terms.end(), is_nothing), p.terms.end());
+    return p;
+  }
+
   Mirrored without_rounding(const Mirrored& z) const {
     return {without_rounding(z.z), without_rounding(z.conjugate)};
   }
@@ -76,7 +319,14 @@ class Bodies {
   }
   std::string label(const Joint& joint) const { return to_string(joint.type) + " " + joint.name; }
   /// The driver of this joint's slide, if there is one.
-  const Driver* slide_of(const Joint& joint) const;
+  const Driver* slide_of(const Joint& joint) const {
+    for (const Driver& driver : mechanism_.drivers) {
+      if (driver.kind == DriverKind::slide && &mechanism_.joints[driver.joint] == &joint) {
+        return &driver;
+      }
+    }
+    return nullptr;
+  }
 
   const Mechanism& mechanism_;
   double t_;
@@ -86,274 +336,6 @@ class Bodies {
   double size_;  ///< of the mechanism
   std::vector<Mirrored> positions_;
 };
-
-std::vector<std::string> Bodies::names(const Mechanism& mechanism) {
-  std::vector<std::string> names;
-  for (std::size_t i = 1; i < mechanism.bodies.size(); ++i) {
-    names.push_back(mechanism.bodies[i].name);
-  }
-  return names;
-}
-
-void Bodies::hold_angles() {
-  for (const Driver& driver : mechanism_.drivers) {
-    if (driver.kind != DriverKind::angle) continue;
-    frame_.hold_angle(driver.bodies[0], driver.bodies[1],
-                      unit_at(driver_state(driver.law, t_).value), "driver " + driver.name);
-  }
-  for (const Joint& joint : mechanism_.joints) {
-    if (traits(joint.type).turn != JointTurn::not_at_all) continue;
-    frame_.hold_angle(joint.at[0].body, joint.at[1].body, unit_at(joint.turn_rad), label(joint));
-  }
-  for (const Joint& joint : mechanism_.joints) {
-    if (traits(joint.type).turn != JointTurn::geared || !is_settled(joint, known_.angles)) continue;
-    hold_known_angles({joint.at[0].body, joint.at[1].body, joint.gear.carrier}, label(joint));
-  }
-  for (const Joint& joint : mechanism_.joints) {
-    if (joint.type == JointType::rack || joint.type == JointType::cam_lever) hold_second(joint);
-  }
-}
-
-void Bodies::hold_known_angles(const std::vector<std::size_t>& bodies, const std::string& name) {
-  for (const std::size_t body : bodies) {
-    const auto& angle = known_.angles[body];
-    if (!angle || frame_.angle(body).root == frame_.angle(angle->root).root) continue;
-    frame_.hold_angle(angle->root, body, unit_at(angle->value), name);
-  }
-}
-
-/// The pinion of a rack, the lever on a cam. One that follows stands at 0 until its angle is read.
-void Bodies::hold_second(const Joint& joint) {
-  constexpr double kAgreement = 1e-9;  // as known angles agree
-  const auto& slide = known_.slides[number(joint)];
-  const std::size_t second = joint.at[1].body;
-  if (slide && disagreement(joint, *slide, known_.angles) > kAgreement) {
-    frame_.contradict(label(joint));
-  } else if (slide) {
-    hold_known_angles({turn_body(joint), second}, label(joint));
-  } else if (known_.is_followed[number(joint)]) {
-    frame_.hold_angle(0, second, {1, 0}, label(joint));
-  }
-}
-
-void Bodies::add_positions() {
-  positions_.push_back({constant({0, 0}), constant({0, 0})});
-  for (std::size_t i = 1; i < mechanism_.bodies.size(); ++i) {
-    const std::string& name = mechanism_.bodies[i].name;
-    positions_.push_back(frame_.add_pair(name, name));
-  }
-}
-
-/// p, linear in lengths, without what points as typed leave where they mean nothing: a coefficient that is rounding beside the
-/// mechanism's size would be a root at 1e16.
-Polynomial Bodies::without_rounding(Polynomial p) const {
-  constexpr double kRounding = 2e-15;  // a sum of a few lengths right to 2^-53
-  const auto has_position = [&](const Term& term) {
-    return std::any_of(term.monomial.begin(), term.monomial.end(), [&](const Power& power) {
-      return !frame_.result().is_direction[power.variable];
-    });
-  };
-  for (Term& term : p.terms) {
-    if (has_position(term)) continue;
-    const Complex size = to_complex(term.coefficient);
-    if (std::abs(size.real()) <= kRounding * size_) term.coefficient.re = 0;
-    if (std::abs(size.imag()) <= kRounding * size_) term.coefficient.im = 0;
-  }
-  const auto is_nothing = [](const Term& term) {
-    return term.coefficient.re.is_zero() && term.coefficient.im.is_zero();
-  };
-  p.terms.erase(std::remove_if(p.terms.begin(), p.terms.end(), is_nothing), p.terms.end());
-  return p;
-}
-
-const Driver* Bodies::slide_of(const Joint& joint) const {
-  for (const Driver& driver : mechanism_.drivers) {
-    if (driver.kind == DriverKind::slide && &mechanism_.joints[driver.joint] == &joint) {
-      return &driver;
-    }
-  }
-  return nullptr;
-}
-
-void Bodies::add_line(const Joint& joint) {
-  const Mirrored along = turned(joint.at[0].body, joint.axis[0]);
-  if (const Driver* driver = slide_of(joint)) {
-    const Coefficient s{typed_decimal(driver_state(driver->law, t_).value), 0};
-    frame_.add_equations(label(joint) + ": slide", without_rounding(gap(joint) - s * along));
-    return;
-  }
-  const Mirrored across = swapped(along) * gap(joint);
-  frame_.add_equation(label(joint) + ": line", without_rounding(across.z - across.conjugate));
-}
-
-void Bodies::add_gear(const Joint& joint) {
-  const auto& gear = joint.gear;
-  const int common = std::gcd(gear.teeth[0], gear.teeth[1]);
-  const int zi = gear.teeth[0] / common;
-  const int zj = gear.teeth[1] / common;
-  frame_.add_turn(label(joint),
-                  {{joint.at[0].body, zi}, {gear.carrier, zj - zi}, {joint.at[1].body, -zj}},
-                  unit_at(-zj * gear.phase_rad));
-}
-
-void Bodies::add_distance(const Joint& joint, double length) {
-  const Mirrored d = gap(joint);
-  frame_.add_equation(label(joint),
-                      rounded_difference(d.z * d.conjugate, constant({signed_square(length), 0})));
-}
-
-/// Of a rack or a cam: what a driver says, and what an angle does; 0 for a tappet until its lift is read.
-void Bodies::add_known_slides(const Joint& joint) {
-  const auto add = [&](double slide) {
-    const Rational value = typed_decimal(slide);
-    frame_.add_equation(label(joint),
-                        without_rounding(twice_slide(joint) - constant({2 * value, 0})));
-  };
-  const Driver* driver = slide_of(joint);
-  if (driver != nullptr) add(driver_state(driver->law, t_).value);
-  const auto& slide = known_.slides[number(joint)];
-  const bool is_driven_rack = driver != nullptr && joint.type == JointType::rack;
-  if (slide && !slide->follows && !is_driven_rack) add(slide->value);
-  if (joint.type == JointType::cam && known_.is_followed[number(joint)]) add(0);
-}
-
-void Bodies::add_joint(const Joint& joint) {
-  switch (traits(joint.type).place) {
-    case JointPlace::at_point:
-      frame_.add_equations(label(joint), without_rounding(gap(joint)));
-      return;
-    case JointPlace::on_line:
-      add_line(joint);
-      return;
-    case JointPlace::at_distance:
-      add_distance(joint, joint.length);
-      return;
-    case JointPlace::anywhere:
-      if (joint.type != JointType::cam_lever && !is_settled(joint, known_.angles)) add_gear(joint);
-      return;
-    case JointPlace::off_line:
-      add_known_slides(joint);
-      return;
-    case JointPlace::at_any_distance:
-      if (const Driver* driver = slide_of(joint)) {
-        add_distance(joint, driver_state(driver->law, t_).value);
-      }
-      return;
-    case JointPlace::in_plane:
-      break;
-  }
-  throw std::logic_error("a planar mechanism has no " + to_string(joint.type) + " joint");
-}
-
-void Bodies::add_driver(const Driver& driver) {
-  if (driver.kind != DriverKind::x && driver.kind != DriverKind::y) return;
-  const Mirrored at = place(driver.point);
-  const Rational value = typed_decimal(driver_state(driver.law, t_).value);
-  const std::string name = "driver " + driver.name;
-  if (driver.kind == DriverKind::x) {
-    frame_.add_equation(name, at.z + at.conjugate - constant({2 * value, 0}));
-  } else {
-    frame_.add_equation(name, at.z - at.conjugate - constant({0, 2 * value}));
-  }
-}
-
-void Bodies::read_coordinates() {
-  using Part = Formulation::Reading::Part;
-  for (std::size_t i = 1; i < mechanism_.bodies.size(); ++i) {
-    auto& coordinates = frame_.result().coordinates;
-    coordinates.push_back({Part::re, positions_[i].z});
-    coordinates.push_back({Part::im, positions_[i].z});
-    coordinates.push_back({Part::argument, frame_.t(i).z});
-  }
-  for (const Joint& joint : mechanism_.joints) {
-    if (known_.is_followed[number(joint)]) read_follower(joint);
-  }
-}
-
-/// What the second body of a rack or a cam has turned or been lifted by, at a root.
-std::function<double(const Point&)> Bodies::read_lift(const Joint& joint) const {
-  if (joint.type == JointType::rack) {
-    const Coefficient per_slide{1 / (2 * typed_decimal(joint.radius)), 0};
-    return [turned = per_slide * twice_slide(joint), phase = joint.gear.phase_rad](
-               const Point& root) { return value_at(turned, root).real() + phase; };
-  }
-  const Polynomial turned = frame_.t(joint.at[0].body).z * frame_.t(joint.gear.carrier).conjugate;
-  return [turned, phase = joint.gear.phase_rad, profile = joint.profile](const Point& root) {
-    return periodic_state(profile, std::arg(value_at(turned, root)) - phase).value;
-  };
-}
-
-/// A tappet stands at lift 0 in the polynomials, a pinion and a lever at angle 0.
-void Bodies::read_follower(const Joint& joint) {
-  using Part = Formulation::Reading::Part;
-  const std::size_t body = joint.at[1].body;
-  auto* const readings = frame_.result().coordinates.data() + 3 * (body - 1);
-  const auto lift = read_lift(joint);
-  const std::size_t base = joint.type == JointType::cam ? line_body(joint) : turn_body(joint);
-  const Polynomial frame = frame_.t(base).z;
-  if (joint.type == JointType::cam) {
-    const Complex along(joint.axis[0].x(), joint.axis[0].y());
-    const auto lifted = [lift, frame](const Point& root) {
-      return lift(root) * value_at(frame, root);
-    };
-    readings[0] = {Part::re, positions_[body].z, along, lifted};
-    readings[1] = {Part::im, positions_[body].z, along, lifted};
-    return;
-  }
-  const PointOf pivot = *pivot_of(mechanism_, joint);
-  const Eigen::Vector3d& at = mechanism_.bodies[body].points[pivot.point].at;
-  const Complex arm(-at.x(), -at.y());
-  const auto turned = [lift, frame](const Point& root) {
-    return std::polar(1.0, std::arg(value_at(frame, root)) + lift(root));
-  };
-  readings[0] = {Part::re, place(pivot).z, arm, turned};
-  readings[1] = {Part::im, place(pivot).z, arm, turned};
-  readings[2] = {Part::argument, {}, 1, turned};
-}
-
-void Bodies::write() {
-  hold_angles();
-  add_positions();
-  frame_.add_angles("_");
-  for (const Driver& driver : mechanism_.drivers) add_driver(driver);
-  for (const Joint& joint : mechanism_.joints) add_joint(joint);
-}
-
-Formulation Bodies::build() && {
-  write();
-  read_coordinates();
-  return std::move(frame_).take();
-}
-
-/// Pins begin at the ground, else at the body of the earliest block.
-JointEnds Bodies::ends_by_order_of_blocks() && {
-  write();
-  const System& f = frame_.result().system;
-  const BlockStructure structure = block_structure(f);
-  std::vector<std::size_t> block_of(f.variables.size(), structure.blocks.size());
-  for (std::size_t b = 0; b < structure.blocks.size(); ++b) {
-    for (const std::size_t v : structure.blocks[b].variables) block_of[v] = b;
-  }
-  return star_ends(mechanism_, [&](PointOf point) {
-    std::size_t rank = 0;  // the ground's, which holds no variable; of others the block, from 1 on
-    for (const Term& term : place(point).z.terms) {
-      for (const Power& power : term.monomial) rank = std::max(rank, block_of[power.variable] + 1);
-    }
-    return rank;
-  });
-}
-
-std::vector<std::optional<double>> Bodies::linear_slides() && {
-  write();
-  const LinearValues values(frame_.result());
-  std::vector<std::optional<double>> slides(mechanism_.joints.size());
-  for (const Joint& joint : mechanism_.joints) {
-    if (joint.type != JointType::rack || known_.slides[number(joint)]) continue;
-    const auto twice = values.value(twice_slide(joint));
-    if (twice) slides[number(joint)] = twice->real() / 2;
-  }
-  return slides;
-}
 
 }  // namespace
 

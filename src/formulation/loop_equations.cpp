@@ -67,11 +67,80 @@ class LoopEquations {
  public:
   LoopEquations(SpatialFrame& frame, JointLoop loop) : frame_(frame), loop_(std::move(loop)) {}
 
-  void add_general();
-  void add_decoupled();
-  void add_short();
-  void add_turns_first();
-  void add_slides();
+  /// E_1 D_23 E_4 in the space of 5 and 6.
+  void add_general() {
+    const DyadSpace outer = dyad_at(4);
+    const std::array<Polynomial, 4> inner = add_inner_dyad();
+    add_quadric(frame_, e(1), inner);
+    const MovingPose pose = element(0) * pose_in(dyad_at(1), inner) * element(3);
+    // whole^-1 E_1 D_23 E_4 = conj(E_5 E_6), whose conjugate lies in the space of E_5 E_6.
+    const MovingPose rest = conjugate(conjugate(whole()) * pose);
+    exclude(0);
+    exclude(3);
+    in_space(rest, outer);
+    add_half_angles(frame_, e(4), e(5), coordinates_in(outer, rest));
+  }
+
+  /// E_1 D_23 in the space of 4, 5 and 6, which E_4 does not leave.
+  void add_decoupled() {
+    const DyadSpace outer = dyad_at(4);
+    // Inside V Study's quadric holds, and with it the dyad's.
+    const MovingPose pose = element(0) * pose_in(dyad_at(1), add_inner_dyad());
+    const MovingPose rest = conjugate(conjugate(whole()) * pose);  // E_4 E_5 E_6
+    exclude(0);
+    in_space(rest, outer);
+    const std::array<Polynomial, 4> c = coordinates_in(outer, conjugate(element(3)) * rest);
+    add_quadric(frame_, e(4), c);
+    exclude(3);
+    add_half_angles(frame_, e(4), e(5), c);
+  }
+
+  /// Three to five elements: E_1 D_23 ... , the last dyad in its space, where it need not be on the quadric. Four equations of the
+  /// space come first: of five elements they alone have 4 paths, and the quadrics are checks.
+  void add_short() {
+    const std::size_t last = loop_.elements.size() - 2;
+    const bool has_inner_dyad = last == 3;
+    MovingPose rest = to_moving(conjugate(loop_.whole));
+    std::array<Polynomial, 4> inner;
+    if (has_inner_dyad) {
+      inner = add_inner_dyad();
+      rest = rest * element(0) * pose_in(dyad_at(1), inner);
+      exclude(0);
+    } else {
+      for (std::size_t k = 0; k < last; ++k) {
+        rest = rest * element(k);
+        exclude(k);
+      }
+    }
+    rest = conjugate(rest);
+    const DyadSpace outer = dyad_at(last);
+    in_space(rest, outer);
+    if (has_inner_dyad) add_quadric(frame_, e(1), inner);
+    const std::array<Polynomial, 4> c = coordinates_in(outer, rest);
+    add_quadric(frame_, e(last), c);
+    add_half_angles(frame_, e(last), e(last + 1), c);
+  }
+
+  /// Three turns and three slides: the turns alone close like a spherical loop, and then the slides are linear.
+  void add_turns_first() {
+    JointLoop turns{{}, {loop_.whole.q, {}}};
+    for (LoopElement element : loop_.elements) {
+      if (!element.is_turn) continue;
+      element.axis.g = {};
+      turns.elements.push_back(std::move(element));
+    }
+    LoopEquations(frame_, std::move(turns)).add_short();
+    add_shift();
+  }
+
+  /// Slides alone turn nothing: what turns once round the loop must stand, and the slides are linear.
+  void add_slides() {
+    constexpr double kTurned = 1;
+    for (std::size_t k = 1; k < loop_.whole.q.size(); ++k) {
+      frame_.add_equation("loop", without_noise(to_moving(loop_.whole).q[k], kTurned));
+    }
+    add_shift();
+  }
 
  private:
   const LoopElement& e(std::size_t k) const { return loop_.elements[k]; }
@@ -79,119 +148,41 @@ class LoopEquations {
   MovingPose whole() const { return to_moving(loop_.whole); }
   void exclude(std::size_t k) { exclude_endless(frame_, e(k)); }
   DyadSpace dyad_at(std::size_t k) const { return dyad_space(e(k), e(k + 1), frame_.length()); }
-  std::array<Polynomial, 4> add_inner_dyad();
-  void in_space(const MovingPose& pose, const DyadSpace& space);
-  void add_shift();
+
+  /// Unknown coordinates for the dyad of elements 1 and 2, with their half angles.
+  std::array<Polynomial, 4> add_inner_dyad() {
+    const std::array<Polynomial, 4> c = add_dyad_coordinates(frame_, e(1), e(2));
+    add_half_angles(frame_, e(1), e(2), c);
+    return c;
+  }
+
+  void in_space(const MovingPose& pose, const DyadSpace& space) {
+    double size = 0;
+    for (std::size_t k = 0; k < kEntries; ++k) {
+      size = std::max(size, largest_coefficient(entry(pose, k)) / (k < 4 ? 1 : frame_.length()));
+    }
+    for (const auto& normal : space.normals) {
+      Polynomial sum;
+      for (std::size_t k = 0; k < kEntries; ++k) {
+        sum = sum + Coefficient{normal[k], 0} * entry(pose, k);
+      }
+      frame_.add_equation("loop", without_noise(std::move(sum), size));
+    }
+  }
+
+  /// The loop's displacement is none, where its turn is none.
+  void add_shift() {
+    MovingPose rest = conjugate(whole());
+    for (std::size_t k = 0; k < loop_.elements.size(); ++k) rest = rest * element(k);
+    const char* const parts[] = {"x", "y", "z"};
+    for (std::size_t k = 0; k < std::size(parts); ++k) {
+      frame_.add_equation(std::string("loop: ") + parts[k], rest.g[k + 1]);
+    }
+  }
 
   SpatialFrame& frame_;
   JointLoop loop_;
 };
-
-/// Unknown coordinates for the dyad of elements 1 and 2, with their half angles.
-std::array<Polynomial, 4> LoopEquations::add_inner_dyad() {
-  const std::array<Polynomial, 4> c = add_dyad_coordinates(frame_, e(1), e(2));
-  add_half_angles(frame_, e(1), e(2), c);
-  return c;
-}
-
-void LoopEquations::in_space(const MovingPose& pose, const DyadSpace& space) {
-  double size = 0;
-  for (std::size_t k = 0; k < kEntries; ++k) {
-    size = std::max(size, largest_coefficient(entry(pose, k)) / (k < 4 ? 1 : frame_.length()));
-  }
-  for (const auto& normal : space.normals) {
-    Polynomial sum;
-    for (std::size_t k = 0; k < kEntries; ++k) {
-      sum = sum + Coefficient{normal[k], 0} * entry(pose, k);
-    }
-    frame_.add_equation("loop", without_noise(std::move(sum), size));
-  }
-}
-
-/// E_1 D_23 E_4 in the space of 5 and 6.
-void LoopEquations::add_general() {
-  const DyadSpace outer = dyad_at(4);
-  const std::array<Polynomial, 4> inner = add_inner_dyad();
-  add_quadric(frame_, e(1), inner);
-  const MovingPose pose = element(0) * pose_in(dyad_at(1), inner) * element(3);
-  // whole^-1 E_1 D_23 E_4 = conj(E_5 E_6), whose conjugate lies in the space of E_5 E_6.
-  const MovingPose rest = conjugate(conjugate(whole()) * pose);
-  exclude(0);
-  exclude(3);
-  in_space(rest, outer);
-  add_half_angles(frame_, e(4), e(5), coordinates_in(outer, rest));
-}
-
-/// E_1 D_23 in the space of 4, 5 and 6, which E_4 does not leave.
-void LoopEquations::add_decoupled() {
-  const DyadSpace outer = dyad_at(4);
-  // Inside V Study's quadric holds, and with it the dyad's.
-  const MovingPose pose = element(0) * pose_in(dyad_at(1), add_inner_dyad());
-  const MovingPose rest = conjugate(conjugate(whole()) * pose);  // E_4 E_5 E_6
-  exclude(0);
-  in_space(rest, outer);
-  const std::array<Polynomial, 4> c = coordinates_in(outer, conjugate(element(3)) * rest);
-  add_quadric(frame_, e(4), c);
-  exclude(3);
-  add_half_angles(frame_, e(4), e(5), c);
-}
-
-/// Three to five elements: E_1 D_23 ... , the last dyad in its space, where it need not be on the quadric. Four equations of the
-/// space come first: of five elements they alone have 4 paths, and the quadrics are checks.
-void LoopEquations::add_short() {
-  const std::size_t last = loop_.elements.size() - 2;
-  const bool has_inner_dyad = last == 3;
-  MovingPose rest = to_moving(conjugate(loop_.whole));
-  std::array<Polynomial, 4> inner;
-  if (has_inner_dyad) {
-    inner = add_inner_dyad();
-    rest = rest * element(0) * pose_in(dyad_at(1), inner);
-    exclude(0);
-  } else {
-    for (std::size_t k = 0; k < last; ++k) {
-      rest = rest * element(k);
-      exclude(k);
-    }
-  }
-  rest = conjugate(rest);
-  const DyadSpace outer = dyad_at(last);
-  in_space(rest, outer);
-  if (has_inner_dyad) add_quadric(frame_, e(1), inner);
-  const std::array<Polynomial, 4> c = coordinates_in(outer, rest);
-  add_quadric(frame_, e(last), c);
-  add_half_angles(frame_, e(last), e(last + 1), c);
-}
-
-/// Three turns and three slides: the turns alone close like a spherical loop, and then the slides are linear.
-void LoopEquations::add_turns_first() {
-  JointLoop turns{{}, {loop_.whole.q, {}}};
-  for (LoopElement element : loop_.elements) {
-    if (!element.is_turn) continue;
-    element.axis.g = {};
-    turns.elements.push_back(std::move(element));
-  }
-  LoopEquations(frame_, std::move(turns)).add_short();
-  add_shift();
-}
-
-/// Slides alone turn nothing: what turns once round the loop must stand, and the slides are linear.
-void LoopEquations::add_slides() {
-  constexpr double kTurned = 1;
-  for (std::size_t k = 1; k < loop_.whole.q.size(); ++k) {
-    frame_.add_equation("loop", without_noise(to_moving(loop_.whole).q[k], kTurned));
-  }
-  add_shift();
-}
-
-/// The loop's displacement is none, where its turn is none.
-void LoopEquations::add_shift() {
-  MovingPose rest = conjugate(whole());
-  for (std::size_t k = 0; k < loop_.elements.size(); ++k) rest = rest * element(k);
-  const char* const parts[] = {"x", "y", "z"};
-  for (std::size_t k = 0; k < std::size(parts); ++k) {
-    frame_.add_equation(std::string("loop: ") + parts[k], rest.g[k + 1]);
-  }
-}
 
 }  // namespace
 

@@ -38,13 +38,46 @@ struct PairStep {
   double length = 0;
 };
 
+/// The cubic through both ends of a step with their tangents.
+PairVector hermite(const PairStep& step, double x) {
+  const double h = step.length;
+  const double r = x / h;
+  const PairVector end = step.b.tangent / step.a.tangent.dot(step.b.tangent);
+  const double up = r * r * (3 - 2 * r);
+  return (1 - up) * step.a.y + up * step.b.y + (h * r * (1 - r) * (1 - r)) * step.a.tangent -
+         (h * r * r * (1 - r)) * end;
+}
+
 class PairFollower {
  public:
   PairFollower(const PairEquations& equations, const std::vector<double>& times,
                const PassingPair& passing, const std::atomic<bool>& stop)
       : equations_(equations), times_(times), passing_(passing), stop_(stop) {}
 
-  PairCurve run(const Point& x, double time, bool forwards);
+  PairCurve run(const Point& x, double time, bool forwards) {
+    curve_.last = time;
+    curve_.is_lost = true;
+    if (!has_begun(x, time, forwards)) return curve_;
+    for (int k = 0; k < kMostPairSteps && !stop_; ++k) {
+      const double rate_now = rate(at_);
+      const double border = rate_now > 0 ? 1 : 0;
+      const double to_go = std::abs(rate_now) > 0 ? (border - tau(at_)) / rate_now : kFarAway;
+      curve_.is_lost = to_go > 0;
+      if (to_go <= 0) return curve_;  // at a border, and on the way out
+      h_ = std::min({h_, kLongestPairStep * at_.y.norm(), kLongestPairTime / std::abs(rate_now)});
+      if (h_ < kShortestPairStep || at_.y.norm() > kFarAway) return curve_;
+      const bool is_last = h_ >= 0.9 * to_go;
+      const auto step = is_last ? last_step(border) : tried(h_);
+      if (!step) {
+        h_ = (is_last ? std::min(h_, to_go) : h_) / 2;
+        continue;
+      }
+      if (!advance(*step) || is_last) return curve_;
+      curve_.is_lost = true;
+      h_ *= 1.7;
+    }
+    return curve_;
+  }
 
  private:
   double s(const PairPoint& point) const { return point.y[equations_.at_s()].real(); }
@@ -53,25 +86,259 @@ class PairFollower {
   double rate(const PairPoint& point) const { return point.tangent[equations_.at_tau()].real(); }
   double time(const PairPoint& point) const { return equations_.time(tau(point)); }
 
-  std::optional<PairPoint> between(const PairStep& step, double x) const;
-  std::optional<PairStep> tried(double h);
-  std::optional<PairStep> last_step(double border) const;
-  bool is_known_within(const PairStep& step, const PairVector& predicted) const;
+  /// The curve's point at x of a step that begins at at_.
+  std::optional<PairPoint> between(const PairStep& step, double x) const {
+    const double offset = at_.tangent.dot(at_.y).real() + x;
+    return equations_.corrected(hermite(step, x), base_, at_.tangent, offset, at_.tangent);
+  }
+
+  /// A step of length h; nullopt where it is too long for the curve.
+  std::optional<PairStep> tried(double h) {
+    const PairVector predicted = at_.y + h * at_.tangent + (h * h / 2) * bend_;
+    const double offset = at_.tangent.dot(at_.y).real() + h;
+    const auto b = equations_.corrected(predicted, base_, at_.tangent, offset, at_.tangent);
+    if (!b) return std::nullopt;
+    PairStep step{at_, *b, h};
+    if (!is_known_within(step, predicted)) return std::nullopt;
+    return step;
+  }
+
+  /// To tau = border, which is near.
+  std::optional<PairStep> last_step(double border) const {
+    const double h = (border - tau(at_)) / rate(at_);
+    const PairVector predicted = at_.y + h * at_.tangent;
+    const PairVector across = PairVector::Unit(at_.y.size(), equations_.at_tau());
+    const auto b = equations_.corrected(predicted, base_, across, border, at_.tangent);
+    if (!b) return std::nullopt;
+    PairStep step{at_, *b, at_.tangent.dot(b->y - at_.y).real()};
+    if (!is_known_within(step, predicted)) return std::nullopt;
+    return step;
+  }
+
+  /// Whether the step's end is where it was predicted, s and its slope above all: then s has no maximum that its slopes hide.
+  bool is_known_within(const PairStep& step, const PairVector& predicted) const {
+    const PairVector miss = step.b.y - predicted;
+    const Index at = equations_.at_s();
+    const double most_of_s = std::max(std::abs(s(step.a)), std::abs(s(step.b)));
+    const double slope_miss = slope(step.b) - slope(step.a) - step.length * bend_[at].real();
+    const double most_of_slope = std::abs(slope(step.a)) + std::abs(slope(step.b));
+    return step.a.tangent.dot(step.b.tangent).real() >= kLeastCosine &&
+           miss.norm() <= kMostMiss * step.length &&
+           std::abs(miss[at]) <= kMostMissOfS * most_of_s + kNoiseOfS &&
+           std::abs(slope_miss) <= kMostMissOfSlope * most_of_slope + kNoiseOfS / step.length;
+  }
+
   struct Meeting {
     double time = 0;
     Point x;  ///< both roots
   };
-  Meeting zero_of_s(const PairStep& step, double below, double above) const;
-  Meeting meeting_at(PairVector y) const;
+
+  /// Where s changes its sign between two places of a step, by regula falsi (Illinois).
+  Meeting zero_of_s(const PairStep& step, double below, double above) const {
+    constexpr int kMostRounds = 60;
+    const auto s_at = [&](double x) {
+      const auto point = between(step, x);
+      return point ? s(*point) : hermite(step, x)[equations_.at_s()].real();
+    };
+    double f_below = s_at(below);
+    double f_above = s_at(above);
+    double x = above;
+    for (int k = 0; k < kMostRounds; ++k) {
+      x = above - f_above * (above - below) / (f_above - f_below);
+      const double f = s_at(x);
+      if (f == 0 || std::abs(above - below) <= 1e-15 * step.length) break;
+      if (f > 0) {
+        above = x;
+        f_above = f;
+        f_below /= 2;
+      } else {
+        below = x;
+        f_below = f;
+        f_above /= 2;
+      }
+      if (std::abs(f) <= kNoiseOfS / 10) break;
+    }
+    const auto point = between(step, x);
+    return meeting_at(point ? point->y : hermite(step, x));
+  }
+
+  Meeting meeting_at(PairVector y) const {
+    y[equations_.at_s()] = 0;
+    return {equations_.time(y[equations_.at_tau()].real()), equations_.roots(y).front()};
+  }
+
   void take_life(const Meeting& one, const Meeting& other, double at,
-                 const std::array<Point, 2>& roots);
-  void locate_maximum(const PairStep& step);
-  void take_brief(const PairPoint& top);
-  bool goes_back_while_real(const PairStep& step) const;
-  void watch(const PairStep& step);
-  bool pass(const PairStep& step) const;
-  bool has_begun(const Point& x, double time, bool forwards);
-  bool advance(const PairStep& step);
+                 const std::array<Point, 2>& roots) {
+    const bool is_ascending = one.time < other.time;
+    const Meeting& first = is_ascending ? one : other;
+    const Meeting& last = is_ascending ? other : one;
+    curve_.borders.insert(curve_.borders.end(), {first.time, last.time});
+    curve_.short_lives.push_back({{first.time, last.time}, at, roots, {first.x, last.x}});
+  }
+
+  /// s rises at the beginning of the step and falls at its end: how high does it come?
+  void locate_maximum(const PairStep& step) {
+    constexpr int kMostRounds = 50;
+    constexpr double kPlace = 1e-7;
+    double low = 0;
+    double high = step.length;
+    std::optional<PairPoint> top;
+    double x = 0;
+    for (int k = 0; k < kMostRounds && high - low > kPlace * step.length; ++k) {
+      // The maximum of a parabola by its slopes, and halves where that creeps.
+      const auto lower = between(step, low);
+      const auto upper = between(step, high);
+      if (!lower || !upper) break;
+      const double share = slope(*lower) / (slope(*lower) - slope(*upper));
+      x = low + (k % 3 == 2 ? 0.5 : std::clamp(share, 0.001, 0.999)) * (high - low);
+      top = between(step, x);
+      if (!top) break;
+      (slope(*top) > 0 ? low : high) = x;
+      if (std::abs(slope(*top)) * (high - low) <= kNoiseOfS / 10) break;
+    }
+    if (!top || s(*top) < -kNearZero) return;
+    if (rate(*top) * rate(step.a) < 0) return curve_.fold_backs.push_back(time(*top));
+    if (s(*top) <= kNearZero) return take_brief(*top);
+    take_life(zero_of_s(step, 0, x), zero_of_s(step, step.length, x), time(*top),
+              equations_.roots(top->y));
+  }
+
+  /// A maximum so near to zero that double does not tell its sign: the parabola through three points known better.
+  void take_brief(const PairPoint& top) {
+    // In tau, from round to round: the cubic term that the parabola lacks falls with its third power.
+    constexpr std::array<double, 3> kReaches{1e-6, 1e-8, 1e-10};
+    // Zeros that are nearer to each other are one time.
+    constexpr double kOneTime = 1e-12;
+    double centre = tau(top);
+    double half_life = 0;
+    const auto at = [&](double there) -> PairVector {
+      PairVector y = top.y + (there - tau(top)) / rate(top) * top.tangent;
+      y[equations_.at_tau()] = there;
+      return equations_.normalized(y);
+    };
+    bool is_real = false;
+    for (const double least_reach : kReaches) {
+      const double reach = std::max(least_reach, half_life);
+      const auto s0 = equations_.sharp_s(at(centre));
+      const auto s1 = equations_.sharp_s(at(centre - reach));
+      const auto s2 = equations_.sharp_s(at(centre + reach));
+      const double bend = s0 && s1 && s2 ? (*s1 - *s0 + (*s2 - *s0)) / (2 * reach * reach) : 0;
+      if (!(bend < 0)) return curve_.undecided.push_back(equations_.time(centre));
+      const double slope_there = (*s2 - *s1) / (2 * reach);
+      const double height = *s0 - slope_there * slope_there / (4 * bend);
+      centre -= slope_there / (2 * bend);
+      half_life = std::sqrt(std::abs(height / bend));
+      is_real = height > 0;
+    }
+    if (2 * half_life <= kOneTime) return curve_.undecided.push_back(equations_.time(centre));
+    if (!is_real) return;
+    PairVector middle = at(centre);
+    const auto s_there = equations_.sharp_s(middle);
+    if (!s_there) return curve_.undecided.push_back(equations_.time(centre));
+    middle[equations_.at_s()] = *s_there;
+    take_life(meeting_at(at(centre - half_life)), meeting_at(at(centre + half_life)),
+              equations_.time(centre), equations_.roots(middle));
+  }
+
+  /// Whether the time goes back at a place of the step where s > 0, as in a fold-back that is shorter than the step.
+  bool goes_back_while_real(const PairStep& step) const {
+    constexpr int kPlaces = 32;
+    for (int k = 1; k < kPlaces; ++k) {
+      const auto point = between(step, step.length * k / kPlaces);
+      if (point && s(*point) > 0 && rate(*point) * rate(step.a) < 0) return true;
+    }
+    return false;
+  }
+
+  /// What s and the time do within the step.
+  void watch(const PairStep& step) {
+    const double begin = s(step.a);
+    const double end = s(step.b);
+    if (begin < 0 && end < 0 && slope(step.a) > 0 && slope(step.b) < 0) locate_maximum(step);
+    if ((begin < 0) != (end < 0)) {
+      const bool turns_within = goes_back_while_real(step);
+      const Meeting meeting =
+          begin < 0 ? zero_of_s(step, 0, step.length) : zero_of_s(step, step.length, 0);
+      curve_.borders.push_back(meeting.time);
+      if (begin < 0) {
+        met_ = meeting;
+        life_ = equations_.roots(step.b.y);
+        life_at_ = time(step.b);
+        has_turned_ = turns_within;
+      } else if (met_) {
+        if (has_turned_ || turns_within) {
+          curve_.fold_backs.push_back(life_at_);
+        } else {
+          take_life(*met_, meeting, life_at_, life_);
+        }
+        met_.reset();
+      }
+    }
+    if (rate(step.a) * rate(step.b) < 0) {
+      has_turned_ = true;
+      double turn = tau(step.a);
+      constexpr int kPlaces = 64;
+      for (int k = 1; k <= kPlaces; ++k) {
+        const double there = hermite(step, step.length * k / kPlaces)[equations_.at_tau()].real();
+        turn = rate(step.a) > 0 ? std::max(turn, there) : std::min(turn, there);
+      }
+      curve_.borders.push_back(equations_.time(turn));
+    }
+  }
+
+  /// False where the caller has seen enough.
+  bool pass(const PairStep& step) const {
+    const double low = std::min(tau(step.a), tau(step.b));
+    const double high = std::max(tau(step.a), tau(step.b));
+    for (std::size_t k = 0; k < times_.size(); ++k) {
+      const double there = equations_.tau(times_[k]);
+      const bool is_on_the_way = low < there && there < high;
+      if ((!is_on_the_way && there != tau(step.b)) || s(step.a) >= 0 || s(step.b) >= 0) continue;
+      const double share = (there - tau(step.a)) / (tau(step.b) - tau(step.a));
+      const PairVector guess = hermite(step, share * step.length);
+      const PairVector across = PairVector::Unit(guess.size(), equations_.at_tau());
+      const auto point = equations_.corrected(guess, base_, across, there, at_.tangent);
+      if (point && !passing_(k, equations_.roots(point->y).front())) return false;
+    }
+    return true;
+  }
+
+  bool has_begun(const Point& x, double time, bool forwards) {
+    const PairVector guess = equations_.point(x, equations_.tau(time));
+    const PairVector across = PairVector::Unit(guess.size(), equations_.at_tau());
+    const PairVector way = forwards ? across : PairVector(-across);
+    const auto point = equations_.corrected(guess, guess, across, equations_.tau(time), way);
+    if (!point) return false;
+    at_ = *point;
+    base_ = guess;
+    bend_ = PairVector::Zero(guess.size());
+    return s(at_) < 0;
+  }
+
+  /// Goes to the end of a step; false where the curve ends there.
+  bool advance(const PairStep& step) {
+    watch(step);
+    const bool goes_on = pass(step);
+    curve_.last = time(step.b);
+    curve_.is_lost = false;
+    if (!goes_on) return false;
+    bend_ = (step.b.tangent - step.a.tangent) / step.length;
+    at_ = step.b;
+    // u0.u = 1 says little once u has turned away from u0.
+    constexpr double kTurnedAway = 1.2;
+    const PairVector y = equations_.normalized(at_.y);
+    if (std::abs(s(at_)) * kTurnedAway < std::abs(y[equations_.at_s()])) {
+      const auto point = equations_.corrected(y, y, at_.tangent, at_.tangent.dot(y).real(),
+                                              equations_.without_u_and_s(at_.tangent));
+      curve_.is_lost = !point;
+      if (!point) return false;
+      at_ = *point;
+      base_ = y;
+    }
+    const bool stays_real =
+        met_ && std::abs(time(at_) - met_->time) > kBriefest * equations_.duration();
+    return !stays_real;
+  }
 
   const PairEquations& equations_;
   const std::vector<double>& times_;
@@ -88,291 +355,6 @@ class PairFollower {
   bool has_turned_ = false;
   PairCurve curve_;
 };
-
-/// The cubic through both ends of a step with their tangents.
-PairVector hermite(const PairStep& step, double x) {
-  const double h = step.length;
-  const double r = x / h;
-  const PairVector end = step.b.tangent / step.a.tangent.dot(step.b.tangent);
-  const double up = r * r * (3 - 2 * r);
-  return (1 - up) * step.a.y + up * step.b.y + (h * r * (1 - r) * (1 - r)) * step.a.tangent -
-         (h * r * r * (1 - r)) * end;
-}
-
-/// The curve's point at x of a step that begins at at_.
-std::optional<PairPoint> PairFollower::between(const PairStep& step, double x) const {
-  const double offset = at_.tangent.dot(at_.y).real() + x;
-  return equations_.corrected(hermite(step, x), base_, at_.tangent, offset, at_.tangent);
-}
-
-/// Whether the step's end is where it was predicted, s and its slope above all: then s has no maximum that its slopes hide.
-bool PairFollower::is_known_within(const PairStep& step, const PairVector& predicted) const {
-  const PairVector miss = step.b.y - predicted;
-  const Index at = equations_.at_s();
-  const double most_of_s = std::max(std::abs(s(step.a)), std::abs(s(step.b)));
-  const double slope_miss = slope(step.b) - slope(step.a) - step.length * bend_[at].real();
-  const double most_of_slope = std::abs(slope(step.a)) + std::abs(slope(step.b));
-  return step.a.tangent.dot(step.b.tangent).real() >= kLeastCosine &&
-         miss.norm() <= kMostMiss * step.length &&
-         std::abs(miss[at]) <= kMostMissOfS * most_of_s + kNoiseOfS &&
-         std::abs(slope_miss) <= kMostMissOfSlope * most_of_slope + kNoiseOfS / step.length;
-}
-
-/// A step of length h; nullopt where it is too long for the curve.
-std::optional<PairStep> PairFollower::tried(double h) {
-  const PairVector predicted = at_.y + h * at_.tangent + (h * h / 2) * bend_;
-  const double offset = at_.tangent.dot(at_.y).real() + h;
-  const auto b = equations_.corrected(predicted, base_, at_.tangent, offset, at_.tangent);
-  if (!b) return std::nullopt;
-  PairStep step{at_, *b, h};
-  if (!is_known_within(step, predicted)) return std::nullopt;
-  return step;
-}
-
-/// To tau = border, which is near.
-std::optional<PairStep> PairFollower::last_step(double border) const {
-  const double h = (border - tau(at_)) / rate(at_);
-  const PairVector predicted = at_.y + h * at_.tangent;
-  const PairVector across = PairVector::Unit(at_.y.size(), equations_.at_tau());
-  const auto b = equations_.corrected(predicted, base_, across, border, at_.tangent);
-  if (!b) return std::nullopt;
-  PairStep step{at_, *b, at_.tangent.dot(b->y - at_.y).real()};
-  if (!is_known_within(step, predicted)) return std::nullopt;
-  return step;
-}
-
-/// Where s changes its sign between two places of a step, by regula falsi (Illinois).
-PairFollower::Meeting PairFollower::zero_of_s(const PairStep& step, double below,
-                                              double above) const {
-  constexpr int kMostRounds = 60;
-  const auto s_at = [&](double x) {
-    const auto point = between(step, x);
-    return point ? s(*point) : hermite(step, x)[equations_.at_s()].real();
-  };
-  double f_below = s_at(below);
-  double f_above = s_at(above);
-  double x = above;
-  for (int k = 0; k < kMostRounds; ++k) {
-    x = above - f_above * (above - below) / (f_above - f_below);
-    const double f = s_at(x);
-    if (f == 0 || std::abs(above - below) <= 1e-15 * step.length) break;
-    if (f > 0) {
-      above = x;
-      f_above = f;
-      f_below /= 2;
-    } else {
-      below = x;
-      f_below = f;
-      f_above /= 2;
-    }
-    if (std::abs(f) <= kNoiseOfS / 10) break;
-  }
-  const auto point = between(step, x);
-  return meeting_at(point ? point->y : hermite(step, x));
-}
-
-PairFollower::Meeting PairFollower::meeting_at(PairVector y) const {
-  y[equations_.at_s()] = 0;
-  return {equations_.time(y[equations_.at_tau()].real()), equations_.roots(y).front()};
-}
-
-void PairFollower::take_life(const Meeting& one, const Meeting& other, double at,
-                             const std::array<Point, 2>& roots) {
-  const bool is_ascending = one.time < other.time;
-  const Meeting& first = is_ascending ? one : other;
-  const Meeting& last = is_ascending ? other : one;
-  curve_.borders.insert(curve_.borders.end(), {first.time, last.time});
-  curve_.short_lives.push_back({{first.time, last.time}, at, roots, {first.x, last.x}});
-}
-
-/// s rises at the beginning of the step and falls at its end: how high does it come?
-void PairFollower::locate_maximum(const PairStep& step) {
-  constexpr int kMostRounds = 50;
-  constexpr double kPlace = 1e-7;
-  double low = 0;
-  double high = step.length;
-  std::optional<PairPoint> top;
-  double x = 0;
-  for (int k = 0; k < kMostRounds && high - low > kPlace * step.length; ++k) {
-    // The maximum of a parabola by its slopes, and halves where that creeps.
-    const auto lower = between(step, low);
-    const auto upper = between(step, high);
-    if (!lower || !upper) break;
-    const double share = slope(*lower) / (slope(*lower) - slope(*upper));
-    x = low + (k % 3 == 2 ? 0.5 : std::clamp(share, 0.001, 0.999)) * (high - low);
-    top = between(step, x);
-    if (!top) break;
-    (slope(*top) > 0 ? low : high) = x;
-    if (std::abs(slope(*top)) * (high - low) <= kNoiseOfS / 10) break;
-  }
-  if (!top || s(*top) < -kNearZero) return;
-  if (rate(*top) * rate(step.a) < 0) return curve_.fold_backs.push_back(time(*top));
-  if (s(*top) <= kNearZero) return take_brief(*top);
-  take_life(zero_of_s(step, 0, x), zero_of_s(step, step.length, x), time(*top),
-            equations_.roots(top->y));
-}
-
-/// A maximum so near to zero that double does not tell its sign: the parabola through three points known better.
-void PairFollower::take_brief(const PairPoint& top) {
-  // In tau, from round to round: the cubic term that the parabola lacks falls with its third power.
-  constexpr std::array<double, 3> kReaches{1e-6, 1e-8, 1e-10};
-  // Zeros that are nearer to each other are one time.
-  constexpr double kOneTime = 1e-12;
-  double centre = tau(top);
-  double half_life = 0;
-  const auto at = [&](double there) -> PairVector {
-    PairVector y = top.y + (there - tau(top)) / rate(top) * top.tangent;
-    y[equations_.at_tau()] = there;
-    return equations_.normalized(y);
-  };
-  bool is_real = false;
-  for (const double least_reach : kReaches) {
-    const double reach = std::max(least_reach, half_life);
-    const auto s0 = equations_.sharp_s(at(centre));
-    const auto s1 = equations_.sharp_s(at(centre - reach));
-    const auto s2 = equations_.sharp_s(at(centre + reach));
-    const double bend = s0 && s1 && s2 ? (*s1 - *s0 + (*s2 - *s0)) / (2 * reach * reach) : 0;
-    if (!(bend < 0)) return curve_.undecided.push_back(equations_.time(centre));
-    const double slope_there = (*s2 - *s1) / (2 * reach);
-    const double height = *s0 - slope_there * slope_there / (4 * bend);
-    centre -= slope_there / (2 * bend);
-    half_life = std::sqrt(std::abs(height / bend));
-    is_real = height > 0;
-  }
-  if (2 * half_life <= kOneTime) return curve_.undecided.push_back(equations_.time(centre));
-  if (!is_real) return;
-  PairVector middle = at(centre);
-  const auto s_there = equations_.sharp_s(middle);
-  if (!s_there) return curve_.undecided.push_back(equations_.time(centre));
-  middle[equations_.at_s()] = *s_there;
-  take_life(meeting_at(at(centre - half_life)), meeting_at(at(centre + half_life)),
-            equations_.time(centre), equations_.roots(middle));
-}
-
-/// Whether the time goes back at a place of the step where s > 0, as in a fold-back that is shorter than the step.
-bool PairFollower::goes_back_while_real(const PairStep& step) const {
-  constexpr int kPlaces = 32;
-  for (int k = 1; k < kPlaces; ++k) {
-    const auto point = between(step, step.length * k / kPlaces);
-    if (point && s(*point) > 0 && rate(*point) * rate(step.a) < 0) return true;
-  }
-  return false;
-}
-
-/// What s and the time do within the step.
-void PairFollower::watch(const PairStep& step) {
-  const double begin = s(step.a);
-  const double end = s(step.b);
-  if (begin < 0 && end < 0 && slope(step.a) > 0 && slope(step.b) < 0) locate_maximum(step);
-  if ((begin < 0) != (end < 0)) {
-    const bool turns_within = goes_back_while_real(step);
-    const Meeting meeting =
-        begin < 0 ? zero_of_s(step, 0, step.length) : zero_of_s(step, step.length, 0);
-    curve_.borders.push_back(meeting.time);
-    if (begin < 0) {
-      met_ = meeting;
-      life_ = equations_.roots(step.b.y);
-      life_at_ = time(step.b);
-      has_turned_ = turns_within;
-    } else if (met_) {
-      if (has_turned_ || turns_within) {
-        curve_.fold_backs.push_back(life_at_);
-      } else {
-        take_life(*met_, meeting, life_at_, life_);
-      }
-      met_.reset();
-    }
-  }
-  if (rate(step.a) * rate(step.b) < 0) {
-    has_turned_ = true;
-    double turn = tau(step.a);
-    constexpr int kPlaces = 64;
-    for (int k = 1; k <= kPlaces; ++k) {
-      const double there = hermite(step, step.length * k / kPlaces)[equations_.at_tau()].real();
-      turn = rate(step.a) > 0 ? std::max(turn, there) : std::min(turn, there);
-    }
-    curve_.borders.push_back(equations_.time(turn));
-  }
-}
-
-/// False where the caller has seen enough.
-bool PairFollower::pass(const PairStep& step) const {
-  const double low = std::min(tau(step.a), tau(step.b));
-  const double high = std::max(tau(step.a), tau(step.b));
-  for (std::size_t k = 0; k < times_.size(); ++k) {
-    const double there = equations_.tau(times_[k]);
-    const bool is_on_the_way = low < there && there < high;
-    if ((!is_on_the_way && there != tau(step.b)) || s(step.a) >= 0 || s(step.b) >= 0) continue;
-    const double share = (there - tau(step.a)) / (tau(step.b) - tau(step.a));
-    const PairVector guess = hermite(step, share * step.length);
-    const PairVector across = PairVector::Unit(guess.size(), equations_.at_tau());
-    const auto point = equations_.corrected(guess, base_, across, there, at_.tangent);
-    if (point && !passing_(k, equations_.roots(point->y).front())) return false;
-  }
-  return true;
-}
-
-bool PairFollower::has_begun(const Point& x, double time, bool forwards) {
-  const PairVector guess = equations_.point(x, equations_.tau(time));
-  const PairVector across = PairVector::Unit(guess.size(), equations_.at_tau());
-  const PairVector way = forwards ? across : PairVector(-across);
-  const auto point = equations_.corrected(guess, guess, across, equations_.tau(time), way);
-  if (!point) return false;
-  at_ = *point;
-  base_ = guess;
-  bend_ = PairVector::Zero(guess.size());
-  return s(at_) < 0;
-}
-
-/// Goes to the end of a step; false where the curve ends there.
-bool PairFollower::advance(const PairStep& step) {
-  watch(step);
-  const bool goes_on = pass(step);
-  curve_.last = time(step.b);
-  curve_.is_lost = false;
-  if (!goes_on) return false;
-  bend_ = (step.b.tangent - step.a.tangent) / step.length;
-  at_ = step.b;
-  // u0.u = 1 says little once u has turned away from u0.
-  constexpr double kTurnedAway = 1.2;
-  const PairVector y = equations_.normalized(at_.y);
-  if (std::abs(s(at_)) * kTurnedAway < std::abs(y[equations_.at_s()])) {
-    const auto point = equations_.corrected(y, y, at_.tangent, at_.tangent.dot(y).real(),
-                                            equations_.without_u_and_s(at_.tangent));
-    curve_.is_lost = !point;
-    if (!point) return false;
-    at_ = *point;
-    base_ = y;
-  }
-  const bool stays_real =
-      met_ && std::abs(time(at_) - met_->time) > kBriefest * equations_.duration();
-  return !stays_real;
-}
-
-PairCurve PairFollower::run(const Point& x, double time, bool forwards) {
-  curve_.last = time;
-  curve_.is_lost = true;
-  if (!has_begun(x, time, forwards)) return curve_;
-  for (int k = 0; k < kMostPairSteps && !stop_; ++k) {
-    const double rate_now = rate(at_);
-    const double border = rate_now > 0 ? 1 : 0;
-    const double to_go = std::abs(rate_now) > 0 ? (border - tau(at_)) / rate_now : kFarAway;
-    curve_.is_lost = to_go > 0;
-    if (to_go <= 0) return curve_;  // at a border, and on the way out
-    h_ = std::min({h_, kLongestPairStep * at_.y.norm(), kLongestPairTime / std::abs(rate_now)});
-    if (h_ < kShortestPairStep || at_.y.norm() > kFarAway) return curve_;
-    const bool is_last = h_ >= 0.9 * to_go;
-    const auto step = is_last ? last_step(border) : tried(h_);
-    if (!step) {
-      h_ = (is_last ? std::min(h_, to_go) : h_) / 2;
-      continue;
-    }
-    if (!advance(*step) || is_last) return curve_;
-    curve_.is_lost = true;
-    h_ *= 1.7;
-  }
-  return curve_;
-}
 
 }  // namespace
 
