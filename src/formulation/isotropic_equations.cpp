@@ -19,26 +19,194 @@ struct LinearAngle {
   double offset = 0;
 };
 
+bool is_number(const Formula& f) { return unknowns_of(f).empty(); }
+
 class Equations {
  public:
   Equations(const Mechanism& mechanism, double t)
       : mechanism_(mechanism), t_(t), frame_(names(mechanism)) {}
 
-  Formulation build() &&;
+  Formulation build() && {
+    hold_angles();
+    add_unknowns();
+    add_length_drivers();
+    for (const Equation& equation : mechanism_.equations) {
+      equation_ = equation.name;
+      frame_.add_equation(equation.name, polynomial(equation.formula));
+    }
+    return std::move(frame_).take();
+  }
 
  private:
-  static std::vector<std::string> names(const Mechanism& mechanism);
-  void hold_angles();
-  void add_unknowns();
-  void add_length_drivers();
+  static std::vector<std::string> names(const Mechanism& mechanism) {
+    std::vector<std::string> names;
+    for (const Unknown& unknown : mechanism.unknowns) names.push_back(unknown.name);
+    return names;
+  }
 
-  Polynomial polynomial(const Formula& f) const;
-  Polynomial powered(const Formula& f) const;
+  // Lengths take part as nodes of the angle classes too; held at the ground they have no t and u.
+  void hold_angles() {
+    for (std::size_t k = 0; k < mechanism_.unknowns.size(); ++k) {
+      if (!mechanism_.unknowns[k].is_angle) frame_.hold_angle(0, k + 1, {1, 0}, "");
+    }
+    for (const Driver& driver : mechanism_.drivers) {
+      if (!mechanism_.unknowns[driver.unknown].is_angle) continue;
+      frame_.hold_angle(0, driver.unknown + 1, unit_at(driver_state(driver.law, t_).value),
+                        "driver " + driver.name);
+    }
+  }
+
+  void add_unknowns() {
+    using Part = Formulation::Reading::Part;
+    frame_.add_angles("_");
+    for (std::size_t k = 0; k < mechanism_.unknowns.size(); ++k) {
+      const Unknown& unknown = mechanism_.unknowns[k];
+      lengths_.push_back(unknown.is_angle ? constant({0, 0}) : frame_.add_real(unknown.name));
+      frame_.result().coordinates.push_back(
+          unknown.is_angle ? Formulation::Reading{Part::argument, frame_.t(k + 1).z}
+                           : Formulation::Reading{Part::re, lengths_.back()});
+    }
+  }
+
+  void add_length_drivers() {
+    for (const Driver& driver : mechanism_.drivers) {
+      if (mechanism_.unknowns[driver.unknown].is_angle) continue;
+      const Rational value = typed_decimal(driver_state(driver.law, t_).value);
+      frame_.add_equation("driver " + driver.name, lengths_[driver.unknown] - constant({value, 0}));
+    }
+  }
+
+  Polynomial polynomial(const Formula& f) const {
+    const Coefficient half{Rational(1, 2), 0};
+    switch (f.kind) {
+      case Formula::Kind::constant:
+        return constant({typed_decimal(f.value), 0});
+      case Formula::Kind::time:
+        return constant({typed_decimal(t_), 0});
+      case Formula::Kind::unknown:
+        if (!mechanism_.unknowns[f.index].is_angle) return lengths_[f.index];
+        refuse("the angle " + mechanism_.unknowns[f.index].name + " stands outside cos and sin");
+      case Formula::Kind::sum: {
+        Polynomial sum;
+        for (const Formula& operand : f.operands) sum = sum + polynomial(operand);
+        return sum;
+      }
+      case Formula::Kind::product: {
+        Polynomial product = constant({1, 0});
+        for (const Formula& operand : f.operands) product = product * polynomial(operand);
+        return product;
+      }
+      case Formula::Kind::negate:
+        return Coefficient{-1, 0} * polynomial(f.operands[0]);
+      case Formula::Kind::reciprocal: {
+        const Polynomial divisor = polynomial(f.operands[0]);
+        if (divisor.terms.empty()) refuse("it divides by zero");
+        if (degree(divisor) > 0) refuse("it divides by unknowns; multiply the equation by them");
+        return constant(Coefficient{1, 0} / divisor.terms.front().coefficient);
+      }
+      case Formula::Kind::power:
+        if (!is_number(f)) return powered(f);
+        break;
+      case Formula::Kind::cos:
+      case Formula::Kind::sin: {
+        if (is_number(f)) break;
+        const Mirrored e = unit(f.operands[0]);
+        return f.kind == Formula::Kind::cos ? half * (e.z + e.conjugate)
+                                            : Coefficient{0, Rational(-1, 2)} * (e.z - e.conjugate);
+      }
+      case Formula::Kind::tan:
+      case Formula::Kind::asin:
+      case Formula::Kind::acos:
+      case Formula::Kind::atan:
+      case Formula::Kind::sqrt:
+      case Formula::Kind::exp:
+      case Formula::Kind::log:
+        if (!is_number(f)) refuse("tan, asin, acos, atan, sqrt, exp and log stand over unknowns");
+        break;
+    }
+    const double value = number(f);
+    if (!std::isfinite(value)) refuse("a constant part of it is not defined");
+    return constant({typed_decimal(value), 0});
+  }
+
+  Polynomial powered(const Formula& f) const {
+    const Formula& exponent = f.operands[1];
+    const double p = is_number(exponent) ? number(exponent) : -1;
+    if (!(p >= 0 && p <= kLargestPower) || p != std::floor(p)) {
+      refuse("an exponent over unknowns must be a whole number from 0 to 64");
+    }
+    return power(polynomial(f.operands[0]), static_cast<int>(p));
+  }
+
   /// exp(i angle) and its conjugate.
-  Mirrored unit(const Formula& angle) const;
-  LinearAngle linear(const Formula& f) const;
+  Mirrored unit(const Formula& angle) const {
+    // Thirds and the like, multiplied back, miss whole numbers by rounding.
+    constexpr double kWhole = 1e-12;
+    const LinearAngle parts = linear(angle);
+    const Coefficient c = unit_at(parts.offset);
+    Mirrored product{constant(c), constant(conjugate(c))};
+    for (const auto& [index, multiple] : parts.multiples) {
+      const double whole = std::nearbyint(multiple);
+      const std::string& name = mechanism_.unknowns[index].name;
+      if (std::abs(multiple - whole) > kWhole) {
+        refuse("the angle " + name + " is multiplied by a number that is not whole");
+      }
+      if (std::abs(whole) > kLargestPower)
+        refuse("the angle " + name + " is multiplied by too much");
+      const Mirrored t = whole < 0 ? swapped(frame_.t(index + 1)) : frame_.t(index + 1);
+      const int count = static_cast<int>(std::abs(whole));
+      product = product * Mirrored{power(t.z, count), power(t.conjugate, count)};
+    }
+    return product;
+  }
+
+  LinearAngle linear(const Formula& f) const {
+    if (is_number(f)) return {{}, number(f)};
+    if (f.kind == Formula::Kind::unknown) {
+      if (!mechanism_.unknowns[f.index].is_angle) {
+        refuse("the length " + mechanism_.unknowns[f.index].name + " stands inside cos or sin");
+      }
+      return {{{f.index, 1.0}}, 0};
+    }
+    LinearAngle total;
+    const auto add = [&total](const LinearAngle& part, double factor) {
+      total.offset += factor * part.offset;
+      for (const auto& [index, multiple] : part.multiples) {
+        total.multiples[index] += factor * multiple;
+      }
+    };
+    if (f.kind == Formula::Kind::sum) {
+      for (const Formula& operand : f.operands) add(linear(operand), 1);
+      return total;
+    }
+    if (f.kind == Formula::Kind::negate) {
+      add(linear(f.operands[0]), -1);
+      return total;
+    }
+    if (f.kind == Formula::Kind::product) {
+      double factor = 1;
+      const Formula* angle = nullptr;
+      for (const Formula& operand : f.operands) {
+        if (is_number(operand)) {
+          factor *= number(operand);
+        } else if (angle == nullptr) {
+          angle = &operand;
+        } else {
+          refuse("a product of unknowns stands inside cos or sin");
+        }
+      }
+      add(linear(*angle), factor);
+      return total;
+    }
+    refuse("inside cos and sin there may be sums of whole multiples of angles only");
+  }
+
   double number(const Formula& f) const { return evaluate<Jet>(f, {}, Jet(t_)).f; }
-  [[noreturn]] void refuse(const std::string& reason) const;
+
+  [[noreturn]] void refuse(const std::string& reason) const {
+    throw std::invalid_argument("equation " + equation_ + " is no polynomial: " + reason +
+                                "; newton, mobility and motion take it as it is");
+  }
 
   const Mechanism& mechanism_;
   double t_;
@@ -46,185 +214,6 @@ class Equations {
   std::vector<Polynomial> lengths_;  ///< of each unknown that is one
   std::string equation_;             ///< name of the one at work
 };
-
-bool is_number(const Formula& f) { return unknowns_of(f).empty(); }
-
-std::vector<std::string> Equations::names(const Mechanism& mechanism) {
-  std::vector<std::string> names;
-  for (const Unknown& unknown : mechanism.unknowns) names.push_back(unknown.name);
-  return names;
-}
-
-void Equations::refuse(const std::string& reason) const {
-  throw std::invalid_argument("equation " + equation_ + " is no polynomial: " + reason +
-                              "; newton, mobility and motion take it as it is");
-}
-
-// Lengths take part as nodes of the angle classes too; held at the ground they have no t and u.
-void Equations::hold_angles() {
-  for (std::size_t k = 0; k < mechanism_.unknowns.size(); ++k) {
-    if (!mechanism_.unknowns[k].is_angle) frame_.hold_angle(0, k + 1, {1, 0}, "");
-  }
-  for (const Driver& driver : mechanism_.drivers) {
-    if (!mechanism_.unknowns[driver.unknown].is_angle) continue;
-    frame_.hold_angle(0, driver.unknown + 1, unit_at(driver_state(driver.law, t_).value),
-                      "driver " + driver.name);
-  }
-}
-
-void Equations::add_unknowns() {
-  using Part = Formulation::Reading::Part;
-  frame_.add_angles("_");
-  for (std::size_t k = 0; k < mechanism_.unknowns.size(); ++k) {
-    const Unknown& unknown = mechanism_.unknowns[k];
-    lengths_.push_back(unknown.is_angle ? constant({0, 0}) : frame_.add_real(unknown.name));
-    frame_.result().coordinates.push_back(
-        unknown.is_angle ? Formulation::Reading{Part::argument, frame_.t(k + 1).z}
-                         : Formulation::Reading{Part::re, lengths_.back()});
-  }
-}
-
-void Equations::add_length_drivers() {
-  for (const Driver& driver : mechanism_.drivers) {
-    if (mechanism_.unknowns[driver.unknown].is_angle) continue;
-    const Rational value = typed_decimal(driver_state(driver.law, t_).value);
-    frame_.add_equation("driver " + driver.name, lengths_[driver.unknown] - constant({value, 0}));
-  }
-}
-
-LinearAngle Equations::linear(const Formula& f) const {
-  if (is_number(f)) return {{}, number(f)};
-  if (f.kind == Formula::Kind::unknown) {
-    if (!mechanism_.unknowns[f.index].is_angle) {
-      refuse("the length " + mechanism_.unknowns[f.index].name + " stands inside cos or sin");
-    }
-    return {{{f.index, 1.0}}, 0};
-  }
-  LinearAngle total;
-  const auto add = [&total](const LinearAngle& part, double factor) {
-    total.offset += factor * part.offset;
-    for (const auto& [index, multiple] : part.multiples) {
-      total.multiples[index] += factor * multiple;
-    }
-  };
-  if (f.kind == Formula::Kind::sum) {
-    for (const Formula& operand : f.operands) add(linear(operand), 1);
-    return total;
-  }
-  if (f.kind == Formula::Kind::negate) {
-    add(linear(f.operands[0]), -1);
-    return total;
-  }
-  if (f.kind == Formula::Kind::product) {
-    double factor = 1;
-    const Formula* angle = nullptr;
-    for (const Formula& operand : f.operands) {
-      if (is_number(operand)) {
-        factor *= number(operand);
-      } else if (angle == nullptr) {
-        angle = &operand;
-      } else {
-        refuse("a product of unknowns stands inside cos or sin");
-      }
-    }
-    add(linear(*angle), factor);
-    return total;
-  }
-  refuse("inside cos and sin there may be sums of whole multiples of angles only");
-}
-
-Mirrored Equations::unit(const Formula& angle) const {
-  // Thirds and the like, multiplied back, miss whole numbers by rounding.
-  constexpr double kWhole = 1e-12;
-  const LinearAngle parts = linear(angle);
-  const Coefficient c = unit_at(parts.offset);
-  Mirrored product{constant(c), constant(conjugate(c))};
-  for (const auto& [index, multiple] : parts.multiples) {
-    const double whole = std::nearbyint(multiple);
-    const std::string& name = mechanism_.unknowns[index].name;
-    if (std::abs(multiple - whole) > kWhole) {
-      refuse("the angle " + name + " is multiplied by a number that is not whole");
-    }
-    if (std::abs(whole) > kLargestPower) refuse("the angle " + name + " is multiplied by too much");
-    const Mirrored t = whole < 0 ? swapped(frame_.t(index + 1)) : frame_.t(index + 1);
-    const int count = static_cast<int>(std::abs(whole));
-    product = product * Mirrored{power(t.z, count), power(t.conjugate, count)};
-  }
-  return product;
-}
-
-Polynomial Equations::powered(const Formula& f) const {
-  const Formula& exponent = f.operands[1];
-  const double p = is_number(exponent) ? number(exponent) : -1;
-  if (!(p >= 0 && p <= kLargestPower) || p != std::floor(p)) {
-    refuse("an exponent over unknowns must be a whole number from 0 to 64");
-  }
-  return power(polynomial(f.operands[0]), static_cast<int>(p));
-}
-
-Polynomial Equations::polynomial(const Formula& f) const {
-  const Coefficient half{Rational(1, 2), 0};
-  switch (f.kind) {
-    case Formula::Kind::constant:
-      return constant({typed_decimal(f.value), 0});
-    case Formula::Kind::time:
-      return constant({typed_decimal(t_), 0});
-    case Formula::Kind::unknown:
-      if (!mechanism_.unknowns[f.index].is_angle) return lengths_[f.index];
-      refuse("the angle " + mechanism_.unknowns[f.index].name + " stands outside cos and sin");
-    case Formula::Kind::sum: {
-      Polynomial sum;
-      for (const Formula& operand : f.operands) sum = sum + polynomial(operand);
-      return sum;
-    }
-    case Formula::Kind::product: {
-      Polynomial product = constant({1, 0});
-      for (const Formula& operand : f.operands) product = product * polynomial(operand);
-      return product;
-    }
-    case Formula::Kind::negate:
-      return Coefficient{-1, 0} * polynomial(f.operands[0]);
-    case Formula::Kind::reciprocal: {
-      const Polynomial divisor = polynomial(f.operands[0]);
-      if (divisor.terms.empty()) refuse("it divides by zero");
-      if (degree(divisor) > 0) refuse("it divides by unknowns; multiply the equation by them");
-      return constant(Coefficient{1, 0} / divisor.terms.front().coefficient);
-    }
-    case Formula::Kind::power:
-      if (!is_number(f)) return powered(f);
-      break;
-    case Formula::Kind::cos:
-    case Formula::Kind::sin: {
-      if (is_number(f)) break;
-      const Mirrored e = unit(f.operands[0]);
-      return f.kind == Formula::Kind::cos ? half * (e.z + e.conjugate)
-                                          : Coefficient{0, Rational(-1, 2)} * (e.z - e.conjugate);
-    }
-    case Formula::Kind::tan:
-    case Formula::Kind::asin:
-    case Formula::Kind::acos:
-    case Formula::Kind::atan:
-    case Formula::Kind::sqrt:
-    case Formula::Kind::exp:
-    case Formula::Kind::log:
-      if (!is_number(f)) refuse("tan, asin, acos, atan, sqrt, exp and log stand over unknowns");
-      break;
-  }
-  const double value = number(f);
-  if (!std::isfinite(value)) refuse("a constant part of it is not defined");
-  return constant({typed_decimal(value), 0});
-}
-
-Formulation Equations::build() && {
-  hold_angles();
-  add_unknowns();
-  add_length_drivers();
-  for (const Equation& equation : mechanism_.equations) {
-    equation_ = equation.name;
-    frame_.add_equation(equation.name, polynomial(equation.formula));
-  }
-  return std::move(frame_).take();
-}
 
 }  // namespace
 

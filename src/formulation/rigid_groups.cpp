@@ -26,53 +26,6 @@ ExactPose driven_motion(const DrivenJoint& driven) {
   return motion;
 }
 
-class Grouping {
- public:
-  Grouping(const Mechanism& mechanism, double t) : mechanism_(mechanism), t_(t) {
-    for (std::size_t body = 0; body < mechanism.bodies.size(); ++body) {
-      root_.push_back(body);
-      pose_.push_back(identity_pose());
-    }
-  }
-
-  RigidGroups run() &&;
-
- private:
-  ExactPose end(const Joint& joint, std::size_t k) const;
-  std::optional<ExactPose> known_motion(const Joint& joint, const DrivenJoint& driven) const;
-  void join(const Joint& joint, const ExactPose& motion);
-  Tie between(const Joint& joint) const;
-  void tie(const Joint& joint, const DrivenJoint& driven);
-  void tie_at(const Joint& joint, double length);
-  void number_groups();
-  void add_driven_points();
-
-  const Mechanism& mechanism_;
-  double t_;
-  std::vector<std::size_t> root_;  ///< of each body: the first body of its group
-  std::vector<ExactPose> pose_;    ///< of each body in that one's frame
-  RigidGroups groups_;
-};
-
-/// The joint's frame in its body number k.
-ExactPose Grouping::end(const Joint& joint, std::size_t k) const {
-  const PointOf& at = joint.at[k];
-  ExactPose frame = shift_to(mechanism_.bodies[at.body].points[at.point].at);
-  if (axis_count(joint.type) == 0) return frame;
-  frame = frame * frame_of(joint.axis[k]);
-  return k == 0 ? frame * turn_about_z(joint.turn_rad) : frame;
-}
-
-/// M where nothing of it is left free.
-std::optional<ExactPose> Grouping::known_motion(const Joint& joint,
-                                                const DrivenJoint& driven) const {
-  const JointTraits& type = traits(joint.type);
-  const bool stands = type.place == JointPlace::at_point || (has_line(type.type) && driven.slide);
-  const bool keeps_turn = type.turn == JointTurn::not_at_all || driven.angle;
-  if (!stands || !keeps_turn) return std::nullopt;
-  return driven_motion(driven);
-}
-
 /// Whether two poses are one, lengths beside `size`.
 bool is_same(const ExactPose& a, const ExactPose& b) {
   const DualQuaternion<double> apart = to_double(conjugate(a) * b);
@@ -84,127 +37,162 @@ bool is_same(const ExactPose& a, const ExactPose& b) {
   return turn <= kSame * size && shift <= kSame * size * std::max(1.0, far);
 }
 
-void Grouping::join(const Joint& joint, const ExactPose& motion) {
-  const std::size_t a = joint.at[0].body;
-  const std::size_t b = joint.at[1].body;
-  const ExactPose there = pose_[a] * end(joint, 0) * motion * conjugate(end(joint, 1));
-  const std::size_t from = root_[b];
-  const std::size_t to = root_[a];
-  if (from == to) {
-    const std::string label = to_string(joint.type) + " " + joint.name;
-    if (is_same(there, pose_[b])) {
-      groups_.left_out.emplace_back(label, "its bodies are already held in the same pose");
-    } else {
-      groups_.contradictions.push_back(label + " holds bodies that are already held otherwise");
-    }
-    return;
-  }
-  // Bodies of the later group move to the earlier one's frame: the ground stays what it is.
-  const ExactPose between = there * conjugate(pose_[b]);  // frame of `from` in that of `to`
-  const bool is_kept = to < from;
-  const ExactPose moved = is_kept ? between : conjugate(between);
-  const std::size_t lost = is_kept ? from : to;
-  const std::size_t kept = is_kept ? to : from;
-  for (std::size_t body = 0; body < root_.size(); ++body) {
-    if (root_[body] != lost) continue;
-    root_[body] = kept;
-    pose_[body] = moved * pose_[body];
-  }
-}
-
-Tie Grouping::between(const Joint& joint) const {
-  Tie tie;
-  tie.name = joint.name;
-  tie.i = groups_.group_of[joint.at[0].body];
-  tie.j = groups_.group_of[joint.at[1].body];
-  tie.at_i = pose_[joint.at[0].body] * end(joint, 0);
-  tie.at_j = pose_[joint.at[1].body] * end(joint, 1);
-  return tie;
-}
-
-void Grouping::tie(const Joint& joint, const DrivenJoint& driven) {
-  if (traits(joint.type).place == JointPlace::at_any_distance) {
-    if (driven.slide) tie_at(joint, *driven.slide);
-    return;
-  }
-  Tie tie = between(joint);
-  tie.at_i = tie.at_i * driven_motion(driven);
-  tie.place = driven.slide ? JointPlace::at_point : traits(joint.type).place;
-  tie.turn = driven.angle ? JointTurn::not_at_all : traits(joint.type).turn;
-  if (is_rod(tie)) tie.square = signed_square(joint.length);
-  if (tie.turn == JointTurn::by_thread) {
-    throw std::invalid_argument(
-        "the screw '" + joint.name +
-        "' ties an angle to a length, which no polynomial says; drive it (slide = \"" + joint.name +
-        "\"), or follow one pose with --from-guess");
-  }
-  groups_.ties.push_back(std::move(tie));
-}
-
-/// An actuator is a rod of the driven length.
-void Grouping::tie_at(const Joint& joint, double length) {
-  Tie tie = between(joint);
-  tie.place = JointPlace::at_distance;
-  tie.turn = JointTurn::freely;
-  tie.square = signed_square(length);
-  groups_.ties.push_back(std::move(tie));
-}
-
-void Grouping::number_groups() {
-  std::vector<std::size_t> number(root_.size());
-  for (std::size_t body = 0; body < root_.size(); ++body) {
-    if (root_[body] == body) {
-      number[body] = groups_.names.size();
-      groups_.names.push_back(mechanism_.bodies[body].name);
-      groups_.bodies.emplace_back();
-    }
-    groups_.group_of.push_back(number[root_[body]]);
-    groups_.bodies[groups_.group_of.back()].push_back(mechanism_.bodies[body].name);
-  }
-  groups_.in_group = pose_;
-  groups_.is_left_out.assign(groups_.names.size(), false);
-}
-
-void Grouping::add_driven_points() {
-  for (const Driver& driver : mechanism_.drivers) {
-    std::size_t axis = 0;
-    switch (driver.kind) {
-      case DriverKind::angle:
-      case DriverKind::slide:
-      case DriverKind::unknown:
-        continue;
-      case DriverKind::x:
-        break;
-      case DriverKind::y:
-        axis = 1;
-        break;
-      case DriverKind::z:
-        axis = 2;
-        break;
-    }
-    const std::size_t body = driver.point.body;
-    const auto& point = mechanism_.bodies[body].points[driver.point.point];
-    groups_.driven_points.push_back({driver.name, groups_.group_of[body],
-                                     pose_[body] * shift_to(point.at), axis,
-                                     typed_decimal(driver_state(driver.law, t_).value)});
-  }
-}
-
-RigidGroups Grouping::run() && {
-  std::vector<std::size_t> free;
-  for (std::size_t k = 0; k < mechanism_.joints.size(); ++k) {
-    const auto motion = known_motion(mechanism_.joints[k], driven_joint(mechanism_, k, t_));
-    if (motion) {
-      join(mechanism_.joints[k], *motion);
-    } else {
-      free.push_back(k);
+class Grouping {
+ public:
+  Grouping(const Mechanism& mechanism, double t) : mechanism_(mechanism), t_(t) {
+    for (std::size_t body = 0; body < mechanism.bodies.size(); ++body) {
+      root_.push_back(body);
+      pose_.push_back(identity_pose());
     }
   }
-  number_groups();
-  for (const std::size_t k : free) tie(mechanism_.joints[k], driven_joint(mechanism_, k, t_));
-  add_driven_points();
-  return std::move(groups_);
-}
+
+  RigidGroups run() && {
+    std::vector<std::size_t> free;
+    for (std::size_t k = 0; k < mechanism_.joints.size(); ++k) {
+      const auto motion = known_motion(mechanism_.joints[k], driven_joint(mechanism_, k, t_));
+      if (motion) {
+        join(mechanism_.joints[k], *motion);
+      } else {
+        free.push_back(k);
+      }
+    }
+    number_groups();
+    for (const std::size_t k : free) tie(mechanism_.joints[k], driven_joint(mechanism_, k, t_));
+    add_driven_points();
+    return std::move(groups_);
+  }
+
+ private:
+  /// The joint's frame in its body number k.
+  ExactPose end(const Joint& joint, std::size_t k) const {
+    const PointOf& at = joint.at[k];
+    ExactPose frame = shift_to(mechanism_.bodies[at.body].points[at.point].at);
+    if (axis_count(joint.type) == 0) return frame;
+    frame = frame * frame_of(joint.axis[k]);
+    return k == 0 ? frame * turn_about_z(joint.turn_rad) : frame;
+  }
+
+  /// M where nothing of it is left free.
+  std::optional<ExactPose> known_motion(const Joint& joint, const DrivenJoint& driven) const {
+    const JointTraits& type = traits(joint.type);
+    const bool stands = type.place == JointPlace::at_point || (has_line(type.type) && driven.slide);
+    const bool keeps_turn = type.turn == JointTurn::not_at_all || driven.angle;
+    if (!stands || !keeps_turn) return std::nullopt;
+    return driven_motion(driven);
+  }
+
+  void join(const Joint& joint, const ExactPose& motion) {
+    const std::size_t a = joint.at[0].body;
+    const std::size_t b = joint.at[1].body;
+    const ExactPose there = pose_[a] * end(joint, 0) * motion * conjugate(end(joint, 1));
+    const std::size_t from = root_[b];
+    const std::size_t to = root_[a];
+    if (from == to) {
+      const std::string label = to_string(joint.type) + " " + joint.name;
+      if (is_same(there, pose_[b])) {
+        groups_.left_out.emplace_back(label, "its bodies are already held in the same pose");
+      } else {
+        groups_.contradictions.push_back(label + " holds bodies that are already held otherwise");
+      }
+      return;
+    }
+    // Bodies of the later group move to the earlier one's frame: the ground stays what it is.
+    const ExactPose between = there * conjugate(pose_[b]);  // frame of `from` in that of `to`
+    const bool is_kept = to < from;
+    const ExactPose moved = is_kept ? between : conjugate(between);
+    const std::size_t lost = is_kept ? from : to;
+    const std::size_t kept = is_kept ? to : from;
+    for (std::size_t body = 0; body < root_.size(); ++body) {
+      if (root_[body] != lost) continue;
+      root_[body] = kept;
+      pose_[body] = moved * pose_[body];
+    }
+  }
+
+  Tie between(const Joint& joint) const {
+    Tie tie;
+    tie.name = joint.name;
+    tie.i = groups_.group_of[joint.at[0].body];
+    tie.j = groups_.group_of[joint.at[1].body];
+    tie.at_i = pose_[joint.at[0].body] * end(joint, 0);
+    tie.at_j = pose_[joint.at[1].body] * end(joint, 1);
+    return tie;
+  }
+
+  void tie(const Joint& joint, const DrivenJoint& driven) {
+    if (traits(joint.type).place == JointPlace::at_any_distance) {
+      if (driven.slide) tie_at(joint, *driven.slide);
+      return;
+    }
+    Tie tie = between(joint);
+    tie.at_i = tie.at_i * driven_motion(driven);
+    tie.place = driven.slide ? JointPlace::at_point : traits(joint.type).place;
+    tie.turn = driven.angle ? JointTurn::not_at_all : traits(joint.type).turn;
+    if (is_rod(tie)) tie.square = signed_square(joint.length);
+    if (tie.turn == JointTurn::by_thread) {
+      throw std::invalid_argument(
+          "the screw '" + joint.name +
+          "' ties an angle to a length, which no polynomial says; drive it (slide = \"" +
+          joint.name + "\"), or follow one pose with --from-guess");
+    }
+    groups_.ties.push_back(std::move(tie));
+  }
+
+  /// An actuator is a rod of the driven length.
+  void tie_at(const Joint& joint, double length) {
+    Tie tie = between(joint);
+    tie.place = JointPlace::at_distance;
+    tie.turn = JointTurn::freely;
+    tie.square = signed_square(length);
+    groups_.ties.push_back(std::move(tie));
+  }
+
+  void number_groups() {
+    std::vector<std::size_t> number(root_.size());
+    for (std::size_t body = 0; body < root_.size(); ++body) {
+      if (root_[body] == body) {
+        number[body] = groups_.names.size();
+        groups_.names.push_back(mechanism_.bodies[body].name);
+        groups_.bodies.emplace_back();
+      }
+      groups_.group_of.push_back(number[root_[body]]);
+      groups_.bodies[groups_.group_of.back()].push_back(mechanism_.bodies[body].name);
+    }
+    groups_.in_group = pose_;
+    groups_.is_left_out.assign(groups_.names.size(), false);
+  }
+
+  void add_driven_points() {
+    for (const Driver& driver : mechanism_.drivers) {
+      std::size_t axis = 0;
+      switch (driver.kind) {
+        case DriverKind::angle:
+        case DriverKind::slide:
+        case DriverKind::unknown:
+          continue;
+        case DriverKind::x:
+          break;
+        case DriverKind::y:
+          axis = 1;
+          break;
+        case DriverKind::z:
+          axis = 2;
+          break;
+      }
+      const std::size_t body = driver.point.body;
+      const auto& point = mechanism_.bodies[body].points[driver.point.point];
+      groups_.driven_points.push_back({driver.name, groups_.group_of[body],
+                                       pose_[body] * shift_to(point.at), axis,
+                                       typed_decimal(driver_state(driver.law, t_).value)});
+    }
+  }
+
+  const Mechanism& mechanism_;
+  double t_;
+  std::vector<std::size_t> root_;  ///< of each body: the first body of its group
+  std::vector<ExactPose> pose_;    ///< of each body in that one's frame
+  RigidGroups groups_;
+};
 
 }  // namespace
 

@@ -18,16 +18,68 @@ class Chain {
   Chain(SpatialFrame& frame, const RigidGroups& groups, bool has_plain_slides)
       : frame_(frame), groups_(groups), has_plain_slides_(has_plain_slides) {}
 
-  void follow(const Tie& tie, bool is_last);
+  void follow(const Tie& tie, bool is_last) {
+    owners_ = groups_.bodies[is_last ? tie.i : tie.j];
+    step_ = to_moving(identity_pose());
+    fixed(tie.at_i);
+    turns(tie);
+    slides(tie);
+    fixed(conjugate(tie.at_j));
+    if (!is_last) frame_.place(tie.j, tie.i, step_);
+  }
+
   std::vector<LoopElement> take() && { return std::move(elements_); }
   ExactPose end() const { return at_; }
 
  private:
-  void turn(const std::string& name);
-  void slide(const std::string& name);
-  void turns(const Tie& tie);
-  void slides(const Tie& tie);
-  void fixed(const ExactPose& pose);
+  void turn(const std::string& name) {
+    LoopElement element;
+    element.fixed = frame_.random_number();
+    element.axis = axis_at(at_);
+    element.owners = owners_;
+    element.is_turn = true;
+    element.name = name;
+    element.unknown = frame_.add_unknown(name, true, owners_);
+    step_ = step_ * turn_of(element.unknown, element.fixed);
+    elements_.push_back(std::move(element));
+  }
+
+  void slide(const std::string& name) {
+    LoopElement element;
+    if (!has_plain_slides_) {
+      element.fixed = frame_.random_number();
+      element.fixed /= Rational(frame_.length());
+    }
+    element.axis = slide_at(at_);
+    element.owners = owners_;
+    element.name = name;
+    element.unknown = frame_.add_unknown(name, false, owners_);
+    step_ = step_ * slide_of(element.unknown, element.fixed);
+    elements_.push_back(std::move(element));
+  }
+
+  void turns(const Tie& tie) {
+    if (turn_freedom(tie) == 1) turn("t_" + tie.name);
+    if (turn_freedom(tie) != 2) return;
+    turn("t1_" + tie.name);
+    fixed(tilt(tie.half_tangent));
+    turn("t2_" + tie.name);
+  }
+
+  void slides(const Tie& tie) {
+    if (tie.place == JointPlace::on_line) slide("s_" + tie.name);
+    if (tie.place != JointPlace::in_plane) return;
+    for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
+      fixed(across(k));
+      slide("s" + std::to_string(k + 1) + "_" + tie.name);
+      fixed(conjugate(across(k)));
+    }
+  }
+
+  void fixed(const ExactPose& pose) {
+    at_ = at_ * pose;
+    step_ = step_ * to_moving(pose);
+  }
 
   SpatialFrame& frame_;
   const RigidGroups& groups_;
@@ -37,65 +89,6 @@ class Chain {
   MovingPose step_;                 ///< of the tie at work
   std::vector<std::string> owners_;
 };
-
-void Chain::fixed(const ExactPose& pose) {
-  at_ = at_ * pose;
-  step_ = step_ * to_moving(pose);
-}
-
-void Chain::turn(const std::string& name) {
-  LoopElement element;
-  element.fixed = frame_.random_number();
-  element.axis = axis_at(at_);
-  element.owners = owners_;
-  element.is_turn = true;
-  element.name = name;
-  element.unknown = frame_.add_unknown(name, true, owners_);
-  step_ = step_ * turn_of(element.unknown, element.fixed);
-  elements_.push_back(std::move(element));
-}
-
-void Chain::slide(const std::string& name) {
-  LoopElement element;
-  if (!has_plain_slides_) {
-    element.fixed = frame_.random_number();
-    element.fixed /= Rational(frame_.length());
-  }
-  element.axis = slide_at(at_);
-  element.owners = owners_;
-  element.name = name;
-  element.unknown = frame_.add_unknown(name, false, owners_);
-  step_ = step_ * slide_of(element.unknown, element.fixed);
-  elements_.push_back(std::move(element));
-}
-
-void Chain::turns(const Tie& tie) {
-  if (turn_freedom(tie) == 1) turn("t_" + tie.name);
-  if (turn_freedom(tie) != 2) return;
-  turn("t1_" + tie.name);
-  fixed(tilt(tie.half_tangent));
-  turn("t2_" + tie.name);
-}
-
-void Chain::slides(const Tie& tie) {
-  if (tie.place == JointPlace::on_line) slide("s_" + tie.name);
-  if (tie.place != JointPlace::in_plane) return;
-  for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
-    fixed(across(k));
-    slide("s" + std::to_string(k + 1) + "_" + tie.name);
-    fixed(conjugate(across(k)));
-  }
-}
-
-void Chain::follow(const Tie& tie, bool is_last) {
-  owners_ = groups_.bodies[is_last ? tie.i : tie.j];
-  step_ = to_moving(identity_pose());
-  fixed(tie.at_i);
-  turns(tie);
-  slides(tie);
-  fixed(conjugate(tie.at_j));
-  if (!is_last) frame_.place(tie.j, tie.i, step_);
-}
 
 }  // namespace
 

@@ -33,11 +33,73 @@ class Tree {
   }
 
  private:
-  void place_next();
-  void place(std::size_t group, std::size_t parent, MovingPose in_parent);
-  void close(const Tie& tie);
-  void drive(const DrivenPoint& driven);
-  MovingPose relative(std::size_t i, std::size_t j) const;
+  void place_next() {
+    std::optional<std::size_t> stiffest;
+    std::map<std::size_t, std::size_t> loose;  // ties of groups not yet placed
+    for (const std::size_t k : part_.ties) {
+      const Tie& tie = groups_.ties[k];
+      if (nodes_.count(tie.i) == nodes_.count(tie.j)) continue;
+      const std::size_t next = nodes_.count(tie.i) > 0 ? tie.j : tie.i;
+      if (is_loose(tie)) {
+        ++loose[next];
+      } else if (!stiffest || freedom(tie) < freedom(groups_.ties[*stiffest])) {
+        stiffest = k;
+      }
+    }
+    if (stiffest) {
+      const Tie& typed = groups_.ties[*stiffest];
+      const Tie tie = nodes_.count(typed.i) > 0 ? typed : reversed(typed);
+      used_.push_back(*stiffest);
+      place(tie.j, tie.i, add_motion(frame_, tie, groups_.bodies[tie.j]));
+      return;
+    }
+    const auto most =
+        std::max_element(loose.begin(), loose.end(),
+                         [](const auto& a, const auto& b) { return a.second < b.second; });
+    const std::size_t group = most->first;
+    place(group, 0, frame_.add_any_pose(groups_.names[group], groups_.bodies[group]));
+  }
+
+  void place(std::size_t group, std::size_t parent, MovingPose in_parent) {
+    frame_.place(group, parent, in_parent);
+    nodes_[group] = {parent, nodes_[parent].depth + 1, std::move(in_parent)};
+  }
+
+  void close(const Tie& tie) {
+    if (!is_rod(tie)) {
+      add_closing(frame_, tie, relative(tie.i, tie.j));
+      return;
+    }
+    Polynomial length = rod_equation(tie, relative(tie.i, tie.j));
+    const auto [first, is_new] = first_rod_.emplace(std::minmax(tie.i, tie.j), length);
+    if (!is_new) length = rounded_difference(length, first->second);
+    frame_.add_equation(tie.name + ": length", std::move(length));
+  }
+
+  void drive(const DrivenPoint& driven) {
+    const MovingPose at = relative(0, driven.group) * to_moving(driven.point);
+    const Polynomial shift = product(at.g, conjugate(at.q))[driven.axis + 1];
+    frame_.add_equation("driver " + driven.name,
+                        Coefficient{2, 0} * shift - Coefficient{driven.value, 0} * dot(at.q, at.q));
+  }
+
+  /// Pose of group j in group i, from where their branches part.
+  MovingPose relative(std::size_t i, std::size_t j) const {
+    MovingPose to_i = to_moving(identity_pose());
+    MovingPose to_j = to_i;
+    while (i != j) {
+      const Node& node_i = nodes_.at(i);
+      const Node& node_j = nodes_.at(j);
+      if (node_i.depth >= node_j.depth) {
+        to_i = node_i.in_parent * to_i;
+        i = node_i.parent;
+      } else {
+        to_j = node_j.in_parent * to_j;
+        j = node_j.parent;
+      }
+    }
+    return conjugate(to_i) * to_j;
+  }
 
   SpatialFrame& frame_;
   const RigidGroups& groups_;
@@ -46,73 +108,6 @@ class Tree {
   std::vector<std::size_t> used_;
   std::map<std::pair<std::size_t, std::size_t>, Polynomial> first_rod_;
 };
-
-void Tree::place(std::size_t group, std::size_t parent, MovingPose in_parent) {
-  frame_.place(group, parent, in_parent);
-  nodes_[group] = {parent, nodes_[parent].depth + 1, std::move(in_parent)};
-}
-
-void Tree::place_next() {
-  std::optional<std::size_t> stiffest;
-  std::map<std::size_t, std::size_t> loose;  // ties of groups not yet placed
-  for (const std::size_t k : part_.ties) {
-    const Tie& tie = groups_.ties[k];
-    if (nodes_.count(tie.i) == nodes_.count(tie.j)) continue;
-    const std::size_t next = nodes_.count(tie.i) > 0 ? tie.j : tie.i;
-    if (is_loose(tie)) {
-      ++loose[next];
-    } else if (!stiffest || freedom(tie) < freedom(groups_.ties[*stiffest])) {
-      stiffest = k;
-    }
-  }
-  if (stiffest) {
-    const Tie& typed = groups_.ties[*stiffest];
-    const Tie tie = nodes_.count(typed.i) > 0 ? typed : reversed(typed);
-    used_.push_back(*stiffest);
-    place(tie.j, tie.i, add_motion(frame_, tie, groups_.bodies[tie.j]));
-    return;
-  }
-  const auto most = std::max_element(
-      loose.begin(), loose.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
-  const std::size_t group = most->first;
-  place(group, 0, frame_.add_any_pose(groups_.names[group], groups_.bodies[group]));
-}
-
-/// Pose of group j in group i, from where their branches part.
-MovingPose Tree::relative(std::size_t i, std::size_t j) const {
-  MovingPose to_i = to_moving(identity_pose());
-  MovingPose to_j = to_i;
-  while (i != j) {
-    const Node& node_i = nodes_.at(i);
-    const Node& node_j = nodes_.at(j);
-    if (node_i.depth >= node_j.depth) {
-      to_i = node_i.in_parent * to_i;
-      i = node_i.parent;
-    } else {
-      to_j = node_j.in_parent * to_j;
-      j = node_j.parent;
-    }
-  }
-  return conjugate(to_i) * to_j;
-}
-
-void Tree::close(const Tie& tie) {
-  if (!is_rod(tie)) {
-    add_closing(frame_, tie, relative(tie.i, tie.j));
-    return;
-  }
-  Polynomial length = rod_equation(tie, relative(tie.i, tie.j));
-  const auto [first, is_new] = first_rod_.emplace(std::minmax(tie.i, tie.j), length);
-  if (!is_new) length = rounded_difference(length, first->second);
-  frame_.add_equation(tie.name + ": length", std::move(length));
-}
-
-void Tree::drive(const DrivenPoint& driven) {
-  const MovingPose at = relative(0, driven.group) * to_moving(driven.point);
-  const Polynomial shift = product(at.g, conjugate(at.q))[driven.axis + 1];
-  frame_.add_equation("driver " + driven.name,
-                      Coefficient{2, 0} * shift - Coefficient{driven.value, 0} * dot(at.q, at.q));
-}
 
 }  // namespace
 

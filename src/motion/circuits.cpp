@@ -164,113 +164,6 @@ std::vector<Swing> swings(const std::vector<std::size_t>& part, const Ways& ways
   return all;
 }
 
-/// Everything that is known of a motion's branches and how they are joined.
-class CircuitFinder {
- public:
-  CircuitFinder(const Mechanism& mechanism, const MotionResult& motion)
-      : mechanism_(mechanism),
-        motion_(motion),
-        drivers_(measured_drivers(motion, mechanism)),
-        bodies_(measured(motion, body_quantities(mechanism))),
-        joints_(measured(motion, joint_quantities(mechanism))),
-        joins_(branch_joins(mechanism, motion)),
-        smooth_joins_(without_dead_points(joins_)),
-        stretches_(parts_of(motion.branches.size(), smooth_joins_)) {}
-
-  Circuits find() const;
-
- private:
-  Circuit circuit_of_part(const std::vector<std::size_t>& part) const;
-  void add_stretches(Circuit& circuit) const;
-  void add_events(Circuit& circuit) const;
-  bool has_open_end(const Circuit& circuit) const;
-  bool is_joined(const BranchEnd& end) const;
-  std::vector<std::string> notes() const;
-
-  const Mechanism& mechanism_;
-  const MotionResult& motion_;
-  const std::vector<Measured> drivers_;
-  const std::vector<Measured> bodies_;
-  const std::vector<Measured> joints_;
-  const std::vector<BranchJoin> joins_;
-  const std::vector<BranchJoin> smooth_joins_;
-  const Parts stretches_;
-};
-
-/// In each stretch the branches are ordered by where the first driver stands; what the driver does follows from them.
-void CircuitFinder::add_stretches(Circuit& circuit) const {
-  bool turns = false;
-  for (std::vector<std::size_t> part : stretches_) {
-    if (!std::binary_search(circuit.branches.begin(), circuit.branches.end(), part.front())) {
-      continue;
-    }
-    if (!drivers_.empty()) {
-      const Measured& driver = drivers_.front();
-      const Unrolled all = unrolled(part, ways_through(part, smooth_joins_), driver);
-      turns = turns || all.turns != 0;
-      std::stable_sort(part.begin(), part.end(), [&](std::size_t a, std::size_t b) {
-        return driver.on[a].lower + all.shift.at(a) < driver.on[b].lower + all.shift.at(b);
-      });
-    }
-    circuit.stretches.push_back(std::move(part));
-  }
-  const bool comes_round = !circuit.drivers.empty() && circuit.drivers.front().turns != 0;
-  circuit.driver_motion = turns                   ? DriverMotion::turns
-                          : comes_round           ? DriverMotion::turns_over_dead_points
-                          : has_open_end(circuit) ? DriverMotion::open
-                                                  : DriverMotion::rocks;
-}
-
-bool CircuitFinder::is_joined(const BranchEnd& end) const {
-  return std::any_of(joins_.begin(), joins_.end(), [&](const BranchJoin& join) {
-    return std::any_of(join.ends.begin(), join.ends.end(), [&](const BranchEnd& other) {
-      return other.branch == end.branch && other.is_last == end.is_last;
-    });
-  });
-}
-
-bool CircuitFinder::has_open_end(const Circuit& circuit) const {
-  return std::any_of(circuit.branches.begin(), circuit.branches.end(), [&](std::size_t k) {
-    const MotionBranch& branch = motion_.branches[k];
-    const auto is_open = [&](bool is_last) {
-      const auto& event = is_last ? branch.end_event : branch.begin_event;
-      const bool is_stopped = event && motion_.events[*event].at.kind == EventKind::joint_limit;
-      return !is_stopped && !is_joined({k, is_last});
-    };
-    return is_open(false) || is_open(true);
-  });
-}
-
-void CircuitFinder::add_events(Circuit& circuit) const {
-  std::vector<std::size_t> events;
-  for (const std::size_t k : circuit.branches) {
-    for (const auto& event : {motion_.branches[k].begin_event, motion_.branches[k].end_event}) {
-      if (event) events.push_back(*event);
-    }
-  }
-  std::sort(events.begin(), events.end());
-  events.erase(std::unique(events.begin(), events.end()), events.end());
-  for (const std::size_t event : events) {
-    const EventKind kind = motion_.events[event].at.kind;
-    auto& list = kind == EventKind::dead_point    ? circuit.dead_points
-                 : kind == EventKind::bifurcation ? circuit.change_points
-                                                  : circuit.stops;
-    list.push_back(event);
-  }
-}
-
-Circuit CircuitFinder::circuit_of_part(const std::vector<std::size_t>& part) const {
-  const Ways ways = ways_through(part, joins_);
-  Circuit circuit;
-  circuit.branches = part;
-  circuit.drivers = swings(part, ways, drivers_);
-  circuit.bodies = swings(part, ways, bodies_);
-  circuit.joints = swings(part, ways, joints_);
-  add_stretches(circuit);
-  add_events(circuit);
-  return circuit;
-}
-
 /// Whether the driver goes both ways over the range.
 bool turns_back(const Driver& driver, const MotionResult& motion) {
   bool is_up = false;
@@ -299,52 +192,152 @@ double turns_of_drivers(const Mechanism& mechanism, const MotionResult& motion) 
 // Of a turn: more than this over is more than one turn.
 constexpr double kOver = 1e-6;
 
-std::vector<std::string> CircuitFinder::notes() const {
-  std::vector<std::string> notes;
-  if (!motion_.complete) {
-    notes.emplace_back("the motion is not complete: circuits that are listed apart may be one");
-  }
-  if (motion_.checkpoints.empty()) {
-    notes.emplace_back("no closures were solved: there may be other circuits");
-  }
-  if (mechanism_.drivers.size() > 1) {
-    notes.emplace_back(
-        "the drivers move together as prescribed: another motion of theirs may join circuits");
-  }
-  for (const Driver& driver : mechanism_.drivers) {
-    if (!turns_back(driver, motion_)) continue;
-    notes.push_back("driver '" + driver.name +
-                    "' turns back: a circuit that it goes through twice is listed twice");
-  }
-  if (turns_of_drivers(mechanism_, motion_) > 1 + kOver) {
-    notes.emplace_back("the drivers go more than one turn: a circuit may be listed once per turn");
-  } else if (!drivers_return(mechanism_, motion_)) {
-    notes.emplace_back(
-        "the drivers do not come back to where they began: circuits may be joined outside of this "
-        "range");
-  }
-  return notes;
-}
+/// Everything that is known of a motion's branches and how they are joined.
+class CircuitFinder {
+ public:
+  CircuitFinder(const Mechanism& mechanism, const MotionResult& motion)
+      : mechanism_(mechanism),
+        motion_(motion),
+        drivers_(measured_drivers(motion, mechanism)),
+        bodies_(measured(motion, body_quantities(mechanism))),
+        joints_(measured(motion, joint_quantities(mechanism))),
+        joins_(branch_joins(mechanism, motion)),
+        smooth_joins_(without_dead_points(joins_)),
+        stretches_(parts_of(motion.branches.size(), smooth_joins_)) {}
 
-Circuits CircuitFinder::find() const {
-  Circuits found;
-  found.joins = joins_;
-  found.is_full_turn = drivers_return(mechanism_, motion_) &&
-                       std::abs(turns_of_drivers(mechanism_, motion_) - 1) <= kOver;
-  found.notes = notes();
-  for (const std::vector<std::size_t>& part : parts_of(motion_.branches.size(), joins_)) {
-    found.circuits.push_back(circuit_of_part(part));
+  Circuits find() const {
+    Circuits found;
+    found.joins = joins_;
+    found.is_full_turn = drivers_return(mechanism_, motion_) &&
+                         std::abs(turns_of_drivers(mechanism_, motion_) - 1) <= kOver;
+    found.notes = notes();
+    for (const std::vector<std::size_t>& part : parts_of(motion_.branches.size(), joins_)) {
+      found.circuits.push_back(circuit_of_part(part));
+    }
+    const bool is_open = std::any_of(
+        found.circuits.begin(), found.circuits.end(),
+        [](const Circuit& circuit) { return circuit.driver_motion == DriverMotion::open; });
+    if (found.is_full_turn && is_open && motion_.complete) {
+      found.is_full_turn = false;
+      found.notes.emplace_back(
+          "the turn ends in other poses than it began with, as gears do: circuits go on beyond it");
+    }
+    return found;
   }
-  const bool is_open = std::any_of(
-      found.circuits.begin(), found.circuits.end(),
-      [](const Circuit& circuit) { return circuit.driver_motion == DriverMotion::open; });
-  if (found.is_full_turn && is_open && motion_.complete) {
-    found.is_full_turn = false;
-    found.notes.emplace_back(
-        "the turn ends in other poses than it began with, as gears do: circuits go on beyond it");
+
+ private:
+  Circuit circuit_of_part(const std::vector<std::size_t>& part) const {
+    const Ways ways = ways_through(part, joins_);
+    Circuit circuit;
+    circuit.branches = part;
+    circuit.drivers = swings(part, ways, drivers_);
+    circuit.bodies = swings(part, ways, bodies_);
+    circuit.joints = swings(part, ways, joints_);
+    add_stretches(circuit);
+    add_events(circuit);
+    return circuit;
   }
-  return found;
-}
+
+  /// In each stretch the branches are ordered by where the first driver stands; what the driver does follows from them.
+  void add_stretches(Circuit& circuit) const {
+    bool turns = false;
+    for (std::vector<std::size_t> part : stretches_) {
+      if (!std::binary_search(circuit.branches.begin(), circuit.branches.end(), part.front())) {
+        continue;
+      }
+      if (!drivers_.empty()) {
+        const Measured& driver = drivers_.front();
+        const Unrolled all = unrolled(part, ways_through(part, smooth_joins_), driver);
+        turns = turns || all.turns != 0;
+        std::stable_sort(part.begin(), part.end(), [&](std::size_t a, std::size_t b) {
+          return driver.on[a].lower + all.shift.at(a) < driver.on[b].lower + all.shift.at(b);
+        });
+      }
+      circuit.stretches.push_back(std::move(part));
+    }
+    const bool comes_round = !circuit.drivers.empty() && circuit.drivers.front().turns != 0;
+    circuit.driver_motion = turns                   ? DriverMotion::turns
+                            : comes_round           ? DriverMotion::turns_over_dead_points
+                            : has_open_end(circuit) ? DriverMotion::open
+                                                    : DriverMotion::rocks;
+  }
+
+  void add_events(Circuit& circuit) const {
+    std::vector<std::size_t> events;
+    for (const std::size_t k : circuit.branches) {
+      for (const auto& event : {motion_.branches[k].begin_event, motion_.branches[k].end_event}) {
+        if (event) events.push_back(*event);
+      }
+    }
+    std::sort(events.begin(), events.end());
+    events.erase(std::unique(events.begin(), events.end()), events.end());
+    for (const std::size_t event : events) {
+      const EventKind kind = motion_.events[event].at.kind;
+      auto& list = kind == EventKind::dead_point    ? circuit.dead_points
+                   : kind == EventKind::bifurcation ? circuit.change_points
+                                                    : circuit.stops;
+      list.push_back(event);
+    }
+  }
+
+  bool has_open_end(const Circuit& circuit) const {
+    return std::any_of(circuit.branches.begin(), circuit.branches.end(), [&](std::size_t k) {
+      const MotionBranch& branch = motion_.branches[k];
+      const auto is_open = [&](bool is_last) {
+        const auto& event = is_last ? branch.end_event : branch.begin_event;
+        const bool is_stopped = event && motion_.events[*event].at.kind == EventKind::joint_limit;
+        return !is_stopped && !is_joined({k, is_last});
+      };
+      return is_open(false) || is_open(true);
+    });
+  }
+
+  bool is_joined(const BranchEnd& end) const {
+    return std::any_of(joins_.begin(), joins_.end(), [&](const BranchJoin& join) {
+      return std::any_of(join.ends.begin(), join.ends.end(), [&](const BranchEnd& other) {
+        return other.branch == end.branch && other.is_last == end.is_last;
+      });
+    });
+  }
+
+  std::vector<std::string> notes() const {
+    std::vector<std::string> notes;
+    if (!motion_.complete) {
+      notes.emplace_back("the motion is not complete: circuits that are listed apart may be one");
+    }
+    if (motion_.checkpoints.empty()) {
+      notes.emplace_back("no closures were solved: there may be other circuits");
+    }
+    if (mechanism_.drivers.size() > 1) {
+      notes.emplace_back(
+          "the drivers move together as prescribed: another motion of theirs may join circuits");
+    }
+    for (const Driver& driver : mechanism_.drivers) {
+      if (!turns_back(driver, motion_)) continue;
+      notes.push_back("driver '" + driver.name +
+                      "' turns back: a circuit that it goes through twice is listed twice");
+    }
+    if (turns_of_drivers(mechanism_, motion_) > 1 + kOver) {
+      notes.emplace_back(
+          "the drivers go more than one turn: a circuit may be listed once per turn");
+    } else if (!drivers_return(mechanism_, motion_)) {
+      notes.emplace_back(
+          "the drivers do not come back to where they began: circuits may be joined outside of "
+          "this "
+          "range");
+    }
+    return notes;
+  }
+
+  const Mechanism& mechanism_;
+  const MotionResult& motion_;
+  const std::vector<Measured> drivers_;
+  const std::vector<Measured> bodies_;
+  const std::vector<Measured> joints_;
+  const std::vector<BranchJoin> joins_;
+  const std::vector<BranchJoin> smooth_joins_;
+  const Parts stretches_;
+};
 
 }  // namespace
 
