@@ -71,16 +71,127 @@ class Tables {
     }
   }
 
-  std::string of_point(const MovingPoint& point) const;
-  std::string of_angles_and_slides() const;
+  std::string of_point(const MovingPoint& point) const {
+    const auto is_here = [&](const SensitiveQuantity& quantity) {
+      return quantity.group == SensitiveGroup::point && quantity.point.body == point.point.body &&
+             quantity.point.point == point.point.point;
+    };
+    const auto begin = std::find_if(told_.quantities.begin(), told_.quantities.end(), is_here);
+    const auto first = static_cast<Index>(begin - told_.quantities.begin());
+    const Index axes = mechanism_.space == Space::planar ? 2 : 3;
+    const MatrixXd rates = closure_.rates.middleRows(first, axes);
+    const std::vector<std::size_t> order = ranked(rates);
+    constexpr std::array<const char*, 3> kAxes{"x", "y", "z"};
+    std::vector<TableRow> rows{{point.name}};
+    rows.front().insert(rows.front().end(), kAxes.begin(), kAxes.begin() + axes);
+    for (std::size_t k = 0; k < std::min(kShown, order.size()); ++k) {
+      const std::size_t dimension = order[k];
+      const auto column = rates.col(static_cast<Index>(dimension));
+      TableRow row{"  " + told_.dimensions[dimension].name};
+      for (Index axis = 0; axis < axes; ++axis) {
+        row.push_back(rate_text(column[axis] * unit(dimension), column.norm() * unit(dimension)));
+      }
+      if (told_.has_tolerances()) {
+        const double tolerance = told_.tolerances[dimension] / unit(dimension);
+        row.push_back("tolerance " + with_unit(rate_text(tolerance, tolerance),
+                                               told_.dimensions[dimension].is_angle));
+      }
+      rows.push_back(std::move(row));
+    }
+    if (order.size() > kShown) rows.push_back({"  " + rest_text(rates, order)});
+    if (told_.has_tolerances()) add_spreads(first, axes, rows);
+    return aligned(rows, static_cast<std::size_t>(axes));
+  }
+
+  /// What a designer reads off as output: the bodies' angles (in space the joints'), and the slides.
+  std::string of_angles_and_slides() const {
+    std::vector<TableRow> rows{{"angles and slides", "most", "by"}};
+    if (told_.has_tolerances()) {
+      rows.front().insert(rows.front().end(), {"worst case", "root sum square"});
+    }
+    for (std::size_t i = 0; i < told_.quantities.size(); ++i) {
+      const SensitiveQuantity& quantity = told_.quantities[i];
+      const bool is_angle = quantity.kind == CoordinateKind::angle;
+      const bool is_of_body = is_angle && mechanism_.space == Space::planar;
+      const auto group = is_of_body ? SensitiveGroup::coordinate : SensitiveGroup::joint;
+      if (quantity.group != group) continue;
+      const MatrixXd rates = closure_.rates.row(static_cast<Index>(i));
+      const std::vector<std::size_t> order = ranked(rates);
+      const double noise = is_angle ? angle_noise_ : length_noise_;
+      if (order.empty() || weight(rates, order[0]) <= noise) continue;
+      const double one = is_angle && mechanism_.units.angle == "deg" ? std::numbers::pi / 180 : 1;
+      const double most = rates(0, static_cast<Index>(order[0])) * unit(order[0]) / one;
+      TableRow row{"  " + quantity.name, with_unit(rate_text(most, most), is_angle),
+                   told_.dimensions[order[0]].name};
+      for (const Eigen::VectorXd* spread : {&closure_.worst_case, &closure_.root_sum_square}) {
+        if (!told_.has_tolerances()) break;
+        const double value = (*spread)[static_cast<Index>(i)] / one;
+        row.push_back(std::isnan(value) ? "none" : with_unit(rate_text(value, value), is_angle));
+      }
+      rows.push_back(std::move(row));
+    }
+    return rows.size() == 1 ? "" : aligned(rows, 0);
+  }
 
  private:
-  std::string rest_text(const MatrixXd& rates, const std::vector<std::size_t>& order) const;
-  double unit(std::size_t dimension) const;
-  std::string with_unit(const std::string& number, bool is_angle) const;
-  std::vector<std::size_t> ranked(const MatrixXd& rates) const;
-  double weight(const MatrixXd& rates, std::size_t dimension) const;
-  void add_spreads(Index first, Index axes, std::vector<TableRow>& rows) const;
+  std::string rest_text(const MatrixXd& rates, const std::vector<std::size_t>& order) const {
+    const std::size_t left = order.size() - kShown;
+    const double most = weight(rates, order[kShown]);
+    return "and " + counted(left, "dimension") + " that " + (left == 1 ? "moves" : "move") +
+           " it by " + with_unit(rate_text(most, most), false) + " or less";
+  }
+
+  /// One unit of the dimension in the file, in radians or lengths.
+  double unit(std::size_t dimension) const {
+    const bool in_degrees = told_.dimensions[dimension].is_angle && mechanism_.units.angle == "deg";
+    return in_degrees ? std::numbers::pi / 180 : 1;
+  }
+
+  std::string with_unit(const std::string& number, bool is_angle) const {
+    const std::string& unit = is_angle ? mechanism_.units.angle : mechanism_.units.length;
+    return unit.empty() ? number : number + " " + unit;
+  }
+
+  /// Dimensions that move the point, most first; those that move it equally in the file's order.
+  std::vector<std::size_t> ranked(const MatrixXd& rates) const {
+    // Rates that are equal but for rounding, as those of both ends of a link are, stand in one order everywhere.
+    constexpr double kEqual = 1e-9;
+    std::vector<std::size_t> order;
+    double largest = 0;
+    for (std::size_t k = 0; k < told_.dimensions.size(); ++k) {
+      largest = std::max(largest, weight(rates, k));
+    }
+    for (std::size_t k = 0; k < told_.dimensions.size(); ++k) {
+      if (weight(rates, k) > kEqual * largest) order.push_back(k);
+    }
+    const auto step = [&](std::size_t k) {
+      return std::round(weight(rates, k) / (kEqual * largest));
+    };
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return step(a) > step(b); });
+    return order;
+  }
+
+  /// How far the point moves: by its tolerance where there are any, else by one unit of the file.
+  double weight(const MatrixXd& rates, std::size_t k) const {
+    const double change = told_.has_tolerances() ? told_.tolerances[k] : unit(k);
+    const double moved = rates.col(static_cast<Index>(k)).norm() * change;
+    return std::isnan(moved) ? 0 : moved;
+  }
+
+  void add_spreads(Index first, Index axes, std::vector<TableRow>& rows) const {
+    const auto add = [&](const char* name, const Eigen::VectorXd& spread) {
+      TableRow row{std::string("  ") + name};
+      for (Index axis = 0; axis < axes; ++axis) {
+        const double value = spread[first + axis];
+        row.push_back(std::isnan(value) ? "none" : rate_text(value, value));
+      }
+      row.push_back(mechanism_.units.length);
+      rows.push_back(std::move(row));
+    };
+    add("worst case, up or down", closure_.worst_case);
+    add("root sum square", closure_.root_sum_square);
+  }
 
   const Sensitivities& told_;
   const ClosureSensitivity& closure_;
@@ -88,127 +199,6 @@ class Tables {
   double length_noise_ = 0;  ///< what moves by no more stands, but for rounding
   double angle_noise_ = 0;
 };
-
-/// One unit of the dimension in the file, in radians or lengths.
-double Tables::unit(std::size_t dimension) const {
-  const bool in_degrees = told_.dimensions[dimension].is_angle && mechanism_.units.angle == "deg";
-  return in_degrees ? std::numbers::pi / 180 : 1;
-}
-
-std::string Tables::with_unit(const std::string& number, bool is_angle) const {
-  const std::string& unit = is_angle ? mechanism_.units.angle : mechanism_.units.length;
-  return unit.empty() ? number : number + " " + unit;
-}
-
-/// How far the point moves: by its tolerance where there are any, else by one unit of the file.
-double Tables::weight(const MatrixXd& rates, std::size_t k) const {
-  const double change = told_.has_tolerances() ? told_.tolerances[k] : unit(k);
-  const double moved = rates.col(static_cast<Index>(k)).norm() * change;
-  return std::isnan(moved) ? 0 : moved;
-}
-
-/// Dimensions that move the point, most first; those that move it equally in the file's order.
-std::vector<std::size_t> Tables::ranked(const MatrixXd& rates) const {
-  // Rates that are equal but for rounding, as those of both ends of a link are, stand in one order everywhere.
-  constexpr double kEqual = 1e-9;
-  std::vector<std::size_t> order;
-  double largest = 0;
-  for (std::size_t k = 0; k < told_.dimensions.size(); ++k) {
-    largest = std::max(largest, weight(rates, k));
-  }
-  for (std::size_t k = 0; k < told_.dimensions.size(); ++k) {
-    if (weight(rates, k) > kEqual * largest) order.push_back(k);
-  }
-  const auto step = [&](std::size_t k) {
-    return std::round(weight(rates, k) / (kEqual * largest));
-  };
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return step(a) > step(b); });
-  return order;
-}
-
-void Tables::add_spreads(Index first, Index axes, std::vector<TableRow>& rows) const {
-  const auto add = [&](const char* name, const Eigen::VectorXd& spread) {
-    TableRow row{std::string("  ") + name};
-    for (Index axis = 0; axis < axes; ++axis) {
-      const double value = spread[first + axis];
-      row.push_back(std::isnan(value) ? "none" : rate_text(value, value));
-    }
-    row.push_back(mechanism_.units.length);
-    rows.push_back(std::move(row));
-  };
-  add("worst case, up or down", closure_.worst_case);
-  add("root sum square", closure_.root_sum_square);
-}
-
-std::string Tables::rest_text(const MatrixXd& rates, const std::vector<std::size_t>& order) const {
-  const std::size_t left = order.size() - kShown;
-  const double most = weight(rates, order[kShown]);
-  return "and " + counted(left, "dimension") + " that " + (left == 1 ? "moves" : "move") +
-         " it by " + with_unit(rate_text(most, most), false) + " or less";
-}
-
-std::string Tables::of_point(const MovingPoint& point) const {
-  const auto is_here = [&](const SensitiveQuantity& quantity) {
-    return quantity.group == SensitiveGroup::point && quantity.point.body == point.point.body &&
-           quantity.point.point == point.point.point;
-  };
-  const auto begin = std::find_if(told_.quantities.begin(), told_.quantities.end(), is_here);
-  const auto first = static_cast<Index>(begin - told_.quantities.begin());
-  const Index axes = mechanism_.space == Space::planar ? 2 : 3;
-  const MatrixXd rates = closure_.rates.middleRows(first, axes);
-  const std::vector<std::size_t> order = ranked(rates);
-  constexpr std::array<const char*, 3> kAxes{"x", "y", "z"};
-  std::vector<TableRow> rows{{point.name}};
-  rows.front().insert(rows.front().end(), kAxes.begin(), kAxes.begin() + axes);
-  for (std::size_t k = 0; k < std::min(kShown, order.size()); ++k) {
-    const std::size_t dimension = order[k];
-    const auto column = rates.col(static_cast<Index>(dimension));
-    TableRow row{"  " + told_.dimensions[dimension].name};
-    for (Index axis = 0; axis < axes; ++axis) {
-      row.push_back(rate_text(column[axis] * unit(dimension), column.norm() * unit(dimension)));
-    }
-    if (told_.has_tolerances()) {
-      const double tolerance = told_.tolerances[dimension] / unit(dimension);
-      row.push_back("tolerance " + with_unit(rate_text(tolerance, tolerance),
-                                             told_.dimensions[dimension].is_angle));
-    }
-    rows.push_back(std::move(row));
-  }
-  if (order.size() > kShown) rows.push_back({"  " + rest_text(rates, order)});
-  if (told_.has_tolerances()) add_spreads(first, axes, rows);
-  return aligned(rows, static_cast<std::size_t>(axes));
-}
-
-/// What a designer reads off as output: the bodies' angles (in space the joints'), and the slides.
-std::string Tables::of_angles_and_slides() const {
-  std::vector<TableRow> rows{{"angles and slides", "most", "by"}};
-  if (told_.has_tolerances()) {
-    rows.front().insert(rows.front().end(), {"worst case", "root sum square"});
-  }
-  for (std::size_t i = 0; i < told_.quantities.size(); ++i) {
-    const SensitiveQuantity& quantity = told_.quantities[i];
-    const bool is_angle = quantity.kind == CoordinateKind::angle;
-    const bool is_of_body = is_angle && mechanism_.space == Space::planar;
-    const auto group = is_of_body ? SensitiveGroup::coordinate : SensitiveGroup::joint;
-    if (quantity.group != group) continue;
-    const MatrixXd rates = closure_.rates.row(static_cast<Index>(i));
-    const std::vector<std::size_t> order = ranked(rates);
-    const double noise = is_angle ? angle_noise_ : length_noise_;
-    if (order.empty() || weight(rates, order[0]) <= noise) continue;
-    const double one = is_angle && mechanism_.units.angle == "deg" ? std::numbers::pi / 180 : 1;
-    const double most = rates(0, static_cast<Index>(order[0])) * unit(order[0]) / one;
-    TableRow row{"  " + quantity.name, with_unit(rate_text(most, most), is_angle),
-                 told_.dimensions[order[0]].name};
-    for (const Eigen::VectorXd* spread : {&closure_.worst_case, &closure_.root_sum_square}) {
-      if (!told_.has_tolerances()) break;
-      const double value = (*spread)[static_cast<Index>(i)] / one;
-      row.push_back(std::isnan(value) ? "none" : with_unit(rate_text(value, value), is_angle));
-    }
-    rows.push_back(std::move(row));
-  }
-  return rows.size() == 1 ? "" : aligned(rows, 0);
-}
 
 std::string breaking_text(const Sensitivities& told, const ClosureSensitivity& closure) {
   if (closure.breaking.empty()) return "";
