@@ -199,7 +199,7 @@ double ArbStage::largest_coordinate() const {
   return largest;
 }
 
-/// step_: J^-1 F, and J^-1 of the radius of F, what its rounding errors make of that. False where J is singular.
+/// step_: J^-1 F, and J^-1 of the radii of F, an estimate of what its rounding errors make of that. False where J is singular.
 bool ArbStage::find_step() {
   for (std::size_t i = 0; i < n_; ++i) {
     acb_srcptr value = values_[i].get();
@@ -223,7 +223,7 @@ ArbOutcome ArbStage::approach(double farthest) {
     if (!find_step()) return ArbOutcome::not_proved;
     const double least = std::max(kLeastWeight * largest_coordinate(), kLeastRadius);
     double share = 0;
-    double noise = 0;  // what rounding makes of it
+    double noise = 0;  // about what rounding makes of it
     double moved = 0;
     for (std::size_t j = 0; j < n_; ++j) {
       acb_ptr mj = m_[j].get();
@@ -237,8 +237,9 @@ ArbOutcome ArbStage::approach(double farthest) {
       moved = std::max(moved, distance(mj, start_[j].get()));
     }
     // A step that rounding can make tells nothing, nor would the next.
-    if (!(share > noise)) break;
-    if (moved > farthest) return ArbOutcome::left;
+    const bool tells = share > noise;
+    if (moved > farthest) return tells ? ArbOutcome::left : ArbOutcome::not_proved;
+    if (!tells) break;
     const double ratio = share / last;
     const bool is_quadratic = last_ratio < kQuadraticShare && ratio < last_ratio;
     if (is_quadratic) outcome = ArbOutcome::converged;

@@ -296,10 +296,7 @@ bool settle_by_bound(Run& run) {
   const std::vector<std::uint64_t> spare = spare_paths(run, places);
   // Of the paths that are said to be at infinity some are not, and nothing tells which.
   run.bounds.lacks_paths = spare.size() < places.count();
-  if (run.bounds.lacks_paths) {
-    run.bounds.met.reset();
-    return false;
-  }
+  if (run.bounds.lacks_paths) return false;
   for (std::size_t k = places.fill(run, spare); k < spare.size(); ++k) run.ledger.leave(spare[k]);
   run.waiting.clear();
   run.unsettled_conjugates = 0;
@@ -315,7 +312,8 @@ bool is_root_missing(Run& run) {
 bool lacks_ends(const Run& run) {
   const QuotientRing& ring = run.bounds.ring;
   return ring.verdict == QuotientRing::Verdict::finite &&
-         run.ledger.count(PathVerdict::finite) < ring.dimension;
+         run.ledger.count(PathVerdict::finite) + run.ledger.count(PathVerdict::as_rounded) <
+             ring.dimension;
 }
 
 bool are_as_counted(Run& run) {
@@ -329,7 +327,8 @@ bool are_as_counted(Run& run) {
     roots += group.size();
   }
   if (roots != ring.dimension) return false;
-  if (!run.bounds.points) {
+  if (!run.bounds.points_sought) {
+    run.bounds.points_sought = true;
     run.bounds.points =
         quotient_ring(run.setting.prepared.reduction.system,
                       {0, static_cast<std::uint64_t>(kTermsInDoubt), &run.setting.stop, true})
@@ -368,7 +367,7 @@ void tell_completeness(const Run& run, SolveResult& result) {
       std::all_of(result.solutions.begin(), result.solutions.end(),
                   [](const Solution& root) { return root.singular || *root.certified; });
   // Where a result contradicts what is known a bound proves nothing of it.
-  if (result.complete) result.bound = run.bounds.met;
+  if (result.complete && !run.bounds.lacks_paths) result.bound = run.bounds.met;
   const bool is_shown = result.complete && all_certified && run.setting.prepared.leads_to_all;
   result.completeness = result.bound ? RootCompleteness::proved
                         : is_shown   ? RootCompleteness::shown
@@ -376,8 +375,8 @@ void tell_completeness(const Run& run, SolveResult& result) {
   const std::uint64_t left = run.ledger.count(PathVerdict::left_by_bound);
   if (left == 0) return;
   const std::string why =
-      result.bound ? "the certified roots are as many as the " + result.bound->kind
-                   : "the roots and their multiplicities are as many as exact algebra counts";
+      run.bounds.met ? "the certified roots are as many as the " + run.bounds.met->kind
+                     : "the roots and their multiplicities are as many as exact algebra counts";
   result.left_out.push_back(
       {counted(left, "path") + " in doubt",
        why + (left == 1 ? ": it leads to no other" : ": they lead to no other")});

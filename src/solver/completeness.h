@@ -23,7 +23,7 @@ namespace moivre {
 
 /// Where a proved bound is met nothing is left in doubt: one path ends at each proved root, at each exact one (exact_roots.h) as
 /// many as its multiplicity, some on sets of positive dimension; every other ends at no isolated root, and counts as at infinity.
-/// False, and nothing is changed, where none is met.
+/// False where none is met, or where fewer paths are left than the exact roots need: that is told as a contradiction.
 bool settle_by_bound(Run& run);
 
 /// Exact algebra has counted more roots than are proved: some path in doubt leads to one. False where it has no count.

@@ -233,10 +233,11 @@ PathSet paths_at_infinity(const Run& run) {
   return paths;
 }
 
-/// A root is missing to which no path in doubt may lead: one that is said to end at infinity has jumped on its way.
+/// Roots are missing: besides the paths in doubt, one that is said to end at infinity may have jumped on its way.
 void follow_to_lost_roots(Run& run) {
-  if (run.interrupted || !lacks_ends(run)) return;
-  track_again(run, paths_at_infinity(run), run.setting.options.maximum_care);
+  const SolveOptions& options = run.setting.options;
+  if (run.interrupted || options.care == options.maximum_care || !lacks_ends(run)) return;
+  track_again(run, paths_at_infinity(run), options.maximum_care);
 }
 
 /// In double, with more care, and in more digits.

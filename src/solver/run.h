@@ -40,6 +40,7 @@ struct Bounds {
   SoughtBound whole;             ///< of the system as given
   QuotientRing ring;             ///< of what is tracked
   std::uint64_t ring_terms = 0;  ///< that were allowed for it
+  bool points_sought = false;
   std::optional<std::uint64_t>
       points;  ///< different roots of what is tracked, where they were asked for and found
   std::optional<std::uint64_t> points_asked;  ///< whether they are all, by their strata

@@ -39,7 +39,8 @@ void follow(Run& run, const PathProblem& problem, const PathList& paths, int car
     // Ends that wait to be refined take much more memory than roots.
     refine_ends(run);
   }
-  if (ended < paths.count) run.interrupted = true;
+  // What was refined after a stop is not proved.
+  if (ended < paths.count || setting.stop) run.interrupted = true;
 }
 
 void follow(Run& run, const PathProblem& problem, const PathSet& paths, int care,
@@ -49,7 +50,7 @@ void follow(Run& run, const PathProblem& problem, const PathSet& paths, int care
          sink);
 }
 
-/// They all, as their verdicts come in.
+/// Takes every end as its verdict comes in.
 EndSink taking_ends(Run& run) {
   return [&run](std::uint64_t path, PathEnd&& end) {
     take_end(run, path, std::move(end));

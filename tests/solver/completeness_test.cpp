@@ -75,7 +75,7 @@ TEST(ExactRootsWithoutPaths, AreNoProofButAContradiction) {
   moivre::Run run(setting);
   for (std::uint64_t path = 0; path < 4; ++path) run.ledger.enter_infinity(path, false);
   EXPECT_FALSE(settle_by_bound(run));
-  EXPECT_FALSE(run.bounds.met);
+  EXPECT_FALSE(settle_by_bound(run));
   EXPECT_EQ(contradiction_by_algebra(run, SolveResult{}),
             "fewer paths end at a multiple root than it has to have");
   for (std::uint64_t path = 0; path < 4; ++path) {
@@ -126,9 +126,8 @@ TEST(CountedRoots, AreDoubleWhereAlgebraCountsTheDifferentOnes) {
   }
 }
 
-// Of size 1e39: x_0 is lost in the digits of double-double, and the other ten doubtful paths go to infinity.
-// 12 simple roots, and three of multiplicity 3 with irrational coordinates: 21 in all. Eleven paths more lead to infinity, some of them too slowly
-// to be told.
+// 12 simple roots, and three of multiplicity 3 with irrational coordinates: 21 in all. Eleven paths more lead to infinity, some of them
+// too slowly to be told.
 TEST(CountedRoots, EndTheDoubtsAboutOtherPaths) {
   const System f = read(
       "2\n -8*(8*y-6*x-3*x^2+1)*(3*y+2*x+7*x*y-4)+3*(8*y-6*x-3*x^2+1)*(3*y+2*x+7*x*y-4)^2"
@@ -177,6 +176,7 @@ TEST(CountedRoots, LeaveNoSetBesideThem) {
   }
 }
 
+// Of size 1e39: x_0 is lost in the digits of double-double, and the other ten doubtful paths go to infinity.
 TEST(CountedRoots, AreLookedForInMoreDigitsAsLongAsOneIsMissing) {
   const System f = read(
       "5\n8*x2^2-x2*x5+x3*x4-x3*x5+x1+3*x5-6;\n-x1^2+x2-2506*x3-9*x4+1;\n"

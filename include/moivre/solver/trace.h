@@ -11,7 +11,7 @@
 //                     random. If F and G are real, paths can meet before t = 1; then multiply G by a complex constant.
 //
 // |H| = max_i |H_i| at the point of unit length in homogeneous coordinates. Affine coordinates are infinite where x_0 = 0.
-// Edges: a trace goes to the end with all effort, also where solve() leaves the path since a bound is met. A system without a path
+// Edges: a trace goes to the end with all effort, also where solve() leaves the path because a bound is met. A system without a path
 // (solved or refuted by elimination) is refused.
 #pragma once
 
