@@ -45,8 +45,8 @@ class ArbStage {
  public:
   explicit ArbStage(const CertifyProgram& program);
 
-  /// Seeks a proof in b bits, beginning at the point `midpoint + finer`, for all given numbers in their discs; where it is found, `result` has midpoint, finer, radius,
-  /// error and bits. farthest: Newton's method has left where it went farther than this, |x|_inf.
+  /// Seeks a proof in b bits, beginning at the point `midpoint + finer`, for all given numbers in their discs; where it is found,
+  /// `result` has midpoint, finer, radius, error and bits. farthest: Newton's method has left where it went farther than this, |x|_inf.
   ArbOutcome prove(std::span<const Complex> midpoint, std::span<const Point> finer,
                    std::span<const Enclosure> given, int bits, double farthest,
                    Certificate& result);
@@ -71,7 +71,8 @@ class ArbStage {
   std::vector<ArbBall> start_, m_, ball_;
   std::vector<ArbBall> x_, registers_, values_,
       jacobian_;  // of the tape; x_: unknowns, then given numbers
-  ArbMatrix j_, y_, g_, f_, step_;
+  ArbMatrix j_, y_, g_;
+  ArbMatrix f_, step_;         // F and its radii; J^-1 or Y times these
   std::vector<double> fixed_;  // |Y F(m)|
 };
 

@@ -25,8 +25,6 @@ constexpr double kCaptionRoom = 26;  // above it
 constexpr double kCaptionLeft = 10;
 constexpr double kWidest = 1180;         // of all panels in a row
 constexpr double kNarrowestSheet = 440;  // of a sheet
-constexpr double kNoteFont = 12;
-constexpr double kNoteLine = 17;
 constexpr double kFooter = 34;
 
 /// The mechanism from one side.

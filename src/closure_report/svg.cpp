@@ -200,15 +200,13 @@ std::string heading_svg(const std::string& title, const std::string& note, doubl
                         double width, double& y) {
   constexpr double kTitleFont = 17;
   constexpr double kTitleLine = 22;
-  constexpr double kHeadingNoteFont = 12;
-  constexpr double kHeadingNoteLine = 17;
   std::string svg;
   for (const std::string& line : wrapped(title, kTitleFont, width)) {
     y += kTitleLine;
     svg += text_svg({left, y}, "start", "title", line);
   }
-  for (const std::string& line : wrapped(note, kHeadingNoteFont, width)) {
-    y += kHeadingNoteLine;
+  for (const std::string& line : wrapped(note, kNoteFont, width)) {
+    y += kNoteLine;
     svg += text_svg({left, y}, "start", "note", line);
   }
   return svg;

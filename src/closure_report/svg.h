@@ -46,6 +46,10 @@ double text_width(std::string_view text, double font_size);
 /// Broken between words so that no line is wider, where that is possible.
 std::vector<std::string> wrapped(const std::string& text, double font_size, double width);
 
+/// Of notes, in pixels.
+inline constexpr double kNoteFont = 12;
+inline constexpr double kNoteLine = 17;
+
 /// Lines of a title and of a note below it, from `left` on; y moves down.
 std::string heading_svg(const std::string& title, const std::string& note, double left,
                         double width, double& y);

@@ -48,7 +48,7 @@ Polynomial SpatialFrame::add_unknown(const std::string& name, bool is_direction,
 void SpatialFrame::add_equation(const std::string& name, Polynomial p) {
   if (p.terms.empty()) return;
   if (degree(p) == 0) {
-    result_.contradictions.push_back(name + " does not hold where its ends are already held");
+    result_.contradictions.push_back(name + " cannot hold: what it joins is already held");
     return;
   }
   result_.system.polynomials.push_back(std::move(p));

@@ -304,20 +304,22 @@ std::vector<Track> PairSearch::take_brief() { return std::exchange(brief_, {}); 
 
 void search_pairs(MotionRun& run, const Tracker& tracker, std::vector<Scene>& scenes,
                   PairSearch& pairs, int most_rounds) {
-  for (int round = 0; round < most_rounds && !run.stop; ++round) {
+  for (int round = 0; !run.stop; ++round) {
     pairs.follow(scenes);
     std::vector<Track> brief = pairs.take_brief();
     const bool is_new = !brief.empty();
     std::move(brief.begin(), brief.end(), std::back_inserter(run.tracks));
     const std::vector<double> open = pairs.open_times(scenes);
     if (!is_new && open.empty()) return;
+    if (round == most_rounds) {
+      pairs.tell("closures were solved between neighbouring events " +
+                 counted(most_rounds, "time") + ", and more events came to light each time" +
+                 (open.empty() ? "" : "; none was solved at " + at_time(open.front())));
+      return;
+    }
     add_scenes(run, tracker, open, scenes);
     reconcile(run, scenes);
   }
-  const std::vector<double> open = pairs.open_times(scenes);
-  if (run.stop || open.empty()) return;
-  pairs.tell("closures were solved between neighbouring events " + counted(most_rounds, "time") +
-             ", and events are left with none between, such as " + at_time(open.front()));
 }
 
 }  // namespace moivre

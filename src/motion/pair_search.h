@@ -79,7 +79,7 @@ class PairSearch {
 Track brief_track(const Phi& phi, const BranchPose& begin, const BranchPose& pose,
                   const BranchPose& end);
 
-/// Each brings at least one event; more than these are not met.
+/// Each round brings an event to light; no motion was met that needed more.
 inline constexpr int kMostSearches = 100;
 
 /// Scenes until there is one between any two neighbouring events, with every pair of complex closures followed. What is left open is

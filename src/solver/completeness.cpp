@@ -21,8 +21,8 @@ namespace {
 
 // Steps of a search that are always worth it: some milliseconds.
 constexpr std::uint64_t kLeastSearch = 10'000;
-// Terms of the algebra that are always worth it, some thirty milliseconds at most; beyond them, a share of what the paths cost, in multiply-adds a
-// term; and where paths are in doubt, less time than one of them takes in more digits.
+// Terms of the algebra that are always worth it, some thirty milliseconds at most; beyond them, a share of what the paths cost, in
+// multiply-adds a term; and where paths are in doubt, less time than one of them takes in more digits.
 constexpr double kLeastTerms = 3'000'000;
 constexpr double kAlgebraShare = 0.5;
 constexpr double kTermCost = 20;
@@ -156,7 +156,8 @@ std::optional<MetBound> ring_or_volume_met_by(Run& run, std::uint64_t roots) {
   return std::nullopt;
 }
 
-/// Roots at 0 and curves on which coordinates vanish leave it as it is. Of the same `points` it is asked once, unless another search is worth it.
+/// Roots at 0 and curves on which coordinates vanish leave it as it is. Of the same `points` it is asked once, unless another search is
+/// worth it.
 std::optional<MetBound> strata_met_by(Run& run, std::uint64_t points) {
   const System& f = run.setting.f;
   if (!lacks_origin(f)) return std::nullopt;

@@ -155,8 +155,9 @@ bool settle_by_count(Run& run) {
 
 bool is_settled(Run& run) { return settle_by_bound(run) || settle_by_count(run); }
 
-/// Where F all but vanishes along a set, simple roots pass for points of it. Paths to such a set are followed in double-double: a root that
-/// is proved at the end of one is none of the set's. Where there is such a root the set is none, and what the other paths end at is not known.
+/// Where F all but vanishes along a set, simple roots pass for points of it. Paths to such a set are followed in double-double: a root
+/// that is proved at the end of one is none of the set's. Where there is such a root the set is none, and what the other paths end at
+/// is not known.
 void resolve_blurred_sets(Run& run) {
   if (!run.setting.certify_program) return;
   PathSet paths;

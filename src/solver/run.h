@@ -2,8 +2,8 @@
 // What has become of the paths so far? The state of one solve, between its setting and its result.
 //
 // A path is in one of three places: not yet followed to its end (`waiting`, where it was followed at all), among `ends` (finite, but not
-// yet a root of the system as given), or in the ledger. Who changes what: tracking.h and ends.h bring paths in, doubts.h sends them out again,
-// account.h only reads.
+// yet a root of the system as given), or in the ledger. Who changes what: tracking.h and ends.h bring paths in, doubts.h sends them
+// out again, account.h only reads.
 #pragma once
 
 #include <map>

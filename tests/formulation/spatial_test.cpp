@@ -161,7 +161,7 @@ TEST(SpatialFormulation, ARodOfAnotherLengthBesideADriverContradictsNoAngle) {
   mechanism.joints.push_back(rod);
   const Formulation f = formulate(mechanism, 0);
   ASSERT_EQ(f.contradictions.size(), 1U);
-  EXPECT_EQ(f.contradictions.front(), "brace does not hold where its ends are already held");
+  EXPECT_EQ(f.contradictions.front(), "brace cannot hold: what it joins is already held");
 }
 
 }  // namespace

@@ -365,12 +365,7 @@ TEST(Certified, ARootWhoseEliminatedUnknownsCancelIsFound) {
       " 7394*x1*x2+6*x3*x7-x5*x8+4488*x2-x3+8*x6+x7+3182;\n"
       " -x1+9*x2+6*x3-6*x4+x5+8*x6-6*x7+7*x8-9;\n"
       " -4*x1-x2-8*x3-4*x4+8*x5+6*x6+5*x7-6*x8-3;\n");
-  for (std::uint64_t seed = 1; seed <= 2; ++seed) {
-    SCOPED_TRACE(seed);
-    const SolveResult result = solve(f, *make_lane_tracker(), with_seed(seed));
-    EXPECT_EQ(result.completeness, RootCompleteness::proved);
-    EXPECT_EQ(result.solutions.size(), 62U);
-  }
+  expect_proved(f, 1, 2, 62, "dimension of the quotient ring");
 }
 
 // Of its 56 roots one has coordinates of size 1e11 whose roundings alone move the eliminated unknown, -6.15, by 3e-5.
@@ -383,12 +378,7 @@ TEST(Certified, ARootIsKnownByItsKeptUnknowns) {
       " -x1*x7-x2*x3-x2*x6+5*x2-9*x4-x7-3450;\n"
       " x2*x4+2372*x4-1774;\n"
       " -x1-x2-2*x3+5*x4+2*x5+9*x6+9*x7+5;\n");
-  for (std::uint64_t seed = 1; seed <= 2; ++seed) {
-    SCOPED_TRACE(seed);
-    const SolveResult result = solve(f, *make_lane_tracker(), with_seed(seed));
-    EXPECT_EQ(result.completeness, RootCompleteness::proved);
-    EXPECT_EQ(result.solutions.size(), 56U);
-  }
+  expect_proved(f, 1, 2, 56, "mixed volume");
 }
 
 TEST(Certified, WhatIsNotDecidedIsOpen) {

@@ -144,20 +144,27 @@ TEST(CountedRoots, EndTheDoubtsAboutOtherPaths) {
   }
 }
 
+/// By lanes, with several seeds: all roots by proof, and no path that ends on a set.
+void expect_proved_from_total_degree(const System& f, std::size_t roots) {
+  const auto lanes = make_lane_tracker();
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    SCOPED_TRACE(seed);
+    SolveOptions options = with_seed(seed);
+    options.start = StartKind::total_degree;
+    const SolveResult result = solve(f, *lanes, options);
+    EXPECT_EQ(result.completeness, RootCompleteness::proved);
+    EXPECT_EQ(result.solutions.size(), roots);
+    EXPECT_TRUE(result.on_sets.empty());
+  }
+}
+
 // With seed 5 a path jumps to a sheet at infinity beside it, 1e-12 before its end at a root of size 2e9 and condition 1e13.
 TEST(CountedRoots, AreLookedForOnPathsThatAreSaidToEndAtInfinity) {
   const System f = read(
       "3\n400000*x1^2*x3-40000000*x1*x2^2-90*x1^2-4000000*x1*x2-500000000*x2^2-90*x2-200;\n"
       "30000*x1^2*x3+3*x1*x2*x3-7000*x1^2+200000000*x1*x3-100000000;\n"
       "-9000*x1*x2^2+100*x1*x3^2+100000000*x2^2*x3-90000*x2*x3^2-200*x1+80000*x3+8;\n");
-  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
-    SCOPED_TRACE(seed);
-    SolveOptions options = with_seed(seed);
-    options.start = StartKind::total_degree;
-    const SolveResult result = solve(f, *make_lane_tracker(), options);
-    EXPECT_EQ(result.completeness, RootCompleteness::proved);
-    EXPECT_EQ(result.solutions.size(), 17U);
-  }
+  expect_proved_from_total_degree(f, 17);
 }
 
 // Paths that end where F all but vanishes along a set: algebra tells that there is none.
@@ -165,15 +172,7 @@ TEST(CountedRoots, LeaveNoSetBesideThem) {
   const System f = read(
       "2\n64*x1^2*x2^2-144*x1*x2^2+96*x1*x2+81*x2^2-108*x2+36.0000000004;\n"
       "-56*x1^2*x2-16*x1*x2^2+15*x1*x2+18*x2^2-36*x1+38*x2-39.9999999993;\n");
-  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
-    SCOPED_TRACE(seed);
-    SolveOptions options = with_seed(seed);
-    options.start = StartKind::total_degree;
-    const SolveResult result = solve(f, *make_lane_tracker(), options);
-    EXPECT_EQ(result.completeness, RootCompleteness::proved);
-    EXPECT_EQ(result.solutions.size(), 4U);
-    EXPECT_TRUE(result.on_sets.empty());
-  }
+  expect_proved_from_total_degree(f, 4);
 }
 
 // Of size 1e39: x_0 is lost in the digits of double-double, and the other ten doubtful paths go to infinity.

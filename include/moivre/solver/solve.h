@@ -6,7 +6,7 @@
 //
 // Completeness (with certificates only):
 //   proved   as many roots are certified as a proved bound allows
-//   shown    every path was decided, and every regular root is certified
+//   shown    every path was decided, or left where exact algebra counts no more roots, and every regular root is certified
 //   open     neither
 //
 // Conservation, on every run:   tracked = finite + at_infinity + failed
@@ -182,7 +182,7 @@ struct StartFacts {
 /// What is known about the number of isolated roots.
 enum class RootCompleteness {
   proved,  ///< as many are certified as a proved bound allows: there is no other
-  shown,   ///< every path was decided, and every regular root is certified
+  shown,  ///< every path was decided, or left where exact algebra counts no more roots; regular roots are certified
   open
 };
 std::string to_string(RootCompleteness completeness);
