@@ -80,7 +80,8 @@ std::string motion_csv(const MotionResult& result, const Mechanism& mechanism,
   std::string text = head(mechanism, form);
   for (const MotionBranch& branch : result.branches) {
     for (const BranchSample& sample : branch.samples) {
-      text += branch.id + line(sample, shown(phi, branch, sample, form), mechanism, form);
+      text +=
+          branch.id + line(sample, shown(mechanism, phi, branch, sample, form), mechanism, form);
     }
   }
   return text;

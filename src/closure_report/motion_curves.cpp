@@ -13,8 +13,10 @@ namespace {
 
 // In pixels.
 constexpr double kMarkSize = 5;
-constexpr double kDash = 9;        // of each of the branches that share a curve, in turn
-constexpr double kSampleDash = 5;  // in the legend
+constexpr double kLine = 1.8;  // as in the style sheet
+constexpr double kStripe =
+    5;  // by how much a branch's line is wider than the next one's on the same curve
+constexpr double kWidestStripes = 14;  // of all branches on one curve
 // Pairs of points, so that a long table is drawn at once: curves of more are told alike by their times alone.
 constexpr std::size_t kMostPairs = 4'000'000;
 
@@ -60,14 +62,15 @@ std::string branch_text(const MotionResult& result, const Mechanism& mechanism,
   return branch.complete ? named : named + ", not finished";
 }
 
-/// Two dashes, one a colour.
+/// Two branches on one line.
 std::string shared_sample(Complex at) {
-  const auto dash = [at](std::size_t branch) {
-    const double x = at.real() + kSampleDash * static_cast<double>(branch);
-    return curve_svg({{x, -at.imag()}, {x + kSampleDash, -at.imag()}}, PixelMap{},
-                     BranchLook{branch, "", ""});
-  };
-  return dash(0) + dash(1);
+  const std::vector<Complex> line{{at.real() + 3, -at.imag()}, {at.real() + 9, -at.imag()}};
+  return curve_svg(line, PixelMap{}, {0, "", ""}, {0, 2}) +
+         curve_svg(line, PixelMap{}, {1, "", ""}, {1, 2});
+}
+
+std::string stroke(const std::string& colour, double width) {
+  return colour + "stroke-width:" + pixel_text(width) + "px";
 }
 
 }  // namespace
@@ -78,16 +81,23 @@ std::string curve_svg(const std::vector<Complex>& points, const PixelMap& map,
   for (const Complex z : points) mapped.push_back(map(z));
   std::vector<Attribute> attributes{{"class", "curve " + colour_class(look.colour)},
                                     {"d", path_data(mapped)}};
-  const auto dashes_of = [](std::size_t count) {
-    return pixel_text(kDash * static_cast<double>(count));
-  };
-  if (share.of > 1) {
-    attributes.push_back({"stroke-dasharray", dashes_of(1) + ' ' + dashes_of(share.of - 1)});
-    attributes.push_back({"stroke-dashoffset", dashes_of(share.of - share.number)});
-  } else if (!look.dashes.empty()) {
-    attributes.push_back({"stroke-dasharray", look.dashes});
+  if (share.of == 1) {
+    if (!look.dashes.empty()) attributes.push_back({"stroke-dasharray", look.dashes});
+    return element("path", attributes) + '\n';
   }
-  return element("path", attributes) + '\n';
+  const double step =
+      std::min(kStripe, (kWidestStripes - kLine) / static_cast<double>(share.of - 1));
+  const double width = kLine + step * static_cast<double>(share.of - 1 - share.number);
+  std::string svg;
+  if (share.number > 0) {
+    const double gap = step / 2;  // white, half of it on either side
+    svg = element(
+              "path",
+              {{"class", "curve"}, {"style", stroke("stroke:#fff;", width + gap)}, attributes[1]}) +
+          '\n';
+  }
+  attributes.push_back({"style", stroke("", width)});
+  return svg + element("path", attributes) + '\n';
 }
 
 std::vector<Share> shares_of(const std::vector<std::vector<Complex>>& curves, double apart) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // How does a branch look in a picture of a motion? Its curve in its colour, marks where it begins and ends, its line in the legend.
 //
-// Everything in pixels, y downwards. Branches that take one curve are drawn as dashes in turn, so that every branch is seen. Dead
-// point: a diamond; bifurcation: a square; joint limit: a triangle.
+// Everything in pixels, y downwards. Branches that take one curve are drawn as stripes, one inside the other, so that every branch is
+// seen, also where it comes back the way it went. Dead point: a diamond; bifurcation: a square; joint limit: a triangle.
 #pragma once
 
 #include <string>
@@ -18,7 +18,7 @@ inline constexpr double kMotionMargin = 16;      ///< around everything
 inline constexpr double kNarrowestMotion = 560;  ///< without the margins
 inline constexpr double kLegendLine = 19;
 
-/// Of the branches that take one and the same curve: which is this, of how many?
+/// Of the branches that take one and the same curve: which is this, of how many? The first is the widest, and drawn first.
 struct Share {
   std::size_t number = 0;
   std::size_t of = 1;

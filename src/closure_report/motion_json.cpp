@@ -66,7 +66,7 @@ Json branch_json(const MotionBranch& branch, const Mechanism& mechanism, const P
             {"steps", branch.steps},
             {"retracked", branch.retracked},
             {"samples", list_json(branch.samples, [&](const BranchSample& sample) {
-               return sample_json(sample, shown(phi, branch, sample, form), mechanism);
+               return sample_json(sample, shown(mechanism, phi, branch, sample, form), mechanism);
              })}};
   if (!branch.of.empty()) json["of"] = branch.of;
   return json;

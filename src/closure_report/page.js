@@ -27,11 +27,28 @@
   const mix = (a, b, s) => (a === null || b === null ? null : a + (b - a) * s);
   const valueAt = (values, [k, s]) => (s === 0 || values.length === 1 ? values[k] : mix(values[k], values[k + 1], s));
 
+  // Names: each keeps its side of its anchor, and changes it only where it would cover a name before it.
+  const largeNames = 0.5;  // of an enlarged panel, as in the style sheet
+  const covered = (p, q) => Math.max(0, Math.min(p.x + p.w, q.x + q.w) - Math.max(p.x, q.x)) *
+    Math.max(0, Math.min(p.y + p.h, q.y + q.h) - Math.max(p.y, q.y));
+  const sides = [1, 7, 3, 5, 0, 4, 2, 6].map((k) => [Math.cos(k * Math.PI / 4), Math.sin(k * Math.PI / 4)]);
+  const sizeOf = (label) => [label.getComputedTextLength(), parseFloat(getComputedStyle(label).fontSize)];
+  // The middle of a name of this width and height beside the anchor (x, y), own = the side that it was drawn on.
+  const placeName = (taken, [x, y], own, [w, h]) => {
+    const room = 0.6 * h;
+    const offsets = [own, ...sides.map(([c, s]) => [c * (w / 2 + room), s * (h / 2 + room)])];
+    const boxes = offsets.map(([dx, dy]) => ({x: x + dx - w / 2, y: y + dy - h / 2, w, h}));
+    const costs = boxes.map((box) => taken.reduce((sum, other) => sum + covered(box, other), 0));
+    const best = costs.indexOf(Math.min(...costs));
+    taken.push(boxes[best]);
+    return [x + offsets[best][0], y + offsets[best][1]];
+  };
+
   // A panel: groups [data-frame] get their frame's similarity, labels follow their anchors.
   const panels = data.branches.map((branch, index) => {
     const figure = byId('panel-' + index);
     const groups = [...figure.querySelectorAll('[data-frame]')].map((g) => [g, Number(g.dataset.frame)]);
-    const labels = [...figure.querySelectorAll('text[data-label]')].map((t) => [t, JSON.parse(t.dataset.label)]);
+    const labels = [...figure.querySelectorAll('text[data-label]')].map((t) => [t, JSON.parse(t.dataset.label), sizeOf(t)]);
     const note = figure.querySelector('figcaption span');
     return (t) => {
       const place = placeAmong(branch.t, t);
@@ -43,11 +60,16 @@
         const [a, b, e, f] = [0, 1, 2, 3].map((j) => at(4 * frame + j));
         g.setAttribute('transform', `matrix(${a} ${b} ${-b} ${a} ${e} ${f})`);
       }
-      for (const [label, {frame, x, y, dx, dy, base, turns, series}] of labels) {
+      const scale = figure.classList.contains('large') ? largeNames : 1;
+      const taken = [];
+      for (const [label, {frame, x, y, dx, dy, base, turns, series}, size] of labels) {
         const [a, b, e, f] = [0, 1, 2, 3].map((j) => at(4 * frame + j));
         const [u, v] = turns ? [a / Math.hypot(a, b), b / Math.hypot(a, b)] : [1, 0];
-        label.setAttribute('x', a * x - b * y + e + u * dx - v * dy);
-        label.setAttribute('y', b * x + a * y + f + v * dx + u * dy + base);
+        const anchor = [a * x - b * y + e, b * x + a * y + f];
+        const own = [scale * (u * dx - v * dy), scale * (v * dx + u * dy)];
+        const middle = placeName(taken, anchor, own, size.map((length) => scale * length));
+        label.setAttribute('x', middle[0]);
+        label.setAttribute('y', middle[1] + scale * base);
         if (series === undefined) continue;
         const value = valueAt(branch.series[series][0], place);
         const {name, units} = data.quantities[series];
@@ -187,7 +209,10 @@
   for (const figure of document.querySelectorAll('#panels figure')) {
     const name = figure.querySelector('figcaption');
     name.title = 'enlarge';
-    name.addEventListener('click', () => figure.classList.toggle('large'));
+    name.addEventListener('click', () => {
+      figure.classList.toggle('large');
+      setTime(now);
+    });
   }
 
   // Every quantity that can be plotted, a sample a line, as many digits as the plots have.

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "moivre/mechanism/pose.h"
+#include "shown_angles.h"
 
 namespace moivre {
 namespace {
@@ -58,6 +59,9 @@ std::vector<TracedPose> traced_poses(const Mechanism& mechanism, const MotionBra
     poses.push_back({sample.time, sample.q, &sample});
   }
   add_event(branch.end_event, true);
+  if (poses.empty()) return poses;
+  const Eigen::VectorXd turns = turns_to_begin(mechanism, poses.front().q, poses.front().time);
+  for (TracedPose& pose : poses) pose.q += turns;
   return poses;
 }
 

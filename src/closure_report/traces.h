@@ -17,7 +17,7 @@ struct TracedPose {
   const BranchSample* sample = nullptr;
 };
 
-/// The event where the branch begins, its samples, the event where it ends.
+/// The event where the branch begins, its samples, the event where it ends; angles go on from where shown_angles.h lets them begin.
 std::vector<TracedPose> traced_poses(const Mechanism& mechanism, const MotionBranch& branch,
                                      const MotionResult& result);
 

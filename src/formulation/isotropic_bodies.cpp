@@ -88,10 +88,19 @@ class Bodies {
       if (traits(joint.type).turn != JointTurn::geared || !is_settled(joint, known_.angles))
         continue;
       hold_known_angles({joint.at[0].body, joint.at[1].body, joint.gear.carrier}, label(joint));
+      leave_out_meshings(joint);
     }
     for (const Joint& joint : mechanism_.joints) {
       if (joint.type == JointType::rack || joint.type == JointType::cam_lever) hold_second(joint);
     }
+  }
+
+  void leave_out_meshings(const Joint& gear) {
+    const auto& [zi, zj] = gear.gear.teeth;
+    const bool is_even = std::abs(zi) == std::abs(zj) && gear.gear.carrier == 0;
+    if (is_even) return;
+    frame_.result().left_out.emplace_back("other meshings than the drawn one of " + label(gear),
+                                          "--meshings looks for them");
   }
 
   void hold_known_angles(const std::vector<std::size_t>& bodies, const std::string& name) {

@@ -43,6 +43,24 @@ document.getElementById('animate').click();
 </script></body>"""
 
 
+# How many names cover another one, at some times of the motion. A line of text is higher than its letters by a sixth.
+COVERED = """<script>
+const share = (p, q) => Math.max(0, Math.min(p.right, q.right) - Math.max(p.left, q.left) - 1) *
+  Math.max(0, Math.min(p.bottom, q.bottom) - Math.max(p.top, q.top) - p.height / 6 - 1);
+let covered = 0;
+for (let k = 0; k <= 20; ++k) {
+  const slider = document.getElementById('time');
+  slider.value = String(k / 20);
+  slider.dispatchEvent(new Event('input'));
+  for (const panel of document.querySelectorAll('#panels figure')) {
+    const boxes = [...panel.querySelectorAll('text[data-label]')].map((name) => name.getBoundingClientRect());
+    boxes.forEach((box, i) => boxes.slice(0, i).forEach((other) => { covered += share(box, other) > 0 ? 1 : 0; }));
+  }
+}
+document.body.dataset.covered = String(covered);
+</script></body>"""
+
+
 # What one does who looks at a spatial mechanism's closures, drags one of them, and double clicks.
 TURN = """<script>
 const shots = () => canvases.map((canvas) => canvas.toDataURL());
@@ -153,6 +171,15 @@ def check_slider(browser, page):
     expect_works(dom, moved.name)
     expect(transforms(dom) != transforms(browser.dom(page)), "a hand on the slider moves the drawing")
     expect(not readout(dom).startswith("t = 0 s"), "and the readout")
+
+
+def check_names_of_parts(browser, page):
+    moved = page.with_name("covered.html")
+    moved.write_text(page.read_text().replace("</body>", COVERED))
+    dom = browser.dom(moved)
+    expect_works(dom, moved.name)
+    covered = int(re.search(r'data-covered="(\d+)"', dom).group(1))
+    expect(covered == 0, f"{page.name}: no name covers another one while it moves, not {covered}")
 
 
 def check_controls(browser, page):
@@ -302,6 +329,8 @@ def main():
         check_motion(browser, four_bar)
         check_ticks(browser, four_bar)
         check_slider(browser, four_bar)
+        check_names_of_parts(browser, four_bar)
+        check_names_of_parts(browser, page_of(moivre, folder, "motion", root / "tests/trial/files/eightbar.toml"))
         check_animation(browser, four_bar)
         check_animation(browser, page_of(moivre, folder, "motion", mechanisms / "stephenson-3.toml"))
         check_controls(browser, page_of(moivre, folder, "motion", mechanisms / "four-bar.toml", "--columns",

@@ -206,15 +206,18 @@ TEST(MotionPicture, NamesTheCircuitOfEachBranchInItsLegend) {
 }
 
 /// The crank's pin goes the same way in both branches, the slide of each has a way of its own.
-TEST(MotionPicture, BranchesThatShareACurveAreDashesInTurn) {
+TEST(MotionPicture, BranchesThatShareACurveAreStripesInsideEachOther) {
   const Mechanism mechanism = mechanism_file("whitworth");
   const std::string svg = motion_svg(motion_of(mechanism), mechanism, "file");
   EXPECT_TRUE(test::Markup(svg).is_well_formed());
-  EXPECT_EQ(count(svg, "stroke-dasharray=\"9 9\" stroke-dashoffset=\"18\""), 2U);
-  EXPECT_EQ(count(svg, "stroke-dasharray=\"9 9\" stroke-dashoffset=\"9\""), 2U);
+  // Of two points, and in the legend: the wide line, a white one on it, the narrow line.
+  EXPECT_EQ(count(svg, "style=\"stroke-width:6.8px\""), 3U);
+  EXPECT_EQ(count(svg, "style=\"stroke:#fff;stroke-width:4.3px\""), 3U);
+  EXPECT_EQ(count(svg, "style=\"stroke-width:1.8px\""), 3U);
   EXPECT_EQ(count(svg, "several branches on one curve"), 1U);
   const Mechanism four_bar = mechanism_file("four-bar");
-  EXPECT_EQ(count(motion_svg(motion_of(four_bar), four_bar, "file"), "dashoffset"), 0U);
+  EXPECT_EQ(
+      count(motion_svg(motion_of(four_bar), four_bar, "file"), "stroke:#fff;stroke-width:4.3"), 0U);
 }
 
 TEST(MotionPicture, OfTypedEquationsPlotsEachUnknownOverTheTime) {
@@ -224,7 +227,7 @@ TEST(MotionPicture, OfTypedEquationsPlotsEachUnknownOverTheTime) {
   EXPECT_TRUE(test::Markup(svg).is_well_formed());
   EXPECT_EQ(count(svg, "<rect class=\"axis\""), mechanism.unknowns.size());
   for (const Unknown& unknown : mechanism.unknowns) EXPECT_GE(count(svg, '>' + unknown.name), 1U);
-  // A curve of each branch in each plot and one in the legend, and there two dashes for shared curves.
+  // A curve of each branch in each plot and one in the legend, and there two stripes for shared curves.
   EXPECT_EQ(count(svg, "several branches on one curve"), 1U);
   EXPECT_EQ(count(svg, "<path class=\"curve "),
             motion.branches.size() * (mechanism.unknowns.size() + 1) + 2);

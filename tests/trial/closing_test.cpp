@@ -113,6 +113,8 @@ TEST(IdleWheel, IsNamedAndHeldAndHidesNoClosure) {
 TEST(Gears, MeshAsTheyWereDrawnUnlessAllMeshingsAreAskedFor) {
   const Answer drawn = answered("closures", "geared-37-53");
   EXPECT_EQ(drawn.json.at("counts").at("complex"), 2);
+  EXPECT_EQ(drawn.json.at("left_out").at(0).at("what"),
+            "other meshings than the drawn one of gear mesh");
   // a2 = phase - 37/53 a1, as numbers.
   for (const auto& closure : drawn.json.at("closures")) {
     const double g2 = closure.at("coordinates").at("g2.phi");

@@ -67,6 +67,15 @@ TEST(TableOfAMotion, LetsAnglesGoOnWhereThatIsAskedFor) {
             15);
 }
 
+TEST(TableOfAMotion, BeginsADrivenAngleAtItsDriversValueInLaterBranchesToo) {
+  const Table table = motion_of("eightbar", {"--steps", "60", "--angles", "deg", "--continuous"});
+  ASSERT_EQ(table.at("branch").back(), "F");  // it begins at 296 degrees
+  for (std::size_t k = 0; k < table.at("branch").size(); ++k) {
+    EXPECT_NEAR(std::stod(table.at("crank.phi [deg]")[k]),
+                std::stod(table.at("driver crank [deg]")[k]), 1e-9);
+  }
+}
+
 TEST(TablesOfPoses, NameTheUnitOfAngles) {
   for (const std::string command : {"closures", "guesses", "newton"}) {
     const Table degrees =
