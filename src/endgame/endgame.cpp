@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The endgame as a machine of three phases: the whole way, approach, circle.
+// The endgame as a machine of phases: the whole way, approach, circle, landing, the way back.
 #include "moivre/endgame/endgame.h"
 
 #include <algorithm>
@@ -148,8 +148,27 @@ std::optional<Departure> Endgame::accept(Arrival&& arrival, PathSystem& path) {
 
 std::optional<Departure> Endgame::hand_on(std::optional<Departure> next, PathSystem& path) {
   if (!next && may_look_again()) next = look_again(path);
+  if (!next && may_go_back()) next = go_back();
   if (!next && !waits_) deliver_end();
   return next;
+}
+
+// Not from a regular end: that one root is at the end of one path alone is told by the root.
+bool Endgame::may_go_back() const {
+  const bool is_told_by_circles = end_.status == PathStatus::at_infinity || end_.winding;
+  return options_.goes_back && !waits_ && phase_ != Phase::way_back && !turn_begin_.empty() &&
+         end_.status != PathStatus::failed && is_told_by_circles;
+}
+
+Departure Endgame::go_back() {
+  phase_ = Phase::way_back;
+  const double wide = common_radius(options_.ends.watch_radius);
+  return along(Contour::spiral(radius_, std::log(wide / radius_)), turn_begin_);
+}
+
+void Endgame::arrive_back(Arrival&& arrival) {
+  end_.count += arrival.count;
+  if (arrival.journey == Journey::arrived) end_.sheet = outside(frame_, std::move(arrival.x));
 }
 
 void Endgame::deliver_end() {
@@ -160,6 +179,10 @@ void Endgame::deliver_end() {
 }
 
 std::optional<Departure> Endgame::proceed(Arrival&& arrival, PathSystem& path) {
+  if (phase_ == Phase::way_back && arrival.journey != Journey::cancelled) {
+    arrive_back(std::move(arrival));
+    return std::nullopt;
+  }
   end_.count += arrival.count;
   end_.t = arrival.t.t;
   if (arrival.journey == Journey::cancelled) return fail(Failure::cancelled);
@@ -179,6 +202,8 @@ std::optional<Departure> Endgame::proceed(Arrival&& arrival, PathSystem& path) {
       return next_turn(std::move(arrival), path);
     case Phase::landing:
       return is_regular_arrival(arrival, path, landing_condition()) ? std::nullopt : conclude(path);
+    case Phase::way_back:
+      break;
   }
   return std::nullopt;
 }
@@ -217,7 +242,7 @@ Departure Endgame::turn_to_circles(PathSystem& path) {
   watched_at_ = outpost_;
   watched_radius_ = radius_;
   phase_ = Phase::first_approach;
-  return approach(common_radius());
+  return approach(common_radius(radius_));
 }
 
 // A tracker that has t = 1 in view passes points of the way as near to the path as it needs for that.
@@ -254,10 +279,10 @@ Point Endgame::normalized(Point x) const {
   return x;
 }
 
-// The least of the radii that all paths have in common from the watched one on.
-double Endgame::common_radius() const {
+// The least of the radii that all paths have in common that is no smaller than this one.
+double Endgame::common_radius(double radius) const {
   const double last = options_.ends.creeping_radius / options_.ends.shrink;
-  const double steps = std::log(radius_ / last) / std::log(options_.ends.shrink);
+  const double steps = std::log(radius / last) / std::log(options_.ends.shrink);
   return last * std::pow(options_.ends.shrink, std::ceil(steps));
 }
 
@@ -327,11 +352,13 @@ std::optional<Departure> Endgame::join(const std::vector<std::vector<Point>>& tu
   return hand_on(estimate_end(path), path);
 }
 
-void Endgame::end_with(const Endgame& sheet) {
+std::optional<Departure> Endgame::end_with(const Endgame& sheet) {
   waits_ = false;
   end_.status = sheet.end_.status;
   end_.is_as_rounded = sheet.end_.is_as_rounded;
+  if (may_go_back()) return go_back();
   deliver_end();
+  return std::nullopt;
 }
 
 // Coefficient c_j of the Laurent series in u = (1 - t)^{1/m} / r^{1/m}, from the samples on |u| = 1.

@@ -96,6 +96,16 @@ bool is_in_doubt(const Run& run, const std::vector<std::uint64_t>& group) {
   return !is_whole && !is_on_set(run, run.ledger.roots().at(ends.singular.front()));
 }
 
+/// Paths that set out on the last stage from one point, or that stand on one sheet at the end of it: one of them has jumped.
+PathSet paths_on_one_way(const Run& run) {
+  PathSet paths;
+  for (const Marks* marks : {&run.marks, &run.sheets}) {
+    const std::vector<std::uint64_t> shared = marks->shared();
+    paths.insert(shared.begin(), shared.end());
+  }
+  return paths;
+}
+
 /// Failed paths of `beyond` are not asked for again.
 PathSet doubtful_paths(Run& run, int care, const PathSet& beyond) {
   PathSet doubtful;
@@ -106,8 +116,7 @@ PathSet doubtful_paths(Run& run, int care, const PathSet& beyond) {
     if (is_in_doubt(run, group)) doubtful.insert(group.begin(), group.end());
   }
   doubtful.merge(paths_to_missing_conjugates(run, care));
-  // Two paths that set out on the last stage from one point: one of them jumped before.
-  for (const std::uint64_t path : run.marks.shared()) doubtful.insert(path);
+  doubtful.merge(paths_on_one_way(run));
   return doubtful;
 }
 
@@ -130,7 +139,7 @@ void fail_unsettled(Run& run) {
       if (run.ledger.roots().at(group[k]).point.simple) fail(run, group[k], Failure::jumped);
     }
   }
-  for (const std::uint64_t path : run.marks.shared()) {
+  for (const std::uint64_t path : paths_on_one_way(run)) {
     if (!run.ledger.failures().contains(path)) fail(run, path, Failure::jumped);
   }
   for (const std::uint64_t path :

@@ -165,6 +165,11 @@ void take_end(Run& run, std::uint64_t path, PathEnd&& end) {
       run.marks.forget(path);
     }
   }
+  if (end.sheet.empty()) {
+    run.sheets.forget(path);
+  } else {
+    run.sheets.set(path, mark_of(end.sheet));
+  }
   const bool is_mixed = end.status != PathStatus::at_infinity && end.count.work.fine_values > 0;
   run.ledger.set_rung(path, run.setting.is_fine() ? Rung::double_double
                             : is_mixed            ? Rung::mixed

@@ -102,14 +102,10 @@ class SessionSource : public DepartureSource {
     for (const Waiting& sheet : sheets) turns.push_back(sheet.endgame->turn());
     Endgame& first = *sheets.front().endgame;
     std::optional<Departure> next_of_first = first.join(turns, 0, scratch_);
-    const bool is_told = !next_of_first && first.end().status == PathStatus::at_infinity;
+    const bool is_told = first.end().status == PathStatus::at_infinity;
     for (std::size_t k = 1; k < sheets.size(); ++k) {
-      std::optional<Departure> next;
-      if (is_told) {
-        sheets[k].endgame->end_with(first);
-      } else {
-        next = sheets[k].endgame->join(turns, k, scratch_);
-      }
+      std::optional<Departure> next = is_told ? sheets[k].endgame->end_with(first)
+                                              : sheets[k].endgame->join(turns, k, scratch_);
       take_up(std::move(sheets[k]), std::move(next));
     }
     take_up(std::move(sheets.front()), std::move(next_of_first));

@@ -60,6 +60,7 @@ struct Run {
   Outposts waiting;
   std::vector<std::pair<std::uint64_t, PathEnd>> ends;  ///< finite, to be refined
   Marks marks;  ///< of the points where paths set out on the last of several stages
+  Marks sheets;  ///< of the points over one t to which paths have gone back from ends that circles have told
   std::uint64_t unsettled_conjugates = 0;  ///< simple roots that no path was found to lead to
   Bounds bounds;
   ExactCandidates looked_at;  ///< each candidate for an exact root once

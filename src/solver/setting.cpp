@@ -46,6 +46,7 @@ Setting::Setting(const System& system, Prepared the_prepared, const Tracker& tra
       refiner_program(make_refiner_program(f, natural_sizes(prepared))),
       certify_program(moivre::certify_program(f, options)) {
   endgame.goes_straight = endgame.goes_straight || is_fine();
+  endgame.goes_back = true;
 }
 
 bool Setting::hides_terms() const { return prepared.spread_log2 > kHopelessSpread; }

@@ -217,6 +217,87 @@ TEST(ArrivalAtInfinity, IsNotBelievedWhereNoFaceConfirmsIt) {
   }
 }
 
+/// Sends path `victim` out from where path `other` sets out, at cares up to `greatest_care`: a jump right at the start.
+class MisledTracker : public Tracker {
+ public:
+  MisledTracker(std::uint64_t victim, Point start, int greatest_care)
+      : victim_(victim), start_(std::move(start)), greatest_care_(greatest_care) {}
+  std::string kind() const override { return inner_->kind(); }
+  OptionsInForce options_in_force() const override { return inner_->options_in_force(); }
+  std::unique_ptr<TrackerSession> open(const Homotopy& homotopy) const override {
+    return std::make_unique<Session>(*this, inner_->open(homotopy));
+  }
+
+ private:
+  class Session : public TrackerSession, public DepartureSource {
+   public:
+    Session(const MisledTracker& tracker, std::unique_ptr<TrackerSession> inner)
+        : tracker_(tracker), inner_(std::move(inner)) {}
+    void run(DepartureSource& source, const std::atomic<bool>& stop) noexcept override {
+      source_ = &source;
+      inner_->run(*this, stop);
+    }
+    std::optional<Departure> next() override {
+      std::optional<Departure> departure = source_->next();
+      if (departure && departure->path == tracker_.victim_ &&
+          departure->care <= tracker_.greatest_care_ && is_whole_way(*departure))
+        departure->x = tracker_.start_;
+      return departure;
+    }
+    void arrived(const Departure& departure, Arrival&& arrival) override {
+      source_->arrived(departure, std::move(arrival));
+    }
+
+   private:
+    const MisledTracker& tracker_;
+    std::unique_ptr<TrackerSession> inner_;
+    DepartureSource* source_ = nullptr;
+  };
+
+  std::unique_ptr<Tracker> inner_ = make_cvode_tracker();
+  std::uint64_t victim_;
+  Point start_;
+  int greatest_care_;
+};
+
+// (x + y - 1) (x^2 + x y - 3) = (x + y - 1) (x y + x + y - 2) = 0: a line, three isolated roots, ends at infinity.
+const char* const kLineAndRoots =
+    "2\n (x + y - 1)*(x^2 + x*y - 3);\n (x + y - 1)*(x*y + x + y - 2);\n";
+
+TEST(Jump, OntoAPathToInfinityOrToACurveIsSeen) {
+  const System f = test::read(kLineAndRoots);
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const SolveResult honest = test::solve_with_cvode(f, from_the_degrees(seed));
+    ASSERT_TRUE(honest.complete);
+    ASSERT_EQ(honest.solutions.size(), 3U);
+    std::map<std::uint64_t, Point> starts;
+    const TamperedTracker recorder([&](const Departure& departure, Arrival&) {
+      if (is_whole_way(departure)) starts[departure.path] = departure.x;
+    });
+    solve(f, recorder, from_the_degrees(seed));
+    std::size_t misled = 0;
+    for (const auto& [other, start] : starts) {
+      const bool ends_at_a_root =
+          std::any_of(honest.solutions.begin(), honest.solutions.end(),
+                      [other = other](const Solution& root) { return root.path == other; });
+      if (ends_at_a_root) continue;
+      for (const int greatest_care : {0, kEveryCare}) {
+        const std::uint64_t victim = honest.solutions[misled % 3].path;
+        SolveOptions options = from_the_degrees(seed);
+        options.precision = Precision::double_precision;
+        options.second_start = false;
+        const SolveResult result = solve(f, MisledTracker(victim, start, greatest_care), options);
+        expect_conservation(result);
+        EXPECT_EQ(result.complete, greatest_care == 0);
+        EXPECT_EQ(result.solutions.size(), greatest_care == 0 ? 3U : 2U);
+        ++misled;
+      }
+    }
+    EXPECT_EQ(misled, 12U);
+  }
+}
+
 TEST(Fallback, TakesWhatTheTrackerCannotSettle) {
   const System f = system_of(problem("katsura-5"));
   CvodeOptions short_of_steps;

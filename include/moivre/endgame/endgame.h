@@ -15,6 +15,9 @@
 //   4. After several turns around a mean that is not clearly a singular root, a straight segment to t = 1 (the landing) tells
 //      whether simple roots close to each other were taken for one.
 //
+//   5. From an end that circles have told, a path may go back outwards from where its last circle began, to a radius that all paths
+//      have in common: two paths that stand at one point there are on one sheet, and one of them has jumped on its way in.
+//
 // The m points over one t are where m paths have arrived. So after one turn that leads to another point a path may wait for the
 // others: turn by turn they have walked the circle together (waits(), join()). What each would see alone is the same.
 //
@@ -54,7 +57,8 @@ struct EndgameOptions {
   bool only_regular = false;  ///< an end that is not regular is a failure: no circle is tried
   /// So many within the creeping radius tell creeping from a step that chanced to end there.
   int creeping_steps = 3;
-  bool may_wait = false;  ///< for other paths of its cycle, after the first turn
+  bool may_wait = false;   ///< for other paths of its cycle, after the first turn
+  bool goes_back = false;  ///< from an end that circles have told: PathEnd::sheet
   EndParameters ends;
 };
 
@@ -82,6 +86,8 @@ struct PathEnd {
   std::size_t stage = 0;  ///< of the plan, on which it ended
   Complex
       mark;  ///< of its start point on the last stage, if there are several stages (solver/marks.h)
+  /// Homogeneous, over 1 - t = common_radius(watch_radius), where the path has gone back to; empty: it has not.
+  Point sheet;
   StepCount count;
   std::optional<Outpost> outpost;  ///< where only regular ends were sought, and it has none
   bool is_taken_up =
@@ -118,7 +124,7 @@ class Endgame : public Watcher {
   std::optional<Departure> join(const std::vector<std::vector<Point>>& turns, std::size_t own,
                                 PathSystem& path);
   /// As a sheet of the same cycle, which has ended at infinity.
-  void end_with(const Endgame& sheet);
+  std::optional<Departure> end_with(const Endgame& sheet);
 
   const PathEnd& end() const noexcept { return end_; }
   PathEnd& end() noexcept { return end_; }
@@ -126,7 +132,7 @@ class Endgame : public Watcher {
   Verdict watch(const StepRecord& step, PathSystem& path) noexcept override;
 
  private:
-  enum class Phase { whole_way, first_approach, approach, circle, landing };
+  enum class Phase { whole_way, first_approach, approach, circle, landing, way_back };
 
   struct Estimate {
     Point x;
@@ -141,8 +147,11 @@ class Endgame : public Watcher {
   bool may_look_again() const;
   std::optional<Departure> look_again(PathSystem& path);
   std::optional<Departure> hand_on(std::optional<Departure> next, PathSystem& path);
+  bool may_go_back() const;
+  Departure go_back();
+  void arrive_back(Arrival&& arrival);
   void deliver_end();
-  double common_radius() const;
+  double common_radius(double radius) const;
   Departure approach(double radius);
   std::optional<Departure> begin_circle();
   Contour circle() const;
