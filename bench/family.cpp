@@ -4,6 +4,7 @@
 //   family_members [--members N] [--direct N] [--threads N] [--certify] [NAME...]
 //
 //   four-bar      two unit vectors, crank and link lengths as parameters: 2 roots
+//   jansen        Jansen's leg, six unit vectors, crank and dimensions as parameters: 8
 //   seven-link-*  Assur structures, link vectors and their conjugates as parameters: 14, 16, 18
 //   6R            general arm in its unknown axes, pose as parameters: 16;  stewart: Dietmaier's platform, legs as parameters: 40
 //

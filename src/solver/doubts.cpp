@@ -188,9 +188,19 @@ void resolve_blurred_sets(Run& run) {
   fail_unsettled(run);
 }
 
-/// After all care. More digits save no steps: where the caller's budget ended a path it stays ended.
+PathSet paths_at_infinity(const Run& run) {
+  PathSet paths;
+  for (std::uint64_t path = 0; path < run.ledger.records().size(); ++path) {
+    if (run.ledger.records()[path].verdict == PathVerdict::at_infinity) paths.insert(path);
+  }
+  return paths;
+}
+
+/// After all care. More digits save no steps: where the caller's budget ended a path it stays ended. Where roots are missing, ends at
+/// infinity are in doubt too: a root of size 1e34 is one as far as double tells.
 PathSet unsettled_paths(Run& run, const PathSet& beyond = {}) {
   PathSet paths = doubtful_paths(run, run.setting.options.maximum_care + 1, beyond);
+  if (lacks_ends(run)) paths.merge(paths_at_infinity(run));
   for (const std::uint64_t path : paths_failed_by(run, Failure::step_limit)) paths.erase(path);
   return paths;
 }
@@ -233,14 +243,6 @@ void climb_to_clusters(Run& run) {
       if (helps && is_settled(run)) return;
     }
   }
-}
-
-PathSet paths_at_infinity(const Run& run) {
-  PathSet paths;
-  for (std::uint64_t path = 0; path < run.ledger.records().size(); ++path) {
-    if (run.ledger.records()[path].verdict == PathVerdict::at_infinity) paths.insert(path);
-  }
-  return paths;
 }
 
 /// Roots are missing: besides the paths in doubt, one that is said to end at infinity may have jumped on its way.

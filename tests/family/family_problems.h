@@ -42,6 +42,36 @@ inline FamilyProblem four_bar_problem() {
           }};
 }
 
+/// Jansen's leg: three dyads, the third on the first two. v, e: directions of the triangle and of the lower rocker; p and q: the rockers' pivot.
+///   r w + j a = p + b v,  r w + k c = p + l e,  d v + f g = l e + m h,  and their conjugates
+inline FamilyProblem jansen_problem() {
+  const std::vector<std::string> names{"r", "j", "b", "k", "l", "f", "m",
+                                       "p", "q", "d", "D", "w", "W"};
+  std::vector<NamedParameter> parameters;
+  for (const std::string& name : names) parameters.push_back({name});
+  Family family = unlearned_family(read_system({"jansen",
+                                                "6 19\n"
+                                                "r*w + j*a - p - b*v; (r*W - q)*a*v + j*v - b*a;\n"
+                                                "r*w + k*c - p - l*e; (r*W - q)*c*e + k*e - l*c;\n"
+                                                "d*v + f*g - l*e - m*h;\n"
+                                                "D*e*g*h + f*v*e*h - l*v*g*h - m*v*e*g;\n"}),
+                                   parameters);
+  family.nonzero = true;
+  return {"jansen", 8, std::move(family), [](std::size_t k) {
+            const std::vector<double> lengths{15, 50, 41.5, 61.9, 39.3, 39.4, 36.7};
+            Point p;
+            for (std::size_t i = 0; i < lengths.size(); ++i) {
+              p.push_back(lengths[i] * (1 + 0.1 * random_number(k, i)));
+            }
+            for (const Complex z : {Complex(-38, -7.8), Complex(2.61, 40.0),
+                                    std::polar(1.0, 3 * random_number(k, 7))}) {
+              p.push_back(z);
+              p.push_back(std::conj(z));
+            }
+            return p;
+          }};
+}
+
 /// Three loops of a seven-link Assur structure, each with one link that is in no other loop: its direction is eliminated,
 ///   (a_0 + a_j t_j + a_k t_k) (A_0 + A_j / t_j + A_k / t_k) = l^2;  a and A, a coefficient and its conjugate, are two parameters.
 /// `shared`: the directions in each loop.
@@ -142,6 +172,7 @@ inline FamilyProblem stewart_problem() {
 inline std::vector<FamilyProblem> family_problems() {
   std::vector<FamilyProblem> problems;
   problems.push_back(four_bar_problem());
+  problems.push_back(jansen_problem());
   problems.push_back(seven_link_problem(14, {{1, 2}, {2, 3}, {1, 3}}));
   problems.push_back(seven_link_problem(16, {{1, 2}, {2, 3}, {1, 2, 3}}));
   problems.push_back(seven_link_problem(18, {{1, 2, 3}, {1, 2, 3}, {1, 3}}));

@@ -158,6 +158,30 @@ TEST(Monodromy, TheTraceTestFailsWithoutOneRoot) {
   EXPECT_GT(few.defect, 1e-4);
 }
 
+/// (x, y) -> (-x, -y) is a symmetry of every member: roots come in pairs.
+TEST(Monodromy, TheTraceTestFailsWithoutAWholeOrbit) {
+  const auto lanes = make_lane_tracker();
+  const Family unlearned = unlearned_family(
+      read_system({"test", "2 6\nx^2 + p*x*y + q*y^2 - r; x^3 + s*x*y^2 + y^3 - x - r*y;\n"}),
+      {{"p"}, {"q"}, {"r"}, {"s"}});
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    const auto pair = random_pair(unlearned, seed);
+    ASSERT_TRUE(pair);
+    Family family = learn_by_monodromy(unlearned, *pair, *lanes, with_seed(seed));
+    ASSERT_EQ(family.roots.size(), 6U);
+    EXPECT_TRUE(trace_test(family, *lanes, with_seed(seed)).holds);
+    const Point taken = family.roots.back();
+    const std::size_t orbit = std::erase_if(family.roots, [&](const Point& root) {
+      return std::min(std::abs(root[0] - taken[0]), std::abs(root[0] + taken[0])) < 1e-9;
+    });
+    ASSERT_EQ(orbit, 2U);
+    const TraceTest test = trace_test(family, *lanes, with_seed(seed));
+    EXPECT_TRUE(test.was_made);
+    EXPECT_FALSE(test.holds);
+    EXPECT_EQ(test.missing, 2U);
+  }
+}
+
 TEST(Monodromy, AgreesWithDirectSolvesOnKinematics) {
   const auto lanes = make_lane_tracker();
   for (const FamilyProblem& problem : family_problems()) {

@@ -190,6 +190,21 @@ TEST(CountedRoots, AreLookedForInMoreDigitsAsLongAsOneIsMissing) {
   EXPECT_EQ(result.bound->kind, "dimension of the quotient ring");
 }
 
+// Of size 4.6e34, without a doubtful path: double and CVODE call its end infinity.
+TEST(CountedRoots, AreLookedForAmongEndsAtInfinityInMoreDigits) {
+  const System f = read(
+      "5\n800*x1*x4+900000*x2*x5-7000000*x3*x4-5000;\n1000000*x2-10*x3+3000000*x5+800000;\n"
+      "5*x1^2-4000000*x2*x5+3*x3*x4-900000000*x4^2-300*x4*x5+700000000*x2-80000*x3-1000*x5-"
+      "8000000;\n30*x2*x4+30000000*x1-20*x4+6000000;\n"
+      "-900000000*x1*x3+5000*x2^2-7000000*x2*x4-30000;\n");
+  const auto lanes = make_lane_tracker();
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    const SolveResult result = solve(f, *lanes, with_seed(seed));
+    EXPECT_EQ(result.solutions.size(), 14U);
+    EXPECT_EQ(result.completeness, RootCompleteness::proved) << result.message;
+  }
+}
+
 // 720 paths of which 564 end at infinity: no circle is walked when the others have met a bound.
 TEST(WaitingPaths, WalkNoCircleWhereTheOthersMeetABound) {
   const auto lanes = make_lane_tracker();
