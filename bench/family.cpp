@@ -8,9 +8,10 @@
 //   seven-link-*  Assur structures, link vectors and their conjugates as parameters: 14, 16, 18
 //   6R            general arm in its unknown axes, pose as parameters: 16;  stewart: Dietmaier's platform, legs as parameters: 40
 //
-// us: wall microseconds a member, cpu us: CPU time of all threads, which a busy machine changes less; wrong: members without the generic count; judged: those that the ordinary solve had to decide.
-// other real: of the first --direct members, those with another number of real roots than a solve from the ordinary start finds.
-// Members are random, of real linkages. Exit: 0 every count is generic, 1 some is not, 2 usage.
+// us: wall microseconds a member, cpu us: CPU time of all threads, which a busy machine changes less; wrong: members without the generic
+// count; judged: those that the ordinary solve had to decide; other real: of the first --direct members, those with another number of real
+// roots than a solve from the ordinary start finds. Members are random, of real linkages.
+// Exit: 0 every count is generic, 1 some is not, 2 usage.
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // The closures' picture: panels in rows, of one size and one scale.
-#include <algorithm>
-#include <cmath>
 
 #include "labels.h"
 #include "moivre/closure_report/picture.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The motion's picture: curves over a pale mechanism, marks where branches begin and end, a legend.
 #include <algorithm>
-#include <cmath>
 #include <set>
 
 #include "labels.h"

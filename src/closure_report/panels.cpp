@@ -3,7 +3,6 @@
 #include "panels.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <stdexcept>
 

@@ -3,7 +3,6 @@
 #include "closure_poses.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <optional>
 
@@ -42,7 +41,7 @@ std::optional<std::size_t> beyond_limits_at(const Mechanism& mechanism, const Ei
   return std::nullopt;
 }
 
-/// Whether the joints' limits allow the pose; where not, it is entered.
+/// Whether the joints' limits allow the pose; where they do not, `beyond_limits` counts it.
 bool is_allowed(const ClosureSearch& search, const Eigen::VectorXd& q,
                 BeyondLimits& beyond_limits) {
   const auto beyond = beyond_limits_at(search.mechanism, q);

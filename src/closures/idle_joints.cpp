@@ -6,7 +6,6 @@
 #include <cstdio>
 #include <numbers>
 #include <numeric>
-#include <optional>
 #include <set>
 
 namespace moivre {

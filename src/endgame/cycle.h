@@ -28,16 +28,16 @@ double limit_bound(const std::vector<Complex>& z, int m);
 /// All limits are 0 as far as the samples can tell, and nearer to 0 than the samples are.
 bool vanish_together(const std::vector<Complex>& z, int m, const EndParameters& ends);
 
-/// The power sums beside what has to vanish with them, their Laurent coefficients of negative order (p_k is analytic). These tell the errors
-/// of the samples and of their number, whatever those come from.
+/// The power sums beside what has to vanish with them, their Laurent coefficients of negative order (p_k is analytic). These tell the
+/// errors of the samples and of their number, whatever those come from.
 struct SumsAndErrors {
   double sum =
       0;  ///< the largest p_k(0), in its errors: 0 where all limits are 0, but for a factor of the order of 1
   double error = 0;  ///< the largest of the errors, relative
 };
 
-/// known: relative, to which z is known otherwise. changes: of z, what each of the file's numbers may change in it; the sums may differ from 0
-/// by what these make of them, to first order.
+/// known: relative, to which z is known otherwise. changes: of z, what each of the file's numbers may change in it; the sums may differ
+/// from 0 by what these make of them, to first order.
 SumsAndErrors sums_and_errors(const std::vector<Complex>& z, int m, double known,
                               const EndParameters& ends,
                               const std::vector<std::vector<Complex>>& changes = {});

@@ -420,8 +420,8 @@ bool Endgame::errors_explain(PathSystem& path) const {
 }
 
 // A large finite root with the same face is told by the errors of the samples. Where these leave a doubt, or are large, the samples
-// get all their digits first, so that no error of theirs passes for one of the file. What the digits of the coefficients explain is at infinity
-// as rounded.
+// get all their digits first, so that no error of theirs passes for one of the file. What the digits of the coefficients explain is at
+// infinity as rounded.
 FaceRoot Endgame::confirmed(FaceRoot place, PathSystem& path) {
   const auto measured = [&] { return sums_and_errors(samples_of_x0(), turns_, 0, options_.ends); };
   if (place == FaceRoot::exact) {

@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "moivre/formulation/exact.h"
 #include "rigid_groups.h"

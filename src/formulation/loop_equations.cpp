@@ -3,7 +3,6 @@
 #include "loop_equations.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "dyad.h"
 #include "four_turns.h"

@@ -8,7 +8,8 @@
 
 namespace moivre {
 
-/// q with 0 for each coordinate below a few roundings of the largest of its kind, the mechanism's length and a radian among them; those in `held` stay.
+/// q with 0 for each coordinate below a few roundings of the largest of its kind, the mechanism's length and a radian among them; those in
+/// `held` stay.
 Eigen::VectorXd without_noise(const Phi& phi, const Eigen::VectorXd& q,
                               const std::vector<Eigen::Index>& held = {});
 

@@ -59,7 +59,8 @@ bool is_sought(const MotionRun& run, const BranchEvent& event) {
 }
 
 /// A branch that meets another at its dead point may live between two checkpoints only. True when one was sought, which is done once for
-/// each dead point: what sets out beyond it and ends elsewhere may come back to it when it is followed again, but never by being sought again.
+/// each dead point: what sets out beyond it and ends elsewhere may come back to it when it is followed again, but never by being sought
+/// again.
 bool add_partner(MotionRun& run) {
   for (std::size_t k = 0; k < run.tracks.size() && !run.stop; ++k) {
     for (const bool is_forwards : {true, false}) {

@@ -41,7 +41,8 @@ using ModularPolynomial = std::vector<std::pair<DegreeAndExponents, Residue>>;
 /// With 1 as first coefficient, but for 0.
 ModularPolynomial monic(ModularPolynomial p);
 
-/// In kMostUnknowns at most; monic. nullopt, too, where the prime divides a numerator or a denominator: the image would be that of another system.
+/// In kMostUnknowns at most; monic. nullopt, too, where the prime divides a numerator or a denominator: the image would be that of another
+/// system.
 std::optional<ModularPolynomial> modular(const Polynomial& p);
 
 /// How many terms may still be looked at.

@@ -188,19 +188,9 @@ void resolve_blurred_sets(Run& run) {
   fail_unsettled(run);
 }
 
-PathSet paths_at_infinity(const Run& run) {
-  PathSet paths;
-  for (std::uint64_t path = 0; path < run.ledger.records().size(); ++path) {
-    if (run.ledger.records()[path].verdict == PathVerdict::at_infinity) paths.insert(path);
-  }
-  return paths;
-}
-
-/// After all care. More digits save no steps: where the caller's budget ended a path it stays ended. Where roots are missing, ends at
-/// infinity are in doubt too: a root of size 1e34 is one as far as double tells.
+/// After all care. More digits save no steps: where the caller's budget ended a path it stays ended.
 PathSet unsettled_paths(Run& run, const PathSet& beyond = {}) {
   PathSet paths = doubtful_paths(run, run.setting.options.maximum_care + 1, beyond);
-  if (lacks_ends(run)) paths.merge(paths_at_infinity(run));
   for (const std::uint64_t path : paths_failed_by(run, Failure::step_limit)) paths.erase(path);
   return paths;
 }
@@ -245,11 +235,29 @@ void climb_to_clusters(Run& run) {
   }
 }
 
+PathSet paths_at_infinity(const Run& run) {
+  PathSet paths;
+  for (std::uint64_t path = 0; path < run.ledger.records().size(); ++path) {
+    if (run.ledger.records()[path].verdict == PathVerdict::at_infinity) paths.insert(path);
+  }
+  return paths;
+}
+
 /// Roots are missing: besides the paths in doubt, one that is said to end at infinity may have jumped on its way.
 void follow_to_lost_roots(Run& run) {
   const SolveOptions& options = run.setting.options;
   if (run.interrupted || options.care == options.maximum_care || !lacks_ends(run)) return;
   track_again(run, paths_at_infinity(run), options.maximum_care);
+}
+
+/// Roots are still missing: a root of size 1e34 ends at infinity as far as double tells.
+void climb_from_infinity(Run& run) {
+  PathSet paths = paths_at_infinity(run);
+  for (const auto& tracker : run.setting.trackers.finer) {
+    if (run.interrupted || !lacks_ends(run)) return;
+    climb_beyond_double_double(run, *tracker, paths);
+    paths = paths_at_infinity(run);
+  }
 }
 
 /// In double, with more care, and in more digits.
@@ -276,6 +284,8 @@ void settle_ends(Run& run) {
   climb_last(run, beyond);
   if (run.interrupted || is_settled(run)) return;
   climb_to_clusters(run);
+  if (run.interrupted || is_settled(run)) return;
+  climb_from_infinity(run);
   if (!run.interrupted && !is_settled(run)) fail_unsettled(run);
 }
 

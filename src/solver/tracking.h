@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which paths are followed, by whom and how carefully? All of them once, and on where they wait; those in doubt again, and again in more digits.
+// Which paths are followed, by whom and how carefully? All once, and on where they wait; those in doubt again, and in more digits.
 //
 // Every verdict goes to ends.h. A path that is followed again loses its entry in the ledger only when the new verdict is
 // there: an interruption leaves no path without one. What `stop` cuts short marks the run as interrupted.

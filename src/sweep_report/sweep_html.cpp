@@ -4,7 +4,8 @@
 // Data, as JSON: {"plot": [left, top, right, bottom] in pixels; "axes": [{"name", "unit", "values": [..]}]; "told": [sentence a sample];
 // "closures": [[[x, y, x, y ...] of all points, a closure] a sample]; "bodies": [{"colour": class, "points": [..]}];
 // "lines": [[class, point, point]]; "spots": [["pin" | "ground" | "mark", point]]; "box": [x, y, x, y] around all;
-// "ids": [of the closures of any sample]; "unknowns": [name], whose values stand instead of points where there are no bodies}. The first axis varies slowest.
+// "ids": [of the closures of any sample]; "unknowns": [name], whose values stand instead of points where there are no bodies}. The first
+// axis varies slowest.
 #include <algorithm>
 #include <array>
 #include <cmath>

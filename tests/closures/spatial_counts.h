@@ -2,8 +2,8 @@
 // How many closures has each spatial mechanism of problems/mechanisms, as it is typed and with every dimension a little off?
 //
 // Disturbed: every coordinate of every point, every axis in both bodies, every rod's length and every weld's turn, so that nothing
-// is parallel, meets, or is equal any more, but what goes through one named point of a body still does. Then an arm is a general one (16), a platform a general one (40), double joints split,
-// and what closes by its special dimensions alone closes no more.
+// is parallel, meets, or is equal any more, but what goes through one named point of a body still does. Then an arm is a general one (16),
+// a platform a general one (40), double joints split, and what closes by its special dimensions alone closes no more.
 #pragma once
 
 #include <Eigen/Geometry>

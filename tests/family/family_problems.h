@@ -42,7 +42,7 @@ inline FamilyProblem four_bar_problem() {
           }};
 }
 
-/// Jansen's leg: three dyads, the third on the first two. v, e: directions of the triangle and of the lower rocker; p and q: the rockers' pivot.
+/// Jansen's leg: three dyads, the third on the first two; v and e are directions of the triangle and of the lower rocker.
 ///   r w + j a = p + b v,  r w + k c = p + l e,  d v + f g = l e + m h,  and their conjugates
 inline FamilyProblem jansen_problem() {
   const std::vector<std::string> names{"r", "j", "b", "k", "l", "f", "m",

@@ -2,8 +2,8 @@
 // In which six-bars does a branch live for an instant only, and when exactly is it born and when does it die?
 //
 // A Watt or Stephenson chain with random joints, a random ground link and a driven neighbour. F(theta, tau) are its two loops, theta the
-// four other links' angles and tau the driver's. One binary link is 1 + lambda times as long as drawn. lambda is sought where two dead points
-// coincide (F_theta n = 0, v' F_theta = 0, |n| = |v| = 1):
+// four other links' angles and tau the driver's. One binary link is 1 + lambda times as long as drawn. lambda is sought where two dead
+// points coincide (F_theta n = 0, v' F_theta = 0, |n| = |v| = 1):
 //   island      v' [F_theta F_tau] = 0, its second derivative definite: two branches, between the same dead points
 //   gap         the same, not definite: the branches that are there before and after are apart for a moment
 //   fold-back   v' F_theta,theta n n = 0 (a cusp): a branch between two others, born where the one dies that ends later

@@ -165,8 +165,8 @@ TEST(Certified, ARootOfAFaceIsAtInfinityOnlyWhereTheFilesNumbersMayMoveTheEndsTh
   }
 }
 
-// A^2 = 1e-10 and A L = -9 have roots of size 1e6, to which four sheets go that look as if they went to infinity, to 1e-11 of the squares of x_0.
-// That is less than the file's relative error of 5e-11, but no number of the file changes these squares by as much. In double alone
+// A^2 = 1e-10 and A L = -9 have roots of size 1e6, to which four sheets go that look as if they went to infinity, to 1e-11 of the squares
+// of x_0. That is less than the file's relative error of 5e-11, but no number of the file changes these squares by as much. In double alone
 // these ends are not known.
 TEST(Certified, WhatIsLostInTheLargestErrorOfTheFileIsNotAtInfinity) {
   const System f = read(
@@ -511,8 +511,8 @@ TEST(Certified, FormsThatVanishOnAnAxisHaveNoIsolatedRoot) {
   }
 }
 
-// Moved, the lines are no axes. 28 of the 32 paths end at (1, ..., 1), in whole cycles, but its local ring has more than 28 dimensions: it is
-// no isolated root, though random planes beside it miss the lines. The other paths end on these.
+// Moved, the lines are no axes. 28 of the 32 paths end at (1, ..., 1), in whole cycles, but its local ring has more than 28 dimensions: it
+// is no isolated root, though random planes beside it miss the lines. The other paths end on these.
 TEST(Certified, ARootWithMorePartsThanPathsIsNotIsolated) {
   const System f = read(std::regex_replace(kFormsOnTwoLines, std::regex("x([1-5])"), "(x$1 - 1)"));
   for (const SolveResult& result : solved_by_lanes(f, 1, 3)) {

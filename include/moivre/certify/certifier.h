@@ -11,8 +11,8 @@
 // First in double: m a point of doubles after Newton's method, F(m) in double-double, J(B) in discs, every rounding bounded
 // beforehand (src/certify/ball.h). What double does not decide goes to Arb's balls, of 128 bits, then 256, ... `most_bits`.
 // F: n polynomials in n unknowns, and in numbers that are given by discs: solved in turn, the blocks of a triangular system are proved in
-// turn, and the product of their balls holds exactly one root of the whole. Not supported: systems that are not square; radii that no double holds.
-// The processor's rounding mode must be "to nearest", and denormal numbers must not be flushed to zero.
+// turn, and the product of their balls holds exactly one root of the whole. Not supported: systems that are not square; radii that no
+// double holds. The processor's rounding mode must be "to nearest", and denormal numbers must not be flushed to zero.
 // Sources: [Krawczyk69], [Rump10], [BRT23], [Johansson17].
 #pragma once
 

@@ -5,8 +5,8 @@
 // the blocks before -> roots that satisfy every equation -> the real ones -> q -> Newton-Raphson on Phi(q, t).
 // The counts of paths add up in every stage, as in solver/solve.h. Roots that fail a redundant equation are `rejected`.
 // "Cannot be assembled" (no real closure) and "moves" (a curve of closures with the drivers held) are possible answers.
-// A regular root is proved by certificates (src/closures/root_proofs.h): that it is one root, and that it is real. So is whether a root is no
-// pose. Where there are more equations than unknowns the spare ones hold to some digits only, and there is no proof.
+// A regular root is proved by certificates (src/closures/root_proofs.h): that it is one root, and that it is real. So is whether a root is
+// no pose. Where there are more equations than unknowns the spare ones hold to some digits only, and there is no proof.
 // An isolated multiple closure (a dead point) is singular and does not move.
 // Sub-chains that share no more than what the drivers place (sub_chains.h) are solved each on its own: closures of the whole are
 // one of each, and are listed up to kMostListed of them.

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Which roots of the closure polynomials are proved, and what is proved of them? Certificates, group of blocks after group.
 //
-// Blocks solved in turn are a triangular system. Where the values of the blocks before lie in balls, the next ones are proved for all numbers
-// in these (certify/certifier.h): the product of all balls holds exactly one root of all equations so far. A group is a block that was
-// solved by homotopy, with the lone linear equations that were solved since the one before.
+// Blocks solved in turn are a triangular system. Where the values of the blocks before lie in balls, the next ones are proved for all
+// numbers in these (certify/certifier.h): the product of all balls holds exactly one root of all equations so far. A group is a block that
+// was solved by homotopy, with the lone linear equations that were solved since the one before.
 //   vanishes   E(x) at a root x: z = E(x) is one more unknown, and its ball holds 0 in kFineBits as well. It is no proof, but what is
 //              tiny because lengths are off by 1e-9 is seen not to be 0
 //   real       the mirror image of a root is a root; it lies in the ball that holds one root only

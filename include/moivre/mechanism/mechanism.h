@@ -148,8 +148,9 @@ struct Mechanism {
   std::vector<std::string> warnings;  ///< what is odd but not wrong, each a sentence
 };
 
-/// The bodies that a joint ties, the carrier of a transmission among them; those whose places a driver prescribes.
+/// The bodies that a joint ties, the carrier of a transmission among them.
 std::vector<std::size_t> bodies_of(const Joint& joint);
+/// The bodies whose places a driver prescribes.
 std::vector<std::size_t> bodies_of(const Mechanism& mechanism, const Driver& driver);
 
 bool is_typed(const Mechanism& mechanism);

@@ -189,8 +189,9 @@ std::string to_string(RootCompleteness completeness);
 
 /// A proved bound on the number of isolated roots that is met by as many certified ones.
 struct MetBound {
-  std::string
-      kind;  ///< "elimination", "total degree", "multihomogeneous number", "mixed volume", "stable mixed volume", "dimension of the quotient ring", "mixed volume of the strata"
+  /// "elimination", "total degree", "multihomogeneous number", "mixed volume", "stable mixed volume", "dimension of the quotient ring"
+  /// or "mixed volume of the strata".
+  std::string kind;
   std::uint64_t value = 0;
   bool is_of_points = false;  ///< bounds the points at which roots lie, not their multiplicities
 };

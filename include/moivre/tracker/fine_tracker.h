@@ -14,7 +14,8 @@
 // only at a regular end: Newton's method must contract far better than at a multiple root until rounding stops it, and the condition
 // must not be too large for S. At a singular end the result is step_too_small. Each level of Departure::care divides the
 // tolerance by 10. Owns its memory; allocates nothing a step but what S does.
-// Not supported: tolerances below 1e-11 on circles, whose points are known as doubles while the polynomial looks for more; an end whose condition needs 1 - t below the smallest double.
+// Not supported: tolerances below 1e-11 on circles, whose points are known as doubles while the polynomial looks for more; an end whose
+// condition needs 1 - t below the smallest double.
 // Source: [Deuflhard04] for the step, [Timme21] for the norm.
 #pragma once
 
