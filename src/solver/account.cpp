@@ -149,7 +149,9 @@ void close_account(const Run& run, SolveResult& result) {
   count_paths(run, result.paths);
   for (const auto& [path, failure] : run.ledger.failures()) result.failures.push_back(failure);
   result.work = run.work;
-  const bool all_decided = result.paths.failed == 0 && run.unsettled_conjugates == 0;
+  const bool lacks_image =
+      !run.bounds.met && is_real(run.setting.f) && !missing_conjugates(run.ledger).empty();
+  const bool all_decided = result.paths.failed == 0 && !lacks_image;
   const auto contradiction = contradiction_by_algebra(run, result);
   result.complete = !run.interrupted && all_decided && !contradiction;
   result.message = run.interrupted           ? "interrupted: what is finished is reported"

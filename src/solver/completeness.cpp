@@ -300,7 +300,6 @@ bool settle_by_bound(Run& run) {
   if (run.bounds.lacks_paths) return false;
   for (std::size_t k = places.fill(run, spare); k < spare.size(); ++k) run.ledger.leave(spare[k]);
   run.waiting.clear();
-  run.unsettled_conjugates = 0;
   return true;
 }
 

@@ -11,8 +11,6 @@
 namespace moivre {
 namespace {
 
-// A root's image under conjugation is known as well as the root; Newton's method takes it from there.
-constexpr double kImageAccuracy = 1e-12;
 // So many paths go ahead in more digits than double-double.
 constexpr std::size_t kFirstAhead = 2;
 
@@ -63,32 +61,6 @@ PathSet paths_failed_by(const Run& run, Failure reason) {
   return paths;
 }
 
-/// Whose start point on the last stage is this?
-std::optional<std::uint64_t> path_from(const Run& run, const Point& start) {
-  const StartPlan& plan = *run.setting.prepared.plan;
-  return plan.stages.size() == 1 ? plan.points->number_of(start)
-                                 : run.marks.path_of(mark_of(start));
-}
-
-/// The image of a root is a root; one that no path found was lost by the path that leads to it. Counts those roots too.
-PathSet paths_to_missing_conjugates(Run& run, int care) {
-  PathSet paths;
-  run.unsettled_conjugates = 0;
-  const Setting& setting = run.setting;
-  if (!is_real(setting.f)) return paths;
-  Refiner refiner(setting.refiner_program);
-  for (const Point& image : missing_conjugates(run.ledger)) {
-    const Refined root = refiner.refine(image, kImageAccuracy);
-    if (!root.simple) continue;
-    ++run.unsettled_conjugates;
-    const auto start = followed_back(setting.problem(care),
-                                     to_homogeneous(setting.prepared, root.x), care, setting.stop);
-    if (!start) continue;
-    if (const auto path = path_from(run, *start)) paths.insert(*path);
-  }
-  return paths;
-}
-
 bool is_in_doubt(const Run& run, const std::vector<std::uint64_t>& group) {
   const Ends ends = ends_of(run, group);
   if (ends.singular.empty()) return group.size() > 1;
@@ -96,18 +68,8 @@ bool is_in_doubt(const Run& run, const std::vector<std::uint64_t>& group) {
   return !is_whole && !is_on_set(run, run.ledger.roots().at(ends.singular.front()));
 }
 
-/// Paths that set out on the last stage from one point, or that stand on one sheet at the end of it: one of them has jumped.
-PathSet paths_on_one_way(const Run& run) {
-  PathSet paths;
-  for (const Marks* marks : {&run.marks, &run.sheets}) {
-    const std::vector<std::uint64_t> shared = marks->shared();
-    paths.insert(shared.begin(), shared.end());
-  }
-  return paths;
-}
-
 /// Failed paths of `beyond` are not asked for again.
-PathSet doubtful_paths(Run& run, int care, const PathSet& beyond) {
+PathSet doubtful_paths(const Run& run, const PathSet& beyond) {
   PathSet doubtful;
   for (const auto& [path, failure] : run.ledger.failures()) {
     if (!beyond.contains(path)) doubtful.insert(path);
@@ -115,8 +77,8 @@ PathSet doubtful_paths(Run& run, int care, const PathSet& beyond) {
   for (const auto& group : groups_of(run)) {
     if (is_in_doubt(run, group)) doubtful.insert(group.begin(), group.end());
   }
-  doubtful.merge(paths_to_missing_conjugates(run, care));
-  doubtful.merge(paths_on_one_way(run));
+  // Two paths on one sheet: one of them has jumped.
+  for (const std::uint64_t path : run.sheets.shared()) doubtful.insert(path);
   return doubtful;
 }
 
@@ -139,12 +101,8 @@ void fail_unsettled(Run& run) {
       if (run.ledger.roots().at(group[k]).point.simple) fail(run, group[k], Failure::jumped);
     }
   }
-  for (const std::uint64_t path : paths_on_one_way(run)) {
+  for (const std::uint64_t path : run.sheets.shared()) {
     if (!run.ledger.failures().contains(path)) fail(run, path, Failure::jumped);
-  }
-  for (const std::uint64_t path :
-       paths_to_missing_conjugates(run, run.setting.options.maximum_care)) {
-    fail(run, path, Failure::jumped);
   }
 }
 
@@ -158,7 +116,6 @@ bool settle_by_count(Run& run) {
   PathSet left;
   for (const auto& [path, failure] : run.ledger.failures()) left.insert(path);
   for (const std::uint64_t path : left) run.ledger.leave(path);
-  run.unsettled_conjugates = 0;
   return true;
 }
 
@@ -189,8 +146,8 @@ void resolve_blurred_sets(Run& run) {
 }
 
 /// After all care. More digits save no steps: where the caller's budget ended a path it stays ended.
-PathSet unsettled_paths(Run& run, const PathSet& beyond = {}) {
-  PathSet paths = doubtful_paths(run, run.setting.options.maximum_care + 1, beyond);
+PathSet unsettled_paths(const Run& run, const PathSet& beyond = {}) {
+  PathSet paths = doubtful_paths(run, beyond);
   for (const std::uint64_t path : paths_failed_by(run, Failure::step_limit)) paths.erase(path);
   return paths;
 }
@@ -269,7 +226,7 @@ void settle_ends(Run& run) {
   const PathSet beyond = climb_together(run, paths_failed_by(run, Failure::precision));
   const bool climbs_later = !run.setting.trackers.fine_own;
   for (int care = options.care + 1; care <= options.maximum_care && !run.interrupted; ++care) {
-    const PathSet doubtful = doubtful_paths(run, care, beyond);
+    const PathSet doubtful = doubtful_paths(run, beyond);
     if (doubtful.empty() && beyond.empty() && !lacks_ends(run)) return;
     if (doubtful.empty()) break;
     if (is_settled(run)) return;

@@ -158,13 +158,6 @@ void count_following(Run& run, std::uint64_t path, const PathEnd& end) {
 
 void take_end(Run& run, std::uint64_t path, PathEnd&& end) {
   count_following(run, path, end);
-  if (run.setting.prepared.plan->stages.size() > 1 && !end.is_taken_up) {
-    if (end.stage + 1 == run.setting.prepared.plan->stages.size()) {
-      run.marks.set(path, end.mark);
-    } else {
-      run.marks.forget(path);
-    }
-  }
   if (end.sheet.empty()) {
     run.sheets.forget(path);
   } else {

@@ -45,16 +45,6 @@ void Marks::forget(std::uint64_t path) {
   if (path < marks_.size()) marks_[path] = Complex(kNone, kNone);
 }
 
-std::optional<std::uint64_t> Marks::path_of(Complex mark) const {
-  std::optional<std::uint64_t> found;
-  for (std::uint64_t path = 0; path < marks_.size(); ++path) {
-    if (!are_one(mark, marks_[path])) continue;
-    if (found) return std::nullopt;
-    found = path;
-  }
-  return found;
-}
-
 std::vector<std::uint64_t> Marks::shared() const {
   std::vector<std::uint64_t> order(marks_.size());
   std::iota(order.begin(), order.end(), std::uint64_t{0});

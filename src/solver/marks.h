@@ -4,12 +4,11 @@
 //   mark = sum_j a_j z_j / |z_j| + b_j log |z_j|,  z_j = x_j / x_n,  a_j and b_j of random phases: the same for all multiples of
 //   a homogeneous point, and for different points different but by chance, however small the coordinates in which they differ
 //
-// A plan of several stages computes no path number from a start point of its last stage. The marks of all such points are
-// kept instead: two equal ones are a jump on an earlier stage, and a point is looked up by its mark.
+// Two paths with one mark are at one point: one of them has jumped before. Marks are kept of the points to which paths have come back from
+// their ends.
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "moivre/numeric/complex.h"
@@ -29,8 +28,6 @@ class Marks {
   void forget(std::uint64_t path);
   bool is_empty() const { return marks_.empty(); }
 
-  /// The path whose mark this is; nullopt where it is none's or not one's alone.
-  std::optional<std::uint64_t> path_of(Complex mark) const;
   /// Paths that share a mark with another path, ascending.
   std::vector<std::uint64_t> shared() const;
 

@@ -135,7 +135,6 @@ class SessionSource : public DepartureSource {
     endgame = new_endgame(path);
     PathEnd& end = endgame->end();
     end.count = beginning.count;
-    if (end.stage > 0) end.mark = mark_of(outside(beginning.frame, beginning.x));
     return endgame->depart(std::move(beginning.x), std::move(beginning.frame));
   }
 
@@ -229,23 +228,6 @@ void track_paths(const PathProblem& problem, const PathList& paths, int care, in
   for_each_parallel(sessions, threads,
                     [&](std::size_t) { track_on_one_thread(problem, options, sessions, shared); });
   if (!shared.waiting.empty()) walk_on(problem, options, threads, shared);
-}
-
-std::optional<Point> followed_back(const PathProblem& problem, const Point& x, int care,
-                                   const std::atomic<bool>& stop) {
-  const Homotopy& homotopy = problem.plan.last();
-  const auto session = problem.tracker.open(homotopy);
-  Departure departure;
-  departure.contour = Contour::segment(1, 0);
-  if (homotopy.is_framed()) {
-    departure.frame = std::make_shared<PathFrame>(frame_at(homotopy, x));
-  }
-  departure.x = inside(departure.frame, x);
-  departure.care = care;
-  const FramePointer frame = departure.frame;
-  Arrival back = follow(*session, std::move(departure), stop);
-  if (back.journey != Journey::arrived) return std::nullopt;
-  return outside(frame, std::move(back.x));
 }
 
 }  // namespace moivre

@@ -43,11 +43,6 @@ struct PathList {
 void track_paths(const PathProblem& problem, const PathList& paths, int care, int threads,
                  const EndSink& sink, const std::atomic<bool>& stop);
 
-/// The start point of the last stage from which `x` (homogeneous, an end point at t = 1) is reached: x is followed back to
-/// t = 0. nullopt when the way back breaks off.
-std::optional<Point> followed_back(const PathProblem& problem, const Point& x, int care,
-                                   const std::atomic<bool>& stop);
-
 /// f(k) for k in [0, count) on `threads` threads; in order on the caller's thread when that is one.
 void for_each_parallel(std::size_t count, int threads, const std::function<void(std::size_t)>& f);
 

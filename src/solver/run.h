@@ -59,9 +59,8 @@ struct Run {
   /// Came to no verdict with less effort than all; from an empty outpost a path is followed from its start again.
   Outposts waiting;
   std::vector<std::pair<std::uint64_t, PathEnd>> ends;  ///< finite, to be refined
-  Marks marks;  ///< of the points where paths set out on the last of several stages
-  Marks sheets;  ///< of the points over one t to which paths have gone back from ends that circles have told
-  std::uint64_t unsettled_conjugates = 0;  ///< simple roots that no path was found to lead to
+  Marks
+      sheets;  ///< of the points over one t to which paths have gone back from ends that circles have told
   Bounds bounds;
   ExactCandidates looked_at;  ///< each candidate for an exact root once
   StepCount work;

@@ -66,26 +66,6 @@ std::vector<Chosen> choice(const LinearProductStart& start, std::uint64_t number
   return chosen;
 }
 
-/// How nearly the factor vanishes at x, relative to its terms.
-double size_at(const LinearProductStart& start, std::size_t i, const Chosen& factor,
-               const Point& x) {
-  const std::vector<std::uint32_t>& group = start.groups[factor.group];
-  const std::vector<Point>& forms = start.factors[i][factor.group].forms;
-  if (group.size() == 1) {
-    const Complex z = -forms[0][1] / forms[0][0];
-    const Complex root = de_moivre_root(z, start.degrees[i][factor.group], factor.factor);
-    return std::abs(x[group[0]] / x.back() - root) / std::abs(root);
-  }
-  const Point& form = forms[factor.factor];
-  Complex value = form.back() * x.back();
-  double terms = std::abs(value);
-  for (std::size_t l = 0; l < group.size(); ++l) {
-    value += form[l] * x[group[l]];
-    terms += std::abs(form[l] * x[group[l]]);
-  }
-  return std::abs(value) / terms;
-}
-
 /// The point of one group: the linear equations of those that chose it.
 void solve_group(const LinearProductStart& start, const std::vector<Chosen>& chosen, std::size_t j,
                  Point& x) {
@@ -121,30 +101,6 @@ Point start_point(const LinearProductStart& start, std::uint64_t number) {
   Point x(start.degrees.size() + 1, 1.0);
   for (std::size_t j = 0; j < start.groups.size(); ++j) solve_group(start, chosen, j, x);
   return x;
-}
-
-std::uint64_t path_number(const LinearProductStart& start, const Point& x) {
-  Way way(start);
-  std::uint64_t number = 0;
-  for (std::size_t i = 0; i < start.degrees.size(); ++i) {
-    double least = std::numeric_limits<double>::infinity();
-    Chosen nearest;
-    std::uint64_t before = 0;
-    std::uint64_t nearest_before = 0;
-    for (std::size_t j = 0; j < start.groups.size(); ++j) {
-      const std::uint64_t rest = way.numbers(i, j);
-      for (std::uint64_t k = 0; rest > 0 && k < start.degrees[i][j]; ++k, before += rest) {
-        const double size = size_at(start, i, {j, k}, x);
-        if (size >= least) continue;
-        least = size;
-        nearest = {j, k};
-        nearest_before = before;
-      }
-    }
-    number += nearest_before;
-    way.take(nearest.group);
-  }
-  return number;
 }
 
 }  // namespace moivre

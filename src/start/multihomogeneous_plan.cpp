@@ -9,9 +9,6 @@ class LinearProductPoints : public StartPoints {
  public:
   explicit LinearProductPoints(LinearProductStart start) : start_(std::move(start)) {}
   StartPoint at(std::uint64_t path) const override { return {start_point(start_, path), nullptr}; }
-  std::optional<std::uint64_t> number_of(const Point& x) const override {
-    return path_number(start_, x);
-  }
 
  private:
   LinearProductStart start_;

@@ -101,8 +101,6 @@ class PolyhedralPoints : public StartPoints {
     return {std::move(x), std::move(frame)};
   }
 
-  std::optional<std::uint64_t> number_of(const Point&) const override { return std::nullopt; }
-
  private:
   // T: log |term k| - log |binomial's terms| - w_k T <= log kLeastPart for all terms that the binomials leave out.
   double toric_span(const MixedCell& cell, const std::vector<double>& log_modulus,

@@ -84,14 +84,11 @@ struct PathEnd {
   Complex t = 0;          ///< how far it came
   FramePointer frame;     ///< in which the path was followed; nullptr: in none
   std::size_t stage = 0;  ///< of the plan, on which it ended
-  Complex
-      mark;  ///< of its start point on the last stage, if there are several stages (solver/marks.h)
   /// Homogeneous, over 1 - t = common_radius(watch_radius), where the path has gone back to; empty: it has not.
   Point sheet;
   StepCount count;
   std::optional<Outpost> outpost;  ///< where only regular ends were sought, and it has none
-  bool is_taken_up =
-      false;  ///< from an outpost: `count` is of the rest of the way, and it has no mark
+  bool is_taken_up = false;        ///< from an outpost: `count` is of the rest of the way
 };
 
 enum class FaceRoot;

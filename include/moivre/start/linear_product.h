@@ -62,7 +62,4 @@ std::optional<System> start_system(const LinearProductStart& start,
 /// Start point of path `number` < paths in homogeneous coordinates: (x_1, ..., x_n, 1).
 Point start_point(const LinearProductStart& start, std::uint64_t number);
 
-/// The number of the start point that x, homogeneous, is nearest to: of each equation the factor that is least there.
-std::uint64_t path_number(const LinearProductStart& start, const Point& x);
-
 }  // namespace moivre

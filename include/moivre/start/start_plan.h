@@ -29,8 +29,6 @@ class StartPoints {
  public:
   virtual ~StartPoints() = default;
   virtual StartPoint at(std::uint64_t path) const = 0;
-  /// The path with this start point, known to some digits; nullopt where it cannot be computed.
-  virtual std::optional<std::uint64_t> number_of(const Point& x) const = 0;
 };
 
 struct StartPlan {
