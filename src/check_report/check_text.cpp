@@ -36,9 +36,14 @@ std::string bounds_text(const Judgement& judgement) {
 }
 
 std::string proof_text(const Judgement& judgement) {
-  const std::string distinct = counted(judgement.roots.distinct, "distinct root");
+  const RootTally& roots = judgement.roots;
+  const std::string distinct = counted(roots.distinct, "distinct certified root");
   if (judgement.proved_by) {
-    return distinct + " = " + to_string(*judgement.proved_by) +
+    const std::string exact =
+        roots.counted_points == 0
+            ? ""
+            : " and " + counted(roots.counted_points, "multiple one") + " counted exactly";
+    return distinct + exact + " meet " + to_string(*judgement.proved_by) +
            ": no isolated root is missing, proved";
   }
   return "that no isolated root is missing is not proved";

@@ -16,8 +16,8 @@
 #include "moivre/closure_report/page.h"
 #include "moivre/closure_report/picture.h"
 #include "moivre/closure_report/readings_report.h"
-#include "moivre/motion/circuits.h"
 #include "moivre/expression/counted.h"
+#include "moivre/motion/circuits.h"
 #include "moivre/numeric/stopwatch.h"
 #include "moivre/report/number_text.h"
 #include "output.h"
@@ -218,15 +218,18 @@ void add_motion_command(CLI::App& moivre, Chosen& chosen) {
       "motion", "Follow every closure along the drivers: position, velocity, acceleration");
   add_any_file(app, command->file);
   add_time_options(app, *command);
-  app.add_option("--guess", command->guesses,
-                 "change this value of the file's guess and follow only the pose assembled from "
-                 "it; angles in the file's unit; may be repeated; no closures are solved")
-      ->type_name("NAME=VALUE");
-  app.add_flag("--from-guess", command->from_guess,
-               "follow only the pose assembled from the file's guess");
+  CLI::Option* const guess = app.add_option(
+      "--guess", command->guesses,
+      "change this value of the file's guess and follow only the pose assembled from "
+      "it; angles in the file's unit; may be repeated; no closures are solved");
+  guess->type_name("NAME=VALUE");
+  CLI::Option* const from_guess = app.add_flag(
+      "--from-guess", command->from_guess, "follow only the pose assembled from the file's guess");
   app.add_option("--closure", command->closures,
                  "show only the branches that can be reached from this closure without taking the "
                  "mechanism apart (A, B, ... at the start of the motion); may be repeated")
+      ->excludes(guess)
+      ->excludes(from_guess)
       ->type_name("NAME");
   add_mechanism_options(app, command->mechanism);
   add_start_options(app, command->start);

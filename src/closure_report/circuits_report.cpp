@@ -160,8 +160,18 @@ std::string four_bar_text(const FourBar& four_bar) {
   } else {
     text += rule_text(four_bar.rule);
   }
-  return text + ", s + l = " + short_text(four_bar.shortest_and_longest, kRangeDigits) + sign +
-         "p + q = " + short_text(four_bar.others, kRangeDigits) + '\n';
+  // As many digits as tell the sums apart.
+  int digits = kRangeDigits;
+  const auto sums = [&] {
+    return std::pair(short_text(four_bar.shortest_and_longest, digits),
+                     short_text(four_bar.others, digits));
+  };
+  constexpr int kMostDigits = 15;
+  while (four_bar.rule != FourBarRule::change_point && sums().first == sums().second &&
+         digits < kMostDigits)
+    ++digits;
+  const auto [extremes, others] = sums();
+  return text + ", s + l = " + extremes + sign + "p + q = " + others + '\n';
 }
 
 Json swing_json(const Swing& swing) {

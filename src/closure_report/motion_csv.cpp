@@ -37,11 +37,12 @@ std::string head(const Mechanism& mechanism, const AngleForm& form) {
   return text + '\n';
 }
 
-std::string cells(double value, double velocity, double acceleration, CoordinateKind kind,
-                  const AngleForm& form) {
-  std::string text;
-  for (const double x : {value, velocity, acceleration}) {
-    text += ',' + exact_text(in_form(x, kind, form));
+/// Without velocity and acceleration where the constraints do not determine them.
+std::string cells(const BranchSample& sample, double value, double velocity, double acceleration,
+                  CoordinateKind kind, const AngleForm& form) {
+  std::string text = ',' + exact_text(in_form(value, kind, form));
+  for (const double rate : {velocity, acceleration}) {
+    text += sample.is_determined ? ',' + exact_text(in_form(rate, kind, form)) : ",";
   }
   return text;
 }
@@ -56,7 +57,7 @@ std::string line(const BranchSample& sample, const Eigen::VectorXd& q, const Mec
   }
   const std::vector<Coordinate> all = coordinates(mechanism);
   for (Eigen::Index k = 0; k < q.size(); ++k) {
-    text += cells(q[k], sample.velocity[k], sample.acceleration[k],
+    text += cells(sample, q[k], sample.velocity[k], sample.acceleration[k],
                   all[static_cast<std::size_t>(k)].kind, form);
   }
   for (std::size_t body = 1; body < mechanism.bodies.size(); ++body) {
@@ -64,8 +65,8 @@ std::string line(const BranchSample& sample, const Eigen::VectorXd& q, const Mec
       const PointState at =
           point_state(mechanism, {body, p}, sample.q, sample.velocity, sample.acceleration);
       for (Eigen::Index k = 0; k < point_size(mechanism); ++k) {
-        text +=
-            cells(at.position[k], at.velocity[k], at.acceleration[k], CoordinateKind::length, form);
+        text += cells(sample, at.position[k], at.velocity[k], at.acceleration[k],
+                      CoordinateKind::length, form);
       }
     }
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Poses side by side: angles modulo whole turns, lengths beside the larger pose.
+// Poses side by side: angles modulo whole turns, in radians, lengths beside the larger pose.
 #include "moivre/closures/same_pose.h"
 
 #include <algorithm>
@@ -29,7 +29,12 @@ double size_of(const Phi& phi, const Eigen::VectorXd& q) {
 
 double distance(const Phi& phi, const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
   const Eigen::VectorXd gap = phi.canonical(phi.canonical(a) - phi.canonical(b));
-  return gap.lpNorm<Eigen::Infinity>() / size_of(phi, a, b);
+  const double size = size_of(phi, a, b);
+  double largest = 0;
+  for (Eigen::Index k = 0; k < gap.size(); ++k) {
+    largest = std::max(largest, std::abs(gap[k]) / (is_length(phi, k) ? size : 1));
+  }
+  return largest;
 }
 
 bool is_same_pose(const Phi& phi, const Eigen::VectorXd& a, const Eigen::VectorXd& b) {

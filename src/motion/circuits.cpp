@@ -288,7 +288,9 @@ class CircuitFinder {
         const bool is_stopped = event && motion_.events[*event].at.kind == EventKind::joint_limit;
         return !is_stopped && !is_joined({k, is_last});
       };
-      return is_open(false) || is_open(true);
+      // A dead point where the motion begins is one place, though it is a branch with two ends.
+      const bool is_moment = branch.begins == branch.ends;
+      return is_moment ? is_open(false) && is_open(true) : is_open(false) || is_open(true);
     });
   }
 

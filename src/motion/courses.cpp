@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
+#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <cstdint>
+#include <optional>
 
 #include "moivre/mechanism/pose.h"
 
@@ -132,14 +135,32 @@ Course course(const MotionBranch& branch, const MovingPart& quantity) {
   return all;
 }
 
+/// Where a driver that goes the one way at `from` and the other way at `to` turns back; nullopt where it does not.
+std::optional<double> turning_time(const DriverLaw& law, double from, double to) {
+  const auto rate = [&](double time) { return driver_state(law, time).velocity; };
+  if (!(rate(from) * rate(to) < 0)) return std::nullopt;
+  std::uintmax_t iterations = 100;
+  const auto [lower, upper] = boost::math::tools::toms748_solve(
+      rate, from, to, boost::math::tools::eps_tolerance<double>(), iterations);
+  return (lower + upper) / 2;
+}
+
 Course driver_course(const MotionBranch& branch, const Driver& driver) {
   const auto value = [&](double time) { return driver_state(driver.law, time).value; };
   Course all{value(branch.begins), value(branch.ends), 0, 0};
   std::tie(all.lower, all.upper) = std::minmax(all.first, all.last);
-  for (const BranchSample& sample : branch.samples) {
-    all.lower = std::min(all.lower, value(sample.time));
-    all.upper = std::max(all.upper, value(sample.time));
-  }
+  const auto include = [&](double time) {
+    all.lower = std::min(all.lower, value(time));
+    all.upper = std::max(all.upper, value(time));
+  };
+  double before = branch.begins;
+  const auto pass = [&](double time) {
+    include(time);
+    if (const auto turn = turning_time(driver.law, before, time)) include(*turn);
+    before = time;
+  };
+  for (const BranchSample& sample : branch.samples) pass(sample.time);
+  pass(branch.ends);
   return all;
 }
 

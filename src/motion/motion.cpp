@@ -140,6 +140,7 @@ MotionResult find_motion_of_whole(const Mechanism& mechanism, const Tracker& tra
   }
   const std::vector<double> crossings = step_aside(run, tracker, scenes);
   if (!crossings.empty()) reconcile(run, scenes);
+  drop_moments(run);
   order_tracks(run);
   for (Scene& scene : scenes) match(run, scene);
   enter_branches(run, result);

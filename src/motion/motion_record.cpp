@@ -137,6 +137,26 @@ MotionResult empty_result(const MotionRun& run) {
   return result;
 }
 
+void drop_moments(MotionRun& run) {
+  const auto is_moment = [&](const Track& track) {
+    return is_same_time(run, track.begins(), track.ends());
+  };
+  const auto meets = [&](const BranchEvent& event, const Track& track) {
+    return std::any_of(run.tracks.begin(), run.tracks.end(), [&](const Track& other) {
+      if (&other == &track || is_moment(other)) return false;
+      return (other.backwards.event && is_same_event(run, *other.backwards.event, event)) ||
+             (other.forwards.event && is_same_event(run, *other.forwards.event, event));
+    });
+  };
+  std::vector<Track> kept;
+  for (const Track& track : run.tracks) {
+    const auto& event = track.forwards.event ? track.forwards.event : track.backwards.event;
+    if (is_moment(track) && event && meets(*event, track)) continue;
+    kept.push_back(track);
+  }
+  run.tracks = std::move(kept);
+}
+
 void order_tracks(MotionRun& run) {
   std::vector<double> times;
   for (const Track& track : run.tracks) times.push_back(track.begins());

@@ -14,6 +14,10 @@ namespace moivre {
 /// A result of nothing yet: times and seed.
 MotionResult empty_result(const MotionRun& run);
 
+/// Drops tracks of a moment that end where others begin or end: a motion that begins at a dead point has a closure there, and what lives are
+/// the branches that leave it.
+void drop_moments(MotionRun& run);
+
 /// Sorts the tracks into the order of their ids.
 void order_tracks(MotionRun& run);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Ways between branches, and the motion of what can be reached.
 #include <algorithm>
+#include <cmath>
 #include <queue>
 #include <stdexcept>
 
@@ -125,10 +126,13 @@ std::vector<std::optional<Passage>> passages_from(const Circuits& circuits, std:
 }
 
 std::vector<std::size_t> first_branches(const MotionResult& motion) {
+  constexpr double kAtOnce = 1e-7;  // of the duration: a motion may begin at a dead point
   std::vector<std::size_t> firsts;
   for (std::size_t k = 0; k < motion.branches.size(); ++k) {
     const MotionBranch& branch = motion.branches[k];
-    if (branch.begins == motion.from && !branch.begin_event) firsts.push_back(k);
+    const bool is_there =
+        std::abs(branch.begins - motion.from) <= kAtOnce * (motion.to - motion.from);
+    if (is_there) firsts.push_back(k);
   }
   return firsts;
 }

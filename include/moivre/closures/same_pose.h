@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Are two poses one? How far they are apart, angles to the nearest turn and lengths beside the size of the mechanism's pose.
+// Are two poses one? How far they are apart, angles to the nearest turn in radians and lengths beside the size of the mechanism's pose.
 //
 // q: n coordinates as in Phi. A pose's size is its largest length, 1 at least.
 #pragma once
@@ -19,7 +19,7 @@ inline constexpr double kSamePlace = 1e-3;
 bool is_length(const Phi& phi, Eigen::Index k);
 /// The largest length of the pose, 1 at least.
 double size_of(const Phi& phi, const Eigen::VectorXd& q);
-/// Largest difference of two poses, angles to the nearest turn, beside the larger pose's size (1 at least).
+/// Largest difference of two poses: of angles, in radians and to the nearest turn; of lengths, beside the larger pose's size.
 double distance(const Phi& phi, const Eigen::VectorXd& a, const Eigen::VectorXd& b);
 /// Whether that is no more than kSamePose; where not, a length nearly always says so at once.
 bool is_same_pose(const Phi& phi, const Eigen::VectorXd& a, const Eigen::VectorXd& b);
