@@ -20,6 +20,8 @@ using Eigen::VectorXcd;
 constexpr double kStep = 0.1;
 // The last step: sets that pass x at a few times this distance are told from sets through it.
 constexpr double kLastStep = 5e-4;
+// Of the extrapolation's last change: its error is less.
+constexpr double kSureOfLimit = 10;
 // A root further away than so many steps is not the neighbour that is looked for.
 constexpr double kNeighbourhood = 20;
 constexpr int kMaximumIterations = 60;
@@ -45,7 +47,8 @@ constexpr int kAgreeing = 2;
 /// The neighbourhood of one root, y = x + s z with s the natural sizes of the coordinates.
 class Neighbourhood {
  public:
-  Neighbourhood(const RefinerProgram& program, const Point& x, std::uint64_t seed);
+  Neighbourhood(const RefinerProgram& program, const Point& x, double tolerance,
+                std::uint64_t seed);
 
   /// Does a plane, moved, meet a set through x?
   SetHere meets(int slice);
@@ -61,9 +64,11 @@ class Neighbourhood {
   FinePoint start_on(const VectorXcd& plane, int number) const;
   SetHere leads_to_x(const VectorXcd& plane, FinePoint z);
   std::optional<double> settle(const VectorXcd& plane, double step, FinePoint& z);
+  bool is_x(const std::vector<VectorXcd>& halvings) const;
 
   const RefinerProgram& program_;
   const Point& x_;
+  double known_to_;  ///< x, absolute
   std::uint64_t seed_;
   std::vector<double> scale_;
   MatrixXcd null_space_;
@@ -76,9 +81,11 @@ class Neighbourhood {
   MatrixXcd j_;                ///< (n + 1) x n, of value_ with respect to z
 };
 
-Neighbourhood::Neighbourhood(const RefinerProgram& program, const Point& x, std::uint64_t seed)
+Neighbourhood::Neighbourhood(const RefinerProgram& program, const Point& x, double tolerance,
+                             std::uint64_t seed)
     : program_(program),
       x_(x),
+      known_to_(tolerance * std::max(1.0, max_norm(x))),
       seed_(seed),
       size_y_(x.size()),
       size_registers_(program.tape.register_count()),
@@ -170,14 +177,39 @@ SetHere Neighbourhood::leads_to_x(const VectorXcd& plane, FinePoint z) {
   std::optional<double> before = settle(plane, kStep, z);
   if (!before) return SetHere::none;
   bool is_sharp = *before <= kOnTheSet;
+  std::vector<VectorXcd> halvings{rounded(z)};
   for (double step = kStep / 2; step > kLastStep; step /= 2) {
     for (Number& zi : z) zi = product(DoubleDouble(0.5), zi);
     const std::optional<double> now = settle(plane, step, z);
     if (!now || (*now > kOnTheSet && *now * kFall < *before)) return SetHere::none;
     is_sharp = is_sharp && *now <= kOnTheSet;
     before = now;
+    halvings.push_back(rounded(z));
   }
+  if (!is_x(halvings)) return SetHere::none;
   return is_sharp ? SetHere::sharp : SetHere::blurred;
+}
+
+// Neville's extrapolation to h = 0 of z at h, h / 2, h / 4, ...; its last two values tell the error.
+bool Neighbourhood::is_x(const std::vector<VectorXcd>& halvings) const {
+  std::vector<VectorXcd> row;
+  VectorXcd before;
+  for (const VectorXcd& z : halvings) {
+    if (!row.empty()) before = row.back();
+    std::vector<VectorXcd> next{z};
+    double power = 1;
+    for (const VectorXcd& above : row) {
+      power *= 2;
+      next.push_back(next.back() + (next.back() - above) / (power - 1));
+    }
+    row = std::move(next);
+  }
+  const VectorXcd& limit = row.back();
+  const double error = kSureOfLimit * (limit - before).lpNorm<Eigen::Infinity>();
+  for (Index i = 0; i < limit.size(); ++i) {
+    if (std::abs(limit[i]) > error + known_to_ / scale_[static_cast<std::size_t>(i)]) return false;
+  }
+  return true;
 }
 
 // Gauss-Newton from z on the plane N^H z = step. |F| where it ends; nullopt where that is no root nearby.
@@ -209,9 +241,10 @@ std::optional<double> Neighbourhood::settle(const VectorXcd& plane, double step,
 
 }  // namespace
 
-SetHere set_through(const RefinerProgram& program, const Point& x, std::uint64_t seed) {
+SetHere set_through(const RefinerProgram& program, const Point& x, double tolerance,
+                    std::uint64_t seed) {
   if (x.size() < 2) return SetHere::none;
-  Neighbourhood neighbourhood(program, x, seed);
+  Neighbourhood neighbourhood(program, x, tolerance, seed);
   int found = 0;
   SetHere least = SetHere::sharp;
   for (int slice = 0; slice < kSlices && found < kAgreeing; ++slice) {

@@ -9,6 +9,8 @@
 //   settle   Gauss-Newton on F(y) = 0, l (y - x) = h; J in double, y and F in double-double from the exact coefficients
 //   descend  h is halved, again and again, and the root followed: it has to come to x as fast. One that does
 //            not belongs to another set nearby.
+//   arrive   y(h), a power series in h, is extrapolated to h = 0: it has to be x, as far as x is known. A set that passes beside x is not
+//            met there, however near it comes.
 //
 // Coefficients that were rounded, as those of an angle's cosine, leave no exact set: there |F| within their error is a set
 // all the same, where it does not fall as h^m does. So is one that is small only as a set passed by rounding, or of several sheets, is.
@@ -28,7 +30,8 @@ enum class SetHere {
   sharp
 };
 
-/// program: F as given. x: a singular root of F, n coordinates.
-SetHere set_through(const RefinerProgram& program, const Point& x, std::uint64_t seed);
+/// program: F as given. x: a singular root of F, n coordinates, known to `tolerance`, relative to max(1, |x|_inf).
+SetHere set_through(const RefinerProgram& program, const Point& x, double tolerance,
+                    std::uint64_t seed);
 
 }  // namespace moivre

@@ -121,19 +121,24 @@ bool settle_by_count(Run& run) {
 
 bool is_settled(Run& run) { return settle_by_bound(run) || settle_by_count(run); }
 
+/// The paths to ends on such sets.
+PathSet paths_to_sets(const Run& run, SetHere kind) {
+  PathSet paths;
+  for (const auto& group : groups_of(run)) {
+    const Ends ends = ends_of(run, group);
+    if (ends.singular.empty()) continue;
+    if (set_of(run, run.ledger.roots().at(ends.singular.front())) != kind) continue;
+    paths.insert(ends.singular.begin(), ends.singular.end());
+  }
+  return paths;
+}
+
 /// Where F all but vanishes along a set, simple roots pass for points of it. Paths to such a set are followed in double-double: a root
 /// that is proved at the end of one is none of the set's. Where there is such a root the set is none, and what the other paths end at
 /// is not known.
 void resolve_blurred_sets(Run& run) {
   if (!run.setting.certify_program) return;
-  PathSet paths;
-  for (const auto& group : groups_of(run)) {
-    const Ends ends = ends_of(run, group);
-    if (ends.singular.empty()) continue;
-    const Root& first = run.ledger.roots().at(ends.singular.front());
-    if (set_of(run, first) != SetHere::blurred) continue;
-    paths.insert(ends.singular.begin(), ends.singular.end());
-  }
+  const PathSet paths = paths_to_sets(run, SetHere::blurred);
   climb(run, paths, Taken::regular_ends);
   PathSet left;
   for (const std::uint64_t path : paths) {
@@ -190,6 +195,35 @@ void climb_to_clusters(Run& run) {
       if (helps && is_settled(run)) return;
     }
   }
+}
+
+/// Some go ahead, and others follow as long as one of those before has found a root.
+void climb_ahead(Run& run, const Tracker& tracker, const PathSet& paths) {
+  bool helps = true;
+  std::size_t together = kFirstAhead;
+  for (auto next = paths.begin(); next != paths.end() && helps && !run.interrupted; together *= 2) {
+    PathSet ahead;
+    while (next != paths.end() && ahead.size() < together) ahead.insert(*next++);
+    climb_beyond_double_double(run, tracker, ahead);
+    helps = std::any_of(ahead.begin(), ahead.end(),
+                        [&](auto path) { return has_climbed_to_a_simple_root(run, path); });
+  }
+}
+
+/// A simple root so near to a set that double does not tell it from the set's points: its sheet and one of the set's seem to meet. In more
+/// digits its path has a regular end.
+void look_beside_sets(Run& run) {
+  if (!run.setting.certify_program) return;
+  const auto meeting = [&] {
+    PathSet paths = paths_to_sets(run, SetHere::sharp);
+    std::erase_if(paths, [&](std::uint64_t path) {
+      return run.ledger.roots().at(path).winding.value_or(1) == 1;
+    });
+    return paths;
+  };
+  climb_together(run, meeting(), Taken::regular_ends);
+  const auto& finer = run.setting.trackers.finer;
+  if (!finer.empty()) climb_ahead(run, *finer.front(), meeting());
 }
 
 PathSet paths_at_infinity(const Run& run) {
@@ -250,6 +284,7 @@ void settle_ends(Run& run) {
 
 void settle_doubts(Run& run) {
   settle_ends(run);
+  if (!run.interrupted && !is_settled(run)) look_beside_sets(run);
   if (!run.interrupted && !is_settled(run)) resolve_blurred_sets(run);
 }
 

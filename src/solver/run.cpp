@@ -37,7 +37,8 @@ std::string to_string(RootCompleteness completeness) {
 SetHere set_of(const Run& run, const Root& root) {
   if (!root.on_set) {
     const Setting& setting = run.setting;
-    root.on_set = set_through(*setting.refiner_program, root.point.x, setting.options.seed);
+    root.on_set =
+        set_through(*setting.refiner_program, root.point.x, root.tolerance, setting.options.seed);
   }
   return *root.on_set;
 }

@@ -37,7 +37,7 @@ Rescue LaneNewton<ComplexDoubleDouble>::rescue(FinePoint& x, FinePoint& dx,
   fine_.set_patch(x);
   const Settling settling = fine_.settle(x, control.next_time(), rules);
   Rescue result;
-  result.converged = settling.converged && (!is_end || fine_.is_regular_end(settling));
+  result.converged = settling.converged && (!is_end || fine_.is_regular_end());
   if (result.converged) {
     if (is_end) {
       result.regular_condition = fine_.condition();

@@ -121,6 +121,7 @@ class FinePathSystem {
     round_into<S>(x, rounded_x_);
     round_into<S>(dx_, rounded_dx_);
     for (std::size_t i = 0; i <= n_; ++i) x[i] += dx_[i];
+    moved_ = max_norm(rounded_dx_) / max_norm(rounded_x_);
     return weighted_norm(rounded_dx_, rounded_x_);
   }
 
@@ -150,9 +151,10 @@ class FinePathSystem {
   }
 
   /// A point that settled at t = 1 by at_end(): is its last correction what rounding makes of a condition that S can bear?
-  bool is_regular_end(const Settling& settling) {
+  /// Beside |x|_inf: of a coordinate that is 0, rounding makes much more beside its own floor.
+  bool is_regular_end() {
     const double bearable = condition();
-    return bearable <= kHopelessCondition && settling.last <= std::max(kKnown, kNoise * bearable);
+    return bearable <= kHopelessCondition && moved_ <= std::max(kKnown, kNoise * bearable);
   }
 
   /// dx <- J^{-1} [-H_t dt; 0] with the last linearize().
@@ -216,7 +218,8 @@ class FinePathSystem {
   std::vector<S> dx_;
   Point rounded_x_;
   Point rounded_dx_;
-  double norm_ = 0;  // |J|_inf
+  double norm_ = 0;   // |J|_inf
+  double moved_ = 0;  // |dx|_inf / |x|_inf of the last correction
   WorkCount work_;
 };
 

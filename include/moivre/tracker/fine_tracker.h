@@ -220,7 +220,7 @@ bool FineSession<S>::step(const Departure& departure, const Place& next, Settlin
   rules.reach = reach;
   if (!is_end) rules.share = kFarBelow;
   settling = path_.settle(trial_, t, rules);
-  if (!settling.converged || (is_end && !path_.is_regular_end(settling))) return false;
+  if (!settling.converged || (is_end && !path_.is_regular_end())) return false;
   std::rotate(known_.begin(), known_.end() - 1, known_.end());
   count_ = std::min(count_ + 1, known_.size());
   Known& now = known_.front();
