@@ -221,9 +221,15 @@ void look_beside_sets(Run& run) {
     });
     return paths;
   };
+  std::map<std::uint64_t, Root> before;
+  for (const std::uint64_t path : meeting()) before.emplace(path, run.ledger.roots().at(path));
   climb_together(run, meeting(), Taken::regular_ends);
   const auto& finer = run.setting.trackers.finer;
   if (!finer.empty()) climb_ahead(run, *finer.front(), meeting());
+  // Where more digits tell no simple root the end is what it was.
+  for (auto& [path, root] : before) {
+    if (run.ledger.failures().contains(path)) run.ledger.enter_root(path, std::move(root));
+  }
 }
 
 PathSet paths_at_infinity(const Run& run) {

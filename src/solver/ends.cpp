@@ -128,9 +128,7 @@ std::vector<Root> refined_roots(const Run& run) {
 }
 
 bool is_known_singular(const Run& run, const Root& root) {
-  if (root.point.residual > kWorstResidual) return false;
-  // It arrived at t = 1 without a circle, and not at a simple root.
-  if (!root.winding) return set_of(run, root) == SetHere::sharp;
+  if (!root.winding || root.point.residual > kWorstResidual) return false;
   if (root.point.accuracy <= kWorstAccuracy) return true;
   return root.point.accuracy <= kWorstAccuracyOnSet && is_on_set(run, root);
 }
