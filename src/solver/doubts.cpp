@@ -3,9 +3,12 @@
 #include "doubts.h"
 
 #include <algorithm>
+#include <map>
 
 #include "certificates.h"
+#include "coincidence.h"
 #include "completeness.h"
+#include "exact_roots.h"
 #include "tracking.h"
 
 namespace moivre {
@@ -226,10 +229,18 @@ void look_beside_sets(Run& run) {
   climb_together(run, meeting(), Taken::regular_ends);
   const auto& finer = run.setting.trackers.finer;
   if (!finer.empty()) climb_ahead(run, *finer.front(), meeting());
-  // Where more digits tell no simple root the end is what it was.
+  // Where no simple root is proved the end is what it was.
   for (auto& [path, root] : before) {
     if (run.ledger.failures().contains(path)) run.ledger.enter_root(path, std::move(root));
   }
+}
+
+/// Whether the paths that end there are as many as exact algebra counts of a root that is known exactly.
+bool is_counted_exactly(Run& run, const Root& end, std::size_t paths) {
+  const std::vector<ExactRoot> exact = exact_roots(run);
+  return std::any_of(exact.begin(), exact.end(), [&](const ExactRoot& root) {
+    return root.multiplicity == paths && relative_distance(root.x, end.point.x) <= end.tolerance;
+  });
 }
 
 PathSet paths_at_infinity(const Run& run) {
@@ -292,6 +303,35 @@ void settle_doubts(Run& run) {
   settle_ends(run);
   if (!run.interrupted && !is_settled(run)) look_beside_sets(run);
   if (!run.interrupted && !is_settled(run)) resolve_blurred_sets(run);
+}
+
+void part_uncounted(Run& run) {
+  const auto& finer = run.setting.trackers.finer;
+  if (!run.setting.certify_program || finer.empty() || run.interrupted || is_settled(run)) return;
+  std::map<std::uint64_t, PathSet> clusters;
+  PathSet first;
+  for (const auto& group : groups_of(run)) {
+    const Ends ends = ends_of(run, group);
+    if (group.size() == 1 || !ends.simple.empty()) continue;
+    const Root& end = run.ledger.roots().at(group.front());
+    if (is_on_set(run, end) || is_counted_exactly(run, end, group.size())) continue;
+    first.insert(group.front());
+    clusters[group.front()] = {group.begin() + 1, group.end()};
+  }
+  bool are_parted = false;
+  for (const auto& tracker : finer) {
+    climb_beyond_double_double(run, *tracker, first);
+    PathSet others;
+    for (const auto& [path, rest] : clusters) {
+      if (first.contains(path) && has_climbed_to_a_simple_root(run, path)) {
+        others.insert(rest.begin(), rest.end());
+        first.erase(path);
+      }
+    }
+    climb_beyond_double_double(run, *tracker, others);
+    are_parted = are_parted || !others.empty();
+  }
+  if (are_parted) fail_unsettled(run);
 }
 
 }  // namespace moivre
