@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "bench.h"
-#include "exclusion.h"
+#include "moivre/polynomial/exclusion.h"
 #include "moivre/certify/distinct.h"
 #include "moivre/expression/counted.h"
 #include "moivre/numeric/random.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "bench.h"
-#include "exclusion.h"
+#include "moivre/polynomial/exclusion.h"
 
 namespace moivre {
 namespace {

@@ -2,6 +2,8 @@
 // The roots' digits from the module multiprecision, where it was built.
 #include "digits.h"
 
+#include <algorithm>
+#include <limits>
 #include <stdexcept>
 
 #include "moivre/numeric/stopwatch.h"
@@ -23,6 +25,15 @@ void require_digits(int digits) {
                               std::to_string(kMostDigits));
 }
 
+namespace {
+
+/// Beside coordinates of 1e16 two roots may be one in double: Newton's method may come to the other one.
+bool leads_elsewhere(const ReferenceRoot& found, const Solution& root) {
+  return found.forward_error > std::max(root.accuracy, std::numeric_limits<double>::epsilon() / 2);
+}
+
+}  // namespace
+
 void give_digits(const System& f, int digits, SolveResult& result, const std::atomic<bool>& stop) {
   const Stopwatch watch;
   result.digits = digits;
@@ -32,17 +43,19 @@ void give_digits(const System& f, int digits, SolveResult& result, const std::at
   std::uint64_t without = 0;
   std::uint64_t not_begun = 0;
   for (std::size_t k = 0; k < roots.size(); ++k) {
-    result.solutions[k].x_digits = roots[k].x;
     if (roots[k].working_digits == 0) {
       ++not_begun;
-    } else if (!roots[k].converged) {
+    } else if (!roots[k].converged || leads_elsewhere(roots[k], result.solutions[k])) {
       ++without;
+    } else {
+      result.solutions[k].x_digits = roots[k].x;
     }
   }
   if (without > 0) {
     result.left_out.push_back({std::to_string(digits) + " digits of " + counted(without, "root"),
                                "Newton's method does not converge quadratically there, as at every "
-                               "singular root; no digit could be guaranteed"});
+                               "singular root, or leads to another root; no digit could be "
+                               "guaranteed"});
   }
   if (not_begun > 0) {
     result.complete = false;

@@ -7,6 +7,7 @@
 
 #include "facts.h"
 #include "moivre/expression/counted.h"
+#include "moivre/polynomial/exclusion.h"
 #include "moivre/polynomial/patches.h"
 #include "moivre/polynomial/square_up.h"
 #include "refine.h"
@@ -19,6 +20,12 @@ constexpr double kHolds = 1e-11;
 // What the root's error makes of it, at most so many times the error.
 constexpr double kMargin = 1e3;
 
+/// Of exact numbers: proved to be no root, as well as the root of the combinations is known.
+bool is_refuted(const System& f, const Solution& root) {
+  const double radius = root.accuracy * std::max(1.0, max_norm(root.x));
+  return !root.singular && has_no_root_within(f, root.x, radius);
+}
+
 bool holds(Refiner& refiner, const Solution& root) {
   const std::vector<Complex>& values = refiner.relative_values(root.x);
   const double allowed = kHolds + kMargin * root.accuracy;
@@ -27,9 +34,11 @@ bool holds(Refiner& refiner, const Solution& root) {
 }
 
 void drop_excess(const System& f, SolveResult& result) {
-  Refiner refiner(make_refiner_program(f, std::vector<double>(f.variables.size(), 1.0)));
+  const auto program = make_refiner_program(f, std::vector<double>(f.variables.size(), 1.0));
+  const bool is_exact = program->error.empty();
+  Refiner refiner(program);
   const auto is_excess = [&](const Solution& root) {
-    if (holds(refiner, root)) return false;
+    if (holds(refiner, root) && !(is_exact && is_refuted(f, root))) return false;
     result.excess += root.multiplicity;
     return true;
   };

@@ -3,7 +3,7 @@
 //
 // A claim holds (proved, or recomputed), is refuted, or is open: not verifiable here.
 //   root          a regular root exists: Krawczyk's test (certify/certifier.h) from the doubles of the result
-//   accuracy      that root lies within what is stated; refuted where none does: exact Taylor sums (src/check/exclusion.h)
+//   accuracy      that root lies within what is stated; refuted where none does: exact Taylor sums (moivre/polynomial/exclusion.h)
 //   distinct      no two entries are one root
 //   real          roots called real are real, roots called not real are not
 //   multiplicity  open at a singular root, which is numerical; refuted where regular roots are proved beside it, or none is near

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Taylor sums of sparse polynomials at a point of doubles, in exact rationals, and the comparison.
-#include "exclusion.h"
+#include "moivre/polynomial/exclusion.h"
 
 #include <algorithm>
 #include <cmath>
@@ -56,9 +56,9 @@ struct Expansion {
 
 Coefficient exact(const Complex& x) { return {Rational(x.real()), Rational(x.imag())}; }
 
-class Expander {
+class TaylorSums {
  public:
-  Expander(const Point& x, double radius, std::uint64_t order) : radius_(radius), order_(order) {
+  TaylorSums(const Point& x, double radius, std::uint64_t order) : radius_(radius), order_(order) {
     for (const Complex& xj : x) {
       x_.push_back(exact(xj));
       size_.push_back(upper_size(x_.back()));
@@ -148,7 +148,7 @@ Coefficient value(const Expansion& p) {
   return found == p.exact.end() ? Coefficient{} : found->second;
 }
 
-Coefficient derivative(const Expansion& p, std::uint32_t j) {
+Coefficient first_order(const Expansion& p, std::uint32_t j) {
   const auto found = p.exact.find({{j, 1}});
   return found == p.exact.end() ? Coefficient{} : found->second;
 }
@@ -161,7 +161,7 @@ Point longest_row(const std::vector<Expansion>& f) {
   Point step(n);
   for (std::size_t i = 0; i < n; ++i) {
     step[i] = to_complex(value(f[i]));
-    for (std::uint32_t j = 0; j < n; ++j) matrix[i * n + j] = to_complex(derivative(f[i], j));
+    for (std::uint32_t j = 0; j < n; ++j) matrix[i * n + j] = to_complex(first_order(f[i], j));
   }
   if (!lu.factor()) return {};
   lu.solve(step);
@@ -188,7 +188,7 @@ bool combination_excludes(const std::vector<Expansion>& f, double radius) {
     const Coefficient yi = exact(y[i]);
     sum = sum + yi * value(f[i]);
     most += upper_size(yi) * reach(f[i], radius, 2);
-    for (std::uint32_t j = 0; j < n; ++j) slope[j] = slope[j] + yi * derivative(f[i], j);
+    for (std::uint32_t j = 0; j < n; ++j) slope[j] = slope[j] + yi * first_order(f[i], j);
   }
   for (const Coefficient& c : slope) most += upper_size(c) * radius;
   return lower_size(sum) > most * kUp;
@@ -199,7 +199,7 @@ bool combination_excludes(const std::vector<Expansion>& f, double radius) {
 bool has_no_root_within(const System& f, const Point& x, double radius,
                         std::uint64_t multiplicity) {
   const std::size_t n = f.variables.size();
-  Expander expander(x, radius, exact_order(n, multiplicity));
+  TaylorSums expander(x, radius, exact_order(n, multiplicity));
   std::vector<Expansion> expansions;
   for (const Polynomial& p : f.polynomials) {
     expansions.push_back(expander.expand(p));
