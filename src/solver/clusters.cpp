@@ -169,4 +169,9 @@ void part_clusters(Run& run) {
   }
 }
 
+bool is_exactly_isolated(const System& f, const Root& end) {
+  const auto ring = exact_ring(f, end);
+  return ring && ring->is_isolated;
+}
+
 }  // namespace moivre

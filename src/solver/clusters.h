@@ -21,4 +21,7 @@ namespace moivre {
 
 void part_clusters(Run& run);
 
+/// Whether exact algebra shows an isolated root of F at the end, or at the simplest fractions within what is known of it.
+bool is_exactly_isolated(const System& f, const Root& end);
+
 }  // namespace moivre

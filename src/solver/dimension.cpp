@@ -20,6 +20,8 @@ using Eigen::VectorXcd;
 constexpr double kStep = 0.1;
 // The last step: sets that pass x at a few times this distance are told from sets through it.
 constexpr double kLastStep = 5e-4;
+// Of z, when the step is halved: half of it would be the limit.
+constexpr double kFallsWithStep = 0.75;
 // Of the extrapolation's last change: its error is less.
 constexpr double kSureOfLimit = 10;
 // A root further away than so many steps is not the neighbour that is looked for.
@@ -190,8 +192,10 @@ SetHere Neighbourhood::leads_to_x(const VectorXcd& plane, FinePoint z) {
   return is_sharp ? SetHere::sharp : SetHere::blurred;
 }
 
-// Neville's extrapolation to h = 0 of z at h, h / 2, h / 4, ...; its last two values tell the error.
+// Neville's extrapolation to h = 0 of z at h, h / 2, h / 4, ...; its last two values tell the error. On a surface z depends on where one
+// starts as well: there it has to fall with h.
 bool Neighbourhood::is_x(const std::vector<VectorXcd>& halvings) const {
+  if (halvings.back().norm() > kFallsWithStep * halvings[halvings.size() - 2].norm()) return false;
   std::vector<VectorXcd> row;
   VectorXcd before;
   for (const VectorXcd& z : halvings) {

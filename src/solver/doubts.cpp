@@ -6,6 +6,7 @@
 #include <map>
 
 #include "certificates.h"
+#include "clusters.h"
 #include "coincidence.h"
 #include "completeness.h"
 #include "exact_roots.h"
@@ -229,9 +230,15 @@ void look_beside_sets(Run& run) {
   climb_together(run, meeting(), Taken::regular_ends);
   const auto& finer = run.setting.trackers.finer;
   if (!finer.empty()) climb_ahead(run, *finer.front(), meeting());
-  // Where no simple root is proved the end is what it was.
+  // Where no simple root is proved the end is what it was, unless a multiple one is known exactly that is none of the set's.
   for (auto& [path, root] : before) {
     if (run.ledger.failures().contains(path)) run.ledger.enter_root(path, std::move(root));
+  }
+  const PathSet still = meeting();
+  for (const auto& group : groups_of(run)) {
+    if (!still.contains(group.front())) continue;
+    if (!is_exactly_isolated(run.setting.f, run.ledger.roots().at(group.front()))) continue;
+    for (const std::uint64_t path : group) fail(run, path, Failure::precision);
   }
 }
 
@@ -318,20 +325,14 @@ void part_uncounted(Run& run) {
     first.insert(group.front());
     clusters[group.front()] = {group.begin() + 1, group.end()};
   }
-  bool are_parted = false;
-  for (const auto& tracker : finer) {
-    climb_beyond_double_double(run, *tracker, first);
-    PathSet others;
-    for (const auto& [path, rest] : clusters) {
-      if (first.contains(path) && has_climbed_to_a_simple_root(run, path)) {
-        others.insert(rest.begin(), rest.end());
-        first.erase(path);
-      }
-    }
-    climb_beyond_double_double(run, *tracker, others);
-    are_parted = are_parted || !others.empty();
+  climb_beyond_double_double(run, *finer.front(), first);
+  PathSet others;
+  for (const auto& [path, rest] : clusters) {
+    if (has_climbed_to_a_simple_root(run, path)) others.insert(rest.begin(), rest.end());
   }
-  if (are_parted) fail_unsettled(run);
+  if (others.empty()) return;
+  climb_beyond_double_double(run, *finer.front(), others);
+  fail_unsettled(run);
 }
 
 }  // namespace moivre
