@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "mechanisms.h"
+#include "moivre/closure_report/motion_report.h"
 #include "moivre/closure_report/picture.h"
 #include "moivre/mechanism/pose.h"
 #include "well_formed.h"
@@ -218,6 +219,16 @@ TEST(MotionPicture, BranchesThatShareACurveAreStripesInsideEachOther) {
   const Mechanism four_bar = mechanism_file("four-bar");
   EXPECT_EQ(
       count(motion_svg(motion_of(four_bar), four_bar, "file"), "stroke:#fff;stroke-width:4.3"), 0U);
+}
+
+TEST(MotionTable, HasNoVelocityWhereTheConstraintsDetermineNone) {
+  const Mechanism mechanism = mechanism_file("four-bar");
+  MotionResult motion = motion_of(mechanism);
+  motion.branches[0].samples[0].is_determined = false;
+  const std::string csv = motion_csv(motion, mechanism);
+  const std::size_t row = csv.find("\nA,0,") + 1;
+  // The crank's x, y and angle, each without velocity and acceleration.
+  EXPECT_EQ(csv.substr(row, csv.find('\n', row) - row).find("0.6981317007977318,0,,,0,,,"), 4U);
 }
 
 TEST(MotionPicture, OfTypedEquationsPlotsEachUnknownOverTheTime) {

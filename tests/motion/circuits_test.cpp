@@ -274,6 +274,11 @@ TEST(Circuits, ParallelogramsCircuitsMeetInChangePoints) {
   EXPECT_EQ(swing_of(circuit.bodies, "rocker").turns, 1);
 }
 
+TEST(Circuits, AreToldApartHoweverLargeTheLengthsAre) {
+  const Mechanism m = four_bar({100e5, 40e5, 120e5, 80e5}, 40);
+  EXPECT_EQ(find_circuits(m, motion_of(m)).circuits.size(), 2U);
+}
+
 TEST(Circuits, DeadPointAtTheBeginningJoins) {
   // Its crank rocks about 0, where the motion begins: from a dead point at the end of its range.
   const Mechanism rocking = four_bar({5, 4, 8, 3}, 100);

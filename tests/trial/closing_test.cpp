@@ -129,6 +129,25 @@ TEST(Gears, MeshAsTheyWereDrawnUnlessAllMeshingsAreAskedFor) {
   EXPECT_LE(motion.json.at("branches").size(), 4U);
 }
 
+TEST(MotionFromADeadPoint, HasTheBranchesThatLeaveItOnOneCircuit) {
+  const Answer motion = answered("motion", "top-dead-centre", {"--to", "2"});
+  EXPECT_EQ(motion.exit_code, 0);
+  ASSERT_EQ(motion.json.at("branches").size(), 2U);
+  ASSERT_EQ(motion.json.at("events").size(), 1U);
+  EXPECT_EQ(motion.json.at("events").at(0).at("beginning"), nlohmann::json({"A", "B"}));
+  ASSERT_EQ(motion.json.at("circuits").size(), 1U);
+  const Answer chosen = answered("motion", "top-dead-centre", {"--to", "2", "--closure", "A"});
+  EXPECT_EQ(chosen.json.at("branches").size(), 2U);
+}
+
+TEST(RangeOfADriver, HasItsTurningPointsBetweenSamples) {
+  const Answer motion = answered("motion", "piston-back", {"--to", "2"});
+  for (const auto& circuit : motion.json.at("circuits")) {
+    EXPECT_NEAR(circuit.at("drivers").at(0).at("lower"), 80, 1e-9);
+    EXPECT_NEAR(circuit.at("drivers").at(0).at("upper"), 120, 1e-9);
+  }
+}
+
 TEST(IdleWheelsThatMesh, AreHeldByOneOfThem) {
   const std::string wheels = R"([body.w1.points]
 P = [0, 0]
