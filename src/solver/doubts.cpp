@@ -17,6 +17,8 @@ namespace {
 
 // So many paths go ahead in more digits than double-double.
 constexpr std::size_t kFirstAhead = 2;
+// So many paths that end at infinity are followed in more digits.
+constexpr std::size_t kMostFromInfinity = 64;
 
 /// The paths of a group whose ends are simple roots, and those whose ends are not. Where there are both, several roots lie
 /// nearer to each other than the latter are known: no path but one ends at a simple root.
@@ -125,7 +127,7 @@ bool settle_by_count(Run& run) {
 
 bool is_settled(Run& run) { return settle_by_bound(run) || settle_by_count(run); }
 
-/// The paths to ends on such sets.
+/// The paths to ends on sets of this kind.
 PathSet paths_to_sets(const Run& run, SetHere kind) {
   PathSet paths;
   for (const auto& group : groups_of(run)) {
@@ -265,13 +267,12 @@ void follow_to_lost_roots(Run& run) {
   track_again(run, paths_at_infinity(run), options.maximum_care);
 }
 
-/// Roots are still missing: a root of size 1e34 ends at infinity as far as double tells.
+/// Roots are still missing: a root of size 1e34 ends at infinity as far as double tells. Many such paths would take minutes.
 void climb_from_infinity(Run& run) {
-  PathSet paths = paths_at_infinity(run);
   for (const auto& tracker : run.setting.trackers.finer) {
-    if (run.interrupted || !lacks_ends(run)) return;
+    const PathSet paths = paths_at_infinity(run);
+    if (paths.size() > kMostFromInfinity || run.interrupted || !lacks_ends(run)) return;
     climb_beyond_double_double(run, *tracker, paths);
-    paths = paths_at_infinity(run);
   }
 }
 
