@@ -35,6 +35,8 @@ Complex mark_of(const Point& x) {
 }
 
 void Marks::set(std::uint64_t path, Complex mark) {
+  // A coordinate is 0: such points are not told apart.
+  if (!std::isfinite(mark.real()) || !std::isfinite(mark.imag())) return forget(path);
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   if (path >= marks_.size()) marks_.resize(path + 1, Complex(kNone, kNone));
   marks_[path] = mark;
