@@ -138,9 +138,7 @@ MotionResult empty_result(const MotionRun& run) {
 }
 
 void drop_moments(MotionRun& run) {
-  const auto is_moment = [&](const Track& track) {
-    return is_same_time(run, track.begins(), track.ends());
-  };
+  const auto is_moment = [](const Track& track) { return track.begins() == track.ends(); };
   const auto meets = [&](const BranchEvent& event, const Track& track) {
     return std::any_of(run.tracks.begin(), run.tracks.end(), [&](const Track& other) {
       if (&other == &track || is_moment(other)) return false;
