@@ -19,7 +19,7 @@ void expect_found(const Mechanism& mechanism) {
   ASSERT_GE(closures.size(), 2U);
   for (std::size_t j = 0; j < closures.size(); ++j) {
     for (Eigen::Index k = 0; k < phi.dimension(); ++k) {
-      const double size = size_of(phi, closures[j].q);
+      const double size = is_length(phi, k) ? size_of(phi, closures[j].q) : 1;
       Eigen::VectorXd q = closures[j].q;
       q[k] += 0.9 * kSamePose * size;
       EXPECT_EQ(poses.nearest(phi, closures, q), j);
