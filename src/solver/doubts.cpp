@@ -17,8 +17,6 @@ namespace {
 
 // So many paths go ahead in more digits than double-double.
 constexpr std::size_t kFirstAhead = 2;
-// So many paths that end at infinity are followed in more digits.
-constexpr std::size_t kMostFromInfinity = 64;
 
 /// The paths of a group whose ends are simple roots, and those whose ends are not. Where there are both, several roots lie
 /// nearer to each other than the latter are known: no path but one ends at a simple root.
@@ -267,13 +265,10 @@ void follow_to_lost_roots(Run& run) {
   track_again(run, paths_at_infinity(run), options.maximum_care);
 }
 
-/// Roots are still missing: a root of size 1e34 ends at infinity as far as double tells. Many such paths would take minutes.
+/// Roots are still missing: a root of size 1e34 ends at infinity as far as double tells.
 void climb_from_infinity(Run& run) {
-  for (const auto& tracker : run.setting.trackers.finer) {
-    const PathSet paths = paths_at_infinity(run);
-    if (paths.size() > kMostFromInfinity || run.interrupted || !lacks_ends(run)) return;
-    climb_beyond_double_double(run, *tracker, paths);
-  }
+  const auto& finer = run.setting.trackers.finer;
+  if (!finer.empty() && lacks_ends(run)) climb_ahead(run, *finer.front(), paths_at_infinity(run));
 }
 
 /// In double, with more care, and in more digits.
