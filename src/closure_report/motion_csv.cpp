@@ -80,9 +80,9 @@ std::string motion_csv(const MotionResult& result, const Mechanism& mechanism,
   const Phi phi(mechanism);
   std::string text = head(mechanism, form);
   for (const MotionBranch& branch : result.branches) {
+    const Eigen::VectorXd turns = turns_to_begin(mechanism, branch);
     for (const BranchSample& sample : branch.samples) {
-      text +=
-          branch.id + line(sample, shown(mechanism, phi, branch, sample, form), mechanism, form);
+      text += branch.id + line(sample, shown(phi, sample, form, turns), mechanism, form);
     }
   }
   return text;

@@ -56,6 +56,7 @@ Json index_json(const std::optional<std::size_t>& index) {
 
 Json branch_json(const MotionBranch& branch, const Mechanism& mechanism, const Phi& phi,
                  const AngleForm& form) {
+  const Eigen::VectorXd turns = turns_to_begin(mechanism, branch);
   Json json{{"id", branch.id},
             {"begins", to_json(branch.begins)},
             {"ends", to_json(branch.ends)},
@@ -66,7 +67,7 @@ Json branch_json(const MotionBranch& branch, const Mechanism& mechanism, const P
             {"steps", branch.steps},
             {"retracked", branch.retracked},
             {"samples", list_json(branch.samples, [&](const BranchSample& sample) {
-               return sample_json(sample, shown(mechanism, phi, branch, sample, form), mechanism);
+               return sample_json(sample, shown(phi, sample, form, turns), mechanism);
              })}};
   if (!branch.of.empty()) json["of"] = branch.of;
   return json;

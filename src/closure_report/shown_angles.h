@@ -37,11 +37,16 @@ inline Eigen::VectorXd turns_to_begin(const Mechanism& mechanism, const Eigen::V
   return turns;
 }
 
-inline Eigen::VectorXd shown(const Mechanism& mechanism, const Phi& phi, const MotionBranch& branch,
-                             const BranchSample& sample, const AngleForm& form) {
-  if (!form.goes_on) return phi.canonical(sample.q);
-  const BranchSample& first = branch.samples.front();
-  return sample.q + turns_to_begin(mechanism, first.q, first.time);
+/// Of a branch; empty where it has no samples.
+inline Eigen::VectorXd turns_to_begin(const Mechanism& mechanism, const MotionBranch& branch) {
+  if (branch.samples.empty()) return {};
+  return turns_to_begin(mechanism, branch.samples.front().q, branch.samples.front().time);
+}
+
+/// turns: turns_to_begin() of the sample's branch.
+inline Eigen::VectorXd shown(const Phi& phi, const BranchSample& sample, const AngleForm& form,
+                             const Eigen::VectorXd& turns) {
+  return form.goes_on ? sample.q + turns : phi.canonical(sample.q);
 }
 
 }  // namespace moivre

@@ -3,6 +3,7 @@
 #include "doubts.h"
 
 #include <algorithm>
+#include <functional>
 #include <map>
 
 #include "certificates.h"
@@ -178,39 +179,45 @@ bool has_climbed_to_a_simple_root(const Run& run, std::uint64_t path) {
          run.ledger.rung(path) == Rung::multiprecision;
 }
 
-/// Simple roots that double-double cannot part, by more digits. A path that ends at none costs as much as thousands in double:
-/// some go ahead, and others follow as long as one of those before has found a root. More digits save no steps.
-void climb_to_clusters(Run& run) {
-  PathSet out_of_steps;
-  for (const auto& tracker : run.setting.trackers.finer) {
-    PathSet doubtful = unsettled_paths(run);
-    for (const std::uint64_t path : out_of_steps) doubtful.erase(path);
-    std::size_t together = kFirstAhead;
-    for (auto next = doubtful.begin(); next != doubtful.end() && !run.interrupted; together *= 2) {
-      PathSet ahead;
-      while (next != doubtful.end() && ahead.size() < together) ahead.insert(*next++);
-      PathSet stuck = climb_beyond_double_double(run, *tracker, ahead);
-      if (stuck == ahead && !is_root_missing(run)) return;
-      out_of_steps.merge(stuck);
-      const bool helps = std::any_of(ahead.begin(), ahead.end(), [&](auto path) {
-        return has_climbed_to_a_simple_root(run, path);
-      });
-      if (!helps && !is_root_missing(run)) break;
-      if (helps && is_settled(run)) return;
-    }
+bool has_helped(const Run& run, const PathSet& ahead) {
+  return std::any_of(ahead.begin(), ahead.end(),
+                     [&](auto path) { return has_climbed_to_a_simple_root(run, path); });
+}
+
+/// Some go ahead, then twice as many, as long as `goes_on` says so of the last ones and of those of them that ran out of steps. A path that
+/// ends at no simple root costs as much as thousands in double.
+void climb_ahead(Run& run, const Tracker& tracker, const PathSet& paths,
+                 const std::function<bool(const PathSet& ahead, const PathSet& stuck)>& goes_on) {
+  std::size_t together = kFirstAhead;
+  for (auto next = paths.begin(); next != paths.end() && !run.interrupted; together *= 2) {
+    PathSet ahead;
+    while (next != paths.end() && ahead.size() < together) ahead.insert(*next++);
+    const PathSet stuck = climb_beyond_double_double(run, tracker, ahead);
+    if (!goes_on(ahead, stuck)) return;
   }
 }
 
-/// Some go ahead, and others follow as long as one of those before has found a root.
-void climb_ahead(Run& run, const Tracker& tracker, const PathSet& paths) {
-  bool helps = true;
-  std::size_t together = kFirstAhead;
-  for (auto next = paths.begin(); next != paths.end() && helps && !run.interrupted; together *= 2) {
-    PathSet ahead;
-    while (next != paths.end() && ahead.size() < together) ahead.insert(*next++);
-    climb_beyond_double_double(run, tracker, ahead);
-    helps = std::any_of(ahead.begin(), ahead.end(),
-                        [&](auto path) { return has_climbed_to_a_simple_root(run, path); });
+/// As long as one of those before has found a root.
+void climb_while_it_helps(Run& run, const Tracker& tracker, const PathSet& paths) {
+  climb_ahead(run, tracker, paths,
+              [&](const PathSet& ahead, const PathSet&) { return has_helped(run, ahead); });
+}
+
+/// Simple roots that double-double cannot part, by more digits, which save no steps.
+void climb_to_clusters(Run& run) {
+  PathSet out_of_steps;
+  bool is_over = false;
+  for (const auto& tracker : run.setting.trackers.finer) {
+    PathSet doubtful = unsettled_paths(run);
+    for (const std::uint64_t path : out_of_steps) doubtful.erase(path);
+    climb_ahead(run, *tracker, doubtful, [&](const PathSet& ahead, const PathSet& stuck) {
+      const bool is_missing = is_root_missing(run);
+      const bool helps = has_helped(run, ahead);
+      out_of_steps.insert(stuck.begin(), stuck.end());
+      is_over = (stuck == ahead && !is_missing) || (helps && is_settled(run));
+      return !is_over && (helps || is_missing);
+    });
+    if (is_over) return;
   }
 }
 
@@ -229,7 +236,7 @@ void look_beside_sets(Run& run) {
   for (const std::uint64_t path : meeting()) before.emplace(path, run.ledger.roots().at(path));
   climb_together(run, meeting(), Taken::regular_ends);
   const auto& finer = run.setting.trackers.finer;
-  if (!finer.empty()) climb_ahead(run, *finer.front(), meeting());
+  if (!finer.empty()) climb_while_it_helps(run, *finer.front(), meeting());
   // Where no simple root is proved the end is what it was, unless a multiple one is known exactly that is none of the set's.
   for (auto& [path, root] : before) {
     if (run.ledger.failures().contains(path)) run.ledger.enter_root(path, std::move(root));
@@ -268,7 +275,8 @@ void follow_to_lost_roots(Run& run) {
 /// Roots are still missing: a root of size 1e34 ends at infinity as far as double tells.
 void climb_from_infinity(Run& run) {
   const auto& finer = run.setting.trackers.finer;
-  if (!finer.empty() && lacks_ends(run)) climb_ahead(run, *finer.front(), paths_at_infinity(run));
+  if (finer.empty() || !lacks_ends(run)) return;
+  climb_while_it_helps(run, *finer.front(), paths_at_infinity(run));
 }
 
 /// In double, with more care, and in more digits.

@@ -26,7 +26,6 @@ class Marks {
  public:
   void set(std::uint64_t path, Complex mark);
   void forget(std::uint64_t path);
-  bool is_empty() const { return marks_.empty(); }
 
   /// Paths that share a mark with another path, ascending.
   std::vector<std::uint64_t> shared() const;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // A path's number becomes a choice of factors, the choice a point: one small linear system a group.
-#include <limits>
 #include <stdexcept>
 
 #include "moivre/factorization/lu.h"

@@ -2,10 +2,6 @@
 // The plans of one stage: from the degrees, from known roots, and from a point of one's own.
 #include "moivre/start/start_plan.h"
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
 namespace moivre {
 namespace {
 
