@@ -2,6 +2,7 @@
 // A motion as JSON: the contract of docs/json.md, key by key.
 #include "circuits_report.h"
 #include "moivre/closure_report/motion_report.h"
+#include "moivre/closures/idle_joints.h"
 #include "moivre/kinematics/null_space.h"
 #include "moivre/mechanism/phi.h"
 #include "moivre/mechanism/pose.h"
@@ -116,7 +117,7 @@ Json checkpoint_json(const Checkpoint& checkpoint) {
 /// Branches, events, circuits and checkpoints.
 void add_course(const MotionResult& result, const Mechanism& mechanism, const AngleForm& form,
                 Json& report) {
-  const Phi phi(mechanism);
+  const Phi phi(hold_idle(mechanism).mechanism);
   report["branches"] = list_json(result.branches, [&](const MotionBranch& branch) {
     return branch_json(branch, mechanism, phi, form);
   });

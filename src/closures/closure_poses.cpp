@@ -27,7 +27,7 @@ using BeyondLimits = std::map<std::size_t, std::uint64_t>;
 bool lies_on_motion(ClosureSearch& search, const Eigen::VectorXd& q) {
   const LocalDimension local =
       local_dimension(search.phi, q, search.options.time, search.options.solve.seed);
-  if (static_cast<std::size_t>(local.dimension) <= search.formulation.spins.size()) return false;
+  if (local.dimension == 0) return false;
   search.result.moves = Moves{static_cast<std::uint64_t>(local.dimension), local.shown, q};
   return true;
 }

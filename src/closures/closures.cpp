@@ -39,19 +39,6 @@ ClosureResult described(const ClosureSearch& search) {
   return result;
 }
 
-/// A body between two spherical joints may turn about its line: each closure shows it in one place of many.
-void add_spins(ClosureSearch& search) {
-  for (const std::size_t body : search.formulation.spins) {
-    const Joint* joint = nullptr;
-    for (const Joint& candidate : search.mechanism.joints) {
-      if (candidate.at[0].body == body || candidate.at[1].body == body) joint = &candidate;
-    }
-    search.result.idle.push_back({search.mechanism.bodies[body].name,
-                                  joint == nullptr ? "" : joint->name,
-                                  "shown with the least turn about the line of its two joints"});
-  }
-}
-
 /// `phi`: of the mechanism as it is, nothing held.
 void add_mobility(const Phi& phi, bool is_wanted, ClosureResult& result) {
   result.constraints = phi.size() - phi.driver_size();
@@ -150,7 +137,6 @@ ClosureResult find_closures(const Mechanism& mechanism, const Tracker& tracker,
   ClosureSearch search(held.mechanism, tracker, options, stop);
   search.result = described(search);
   search.result.idle = std::move(held.idle);
-  add_spins(search);
   if (!solve_apart(search)) {
     find_roots(search);
     find_poses(search);

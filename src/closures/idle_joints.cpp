@@ -8,6 +8,9 @@
 #include <numeric>
 #include <set>
 
+#include "moivre/mechanism/pose.h"
+#include "moivre/mechanism/spins.h"
+
 namespace moivre {
 namespace {
 
@@ -92,7 +95,7 @@ class Holding {
     const auto& joints = held_.mechanism.joints;
     for (std::size_t k = 0; k < joints.size(); ++k) {
       const bool is_within = group_of(joints[k].at[0]) == group_of(joints[k].at[1]);
-      const bool holds = row_count(traits(joints[k].type).place, Space::planar) > 0;
+      const bool holds = row_count(traits(joints[k].type).place, held_.mechanism.space) > 0;
       if (holds && !is_within && touches(joints[k], group)) {
         found.push_back(k);
       }
@@ -106,7 +109,8 @@ class Holding {
     const std::size_t end = group_of(joint.at[0]) == group ? 0 : 1;
     const std::size_t body = joint.at[end].body;
     const std::size_t other = joint.at[1 - end].body;
-    joint.turn_rad = drawn_angle(joint);
+    const bool is_planar = held_.mechanism.space == Space::planar;
+    if (is_planar) joint.turn_rad = drawn_angle(joint);
     double apart = joint.type == JointType::rod ? joint.length : 0;
     if (has_line(joint.type) && joint.limits) {
       apart = std::clamp(0.0, joint.limits->lower, joint.limits->upper);
@@ -118,6 +122,7 @@ class Holding {
       joint.at[0].point = points.size();
       points.push_back(std::move(point));
     }
+    if (!is_planar) aim(joint);
     joint.type = JointType::weld;
     joint.limits.reset();
     held_.idle.push_back({held_.mechanism.bodies[body].name, joint.name, pose_text(joint, other)});
@@ -154,6 +159,25 @@ class Holding {
     return false;
   }
 
+  /// Axes and angle of the weld that a spatial joint becomes: as drawn where it lets the bodies turn as they like, else as near to that
+  /// as it allows.
+  static void aim(Joint& joint) {
+    const JointTurn turn = traits(joint.type).turn;
+    auto& [a, b] = joint.axis;
+    if (turn == JointTurn::freely) a = b = Eigen::Vector3d::UnitZ();
+    if (turn == JointTurn::about_two_axes) a = perpendicular(a, b);
+    if (is_angular(joint.type) && joint.limits) {
+      joint.turn_rad = std::clamp(0.0, joint.limits->lower, joint.limits->upper);
+    }
+  }
+
+  /// The unit vector perpendicular to a that is nearest to b; any where they are parallel.
+  static Eigen::Vector3d perpendicular(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    const Eigen::Vector3d across = b - a.dot(b) * a;
+    constexpr double kParallel = 1e-9;
+    return (across.norm() > kParallel ? across : Eigen::Vector3d(joint_frame(a).col(0))).normalized();
+  }
+
   double drawn_angle(const Joint& joint) const {
     if (joint.type == JointType::prismatic) return joint.turn_rad;
     const auto guess = [&](std::size_t body) {
@@ -188,13 +212,33 @@ class Holding {
   std::vector<std::size_t> group_;  ///< of each body; the ground's is group_[0]
 };
 
+/// The joint that ties this point of a body to another one.
+const Joint& ball_at(const Mechanism& mechanism, const PointOf& point) {
+  return *std::find_if(mechanism.joints.begin(), mechanism.joints.end(), [&](const Joint& joint) {
+    return joint.type == JointType::spherical &&
+           std::any_of(joint.at.begin(), joint.at.end(), [&](const PointOf& at) {
+             return at.body == point.body && at.point == point.point;
+           });
+  });
+}
+
+void hold_spins(HeldMechanism& held) {
+  Mechanism& mechanism = held.mechanism;
+  mechanism.held_spins = find_spins(mechanism);
+  for (const Spin& spin : mechanism.held_spins) {
+    held.idle.push_back({mechanism.bodies[spin.body].name, ball_at(mechanism, spin.line[1]).name,
+                         "shown in one pose of its turn about the line of its two joints"});
+  }
+}
+
 }  // namespace
 
 HeldMechanism hold_idle(const Mechanism& mechanism) {
-  if (mechanism.space == Space::spatial || is_typed(mechanism)) return {mechanism, {}};
+  if (is_typed(mechanism)) return {mechanism, {}};
   HeldMechanism held = Holding(mechanism).run();
-  const bool is_whole_held = Holding(held.mechanism).is_whole_held();
-  return is_whole_held ? HeldMechanism{mechanism, {}} : held;
+  if (Holding(held.mechanism).is_whole_held()) held = {mechanism, {}};
+  hold_spins(held);
+  return held;
 }
 
 }  // namespace moivre

@@ -6,6 +6,8 @@
 #include <numeric>
 #include <set>
 
+#include "moivre/mechanism/spins.h"
+
 namespace moivre {
 namespace {
 
@@ -147,6 +149,7 @@ class ChainFinder {
       driver.joint = place_of_joint[driver.joint];
       part.drivers.push_back(std::move(driver));
     }
+    part.held_spins = find_spins(part);
     std::erase_if(part.guess, [&](const auto& entry) {
       return std::none_of(part.bodies.begin(), part.bodies.end(), [&](const Body& body) {
         return entry.first.rfind(body.name + '.', 0) == 0;

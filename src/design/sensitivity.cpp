@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "moivre/closures/idle_joints.h"
 #include "moivre/kinematics/newton.h"
@@ -281,11 +282,10 @@ Sensitivities closure_sensitivities(const Mechanism& mechanism, const ClosureRes
     told.tolerances.push_back(dimension_tolerance(mechanism, dimension));
   }
   told.quantities = quantities_of(mechanism);
-  const Mechanism held = hold_idle(mechanism).mechanism;
+  Mechanism held = hold_idle(mechanism).mechanism;
+  // What spins has no derivative, however it is held.
+  const auto spins = static_cast<Index>(std::exchange(held.held_spins, {}).size());
   const Phi phi(held);
-  // In the plane nothing spins: what is idle there is held by a weld.
-  const bool is_spatial = mechanism.space == Space::spatial;
-  const auto spins = is_spatial ? static_cast<Index>(result.idle.size()) : 0;
   for (const Closure& closure : result.closures) {
     told.closures.push_back(sensitivity_of(held, phi, closure, result.time, spins, told));
   }

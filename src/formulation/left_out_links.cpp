@@ -95,8 +95,6 @@ void leave_out_rod(RigidGroups& groups, std::size_t group) {
   const std::string& name = groups.names[group];
   groups.ties.push_back(rod_between(ties[0], ties[1], name));
   if (ties.size() == 2) {
-    const auto body = std::find(groups.group_of.begin(), groups.group_of.end(), group);
-    groups.spinning.push_back(static_cast<std::size_t>(body - groups.group_of.begin()));
     groups.left_out.emplace_back(name, "between two spherical joints it is one distance");
     return;
   }

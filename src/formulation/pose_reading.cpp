@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "dual_quaternion.h"
+#include "moivre/mechanism/spins.h"
 #include "moivre/polynomial/value.h"
 
 namespace moivre {
@@ -39,7 +40,7 @@ Eigen::Isometry3d relative_pose(const std::array<Polynomial, 8>& relative, const
   return to_isometry(pose);
 }
 
-/// x towards b - a; of three points y on the side of c.
+/// x towards b - a, y on the side of c.
 Eigen::Matrix3d frame_through(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
   Eigen::Matrix3d frame;
   frame.col(0) = (b - a).normalized();
@@ -50,19 +51,20 @@ Eigen::Matrix3d frame_through(const Vector3d& a, const Vector3d& b, const Vector
 
 Eigen::Isometry3d placed_by_points(const std::vector<PoseReading::PointPair>& pairs,
                                    const std::vector<Eigen::Isometry3d>& groups) {
-  constexpr std::size_t kThree = 3;
+  std::vector<Vector3d> here;
   std::vector<Vector3d> there;
-  for (const auto& pair : pairs) there.push_back(groups[pair.group] * pair.there);
-  Eigen::Isometry3d placed = Eigen::Isometry3d::Identity();
-  if (pairs.size() < kThree) {
-    const Vector3d line = pairs[1].here - pairs[0].here;
-    placed.linear() =
-        Eigen::Quaterniond::FromTwoVectors(line, there[1] - there[0]).toRotationMatrix();
-  } else {
-    placed.linear() = frame_through(there[0], there[1], there[2]) *
-                      frame_through(pairs[0].here, pairs[1].here, pairs[2].here).transpose();
+  for (const auto& pair : pairs) {
+    here.push_back(pair.here);
+    there.push_back(groups[pair.group] * pair.there);
   }
-  placed.translation() = there[0] - placed.linear() * pairs[0].here;
+  if (pairs.size() == 2) {
+    here.push_back(here[0] + spin_mark());
+    there.push_back(there[0] + spin_mark());
+  }
+  Eigen::Isometry3d placed = Eigen::Isometry3d::Identity();
+  placed.linear() = frame_through(there[0], there[1], there[2]) *
+                    frame_through(here[0], here[1], here[2]).transpose();
+  placed.translation() = there[0] - placed.linear() * here[0];
   return placed;
 }
 

@@ -68,7 +68,6 @@ struct RigidGroups {
   std::vector<DrivenPoint> driven_points;
   std::vector<bool> is_left_out;              ///< of each group: a link that became a tie
   std::vector<PoseReading::Placement> links;  ///< of these
-  std::vector<std::size_t> spinning;          ///< bodies that spin between two spherical joints
   std::vector<std::string> contradictions;    ///< as in Formulation
   std::vector<std::pair<std::string, std::string>> left_out;
 };

@@ -115,7 +115,6 @@ Formulation spatial_bodies(const Mechanism& mechanism, double t) {
   formulation.contradictions.insert(formulation.contradictions.end(), groups.contradictions.begin(),
                                     groups.contradictions.end());
   formulation.left_out = groups.left_out;
-  formulation.spins = groups.spinning;
   return formulation;
 }
 

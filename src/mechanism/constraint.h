@@ -123,6 +123,9 @@ std::shared_ptr<const Constraint> driver_constraint(const Mechanism& mechanism,
                                                     const Driver& driver,
                                                     const Dimension* moving = nullptr);
 
+/// The row that holds a spin (spins.h).
+std::shared_ptr<const Constraint> spin_constraint(const Mechanism& mechanism, const Spin& spin);
+
 /// Likewise, of a planar or spatial mechanism.
 std::shared_ptr<const Constraint> planar_joint(const Mechanism& mechanism, const Joint& joint,
                                                const Dimension* moving);

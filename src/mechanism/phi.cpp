@@ -116,6 +116,9 @@ Phi::Phi(const Mechanism& mechanism)
     group_names_.push_back(mechanism.bodies[body].name);
   }
   for (const Unknown& unknown : mechanism.unknowns) group_names_.push_back(unknown.name);
+  for (const Spin& spin : mechanism.held_spins) {
+    constraints_.push_back(spin_constraint(mechanism, spin));
+  }
   for (const Driver& driver : mechanism.drivers) {
     constraints_.push_back(driver_constraint(mechanism, driver));
   }
@@ -123,7 +126,7 @@ Phi::Phi(const Mechanism& mechanism)
     row_names_.insert(row_names_.end(), constraint->row_names.begin(), constraint->row_names.end());
   }
   driver_size_ = static_cast<Index>(mechanism.drivers.size());
-  timeless_ = mechanism.equations.empty() ? mechanism.joints.size() : 0;
+  timeless_ = mechanism.equations.empty() ? constraints_.size() - mechanism.drivers.size() : 0;
 }
 
 std::vector<std::vector<Index>> Phi::reads() const {

@@ -14,11 +14,13 @@
 // s = (B - A) . axis, a = 2 atan2(p_z, p_w). Components of p are doubled, so that a row is an angle to first order. A driver of a
 // screw's angle prescribes its slide, P / 2 pi times the angle, so that whole turns count.
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <map>
 #include <numbers>
 #include <stdexcept>
 
 #include "dimension_jets.h"
+#include "moivre/mechanism/spins.h"
 #include "spatial_pose.h"
 
 namespace moivre {
@@ -248,6 +250,22 @@ std::shared_ptr<const Constraint> spatial_joint(const Mechanism& mechanism, cons
                            place_rows(at, parts, row);
                            turn_rows(at, parts, row);
                          });
+}
+
+std::shared_ptr<const Constraint> spin_constraint(const Mechanism& mechanism, const Spin& spin) {
+  const auto& [a, b] = spin.line;
+  const Vector<Jet> from = point_jet(mechanism, a, nullptr);
+  const Vector<Jet> to = point_jet(mechanism, b, nullptr);
+  const Vector<Jet> mark = spatial::constant(spin_mark());
+  std::vector<std::size_t> bodies{a.body, b.body, spin.body};
+  std::sort(bodies.begin(), bodies.end());
+  bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
+  return make_constraint(
+      {"spin of " + mechanism.bodies[spin.body].name}, coordinates_of(bodies, kSize),
+      [=, body = spin.body](const auto& at, auto* row) {
+        const auto line = position(at, b.body, to) - position(at, a.body, from);
+        row[0] = dot(line, cross(direction(at, body, mark), direction(at, 0, mark)));
+      });
 }
 
 std::shared_ptr<const Constraint> spatial_driver(const Mechanism& mechanism, const Driver& driver,

@@ -230,6 +230,40 @@ TEST(SpatialClosures, ALinkThatSpinsBetweenBallsHidesNoClosure) {
   EXPECT_NEAR(std::max(output(0), output(1)), 91.57541939668447, 1e-9);
 }
 
+TEST(SpatialClosures, NothingThatHangsFromOneJointHidesAClosure) {
+  const std::vector<std::pair<std::string, std::string>> joints{
+      {"revolute", "axis = [0, 0.6, 0.8]"},
+      {"cylindrical", "axis = [0, 0.6, 0.8]\nlimits = [0.5, 1]"},
+      {"prismatic", "axis = [0, 0.6, 0.8]\nturn = 0.3\nlimits = [0.5, 1]"},
+      {"screw", "axis = [0, 0.6, 0.8]\npitch = 0.2"},
+      {"planar", "axis = [0, 0.6, 0.8]"},
+      {"universal", "axis = [[0, 0.6, 0.8], [0, 1, 0]]"},
+      {"universal", "axis = [[0, 0.6, 0.8], [0, 0.6, 0.8]]"},
+      {"point-on-line", "axis = [0, 0.6, 0.8]\nlimits = [0.5, 1]"},
+      {"point-on-plane", "axis = [0, 0.6, 0.8]"},
+      {"rod", "length = 1.5"},
+      {"spherical", ""}};
+  for (const auto& [type, keys] : joints) {
+    const Mechanism mechanism =
+        mechanism_text(std::string(test::kSpinningCoupler) +
+                       "[body.tail.points]\nT = [0.1, 0.2, 0.3]\n[[joint]]\ntype = \"" + type +
+                       "\"\nat = [\"rocker.B\", \"tail.T\"]\n" + keys + "\n");
+    const ClosureResult result = closures_of(mechanism);
+    EXPECT_TRUE(result.complete) << type << ": " << result.message;
+    EXPECT_FALSE(result.moves) << type;
+    EXPECT_EQ(result.closures.size(), 2U) << type;
+    ASSERT_EQ(result.idle.size(), 2U) << type;
+    EXPECT_EQ(result.idle[0].body, "tail");
+    for (const Closure& closure : result.closures) {
+      EXPECT_LE(scaled_residual(Phi(mechanism), closure.q, 0), 1e-12) << type;
+      const Joint& tail = mechanism.joints.back();
+      if (tail.limits) {
+        EXPECT_NEAR(joint_coordinate(mechanism, tail, closure.q).value(), 0.5, 1e-12) << type;
+      }
+    }
+  }
+}
+
 TEST(SpatialClosures, AnArmWithoutAToolPoseMoves) {
   Mechanism arm = mechanism_file("puma-560");
   arm.joints.pop_back();

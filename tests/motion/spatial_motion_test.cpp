@@ -186,5 +186,78 @@ TEST(SpatialMotion, BennettsLinkageGoesAllTheWayRoundAndComesBackToItself) {
   }
 }
 
+// The rod says where the rocker goes; a coupler that is typed as a body beside it may spin, and no more.
+TEST(SpatialMotion, ACouplerThatSpinsBetweenBallsMovesAsARodDoes) {
+  Mechanism bodies = mechanism_text(test::kSpinningCoupler);
+  bodies.drivers[0].law = Parabola{0.9, 1, 0};
+  Mechanism rod = mechanism_file("rssr");
+  rod.drivers[0].law = bodies.drivers[0].law;
+  const MotionResult result = motion_of(bodies, 36, 4);
+  const MotionResult by_rod = motion_of(rod, 36, 4);
+  expect_whole(result);
+  ASSERT_EQ(result.branches.size(), 2U);
+  ASSERT_EQ(by_rod.branches.size(), 2U);
+  const auto same = [&](const MotionBranch& branch) -> const MotionBranch& {
+    const double output = joint_value(bodies, "output", branch.samples.front().q);
+    const double other = joint_value(rod, "output", by_rod.branches[0].samples.front().q);
+    return by_rod.branches[std::abs(output - other) < 1e-9 ? 0 : 1];
+  };
+  for (const MotionBranch& branch : result.branches) {
+    const MotionBranch& twin = same(branch);
+    ASSERT_EQ(branch.samples.size(), twin.samples.size());
+    for (std::size_t k = 0; k < branch.samples.size(); ++k) {
+      EXPECT_NEAR(joint_value(bodies, "output", branch.samples[k].q),
+                  joint_value(rod, "output", twin.samples[k].q), 1e-9);
+    }
+    // The spin is held by the pose alone: after a whole turn the coupler is where it was.
+    EXPECT_LT(gap(bodies, branch.samples.front().q, branch.samples.back().q), 1e-9);
+  }
+  expect_closures_afresh(bodies, result, -1);
+}
+
+TEST(SpatialMotion, LegsBetweenBallsCarryAPlatformAsActuatorsDo) {
+  std::string legs = "space = \"spatial\"\n[ground.points]\n";
+  std::string platform = "[body.platform.points]\n";
+  std::string joints;
+  const double base[6][3] = {{9, -2, 0},  {3, 9, 0.3},   {-3, 9.5, 0.6},
+                             {-9, -2, 0}, {-6, -7, 0.3}, {6, -8, 0.6}};
+  const double top[6][3] = {{4, 2, 0},    {4, 3, 0.2}, {0, 5, 0},
+                            {-4, 3, 0.2}, {-4, -3, 0}, {1, -5, 0.2}};
+  const auto point = [](const double(&p)[3]) {
+    return "[" + std::to_string(p[0]) + ", " + std::to_string(p[1]) + ", " + std::to_string(p[2]) +
+           "]\n";
+  };
+  for (int k = 0; k < 6; ++k) {
+    const std::string n = std::to_string(k);
+    legs += "B" + n + " = " + point(base[k]);
+    platform += "P" + n + " = " + point(top[k]);
+    const double far =
+        std::hypot(base[k][0] - top[k][0], base[k][1] - top[k][1], base[k][2] - top[k][2] - 8);
+    joints += "[body.cylinder" + n + ".points]\nB = [0, 0, 0]\n[body.piston" + n +
+              ".points]\nP = [0.3, 0, 0]\n" + "[[joint]]\ntype = \"spherical\"\nat = [\"ground.B" +
+              n + "\", \"cylinder" + n + ".B\"]\n" +
+              "[[joint]]\ntype = \"prismatic\"\nname = \"leg" + n + "\"\nat = [\"cylinder" + n +
+              ".B\", \"piston" + n + ".P\"]\naxis = [0, 0, 1]\n" +
+              "[[joint]]\ntype = \"spherical\"\nat = [\"piston" + n + ".P\", \"platform.P" + n +
+              "\"]\n" + "[[driver]]\nslide = \"leg" + n + "\"\nstart = " + std::to_string(far) +
+              "\nvelocity = " + (k == 0 ? "0.5" : "0") + "\n";
+  }
+  const Mechanism mechanism = mechanism_text(legs + platform + joints);
+  const MotionResult result = motion_of(mechanism, 4, 1);
+  expect_whole(result);
+  ASSERT_FALSE(result.branches.empty());
+  EXPECT_EQ(result.idle.size(), 6U);
+  for (const MotionBranch& branch : result.branches) {
+    for (const BranchSample& sample : branch.samples) {
+      EXPECT_TRUE(sample.velocity.allFinite());
+      EXPECT_NEAR(joint_value(mechanism, "leg1", sample.q),
+                  mechanism.drivers[1].law.index() == 0
+                      ? std::get<Parabola>(mechanism.drivers[1].law).start
+                      : 0,
+                  1e-9);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace moivre

@@ -77,8 +77,6 @@ struct Formulation {
   };
   std::optional<Theorem> theorem;
   std::vector<std::pair<std::string, std::string>> left_out;  ///< what was left out, and why
-  std::vector<std::size_t>
-      spins;  ///< bodies that may turn about the line of their two points, all else standing
 };
 
 /// An exclusion that all but vanishes.

@@ -5,7 +5,7 @@
 // one of two ways:
 //   by a pose    relative to a placed group: eight polynomials, a dual quaternion (real factors do not matter)
 //   by points    two or three of its points coincide with points of placed groups: a link that was left out of the polynomials.
-//                With two points the rotation about their line is the least one.
+//                With two points the turn about their line is the one of mechanism/spins.h.
 // q of each body: [x, y, z, rotation vector], the vector no longer than pi.
 #pragma once
 

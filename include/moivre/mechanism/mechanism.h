@@ -111,6 +111,12 @@ struct Driver {
   SourcePosition where;
 };
 
+/// A freedom on which nothing depends: a body, with all that cannot turn against it, turns about the line through two points.
+struct Spin {
+  std::size_t body = 0;
+  std::array<PointOf, 2> line;
+};
+
 struct Unknown {
   std::string name;
   bool is_angle = false;
@@ -132,6 +138,7 @@ struct Mechanism {
 
   std::vector<Body> bodies{Body{"ground", {}, {}}};
   std::vector<Joint> joints;
+  std::vector<Spin> held_spins;  ///< each held by a row of Phi (spins.h); none as read from a file
 
   std::vector<Unknown> unknowns;
   std::map<std::string, double> constants;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How far is q from an assembled mechanism, and how does that change? The constraints Phi(q, t) = 0 with all their derivatives.
 //
-//   Phi: R^n x R -> R^m, first the joints' rows (or the typed equations), then one row per driver.
+//   Phi: R^n x R -> R^m, first the joints' rows (or the typed equations), one row per held spin (spins.h), then one per driver.
 //   velocity      Phi_q q'  = -Phi_t
 //   acceleration  Phi_q q'' = gamma = -((Phi_q q')_q q' + 2 Phi_qt q' + Phi_tt)
 // Symbols: q (n coordinates), t seconds, Phi_q (m x n, row i = constraint i), qdot = q'.

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// Which bodies of a spatial mechanism turn about a line while everything else stands still, and how is such a turn held?
+//
+// Bodies that two spherical joints alone tie to others turn about the line through the joints: the coupler of an RSSR, the leg of a
+// platform between two balls, whose slide is driven. Bodies that cannot turn against each other count as one.
+// The turn is held by one row: seen along the line d, a direction e of the body points as the same direction e of the ground,
+//   d . (R e x e) = 0,   d = B - A,   R the body's orientation
+// so that the pose drawn with R = I stays. No rule without an exception exists (the hairy ball): here it is a line d or R^T d along e,
+// which is no direction that anything is drawn in. Of the two solutions the one with R e on the side of e is meant.
+// Edges: joints at one point, or to one and the same body, hold no line: no spin. A body with a driven point has none either.
+#pragma once
+
+#include <vector>
+
+#include "moivre/mechanism/mechanism.h"
+
+namespace moivre {
+
+/// In the order of their bodies; none of a planar mechanism or of typed equations.
+std::vector<Spin> find_spins(const Mechanism& mechanism);
+
+/// e, a unit vector.
+Eigen::Vector3d spin_mark();
+
+}  // namespace moivre
