@@ -40,8 +40,8 @@ class Macaulay {
     for (const Exponents& m : monomials_) ++dimension[degree(m)];
     for (const Exponents& factor : monomials_) {
       for (const LocalPolynomial<Residue>& p : rows_) {
-        const std::size_t* first = reduced.add(multiple(factor, p));
-        if (first != nullptr) --dimension[degree(monomials_[*first])];
+        const auto first = reduced.add(multiple(factor, p));
+        if (first) --dimension[degree(monomials_[*first])];
       }
     }
     LocalRing ring;

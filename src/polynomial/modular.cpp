@@ -2,6 +2,7 @@
 // Sparse Gaussian elimination modulo a prime.
 #include "modular.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "moivre/numeric/integer.h"
@@ -23,28 +24,6 @@ Residue residue(const Rational& a) {
   const Residue below = residue(denominator(a));
   if (below == 0) throw std::invalid_argument("a denominator that the prime divides");
   return times(residue(numerator(a)), inverse(below));
-}
-
-/// row - multiple * pivot
-ModularRow reduced(const ModularRow& row, const ModularRow& pivot, Residue multiple) {
-  ModularRow result;
-  const Residue negative = multiple == 0 ? 0 : kPrime - multiple;
-  auto a = row.begin();
-  auto b = pivot.begin();
-  while (a != row.end() || b != pivot.end()) {
-    if (b == pivot.end() || (a != row.end() && a->first < b->first)) {
-      result.push_back(*a++);
-    } else if (a == row.end() || b->first < a->first) {
-      result.emplace_back(b->first, times(negative, b->second));
-      ++b;
-    } else {
-      const Residue value = plus(a->second, times(negative, b->second));
-      if (value != 0) result.emplace_back(a->first, value);
-      ++a;
-      ++b;
-    }
-  }
-  return result;
 }
 
 }  // namespace
@@ -76,22 +55,45 @@ std::optional<Residue> residue_if_faithful(const Coefficient& a) {
   return image;
 }
 
-ModularRow ModularRows::rest_of(ModularRow row) const {
-  while (!row.empty()) {
-    const auto pivot = pivots_.find(row.front().first);
-    if (pivot == pivots_.end()) break;
-    row = reduced(row, pivot->second, row.front().second);
+namespace {
+
+/// The nonzero entries from a column on.
+ModularRow sparse(const std::vector<Residue>& values, std::size_t first = 0) {
+  ModularRow row;
+  for (std::size_t column = first; column < values.size(); ++column) {
+    if (values[column] != 0) row.emplace_back(column, values[column]);
   }
   return row;
 }
 
-const std::size_t* ModularRows::add(ModularRow row) {
-  row = rest_of(std::move(row));
-  if (row.empty()) return nullptr;
-  const Residue unit = inverse(row.front().second);
-  for (auto& [column, value] : row) value = times(value, unit);
-  const std::size_t first = row.front().first;
-  return &pivots_.emplace(first, std::move(row)).first->first;
+}  // namespace
+
+ModularRow ModularRows::rest_of(const ModularRow& row) const {
+  if (row.empty()) return {};
+  std::vector<Residue> rest(std::max(pivots_.size(), row.back().first + 1));
+  for (const auto& [column, value] : row) rest[column] = value;
+  std::size_t first = row.front().first;
+  for (; first < rest.size(); ++first) {
+    if (rest[first] == 0) continue;
+    if (first >= pivots_.size() || pivots_[first].empty()) break;
+    const Residue multiple = minus(rest[first]);
+    for (const auto& [column, value] : pivots_[first]) {
+      rest[column] = plus(rest[column], times(multiple, value));
+    }
+  }
+  return sparse(rest, first);
+}
+
+std::optional<std::size_t> ModularRows::add(const ModularRow& row) {
+  ModularRow left = rest_of(row);
+  if (left.empty()) return std::nullopt;
+  const Residue unit = inverse(left.front().second);
+  for (auto& [column, value] : left) value = times(value, unit);
+  const std::size_t first = left.front().first;
+  if (pivots_.size() <= left.back().first) pivots_.resize(left.back().first + 1);
+  pivots_[first] = std::move(left);
+  ++rank_;
+  return first;
 }
 
 }  // namespace moivre

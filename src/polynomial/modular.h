@@ -8,7 +8,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -47,17 +46,19 @@ using ModularRow = std::vector<std::pair<std::size_t, Residue>>;
 /// Echelon form: every row has its first column to itself.
 class ModularRows {
  public:
-  /// The first column of what is left of the row beside the others; nullptr where nothing is.
-  const std::size_t* add(ModularRow row);
+  /// The first column of what is left of the row beside the others; nullopt where nothing is.
+  std::optional<std::size_t> add(const ModularRow& row);
   /// The row is a combination of them.
-  bool span(ModularRow row) const { return rest_of(std::move(row)).empty(); }
-  std::size_t rank() const { return pivots_.size(); }
+  bool span(const ModularRow& row) const { return rest_of(row).empty(); }
+  std::size_t rank() const { return rank_; }
 
  private:
   /// Its first column is none of theirs; what comes behind may be.
-  ModularRow rest_of(ModularRow row) const;
+  ModularRow rest_of(const ModularRow& row) const;
 
-  std::map<std::size_t, ModularRow> pivots_;  // by first column, where the value is 1
+  std::vector<ModularRow>
+      pivots_;  ///< by first column, where the value is 1; empty where there is none
+  std::size_t rank_ = 0;
 };
 
 }  // namespace moivre

@@ -21,7 +21,7 @@ std::size_t modular_rank(const std::vector<const IntegerPolynomial*>& rows, std:
       if (value != 0) row.emplace_back(column, value);
     }
     std::sort(row.begin(), row.end());
-    reduced.add(std::move(row));
+    reduced.add(row);
   }
   return reduced.rank();
 }

@@ -159,7 +159,7 @@ TEST(Certified, ARootOfAFaceIsAtInfinityOnlyWhereTheFilesNumbersMayMoveTheEndsTh
       " -8*x*y - 6*y^2 + 5*y + 4.000000000008;\n"
       " -81*x^3 + 27*x^2*y + 81*x^2*z - 81*x^2 - 8*x*y + 45*x*z - 15*y*z - 45*z^2 - 36*x + 12*y"
       " + 81*z - 38.000000000002;\n");
-  for (const SolveResult& result : solved_by_lanes(f, 1, 5)) {
+  for (const SolveResult& result : solved_by_lanes(f, 1, 2)) {
     expect_conservation(result);
     EXPECT_TRUE(!result.complete || result.solutions.size() == 8U) << result.seed;
   }
@@ -312,7 +312,7 @@ TEST(Certified, ARootAsFarAsATrillionIsNotTakenForOneAtInfinity) {
       "+7.000000000007;\n"
       "21*x1^2*x3+3*x1*x2*x3-18*x1*x3^2+56*x1^2+8*x1*x2-42*x1*x3-54*x1-9*x2+49*x3"
       "-12.999999999994;\n");
-  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     SolveOptions options;
     options.seed = seed;
     const SolveResult result = solve(f, *make_lane_tracker(), options);
