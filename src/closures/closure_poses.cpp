@@ -11,6 +11,7 @@
 #include "moivre/expression/counted.h"
 #include "moivre/kinematics/local_dimension.h"
 #include "moivre/kinematics/newton.h"
+#include "moivre/kinematics/own_units.h"
 #include "moivre/mechanism/closure_id.h"
 #include "moivre/mechanism/pose.h"
 
@@ -85,10 +86,10 @@ RootKind polish(ClosureSearch& search, const Solution& solution, BeyondLimits& b
   const Phi& phi = search.phi;
   const Eigen::VectorXd guess = coordinates_of_root(search.formulation, solution.x);
   const NewtonResult polished = newton(phi, guess, search.options.time);
-  const double moved = (phi.canonical(polished.q) - phi.canonical(guess)).cwiseAbs().maxCoeff();
-  const double size = std::max(1.0, guess.cwiseAbs().maxCoeff());
+  const double moved = largest_of(phi, phi.canonical(polished.q) - phi.canonical(guess));
+  const double most = kPolish * std::max(1.0, largest_of(phi, guess));
   // At half a turn the same angle has two names.
-  const bool stayed = moved <= kPolish * size || (polished.q - guess).norm() <= kPolish * size;
+  const bool stayed = moved <= most || largest_of(phi, polished.q - guess) <= most;
   if (polished.status == NewtonStatus::no_solution && phi.size() > phi.dimension() && stayed) {
     search.near_misses.push_back(guess);
     return RootKind::does_not_close;

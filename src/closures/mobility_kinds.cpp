@@ -6,7 +6,7 @@
 #include <map>
 #include <utility>
 
-#include "moivre/kinematics/linear.h"
+#include "moivre/kinematics/own_units.h"
 
 namespace moivre {
 namespace {
@@ -16,7 +16,7 @@ using Ranks = std::pair<Eigen::Index, Eigen::Index>;
 
 Ranks ranks_at(const Phi& phi, const Eigen::VectorXd& q, double t) {
   const Eigen::MatrixXd J = phi.jacobian(q, t);
-  return {numerical_rank(J.topRows(J.rows() - phi.driver_size())), numerical_rank(J)};
+  return {rank_of(phi, J.topRows(J.rows() - phi.driver_size())), rank_of(phi, J)};
 }
 
 }  // namespace

@@ -6,22 +6,24 @@
 #include <numbers>
 
 #include "moivre/kinematics/newton.h"
+#include "moivre/kinematics/own_units.h"
 #include "moivre/numeric/random.h"
 
 namespace moivre {
 namespace {
 
-/// Angles anywhere, lengths within the mechanism's size of the guess.
+/// Angles anywhere, lengths within the mechanism's size, or the guess's, of the guess.
 Eigen::VectorXd random_pose(const Phi& phi, const Eigen::VectorXd& guess, std::uint64_t seed,
                             std::uint64_t start) {
   Eigen::VectorXd q = guess;
-  const double size = std::max(1.0, guess.cwiseAbs().maxCoeff());
+  const Eigen::VectorXd unit = phi.own_units();
+  const double size = std::max(1.0, largest_of(phi, guess));
   for (Eigen::Index k = 0; k < q.size(); ++k) {
     const auto n = static_cast<std::uint64_t>(q.size());
     const auto index = start * n + static_cast<std::uint64_t>(k);
     const double wander = 2 * random_unit(seed, RandomStream::slice, index) - 1;
     const auto kind = phi.coordinates()[static_cast<std::size_t>(k)].kind;
-    q[k] += wander * (kind == CoordinateKind::length ? size : std::numbers::pi);
+    q[k] += wander * (kind == CoordinateKind::length ? size * unit[k] : std::numbers::pi);
   }
   return q;
 }

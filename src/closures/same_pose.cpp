@@ -20,7 +20,7 @@ bool is_length(const Phi& phi, Eigen::Index k) {
 }
 
 double size_of(const Phi& phi, const Eigen::VectorXd& q) {
-  double size = 1;
+  double size = phi.length();
   for (Eigen::Index k = 0; k < q.size(); ++k) {
     if (is_length(phi, k)) size = std::max(size, std::abs(q[k]));
   }

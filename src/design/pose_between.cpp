@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "moivre/kinematics/own_units.h"
 #include "moivre/kinematics/state.h"
 
 namespace moivre {
@@ -59,7 +60,7 @@ BranchSample pose_between(const Phi& phi, const BranchSample& before, const Bran
   sample.is_determined = false;
   const double most = size_of(after.q - before.q, phi) + kSettled;
   for (int step = 0; step < kMostSteps; ++step) {
-    const Factorization factors(phi.jacobian(sample.q, time));
+    const Factorization factors = factorization_of(phi, phi.jacobian(sample.q, time));
     const VectorXd correction = factors.solve(-phi.value(sample.q, time));
     const double size = size_of(correction, phi);
     if (!(size <= most)) return sample;

@@ -9,7 +9,7 @@
 
 #include "moivre/closures/idle_joints.h"
 #include "moivre/factorization/svd.h"
-#include "moivre/kinematics/linear.h"
+#include "moivre/kinematics/own_units.h"
 #include "pose_between.h"
 #include "sampled_pose.h"
 
@@ -136,7 +136,7 @@ void add_transmissions(const Mechanism& mechanism, const Mechanism& held, Rules&
     rules.push_back(
         {{QuantityGroup::transmission, name, name, QuantityOrder::value, true, false, "", false},
          [&held, at](const SampledPose& reading) {
-           return transmission_angle(held, at, reading.pose().q, reading.jacobian())
+           return transmission_angle(held, reading.phi(), at, reading.pose().q, reading.jacobian())
                .value_or(kNothing);
          },
          std::nullopt,
@@ -150,7 +150,7 @@ QuantityRule distance_to_singularity() {
           [](const SampledPose& at) {
             const Eigen::MatrixXd& J = at.jacobian();
             if (J.rows() < J.cols()) return 0.0;
-            return singular_values(equilibrated(J))[J.cols() - 1];
+            return singular_values(equilibrated(in_own_units(at.phi(), J)))[J.cols() - 1];
           },
           std::nullopt,
           nullptr};

@@ -20,6 +20,7 @@ class SampledPose {
  public:
   SampledPose(const Phi& phi, const BranchSample& pose) : phi_(phi), pose_(pose) {}
 
+  const Phi& phi() const { return phi_; }
   const BranchSample& pose() const { return pose_; }
   bool has_velocity() const { return pose_.is_determined && pose_.velocity.size() > 0; }
   const Eigen::MatrixXd& jacobian() const;

@@ -10,6 +10,7 @@
 #include "curve.h"
 #include "extreme_singular_values.h"
 #include "meeting.h"
+#include "moivre/kinematics/own_units.h"
 #include "moivre/kinematics/state.h"
 #include "moivre/mechanism/pose.h"
 #include "noise.h"
@@ -139,6 +140,10 @@ class Follower {
   std::optional<CurvePoint> end_within(const Segment& segment, std::optional<BranchEvent>& event);
   bool take_samples(const Segment& segment, double until);
   std::optional<BranchSample> sample(const Segment& segment, double time) const;
+  /// By Phi_q in own units.
+  VectorXd solved(const StaircaseQr& qr, const VectorXd& b) const {
+    return phi_.own_units().cwiseProduct(qr.solve(b.cwiseQuotient(phi_.own_row_units())));
+  }
   VectorXd correction(const VectorXd& q, double t, bool is_careful) const;
   BranchSample state_at(const VectorXd& assembled, double time) const;
   bool is_velocity_wanted(double time) const {
@@ -209,16 +214,17 @@ BranchSample Follower::state_at(const VectorXd& assembled, double time) const {
   const MatrixXd J = phi_.jacobian(sample.q, time);
   const bool is_wanted = is_velocity_wanted(time);
   if (J.rows() == J.cols()) {
-    const StaircaseQr qr(J, order_);
-    sample.is_determined = stays_surely_regular(J, qr);
+    const MatrixXd scaled = in_own_units(phi_, J);
+    const StaircaseQr qr(scaled, order_);
+    sample.is_determined = stays_surely_regular(scaled, qr);
     if (sample.is_determined && is_wanted) {
-      sample.velocity = qr.solve(phi_.velocity_rhs(sample.q, time));
-      sample.acceleration = qr.solve(phi_.acceleration_rhs(sample.q, sample.velocity, time));
+      sample.velocity = solved(qr, phi_.velocity_rhs(sample.q, time));
+      sample.acceleration = solved(qr, phi_.acceleration_rhs(sample.q, sample.velocity, time));
     }
     if (sample.is_determined) return sample;
   }
   if (!is_wanted) {
-    sample.is_determined = numerical_rank(J) == phi_.dimension();
+    sample.is_determined = rank_of(phi_, J) == phi_.dimension();
     return sample;
   }
   MotionState state = motion_state(phi_, sample.q, time);
@@ -398,8 +404,10 @@ bool Follower::take_samples(const Segment& segment, double until) {
 /// far off.
 VectorXd Follower::correction(const VectorXd& q, double t, bool is_careful) const {
   const MatrixXd J = phi_.jacobian(q, t);
-  if (is_careful || J.rows() != J.cols()) return Factorization(J).solve(-phi_.value(q, t));
-  return StaircaseQr(J, order_).solve(-phi_.value(q, t));
+  if (is_careful || J.rows() != J.cols()) {
+    return factorization_of(phi_, J).solve(-phi_.value(q, t));
+  }
+  return solved(StaircaseQr(in_own_units(phi_, J), order_), -phi_.value(q, t));
 }
 
 /// The pose at its own time, corrected from the interpolation; nullopt where the correction leads too far away.

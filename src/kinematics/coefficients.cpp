@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "moivre/kinematics/linear.h"
+#include "moivre/kinematics/own_units.h"
 
 namespace moivre {
 
@@ -19,7 +19,7 @@ KinematicCoefficients kinematic_coefficients(const Phi& phi, const VectorXd& q, 
       MatrixXd::Constant(phi.dimension(), drivers, std::numeric_limits<double>::quiet_NaN());
   KinematicCoefficients result{false, unknown,
                                std::vector<MatrixXd>(static_cast<std::size_t>(drivers), unknown)};
-  const Factorization factors(phi.jacobian(q, t));
+  const Factorization factors = factorization_of(phi, phi.jacobian(q, t));
   if (factors.rank() != phi.dimension()) return result;
   result.is_determined = true;
   for (Index a = 0; a < drivers; ++a) {

@@ -64,6 +64,10 @@ bool has_surely_full_rank(const MatrixXd& equilibrated) {
   return is_surely_regular(tall, order);
 }
 
+VectorXd units_or_ones(const VectorXd& units, Index size) {
+  return units.size() == 0 ? VectorXd(VectorXd::Ones(size)) : units;
+}
+
 }  // namespace
 
 std::string to_string(LinearMethod method) {
@@ -128,22 +132,30 @@ struct Factorization::Factors {
 };
 
 Factorization::Factorization(const MatrixXd& A, const LinearOptions& options)
-    : A_(A), root_weights_(VectorXd::Ones(A.cols())), rank_(numerical_rank(A)) {
+    : row_units_(units_or_ones(options.row_units, A.rows())),
+      column_units_(units_or_ones(options.column_units, A.cols())),
+      A_(row_units_.cwiseInverse().asDiagonal() * A * column_units_.asDiagonal()),
+      root_weights_(column_units_),
+      rank_(numerical_rank(A_)) {
   if (options.weights.size() != 0) {
     if (options.weights.size() != A.cols() || !(options.weights.array() > 0).all() ||
         !options.weights.allFinite()) {
       throw std::invalid_argument("weights must be " + std::to_string(A.cols()) +
                                   " positive numbers, one a coordinate");
     }
-    root_weights_ = options.weights.cwiseSqrt();
+    root_weights_ = root_weights_.cwiseProduct(options.weights.cwiseSqrt());
   }
   method_ = options.method.value_or(natural_method(A.rows(), A.cols(), rank_));
   if (!suits(method_, A.rows(), A.cols(), rank_)) method_ = LinearMethod::svd;
-  if (A.size() != 0) factors_ = std::make_shared<const Factors>(method_, A, root_weights_);
+  if (A.size() != 0) factors_ = std::make_shared<const Factors>(method_, A_, root_weights_);
 }
 
 VectorXd Factorization::solve(const VectorXd& b) const {
   if (!factors_) return VectorXd::Zero(A_.cols());
+  return column_units_.cwiseProduct(solve_in_units(b.cwiseQuotient(row_units_)));
+}
+
+VectorXd Factorization::solve_in_units(const VectorXd& b) const {
   const auto& [lu, normal, qr, svd] = *factors_;
   switch (method_) {
     case LinearMethod::lu:

@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "moivre/factorization/qr.h"
-#include "moivre/kinematics/linear.h"
 #include "moivre/kinematics/null_space.h"
+#include "moivre/kinematics/own_units.h"
 #include "moivre/numeric/random.h"
 
 namespace moivre {
@@ -37,12 +37,13 @@ class Slicing {
  public:
   Slicing(const Phi& phi, const VectorXd& q, double t, std::uint64_t seed)
       : phi_(phi), q_(q), t_(t), seed_(seed), scale_(VectorXd::Ones(q.size())) {
-    double largest_length = 0;
+    // No less than the pose's own: far away it is known to fewer digits.
+    double largest_length = phi.length();
     for (Index k = 0; k < q.size(); ++k) {
       if (is_length(k)) largest_length = std::max(largest_length, std::abs(q[k]));
     }
     for (Index k = 0; k < q.size(); ++k) {
-      if (is_length(k) && largest_length > 0) scale_[k] = largest_length;
+      if (is_length(k)) scale_[k] = largest_length;
     }
     const VectorXd rows = (phi.jacobian(q, t) * scale_.asDiagonal()).rowwise().norm();
     weight_ = rows.cwiseMax(kFaintRow * rows.maxCoeff()).cwiseInverse();
@@ -127,7 +128,7 @@ class Slicing {
 }  // namespace
 
 LocalDimension local_dimension(const Phi& phi, const VectorXd& q, double t, std::uint64_t seed) {
-  const Index rank = numerical_rank(phi.jacobian(q, t));
+  const Index rank = rank_of(phi, phi.jacobian(q, t));
   const Index tangent = phi.dimension() - rank;
   if (tangent == 0) return {0, "the constraints fix every direction at this pose"};
   if (rank == phi.size()) {

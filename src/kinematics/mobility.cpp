@@ -11,6 +11,7 @@
 #include "moivre/factorization/qr.h"
 #include "moivre/factorization/svd.h"
 #include "moivre/kinematics/null_space.h"
+#include "moivre/kinematics/own_units.h"
 #include "moivre/kinematics/state.h"
 
 namespace moivre {
@@ -33,8 +34,10 @@ std::string number_text(double value) {
 }
 
 /// Rows of J that the rows before them already say, each with its combination.
-std::vector<RedundantRow> redundant_rows(const Phi& joints, const MatrixXd& J, Index rank) {
+std::vector<RedundantRow> redundant_rows(const Phi& joints, const MatrixXd& rows, Index rank) {
   std::vector<RedundantRow> found;
+  const MatrixXd J = in_own_units(joints, rows);
+  const VectorXd unit = joints.own_row_units();
   if (rank == J.rows()) return found;
   std::vector<Index> kept;
   for (Index i = 0; i < J.rows(); ++i) {
@@ -52,8 +55,8 @@ std::vector<RedundantRow> redundant_rows(const Phi& joints, const MatrixXd& J, I
       const Index source = kept[static_cast<std::size_t>(k)];
       const double part = std::abs(share[k]) * J.row(source).norm();
       if (part <= kNegligible * J.row(i).norm()) continue;
-      row.combination.push_back(
-          {source, joints.row_names()[static_cast<std::size_t>(source)], share[k]});
+      row.combination.push_back({source, joints.row_names()[static_cast<std::size_t>(source)],
+                                 share[k] * unit[i] / unit[source]});
     }
     found.push_back(std::move(row));
   }
@@ -61,8 +64,10 @@ std::vector<RedundantRow> redundant_rows(const Phi& joints, const MatrixXd& J, I
 }
 
 /// Directions in which one group of coordinates moves alone, drivers held.
-std::vector<IdleFreedom> idle_freedoms(const Phi& phi, const MatrixXd& J) {
+std::vector<IdleFreedom> idle_freedoms(const Phi& phi, const MatrixXd& rows) {
   std::vector<IdleFreedom> found;
+  const MatrixXd J = in_own_units(phi, rows);
+  const VectorXd unit = phi.own_units();
   for (std::size_t group = 0; group < phi.group_names().size(); ++group) {
     std::vector<Index> own;
     for (std::size_t k = 0; k < phi.coordinates().size(); ++k) {
@@ -71,7 +76,7 @@ std::vector<IdleFreedom> idle_freedoms(const Phi& phi, const MatrixXd& J) {
     const MatrixXd alone = null_space(J(Eigen::all, own));
     for (Index column = 0; column < alone.cols(); ++column) {
       VectorXd direction = VectorXd::Zero(J.cols());
-      direction(own) = alone.col(column);
+      direction(own) = alone.col(column).cwiseProduct(unit(own)).normalized();
       found.push_back({phi.group_names()[group], direction});
     }
   }
@@ -92,7 +97,7 @@ Index rank_next_to(const Phi& joints, const VectorXd& q, double t, const MatrixX
     for (const double side : {step, -step}) {
       const NewtonResult neighbour = newton(joints, q + side * along, t, hold);
       if (neighbour.status != NewtonStatus::converged) continue;
-      largest = std::max(largest, numerical_rank(joints.jacobian(neighbour.q, t)));
+      largest = std::max(largest, rank_of(joints, joints.jacobian(neighbour.q, t)));
     }
   }
   return largest;
@@ -150,7 +155,7 @@ std::string to_text(const RedundantRow& redundant) {
 ConstraintRank constraint_rank(const Phi& phi, const VectorXd& q, double t) {
   const Phi joints = phi.without_drivers();
   const MatrixXd J = joints.jacobian(q, t);
-  const Index rank = numerical_rank(J);
+  const Index rank = rank_of(joints, J);
   return {rank, J.cols() - rank, redundant_rows(joints, J, rank)};
 }
 
@@ -162,16 +167,16 @@ Mobility mobility(const Phi& phi, const VectorXd& q, double t) {
   m.coordinates = joints.dimension();
   m.constraints = joints.size();
   m.drivers = phi.driver_size();
-  m.rank = numerical_rank(J);
+  m.rank = rank_of(joints, J);
   m.degrees_of_freedom = m.coordinates - m.rank;
   m.gruebler = m.coordinates - m.constraints;
-  m.driven_freedoms = m.coordinates - numerical_rank(all_rows);
-  if (J.size() != 0) m.singular_values = singular_values(equilibrated(J));
+  m.driven_freedoms = m.coordinates - rank_of(phi, all_rows);
+  if (J.size() != 0) m.singular_values = singular_values(equilibrated(in_own_units(joints, J)));
   const double floor = m.singular_values.size() == 0 ? 0 : kRankTolerance * m.singular_values[0];
   m.rank_by_svd = (m.singular_values.array() > floor).count();
   m.redundant = redundant_rows(joints, J, m.rank);
-  m.null_space = null_space(J);
-  m.left_null_space = left_null_space(J);
+  m.null_space = null_space_of(joints, J);
+  m.left_null_space = left_null_space_of(joints, J);
   m.force_directions = -J.transpose();
   m.idle = idle_freedoms(phi, all_rows);
   m.independent = choose_partition(joints, q, t).independent;

@@ -9,6 +9,7 @@
 
 #include "extreme_singular_values.h"
 #include "moivre/expression/counted.h"
+#include "moivre/kinematics/own_units.h"
 #include "noise.h"
 
 namespace moivre {
@@ -18,6 +19,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+// Of sizes in own units:
 constexpr double kEscape = 1e9;          // times the guess's size: nothing assembles out there
 constexpr double kStandstill = 1e-12;    // step beside q: the run has come to rest
 constexpr double kRestResidual = 1e-12;  // |Phi_i| beside its scale: rounding, for a run at rest
@@ -53,13 +55,12 @@ std::vector<Index> free_coordinates(const Phi& phi, const NewtonOptions& options
   return free;
 }
 
-/// Phi_q, its columns those of the free coordinates.
-MatrixXd jacobian(const Phi& phi, const VectorXd& q, double t, const std::vector<Index>& free) {
-  const bool all_are_free = static_cast<Index>(free.size()) == phi.dimension();
-  return all_are_free ? phi.jacobian(q, t) : phi.jacobian(q, t)(Eigen::all, free);
+/// The columns of the free coordinates.
+MatrixXd columns(const MatrixXd& J, const std::vector<Index>& free) {
+  return static_cast<Index>(free.size()) == J.cols() ? J : MatrixXd(J(Eigen::all, free));
 }
 
-double size_of(const VectorXd& q) { return std::max(1.0, q.lpNorm<Eigen::Infinity>()); }
+double size_of(const Phi& phi, const VectorXd& q) { return std::max(1.0, largest_of(phi, q)); }
 
 NewtonIteration measured(const Phi& phi, const VectorXd& q, double t) {
   NewtonIteration row;
@@ -79,22 +80,26 @@ NewtonIteration look(const Phi& phi, const VectorXd& q, double t, const NewtonOp
 }
 
 /// How many steps ago the last iterate was visited before; 0 when it is new.
-int cycle_length(const std::vector<NewtonIteration>& rows) {
+int cycle_length(const Phi& phi, const std::vector<NewtonIteration>& rows) {
   const VectorXd& q = rows.back().q;
+  const double size = size_of(phi, q);
   for (std::size_t back = 2; back < rows.size(); ++back) {
-    const NewtonIteration& old = rows[rows.size() - 1 - back];
-    const bool returned = (q - old.q).lpNorm<Eigen::Infinity>() <= kReturn * size_of(q);
-    if (returned && old.step > kMoving * size_of(q)) return static_cast<int>(back);
+    const VectorXd& old = rows[rows.size() - 1 - back].q;
+    const VectorXd& after_old = rows[rows.size() - back].q;
+    const bool returned = largest_of(phi, q - old) <= kReturn * size;
+    if (returned && largest_of(phi, after_old - old) > kMoving * size)
+      return static_cast<int>(back);
   }
   return 0;
 }
 
 /// The verdict that the last row calls for, before another step is taken from it.
-std::optional<NewtonStatus> verdict(const NewtonResult& run, const VectorXd& guess,
+std::optional<NewtonStatus> verdict(const Phi& phi, const NewtonResult& run, const VectorXd& guess,
                                     const NewtonOptions& options) {
   const NewtonIteration& row = run.iterations.back();
   const bool is_number = row.q.allFinite() && std::isfinite(row.scaled_residual);
-  if (!is_number || size_of(row.q) > kEscape * size_of(guess)) return NewtonStatus::diverged;
+  if (!is_number || size_of(phi, row.q) > kEscape * size_of(phi, guess))
+    return NewtonStatus::diverged;
   if (row.scaled_residual <= options.residual_tolerance) return NewtonStatus::converged;
   if (run.cycle_length > 0) return NewtonStatus::cycling;
   return std::nullopt;
@@ -141,14 +146,17 @@ void describe_end(const Phi& phi, double t, const std::vector<Index>& free,
   run.residual = last.residual;
   run.scaled_residual = last.scaled_residual;
   if (!last.q.allFinite()) return;
-  const MatrixXd J = jacobian(phi, last.q, t, free);
+  const MatrixXd all = phi.jacobian(last.q, t);
+  const MatrixXd J = columns(all, free);
   if (J.size() == 0 || !J.allFinite()) return;
   const bool is_tall = J.rows() >= J.cols();
   const MatrixXd A = is_tall ? J : MatrixXd(J.transpose());
   const Index full_rank = A.cols();
   const StaircaseOrder order = staircase_order(A);
   run.smallest_singular_value = smallest_singular_value(A, order);
-  run.rank = stays_regular(J, run.smallest_singular_value) ? full_rank : numerical_rank(J);
+  run.rank = stays_regular(J, run.smallest_singular_value)
+                 ? full_rank
+                 : numerical_rank(columns(in_own_units(phi, all), free));
   last.rank = run.rank;
   run.is_singular = run.rank < full_rank;
   if (!options.with_condition) return;
@@ -183,28 +191,33 @@ NewtonResult newton(const Phi& phi, const VectorXd& guess, double t, const Newto
   const std::vector<Index> free = free_coordinates(phi, options);
   NewtonResult run;
   run.iterations.push_back(look(phi, guess, t, options));
-  std::optional<NewtonStatus> status = verdict(run, guess, options);
+  std::optional<NewtonStatus> status = verdict(phi, run, guess, options);
   while (!status && run.steps() < options.maximum_iterations) {
     NewtonIteration& row = run.iterations.back();
-    const MatrixXd J = jacobian(phi, row.q, t, free);
+    const MatrixXd all = phi.jacobian(row.q, t);
+    const MatrixXd J = columns(all, free);
     if (!J.allFinite()) {
       status = NewtonStatus::diverged;
       break;
     }
-    const Factorization factors(J, options.linear);
+    LinearOptions linear = options.linear;
+    linear.row_units = phi.own_row_units();
+    linear.column_units = phi.own_units()(free);
+    const Factorization factors(J, linear);
     const VectorXd step = factors.solve(-phi.value(row.q, t));
     row.step = step.lpNorm<Eigen::Infinity>();
     row.rank = factors.rank();
     row.method = factors.method();
-    VectorXd next = row.q;
-    next(free) += step;
+    VectorXd change = VectorXd::Zero(row.q.size());
+    change(free) = step;
+    VectorXd next = row.q + change;
     if (options.held.empty() && phi.has_long_rotation(next)) next = phi.canonical(next);
-    const bool rests = row.step <= kStandstill * size_of(row.q);
+    const bool rests = largest_of(phi, change) <= kStandstill * size_of(phi, row.q);
     const NewtonStatus rest_verdict = at_rest(phi, row, t, std::min(J.rows(), J.cols()));
     run.iterations.push_back(look(phi, next, t, options));
     run.iterations.back().method = factors.method();
-    run.cycle_length = cycle_length(run.iterations);
-    status = verdict(run, guess, options);
+    run.cycle_length = cycle_length(phi, run.iterations);
+    status = verdict(phi, run, guess, options);
     if (!status && rests) status = rest_verdict;
   }
   run.status = status.value_or(NewtonStatus::iteration_limit);

@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "moivre/factorization/qr.h"
-#include "moivre/kinematics/linear.h"
 #include "moivre/kinematics/null_space.h"
+#include "moivre/kinematics/own_units.h"
 
 namespace moivre {
 namespace {
@@ -40,17 +40,18 @@ Index rank_within(const MatrixXd& A, double tolerance) {
 PoseSensitivity pose_sensitivity(const Phi& phi, const VectorXd& q, double t,
                                  const MatrixXd& partial_p, const PoseKind& kind) {
   const MatrixXd J = phi.jacobian(q, t);
-  const Factorization factors(J);
+  const Factorization factors = factorization_of(phi, J);
   const VectorXd scale = row_lengths(J).cwiseInverse();
   PoseSensitivity result;
-  const Index rank = kind.is_multiple ? rank_within(J, kHalfTheDigits) : factors.rank();
+  const Index rank =
+      kind.is_multiple ? rank_within(in_own_units(phi, J), kHalfTheDigits) : factors.rank();
   result.is_singular = rank + kind.spins < phi.dimension();
   result.has_spare_rows = rank < phi.size();
   result.rates = MatrixXd::Zero(phi.dimension(), partial_p.cols());
   result.breaks_closure.resize(static_cast<std::size_t>(partial_p.cols()));
   result.free = result.is_singular || factors.rank() == phi.dimension()
                     ? MatrixXd(phi.dimension(), 0)
-                    : null_space(J);
+                    : null_space_of(phi, J);
   for (Index k = 0; k < partial_p.cols(); ++k) {
     const VectorXd change = partial_p.col(k);
     if (change.isZero(0)) continue;

@@ -8,6 +8,7 @@
 
 #include "moivre/expression/counted.h"
 #include "moivre/factorization/qr.h"
+#include "moivre/kinematics/own_units.h"
 
 namespace moivre {
 namespace {
@@ -54,7 +55,7 @@ std::string names_of(const Phi& phi, const std::vector<Index>& chosen) {
 MotionState motion_state(const Phi& phi, const VectorXd& q, double t,
                          const LinearOptions& options) {
   const MatrixXd J = phi.jacobian(q, t);
-  const Factorization factors(J, options);
+  const Factorization factors = factorization_of(phi, J, options);
   MotionState state;
   state.factorizations = 1;
   state.q = q;
@@ -71,7 +72,7 @@ MotionState motion_state(const Phi& phi, const VectorXd& q, double t,
 }
 
 Partition choose_partition(const Phi& joints, const VectorXd& q, double t) {
-  const MatrixXd J = joints.jacobian(q, t);
+  const MatrixXd J = in_own_units(joints, joints.jacobian(q, t));
   const Index rank = numerical_rank(J);
   const Eigen::VectorXi order = PivotedQr<double>(equilibrated(J)).order();
   std::vector<Index> independent(order.begin() + rank, order.end());
@@ -92,7 +93,7 @@ Partition make_partition(const Phi& joints, const VectorXd& q, std::vector<Index
   Partition partition;
   partition.independent = std::move(independent);
   partition.dependent = complement(partition.independent, joints.dimension());
-  const MatrixXd J = joints.jacobian(q, t);
+  const MatrixXd J = in_own_units(joints, joints.jacobian(q, t));
   const Index freedoms = joints.dimension() - numerical_rank(J);
   const auto chosen = static_cast<Index>(partition.independent.size());
   const MatrixXd Phi_u = columns(J, partition.dependent);
@@ -122,7 +123,10 @@ MotionState partitioned_state(const Phi& joints, const Partition& partition, con
   require_usable(partition);
   const MatrixXd J = joints.jacobian(q, t);
   const MatrixXd Phi_v = columns(J, partition.independent);
-  const Factorization factors(columns(J, partition.dependent));
+  LinearOptions options;
+  options.row_units = joints.own_row_units();
+  options.column_units = joints.own_units()(partition.dependent);
+  const Factorization factors(columns(J, partition.dependent), options);
   MotionState state;
   state.factorizations = 1;
   state.q = q;

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "moivre/kinematics/null_space.h"
+#include "moivre/kinematics/own_units.h"
 #include "moivre/mechanism/pose.h"
 
 namespace moivre {
@@ -105,13 +106,15 @@ std::vector<TransmissionJoint> transmission_joints(const Mechanism& mechanism) {
   return found;
 }
 
-std::optional<double> transmission_angle(const Mechanism& mechanism, const TransmissionJoint& at,
-                                         const VectorXd& q, const MatrixXd& J) {
+std::optional<double> transmission_angle(const Mechanism& mechanism, const Phi& phi,
+                                         const TransmissionJoint& at, const VectorXd& q,
+                                         const MatrixXd& Phi_q) {
   const Joint& joint = mechanism.joints[at.joint];
   const Index behind = at.first_row + at.rows;
+  const MatrixXd J = in_own_units(phi, Phi_q);
   MatrixXd open(J.rows() - at.rows, J.cols());
   open << J.topRows(at.first_row), J.bottomRows(J.rows() - behind);
-  const MatrixXd freedoms = null_space_basis(open);
+  const MatrixXd freedoms = phi.own_units().asDiagonal() * null_space_basis(open);
   if (freedoms.cols() != at.rows) return std::nullopt;
   // A slot's first body touches the pin wherever that stands.
   const Eigen::Vector3d end = point_position(mechanism, joint.at[1], q);

@@ -25,10 +25,16 @@ struct At {
   S t;
 };
 
+/// A row of Phi, and the power of a length that its value is: 2 of a rod, 1 of a displacement, 0 of an angle.
+struct RowLabel {
+  std::string name;
+  int power = 0;
+};
+
 class Constraint {
  public:
-  Constraint(std::vector<std::string> names, std::vector<std::size_t> coordinates)
-      : row_names(std::move(names)), depends_on(std::move(coordinates)) {}
+  Constraint(std::vector<RowLabel> row_labels, std::vector<std::size_t> coordinates)
+      : labels(std::move(row_labels)), depends_on(std::move(coordinates)) {}
   Constraint(const Constraint&) = delete;
   Constraint& operator=(const Constraint&) = delete;
   virtual ~Constraint() = default;
@@ -37,15 +43,15 @@ class Constraint {
   virtual void evaluate(const At<Gradient>& at, Gradient* rows) const = 0;
   virtual void evaluate(const At<Magnitude>& at, Magnitude* rows) const = 0;
 
-  const std::vector<std::string> row_names;
+  const std::vector<RowLabel> labels;         ///< one a row
   const std::vector<std::size_t> depends_on;  ///< indices of the coordinates that the rows read
 };
 
 template <class Rows>
 class ConstraintOf final : public Constraint {
  public:
-  ConstraintOf(std::vector<std::string> names, std::vector<std::size_t> coordinates, Rows rows)
-      : Constraint(std::move(names), std::move(coordinates)), rows_(std::move(rows)) {}
+  ConstraintOf(std::vector<RowLabel> row_labels, std::vector<std::size_t> coordinates, Rows rows)
+      : Constraint(std::move(row_labels), std::move(coordinates)), rows_(std::move(rows)) {}
 
   void evaluate(const At<Jet>& at, Jet* rows) const override { rows_(at, rows); }
   void evaluate(const At<Gradient>& at, Gradient* rows) const override { rows_(at, rows); }
@@ -58,9 +64,9 @@ class ConstraintOf final : public Constraint {
 using Constraints = std::vector<std::shared_ptr<const Constraint>>;
 
 template <class Rows>
-std::shared_ptr<const Constraint> make_constraint(std::vector<std::string> names,
+std::shared_ptr<const Constraint> make_constraint(std::vector<RowLabel> labels,
                                                   std::vector<std::size_t> coordinates, Rows rows) {
-  return std::make_shared<const ConstraintOf<Rows>>(std::move(names), std::move(coordinates),
+  return std::make_shared<const ConstraintOf<Rows>>(std::move(labels), std::move(coordinates),
                                                     std::move(rows));
 }
 

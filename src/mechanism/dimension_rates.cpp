@@ -59,7 +59,7 @@ class PartialRows {
   /// `make(moving)` makes the constraint, `is_read(dimension)` says whether it depends on the dimension.
   template <class Make, class IsRead>
   void add(const Make& make, const IsRead& is_read) {
-    const auto rows = static_cast<Index>(make(nullptr)->row_names.size());
+    const auto rows = static_cast<Index>(make(nullptr)->labels.size());
     MatrixXd part = MatrixXd::Zero(rows, static_cast<Index>(dimensions_.size()));
     std::vector<Jet> values(static_cast<std::size_t>(rows));
     for (std::size_t k = 0; k < dimensions_.size(); ++k) {

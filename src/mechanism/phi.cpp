@@ -18,7 +18,7 @@ using Eigen::VectorXd;
 
 /// Rows of a typed equation, or of a driver of an unknown.
 std::shared_ptr<const Constraint> typed_equation(const Equation& equation) {
-  return make_constraint({equation.name}, unknowns_of(equation.formula),
+  return make_constraint({{equation.name, 0}}, unknowns_of(equation.formula),
                          [formula = equation.formula](const auto& at, auto* row) {
                            row[0] = evaluate(formula, at.q, at.t);
                          });
@@ -29,7 +29,7 @@ std::shared_ptr<const Constraint> unknown_driver(const Mechanism& mechanism, con
   const std::size_t k = driver.unknown;
   const bool is_periodic = coordinates(mechanism)[k].is_periodic;
   return make_constraint(
-      {"driver " + driver.name + ": unknown"}, {k},
+      {{"driver " + driver.name + ": unknown", 0}}, {k},
       [law = prescription(mechanism, driver, moving), k, is_periodic](const auto& at, auto* row) {
         const auto gap = at.q[k] - law_at(law, at.t);
         row[0] = is_periodic ? within_half_turn(gap) : gap;
@@ -46,13 +46,34 @@ Constraints joint_constraints(const Mechanism& mechanism) {
   return constraints;
 }
 
-double largest_length(const Mechanism& mechanism) {
-  double length = 0;
+/// Of points in their bodies and of rods, where they are not 0.
+std::vector<double> lengths_of(const Mechanism& mechanism) {
+  std::vector<double> lengths;
   for (const Body& body : mechanism.bodies) {
-    for (const BodyPoint& point : body.points) length = std::max(length, point.at.norm());
+    for (const BodyPoint& point : body.points) lengths.push_back(point.at.norm());
   }
-  for (const Joint& joint : mechanism.joints) length = std::max(length, joint.length);
-  return length > 0 ? length : 1;
+  for (const Joint& joint : mechanism.joints) lengths.push_back(std::abs(joint.length));
+  std::erase(lengths, 0.0);
+  return lengths;
+}
+
+/// 1 where there is none.
+double largest_of(const std::vector<double>& lengths) {
+  return lengths.empty() ? 1 : *std::max_element(lengths.begin(), lengths.end());
+}
+
+/// The geometric mean, without what is rounding beside the largest; 1 where there is none.
+double mean_of(const std::vector<double>& lengths) {
+  constexpr double kRounding = 1e-15;
+  const double least = kRounding * largest_of(lengths);
+  double sum = 0;
+  int count = 0;
+  for (const double length : lengths) {
+    if (length <= least) continue;
+    sum += std::log(length);
+    ++count;
+  }
+  return count == 0 ? 1 : std::exp(sum / count);
 }
 
 bool is_length(const Coordinate& coordinate) { return coordinate.kind == CoordinateKind::length; }
@@ -111,7 +132,8 @@ struct Phi::Line {
 Phi::Phi(const Mechanism& mechanism)
     : coordinates_(moivre::coordinates(mechanism)),
       constraints_(joint_constraints(mechanism)),
-      length_(largest_length(mechanism)) {
+      length_(largest_of(lengths_of(mechanism))),
+      mean_length_(mean_of(lengths_of(mechanism))) {
   for (std::size_t body = 1; body < mechanism.bodies.size(); ++body) {
     group_names_.push_back(mechanism.bodies[body].name);
   }
@@ -123,7 +145,10 @@ Phi::Phi(const Mechanism& mechanism)
     constraints_.push_back(driver_constraint(mechanism, driver));
   }
   for (const auto& constraint : constraints_) {
-    row_names_.insert(row_names_.end(), constraint->row_names.begin(), constraint->row_names.end());
+    for (const RowLabel& label : constraint->labels) {
+      row_names_.push_back(label.name);
+      row_powers_.push_back(label.power);
+    }
   }
   driver_size_ = static_cast<Index>(mechanism.drivers.size());
   timeless_ = mechanism.equations.empty() ? constraints_.size() - mechanism.drivers.size() : 0;
@@ -134,7 +159,7 @@ std::vector<std::vector<Index>> Phi::reads() const {
   columns.reserve(row_names_.size());
   for (const auto& constraint : constraints_) {
     const auto& on = constraint->depends_on;
-    columns.insert(columns.end(), constraint->row_names.size(),
+    columns.insert(columns.end(), constraint->labels.size(),
                    std::vector<Index>(on.begin(), on.end()));
   }
   return columns;
@@ -145,6 +170,7 @@ Phi Phi::without_drivers() const {
   const auto drivers = static_cast<std::size_t>(driver_size_);
   joints.constraints_.resize(constraints_.size() - drivers);
   joints.row_names_.resize(row_names_.size() - drivers);
+  joints.row_powers_.resize(row_names_.size() - drivers);
   joints.driver_size_ = 0;
   return joints;
 }
@@ -161,7 +187,7 @@ VectorXd Phi::derivative(const Line& line, int order) const {
   const std::size_t still = line.qdot == nullptr && order > 0 ? timeless_ : 0;
   for (std::size_t k = 0; k < constraints_.size(); ++k) {
     if (k >= still) constraints_[k]->evaluate(At<Jet>{q, Jet(line.t, line.tdot, 0)}, row);
-    row += constraints_[k]->row_names.size();
+    row += constraints_[k]->labels.size();
   }
   VectorXd result(size());
   for (Index i = 0; i < size(); ++i) {
@@ -207,7 +233,7 @@ void Phi::add_jacobian(const VectorXd& q, double t, MatrixXd& to) const {
   std::vector<Gradient> rows;
   Index first = 0;
   for (const auto& constraint : constraints_) {
-    rows.resize(constraint->row_names.size());
+    rows.resize(constraint->labels.size());
     const auto& on = constraint->depends_on;
     for (std::size_t begin = 0; begin < on.size(); begin += Gradient::kDirections) {
       const std::size_t count = std::min(Gradient::kDirections, on.size() - begin);
@@ -237,13 +263,29 @@ MatrixXd Phi::extended_jacobian(const VectorXd& q, double t) const {
   return result;
 }
 
+VectorXd Phi::own_units() const {
+  VectorXd units = VectorXd::Ones(dimension());
+  for (Index k = 0; k < dimension(); ++k) {
+    if (is_length(coordinates_[static_cast<std::size_t>(k)])) units[k] = mean_length_;
+  }
+  return units;
+}
+
+VectorXd Phi::own_row_units() const {
+  VectorXd units(size());
+  for (Index i = 0; i < size(); ++i) {
+    units[i] = std::pow(mean_length_, row_powers_[static_cast<std::size_t>(i)]);
+  }
+  return units;
+}
+
 std::vector<Magnitude> Phi::magnitudes(const VectorXd& q, double t) const {
   const std::vector<Magnitude> point(q.begin(), q.end());
   std::vector<Magnitude> rows(row_names_.size());
   Magnitude* row = rows.data();
   for (const auto& constraint : constraints_) {
     constraint->evaluate(At<Magnitude>{point, Magnitude(t)}, row);
-    row += constraint->row_names.size();
+    row += constraint->labels.size();
   }
   return rows;
 }

@@ -65,19 +65,19 @@ S relative_angle(const At<S>& at, std::size_t i, std::size_t j, const Jet& offse
   return within_half_turn(angle(at, j) - angle(at, i) - in_scalar<S>(offset));
 }
 
-std::vector<std::string> row_names(const std::string& label, const JointTraits& type) {
-  std::vector<std::string> names;
-  if (type.place == JointPlace::at_point) names = {label + ": x", label + ": y"};
-  if (type.place == JointPlace::on_line) names = {label + ": line"};
-  if (type.place == JointPlace::at_distance) names = {label + ": length"};
-  if (type.turn == JointTurn::not_at_all) names.push_back(label + ": turn");
-  return names;
+std::vector<RowLabel> row_labels(const std::string& label, const JointTraits& type) {
+  std::vector<RowLabel> labels;
+  if (type.place == JointPlace::at_point) labels = {{label + ": x", 1}, {label + ": y", 1}};
+  if (type.place == JointPlace::on_line) labels = {{label + ": line", 1}};
+  if (type.place == JointPlace::at_distance) labels = {{label + ": length", 2}};
+  if (type.turn == JointTurn::not_at_all) labels.push_back({label + ": turn", 0});
+  return labels;
 }
 
 std::shared_ptr<const Constraint> rack(const Joint& joint, const Ends& ends,
                                        const std::string& label) {
   return make_constraint(
-      {label + ": turn"}, coordinates_of({ends.i, ends.j}, kSize),
+      {{label + ": turn", 0}}, coordinates_of({ends.i, ends.j}, kSize),
       [ends, along = joint.axis[0], turn = joint.gear.phase_rad, radius = joint.radius](
           const auto& at, auto* row) {
         using S = std::remove_reference_t<decltype(*row)>;
@@ -95,7 +95,7 @@ S lift_at(const Spline& profile, const S& angle_rad) {
 
 std::shared_ptr<const Constraint> cam(const Joint& joint, const Ends& ends,
                                       const std::string& label) {
-  return make_constraint({label + ": lift"}, coordinates_along(ends),
+  return make_constraint({{label + ": lift", 1}}, coordinates_along(ends),
                          [ends, along = joint.axis[0], profile = joint.profile,
                           phase = joint.gear.phase_rad](const auto& at, auto* row) {
                            using S = std::remove_reference_t<decltype(*row)>;
@@ -109,7 +109,7 @@ std::shared_ptr<const Constraint> cam_lever(const Joint& joint, const std::strin
   const std::size_t j = joint.at[1].body;
   const std::size_t c = joint.gear.carrier;
   return make_constraint(
-      {label + ": turn"}, coordinates_of({i, j, c}, kSize),
+      {{label + ": turn", 0}}, coordinates_of({i, j, c}, kSize),
       [=, profile = joint.profile, phase = joint.gear.phase_rad](const auto& at, auto* row) {
         using S = std::remove_reference_t<decltype(*row)>;
         const S turned = angle(at, i) - angle(at, c) - S(phase);
@@ -127,7 +127,7 @@ std::shared_ptr<const Constraint> gear(const Joint& joint, const std::string& la
   const int wheel_j = joint.gear.teeth[1] / common;
   const double zi = wheel_i;
   const double zj = wheel_j;
-  return make_constraint({label + ": turn"}, coordinates_of({i, j, c}, kSize),
+  return make_constraint({{label + ": turn", 0}}, coordinates_of({i, j, c}, kSize),
                          [=, phase = joint.gear.phase_rad](const auto& at, auto* row) {
                            using S = std::remove_reference_t<decltype(*row)>;
                            const S turn_i = angle(at, i) - angle(at, c);
@@ -138,11 +138,12 @@ std::shared_ptr<const Constraint> gear(const Joint& joint, const std::string& la
 
 std::shared_ptr<const Constraint> actuator_driver(const std::string& label, const Ends& ends,
                                                   const Prescription& law) {
-  return make_constraint(
-      {label}, coordinates_of({ends.i, ends.j}, kSize), [law, ends](const auto& at, auto* row) {
-        const auto d = position(at, ends.i, ends.a) - position(at, ends.j, ends.b);
-        row[0] = d.x * d.x + d.y * d.y - signed_square(law_at(law, at.t));
-      });
+  return make_constraint({{label, 2}}, coordinates_of({ends.i, ends.j}, kSize),
+                         [law, ends](const auto& at, auto* row) {
+                           const auto d =
+                               position(at, ends.i, ends.a) - position(at, ends.j, ends.b);
+                           row[0] = d.x * d.x + d.y * d.y - signed_square(law_at(law, at.t));
+                         });
 }
 
 }  // namespace
@@ -159,7 +160,7 @@ std::shared_ptr<const Constraint> planar_joint(const Mechanism& mechanism, const
   if (type.turn == JointTurn::by_cam) return cam(joint, ends, label);
   const bool has_turn = type.turn == JointTurn::not_at_all;
   return make_constraint(
-      row_names(label, type), coordinates_of({ends.i, ends.j}, kSize),
+      row_labels(label, type), coordinates_of({ends.i, ends.j}, kSize),
       [=, place = type.place, normal = turned_left(joint.axis[0]),
        turn = turn_jet(mechanism, joint, moving),
        length = length_jet(mechanism, joint, moving)](const auto& at, auto* row) {
@@ -183,16 +184,17 @@ std::shared_ptr<const Constraint> planar_driver(const Mechanism& mechanism, cons
   const Prescription law = prescription(mechanism, driver, moving);
   if (driver.kind == DriverKind::angle) {
     const auto [i, j] = driver.bodies;
-    return make_constraint(
-        {label}, coordinates_of({i, j}, kSize), [law, i = i, j = j](const auto& at, auto* row) {
-          row[0] = within_half_turn(angle(at, j) - angle(at, i) - law_at(law, at.t));
-        });
+    return make_constraint({{label, 0}}, coordinates_of({i, j}, kSize),
+                           [law, i = i, j = j](const auto& at, auto* row) {
+                             row[0] =
+                                 within_half_turn(angle(at, j) - angle(at, i) - law_at(law, at.t));
+                           });
   }
   if (driver.kind == DriverKind::slide) {
     const Joint& joint = mechanism.joints[driver.joint];
     const Ends ends = ends_of(mechanism, joint, moving);
     if (!has_line(joint.type)) return actuator_driver(label, ends, law);
-    return make_constraint({label}, coordinates_along(ends),
+    return make_constraint({{label, 1}}, coordinates_along(ends),
                            [law, ends, along = joint.axis[0]](const auto& at, auto* row) {
                              row[0] = displacement(at, ends, along) - law_at(law, at.t);
                            });
@@ -200,7 +202,7 @@ std::shared_ptr<const Constraint> planar_driver(const Mechanism& mechanism, cons
   const bool along_x = driver.kind == DriverKind::x;
   const std::size_t body = driver.point.body;
   const Place point = place_of(mechanism, driver.point, moving);
-  return make_constraint({label}, coordinates_of({body}, kSize),
+  return make_constraint({{label, 1}}, coordinates_of({body}, kSize),
                          [law, body, point, along_x](const auto& at, auto* row) {
                            const auto r = position(at, body, point);
                            row[0] = (along_x ? r.x : r.y) - law_at(law, at.t);

@@ -151,23 +151,23 @@ S threaded_angle(const At<S>& at, const Ends& ends, double pitch) {
   return S(2 * std::numbers::pi / pitch) * displacement(at, ends, 2);
 }
 
-std::vector<std::string> spatial_row_names(const std::string& label, const JointTraits& type) {
-  static const std::map<JointPlace, std::vector<std::string>> places{
-      {JointPlace::at_point, {"x", "y", "z"}},
-      {JointPlace::on_line, {"line 1", "line 2"}},
-      {JointPlace::in_plane, {"height"}},
-      {JointPlace::at_distance, {"length"}},
+std::vector<RowLabel> spatial_row_labels(const std::string& label, const JointTraits& type) {
+  static const std::map<JointPlace, std::vector<RowLabel>> places{
+      {JointPlace::at_point, {{"x", 1}, {"y", 1}, {"z", 1}}},
+      {JointPlace::on_line, {{"line 1", 1}, {"line 2", 1}}},
+      {JointPlace::in_plane, {{"height", 1}}},
+      {JointPlace::at_distance, {{"length", 2}}},
       {JointPlace::at_any_distance, {}}};
-  static const std::map<JointTurn, std::vector<std::string>> turns{
-      {JointTurn::about_axis, {"tilt 1", "tilt 2"}},
-      {JointTurn::by_thread, {"tilt 1", "tilt 2", "thread"}},
-      {JointTurn::not_at_all, {"tilt 1", "tilt 2", "turn"}},
-      {JointTurn::about_two_axes, {"cross"}},
+  static const std::map<JointTurn, std::vector<RowLabel>> turns{
+      {JointTurn::about_axis, {{"tilt 1", 0}, {"tilt 2", 0}}},
+      {JointTurn::by_thread, {{"tilt 1", 0}, {"tilt 2", 0}, {"thread", 0}}},
+      {JointTurn::not_at_all, {{"tilt 1", 0}, {"tilt 2", 0}, {"turn", 0}}},
+      {JointTurn::about_two_axes, {{"cross", 0}}},
       {JointTurn::freely, {}}};
-  std::vector<std::string> names = places.at(type.place);
-  names.insert(names.end(), turns.at(type.turn).begin(), turns.at(type.turn).end());
-  for (std::string& name : names) name = label + ": " + name;
-  return names;
+  std::vector<RowLabel> labels = places.at(type.place);
+  labels.insert(labels.end(), turns.at(type.turn).begin(), turns.at(type.turn).end());
+  for (RowLabel& row : labels) row.name = label + ": " + row.name;
+  return labels;
 }
 
 /// What the rows of a joint are made of.
@@ -228,11 +228,12 @@ void turn_rows(const At<S>& at, const SpatialJoint& joint, S* row) {
 
 std::shared_ptr<const Constraint> actuator_driver(const std::string& label, const Ends& ends,
                                                   const Prescription& law) {
-  return make_constraint(
-      {label}, coordinates_of({ends.i, ends.j}, kSize), [law, ends](const auto& at, auto* row) {
-        const auto d = position(at, ends.i, ends.a) - position(at, ends.j, ends.b);
-        row[0] = dot(d, d) - signed_square(law_at(law, at.t));
-      });
+  return make_constraint({{label, 2}}, coordinates_of({ends.i, ends.j}, kSize),
+                         [law, ends](const auto& at, auto* row) {
+                           const auto d =
+                               position(at, ends.i, ends.a) - position(at, ends.j, ends.b);
+                           row[0] = dot(d, d) - signed_square(law_at(law, at.t));
+                         });
 }
 
 }  // namespace
@@ -244,7 +245,7 @@ std::shared_ptr<const Constraint> spatial_joint(const Mechanism& mechanism, cons
   if (!type.is_spatial) throw std::logic_error("a spatial mechanism has no joint " + label);
   const SpatialJoint parts{ends_of(mechanism, joint, moving), type.place, type.turn,
                            length_jet(mechanism, joint, moving), joint.pitch};
-  return make_constraint(spatial_row_names(label, type),
+  return make_constraint(spatial_row_labels(label, type),
                          coordinates_of({parts.ends.i, parts.ends.j}, kSize),
                          [parts](const auto& at, auto* row) {
                            place_rows(at, parts, row);
@@ -261,7 +262,7 @@ std::shared_ptr<const Constraint> spin_constraint(const Mechanism& mechanism, co
   std::sort(bodies.begin(), bodies.end());
   bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
   return make_constraint(
-      {"spin of " + mechanism.bodies[spin.body].name}, coordinates_of(bodies, kSize),
+      {{"spin of " + mechanism.bodies[spin.body].name, 1}}, coordinates_of(bodies, kSize),
       [=, body = spin.body](const auto& at, auto* row) {
         const auto line = position(at, b.body, to) - position(at, a.body, from);
         row[0] = dot(line, cross(direction(at, body, mark), direction(at, 0, mark)));
@@ -277,7 +278,7 @@ std::shared_ptr<const Constraint> spatial_driver(const Mechanism& mechanism, con
     const Ends ends = ends_of(mechanism, joint, moving);
     const bool turns = driver.kind == DriverKind::angle;
     if (!turns && !has_line(joint.type)) return actuator_driver(label, ends, law);
-    return make_constraint({label}, coordinates_of({ends.i, ends.j}, kSize),
+    return make_constraint({{label, turns ? 0 : 1}}, coordinates_of({ends.i, ends.j}, kSize),
                            [law, ends, turns, pitch = joint.pitch](const auto& at, auto* row) {
                              const auto prescribed = law_at(law, at.t);
                              if (turns && pitch != 0) {
@@ -294,7 +295,8 @@ std::shared_ptr<const Constraint> spatial_driver(const Mechanism& mechanism, con
   const std::size_t body = driver.point.body;
   const Vector<Jet> point = point_jet(mechanism, driver.point, moving);
   return make_constraint(
-      {label}, coordinates_of({body}, kSize), [law, body, point, kind](const auto& at, auto* row) {
+      {{label, 1}}, coordinates_of({body}, kSize),
+      [law, body, point, kind](const auto& at, auto* row) {
         const auto r = position(at, body, point);
         const auto coordinate = kind == DriverKind::x ? r.x : kind == DriverKind::y ? r.y : r.z;
         row[0] = coordinate - law_at(law, at.t);

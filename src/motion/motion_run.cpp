@@ -6,8 +6,7 @@
 #include <cmath>
 
 #include "moivre/closures/same_pose.h"
-#include "moivre/kinematics/linear.h"
-
+#include "moivre/kinematics/own_units.h"
 namespace moivre {
 namespace {
 
@@ -90,7 +89,7 @@ bool is_instant(MotionRun& run, double time, const Closure& closure) {
   const Phi& phi = run.phi;
   // What closes by least squares alone has no curve of exact poses through it anywhere.
   if (phi.size() <= phi.dimension() || closure.is_fitted || closure.singular) return false;
-  if (numerical_rank(phi.extended_jacobian(closure.q, time)) <= phi.dimension()) return false;
+  if (rank_of(phi, phi.extended_jacobian(closure.q, time)) <= phi.dimension()) return false;
   run.instants.push_back({time, closure.q});
   return true;
 }

@@ -144,10 +144,10 @@ angle = "crank"
 start = 90
 velocity = 10
 [guess]
-"left.phi" = 40
-"right.phi" = 140
-"top.phi" = 270
-"plate.phi" = 0
+"left.phi" = 35
+"right.phi" = 149
+"top.phi" = 279
+"plate.phi" = -36
 )toml"),
                                 kTransmission, 20, 1);
   ASSERT_FALSE(all.samples().empty());

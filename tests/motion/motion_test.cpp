@@ -10,6 +10,7 @@
 #include <limits>
 #include <numbers>
 
+#include "../mechanism/in_unit.h"
 #include "gap.h"
 #include "mechanisms.h"
 
@@ -240,6 +241,28 @@ struct Exchange {
     return own;
   }
 };
+
+TEST(Motion, TheUnitOfLengthChangesNoEventAndNoBranch) {
+  for (const char* name : {"stephenson-3", "double-parallel-crank", "whitworth", "rssr"}) {
+    const Mechanism m = mechanism_file(name);
+    const MotionResult expected = motion_of(m, options_for(m, 12));
+    for (const double unit : {1e-10, 3e6}) {
+      SCOPED_TRACE(std::string(name) + " in " + std::to_string(unit));
+      const Mechanism same = test::in_unit(m, unit);
+      const MotionResult result = motion_of(same, options_for(same, 12));
+      EXPECT_EQ(result.complete, expected.complete) << result.message;
+      ASSERT_EQ(result.branches.size(), expected.branches.size());
+      ASSERT_EQ(result.events.size(), expected.events.size());
+      for (std::size_t k = 0; k < result.events.size(); ++k) {
+        EXPECT_EQ(result.events[k].at.kind, expected.events[k].at.kind);
+        EXPECT_NEAR(result.events[k].at.time, expected.events[k].at.time, 1e-9);
+      }
+      for (const MotionBranch& branch : result.branches) {
+        for (const BranchSample& sample : branch.samples) EXPECT_LE(sample.residual, 1e-12);
+      }
+    }
+  }
+}
 
 TEST(Motion, PlantedExchangeOfBranchesIsFoundOutAndRepaired) {
   const Mechanism m = mechanism_file("four-bar");

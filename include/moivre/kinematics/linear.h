@@ -5,7 +5,7 @@
 //   m > n, rank n              qr                least |A x - b|            (or normal_equations, on request)
 //   m < n, rank m              minimum_norm      least x^T W x of all solutions
 //   rank < min(m, n)           svd               least |A x - b|, of those the least x^T W x
-// Symbols: A m x n, b m, x n, W = diag(weights) > 0, empty for the identity.
+// Symbols: A m x n, b m, x n, W = diag(weights) > 0, empty for the identity. With row units R, |A x - b| stands for |R^-1 (A x - b)|.
 // Rank is that of A with rows and columns brought to unit length (so that units do not matter), counted by
 // column-pivoted QR against kRankTolerance. A method asked for that the rank forbids is replaced by svd; `method()` says so.
 #pragma once
@@ -35,6 +35,10 @@ Eigen::Index numerical_rank(const Eigen::MatrixXd& A);
 struct LinearOptions {
   std::optional<LinearMethod> method;  ///< none: chosen by shape and rank
   Eigen::VectorXd weights;             ///< diagonal of W, empty: all 1
+  /// Units of b and of x, positive, empty: all 1. R^-1 A C is factorized and has the rank, which suits a matrix whose entries are of very
+  /// different sizes by their units alone. b, x and W are as without.
+  Eigen::VectorXd row_units{};     ///< diagonal of R
+  Eigen::VectorXd column_units{};  ///< diagonal of C
 };
 
 class Factorization {
@@ -49,8 +53,12 @@ class Factorization {
  private:
   struct Factors;
 
-  Eigen::MatrixXd A_;
-  Eigen::VectorXd root_weights_;  ///< W^(1/2), diagonal
+  Eigen::VectorXd solve_in_units(const Eigen::VectorXd& b) const;
+
+  Eigen::VectorXd row_units_;     ///< m
+  Eigen::VectorXd column_units_;  ///< n
+  Eigen::MatrixXd A_;             ///< R^-1 A C
+  Eigen::VectorXd root_weights_;  ///< (C W C)^(1/2), diagonal
   Eigen::Index rank_ = 0;
   LinearMethod method_ = LinearMethod::lu;
   std::shared_ptr<const Factors> factors_;  ///< none of an empty A; copies share them

@@ -34,8 +34,9 @@ struct TransmissionJoint {
 /// Revolutes, slots and rods between two moving bodies that no driver ties; in the file's order.
 std::vector<TransmissionJoint> transmission_joints(const Mechanism& mechanism);
 
-/// In radians; nullopt where it is not defined in this pose. `J`: Phi_q at q.
-std::optional<double> transmission_angle(const Mechanism& mechanism, const TransmissionJoint& joint,
-                                         const Eigen::VectorXd& q, const Eigen::MatrixXd& J);
+/// In radians; nullopt where it is not defined in this pose. `phi`: of the mechanism. `Phi_q`: at q.
+std::optional<double> transmission_angle(const Mechanism& mechanism, const Phi& phi,
+                                         const TransmissionJoint& joint, const Eigen::VectorXd& q,
+                                         const Eigen::MatrixXd& Phi_q);
 
 }  // namespace moivre

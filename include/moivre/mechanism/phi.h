@@ -40,6 +40,10 @@ class Phi {
   const std::vector<std::string>& group_names() const { return group_names_; }
   /// The mechanism's size: its largest length, of points in their bodies and of rods; 1 where it has none.
   double length() const { return length_; }
+  /// The mean of its lengths (the geometric one) for each coordinate that is a length; 1 for an angle.
+  Eigen::VectorXd own_units() const;
+  /// Of each row the power of that mean that it is: its square of a rod, 1 of an angle.
+  Eigen::VectorXd own_row_units() const;
 
   Eigen::VectorXd value(const Eigen::VectorXd& q, double t) const;
   /// Sum of the magnitudes of the terms of each row: |Phi_i| is small when it is small beside this.
@@ -84,11 +88,13 @@ class Phi {
   std::vector<Coordinate> coordinates_;
   std::vector<std::string> group_names_;
   std::vector<std::string> row_names_;
+  std::vector<int> row_powers_;  ///< of a length, that each row is
   std::vector<std::shared_ptr<const Constraint>> constraints_;
   Eigen::Index driver_size_ = 0;
   std::size_t timeless_ =
       0;  ///< so many constraints, the first ones, do not read t: those of joints
   double length_ = 1;
+  double mean_length_ = 1;
 };
 
 /// max_i |Phi_i| / (sum of |terms| of Phi_i), 0 for a row without terms.
