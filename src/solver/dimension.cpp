@@ -20,8 +20,6 @@ using Eigen::VectorXcd;
 constexpr double kStep = 0.1;
 // The last step: sets that pass x at a few times this distance are told from sets through it.
 constexpr double kLastStep = 5e-4;
-// Of z, when the step is halved: half of it would be the limit.
-constexpr double kFallsWithStep = 0.75;
 // Of the extrapolation's last change: its error is less.
 constexpr double kSureOfLimit = 10;
 // A root further away than so many steps is not the neighbour that is looked for.
@@ -45,6 +43,7 @@ constexpr double kWander = 2;  // steps
 // A set nearly parallel to one plane has its neighbour too far away: two of ten decide.
 constexpr int kSlices = 10;
 constexpr int kAgreeing = 2;
+constexpr int kFurtherPlanes = 1000;  // their random numbers begin there
 
 /// The neighbourhood of one root, y = x + s z with s the natural sizes of the coordinates.
 class Neighbourhood {
@@ -60,12 +59,15 @@ class Neighbourhood {
   using FinePoint = std::vector<Number>;
 
   Index dimension() const { return static_cast<Index>(x_.size()); }
+  Index equations() const { return static_cast<Index>(program_.tape.equations); }
   void evaluate_at(const FinePoint& z);
   VectorXcd rounded(const FinePoint& z) const;
   VectorXcd random_vector(Index size, int number) const;
   FinePoint start_on(const VectorXcd& plane, int number) const;
-  SetHere leads_to_x(const VectorXcd& plane, FinePoint z);
-  std::optional<double> settle(const VectorXcd& plane, double step, FinePoint& z);
+  SetHere leads_to_x(MatrixXcd planes, int slice, FinePoint z);
+  void cut_to_a_curve(MatrixXcd& planes, int slice, FinePoint& z);
+  bool is_determined(Index planes) const;
+  std::optional<double> settle(const MatrixXcd& planes, double step, FinePoint& z);
   bool is_x(const std::vector<VectorXcd>& halvings) const;
 
   const RefinerProgram& program_;
@@ -79,8 +81,8 @@ class Neighbourhood {
   FinePoint fine_y_, fine_registers_, fine_value_;
   std::vector<double> error_;  ///< of F's terms, where coefficients were rounded
   double zero_ = 0;            ///< |F| relative to its terms, at a root
-  VectorXcd value_;            ///< n + 1: F relative to its terms, the plane
-  MatrixXcd j_;                ///< (n + 1) x n, of value_ with respect to z
+  VectorXcd value_;            ///< F relative to its terms, and as many planes as N has columns
+  MatrixXcd j_;                ///< of value_ with respect to z
 };
 
 Neighbourhood::Neighbourhood(const RefinerProgram& program, const Point& x, double tolerance,
@@ -100,13 +102,13 @@ Neighbourhood::Neighbourhood(const RefinerProgram& program, const Point& x, doub
       fine_registers_(program.tape.register_count()),
       fine_value_(program.tape.equations),
       error_(program.tape.equations),
-      value_(static_cast<Index>(program.tape.equations) + 1),
-      j_(MatrixXcd::Zero(static_cast<Index>(program.tape.equations) + 1, dimension())) {
+      value_(static_cast<Index>(program.tape.equations) + dimension()),
+      j_(MatrixXcd::Zero(value_.size(), dimension())) {
   for (std::size_t i = 0; i < x.size(); ++i) {
     scale_.push_back(std::max(std::abs(x[i]), program.unit[i]));
   }
   evaluate_at(FinePoint(x.size()));
-  const PivotedQr<Complex> rows(j_.topRows(value_.size() - 1).adjoint());
+  const PivotedQr<Complex> rows(j_.topRows(equations()).adjoint());
   const Index rank = (rows.pivots().array() > kNullSpace).count();
   const Index width = rank < dimension() ? dimension() - rank : dimension();
   null_space_ = rows.last_columns_of_Q(width);
@@ -169,20 +171,42 @@ Neighbourhood::FinePoint Neighbourhood::start_on(const VectorXcd& plane, int num
 SetHere Neighbourhood::meets(int slice) {
   const VectorXcd plane = random_vector(null_space_.cols(), slice).normalized();
   for (int start = 0; start < kStarts; ++start) {
-    const SetHere set = leads_to_x(plane, start_on(plane, slice * kStarts + start));
+    const SetHere set = leads_to_x(plane, slice, start_on(plane, slice * kStarts + start));
     if (set != SetHere::none) return set;
   }
   return SetHere::none;
 }
 
-SetHere Neighbourhood::leads_to_x(const VectorXcd& plane, FinePoint z) {
-  std::optional<double> before = settle(plane, kStep, z);
+/// Whether F and so many planes leave nothing free where they were settled last.
+bool Neighbourhood::is_determined(Index planes) const {
+  const PivotedQr<Complex> rows(j_.topRows(equations() + planes));
+  return (rows.pivots().array() > kNullSpace).count() == dimension();
+}
+
+// Where the set is a surface the plane leaves z free. Planes through x are added as long as they meet the set.
+void Neighbourhood::cut_to_a_curve(MatrixXcd& planes, int slice, FinePoint& z) {
+  while (planes.cols() < null_space_.cols() && !is_determined(planes.cols())) {
+    MatrixXcd more(planes.rows(), planes.cols() + 1);
+    more << planes,
+        random_vector(planes.rows(), kFurtherPlanes + slice * static_cast<int>(more.cols()))
+            .normalized();
+    FinePoint there = z;
+    if (!settle(more, kStep, there)) return;
+    planes = std::move(more);
+    z = std::move(there);
+  }
+}
+
+SetHere Neighbourhood::leads_to_x(MatrixXcd planes, int slice, FinePoint z) {
+  if (!settle(planes, kStep, z)) return SetHere::none;
+  cut_to_a_curve(planes, slice, z);
+  std::optional<double> before = settle(planes, kStep, z);
   if (!before) return SetHere::none;
   bool is_sharp = *before <= kOnTheSet;
   std::vector<VectorXcd> halvings{rounded(z)};
   for (double step = kStep / 2; step > kLastStep; step /= 2) {
     for (Number& zi : z) zi = product(DoubleDouble(0.5), zi);
-    const std::optional<double> now = settle(plane, step, z);
+    const std::optional<double> now = settle(planes, step, z);
     if (!now || (*now > kOnTheSet && *now * kFall < *before)) return SetHere::none;
     is_sharp = is_sharp && *now <= kOnTheSet;
     before = now;
@@ -192,10 +216,9 @@ SetHere Neighbourhood::leads_to_x(const VectorXcd& plane, FinePoint z) {
   return is_sharp ? SetHere::sharp : SetHere::blurred;
 }
 
-// Neville's extrapolation to h = 0 of z at h, h / 2, h / 4, ...; its last two values tell the error. On a surface z depends on where one
-// starts as well: there it has to fall with h.
+// Neville's extrapolation to h = 0 of z at h, h / 2, h / 4, ...; its last two values tell the error. What is no power series, as where |F| only
+// passes for 0, has no limit that is better known than the last step.
 bool Neighbourhood::is_x(const std::vector<VectorXcd>& halvings) const {
-  if (halvings.back().norm() > kFallsWithStep * halvings[halvings.size() - 2].norm()) return false;
   std::vector<VectorXcd> row;
   VectorXcd before;
   for (const VectorXcd& z : halvings) {
@@ -210,16 +233,18 @@ bool Neighbourhood::is_x(const std::vector<VectorXcd>& halvings) const {
   }
   const VectorXcd& limit = row.back();
   const double error = kSureOfLimit * (limit - before).lpNorm<Eigen::Infinity>();
+  if (error > kLastStep) return false;
   for (Index i = 0; i < limit.size(); ++i) {
     if (std::abs(limit[i]) > error + known_to_ / scale_[static_cast<std::size_t>(i)]) return false;
   }
   return true;
 }
 
-// Gauss-Newton from z on the plane N^H z = step. |F| where it ends; nullopt where that is no root nearby.
-std::optional<double> Neighbourhood::settle(const VectorXcd& plane, double step, FinePoint& z) {
-  const Index m = value_.size() - 1;
-  j_.row(m) = (null_space_ * plane).adjoint();
+// Gauss-Newton from z on the first plane N^H z = step and, of the others, N^H z = 0. |F| where it ends; nullopt where that is no root nearby.
+std::optional<double> Neighbourhood::settle(const MatrixXcd& planes, double step, FinePoint& z) {
+  const Index m = equations();
+  const Index p = planes.cols();
+  j_.middleRows(m, p) = (null_space_ * planes).adjoint();
   double best = std::numeric_limits<double>::infinity();
   double aim = best;
   bool is_root = false;
@@ -228,7 +253,8 @@ std::optional<double> Neighbourhood::settle(const VectorXcd& plane, double step,
     evaluate_at(z);
     const VectorXcd here = rounded(z);
     if (!here.allFinite() || here.lpNorm<Eigen::Infinity>() > kNeighbourhood * step) return {};
-    value_[m] = (j_.row(m) * here)(0) - step;
+    value_.segment(m, p) = j_.middleRows(m, p) * here;
+    value_[m] -= step;
     const double size = value_.head(m).lpNorm<Eigen::Infinity>();
     if (k > 0 && size < best) {
       best = size;
@@ -237,7 +263,8 @@ std::optional<double> Neighbourhood::settle(const VectorXcd& plane, double step,
     if (k > 0 && size < kOnTheSet) break;
     waited = size < aim / 2 ? 0 : waited + 1;
     aim = std::min(aim, size);
-    const VectorXcd dz = shortest_solution(j_, -value_);
+    const VectorXcd dz =
+        shortest_solution(MatrixXcd(j_.topRows(m + p)), VectorXcd(-value_.head(m + p)));
     for (Index i = 0; i < dz.size(); ++i) z[static_cast<std::size_t>(i)] += Number(dz[i]);
   }
   return is_root ? std::optional(best) : std::nullopt;

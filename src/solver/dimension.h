@@ -6,11 +6,13 @@
 //
 //   start    at x + N c, N the null space of J(x), c random on the moved plane: where curves cross, N is wider
 //            than each of them, and which is met depends on where one starts
+//   cut      where J and the plane leave something free the set is a surface: further planes, through x, are added as long as they
+//            meet it, until it is a curve
 //   settle   Gauss-Newton on F(y) = 0, l (y - x) = h; J in double, y and F in double-double from the exact coefficients
-//   descend  h is halved, again and again, and the root followed: it has to come to x as fast. One that does
-//            not belongs to another set nearby.
+//   descend  h is halved, again and again, and the root followed
 //   arrive   y(h), a power series in h, is extrapolated to h = 0: it has to be x, as far as x is known. A set that passes beside x is not
-//            met there, however near it comes.
+//            met there, however near it comes. What has no limit that is known better than the last h is no power series: there |F| only
+//            passes for 0.
 //
 // Coefficients that were rounded, as those of an angle's cosine, leave no exact set: there |F| within their error is a set
 // all the same, where it does not fall as h^m does. So is one that is small only as a set passed by rounding, or of several sheets, is.

@@ -314,6 +314,8 @@ void settle_doubts(Run& run) {
   settle_ends(run);
   if (!run.interrupted && !is_settled(run)) look_beside_sets(run);
   if (!run.interrupted && !is_settled(run)) resolve_blurred_sets(run);
+  // More digits may have shown a simple root where others end.
+  if (!run.interrupted && !is_settled(run)) fail_unsettled(run);
 }
 
 void part_uncounted(Run& run) {
