@@ -17,23 +17,33 @@ CertifyOptions certify_options(double farthest = kFarthestRoot, int most_bits = 
   return options;
 }
 
-/// Those of the group that are proved roots, first ones first, and those that are not, with the first of them.
+/// Those of the group that are proved to be different: simple roots by their certificates, multiple ones that are known exactly by their
+/// places. Ends of which neither is known stay with the first.
 std::vector<std::vector<std::uint64_t>> parted(const Run& run, Certifier& certifier,
                                                const std::vector<std::uint64_t>& group) {
   std::vector<std::uint64_t> proved;
   std::vector<std::uint64_t> others;
   std::vector<Certificate> certificates;
+  std::vector<std::vector<std::uint64_t>> parts;
   for (const std::uint64_t path : group) {
     const Root& root = run.ledger.roots().at(path);
+    if (root.is_exact) {
+      const auto same = std::find_if(parts.begin(), parts.end(), [&](const auto& part) {
+        return run.ledger.roots().at(part.front()).point.x == root.point.x;
+      });
+      (same == parts.end() ? parts.emplace_back() : *same).push_back(path);
+      continue;
+    }
     (root.certificate ? proved : others).push_back(path);
     if (root.certificate) certificates.push_back(*root.certificate);
   }
-  if (proved.size() < 2) return {group};
+  if (proved.size() + parts.size() < 2) return {group};
   const Distinctness told = tell_apart(certifier, certificates, run.setting.options.seed);
-  if (!told.doubtful.empty()) return {group};
+  const bool are_told = told.doubtful.empty();
   std::map<std::size_t, std::vector<std::uint64_t>> by_root;
-  for (std::size_t k = 0; k < proved.size(); ++k) by_root[told.first_of[k]].push_back(proved[k]);
-  std::vector<std::vector<std::uint64_t>> parts;
+  for (std::size_t k = 0; k < proved.size(); ++k) {
+    by_root[are_told ? told.first_of[k] : 0].push_back(proved[k]);
+  }
   for (auto& [first, part] : by_root) parts.push_back(std::move(part));
   parts.front().insert(parts.front().end(), others.begin(), others.end());
   std::sort(parts.front().begin(), parts.front().end());

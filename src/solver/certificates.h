@@ -44,8 +44,8 @@ class Prover {
   std::unique_ptr<Work> work_;
 };
 
-/// Paths that end at one point, as groups_beside_sets(), but for ends that are proved to be different roots: those are groups of
-/// their own. An end without a certificate stays with the first of its group.
+/// Paths that end at one point, as groups_beside_sets(), but for ends that are proved to be different roots, by certificates or since they
+/// are known exactly: those are groups of their own. An end of which nothing is proved stays with the first of its group.
 std::vector<std::vector<std::uint64_t>> groups_of(const Run& run);
 
 /// So many different roots are proved: by these, none of them nullptr; by all certificates of a run.

@@ -216,6 +216,7 @@ void bring(Run& run, std::uint64_t path, const ExactRoot& exact) {
   Root root;
   root.point = point_of(run, exact);
   root.is_counted = true;
+  root.is_exact = true;
   root.on_set = SetHere::none;
   run.ledger.enter_root(path, std::move(root));
 }
@@ -224,6 +225,7 @@ void bring(Run& run, std::uint64_t path, const ExactRoot& exact) {
 void put_right(Run& run, std::uint64_t path, const ExactRoot& exact) {
   Root root = run.ledger.roots().at(path);
   root.point = point_of(run, exact);
+  root.is_exact = true;
   root.on_set = SetHere::none;
   run.ledger.enter_root(path, std::move(root));
 }

@@ -26,6 +26,7 @@ struct Root {
   Refined point;
   std::optional<int> winding;  ///< nullopt: the end needed no circle, so it counts as 1
   bool is_counted = false;     ///< exact algebra has its multiplicity; nothing is known of cycles
+  bool is_exact = false;       ///< a multiple root that `point` is exactly, but for rounding
   double tolerance = 0;        ///< relative, within which another end is the same root
   std::shared_ptr<const Certificate> certificate;  ///< of a simple root that is proved
   mutable std::optional<SetHere>
