@@ -30,16 +30,6 @@ constexpr double kWay = 4;
 // Starts around a cluster that is shown to be none, beside two a root.
 constexpr std::size_t kMostStarts = 32;
 
-/// Some path ends at this simple root, or at one that may be the same.
-bool is_held(const Run& run, const Certificate& proof) {
-  const auto may_be_it = [&](const auto& entry) {
-    const Root& root = entry.second;
-    if (root.certificate) return relation(*root.certificate, proof) != Relation::distinct;
-    return root.point.simple && relative_distance(root.point.x, proof.midpoint) <= root.tolerance;
-  };
-  return std::any_of(run.ledger.roots().begin(), run.ledger.roots().end(), may_be_it);
-}
-
 /// x + r turn d, r the cluster's radius.
 Point beside(const Root& end, const Point& d, Complex turn) {
   const double radius = end.tolerance * std::max(1.0, max_norm(end.point.x));
@@ -167,6 +157,15 @@ void part_clusters(Run& run) {
       }
     }
   }
+}
+
+bool is_held(const Run& run, const Certificate& proof) {
+  const auto may_be_it = [&](const auto& entry) {
+    const Root& root = entry.second;
+    if (root.certificate) return relation(*root.certificate, proof) != Relation::distinct;
+    return root.point.simple && relative_distance(root.point.x, proof.midpoint) <= root.tolerance;
+  };
+  return std::any_of(run.ledger.roots().begin(), run.ledger.roots().end(), may_be_it);
 }
 
 bool is_exactly_isolated(const System& f, const Root& end) {

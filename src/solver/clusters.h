@@ -21,6 +21,9 @@ namespace moivre {
 
 void part_clusters(Run& run);
 
+/// Whether some path ends at this simple root, or at one that may be the same.
+bool is_held(const Run& run, const Certificate& proof);
+
 /// Whether exact algebra shows an isolated root of F at the end, or at the simplest fractions within what is known of it.
 bool is_exactly_isolated(const System& f, const Root& end);
 

@@ -221,14 +221,18 @@ void climb_to_clusters(Run& run) {
   }
 }
 
-/// A simple root so near to a set that double does not tell it from the set's points: its sheet and one of the set's seem to meet. In more
-/// digits its path has a regular end.
+/// A simple root so near to a set that double does not tell it from the set's points: its sheet and one of the set's seem to meet, or the end
+/// may as well be a root that is proved beside it and that no path has. In more digits its path has a regular end.
 void look_beside_sets(Run& run) {
   if (!run.setting.certify_program) return;
+  const auto misses_a_root = [&](std::uint64_t path) {
+    const Root& root = run.ledger.roots().at(path);
+    return root.beside && !is_held(run, *root.beside);
+  };
   const auto meeting = [&] {
     PathSet paths = paths_to_sets(run, SetHere::sharp);
     std::erase_if(paths, [&](std::uint64_t path) {
-      return run.ledger.roots().at(path).winding.value_or(1) == 1;
+      return run.ledger.roots().at(path).winding.value_or(1) == 1 && !misses_a_root(path);
     });
     return paths;
   };
@@ -242,6 +246,9 @@ void look_beside_sets(Run& run) {
     if (run.ledger.failures().contains(path)) run.ledger.enter_root(path, std::move(root));
   }
   const PathSet still = meeting();
+  for (const std::uint64_t path : still) {
+    if (misses_a_root(path)) fail(run, path, Failure::precision);
+  }
   for (const auto& group : groups_of(run)) {
     if (!still.contains(group.front())) continue;
     if (!is_exactly_isolated(run.setting.f, run.ledger.roots().at(group.front()))) continue;

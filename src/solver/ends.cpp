@@ -3,11 +3,13 @@
 #include "ends.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <optional>
 
 #include "certificates.h"
+#include "coincidence.h"
 #include "dimension.h"
 #include "fine_restore.h"
 #include "moivre/certify/certifier.h"
@@ -27,6 +29,10 @@ constexpr double kWorstAccuracy = 1e-3;
 constexpr double kWorstAccuracyOnSet = 3e-2;
 // Beside its own terms: where nothing of F cancels there is no root, however small the terms are in the units of the system.
 constexpr double kWorstResidual = 1e-2;
+// Of what an error changes F by to first order, beside its terms: degrees, and how many terms an unknown is in.
+constexpr double kMostOfFirstOrder = 100;
+// Of F at a point of doubles.
+constexpr double kRoundingOfF = 2e-15;
 // Of a root that is not simple.
 constexpr int kLeastMultiplicity = 2;
 
@@ -48,9 +54,9 @@ struct Tools {
 /// Proved, and no farther from x than the end's accuracy allows.
 std::shared_ptr<const Certificate> if_within_reach(
     Refiner& refiner, const Point& x, double accuracy,
-    std::shared_ptr<const Certificate>&& certificate) {
+    const std::shared_ptr<const Certificate>& certificate) {
   const bool is_it = certificate && refiner.is_within_reach(x, accuracy, certificate->midpoint);
-  return is_it ? std::move(certificate) : nullptr;
+  return is_it ? certificate : nullptr;
 }
 
 /// A proved root near the end is what the path ends at; without a proof it is no simple root. Of an end that may still wait for more effort
@@ -60,9 +66,9 @@ void prove(const Run& run, Tools& tools, const PathEnd& end, const Point& x, dou
   if (run.setting.stop) return;
   auto& [refiner, prover, restorer] = tools;
   const bool may_wait = run.effort == Effort::regular_ends;
-  auto certificate =
-      if_within_reach(refiner, x, accuracy,
-                      may_wait ? prover.prove_in_double(root.point.x) : prover.prove(root.point.x));
+  const auto nearest = may_wait ? prover.prove_in_double(root.point.x) : prover.prove(root.point.x);
+  if (nearest) root.beside = nearest;
+  auto certificate = if_within_reach(refiner, x, accuracy, nearest);
   if (!certificate && !may_wait) certificate = restorer.proved(prover, end.x);
   root.point.simple = certificate != nullptr;
   if (!root.point.simple) return;
@@ -73,12 +79,19 @@ void prove(const Run& run, Tools& tools, const PathEnd& end, const Point& x, dou
 /// Most ends: double proves a root near the end as it stands, and nothing of Refiner::refine() is needed.
 bool prove_as_it_stands(Refiner& refiner, Prover& prover, const Point& x, double accuracy,
                         Root& root) {
-  const auto certificate = if_within_reach(refiner, x, accuracy, prover.prove_in_double(x));
+  root.beside = prover.prove_in_double(x);
+  const auto certificate = if_within_reach(refiner, x, accuracy, root.beside);
   if (!certificate) return false;
   root.point = refiner.take(*certificate, std::numeric_limits<double>::infinity());
   root.certificate = certificate;
   root.tolerance = simple_tolerance(root.point);
   return true;
+}
+
+/// Whether F at the end is larger than an error of that accuracy makes it, wherever the root is and whatever its multiplicity: what circles
+/// have told is then no root. With sheets, Refiner::keep() made |F|^(1/sheets) an accuracy.
+bool is_contradicted(const Refined& end, int sheets, double accuracy) {
+  return std::pow(end.accuracy, sheets) > kMostOfFirstOrder * (accuracy + kRoundingOfF);
 }
 
 Root refined_root(const Run& run, Tools& tools, const PathEnd& end) {
@@ -102,8 +115,13 @@ Root refined_root(const Run& run, Tools& tools, const PathEnd& end) {
     root.point.simple = !is_on_set(run, root);
   }
   if (!root.point.simple) {
-    if (!many_sheets) root.point = refiner.keep(x, accuracy, kLeastMultiplicity);
+    const int sheets = many_sheets ? *end.winding : kLeastMultiplicity;
+    if (!many_sheets) root.point = refiner.keep(x, accuracy, sheets);
+    if (is_contradicted(root.point, sheets, accuracy)) root.point.accuracy = 1;
     root.tolerance = std::max(kSingularTolerance, 10 * root.point.accuracy);
+    const bool is_beside =
+        root.beside && relative_distance(root.point.x, root.beside->midpoint) <= root.tolerance;
+    if (!is_beside) root.beside.reset();
   } else {
     root.tolerance = simple_tolerance(root.point);
   }

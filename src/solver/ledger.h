@@ -29,6 +29,8 @@ struct Root {
   bool is_exact = false;       ///< a multiple root that `point` is exactly, but for rounding
   double tolerance = 0;        ///< relative, within which another end is the same root
   std::shared_ptr<const Certificate> certificate;  ///< of a simple root that is proved
+  /// Of one that is no further than the tolerance from an end that is not it, as far as the end is known coordinate by coordinate.
+  std::shared_ptr<const Certificate> beside;
   mutable std::optional<SetHere>
       on_set;  ///< a positive-dimensional set that it lies on, once asked
 };

@@ -89,6 +89,54 @@ TEST(RootBesideACurve, WithACoordinateThatIsZeroIsFoundInMoreDigits) {
       2, 1);
 }
 
+// (0, -10000) lies 1e-8 of its size beside an arm of the hyperbola. Circles around two branch points tell a mean that is no root.
+TEST(RootBesideACurve, ThatGoesToInfinityIsFound) {
+  const System f = read("2\n(x*y-1)*(2*x+y+10000); (x*y-1)*(x-y-10000)*(x-y-3);\n");
+  const auto lanes = make_lane_tracker();
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    const SolveResult result = solve(f, *lanes, with_seed(seed));
+    EXPECT_TRUE(!result.complete || result.solutions.size() == 2U) << seed;
+  }
+}
+
+// The line passes at 8e-4 beside a root of multiplicity 5, along whose sheets F passes for 0.
+TEST(RootBesideACurve, OfMultiplicityFiveIsFoundOrSaidToBeInDoubt) {
+  const System f = read(
+      "2\n"
+      "256*x^4+1792*x^3*y+4704*x^2*y^2+5488*x*y^3+2401*y^4-56148/25*x^3-272027/25*x^2*y"
+      "-462641/25*x*y^2-1109829/100*y^3+4232203/625*x^2+26700421/1250*x*y+187552947/10000*y^2"
+      "-2181764801/250000*x-14232353607/1000000*y+529922401/125000;"
+      "336*x^3+984*x^2*y+357*x*y^2-588*y^3-38421/25*x^2-225699/100*x*y+18921/25*y^2+52854/25*x"
+      "+14397/25*y-19224/25;\n");
+  const auto lanes = make_lane_tracker();
+  for (const std::uint64_t seed : {1, 2, 3, 22, 23, 24}) {
+    const SolveResult result = solve(f, *lanes, with_seed(seed));
+    EXPECT_TRUE(!result.complete || result.solutions.size() == 1U) << seed;
+  }
+}
+
+// The planes that tell a surface from its neighbour are as many as it has dimensions.
+TEST(RootBesideACurve, IsNoPointOfAComplexSurfaceBesideIt) {
+  const System f = read(
+      "3\n"
+      "(0+(-27648)*i)*x1^3+(11520+(57600)*i)*x1^2*x3+(0+(9216)*i)*x1*x2^2+(-13056+(-65280)*i)*x1*"
+      "x2*x3+(30240+(72576)*i)*x1*x3^2+(0+(2048)*i)*x2^3+(-5632+(-28160)*i)*x2^2*x3+(48960+("
+      "117504)*i)*x2*x3^2+(-95904+(-142560)*i)*x3^3+(9216+(9216)*i)*x1^2+(17664+(-768)*i)*x1*x2+("
+      "-77376+(4992)*i)*x1*x3+(4864+(-1280)*i)*x2^2+(-44800+(18944)*i)*x2*x3+(99144+(-56520)*i)*"
+      "x3^2+(-2784+(-8448)*i)*x1+(-2368+(-3584)*i)*x2+(14032+(16496)*i)*x3+(-696+(1016)*i);"
+      "(-2160+(-864)*i)*x1^2+(720+(288)*i)*x1*x2+(-3240+(-600)*i)*x1*x3+(480+(192)*i)*x2^2+(-1728+"
+      "(-320)*i)*x2*x3+(1120+(-16)*i)*x3^2+(204+(-684)*i)*x1+(692+(-1092)*i)*x2+(-896+(2124)*i)*x3"
+      "+(-596+(-540)*i);"
+      "(-288+(-1152)*i)*x1^2+(384+(1536)*i)*x1*x2+(-1728+(-3648)*i)*x1*x3+(-128+(-512)*i)*x2^2+("
+      "1152+(2432)*i)*x2*x3+(-2048+(-2752)*i)*x3^2+((8883/5)+((-5991/25))*i)*x1+((-5922/5)+(("
+      "3994/25))*i)*x2+((72028/25)+((-4958/5))*i)*x3+((392/25)+((33821/50))*i);\n");
+  const auto lanes = make_lane_tracker();
+  for (const std::uint64_t seed : {1, 22, 24}) {
+    const SolveResult result = solve(f, *lanes, with_seed(seed));
+    EXPECT_TRUE(!result.complete || result.solutions.size() == 1U) << seed;
+  }
+}
+
 // Where a line makes the ring infinite no count tells that a double root is two.
 TEST(ClusterBesideACurve, IsPartedInMoreDigits) {
   for (const int power : {20, 30, 40}) {
@@ -114,6 +162,21 @@ TEST(RootOfCombinations, ThatFailsAnEquationIsRefutedByExactNumbers) {
         solve(read("3 2\n(x-1)*(y-2); (x-1)*(y-2-1/3000000); (x-1)*(x-5)+y-2;\n"), *lanes,
               with_seed(seed));
     EXPECT_EQ(result.solutions.size(), 1U);
+  }
+}
+
+// y^2 (10^13 y - x) = 0 has (1, 0) twice and (1, 1e-13): told apart by what is exact, not by how near they are.
+TEST(DoubleRoot, ThatIsKnownExactlyIsParted) {
+  for (const char* power : {"12", "13", "14", "16"}) {
+    SCOPED_TRACE(power);
+    const System f = read(std::string("2\ny^2*(10^") + power + "*y - x); (x - 1)*(x - y - 2);\n");
+    const auto lanes = make_lane_tracker();
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+      const SolveResult result = solve(f, *lanes, with_seed(seed));
+      if (!result.complete) continue;
+      EXPECT_EQ(result.solutions.size(), 4U) << seed;
+      for (const Solution& root : result.solutions) EXPECT_LE(root.multiplicity, 2U);
+    }
   }
 }
 
