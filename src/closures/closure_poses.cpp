@@ -14,6 +14,7 @@
 #include "moivre/kinematics/own_units.h"
 #include "moivre/mechanism/closure_id.h"
 #include "moivre/mechanism/pose.h"
+#include "moivre/mechanism/spins.h"
 
 namespace moivre {
 namespace {
@@ -57,7 +58,8 @@ bool shows_a_loss(const ClosureSearch& search, const NewtonResult& pose) {
   const bool has_gears = std::any_of(
       joints.begin(), joints.end(), [](const Joint& joint) { return is_transmission(joint.type); });
   return pose.status == NewtonStatus::converged && !pose.is_singular && !search.result.moves &&
-         !has_gears && !beyond_limits_at(search.mechanism, search.phi.canonical(pose.q));
+         !has_gears && are_spins_as_meant(search.mechanism, pose.q) &&
+         !beyond_limits_at(search.mechanism, search.phi.canonical(pose.q));
 }
 
 void take_pose(ClosureSearch& search, const Solution& solution, const NewtonResult& polished,

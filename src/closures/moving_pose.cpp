@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The guess, then random poses around it; the first that moves is the witness.
+// The guess, the pose as drawn, then random poses around the guess; the first that moves is the witness.
 #include "moving_pose.h"
 
 #include <algorithm>
@@ -33,9 +33,13 @@ Eigen::VectorXd random_pose(const Phi& phi, const Eigen::VectorXd& guess, std::u
 std::optional<MovingPose> moving_pose(const Mechanism& mechanism, const Phi& phi, double t,
                                       std::uint64_t seed) {
   const Eigen::VectorXd guess = initial_guess(mechanism, t);
+  const Eigen::VectorXd drawn = Eigen::VectorXd::Zero(phi.dimension());
   for (std::uint64_t start = 0; start < kMovingStarts; ++start) {
-    const NewtonResult found =
-        newton(phi, start == 0 ? guess : random_pose(phi, guess, seed, start), t);
+    const NewtonResult found = newton(phi,
+                                      start == 0   ? guess
+                                      : start == 1 ? drawn
+                                                   : random_pose(phi, guess, seed, start),
+                                      t);
     if (found.status != NewtonStatus::converged) continue;
     const LocalDimension local = local_dimension(phi, found.q, t, seed);
     if (local.dimension > 0) return MovingPose{phi.canonical(found.q), local};

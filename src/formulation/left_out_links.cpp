@@ -78,13 +78,13 @@ PoseReading::Placement by_points(std::size_t group, const std::vector<Tie>& ties
   return placement;
 }
 
-/// Two or three spherical joints and nothing else.
-void leave_out_rod(RigidGroups& groups, std::size_t group) {
+/// So many spherical joints, two or three, and nothing else.
+void leave_out_link_of_balls(RigidGroups& groups, std::size_t group, std::size_t balls) {
   const std::vector<Tie> ties = ties_towards(groups, group);
   const bool are_spherical = std::all_of(ties.begin(), ties.end(), [](const Tie& tie) {
     return tie.place == JointPlace::at_point && tie.turn == JointTurn::freely;
   });
-  if (!are_spherical || ties.size() < 2 || ties.size() > 3) return;
+  if (!are_spherical || ties.size() != balls) return;
   for (std::size_t a = 0; a < ties.size(); ++a) {
     for (std::size_t b = a + 1; b < ties.size(); ++b) {
       if (ties[a].i == ties[b].i || distance_squared(ties[a].at_j, ties[b].at_j) == 0) return;
@@ -154,9 +154,13 @@ void leave_out_cone(RigidGroups& groups, std::size_t group) {
 
 }  // namespace
 
+// Rods first: three distances to a point of a link that a distance may replace would leave its turn about the other point free.
 void leave_out_rods(RigidGroups& groups) {
-  for (std::size_t group = 1; group < groups.names.size(); ++group) {
-    if (!is_driven(groups, group)) leave_out_rod(groups, group);
+  for (const std::size_t balls : {2U, 3U}) {
+    for (std::size_t group = 1; group < groups.names.size(); ++group) {
+      const bool may_go = !groups.is_left_out[group] && !is_driven(groups, group);
+      if (may_go) leave_out_link_of_balls(groups, group, balls);
+    }
   }
 }
 

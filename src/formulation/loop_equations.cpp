@@ -156,14 +156,13 @@ class LoopEquations {
   }
 
   void in_space(const MovingPose& pose, const DyadSpace& space) {
-    double size = 0;
-    for (std::size_t k = 0; k < kEntries; ++k) {
-      size = std::max(size, largest_coefficient(entry(pose, k)) / (k < 4 ? 1 : frame_.length()));
-    }
     for (const auto& normal : space.normals) {
       Polynomial sum;
+      double size = 0;
       for (std::size_t k = 0; k < kEntries; ++k) {
-        sum = sum + Coefficient{normal[k], 0} * entry(pose, k);
+        const Polynomial part = Coefficient{normal[k], 0} * entry(pose, k);
+        size = std::max(size, largest_coefficient(part));
+        sum = sum + part;
       }
       frame_.add_equation("loop", without_noise(std::move(sum), size));
     }

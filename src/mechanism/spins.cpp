@@ -2,9 +2,12 @@
 // Bodies joined to groups that do not turn apart, and the groups that hang between two balls.
 #include "moivre/mechanism/spins.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <numeric>
 #include <optional>
+
+#include "moivre/mechanism/pose.h"
 
 namespace moivre {
 namespace {
@@ -99,6 +102,17 @@ class SpinFinder {
 std::vector<Spin> find_spins(const Mechanism& mechanism) {
   if (is_typed(mechanism) || mechanism.space == Space::planar) return {};
   return SpinFinder(mechanism).find();
+}
+
+bool are_spins_as_meant(const Mechanism& mechanism, const Eigen::VectorXd& q) {
+  const Eigen::Vector3d mark = spin_mark();
+  return std::all_of(
+      mechanism.held_spins.begin(), mechanism.held_spins.end(), [&](const Spin& spin) {
+        const Eigen::Vector3d line =
+            point_position(mechanism, spin.line[1], q) - point_position(mechanism, spin.line[0], q);
+        const Eigen::Vector3d turned = orientation(mechanism, spin.body, q) * mark;
+        return line.cross(turned).dot(line.cross(mark)) > 0;
+      });
 }
 
 Eigen::Vector3d spin_mark() { return Eigen::Vector3d(0.3183, 0.2718, 0.9081).normalized(); }

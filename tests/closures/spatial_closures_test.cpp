@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "../mechanism/in_unit.h"
 #include "mechanisms.h"
 #include "moivre/mechanism/pose.h"
 #include "moivre/numeric/random.h"
@@ -228,6 +229,76 @@ TEST(SpatialClosures, ALinkThatSpinsBetweenBallsHidesNoClosure) {
   };
   EXPECT_NEAR(std::min(output(0), output(1)), -93.54158024029208, 1e-9);
   EXPECT_NEAR(std::max(output(0), output(1)), 91.57541939668447, 1e-9);
+}
+
+// A knuckle whose tie rod is a body: that is one distance, and the knuckle is no three distances then.
+TEST(SpatialClosures, ALinkOfThreeBallsWithARodOnOneOfThemHasItsClosures) {
+  const std::string text = R"toml(space = "spatial"
+[ground.points]
+O = [0, 0, 0]
+Q = [200, 50, 0]
+S = [80, 200, 60]
+[body.crank.points]
+O = [0, 0, 0]
+A = [0, 0, 60]
+[body.link.points]
+A = [0, 0, 60]
+B = [200, 190, 0]
+C = [100, 120, 90]
+[body.rocker.points]
+Q = [200, 50, 0]
+B = [200, 190, 0]
+)toml";
+  const std::string joints = R"toml([[joint]]
+type = "revolute"
+at = ["ground.O", "crank.O"]
+axis = [1, 0, 0]
+name = "in"
+[[joint]]
+type = "spherical"
+at = ["crank.A", "link.A"]
+[[joint]]
+type = "spherical"
+at = ["link.B", "rocker.B"]
+[[joint]]
+type = "revolute"
+at = ["ground.Q", "rocker.Q"]
+axis = [0, 0, 1]
+[[driver]]
+angle = "in"
+start = 0
+)toml";
+  const std::string rod = "[[joint]]\ntype = \"rod\"\nat = [\"ground.S\", \"link.C\"]\nlength = " +
+                          std::to_string(std::sqrt(400.0 + 6400 + 900)) + "\n";
+  const std::string body = R"toml([body.tie.points]
+C = [100, 120, 90]
+S = [80, 200, 60]
+[[joint]]
+type = "spherical"
+at = ["link.C", "tie.C"]
+[[joint]]
+type = "spherical"
+at = ["tie.S", "ground.S"]
+)toml";
+  const ClosureResult by_rod = closures_of(mechanism_text(text + joints + rod));
+  const ClosureResult by_body = closures_of(mechanism_text(text + body + joints));
+  EXPECT_TRUE(by_body.complete) << by_body.message;
+  EXPECT_EQ(by_body.counts.real, 2U);
+  EXPECT_EQ(by_body.counts.real, by_rod.counts.real);
+  EXPECT_EQ(by_body.counts.complex, by_rod.counts.complex);
+}
+
+TEST(SpatialClosures, AreAsManyInEveryUnit) {
+  for (const char* name : {"bennett", "rccc", "spherical-four-bar", "general-6r", "3-rps"}) {
+    const Mechanism mechanism = mechanism_file(name);
+    const ClosureResult known = closures_of(mechanism);
+    for (const double unit : {1e-4, 100.0, 1e5}) {
+      const ClosureResult result = closures_of(test::in_unit(mechanism, unit));
+      EXPECT_EQ(result.complete, known.complete) << name << ": " << result.message;
+      EXPECT_EQ(result.counts.real, known.counts.real) << name << " in " << unit;
+      EXPECT_EQ(result.counts.complex, known.counts.complex) << name << " in " << unit;
+    }
+  }
 }
 
 TEST(SpatialClosures, NothingThatHangsFromOneJointHidesAClosure) {

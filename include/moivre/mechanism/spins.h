@@ -19,6 +19,9 @@ namespace moivre {
 /// In the order of their bodies; none of a planar mechanism or of typed equations.
 std::vector<Spin> find_spins(const Mechanism& mechanism);
 
+/// Whether each held spin is at the solution that is meant: elsewhere its body has turned by half a turn, and the pose is the same but for it.
+bool are_spins_as_meant(const Mechanism& mechanism, const Eigen::VectorXd& q);
+
 /// e, a unit vector.
 Eigen::Vector3d spin_mark();
 
