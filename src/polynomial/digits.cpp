@@ -67,7 +67,10 @@ double error_of(const Coefficient& c, double least) {
 
 }  // namespace
 
+bool is_rounded(const Rational& a) { return !error_of(a, kRoundedDigits).is_zero(); }
+
 CoefficientErrors coefficient_errors(const System& f) {
+  if (f.is_exact) return {};
   const auto are_rounded = [](const Polynomial& p) {
     return std::any_of(p.terms.begin(), p.terms.end(), [](const Term& term) {
       return error_of(term.coefficient, kRoundedDigits) > 0;

@@ -125,6 +125,7 @@ System to_system(const State& s, const System& given) {
     f.variables.push_back(given.variables[j]);
   }
   f.groups = groups_left(s, given.groups, place);
+  f.is_exact = given.is_exact;
   for (const Row& row : s.rows) {
     Polynomial p = to_polynomial(row.p);
     for (Term& term : p.terms) {

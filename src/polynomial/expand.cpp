@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "moivre/numeric/integer.h"
+#include "moivre/polynomial/digits.h"
 
 namespace moivre {
 
@@ -259,6 +260,7 @@ void Expander::add_summand(const Expression& summand, const Environment& names, 
 Expander::Value Expander::value(const Expression& e, const Environment& names) {
   switch (e.kind) {
     case Expression::Kind::number:
+      has_rounded_number_ = has_rounded_number_ || is_rounded(e.number);
       return constant({e.number, 0});
     case Expression::Kind::name:
       return named(e, names);

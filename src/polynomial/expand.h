@@ -38,6 +38,9 @@ class Expander {
   std::optional<Polynomial> expand(std::string_view text, const SourcePosition& begin,
                                    const Environment& names);
 
+  /// Among the numbers of all expressions so far (digits.h).
+  bool has_rounded_number() const { return has_rounded_number_; }
+
  private:
   using Value = std::optional<Polynomial>;
   /// Once it is unsound, summands are only searched for further faults.
@@ -60,6 +63,7 @@ class Expander {
 
   std::vector<Diagnostic>& faults_;
   std::uint64_t work_ = 0;
+  bool has_rounded_number_ = false;
 };
 
 }  // namespace moivre

@@ -354,7 +354,10 @@ System BertiniReader::read(const std::vector<Statement>& statements) {
   }
   check_complete();
   check_groups();
-  System system{.variables = variables_, .polynomials = {}, .groups = complete_groups()};
+  System system{.variables = variables_,
+                .polynomials = {},
+                .groups = complete_groups(),
+                .is_exact = !expander_.has_rounded_number()};
   for (const std::string& name : functions_) {
     const auto value = names_.find(name);
     if (value == names_.end() || !value->second) continue;

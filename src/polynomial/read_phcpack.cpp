@@ -296,6 +296,7 @@ System read_phcpack(const Source& source, std::vector<Diagnostic>& faults) {
     if (!polynomial) continue;
     system.polynomials.push_back(std::move(*polynomial));
   }
+  system.is_exact = !expander.has_rounded_number();
   return system;
 }
 

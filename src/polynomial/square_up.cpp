@@ -45,7 +45,7 @@ System square_up(const System& f, std::uint64_t seed) {
   std::vector<std::size_t> leading(order.begin(), leads_end);
   std::sort(leading.begin(), leading.end());
   std::vector<std::size_t> spare(leads_end, order.end());
-  System g{f.variables, {}, f.groups};
+  System g{f.variables, {}, f.groups, f.is_exact};
   for (const std::size_t i : leading) {
     Polynomial sum = f.polynomials[i];
     for (const std::size_t j : spare) {

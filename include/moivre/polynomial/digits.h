@@ -6,6 +6,7 @@
 //               eight or nine digits beside such numbers: its last zeros were not written, known to 0.05 10^-k
 //               any other number, 31/10, 1/3, or a whole one, is meant as it stands
 //
+// Where the file's own numbers are known (System::is_exact) they decide, not what they multiply out to.
 // If something vanishes within the errors of all coefficients, it vanishes for some system that the file may mean.
 #pragma once
 
@@ -18,6 +19,9 @@ namespace moivre {
 
 /// Of each term of each polynomial, relative to its coefficient.
 using CoefficientErrors = std::vector<std::vector<NumberErrors>>;
+
+/// Whether a number that is typed as such was rounded.
+bool is_rounded(const Rational& a);
 
 /// Of f as read, where each rounded coefficient is a number of its own; empty where all are exact.
 CoefficientErrors coefficient_errors(const System& f);

@@ -86,6 +86,8 @@ struct System {
   std::vector<Polynomial> polynomials;
   /// As declared by the file: every variable in one group; empty: none declared.
   std::vector<VariableGroup> groups = {};
+  /// As typed, no number was rounded (digits.h): products of short ones are long, and exact. false: its coefficients tell.
+  bool is_exact = false;
 
   /// The same equations in the same unknowns. Groups tell how to look for roots, not which equations hold.
   friend bool operator==(const System& a, const System& b) {
