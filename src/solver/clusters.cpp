@@ -72,13 +72,22 @@ struct Finding {
   bool is_on_curve = false;
 };
 
-/// Of the end as it is, or of the simplest fractions within what is known of it, unless these are a simple root, another one beside it.
-/// nullopt: neither is a root, or nothing can be said.
+/// Of the end as it is, or of the simplest fractions nearer and nearer to what is known of it, unless these are a simple root, another one
+/// beside it. nullopt: none is a root, or nothing can be said.
 std::optional<LocalRing> exact_ring(const System& f, const Root& end) {
   const auto here = local_ring(f, simplest(end.point.x, 0));
   if (here) return here;
-  const auto near = local_ring(f, simplest(end.point.x, end.tolerance));
-  return near && near->dimension > 1 ? near : std::nullopt;
+  const double size = std::max(1.0, max_norm(end.point.x));
+  for (const double error : {1e-15, 1e-12, 1e-9, 1e-7, 1e-5, end.tolerance}) {
+    if (error > end.tolerance) continue;
+    std::vector<Coefficient> candidate;
+    for (const Complex& xi : end.point.x) {
+      candidate.push_back({simplest(xi.real(), error * size), simplest(xi.imag(), error * size)});
+    }
+    const auto near = local_ring(f, candidate);
+    if (near && near->dimension > 1) return near;
+  }
+  return std::nullopt;
 }
 
 /// The roots that the end may be have a local ring of as many dimensions as paths end there, and it does not grow; or nothing can be said.
