@@ -33,13 +33,13 @@ Eigen::VectorXd random_pose(const Phi& phi, const Eigen::VectorXd& guess, std::u
 std::optional<MovingPose> moving_pose(const Mechanism& mechanism, const Phi& phi, double t,
                                       std::uint64_t seed) {
   const Eigen::VectorXd guess = initial_guess(mechanism, t);
-  const Eigen::VectorXd drawn = Eigen::VectorXd::Zero(phi.dimension());
+  const auto begin = [&](std::uint64_t start) -> Eigen::VectorXd {
+    if (start == 0) return guess;
+    if (start == 1) return Eigen::VectorXd::Zero(phi.dimension());
+    return random_pose(phi, guess, seed, start);
+  };
   for (std::uint64_t start = 0; start < kMovingStarts; ++start) {
-    const NewtonResult found = newton(phi,
-                                      start == 0   ? guess
-                                      : start == 1 ? drawn
-                                                   : random_pose(phi, guess, seed, start),
-                                      t);
+    const NewtonResult found = newton(phi, begin(start), t);
     if (found.status != NewtonStatus::converged) continue;
     const LocalDimension local = local_dimension(phi, found.q, t, seed);
     if (local.dimension > 0) return MovingPose{phi.canonical(found.q), local};

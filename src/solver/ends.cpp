@@ -29,7 +29,7 @@ constexpr double kWorstAccuracy = 1e-3;
 constexpr double kWorstAccuracyOnSet = 3e-2;
 // Beside its own terms: where nothing of F cancels there is no root, however small the terms are in the units of the system.
 constexpr double kWorstResidual = 1e-2;
-// Of what an error changes F by to first order, beside its terms: degrees, and how many terms an unknown is in.
+// Of what an error changes F by to first order, beside its terms: a degree, times the sixteen that Refiner::keep() allows for cancellation.
 constexpr double kMostOfFirstOrder = 100;
 // Of F at a point of doubles.
 constexpr double kRoundingOfF = 2e-15;
@@ -84,6 +84,7 @@ bool prove_as_it_stands(Refiner& refiner, Prover& prover, const Point& x, double
   if (!certificate) return false;
   root.point = refiner.take(*certificate, std::numeric_limits<double>::infinity());
   root.certificate = certificate;
+  root.beside.reset();
   root.tolerance = simple_tolerance(root.point);
   return true;
 }
@@ -123,6 +124,7 @@ Root refined_root(const Run& run, Tools& tools, const PathEnd& end) {
         root.beside && relative_distance(root.point.x, root.beside->midpoint) <= root.tolerance;
     if (!is_beside) root.beside.reset();
   } else {
+    root.beside.reset();
     root.tolerance = simple_tolerance(root.point);
   }
   return root;
