@@ -254,7 +254,8 @@ std::shared_ptr<const Constraint> spatial_joint(const Mechanism& mechanism, cons
 }
 
 std::shared_ptr<const Constraint> spin_constraint(const Mechanism& mechanism, const Spin& spin) {
-  const auto& [a, b] = spin.line;
+  const PointOf a = spin.line[0];
+  const PointOf b = spin.line[1];
   const Vector<Jet> from = point_jet(mechanism, a, nullptr);
   const Vector<Jet> to = point_jet(mechanism, b, nullptr);
   const Vector<Jet> mark = spatial::constant(spin_mark());

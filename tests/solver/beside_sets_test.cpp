@@ -109,7 +109,7 @@ TEST(RootBesideACurve, OfMultiplicityFiveIsFoundOrSaidToBeInDoubt) {
       "336*x^3+984*x^2*y+357*x*y^2-588*y^3-38421/25*x^2-225699/100*x*y+18921/25*y^2+52854/25*x"
       "+14397/25*y-19224/25;\n");
   const auto lanes = make_lane_tracker();
-  for (const std::uint64_t seed : {1, 23}) {
+  for (const std::uint64_t seed : {1U, 23U}) {
     const SolveResult result = solve(f, *lanes, with_seed(seed));
     EXPECT_TRUE(!result.complete || result.solutions.size() == 1U) << seed;
   }
@@ -131,7 +131,7 @@ TEST(RootBesideACurve, IsNoPointOfAComplexSurfaceBesideIt) {
       "1152+(2432)*i)*x2*x3+(-2048+(-2752)*i)*x3^2+((8883/5)+((-5991/25))*i)*x1+((-5922/5)+(("
       "3994/25))*i)*x2+((72028/25)+((-4958/5))*i)*x3+((392/25)+((33821/50))*i);\n");
   const auto lanes = make_lane_tracker();
-  for (const std::uint64_t seed : {1, 22, 24}) {
+  for (const std::uint64_t seed : {1U, 22U, 24U}) {
     const SolveResult result = solve(f, *lanes, with_seed(seed));
     EXPECT_TRUE(!result.complete || result.solutions.size() == 1U) << seed;
   }
