@@ -9,6 +9,7 @@
 #include "moivre/closure_report/angles.h"
 #include "moivre/closures/four_bars.h"
 #include "moivre/expression/joined.h"
+#include "moivre/mechanism/phi.h"
 #include "moivre/report/number_text.h"
 #include "pose_text.h"
 #include "svg.h"
@@ -16,7 +17,7 @@
 namespace moivre {
 namespace {
 
-// Radians, or lengths: what goes no further stands.
+// Radians, or of the mechanism's length: what goes no further stands, or keeps its slide.
 constexpr double kStands = 1e-9;
 // Of ranges and lengths.
 constexpr int kRangeDigits = 6;
@@ -45,9 +46,12 @@ std::string range_text(const Mechanism& mechanism, const Swing& swing) {
 std::string swing_text(const Mechanism& mechanism, const Swing& swing) {
   if (swing.turns == 1) return swing.name + " turns fully";
   if (swing.turns > 1) return swing.name + " turns " + std::to_string(swing.turns) + " times";
-  if (swing.upper - swing.lower <= kStands) return swing.name + " stands";
-  const char* verb = swing.kind == CoordinateKind::length ? " slides " : " rocks ";
-  return swing.name + verb + range_text(mechanism, swing);
+  const bool is_length = swing.kind == CoordinateKind::length;
+  const double size = is_length ? Phi(mechanism).length() : 1;
+  const bool stands = swing.upper - swing.lower <= kStands * size;
+  // A joint that slides may turn as well.
+  if (stands) return swing.name + (is_length ? " keeps its slide" : " stands");
+  return swing.name + (is_length ? " slides " : " rocks ") + range_text(mechanism, swing);
 }
 
 /// Where the first driver stands at these events, each place once: "12 deg, 45 deg".
