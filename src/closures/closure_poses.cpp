@@ -139,6 +139,22 @@ void tell_limits(const BeyondLimits& beyond_limits, ClosureSearch& search) {
   }
 }
 
+/// Where no real closure was found: a pose that Newton-Raphson comes to from the guess, or from the pose as drawn, moves, or shows a loss.
+void look_from_the_guess(ClosureSearch& search) {
+  const double t = search.options.time;
+  const bool is_empty = search.result.counts.real == 0 && !search.mechanism.fit;
+  if (!is_empty || search.result.moves || search.stop) return;
+  for (const Eigen::VectorXd& guess :
+       {initial_guess(search.mechanism, t),
+        Eigen::VectorXd(Eigen::VectorXd::Zero(search.phi.dimension()))}) {
+    const NewtonResult pose = newton(search.phi, guess, t);
+    if (pose.status != NewtonStatus::converged) continue;
+    if (pose.is_singular && lies_on_motion(search, search.phi.canonical(pose.q))) return;
+    if (shows_a_loss(search, pose)) ++search.rootless;
+    return;
+  }
+}
+
 }  // namespace
 
 Closure closure_at(const ClosureSearch& search, const NewtonResult& polished) {
@@ -188,6 +204,7 @@ void find_poses(ClosureSearch& search) {
   result.counts.complex = result.solutions.size();
   take_fitting(search, beyond_limits);
   tell_limits(beyond_limits, search);
+  look_from_the_guess(search);
   letter(result.closures, search.mechanism);
 }
 

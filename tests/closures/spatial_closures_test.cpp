@@ -288,6 +288,58 @@ at = ["tie.S", "ground.S"]
   EXPECT_EQ(by_body.counts.complex, by_rod.counts.complex);
 }
 
+// A planar four-bar, three of its joints cylindrical: its links slide along the parallel axes. One part of it closes in complex numbers only,
+// but the pose as drawn is assembled.
+TEST(SpatialClosures, AMechanismThatIsAssembledAsDrawnIsNotSaidToBeImpossible) {
+  const Mechanism mechanism = mechanism_text(R"toml(title = "Planar four-bar in space"
+space = "spatial"
+[units]
+length = "mm"
+angle = "deg"
+[ground.points]
+O2 = [0, 0, 0]
+O4 = [100, -20, 0]
+[body.crank.points]
+O2 = [0, 0, 0]
+A = [0, 40, 0]
+[body.coupler.points]
+A = [0, 40, 0]
+B = [110, 70, 0]
+P = [50, 90, 0]
+[body.rocker.points]
+O4 = [100, -20, 0]
+B = [110, 70, 0]
+[[joint]]
+type = "revolute"
+at = ["ground.O2", "crank.O2"]
+axis = [0, 0, 1]
+name = "in"
+[[joint]]
+type = "cylindrical"
+at = ["crank.A", "coupler.A"]
+axis = [0, 0, 1]
+name = "A"
+[[joint]]
+type = "cylindrical"
+at = ["coupler.B", "rocker.B"]
+axis = [0, 0, 1]
+name = "B"
+[[joint]]
+type = "cylindrical"
+at = ["ground.O4", "rocker.O4"]
+axis = [0, 0, 1]
+name = "out"
+[[driver]]
+angle = "in"
+start = 0
+velocity = 360
+)toml");
+  const ClosureResult result = closures_of(mechanism);
+  ASSERT_TRUE(result.moves) << result.message;
+  EXPECT_EQ(result.moves->dimension, 2U);
+  EXPECT_LE(scaled_residual(Phi(mechanism), result.moves->pose, 0), 1e-12);
+}
+
 TEST(SpatialClosures, AreAsManyInEveryUnit) {
   for (const char* name : {"bennett", "rccc", "spherical-four-bar", "general-6r", "3-rps"}) {
     const Mechanism mechanism = mechanism_file(name);

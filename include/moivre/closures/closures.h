@@ -4,7 +4,8 @@
 // Closure polynomials (formulation/formulation.h) -> blocks (Assur groups) solved one after another, once for every root of
 // the blocks before -> roots that satisfy every equation -> the real ones -> q -> Newton-Raphson on Phi(q, t).
 // The counts of paths add up in every stage, as in solver/solve.h. Roots that fail a redundant equation are `rejected`.
-// "Cannot be assembled" (no real closure) and "moves" (a curve of closures with the drivers held) are possible answers.
+// "Cannot be assembled" (no real closure) and "moves" (a curve of closures with the drivers held) are possible answers. The former is not
+// given where Newton-Raphson assembles the guess or the pose as drawn.
 // A regular root is proved by certificates (src/closures/root_proofs.h): that it is one root, and that it is real. So is whether a root is
 // no pose. Where there are more equations than unknowns the spare ones hold to some digits only, and there is no proof.
 // An isolated multiple closure (a dead point) is singular and does not move.
