@@ -340,6 +340,59 @@ velocity = 360
   EXPECT_LE(scaled_residual(Phi(mechanism), result.moves->pose, 0), 1e-12);
 }
 
+// Overconstrained: what rounding leaves of its spare equations has to be seen beside their own terms, in millimetres as well.
+TEST(SpatialClosures, BennettsLinkageClosesAtEveryAngleInEveryUnit) {
+  const Mechanism mechanism = mechanism_text(R"toml(title = "Bennett"
+space = "spatial"
+[units]
+length = "mm"
+angle = "deg"
+[ground.points]
+J0 = [0, 0, 0]
+J1 = [34.20201433256688, 93.96926207859083, 0.0]
+[body.l1.points]
+J1 = [34.20201433256688, 93.96926207859083, 0.0]
+J2 = [-61.547952991693464, -12.373653417768352, 44.979196092608]
+[body.l2.points]
+J2 = [-61.547952991693464, -12.373653417768352, 44.979196092608]
+J3 = [-150.0, 0, 0]
+[body.l3.points]
+J3 = [-150.0, 0, 0]
+J0 = [0, 0, 0]
+[[joint]]
+type = "revolute"
+at = ["l3.J0", "ground.J0"]
+axis = [0, 0, 1]
+name = "J0"
+[[joint]]
+type = "revolute"
+at = ["ground.J1", "l1.J1"]
+axis = [0.6040227735550536, -0.21984631039295421, 0.766044443118978]
+name = "J1"
+[[joint]]
+type = "revolute"
+at = ["l1.J2", "l2.J2"]
+axis = [-0.29986130728405325, 0.587799197315435, 0.7513822595917664]
+name = "J2"
+[[joint]]
+type = "revolute"
+at = ["l2.J3", "l3.J3"]
+axis = [1.942890293094024e-16, 0.9641814145298088, 0.26524366132915744]
+name = "J3"
+[[driver]]
+angle = "J1"
+start = 0
+velocity = 360
+)toml");
+  for (const double unit : {1e-2, 1.0, 1e3}) {
+    for (const double time : {0.1, 0.25, 0.5, 0.75}) {
+      const ClosureResult result = closures_of(test::in_unit(mechanism, unit), 1, time);
+      EXPECT_TRUE(result.complete) << result.message;
+      EXPECT_EQ(result.counts.real, 1U) << unit << ", t = " << time;
+    }
+  }
+}
+
 TEST(SpatialClosures, AreAsManyInEveryUnit) {
   for (const char* name : {"bennett", "rccc", "spherical-four-bar", "general-6r", "3-rps"}) {
     const Mechanism mechanism = mechanism_file(name);
