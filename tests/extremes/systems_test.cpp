@@ -186,7 +186,7 @@ System cyclic(int n) {
 // 40320 paths, the most of them to curves and to infinity; whoever stops them has an account of what was finished. Ends that wait for a
 // proof are no part of it.
 TEST(CyclicEight, InterruptedItTellsNoRootThatIsNone) {
-  constexpr std::uint64_t kPatience = 400;  // paths
+  constexpr std::uint64_t kPatience = 200;  // paths
   const System f = cyclic(8);
   const auto cvode = make_cvode_tracker();
   const auto lanes = make_lane_tracker();
