@@ -27,7 +27,7 @@ class Holding {
   }
 
   HeldMechanism run() && {
-    while (hold_next()) {
+    while (hold_next() || hold_next_turn()) {
     }
     return std::move(held_);
   }
@@ -47,6 +47,21 @@ class Holding {
       return true;
     }
     return false;
+  }
+
+  /// Of a joint that may turn as it likes (mechanism/spins.h).
+  bool hold_next_turn() {
+    const Joints turns = find_idle_turns(held_.mechanism);
+    if (turns.empty()) return false;
+    Joint& joint = held_.mechanism.joints[turns.front()];
+    if (joint.type == JointType::revolute) {
+      hold(turns.front(), group_of(joint.at[1]));
+      return true;
+    }
+    joint.type = JointType::prismatic;
+    const std::string& body = held_.mechanism.bodies[joint.at[1].body].name;
+    held_.idle.push_back({body, joint.name, pose_text(joint, joint.at[0].body)});
+    return true;
   }
 
   /// Wheels on pivots of their own that mesh like a tree, with no other wheel, no carrier among them and no driver.
@@ -175,7 +190,8 @@ class Holding {
   static Eigen::Vector3d perpendicular(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
     const Eigen::Vector3d across = b - a.dot(b) * a;
     constexpr double kParallel = 1e-9;
-    return (across.norm() > kParallel ? across : Eigen::Vector3d(joint_frame(a).col(0))).normalized();
+    return (across.norm() > kParallel ? across : Eigen::Vector3d(joint_frame(a).col(0)))
+        .normalized();
   }
 
   double drawn_angle(const Joint& joint) const {

@@ -9,6 +9,7 @@
 
 #include "moivre/certify/certifier.h"
 #include "moivre/certify/distinct.h"
+#include "moivre/numeric/random.h"
 #include "moivre/polynomial/value.h"
 
 namespace moivre {
@@ -29,6 +30,36 @@ constexpr double kBlurred = 1e-12;
 // Lengths that are off by 1e-9 may leave an expression of the fourth degree at 1e-36 beside its terms, and a root that is known 1e20 times
 // less sharply than the arithmetic.
 constexpr int kFineBits = 256;
+// Coefficients are right to this part of themselves: frames are right to 50 bits, and a product of a dozen of them to 45.
+constexpr double kRightTo = 1e-13;
+// They are shaken by so much less that every root stays what it is, however badly it is known: to first order a value moves in proportion.
+constexpr double kShake = 1e-30;
+// One shake of all coefficients may happen to move a value by much less than another.
+constexpr double kSureOfShake = 8;
+
+/// The system with each coefficient off by up to kShake of itself.
+Formulation shaken(Formulation formulation) {
+  constexpr std::uint64_t kSeed = 2;
+  constexpr int kSteps = 1000;
+  std::uint64_t count = 0;
+  for (Polynomial& p : formulation.system.polynomials) {
+    for (Term& term : p.terms) {
+      const std::uint64_t bits = random_bits(kSeed, RandomStream::formulation, count++);
+      const int step = static_cast<int>(bits % (2 * kSteps + 1)) - kSteps;
+      const Rational factor = 1 + Rational(step) * Rational(kShake / kSteps);
+      term.coefficient.re *= factor;
+      term.coefficient.im *= factor;
+    }
+  }
+  return formulation;
+}
+
+double distance(const Enclosure& a, const Enclosure& b) {
+  Complex apart = a.middle - b.middle;
+  for (const Complex& part : a.finer) apart += part;
+  for (const Complex& part : b.finer) apart -= part;
+  return std::abs(apart);
+}
 
 CertifyOptions certify_options() {
   CertifyOptions options;
@@ -71,6 +102,8 @@ Polynomial renamed(const Polynomial& p, const std::vector<std::uint32_t>& place)
 }  // namespace
 
 struct RootProver::Work {
+  struct Shaken;
+
   /// Where a variable is proved: in which group, and which of its coordinates it is.
   struct Place {
     std::size_t group = 0;
@@ -96,6 +129,10 @@ struct RootProver::Work {
   void close();
   Program program(const Group& group, const Polynomial* value) const;
   std::vector<Enclosure> given(const Program& program, const KnownProof& before) const;
+  KnownProof prove(std::size_t number, const KnownProof& before, const Point& values);
+  KnownProof prove_beside(const KnownProof& proof, const Point& values);
+  std::optional<Enclosure> value(const KnownProof& proof, const Formulation::Exclusion& exclusion);
+  Work& shake();
   KnownProof finer(const KnownProof& proof);
   Point midpoints(const KnownProof& proof) const;
   Reality reality(const KnownProof& proof) const;
@@ -104,6 +141,14 @@ struct RootProver::Work {
   Block waiting;
   std::vector<Group> groups;
   std::vector<std::optional<Place>> place;  ///< of each variable of the formulation
+  std::unique_ptr<Shaken> shaken;           ///< where it was needed
+};
+
+/// The same blocks of the shaken system.
+struct RootProver::Work::Shaken {
+  explicit Shaken(const Formulation& of) : formulation(moivre::shaken(of)), work(formulation) {}
+  Formulation formulation;
+  Work work;
 };
 
 void RootProver::Work::close() {
@@ -170,6 +215,65 @@ KnownProof RootProver::Work::finer(const KnownProof& proof) {
   return std::make_shared<const RootProof>(std::move(result));
 }
 
+/// The root of group `number` near `values`, of all variables.
+KnownProof RootProver::Work::prove(std::size_t number, const KnownProof& before,
+                                   const Point& values) {
+  if (number > 0 && !before) return nullptr;
+  auto& group = groups[number];
+  if (!group.program) group.program.emplace(program(group, nullptr));
+  Point x;
+  for (const std::size_t v : group.unknowns) x.push_back(values[v]);
+  RootProof proof{before, number, {}};
+  Certifier& certifier = group.program->certifier;
+  certifier.certify(x, proof.certificate, given(*group.program, before));
+  if (!is_sharp(proof.certificate)) {
+    if (before && !(proof.before = finer(before))) return nullptr;
+    const std::vector<Enclosure> sharp = given(*group.program, proof.before);
+    certifier.certify(x, proof.certificate, sharp);
+    if (proof.certificate.holds_root()) certifier.sharpen(proof.certificate, kFineBits, sharp);
+  }
+  if (proof.certificate.verdict != Verdict::certified) return nullptr;
+  return std::make_shared<const RootProof>(std::move(proof));
+}
+
+/// The root nearest to one that is proved of another system with the same blocks, `values` its midpoints.
+KnownProof RootProver::Work::prove_beside(const KnownProof& proof, const Point& values) {
+  const KnownProof before = proof->before ? prove_beside(proof->before, values) : nullptr;
+  return prove(proof->group, before, values);
+}
+
+/// Of the exclusion's polynomial at the root, in kFineBits.
+std::optional<Enclosure> RootProver::Work::value(const KnownProof& proof,
+                                                 const Formulation::Exclusion& exclusion) {
+  const KnownProof fine = proof ? finer(proof) : nullptr;
+  if (!fine) return std::nullopt;
+  auto& group = groups[fine->group];
+  auto place_of_value = group.with_value.find(&exclusion);
+  if (place_of_value == group.with_value.end()) {
+    place_of_value = group.with_value.emplace(&exclusion, program(group, &exclusion.of)).first;
+  }
+  Program& with_value = place_of_value->second;
+  const std::vector<Enclosure> numbers = given(with_value, fine->before);
+  Point x = fine->certificate.midpoint;
+  x.push_back(value_at(exclusion.of, midpoints(fine)));
+  Certificate certificate = with_value.certifier.certify(x, numbers);
+  if (!certificate.holds_root() || !with_value.certifier.sharpen(certificate, kFineBits, numbers)) {
+    return std::nullopt;
+  }
+  return enclosure(certificate, group.unknowns.size());
+}
+
+RootProver::Work& RootProver::Work::shake() {
+  if (!shaken) shaken = std::make_unique<Shaken>(formulation);
+  Work& work = shaken->work;
+  work.place = place;
+  while (work.groups.size() < groups.size()) {
+    const Group& group = groups[work.groups.size()];
+    work.groups.push_back({group.equations, group.unknowns, {}, {}});
+  }
+  return work;
+}
+
 /// 0 where nothing is proved yet.
 Point RootProver::Work::midpoints(const KnownProof& proof) const {
   const std::vector<const Certificate*> chain = chain_of(proof);
@@ -219,23 +323,7 @@ bool RootProver::close() {
 
 KnownProof RootProver::prove(const KnownProof& before, const Point& values) {
   if (!work_ || work_->groups.empty()) return nullptr;
-  const std::size_t last = work_->groups.size() - 1;
-  if (last > 0 && !before) return nullptr;
-  auto& group = work_->groups[last];
-  if (!group.program) group.program.emplace(work_->program(group, nullptr));
-  Point x;
-  for (const std::size_t v : group.unknowns) x.push_back(values[v]);
-  RootProof proof{before, last, {}};
-  Certifier& certifier = group.program->certifier;
-  certifier.certify(x, proof.certificate, work_->given(*group.program, before));
-  if (!is_sharp(proof.certificate)) {
-    if (before && !(proof.before = work_->finer(before))) return nullptr;
-    const std::vector<Enclosure> given = work_->given(*group.program, proof.before);
-    certifier.certify(x, proof.certificate, given);
-    if (proof.certificate.holds_root()) certifier.sharpen(proof.certificate, kFineBits, given);
-  }
-  if (proof.certificate.verdict != Verdict::certified) return nullptr;
-  return std::make_shared<const RootProof>(std::move(proof));
+  return work_->prove(work_->groups.size() - 1, before, values);
 }
 
 std::vector<bool> RootProver::are_new(const std::vector<KnownProof>& proofs) {
@@ -255,23 +343,14 @@ std::vector<bool> RootProver::are_new(const std::vector<KnownProof>& proofs) {
 std::optional<bool> RootProver::vanishes(const KnownProof& proof,
                                          const Formulation::Exclusion& exclusion) {
   if (!proof) return std::nullopt;
-  auto& group = work_->groups[proof->group];
-  const KnownProof fine = work_->finer(proof);
-  if (!fine) return std::nullopt;
-  const Polynomial& e = exclusion.of;
-  auto place = group.with_value.find(&exclusion);
-  if (place == group.with_value.end()) {
-    place = group.with_value.emplace(&exclusion, work_->program(group, &e)).first;
-  }
-  auto& program = place->second;
-  const std::vector<Enclosure> given = work_->given(program, fine->before);
-  Point x = fine->certificate.midpoint;
-  x.push_back(value_at(e, work_->midpoints(fine)));
-  Certificate with_value = program.certifier.certify(x, given);
-  if (!with_value.holds_root() || !program.certifier.sharpen(with_value, kFineBits, given)) {
-    return std::nullopt;
-  }
-  return holds_zero(enclosure(with_value, group.unknowns.size()));
+  const auto z = work_->value(proof, exclusion);
+  if (!z || holds_zero(*z)) return z.has_value() ? std::optional(true) : std::nullopt;
+  if (work_->formulation.is_exact) return false;
+  Work& shaken = work_->shake();
+  const auto moved = shaken.value(shaken.prove_beside(proof, work_->midpoints(proof)), exclusion);
+  if (!moved) return std::nullopt;
+  const double step = distance(*z, *moved) + z->error + moved->error;
+  return std::abs(z->middle) <= kSureOfShake * (kRightTo / kShake) * step;
 }
 
 ProvedRoot RootProver::root(const KnownProof& proof) {

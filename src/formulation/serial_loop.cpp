@@ -127,6 +127,7 @@ void add_loop(SpatialFrame& frame, const RigidGroups& groups, const std::vector<
   };
   SpatialFrame tried(frame.length());
   const bool has_plain_slides = takes_plain_slides(followed(tried, true), frame.length());
+  frame.note_rounding();
   add_loop_equations(frame, followed(frame, has_plain_slides));
 }
 

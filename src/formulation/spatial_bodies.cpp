@@ -57,7 +57,7 @@ void add_ground_ties(SpatialFrame& frame, const RigidGroups& groups) {
     if (tie.i != 0 || tie.j != 0) continue;
     if (is_rod(tie)) {
       const double size = frame.length() * frame.length();
-      frame.add_equation(tie.name, without_noise(rod_equation(tie, rest), size));
+      frame.add_equation(tie.name, frame.without_rounding(rod_equation(frame, tie, rest), size));
     } else {
       add_closing(frame, tie, rest);
     }

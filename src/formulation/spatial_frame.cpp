@@ -45,6 +45,19 @@ Polynomial SpatialFrame::add_unknown(const std::string& name, bool is_direction,
   return unknown(static_cast<std::uint32_t>(index));
 }
 
+Polynomial SpatialFrame::without_rounding(Polynomial p, double size) {
+  const std::size_t terms = p.terms.size();
+  p = without_noise(std::move(p), size);
+  if (p.terms.size() < terms) note_rounding();
+  return p;
+}
+
+Polynomial SpatialFrame::difference(const Polynomial& a, const Polynomial& b) {
+  Polynomial rest = rounded_difference(a, b);
+  if (rest.terms.size() < (a - b).terms.size()) note_rounding();
+  return rest;
+}
+
 void SpatialFrame::add_equation(const std::string& name, Polynomial p) {
   if (p.terms.empty()) return;
   if (degree(p) == 0) {
@@ -176,12 +189,12 @@ MovingPose add_motion(SpatialFrame& frame, const Tie& tie, const std::vector<std
   return to_moving(tie.at_i) * motion * to_moving(conjugate(tie.at_j));
 }
 
-Polynomial rod_equation(const Tie& tie, const MovingPose& j_in_i) {
+Polynomial rod_equation(SpatialFrame& frame, const Tie& tie, const MovingPose& j_in_i) {
   const MovingPose motion = to_moving(conjugate(tie.at_i)) * j_in_i * to_moving(tie.at_j);
   // Rods of one pair of groups share the factor of their highest terms.
   const Rational factor = 1 / (norm(tie.at_i) * norm(tie.at_j));
-  return rounded_difference(Coefficient{4 * factor, 0} * dot(motion.g, motion.g),
-                            Coefficient{factor * tie.square, 0} * dot(motion.q, motion.q));
+  return frame.difference(Coefficient{4 * factor, 0} * dot(motion.g, motion.g),
+                          Coefficient{factor * tie.square, 0} * dot(motion.q, motion.q));
 }
 
 void add_closing(SpatialFrame& frame, const Tie& tie, const MovingPose& j_in_i) {
@@ -191,7 +204,7 @@ void add_closing(SpatialFrame& frame, const Tie& tie, const MovingPose& j_in_i) 
   double turn_size = 0;
   for (const Polynomial& p : q) turn_size = std::max(turn_size, largest_coefficient(p));
   const auto vanish = [&](const Polynomial& p, double size, const char* part) {
-    frame.add_equation(tie.name + ": " + part, without_noise(p, size));
+    frame.add_equation(tie.name + ": " + part, frame.without_rounding(p, size));
   };
   const double shift_size = turn_size * frame.length();
   const bool is_aligned = turn_freedom(tie) <= 1;

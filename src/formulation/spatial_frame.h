@@ -38,6 +38,12 @@ class SpatialFrame {
   /// `owners` are the bodies that the unknown places.
   Polynomial add_unknown(const std::string& name, bool is_direction,
                          const std::vector<std::string>& owners);
+  /// p but for terms that are rounding beside `size`.
+  Polynomial without_rounding(Polynomial p, double size);
+  /// a - b but for what rounding of typed numbers leaves.
+  Polynomial difference(const Polynomial& a, const Polynomial& b);
+  /// The coefficients are not exact from now on.
+  void note_rounding() { result_.is_exact = false; }
   /// Nothing where p is zero; a contradiction where it is another number.
   void add_equation(const std::string& name, Polynomial p);
   void exclude(Polynomial p, const std::string& reason);
@@ -74,7 +80,7 @@ MovingPose slide_of(const Polynomial& u, const Rational& fixed = 0);
 MovingPose add_motion(SpatialFrame& frame, const Tie& tie, const std::vector<std::string>& owners);
 
 /// The equation of a rod: |4 g g - L^2 q q| of the shift between its ends.
-Polynomial rod_equation(const Tie& tie, const MovingPose& j_in_i);
+Polynomial rod_equation(SpatialFrame& frame, const Tie& tie, const MovingPose& j_in_i);
 
 /// The equations of another tie between groups whose relative pose is known as polynomials.
 void add_closing(SpatialFrame& frame, const Tie& tie, const MovingPose& j_in_i);

@@ -70,9 +70,9 @@ class Tree {
       add_closing(frame_, tie, relative(tie.i, tie.j));
       return;
     }
-    Polynomial length = rod_equation(tie, relative(tie.i, tie.j));
+    Polynomial length = rod_equation(frame_, tie, relative(tie.i, tie.j));
     const auto [first, is_new] = first_rod_.emplace(std::minmax(tie.i, tie.j), length);
-    if (!is_new) length = rounded_difference(length, first->second);
+    if (!is_new) length = frame_.difference(length, first->second);
     frame_.add_equation(tie.name + ": length", std::move(length));
   }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bodies joined to groups that do not turn apart, and the groups that hang between two balls.
+// Bodies joined to groups that do not turn apart, the groups that hang between two balls, and those whose joints share an axis.
 #include "moivre/mechanism/spins.h"
 
 #include <Eigen/Geometry>
@@ -11,6 +11,15 @@
 
 namespace moivre {
 namespace {
+
+// Axes that miss each other by this part of the body's size are meant to be one.
+constexpr double kMeet = 1e-11;
+
+/// One end of a joint.
+struct End {
+  std::size_t joint = 0;
+  std::size_t number = 0;  ///< 0: the joint's first body
+};
 
 class SpinFinder {
  public:
@@ -27,16 +36,33 @@ class SpinFinder {
   std::vector<Spin> find() const {
     std::vector<Spin> spins;
     for (std::size_t body = 1; body < group_.size(); ++body) {
-      const bool is_first = std::find(group_.begin(), group_.end(), group_[body]) ==
-                            group_.begin() + static_cast<std::ptrdiff_t>(body);
-      if (!is_first || has_driven_point(group_[body])) continue;
+      if (!is_first_of_group(body) || has_driven_point(group_[body])) continue;
       if (const auto line = line_of(group_[body])) spins.push_back({body, *line});
     }
     return spins;
   }
 
+  std::vector<std::size_t> idle_turns() const {
+    std::vector<std::size_t> joints;
+    for (std::size_t body = 1; body < group_.size(); ++body) {
+      const std::size_t group = group_[body];
+      if (group == group_[0] || !is_first_of_group(body) || has_driven_point(group)) continue;
+      const std::vector<End> ends = ends_at(group);
+      const auto turning = std::find_if(ends.begin(), ends.end(), [&](const End& end) {
+        return ends.size() > 1 && turns_idly(end, ends);
+      });
+      if (turning != ends.end()) joints.push_back(turning->joint);
+    }
+    return joints;
+  }
+
  private:
   std::size_t group_of(const PointOf& at) const { return group_[at.body]; }
+
+  bool is_first_of_group(std::size_t body) const {
+    return std::find(group_.begin(), group_.end(), group_[body]) ==
+           group_.begin() + static_cast<std::ptrdiff_t>(body);
+  }
 
   bool is_driven(std::size_t joint, DriverKind kind) const {
     return std::any_of(
@@ -67,25 +93,67 @@ class SpinFinder {
         });
   }
 
-  /// The points of the two balls that alone tie the group to two others.
-  std::optional<std::array<PointOf, 2>> line_of(std::size_t group) const {
-    std::vector<PointOf> balls;
-    std::vector<std::size_t> others;
+  /// The joints' ends that tie the group to others; limits of a slide do so too.
+  std::vector<End> ends_at(std::size_t group) const {
+    std::vector<End> ends;
     for (std::size_t k = 0; k < mechanism_.joints.size(); ++k) {
       const Joint& joint = mechanism_.joints[k];
       if (group_of(joint.at[0]) == group_of(joint.at[1])) continue;
-      const bool holds = has_rows(joint.type, Space::spatial) || is_driven(k, DriverKind::slide);
+      const bool holds =
+          has_rows(joint.type, Space::spatial) || joint.limits || is_driven(k, DriverKind::slide);
       if (!holds) continue;
-      for (const std::size_t end : {0U, 1U}) {
-        if (group_of(joint.at[end]) != group) continue;
-        if (joint.type != JointType::spherical) return std::nullopt;
-        balls.push_back(joint.at[end]);
-        others.push_back(group_of(joint.at[1 - end]));
+      for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
+        if (group_of(joint.at[end]) == group) ends.push_back({k, end});
       }
     }
-    if (balls.size() != 2 || others[0] == others[1] || is_one_point(balls[0], balls[1]))
-      return std::nullopt;
-    return std::array{balls[0], balls[1]};
+    return ends;
+  }
+
+  /// The points of the two balls that alone tie the group to two others.
+  std::optional<std::array<PointOf, 2>> line_of(std::size_t group) const {
+    const std::vector<End> ends = ends_at(group);
+    if (ends.size() != 2) return std::nullopt;
+    std::array<PointOf, 2> balls;
+    std::array<std::size_t, 2> others{};
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Joint& joint = mechanism_.joints[ends[k].joint];
+      if (joint.type != JointType::spherical) return std::nullopt;
+      balls[k] = joint.at[ends[k].number];
+      others[k] = group_of(joint.at[1 - ends[k].number]);
+    }
+    if (others[0] == others[1] || is_one_point(balls[0], balls[1])) return std::nullopt;
+    return balls;
+  }
+
+  /// Whether the bodies turn about this joint's axis, and all others at these ends let them.
+  bool turns_idly(const End& end, const std::vector<End>& ends) const {
+    const Joint& joint = mechanism_.joints[end.joint];
+    const bool is_hinge = traits(joint.type).turn == JointTurn::about_axis &&
+                          traits(joint.type).place != JointPlace::in_plane;
+    return is_hinge && std::all_of(ends.begin(), ends.end(), [&](const End& other) {
+             return lets_turn(other, joint.at[end.number], joint.axis[end.number]);
+           });
+  }
+
+  /// Whether the joint is the same for a body that has turned about this line of it. In another body of the group it is not asked.
+  bool lets_turn(const End& end, const PointOf& at, const Eigen::Vector3d& along) const {
+    const Joint& joint = mechanism_.joints[end.joint];
+    const PointOf& point = joint.at[end.number];
+    if (point.body != at.body) return false;
+    const Eigen::Vector3d& from = mechanism_.bodies[at.body].points[at.point].at;
+    const Eigen::Vector3d& to = mechanism_.bodies[at.body].points[point.point].at;
+    const double size = std::max(from.norm(), to.norm());
+    const bool is_on_line = (to - from).cross(along).norm() <= kMeet * size;
+    const JointTraits& type = traits(joint.type);
+    const bool is_point =
+        type.turn == JointTurn::freely && (axis_count(joint.type) == 0 || end.number == 1);
+    if (is_point) return is_on_line;
+    const bool turns =
+        type.turn == JointTurn::freely ||
+        (type.turn == JointTurn::about_axis && !is_driven(end.joint, DriverKind::angle) &&
+         !(is_angular(joint.type) && joint.limits));
+    const bool is_parallel = joint.axis[end.number].cross(along).norm() <= kMeet;
+    return turns && is_parallel && (is_on_line || type.place == JointPlace::in_plane);
   }
 
   bool is_one_point(const PointOf& a, const PointOf& b) const {
@@ -102,6 +170,11 @@ class SpinFinder {
 std::vector<Spin> find_spins(const Mechanism& mechanism) {
   if (is_typed(mechanism) || mechanism.space == Space::planar) return {};
   return SpinFinder(mechanism).find();
+}
+
+std::vector<std::size_t> find_idle_turns(const Mechanism& mechanism) {
+  if (is_typed(mechanism) || mechanism.space == Space::planar) return {};
+  return SpinFinder(mechanism).idle_turns();
 }
 
 bool are_spins_as_meant(const Mechanism& mechanism, const Eigen::VectorXd& q) {

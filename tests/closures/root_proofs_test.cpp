@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "mechanisms.h"
@@ -143,6 +144,22 @@ TEST(CertifiedClosures, AreNotToldOfWhereEquationsAreSpare) {
   ASSERT_FALSE(result.closures.empty());
   EXPECT_EQ(result.closures.front().certified, std::nullopt);
   EXPECT_EQ(result.completeness, std::nullopt);
+}
+
+/// Roots with t = i are no poses, though rounded coefficients leave 1 + t^2 at 1e-15 there, and not at 0.
+TEST(Arms, HaveNoClosureWhereAHalfAnglesTangentIsImaginary) {
+  for (const double x : {0.089, 0.144, -0.232}) {
+    Mechanism arm = mechanism_file("puma-560");
+    auto& points = arm.bodies[0].points;
+    const auto base = std::find_if(points.begin(), points.end(),
+                                   [](const BodyPoint& point) { return point.name == "J1"; });
+    ASSERT_NE(base, points.end());
+    base->at.x() = x;
+    const ClosureResult result = closures_of(arm);
+    EXPECT_TRUE(result.complete) << result.message;
+    EXPECT_EQ(result.counts.complex, 8U) << x;
+    EXPECT_EQ(result.completeness, RootCompleteness::proved) << x;
+  }
 }
 
 /// Beside the quadric where the quaternion has norm 0: in double the closures that are off by little pass for points of it.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -229,6 +230,76 @@ TEST(SpatialClosures, ALinkThatSpinsBetweenBallsHidesNoClosure) {
   };
   EXPECT_NEAR(std::min(output(0), output(1)), -93.54158024029208, 1e-9);
   EXPECT_NEAR(std::max(output(0), output(1)), 91.57541939668447, 1e-9);
+}
+
+/// A MacPherson strut: the wheel's knuckle on a driven arm and a tie rod, and a line of it through the top mount.
+std::string macpherson(const std::string& strut) {
+  return R"toml(space = "spatial"
+[units]
+length = "mm"
+[ground.points]
+LF = [130, 350, 200]
+TOP = [-15, 560, 800]
+I = [-120, 340, 235]
+[body.lower.points]
+LF = [130, 350, 200]
+LB = [0, 690, 180]
+[body.knuckle.points]
+LB = [0, 690, 180]
+S = [-5, 600, 500]
+T = [-130, 670, 240]
+[[joint]]
+type = "revolute"
+at = ["ground.LF", "lower.LF"]
+axis = [280, 0, -5]
+name = "bush"
+[[joint]]
+type = "spherical"
+at = ["lower.LB", "knuckle.LB"]
+[[joint]]
+type = "rod"
+at = ["knuckle.T", "ground.I"]
+length = 330.189339616
+[[driver]]
+angle = "bush"
+start = 0.05
+)toml" + strut;
+}
+
+// The knuckle turns about two balls, of which the upper one is at either of two places on its line; the tie rod leaves two poses of each.
+TEST(SpatialClosures, AStrutHasTheSameWhetherItsRodIsABodyThatSpinsOrALine) {
+  const std::string line = R"toml([[joint]]
+type = "point-on-line"
+at = ["knuckle.S", "ground.TOP"]
+axis = [-10, -40, 300]
+)toml";
+  const std::string rod = R"toml([body.strut.points]
+S = [-5, 600, 500]
+TOP = [-15, 560, 800]
+[[joint]]
+type = "spherical"
+at = ["strut.TOP", "ground.TOP"]
+[[joint]]
+type = "cylindrical"
+at = ["knuckle.S", "strut.S"]
+axis = [-10, -40, 300]
+name = "damper"
+)toml";
+  const ClosureResult by_line = closures_of(mechanism_text(macpherson(line)));
+  EXPECT_TRUE(by_line.complete) << by_line.message;
+  EXPECT_EQ(by_line.counts.complex, 4U) << "none with a quaternion of norm 0 is a pose";
+  const ClosureResult by_rod = closures_of(mechanism_text(macpherson(rod)));
+  EXPECT_TRUE(by_rod.complete) << by_rod.message;
+  ASSERT_EQ(by_rod.idle.size(), 1U);
+  EXPECT_EQ(by_rod.idle[0].joint, "damper");
+  EXPECT_EQ(by_rod.counts.complex, 4U);
+  ASSERT_EQ(by_rod.closures.size(), by_line.closures.size());
+  constexpr Eigen::Index kKnuckle = 6;
+  for (const Closure& closure : by_rod.closures) {
+    EXPECT_TRUE(std::any_of(by_line.closures.begin(), by_line.closures.end(), [&](const auto& c) {
+      return (c.q.segment(kKnuckle, 6) - closure.q.segment(kKnuckle, 6)).norm() < 1e-6;
+    }));
+  }
 }
 
 // A knuckle whose tie rod is a body: that is one distance, and the knuckle is no three distances then.

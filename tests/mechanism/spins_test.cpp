@@ -61,5 +61,64 @@ TEST(Spins, HaveOneRowThatTheTurnAloneChanges) {
   EXPECT_EQ(changes, 2);
 }
 
+/// A connecting rod between balls, and a piston whose ball stands `off` its axis.
+std::string piston(const std::string& off) {
+  return R"toml(space = "spatial"
+[ground.points]
+O = [0, 0, 0]
+G = [3, 0, 0]
+[body.crank.points]
+O = [0, 0, 0]
+A = [0, 1, 0]
+[body.rod.points]
+A = [0, 1, 0]
+B = [4, 0, 0]
+[body.piston.points]
+B = [4, )toml" +
+         off + R"toml(, 0]
+G = [3, 0, 0]
+[[joint]]
+type = "revolute"
+at = ["ground.O", "crank.O"]
+axis = [0, 0, 1]
+name = "crank"
+[[joint]]
+type = "spherical"
+at = ["crank.A", "rod.A"]
+[[joint]]
+type = "spherical"
+at = ["rod.B", "piston.B"]
+[[driver]]
+angle = "crank"
+start = 0.2
+[[joint]]
+type = "cylindrical"
+at = ["ground.G", "piston.G"]
+axis = [1, 0, 0]
+name = "bore"
+)toml";
+}
+
+TEST(IdleTurns, AreAboutAnAxisThatAllOtherJointsLetTurn) {
+  const Mechanism mechanism = typed(piston("0"));
+  const std::vector<std::size_t> joints = find_idle_turns(mechanism);
+  ASSERT_EQ(joints.size(), 1U);
+  EXPECT_EQ(mechanism.joints[joints[0]].name, "bore");
+}
+
+TEST(IdleTurns, AreNoneWhereAnotherJointOrADriverHoldsThem) {
+  EXPECT_TRUE(find_idle_turns(typed(piston("0.1"))).empty()) << "a ball beside the axis";
+  EXPECT_TRUE(
+      find_idle_turns(typed(piston("0") + "[[driver]]\nangle = \"bore\"\nstart = 0\n")).empty());
+  EXPECT_TRUE(
+      find_idle_turns(typed(piston("0") + "[[driver]]\nx = \"piston.G\"\nstart = 3\n")).empty());
+  EXPECT_TRUE(find_idle_turns(typed(piston("0") + "[[joint]]\ntype = \"prismatic\"\n"
+                                                  "at = [\"ground.G\", \"piston.G\"]\n"
+                                                  "axis = [1, 0, 0]\n"))
+                  .empty());
+  EXPECT_TRUE(find_idle_turns(typed(test::kSpinningCoupler)).empty());
+  EXPECT_TRUE(find_idle_turns(test::example("slider-crank")).empty());
+}
+
 }  // namespace
 }  // namespace moivre

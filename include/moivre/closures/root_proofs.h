@@ -4,8 +4,9 @@
 // Blocks solved in turn are a triangular system. Where the values of the blocks before lie in balls, the next ones are proved for all
 // numbers in these (certify/certifier.h): the product of all balls holds exactly one root of all equations so far. A group is a block that
 // was solved by homotopy, with the lone linear equations that were solved since the one before.
-//   vanishes   E(x) at a root x: z = E(x) is one more unknown, and its ball holds 0 in kFineBits as well. It is no proof, but what is
-//              tiny because lengths are off by 1e-9 is seen not to be 0
+//   vanishes   E(x) at a root x: z = E(x) is one more unknown, known to 256 bits. Its ball holds 0; or, where coefficients were rounded, z is
+//              no further from 0 than it would move if they all changed in their last digits. It is no proof, but what is tiny because
+//              lengths are off by 1e-9 is seen not to be 0
 //   real       the mirror image of a root is a root; it lies in the ball that holds one root only
 // Edges: a multiple root has no proof, and no root above it has one. Nothing is proved where the module certify was not built.
 #pragma once

@@ -42,6 +42,8 @@ struct Formulation {
   std::vector<bool>
       is_direction;   ///< of each variable: t or u, of size 1 where real; else a length
   double length = 0;  ///< the mechanism's largest; 0 of typed equations, which have none
+  /// The coefficients are what the file's numbers make them, not right to rounding only. Of spatial mechanisms.
+  bool is_exact = true;
   std::vector<std::vector<std::string>> owners;  ///< bodies (or unknowns) that a variable places
   std::vector<std::string> contradictions;       ///< why there is no closure, each a clause
 

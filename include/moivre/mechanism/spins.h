@@ -7,7 +7,12 @@
 //   d . (R e x e) = 0,   d = B - A,   R the body's orientation
 // so that the pose drawn with R = I stays. No rule without an exception exists (the hairy ball): here it is a line d or R^T d along e,
 // which is no direction that anything is drawn in. Of the two solutions the one with R e on the side of e is meant.
-// Edges: joints at one point, or to one and the same body, hold no line: no spin. A body with a driven point has none either.
+// A body also turns idly about the axis of a revolute or cylindrical joint that all its other joints let it turn about, as a piston with
+// a ball on its axis does. That joint's angle is free, and holding it holds the turn.
+// Edges: joints at one point, or to one and the same body, hold no line: no spin. A body with a driven point has none either, nor has one with
+// a cylinder beside the line whose length has limits.
+// Not supported: a body between a ball and a plane; several bodies that turn together, as a strut of free length between two balls does;
+// joints of the second kind at different bodies of one group.
 #pragma once
 
 #include <vector>
@@ -18,6 +23,9 @@ namespace moivre {
 
 /// In the order of their bodies; none of a planar mechanism or of typed equations.
 std::vector<Spin> find_spins(const Mechanism& mechanism);
+
+/// Joints about whose axis a body turns while everything else stands, one a body; each is revolute or cylindrical, and not driven.
+std::vector<std::size_t> find_idle_turns(const Mechanism& mechanism);
 
 /// Whether each held spin is at the solution that is meant: elsewhere its body has turned by half a turn, and the pose is the same but for it.
 bool are_spins_as_meant(const Mechanism& mechanism, const Eigen::VectorXd& q);
