@@ -128,15 +128,14 @@ MotionResult find_motion_of_whole(const Mechanism& mechanism, const Tracker& tra
   result.time_s.track = watch.total();
   begin_tracks(run, scenes);
   reconcile(run, scenes);
+  std::vector<std::string> doubts;
   if (options.checkpoints > 0 && !mechanism.drivers.empty() && !scenes.empty()) {
     PairSearch pairs(run, tracker);
     const auto can_follow = [&](double time) { return pairs.can_follow(time); };
     if (look_closer(run, tracker, can_follow, scenes)) reconcile(run, scenes);
     search_pairs(run, tracker, scenes, pairs);
     tell_instants(pairs.instants(), result);
-    for (const std::string& doubt : pairs.doubts()) {
-      result.left_out.push_back({"a short branch, if there is one", doubt});
-    }
+    doubts = pairs.doubts();
   }
   const std::vector<double> crossings = step_aside(run, tracker, scenes);
   if (!crossings.empty()) reconcile(run, scenes);
@@ -147,6 +146,7 @@ MotionResult find_motion_of_whole(const Mechanism& mechanism, const Tracker& tra
   for (const Scene& scene : scenes) enter_checkpoint(run, scene, result);
   enter_unverified(run, result);
   enter_unmet(run, result);
+  std::move(doubts.begin(), doubts.end(), std::back_inserter(result.failures));
   count_work(scenes, result);
   tell_instants(run.instants, result);
   tell_crossings(crossings, result);

@@ -12,6 +12,7 @@ using Eigen::Index;
 
 // Steps in y; the longest one beside |y|.
 constexpr double kFirstPairStep = 1e-2;
+constexpr double kProbe = 1e-4;
 constexpr double kLongestPairStep = 0.25;
 constexpr double kShortestPairStep = 1e-11;
 constexpr int kMostPairSteps = 20000;
@@ -65,7 +66,8 @@ class PairFollower {
       curve_.is_lost = to_go > 0;
       if (to_go <= 0) return curve_;  // at a border, and on the way out
       h_ = std::min({h_, kLongestPairStep * at_.y.norm(), kLongestPairTime / std::abs(rate_now)});
-      if (h_ < kShortestPairStep || at_.y.norm() > kFarAway) return curve_;
+      if (at_.y.norm() > kFarAway) return gone_to_infinity(k > 0);
+      if (h_ < kShortestPairStep) return curve_;
       const bool is_last = h_ >= 0.9 * to_go;
       const auto step = is_last ? last_step(border) : tried(h_);
       if (!step) {
@@ -126,6 +128,13 @@ class PairFollower {
            miss.norm() <= kMostMiss * step.length &&
            std::abs(miss[at]) <= kMostMissOfS * most_of_s + kNoiseOfS &&
            std::abs(slope_miss) <= kMostMissOfSlope * most_of_slope + kNoiseOfS / step.length;
+  }
+
+  /// On its other side the roots come back. Where they begin that far away nothing is real beside them.
+  PairCurve gone_to_infinity(bool has_moved) {
+    if (has_moved) curve_.borders.push_back(time(at_));
+    curve_.is_lost = false;
+    return curve_;
   }
 
   struct Meeting {
@@ -298,7 +307,8 @@ class PairFollower {
       const PairVector guess = hermite(step, share * step.length);
       const PairVector across = PairVector::Unit(guess.size(), equations_.at_tau());
       const auto point = equations_.corrected(guess, base_, across, there, at_.tangent);
-      if (point && !passing_(k, equations_.roots(point->y).front())) return false;
+      const bool is_complex = point && s(*point) < 0;  // in a short life within the step it is not
+      if (is_complex && !passing_(k, equations_.roots(point->y).front())) return false;
     }
     return true;
   }
@@ -312,6 +322,11 @@ class PairFollower {
     at_ = *point;
     base_ = guess;
     bend_ = PairVector::Zero(guess.size());
+    // Where a driver stands s is level, and its slope is foretold by the bend alone.
+    const double offset = at_.tangent.dot(at_.y).real() + kProbe;
+    const auto probe =
+        equations_.corrected(at_.y + kProbe * at_.tangent, base_, at_.tangent, offset, at_.tangent);
+    if (probe) bend_ = (probe->tangent - at_.tangent) / kProbe;
     return s(at_) < 0;
   }
 

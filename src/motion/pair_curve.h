@@ -6,8 +6,8 @@
 //   s has a maximum     it is located; above zero two real roots live for a while, however short
 // A step is so short that s is known within it: its second-order prediction and that of its slope miss by a small part only. A maximum that
 // all but touches zero is decided in double-double.
-// Edges: a curve ends at `from`, at `to`, where the roots stay real, and where it cannot be followed: three roots meet, or some go
-// to infinity.
+// Edges: a curve ends at `from`, at `to`, where the roots stay real, where they go to infinity, and where it cannot be followed, as where
+// three roots meet.
 #pragma once
 
 #include <atomic>
@@ -29,9 +29,10 @@ struct RealWhile {
 };
 
 struct PairCurve {
-  bool is_lost = false;         ///< it could not be followed to its end
-  double last = 0;              ///< time of its end
-  std::vector<double> borders;  ///< times at which the roots meet, or the curve turns back
+  bool is_lost = false;  ///< it could not be followed to its end
+  double last = 0;       ///< time of its end
+  std::vector<double>
+      borders;  ///< times at which the roots meet or go to infinity, or the curve turns back
   std::vector<RealWhile> short_lives;
   /// Times at which the curve goes back while its roots are real: three are, and one of them between the dead points of the others.
   std::vector<double> fold_backs;

@@ -125,8 +125,12 @@ void PairSearch::enter_pairs(const Point& root, PairScene& scene) {
 }
 
 void PairSearch::enter(const Scene& scene) {
-  PairScene entered{scene.time, scene.closures.complete, {}};
+  PairScene entered;
+  entered.time = scene.time;
+  entered.is_complete = scene.closures.complete;
+  entered.closures = scene.closures.solutions.size();
   for (const Solution& closure : scene.closures.solutions) {
+    entered.are_apart = entered.are_apart && !closure.singular;
     if (closure.real || closure.singular) continue;
     prepare();
     enter_pairs(closure.x, entered);
@@ -150,11 +154,25 @@ bool PairSearch::pass(std::size_t scene, std::size_t block, const Point& x,
     pair.is_passed = true;
     return &pair != &begun;
   }
-  if (scenes_[scene].is_complete) {
-    tell("a pair of complex closures that is there " + at_time(scenes_[scene].time) +
-         " is not among those that were solved");
-  }
+  scenes_[scene].lacks_pair = true;
   return true;
+}
+
+/// Whether all closures are there and apart, complex ones too: at some times a few are at infinity, or meet.
+bool PairSearch::is_regular(const PairScene& scene) const {
+  return scene.are_apart &&
+         std::all_of(scenes_.begin(), scenes_.end(),
+                     [&](const PairScene& other) { return other.closures <= scene.closures; });
+}
+
+std::vector<std::string> PairSearch::doubts() const {
+  std::vector<std::string> all = doubts_;
+  for (const PairScene& scene : scenes_) {
+    if (!scene.lacks_pair || !scene.is_complete || !is_regular(scene)) continue;
+    all.push_back("a pair of complex closures that is there " + at_time(scene.time) +
+                  " is not among those that were solved");
+  }
+  return all;
 }
 
 /// Poses in which a block's root is: the other blocks are solved above it.
@@ -225,10 +243,8 @@ void PairSearch::take(const PairEquations& equations, const PairCurve& curve) {
       take_brief(equations, life);
     }
   }
-  // Where nothing can be followed scenes are nearer to each other.
-  if (!curve.is_lost || run_.stop || !can_follow(curve.last)) return;
-  tell("a pair of complex closures could not be followed beyond t = " + std::to_string(curve.last) +
-       " s");
+  // Beyond a place where a curve is lost closures are solved again. Where nothing can be followed scenes are nearer to each other.
+  if (curve.is_lost && !run_.stop && can_follow(curve.last)) borders_.push_back(curve.last);
 }
 
 void PairSearch::follow(std::size_t scene, std::size_t pair) {
@@ -244,8 +260,14 @@ void PairSearch::follow(std::size_t scene, std::size_t pair) {
       has_come_back = !pass(number, begun.block, x, begun);
       return !has_come_back;
     };
-    take(equations,
-         follow_pair(equations, begun.x, scenes_[scene].time, forwards, times, passing, run_.stop));
+    const PairCurve curve =
+        follow_pair(equations, begun.x, scenes_[scene].time, forwards, times, passing, run_.stop);
+    take(equations, curve);
+    const double way = std::abs(curve.last - scenes_[scene].time);
+    const bool goes_out = scenes_[scene].time == (forwards ? run_.times.to : run_.times.from);
+    if (curve.is_lost && !goes_out && way <= kBriefest * equations.duration()) {
+      scenes_[scene].shows_stretch = false;
+    }
   }
 }
 
@@ -263,7 +285,7 @@ void PairSearch::follow(const std::vector<Scene>& scenes) {
   }
 }
 
-std::vector<double> PairSearch::open_times(const std::vector<Scene>& scenes) const {
+std::vector<double> PairSearch::open_times() const {
   std::vector<double> parts = borders_;
   for (const Track& track : run_.tracks) {
     for (const Branch* way : {&track.forwards, &track.backwards}) {
@@ -279,11 +301,9 @@ std::vector<double> PairSearch::open_times(const std::vector<Scene>& scenes) con
     const double from = parts[k - 1];
     const double to = parts[k];
     if (to - from <= least) continue;
-    const bool is_seen = std::any_of(scenes.begin(), scenes.end(), [&](const Scene& scene) {
-      const bool is_singular =
-          std::any_of(scene.closures.solutions.begin(), scene.closures.solutions.end(),
-                      [](const Solution& closure) { return closure.singular; });
-      if (is_singular) return false;
+    const bool is_seen = std::any_of(scenes_.begin(), scenes_.end(), [&](const PairScene& scene) {
+      // What was not decided is told, and solving beside it helps as little.
+      if (scene.is_complete && (!is_regular(scene) || !scene.shows_stretch)) return false;
       const bool is_at_border = scene.time == run_.times.from || scene.time == run_.times.to;
       return is_at_border ? scene.time == from || scene.time == to
                           : scene.time > from && scene.time < to;
@@ -293,8 +313,8 @@ std::vector<double> PairSearch::open_times(const std::vector<Scene>& scenes) con
   for (const double time : fold_backs_) {
     const auto is_there = [&](double other) { return std::abs(other - time) <= least; };
     const bool is_seen = std::any_of(open.begin(), open.end(), is_there) ||
-                         std::any_of(scenes.begin(), scenes.end(),
-                                     [&](const Scene& scene) { return is_there(scene.time); });
+                         std::any_of(scenes_.begin(), scenes_.end(),
+                                     [&](const PairScene& scene) { return is_there(scene.time); });
     if (!is_seen) open.push_back(time);
   }
   return open;
@@ -303,18 +323,20 @@ std::vector<double> PairSearch::open_times(const std::vector<Scene>& scenes) con
 std::vector<Track> PairSearch::take_brief() { return std::exchange(brief_, {}); }
 
 void search_pairs(MotionRun& run, const Tracker& tracker, std::vector<Scene>& scenes,
-                  PairSearch& pairs, int most_rounds) {
-  for (int round = 0; !run.stop; ++round) {
+                  PairSearch& pairs, std::size_t most_times) {
+  const std::size_t at_first = scenes.size();
+  while (!run.stop) {
     pairs.follow(scenes);
     std::vector<Track> brief = pairs.take_brief();
     const bool is_new = !brief.empty();
     std::move(brief.begin(), brief.end(), std::back_inserter(run.tracks));
-    const std::vector<double> open = pairs.open_times(scenes);
+    const std::vector<double> open = pairs.open_times();
     if (!is_new && open.empty()) return;
-    if (round == most_rounds) {
+    if (scenes.size() - at_first + open.size() > most_times) {
       pairs.tell("closures were solved between neighbouring events " +
-                 counted(most_rounds, "time") + ", and more events came to light each time" +
-                 (open.empty() ? "" : "; none was solved at " + at_time(open.front())));
+                 counted(scenes.size() - at_first, "time") +
+                 ", and more events came to light each time" +
+                 (open.empty() ? "" : "; none was solved " + at_time(open.front())));
       return;
     }
     add_scenes(run, tracker, open, scenes);

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Between which times do closures become real that no scene shows? Every pair of complex ones is followed (pair_curve.h).
 //
-// Let B be the times at which some pair meets, or turns back, or a branch begins or ends. Between two neighbouring times of B the
-// number of real closures is the same. So with one scene there, and all its pairs followed, nothing is missed: two roots that are
-// real for a while at another time are a pair in that scene, or in the scene of an earlier while, and following it leads there.
+// Let B be the times at which some pair meets, turns back, goes to infinity or is lost, or a branch begins or ends. Between two
+// neighbouring times of B the number of real closures is the same. So with one scene there, and all its pairs followed, nothing is missed:
+// two roots that are real for a while at another time are a pair in that scene, or in the scene of an earlier while, and following it leads
+// there. The scene has to be regular: as many closures as any other scene, complex ones too, and no multiple one. And its pairs must not be
+// lost at once. Else closures are solved at another time of that stretch.
 // Stretches shorter than kBriefest have no scene of their own; the roots that are real there come from the pair's own curve. But where
 // three roots are real these are well apart, and a scene shows them, however short that is.
-// Every pair that passes a scene must be one of its pairs.
+// Every pair that passes a regular scene must be one of its pairs.
 // Edges: closures beyond a joint's limits are no branches; that they come within limits for a while is seen at scenes alone.
 // A mechanism without drivers, or with fewer equations than unknowns, has no pairs that move.
 #pragma once
@@ -30,7 +32,7 @@ class PairSearch {
   /// Follows the pairs of all scenes that no earlier curve passes.
   void follow(const std::vector<Scene>& scenes);
   /// Times in stretches of B without a scene, and in fold-backs: where to solve closures next; empty where nothing is left to see.
-  std::vector<double> open_times(const std::vector<Scene>& scenes) const;
+  std::vector<double> open_times() const;
   /// Branches that live so briefly that no scene shows them, from the pair's curve; each is given once.
   std::vector<Track> take_brief();
 
@@ -38,8 +40,8 @@ class PairSearch {
   const std::vector<double>& instants() const { return instants_; }
   /// Notes a doubt, once.
   void tell(const std::string& doubt);
-  /// What could not be followed, or was not found among a scene's closures, each a sentence.
-  const std::vector<std::string>& doubts() const { return doubts_; }
+  /// What was not found among a scene's closures, each a sentence.
+  std::vector<std::string> doubts() const;
 
  private:
   struct KnownPair {
@@ -50,8 +52,14 @@ class PairSearch {
   struct PairScene {
     double time = 0;
     bool is_complete = false;
+    bool are_apart = true;     ///< its closures
+    std::size_t closures = 0;  ///< complex ones too
     std::vector<KnownPair> pairs;
+    bool lacks_pair = false;  ///< a curve passes that is none of its pairs
+    /// Its pairs could be followed from it; elsewhere it tells nothing of the times beside it.
+    bool shows_stretch = true;
   };
+  bool is_regular(const PairScene& scene) const;
   void prepare();
   void enter(const Scene& scene);
   void enter_pairs(const Point& root, PairScene& scene);
@@ -79,12 +87,12 @@ class PairSearch {
 Track brief_track(const Phi& phi, const BranchPose& begin, const BranchPose& pose,
                   const BranchPose& end);
 
-/// Each round brings an event to light; no motion was met that needed more.
-inline constexpr int kMostSearches = 100;
+/// A hundred branches begin and end between as many times; where numbers are too rough to follow anything more would be without end.
+inline constexpr std::size_t kMostSearches = 400;
 
 /// Scenes until there is one between any two neighbouring events, with every pair of complex closures followed. What is left open is
 /// told as a doubt.
 void search_pairs(MotionRun& run, const Tracker& tracker, std::vector<Scene>& scenes,
-                  PairSearch& pairs, int most_rounds = kMostSearches);
+                  PairSearch& pairs, std::size_t most_times = kMostSearches);
 
 }  // namespace moivre

@@ -72,7 +72,8 @@ void expect_found(BriefKind kind, const std::vector<double>& shares, std::uint64
       const BriefLife brief = random_brief_life(kind, share, kSeed, number);
       const MotionResult motion = turn_of(brief);
       // Three poses of a fold-back lie so near to each other that some are told to be in doubt.
-      EXPECT_TRUE(motion.complete || kind == BriefKind::fold_back) << motion.message;
+      EXPECT_TRUE(motion.complete || kind == BriefKind::fold_back) 
+          << motion.message << ": " << (motion.failures.empty() ? "" : motion.failures.front());
       EXPECT_TRUE(has_both(dead_points_at(motion, brief.times[0]),
                            dead_points_at(motion, brief.times[1]), kind));
     }
@@ -126,12 +127,12 @@ TEST(ShortBranches, WhatIsLeftUnseenBetweenEventsIsTold) {
   options.solve.threads = 1;
   const std::atomic<bool> stop{false};
   const auto tracker = make_lane_tracker();
-  const auto doubts_after = [&](int rounds) {
+  const auto doubts_after = [&](std::size_t times) {
     MotionRun run(m, options, motion_times(options, options.checkpoints), stop);
     std::vector<Scene> scenes = solve_scenes(run, *tracker);
     reconcile(run, scenes);
     PairSearch pairs(run, *tracker);
-    search_pairs(run, *tracker, scenes, pairs, rounds);
+    search_pairs(run, *tracker, scenes, pairs, times);
     return pairs.doubts();
   };
   EXPECT_TRUE(doubts_after(kMostSearches).empty());

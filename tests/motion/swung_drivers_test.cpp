@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+// Is every branch found where a driver swings to and fro, so that checkpoints fall on its turns and on poses that have lost roots?
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "mechanisms.h"
+#include "moivre/motion/motion.h"
+
+namespace moivre {
+namespace {
+
+MotionResult motion_for_a_second(const std::string& text, std::uint64_t seed) {
+  MotionOptions options;
+  options.to = 1;
+  options.solve.seed = seed;
+  return motion_of(mechanism_text(text), options);
+}
+
+/// Crank 2, rod 5; the slide is driven, and the two closures are real where 3 <= s <= 7.
+std::string slider_crank(const std::string& law) {
+  return R"toml([ground.points]
+O = [0, 0]
+[body.crank.points]
+O = [0, 0]
+A = [2, 0]
+[body.rod.points]
+A = [0, 0]
+B = [5, 0]
+[body.slider.points]
+B = [0, 0]
+[[joint]]
+type = "revolute"
+at = ["ground.O", "crank.O"]
+[[joint]]
+type = "revolute"
+at = ["crank.A", "rod.A"]
+[[joint]]
+type = "revolute"
+at = ["rod.B", "slider.B"]
+[[joint]]
+type = "prismatic"
+at = ["ground.O", "slider.B"]
+along = [1, 0]
+name = "s"
+[[driver]]
+slide = "s"
+value = ")toml" +
+         law + "\"\n";
+}
+
+// Both closures are real for a while in each half swing; at s = 0 they are at infinity, at s = 10 the driver stands.
+TEST(ASwungSlide, HasTwoBranchesInEachHalfSwing) {
+  for (const int swings : {1, 2, 4, 10}) {
+    const std::string law = "5 + 5*cos(" + std::to_string(2 * swings) + "*pi*t)";
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+      SCOPED_TRACE(law + ", seed " + std::to_string(seed));
+      const MotionResult motion = motion_for_a_second(slider_crank(law), seed);
+      EXPECT_TRUE(motion.complete) << motion.message;
+      ASSERT_EQ(motion.branches.size(), 4U * static_cast<std::size_t>(swings));
+      const double first = std::acos(0.4) / (2 * std::numbers::pi * swings);  // s = 7
+      const double last = std::acos(-0.4) / (2 * std::numbers::pi * swings);  // s = 3
+      for (std::size_t k : {0U, 1U}) {
+        EXPECT_NEAR(motion.branches[k].begins, first, 1e-9);
+        EXPECT_NEAR(motion.branches[k].ends, last, 1e-9);
+      }
+    }
+  }
+}
+
+// At every checkpoint but one the coupler and the crank are too short for the rocker's angle.
+TEST(ASwungRocker, HasFourBranchesBetweenCheckpoints) {
+  const std::string text = R"toml([units]
+angle = "deg"
+[ground.points]
+O = [1, -5]
+Q = [1, 2]
+[body.a.points]
+O = [1, -5]
+A = [2, -4]
+[body.b.points]
+A = [2, -4]
+B = [-4, -2]
+[body.c.points]
+B = [-4, -2]
+Q = [1, 2]
+[[joint]]
+type = "revolute"
+at = ["ground.O", "a.O"]
+[[joint]]
+type = "revolute"
+at = ["a.A", "b.A"]
+[[joint]]
+type = "revolute"
+at = ["b.B", "c.B"]
+[[joint]]
+type = "revolute"
+at = ["ground.Q", "c.Q"]
+[[driver]]
+angle = "c"
+value = "-30 + 75*cos(2*pi*t)"
+)toml";
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    const MotionResult motion = motion_for_a_second(text, seed);
+    EXPECT_TRUE(motion.complete) << motion.message;
+    ASSERT_EQ(motion.branches.size(), 4U) << seed;
+    // |O B| is the sum of crank and coupler, or their difference, at these times, by circles.
+    EXPECT_NEAR(motion.branches.front().begins, 0.16384, 1e-5);
+    EXPECT_NEAR(motion.branches.front().ends, 0.22665, 1e-5);
+    EXPECT_NEAR(motion.branches.back().ends, 1 - 0.16384, 1e-5);
+  }
+}
+
+// y = 1 + 2 sin: at every checkpoint the crank stands at its highest point, where two closures meet. The crank's angle at the dead points, where
+// the rod and the rocker lie in a line, is by circles; two branches begin or end at each.
+TEST(ASwungPoint, HasTheBranchesBetweenItsDeadPointsThoughNoCheckpointShowsOne) {
+  const std::string text = R"toml([ground.points]
+O = [0, 0]
+Q = [-5, -4]
+[body.crank.points]
+O = [0, 0]
+A = [0, 1]
+B = [0, -3]
+[body.rocker.points]
+Q = [0, 0]
+C = [1, -2]
+[[joint]]
+type = "revolute"
+at = ["ground.O", "crank.O"]
+[[joint]]
+type = "revolute"
+at = ["ground.Q", "rocker.Q"]
+[[joint]]
+type = "rod"
+at = ["crank.B", "rocker.C"]
+length = 8
+[[driver]]
+y = "crank.A"
+value = "1 + 2*sin(4*pi*t)"
+)toml";
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    const MotionResult motion = motion_for_a_second(text, seed);
+    EXPECT_TRUE(motion.complete) << motion.message;
+    for (const double half : {0.0, 0.5}) {
+      for (const double time : {0.25098372, 0.31337517, 0.43662483, 0.49901628}) {
+        const auto borders = std::count_if(
+            motion.branches.begin(), motion.branches.end(), [&](const MotionBranch& branch) {
+              const double border = time < 0.375 ? branch.begins : branch.ends;
+              return std::abs(border - time - half) < 1e-7;
+            });
+        EXPECT_EQ(borders, 2) << time + half << ", seed " << seed;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace moivre
