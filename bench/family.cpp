@@ -103,7 +103,7 @@ bool measure(const FamilyProblem& problem, const Request& request) {
   std::size_t wrong = 0;
   std::size_t judged = 0;
   for (const MemberRoots& result : results) {
-    wrong += !result.complete || result.roots.size() != problem.roots ? 1 : 0;
+    wrong += result.failed > 0 || result.roots.size() != problem.roots ? 1 : 0;
     judged += result.judged ? 1 : 0;
   }
   wrong += family.roots.size() == problem.roots ? 0 : members.size();

@@ -267,9 +267,13 @@ class Stages {
       add_solving(result.time, run_.time);
       result = std::move(another);
     };
-    // Where paths are in doubt, roots that are proved may be as many as a proved bound allows: the paths lead to no other. And what
-    // passes for a point of a set may be proved to be a root.
-    if ((!result.complete || !result.on_sets.empty()) && !stop_ && options_.certify) {
+    // Where paths are in doubt, roots that are proved may be as many as a proved bound allows: the paths lead to no other. What passes for
+    // a point of a set may be proved to be a root, and what passes for a multiple root to be several.
+    const bool has_multiple =
+        std::any_of(result.solutions.begin(), result.solutions.end(),
+                    [](const Solution& solution) { return solution.multiplicity > 1; });
+    const bool is_in_doubt = !result.complete || !result.on_sets.empty() || has_multiple;
+    if (is_in_doubt && !stop_ && options_.certify) {
       instead(solve_with(options_));
     }
     if (start && !result.complete && !stop_) instead(solve(f, tracker_, options_, stop_));

@@ -40,6 +40,7 @@ GivenStart start_of_member(const Family& family, const ParameterValues& p, const
   }
   start.bound = family.learning.bound;
   start.is_complete = family.learning.complete;
+  start.leaves_out = family.nonzero;
   return start;
 }
 

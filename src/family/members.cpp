@@ -75,23 +75,23 @@ bool is_conjugate(const Point& a, const Point& b, double least) {
   });
 }
 
-/// Says which roots of a real member are real. False where one's conjugate is missing.
-bool settle_reality(std::vector<MemberRoot>& roots) {
+void tell_real_ones(std::vector<MemberRoot>& roots) {
   for (MemberRoot& root : roots) {
     double imaginary = 0;
     for (const Complex& xj : root.x) imaginary = std::max(imaginary, std::abs(xj.imag()));
-    const double size = size_of(root.x);
-    root.real = imaginary <= kRealTolerance * size;
-    if (root.real) {
-      for (Complex& xj : root.x) xj.imag(0);
-      continue;
-    }
-    const bool found = std::any_of(roots.begin(), roots.end(), [&](const MemberRoot& other) {
-      return is_conjugate(root.x, other.x, kApart * size);
-    });
-    if (!found) return false;
+    root.real = imaginary <= kRealTolerance * size_of(root.x);
+    if (!root.real) continue;
+    for (Complex& xj : root.x) xj.imag(0);
   }
-  return true;
+}
+
+/// Whether each root of a real member has its conjugate.
+bool are_conjugates_there(const std::vector<MemberRoot>& roots) {
+  return std::all_of(roots.begin(), roots.end(), [&](const MemberRoot& root) {
+    return root.real || std::any_of(roots.begin(), roots.end(), [&](const MemberRoot& other) {
+             return is_conjugate(root.x, other.x, kApart * size_of(root.x));
+           });
+  });
 }
 
 /// One thread's paths. A member's slot is its result; what a path needs beside it is here.
@@ -167,8 +167,9 @@ class MemberSource : public DepartureSource {
     const bool is_real_member = is_real_ && std::all_of(p.begin(), p.end(), [](const Complex& pj) {
                                   return pj.imag() == 0;
                                 });
+    tell_real_ones(result.roots);
     result.complete = result.failed == 0 && are_apart(result.roots) &&
-                      (!is_real_member || settle_reality(result.roots));
+                      (!is_real_member || are_conjugates_there(result.roots));
     if (result.complete) shared_.report(result.roots.size());
   }
 
@@ -190,6 +191,7 @@ void judge(Shared& shared, std::size_t member) {
   result = {};
   result.judged = true;
   result.complete = solved.complete;
+  result.completeness = solved.completeness;
   result.at_infinity = solved.paths.at_infinity;
   result.failed = solved.paths.failed;
   for (const Solution& root : solved.solutions) {
@@ -213,16 +215,19 @@ void judge_the_rest(Shared& shared, int threads) {
   });
 }
 
-void tell_completeness(const Family& family, MemberRoots& result) {
+/// Of a member that was not judged. Where the family may lack roots its members may.
+void tell_completeness(const Family& family, bool is_certified, MemberRoots& result) {
+  if (result.judged) return;
   const auto certified = static_cast<std::uint64_t>(
       std::count_if(result.roots.begin(), result.roots.end(),
                     [](const MemberRoot& root) { return root.certified == true; }));
   const Learning& learning = family.learning;
-  if (learning.bound && learning.bound->value == certified) {
-    result.completeness = RootCompleteness::proved;
-  } else if (result.complete && learning.complete) {
-    result.completeness = RootCompleteness::shown;
-  }
+  const bool is_proved = learning.bound && learning.bound->value == certified;
+  result.complete = result.complete && (is_proved || learning.complete);
+  if (!is_certified) return;
+  result.completeness = is_proved         ? RootCompleteness::proved
+                        : result.complete ? RootCompleteness::shown
+                                          : RootCompleteness::open;
 }
 
 std::vector<Point> homogeneous(const std::vector<Point>& roots) {
@@ -276,7 +281,7 @@ std::vector<MemberRoots> roots_of(const Family& family, std::span<const Point> m
     if (options.certify) certify_members(family, members, threads, stop, results);
   }
   if (doubt == AnyDoubt::is_judged) judge_the_rest(shared, threads);
-  for (MemberRoots& result : results) tell_completeness(family, result);
+  for (MemberRoots& result : results) tell_completeness(family, options.certify, result);
   return results;
 }
 

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "certified_members.h"
@@ -19,6 +20,8 @@ namespace moivre {
 namespace {
 
 constexpr std::uint64_t kPairNumber = 1'000'000'000;
+// Other components are looked for among roots of size 1, 10, ..., 10^5.
+constexpr int kDecades = 6;
 
 /// All that loops and chance have found.
 struct Search {
@@ -115,13 +118,14 @@ std::string standing_of(const Learning& learning, const TraceTest& test, const S
                     : "the trace test fails (" + points + "): roots are missing";
 }
 
-/// Random roots of random members belong to other components where they come to roots that no loop leads to.
+/// Random roots of random members, small and large, belong to other components where they come to roots that no loop leads to.
 void look_elsewhere(const Family& family, const LoopSearch& loops, const Follower& follower,
                     Search& search) {
   for (int k = 1; k <= loops.options.other_pairs && !follower.stop; ++k) {
-    const auto pair = random_pair(family, random_bits(family.seed, RandomStream::family,
-                                                      kPairNumber + static_cast<std::uint64_t>(k)));
-    if (!pair) return;
+    const std::uint64_t seed =
+        random_bits(family.seed, RandomStream::family, kPairNumber + static_cast<std::uint64_t>(k));
+    const auto pair = random_pair(family, seed, std::pow(10.0, k % kDecades));
+    if (!pair) continue;
     auto end = follow_roots(family.system, pair->p, family.generic, {pair->x}, follower).front();
     ++search.count.paths;
     if (!end || !search.roots.add(std::move(*end))) continue;
@@ -145,26 +149,35 @@ std::string name_of(BoundKind kind) {
   return to_string(kind);
 }
 
-std::optional<MetBound> met_bound(const Family& family) {
+/// What is known of the number of roots beside those that were found.
+struct KnownCounts {
+  std::optional<MetBound> met;
+  std::optional<std::uint64_t> by_algebra;  ///< with multiplicities
+};
+
+KnownCounts known_counts(const Family& family) {
   const std::uint64_t roots = family.roots.size();
   const System member = member_system(family, exact_values(family.generic));
+  KnownCounts known;
   for (const RootBound& bound : root_bounds(member, {roots, roots})) {
-    if (bound.value != roots) continue;
-    return MetBound{name_of(bound.kind), roots, bound.kind == BoundKind::strata};
+    if (bound.value == roots) {
+      known.met = MetBound{name_of(bound.kind), roots, bound.kind == BoundKind::strata};
+    }
+    if (bound.kind == BoundKind::quotient_ring && !family.nonzero) known.by_algebra = bound.value;
   }
-  return std::nullopt;
+  return known;
 }
 
 }  // namespace
 
-std::optional<KnownPair> random_pair(const Family& family, std::uint64_t seed) {
+std::optional<KnownPair> random_pair(const Family& family, std::uint64_t seed, double size) {
   constexpr std::uint64_t kMostTrials = 64;
   constexpr double kLeastRank = 1e-8;
   const std::size_t n = family.unknowns();
   const auto rows = static_cast<Eigen::Index>(n);
   JointSystem f(family.system);
   Eigen::VectorXd sizes =
-      Eigen::VectorXd::Ones(rows + static_cast<Eigen::Index>(family.parameters()));
+      Eigen::VectorXd::Constant(rows + static_cast<Eigen::Index>(family.parameters()), size);
   sizes.tail(static_cast<Eigen::Index>(family.parameters())) = Eigen::Map<const Eigen::VectorXd>(
       family.sizes.data(), static_cast<Eigen::Index>(family.parameters()));
   for (std::uint64_t trial = 0; trial < kMostTrials; ++trial) {
@@ -208,13 +221,23 @@ Family learn_by_monodromy(Family unlearned, const KnownPair& pair, const Tracker
   learning.start = "monodromy";
   learning.paths = search.count.paths;
   if (options.certify) learning.certified = certified_roots(family, options.threads, stop);
-  if (learning.certified == family.roots.size() && !stop) learning.bound = met_bound(family);
+  std::optional<std::uint64_t> by_algebra;
+  if (learning.certified == family.roots.size() && !stop) {
+    const KnownCounts known = known_counts(family);
+    learning.bound = known.met;
+    by_algebra = known.by_algebra;
+  }
   TraceTest test;
   if (options.test && !learning.bound && family.roots.size() <= options.most_tested) {
     test = trace_test(family, tracker, options, stop);
   }
-  learning.complete = learning.bound || (test.holds && search.components == 1 && !stop);
-  learning.standing = standing_of(learning, test, search);
+  const bool lacks_roots = by_algebra > family.roots.size();
+  learning.complete =
+      learning.bound || (test.holds && search.components == 1 && !lacks_roots && !stop);
+  learning.standing =
+      lacks_roots ? "exact algebra counts " + counted(*by_algebra, "root") +
+                        " with multiplicities: the family is reducible, or roots are multiple"
+                  : standing_of(learning, test, search);
   return family;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The curve of roots over a line of members, cut by bilinear forms that move: is the sum of their points linear?
 #include <algorithm>
+#include <array>
 
 #include "loops.h"
 #include "moivre/numeric/random.h"
@@ -15,6 +16,8 @@ constexpr std::uint64_t kForm = 700'001;
 constexpr std::uint64_t kSum = 700'002;
 // Sums of points known to twelve digits are linear to this, beside the sum of their sizes.
 constexpr double kLinear = 1e-7;
+// Steps of the form: a missing root that is so many times as far away as the others bends the sum of a step as long.
+constexpr std::array<double, 3> kSteps{1, 1e2, 1e4};
 // A point of the curve stands over p* where s is no more than this.
 constexpr double kAtBase = 1e-8;
 
@@ -147,18 +150,21 @@ TraceTest trace_test(const Family& family, const Tracker& tracker, const Monodro
   const LoopSearch search{std::vector<double>(base.size(), 1.0), kTestLoops, options};
   go_round_loops(curve, base, search, follower, points);
   test.points = points.size();
-  std::vector<Trace> traces{trace_of(points.roots(), options.seed)};
   const Complex step = random_number(options.seed, kSum, n + 1);
-  for (const double multiple : {1.0, 2.0}) {
-    Point moved = base;
-    moved.back() += multiple * step;
-    const RootSet ends = arrivals(base, moved, points.roots());
-    if (ends.size() != points.size()) return test;
-    traces.push_back(trace_of(ends.roots(), options.seed));
+  for (const double length : kSteps) {
+    std::vector<Trace> traces{trace_of(points.roots(), options.seed)};
+    for (const double multiple : {1.0, 2.0}) {
+      Point moved = base;
+      moved.back() += multiple * length * step;
+      const RootSet ends = arrivals(base, moved, points.roots());
+      if (ends.size() != points.size()) return test;
+      traces.push_back(trace_of(ends.roots(), options.seed));
+    }
+    const double size = traces[0].size + traces[1].size + traces[2].size;
+    const double bend = std::abs(traces[0].sum - 2.0 * traces[1].sum + traces[2].sum);
+    test.defect = std::max(test.defect, bend / size);
   }
-  const double size = traces[0].size + traces[1].size + traces[2].size;
   test.was_made = true;
-  test.defect = std::abs(traces[0].sum - 2.0 * traces[1].sum + traces[2].sum) / size;
   test.missing = missing_roots(curve, base, points.roots(), family, follower);
   test.holds = test.defect <= kLinear && test.missing == 0;
   return test;

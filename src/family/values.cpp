@@ -3,6 +3,7 @@
 #include "moivre/family/values.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "moivre/expression/expression.h"
@@ -75,6 +76,15 @@ std::optional<Coefficient> to_value(std::string_view text) {
   return faults.empty() ? value_of(e) : std::nullopt;
 }
 
+/// Its parts are finite as doubles, and 0 only where they are.
+bool fits_a_double(const Coefficient& value) {
+  const auto fits = [](const Rational& part) {
+    const double rounded = to_double(part);
+    return std::isfinite(rounded) && (rounded != 0 || part.is_zero());
+  };
+  return fits(value.re) && fits(value.im);
+}
+
 std::optional<std::size_t> index_of(const std::vector<std::string>& names, std::string_view name) {
   const auto found = std::find(names.begin(), names.end(), name);
   if (found == names.end()) return std::nullopt;
@@ -138,6 +148,10 @@ class TableReader {
       if (!value) {
         faults_.push_back({position(cells[k], line, at),
                            "this is not a number: " + std::string(trimmed(cells[k]))});
+      } else if (!fits_a_double(*value)) {
+        faults_.push_back(
+            {position(cells[k], line, at),
+             "this is too large or too small for a double: " + std::string(trimmed(cells[k]))});
       } else if (columns_[k]) {
         member[*columns_[k]] = to_complex(*value);
       }

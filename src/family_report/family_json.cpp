@@ -97,7 +97,8 @@ std::string members_json(const MembersRun& run) {
                        {"at_infinity", member.at_infinity},
                        {"failed", member.failed},
                        {"complete", member.complete},
-                       {"completeness", to_string(member.completeness)},
+                       {"completeness", member.completeness ? Json(to_string(*member.completeness))
+                                                            : Json(nullptr)},
                        {"judged", member.judged},
                        {"solutions", list_json(member.roots, root_json)}});
   }

@@ -63,6 +63,10 @@ std::string members_text(const MembersRun& run) {
   }
   if (judged > 0) text += counted(judged, "member") + " solved again, with endgames\n";
   if (undecided > 0) text += counted(undecided, "member") + " not decided\n";
+  if (!run.family.learning.complete) {
+    text +=
+        "the family may lack roots, and so may its members: " + run.family.learning.standing + '\n';
+  }
   return text;
 }
 

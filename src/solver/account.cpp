@@ -152,10 +152,11 @@ void close_account(const Run& run, SolveResult& result) {
   const bool lacks_image =
       !run.bounds.met && is_real(run.setting.f) && !missing_conjugates(run.ledger).empty();
   const bool all_decided = result.paths.failed == 0 && !lacks_image;
-  const auto contradiction = contradiction_by_algebra(run, result);
-  result.complete = !run.interrupted && all_decided && !contradiction;
+  auto doubt = contradiction_by_algebra(run, result);
+  if (!doubt) doubt = doubt_of_start(run);
+  result.complete = !run.interrupted && all_decided && !doubt;
   result.message = run.interrupted           ? "interrupted: what is finished is reported"
-                   : all_decided             ? contradiction.value_or("every path was decided")
+                   : all_decided             ? doubt.value_or("every path was decided")
                    : result.paths.failed > 0 ? "some paths failed"
                                              : "a root's conjugate is missing among the roots";
   tell_completeness(run, result);

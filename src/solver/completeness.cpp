@@ -113,8 +113,9 @@ std::uint64_t terms_worth_looking_at(const Run& run) {
       std::min(std::max(least, kAlgebraShare * cost / kTermCost), 1e18));
 }
 
-/// Looked for when `roots` are known.
+/// Looked for when `roots` are known; not where some are left out.
 const QuotientRing& ring_of(Run& run, std::uint64_t roots) {
+  if (run.setting.prepared.leaves_out) return run.bounds.ring;
   const std::uint64_t most_terms = terms_worth_looking_at(run);
   if (run.bounds.ring.verdict == QuotientRing::Verdict::not_found &&
       is_worth_another(run.bounds.ring_terms, most_terms)) {
@@ -361,6 +362,12 @@ std::optional<std::string> contradiction_by_algebra(const Run& run, const SolveR
   if (!points || is_between(*points, result.solutions.size())) return std::nullopt;
   return "exact algebra counts " + counted(*points, "different root") + ", those found are " +
          std::to_string(result.solutions.size());
+}
+
+std::optional<std::string> doubt_of_start(const Run& run) {
+  const bool is_counted = run.bounds.ring.verdict == QuotientRing::Verdict::finite;
+  if (run.setting.prepared.leads_to_all || run.bounds.met || is_counted) return std::nullopt;
+  return "the family that the paths start from may lack roots, and so may this member of it";
 }
 
 void tell_completeness(const Run& run, SolveResult& result) {

@@ -40,6 +40,9 @@ bool are_as_counted(Run& run);
 /// ring, where it was sought and found, is another.
 std::optional<std::string> contradiction_by_algebra(const Run& run, const SolveResult& result);
 
+/// Why a start that was given may not lead to every root; nothing where the roots are counted otherwise.
+std::optional<std::string> doubt_of_start(const Run& run);
+
 /// proved, shown or open, and the bound; nothing where no certificates were asked for. Requires a closed account.
 void tell_completeness(const Run& run, SolveResult& result);
 

@@ -155,6 +155,7 @@ Prepared prepare_given(const System& f, GivenStart start) {
   }
   prepared.given_bound = std::move(start.bound);
   prepared.leads_to_all = start.is_complete;
+  prepared.leaves_out = start.leaves_out;
   prepared.plan = std::move(start.plan);
   return prepared;
 }

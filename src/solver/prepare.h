@@ -25,6 +25,7 @@ struct Prepared {
   StartFacts start;
   std::optional<MetBound> given_bound;  ///< of a given start
   bool leads_to_all = true;             ///< the plan leads to every isolated root
+  bool leaves_out = false;              ///< but for some that are not wanted
   bool interrupted = false;
 };
 

@@ -86,18 +86,23 @@ class Sweep {
                std::vector<SweepBorder>& borders) const {
     if (a.real == b.real || !a.complete || !b.complete || stop_) return;
     if (borders.size() >= kMostBorders) return;
-    std::vector<double> middle = a.at;
-    middle[along] = (a.at[along] + b.at[along]) / 2;
-    const bool is_between = middle[along] != a.at[along] && middle[along] != b.at[along];
-    if (std::abs(b.at[along] - a.at[along]) <= width || !is_between) {
-      borders.push_back({std::move(middle), a.real, b.real, along});
+    const auto place = [&](double share) {
+      std::vector<double> at = a.at;
+      at[along] += share * (b.at[along] - a.at[along]);
+      return at;
+    };
+    // On the border itself closures are double, and may not be decided.
+    for (const double share : {0.5, 0.4472, 0.5528}) {
+      const double there = place(share)[along];
+      const bool is_between = there != a.at[along] && there != b.at[along];
+      if (std::abs(b.at[along] - a.at[along]) <= width || !is_between) break;
+      const SweepSample between = sample(place(share));
+      if (!between.complete) continue;
+      sharpen(a, between, along, width, borders);
+      sharpen(between, b, along, width, borders);
       return;
     }
-    const SweepSample between = sample(std::move(middle));
-    // On the border itself closures are double: nothing is between the halves.
-    if (!between.complete) return;
-    sharpen(a, between, along, width, borders);
-    sharpen(between, b, along, width, borders);
+    borders.push_back({place(0.5), a.real, b.real, along});
   }
 
  private:

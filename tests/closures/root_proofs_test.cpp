@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "mechanisms.h"
 #include "spatial_counts.h"
@@ -137,6 +138,18 @@ TEST(CertifiedClosures, AMultipleOneHasNoCertificate) {
   EXPECT_TRUE(result.closures.front().singular);
   EXPECT_EQ(result.closures.front().certified, false);
   EXPECT_EQ(result.completeness, RootCompleteness::shown);
+}
+
+/// A ten-millionth of a degree beside the change point its closures lie so near to each other that their paths seem to meet.
+TEST(CertifiedClosures, TwoBesideAChangePointAreNotTakenForADoubleOne) {
+  for (const double angle : {1e-6, 2e-6, 3e-6}) {
+    for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+      const ClosureResult result = closures_of(
+          driven_from(mechanism_file("parallelogram"), angle * std::numbers::pi / 180), seed);
+      EXPECT_EQ(result.closures.size(), 2U) << angle << ", seed " << seed;
+      EXPECT_EQ(result.completeness, RootCompleteness::proved) << angle << ", seed " << seed;
+    }
+  }
 }
 
 TEST(CertifiedClosures, AreNotToldOfWhereEquationsAreSpare) {

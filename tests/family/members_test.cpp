@@ -33,7 +33,7 @@ TEST(SolveMembers, HasTheGenericCountEveryTime) {
   for (const MemberRoots& member : results) {
     EXPECT_TRUE(member.complete);
     EXPECT_EQ(member.roots.size(), 4U);
-    EXPECT_EQ(member.completeness, RootCompleteness::shown);
+    EXPECT_EQ(member.completeness, std::nullopt) << "no certificates were asked for";
     judged += member.judged ? 1 : 0;
   }
   EXPECT_LE(judged, 3U);
@@ -99,6 +99,36 @@ TEST(SolveMembers, AreProvedWhereThatIsAskedFor) {
   }
 }
 
+TEST(SolveMembers, OfAFamilyThatMayLackRootsAreNotComplete) {
+  const auto lanes = make_lane_tracker();
+  Family family = learn(conics(), *lanes);
+  family.roots.pop_back();
+  family.learning.complete = false;
+  family.learning.bound.reset();
+  for (const bool certify : {true, false}) {
+    SolveOptions options = plain(1);
+    options.certify = certify;
+    for (const MemberRoots& member : solve_members(family, random_members(3, 5), *lanes, options)) {
+      EXPECT_EQ(member.roots.size(), 3U);
+      EXPECT_FALSE(member.complete);
+    }
+  }
+}
+
+TEST(SolveMembers, OfComplexParametersHaveTheirRealRoots) {
+  const auto lanes = make_lane_tracker();
+  const Family family =
+      learn(unlearned_family(read_system({"test", "1 3\nb*x^2 - a*b;\n"}), {{"a"}, {"b"}}), *lanes);
+  const std::vector<Point> members{{4, Complex(0, 1)}, {-4, Complex(0, 1)}};
+  for (const bool certify : {true, false}) {
+    SolveOptions options = plain(1);
+    options.certify = certify;
+    const auto results = solve_members(family, members, *lanes, options);
+    EXPECT_EQ(results[0].real_count(), 2U);
+    EXPECT_EQ(results[1].real_count(), 0U);
+  }
+}
+
 TEST(SolveMembers, StopsWhenItIsTold) {
   const auto lanes = make_lane_tracker();
   const Family family = learn(conics(), *lanes);
@@ -106,7 +136,7 @@ TEST(SolveMembers, StopsWhenItIsTold) {
   for (const MemberRoots& member :
        solve_members(family, random_members(3, 50), *lanes, plain(1), stop)) {
     EXPECT_FALSE(member.complete);
-    EXPECT_EQ(member.completeness, RootCompleteness::open);
+    EXPECT_EQ(member.completeness, std::nullopt);
   }
 }
 

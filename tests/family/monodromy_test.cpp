@@ -111,6 +111,32 @@ TEST(Monodromy, TellsThatAFamilyIsReducible) {
   }
 }
 
+/// The other component, or a third root of the same, is so many times as far away; beside a curve no bound tells.
+TEST(Monodromy, FindsFarRootsOrIsNotComplete) {
+  const auto lanes = make_lane_tracker();
+  const struct {
+    std::string text;
+    std::size_t roots;
+  } families[] = {
+      {"1 2\n(x - a)*(x - a - 10);\n", 2},
+      {"1 2\n(x - a)*(x - a - 100000);\n", 2},
+      {"1 2\nx^3/1000 + x^2 - a;\n", 3},
+      {"1 2\nx^3/1000000 + x^2 - a;\n", 3},
+      {"2 3\n(x + y - a)*(x - a)*(x - a - 30); (x + y - a)*(y - a*x - 1);\n", 2},
+      {"2 3\n(x + y - a)*(x^3/1000 + x^2 - a); (x + y - a)*(y - a*x - 1);\n", 3},
+  };
+  for (const auto& [text, roots] : families) {
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+      Family family = unlearned_family(read_system({"test", text}), {{"a"}});
+      const auto pair = random_pair(family, seed);
+      ASSERT_TRUE(pair);
+      family = learn_by_monodromy(std::move(family), *pair, *lanes, with_seed(seed));
+      EXPECT_TRUE(family.roots.size() == roots || !family.learning.complete)
+          << text << ": " << family.roots.size() << ", " << family.learning.standing;
+    }
+  }
+}
+
 TEST(Monodromy, AProvedBoundNeedsNoTraceTest) {
   const auto lanes = make_lane_tracker();
   const Family unlearned = unlearned_family(read_system({"test", "1 2\nx^2 - p^2;\n"}), {{"p"}});

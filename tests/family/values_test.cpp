@@ -57,6 +57,10 @@ TEST(Table, NamesLineAndColumnOfEveryFault) {
     EXPECT_EQ(error.diagnostics()[3].at.line, 3U);
   }
   EXPECT_THROW(read_members({"t.csv", "# nothing\n"}, conics()), ParseError);
+  for (const std::string number : {"1e308*10", "1e-200*1e-200", "-1e300^2*i"}) {
+    EXPECT_THROW(read_members({"t.csv", "a,b,c\n1,1," + number + "\n"}, conics()), ParseError)
+        << number << " is no double";
+  }
 }
 
 TEST(Coefficients, MakeEverySystemOfTheMonomialsAMember) {

@@ -65,6 +65,50 @@ TEST(Sweep, FindsTheDeadPointsOfADriver) {
   EXPECT_NEAR(result.borders[0].at[0], dead, 1e-6);
 }
 
+/// Crank 1 upright, rod 3: the slider's line is out of reach from 4 on. The middle sample lies there, where the closures are double.
+TEST(Sweep, HasABorderOnEachSideOfASampleThatLiesOnOne) {
+  const Mechanism mechanism = read_mechanism({"test", R"toml([units]
+angle = "deg"
+[ground.points]
+O = [0, 0]
+G = [0, 0]
+[body.crank.points]
+O = [0, 0]
+A = [1, 0]
+[body.rod.points]
+A = [0, 0]
+B = [3, 0]
+[body.slider.points]
+B = [0, 0]
+[[joint]]
+type = "revolute"
+at = ["ground.O", "crank.O"]
+[[joint]]
+type = "revolute"
+at = ["crank.A", "rod.A"]
+[[joint]]
+type = "revolute"
+at = ["rod.B", "slider.B"]
+[[joint]]
+type = "prismatic"
+at = ["ground.G", "slider.B"]
+along = [1, 0]
+[[driver]]
+angle = "crank"
+start = 90
+)toml"});
+  const auto lanes = make_lane_tracker();
+  FamilyBook book;
+  const SweepResult result =
+      sweep(mechanism, {{"ground.G.y", 3.9999999, 4.0000001, 3}}, *lanes, book);
+  ASSERT_EQ(result.borders.size(), 2U);
+  EXPECT_EQ(result.borders[0].below, 2U);
+  EXPECT_EQ(result.borders[0].above, 1U);
+  EXPECT_EQ(result.borders[1].below, 1U);
+  EXPECT_EQ(result.borders[1].above, 0U);
+  for (const SweepBorder& border : result.borders) EXPECT_NEAR(border.at[0], 4, 1e-9);
+}
+
 TEST(Sweep, MapsTheAssembliesOfAPlatform) {
   const SweepResult result =
       swept("3-rpr", {{"leg 1.length", 8, 22, 8}, {"leg 2.length", 8, 22, 8}});

@@ -8,6 +8,7 @@
 // Thread-safe; the result does not depend on the number of threads. Members are given as doubles; solve_member() takes exact values.
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "moivre/family/family.h"
@@ -31,7 +32,7 @@ struct MemberRoots {
   std::uint64_t failed = 0;       ///< paths
   bool complete = false;          ///< every path was decided
   bool judged = false;            ///< by solve_member()
-  RootCompleteness completeness = RootCompleteness::open;
+  std::optional<RootCompleteness> completeness;  ///< nullopt: no certificates were asked for
 
   std::uint64_t real_count() const;
 };

@@ -52,9 +52,9 @@ struct KnownPair {
   Point x, p;
 };
 
-/// A random complex root of a random complex member: Newton's method in x and p together, the shortest corrections first. nullopt where it
-/// leads to no regular root from 64 random beginnings.
-std::optional<KnownPair> random_pair(const Family& family, std::uint64_t seed);
+/// A random complex root of a random complex member: Newton's method in x and p together, the shortest corrections first, from unknowns of
+/// this size. nullopt where it leads to no regular root from 64 random beginnings.
+std::optional<KnownPair> random_pair(const Family& family, std::uint64_t seed, double size = 1);
 
 /// A set `stop` keeps what was found. Throws std::invalid_argument where the pair is no regular root, or of another size.
 Family learn_by_monodromy(Family unlearned, const KnownPair& pair, const Tracker& tracker,

@@ -266,8 +266,9 @@ struct GivenStart {
   std::optional<Reduction> reduction = {};  ///< of f, where the plan leads to its system; square
   std::string why;                          ///< where the start comes from
   std::optional<MetBound> bound = {};       ///< proved: f has no more isolated roots than that
-  bool is_complete =
-      true;  ///< a path leads to every isolated root; if not, completeness stays `open`
+  /// A path leads to every isolated root; if not, and no count tells, the result is not complete.
+  bool is_complete = true;
+  bool leaves_out = false;  ///< roots that are not wanted: exact algebra would count them
 };
 
 /// As solve(), by that start. f: square, without homogeneous groups.
