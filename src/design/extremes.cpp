@@ -31,8 +31,8 @@ std::optional<Extreme> refined(const Series& curve, std::size_t k, int sign) {
   // Times to a hundred-thousandth of the bracket: values to the square of that.
   constexpr int kBits = 17;
   constexpr std::uintmax_t kMostEvaluations = 40;
-  const bool is_first = k == 0 || !curve.is_sample[k - 1];
-  const bool is_last = k + 1 == curve.times.size() || !curve.is_sample[k + 1];
+  const bool is_first = k == 0 || !std::isfinite(curve.values[k - 1]);
+  const bool is_last = k + 1 == curve.times.size() || !std::isfinite(curve.values[k + 1]);
   const double before = is_first ? 0 : curve.times[k] - curve.times[k - 1];
   const double after = is_last ? 0 : curve.times[k + 1] - curve.times[k];
   bool is_known = true;
@@ -49,20 +49,16 @@ std::optional<Extreme> refined(const Series& curve, std::size_t k, int sign) {
   return Extreme{-sign * value, time_at(s), true};
 }
 
-bool is_finite_sample(const Series& curve, std::size_t k) {
-  return curve.is_sample[k] && std::isfinite(curve.values[k]);
-}
-
-/// Samples worth a closer look, by time: those whose parabola is nearly the highest, and the first and the last where they
-/// stand above the next.
+/// Points worth a closer look, by time: those whose parabola is nearly the highest, and the first two and the last two where they
+/// stand above the next: beside a dead point a curve is no parabola.
 std::vector<std::size_t> candidates(const Series& curve, double highest, double range, int sign) {
   // A parabola's crest misses by less.
   constexpr double kNearly = 1e-3;
   std::vector<std::pair<std::size_t, double>> crests;
   for (std::size_t k = 0; k < curve.values.size(); ++k) {
-    if (!is_finite_sample(curve, k)) continue;
-    const bool has_before = k > 0 && is_finite_sample(curve, k - 1);
-    const bool has_after = k + 1 < curve.values.size() && is_finite_sample(curve, k + 1);
+    if (!std::isfinite(curve.values[k])) continue;
+    const bool has_before = k > 0 && std::isfinite(curve.values[k - 1]);
+    const bool has_after = k + 1 < curve.values.size() && std::isfinite(curve.values[k + 1]);
     const double height = sign * curve.values[k];
     const bool is_above = (!has_before || height >= sign * curve.values[k - 1]) &&
                           (!has_after || height >= sign * curve.values[k + 1]);
@@ -77,8 +73,8 @@ std::vector<std::size_t> candidates(const Series& curve, double highest, double 
   }
   std::vector<std::size_t> found;
   for (const auto& [k, here] : crests) {
-    const bool is_end = k == 0 || k + 1 == curve.values.size() || !curve.is_sample[k - 1] ||
-                        !curve.is_sample[k + 1];
+    const bool is_end = k <= 1 || k + 2 >= curve.values.size() ||
+                        !std::isfinite(curve.values[k - 1]) || !std::isfinite(curve.values[k + 1]);
     if (is_end || here >= highest - kNearly * range) found.push_back(k);
   }
   return found;

@@ -8,12 +8,11 @@
 
 namespace moivre {
 
-/// A function along a branch: its values at the samples, and anywhere.
+/// A function along a branch: its values at the samples and the events, and anywhere.
 struct Series {
   std::vector<double> times;         ///< increasing
   std::vector<double> values;        ///< NaN where there is none
-  std::vector<bool> is_sample;       ///< else an event: not to be refined beside it
-  std::function<double(double)> at;  ///< between samples; NaN where not known
+  std::function<double(double)> at;  ///< in between; NaN where not known
 };
 
 /// `sign` 1: the largest value; -1: the least.

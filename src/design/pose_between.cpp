@@ -17,10 +17,12 @@ bool has_velocity(const BranchSample& sample) {
   return sample.is_determined && sample.velocity.size() > 0;
 }
 
-/// Hermite's quintic; linear where a sample has no velocity.
+/// Hermite's quintic; linear where a sample has no velocity, and beside a dead point, where the branch turns back, as a square root.
 VectorXd interpolated(const BranchSample& before, const BranchSample& after, double time) {
   const double h = after.time - before.time;
   const double s = (time - before.time) / h;
+  if (!after.is_determined) return after.q + std::sqrt(1 - s) * (before.q - after.q);
+  if (!before.is_determined) return before.q + std::sqrt(s) * (after.q - before.q);
   const VectorXd line = (1 - s) * before.q + s * after.q;
   if (!has_velocity(before) || !has_velocity(after)) return line;
   // By q, q' and q'' at both ends; u counts from the other end.

@@ -244,6 +244,17 @@ bool QuantityReader::runs_away(std::size_t quantity, const VectorXd& q, double t
   return rule.moves && SampledPose(parts_->phi, pose).runs_away(*rule.moves);
 }
 
+BranchSample QuantityReader::sample_at(double time, const VectorXd& q) const {
+  const MotionState state = motion_state(parts_->phi, q, time);
+  BranchSample sample;
+  sample.time = time;
+  sample.q = q;
+  sample.velocity = state.velocity;
+  sample.acceleration = state.acceleration;
+  sample.is_determined = state.is_determined;
+  return sample;
+}
+
 BranchSample QuantityReader::between(const BranchSample& before, const BranchSample& after,
                                      double time) const {
   return pose_between(parts_->phi, before, after, time);

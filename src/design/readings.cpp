@@ -38,11 +38,25 @@ class BranchCurves {
  public:
   BranchCurves(const MotionBranch& branch, const MotionResult& motion, const Table& table,
                const QuantityReader& reader)
-      : branch_(branch), motion_(motion), table_(table), reader_(reader) {}
+      : branch_(branch), motion_(motion), table_(table), reader_(reader) {
+    const auto& samples = branch.samples;
+    const auto beside = [&](const auto& sample) { return samples.empty() ? nullptr : &sample; };
+    if (const BranchEvent* begin = event_at(false)) {
+      poses_.push_back(pose_of(*begin, beside(samples.front())));
+    }
+    poses_.insert(poses_.end(), samples.begin(), samples.end());
+    if (const BranchEvent* end = event_at(true)) {
+      poses_.push_back(pose_of(*end, beside(samples.back())));
+    }
+  }
 
   Extremes extremes(std::size_t k) const {
     const Series curve = curve_of(k);
     Extremes found{extreme_of(curve, -1), extreme_of(curve, 1)};
+    // Between two events without a sample nothing is known of what is not known at both.
+    const bool is_unknown = table_.empty() && std::any_of(curve.values.begin(), curve.values.end(),
+                                                          [](double v) { return std::isnan(v); });
+    if (is_unknown) found.least.value = found.largest.value = kUnknown;
     if (table_.empty()) return found;
     for (const bool is_end : {false, true}) {
       const BranchEvent* event = event_at(is_end);
@@ -63,52 +77,76 @@ class BranchCurves {
     return index ? &motion_.events[*index].at : nullptr;
   }
 
-  void add_event(std::size_t k, bool is_end, Series& curve) const {
-    const BranchEvent* event = event_at(is_end);
-    const Quantity& quantity = reader_.quantities()[k];
-    if (event == nullptr || quantity.is_runaway) return;
+  /// The pose of an event. It has a velocity at a joint limit; at a bifurcation, which the branch passes smoothly, that of the parabola
+  /// through the sample beside it.
+  BranchSample pose_of(const BranchEvent& event, const BranchSample* beside) const {
+    if (event.kind == EventKind::joint_limit) return reader_.sample_at(event.time, event.q);
     BranchSample pose;
-    pose.time = event->time;
-    pose.q = event->q;
-    pose.is_determined = false;
-    double value = reader_.read(k, pose);
-    if (quantity.turns && !table_.empty()) {
-      const double beside = (is_end ? table_.back() : table_.front())[k];
-      value = beside + std::remainder(value - beside, kTurn);
+    pose.time = event.time;
+    pose.q = event.q;
+    pose.is_determined = event.kind == EventKind::bifurcation && beside != nullptr &&
+                         beside->is_determined && beside->velocity.size() > 0;
+    if (!pose.is_determined) return pose;
+    const double h = event.time - beside->time;
+    pose.velocity = 2 / h * (event.q - beside->q) - beside->velocity;
+    pose.acceleration = (pose.velocity - beside->velocity) / h;
+    return pose;
+  }
+
+  double value_at_event(std::size_t k, bool is_end) const {
+    if (reader_.quantities()[k].is_runaway && event_at(is_end)->kind != EventKind::joint_limit) {
+      return kUnknown;
     }
-    curve.times.push_back(event->time);
-    curve.values.push_back(value);
-    curve.is_sample.push_back(false);
+    const double beside = table_.empty() ? 0 : (is_end ? table_.back() : table_.front())[k];
+    return value_of(k, is_end ? poses_.back() : poses_.front(), beside);
+  }
+
+  double value_of(std::size_t k, const BranchSample& pose, double beside) const {
+    const Quantity& quantity = reader_.quantities()[k];
+    if (quantity.is_runaway && !pose.is_determined) return kUnknown;
+    const double value = reader_.read(k, pose);
+    return quantity.turns ? beside + std::remainder(value - beside, kTurn) : value;
   }
 
   Series curve_of(std::size_t k) const {
     Series curve;
-    add_event(k, false, curve);
-    for (std::size_t j = 0; j < table_.size(); ++j) {
-      curve.times.push_back(branch_.samples[j].time);
-      curve.values.push_back(table_[j][k]);
-      curve.is_sample.push_back(true);
+    for (const BranchSample& pose : poses_) curve.times.push_back(pose.time);
+    if (event_at(false) != nullptr) curve.values.push_back(value_at_event(k, false));
+    for (const auto& row : table_) curve.values.push_back(row[k]);
+    if (event_at(true) != nullptr) curve.values.push_back(value_at_event(k, true));
+    for (const bool is_end : {false, true}) {
+      if (event_at(is_end) != nullptr && poses_.size() > 1) take_limit(k, is_end, curve);
     }
-    add_event(k, true, curve);
-    curve.at = [this, k](double time) { return value_at(k, time); };
+    curve.at = [this, k, values = curve.values](double time) { return value_at(k, time, values); };
     return curve;
   }
 
-  std::size_t interval_of(double time) const {
-    const auto& samples = branch_.samples;
-    const auto behind =
-        std::upper_bound(samples.begin() + 1, samples.end() - 1, time,
-                         [](double t, const BranchSample& sample) { return t < sample.time; });
-    return static_cast<std::size_t>(behind - samples.begin()) - 1;
+  /// Where a quantity has no value at a singular pose itself, what it comes to.
+  void take_limit(std::size_t k, bool is_end, Series& curve) const {
+    // Of the way to the next sample. A branch comes to a dead point as a square root does, and to a bifurcation straight.
+    const bool is_dead_point = event_at(is_end)->kind == EventKind::dead_point;
+    const double share = is_dead_point ? 1e-11 : 1e-5;
+    const std::size_t at = is_end ? poses_.size() - 1 : 0;
+    const std::size_t next = is_end ? at - 1 : 1;
+    if (std::isfinite(curve.values[at]) || reader_.quantities()[k].is_runaway) return;
+    const double time = poses_[at].time + share * (poses_[next].time - poses_[at].time);
+    curve.values[at] = value_at(k, time, curve.values);
   }
 
-  double value_at(std::size_t k, double time) const {
+  std::size_t interval_of(double time) const {
+    const auto behind =
+        std::upper_bound(poses_.begin() + 1, poses_.end() - 1, time,
+                         [](double t, const BranchSample& sample) { return t < sample.time; });
+    return static_cast<std::size_t>(behind - poses_.begin()) - 1;
+  }
+
+  double value_at(std::size_t k, double time, const std::vector<double>& values) const {
     const std::size_t j = interval_of(time);
-    const BranchSample pose = reader_.between(branch_.samples[j], branch_.samples[j + 1], time);
+    if (time == poses_[j].time) return values[j];
+    if (time == poses_[j + 1].time) return values[j + 1];
+    const BranchSample pose = reader_.between(poses_[j], poses_[j + 1], time);
     if (!pose.is_determined) return kUnknown;
-    const double value = reader_.read(k, pose);
-    if (!reader_.quantities()[k].turns) return value;
-    return table_[j][k] + std::remainder(value - table_[j][k], kTurn);
+    return value_of(k, pose, std::isfinite(values[j]) ? values[j] : values[j + 1]);
   }
 
   /// Where the output turns back, the advantage is infinite.
@@ -152,8 +190,9 @@ class BranchCurves {
 
   const MotionBranch& branch_;
   const MotionResult& motion_;
-  const Table& table_;
+  const Table& table_;  ///< of the samples
   const QuantityReader& reader_;
+  std::vector<BranchSample> poses_;  ///< the samples, and the events before and behind them
 };
 
 /// Transmission angles that are defined at no sample: the joint is none of a dyad.

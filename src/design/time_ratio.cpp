@@ -74,7 +74,6 @@ class Cycle {
     const auto add = [&](double time, const Eigen::VectorXd& q) {
       curve.times.push_back(time);
       curve.values.push_back(value_of(output, q));
-      curve.is_sample.push_back(true);
     };
     std::size_t last = 0;
     while (last + 1 < samples_.size() && samples_[last + 1].time < from_ + period_ - tiny) ++last;

@@ -97,6 +97,41 @@ TEST(Extremes, OfTheRockersSwingAreItsToggles) {
               2 * kPi, 1e-9);
 }
 
+/// s = 2 cos phi + sqrt(25 - 4 sin^2 phi) of a slider-crank; its acceleration at the limit s = 5, where phi' = 1 degree a second.
+TEST(Extremes, BesideALimitDoNotHangOnTheSamples) {
+  std::string text = slider_crank_text(2, 5, 0);
+  const std::string name = "name = \"guide\"\n";
+  text.insert(text.find(name) + name.size(), "limits = [5, 7]\n");
+  const double phi =
+      std::acos(1.0 / 5);  // crank 2, and rod and slide both 5: an isosceles triangle
+  const double cosine = std::cos(phi), sine = std::sin(phi);
+  const double root = std::sqrt(25 - 4 * sine * sine);
+  const double bend = -2 * cosine - 4 * (cosine * cosine - sine * sine) / root -
+                      16 * sine * sine * cosine * cosine / (root * root * root);
+  const double acceleration = bend * (kPi / 180) * (kPi / 180);
+  for (const int steps : {7, 60, 1000}) {
+    const Followed all = followed(typed(text), groups({QuantityGroup::joints}), steps);
+    ASSERT_TRUE(all.motion.branches.front().end_event.has_value());
+    const Extremes& found = all.extremes("joint guide.acceleration");
+    EXPECT_NEAR(found.largest.value, acceleration, 1e-9) << steps;
+    EXPECT_NEAR(found.largest.time, all.motion.branches.front().ends, 1e-9) << steps;
+  }
+}
+
+/// The coupler's angle runs to its value at a dead point as a square root does.
+TEST(Extremes, AtADeadPointDoNotHangOnTheSamples) {
+  const Mechanism m = typed(four_bar_text(90, 60, 60, 100, "30", "10"));
+  const QuantityChoice choice = groups({QuantityGroup::transmission});
+  const Followed coarse = followed(m, choice, 9);
+  const Followed fine = followed(m, choice, 3000);
+  for (std::size_t k = 0; k < coarse.readings.quantities.size(); ++k) {
+    const Extremes& rough = coarse.readings.branches.front().extremes[k];
+    const Extremes& sharp = fine.readings.branches.front().extremes[k];
+    EXPECT_NEAR(rough.least.value, sharp.least.value, 1e-4) << coarse.readings.quantities[k].name;
+    EXPECT_NEAR(rough.largest.value, sharp.largest.value, 1e-4);
+  }
+}
+
 TEST(Extremes, OfVelocitiesAreUnboundedAtADeadPoint) {
   const Followed all = followed(typed(four_bar_text(90, 60, 60, 100, "30", "10")),
                                 groups({QuantityGroup::coordinates, QuantityGroup::singularity}));

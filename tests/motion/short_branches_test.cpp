@@ -72,7 +72,7 @@ void expect_found(BriefKind kind, const std::vector<double>& shares, std::uint64
       const BriefLife brief = random_brief_life(kind, share, kSeed, number);
       const MotionResult motion = turn_of(brief);
       // Three poses of a fold-back lie so near to each other that some are told to be in doubt.
-      EXPECT_TRUE(motion.complete || kind == BriefKind::fold_back) 
+      EXPECT_TRUE(motion.complete || kind == BriefKind::fold_back)
           << motion.message << ": " << (motion.failures.empty() ? "" : motion.failures.front());
       EXPECT_TRUE(has_both(dead_points_at(motion, brief.times[0]),
                            dead_points_at(motion, brief.times[1]), kind));

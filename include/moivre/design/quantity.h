@@ -80,6 +80,8 @@ class QuantityReader {
   /// Whether the quantity (a velocity, ...) is unbounded near the dead point `q`.
   bool runs_away(std::size_t quantity, const Eigen::VectorXd& q, double time) const;
 
+  /// The sample of a regular pose.
+  BranchSample sample_at(double time, const Eigen::VectorXd& q) const;
   /// A sample between two: Newton's method from Hermite's cubic. Status false (is_determined) where it does not settle.
   BranchSample between(const BranchSample& before, const BranchSample& after, double time) const;
 
