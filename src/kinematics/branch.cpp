@@ -45,6 +45,8 @@ constexpr double kSameVector = 0.5;
 constexpr double kAcross = 1e-9;
 // Curve time beside 1: what is nearer to an event than this is the event.
 constexpr double kEventWidth = 1e-12;
+// Likewise where a sample beside a dead point cannot be told from the branch that it meets there.
+constexpr double kDeadPointWidth = 1e-9;
 // A sample's correction beside the step, in y; beyond, the step was too long for the interpolation.
 constexpr double kSampleMiss = 0.05;
 // A correction this small leaves an error of its square.
@@ -260,8 +262,11 @@ bool Follower::is_begun(const VectorXd& q0) {
 }
 
 double Follower::step_length() const {
+  // To where rate s + bend s^2 / 2 is what is left of the time; where that is the top of the parabola, a dead point, on beyond it.
   const double rate = at_.time_rate();
-  const double to_go = kOvershoot * (1 - at_.time()) / rate;
+  const double left = 1 - at_.time();
+  const double slope_there = std::sqrt(std::max(0.0, rate * rate + 2 * at_.time_bend() * left));
+  const double to_go = kOvershoot * 2 * left / (rate + slope_there);
   const double longest = options_.longest_step * std::min(1.0, kLongestTime / rate);
   return std::min({h_, longest, std::max(to_go, kShortestStep)});
 }
@@ -345,14 +350,17 @@ bool Follower::advance(const CurvePoint& b, double h) {
   const std::size_t sampled = result_.samples.size();
   const double until = event ? last->time() - kEventWidth : last->time();
   const Segment whole{at_, *last, at_.tangent.dot(last->y - at_.y)};
-  if (!take_samples(whole, until)) {
+  // A time that all but is the dead point's has no pose of its own: the branch and the one that meets it there are not told apart.
+  const bool turns_back = event && event->kind == EventKind::dead_point;
+  if (!take_samples(whole, until) &&
+      !(turns_back && take_samples(whole, until - kDeadPointWidth))) {
     result_.samples.resize(sampled);
     return false;
   }
   keep_piece(whole);
   if (result_.samples.size() == times_.size()) {
     end(BranchStatus::reached, "followed to the end");
-  } else if (event && last->time() <= 1 + kEventWidth) {
+  } else if (event && last->time() <= 1 + (turns_back ? kDeadPointWidth : kEventWidth)) {
     if (event->kind == EventKind::dead_point) {
       const double time = curve_.t_of(b.y);
       result_.beyond = BranchPose{time, least_residual(phi_, curve_.q_of(b.y), time)};

@@ -34,6 +34,7 @@ struct CurvePoint {
 
   double time() const { return y[y.size() - 1]; }  ///< the curve's own
   double time_rate() const { return tangent[tangent.size() - 1]; }
+  double time_bend() const { return curvature[curvature.size() - 1]; }
 };
 
 class Curve {

@@ -8,6 +8,7 @@
 
 #include "mechanisms.h"
 #include "moivre/motion/motion.h"
+#include "moivre/tracker_cvode/cvode_tracker.h"
 
 namespace moivre {
 namespace {
@@ -16,7 +17,7 @@ MotionResult motion_for_a_second(const std::string& text, std::uint64_t seed) {
   MotionOptions options;
   options.to = 1;
   options.solve.seed = seed;
-  return motion_of(mechanism_text(text), options);
+  return find_motion(mechanism_text(text), *make_cvode_tracker(), options);
 }
 
 /// Crank 2, rod 5; the slide is driven, and the two closures are real where 3 <= s <= 7.
