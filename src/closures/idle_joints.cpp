@@ -53,11 +53,15 @@ class Holding {
   bool hold_next_turn() {
     const Joints turns = find_idle_turns(held_.mechanism);
     if (turns.empty()) return false;
-    Joint& joint = held_.mechanism.joints[turns.front()];
-    if (joint.type == JointType::revolute) {
-      hold(turns.front(), group_of(joint.at[1]));
+    // Hinges first: what is held by one may let its neighbour turn, what only slides does not.
+    const auto hinge = std::find_if(turns.begin(), turns.end(), [&](std::size_t k) {
+      return held_.mechanism.joints[k].type == JointType::revolute;
+    });
+    if (hinge != turns.end()) {
+      hold(*hinge, group_of(held_.mechanism.joints[*hinge].at[1]));
       return true;
     }
+    Joint& joint = held_.mechanism.joints[turns.front()];
     joint.type = JointType::prismatic;
     const std::string& body = held_.mechanism.bodies[joint.at[1].body].name;
     held_.idle.push_back({body, joint.name, pose_text(joint, joint.at[0].body)});

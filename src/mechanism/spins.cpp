@@ -12,8 +12,9 @@
 namespace moivre {
 namespace {
 
-// Axes that miss each other by this part of the body's size are meant to be one.
+// Axes that miss each other by this part of the distance of their points are meant to be one, or by what rounding leaves of coordinates.
 constexpr double kMeet = 1e-11;
+constexpr double kRounding = 1e-15;
 
 /// One end of a joint.
 struct End {
@@ -142,8 +143,8 @@ class SpinFinder {
     if (point.body != at.body) return false;
     const Eigen::Vector3d& from = mechanism_.bodies[at.body].points[at.point].at;
     const Eigen::Vector3d& to = mechanism_.bodies[at.body].points[point.point].at;
-    const double size = std::max(from.norm(), to.norm());
-    const bool is_on_line = (to - from).cross(along).norm() <= kMeet * size;
+    const double noise = kMeet * (to - from).norm() + kRounding * std::max(from.norm(), to.norm());
+    const bool is_on_line = (to - from).cross(along).norm() <= noise;
     const JointTraits& type = traits(joint.type);
     const bool is_point =
         type.turn == JointTurn::freely && (axis_count(joint.type) == 0 || end.number == 1);

@@ -137,6 +137,9 @@ MotionResult find_motion_of_whole(const Mechanism& mechanism, const Tracker& tra
     search_pairs(run, tracker, scenes, pairs);
     tell_instants(pairs.instants(), result);
     doubts = pairs.doubts();
+    for (const std::string& stretch : pairs.sampled()) {
+      result.left_out.push_back({"a short branch, if there is one", stretch});
+    }
   }
   const std::vector<double> crossings = step_aside(run, tracker, scenes);
   if (!crossings.empty()) reconcile(run, scenes);

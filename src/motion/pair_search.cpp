@@ -20,6 +20,11 @@ namespace {
 
 // Of a stretch: no mechanism is symmetric about this place.
 constexpr double kWithin = 0.4472;
+// Another place of the same stretch for each further scene: by the golden section no two are near each other.
+constexpr double kGolden = 0.6180339887498949;
+constexpr std::ptrdiff_t kMostTries = 5;
+// Of the motion: what is lost sooner shows nothing of the times beside a scene.
+constexpr double kLostAtOnce = 1e-3;
 // Values of one pair that were found twice, in units.
 constexpr double kSamePair = 1e-6;
 
@@ -243,8 +248,6 @@ void PairSearch::take(const PairEquations& equations, const PairCurve& curve) {
       take_brief(equations, life);
     }
   }
-  // Beyond a place where a curve is lost closures are solved again. Where nothing can be followed scenes are nearer to each other.
-  if (curve.is_lost && !run_.stop && can_follow(curve.last)) borders_.push_back(curve.last);
 }
 
 void PairSearch::follow(std::size_t scene, std::size_t pair) {
@@ -263,10 +266,14 @@ void PairSearch::follow(std::size_t scene, std::size_t pair) {
     const PairCurve curve =
         follow_pair(equations, begun.x, scenes_[scene].time, forwards, times, passing, run_.stop);
     take(equations, curve);
+    // Beyond a place where a curve is lost closures are solved again. Where nothing can be followed scenes are nearer to each other.
+    if (!curve.is_lost || run_.stop || !can_follow(curve.last)) continue;
     const double way = std::abs(curve.last - scenes_[scene].time);
     const bool goes_out = scenes_[scene].time == (forwards ? run_.times.to : run_.times.from);
-    if (curve.is_lost && !goes_out && way <= kBriefest * equations.duration()) {
-      scenes_[scene].shows_stretch = false;
+    if (way > kLostAtOnce * equations.duration()) {
+      borders_.push_back(curve.last);
+    } else if (!goes_out) {
+      scenes_[scene].leads_on = false;
     }
   }
 }
@@ -285,30 +292,62 @@ void PairSearch::follow(const std::vector<Scene>& scenes) {
   }
 }
 
-std::vector<double> PairSearch::open_times() const {
+/// Whether the scene lies in the stretch and tells of all of it. One at either end of the motion does, unless an event lies there.
+bool PairSearch::shows(const PairScene& scene, double from, double to) const {
+  // What was not decided is told, and solving beside it helps as little.
+  if (scene.is_complete && (!is_regular(scene) || !scene.leads_on)) return false;
+  const bool is_at_border = scene.time == run_.times.from || scene.time == run_.times.to;
+  return is_at_border ? scene.time == from || scene.time == to
+                      : scene.time > from && scene.time < to;
+}
+
+std::vector<double> PairSearch::open_times() {
+  const double least = kBriefest * (run_.times.to - run_.times.from);
   std::vector<double> parts = borders_;
   for (const Track& track : run_.tracks) {
     for (const Branch* way : {&track.forwards, &track.backwards}) {
       if (way->event) parts.push_back(way->event->time);
     }
   }
+  const auto has_event_beside = [&, events = parts](const PairScene& scene) {
+    return std::any_of(events.begin(), events.end(), [&](double time) {
+      return scene.time != time && std::abs(scene.time - time) <= least;
+    });
+  };
   parts.push_back(run_.times.from);
   parts.push_back(run_.times.to);
   std::sort(parts.begin(), parts.end());
-  const double least = kBriefest * (run_.times.to - run_.times.from);
   std::vector<double> open;
+  sampled_.clear();
   for (std::size_t k = 1; k < parts.size(); ++k) {
     const double from = parts[k - 1];
     const double to = parts[k];
     if (to - from <= least) continue;
     const bool is_seen = std::any_of(scenes_.begin(), scenes_.end(), [&](const PairScene& scene) {
-      // What was not decided is told, and solving beside it helps as little.
-      if (scene.is_complete && (!is_regular(scene) || !scene.shows_stretch)) return false;
-      const bool is_at_border = scene.time == run_.times.from || scene.time == run_.times.to;
-      return is_at_border ? scene.time == from || scene.time == to
-                          : scene.time > from && scene.time < to;
+      return shows(scene, from, to) && !has_event_beside(scene);
     });
-    if (!is_seen) open.push_back(from + kWithin * (to - from));
+    if (is_seen) continue;
+    const auto is_inside = [&](const PairScene& scene) {
+      return scene.time > from && scene.time < to;
+    };
+    const auto tries = std::count_if(scenes_.begin(), scenes_.end(), is_inside);
+    if (tries < kMostTries) {
+      const double place = kWithin + kGolden * static_cast<double>(tries);
+      open.push_back(from + (place - std::floor(place)) * (to - from));
+      continue;
+    }
+    const bool are_regular =
+        std::all_of(scenes_.begin(), scenes_.end(),
+                    [&](const PairScene& scene) { return !is_inside(scene) || is_regular(scene); });
+    const std::string stretch =
+        "between t = " + std::to_string(from) + " s and " + std::to_string(to) + " s";
+    if (are_regular) {
+      sampled_.push_back("pairs of complex closures cannot be followed " + stretch +
+                         "; closures were solved there " +
+                         counted(static_cast<std::uint64_t>(tries), "time"));
+    } else {
+      tell("closures are not all apart at any of the times that were solved " + stretch);
+    }
   }
   for (const double time : fold_backs_) {
     const auto is_there = [&](double other) { return std::abs(other - time) <= least; };

@@ -5,7 +5,8 @@
 // neighbouring times of B the number of real closures is the same. So with one scene there, and all its pairs followed, nothing is missed:
 // two roots that are real for a while at another time are a pair in that scene, or in the scene of an earlier while, and following it leads
 // there. The scene has to be regular: as many closures as any other scene, complex ones too, and no multiple one. And its pairs must not be
-// lost at once. Else closures are solved at another time of that stretch.
+// lost at once. Else closures are solved at other times of that stretch, a few times. If its pairs can be followed from none of them, what is
+// known is what these scenes show; if none is regular, that is a doubt.
 // Stretches shorter than kBriefest have no scene of their own; the roots that are real there come from the pair's own curve. But where
 // three roots are real these are well apart, and a scene shows them, however short that is.
 // Every pair that passes a regular scene must be one of its pairs.
@@ -32,7 +33,7 @@ class PairSearch {
   /// Follows the pairs of all scenes that no earlier curve passes.
   void follow(const std::vector<Scene>& scenes);
   /// Times in stretches of B without a scene, and in fold-backs: where to solve closures next; empty where nothing is left to see.
-  std::vector<double> open_times() const;
+  std::vector<double> open_times();
   /// Branches that live so briefly that no scene shows them, from the pair's curve; each is given once.
   std::vector<Track> take_brief();
 
@@ -40,6 +41,8 @@ class PairSearch {
   const std::vector<double>& instants() const { return instants_; }
   /// Notes a doubt, once.
   void tell(const std::string& doubt);
+  /// Stretches in which pairs can be followed from none of several scenes, each a sentence.
+  const std::vector<std::string>& sampled() const { return sampled_; }
   /// What was not found among a scene's closures, each a sentence.
   std::vector<std::string> doubts() const;
 
@@ -56,10 +59,10 @@ class PairSearch {
     std::size_t closures = 0;  ///< complex ones too
     std::vector<KnownPair> pairs;
     bool lacks_pair = false;  ///< a curve passes that is none of its pairs
-    /// Its pairs could be followed from it; elsewhere it tells nothing of the times beside it.
-    bool shows_stretch = true;
+    bool leads_on = true;     ///< its pairs can be followed from it
   };
   bool is_regular(const PairScene& scene) const;
+  bool shows(const PairScene& scene, double from, double to) const;
   void prepare();
   void enter(const Scene& scene);
   void enter_pairs(const Point& root, PairScene& scene);
@@ -81,6 +84,7 @@ class PairSearch {
   std::vector<RealWhile> brief_lives_;
   std::vector<Track> brief_;
   std::vector<std::string> doubts_;
+  std::vector<std::string> sampled_;
 };
 
 /// From one dead point to the other through `pose`, too short for steps between.
