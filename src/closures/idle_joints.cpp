@@ -51,20 +51,21 @@ class Holding {
 
   /// Of a joint that may turn as it likes (mechanism/spins.h).
   bool hold_next_turn() {
-    const Joints turns = find_idle_turns(held_.mechanism);
+    const std::vector<IdleTurn> turns = find_idle_turns(held_.mechanism);
     if (turns.empty()) return false;
     // Hinges first: what is held by one may let its neighbour turn, what only slides does not.
-    const auto hinge = std::find_if(turns.begin(), turns.end(), [&](std::size_t k) {
-      return held_.mechanism.joints[k].type == JointType::revolute;
+    const auto hinge = std::find_if(turns.begin(), turns.end(), [&](const IdleTurn& turn) {
+      return held_.mechanism.joints[turn.joint].type == JointType::revolute;
     });
     if (hinge != turns.end()) {
-      hold(*hinge, group_of(held_.mechanism.joints[*hinge].at[1]));
+      hold(hinge->joint, group_[hinge->body]);
       return true;
     }
-    Joint& joint = held_.mechanism.joints[turns.front()];
+    Joint& joint = held_.mechanism.joints[turns.front().joint];
     joint.type = JointType::prismatic;
-    const std::string& body = held_.mechanism.bodies[joint.at[1].body].name;
-    held_.idle.push_back({body, joint.name, pose_text(joint, joint.at[0].body)});
+    const std::size_t end = group_of(joint.at[0]) == group_[turns.front().body] ? 0 : 1;
+    held_.idle.push_back({held_.mechanism.bodies[joint.at[end].body].name, joint.name,
+                          pose_text(joint, joint.at[1 - end].body)});
     return true;
   }
 

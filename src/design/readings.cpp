@@ -40,14 +40,11 @@ class BranchCurves {
                const QuantityReader& reader)
       : branch_(branch), motion_(motion), table_(table), reader_(reader) {
     const auto& samples = branch.samples;
-    const auto beside = [&](const auto& sample) { return samples.empty() ? nullptr : &sample; };
-    if (const BranchEvent* begin = event_at(false)) {
-      poses_.push_back(pose_of(*begin, beside(samples.front())));
-    }
+    const BranchSample* first = samples.empty() ? nullptr : &samples.front();
+    const BranchSample* last = samples.empty() ? nullptr : &samples.back();
+    if (const BranchEvent* begin = event_at(false)) poses_.push_back(pose_of(*begin, first));
     poses_.insert(poses_.end(), samples.begin(), samples.end());
-    if (const BranchEvent* end = event_at(true)) {
-      poses_.push_back(pose_of(*end, beside(samples.back())));
-    }
+    if (const BranchEvent* end = event_at(true)) poses_.push_back(pose_of(*end, last));
   }
 
   Extremes extremes(std::size_t k) const {

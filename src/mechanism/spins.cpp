@@ -43,8 +43,8 @@ class SpinFinder {
     return spins;
   }
 
-  std::vector<std::size_t> idle_turns() const {
-    std::vector<std::size_t> joints;
+  std::vector<IdleTurn> idle_turns() const {
+    std::vector<IdleTurn> turns;
     for (std::size_t body = 1; body < group_.size(); ++body) {
       const std::size_t group = group_[body];
       if (group == group_[0] || !is_first_of_group(body) || has_driven_point(group)) continue;
@@ -52,9 +52,9 @@ class SpinFinder {
       const auto turning = std::find_if(ends.begin(), ends.end(), [&](const End& end) {
         return ends.size() > 1 && turns_idly(end, ends);
       });
-      if (turning != ends.end()) joints.push_back(turning->joint);
+      if (turning != ends.end()) turns.push_back({body, turning->joint});
     }
-    return joints;
+    return turns;
   }
 
  private:
@@ -173,7 +173,7 @@ std::vector<Spin> find_spins(const Mechanism& mechanism) {
   return SpinFinder(mechanism).find();
 }
 
-std::vector<std::size_t> find_idle_turns(const Mechanism& mechanism) {
+std::vector<IdleTurn> find_idle_turns(const Mechanism& mechanism) {
   if (is_typed(mechanism) || mechanism.space == Space::planar) return {};
   return SpinFinder(mechanism).idle_turns();
 }

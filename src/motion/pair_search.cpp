@@ -22,7 +22,7 @@ namespace {
 constexpr double kWithin = 0.4472;
 // Another place of the same stretch for each further scene: by the golden section no two are near each other.
 constexpr double kGolden = 0.6180339887498949;
-constexpr std::ptrdiff_t kMostTries = 5;
+constexpr int kMostTries = 5;
 // Of the motion: what is lost sooner shows nothing of the times beside a scene.
 constexpr double kLostAtOnce = 1e-3;
 // Values of one pair that were found twice, in units.
@@ -172,6 +172,7 @@ bool PairSearch::is_regular(const PairScene& scene) const {
 
 std::vector<std::string> PairSearch::doubts() const {
   std::vector<std::string> all = doubts_;
+  all.insert(all.end(), unclear_.begin(), unclear_.end());
   for (const PairScene& scene : scenes_) {
     if (!scene.lacks_pair || !scene.is_complete || !is_regular(scene)) continue;
     all.push_back("a pair of complex closures that is there " + at_time(scene.time) +
@@ -292,62 +293,74 @@ void PairSearch::follow(const std::vector<Scene>& scenes) {
   }
 }
 
-/// Whether the scene lies in the stretch and tells of all of it. One at either end of the motion does, unless an event lies there.
-bool PairSearch::shows(const PairScene& scene, double from, double to) const {
+/// Times of pairs and of branches, at which the number of real closures may change.
+std::vector<double> PairSearch::event_times() const {
+  std::vector<double> times = borders_;
+  for (const Track& track : run_.tracks) {
+    for (const Branch* way : {&track.forwards, &track.backwards}) {
+      if (way->event) times.push_back(way->event->time);
+    }
+  }
+  return times;
+}
+
+/// Whether the scene lies in the stretch and tells of all of it. One at either end of the motion does, unless an event lies beside it.
+bool PairSearch::shows(const PairScene& scene, double from, double to,
+                       const std::vector<double>& events) const {
   // What was not decided is told, and solving beside it helps as little.
   if (scene.is_complete && (!is_regular(scene) || !scene.leads_on)) return false;
-  const bool is_at_border = scene.time == run_.times.from || scene.time == run_.times.to;
-  return is_at_border ? scene.time == from || scene.time == to
-                      : scene.time > from && scene.time < to;
+  if (scene.time != run_.times.from && scene.time != run_.times.to) {
+    return scene.time > from && scene.time < to;
+  }
+  const double least = kBriefest * (run_.times.to - run_.times.from);
+  return (scene.time == from || scene.time == to) &&
+         std::none_of(events.begin(), events.end(), [&](double time) {
+           return scene.time != time && std::abs(scene.time - time) <= least;
+         });
+}
+
+/// Where to solve closures next in a stretch that no scene shows; nullopt, and a note, after a few times.
+std::optional<double> PairSearch::next_time(double from, double to) {
+  std::int64_t tries = 0;
+  bool are_regular = true;
+  for (const PairScene& scene : scenes_) {
+    if (scene.time <= from || scene.time >= to) continue;
+    ++tries;
+    are_regular = are_regular && is_regular(scene);
+  }
+  const double place = kWithin + kGolden * static_cast<double>(tries);
+  if (tries < kMostTries) return from + (place - std::floor(place)) * (to - from);
+  const std::string stretch =
+      "between t = " + std::to_string(from) + " s and " + std::to_string(to) + " s";
+  if (are_regular) {
+    sampled_.push_back("pairs of complex closures cannot be followed " + stretch +
+                       "; closures were solved there " + counted(kMostTries, "time"));
+  } else {
+    unclear_.push_back("some closures are at infinity, or double, at each of the " +
+                       counted(kMostTries, "time") + " that were solved " + stretch);
+  }
+  return std::nullopt;
 }
 
 std::vector<double> PairSearch::open_times() {
-  const double least = kBriefest * (run_.times.to - run_.times.from);
-  std::vector<double> parts = borders_;
-  for (const Track& track : run_.tracks) {
-    for (const Branch* way : {&track.forwards, &track.backwards}) {
-      if (way->event) parts.push_back(way->event->time);
-    }
-  }
-  const auto has_event_beside = [&, events = parts](const PairScene& scene) {
-    return std::any_of(events.begin(), events.end(), [&](double time) {
-      return scene.time != time && std::abs(scene.time - time) <= least;
-    });
-  };
+  const std::vector<double> events = event_times();
+  std::vector<double> parts = events;
   parts.push_back(run_.times.from);
   parts.push_back(run_.times.to);
   std::sort(parts.begin(), parts.end());
-  std::vector<double> open;
+  const double least = kBriefest * (run_.times.to - run_.times.from);
   sampled_.clear();
+  unclear_.clear();
+  std::vector<double> open;
   for (std::size_t k = 1; k < parts.size(); ++k) {
     const double from = parts[k - 1];
     const double to = parts[k];
-    if (to - from <= least) continue;
-    const bool is_seen = std::any_of(scenes_.begin(), scenes_.end(), [&](const PairScene& scene) {
-      return shows(scene, from, to) && !has_event_beside(scene);
-    });
+    const bool is_seen = to - from <= least ||
+                         std::any_of(scenes_.begin(), scenes_.end(), [&](const PairScene& scene) {
+                           return shows(scene, from, to, events);
+                         });
     if (is_seen) continue;
-    const auto is_inside = [&](const PairScene& scene) {
-      return scene.time > from && scene.time < to;
-    };
-    const auto tries = std::count_if(scenes_.begin(), scenes_.end(), is_inside);
-    if (tries < kMostTries) {
-      const double place = kWithin + kGolden * static_cast<double>(tries);
-      open.push_back(from + (place - std::floor(place)) * (to - from));
-      continue;
-    }
-    const bool are_regular =
-        std::all_of(scenes_.begin(), scenes_.end(),
-                    [&](const PairScene& scene) { return !is_inside(scene) || is_regular(scene); });
-    const std::string stretch =
-        "between t = " + std::to_string(from) + " s and " + std::to_string(to) + " s";
-    if (are_regular) {
-      sampled_.push_back("pairs of complex closures cannot be followed " + stretch +
-                         "; closures were solved there " +
-                         counted(static_cast<std::uint64_t>(tries), "time"));
-    } else {
-      tell("closures are not all apart at any of the times that were solved " + stretch);
-    }
+    if (const auto time = next_time(from, to)) open.push_back(*time);
   }
   for (const double time : fold_backs_) {
     const auto is_there = [&](double other) { return std::abs(other - time) <= least; };

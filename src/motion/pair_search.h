@@ -15,6 +15,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "pair_curve.h"
 #include "scene.h"
@@ -62,7 +63,10 @@ class PairSearch {
     bool leads_on = true;     ///< its pairs can be followed from it
   };
   bool is_regular(const PairScene& scene) const;
-  bool shows(const PairScene& scene, double from, double to) const;
+  std::vector<double> event_times() const;
+  bool shows(const PairScene& scene, double from, double to,
+             const std::vector<double>& events) const;
+  std::optional<double> next_time(double from, double to);
   void prepare();
   void enter(const Scene& scene);
   void enter_pairs(const Point& root, PairScene& scene);
@@ -85,6 +89,7 @@ class PairSearch {
   std::vector<Track> brief_;
   std::vector<std::string> doubts_;
   std::vector<std::string> sampled_;
+  std::vector<std::string> unclear_;  ///< stretches without a regular scene, likewise
 };
 
 /// From one dead point to the other through `pose`, too short for steps between.

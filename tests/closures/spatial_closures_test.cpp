@@ -281,7 +281,7 @@ type = "spherical"
 at = ["strut.TOP", "ground.TOP"]
 [[joint]]
 type = "cylindrical"
-at = ["knuckle.S", "strut.S"]
+at = ["strut.S", "knuckle.S"]
 axis = [-10, -40, 300]
 name = "damper"
 )toml";
@@ -292,6 +292,7 @@ name = "damper"
   EXPECT_TRUE(by_rod.complete) << by_rod.message;
   ASSERT_EQ(by_rod.idle.size(), 1U);
   EXPECT_EQ(by_rod.idle[0].joint, "damper");
+  EXPECT_EQ(by_rod.idle[0].body, "strut");
   EXPECT_EQ(by_rod.counts.complex, 4U);
   ASSERT_EQ(by_rod.closures.size(), by_line.closures.size());
   constexpr Eigen::Index kKnuckle = 6;

@@ -101,9 +101,10 @@ name = "bore"
 
 TEST(IdleTurns, AreAboutAnAxisThatAllOtherJointsLetTurn) {
   const Mechanism mechanism = typed(piston("0"));
-  const std::vector<std::size_t> joints = find_idle_turns(mechanism);
-  ASSERT_EQ(joints.size(), 1U);
-  EXPECT_EQ(mechanism.joints[joints[0]].name, "bore");
+  const std::vector<IdleTurn> turns = find_idle_turns(mechanism);
+  ASSERT_EQ(turns.size(), 1U);
+  EXPECT_EQ(mechanism.bodies[turns[0].body].name, "piston");
+  EXPECT_EQ(mechanism.joints[turns[0].joint].name, "bore");
 }
 
 TEST(IdleTurns, AreNoneWhereAnotherJointOrADriverHoldsThem) {

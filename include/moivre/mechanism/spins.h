@@ -24,8 +24,14 @@ namespace moivre {
 /// In the order of their bodies; none of a planar mechanism or of typed equations.
 std::vector<Spin> find_spins(const Mechanism& mechanism);
 
-/// Joints about whose axis a body turns while everything else stands, one a body; each is revolute or cylindrical, and not driven.
-std::vector<std::size_t> find_idle_turns(const Mechanism& mechanism);
+/// A body that turns about a joint's axis while everything else stands. The joint is revolute or cylindrical, and not driven.
+struct IdleTurn {
+  std::size_t body = 0;
+  std::size_t joint = 0;
+};
+
+/// In the order of their bodies, one a body.
+std::vector<IdleTurn> find_idle_turns(const Mechanism& mechanism);
 
 /// Whether each held spin is at the solution that is meant: elsewhere its body has turned by half a turn, and the pose is the same but for it.
 bool are_spins_as_meant(const Mechanism& mechanism, const Eigen::VectorXd& q);
