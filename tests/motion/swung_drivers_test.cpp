@@ -71,6 +71,25 @@ TEST(ASwungSlide, HasTwoBranchesInEachHalfSwing) {
   }
 }
 
+// From a dead point on, to rounding: where both closures begin they live on, and where they end those of the later half swings are found.
+TEST(ASwungSlide, HasItsLaterBranchesWhenItBeginsAtADeadPoint) {
+  const double period = 4 * std::numbers::pi;
+  for (const auto& [begin, branches] :
+       {std::pair(std::acos(0.4), 8), std::pair(std::acos(-0.4), 6)}) {
+    for (const double off : {0.0, 1e-16, -1e-16, 3e-16}) {
+      MotionOptions options;
+      options.from = begin / period + off;
+      options.to = 1;
+      const MotionResult motion = find_motion(mechanism_text(slider_crank("5 + 5*cos(4*pi*t)")),
+                                              *make_cvode_tracker(), options);
+      EXPECT_TRUE(motion.complete) << motion.message;
+      const auto lives = [](const MotionBranch& b) { return b.ends - b.begins > 1e-3; };
+      EXPECT_EQ(std::count_if(motion.branches.begin(), motion.branches.end(), lives), branches)
+          << options.from;
+    }
+  }
+}
+
 // At every checkpoint but one the coupler and the crank are too short for the rocker's angle.
 TEST(ASwungRocker, HasFourBranchesBetweenCheckpoints) {
   const std::string text = R"toml([units]
