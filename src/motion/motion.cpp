@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <map>
 
-#include "dead_ends.h"
 #include "moivre/closures/idle_joints.h"
 #include "moivre/closures/same_pose.h"
 #include "moivre/kinematics/newton.h"
@@ -143,7 +142,6 @@ MotionResult find_motion_of_whole(const Mechanism& mechanism, const Tracker& tra
   }
   const std::vector<double> crossings = step_aside(run, tracker, scenes);
   if (!crossings.empty()) reconcile(run, scenes);
-  mark_dead_ends(run, scenes);
   drop_moments(run);
   order_tracks(run);
   for (Scene& scene : scenes) match(run, scene);

@@ -116,10 +116,7 @@ std::size_t enter_lone_branches(const MotionRun& run, const Scene& scene, Checkp
   for (std::size_t k = 0; k < run.tracks.size(); ++k) {
     if (run.tracks[k].at(scene.time) == nullptr) continue;
     ++present;
-    const bool is_found = std::find(found.begin(), found.end(), k) != found.end() ||
-                          std::any_of(scene.beside.begin(), scene.beside.end(), [&](auto& others) {
-                            return std::find(others.begin(), others.end(), k) != others.end();
-                          });
+    const bool is_found = std::find(found.begin(), found.end(), k) != found.end();
     if (is_found || scene.closures.moves) continue;
     row.agrees = false;
     if (run.stop) continue;

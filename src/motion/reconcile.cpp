@@ -76,13 +76,6 @@ bool add_partner(MotionRun& run) {
   return false;
 }
 
-/// From a multiple closure, as at a dead point, several ways lead back.
-bool has_multiple(const Scene& scene) {
-  const auto& closures = scene.closures.closures;
-  return std::any_of(closures.begin(), closures.end(),
-                     [](const Closure& closure) { return closure.singular; });
-}
-
 /// The checkpoints that a track passes, determined, one way from its anchor: where to turn back, and the times of the way.
 struct WayBack {
   const Scene* last = nullptr;  ///< the farthest from the anchor; nullptr: there is none
@@ -97,7 +90,6 @@ WayBack way_back(const std::vector<Scene>& scenes, const Track& track, bool is_f
         is_forwards ? scene.time > track.anchor.time : scene.time < track.anchor.time;
     const BranchSample* sample = track.at(scene.time);
     if (!is_on_the_way || sample == nullptr || !sample->is_determined) continue;
-    if (has_multiple(scene)) continue;
     if (back.last == nullptr || is_forwards) back.last = &scene;
     back.times.insert(is_forwards ? back.times.begin() : back.times.end() - 1, scene.time);
   }

@@ -77,7 +77,6 @@ void add_scenes(MotionRun& run, const Tracker& tracker, const std::vector<double
 std::optional<std::pair<std::size_t, std::size_t>> match(const MotionRun& run, Scene& scene) {
   std::optional<std::pair<std::size_t, std::size_t>> conflict;
   std::fill(scene.track_of.begin(), scene.track_of.end(), std::nullopt);
-  scene.beside.assign(scene.track_of.size(), {});
   for (std::size_t k = 0; k < run.tracks.size(); ++k) {
     const BranchSample* sample = run.tracks[k].at(scene.time);
     if (sample == nullptr) continue;
@@ -86,8 +85,6 @@ std::optional<std::pair<std::size_t, std::size_t>> match(const MotionRun& run, S
     auto& owner = scene.track_of[*nearest];
     if (!owner) {
       owner = k;
-    } else if (scene.beside[*nearest].size() + 1 < scene.closures.closures[*nearest].multiplicity) {
-      scene.beside[*nearest].push_back(k);
     } else if (!conflict) {
       conflict = {*owner, k};
     }

@@ -2,7 +2,7 @@
 // Which closures are there at a checkpoint, and which track is at each?
 //
 // A track is at the closure nearest to its pose, where that is the same pose. Two tracks at one closure are a conflict: one
-// of them has left its branch. But as many as its multiplicity meet at a multiple closure. Half of the progress that is shown is for the scenes at first, half for the tracks.
+// of them has left its branch. Half of the progress that is shown is for the scenes at first, half for the tracks.
 #pragma once
 
 #include <functional>
@@ -19,7 +19,6 @@ struct Scene {
   ClosureResult closures;
   KnownPoses poses;                                  ///< of the closures
   std::vector<std::optional<std::size_t>> track_of;  ///< one a closure: index into the tracks
-  std::vector<std::vector<std::size_t>> beside;  ///< one a closure: further tracks that meet there
 };
 
 Scene solve_scene(const MotionRun& run, const Tracker& tracker, double time);
@@ -36,7 +35,7 @@ bool look_closer(const MotionRun& run, const Tracker& tracker,
 void add_scenes(MotionRun& run, const Tracker& tracker, const std::vector<double>& times,
                 std::vector<Scene>& scenes);
 
-/// Sets scene.track_of and scene.beside. Two tracks that are at one closure are returned, the older first.
+/// Sets scene.track_of. Two tracks that are at one closure are returned, the older first.
 std::optional<std::pair<std::size_t, std::size_t>> match(const MotionRun& run, Scene& scene);
 
 }  // namespace moivre
