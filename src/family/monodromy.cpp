@@ -234,10 +234,9 @@ Family learn_by_monodromy(Family unlearned, const KnownPair& pair, const Tracker
   const bool lacks_roots = by_algebra > family.roots.size();
   learning.complete =
       learning.bound || (test.holds && search.components == 1 && !lacks_roots && !stop);
-  learning.standing =
-      lacks_roots ? "exact algebra counts " + counted(*by_algebra, "root") +
-                        " with multiplicities: the family is reducible, or roots are multiple"
-                  : standing_of(learning, test, search);
+  learning.standing = lacks_roots ? "exact algebra counts " + counted(*by_algebra, "root") +
+                                        " with multiplicities: roots are missing, or multiple"
+                                  : standing_of(learning, test, search);
   return family;
 }
 

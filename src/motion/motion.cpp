@@ -3,6 +3,7 @@
 #include "moivre/motion/motion.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 
 #include "moivre/closures/idle_joints.h"

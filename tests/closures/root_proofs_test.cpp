@@ -140,7 +140,7 @@ TEST(CertifiedClosures, AMultipleOneHasNoCertificate) {
   EXPECT_EQ(result.completeness, RootCompleteness::shown);
 }
 
-/// A ten-millionth of a degree beside the change point its closures lie so near to each other that their paths seem to meet.
+/// A millionth of a degree beside the change point its closures lie so near to each other that their paths seem to meet.
 TEST(CertifiedClosures, TwoBesideAChangePointAreNotTakenForADoubleOne) {
   for (const double angle : {1e-6, 2e-6, 3e-6}) {
     for (std::uint64_t seed = 1; seed <= 8; ++seed) {

@@ -84,34 +84,12 @@ start = )toml" +
          "\n[guess]\n\"coupler.phi\" = 20\n\"rocker.phi\" = 80\n";
 }
 
-/// A crank, a rod and a slider whose line passes `offset` above the crank's pivot.
+/// The slider-crank, its crank turning by a degree a second from 30 degrees, or by `velocity`.
 inline std::string slider_crank_text(double crank, double rod, double offset,
                                      const std::string& velocity = "1") {
-  const auto text = [](double x) { return std::to_string(x); };
-  return "[units]\nlength = \"mm\"\nangle = \"deg\"\n[ground.points]\nO = [0, 0]\nG = [0, " +
-         text(offset) + "]\n[body.crank.points]\nO = [0, 0]\nA = [" + text(crank) +
-         ", 0]\n[body.rod.points]\nA = [0, 0]\nB = [" + text(rod) + R"toml(, 0]
-[body.slider.points]
-B = [0, 0]
-[[joint]]
-type = "revolute"
-at = ["ground.O", "crank.O"]
-[[joint]]
-type = "revolute"
-at = ["crank.A", "rod.A"]
-[[joint]]
-type = "revolute"
-at = ["rod.B", "slider.B"]
-[[joint]]
-type = "prismatic"
-at = ["ground.G", "slider.B"]
-along = [1, 0]
-name = "guide"
-[[driver]]
-angle = "crank"
-start = 30
-velocity = )toml" +
-         velocity + "\n[guess]\n\"rod.phi\" = -10\n\"slider.x\" = " + text(rod) + "\n";
+  return "[units]\nlength = \"mm\"\nangle = \"deg\"\n" + slider_crank_links(crank, rod, offset) +
+         "[[driver]]\nangle = \"crank\"\nstart = 30\nvelocity = " + velocity +
+         "\n[guess]\n\"rod.phi\" = -10\n\"slider.x\" = " + std::to_string(rod) + "\n";
 }
 
 }  // namespace moivre::test

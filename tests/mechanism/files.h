@@ -72,6 +72,31 @@ value = ")toml" +
          value + "\"\n";
 }
 
+/// A crank, a rod and a slider whose line, through G, passes `offset` above the crank's pivot; the slide is `guide`. Drivers are to be added.
+inline std::string slider_crank_links(double crank, double rod, double offset) {
+  const auto text = [](double x) { return std::to_string(x); };
+  return "[ground.points]\nO = [0, 0]\nG = [0, " + text(offset) +
+         "]\n[body.crank.points]\nO = [0, 0]\nA = [" + text(crank) +
+         ", 0]\n[body.rod.points]\nA = [0, 0]\nB = [" + text(rod) + R"toml(, 0]
+[body.slider.points]
+B = [0, 0]
+[[joint]]
+type = "revolute"
+at = ["ground.O", "crank.O"]
+[[joint]]
+type = "revolute"
+at = ["crank.A", "rod.A"]
+[[joint]]
+type = "revolute"
+at = ["rod.B", "slider.B"]
+[[joint]]
+type = "prismatic"
+at = ["ground.G", "slider.B"]
+along = [1, 0]
+name = "guide"
+)toml";
+}
+
 /// A crank at 50 degrees and a rocker about a skew axis; the link between them turns about its two balls, and nothing depends on that.
 inline constexpr const char* kSpinningCoupler = R"toml(space = "spatial"
 [ground.points]

@@ -14,34 +14,8 @@ namespace {
 
 /// Crank 2 and rod 5: the slide goes from 3 to 7.
 std::string stroke_text(const std::string& start, const std::string& velocity) {
-  return R"toml([ground.points]
-O = [0, 0]
-[body.crank.points]
-O = [0, 0]
-A = [2, 0]
-[body.rod.points]
-A = [0, 0]
-B = [5, 0]
-[body.slider.points]
-B = [0, 0]
-[[joint]]
-type = "revolute"
-at = ["ground.O", "crank.O"]
-[[joint]]
-type = "revolute"
-at = ["crank.A", "rod.A"]
-[[joint]]
-type = "revolute"
-at = ["rod.B", "slider.B"]
-[[joint]]
-type = "prismatic"
-at = ["ground.O", "slider.B"]
-along = [1, 0]
-name = "s"
-[[driver]]
-slide = "s"
-start = )toml" +
-         start + "\nvelocity = " + velocity + "\n";
+  return test::slider_crank_links(2, 5, 0) + "[[driver]]\nslide = \"guide\"\nstart = " + start +
+         "\nvelocity = " + velocity + "\n";
 }
 
 MotionResult stroke(const std::string& start, const std::string& velocity, double seconds) {

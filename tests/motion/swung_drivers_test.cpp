@@ -22,34 +22,8 @@ MotionResult motion_for_a_second(const std::string& text, std::uint64_t seed) {
 
 /// Crank 2, rod 5; the slide is driven, and the two closures are real where 3 <= s <= 7.
 std::string slider_crank(const std::string& law) {
-  return R"toml([ground.points]
-O = [0, 0]
-[body.crank.points]
-O = [0, 0]
-A = [2, 0]
-[body.rod.points]
-A = [0, 0]
-B = [5, 0]
-[body.slider.points]
-B = [0, 0]
-[[joint]]
-type = "revolute"
-at = ["ground.O", "crank.O"]
-[[joint]]
-type = "revolute"
-at = ["crank.A", "rod.A"]
-[[joint]]
-type = "revolute"
-at = ["rod.B", "slider.B"]
-[[joint]]
-type = "prismatic"
-at = ["ground.O", "slider.B"]
-along = [1, 0]
-name = "s"
-[[driver]]
-slide = "s"
-value = ")toml" +
-         law + "\"\n";
+  return test::slider_crank_links(2, 5, 0) + "[[driver]]\nslide = \"guide\"\nvalue = \"" + law +
+         "\"\n";
 }
 
 // Both closures are real for a while in each half swing; at s = 0 they are at infinity, at s = 10 the driver stands.

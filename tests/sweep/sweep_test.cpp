@@ -7,33 +7,31 @@
 #include <cmath>
 #include <set>
 
+#include "../mechanism/files.h"
 #include "moivre/mechanism/dimensions.h"
-#include "moivre/mechanism/read.h"
 #include "moivre/tracker_lanes/lane_tracker.h"
 
 namespace moivre {
 namespace {
 
-Mechanism problem(const std::string& name) {
-  return read_mechanism(read_source(MOIVRE_SOURCE_DIR "/problems/mechanisms/" + name + ".toml"));
-}
+using test::example;
 
 SweepResult swept(const std::string& name, const std::vector<Varied>& varied) {
   const auto lanes = make_lane_tracker();
   FamilyBook book;
   SweepOptions options;
   options.closures.solve.threads = 2;
-  return sweep(problem(name), varied, *lanes, book, options);
+  return sweep(example(name), varied, *lanes, book, options);
 }
 
 TEST(Dimensions, AreNamedAndSet) {
-  Mechanism mechanism = problem("3-rpr");
+  Mechanism mechanism = example("3-rpr");
   set_dimension(mechanism, "leg 1.length", 3);
   EXPECT_EQ(mechanism.joints[0].length, 3);
   set_dimension(mechanism, "platform.B2.x", 5);
   EXPECT_EQ(mechanism.bodies[1].points[1].at.x(), 5);
   EXPECT_THROW(set_dimension(mechanism, "leg 4.length", 1), std::invalid_argument);
-  Mechanism four_bar = problem("four-bar");
+  Mechanism four_bar = example("four-bar");
   set_dimension(four_bar, "crank", 90);
   EXPECT_NEAR(driver_state(four_bar.drivers[0].law, 5).value, std::acos(0.0), 1e-15);
 }
@@ -54,7 +52,7 @@ TEST(Sweep, FindsWhereAFourBarCanNoLongerBeAssembled) {
 }
 
 TEST(Sweep, FindsTheDeadPointsOfADriver) {
-  Mechanism mechanism = problem("four-bar");
+  Mechanism mechanism = example("four-bar");
   set_dimension(mechanism, "crank.A.x", 150);
   const auto lanes = make_lane_tracker();
   FamilyBook book;
@@ -67,36 +65,9 @@ TEST(Sweep, FindsTheDeadPointsOfADriver) {
 
 /// Crank 1 upright, rod 3: the slider's line is out of reach from 4 on. The middle sample lies there, where the closures are double.
 TEST(Sweep, HasABorderOnEachSideOfASampleThatLiesOnOne) {
-  const Mechanism mechanism = read_mechanism({"test", R"toml([units]
-angle = "deg"
-[ground.points]
-O = [0, 0]
-G = [0, 0]
-[body.crank.points]
-O = [0, 0]
-A = [1, 0]
-[body.rod.points]
-A = [0, 0]
-B = [3, 0]
-[body.slider.points]
-B = [0, 0]
-[[joint]]
-type = "revolute"
-at = ["ground.O", "crank.O"]
-[[joint]]
-type = "revolute"
-at = ["crank.A", "rod.A"]
-[[joint]]
-type = "revolute"
-at = ["rod.B", "slider.B"]
-[[joint]]
-type = "prismatic"
-at = ["ground.G", "slider.B"]
-along = [1, 0]
-[[driver]]
-angle = "crank"
-start = 90
-)toml"});
+  const Mechanism mechanism =
+      test::typed("[units]\nangle = \"deg\"\n" + test::slider_crank_links(1, 3, 0) +
+                  "[[driver]]\nangle = \"crank\"\nstart = 90\n");
   const auto lanes = make_lane_tracker();
   FamilyBook book;
   const SweepResult result =
@@ -126,10 +97,10 @@ TEST(Sweep, MapsTheAssembliesOfAPlatform) {
 TEST(Sweep, NamesEveryFault) {
   const auto lanes = make_lane_tracker();
   FamilyBook book;
-  EXPECT_THROW(sweep(problem("four-bar"), {}, *lanes, book), std::invalid_argument);
-  EXPECT_THROW(sweep(problem("four-bar"), {{"crank.Q.x", 0, 1, 5}}, *lanes, book),
+  EXPECT_THROW(sweep(example("four-bar"), {}, *lanes, book), std::invalid_argument);
+  EXPECT_THROW(sweep(example("four-bar"), {{"crank.Q.x", 0, 1, 5}}, *lanes, book),
                std::invalid_argument);
-  EXPECT_THROW(sweep(problem("four-bar"), {{"crank", 0, 0, 5}}, *lanes, book),
+  EXPECT_THROW(sweep(example("four-bar"), {{"crank", 0, 0, 5}}, *lanes, book),
                std::invalid_argument);
 }
 
