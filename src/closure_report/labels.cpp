@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 
@@ -123,15 +124,16 @@ class Placer {
   Complex best(Complex anchor, double width, double height, bool may_cover_anchor) {
     Rectangle found{anchor, width / 2, height / 2};
     double least = std::numeric_limits<double>::infinity();
+    const std::vector<Dot> near = ink_within({anchor, kFarthest + width, kFarthest + height});
     const auto consider = [&](Complex centre) {
       const Rectangle place{centre, width / 2, height / 2};
-      const double cost = cost_of(place) + kDistanceCost * std::abs(centre - anchor);
+      const double cost = cost_of(place, near) + kDistanceCost * std::abs(centre - anchor);
       if (cost >= least) return;
       least = cost;
       found = place;
     };
     if (may_cover_anchor) consider(anchor);
-    for (const double distance : {7.0, 10.0, 14.0, 19.0, 26.0, 34.0}) {
+    for (const double distance : {7.0, 10.0, 14.0, 19.0, 26.0, kFarthest}) {
       for (int k = 0; k < kDirections; ++k) {
         const Complex u =
             std::polar(1.0, kFirstDirection_rad + 2 * std::numbers::pi * k / kDirections);
@@ -143,12 +145,20 @@ class Placer {
   }
 
  private:
+  static constexpr double kFarthest = 34;  // pixels from an anchor to its label
   static constexpr int kDirections = 16;
   static constexpr double kFirstDirection_rad = -std::numbers::pi / 4;  // above on the right
 
-  double cost_of(const Rectangle& place) const {
+  std::vector<Dot> ink_within(const Rectangle& place) const {
+    std::vector<Dot> within;
+    std::copy_if(ink_.begin(), ink_.end(), std::back_inserter(within),
+                 [&](const Dot& dot) { return place.contains(dot.at); });
+    return within;
+  }
+
+  double cost_of(const Rectangle& place, const std::vector<Dot>& ink) const {
     double cost = 0;
-    for (const Dot& dot : ink_) cost += place.contains(dot.at) ? dot.weight : 0;
+    for (const Dot& dot : ink) cost += place.contains(dot.at) ? dot.weight : 0;
     for (const Rectangle& other : taken_) cost += kOverlapCost * place.area_shared_with(other);
     const Rectangle frame{(frame_.lower + frame_.upper) / 2.0, frame_.width() / 2,
                           frame_.height() / 2};
