@@ -54,7 +54,7 @@ set(MOIVRE_DO_WITHOUT_multiprecision solver)
 
 # Modules that read, decide and write: their time goes into what they call, so that optimizing their own code further only
 # lengthens the build.
-set(MOIVRE_LIGHT expression bounds check study urdf formulation design arms closure_study sweep report check_report
+set(MOIVRE_LIGHT expression multiprecision family bounds check study urdf formulation design arms closure_study sweep report check_report
     family_report closure_report arm_report sweep_report study_report cli)
 
 # Modules that add compiler flags of their own.
