@@ -13,8 +13,9 @@ using Positions = std::vector<std::size_t>::iterator;
 
 class Order {
  public:
-  Order(const std::vector<Eigen::VectorXd>& poses, const std::vector<Coordinate>& coordinates)
-      : poses_(poses), coordinates_(coordinates) {
+  Order(const std::vector<Eigen::VectorXd>& poses, const std::vector<Coordinate>& coordinates,
+        double length)
+      : poses_(poses), coordinates_(coordinates), largest_length_(length) {
     for (const Eigen::VectorXd& q : poses) {
       for (std::size_t k = 0; k < coordinates.size(); ++k) {
         const double size = std::abs(q[static_cast<Eigen::Index>(k)]);
@@ -50,7 +51,7 @@ class Order {
 
   const std::vector<Eigen::VectorXd>& poses_;
   const std::vector<Coordinate>& coordinates_;
-  double largest_length_ = 1;
+  double largest_length_;
 };
 
 /// Half a turn about v is half a turn about -v: of the two, the one whose first coordinate that is not zero is positive.
@@ -72,13 +73,14 @@ Eigen::VectorXd with_named_half_turns(Eigen::VectorXd q,
 }  // namespace
 
 std::vector<std::size_t> canonical_order(const std::vector<Eigen::VectorXd>& poses,
-                                         const std::vector<Coordinate>& coordinates) {
+                                         const std::vector<Coordinate>& coordinates,
+                                         double length) {
   std::vector<std::size_t> order(poses.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::vector<Eigen::VectorXd> named;
   named.reserve(poses.size());
   for (const Eigen::VectorXd& q : poses) named.push_back(with_named_half_turns(q, coordinates));
-  Order(named, coordinates).sort_from(0, order.begin(), order.end());
+  Order(named, coordinates, length).sort_from(0, order.begin(), order.end());
   return order;
 }
 

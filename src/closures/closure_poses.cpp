@@ -167,12 +167,12 @@ Closure closure_at(const ClosureSearch& search, const NewtonResult& polished) {
   return closure;
 }
 
-void letter(std::vector<Closure>& closures, const Mechanism& mechanism) {
+void letter(std::vector<Closure>& closures, const Phi& phi) {
   std::vector<Eigen::VectorXd> poses;
   poses.reserve(closures.size());
   for (const Closure& closure : closures) poses.push_back(closure.q);
   std::vector<Closure> ordered;
-  for (const std::size_t k : canonical_order(poses, coordinates(mechanism))) {
+  for (const std::size_t k : canonical_order(poses, phi.coordinates(), phi.length())) {
     ordered.push_back(std::move(closures[k]));
     ordered.back().id = closure_id(ordered.size() - 1);
   }
@@ -205,7 +205,7 @@ void find_poses(ClosureSearch& search) {
   take_fitting(search, beyond_limits);
   tell_limits(beyond_limits, search);
   look_from_the_guess(search);
-  letter(result.closures, search.mechanism);
+  letter(result.closures, search.phi);
 }
 
 }  // namespace moivre

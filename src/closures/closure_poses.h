@@ -18,6 +18,6 @@ void find_poses(ClosureSearch& search);
 Closure closure_at(const ClosureSearch& search, const NewtonResult& polished);
 
 /// Puts closures in canonical order and names them by it.
-void letter(std::vector<Closure>& closures, const Mechanism& mechanism);
+void letter(std::vector<Closure>& closures, const Phi& phi);
 
 }  // namespace moivre

@@ -217,7 +217,7 @@ bool solve_apart(ClosureSearch& search) {
   }
   ClosureResult& whole = search.result;
   whole.closures = std::move(found);
-  if (all_of(closures) <= kMostListed) letter(whole.closures, search.mechanism);
+  if (all_of(closures) <= kMostListed) letter(whole.closures, search.phi);
   for (const Choice& choice : listed_choices(solutions)) {
     whole.solutions.push_back(solution_of(parts, choice, places));
   }

@@ -115,11 +115,7 @@ class Stages {
 
   void solve_block(const Block& block) {
     if (run_.roots.empty()) return;
-    if (block.equations.size() == 1) {
-      Polynomial lone =
-          equation_at(formulation_.system, block, block.equations.front(), run_.roots.front());
-      if (degree(lone) == 1) return solve_lone(block, std::move(lone));
-    }
+    if (is_linear(block)) return solve_lone(block);
     prover_.close_group(block);
     const QuadraticBlock formula(formulation_, block);
     Stage stage;
@@ -175,8 +171,19 @@ class Stages {
     return false;
   }
 
+  /// Whether it is one equation, and of degree 1 in its unknown whatever the values before.
+  bool is_linear(const Block& block) const {
+    if (block.equations.size() != 1) return false;
+    for (const Term& term : formulation_.system.polynomials[block.equations.front()].terms) {
+      for (const Power& power : term.monomial) {
+        if (power.variable == block.variables.front() && power.exponent > 1) return false;
+      }
+    }
+    return true;
+  }
+
   /// One equation a x + b = 0, its x put in above every root so far. Where a vanishes there is none, where b does too a set of them.
-  void solve_lone(const Block& block, Polynomial of_first_root) {
+  void solve_lone(const Block& block) {
     ++lone_;
     prover_.add_lone(block);
     const std::size_t equation = block.equations.front();
@@ -186,9 +193,7 @@ class Stages {
     }
     std::vector<PartialRoot> next;
     for (PartialRoot& root : run_.roots) {
-      const Polynomial p = &root == &run_.roots.front()
-                               ? std::move(of_first_root)
-                               : equation_at(formulation_.system, block, equation, root);
+      const Polynomial p = equation_at(formulation_.system, block, equation, root);
       Coefficient a;
       Coefficient b;
       for (const Term& term : p.terms) (term.monomial.empty() ? b : a) = term.coefficient;

@@ -24,27 +24,14 @@ double residual_of_root(const Formulation& formulation, const Point& root) {
     if (!formulation.is_direction[v]) length = std::max(length, std::abs(root[v]));
   }
   if (length == 0) length = 1;
-  std::vector<double> sizes;
+  Point sizes;
   for (std::size_t v = 0; v < root.size(); ++v) {
     sizes.push_back(std::max(std::abs(root[v]), formulation.is_direction[v] ? 1 : length));
   }
   double largest = 0;
   for (const Polynomial& p : formulation.system.polynomials) {
-    Complex sum = 0;
-    double size = 0;
-    for (const Term& term : p.terms) {
-      Complex value = to_complex(term.coefficient);
-      double product = std::abs(value);
-      for (const Power& factor : term.monomial) {
-        for (std::uint32_t k = 0; k < factor.exponent; ++k) {
-          value *= root[factor.variable];
-          product *= sizes[factor.variable];
-        }
-      }
-      sum += value;
-      size += product;
-    }
-    if (size > 0) largest = std::max(largest, std::abs(sum) / size);
+    const double size = term_size(p, sizes);
+    if (size > 0) largest = std::max(largest, std::abs(value_at(p, root)) / size);
   }
   return largest;
 }

@@ -141,13 +141,14 @@ class MotionProduct {
         choices_.begin(), choices_.end(),
         [](const BranchChoice& a, const BranchChoice& b) { return a.begins < b.begins; });
     if (!result_.all_listed) return;
+    const Phi phi(mechanism_);
     std::vector<VectorXd> poses;
     for (const BranchChoice& choice : choices_) {
       if (choice.begins > options_.from) break;
-      poses.push_back(Phi(mechanism_).canonical(whole_sample(choice, options_.from).q));
+      poses.push_back(phi.canonical(whole_sample(choice, options_.from).q));
     }
     std::vector<BranchChoice> ordered;
-    for (const std::size_t k : canonical_order(poses, coordinates(mechanism_))) {
+    for (const std::size_t k : canonical_order(poses, phi.coordinates(), phi.length())) {
       ordered.push_back(choices_[k]);
     }
     std::move(ordered.begin(), ordered.end(), choices_.begin());

@@ -256,5 +256,21 @@ e3 = "(x - 1)*(y - 5) + (y - 5)"
   }
 }
 
+// At x = 1, and at no other root before it, the second equation has lost its leading term.
+TEST(Blocks, ThatAreLinearAtOneRootAreNotSoAtTheOthers) {
+  for (const std::string constant : {"-2", "+2"}) {
+    const Mechanism mechanism = mechanism_text(
+        "[unknowns]\nlengths = [\"x\", \"y\"]\n[equations]\n"
+        "one = \"x^2 - 0.5*x = 0.5\"\ntwo = \"(x - 1)*y^2 + y " +
+        constant + " = 0\"\n");
+    for (std::uint64_t seed = 1; seed <= kRandomSeeds; ++seed) {
+      const ClosureResult result = closures_of(mechanism, seed);
+      EXPECT_TRUE(result.complete) << result.message;
+      EXPECT_EQ(result.counts.complex, 3u);
+      EXPECT_EQ(result.counts.real, constant == "+2" ? 3u : 1u);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace moivre

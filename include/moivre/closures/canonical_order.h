@@ -15,12 +15,13 @@
 
 namespace moivre {
 
-/// Two values of a coordinate are one below this, on the scale of max(1, largest length): above the accuracy of a double
+/// Two values of a coordinate are one below this, on the scale of the largest length: above the accuracy of a double
 /// closure (the square root of rounding, 1.5e-8), below what tells closures apart.
 inline constexpr double kSameCoordinate = 1e-6;
 
-/// Positions in `poses`, in canonical order. poses: q each, angles in (-pi, pi], in the order of `coordinates`.
+/// Positions in `poses`, in canonical order. poses: q each, angles in (-pi, pi], in the order of `coordinates`. length: the
+/// mechanism's own (Phi::length()), below which a coordinate may be rounding.
 std::vector<std::size_t> canonical_order(const std::vector<Eigen::VectorXd>& poses,
-                                         const std::vector<Coordinate>& coordinates);
+                                         const std::vector<Coordinate>& coordinates, double length);
 
 }  // namespace moivre
