@@ -7,15 +7,13 @@
 #include <numbers>
 
 #include "moivre/closures/same_pose.h"
-#include "track.h"
+#include "motion_times.h"
 
 namespace moivre {
 namespace {
 
 // Of a turn, or of the larger value: drivers that come back do so but for rounding.
 constexpr double kBack = 1e-9;
-// Of the motion's duration: events so near to either end of it are there.
-constexpr double kAtTheEnd = 1e-7;
 
 bool comes_back(bool may_turn, double begin, double end) {
   const double gap = may_turn ? std::remainder(end - begin, 2 * std::numbers::pi) : end - begin;
@@ -66,7 +64,7 @@ std::optional<JoinKind> kind_over_turn(const MotionResult& motion, const BranchE
 void join_over_turn(const Mechanism& mechanism, const MotionResult& motion,
                     std::vector<BranchJoin>& joins) {
   const Phi phi(mechanism);
-  const double width = kAtTheEnd * (motion.to - motion.from);
+  const double width = kSameTime * (motion.to - motion.from);
   std::vector<BranchEnd> firsts;
   for (std::size_t k = 0; k < motion.branches.size(); ++k) {
     if (motion.branches[k].begins <= motion.from + width) firsts.push_back({k, false});

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Which ends of branches are one place? Those at one event, and those a turn of the drivers apart.
 //
-// Over the turn the last poses are compared with the first ones, angles to the nearest turn (track.h). Where such an end is
+// Over the turn the last poses are compared with the first ones, angles to the nearest turn (same_pose.h). Where such an end is
 // at an event, as a dead point that stands at `from` itself, the join is of that kind.
 // Not joined: what a joint's limit ends.
 #pragma once

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "moivre/closures/same_pose.h"
-#include "track.h"
 
 namespace moivre {
 

@@ -2,7 +2,7 @@
 // Which of many poses is this one? Found by one number of each pose, not by a look at all of them.
 //
 // The number is a sum of a pose's lengths with weights between -1 and 1, in which no two poses agree by chance. Poses that are the same
-// (track.h) differ by no more than kSamePose times their size in each of n coordinates, and so by no more than n times that in their
+// (same_pose.h) differ by no more than kSamePose times their size in each of n coordinates, and so by no more than n times that in their
 // numbers.
 // Edges: without lengths all numbers are equal, and every pose is looked at.
 #pragma once

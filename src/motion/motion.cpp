@@ -14,7 +14,7 @@
 #include "motion_record.h"
 #include "pair_search.h"
 #include "reconcile.h"
-#include "step_aside.h"
+#include "scene.h"
 
 namespace moivre {
 namespace {
@@ -97,9 +97,9 @@ void tell_instants(const std::vector<BranchPose>& instants, MotionResult& result
 
 void tell_crossings(const std::vector<double>& times, MotionResult& result) {
   for (const double time : times) {
-    result.left_out.push_back(
-        {"the checkpoint " + at_time(time),
-         "branches cross there and closures are not all isolated: they were compared beside it"});
+    result.left_out.push_back({"the checkpoint " + at_time(time),
+                               "branches cross there and closures are not all isolated: they were "
+                               "compared on both sides of it"});
   }
 }
 
@@ -130,19 +130,17 @@ MotionResult find_motion_of_whole(const Mechanism& mechanism, const Tracker& tra
   begin_tracks(run, scenes);
   reconcile(run, scenes);
   std::vector<std::string> doubts;
+  const std::vector<double> crossings = drop_crossings(run, scenes);
   if (options.checkpoints > 0 && !mechanism.drivers.empty() && !scenes.empty()) {
     PairSearch pairs(run, tracker);
-    const auto can_follow = [&](double time) { return pairs.can_follow(time); };
-    if (look_closer(run, tracker, can_follow, scenes)) reconcile(run, scenes);
+    if (look_closer(run, tracker, scenes)) reconcile(run, scenes);
     search_pairs(run, tracker, scenes, pairs);
     tell_instants(pairs.instants(), result);
     doubts = pairs.doubts();
-    for (const std::string& stretch : pairs.sampled()) {
-      result.left_out.push_back({"a short branch, if there is one", stretch});
+    if (const auto sampled = pairs.sampled()) {
+      result.left_out.push_back({"a short branch, if there is one", *sampled});
     }
   }
-  const std::vector<double> crossings = step_aside(run, tracker, scenes);
-  if (!crossings.empty()) reconcile(run, scenes);
   drop_moments(run);
   order_tracks(run);
   for (Scene& scene : scenes) match(run, scene);

@@ -22,6 +22,13 @@ constexpr int kFewestSamples = 100;
 // Of the motion's duration: what is shorter is no branch.
 constexpr double kInstant = 1e-9;
 
+/// Of each sub-chain the event at some time, or the branch that it is on then (0 beside an event).
+struct PartEvents {
+  std::vector<std::optional<std::size_t>> event;
+  std::vector<std::size_t> branch;
+  auto operator<=>(const PartEvents&) const = default;
+};
+
 /// One branch of each sub-chain, and when all of them are there.
 struct BranchChoice {
   std::vector<std::size_t> branch;
@@ -265,28 +272,34 @@ class MotionProduct {
     add(last, end);
   }
 
-  /// The event of the sub-chain whose branch begins last, or ends first; once for what the others are on.
+  /// The event of the sub-chain whose branch begins last, or ends first; once for what the others are on. Dead points of several at one
+  /// time are one event, where all branches of these meet.
   void enter_event(const BranchChoice& choice, bool is_end, MotionBranch& branch) {
     const double time = is_end ? choice.ends : choice.begins;
+    PartEvents at{std::vector<std::optional<std::size_t>>(chains_.size()), choice.branch};
+    std::vector<const BranchEvent*> parts;
+    VectorXd q = whole_sample(choice, time).q;
     for (std::size_t k = 0; k < chains_.size(); ++k) {
       const MotionBranch& part = branch_of(choice, k);
       const auto& event = is_end ? part.end_event : part.begin_event;
-      if (!event || (is_end ? part.ends : part.begins) != time) continue;
-      std::vector<std::size_t> others = choice.branch;
-      others[k] = 0;
-      const auto [place, is_new] =
-          event_of_.try_emplace({k, *event, others}, result_.events.size());
-      if (is_new) {
-        MotionEvent whole{motion(k).events[*event].at, driver_values(mechanism_, time), {}, {}};
-        whole.at.q = whole_sample(choice, time).q;
-        whole.at.q(chains_[k].coordinates) = motion(k).events[*event].at.q;
-        result_.events.push_back(std::move(whole));
-      }
-      (is_end ? branch.end_event : branch.begin_event) = place->second;
-      MotionEvent& whole = result_.events[place->second];
-      (is_end ? whole.ending : whole.beginning).push_back(branch.id);
-      return;
+      const double gap = (is_end ? part.ends : part.begins) - time;
+      if (!event || std::abs(gap) > kSameTime * (options_.to - options_.from)) continue;
+      at.event[k] = event;
+      at.branch[k] = 0;
+      parts.push_back(&motion(k).events[*event].at);
+      q(chains_[k].coordinates) = parts.back()->q;
     }
+    if (parts.empty()) return;
+    const auto [place, is_new] = event_of_.try_emplace(at, result_.events.size());
+    if (is_new) {
+      MotionEvent whole{*parts.front(), driver_values(mechanism_, time), {}, {}};
+      whole.at.q = q;
+      if (parts.size() > 1) whole.at.kind = EventKind::bifurcation;
+      result_.events.push_back(std::move(whole));
+    }
+    (is_end ? branch.end_event : branch.begin_event) = place->second;
+    MotionEvent& whole = result_.events[place->second];
+    (is_end ? whole.ending : whole.beginning).push_back(branch.id);
   }
 
   void enter_checkpoints() {
@@ -394,7 +407,7 @@ class MotionProduct {
   MotionResult result_;
   std::vector<BranchChoice> choices_;
   std::map<std::tuple<std::size_t, std::size_t, double>, BranchSample> between_;
-  std::map<std::tuple<std::size_t, std::size_t, std::vector<std::size_t>>, std::size_t> event_of_;
+  std::map<PartEvents, std::size_t> event_of_;
 };
 
 }  // namespace

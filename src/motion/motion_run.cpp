@@ -10,9 +10,6 @@
 namespace moivre {
 namespace {
 
-// Of the motion's duration: events nearer than this to each other, or to a checkpoint, may be one.
-constexpr double kSameTime = 1e-7;
-
 double duration(const MotionRun& run) { return std::abs(run.times.to - run.times.from); }
 
 bool is_near(const MotionRun& run, const BranchEvent& event, double time, double doubt) {

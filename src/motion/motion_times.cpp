@@ -3,7 +3,7 @@
 #include "motion_times.h"
 
 #include <algorithm>
-#include <cmath>
+#include <iterator>
 
 namespace moivre {
 namespace {
@@ -18,27 +18,15 @@ std::vector<double> even_times(const MotionOptions& options, int steps) {
   return times;
 }
 
-/// Both, ascending; what is the same but for rounding once, as in `a`.
-std::vector<double> merged(const std::vector<double>& a, const std::vector<double>& b) {
+/// As it stands among the samples, where one is the same but for rounding.
+double snapped(double time, const std::vector<double>& samples) {
   constexpr double kTimeRounding = 1e-12;
-  const double width = kTimeRounding * (a.back() - a.front());
-  std::vector<double> all = a;
-  for (const double time : b) {
-    const auto next = std::lower_bound(a.begin(), a.end(), time - width);
-    if (next == a.end() || *next > time + width) all.push_back(time);
-  }
-  std::sort(all.begin(), all.end());
-  return all;
+  const double width = kTimeRounding * (samples.back() - samples.front());
+  const auto next = std::lower_bound(samples.begin(), samples.end(), time - width);
+  return next != samples.end() && *next <= time + width ? *next : time;
 }
 
 }  // namespace
-
-double MotionTimes::fine(int k) const {
-  const double even = from + (to - from) * k / std::max(1, fine_steps);
-  return *std::min_element(all.begin(), all.end(), [&](double a, double b) {
-    return std::abs(a - even) < std::abs(b - even);
-  });
-}
 
 bool MotionTimes::is_sample(double time) const {
   return std::binary_search(samples.begin(), samples.end(), time);
@@ -48,10 +36,12 @@ MotionTimes motion_times(const MotionOptions& options, int checkpoints) {
   MotionTimes times;
   times.from = options.from;
   times.to = options.to;
-  times.fine_steps = checkpoints * kFiner;
   times.samples = even_times(options, options.steps);
-  times.all = times.fine_steps == 0 ? times.samples
-                                    : merged(times.samples, even_times(options, times.fine_steps));
+  times.checkpoints =
+      checkpoints == 0 ? std::vector{options.from} : even_times(options, checkpoints);
+  for (double& time : times.checkpoints) time = snapped(time, times.samples);
+  std::set_union(times.samples.begin(), times.samples.end(), times.checkpoints.begin(),
+                 times.checkpoints.end(), std::back_inserter(times.all));
   return times;
 }
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// At which times is a motion looked at? Samples for the caller, checkpoints for the closures, and finer ones between these.
+// At which times is a motion looked at? Samples for the caller, and checkpoints for the closures.
 //
 //   samples       from + k (to - from) / steps
-//   fine times    from + k (to - from) / (checkpoints kFiner); every kFiner-th is a checkpoint, the others may become one
-//   all           both, ascending; a time that is in both but for rounding once, as it stands among the samples
+//   checkpoints   from + k (to - from) / checkpoints; as it stands among the samples where it is one of them but for rounding
+//   all           both, ascending
 //
 // Tracks have a pose at every one of `all`, so that any of them can be compared with closures. Seconds.
-// Edges: without checkpoints after `from` there is one fine time, `from` itself.
+// Edges: without checkpoints after `from` there is one, `from` itself.
 #pragma once
 
 #include <string>
@@ -16,18 +16,16 @@
 
 namespace moivre {
 
-/// Between two checkpoints, where closures are complex and a branch could begin and end, closures are solved so often.
-inline constexpr int kFiner = 16;
+/// Of a motion's duration: times nearer to each other than this may be one.
+inline constexpr double kSameTime = 1e-7;
 
 struct MotionTimes {
   double from = 0;
   double to = 0;
-  int fine_steps = 0;  ///< fine times are 0 .. fine_steps
   std::vector<double> samples;
+  std::vector<double> checkpoints;
   std::vector<double> all;
 
-  /// The fine time number k as it stands in `all`.
-  double fine(int k) const;
   bool is_sample(double time) const;
 };
 

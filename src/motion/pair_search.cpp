@@ -53,6 +53,10 @@ const BranchPose& nearest(const Phi& phi, const std::vector<BranchPose>& poses,
                            });
 }
 
+std::string between(double from, double to) {
+  return "between t = " + std::to_string(from) + " s and " + std::to_string(to) + " s";
+}
+
 bool is_allowed(const Mechanism& mechanism, const Eigen::VectorXd& q) {
   return std::all_of(mechanism.joints.begin(), mechanism.joints.end(), [&](const Joint& joint) {
     return !joint.limits || is_within_limits(mechanism, joint, q);
@@ -98,11 +102,6 @@ void PairSearch::prepare() {
         std::make_unique<PairEquations>(*polynomials_, blocks_, k, run_.times.from, run_.times.to);
     equations_.push_back(equations->has_mirror() ? std::move(equations) : nullptr);
   }
-}
-
-bool PairSearch::can_follow(double time) {
-  prepare();
-  return !equations_.empty() && polynomials_->at(time).has_value();
 }
 
 /// The pairs that a closure which is not real belongs to: in each block that is the first one not real.
@@ -267,8 +266,8 @@ void PairSearch::follow(std::size_t scene, std::size_t pair) {
     const PairCurve curve =
         follow_pair(equations, begun.x, scenes_[scene].time, forwards, times, passing, run_.stop);
     take(equations, curve);
-    // Beyond a place where a curve is lost closures are solved again. Where nothing can be followed scenes are nearer to each other.
-    if (!curve.is_lost || run_.stop || !can_follow(curve.last)) continue;
+    // Beyond a place where a curve is lost closures are solved again.
+    if (!curve.is_lost || run_.stop) continue;
     const double way = std::abs(curve.last - scenes_[scene].time);
     const bool goes_out = scenes_[scene].time == (forwards ? run_.times.to : run_.times.from);
     if (way > kLostAtOnce * equations.duration()) {
@@ -321,7 +320,7 @@ bool PairSearch::shows(const PairScene& scene, double from, double to,
 
 /// Where to solve closures next in a stretch that no scene shows; nullopt, and a note, after a few times.
 std::optional<double> PairSearch::next_time(double from, double to) {
-  std::int64_t tries = 0;
+  std::uint64_t tries = 0;
   bool are_regular = true;
   for (const PairScene& scene : scenes_) {
     if (scene.time <= from || scene.time >= to) continue;
@@ -330,16 +329,24 @@ std::optional<double> PairSearch::next_time(double from, double to) {
   }
   const double place = kWithin + kGolden * static_cast<double>(tries);
   if (tries < kMostTries) return from + (place - std::floor(place)) * (to - from);
-  const std::string stretch =
-      "between t = " + std::to_string(from) + " s and " + std::to_string(to) + " s";
   if (are_regular) {
-    sampled_.push_back("pairs of complex closures cannot be followed " + stretch +
-                       "; closures were solved there " + counted(kMostTries, "time"));
+    sampled_.push_back({from, to, tries});
   } else {
     unclear_.push_back("some closures are at infinity, or double, at each of the " +
-                       counted(kMostTries, "time") + " that were solved " + stretch);
+                       counted(tries, "time") + " that were solved " + between(from, to));
   }
   return std::nullopt;
+}
+
+std::optional<std::string> PairSearch::sampled() const {
+  if (sampled_.empty()) return std::nullopt;
+  std::uint64_t scenes = 0;
+  for (const Stretch& stretch : sampled_) scenes += stretch.scenes;
+  const std::string parts =
+      sampled_.size() == 1 ? "" : "in " + std::to_string(sampled_.size()) + " stretches ";
+  return "pairs of complex closures cannot be followed " + parts +
+         between(sampled_.front().from, sampled_.back().to) + "; closures were solved there " +
+         counted(scenes, "time");
 }
 
 std::vector<double> PairSearch::open_times() {

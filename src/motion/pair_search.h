@@ -14,6 +14,7 @@
 // A mechanism without drivers, or with fewer equations than unknowns, has no pairs that move.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 
@@ -29,8 +30,6 @@ class PairSearch {
   PairSearch(const PairSearch&) = delete;  // the equations refer to the polynomials
   PairSearch& operator=(const PairSearch&) = delete;
 
-  /// Whether pairs can be followed at that time.
-  bool can_follow(double time);
   /// Follows the pairs of all scenes that no earlier curve passes.
   void follow(const std::vector<Scene>& scenes);
   /// Times in stretches of B without a scene, and in fold-backs: where to solve closures next; empty where nothing is left to see.
@@ -42,8 +41,8 @@ class PairSearch {
   const std::vector<double>& instants() const { return instants_; }
   /// Notes a doubt, once.
   void tell(const std::string& doubt);
-  /// Stretches in which pairs can be followed from none of several scenes, each a sentence.
-  const std::vector<std::string>& sampled() const { return sampled_; }
+  /// The stretches in which pairs can be followed from none of several scenes, a sentence; nullopt where there is none.
+  std::optional<std::string> sampled() const;
   /// What was not found among a scene's closures, each a sentence.
   std::vector<std::string> doubts() const;
 
@@ -61,6 +60,11 @@ class PairSearch {
     std::vector<KnownPair> pairs;
     bool lacks_pair = false;  ///< a curve passes that is none of its pairs
     bool leads_on = true;     ///< its pairs can be followed from it
+  };
+  struct Stretch {
+    double from = 0;
+    double to = 0;
+    std::uint64_t scenes = 0;
   };
   bool is_regular(const PairScene& scene) const;
   std::vector<double> event_times() const;
@@ -88,7 +92,7 @@ class PairSearch {
   std::vector<RealWhile> brief_lives_;
   std::vector<Track> brief_;
   std::vector<std::string> doubts_;
-  std::vector<std::string> sampled_;
+  std::vector<Stretch> sampled_;
   std::vector<std::string> unclear_;  ///< stretches without a regular scene, likewise
 };
 

@@ -7,6 +7,7 @@
 
 #include "moivre/expression/joined.h"
 #include "moivre/motion/circuits.h"
+#include "motion_times.h"
 
 namespace moivre {
 namespace {
@@ -126,12 +127,12 @@ std::vector<std::optional<Passage>> passages_from(const Circuits& circuits, std:
 }
 
 std::vector<std::size_t> first_branches(const MotionResult& motion) {
-  constexpr double kAtOnce = 1e-7;  // of the duration: a motion may begin at a dead point
   std::vector<std::size_t> firsts;
   for (std::size_t k = 0; k < motion.branches.size(); ++k) {
     const MotionBranch& branch = motion.branches[k];
+    // A motion may begin at a dead point.
     const bool is_there =
-        std::abs(branch.begins - motion.from) <= kAtOnce * (motion.to - motion.from);
+        std::abs(branch.begins - motion.from) <= kSameTime * (motion.to - motion.from);
     if (is_there) firsts.push_back(k);
   }
   return firsts;

@@ -7,18 +7,20 @@
 namespace moivre {
 namespace {
 
-/// Whether a branch could begin and end between two scenes and not show where complex closures go.
-bool is_hidden(const Scene& a, const Scene& b, const std::function<bool(double)>& can_follow) {
-  const auto has_limited = [](const Scene& scene) {
-    const ClosureCounts& counts = scene.closures.counts;
-    return counts.real + counts.fitted > scene.closures.closures.size();
-  };
-  const auto has_complex = [](const Scene& scene) {
-    const ClosureCounts& counts = scene.closures.counts;
-    return counts.complex > counts.real;
-  };
-  if (has_limited(a) || has_limited(b)) return true;
-  return (has_complex(a) || has_complex(b)) && !can_follow((a.time + b.time) / 2);
+/// Whether a joint's limits hide a closure there.
+bool hides_closures(const Scene& scene) {
+  const ClosureCounts& counts = scene.closures.counts;
+  return counts.real + counts.fitted > scene.closures.closures.size();
+}
+
+bool is_crossing(const MotionRun& run, const Scene& scene) {
+  return std::any_of(run.tracks.begin(), run.tracks.end(), [&](const Track& track) {
+    for (const Branch* way : {&track.forwards, &track.backwards}) {
+      const bool crosses = way->event && way->event->kind == EventKind::bifurcation;
+      if (crosses && is_event_time(run, *way->event, scene.time)) return true;
+    }
+    return false;
+  });
 }
 
 }  // namespace
@@ -38,29 +40,25 @@ Scene solve_scene(const MotionRun& run, const Tracker& tracker, double time) {
 
 std::vector<Scene> solve_scenes(const MotionRun& run, const Tracker& tracker) {
   std::vector<Scene> scenes;
-  for (int c = 0; c <= run.options.checkpoints && !run.stop; ++c) {
-    scenes.push_back(solve_scene(run, tracker, run.times.fine(c * kFiner)));
-    run.show_progress(0.5 * (c + 1) / (run.options.checkpoints + 1));
+  const auto count = static_cast<double>(run.times.checkpoints.size());
+  for (const double time : run.times.checkpoints) {
+    if (run.stop) break;
+    scenes.push_back(solve_scene(run, tracker, time));
+    run.show_progress(0.5 * static_cast<double>(scenes.size()) / count);
   }
   return scenes;
 }
 
-bool look_closer(const MotionRun& run, const Tracker& tracker,
-                 const std::function<bool(double)>& can_follow, std::vector<Scene>& scenes) {
-  if (run.mechanism.drivers.empty() || scenes.empty()) return false;
-  std::vector<Scene> all;
-  for (std::size_t c = 0; c < scenes.size(); ++c) {
-    if (c > 0 && is_hidden(all.back(), scenes[c], can_follow)) {
-      const int before = static_cast<int>(c - 1) * kFiner;
-      for (int k = 1; k < kFiner && !run.stop; ++k) {
-        all.push_back(solve_scene(run, tracker, run.times.fine(before + k)));
-      }
-    }
-    all.push_back(std::move(scenes[c]));
+bool look_closer(MotionRun& run, const Tracker& tracker, std::vector<Scene>& scenes) {
+  std::vector<double> times;
+  for (std::size_t c = 1; c < scenes.size(); ++c) {
+    const double from = scenes[c - 1].time;
+    const double to = scenes[c].time;
+    if (!hides_closures(scenes[c - 1]) && !hides_closures(scenes[c])) continue;
+    for (int k = 1; k < kFiner; ++k) times.push_back(from + (to - from) * k / kFiner);
   }
-  const bool is_new = all.size() > scenes.size();
-  scenes = std::move(all);
-  return is_new;
+  add_scenes(run, tracker, times, scenes);
+  return !times.empty();
 }
 
 void add_scenes(MotionRun& run, const Tracker& tracker, const std::vector<double>& times,
@@ -72,6 +70,17 @@ void add_scenes(MotionRun& run, const Tracker& tracker, const std::vector<double
   }
   std::sort(scenes.begin(), scenes.end(),
             [](const Scene& a, const Scene& b) { return a.time < b.time; });
+}
+
+std::vector<double> drop_crossings(const MotionRun& run, std::vector<Scene>& scenes) {
+  std::vector<double> times;
+  std::erase_if(scenes, [&](const Scene& scene) {
+    const bool is_border = scene.time == run.times.from || scene.time == run.times.to;
+    if (scene.closures.complete || is_border || !is_crossing(run, scene)) return false;
+    times.push_back(scene.time);
+    return true;
+  });
+  return times;
 }
 
 std::optional<std::pair<std::size_t, std::size_t>> match(const MotionRun& run, Scene& scene) {

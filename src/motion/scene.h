@@ -5,7 +5,6 @@
 // of them has left its branch. Half of the progress that is shown is for the scenes at first, half for the tracks.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <utility>
 
@@ -26,14 +25,20 @@ Scene solve_scene(const MotionRun& run, const Tracker& tracker, double time);
 /// The scenes at `from` and at every checkpoint, ascending; fewer where the run was stopped.
 std::vector<Scene> solve_scenes(const MotionRun& run, const Tracker& tracker);
 
-/// Solves closures in between, kFiner times as often, where a joint's limits hide some, or where some are complex and cannot be
-/// followed. True when there was such a place.
-bool look_closer(const MotionRun& run, const Tracker& tracker,
-                 const std::function<bool(double)>& can_follow, std::vector<Scene>& scenes);
+/// Between two scenes closures are solved so often where a joint's limits hide some.
+inline constexpr int kFiner = 16;
+
+/// Solves closures in between where a joint's limits hide some. True when there was such a place.
+bool look_closer(MotionRun& run, const Tracker& tracker, std::vector<Scene>& scenes);
 
 /// Solves closures at further times; the scenes stay ascending.
 void add_scenes(MotionRun& run, const Tracker& tracker, const std::vector<double>& times,
                 std::vector<Scene>& scenes);
+
+/// Drops the checkpoints at which branches cross and closures are not all decided: there a pose may move though the drivers stand (an
+/// arm's straight wrist), and paths come to no isolated root. Closures are solved in the stretches on both sides, and what is one to one
+/// there is so across the crossing, too. The first and the last checkpoint stay. Returns the times of those that were dropped.
+std::vector<double> drop_crossings(const MotionRun& run, std::vector<Scene>& scenes);
 
 /// Sets scene.track_of. Two tracks that are at one closure are returned, the older first.
 std::optional<std::pair<std::size_t, std::size_t>> match(const MotionRun& run, Scene& scene);

@@ -219,6 +219,19 @@ TEST(SubChains, MoveAsTheWholeDoes) {
   }
 }
 
+TEST(SubChains, WithDeadPointsAtOneTimeMeetThereAllOfThem) {
+  const Mechanism mechanism = legs({{2.5, 2, 4}, {2.5, 2, 4}});
+  const MotionResult motion = find_motion(mechanism, *make_cvode_tracker(), one_turn(72));
+  ASSERT_EQ(motion.sub_chains.size(), 2U);
+  ASSERT_EQ(motion.branches.size(), 8U);
+  ASSERT_EQ(motion.events.size(), 2U);
+  for (const MotionEvent& event : motion.events) {
+    EXPECT_EQ(event.at.kind, EventKind::bifurcation);
+    EXPECT_EQ(event.ending.size() + event.beginning.size(), 4U);
+  }
+  EXPECT_EQ(find_circuits(mechanism, motion).circuits.size(), 1U);
+}
+
 TEST(SubChains, CheckpointsOfTheWholeMultiplyThoseOfEach) {
   const MotionResult motion =
       find_motion(legs({{}, {3, 2.5, 3}}), *make_cvode_tracker(), one_turn(8));

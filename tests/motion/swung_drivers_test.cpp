@@ -160,5 +160,19 @@ value = "1 + 1.5*sin(4*pi*t)"
   }
 }
 
+// Assembled within a thousandth of a second of t = 0.4; the law bends there too sharply for complex closures to be followed.
+TEST(ASharplyBentSlide, HasTheBranchesThatNoCheckpointShows) {
+  const MotionResult motion = motion_for_a_second(
+      test::slider_crank_links(1, 1, 0) +
+          "[[driver]]\nslide = \"guide\"\nvalue = \"1.999 + sqrt((t - 0.4)^2 + 1e-8)\"\n",
+      1);
+  EXPECT_TRUE(motion.complete) << motion.message;
+  ASSERT_EQ(motion.branches.size(), 2U);
+  for (const MotionBranch& branch : motion.branches) {
+    EXPECT_NEAR(branch.begins, 0.4 - 0.001, 1e-5);
+    EXPECT_NEAR(branch.ends, 0.4 + 0.001, 1e-5);
+  }
+}
+
 }  // namespace
 }  // namespace moivre

@@ -2,7 +2,7 @@
 // Which closures can be reached from which without taking the mechanism apart? The branches of a motion, joined to circuits.
 //
 // A circuit is a connected piece of the curve of assembled poses over the drivers' range [ChaseMirth93]. Its parts are the
-// branches of a motion (closures/motion.h). Their ends are joined
+// branches of a motion (motion.h). Their ends are joined
 //   at a dead point     two branches meet: the driver turns back there, the mechanism goes on
 //   at a bifurcation    branches cross: a change point
 //   after a full turn   the drivers at `to` are as at `from`: a branch continues in the one that begins with its last pose
