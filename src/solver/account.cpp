@@ -142,6 +142,13 @@ Solution solution_of(const Run& run, const std::vector<std::uint64_t>& group,
   return solution;
 }
 
+void put_in_doubt(SolveResult& result, std::string why) {
+  result.complete = false;
+  result.message = std::move(why);
+  result.bound.reset();
+  if (result.completeness) result.completeness = RootCompleteness::open;
+}
+
 void close_account(const Run& run, SolveResult& result) {
   require_all_entries(run);
   result.ledger = run.ledger.records();

@@ -17,4 +17,7 @@ Solution solution_of(const Run& run, const std::vector<std::uint64_t>& group,
 /// Fills counts, solutions, failures, work, the verdict and its sentence.
 void close_account(const Run& run, SolveResult& result);
 
+/// What was found later leaves the result in doubt, whatever its account says.
+void put_in_doubt(SolveResult& result, std::string why);
+
 }  // namespace moivre

@@ -63,13 +63,6 @@ bool lacks_origin(const System& f) {
                      [](const Support& support) { return lacks_origin(support); });
 }
 
-/// With 0 added, as the start has counted it from a lifting by the coefficients: a random one agrees.
-bool is_counted_twice(const Run& run, std::uint64_t counted) {
-  const System& f = run.setting.prepared.reduction.system;
-  return mixed_volume(start_supports(f), run.setting.options.seed, bounded_search(run, f)).value ==
-         counted;
-}
-
 /// The stable mixed volume, where two liftings agree; it is the mixed volume where no support lacks 0.
 std::optional<std::uint64_t> verified_volume(const Run& run, const System& f) {
   const std::uint64_t seed = run.setting.options.seed;
@@ -81,13 +74,12 @@ std::optional<std::uint64_t> verified_volume(const Run& run, const System& f) {
   return first;
 }
 
-/// Where the start has not counted it, and was not told to give the search up.
-bool is_worth_a_search(const Run& run) {
+/// Where it may be `roots` as far as the start has counted it, and the start was not told to give the search up.
+bool is_worth_a_search(const Run& run, std::uint64_t roots) {
   const Setting& setting = run.setting;
-  if (setting.prepared.start.counts.mixed_volume.paths) {
-    return lacks_origin(setting.prepared.reduction.system);
-  }
-  return setting.options.start != StartKind::automatic;
+  const auto counted = setting.prepared.start.counts.mixed_volume.paths;
+  if (!counted) return setting.options.start != StartKind::automatic;
+  return counted == roots || lacks_origin(setting.prepared.reduction.system);
 }
 
 /// A search that was given up is made again where twice as much is worth it.
@@ -127,24 +119,12 @@ const QuotientRing& ring_of(Run& run, std::uint64_t roots) {
 }
 
 std::optional<MetBound> volume_met_by(Run& run, std::uint64_t roots) {
-  const Setting& setting = run.setting;
-  const System& reduced = setting.prepared.reduction.system;
-  const auto counted = setting.prepared.start.counts.mixed_volume.paths;
-  const std::uint64_t steps = bounded_search(run, reduced).most_steps;
-  if (counted == roots) {
-    const auto verified = [&] { return is_counted_twice(run, roots) ? counted : std::nullopt; };
-    if (once(run.bounds.counted, steps, verified)) return MetBound{"mixed volume", roots};
-    return std::nullopt;
-  }
-  if (is_worth_a_search(run)) {
-    const auto search = [&] { return verified_volume(run, reduced); };
-    const std::string kind = lacks_origin(reduced) ? "stable mixed volume" : "mixed volume";
-    if (is_met(once(run.bounds.reduced, steps, search), roots, kind)) return MetBound{kind, roots};
-  }
-  if (setting.prepared.reduction.substitutions.empty()) return std::nullopt;
-  const auto search = [&] { return verified_volume(run, setting.f); };
-  const std::string kind = lacks_origin(setting.f) ? "stable mixed volume" : "mixed volume";
-  if (is_met(once(run.bounds.whole, steps, search), roots, kind)) return MetBound{kind, roots};
+  if (!is_worth_a_search(run, roots)) return std::nullopt;
+  const System& f = run.setting.prepared.reduction.system;
+  const std::uint64_t steps = bounded_search(run, f).most_steps;
+  const auto search = [&] { return verified_volume(run, f); };
+  const std::string kind = lacks_origin(f) ? "stable mixed volume" : "mixed volume";
+  if (is_met(once(run.bounds.volume, steps, search), roots, kind)) return MetBound{kind, roots};
   return std::nullopt;
 }
 
@@ -196,7 +176,7 @@ bool meets_bound(Run& run, std::uint64_t roots, std::uint64_t points) {
   if (!run.setting.certify_program || run.interrupted || run.setting.stop) return false;
   std::optional<MetBound>& met = run.bounds.met;
   // Roots that are proved no more do not meet what they did.
-  if (met && met->value > (met->is_of_points ? points : roots)) met.reset();
+  if (met && met->value != (met->is_of_points ? points : roots)) met.reset();
   if (!met) met = bound_met_by(run, roots, points);
   return met.has_value();
 }

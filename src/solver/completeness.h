@@ -6,8 +6,8 @@
 //   total degree           d_1 ... d_n of what is tracked; elimination keeps the roots one to one (polynomial/eliminate.h)
 //   multihomogeneous       the number of the partition found [MorganSommese87]; any partition's is a bound
 //   quotient ring          the dimension that exact algebra finds (polynomial/quotient_ring.h): the number of roots itself
-//   mixed volume           of what is tracked or of the system as given, 0 added to the supports [LiWang96]
-//   stable mixed volume    of one of them, where a support lacks 0 [HuberSturmfels97]
+//   mixed volume           of what is tracked, 0 added to the supports [LiWang96]
+//   stable mixed volume    of it, where a support lacks 0 [HuberSturmfels97]
 //   mixed volume of the strata   of the system as given, where a support lacks 0 (start/strata.h); it bounds the points, whatever
 //                          their multiplicities, and no curve on which coordinates vanish keeps it from being met
 //

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "account.h"
 #include "coincidence.h"
 #include "moivre/polynomial/patches.h"
 #include "moivre/solver/trace.h"
@@ -120,10 +121,7 @@ void cross_check(const System& f, SolveResult& result, const Tracker& tracker,
   for (std::size_t k = 0; k < settled && !stop.load(); ++k) {
     settle(check.disagreements[k], f, tracker, witness, own, stop);
   }
-  if (check.missed > 0) {
-    result.complete = false;
-    result.message = "the witness found roots that are missing here";
-  }
+  if (check.missed > 0) put_in_doubt(result, "the witness found roots that are missing here");
   result.cross_check = std::move(check);
 }
 

@@ -275,40 +275,31 @@ PathSet paths_at_infinity(const Run& run) {
   return paths;
 }
 
-/// Roots are missing: besides the paths in doubt, one that is said to end at infinity may have jumped on its way.
-void follow_to_lost_roots(Run& run) {
-  const SolveOptions& options = run.setting.options;
-  if (run.interrupted || options.care == options.maximum_care || !lacks_ends(run)) return;
-  track_again(run, paths_at_infinity(run), options.maximum_care);
-}
-
-/// Roots are still missing: a root of size 1e34 ends at infinity as far as double tells.
+/// Roots are missing: a path that is said to end at infinity may have jumped on its way, and a root of size 1e34 is there as far as double
+/// tells.
 void climb_from_infinity(Run& run) {
   const auto& finer = run.setting.trackers.finer;
   if (finer.empty() || !lacks_ends(run)) return;
   climb_while_it_helps(run, *finer.front(), paths_at_infinity(run));
 }
 
+/// With all care, but for the paths that went ahead in more digits.
+void follow_with_care(Run& run, const PathSet& beyond) {
+  const SolveOptions& options = run.setting.options;
+  const PathSet doubtful = doubtful_paths(run, beyond);
+  if (run.interrupted || doubtful.empty() || options.care >= options.maximum_care) return;
+  track_again(run, doubtful, options.maximum_care);
+  if (!run.setting.trackers.fine_own) climb(run, paths_failed_by(run, Failure::precision));
+}
+
 /// In double, with more care, and in more digits.
 void settle_ends(Run& run) {
-  const SolveOptions& options = run.setting.options;
   if (is_settled(run)) return;
   resolve_clusters(run);
   // Where many paths go at once digits cost less than care, and care helps none that they do not.
   const PathSet beyond = climb_together(run, paths_failed_by(run, Failure::precision));
-  const bool climbs_later = !run.setting.trackers.fine_own;
-  for (int care = options.care + 1; care <= options.maximum_care && !run.interrupted; ++care) {
-    const PathSet doubtful = doubtful_paths(run, beyond);
-    if (doubtful.empty() && beyond.empty() && !lacks_ends(run)) return;
-    if (doubtful.empty()) break;
-    if (is_settled(run)) return;
-    track_again(run, doubtful, care);
-    if (climbs_later && care == options.care + 1) {
-      climb(run, paths_failed_by(run, Failure::precision));
-    }
-  }
   if (run.interrupted || is_settled(run)) return;
-  follow_to_lost_roots(run);
+  follow_with_care(run, beyond);
   if (run.interrupted || is_settled(run)) return;
   climb_last(run, beyond);
   if (run.interrupted || is_settled(run)) return;

@@ -5,7 +5,6 @@
 //   failed paths
 //   simple roots at which two paths end: one of them has jumped
 //   singular isolated roots whose winding numbers make no whole cycles: a path is missing or one is too many
-//   where the system is real, the path to a root's conjugate that no path has found
 //   ends on a set of positive dimension along which F vanishes but for rounding: in double-double they may be simple roots
 // They are followed again with more care, level by level, then in double-double. What stays in doubt has failed. Where the
 // tracker has lanes in double-double, paths that failed by precision go there first.

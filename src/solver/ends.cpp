@@ -25,10 +25,6 @@ constexpr double kDoubtfulCondition = 1e14;
 constexpr double kSingularTolerance = 1e-7;
 // A singular end known worse than this is not known at all.
 constexpr double kWorstAccuracy = 1e-3;
-// One on a set of roots may be: it names no root, and where the set crosses itself residuals tell little of the error.
-constexpr double kWorstAccuracyOnSet = 3e-2;
-// Beside its own terms: where nothing of F cancels there is no root, however small the terms are in the units of the system.
-constexpr double kWorstResidual = 1e-2;
 // Of what an error changes F by to first order, beside its terms: a degree, times the sixteen that Refiner::keep() allows for cancellation.
 constexpr double kMostOfFirstOrder = 100;
 // Of F at a point of doubles.
@@ -147,10 +143,8 @@ std::vector<Root> refined_roots(const Run& run) {
   return roots;
 }
 
-bool is_known_singular(const Run& run, const Root& root) {
-  if (!root.winding || root.point.residual > kWorstResidual) return false;
-  if (root.point.accuracy <= kWorstAccuracy) return true;
-  return root.point.accuracy <= kWorstAccuracyOnSet && is_on_set(run, root);
+bool is_known_singular(const Root& root) {
+  return root.winding && root.point.accuracy <= kWorstAccuracy;
 }
 
 /// More effort may find its end.
@@ -211,7 +205,7 @@ void refine_ends(Run& run) {
   for (std::size_t k = 0; k < roots.size(); ++k) {
     const auto& [path, end] = run.ends[k];
     const bool is_root =
-        roots[k].point.simple || (!run.setting.hides_terms() && is_known_singular(run, roots[k]));
+        roots[k].point.simple || (!run.setting.hides_terms() && is_known_singular(roots[k]));
     if (is_root) {
       run.ledger.enter_root(path, std::move(roots[k]));
     } else if (run.effort == Effort::regular_ends) {

@@ -35,9 +35,7 @@ struct ExactRoot {
 struct Bounds {
   std::optional<MetBound> met;
   bool lacks_paths = false;      ///< fewer are left than the roots that are known exactly need
-  SoughtBound counted;           ///< the mixed volume that the start has counted
-  SoughtBound reduced;           ///< the stable mixed volume of what is tracked
-  SoughtBound whole;             ///< of the system as given
+  SoughtBound volume;            ///< the (stable) mixed volume of what is tracked
   QuotientRing ring;             ///< of what is tracked
   std::uint64_t ring_terms = 0;  ///< that were allowed for it
   bool points_sought = false;

@@ -17,6 +17,7 @@
 #include "moivre/expression/refusal.h"
 #include "moivre/numeric/stopwatch.h"
 #include "moivre/polynomial/patches.h"
+#include "moivre/solver/cross_check.h"
 #include "sheets.h"
 #include "squared.h"
 #include "tracking.h"
@@ -70,6 +71,19 @@ void tell_eliminated(const Setting& setting, std::uint64_t roots, SolveResult& r
   result.bound = MetBound{"elimination", roots};
 }
 
+void enter_eliminated(const Setting& setting, Solution&& root, SolveResult& result) {
+  if (!std::isfinite(max_norm(root.x))) {
+    result.paths.failed = 1;
+    result.complete = false;
+    result.message = "every unknown was eliminated: one root, beyond the range of double";
+    return;
+  }
+  result.paths.finite = 1;
+  result.solutions.push_back(std::move(root));
+  result.message = "every unknown was eliminated: one root";
+  tell_eliminated(setting, 1, result);
+}
+
 /// False where paths have to be followed.
 bool decided_without_tracking(const Setting& setting, SolveResult& result) {
   if (setting.prepared.interrupted) {
@@ -82,10 +96,8 @@ bool decided_without_tracking(const Setting& setting, SolveResult& result) {
       return false;
     case Reduction::Verdict::solved:
       // The empty product of degrees is one path, and it stands still.
-      result.start.paths = result.paths.tracked = result.paths.finite = 1;
-      result.solutions.push_back(eliminated_root(setting));
-      result.message = "every unknown was eliminated: one root";
-      tell_eliminated(setting, 1, result);
+      result.start.paths = result.paths.tracked = 1;
+      enter_eliminated(setting, eliminated_root(setting), result);
       return true;
     case Reduction::Verdict::inconsistent:
       result.message = "the equations contradict each other: no root";
@@ -148,6 +160,11 @@ SolveResult solve_again(const System& f, const Tracker& tracker, SolveOptions op
   if (!second.complete) {
     first.time.total += second.time.total;
     return std::move(first);
+  }
+  std::erase_if(first.solutions, [](const Solution& root) { return root.certified != true; });
+  if (compare(second, first).missed > 0) {
+    put_in_doubt(second, "a certified root of the " + first.start.kind +
+                             " start is missing among those of --start polyhedral");
   }
   second.left_out.push_back({"the " + first.start.kind + " start",
                              std::to_string(first.paths.failed) + " of its " +

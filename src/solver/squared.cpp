@@ -3,12 +3,14 @@
 #include "squared.h"
 
 #include <algorithm>
-#include <stdexcept>
 
+#include "account.h"
 #include "facts.h"
 #include "moivre/expression/counted.h"
+#include "moivre/polynomial/digits.h"
 #include "moivre/polynomial/exclusion.h"
 #include "moivre/polynomial/patches.h"
+#include "moivre/polynomial/quotient_ring.h"
 #include "moivre/polynomial/square_up.h"
 #include "refine.h"
 
@@ -43,6 +45,17 @@ void drop_excess(const System& f, SolveResult& result) {
     return true;
   };
   std::erase_if(result.solutions, is_excess);
+}
+
+/// Of exact numbers, where exact algebra counts the different roots of all equations: they are those that are told.
+void compare_with_algebra(const System& f, SolveResult& result) {
+  constexpr std::uint64_t kMostTerms = 20'000'000;  // a fifth of a second
+  if (!result.complete || !coefficient_errors(f).empty()) return;
+  const QuotientRing ring = quotient_ring(f, {0, kMostTerms, nullptr, true});
+  if (!ring.points || *ring.points == result.solutions.size()) return;
+  put_in_doubt(result, "exact algebra counts " + counted(*ring.points, "different root") +
+                           " of the file's equations, those found are " +
+                           std::to_string(result.solutions.size()));
 }
 
 /// A proof is of the square system. Beside slices and patches its roots are roots of F; combinations prove nothing of F's equations.
@@ -81,6 +94,7 @@ void take_back(const System& f, SolveResult& result) {
   result.system = facts_of(f);
   if (m > n) {
     drop_excess(g, result);
+    compare_with_algebra(g, result);
     result.left_out.push_back(
         {counted(m, "equation") + " squared up to " + std::to_string(n),
          counted(result.excess, "root") + " of the combinations fail an equation of the file"});
