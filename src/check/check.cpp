@@ -9,6 +9,7 @@
 #include "moivre/expression/counted.h"
 #include "moivre/expression/joined.h"
 #include "moivre/polynomial/digits.h"
+#include "moivre/polynomial/quotient_ring.h"
 
 namespace moivre {
 namespace {
@@ -77,6 +78,18 @@ void judge_all_there(const System& f, const Claims& claims, Verdicts& verdicts) 
                       why + "; the digits of the file may not tell the others from infinity");
 }
 
+/// Of more equations than unknowns the list has every different root where it has as many as exact algebra counts.
+void judge_points(const System& f, const Claims& claims, Verdicts& verdicts) {
+  constexpr std::uint64_t kMostTerms = 20'000'000;  // a fifth of a second
+  const bool is_overdetermined = f.polynomials.size() > f.variables.size();
+  if (!is_overdetermined || !claims.complete || !coefficient_errors(f).empty()) return;
+  const auto points = quotient_ring(f, {0, kMostTerms, nullptr, true}).points;
+  if (!points) return;
+  verdicts.judge(ClaimKind::complete, claims.roots.size() == *points,
+                 "exact algebra counts " + counted(*points, "different root") + ", these are " +
+                     std::to_string(claims.roots.size()));
+}
+
 void judge_completeness(const Claims& claims, const StandIn& stand_in, Verdicts& verdicts) {
   if (!claims.completeness || *claims.completeness == "open") return;
   const Judgement& judgement = verdicts.judgement();
@@ -89,6 +102,9 @@ void judge_completeness(const Claims& claims, const StandIn& stand_in, Verdicts&
     return verdicts.refute(ClaimKind::completeness,
                            "\"proved\", and there is no bound on roots of this file: its equations "
                            "are not as many as its unknowns, or homogeneous");
+  }
+  if (!claims.names_bound) {
+    return verdicts.refute(ClaimKind::completeness, "\"proved\", and no bound is named");
   }
   const std::string why = "\"proved\", and " + std::to_string(judgement.roots.distinct) +
                           " distinct roots are certified: " + bounds_text(judgement.bounds);
@@ -159,6 +175,7 @@ Judgement check(const System& f, const Claims& given) {
       judge_all_there(f, claims, verdicts);
     }
   }
+  if (!bench.is_list()) judge_points(f, claims, verdicts);
   judge_completeness(claims, stand_in, verdicts);
   return judgement;
 }

@@ -5,11 +5,11 @@
 #include <cmath>
 
 #include "bench.h"
-#include "moivre/polynomial/exclusion.h"
 #include "moivre/certify/distinct.h"
 #include "moivre/expression/counted.h"
 #include "moivre/numeric/random.h"
 #include "moivre/numeric/simplest.h"
+#include "moivre/polynomial/exclusion.h"
 #include "moivre/polynomial/local_multiplicity.h"
 
 namespace moivre {

@@ -161,6 +161,7 @@ Claims read_top(const JsonPlace& top) {
   if (const auto excess = top.member("excess")) claims.excess = excess->count();
   if (const auto digits = top.member("digits")) claims.digits = read_digit_count(*digits);
   if (const auto level = top.member("completeness")) claims.completeness = read_level(*level);
+  claims.names_bound = top.member("bound").has_value();
   if (const auto counts = top.member("counts"); counts && counts->is_object()) {
     if (const auto n = counts->member("complex")) claims.counts.complex = n->count();
     if (const auto n = counts->member("real")) claims.counts.real = n->count();

@@ -47,15 +47,32 @@ void drop_excess(const System& f, SolveResult& result) {
   std::erase_if(result.solutions, is_excess);
 }
 
-/// Of exact numbers, where exact algebra counts the different roots of all equations: they are those that are told.
-void compare_with_algebra(const System& f, SolveResult& result) {
-  constexpr std::uint64_t kMostTerms = 20'000'000;  // a fifth of a second
-  if (!result.complete || !coefficient_errors(f).empty()) return;
-  const QuotientRing ring = quotient_ring(f, {0, kMostTerms, nullptr, true});
-  if (!ring.points || *ring.points == result.solutions.size()) return;
+/// Where exact algebra counts the different roots of all equations: they are those that are told.
+void compare_with_algebra(const QuotientRing& ring, SolveResult& result) {
+  if (!result.complete || !ring.points || *ring.points == result.solutions.size()) return;
   put_in_doubt(result, "exact algebra counts " + counted(*ring.points, "different root") +
                            " of the file's equations, those found are " +
                            std::to_string(result.solutions.size()));
+}
+
+/// Combinations may have a root more often than all equations together.
+void tell_of_multiplicities(const QuotientRing& ring, SolveResult& result) {
+  std::uint64_t sum = 0;
+  for (const Solution& root : result.solutions) sum += root.multiplicity;
+  const bool is_finite = ring.verdict == QuotientRing::Verdict::finite;
+  if (sum == result.solutions.size() || (is_finite && ring.dimension == sum)) return;
+  result.left_out.push_back(
+      {"multiplicities of the file's equations",
+       "those told are the combinations', which may be larger" +
+           (is_finite ? "; exact algebra counts " + counted(ring.dimension, "root") +
+                            " of the file with their multiplicities"
+                      : std::string())});
+}
+
+QuotientRing ring_of(const System& f) {
+  constexpr std::uint64_t kMostTerms = 20'000'000;  // a fifth of a second
+  if (!coefficient_errors(f).empty()) return {};
+  return quotient_ring(f, {0, kMostTerms, nullptr, true});
 }
 
 /// A proof is of the square system. Beside slices and patches its roots are roots of F; combinations prove nothing of F's equations.
@@ -94,10 +111,12 @@ void take_back(const System& f, SolveResult& result) {
   result.system = facts_of(f);
   if (m > n) {
     drop_excess(g, result);
-    compare_with_algebra(g, result);
     result.left_out.push_back(
         {counted(m, "equation") + " squared up to " + std::to_string(n),
          counted(result.excess, "root") + " of the combinations fail an equation of the file"});
+    const QuotientRing ring = ring_of(g);
+    compare_with_algebra(ring, result);
+    tell_of_multiplicities(ring, result);
   }
   tell_of_squared(m > n, result);
   if (m < n) {

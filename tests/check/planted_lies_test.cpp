@@ -241,6 +241,14 @@ const Lie kLies[] = {
     {"a digit beyond double", "plane-40",
      [](Json& r) { root(r, 3)["x_digits"][0][1] = "2.236067977499789696409173668731276235450"; },
      ClaimKind::digits, 3},
+    {"a root left out of more equations than unknowns", "three", [](Json& r) { leave_out(r, 1); },
+     ClaimKind::complete},
+    {"a proof without a bound", "surds",
+     [](Json& r) {
+       r["completeness"] = "proved";
+       r["bound"] = nullptr;
+     },
+     ClaimKind::completeness},
     {"an excess root of the combinations called one of the file", "three",
      [](Json& r) { part(r, 1, 0) = -part(r, 1, 0).get<double>(); }, ClaimKind::root, 1},
 };

@@ -72,6 +72,7 @@ TEST(Magnitude1, LiesBetweenTheModulusAndRootTwoTimesIt) {
 TEST(Norms, AreThoseOfAPythagoreanTripleAndOrdered) {
   const Point x{{3, 4}, {0, -12}, {0, 0}};
   EXPECT_EQ(max_norm(x), 12);
+  EXPECT_EQ(max_norm({Complex(1e200), Complex(0, -3e200)}), 3e200);
   EXPECT_EQ(euclidean_norm(x), 13);
 }
 

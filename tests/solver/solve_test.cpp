@@ -183,6 +183,46 @@ TEST(Solve, SquaresUpMoreEquationsThanUnknownsAndCountsWhatThatAdds) {
   EXPECT_TRUE(none.solutions.empty());
 }
 
+TEST(Solve, TellsNoRootOfEquationsThatContradictEachOtherByLessThanRounding) {
+  for (const char* text :
+       {"3 2\n x^2 - 2;\n y - x^3;\n x*y - 4 + 1/10^17;\n",
+        "2 1\n x^2 - 2;\n x^3 - 2*x - 1/10^40;\n", "2 1\n x - 1;\n x - 1 - 1/10^18;\n"}) {
+    for (const std::uint64_t seed : {1UL, 2UL, 3UL}) {
+      const SolveResult result = solve_with_cvode(read(text), with_seed(seed));
+      EXPECT_TRUE(!result.complete || result.solutions.empty()) << text << seed;
+    }
+  }
+}
+
+TEST(Solve, SaysWhereCombinationsMayHaveARootMoreOftenThanTheFile) {
+  const SolveResult result = solve_with_cvode(read("3 2\n x^2;\n y^2;\n x*y;\n"));
+  EXPECT_TRUE(result.complete);
+  EXPECT_TRUE(std::any_of(result.left_out.begin(), result.left_out.end(), [](const LeftOut& left) {
+    return left.what == "multiplicities of the file's equations" &&
+           left.why.ends_with("counts 3 roots of the file with their multiplicities");
+  }));
+}
+
+TEST(Solve, TellsARootBeyondDoubleAsNone) {
+  for (const char* text : {"1\n 1e-200*x - 1e200;\n", "2\n y - 1e200*x;\n x - 1e200;\n"}) {
+    const SolveResult result = solve_with_cvode(read(text));
+    EXPECT_FALSE(result.complete);
+    EXPECT_TRUE(result.solutions.empty());
+    EXPECT_EQ(result.paths.failed, 1U);
+  }
+}
+
+TEST(Solve, KnowsHowExactlyRootsAreKnownWhoseSquaresAreBeyondDouble) {
+  for (const char* text : {"1\n x - 1e155;\n", "1\n 1e-200*x^2 - 3*x + 1e200;\n"}) {
+    const SolveResult result = solve_with_cvode(read(text));
+    EXPECT_TRUE(result.complete);
+    for (const Solution& root : result.solutions) {
+      EXPECT_GT(root.accuracy, 0);
+      EXPECT_LT(root.accuracy, 1e-15);
+    }
+  }
+}
+
 TEST(Solve, CutsFewerEquationsThanUnknownsWhereThatIsAskedFor) {
   SolveOptions options = with_seed(1);
   options.slice = true;

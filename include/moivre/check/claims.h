@@ -75,6 +75,7 @@ struct Claims {
   std::uint64_t excess = 0;
   std::optional<int> digits;
   std::optional<std::string> completeness;
+  bool names_bound = false;  ///< the one that proves completeness
   CountClaim counts;
   std::optional<std::uint64_t> listed;  ///< how many roots a solution list announces
 };

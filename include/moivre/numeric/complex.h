@@ -59,7 +59,13 @@ inline double max_norm(const Point& x) {
     const double s = std::norm(xi);
     squared = s > squared || std::isnan(s) ? s : squared;
   }
-  return std::sqrt(squared);
+  if (!std::isinf(squared)) return std::sqrt(squared);
+  double largest = 0;  // a square may be beyond double where its root is not
+  for (const Complex& xi : x) {
+    const double size = std::abs(xi);
+    largest = size > largest || std::isnan(size) ? size : largest;
+  }
+  return largest;
 }
 
 /// sqrt(sum |x_i|^2).
