@@ -45,14 +45,25 @@ constexpr int kSlices = 10;
 constexpr int kAgreeing = 2;
 constexpr int kFurtherPlanes = 1000;  // their random numbers begin there
 
+/// Where a set that a plane was moved along comes to as h -> 0, in units of z.
+struct Limit {
+  SetHere set = SetHere::none;
+  double error = 0;
+  double distance = 0;  ///< from x, beyond what x is known to; 0 where it may be x itself
+
+  bool is_x() const { return distance <= error; }
+};
+
 /// The neighbourhood of one root, y = x + s z with s the natural sizes of the coordinates.
 class Neighbourhood {
  public:
   Neighbourhood(const RefinerProgram& program, const Point& x, double tolerance,
                 std::uint64_t seed);
 
-  /// Does a plane, moved, meet a set through x?
-  SetHere meets(int slice);
+  /// The limits of what a plane, moved, meets, up to the first that may be x.
+  std::vector<Limit> met(int slice);
+  /// x, in units of z, where it is known worst.
+  double known_to() const;
 
  private:
   using Number = ComplexDoubleDouble;
@@ -64,11 +75,11 @@ class Neighbourhood {
   VectorXcd rounded(const FinePoint& z) const;
   VectorXcd random_vector(Index size, int number) const;
   FinePoint start_on(const VectorXcd& plane, int number) const;
-  SetHere leads_to_x(MatrixXcd planes, int slice, FinePoint z);
+  std::optional<Limit> limit(MatrixXcd planes, int slice, FinePoint z);
   void cut_to_a_curve(MatrixXcd& planes, int slice, FinePoint& z);
   bool is_determined(Index planes) const;
   std::optional<double> settle(const MatrixXcd& planes, double step, FinePoint& z);
-  bool is_x(const std::vector<VectorXcd>& halvings) const;
+  std::optional<Limit> extrapolated(const std::vector<VectorXcd>& halvings) const;
 
   const RefinerProgram& program_;
   const Point& x_;
@@ -168,13 +179,20 @@ Neighbourhood::FinePoint Neighbourhood::start_on(const VectorXcd& plane, int num
   return FinePoint(z.begin(), z.end());
 }
 
-SetHere Neighbourhood::meets(int slice) {
+std::vector<Limit> Neighbourhood::met(int slice) {
   const VectorXcd plane = random_vector(null_space_.cols(), slice).normalized();
+  std::vector<Limit> limits;
   for (int start = 0; start < kStarts; ++start) {
-    const SetHere set = leads_to_x(plane, slice, start_on(plane, slice * kStarts + start));
-    if (set != SetHere::none) return set;
+    const auto there = limit(plane, slice, start_on(plane, slice * kStarts + start));
+    if (!there) continue;
+    limits.push_back(*there);
+    if (there->is_x()) break;
   }
-  return SetHere::none;
+  return limits;
+}
+
+double Neighbourhood::known_to() const {
+  return known_to_ / *std::min_element(scale_.begin(), scale_.end());
 }
 
 /// Whether F and so many planes leave nothing free where they were settled last.
@@ -197,28 +215,29 @@ void Neighbourhood::cut_to_a_curve(MatrixXcd& planes, int slice, FinePoint& z) {
   }
 }
 
-SetHere Neighbourhood::leads_to_x(MatrixXcd planes, int slice, FinePoint z) {
-  if (!settle(planes, kStep, z)) return SetHere::none;
+std::optional<Limit> Neighbourhood::limit(MatrixXcd planes, int slice, FinePoint z) {
+  if (!settle(planes, kStep, z)) return {};
   cut_to_a_curve(planes, slice, z);
   std::optional<double> before = settle(planes, kStep, z);
-  if (!before) return SetHere::none;
+  if (!before) return {};
   bool is_sharp = *before <= kOnTheSet;
   std::vector<VectorXcd> halvings{rounded(z)};
   for (double step = kStep / 2; step > kLastStep; step /= 2) {
     for (Number& zi : z) zi = product(DoubleDouble(0.5), zi);
     const std::optional<double> now = settle(planes, step, z);
-    if (!now || (*now > kOnTheSet && *now * kFall < *before)) return SetHere::none;
+    if (!now || (*now > kOnTheSet && *now * kFall < *before)) return {};
     is_sharp = is_sharp && *now <= kOnTheSet;
     before = now;
     halvings.push_back(rounded(z));
   }
-  if (!is_x(halvings)) return SetHere::none;
-  return is_sharp ? SetHere::sharp : SetHere::blurred;
+  auto limit = extrapolated(halvings);
+  if (limit) limit->set = is_sharp ? SetHere::sharp : SetHere::blurred;
+  return limit;
 }
 
 // Neville's extrapolation to h = 0 of z at h, h / 2, h / 4, ...; its last two values tell the error. What is no power series, as where |F| only
 // passes for 0, has no limit that is better known than the last step.
-bool Neighbourhood::is_x(const std::vector<VectorXcd>& halvings) const {
+std::optional<Limit> Neighbourhood::extrapolated(const std::vector<VectorXcd>& halvings) const {
   std::vector<VectorXcd> row;
   VectorXcd before;
   for (const VectorXcd& z : halvings) {
@@ -232,12 +251,14 @@ bool Neighbourhood::is_x(const std::vector<VectorXcd>& halvings) const {
     row = std::move(next);
   }
   const VectorXcd& limit = row.back();
-  const double error = kSureOfLimit * (limit - before).lpNorm<Eigen::Infinity>();
-  if (error > kLastStep) return false;
+  Limit told;
+  told.error = kSureOfLimit * (limit - before).lpNorm<Eigen::Infinity>();
+  if (told.error > kLastStep) return {};
   for (Index i = 0; i < limit.size(); ++i) {
-    if (std::abs(limit[i]) > error + known_to_ / scale_[static_cast<std::size_t>(i)]) return false;
+    const double known = known_to_ / scale_[static_cast<std::size_t>(i)];
+    told.distance = std::max(told.distance, std::abs(limit[i]) - known);
   }
-  return true;
+  return told;
 }
 
 // Gauss-Newton from z on the first plane N^H z = step and, of the others, N^H z = 0. |F| where it ends; nullopt where that is no root nearby.
@@ -276,17 +297,27 @@ SetHere set_through(const RefinerProgram& program, const Point& x, double tolera
                     std::uint64_t seed) {
   if (x.size() < 2) return SetHere::none;
   Neighbourhood neighbourhood(program, x, tolerance, seed);
-  int found = 0;
-  SetHere least = SetHere::sharp;
-  for (int slice = 0; slice < kSlices && found < kAgreeing; ++slice) {
-    const SetHere met = neighbourhood.meets(slice);
-    if (met != SetHere::none) {
-      ++found;
-      least = std::min(least, met);
+  std::vector<Limit> through;
+  double beside = std::numeric_limits<double>::infinity();
+  int sure = 0;
+  for (int slice = 0; slice < kSlices && sure < kAgreeing; ++slice) {
+    for (const Limit& limit : neighbourhood.met(slice)) {
+      if (!limit.is_x()) {
+        beside = std::min(beside, limit.distance);
+        continue;
+      }
+      through.push_back(limit);
+      if (limit.error <= neighbourhood.known_to()) ++sure;
     }
+    const auto found = static_cast<int>(through.size());
     if (found + (kSlices - 1 - slice) < kAgreeing) return SetHere::none;
   }
-  return found >= kAgreeing ? least : SetHere::none;
+  // A set that is known to pass beside x explains limits that are known no better than that.
+  std::erase_if(through, [&](const Limit& limit) { return limit.error >= beside; });
+  if (through.size() < kAgreeing) return SetHere::none;
+  return std::min_element(through.begin(), through.end(),
+                          [](const Limit& a, const Limit& b) { return a.set < b.set; })
+      ->set;
 }
 
 }  // namespace moivre

@@ -16,7 +16,8 @@
 //
 // Coefficients that were rounded, as those of an angle's cosine, leave no exact set: there |F| within their error is a set
 // all the same, where it does not fall as h^m does. So is one that is small only as a set passed by rounding, or of several sheets, is.
-// That is `blurred`: more digits may show roots there. Two of several planes have to agree.
+// That is `blurred`: more digits may show roots there. Two of several planes have to agree. A plane that meets a set at a small angle knows its
+// limit badly; where another one meets a set that passes beside x, and no farther than that error, it tells nothing.
 // x: n, F: n rows, each relative to its terms; J with columns scaled by the natural sizes of the coordinates.
 // Not supported: isolated roots at which F vanishes along a curve to an order above 12.
 // Source: [SommeseWampler05, ch. 13], local dimension by slicing.
