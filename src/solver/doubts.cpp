@@ -18,6 +18,8 @@ namespace {
 
 // So many paths go ahead in more digits than double-double.
 constexpr std::size_t kFirstAhead = 2;
+// The mean of sheets that circles have closed, relative to its size.
+constexpr double kMeanIsKnownTo = 1e-10;
 
 /// The paths of a group whose ends are simple roots, and those whose ends are not. Where there are both, several roots lie
 /// nearer to each other than the latter are known: no path but one ends at a simple root.
@@ -221,42 +223,106 @@ void climb_to_clusters(Run& run) {
   }
 }
 
+void fail_all(Run& run, const std::vector<std::uint64_t>& group) {
+  for (const std::uint64_t path : group) fail(run, path, Failure::precision);
+}
+
 /// A simple root so near to a set that double does not tell it from the set's points: its sheet and one of the set's seem to meet, or the end
 /// may as well be a root that is proved beside it and that no path has. In more digits its path has a regular end.
-void look_beside_sets(Run& run) {
-  if (!run.setting.certify_program) return;
-  const auto misses_a_root = [&](std::uint64_t path) {
-    const Root& root = run.ledger.roots().at(path);
-    return root.beside && !is_held(run, *root.beside);
-  };
-  const auto meeting = [&] {
-    PathSet paths = paths_to_sets(run, SetHere::sharp);
+/// Or a multiple root: its sheets and one of the set's seem to meet at their mean, which is neither. In more digits the latter has a regular
+/// end elsewhere.
+class MeetingSheets {
+ public:
+  explicit MeetingSheets(Run& run) : run_(run) {
+    for (const std::uint64_t path : paths()) before_.emplace(path, root(path));
+  }
+
+  /// In double-double, where all go together; then in more digits those of one end, and of the next as long as that tells something.
+  void follow() {
+    const Trackers& trackers = run_.setting.trackers;
+    climb_together(run_, paths(), Taken::regular_ends);
+    if (trackers.finer.empty()) return;
+    for (const auto& group : groups_of(run_)) {
+      const PathSet left = paths();
+      PathSet ahead;
+      std::copy_if(group.begin(), group.end(), std::inserter(ahead, ahead.end()),
+                   [&](std::uint64_t path) { return left.contains(path); });
+      if (ahead.empty()) continue;
+      if (run_.interrupted) return;
+      if (!trackers.fine_own) climb(run_, ahead, Taken::regular_ends);
+      climb_beyond_double_double(run_, *trackers.finer.front(), ahead);
+      const bool tells =
+          has_helped(run_, ahead) ||
+          std::any_of(ahead.begin(), ahead.end(), [&](auto path) { return ends_elsewhere(path); });
+      if (!tells) return;
+    }
+  }
+
+  /// Where no simple root is proved the end is what it was. But where a path has a regular end elsewhere its circles were none: what the
+  /// others of them end at is not known, nor what two end at that come to one place.
+  void judge() {
+    std::map<std::uint64_t, Point> elsewhere;
+    for (const auto& [path, root] : before_) {
+      if (!run_.ledger.failures().contains(path)) continue;
+      if (ends_elsewhere(path)) elsewhere.emplace(path, run_.ledger.last_points().at(path));
+      run_.ledger.enter_root(path, Root(root));
+    }
+    for (const auto& [path, root] : before_) {
+      if (run_.ledger.roots().at(path).point.simple) continue;
+      const auto own = elsewhere.find(path);
+      const bool is_broken =
+          std::any_of(elsewhere.begin(), elsewhere.end(), [&](const auto& other) {
+            if (other.first == path) return false;
+            return own == elsewhere.end()
+                       ? relative_distance(root.point.x, other.second) <= root.tolerance
+                       : relative_distance(own->second, other.second) <= kMeanIsKnownTo;
+          });
+      if (is_broken) fail(run_, path, Failure::precision);
+    }
+    const PathSet left = paths();
+    for (const std::uint64_t path : left) {
+      if (misses_a_root(path)) fail(run_, path, Failure::precision);
+    }
+    for (const auto& group : groups_of(run_)) {
+      // Paths to a set end at different points of it: two at one may be at a multiple root.
+      const bool is_crowded = group.size() > 1 && is_on_set(run_, root(group.front()));
+      if (!is_crowded && !left.contains(group.front())) continue;
+      if (is_exactly_isolated(run_.setting.f, root(group.front()))) fail_all(run_, group);
+    }
+  }
+
+ private:
+  const Root& root(std::uint64_t path) const { return run_.ledger.roots().at(path); }
+
+  bool misses_a_root(std::uint64_t path) const {
+    const auto& beside = root(path).beside;
+    return beside && !is_held(run_, *beside);
+  }
+
+  PathSet paths() const {
+    PathSet paths = paths_to_sets(run_, SetHere::sharp);
     std::erase_if(paths, [&](std::uint64_t path) {
-      return run.ledger.roots().at(path).winding.value_or(1) == 1 && !misses_a_root(path);
+      return root(path).winding.value_or(1) == 1 && !misses_a_root(path);
     });
     return paths;
-  };
-  std::map<std::uint64_t, Root> before;
-  for (const std::uint64_t path : meeting()) before.emplace(path, run.ledger.roots().at(path));
-  climb_together(run, meeting(), Taken::regular_ends);
-  const auto& finer = run.setting.trackers.finer;
-  if (!finer.empty()) climb_while_it_helps(run, *finer.front(), meeting());
-  // Where no simple root is proved the end is what it was, unless a multiple one is known exactly that is none of the set's.
-  for (auto& [path, root] : before) {
-    if (run.ledger.failures().contains(path)) run.ledger.enter_root(path, std::move(root));
   }
-  const PathSet still = meeting();
-  for (const std::uint64_t path : still) {
-    if (misses_a_root(path)) fail(run, path, Failure::precision);
+
+  bool ends_elsewhere(std::uint64_t path) const {
+    const auto known = before_.find(path);
+    const auto last = run_.ledger.last_points().find(path);
+    return known != before_.end() && last != run_.ledger.last_points().end() &&
+           relative_distance(last->second, known->second.point.x) > kMeanIsKnownTo;
   }
-  for (const auto& group : groups_of(run)) {
-    // Paths to a set end at different points of it: two at one may be at a multiple root.
-    const bool is_crowded =
-        group.size() > 1 && is_on_set(run, run.ledger.roots().at(group.front()));
-    if (!is_crowded && !still.contains(group.front())) continue;
-    if (!is_exactly_isolated(run.setting.f, run.ledger.roots().at(group.front()))) continue;
-    for (const std::uint64_t path : group) fail(run, path, Failure::precision);
-  }
+
+  Run& run_;
+  std::map<std::uint64_t, Root> before_;
+};
+
+void look_beside_sets(Run& run) {
+  if (!run.setting.certify_program) return;
+  MeetingSheets sheets(run);
+  sheets.follow();
+  sheets.judge();
 }
 
 /// Whether the paths that end there are as many as exact algebra counts of a root that is known exactly.

@@ -53,6 +53,24 @@ TEST(RootBesideACurve, ThatIsIrrationalIsNoPointOfIt) {
   }
 }
 
+// Planes that meet the curve at a small angle know badly where it comes to.
+TEST(RootBesideACurve, ThatIsIrrationalIsNotLostWhereTheCurveIsBent) {
+  for (const char* d : {"3/100000", "4/100000"}) {
+    SCOPED_TRACE(d);
+    expect_roots(read(std::string("2\n(x*y-1)*(x^2-2)^2; (x*y-1)*(x*y-1-") + d + ");\n"), 2, 2);
+  }
+}
+
+// Two sheets of the root and one of the curve close one circle, and their mean is neither's.
+TEST(RootBesideACurve, WhoseSheetsMeetTheCurvesIsFoundOrSaidToBeInDoubt) {
+  const System f = read("2\n((x^2-1)^2-y)*(x^2-2)^2; ((x^2-1)^2-y)*(y-1-1/100000);\n");
+  expect_roots_or_doubt(f, 2, {1, 2, 3, 5});
+  for (const std::uint64_t seed : {1, 3}) {
+    const SolveResult result = solve_with_cvode(f, with_seed(seed));
+    EXPECT_TRUE(!result.complete || result.solutions.size() == 2U) << seed;
+  }
+}
+
 System simple_beside_a_line(int power) {
   return read("2\n(x-y)*(x-1); (x-y)*(y-1-" + fraction(power) + ");\n");
 }
