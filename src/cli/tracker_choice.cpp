@@ -119,7 +119,8 @@ std::unique_ptr<Tracker> make_tracker(const TrackerChoice& choice, bool has_witn
 }
 
 std::unique_ptr<Tracker> make_fallback(const TrackerChoice& choice) {
-  return MOIVRE_WITH_CVODE && choice.kind == "lanes" ? make_cvode(choice) : nullptr;
+  const bool is_built = choice.kind == "lanes" ? MOIVRE_WITH_CVODE : MOIVRE_WITH_LANES;
+  return is_built ? make_witness(choice) : nullptr;
 }
 
 std::unique_ptr<Tracker> make_witness(const TrackerChoice& choice) {

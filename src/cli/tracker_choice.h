@@ -32,7 +32,7 @@ void add_tracker_options(CLI::App& command, TrackerChoice& choice);
 /// Throws std::invalid_argument with the reason when there is no such tracker, an option is out of range, or one is given that
 /// the tracker does not take and no `witness` does.
 std::unique_ptr<Tracker> make_tracker(const TrackerChoice& choice, bool has_witness = false);
-/// The tracker that takes over what the chosen one cannot settle: CVODE behind the lanes, where it was built; else nullptr.
+/// The other tracker, which takes over what the chosen one leaves in doubt; nullptr where it was not built.
 std::unique_ptr<Tracker> make_fallback(const TrackerChoice& choice);
 /// The other tracker. Throws std::invalid_argument when this program was built without it.
 std::unique_ptr<Tracker> make_witness(const TrackerChoice& choice);

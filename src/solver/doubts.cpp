@@ -249,7 +249,7 @@ class MeetingSheets {
                    [&](std::uint64_t path) { return left.contains(path); });
       if (ahead.empty()) continue;
       if (run_.interrupted) return;
-      if (!trackers.fine_own) climb(run_, ahead, Taken::regular_ends);
+      if (!trackers.fine_lanes) climb(run_, ahead, Taken::regular_ends);
       climb_beyond_double_double(run_, *trackers.finer.front(), ahead);
       const bool tells =
           has_helped(run_, ahead) ||
@@ -355,7 +355,7 @@ void follow_with_care(Run& run, const PathSet& beyond) {
   const PathSet doubtful = doubtful_paths(run, beyond);
   if (run.interrupted || doubtful.empty() || options.care >= options.maximum_care) return;
   track_again(run, doubtful, options.maximum_care);
-  if (!run.setting.trackers.fine_own) climb(run, paths_failed_by(run, Failure::precision));
+  if (!run.setting.trackers.fine_lanes) climb(run, paths_failed_by(run, Failure::precision));
 }
 
 /// In double, with more care, and in more digits.

@@ -14,15 +14,20 @@ namespace {
 // those of the system without them. Ends at infinity may not: their faces have every term.
 constexpr double kHopelessSpread = 36;
 
-// The tracker itself tries first, with one level of care, before a path goes to the fallback.
-constexpr int kFallbackCare = 2;
+std::unique_ptr<Tracker> in_double_double(const Tracker& tracker, const Tracker* fallback) {
+  auto own = tracker.in_double_double();
+  return own || fallback == nullptr ? std::move(own) : fallback->in_double_double();
+}
 
 Trackers trackers_of(const Tracker& tracker, const SolveOptions& options) {
   if (options.precision == Precision::double_precision) {
     return {tracker, options.fallback, nullptr, nullptr, {}};
   }
-  Trackers trackers{
-      tracker, options.fallback, tracker.in_double_double(), make_double_double_tracker(), {}};
+  Trackers trackers{tracker,
+                    options.fallback,
+                    in_double_double(tracker, options.fallback),
+                    make_double_double_tracker(),
+                    {}};
   if (options.certify && has_certificates()) trackers.finer = make_finer_trackers();
   return trackers;
 }
@@ -53,11 +58,11 @@ bool Setting::hides_terms() const { return prepared.spread_log2 > kHopelessSprea
 
 const Tracker& Setting::tracker() const {
   if (!is_fine()) return trackers.first;
-  return trackers.fine_own ? *trackers.fine_own : *trackers.fine;
+  return trackers.fine_lanes ? *trackers.fine_lanes : *trackers.fine;
 }
 
 bool Setting::falls_back(int care) const {
-  return trackers.fallback != nullptr && !is_fine() && care >= kFallbackCare;
+  return trackers.fallback != nullptr && !is_fine() && care > 0;
 }
 
 PathProblem Setting::problem(int care) const {

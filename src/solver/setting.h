@@ -2,8 +2,8 @@
 // What does a solve work on, and with which trackers? All that stays the same from its first path to its last.
 //
 //   first       the tracker that solve() was given: every path, in double
-//   fallback    SolveOptions::fallback, where there is one: what `first` could not settle with one level more of care
-//   fine_own    `first` in double-double, several paths at once; nullptr where it has none
+//   fallback    SolveOptions::fallback, where there is one: what `first` left in doubt
+//   fine_lanes  one of both in double-double, several paths at once; nullptr where neither has that
 //   fine        double-double, one path at a time; nullptr where no path is to be followed beyond double
 //   finer       more digits, one path at a time; none where roots are not proved, since double tells no other root of these
 //
@@ -25,7 +25,7 @@ class CertifyProgram;
 struct Trackers {
   const Tracker& first;
   const Tracker* fallback;
-  std::unique_ptr<Tracker> fine_own;
+  std::unique_ptr<Tracker> fine_lanes;
   std::unique_ptr<Tracker> fine;
   std::vector<std::unique_ptr<Tracker>> finer;
 };

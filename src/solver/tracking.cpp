@@ -124,8 +124,8 @@ void track_again(Run& run, const PathSet& paths, int care) {
 
 PathSet climb_together(Run& run, const PathSet& paths, Taken taken) {
   const Trackers& trackers = run.setting.trackers;
-  return trackers.fine_own
-             ? climb_with(run, *trackers.fine_own, Rung::double_double, taken, paths).undecided
+  return trackers.fine_lanes
+             ? climb_with(run, *trackers.fine_lanes, Rung::double_double, taken, paths).undecided
              : PathSet{};
 }
 
@@ -133,7 +133,7 @@ void climb(Run& run, const PathSet& paths, Taken taken) {
   const Trackers& trackers = run.setting.trackers;
   if (!trackers.fine) return;
   climb_with(run, *trackers.fine, Rung::double_double, taken,
-             trackers.fine_own ? climb_together(run, paths, taken) : paths);
+             trackers.fine_lanes ? climb_together(run, paths, taken) : paths);
 }
 
 PathSet climb_beyond_double_double(Run& run, const Tracker& tracker, const PathSet& paths) {

@@ -15,7 +15,7 @@ void track_all(Run& run);
 /// Follows on what waits, from the start, and reports the progress.
 void track_waiting(Run& run, Effort effort);
 
-/// Follows these with that care: by the same tracker first, by the fallback later.
+/// Follows these with that care: by the fallback, where there is one.
 void track_again(Run& run, const PathSet& paths, int care);
 
 /// Which ends in double-double are verdicts? Without circles none but regular ones are found.
@@ -26,7 +26,7 @@ enum class Taken { all_ends, regular_ends };
 void climb(Run& run, const PathSet& paths, Taken taken = Taken::all_ends);
 
 /// Follows these together in double-double. Returns the paths that it does not decide; does nothing, and returns none, where
-/// the tracker has no double-double of its own.
+/// neither tracker has lanes for that.
 PathSet climb_together(Run& run, const PathSet& paths, Taken taken = Taken::all_ends);
 
 /// Follows these to regular ends by a tracker of more digits than double-double. A path that finds none keeps its entry. Returns

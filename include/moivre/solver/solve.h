@@ -75,7 +75,8 @@ struct SolveOptions {
   Precision precision = Precision::automatic;
   bool certify = true;  ///< regular roots, by proof; nothing where the module certify was not built
   EndgameOptions endgame;
-  /// Tracks again the paths that `tracker` could not settle with one level of tighter tolerances; not owned, may be nullptr.
+  /// Tracks again the paths that `tracker` left in doubt; in double-double too, where it has lanes for that and `tracker` has not. Not owned, may
+  /// be nullptr.
   const Tracker* fallback = nullptr;
   /// Asked first for a start that it knows for a square system; nullopt if it knows none. Thread-safe.
   std::function<std::optional<SolveResult>(const System& f, const Tracker& tracker,
