@@ -41,18 +41,6 @@ std::vector<Complex> combinations(const std::vector<Point>& points, std::uint64_
   return z;
 }
 
-/// Of the circle's radius: where two sheets branch whose limits have this mean and differ, (z - mean)^2 ~ s + limit^2.
-double branch_share(std::vector<Complex> z, const Complex& mean) {
-  Complex squares;
-  double sizes = 0;
-  for (Complex& zk : z) {
-    zk -= mean;
-    squares = add_product(zk, zk, squares);
-    sizes += std::norm(zk);
-  }
-  return modulus(squares) / sizes;
-}
-
 }  // namespace
 
 std::string to_string(PathStatus status) {
@@ -483,7 +471,7 @@ std::optional<Departure> Endgame::estimate_end(PathSystem& path) {
   }
   if (is_beyond) return shrink(path);
   Estimate estimate{laurent_coefficient(0), turns_};
-  if (estimate.winding >= parted_ || !sheets_meet(estimate.x)) {
+  if (!sheets_meet(estimate.x)) {
     last_.reset();
     return shrink(path);
   }
@@ -498,12 +486,9 @@ std::optional<Departure> Endgame::estimate_end(PathSystem& path) {
     }
     if (change > best_difference_ || change < options_.ends.sample_error) {
       if (estimate.winding == 1 || sheets_meet_in_all_digits(path)) return conclude(path);
-      parted_ = estimate.winding;
       best_.reset();
       last_.reset();
-      const Complex mean = combinations({estimate.x}, path_).front();
-      const double branch = radius_ * branch_share(combinations(samples_, path_), mean);
-      return branch < options_.ends.least_radius ? fail(Failure::precision) : shrink(path);
+      return shrink(path);
     }
   } else if (!best_) {
     best_ = estimate;

@@ -201,8 +201,6 @@ class Endgame : public Watcher {
   bool waits_ = false;
   std::vector<Point> samples_;  // normalized, over all turns so far
   int turns_ = 0;
-  int parted_ = std::numeric_limits<
-      int>::max();  // so many sheets were seen to end apart: so many do not meet on smaller circles
   std::optional<Estimate> last_;
   std::optional<Estimate> best_;
   double best_difference_ = 0;
