@@ -144,15 +144,14 @@ TEST(Moves, NotWhatDanglesFromATriangleThatCannotBeAssembled) {
   EXPECT_TRUE(result.closures.empty());
 }
 
-/// Links 3 and 4 over `base`; two links of 2, pinned to their tip and to each other, turn about it as one.
-Mechanism triangle_with_a_folded_pair(const std::string& base) {
+/// Links `left` and `right` over `base`; two links of 2, pinned to their tip and to each other, turn about it as one.
+Mechanism triangle_with_a_folded_pair(const std::string& base, const std::string& left = "3",
+                                      const std::string& right = "4") {
   return mechanism_text("[ground.points]\nP = [0, 0]\nQ = [" + base + R"toml(, 0]
 [body.left.points]
 P = [0, 0]
-R = [3, 0]
-[body.right.points]
-Q = [0, 0]
-R = [4, 0]
+R = [)toml" + left + ", 0]\n[body.right.points]\nQ = [0, 0]\nR = [" +
+                        right + R"toml(, 0]
 [body.one.points]
 R = [0, 0]
 T = [2, 0]
@@ -190,17 +189,19 @@ TEST(Moves, AFoldedPairOnATriangle) {
 
 // The pair hangs on two links whose common place is known by two roundings: a star of joints makes it one.
 TEST(Moves, AFoldedPairTypedOnTwoLinksOfOnePin) {
-  Mechanism mechanism = triangle_with_a_folded_pair("5");
-  const auto right = mechanism.joints[2].at[1];
-  Joint& second = mechanism.joints[4];
-  ASSERT_EQ(second.name, "R2");
-  second.at[0] = right;
-  for (std::uint64_t seed = 1; seed <= kRandomSeeds; ++seed) {
-    const ClosureResult result = closures_of(mechanism, seed);
-    EXPECT_TRUE(result.complete) << result.message;
-    ASSERT_TRUE(result.moves) << result.message;
-    EXPECT_EQ(result.moves->dimension, 1U);
-    EXPECT_EQ(result.paths.failed, 0U);
+  for (Mechanism mechanism : {triangle_with_a_folded_pair("5"),
+                              triangle_with_a_folded_pair("0.0537", "0.0311", "0.0429")}) {
+    const auto right = mechanism.joints[2].at[1];
+    Joint& second = mechanism.joints[4];
+    ASSERT_EQ(second.name, "R2");
+    second.at[0] = right;
+    for (std::uint64_t seed = 1; seed <= kRandomSeeds; ++seed) {
+      const ClosureResult result = closures_of(mechanism, seed);
+      EXPECT_TRUE(result.complete) << result.message;
+      ASSERT_TRUE(result.moves) << result.message;
+      EXPECT_EQ(result.moves->dimension, 1U);
+      EXPECT_EQ(result.paths.failed, 0U);
+    }
   }
 }
 
