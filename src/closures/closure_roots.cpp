@@ -156,12 +156,25 @@ void solve_free(ClosureSearch& search, const std::vector<Block>& blocks) {
   search.undecided_motion = true;
 }
 
-/// The equations that were solved have a set of roots that the spare ones may cut to isolated ones.
+/// Roots that rounding of the coefficients moves as far as it likes are points of a set.
+void take_off_sets(const Formulation& formulation, StageRun& run) {
+  constexpr double kUndetermined = 1e15;
+  if (formulation.is_exact) return;
+  std::erase_if(run.roots, [&](const PartialRoot& root) {
+    if (root.condition < kUndetermined) return false;
+    run.moves = true;
+    run.may_move = run.may_move || may_be_real(formulation, root);
+    return true;
+  });
+}
+
+/// The equations that were solved have a set of roots that the spare ones may cut to isolated ones, also where part of it moves.
 StageRun solve_combined(const ClosureSearch& search, const StageRun& first) {
   Formulation combined = search.formulation;
   combined.system = square_up(search.formulation.system, search.options.solve.seed);
   RootProver prover(combined, false);
   StageRun run = solve_blocks(search, combined, block_structure(combined.system).blocks, prover);
+  take_off_sets(combined, run);
   for (Stage& stage : run.stages) stage.group += ", equations combined";
   run.stages.insert(run.stages.begin(), first.stages.begin(), first.stages.end());
   run.paths += first.paths;
@@ -181,11 +194,11 @@ void solve_determined(ClosureSearch& search, const BlockStructure& structure) {
   RootProver prover(search.formulation, search.wants_proofs());
   StageRun run = solve_blocks(search, search.formulation, structure.blocks, prover);
   settle_by_theorem(search.formulation, run);
-  bool has_unseen_sets = run.moves && !(run.may_move && shows_motion(search));
-  if (has_unseen_sets && !search.stop && !structure.spare_equations.empty()) {
+  const bool is_motion_shown = run.moves && run.may_move && shows_motion(search);
+  if (run.moves && !search.stop && !structure.spare_equations.empty()) {
     run = solve_combined(search, run);
-    has_unseen_sets = run.moves;
   }
+  const bool has_unseen_sets = run.moves && !is_motion_shown;
   take_account(result, run);
   for (const PartialRoot& root : run.roots) take_root(search, root, prover);
   if (search.has_proofs()) result.completeness = completeness(run, result);

@@ -412,6 +412,71 @@ velocity = 360
   EXPECT_LE(scaled_residual(Phi(mechanism), result.moves->pose, 0), 1e-12);
 }
 
+// With bars of one length the top may be folded onto the base, where the second leg swings; two closures stand beside that.
+TEST(SpatialClosures, SarrussLinkageHasTwoBesideItsFoldedPoses) {
+  const Mechanism mechanism = mechanism_text(R"toml(space = "spatial"
+[units]
+angle = "deg"
+[ground.points]
+A = [1, 0, 0]
+D = [0, 1, 0]
+[body.l1.points]
+A = [1, 0, 0]
+B = [2, 0, 1]
+[body.l2.points]
+B = [2, 0, 1]
+C = [1, 0, 2]
+[body.top.points]
+C = [1, 0, 2]
+F = [0, 1, 2]
+[body.l3.points]
+D = [0, 1, 0]
+E = [0, 2, 1]
+[body.l4.points]
+E = [0, 2, 1]
+F = [0, 1, 2]
+[[joint]]
+type = "revolute"
+at = ["ground.A", "l1.A"]
+axis = [0, 1, 0]
+name = "a"
+[[joint]]
+type = "revolute"
+at = ["l1.B", "l2.B"]
+axis = [0, 1, 0]
+[[joint]]
+type = "revolute"
+at = ["l2.C", "top.C"]
+axis = [0, 1, 0]
+[[joint]]
+type = "revolute"
+at = ["ground.D", "l3.D"]
+axis = [1, 0, 0]
+[[joint]]
+type = "revolute"
+at = ["l3.E", "l4.E"]
+axis = [1, 0, 0]
+[[joint]]
+type = "revolute"
+at = ["l4.F", "top.F"]
+axis = [1, 0, 0]
+[[driver]]
+angle = "a"
+start = 10
+)toml");
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    const ClosureResult result = closures_of(mechanism, seed);
+    EXPECT_TRUE(result.complete) << result.message;
+    EXPECT_TRUE(result.moves);
+    ASSERT_EQ(result.closures.size(), 2U) << seed;
+    EXPECT_EQ(result.counts.complex, 2U) << seed;
+    for (const Closure& closure : result.closures) {
+      EXPECT_GT(closure.smallest_singular_value, 0.01);
+      EXPECT_LE(scaled_residual(Phi(mechanism), closure.q, 0), 1e-12);
+    }
+  }
+}
+
 // Overconstrained: what rounding leaves of its spare equations has to be seen beside their own terms, in millimetres as well.
 TEST(SpatialClosures, BennettsLinkageClosesAtEveryAngleInEveryUnit) {
   const Mechanism mechanism = mechanism_text(R"toml(title = "Bennett"
