@@ -110,14 +110,15 @@ void settle_by_theorem(const Formulation& formulation, StageRun& run) {
   run.complete = true;
 }
 
-RootCompleteness completeness(const StageRun& run, const ClosureResult& result) {
+RootCompleteness completeness(const Formulation& formulation, const StageRun& run,
+                              const ClosureResult& result) {
   const auto& roots = result.solutions;
   const bool all_certified = std::all_of(roots.begin(), roots.end(), [](const Solution& root) {
     return root.singular || root.certified == true;
   });
   if (!run.complete || run.moves || !all_certified) return RootCompleteness::open;
   const bool is_proved =
-      run.is_proved &&
+      run.is_proved && !formulation.lacks_typed_terms &&
       std::none_of(roots.begin(), roots.end(), [](const auto& root) { return root.singular; });
   return is_proved ? RootCompleteness::proved : RootCompleteness::shown;
 }
@@ -201,7 +202,7 @@ void solve_determined(ClosureSearch& search, const BlockStructure& structure) {
   const bool has_unseen_sets = run.moves && !is_motion_shown;
   take_account(result, run);
   for (const PartialRoot& root : run.roots) take_root(search, root, prover);
-  if (search.has_proofs()) result.completeness = completeness(run, result);
+  if (search.has_proofs()) result.completeness = completeness(search.formulation, run, result);
   if (!has_unseen_sets) return;
   if (run.may_move) {
     result.complete = false;

@@ -50,6 +50,13 @@ void leave_out_links(RigidGroups& groups) {
   leave_out_cones(groups, in_trees);
 }
 
+/// Whether all joints' frames are typed points, none of them turned.
+bool has_exact_frames(const RigidGroups& groups) {
+  const auto is_shift = [](const ExactPose& pose) { return pose.q == identity_pose().q; };
+  return std::all_of(groups.ties.begin(), groups.ties.end(),
+                     [&](const Tie& tie) { return is_shift(tie.at_i) && is_shift(tie.at_j); });
+}
+
 /// Ties whose both ends are the ground hold or do not, whatever moves.
 void add_ground_ties(SpatialFrame& frame, const RigidGroups& groups) {
   const MovingPose rest = to_moving(identity_pose());
@@ -99,7 +106,7 @@ void read_poses(const RigidGroups& groups, PoseReading& poses) {
 Formulation spatial_bodies(const Mechanism& mechanism, double t) {
   RigidGroups groups = rigid_groups(mechanism, t);
   leave_out_links(groups);
-  SpatialFrame frame(Phi(mechanism).length());
+  SpatialFrame frame(Phi(mechanism).length(), has_exact_frames(groups));
   add_ground_ties(frame, groups);
   const std::vector<Part> parts = parts_of(groups);
   for (const Part& part : parts) {

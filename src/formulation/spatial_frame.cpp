@@ -48,13 +48,18 @@ Polynomial SpatialFrame::add_unknown(const std::string& name, bool is_direction,
 Polynomial SpatialFrame::without_rounding(Polynomial p, double size) {
   const std::size_t terms = p.terms.size();
   p = without_noise(std::move(p), size);
-  if (p.terms.size() < terms) note_rounding();
+  if (p.terms.size() < terms) note_dropped();
   return p;
+}
+
+void SpatialFrame::note_dropped() {
+  note_rounding();
+  result_.lacks_typed_terms = result_.lacks_typed_terms || has_exact_frames_;
 }
 
 Polynomial SpatialFrame::difference(const Polynomial& a, const Polynomial& b) {
   Polynomial rest = rounded_difference(a, b);
-  if (rest.terms.size() < (a - b).terms.size()) note_rounding();
+  if (rest.terms.size() < (a - b).terms.size()) note_dropped();
   return rest;
 }
 

@@ -31,8 +31,9 @@ Polynomial without_noise(Polynomial p, double size);
 
 class SpatialFrame {
  public:
-  /// The mechanism's size, in the file's unit of length.
-  explicit SpatialFrame(double length) : length_(length) {}
+  /// length: the mechanism's size, in the file's unit of length. has_exact_frames: no joint's frame was rounded.
+  explicit SpatialFrame(double length, bool has_exact_frames = false)
+      : length_(length), has_exact_frames_(has_exact_frames) {}
   double length() const { return length_; }
 
   /// `owners` are the bodies that the unknown places.
@@ -66,7 +67,10 @@ class SpatialFrame {
   std::vector<Polynomial> add_patched(const std::string& name, std::size_t count,
                                       const std::vector<std::string>& owners);
 
+  void note_dropped();
+
   double length_;
+  bool has_exact_frames_;
   Formulation result_;
   std::uint64_t random_count_ = 0;
 };

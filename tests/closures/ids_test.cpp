@@ -12,7 +12,8 @@ namespace {
 TEST(ClosureIds, AnIdMeansTheSamePoseForEverySeedAndBothTrackers) {
   constexpr double kSamePose = 1e-6;  // the parallelogram's closure is double
   const auto lanes = make_lane_tracker();
-  for (const std::string file : {"jansen-leg", "3-rpr", "parallelogram", "gear-five-bar", "ur5", "3-rps"}) {
+  for (const std::string file :
+       {"jansen-leg", "3-rpr", "parallelogram", "gear-five-bar", "ur5", "3-rps"}) {
     const Mechanism mechanism = mechanism_file(file);
     const Phi phi(mechanism);
     const ClosureResult first = closures_of(mechanism, 1);

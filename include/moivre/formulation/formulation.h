@@ -44,6 +44,8 @@ struct Formulation {
   double length = 0;  ///< the mechanism's largest; 0 of typed equations, which have none
   /// The coefficients are what the file's numbers make them, not right to rounding only. Of spatial mechanisms.
   bool is_exact = true;
+  /// Terms of exact numbers were taken for rounding, since they are as small: a platform typed with 14 digits is the symmetric one.
+  bool lacks_typed_terms = false;
   std::vector<std::vector<std::string>> owners;  ///< bodies (or unknowns) that a variable places
   std::vector<std::string> contradictions;       ///< why there is no closure, each a clause
 
