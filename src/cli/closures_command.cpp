@@ -93,6 +93,11 @@ constexpr const char* kTolerance = "--tolerance";
 std::optional<double> dimension_tolerance(const ClosuresCommand& command) {
   const std::vector<std::string>& given = command.tracker.of_lanes;
   const bool is_given = std::find(given.begin(), given.end(), kTolerance) != given.end();
+  if (!command.sensitivity && is_given && command.tracker.kind == "cvode") {
+    throw std::invalid_argument(
+        "--tolerance: only the lanes take it (--tracker lanes); of dimensions it needs "
+        "--sensitivity");
+  }
   if (!command.sensitivity || !is_given) return std::nullopt;
   const double tolerance = std::get<double>(command.tracker.values.at("tolerance"));
   if (!(tolerance >= 0) || !is_workable(tolerance)) {

@@ -37,7 +37,8 @@ System read_polynomial_file(const std::string& file) {
   if (file.ends_with(".toml")) {
     throw std::invalid_argument(file +
                                 ": this command takes polynomial systems; mechanisms (.toml) are "
-                                "for closures, motion, newton, mobility, guesses and study");
+                                "for closures, motion, sweep, newton, mobility, guesses, study and "
+                                "family learn");
   }
   return read_system(source);
 }

@@ -32,6 +32,9 @@ std::string family_report_text(const FamilyFile& file, const std::string& name) 
             joined(file.families.front().parameter_names(), ", ") + '\n';
   }
   for (const Family& family : file.families) text += one_family_text(family);
+  if (file.families.empty()) {
+    text += "nothing to learn: every part of it is solved by formula\n";
+  }
   return text;
 }
 

@@ -103,6 +103,11 @@ void tell_crossings(const std::vector<double>& times, MotionResult& result) {
   }
 }
 
+bool has_limits(const Mechanism& mechanism) {
+  return std::any_of(mechanism.joints.begin(), mechanism.joints.end(),
+                     [](const Joint& joint) { return joint.limits.has_value(); });
+}
+
 LeftOut left_unseen(const MotionOptions& options) {
   if (options.checkpoints > 0) {
     return {
@@ -154,7 +159,9 @@ MotionResult find_motion_of_whole(const Mechanism& mechanism, const Tracker& tra
   tell_crossings(crossings, result);
   conclude(run, result);
   tell_why_nothing_moves(scenes, result);
-  result.left_out.push_back(left_unseen(options));
+  if (options.checkpoints == 0 || has_limits(mechanism)) {
+    result.left_out.push_back(left_unseen(options));
+  }
   result.time_s.total = watch.total();
   return result;
 }

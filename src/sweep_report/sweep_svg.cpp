@@ -15,6 +15,9 @@ namespace {
 constexpr const char* kColours[] = {"#f4f4f4", "#c6dbef", "#9ecae1", "#6baed6", "#4292c6",
                                     "#2171b5", "#08519c", "#08306b", "#041a3d"};
 
+constexpr const char* kMoving = "#c7e9c0";
+constexpr const char* kUndecided = "#fdd0a2";
+
 std::string number(double x) { return short_text(x, 6); }
 
 std::string text_at(double x, double y, const char* anchor, const std::string& text) {
@@ -181,7 +184,9 @@ std::string map_svg(const SweepResult& result, const std::string& title) {
   std::string svg = head(title) + "<clipPath id=\"map\">" + frame() + "</clipPath>\n" +
                     "<g clip-path=\"url(#map)\" shape-rendering=\"crispEdges\">\n";
   for (const SweepSample& sample : result.samples) {
-    const char* fill = sample.complete ? colour(sample.real, *counts.rbegin()) : "#fdd0a2";
+    const char* fill = !sample.complete ? kUndecided
+                       : sample.moves   ? kMoving
+                                        : colour(sample.real, *counts.rbegin());
     svg += "<rect x=\"" + number(x(sample.at[0]) - width / 2) + "\" y=\"" +
            number(y(sample.at[1]) - height / 2) + "\" width=\"" + number(width) + "\" height=\"" +
            number(height) + "\" fill=\"" + fill + "\"/>\n";
@@ -193,12 +198,23 @@ std::string map_svg(const SweepResult& result, const std::string& title) {
   svg += "<g transform=\"translate(16 " + number((kPlotTop + kPlotBottom) / 2) +
          ") rotate(-90)\">" + text_at(0, 0, "middle", b.name) + "</g>\n";
   double place = kPlotTop;
-  for (const std::uint64_t count : counts) {
+  const auto add_to_legend = [&](const char* fill, const std::string& text) {
     svg += "<rect x=\"" + number(kPlotRight + 12) + "\" y=\"" + number(place) +
-           "\" width=\"16\" height=\"16\" stroke=\"#444\" fill=\"" +
-           colour(count, *counts.rbegin()) + "\"/>\n" +
-           text_at(kPlotRight + 34, place + 13, "start", std::to_string(count) + " real");
+           "\" width=\"16\" height=\"16\" stroke=\"#444\" fill=\"" + fill + "\"/>\n" +
+           text_at(kPlotRight + 34, place + 13, "start", text);
     place += 22;
+  };
+  for (const std::uint64_t count : counts) {
+    add_to_legend(colour(count, *counts.rbegin()), std::to_string(count) + " real");
+  }
+  const auto any = [&](auto is_so) {
+    return std::any_of(result.samples.begin(), result.samples.end(), is_so);
+  };
+  if (any([](const SweepSample& sample) { return sample.complete && sample.moves; })) {
+    add_to_legend(kMoving, "moves");
+  }
+  if (any([](const SweepSample& sample) { return !sample.complete; })) {
+    add_to_legend(kUndecided, "undecided");
   }
   return svg + "</svg>\n";
 }

@@ -30,11 +30,16 @@ std::string sweep_text(const SweepResult& result, const std::string& file) {
   text += '\n';
   std::map<std::uint64_t, std::uint64_t> samples;
   std::uint64_t undecided = 0;
+  std::uint64_t moving = 0;
   for (const SweepSample& sample : result.samples) {
     sample.complete ? ++samples[sample.real] : ++undecided;
+    if (sample.moves) ++moving;
   }
   for (const auto& [real, count] : samples) {
     text += "  " + counted(real, "real closure") + ": " + counted(count, "sample") + '\n';
+  }
+  if (moving > 0) {
+    text += "  of these, it moves though the drivers stand: " + counted(moving, "sample") + '\n';
   }
   if (undecided > 0) text += "  not decided: " + counted(undecided, "sample") + '\n';
   if (result.varied.size() > 1) {
@@ -80,11 +85,11 @@ std::string sweep_json(const SweepResult& result, const std::string& file) {
 std::string sweep_csv(const SweepResult& result) {
   std::string text;
   for (const Varied& number : result.varied) text += number.name + ',';
-  text += "complex,real,complete\n";
+  text += "complex,real,complete,moves\n";
   for (const SweepSample& sample : result.samples) {
     for (const double value : sample.at) text += exact_text(value) + ',';
     text += std::to_string(sample.complex) + ',' + std::to_string(sample.real) +
-            (sample.complete ? ",1\n" : ",0\n");
+            (sample.complete ? ",1" : ",0") + (sample.moves ? ",1\n" : ",0\n");
   }
   return text;
 }

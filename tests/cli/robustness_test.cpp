@@ -143,13 +143,16 @@ TEST(Robustness, RefusesWhatWouldBeIgnored) {
   const std::vector<Careless> calls = {
       {{"solve", "f.phc", "--json", ""}, "an argument behind --json is empty"},
       {{"solve", "f.phc", "--seed="}, "--seed= is empty"},
+      {{"closures", "crank.toml", "--tolerance", "0.05"},
+       "--tolerance: only the lanes take it (--tracker lanes); of dimensions it needs "
+       "--sensitivity"},
       {{"solve", "f.phc", "--tolerance", "0.01"},
        "--tolerance: only the lanes take it (--tracker lanes)"},
       {{"track", "f.phc", "--path", "0", "--predictor", "x"},
        "--predictor: only the lanes take it (--tracker lanes)"},
       {{"solve", "crank.toml"},
        "crank.toml: this command takes polynomial systems; mechanisms (.toml) are for closures, "
-       "motion, newton, mobility, guesses and study"},
+       "motion, sweep, newton, mobility, guesses, study and family learn"},
       {{"motion", "crank.toml", "--threads", "-1", "--tracker", "x"},
        "threads must lie between 0 (all cores) and 1024"},
       {{"motion", "crank.toml", "--threads", "-1", "--tracker", "x"},
