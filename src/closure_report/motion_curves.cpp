@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include "pose_text.h"
 
@@ -140,21 +141,28 @@ std::string begin_mark(Complex at, std::size_t colour) {
 }
 
 std::string motion_legend(const MotionResult& result, const Mechanism& mechanism,
-                          const std::vector<BranchLook>& looks, bool has_shared_curve, double& y) {
+                          const std::vector<BranchLook>& looks, bool has_shared_curve, double width,
+                          double& y) {
+  constexpr double kText = 38;  // pixels to the right of the margin
+  constexpr double kFont = 12;
   std::string svg;
   std::set<EventKind> kinds;
   for (const MotionEvent& event : result.events) kinds.insert(event.at.kind);
   for (std::size_t k = 0; k < result.branches.size(); ++k) {
     y += kLegendLine;
     svg += curve_svg({{kMotionMargin, 4 - y}, {kMotionMargin + 28, 4 - y}}, PixelMap{}, looks[k]);
-    svg += text_svg({kMotionMargin + 38, y}, "start", "note",
-                    branch_text(result, mechanism, result.branches[k], looks[k]));
+    bool is_first = true;
+    for (const std::string& line : wrapped(
+             branch_text(result, mechanism, result.branches[k], looks[k]), kFont, width - kText)) {
+      if (!std::exchange(is_first, false)) y += kLegendLine;
+      svg += text_svg({kMotionMargin + kText, y}, "start", "note", line);
+    }
   }
   y += kLegendLine;
   double x = kMotionMargin;
   const auto add_entry = [&](const std::string& mark, const std::string& text) {
     svg += mark + text_svg({x + 16, y}, "start", "note", text);
-    x += 34 + text_width(text, 12);
+    x += 34 + text_width(text, kFont);
   };
   add_entry(
       element(

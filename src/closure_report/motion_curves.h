@@ -32,9 +32,10 @@ std::string curve_svg(const std::vector<Complex>& points, const PixelMap& map,
 
 std::string begin_mark(Complex at, std::size_t colour);
 std::string event_mark(EventKind kind, Complex at);
-/// A line for each branch, and what the marks mean; y: the line before it, afterwards the last one.
+/// Each branch, and what the marks mean, in lines no longer than `width`; y: the line before it, afterwards the last one.
 std::string motion_legend(const MotionResult& result, const Mechanism& mechanism,
-                          const std::vector<BranchLook>& looks, bool has_shared_curve, double& y);
+                          const std::vector<BranchLook>& looks, bool has_shared_curve, double width,
+                          double& y);
 
 /// A motion of typed equations: each unknown over the time. At least one branch has a pose.
 std::string unknowns_svg(const MotionResult& result, const Mechanism& mechanism,

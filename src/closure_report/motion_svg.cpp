@@ -69,7 +69,7 @@ class MotionPicture {
     map_.origin = middle - std::conj((box_.lower + box_.upper) / 2.0) * map_.scale;
     svg += mechanism_svg() + curves_svg() + labels();
     y_ += box_.height() * map_.scale + 2 * kRoom;
-    svg += motion_legend(result_, mechanism_, looks_, has_shared_curve(), y_);
+    svg += motion_legend(result_, mechanism_, looks_, has_shared_curve(), width_, y_);
     if (drawing_.to_scale) {
       y_ += kLegendLine;
       svg += scale_bar({kMotionMargin, y_}, map_.scale, mechanism_.units.length);

@@ -8,11 +8,11 @@
 #include <array>
 
 #include "figures.h"
+#include "moivre/closure_report/document.h"
 #include "moivre/closure_report/sheet.h"
 #include "moivre/mechanism/pose.h"
 #include "moivre/report/markup.h"
 #include "page_assets.h"
-#include "moivre/closure_report/document.h"
 #include "svg.h"
 
 namespace moivre {

@@ -55,7 +55,7 @@ class UnknownsPicture {
     }
     y += kTextDepth;
     svg += times_svg(y);
-    svg += motion_legend(result_, mechanism_, looks_, is_shared_, y);
+    svg += motion_legend(result_, mechanism_, looks_, is_shared_, kNumbersRoom + kPlotWidth, y);
     return svg_document(kNumbersRoom + kPlotWidth + 2 * kMotionMargin, y + kMotionMargin, title,
                         svg);
   }
