@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <regex>
 
 #include "mechanisms.h"
 #include "moivre/closure_report/motion_report.h"
@@ -197,6 +198,19 @@ TEST(MotionPicture, MarksDeadPointsAndNamesThem) {
   // Two points on six branches, with an event at one end (A, B, E, F) or at both (C, D); and the legend's.
   EXPECT_EQ(count(svg, "class=\"event\""), 2U * 8 + 1);
   EXPECT_EQ(count(svg, "A: crank = 30 deg to crank = 36.869898 deg (dead point)"), 1U);
+}
+
+TEST(MotionPicture, WrapsALegendThatIsWiderThanThePicture) {
+  Mechanism mechanism = mechanism_file("slider-crank");
+  mechanism.bodies[1].name = "crank of the second press on the left side of the hall";
+  const std::string svg = motion_svg(motion_of(mechanism), mechanism, "file");
+  const std::regex note("class=\"note\">([^<]*)<");
+  const auto end = std::sregex_iterator();
+  ASSERT_NE(std::sregex_iterator(svg.begin(), svg.end(), note), end);
+  for (auto text = std::sregex_iterator(svg.begin(), svg.end(), note); text != end; ++text) {
+    EXPECT_LE((*text)[1].length(), 100) << (*text)[1];
+  }
+  EXPECT_EQ(count(svg, "(dead point)"), 8U);
 }
 
 TEST(MotionPicture, NamesTheCircuitOfEachBranchInItsLegend) {
