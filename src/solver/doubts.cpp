@@ -242,8 +242,8 @@ class MeetingSheets {
     const Trackers& trackers = run_.setting.trackers;
     climb_together(run_, paths(), Taken::regular_ends);
     if (trackers.finer.empty()) return;
+    PathSet left = paths();
     for (const auto& group : groups_of(run_)) {
-      const PathSet left = paths();
       PathSet ahead;
       std::copy_if(group.begin(), group.end(), std::inserter(ahead, ahead.end()),
                    [&](std::uint64_t path) { return left.contains(path); });
@@ -255,6 +255,7 @@ class MeetingSheets {
           has_helped(run_, ahead) ||
           std::any_of(ahead.begin(), ahead.end(), [&](auto path) { return ends_elsewhere(path); });
       if (!tells) return;
+      left = paths();
     }
   }
 
@@ -262,22 +263,15 @@ class MeetingSheets {
   /// others of them end at is not known, nor what two end at that come to one place.
   void judge() {
     std::map<std::uint64_t, Point> elsewhere;
-    for (const auto& [path, root] : before_) {
+    for (const auto& [path, before] : before_) {
       if (!run_.ledger.failures().contains(path)) continue;
       if (ends_elsewhere(path)) elsewhere.emplace(path, run_.ledger.last_points().at(path));
-      run_.ledger.enter_root(path, Root(root));
+      run_.ledger.enter_root(path, Root(before));
     }
-    for (const auto& [path, root] : before_) {
-      if (run_.ledger.roots().at(path).point.simple) continue;
-      const auto own = elsewhere.find(path);
-      const bool is_broken =
-          std::any_of(elsewhere.begin(), elsewhere.end(), [&](const auto& other) {
-            if (other.first == path) return false;
-            return own == elsewhere.end()
-                       ? relative_distance(root.point.x, other.second) <= root.tolerance
-                       : relative_distance(own->second, other.second) <= kMeanIsKnownTo;
-          });
-      if (is_broken) fail(run_, path, Failure::precision);
+    for (const auto& [path, before] : before_) {
+      const auto now = run_.ledger.roots().find(path);
+      if (now == run_.ledger.roots().end() || now->second.point.simple) continue;
+      if (is_broken(path, elsewhere)) fail(run_, path, Failure::precision);
     }
     const PathSet left = paths();
     for (const std::uint64_t path : left) {
@@ -305,6 +299,18 @@ class MeetingSheets {
       return root(path).winding.value_or(1) == 1 && !misses_a_root(path);
     });
     return paths;
+  }
+
+  /// Another path of its circle ends elsewhere; or at its own place, where it does so itself.
+  bool is_broken(std::uint64_t path, const std::map<std::uint64_t, Point>& elsewhere) const {
+    const Root& before = before_.at(path);
+    const auto own = elsewhere.find(path);
+    return std::any_of(elsewhere.begin(), elsewhere.end(), [&](const auto& other) {
+      if (other.first == path) return false;
+      return own == elsewhere.end()
+                 ? relative_distance(before.point.x, other.second) <= before.tolerance
+                 : relative_distance(own->second, other.second) <= kMeanIsKnownTo;
+    });
   }
 
   bool ends_elsewhere(std::uint64_t path) const {
