@@ -6,11 +6,11 @@
 //   simple roots at which two paths end: one of them has jumped
 //   singular isolated roots whose winding numbers make no whole cycles: a path is missing or one is too many
 //   ends on a set of positive dimension along which F vanishes but for rounding: in double-double they may be simple roots
-// They are followed again with more care, level by level, then in double-double. What stays in doubt has failed. Where the
+// They are followed once more, with all care and by the other tracker where there is one, then in double-double. What stays in doubt has failed. Where the
 // tracker has lanes in double-double, paths that failed by precision go there first.
 // Where as many roots are proved as a proved bound allows, nothing is in doubt (completeness.h); that is asked before anything
 // is followed again.
-// Bounded: SolveOptions::maximum_care levels. An interrupted run is left as it is.
+// An interrupted run is left as it is.
 #pragma once
 
 #include "run.h"
