@@ -18,6 +18,8 @@ namespace {
 
 // So many paths go ahead in more digits than double-double.
 constexpr std::size_t kFirstAhead = 2;
+// So many that end at one point of a set, one at a time.
+constexpr std::size_t kMostOfOneEnd = 4;
 // The mean of sheets that circles have closed, relative to its size.
 constexpr double kMeanIsKnownTo = 1e-10;
 
@@ -237,26 +239,15 @@ class MeetingSheets {
     for (const std::uint64_t path : paths()) before_.emplace(path, root(path));
   }
 
-  /// In double-double, where all go together; then in more digits those of one end, and of the next as long as that tells something.
+  /// In double-double: all where they go together, else a few that end at one point. Then some in more digits, as long as that helps.
   void follow() {
     const Trackers& trackers = run_.setting.trackers;
-    climb_together(run_, paths(), Taken::regular_ends);
-    if (trackers.finer.empty()) return;
-    PathSet left = paths();
-    for (const auto& group : groups_of(run_)) {
-      PathSet ahead;
-      std::copy_if(group.begin(), group.end(), std::inserter(ahead, ahead.end()),
-                   [&](std::uint64_t path) { return left.contains(path); });
-      if (ahead.empty()) continue;
-      if (run_.interrupted) return;
-      if (!trackers.fine_lanes) climb(run_, ahead, Taken::regular_ends);
-      climb_beyond_double_double(run_, *trackers.finer.front(), ahead);
-      const bool tells =
-          has_helped(run_, ahead) ||
-          std::any_of(ahead.begin(), ahead.end(), [&](auto path) { return ends_elsewhere(path); });
-      if (!tells) return;
-      left = paths();
+    if (trackers.fine_lanes) {
+      climb_together(run_, paths(), Taken::regular_ends);
+    } else {
+      climb(run_, first_of_one_end(), Taken::regular_ends);
     }
+    if (!trackers.finer.empty()) climb_while_it_helps(run_, *trackers.finer.front(), paths());
   }
 
   /// Where no simple root is proved the end is what it was. But where a path has a regular end elsewhere its circles were none: what the
@@ -299,6 +290,18 @@ class MeetingSheets {
       return root(path).winding.value_or(1) == 1 && !misses_a_root(path);
     });
     return paths;
+  }
+
+  PathSet first_of_one_end() const {
+    const PathSet all = paths();
+    PathSet first;
+    for (const auto& group : groups_of(run_)) {
+      for (const std::uint64_t path : group) {
+        if (all.contains(path) && first.size() < kMostOfOneEnd) first.insert(path);
+      }
+      if (!first.empty()) break;
+    }
+    return first;
   }
 
   /// Another path of its circle ends elsewhere; or at its own place, where it does so itself.
