@@ -294,7 +294,10 @@ class MotionProduct {
     if (is_new) {
       MotionEvent whole{*parts.front(), driver_values(mechanism_, time), {}, {}};
       whole.at.q = q;
-      if (parts.size() > 1) whole.at.kind = EventKind::bifurcation;
+      const bool meets = std::any_of(parts.begin(), parts.end(), [](const BranchEvent* part) {
+        return part->kind != EventKind::joint_limit;
+      });
+      if (parts.size() > 1 && meets) whole.at.kind = EventKind::bifurcation;
       result_.events.push_back(std::move(whole));
     }
     (is_end ? branch.end_event : branch.begin_event) = place->second;
