@@ -74,8 +74,8 @@ void tell_eliminated(const Setting& setting, std::uint64_t roots, SolveResult& r
 void enter_eliminated(const Setting& setting, Solution&& root, SolveResult& result) {
   if (!std::isfinite(max_norm(root.x))) {
     result.paths.failed = 1;
-    result.complete = false;
-    result.message = "every unknown was eliminated: one root, beyond the range of double";
+    result.failures.push_back({0, Failure::precision, 1});
+    put_in_doubt(result, "every unknown was eliminated: one root, beyond the range of double");
     return;
   }
   result.paths.finite = 1;

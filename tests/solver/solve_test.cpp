@@ -209,6 +209,7 @@ TEST(Solve, TellsARootBeyondDoubleAsNone) {
     EXPECT_FALSE(result.complete);
     EXPECT_TRUE(result.solutions.empty());
     EXPECT_EQ(result.paths.failed, 1U);
+    EXPECT_EQ(result.failures.size(), 1U);
   }
 }
 
