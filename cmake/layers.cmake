@@ -49,7 +49,6 @@ set(MOIVRE_USES_cli closure_study multiprecision report check_report family_repo
     tracker_cvode tracker_lanes)
 
 # Where a module is switched off, those named here make do without it; cli makes do with what is there.
-set(MOIVRE_DO_WITHOUT_certify solver closures)
 set(MOIVRE_DO_WITHOUT_multiprecision solver)
 
 # Modules that read, decide and write: their time goes into what they call, so that optimizing their own code further only

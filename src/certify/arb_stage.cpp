@@ -6,7 +6,11 @@
 #include <cmath>
 #include <cstdint>
 #include <iterator>
+#include <map>
+#include <vector>
 
+#include "arb_ball.h"
+#include "moivre/certify/certifier.h"
 #include "moivre/numeric/integer.h"
 
 namespace moivre {
@@ -117,9 +121,61 @@ double distance(acb_srcptr a, acb_srcptr b) {
   return result;
 }
 
+/// A matrix that owns its entries.
+class ArbMatrix {
+ public:
+  ArbMatrix(std::size_t rows, std::size_t columns) {
+    arb().acb_mat_init(value_, static_cast<slong>(rows), static_cast<slong>(columns));
+  }
+  ArbMatrix(const ArbMatrix&) = delete;
+  ArbMatrix& operator=(const ArbMatrix&) = delete;
+  ~ArbMatrix() { arb().acb_mat_clear(value_); }
+
+  acb_mat_struct* get() { return value_; }
+  acb_ptr entry(std::size_t i, std::size_t j) {
+    return acb_mat_entry(value_, static_cast<slong>(i), static_cast<slong>(j));
+  }
+
+ private:
+  acb_mat_t value_;
+};
+
 }  // namespace
 
-ArbStage::ArbStage(const CertifyProgram& program)
+class ArbStage::Work {
+ public:
+  explicit Work(const CertifyProgram& program);
+
+  ArbOutcome prove(std::span<const Complex> midpoint, std::span<const Point> finer,
+                   std::span<const Enclosure> given, int bits, double farthest,
+                   Certificate& result);
+
+ private:
+  void take(std::span<const Enclosure> given);
+  ArbOutcome approach(double farthest);
+  double largest_coordinate() const;
+  void split_midpoint(Certificate& result);
+  bool find_radii(Certificate& result);
+  void image(const std::vector<double>& rho, std::vector<double>& kappa);
+  void tighten(std::vector<double>& kappa);
+  std::vector<double> apply(const std::vector<double>& reach);
+  void evaluate_at(std::span<const ArbBall> unknowns);
+  bool find_step();
+  const std::vector<ArbBall>& coefficients();
+
+  const CertifyProgram& program_;
+  std::size_t n_;
+  slong bits_ = 0;
+  std::map<slong, std::vector<ArbBall>> coefficients_;  // by precision
+  std::vector<ArbBall> start_, m_, ball_;
+  std::vector<ArbBall> x_, registers_, values_,
+      jacobian_;  // of the tape; x_: unknowns, then given numbers
+  ArbMatrix j_, y_, g_;
+  ArbMatrix f_, step_;         // F and its radii; J^-1 or Y times these
+  std::vector<double> fixed_;  // |Y F(m)|
+};
+
+ArbStage::Work::Work(const CertifyProgram& program)
     : program_(program),
       n_(program.dimension()),
       m_(n_),
@@ -137,7 +193,7 @@ ArbStage::ArbStage(const CertifyProgram& program)
   thread_local const FlintCaches caches;
 }
 
-const std::vector<ArbBall>& ArbStage::coefficients() {
+const std::vector<ArbBall>& ArbStage::Work::coefficients() {
   const slong bits = bits_ + kGuardBits;
   auto [position, is_new] = coefficients_.try_emplace(bits);
   if (is_new) {
@@ -148,7 +204,7 @@ const std::vector<ArbBall>& ArbStage::coefficients() {
 }
 
 /// Discs as Arb's rectangles around them.
-void ArbStage::take(std::span<const Enclosure> given) {
+void ArbStage::Work::take(std::span<const Enclosure> given) {
   for (std::size_t k = 0; k < given.size(); ++k) {
     ArbBall& z = x_[n_ + k];
     arb().acb_zero(z.get());
@@ -161,9 +217,9 @@ void ArbStage::take(std::span<const Enclosure> given) {
   }
 }
 
-ArbOutcome ArbStage::prove(std::span<const Complex> midpoint, std::span<const Point> finer,
-                           std::span<const Enclosure> given, int bits, double farthest,
-                           Certificate& result) {
+ArbOutcome ArbStage::Work::prove(std::span<const Complex> midpoint, std::span<const Point> finer,
+                                 std::span<const Enclosure> given, int bits, double farthest,
+                                 Certificate& result) {
   bits_ = bits;
   for (std::size_t j = 0; j < n_; ++j) {
     arb().acb_zero(m_[j].get());
@@ -182,7 +238,7 @@ ArbOutcome ArbStage::prove(std::span<const Complex> midpoint, std::span<const Po
 }
 
 /// values_ and jacobian_; F and J as matrices.
-void ArbStage::evaluate_at(std::span<const ArbBall> unknowns) {
+void ArbStage::Work::evaluate_at(std::span<const ArbBall> unknowns) {
   std::copy(unknowns.begin(), unknowns.end(), x_.begin());
   evaluate<ArbBall, ArbBall>(program_.tape, coefficients(), x_, registers_, values_, jacobian_);
   arb().acb_mat_zero(j_.get());
@@ -193,14 +249,14 @@ void ArbStage::evaluate_at(std::span<const ArbBall> unknowns) {
   }
 }
 
-double ArbStage::largest_coordinate() const {
+double ArbStage::Work::largest_coordinate() const {
   double largest = 0;
   for (const ArbBall& mj : m_) largest = std::max(largest, modulus_of(mj.get()));
   return largest;
 }
 
 /// step_: J^-1 F, and J^-1 of the radii of F, an estimate of what its rounding errors make of that. False where J is singular.
-bool ArbStage::find_step() {
+bool ArbStage::Work::find_step() {
   for (std::size_t i = 0; i < n_; ++i) {
     acb_srcptr value = values_[i].get();
     arb().arb_get_rad_arb(acb_realref(f_.entry(i, 1)), acb_realref(value));
@@ -212,7 +268,7 @@ bool ArbStage::find_step() {
 
 /// Newton's method until its correction is small enough, or no better; the test is left to say what the point is worth. Never
 /// `proved`.
-ArbOutcome ArbStage::approach(double farthest) {
+ArbOutcome ArbStage::Work::approach(double farthest) {
   const double settled = std::exp2(-kSettledShare * static_cast<double>(bits_));
   double last = HUGE_VAL;
   double last_ratio = 1;
@@ -253,7 +309,7 @@ ArbOutcome ArbStage::approach(double farthest) {
 }
 
 /// m_ <- a sum of doubles near it, exactly what `result` then holds.
-void ArbStage::split_midpoint(Certificate& result) {
+void ArbStage::Work::split_midpoint(Certificate& result) {
   const auto parts = static_cast<std::size_t>((bits_ + kBitsOfDouble - 1) / kBitsOfDouble);
   result.midpoint.assign(n_, Complex(0));
   result.finer.assign(parts, Point(n_));
@@ -271,7 +327,7 @@ void ArbStage::split_midpoint(Certificate& result) {
   while (!result.finer.empty() && result.finer.back() == Point(n_)) result.finer.pop_back();
 }
 
-bool ArbStage::find_radii(Certificate& result) {
+bool ArbStage::Work::find_radii(Certificate& result) {
   const slong bits = bits_ + kGuardBits;
   evaluate_at(m_);
   if (!arb().acb_mat_approx_inv(y_.get(), j_.get(), bits)) return false;
@@ -313,7 +369,7 @@ bool ArbStage::find_radii(Certificate& result) {
 }
 
 /// kappa of rho; g_ <- I - Y J(B). B's discs are enclosed in squares.
-void ArbStage::image(const std::vector<double>& rho, std::vector<double>& kappa) {
+void ArbStage::Work::image(const std::vector<double>& rho, std::vector<double>& kappa) {
   const slong bits = bits_ + kGuardBits;
   ball_ = m_;
   for (std::size_t j = 0; j < n_; ++j) {
@@ -327,13 +383,13 @@ void ArbStage::image(const std::vector<double>& rho, std::vector<double>& kappa)
 }
 
 /// The root lies within kappa of m: so it lies within the image of that, too.
-void ArbStage::tighten(std::vector<double>& kappa) {
+void ArbStage::Work::tighten(std::vector<double>& kappa) {
   const std::vector<double> again = apply(kappa);
   for (std::size_t j = 0; j < n_; ++j) kappa[j] = std::min(kappa[j], again[j]);
 }
 
 /// |Y F(m)| + |I - Y J(B)| reach, rounded up.
-std::vector<double> ArbStage::apply(const std::vector<double>& reach) {
+std::vector<double> ArbStage::Work::apply(const std::vector<double>& reach) {
   std::vector<double> result(n_);
   for (std::size_t j = 0; j < n_; ++j) {
     ArbSize sum(fixed_[j]);
@@ -346,6 +402,17 @@ std::vector<double> ArbStage::apply(const std::vector<double>& reach) {
     result[j] = sum.upper();
   }
   return result;
+}
+
+bool proves_beyond_double() { return true; }
+
+ArbStage::ArbStage(const CertifyProgram& program) : work_(std::make_unique<Work>(program)) {}
+ArbStage::~ArbStage() = default;
+
+ArbOutcome ArbStage::prove(std::span<const Complex> midpoint, std::span<const Point> finer,
+                           std::span<const Enclosure> given, int bits, double farthest,
+                           Certificate& result) {
+  return work_->prove(midpoint, finer, given, bits, farthest, result);
 }
 
 }  // namespace moivre

@@ -5,6 +5,7 @@
 // (closures.cpp), which is drawn from what stands here.
 #pragma once
 
+#include "moivre/certify/certifier.h"
 #include "moivre/closures/closures.h"
 #include "moivre/closures/root_proofs.h"
 
@@ -21,7 +22,7 @@ struct ClosureSearch {
         formulation(formulate(mechanism, options.time)) {}
 
   bool wants_proofs() const {
-    return options.certify && options.solve.certify && RootProver::is_built();
+    return options.certify && options.solve.certify && proves_beyond_double();
   }
   /// They are wanted, and there are as many equations as unknowns.
   bool has_proofs() const {

@@ -301,8 +301,6 @@ RootProver::RootProver(const Formulation& formulation, bool is_wanted) {
 }
 RootProver::~RootProver() = default;
 
-bool RootProver::is_built() { return true; }
-
 void RootProver::add_lone(const Block& block) {
   if (!work_) return;
   Block& waiting = work_->waiting;

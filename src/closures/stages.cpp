@@ -256,32 +256,18 @@ class Stages {
   SolveResult followed(const Block& block, const PartialRoot& root) {
     const System f = system_at(formulation_.system, block, root);
     const std::optional<GivenStart> start = general_start(block, root);
-    const auto solve_with = [&](const SolveOptions& options) {
-      return start ? solve_from(f, *start, tracker_, options, stop_)
-                   : solve(f, tracker_, options, stop_);
-    };
     SolveOptions options = options_;
-    options.certify = false;
     const auto paths = total_degree(degrees(f));
     if (paths && *paths <= kPathsForOneThread) options.threads = 1;
     const bool are_few = paths && *paths <= kPathsWithoutSearch;
     if (options.start == StartKind::automatic && are_few) options.start = StartKind::total_degree;
-    SolveResult result = solve_with(options);
-    const auto instead = [&](SolveResult&& another) {
+    SolveResult result = start ? solve_from(f, *start, tracker_, options, stop_)
+                               : solve(f, tracker_, options, stop_);
+    if (start && !result.complete && !stop_) {
       run_.work += result.work;
       add_solving(result.time, run_.time);
-      result = std::move(another);
-    };
-    // Where paths are in doubt, roots that are proved may be as many as a proved bound allows: the paths lead to no other. What passes for
-    // a point of a set may be proved to be a root, and what passes for a multiple root to be several.
-    const bool has_multiple =
-        std::any_of(result.solutions.begin(), result.solutions.end(),
-                    [](const Solution& solution) { return solution.multiplicity > 1; });
-    const bool is_in_doubt = !result.complete || !result.on_sets.empty() || has_multiple;
-    if (is_in_doubt && !stop_ && options_.certify) {
-      instead(solve_with(options_));
+      result = solve(f, tracker_, options_, stop_);
     }
-    if (start && !result.complete && !stop_) instead(solve(f, tracker_, options_, stop_));
     return result;
   }
 

@@ -132,7 +132,7 @@ Solution solution_of(const Run& run, const std::vector<std::uint64_t>& group,
   solution.residual = point.residual;
   solution.accuracy = point.simple ? point.accuracy : accuracy_of_group(run, group, point);
   solution.condition = point.condition;
-  if (run.setting.certify_program) solution.certified = root.certificate != nullptr;
+  solution.certified = root.certificate != nullptr;
   for (const std::uint64_t path : group) {
     solution.precision = std::max(solution.precision, run.ledger.rung(path));
   }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "moivre/certify/certifier.h"
 #include "moivre/certify/distinct.h"
 
 namespace moivre {
@@ -52,37 +51,20 @@ std::vector<std::vector<std::uint64_t>> parted(const Run& run, Certifier& certif
 
 }  // namespace
 
-bool has_certificates() { return true; }
-
-std::shared_ptr<const CertifyProgram> certify_program(const System& f,
-                                                      const SolveOptions& options) {
-  return options.certify && !f.variables.empty() ? make_certify_program(f) : nullptr;
-}
-
-struct Prover::Work {
-  Certifier certifier;
-  Certifier double_certifier;
-};
-
-Prover::Prover(std::shared_ptr<const CertifyProgram> program, double farthest, int most_bits) {
-  if (!program) return;
-  work_ = std::make_unique<Work>(Work{Certifier(program, certify_options(farthest, most_bits)),
-                                      Certifier(program, certify_options(farthest, kDoubleBits))});
-}
-Prover::~Prover() = default;
+Prover::Prover(std::shared_ptr<const CertifyProgram> program, double farthest, int most_bits)
+    : certifier_(program, certify_options(farthest, most_bits)),
+      double_certifier_(program, certify_options(farthest, kDoubleBits)) {}
 
 std::shared_ptr<const Certificate> Prover::prove(const Point& x) {
-  if (!work_) return nullptr;
   auto certificate = std::make_shared<Certificate>();
-  work_->certifier.certify(x, *certificate);
+  certifier_.certify(x, *certificate);
   if (certificate->verdict != Verdict::certified) return nullptr;
   return certificate;
 }
 
 std::shared_ptr<const Certificate> Prover::prove_in_double(const Point& x) {
-  if (!work_) return nullptr;
   auto certificate = std::make_shared<Certificate>();
-  work_->double_certifier.certify(x, *certificate);
+  double_certifier_.certify(x, *certificate);
   const bool is_settled =
       certificate->verdict == Verdict::certified && certificate->reality != Reality::unknown;
   return is_settled ? certificate : nullptr;
@@ -93,7 +75,7 @@ std::vector<std::vector<std::uint64_t>> groups_of(const Run& run) {
   const auto& program = run.setting.certify_program;
   const bool are_single = std::all_of(groups.begin(), groups.end(),
                                       [](const auto& group) { return group.size() == 1; });
-  if (!program || are_single) return groups;
+  if (are_single) return groups;
   Certifier certifier(program, certify_options());
   std::vector<std::vector<std::uint64_t>> result;
   for (auto& group : groups) {
@@ -115,7 +97,6 @@ std::uint64_t proved_roots(const Setting& setting,
 }
 
 std::uint64_t proved_roots(const Run& run) {
-  if (!run.setting.certify_program) return 0;
   std::vector<std::shared_ptr<const Certificate>> proofs;
   for (const auto& [path, root] : run.ledger.roots()) {
     if (root.certificate) proofs.push_back(root.certificate);

@@ -3,12 +3,13 @@
 //
 // Certificates (certify/certifier.h) are of the square system that is solved, with its exact coefficients. They decide what
 // numerical tests cannot: whether an end is a simple root, and, where points coincide to their tolerances, which ends are one root.
-// Edges: where SolveOptions::certify is false, or the module certify was not built, nothing is proved and every answer is the
-// numerical one. Private to the module.
+// Edges: a program without digits beyond double (certify/certifier.h) knows no simple root that double does not prove. Private to the
+// module.
 #pragma once
 
 #include <memory>
 
+#include "moivre/certify/certifier.h"
 #include "run.h"
 
 namespace moivre {
@@ -18,30 +19,21 @@ inline constexpr double kFarthestRoot = 1e-5;
 /// More digits part roots that the ends, points of double, do not: that is for paths of more digits.
 inline constexpr int kMostProofBits = 256;
 
-/// Whether the module certify is built in.
-bool has_certificates();
-
-/// F compiled for certificates; nullptr where none are asked for or none can be had.
-std::shared_ptr<const CertifyProgram> certify_program(const System& f, const SolveOptions& options);
-
 /// Proves roots near points; one a thread, made and ended by that thread.
 class Prover {
  public:
-  /// nullptr: proves nothing. farthest: that a root may be from the point, relative to max(1, |x|_inf).
-  /// most_bits: of the balls' arithmetic.
+  /// farthest: that a root may be from the point, relative to max(1, |x|_inf). most_bits: of the balls' arithmetic.
   explicit Prover(std::shared_ptr<const CertifyProgram> program, double farthest = kFarthestRoot,
                   int most_bits = kMostProofBits);
-  ~Prover();
 
-  bool is_on() const { return work_ != nullptr; }
   /// The certificate of a root that Newton's method reaches from x; nullptr where there is no proof.
   std::shared_ptr<const Certificate> prove(const Point& x);
   /// The same in double alone, nullptr as well where more digits have more to tell.
   std::shared_ptr<const Certificate> prove_in_double(const Point& x);
 
  private:
-  struct Work;
-  std::unique_ptr<Work> work_;
+  Certifier certifier_;
+  Certifier double_certifier_;
 };
 
 /// Paths that end at one point, as groups_beside_sets(), but for ends that are proved to be different roots, by certificates or since they

@@ -127,7 +127,7 @@ std::vector<std::vector<std::uint64_t>> clusters_of(const Run& run) {
 void enter(Run& run, Refiner& refiner, std::uint64_t path,
            const std::shared_ptr<const Certificate>& proof) {
   Root root;
-  root.point = refiner.take(*proof, std::numeric_limits<double>::infinity());
+  root.point = refiner.take(*proof);
   root.tolerance = simple_tolerance(root.point);
   root.certificate = proof;
   run.ledger.enter_root(path, std::move(root));
@@ -137,7 +137,7 @@ void enter(Run& run, Refiner& refiner, std::uint64_t path,
 
 void part_clusters(Run& run) {
   const Setting& setting = run.setting;
-  if (!setting.certify_program || run.interrupted) return;
+  if (run.interrupted) return;
   const auto clusters = clusters_of(run);
   if (clusters.empty() || are_as_counted(run)) return;
   std::vector<Finding> findings(clusters.size());

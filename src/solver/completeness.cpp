@@ -173,7 +173,7 @@ std::optional<MetBound> bound_met_by(Run& run, std::uint64_t roots, std::uint64_
 
 /// Sets bounds.met where `roots`, proved and with their multiplicities, or their `points` meet a bound.
 bool meets_bound(Run& run, std::uint64_t roots, std::uint64_t points) {
-  if (!run.setting.certify_program || run.interrupted || run.setting.stop) return false;
+  if (run.interrupted || run.setting.stop) return false;
   std::optional<MetBound>& met = run.bounds.met;
   // Roots that are proved no more do not meet what they did.
   if (met && met->value != (met->is_of_points ? points : roots)) met.reset();
@@ -351,7 +351,6 @@ std::optional<std::string> doubt_of_start(const Run& run) {
 }
 
 void tell_completeness(const Run& run, SolveResult& result) {
-  if (!run.setting.certify_program) return;
   const bool all_certified =
       std::all_of(result.solutions.begin(), result.solutions.end(),
                   [](const Solution& root) { return root.singular || *root.certified; });

@@ -146,7 +146,6 @@ PathSet paths_to_sets(const Run& run, SetHere kind) {
 /// that is proved at the end of one is none of the set's. Where there is such a root the set is none, and what the other paths end at
 /// is not known.
 void resolve_blurred_sets(Run& run) {
-  if (!run.setting.certify_program) return;
   const PathSet paths = paths_to_sets(run, SetHere::blurred);
   climb(run, paths, Taken::regular_ends);
   PathSet left;
@@ -328,7 +327,6 @@ class MeetingSheets {
 };
 
 void look_beside_sets(Run& run) {
-  if (!run.setting.certify_program) return;
   MeetingSheets sheets(run);
   sheets.follow();
   sheets.judge();
@@ -396,7 +394,7 @@ void settle_doubts(Run& run) {
 
 void part_uncounted(Run& run) {
   const auto& finer = run.setting.trackers.finer;
-  if (!run.setting.certify_program || finer.empty() || run.interrupted || is_settled(run)) return;
+  if (finer.empty() || run.interrupted || is_settled(run)) return;
   std::map<std::uint64_t, PathSet> clusters;
   PathSet first;
   for (const auto& group : groups_of(run)) {

@@ -25,7 +25,6 @@ double condition_of_proved_ends(const Setting& setting) {
 }  // namespace
 
 Effort first_effort(const Setting& setting) {
-  if (!setting.certify_program) return Effort::all_steps;
   return setting.prepared.plan->paths < kManyPaths ? Effort::few_steps : Effort::regular_ends;
 }
 

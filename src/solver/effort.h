@@ -4,7 +4,7 @@
 // Where the roots that are proved meet a bound, paths without an end lead to no other root (completeness.h). Most of these are paths to
 // infinity, whose ends take ten times as long to find as the way there. So effort rises from one asking to the next.
 //
-// Edges: where nothing is proved no bound is met, and all effort is made at once. Private to the module.
+// Private to the module.
 #pragma once
 
 #include "setting.h"

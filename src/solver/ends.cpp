@@ -19,8 +19,6 @@ namespace {
 
 // A simple root is known this much better than ends of different paths are apart.
 constexpr double kSimpleRounding = 1e-13;
-// On a curve of roots J is singular; as rounded it may still pass for a simple root's, of a condition above this.
-constexpr double kDoubtfulCondition = 1e14;
 // A singular end is not known better than this; ends nearer than that are one root.
 constexpr double kSingularTolerance = 1e-7;
 // A singular end known worse than this is not known at all.
@@ -57,30 +55,19 @@ std::shared_ptr<const Certificate> if_within_reach(
 
 /// A proved root near the end is what the path ends at; without a proof it is no simple root. Of an end that may still wait for more effort
 /// double tells enough: near a multiple root a proof is sought in vain, for long.
-void prove(const Run& run, Tools& tools, const PathEnd& end, const Point& x, double accuracy,
+bool prove(const Run& run, Tools& tools, const PathEnd& end, const Point& x, double accuracy,
            Root& root) {
-  if (run.setting.stop) return;
   auto& [refiner, prover, restorer] = tools;
-  const bool may_wait = run.effort == Effort::regular_ends;
-  const auto nearest = may_wait ? prover.prove_in_double(root.point.x) : prover.prove(root.point.x);
-  if (nearest) root.beside = nearest;
+  const bool may_wait = run.effort == Effort::regular_ends || run.setting.stop;
+  const auto nearest = may_wait ? prover.prove_in_double(x) : prover.prove(x);
   auto certificate = if_within_reach(refiner, x, accuracy, nearest);
   if (!certificate && !may_wait) certificate = restorer.proved(prover, end.x);
-  root.point.simple = certificate != nullptr;
-  if (!root.point.simple) return;
-  root.point = refiner.take(*certificate, root.point.condition);
+  if (!certificate) {
+    root.beside = nearest;
+    return false;
+  }
+  root.point = refiner.take(*certificate);
   root.certificate = certificate;
-}
-
-/// Most ends: double proves a root near the end as it stands, and nothing of Refiner::refine() is needed.
-bool prove_as_it_stands(Refiner& refiner, Prover& prover, const Point& x, double accuracy,
-                        Root& root) {
-  root.beside = prover.prove_in_double(x);
-  const auto certificate = if_within_reach(refiner, x, accuracy, root.beside);
-  if (!certificate) return false;
-  root.point = refiner.take(*certificate, std::numeric_limits<double>::infinity());
-  root.certificate = certificate;
-  root.beside.reset();
   root.tolerance = simple_tolerance(root.point);
   return true;
 }
@@ -93,7 +80,7 @@ bool is_contradicted(const Refined& end, int sheets, double accuracy) {
 
 Root refined_root(const Run& run, Tools& tools, const PathEnd& end) {
   const Setting& setting = run.setting;
-  auto& [refiner, prover, restorer] = tools;
+  Refiner& refiner = tools.refiner;
   const Point x = to_original(setting.prepared, end.x);
   // A relative error of z_0 is one of z / z_0, larger by the size of the affine point.
   const double accuracy = end.accuracy * std::max(1.0, end.size);
@@ -101,28 +88,16 @@ Root refined_root(const Run& run, Tools& tools, const PathEnd& end) {
   root.winding = end.winding;
   refiner.measure_by(natural_sizes(setting.prepared, end.frame));
   const bool many_sheets = end.winding.value_or(1) > 1;
-  if (!many_sheets && prove_as_it_stands(refiner, prover, x, accuracy, root)) return root;
-  root.point = many_sheets ? refiner.keep(x, accuracy, *end.winding) : refiner.refine(x, accuracy);
-  if (!root.point.simple && !many_sheets) {
-    root.point = refiner.refine_fine(x);
-  }
-  if (prover.is_on()) {
-    if (!many_sheets) prove(run, tools, end, x, accuracy, root);
-  } else if (root.point.simple && root.point.condition > kDoubtfulCondition) {
-    root.point.simple = !is_on_set(run, root);
-  }
-  if (!root.point.simple) {
-    const int sheets = many_sheets ? *end.winding : kLeastMultiplicity;
-    if (!many_sheets) root.point = refiner.keep(x, accuracy, sheets);
-    if (is_contradicted(root.point, sheets, accuracy)) root.point.accuracy = 1;
-    root.tolerance = std::max(kSingularTolerance, 10 * root.point.accuracy);
-    const bool is_beside =
-        root.beside && relative_distance(root.point.x, root.beside->midpoint) <= root.tolerance;
-    if (!is_beside) root.beside.reset();
-  } else {
-    root.beside.reset();
-    root.tolerance = simple_tolerance(root.point);
-  }
+  if (!many_sheets && prove(run, tools, end, x, accuracy, root)) return root;
+  const int sheets = many_sheets ? *end.winding : kLeastMultiplicity;
+  root.point = refiner.keep(x, accuracy, sheets);
+  // A proof that nobody had the time for says nothing against a simple root.
+  const bool is_unjudged = !many_sheets && setting.stop;
+  if (is_unjudged || is_contradicted(root.point, sheets, accuracy)) root.point.accuracy = 1;
+  root.tolerance = std::max(kSingularTolerance, 10 * root.point.accuracy);
+  const bool is_beside =
+      root.beside && relative_distance(root.point.x, root.beside->midpoint) <= root.tolerance;
+  if (!is_beside) root.beside.reset();
   return root;
 }
 

@@ -51,7 +51,6 @@ void look_near(Run& run, const Point& x) {
 }  // namespace
 
 std::vector<ExactRoot> exact_roots(Run& run) {
-  if (!run.setting.certify_program) return {};
   look_near(run, Point(run.setting.f.variables.size()));
   for (const auto& [path, root] : run.ledger.roots()) {
     if (!root.point.simple && !is_on_set(run, root)) look_near(run, root.point.x);

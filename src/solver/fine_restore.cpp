@@ -41,8 +41,7 @@ std::shared_ptr<const Certificate> FineRestorer::proved(Prover& prover, const Po
   const Reduction& reduction = setting_.prepared.reduction;
   if (reduction.substitutions.empty()) return nullptr;
   if (!reduced_prover_) {
-    reduced_prover_.emplace(certify_program(reduction.system, setting_.options), kFarthestRoot,
-                            most_bits_);
+    reduced_prover_.emplace(make_certify_program(reduction.system), kFarthestRoot, most_bits_);
   }
   const Point end = to_reduced(setting_.prepared, homogeneous);
   const auto of_reduced = reduced_prover_->prove(end);

@@ -2,8 +2,8 @@
 // The system prepared, the trackers at hand, and how far the coefficients' spread lets ends be believed.
 #include "setting.h"
 
-#include "certificates.h"
 #include "finer_trackers.h"
+#include "moivre/certify/certifier.h"
 #include "moivre/numeric/threads.h"
 #include "moivre/tracker/double_double_tracker.h"
 
@@ -23,13 +23,8 @@ Trackers trackers_of(const Tracker& tracker, const SolveOptions& options) {
   if (options.precision == Precision::double_precision) {
     return {tracker, options.fallback, nullptr, nullptr, {}};
   }
-  Trackers trackers{tracker,
-                    options.fallback,
-                    in_double_double(tracker, options.fallback),
-                    make_double_double_tracker(),
-                    {}};
-  if (options.certify && has_certificates()) trackers.finer = make_finer_trackers();
-  return trackers;
+  return {tracker, options.fallback, in_double_double(tracker, options.fallback),
+          make_double_double_tracker(), make_finer_trackers()};
 }
 
 }  // namespace
@@ -49,7 +44,7 @@ Setting::Setting(const System& system, Prepared the_prepared, const Tracker& tra
       prepared(std::move(the_prepared)),
       endgame(options.endgame),
       refiner_program(make_refiner_program(f, natural_sizes(prepared))),
-      certify_program(moivre::certify_program(f, options)) {
+      certify_program(f.variables.empty() ? nullptr : make_certify_program(f)) {
   endgame.goes_straight = endgame.goes_straight || is_fine();
   endgame.goes_back = true;
 }

@@ -46,7 +46,7 @@ struct Setting {
   const Prepared prepared;
   EndgameOptions endgame;
   const std::shared_ptr<const RefinerProgram> refiner_program;
-  const std::shared_ptr<const CertifyProgram> certify_program;  ///< nullptr: nothing is proved
+  const std::shared_ptr<const CertifyProgram> certify_program;  ///< nullptr: f has no unknowns
 
   /// Every path in double-double from the start.
   bool is_fine() const { return options.precision == Precision::double_double; }

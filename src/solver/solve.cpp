@@ -38,9 +38,9 @@ SolveResult described(const Setting& setting) {
   result.tracker = setting.tracker().kind();
   result.tracker_options = setting.tracker().options_in_force();
   result.left_out = setting.prepared.left_out;
-  if (setting.options.certify && !has_certificates()) {
-    result.left_out.push_back(
-        {"certificates", "this program was built without them (MOIVRE_WITH_CERTIFY)"});
+  if (!proves_beyond_double()) {
+    result.left_out.push_back({"certificates beyond double",
+                               "this program was built without them (MOIVRE_WITH_CERTIFY)"});
   }
   result.time.threads = setting.threads;
   return result;
@@ -49,19 +49,18 @@ SolveResult described(const Setting& setting) {
 /// The root that elimination has found.
 Solution eliminated_root(const Setting& setting) {
   Refiner refiner(setting.refiner_program);
-  Prover prover(setting.certify_program);
   Root root;
-  root.point = refiner.refine(restore(setting.prepared.reduction, Point{}), 0);
-  root.certificate = prover.prove(root.point.x);
-  if (root.certificate) root.point = refiner.take(*root.certificate, root.point.condition);
+  const Point x = restore(setting.prepared.reduction, Point{});
+  if (!x.empty()) root.certificate = Prover(setting.certify_program).prove(x);
+  root.point = root.certificate ? refiner.take(*root.certificate) : refiner.keep(x, 0, 1);
+  root.point.simple = root.certificate || x.empty();
   Run run(setting);
   run.ledger.enter_root(0, std::move(root));
   return solution_of(run, {0}, {1});
 }
 
 /// Elimination is exact: so many roots there are.
-void tell_eliminated(const Setting& setting, std::uint64_t roots, SolveResult& result) {
-  if (!setting.certify_program) return;
+void tell_eliminated(std::uint64_t roots, SolveResult& result) {
   result.completeness = RootCompleteness::open;
   const bool all_certified =
       std::all_of(result.solutions.begin(), result.solutions.end(),
@@ -71,7 +70,7 @@ void tell_eliminated(const Setting& setting, std::uint64_t roots, SolveResult& r
   result.bound = MetBound{"elimination", roots};
 }
 
-void enter_eliminated(const Setting& setting, Solution&& root, SolveResult& result) {
+void enter_eliminated(Solution&& root, SolveResult& result) {
   if (!std::isfinite(max_norm(root.x))) {
     result.paths.failed = 1;
     result.failures.push_back({0, Failure::precision, 1});
@@ -81,7 +80,7 @@ void enter_eliminated(const Setting& setting, Solution&& root, SolveResult& resu
   result.paths.finite = 1;
   result.solutions.push_back(std::move(root));
   result.message = "every unknown was eliminated: one root";
-  tell_eliminated(setting, 1, result);
+  tell_eliminated(1, result);
 }
 
 /// False where paths have to be followed.
@@ -97,18 +96,18 @@ bool decided_without_tracking(const Setting& setting, SolveResult& result) {
     case Reduction::Verdict::solved:
       // The empty product of degrees is one path, and it stands still.
       result.start.paths = result.paths.tracked = 1;
-      enter_eliminated(setting, eliminated_root(setting), result);
+      enter_eliminated(eliminated_root(setting), result);
       return true;
     case Reduction::Verdict::inconsistent:
       result.message = "the equations contradict each other: no root";
-      tell_eliminated(setting, 0, result);
+      tell_eliminated(0, result);
       return true;
     case Reduction::Verdict::dependent:
     case Reduction::Verdict::underdetermined:
       result.message =
           "the equations depend on each other: every root lies on a set of positive dimension, "
           "none is isolated";
-      tell_eliminated(setting, 0, result);
+      tell_eliminated(0, result);
       return true;
     case Reduction::Verdict::overdetermined:
       throw std::logic_error("a square system became overdetermined");
@@ -184,18 +183,16 @@ SolveResult solve_by_starts(const System& f, const Tracker& tracker, const Solve
   return is_last ? result : solve_again(f, tracker, options, stop, std::move(result));
 }
 
-void require_square_start(const System& f) {
-  if (is_square(f)) return;
-  throw std::invalid_argument("a given start needs as many equations as unknowns, got " +
-                              std::to_string(f.polynomials.size()) + " in " +
-                              std::to_string(f.variables.size()) + " without homogeneous groups");
+/// What is known stays known: only its telling is left out.
+SolveResult without_certificates(SolveResult&& result) {
+  for (Solution& root : result.solutions) root.certified.reset();
+  result.completeness.reset();
+  result.bound.reset();
+  return std::move(result);
 }
 
-}  // namespace
-
-SolveResult solve(const System& f, const Tracker& tracker, const SolveOptions& options,
-                  const std::atomic<bool>& stop) {
-  require_unbroken(validate(options));
+SolveResult solve_any(const System& f, const Tracker& tracker, const SolveOptions& options,
+                      const std::atomic<bool>& stop) {
   if (is_square(f)) {
     if (options.known_start) {
       if (auto known = options.known_start(f, tracker, options, stop)) return std::move(*known);
@@ -210,12 +207,30 @@ SolveResult solve(const System& f, const Tracker& tracker, const SolveOptions& o
   return result;
 }
 
+void require_square_start(const System& f) {
+  if (is_square(f)) return;
+  throw std::invalid_argument("a given start needs as many equations as unknowns, got " +
+                              std::to_string(f.polynomials.size()) + " in " +
+                              std::to_string(f.variables.size()) + " without homogeneous groups");
+}
+
+}  // namespace
+
+SolveResult solve(const System& f, const Tracker& tracker, const SolveOptions& options,
+                  const std::atomic<bool>& stop) {
+  require_unbroken(validate(options));
+  SolveResult result = solve_any(f, tracker, options, stop);
+  return options.certify ? result : without_certificates(std::move(result));
+}
+
 SolveResult solve_from(const System& f, GivenStart start, const Tracker& tracker,
                        const SolveOptions& options, const std::atomic<bool>& stop) {
   require_unbroken(validate(options));
   require_square_start(f);
   Stopwatch watch;
-  return solve_in(Setting(f, prepare_given(f, std::move(start)), tracker, options, stop), watch);
+  SolveResult result =
+      solve_in(Setting(f, prepare_given(f, std::move(start)), tracker, options, stop), watch);
+  return options.certify ? result : without_certificates(std::move(result));
 }
 
 }  // namespace moivre

@@ -261,7 +261,7 @@ TEST(Certified, ADoubleRootAndNearlyOneAreToldApart) {
 
 TEST(Certified, ARootIsNotRealWhoseImaginaryPartIsProvedHoweverSmall) {
   const System f = read("1\n x^2 - 2*x + 1 + 1/10000000000000000;\n");
-  Prover prover(certify_program(f, with_seed(1)));
+  Prover prover(make_certify_program(f));
   Root root;
   root.point.x = {Complex(1, 1e-8)};
   root.point.accuracy = 1e-7;
@@ -400,7 +400,7 @@ class CertifiedEnds : public testing::Test {
     Root root;
     root.certificate = prover.prove({x});
     ASSERT_NE(root.certificate, nullptr);
-    root.point = refiner.take(*root.certificate, 1);
+    root.point = refiner.take(*root.certificate);
     root.tolerance = 1e-13;
     run.ledger.enter_root(path, std::move(root));
   }

@@ -154,16 +154,6 @@ TEST(Precision, TenRootsWithinAMillionthAreFoundByPathsOfMoreDigits) {
   }
 }
 
-// Double holds no other proof of a root that only more digits part from the next one.
-TEST(Precision, NoPathHasMoreDigitsThanDoubleDoubleWhereRootsAreNotProved) {
-  SolveOptions options = with_seed(1);
-  options.certify = false;
-  const SolveResult result =
-      test::solve_with_cvode(test::read("1\n (x - 1)^10 - 1e-60;\n"), options);
-  EXPECT_EQ(result.paths.multiprecision, 0U);
-  EXPECT_NE(result.solutions.size(), 10U);
-}
-
 TEST(Precision, ASingularRootStaysOneInDoubleDouble) {
   for (const char* name :
        {"multiplicity-2", "multiplicity-7", "double-lines-4", "griewank-osborne"}) {

@@ -42,6 +42,9 @@ struct CertifyOptions {
   bool decide_reality = true;
 };
 
+/// Whether digits beyond double's are built in; without them nothing is proved that double does not prove.
+bool proves_beyond_double();
+
 /// F compiled for certificates: immutable, shared by all threads.
 class CertifyProgram;
 

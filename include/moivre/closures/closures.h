@@ -31,7 +31,7 @@ namespace moivre {
 struct ClosureOptions {
   double time = 0;  ///< of the drivers, seconds
   SolveOptions solve;
-  /// Roots by proof, where solve.certify says so too and the module certify was built.
+  /// Roots by proof, where solve.certify says so too and the program has digits beyond double.
   bool certify = true;
   bool with_mobility = false;  ///< ClosureResult::mobility
 };

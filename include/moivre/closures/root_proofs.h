@@ -8,7 +8,7 @@
 //              no further from 0 than it would move if they all changed in their last digits. It is no proof, but what is tiny because
 //              lengths are off by 1e-9 is seen not to be 0
 //   real       the mirror image of a root is a root; it lies in the ball that holds one root only
-// Edges: a multiple root has no proof, and no root above it has one. Nothing is proved where the module certify was not built.
+// Edges: a multiple root has no proof, and no root above it has one. Nothing is proved where the program has no digits beyond double.
 #pragma once
 
 #include <memory>
@@ -38,8 +38,6 @@ class RootProver {
   RootProver(const Formulation& formulation, bool is_wanted);
   ~RootProver();
 
-  /// Whether the module certify is.
-  static bool is_built();
   bool is_on() const { return work_ != nullptr; }
 
   /// The block waits for the next group.

@@ -73,7 +73,7 @@ struct SolveOptions {
   bool second_start = true;
   bool slice = false;  ///< fewer equations than unknowns: cut by random linear ones, else refused
   Precision precision = Precision::automatic;
-  bool certify = true;  ///< regular roots, by proof; nothing where the module certify was not built
+  bool certify = true;  ///< proofs of regular roots, and of completeness, are told; made they are always
   EndgameOptions endgame;
   /// Tracks again the paths that `tracker` left in doubt; in double-double too, where it has lanes for that and `tracker` has not. Not owned, may
   /// be nullptr.
