@@ -146,7 +146,7 @@ void add_solve_command(CLI::App& moivre, Chosen& chosen) {
   app.add_flag("--cross-check", command->cross_check,
                "also solve with the other tracker, and compare path by path");
   app.add_flag("--no-certify", command->no_certify,
-               "leave out certificates; completeness is then not stated");
+               "do not tell certificates and completeness; what is a root is proved all the same");
   add_quiet_flag(app, command->quiet);
   add_json_option(app, command->json);
   app.add_option("--csv", command->csv, "write a table of the roots here")->type_name("PATH");

@@ -11,7 +11,7 @@
 // larger, x is no isolated root of that multiplicity. Then it lies on a curve, if the ring grows like that of one, or the paths have
 // failed. Elsewhere its ring has to be shown numerically (polynomial/numerical_multiplicity.h): as many dimensions as paths, and no more.
 // What is not shown has failed.
-// Edges: roots of a cluster so near that the bits do not part them; without certificates nothing is parted; a ring of too many
+// Edges: roots of a cluster so near that the bits do not part them; a ring of too many
 // monomials is not looked at.
 #pragma once
 

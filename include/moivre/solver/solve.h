@@ -4,7 +4,7 @@
 // F: polynomials in n variables, usually n of them. Presolve (linear equations eliminated, rows and variables scaled) -> start
 // system -> all paths on all cores -> ends refined on the system as given -> jumps found and tracked again -> isolated roots.
 //
-// Completeness (with certificates only):
+// Completeness:
 //   proved   as many roots are certified as a proved bound allows
 //   shown    every path was decided, or left where exact algebra counts no more roots, and every regular root is certified
 //   open     neither
