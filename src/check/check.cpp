@@ -90,6 +90,20 @@ void judge_points(const System& f, const Claims& claims, Verdicts& verdicts) {
                      std::to_string(claims.roots.size()));
 }
 
+/// Beside curves exact algebra counts the simple roots alone.
+void judge_simple_roots(const StandIn& stand_in, const Claims& claims, Verdicts& verdicts) {
+  constexpr std::uint64_t kMostTerms = 20'000'000;  // a fifth of a second
+  const Judgement& judgement = verdicts.judgement();
+  if (!claims.complete || judgement.proved_by || !coefficient_errors(stand_in.system).empty()) {
+    return;
+  }
+  const auto simple = quotient_ring(stand_in.system, {0, kMostTerms, nullptr}).simple;
+  if (!simple) return;
+  verdicts.judge(ClaimKind::complete, judgement.roots.distinct >= *simple,
+                 "exact algebra counts " + counted(*simple, "simple root") + " beside curves, " +
+                     std::to_string(judgement.roots.distinct) + " are certified");
+}
+
 void judge_completeness(const Claims& claims, const StandIn& stand_in, Verdicts& verdicts) {
   if (!claims.completeness || *claims.completeness == "open") return;
   const Judgement& judgement = verdicts.judgement();
@@ -173,6 +187,7 @@ Judgement check(const System& f, const Claims& given) {
     if (!bench.is_list()) {
       judge_sum(claims, verdicts);
       judge_all_there(f, claims, verdicts);
+      judge_simple_roots(stand_in, claims, verdicts);
     }
   }
   if (!bench.is_list()) judge_points(f, claims, verdicts);

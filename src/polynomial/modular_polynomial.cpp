@@ -21,12 +21,12 @@ DegreeAndExponents product(const DegreeAndExponents& a, const DegreeAndExponents
   return ab;
 }
 
-/// Into `sum`: terms of p from `first` on, plus c m q from its second term on; the first ones cancel.
+/// Into `sum`: terms of p from `first` on, plus those of c m q from `second` on.
 void merge(const ModularPolynomial& p, std::size_t first, Residue c, const DegreeAndExponents& m,
-           const ModularPolynomial& q, ModularPolynomial& sum) {
+           const ModularPolynomial& q, std::size_t second, ModularPolynomial& sum) {
   sum.clear();
   auto a = p.begin() + static_cast<std::ptrdiff_t>(first);
-  for (auto b = std::next(q.begin()); b != q.end(); ++b) {
+  for (auto b = q.begin() + static_cast<std::ptrdiff_t>(second); b != q.end(); ++b) {
     const DegreeAndExponents moved = product(m, b->first);
     while (a != p.end() && is_larger(a->first, moved)) sum.push_back(*a++);
     Residue value = times(c, b->second);
@@ -119,13 +119,26 @@ std::optional<ModularPolynomial> reduced(ModularPolynomial p,
       continue;
     }
     const ModularPolynomial& q = **divisor;
-    merge(p, first + 1, minus(p[first].second), quotient(m, q.front().first), q, sum);
+    // The first terms cancel.
+    merge(p, first + 1, minus(p[first].second), quotient(m, q.front().first), q, 1, sum);
     std::swap(p, sum);
     first = 0;
     budget.spend(p.size());
     if (budget.is_used_up()) return std::nullopt;
   }
   return rest;
+}
+
+std::optional<ModularPolynomial> sum(const ModularPolynomial& p, Residue c,
+                                     const DegreeAndExponents& m, const ModularPolynomial& q,
+                                     TermBudget& budget) {
+  if (q.empty()) return p;
+  if (m.degree() + q.front().first.degree() > DegreeAndExponents::kMostDegree) return std::nullopt;
+  ModularPolynomial result;
+  merge(p, 0, c, m, q, 0, result);
+  budget.spend(result.size());
+  if (budget.is_used_up()) return std::nullopt;
+  return result;
 }
 
 std::optional<ModularPolynomial> s_polynomial(const ModularPolynomial& p,
@@ -136,7 +149,7 @@ std::optional<ModularPolynomial> s_polynomial(const ModularPolynomial& p,
   ModularPolynomial multiple = p;
   for (auto& [m, c] : multiple) m = product(factor, m);
   ModularPolynomial difference;
-  merge(multiple, 1, minus(1), quotient(*common, q.front().first), q, difference);
+  merge(multiple, 1, minus(1), quotient(*common, q.front().first), q, 1, difference);
   return difference;
 }
 

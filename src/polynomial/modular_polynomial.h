@@ -61,6 +61,11 @@ std::optional<ModularPolynomial> reduced(ModularPolynomial p,
                                          const std::vector<const ModularPolynomial*>& basis,
                                          TermBudget& budget);
 
+/// p + c m q; nullopt, too, where the budget is used up.
+std::optional<ModularPolynomial> sum(const ModularPolynomial& p, Residue c,
+                                     const DegreeAndExponents& m, const ModularPolynomial& q,
+                                     TermBudget& budget);
+
 /// The difference of the multiples that have the least common multiple as leading monomial.
 std::optional<ModularPolynomial> s_polynomial(const ModularPolynomial& p,
                                               const ModularPolynomial& q);

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "modular_jacobian.h"
 #include "modular_line.h"
 #include "modular_polynomial.h"
 #include "moivre/numeric/random.h"
@@ -126,19 +127,42 @@ class GroebnerBasis {
     std::sort(f.begin(), f.end(), [](const auto& a, const auto& b) {
       return !b.empty() && (a.empty() || is_smaller(a.front().first, b.front().first));
     });
-    for (ModularPolynomial& p : f) {
-      if (!take(std::move(p))) return {};
+    for (const ModularPolynomial& p : f) {
+      if (!take(p)) return {};
     }
-    while (!is_enough_ && !pairs_.empty()) {
-      if (options_.stop != nullptr && *options_.stop) return {};
-      const Pair pair = next_pair();
-      auto s = s_polynomial(elements_[pair.first], elements_[pair.second]);
-      if (!s || !take(std::move(*s))) return {};
-    }
-    return verdict();
+    if (!is_completed()) return {};
+    QuotientRing ring = verdict();
+    if (ring.verdict == Verdict::infinite && f.size() == n_) ring.simple = simple_roots(f);
+    return ring;
   }
 
  private:
+  bool is_completed() {
+    while (!is_enough_ && !pairs_.empty()) {
+      if (options_.stop != nullptr && *options_.stop) return false;
+      const Pair pair = next_pair();
+      auto s = s_polynomial(elements_[pair.first], elements_[pair.second]);
+      if (!s || !take(std::move(*s))) return false;
+    }
+    return true;
+  }
+
+  /// Of f, whose basis this is; it is then another one.
+  std::optional<std::uint64_t> simple_roots(const std::vector<ModularPolynomial>& f) {
+    if (n_ == DegreeAndExponents::kMostUnknowns) return std::nullopt;
+    const auto determinant = jacobian_determinant(f, reducers(), budget_);
+    if (!determinant) return std::nullopt;
+    DegreeAndExponents z;
+    z.at[0] = z.at[1 + n_] = 1;
+    auto inverse = sum({{DegreeAndExponents{}, minus(1)}}, 1, z, *determinant, budget_);
+    ++n_;
+    options_.known = 0;
+    if (!inverse || !take(std::move(*inverse)) || !is_completed()) return std::nullopt;
+    const QuotientRing ring = verdict();
+    if (ring.verdict != Verdict::finite) return std::nullopt;
+    return ring.dimension;
+  }
+
   using Verdict = QuotientRing::Verdict;
 
   Leading leading(std::size_t i) const { return elements_[i].front().first; }
@@ -151,10 +175,10 @@ class GroebnerBasis {
 
   QuotientRing verdict() {
     const Staircase stairs = staircase();
-    if (!stairs.is_finite()) return {Verdict::infinite, 0, std::nullopt};
+    if (!stairs.is_finite()) return {Verdict::infinite, 0, std::nullopt, std::nullopt};
     const std::vector<Leading> basis = stairs.monomials(budget_);
     if (budget_.is_used_up()) return {};
-    QuotientRing ring{Verdict::finite, basis.size(), std::nullopt};
+    QuotientRing ring{Verdict::finite, basis.size(), std::nullopt, std::nullopt};
     if (options_.counts_points) ring.points = points(basis);
     return ring;
   }

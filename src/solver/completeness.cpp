@@ -288,6 +288,7 @@ bool settle_by_bound(Run& run) {
 
 bool is_root_missing(Run& run) {
   const QuotientRing& ring = run.bounds.ring;
+  if (ring.simple) return proved_roots(run) < *ring.simple;
   return ring.verdict == QuotientRing::Verdict::finite &&
          proved_roots(run) + Places(exact_roots(run)).count() < ring.dimension;
 }
@@ -324,16 +325,21 @@ std::optional<std::string> contradiction_by_algebra(const Run& run, const SolveR
   if (run.bounds.lacks_paths && run.setting.prepared.leads_to_all)
     return "fewer paths end at a multiple root than it has to have";
   const QuotientRing& ring = run.bounds.ring;
-  if (ring.verdict != QuotientRing::Verdict::finite) return std::nullopt;
-  if (!result.on_sets.empty())
-    return "exact algebra tells that no root lies on a curve, paths end as on one";
-  std::uint64_t roots = 0;
-  for (const Solution& root : result.solutions) roots += root.multiplicity;
   // Ends that the digits of the file do not tell from infinity may be roots of the file to the letter.
   const std::uint64_t hidden = run.ledger.count(PathVerdict::as_rounded);
   const auto is_between = [&](std::uint64_t count, std::uint64_t found) {
     return found <= count && count <= found + hidden;
   };
+  if (const std::uint64_t proved = proved_roots(run);
+      ring.simple && !is_between(*ring.simple, proved)) {
+    return "exact algebra counts " + counted(*ring.simple, "simple root") + ", those found are " +
+           std::to_string(proved);
+  }
+  if (ring.verdict != QuotientRing::Verdict::finite) return std::nullopt;
+  if (!result.on_sets.empty())
+    return "exact algebra tells that no root lies on a curve, paths end as on one";
+  std::uint64_t roots = 0;
+  for (const Solution& root : result.solutions) roots += root.multiplicity;
   if (!is_between(ring.dimension, roots)) {
     return "exact algebra counts " + counted(ring.dimension, "root") +
            " with their multiplicities, those found count " + std::to_string(roots);

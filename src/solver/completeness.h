@@ -26,7 +26,8 @@ namespace moivre {
 /// False where none is met, or where fewer paths are left than the exact roots need: that is told as a contradiction.
 bool settle_by_bound(Run& run);
 
-/// Exact algebra has counted more roots than are proved: some path in doubt leads to one. False where it has no count.
+/// Exact algebra has counted more roots than are proved, beside sets of positive dimension more simple ones: some path in doubt leads to
+/// one. False where it has no count.
 bool is_root_missing(Run& run);
 
 /// Fewer paths end at points than exact algebra counts roots with their multiplicities. False where it has no count.

@@ -238,7 +238,8 @@ class MeetingSheets {
     for (const std::uint64_t path : paths()) before_.emplace(path, root(path));
   }
 
-  /// In double-double: all where they go together, else a few that end at one point. Then some in more digits, as long as that helps.
+  /// In double-double: all where they go together, else a few that end at one point. Then some in more digits, as long as that helps, and all as
+  /// long as a root is missing.
   void follow() {
     const Trackers& trackers = run_.setting.trackers;
     if (trackers.fine_lanes) {
@@ -246,7 +247,12 @@ class MeetingSheets {
     } else {
       climb(run_, first_of_one_end(), Taken::regular_ends);
     }
-    if (!trackers.finer.empty()) climb_while_it_helps(run_, *trackers.finer.front(), paths());
+    for (const auto& tracker : trackers.finer) {
+      climb_ahead(run_, *tracker, paths(), [&](const PathSet& ahead, const PathSet&) {
+        return has_helped(run_, ahead) || is_root_missing(run_);
+      });
+      if (!is_root_missing(run_)) return;
+    }
   }
 
   /// Where no simple root is proved the end is what it was. But where a path has a regular end elsewhere its circles were none: what the
@@ -285,6 +291,7 @@ class MeetingSheets {
 
   PathSet paths() const {
     PathSet paths = paths_to_sets(run_, SetHere::sharp);
+    if (is_root_missing(run_)) return paths;
     std::erase_if(paths, [&](std::uint64_t path) {
       return root(path).winding.value_or(1) == 1 && !misses_a_root(path);
     });

@@ -243,6 +243,8 @@ const Lie kLies[] = {
      ClaimKind::digits, 3},
     {"a root left out of more equations than unknowns", "three", [](Json& r) { leave_out(r, 1); },
      ClaimKind::complete},
+    {"a simple root left out beside a curve", "beside-a-curve", [](Json& r) { leave_out(r, 1); },
+     ClaimKind::complete},
     {"a proof without a bound", "surds",
      [](Json& r) {
        r["completeness"] = "proved";
@@ -268,7 +270,8 @@ TEST_P(PlantedLies, AreFoundByTheNameOfTheClaim) {
 INSTANTIATE_TEST_SUITE_P(All, PlantedLies, testing::ValuesIn(kLies));
 
 TEST(Check, HonestResultsPass) {
-  for (const char* name : {"plane", "doubles", "three", "cassou", "eco-6", "powers"}) {
+  for (const char* name :
+       {"plane", "doubles", "three", "cassou", "eco-6", "powers", "beside-a-curve"}) {
     const Judgement judgement = judged(name, honest(name));
     EXPECT_TRUE(judgement.holds()) << name << '\n' << lines(judgement.refuted);
   }

@@ -88,6 +88,23 @@ TEST(QuotientRing, IsInfiniteWhereRootsLieOnCurves) {
   EXPECT_EQ(ring_of("2\nx*y - 1;\n2*x*y - 2;\n").verdict, Verdict::infinite);
 }
 
+TEST(QuotientRing, CountsTheSimpleRootsBesideCurves) {
+  const std::string circle = "(x^2 + y^2 - 3)";
+  const auto simple_of = [](const std::string& text) { return ring_of(text).simple; };
+  EXPECT_EQ(simple_of("2\n(x - 1)*" + circle + ";\n(y - 2)*" + circle + ";\n"), 1U);
+  EXPECT_EQ(simple_of("2\n(x - 1)^2*" + circle + ";\n(y - 2)*" + circle + ";\n"), 0U);
+  EXPECT_EQ(simple_of("2\n(x^2 - 2)*" + circle + ";\n(x*y - i)*" + circle + ";\n"), 2U);
+  // Nearer to the circle than any path can tell, and on it.
+  EXPECT_EQ(simple_of("2\n(x - 1 - 1e-60)*" + circle + ";\n(y^2 - 2)*" + circle + ";\n"), 2U);
+  EXPECT_EQ(simple_of("2\n(x - 1)*" + circle + ";\n(y^2 - 2)*" + circle + ";\n"), 0U);
+  // Of two points one lies on the plane that all equations share.
+  EXPECT_EQ(simple_of("3\n(x - 1)*(z + 1);\n(y - 2)*(z + 1);\n(z^2 - x)*(z + 1);\n"), 1U);
+  EXPECT_EQ(simple_of("2\nx*y - x;\nx^2 - x;\n"), 1U);
+  EXPECT_EQ(simple_of("2\nx*y - 1;\n2*x*y - 2;\n"), 0U);
+  EXPECT_FALSE(simple_of("2\nx^2 - 1;\ny^2 - 1;\n"));
+  EXPECT_FALSE(simple_of("3 2\nx*y;\nx^2;\nx;\n"));
+}
+
 TEST(QuotientRing, OfAnyNumberOfEquationsCountsTheirCommonRoots) {
   EXPECT_EQ(roots_of("3 2\nx^2 - 1;\ny^2 - 1;\nx*y - 1;\n"), 2U);
 }

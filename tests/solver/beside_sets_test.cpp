@@ -93,6 +93,14 @@ TEST(RootBesideACurve, ThatIsSimpleIsFoundOrSaidToBeInDoubt) {
 }
 
 // On a surface the points that moved planes meet depend on where one starts.
+// All paths seem to end where the curve crosses itself. Exact algebra counts one simple root, so all of them go on in more digits.
+TEST(RootBesideACurve, ThatIsSimpleIsFoundBesideACrossingOfTheCurve) {
+  const std::string node = "((x - 3)*(y - 2) + (x - 3)^3)";
+  expect_roots(read("2\n" + node + "*(5*(x - 3) + 2*(y - 2) + " + fraction(9) + "); " + node +
+                    "*(x - 3 + 3*(y - 2) - 3*" + fraction(9) + ");\n"),
+               1, 1);
+}
+
 TEST(RootBesideACurve, IsNoPointOfASurfaceBesideIt) {
   expect_roots(
       read("3\n"

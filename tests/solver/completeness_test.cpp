@@ -29,7 +29,7 @@ class Contradiction : public testing::Test {
   /// With so many roots, and so many different ones, by algebra.
   std::string of(const SolveResult& result, std::uint64_t dimension,
                  std::optional<std::uint64_t> points = std::nullopt) {
-    run_.bounds.ring = {QuotientRing::Verdict::finite, dimension, std::nullopt};
+    run_.bounds.ring = {QuotientRing::Verdict::finite, dimension, std::nullopt, std::nullopt};
     run_.bounds.points = points;
     return contradiction_by_algebra(run_, result).value_or("");
   }
