@@ -3,9 +3,11 @@
 # Does the page work in a browser? Opens pages in headless Chromium, moves the slider, and looks at the drawing.
 #
 #   browser_test.py <moivre> <root of the tree>     exit code 77, with the reason, where there is no Chromium
+import fcntl
 import html
 import json
 import math
+import os
 import pathlib
 import re
 import shutil
@@ -119,17 +121,61 @@ picture.dispatchEvent(new PointerEvent('pointermove', {
 
 
 class Browser:
+    """One headless Chromium for all pages: it takes a second to start. It is spoken to over two pipes in its DevTools protocol."""
+
     def __init__(self, program, folder):
-        self.program = program
-        self.folder = folder
+        heard, self.commands = os.pipe()
+        self.answers, spoken = os.pipe()
+        self.buffer = b""
+        self.asked = 0
+
+        def connect():
+            ends = [fcntl.fcntl(end, fcntl.F_DUPFD, 10) for end in (heard, spoken)]
+            for place, end in zip((3, 4), ends):
+                os.dup2(end, place)
+
+        self.process = subprocess.Popen(
+            [program, "--headless", "--no-sandbox", "--disable-gpu", f"--user-data-dir={folder}/profile", "--remote-debugging-pipe"],
+            stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, preexec_fn=connect, pass_fds=(3, 4))
+        os.close(heard)
+        os.close(spoken)
+
+    def close(self):
+        self.ask("Browser.close")
+        self.process.wait(timeout=60)
+
+    def next_message(self):
+        while b"\0" not in self.buffer:
+            part = os.read(self.answers, 1 << 16)
+            expect(part, "the browser runs to the end")
+            self.buffer += part
+        message, self.buffer = self.buffer.split(b"\0", 1)
+        return json.loads(message)
+
+    def ask(self, method, session=None, **parameters):
+        self.asked += 1
+        command = {"id": self.asked, "method": method, "params": parameters, **({"sessionId": session} if session else {})}
+        os.write(self.commands, json.dumps(command).encode() + b"\0")
+        while (answer := self.next_message()).get("id") != self.asked:
+            pass
+        expect("result" in answer, f"the browser obeys: {answer}")
+        return answer["result"]
 
     def dom(self, page, address=""):
-        """The document after its script has run."""
-        done = subprocess.run(
-            [self.program, "--headless", "--no-sandbox", "--disable-gpu", f"--user-data-dir={self.folder}/profile",
-             "--virtual-time-budget=2000", "--window-size=1300,1000", "--dump-dom", f"file://{page}{address}"],
-            capture_output=True, text=True, timeout=60)
-        return done.stdout
+        """The document after its script has run for two seconds of its own time."""
+        target = self.ask("Target.createTarget", url="about:blank")["targetId"]
+        session = self.ask("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
+        self.ask("Emulation.setDeviceMetricsOverride", session, width=1300, height=1000, deviceScaleFactor=1, mobile=False)
+        self.ask("Page.enable", session)
+        self.ask("Page.navigate", session, url=f"file://{page}{address}")
+        while self.next_message().get("method") != "Page.loadEventFired":
+            pass
+        self.ask("Emulation.setVirtualTimePolicy", session, policy="advance", budget=2000)
+        while self.next_message().get("method") != "Emulation.virtualTimeBudgetExpired":
+            pass
+        dom = self.ask("Runtime.evaluate", session, expression="document.documentElement.outerHTML")["result"]["value"]
+        self.ask("Target.closeTarget", targetId=target)
+        return dom
 
 
 def transforms(dom):
@@ -365,6 +411,7 @@ def main():
         expect(all("J6 " in caption for caption in postures), "joints' values tell postures apart that look alike")
         check_sweep(browser, moivre, root, folder)
         check_names(browser, moivre, root, folder)
+        browser.close()
     print("the pages work")
 
 
