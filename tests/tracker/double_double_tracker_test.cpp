@@ -101,7 +101,7 @@ TEST(DoubleDoubleTracker, FindsTheWayBack) {
 TEST(DoubleDoubleTracker, KeepsTheSizeOfThePoint) {
   const Homotopy homotopy = from_square_roots_of_one("x^2 - 3 - 4*i");
   const Arrival arrival = follow_from(homotopy, from({1, 1}), {.tolerance = 1e-12});
-  EXPECT_GT(arrival.count.accepted, 400U);
+  EXPECT_GT(arrival.count.accepted, 350U);
   EXPECT_LT(max_norm(arrival.x), 2);
   EXPECT_GT(max_norm(arrival.x), 0.5);
 }

@@ -138,7 +138,7 @@ class FineSession : public TrackerSession {
   const Place& place() const { return here().place; }
   /// w or, to the end, s.
   Real position(const Place& place, bool is_in_w) const;
-  double predict(const Place& next);
+  double predict(const Place& next, const Real& at);
   double order() const { return static_cast<double>(2 * count_); }
   double growth(const Settling& settling, double tolerance) const;
   bool step(const Departure& departure, const Place& next, Settling& settling);
@@ -192,9 +192,9 @@ typename Scalar<S>::Real FineSession<S>::position(const Place& place, bool is_in
   return place.s < 0.5 ? Real(place.s) : Real(1.0) - Real(place.left);
 }
 
-// trial <- the polynomial through the known points; the size of its last term beside |x|.
+// trial <- the polynomial through the known points, at the position of `next`; the size of its last term beside |x|.
 template <class S>
-double FineSession<S>::predict(const Place& next) {
+double FineSession<S>::predict(const Place& next, const Real& at) {
   const bool is_in_w = clock_.is_logarithmic && !next.is_end();
   for (std::size_t i = 0; i < count_; ++i) {
     const Known& known = known_[i];
@@ -203,8 +203,7 @@ double FineSession<S>::predict(const Place& next) {
     nodes_[i].x = &known.x;
     nodes_[i].dx = &known.dx;
   }
-  return predictor_.predict({nodes_.data(), count_}, position(next, is_in_w), trial_) /
-         max_norm(rounded());
+  return predictor_.predict({nodes_.data(), count_}, at, trial_) / max_norm(rounded());
 }
 
 /// Takes the step to `next` when Newton's method finds the path there.
@@ -214,7 +213,8 @@ bool FineSession<S>::step(const Departure& departure, const Place& next, Settlin
       kLargestOvershoot * options_.tolerance / std::pow(kCareFactor, departure.care);
   const PathTime t = next.on(departure.contour);
   const bool is_end = t.rest == 0.0;
-  const double last_term = predict(next);
+  const Real at = position(next, !next.is_end());
+  const double last_term = predict(next, at);
   if (is_end && last_term > kSureLanding * apart_) return false;
   SettlingRules rules = is_end ? FinePathSystem<S>::at_end() : FinePathSystem<S>::on_path();
   rules.reach = reach;
@@ -227,7 +227,7 @@ bool FineSession<S>::step(const Departure& departure, const Place& next, Settlin
   std::swap(now.x, trial_);
   path_.tangent(departure.contour.dt(next.s), now.dx);
   now.place = next;
-  now.w = next.is_end() ? Real(0.0) : position(next, true);
+  now.w = at;
   apart_ = settling.first * settling.first / settling.second;
   path_.set_patch(now.x);
   for (std::size_t i = 0; i < count_; ++i) path_.bring_to_patch(known_[i].x, known_[i].dx);

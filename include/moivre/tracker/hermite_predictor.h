@@ -52,9 +52,9 @@ class HermitePredictor {
       for (std::size_t order = 1; order < count; ++order) {
         for (std::size_t i = 0; i + order < count; ++i) {
           const bool is_one_node = order == 1 && i % 2 == 0;
-          difference_[i] =
-              is_one_node ? product(nodes[i / 2].slope, (*nodes[i / 2].dx)[j])
-                          : product(reciprocal_[order][i], difference_[i + 1] - difference_[i]);
+          difference_[i] = is_one_node ? product(nodes[i / 2].slope, (*nodes[i / 2].dx)[j])
+                                       : product(reciprocal_[i / 2][(i + order) / 2],
+                                                 difference_[i + 1] - difference_[i]);
         }
         term = product(product_[order], difference_[0]);
         y[j] += term;
@@ -67,23 +67,22 @@ class HermitePredictor {
  private:
   static constexpr std::size_t kMost = 2 * kMostNodes;
 
-  /// 1 / (w_{i + order} - w_i) of doubled nodes, and the products of w - w_i.
+  /// 1 / (w_k - w_i), i < k, and the products of w - w_i of doubled nodes.
   void prepare(std::span<const HermiteNode<S>> nodes, const Real& w) {
-    const std::size_t count = 2 * nodes.size();
     product_[0] = Real(1.0);
-    for (std::size_t order = 1; order < count; ++order) {
+    for (std::size_t order = 1; order < 2 * nodes.size(); ++order) {
       product_[order] = product_[order - 1] * (w - nodes[(order - 1) / 2].w);
-      for (std::size_t i = 0; i + order < count; ++i) {
-        const std::size_t last = (i + order) / 2;
-        if (last == i / 2) continue;
-        reciprocal_[order][i] = Real(1.0) / (nodes[last].w - nodes[i / 2].w);
+    }
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      for (std::size_t k = i + 1; k < nodes.size(); ++k) {
+        reciprocal_[i][k] = Real(1.0) / (nodes[k].w - nodes[i].w);
       }
     }
   }
 
   std::array<S, kMost> difference_;
   std::array<Real, kMost> product_;
-  std::array<std::array<Real, kMost>, kMost> reciprocal_;
+  std::array<std::array<Real, kMostNodes>, kMostNodes> reciprocal_;
 };
 
 }  // namespace moivre
