@@ -58,28 +58,36 @@ std::optional<Residue> residue_if_faithful(const Coefficient& a) {
 namespace {
 
 /// The nonzero entries from a column on.
-ModularRow sparse(const std::vector<Residue>& values, std::size_t first = 0) {
+ModularRow sparse(const std::vector<WideSum>& values, std::size_t first) {
   ModularRow row;
   for (std::size_t column = first; column < values.size(); ++column) {
-    if (values[column] != 0) row.emplace_back(column, values[column]);
+    const Residue value = reduced(values[column]);
+    if (value != 0) row.emplace_back(column, value);
   }
   return row;
 }
 
 }  // namespace
 
+// Products are summed up as they are, and reduced before they are too many, or looked at.
 ModularRow ModularRows::rest_of(const ModularRow& row) const {
   if (row.empty()) return {};
-  std::vector<Residue> rest(std::max(pivots_.size(), row.back().first + 1));
+  std::vector<WideSum> rest(std::max(pivots_.size(), row.back().first + 1));
   for (const auto& [column, value] : row) rest[column] = value;
   std::size_t first = row.front().first;
+  int products = 0;
   for (; first < rest.size(); ++first) {
-    if (rest[first] == 0) continue;
+    const Residue leading = reduced(rest[first]);
+    if (leading == 0) continue;
     if (first >= pivots_.size() || pivots_[first].empty()) break;
-    const Residue multiple = minus(rest[first]);
-    for (const auto& [column, value] : pivots_[first]) {
-      rest[column] = plus(rest[column], times(multiple, value));
+    if (++products > kMostProducts) {
+      for (std::size_t column = first; column < rest.size(); ++column) {
+        rest[column] = reduced(rest[column]);
+      }
+      products = 1;
     }
+    const WideSum multiple = minus(leading);
+    for (const auto& [column, value] : pivots_[first]) rest[column] += multiple * value;
   }
   return sparse(rest, first);
 }

@@ -21,15 +21,19 @@ using Residue = std::uint64_t;
 
 inline constexpr Residue kPrime = (Residue{1} << 61) - 31;
 
-// 2^61 is 31 modulo the prime: a product is folded twice, and is then less than twice the prime.
-constexpr Residue times(Residue a, Residue b) {
-  __extension__ using Wide = unsigned __int128;
+__extension__ using WideSum = unsigned __int128;
+
+// 2^61 is 31 modulo the prime: a sum is folded twice, and is then less than twice the prime.
+constexpr Residue reduced(WideSum a) {
   constexpr Residue kLow = (Residue{1} << 61) - 1;
-  const Wide product = Wide{a} * b;
-  const Wide once = (product & kLow) + 31 * (product >> 61);
+  const WideSum once = (a & kLow) + 31 * (a >> 61);
   const auto twice = static_cast<Residue>(once & kLow) + 31 * static_cast<Residue>(once >> 61);
   return twice < kPrime ? twice : twice - kPrime;
 }
+/// So many products of residues and one residue are no more than a sum holds.
+inline constexpr int kMostProducts = 63;
+
+constexpr Residue times(Residue a, Residue b) { return reduced(WideSum{a} * b); }
 constexpr Residue plus(Residue a, Residue b) { return a + b < kPrime ? a + b : a + b - kPrime; }
 constexpr Residue minus(Residue a) { return a == 0 ? 0 : kPrime - a; }
 /// Of a nonzero residue.
