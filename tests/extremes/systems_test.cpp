@@ -184,22 +184,23 @@ System cyclic(int n) {
 }
 
 // 40320 paths, the most of them to curves and to infinity; whoever stops them has an account of what was finished. Ends that wait for a
-// proof are no part of it.
+// proof are no part of it. CVODE takes twenty times as long for a path.
 TEST(CyclicEight, InterruptedItTellsNoRootThatIsNone) {
-  constexpr std::uint64_t kPatience = 200;  // paths
   const System f = cyclic(8);
   const auto cvode = make_cvode_tracker();
   const auto lanes = make_lane_tracker();
-  for (const Tracker* tracker : {cvode.get(), lanes.get()}) {
+  for (const auto& [tracker, patience] : {std::pair(cvode.get(), 50U), {lanes.get(), 200U}}) {
     SCOPED_TRACE(tracker->kind());
     std::atomic<bool> stop{false};
     SolveOptions options = test::with_seed(1);
     options.start = StartKind::total_degree;
-    options.progress = [&](const Progress& progress) { stop = progress.done >= kPatience; };
+    options.progress = [&stop, most = patience](const Progress& progress) {
+      stop = progress.done >= most;
+    };
     const SolveResult result = solve(f, *tracker, options, stop);
     EXPECT_EQ(result.start.paths, 40320U);
     EXPECT_FALSE(result.complete);
-    EXPECT_GE(result.paths.tracked, kPatience / 2);
+    EXPECT_GE(result.paths.tracked, patience / 2);
     test::expect_conservation(result);
     Judge(f).expect_true_roots(result);
     expect_singular_roots_of_the_index({}, result);
