@@ -28,11 +28,8 @@ TEST(ReaderLimits, BoundWhatCopiesOfASubfunctionCost) {
 }
 
 TEST(ReaderLimits, NameASumOfTooManyTermsOnce) {
-  std::string text = "1 2\n";
-  for (int k = 0; k < 1'000'100; ++k) {
-    text.append("+x^").append(std::to_string(k / 1000)).append("*y^");
-    text.append(std::to_string(k % 1000));
-  }
+  std::string text = "1\n";
+  for (int k = 1'000'100; k > 0; --k) text.append("+x^").append(std::to_string(k));
   const std::vector<Diagnostic> faults = faults_of(text + ";\n");
   ASSERT_EQ(faults.size(), 1U);
   EXPECT_EQ(faults[0].message, "the expansion has more than 1000000 terms");
