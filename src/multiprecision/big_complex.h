@@ -35,13 +35,25 @@ struct BigComplex {
   }
 };
 
+/// result <- a op b, in place: what an operator of BigReal returns is copied with all its digits.
+template <class Operation, unsigned D>
+void set(Operation op, BigReal<D>& result, const BigReal<D>& a, const BigReal<D>& b) {
+  op(result.backend().data(), a.backend().data(), b.backend().data(), MPFR_RNDN);
+}
+
 template <unsigned D>
 BigComplex<D> operator+(const BigComplex<D>& a, const BigComplex<D>& b) {
-  return {a.re + b.re, a.im + b.im};
+  BigComplex<D> sum;
+  set(mpfr_add, sum.re, a.re, b.re);
+  set(mpfr_add, sum.im, a.im, b.im);
+  return sum;
 }
 template <unsigned D>
 BigComplex<D> operator-(const BigComplex<D>& a, const BigComplex<D>& b) {
-  return {a.re - b.re, a.im - b.im};
+  BigComplex<D> difference;
+  set(mpfr_sub, difference.re, a.re, b.re);
+  set(mpfr_sub, difference.im, a.im, b.im);
+  return difference;
 }
 template <unsigned D>
 BigComplex<D> operator-(const BigComplex<D>& a) {
@@ -55,11 +67,22 @@ BigComplex<D>& operator+=(BigComplex<D>& a, const BigComplex<D>& b) {
 }
 template <unsigned D>
 BigComplex<D> product(const BigComplex<D>& a, const BigComplex<D>& b) {
-  return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
+  BigComplex<D> ab;
+  BigReal<D> part;
+  set(mpfr_mul, ab.re, a.re, b.re);
+  set(mpfr_mul, part, a.im, b.im);
+  ab.re -= part;
+  set(mpfr_mul, ab.im, a.re, b.im);
+  set(mpfr_mul, part, a.im, b.re);
+  ab.im += part;
+  return ab;
 }
 template <unsigned D>
 BigComplex<D> product(const BigReal<D>& a, const BigComplex<D>& b) {
-  return {a * b.re, a * b.im};
+  BigComplex<D> ab;
+  set(mpfr_mul, ab.re, a, b.re);
+  set(mpfr_mul, ab.im, a, b.im);
+  return ab;
 }
 template <unsigned D>
 BigReal<D> product(const BigReal<D>& a, const BigReal<D>& b) {
@@ -68,11 +91,15 @@ BigReal<D> product(const BigReal<D>& a, const BigReal<D>& b) {
 template <unsigned D>
 BigComplex<D> add_product(const BigComplex<D>& a, const BigComplex<D>& b,
                           const BigComplex<D>& sum) {
-  return sum + product(a, b);
+  BigComplex<D> result = product(a, b);
+  result += sum;
+  return result;
 }
 template <unsigned D>
 BigComplex<D> add_product(const BigReal<D>& a, const BigComplex<D>& b, const BigComplex<D>& sum) {
-  return sum + product(a, b);
+  BigComplex<D> result = product(a, b);
+  result += sum;
+  return result;
 }
 template <unsigned D>
 BigComplex<D> conj(const BigComplex<D>& a) {
