@@ -11,6 +11,7 @@
 
 #include "labels.h"
 #include "mechanisms.h"
+#include "moivre/tracker_lanes/lane_tracker.h"
 #include "panels.h"
 #include "well_formed.h"
 
@@ -104,13 +105,18 @@ TEST(Picture, NoNameBreaksOutOfIt) {
   EXPECT_EQ(std::count(markup.elements().begin(), markup.elements().end(), "script"), 0);
 }
 
+// Which tracker finds the closures is no matter here, and there are many.
 TEST(Picture, OfEveryMechanismIsWellFormed) {
+  ClosureOptions options;
+  options.solve.seed = 1;
+  options.with_mobility = true;
   for (const auto& entry : std::filesystem::directory_iterator(std::string(MOIVRE_SOURCE_DIR) +
                                                                "/problems/mechanisms")) {
     const std::string name = entry.path().stem().string();
     const Mechanism mechanism = mechanism_file(name);
     if (entry.path().extension() != ".toml") continue;
-    const std::string svg = picture_of(mechanism);
+    const ClosureResult closures = find_closures(mechanism, *make_lane_tracker(), options);
+    const std::string svg = closures_svg(closures, mechanism, "file.toml");
     EXPECT_TRUE(test::Markup(svg).is_well_formed()) << name;
     EXPECT_EQ(count(svg, "nan"), 0U) << name;
   }
