@@ -17,6 +17,7 @@ namespace {
 struct MobilityCommand {
   std::string file;
   GuessChoice guess;
+  MechanismChoice mechanism;
   bool quiet = false;
   std::string json;
 };
@@ -40,18 +41,20 @@ std::vector<MobilityKind> kinds_of(const Mechanism& mechanism, const MobilityCom
 
 int run(const MobilityCommand& command) {
   require_distinct({command.json}, command.file);
-  const Mechanism mechanism = read_any_mechanism(command.file);
+  Mechanism mechanism = read_any_mechanism(command.file);
+  apply(command.mechanism, mechanism);
   Output json(command.json);
   const Phi phi(mechanism);
   const double t = command.guess.at;
   const Eigen::VectorXd guess = chosen_guess(mechanism, command.guess);
   const KinematicsHeading heading{command.file, t, kinds_of(mechanism, command)};
   const NewtonResult pose = newton(phi, heading.kinds.empty() ? guess : heading.kinds.front().q, t);
-  const Mobility result =
-      heading.kinds.empty() ? mobility(phi, pose.q, t) : heading.kinds.front().mobility;
+  const Mobility result = heading.kinds.empty()
+                              ? mobility(phi, pose.q, t, mechanism.fit.value_or(0))
+                              : heading.kinds.front().mobility;
   deliver({{&json, [&] { return mobility_json(result, pose, mechanism, heading); }}}, command.quiet,
           [&] { return mobility_text(result, pose, mechanism, heading); });
-  return pose.status == NewtonStatus::converged ? kDecided : kUndecided;
+  return is_taken(result, pose) ? kDecided : kUndecided;
 }
 
 }  // namespace
@@ -63,10 +66,12 @@ void add_mobility_command(CLI::App& moivre, Chosen& chosen) {
                                          "the closures, or at the pose found from a guess");
   add_any_file(app, command->file);
   add_guess_options(app, command->guess);
+  add_mechanism_options(app, command->mechanism);
   add_quiet_flag(app, command->quiet);
   add_json_option(app, command->json);
   add_examples(app, {"moivre mobility double-parallel-crank.toml",
                      "moivre mobility four-bar.toml --guess rocker.phi=-98",
+                     "moivre mobility rounded.toml --fit 0.01",
                      "moivre mobility four-bar.toml --json - | jq .redundant"});
   app.callback([command, &chosen] { chosen = [command] { return run(*command); }; });
 }

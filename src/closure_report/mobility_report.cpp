@@ -10,8 +10,6 @@
 namespace moivre {
 namespace {
 
-bool is_assembled(const NewtonResult& pose) { return pose.status == NewtonStatus::converged; }
-
 Json redundant_json(const RedundantRow& redundant) {
   return {{"row", redundant.name},
           {"combination", list_json(redundant.combination, [](const RowShare& share) {
@@ -75,7 +73,20 @@ Json kind_json(const MobilityKind& kind) {
           {"singular", kind.mobility.is_singular}};
 }
 
+/// What the rank and the freedoms hold within, where the pose is a fitted one.
+std::string fit_text(const Mobility& mobility, const Mechanism& mechanism) {
+  const std::string unit = mechanism.units.length.empty() ? "" : " " + mechanism.units.length;
+  return "within fit = " + short_text(*mechanism.fit) + unit + ": the pose misses by " +
+         rough_text(mobility.misfit) + unit +
+         ", and constraints that differ by no more than fit count as redundant\n";
+}
+
 }  // namespace
+
+bool is_taken(const Mobility& mobility, const NewtonResult& pose) {
+  const bool is_least = pose.status == NewtonStatus::no_solution;
+  return pose.status == NewtonStatus::converged || (is_least && mobility.is_assembled);
+}
 
 std::string mobility_text(const Mobility& mobility, const NewtonResult& pose,
                           const Mechanism& mechanism, const KinematicsHeading& heading) {
@@ -85,7 +96,8 @@ std::string mobility_text(const Mobility& mobility, const NewtonResult& pose,
   std::string text =
       (mechanism.title.empty() ? "" : mechanism.title + " ") + "(" + heading.file + ")\n";
   text += warnings_text(mechanism) + kinds_text(heading.kinds);
-  if (!is_assembled(pose)) {
+  if (mechanism.fit) text += fit_text(mobility, mechanism);
+  if (!is_taken(mobility, pose)) {
     text += "not assembled: Newton-Raphson ended with " + to_string(pose.status) +
             ". The rest is about its last iterate. --guess sets another start" +
             (mechanism.space == Space::planar ? ", moivre guesses lists good ones" : "") + "\n";
@@ -119,7 +131,9 @@ std::string mobility_json(const Mobility& mobility, const NewtonResult& pose,
   Json report = report_head("mobility", heading.file);
   report["at"] = to_json(heading.time);
   report["units"] = units_json(mechanism);
-  report["assembled"] = is_assembled(pose);
+  report["assembled"] = is_taken(mobility, pose);
+  report["fit"] = mechanism.fit ? to_json(*mechanism.fit) : Json(nullptr);
+  report["misfit"] = to_json(mobility.misfit);
   report["coordinates"] = mobility.coordinates;
   report["constraints"] = mobility.constraints;
   report["drivers"] = mobility.drivers;

@@ -40,13 +40,13 @@ ClosureResult described(const ClosureSearch& search) {
 }
 
 /// `phi`: of the mechanism as it is, nothing held.
-void add_mobility(const Phi& phi, bool is_wanted, ClosureResult& result) {
+void add_mobility(const Phi& phi, double fit, bool is_wanted, ClosureResult& result) {
   result.constraints = phi.size() - phi.driver_size();
   if (!is_wanted) return;
   if (!result.closures.empty()) {
-    result.mobility = constraint_rank(phi, result.closures.front().q, result.time);
+    result.mobility = constraint_rank(phi, result.closures.front().q, result.time, fit);
   } else if (result.moves) {
-    result.mobility = constraint_rank(phi, result.moves->pose, result.time);
+    result.mobility = constraint_rank(phi, result.moves->pose, result.time, fit);
   }
 }
 
@@ -141,7 +141,7 @@ ClosureResult find_closures(const Mechanism& mechanism, const Tracker& tracker,
     find_roots(search);
     find_poses(search);
   }
-  add_mobility(Phi(mechanism), options.with_mobility, search.result);
+  add_mobility(Phi(mechanism), mechanism.fit.value_or(0), options.with_mobility, search.result);
   conclude(search);
   search.result.time_s.total = watch.total();
   return std::move(search.result);

@@ -94,11 +94,15 @@ MatrixXd equilibrated(const MatrixXd& A) {
   return columns.transpose();
 }
 
-Index numerical_rank(const MatrixXd& A) {
+Index numerical_rank(const MatrixXd& A, double tolerance) {
   if (A.size() == 0) return 0;
   const MatrixXd scaled = equilibrated(A);
+  if (tolerance > kRankTolerance) {
+    const VectorXd sigma = singular_values(scaled);
+    return (sigma.array() > tolerance * sigma[0]).count();
+  }
   if (has_surely_full_rank(scaled)) return std::min(A.rows(), A.cols());
-  return PivotedQr<double>(scaled).rank(kRankTolerance);
+  return PivotedQr<double>(scaled).rank(tolerance);
 }
 
 struct Factorization::Factors {

@@ -34,7 +34,8 @@ std::string number_text(double value) {
 }
 
 /// Rows of J that the rows before them already say, each with its combination.
-std::vector<RedundantRow> redundant_rows(const Phi& joints, const MatrixXd& rows, Index rank) {
+std::vector<RedundantRow> redundant_rows(const Phi& joints, const MatrixXd& rows, Index rank,
+                                         double tolerance) {
   std::vector<RedundantRow> found;
   const MatrixXd J = in_own_units(joints, rows);
   const VectorXd unit = joints.own_row_units();
@@ -43,7 +44,7 @@ std::vector<RedundantRow> redundant_rows(const Phi& joints, const MatrixXd& rows
   for (Index i = 0; i < J.rows(); ++i) {
     std::vector<Index> tried = kept;
     tried.push_back(i);
-    if (numerical_rank(J(tried, Eigen::all)) == static_cast<Index>(tried.size())) {
+    if (numerical_rank(J(tried, Eigen::all), tolerance) == static_cast<Index>(tried.size())) {
       kept = std::move(tried);
       continue;
     }
@@ -54,7 +55,7 @@ std::vector<RedundantRow> redundant_rows(const Phi& joints, const MatrixXd& rows
     for (Index k = 0; k < share.size(); ++k) {
       const Index source = kept[static_cast<std::size_t>(k)];
       const double part = std::abs(share[k]) * J.row(source).norm();
-      if (part <= kNegligible * J.row(i).norm()) continue;
+      if (part <= std::max(kNegligible, tolerance) * J.row(i).norm()) continue;
       row.combination.push_back({source, joints.row_names()[static_cast<std::size_t>(source)],
                                  share[k] * unit[i] / unit[source]});
     }
@@ -64,7 +65,7 @@ std::vector<RedundantRow> redundant_rows(const Phi& joints, const MatrixXd& rows
 }
 
 /// Directions in which one group of coordinates moves alone, drivers held.
-std::vector<IdleFreedom> idle_freedoms(const Phi& phi, const MatrixXd& rows) {
+std::vector<IdleFreedom> idle_freedoms(const Phi& phi, const MatrixXd& rows, double tolerance) {
   std::vector<IdleFreedom> found;
   const MatrixXd J = in_own_units(phi, rows);
   const VectorXd unit = phi.own_units();
@@ -73,7 +74,7 @@ std::vector<IdleFreedom> idle_freedoms(const Phi& phi, const MatrixXd& rows) {
     for (std::size_t k = 0; k < phi.coordinates().size(); ++k) {
       if (phi.coordinates()[k].group == group) own.push_back(static_cast<Index>(k));
     }
-    const MatrixXd alone = null_space(J(Eigen::all, own));
+    const MatrixXd alone = null_space(J(Eigen::all, own), tolerance);
     for (Index column = 0; column < alone.cols(); ++column) {
       VectorXd direction = VectorXd::Zero(J.cols());
       direction(own) = alone.col(column).cwiseProduct(unit(own)).normalized();
@@ -85,10 +86,12 @@ std::vector<IdleFreedom> idle_freedoms(const Phi& phi, const MatrixXd& rows) {
 
 /// The largest rank at assembled poses next to q. Each coordinate that R moves is held a step away (both ways) while
 /// Newton assembles the others: without holding one, Newton would fall back onto a singular q.
-Index rank_next_to(const Phi& joints, const VectorXd& q, double t, const MatrixXd& R, Index rank) {
+Index rank_next_to(const Phi& joints, const VectorXd& q, double t, const Mobility& m, double fit) {
   constexpr double kMoves = 1e-2;  // share of a coordinate in R below which it hardly moves
   const double step = kNeighbourStep * std::max(1.0, q.lpNorm<Eigen::Infinity>());
-  Index largest = rank;
+  const double tolerance = rank_tolerance(joints, fit);
+  const MatrixXd& R = m.null_space;
+  Index largest = m.rank;
   for (Index k = 0; k < q.size() && largest < joints.size(); ++k) {
     const VectorXd along = R * R.row(k).transpose();
     if (along[k] < kMoves) continue;
@@ -96,16 +99,18 @@ Index rank_next_to(const Phi& joints, const VectorXd& q, double t, const MatrixX
     hold.held = {k};
     for (const double side : {step, -step}) {
       const NewtonResult neighbour = newton(joints, q + side * along, t, hold);
-      if (neighbour.status != NewtonStatus::converged) continue;
-      largest = std::max(largest, rank_of(joints, joints.jacobian(neighbour.q, t)));
+      const bool is_near =
+          neighbour.status == NewtonStatus::no_solution && misfit(joints, neighbour.q, t) <= fit;
+      if (neighbour.status != NewtonStatus::converged && !is_near) continue;
+      largest = std::max(largest, rank_of(joints, joints.jacobian(neighbour.q, t), tolerance));
     }
   }
   return largest;
 }
 
-std::vector<std::string> warnings_of(const Mobility& m, bool is_assembled) {
+std::vector<std::string> warnings_of(const Mobility& m) {
   std::vector<std::string> warnings;
-  if (!is_assembled) {
+  if (!m.is_assembled) {
     warnings.emplace_back(
         "the pose is not assembled: these figures hold where Phi = 0, assemble it first");
   }
@@ -138,6 +143,11 @@ std::vector<std::string> warnings_of(const Mobility& m, bool is_assembled) {
 
 }  // namespace
 
+double rank_tolerance(const Phi& joints, double fit) {
+  const double slack = std::sqrt(static_cast<double>(joints.size())) * fit / joints.length();
+  return std::max(kRankTolerance, slack);
+}
+
 std::string to_text(const RedundantRow& redundant) {
   std::string text = redundant.name + " =";
   if (redundant.combination.empty()) return text + " 0";
@@ -152,41 +162,44 @@ std::string to_text(const RedundantRow& redundant) {
   return text;
 }
 
-ConstraintRank constraint_rank(const Phi& phi, const VectorXd& q, double t) {
+ConstraintRank constraint_rank(const Phi& phi, const VectorXd& q, double t, double fit) {
   const Phi joints = phi.without_drivers();
+  const double tolerance = rank_tolerance(joints, fit);
   const MatrixXd J = joints.jacobian(q, t);
-  const Index rank = rank_of(joints, J);
-  return {rank, J.cols() - rank, redundant_rows(joints, J, rank)};
+  const Index rank = rank_of(joints, J, tolerance);
+  return {rank, J.cols() - rank, redundant_rows(joints, J, rank, tolerance)};
 }
 
-Mobility mobility(const Phi& phi, const VectorXd& q, double t) {
+Mobility mobility(const Phi& phi, const VectorXd& q, double t, double fit) {
   const Phi joints = phi.without_drivers();
   const MatrixXd J = joints.jacobian(q, t);
   const MatrixXd all_rows = phi.jacobian(q, t);
+  const double tolerance = rank_tolerance(joints, fit);
   Mobility m;
   m.coordinates = joints.dimension();
   m.constraints = joints.size();
   m.drivers = phi.driver_size();
-  m.rank = rank_of(joints, J);
+  m.rank = rank_of(joints, J, tolerance);
   m.degrees_of_freedom = m.coordinates - m.rank;
   m.gruebler = m.coordinates - m.constraints;
-  m.driven_freedoms = m.coordinates - rank_of(phi, all_rows);
+  m.driven_freedoms = m.coordinates - rank_of(phi, all_rows, tolerance);
   if (J.size() != 0) m.singular_values = singular_values(equilibrated(in_own_units(joints, J)));
-  const double floor = m.singular_values.size() == 0 ? 0 : kRankTolerance * m.singular_values[0];
+  const double floor = m.singular_values.size() == 0 ? 0 : tolerance * m.singular_values[0];
   m.rank_by_svd = (m.singular_values.array() > floor).count();
-  m.redundant = redundant_rows(joints, J, m.rank);
-  m.null_space = null_space_of(joints, J);
-  m.left_null_space = left_null_space_of(joints, J);
+  m.redundant = redundant_rows(joints, J, m.rank, tolerance);
+  m.null_space = null_space_of(joints, J, tolerance);
+  m.left_null_space = left_null_space_of(joints, J, tolerance);
   m.force_directions = -J.transpose();
-  m.idle = idle_freedoms(phi, all_rows);
-  m.independent = choose_partition(joints, q, t).independent;
+  m.idle = idle_freedoms(phi, all_rows, tolerance);
+  m.independent = independent_columns(in_own_units(joints, J), m.rank);
   m.row_names = joints.row_names();
   m.is_near_singular =
       m.rank > 0 && m.singular_values[m.rank - 1] < kNearSingular * m.singular_values[0];
-  const bool is_assembled = residual_by_size(joints, q, t) <= kAssembled;
-  m.rank_nearby = is_assembled ? rank_next_to(joints, q, t, m.null_space, m.rank) : m.rank;
+  m.misfit = misfit(phi, q, t);
+  m.is_assembled = residual_by_size(joints, q, t) <= kAssembled || m.misfit <= fit;
+  m.rank_nearby = m.is_assembled ? rank_next_to(joints, q, t, m, fit) : m.rank;
   m.is_singular = m.rank_nearby > m.rank;
-  m.warnings = warnings_of(m, is_assembled);
+  m.warnings = warnings_of(m);
   return m;
 }
 

@@ -6,15 +6,14 @@
 
 #include "moivre/factorization/qr.h"
 #include "moivre/factorization/svd.h"
-#include "moivre/kinematics/linear.h"
 
 namespace moivre {
 
 using Eigen::MatrixXd;
 
-MatrixXd null_space(const MatrixXd& A) {
+MatrixXd null_space(const MatrixXd& A, double tolerance) {
   if (A.rows() == 0 || A.cols() == 0) return MatrixXd::Identity(A.cols(), A.cols());
-  const Eigen::Index freedoms = A.cols() - numerical_rank(A);
+  const Eigen::Index freedoms = A.cols() - numerical_rank(A, tolerance);
   if (freedoms == 0) return MatrixXd(A.cols(), 0);
   return right_singular_vectors(A).rightCols(freedoms);
 }
@@ -34,6 +33,8 @@ Eigen::VectorXd shortest_direction(const MatrixXd& A) {
   return right_singular_vectors(A).rightCols(1);
 }
 
-MatrixXd left_null_space(const MatrixXd& A) { return null_space(A.transpose()); }
+MatrixXd left_null_space(const MatrixXd& A, double tolerance) {
+  return null_space(A.transpose(), tolerance);
+}
 
 }  // namespace moivre

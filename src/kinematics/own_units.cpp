@@ -29,7 +29,9 @@ MatrixXd in_own_units(const Phi& phi, const MatrixXd& J) {
   return scaled;
 }
 
-Index rank_of(const Phi& phi, const MatrixXd& J) { return numerical_rank(in_own_units(phi, J)); }
+Index rank_of(const Phi& phi, const MatrixXd& J, double tolerance) {
+  return numerical_rank(in_own_units(phi, J), tolerance);
+}
 
 Factorization factorization_of(const Phi& phi, const MatrixXd& J, LinearOptions options) {
   options.row_units = phi.own_row_units();
@@ -37,13 +39,14 @@ Factorization factorization_of(const Phi& phi, const MatrixXd& J, LinearOptions 
   return Factorization(J, options);
 }
 
-MatrixXd null_space_of(const Phi& phi, const MatrixXd& J) {
-  return orthonormal(phi.own_units().asDiagonal() * null_space(in_own_units(phi, J)));
+MatrixXd null_space_of(const Phi& phi, const MatrixXd& J, double tolerance) {
+  return orthonormal(phi.own_units().asDiagonal() * null_space(in_own_units(phi, J), tolerance));
 }
 
-MatrixXd left_null_space_of(const Phi& phi, const MatrixXd& J) {
+MatrixXd left_null_space_of(const Phi& phi, const MatrixXd& J, double tolerance) {
   const VectorXd units = phi.own_row_units().head(J.rows());
-  return orthonormal(units.cwiseInverse().asDiagonal() * left_null_space(in_own_units(phi, J)));
+  return orthonormal(units.cwiseInverse().asDiagonal() *
+                     left_null_space(in_own_units(phi, J), tolerance));
 }
 
 }  // namespace moivre

@@ -71,12 +71,16 @@ MotionState motion_state(const Phi& phi, const VectorXd& q, double t,
   return state;
 }
 
-Partition choose_partition(const Phi& joints, const VectorXd& q, double t) {
-  const MatrixXd J = in_own_units(joints, joints.jacobian(q, t));
-  const Index rank = numerical_rank(J);
+std::vector<Index> independent_columns(const MatrixXd& J, Index rank) {
   const Eigen::VectorXi order = PivotedQr<double>(equilibrated(J)).order();
   std::vector<Index> independent(order.begin() + rank, order.end());
-  return make_partition(joints, q, std::move(independent), t);
+  std::sort(independent.begin(), independent.end());
+  return independent;
+}
+
+Partition choose_partition(const Phi& joints, const VectorXd& q, double t) {
+  const MatrixXd J = in_own_units(joints, joints.jacobian(q, t));
+  return make_partition(joints, q, independent_columns(J, numerical_rank(J)), t);
 }
 
 Partition make_partition(const Phi& joints, const VectorXd& q, std::vector<Index> independent,

@@ -65,6 +65,23 @@ TEST(Mobility, BodyIsIdleUntilADriverHoldsIt) {
   EXPECT_EQ(held.independent, std::vector<Eigen::Index>{2});
 }
 
+TEST(Mobility, FitDoesNotMakeATriangleMove) {
+  const Mechanism m = typed(
+      "[ground.points]\nO = [0, 0]\nP = [4, 0]\n[body.left.points]\nO = [0, 0]\nA = [3, 0]\n"
+      "[body.right.points]\nP = [0, 0]\nA = [2, 0]\n"
+      "[[joint]]\ntype = \"revolute\"\nat = [\"ground.O\", \"left.O\"]\n"
+      "[[joint]]\ntype = \"revolute\"\nat = [\"ground.P\", \"right.P\"]\n"
+      "[[joint]]\ntype = \"revolute\"\nat = [\"left.A\", \"right.A\"]\n"
+      "[guess]\nleft.phi = 0.5\nright.phi = 2.3\n");
+  const Phi phi(m);
+  const NewtonResult run = newton(phi, initial_guess(m));
+  constexpr double kFit = 0.04;  // a hundredth of the longest side
+  const Mobility within = mobility(phi, run.q, 0, kFit);
+  EXPECT_TRUE(within.is_assembled);
+  EXPECT_EQ(within.degrees_of_freedom, 0);
+  EXPECT_TRUE(within.redundant.empty());
+}
+
 TEST(Mobility, ParallelogramAtItsChangePointIsSingularNotFreer) {
   const Mobility m = mobility_of("parallelogram");
   EXPECT_EQ(m.degrees_of_freedom, 2);

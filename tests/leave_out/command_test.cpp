@@ -28,14 +28,15 @@ moivre::Mechanism wrap_read(const moivre::Source& source) {
 }
 
 moivre::ConstraintRank
-real_rank(const moivre::Phi& phi, const Eigen::VectorXd& q, double t) __asm__(
-    "__real__ZN6moivre15constraint_rankERKNS_3PhiERKN5Eigen6MatrixIdLin1ELi1ELi0ELin1ELi1EEEd");
+real_rank(const moivre::Phi& phi, const Eigen::VectorXd& q, double t, double fit) __asm__(
+    "__real__ZN6moivre15constraint_rankERKNS_3PhiERKN5Eigen6MatrixIdLin1ELi1ELi0ELin1ELi1EEEdd");
 moivre::ConstraintRank
-wrap_rank(const moivre::Phi& phi, const Eigen::VectorXd& q, double t) __asm__(
-    "__wrap__ZN6moivre15constraint_rankERKNS_3PhiERKN5Eigen6MatrixIdLin1ELi1ELi0ELin1ELi1EEEd");
-moivre::ConstraintRank wrap_rank(const moivre::Phi& phi, const Eigen::VectorXd& q, double t) {
+wrap_rank(const moivre::Phi& phi, const Eigen::VectorXd& q, double t, double fit) __asm__(
+    "__wrap__ZN6moivre15constraint_rankERKNS_3PhiERKN5Eigen6MatrixIdLin1ELi1ELi0ELin1ELi1EEEdd");
+moivre::ConstraintRank wrap_rank(const moivre::Phi& phi, const Eigen::VectorXd& q, double t,
+                                 double fit) {
   rank_counter.raise();
-  return real_rank(phi, q, t);
+  return real_rank(phi, q, t, fit);
 }
 
 namespace moivre {

@@ -53,6 +53,25 @@ TEST(RoundedLengths, AreFittedWithinWhatIsGivenAndNotCountedAmongTheExactClosure
   EXPECT_NEAR(closure.at("coordinates").at("c3.phi"), 50 * std::acos(-1.0) / 180, 1e-4);
 }
 
+TEST(RoundedLengths, HaveTheMobilityOfTheExactOnesWithinFit) {
+  EXPECT_EQ(answered("mobility", "par-3").exit_code, 2);
+  // The misfit is 6.6e-5: a fit that hardly takes the pose counts as one that takes it easily.
+  for (const std::string fit : {"7e-5", "0.01"}) {
+    const Answer answer = answered("mobility", "par-3", {"--fit", fit});
+    EXPECT_EQ(answer.exit_code, 0) << fit;
+    EXPECT_TRUE(answer.json.at("assembled").get<bool>()) << fit;
+    EXPECT_EQ(answer.json.at("rank"), 11) << fit;
+    EXPECT_EQ(answer.json.at("rank_by_svd"), 11) << fit;
+    EXPECT_EQ(answer.json.at("degrees_of_freedom"), 1) << fit;
+    EXPECT_EQ(answer.json.at("driven_freedoms"), 0) << fit;
+    EXPECT_EQ(answer.json.at("redundant").size(), 1U) << fit;
+    EXPECT_EQ(answer.json.at("independent").size(), 1U) << fit;
+    EXPECT_NEAR(answer.json.at("misfit"), 6.6e-5, 1e-6);
+  }
+  const Answer closures = answered("closures", "par-3", {"--fit", "0.01"});
+  EXPECT_EQ(closures.json.at("mobility").at("degrees_of_freedom"), 1);
+}
+
 TEST(RoundedLengths, MoveInAgreementWithTheirClosures) {
   for (const std::string name : {"par-3", "par-6"}) {
     const Answer answer = answered("motion", name, {"--fit", "0.01", "--steps", "24"});

@@ -30,6 +30,9 @@ std::string newton_json(const NewtonResult& result, const Mechanism& mechanism,
 std::string newton_csv(const NewtonResult& result, const Mechanism& mechanism,
                        const AngleForm& form = {});
 
+/// Whether the pose that the run led to is an assembled one, or one within Mechanism::fit.
+bool is_taken(const Mobility& mobility, const NewtonResult& pose);
+
 /// `pose`: the Newton run that led to the pose.
 std::string mobility_text(const Mobility& mobility, const NewtonResult& pose,
                           const Mechanism& mechanism, const KinematicsHeading& heading);

@@ -29,8 +29,9 @@ inline constexpr double kRankTolerance = 1e-9;
 /// rounding noise in a zero row stays noise).
 Eigen::MatrixXd equilibrated(const Eigen::MatrixXd& A);
 
-/// Rank by column-pivoted QR of the equilibrated matrix.
-Eigen::Index numerical_rank(const Eigen::MatrixXd& A);
+/// Rank by column-pivoted QR of the equilibrated matrix. Of a larger `tolerance` than kRankTolerance by its singular values, beside the
+/// largest: pivots tell them apart from zero only where these are as good as zero.
+Eigen::Index numerical_rank(const Eigen::MatrixXd& A, double tolerance = kRankTolerance);
 
 struct LinearOptions {
   std::optional<LinearMethod> method;  ///< none: chosen by shape and rank

@@ -6,6 +6,8 @@
 //   a redundant row is a combination of rows before it; left null vectors c with c^T Phi_q = 0 say which
 //   constraint i pushes along -lambda_i (Phi_q^T) column i
 // The rank comes from column-pivoted QR, and singular values confirm it; both are of the equilibrated Phi_q.
+// With `fit` (Mechanism::fit, in the file's unit of length) a motion is one during which constraints miss by no more than fit: singular values
+// up to sqrt(m) fit / phi.length() count as zero, and a pose that misses by no more than fit as assembled.
 // A singular pose (a dead point, a bifurcation) has a lower rank than the poses near it. It is found by stepping along R and
 // correcting back to the constraints. A pose near a singular one gives a warning.
 #pragma once
@@ -34,6 +36,9 @@ struct RedundantRow {
 /// "Phi5 = Phi1 - Phi3", by the rows' names.
 std::string to_text(const RedundantRow& redundant);
 
+/// What counts as zero in the equilibrated Phi_q where each row of the joints may miss by `fit`.
+double rank_tolerance(const Phi& joints, double fit);
+
 /// What counts alone, drivers left out: a tenth of the work of `mobility`.
 struct ConstraintRank {
   Eigen::Index rank = 0;                ///< by pivoted QR
@@ -41,7 +46,8 @@ struct ConstraintRank {
   std::vector<RedundantRow> redundant;
 };
 
-ConstraintRank constraint_rank(const Phi& phi, const Eigen::VectorXd& q, double t = 0);
+ConstraintRank constraint_rank(const Phi& phi, const Eigen::VectorXd& q, double t = 0,
+                               double fit = 0);
 
 /// A body (or unknown) that can move while all others stand still, and that no driver holds.
 struct IdleFreedom {
@@ -65,6 +71,8 @@ struct Mobility {
   Eigen::MatrixXd force_directions;  ///< n x m, column i = -gradient of constraint i
   std::vector<IdleFreedom> idle;
   std::vector<Eigen::Index> independent;  ///< coordinates chosen by pivoting
+  double misfit = 0;                      ///< of the pose, drivers included (mechanism/phi.h)
+  bool is_assembled = false;              ///< the joints' rows vanish, or miss by no more than fit
   bool is_singular = false;               ///< rank_nearby > rank
   Eigen::Index rank_nearby = 0;           ///< rank at assembled poses next to this one
   bool is_near_singular = false;
@@ -72,7 +80,7 @@ struct Mobility {
   std::vector<std::string> warnings;
 };
 
-/// At the pose q (assembled, so that the joints' rows vanish) and the time t.
-Mobility mobility(const Phi& phi, const Eigen::VectorXd& q, double t = 0);
+/// At the pose q (assembled, so that the joints' rows vanish, or miss by no more than `fit`) and the time t.
+Mobility mobility(const Phi& phi, const Eigen::VectorXd& q, double t = 0, double fit = 0);
 
 }  // namespace moivre

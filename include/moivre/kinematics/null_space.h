@@ -7,10 +7,12 @@
 
 #include <Eigen/Core>
 
+#include "moivre/kinematics/linear.h"
+
 namespace moivre {
 
-/// n x (n - rank), A N = 0.
-Eigen::MatrixXd null_space(const Eigen::MatrixXd& A);
+/// n x (n - rank), A N = 0, where `tolerance` is that of the rank.
+Eigen::MatrixXd null_space(const Eigen::MatrixXd& A, double tolerance = kRankTolerance);
 
 /// As null_space, but the columns are only independent, not orthonormal: by QR, which is faster.
 Eigen::MatrixXd null_space_basis(const Eigen::MatrixXd& A);
@@ -19,6 +21,6 @@ Eigen::MatrixXd null_space_basis(const Eigen::MatrixXd& A);
 Eigen::VectorXd shortest_direction(const Eigen::MatrixXd& A);
 
 /// m x (m - rank), N^T A = 0.
-Eigen::MatrixXd left_null_space(const Eigen::MatrixXd& A);
+Eigen::MatrixXd left_null_space(const Eigen::MatrixXd& A, double tolerance = kRankTolerance);
 
 }  // namespace moivre

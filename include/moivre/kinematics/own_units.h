@@ -20,16 +20,18 @@ double largest_of(const Phi& phi, const Eigen::VectorXd& v);
 Eigen::MatrixXd in_own_units(const Phi& phi, const Eigen::MatrixXd& J);
 
 /// That of J' (kinematics/linear.h).
-Eigen::Index rank_of(const Phi& phi, const Eigen::MatrixXd& J);
+Eigen::Index rank_of(const Phi& phi, const Eigen::MatrixXd& J, double tolerance = kRankTolerance);
 
 /// Of Phi_q, through J'.
 Factorization factorization_of(const Phi& phi, const Eigen::MatrixXd& J,
                                LinearOptions options = {});
 
 /// n x (n - rank), orthonormal, J N = 0.
-Eigen::MatrixXd null_space_of(const Phi& phi, const Eigen::MatrixXd& J);
+Eigen::MatrixXd null_space_of(const Phi& phi, const Eigen::MatrixXd& J,
+                              double tolerance = kRankTolerance);
 
 /// m x (m - rank), orthonormal, N^T J = 0.
-Eigen::MatrixXd left_null_space_of(const Phi& phi, const Eigen::MatrixXd& J);
+Eigen::MatrixXd left_null_space_of(const Phi& phi, const Eigen::MatrixXd& J,
+                                   double tolerance = kRankTolerance);
 
 }  // namespace moivre

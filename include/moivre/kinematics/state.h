@@ -44,6 +44,9 @@ struct Partition {
   bool is_usable() const { return refusal.empty(); }
 };
 
+/// The n - rank columns of Phi_q in own units (own_units.h) that pivoting leaves over, sorted.
+std::vector<Eigen::Index> independent_columns(const Eigen::MatrixXd& J, Eigen::Index rank);
+
 /// The n - rank independent coordinates that pivoting leaves over at q. Give the joints alone (phi.without_drivers()).
 Partition choose_partition(const Phi& joints, const Eigen::VectorXd& q, double t = 0);
 
