@@ -3,12 +3,15 @@
 #include "closure_poses.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 
 #include "moivre/closures/canonical_order.h"
 #include "moivre/closures/same_pose.h"
 #include "moivre/expression/counted.h"
+#include "moivre/factorization/svd.h"
 #include "moivre/kinematics/local_dimension.h"
 #include "moivre/kinematics/newton.h"
 #include "moivre/kinematics/own_units.h"
@@ -51,6 +54,25 @@ bool is_allowed(const ClosureSearch& search, const Eigen::VectorXd& q,
   return !beyond;
 }
 
+/// Whether a root is near the pose q, as Phi and its derivatives there say. Along the direction v that Phi_q sees least, Phi is
+/// r + sigma s + b s^2 / 2: beside a fold that has no real zero though r is next to nothing.
+bool has_root_nearby(const Phi& phi, const Eigen::VectorXd& q, double t) {
+  constexpr double kSure = 0.125;  // of sigma^2; from 1/2 on there is no zero
+  const Eigen::VectorXd row_units = phi.own_row_units();
+  const Svd J = svd(in_own_units(phi, phi.jacobian(q, t)), SingularVectors::thin);
+  if (J.sigma.size() == 0) return true;
+  const Eigen::Index last = J.sigma.size() - 1;
+  const Eigen::VectorXd v = phi.own_units().cwiseProduct(J.V.col(last));
+  const auto of_rows = [&](const Eigen::VectorXd& rows) {
+    return std::abs(J.U.col(last).dot(rows.cwiseQuotient(row_units)));
+  };
+  const double rounding = std::numeric_limits<double>::epsilon() *
+                          row_sizes(phi, q, t).cwiseQuotient(row_units).maxCoeff();
+  const double r = of_rows(phi.value(q, t)) + rounding;
+  const double b = of_rows(phi.second_derivative(q, v, t, 0));
+  return r * b < kSure * J.sigma[last] * J.sigma[last];
+}
+
 /// Whether a pose that Newton-Raphson came to, and that is no closure found, shows that one was lost.
 bool shows_a_loss(const ClosureSearch& search, const NewtonResult& pose) {
   const auto& joints = search.mechanism.joints;
@@ -58,7 +80,8 @@ bool shows_a_loss(const ClosureSearch& search, const NewtonResult& pose) {
   const bool has_gears = std::any_of(
       joints.begin(), joints.end(), [](const Joint& joint) { return is_transmission(joint.type); });
   return pose.status == NewtonStatus::converged && !pose.is_singular && !search.result.moves &&
-         !has_gears && are_spins_as_meant(search.mechanism, pose.q) &&
+         !has_gears && has_root_nearby(search.phi, pose.q, search.options.time) &&
+         are_spins_as_meant(search.mechanism, pose.q) &&
          !beyond_limits_at(search.mechanism, search.phi.canonical(pose.q));
 }
 

@@ -148,6 +148,17 @@ TEST(Closures, TheSixBarOfTheReadmeHasFour) {
   EXPECT_EQ(result.counts.real, 4u);
 }
 
+/// At 210 degrees a crank of 40 is 20 below the slider's line, as far as the rod is long: a dead point. In doubles the closures are
+/// complex by 6e-7, and Newton-Raphson comes to rest between them where Phi is 3e-12.
+TEST(Closures, ADeadPointMissedByRoundingHasLostNoRoot) {
+  const Mechanism mechanism =
+      mechanism_text("[units]\nangle = \"deg\"\n" + test::slider_crank_links(40, 20, 0) +
+                     "[[driver]]\nangle = \"crank\"\nstart = 210\n");
+  const ClosureResult result = closures_of(mechanism, 1);
+  EXPECT_TRUE(result.complete) << result.message;
+  EXPECT_EQ(result.counts.complex, 2U);
+}
+
 TEST(Closures, CannotBeAssembledIsAnAnswer) {
   const ClosureResult result = closures_of(mechanism_file("unassemblable-triangle"));
   EXPECT_TRUE(result.complete);
