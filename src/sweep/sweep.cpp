@@ -45,9 +45,9 @@ class Sweep {
     SweepSample sample;
     sample.at = std::move(at);
     sample.complex = result.counts.complex;
-    sample.real = result.counts.real;
+    sample.found = {result.counts.real, result.counts.filtered, result.counts.fitted,
+                    result.moves.has_value()};
     sample.complete = result.complete;
-    sample.moves = result.moves.has_value();
     if (options_.keep_closures) {
       for (const Closure& closure : result.closures) sample.closures.push_back(closure.q);
     }
@@ -84,7 +84,7 @@ class Sweep {
   /// Between a and b, which differ in the number `along`, to `width`.
   void sharpen(const SweepSample& a, const SweepSample& b, std::size_t along, double width,
                std::vector<SweepBorder>& borders) const {
-    if (a.real == b.real || !a.complete || !b.complete || stop_) return;
+    if (a.found == b.found || !a.complete || !b.complete || stop_) return;
     if (borders.size() >= kMostBorders) return;
     const auto place = [&](double share) {
       std::vector<double> at = a.at;
@@ -102,7 +102,7 @@ class Sweep {
       sharpen(between, b, along, width, borders);
       return;
     }
-    borders.push_back({place(0.5), a.real, b.real, along});
+    borders.push_back({place(0.5), a.found, b.found, along});
   }
 
  private:
@@ -140,7 +140,9 @@ void sharpen_borders(Sweep& run, const SweepOptions& options, SweepResult& resul
   if (!options.sharpen) return;
   std::vector<Edge> edges;
   for (const Edge& edge : edges_of(result.varied)) {
-    if (result.samples[edge.first].real != result.samples[edge.second].real) edges.push_back(edge);
+    if (result.samples[edge.first].found != result.samples[edge.second].found) {
+      edges.push_back(edge);
+    }
   }
   std::vector<std::vector<SweepBorder>> found(edges.size());
   run.on_all(edges.size(), [&](std::size_t k) {

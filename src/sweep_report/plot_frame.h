@@ -4,10 +4,10 @@
 
 namespace moivre {
 
-inline constexpr double kPictureWidth = 720;
+inline constexpr double kPictureWidth = 760;
 inline constexpr double kPictureHeight = 480;
 inline constexpr double kPlotLeft = 70;
-inline constexpr double kPlotRight = kPictureWidth - 110;
+inline constexpr double kPlotRight = kPictureWidth - 150;
 inline constexpr double kPlotTop = 40;
 inline constexpr double kPlotBottom = kPictureHeight - 60;
 

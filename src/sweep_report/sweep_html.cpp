@@ -11,6 +11,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "assemblies_text.h"
 #include "moivre/closure_report/document.h"
 #include "moivre/closure_report/drawing.h"
 #include "moivre/expression/counted.h"
@@ -75,9 +76,10 @@ std::string unit_of(const Mechanism& mechanism, const std::string& name) {
 
 std::string told(const SweepSample& sample) {
   if (!sample.complete) return "not decided";
-  const std::string text =
-      counted(sample.complex, "complex closure") + ", " + std::to_string(sample.real) + " real";
-  return sample.moves ? text + "; it moves although the drivers stand" : text;
+  const Assemblies& found = sample.found;
+  const std::string text = counted(sample.complex, "complex closure") + ", " +
+                           std::to_string(found.real) + " real" + beside_text(found);
+  return found.moves ? text + "; it moves although the drivers stand" : text;
 }
 
 std::vector<PointOf> all_points(const Mechanism& mechanism) {

@@ -2,6 +2,7 @@
 // A sweep as a picture: a curve of counts, or a map of them with its borders.
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include "moivre/report/markup.h"
 #include "moivre/report/number_text.h"
@@ -66,42 +67,163 @@ std::string frame() {
          "\" fill=\"none\" stroke=\"#444\"/>\n";
 }
 
+/// Which closures are counted: the usable ones, which are the real ones where no sample has limits or fit that tell.
+struct Wanted {
+  bool has_limits = false;
+  bool has_fit = false;
+
+  const char* name() const {
+    return has_limits ? "within limits" : has_fit ? "within fit" : "real";
+  }
+  bool is_real() const { return !has_limits && !has_fit; }
+};
+
+Wanted wanted_of(const SweepResult& result) {
+  Wanted wanted;
+  for (const SweepSample& sample : result.samples) {
+    wanted.has_limits |= sample.found.filtered > 0;
+    wanted.has_fit |= sample.found.fitted > 0;
+  }
+  return wanted;
+}
+
+std::string curve_path(const std::string& path, const char* style) {
+  return "<path d=\"" + path + "\" fill=\"none\" style=\"" + style + "\"/>\n";
+}
+
+/// The number of all closures.
+std::string curve_of_all(const SweepResult& result, const Axis& x, const Axis& y,
+                         const char* style) {
+  std::string path;
+  for (const SweepSample& sample : result.samples) {
+    path += (path.empty() ? 'M' : 'L') + number(x(sample.at[0])) + ' ' +
+            number(y(static_cast<double>(sample.complex)));
+  }
+  return curve_path(path, style);
+}
+
 /// Steps: level up to where the next sample, or a border before it, says otherwise.
-std::string curve(const SweepResult& result, const Axis& x, const Axis& y, bool of_real,
+std::string curve(const SweepResult& result, const Axis& x, const Axis& y, auto count,
                   const char* style) {
   std::string path;
+  const auto add = [&](double at, const Assemblies& found) {
+    path += (path.empty() ? 'M' : 'L') + number(x(at)) + ' ' +
+            number(y(static_cast<double>(count(found))));
+  };
   std::size_t border = 0;
   for (std::size_t k = 0; k < result.samples.size(); ++k) {
     const SweepSample& sample = result.samples[k];
-    const double level = y(static_cast<double>(of_real ? sample.real : sample.complex));
-    if (of_real && k > 0) {
+    if (k > 0) {
       const double low = std::min(result.samples[k - 1].at[0], sample.at[0]);
       const double high = std::max(result.samples[k - 1].at[0], sample.at[0]);
       for (; border < result.borders.size(); ++border) {
         const SweepBorder& edge = result.borders[border];
         if (edge.at[0] < low || edge.at[0] > high) break;
-        path += 'L' + number(x(edge.at[0])) + ' ' + number(y(static_cast<double>(edge.below)));
-        path += 'L' + number(x(edge.at[0])) + ' ' + number(y(static_cast<double>(edge.above)));
+        add(edge.at[0], edge.below);
+        add(edge.at[0], edge.above);
       }
     }
-    path += (k == 0 ? 'M' : 'L') + number(x(sample.at[0])) + ' ' + number(level);
+    add(sample.at[0], sample.found);
   }
-  return "<path d=\"" + path + "\" fill=\"none\" style=\"" + style + "\"/>\n";
+  return curve_path(path, style);
+}
+
+/// What a sample is beside its count: its colour, nullptr where it is nothing.
+const char* mark_of(const SweepSample& sample) {
+  if (!sample.complete) return kUndecided;
+  return sample.found.moves ? kMoving : nullptr;
+}
+
+/// Behind the curve, from a border to the next one, or half-way to the next sample.
+std::string bands(const SweepResult& result, const Axis& x) {
+  constexpr double kNarrowest = 9;  // pixels: a single value at which it moves shows, too
+  std::string svg;
+  const auto& samples = result.samples;
+  const auto end = [&](std::size_t k, std::size_t next) {
+    const double here = samples[k].at[0];
+    const double there = samples[next].at[0];
+    double place = (here + there) / 2;
+    for (const SweepBorder& border : result.borders) {
+      const bool is_between = (border.at[0] - here) * (border.at[0] - there) <= 0;
+      if (is_between && border.below.moves != border.above.moves) place = border.at[0];
+    }
+    return x(place);
+  };
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    const char* mark = mark_of(samples[k]);
+    if (mark == nullptr) continue;
+    double left = k == 0 ? x(samples[k].at[0]) : end(k, k - 1);
+    double right = k + 1 == samples.size() ? x(samples[k].at[0]) : end(k, k + 1);
+    const double spare = std::max(0.0, kNarrowest - (right - left)) / 2;
+    left = std::max(kPlotLeft, left - spare);
+    right = std::min(kPlotRight, right + spare);
+    svg += "<rect x=\"" + number(left) + "\" y=\"" + number(kPlotTop) + "\" width=\"" +
+           number(right - left) + "\" height=\"" + number(kPlotBottom - kPlotTop) + "\" fill=\"" +
+           mark + "\"/>\n";
+  }
+  return svg;
+}
+
+/// A square of the colour beside its meaning, on the right of the plot.
+std::string legend_entry(double top, const char* fill, const std::string& text) {
+  return "<rect x=\"" + number(kPlotRight + 12) + "\" y=\"" + number(top) +
+         "\" width=\"16\" height=\"16\" stroke=\"#444\" fill=\"" + fill + "\"/>\n" +
+         text_at(kPlotRight + 34, top + 13, "start", text);
+}
+
+constexpr double kLegendStep = 22;
+
+/// The meanings of the samples' marks, from `top` downwards.
+std::string legend_of_marks(const SweepResult& result, double top) {
+  std::string svg;
+  for (const auto& [mark, text] : {std::pair{kMoving, "moves"}, {kUndecided, "undecided"}}) {
+    const bool is_there =
+        std::any_of(result.samples.begin(), result.samples.end(),
+                    [&, which = mark](const SweepSample& s) { return mark_of(s) == which; });
+    if (!is_there) continue;
+    svg += legend_entry(top, mark, text);
+    top += kLegendStep;
+  }
+  return svg;
+}
+
+/// A short line beside its meaning, on the right of the plot.
+std::string line_entry(double top, const char* style, const std::string& text) {
+  return line(kPlotRight + 8, top + 8, kPlotRight + 26, top + 8, style) +
+         text_at(kPlotRight + 32, top + 12, "start", text);
 }
 
 std::string curve_svg(const SweepResult& result, const std::string& title) {
   std::uint64_t most = 1;
   for (const SweepSample& sample : result.samples)
-    most = std::max({most, sample.complex, sample.real});
+    most = std::max({most, sample.complex, sample.found.real, sample.found.usable()});
   const Varied& varied = result.varied[0];
   const Axis x = horizontal(varied.from, varied.to);
   const Axis y = vertical(-0.5, static_cast<double>(most) + 0.5);
-  std::string svg = head(title) + frame() + ticks(varied, x, true);
+  std::string svg = head(title) + bands(result, x) + frame() + ticks(varied, x, true);
   for (std::uint64_t k = 0; k <= most; ++k) {
     svg += text_at(kPlotLeft - 8, y(static_cast<double>(k)) + 4, "end", std::to_string(k));
   }
-  svg += curve(result, x, y, false, "stroke:#999;stroke-width:1;stroke-dasharray:4 3");
-  svg += curve(result, x, y, true, "stroke:#2171b5;stroke-width:2");
+  constexpr const char* kOfAll = "stroke:#999;stroke-width:1;stroke-dasharray:4 3";
+  constexpr const char* kOfReal = "stroke:#2171b5;stroke-width:2";
+  constexpr const char* kOfWanted = "stroke:#006d2c;stroke-width:2";
+  const Wanted wanted = wanted_of(result);
+  svg += curve_of_all(result, x, y, kOfAll);
+  svg += curve(
+      result, x, y, [](const Assemblies& found) { return found.real; }, kOfReal);
+  double top = kPlotTop;
+  const auto add_to_legend = [&](const char* style, const std::string& text) {
+    svg += line_entry(top, style, text);
+    top += kLegendStep;
+  };
+  if (!wanted.is_real()) {
+    svg += curve(
+        result, x, y, [](const Assemblies& found) { return found.usable(); }, kOfWanted);
+    add_to_legend(kOfWanted, wanted.name());
+  }
+  add_to_legend(kOfReal, "real");
+  add_to_legend(kOfAll, "all");
+  svg += legend_of_marks(result, top);
   for (const SweepBorder& border : result.borders) {
     svg += "<g>" +
            line(x(border.at[0]), kPlotTop, x(border.at[0]), kPlotBottom,
@@ -109,8 +231,6 @@ std::string curve_svg(const SweepResult& result, const std::string& title) {
            "<title>" + escaped(varied.name) + " = " + number(border.at[0]) + "</title></g>\n";
   }
   svg += text_at((kPlotLeft + kPlotRight) / 2, kPictureHeight - 16, "middle", varied.name);
-  svg += text_at(kPlotRight + 8, kPlotTop + 14, "start", "real") +
-         text_at(kPlotRight + 8, kPlotTop + 32, "start", "all (dashed)");
   return svg + "</svg>\n";
 }
 
@@ -155,6 +275,10 @@ std::vector<std::vector<const SweepBorder*>> borders_by_cell(const SweepResult& 
   const std::size_t columns = b.count - 1;
   std::vector<std::vector<const SweepBorder*>> cells((a.count - 1) * columns);
   for (const SweepBorder& border : result.borders) {
+    if (border.below.usable() == border.above.usable() &&
+        border.below.moves == border.above.moves) {
+      continue;
+    }
     // On a grid line of the number that does not vary, inside an edge of the other.
     const bool varies_a = border.along == 0;
     const Varied& across = varies_a ? b : a;
@@ -178,15 +302,14 @@ std::string map_svg(const SweepResult& result, const std::string& title) {
   const Axis x = horizontal(a.from, a.to);
   const Axis y = vertical(b.from, b.to);
   std::set<std::uint64_t> counts;
-  for (const SweepSample& sample : result.samples) counts.insert(sample.real);
+  for (const SweepSample& sample : result.samples) counts.insert(sample.found.usable());
   const double width = (kPlotRight - kPlotLeft) / static_cast<double>(a.count - 1);
   const double height = (kPlotBottom - kPlotTop) / static_cast<double>(b.count - 1);
   std::string svg = head(title) + "<clipPath id=\"map\">" + frame() + "</clipPath>\n" +
                     "<g clip-path=\"url(#map)\" shape-rendering=\"crispEdges\">\n";
   for (const SweepSample& sample : result.samples) {
-    const char* fill = !sample.complete ? kUndecided
-                       : sample.moves   ? kMoving
-                                        : colour(sample.real, *counts.rbegin());
+    const char* mark = mark_of(sample);
+    const char* fill = mark != nullptr ? mark : colour(sample.found.usable(), *counts.rbegin());
     svg += "<rect x=\"" + number(x(sample.at[0]) - width / 2) + "\" y=\"" +
            number(y(sample.at[1]) - height / 2) + "\" width=\"" + number(width) + "\" height=\"" +
            number(height) + "\" fill=\"" + fill + "\"/>\n";
@@ -197,26 +320,13 @@ std::string map_svg(const SweepResult& result, const std::string& title) {
   svg += text_at((kPlotLeft + kPlotRight) / 2, kPictureHeight - 16, "middle", a.name);
   svg += "<g transform=\"translate(16 " + number((kPlotTop + kPlotBottom) / 2) +
          ") rotate(-90)\">" + text_at(0, 0, "middle", b.name) + "</g>\n";
-  double place = kPlotTop;
-  const auto add_to_legend = [&](const char* fill, const std::string& text) {
-    svg += "<rect x=\"" + number(kPlotRight + 12) + "\" y=\"" + number(place) +
-           "\" width=\"16\" height=\"16\" stroke=\"#444\" fill=\"" + fill + "\"/>\n" +
-           text_at(kPlotRight + 34, place + 13, "start", text);
-    place += 22;
-  };
+  double top = kPlotTop;
+  const std::string name = wanted_of(result).name();
   for (const std::uint64_t count : counts) {
-    add_to_legend(colour(count, *counts.rbegin()), std::to_string(count) + " real");
+    svg += legend_entry(top, colour(count, *counts.rbegin()), std::to_string(count) + ' ' + name);
+    top += kLegendStep;
   }
-  const auto any = [&](auto is_so) {
-    return std::any_of(result.samples.begin(), result.samples.end(), is_so);
-  };
-  if (any([](const SweepSample& sample) { return sample.complete && sample.moves; })) {
-    add_to_legend(kMoving, "moves");
-  }
-  if (any([](const SweepSample& sample) { return !sample.complete; })) {
-    add_to_legend(kUndecided, "undecided");
-  }
-  return svg + "</svg>\n";
+  return svg + legend_of_marks(result, top) + "</svg>\n";
 }
 
 }  // namespace

@@ -3,7 +3,9 @@
 #include <cmath>
 #include <map>
 
+#include "assemblies_text.h"
 #include "moivre/expression/counted.h"
+#include "moivre/expression/joined.h"
 #include "moivre/report/json.h"
 #include "moivre/report/number_text.h"
 #include "moivre/sweep_report/sweep_report.h"
@@ -19,7 +21,37 @@ Json at_json(const SweepResult& result, const std::vector<double>& at) {
 
 constexpr std::size_t kBordersShown = 50;
 
+/// "2 real closures, 1 outside a joint's limits".
+std::string told(const Assemblies& found) {
+  const std::string text = counted(found.real, "real closure") + beside_text(found);
+  return found.moves ? text + ", and it moves though the drivers stand" : text;
+}
+
+/// Of a border: "2", "2 (1 outside limits)", "moves".
+std::string side_text(const Assemblies& found) {
+  std::vector<std::string> beside;
+  if (found.filtered > 0) beside.push_back(std::to_string(found.filtered) + " outside limits");
+  if (found.fitted > 0) beside.push_back(std::to_string(found.fitted) + " within fit");
+  std::string text = found.moves && found.real == 0 ? "" : std::to_string(found.real);
+  if (!beside.empty()) text += " (" + joined(beside, ", ") + ")";
+  if (found.moves) text += text.empty() ? "moves" : " and moves";
+  return text;
+}
+
+Json sides_json(const SweepBorder& border, auto value) {
+  return Json::array({value(border.below), value(border.above)});
+}
+
 }  // namespace
+
+std::string beside_text(const Assemblies& found) {
+  std::string text;
+  if (found.filtered > 0) {
+    text += ", " + std::to_string(found.filtered) + " outside a joint's limits";
+  }
+  if (found.fitted > 0) text += ", " + std::to_string(found.fitted) + " within fit";
+  return text;
+}
 
 std::string sweep_text(const SweepResult& result, const std::string& file) {
   std::string text = file + ": " + counted(result.samples.size(), "sample");
@@ -28,18 +60,13 @@ std::string sweep_text(const SweepResult& result, const std::string& file) {
         ", " + number.name + " from " + exact_text(number.from) + " to " + exact_text(number.to);
   }
   text += '\n';
-  std::map<std::uint64_t, std::uint64_t> samples;
+  std::map<Assemblies, std::uint64_t> samples;
   std::uint64_t undecided = 0;
-  std::uint64_t moving = 0;
   for (const SweepSample& sample : result.samples) {
-    sample.complete ? ++samples[sample.real] : ++undecided;
-    if (sample.moves) ++moving;
+    sample.complete ? ++samples[sample.found] : ++undecided;
   }
-  for (const auto& [real, count] : samples) {
-    text += "  " + counted(real, "real closure") + ": " + counted(count, "sample") + '\n';
-  }
-  if (moving > 0) {
-    text += "  of these, it moves though the drivers stand: " + counted(moving, "sample") + '\n';
+  for (const auto& [found, count] : samples) {
+    text += "  " + told(found) + ": " + counted(count, "sample") + '\n';
   }
   if (undecided > 0) text += "  not decided: " + counted(undecided, "sample") + '\n';
   if (result.varied.size() > 1) {
@@ -51,7 +78,7 @@ std::string sweep_text(const SweepResult& result, const std::string& file) {
     text += "border at " + result.varied[0].name + " = " +
             known_digits(border.at[0],
                          kBorder * std::abs(result.varied[0].to - result.varied[0].from)) +
-            ": " + std::to_string(border.below) + " | " + std::to_string(border.above) + '\n';
+            ": " + side_text(border.below) + " | " + side_text(border.above) + '\n';
   }
   return text;
 }
@@ -66,16 +93,18 @@ std::string sweep_json(const SweepResult& result, const std::string& file) {
                 {"count", number.count}};
   });
   report["samples"] = list_json(result.samples, [&](const SweepSample& sample) {
-    return Json{{"at", at_json(result, sample.at)},
-                {"complex", sample.complex},
-                {"real", sample.real},
-                {"complete", sample.complete},
-                {"moves", sample.moves}};
+    return Json{{"at", at_json(result, sample.at)}, {"complex", sample.complex},
+                {"real", sample.found.real},        {"filtered", sample.found.filtered},
+                {"fitted", sample.found.fitted},    {"complete", sample.complete},
+                {"moves", sample.found.moves}};
   });
   report["borders"] = list_json(result.borders, [&](const SweepBorder& border) {
     return Json{{"at", at_json(result, border.at)},
                 {"along", result.varied[border.along].name},
-                {"real", Json::array({border.below, border.above})}};
+                {"real", sides_json(border, [](const Assemblies& a) { return a.real; })},
+                {"filtered", sides_json(border, [](const Assemblies& a) { return a.filtered; })},
+                {"fitted", sides_json(border, [](const Assemblies& a) { return a.fitted; })},
+                {"moves", sides_json(border, [](const Assemblies& a) { return a.moves; })}};
   });
   report["families"] = result.families;
   report["time_s"] = {{"threads", result.threads}, {"total", to_json(result.seconds)}};
@@ -85,11 +114,13 @@ std::string sweep_json(const SweepResult& result, const std::string& file) {
 std::string sweep_csv(const SweepResult& result) {
   std::string text;
   for (const Varied& number : result.varied) text += number.name + ',';
-  text += "complex,real,complete,moves\n";
+  text += "complex,real,complete,moves,filtered,fitted\n";
   for (const SweepSample& sample : result.samples) {
     for (const double value : sample.at) text += exact_text(value) + ',';
-    text += std::to_string(sample.complex) + ',' + std::to_string(sample.real) +
-            (sample.complete ? ",1" : ",0") + (sample.moves ? ",1\n" : ",0\n");
+    text += std::to_string(sample.complex) + ',' + std::to_string(sample.found.real) +
+            (sample.complete ? ",1" : ",0") + (sample.found.moves ? ",1," : ",0,") +
+            std::to_string(sample.found.filtered) + ',' + std::to_string(sample.found.fitted) +
+            '\n';
   }
   return text;
 }

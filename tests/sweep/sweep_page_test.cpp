@@ -45,7 +45,7 @@ TEST(SweepPage, PutsEveryPointWhereTheSamplesDimensionsDo) {
   ASSERT_EQ(data["closures"].size(), 20U);
   const PageData& crank = data["bodies"][0]["points"];
   for (std::size_t k = 0; k < 20; ++k) {
-    EXPECT_EQ(data["closures"][k].size(), result.samples[k].real);
+    EXPECT_EQ(data["closures"][k].size(), result.samples[k].found.real);
     for (const PageData& closure : data["closures"][k]) {
       // The crank is as long as its point A says, which is what varies.
       EXPECT_NEAR(distance(closure, crank[0], crank[1]), data["axes"][0]["values"][k], 1e-4);

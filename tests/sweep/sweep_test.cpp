@@ -46,8 +46,8 @@ TEST(Sweep, FindsWhereAFourBarCanNoLongerBeAssembled) {
   const double far = c + std::sqrt(c * c - 1e4 + 200.0 * 200);
   ASSERT_EQ(result.borders.size(), 1U);  // the diagonal stays above 64
   EXPECT_NEAR(result.borders[0].at[0], far, 1e-6);
-  EXPECT_EQ(result.borders[0].below, 2U);
-  EXPECT_EQ(result.borders[0].above, 0U);
+  EXPECT_EQ(result.borders[0].below.real, 2U);
+  EXPECT_EQ(result.borders[0].above.real, 0U);
   for (const SweepSample& sample : result.samples) EXPECT_EQ(sample.complex, 2U);
 }
 
@@ -73,10 +73,10 @@ TEST(Sweep, HasABorderOnEachSideOfASampleThatLiesOnOne) {
   const SweepResult result =
       sweep(mechanism, {{"ground.G.y", 3.9999999, 4.0000001, 3}}, *lanes, book);
   ASSERT_EQ(result.borders.size(), 2U);
-  EXPECT_EQ(result.borders[0].below, 2U);
-  EXPECT_EQ(result.borders[0].above, 1U);
-  EXPECT_EQ(result.borders[1].below, 1U);
-  EXPECT_EQ(result.borders[1].above, 0U);
+  EXPECT_EQ(result.borders[0].below.real, 2U);
+  EXPECT_EQ(result.borders[0].above.real, 1U);
+  EXPECT_EQ(result.borders[1].below.real, 1U);
+  EXPECT_EQ(result.borders[1].above.real, 0U);
   for (const SweepBorder& border : result.borders) EXPECT_NEAR(border.at[0], 4, 1e-9);
 }
 
@@ -88,10 +88,51 @@ TEST(Sweep, MapsTheAssembliesOfAPlatform) {
   std::set<std::uint64_t> counts;
   for (const SweepSample& sample : result.samples) {
     EXPECT_EQ(sample.complex, 6U);
-    EXPECT_EQ(sample.real % 2, 0U);
-    counts.insert(sample.real);
+    EXPECT_EQ(sample.found.real % 2, 0U);
+    counts.insert(sample.found.real);
   }
   EXPECT_GE(counts.size(), 2U);
+}
+
+/// A slider-crank whose slider may go from 0 to 3, crank 1 along the line: closures at 1 - rod and 1 + rod.
+TEST(Sweep, TellsClosuresOutsideLimitsAndWhereTheyGetThere) {
+  Mechanism mechanism =
+      test::typed("[units]\nangle = \"deg\"\n" + test::slider_crank_links(1, 3, 0) +
+                  "[[driver]]\nangle = \"crank\"\nstart = 0\n");
+  for (Joint& joint : mechanism.joints) {
+    if (joint.type == JointType::prismatic) joint.limits = Limits{0, 3};
+  }
+  const auto lanes = make_lane_tracker();
+  FamilyBook book;
+  SweepOptions options;
+  options.keep_closures = true;
+  const SweepResult result = sweep(mechanism, {{"rod.B.x", 0.5, 3.7, 9}}, *lanes, book, options);
+  EXPECT_TRUE(result.complete);
+  for (const SweepSample& sample : result.samples) {
+    const double rod = sample.at[0];
+    EXPECT_EQ(sample.found.real, 2U);
+    EXPECT_EQ(sample.found.filtered, rod > 2 ? 2U : rod > 1 ? 1U : 0U) << rod;
+    EXPECT_EQ(sample.closures.size(), sample.found.usable());
+  }
+  ASSERT_EQ(result.borders.size(), 2U);
+  EXPECT_NEAR(result.borders[0].at[0], 1, 1e-8);
+  EXPECT_NEAR(result.borders[1].at[0], 2, 1e-8);
+  EXPECT_EQ(result.borders[1].below.filtered, 1U);
+  EXPECT_EQ(result.borders[1].above.filtered, 2U);
+}
+
+/// The slider is held over the pivot: the rod turns where it is as long as the crank, and closes nowhere else.
+TEST(Sweep, TellsWhereTheMechanismMoves) {
+  const Mechanism mechanism =
+      test::typed(test::slider_crank_links(1, 3, 0) + "[[driver]]\nx = \"slider.B\"\nstart = 0\n");
+  const auto lanes = make_lane_tracker();
+  FamilyBook book;
+  const SweepResult result = sweep(mechanism, {{"rod.B.x", 0.5, 1.5, 5}}, *lanes, book);
+  ASSERT_EQ(result.borders.size(), 2U);
+  EXPECT_FALSE(result.borders[0].below.moves);
+  EXPECT_TRUE(result.borders[0].above.moves);
+  EXPECT_TRUE(result.borders[1].below.moves);
+  EXPECT_FALSE(result.borders[1].above.moves);
 }
 
 TEST(Sweep, NamesEveryFault) {

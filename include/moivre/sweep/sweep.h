@@ -2,7 +2,8 @@
 // In how many ways can a mechanism be assembled while one or two of its numbers vary? Closures counted on a grid, and its borders.
 //
 // Every sample solves all closures, with families learned by the first samples (family/book.h). Between neighbouring samples with
-// different numbers of real closures lies a border, where closures meet in pairs. It is located by bisection.
+// different counts lies a border: closures meet in pairs, reach a joint's limit, no longer close within fit, or begin to move. It is located
+// by bisection.
 //
 //   one number    samples in order; borders to kBorder of the range, several between two samples where halves differ
 //   two numbers   the first one varies slowest; a border point on every edge of the grid whose ends differ, to kMapBorder of the edge
@@ -12,6 +13,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <compare>
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -41,19 +44,29 @@ struct SweepOptions {
   std::function<void(std::size_t done, std::size_t total)> progress;  ///< never twice at once
 };
 
+/// In how many ways the mechanism can be assembled, by the counts of closures/closures.h.
+struct Assemblies {
+  std::uint64_t real = 0;      ///< isolated real closures
+  std::uint64_t filtered = 0;  ///< of them: outside a joint's limits
+  std::uint64_t fitted = 0;    ///< beside them: within Mechanism::fit only
+  bool moves = false;          ///< closures form a set of positive dimension
+
+  /// Real ones within the limits, and fitted ones.
+  std::uint64_t usable() const { return real - filtered + fitted; }
+  auto operator<=>(const Assemblies&) const = default;
+};
+
 struct SweepSample {
   std::vector<double> at;     ///< of each varied number
   std::uint64_t complex = 0;  ///< isolated closures, the real ones among them
-  std::uint64_t real = 0;
+  Assemblies found;
   bool complete = false;
-  bool moves = false;                     ///< closures form a set of positive dimension
-  std::vector<Eigen::VectorXd> closures;  ///< q of the real ones, where options.keep_closures
+  std::vector<Eigen::VectorXd> closures;  ///< q of the usable ones, where options.keep_closures
 };
 
 struct SweepBorder {
   std::vector<double> at;
-  std::uint64_t below = 0,
-                above = 0;  ///< real closures on both sides, along the number that varies
+  Assemblies below, above;  ///< on both sides, along the number that varies
   std::size_t along = 0;    ///< which number that is
 };
 
