@@ -226,17 +226,21 @@ int rows_of(const Joint& joint, Space space) {
   return (space == Space::planar ? 3 : 6) - freedoms(joint.type, space);
 }
 
-/// More drivers than Gruebler's count is odd, but redundant constraints can make it right.
+/// More constraints than coordinates, or more drivers than Gruebler's count, are odd, but redundant constraints can make it right.
 void warn_of_count(Mechanism& mechanism) {
   int naive = static_cast<int>(coordinates(mechanism).size()) -
               static_cast<int>(mechanism.equations.size());
   for (const Joint& joint : mechanism.joints) naive -= rows_of(joint, mechanism.space);
   const int drivers = static_cast<int>(mechanism.drivers.size());
-  if (drivers <= naive) return;
-  mechanism.warnings.push_back(
-      "coordinates minus constraints are " + std::to_string(naive) + ", drivers are " +
-      std::to_string(drivers) +
-      ": too many drivers, unless constraints are redundant (moivre mobility tells)");
+  const std::string count = "coordinates minus constraints are " + std::to_string(naive);
+  if (naive < 0) {
+    mechanism.warnings.push_back(
+        count + ": it closes only where constraints are redundant (moivre mobility names them)");
+  } else if (drivers > naive) {
+    mechanism.warnings.push_back(
+        count + ", drivers are " + std::to_string(drivers) +
+        ": too many drivers, unless constraints are redundant (moivre mobility tells)");
+  }
 }
 
 /// Whether a joint names the point.

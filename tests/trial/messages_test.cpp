@@ -42,6 +42,16 @@ TEST(TooManyDrivers, AreWarnedOf) {
   }
 }
 
+TEST(RedundantConstraints, AreNoDrivers) {
+  const std::string bennett = MOIVRE_SOURCE_DIR "/problems/mechanisms/bennett.toml";
+  const Outcome outcome = Scene().run({"mobility", bennett});
+  EXPECT_TRUE(has_line(outcome.out,
+                       "warning: coordinates minus constraints are -2: it closes only where "
+                       "constraints are redundant (moivre mobility names them)"))
+      << outcome.out;
+  EXPECT_FALSE(contains(outcome.out, "drivers are"));
+}
+
 TEST(NoDriver, IsSaidByClosuresAndRefusedByMotion) {
   EXPECT_EQ(
       answered("closures", "nodriver").json.at("message"),
