@@ -3,12 +3,14 @@
 #include "moivre/mechanism/read.h"
 
 #include <algorithm>
-#include <cctype>
+#include <cmath>
+#include <cstdio>
 #include <map>
 #include <numbers>
 
 #include "moivre/mechanism/nearest.h"
 #include "read_parts.h"
+#include "toml_advice.h"
 
 namespace moivre {
 namespace {
@@ -45,11 +47,26 @@ std::string read_word(Reading& reading, const toml::table& in, const std::string
   return otherwise;
 }
 
+/// Advice on tables of points that are no [body.NAME.points].
+std::map<std::string, std::string> bodies_called(const toml::table& document) {
+  std::map<std::string, std::string> called;
+  for (const auto& [key, value] : document) {
+    const toml::table* table = value.as_table();
+    if (table == nullptr) continue;
+    const bool has_points = std::any_of(table->begin(), table->end(), [](const auto& entry) {
+      return entry.first == "points" || entry.second.is_array();
+    });
+    const std::string name(key.str());
+    if (has_points) called[name] = "points of a body stand under [body." + name + ".points]";
+  }
+  return called;
+}
+
 void read_header(Reading& reading, const toml::table& document, Mechanism& mechanism) {
   reading.check_keys(document,
                      {"title", "space", "units", "ground", "body", "joint", "driver", "guess",
                       "unknowns", "constants", "equations", "fit", "tolerance"},
-                     "a mechanism file");
+                     "a mechanism file", bodies_called(document));
   mechanism.title = reading.text(document, "title").value_or("");
   mechanism.fit = reading.number(document, "fit");
   if (mechanism.fit && !(*mechanism.fit > 0)) {
@@ -101,51 +118,10 @@ void read_sections(Reading& reading, const toml::table& document, Mechanism& mec
   if (reading.faults().empty()) check_structure(reading, mechanism);
 }
 
-/// "[[joint]] has two brackets" where one pair was written for an array; empty for another name that is taken.
-std::string bracket_advice(const std::string& fault) {
-  for (const std::string name : {"joint", "driver"}) {
-    if (fault.find("'" + name + "'") == std::string::npos) continue;
-    return "; every " + name + " begins with [[" + name + "]], in two brackets";
-  }
-  return "";
-}
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-/// Where a number goes on with something that is none of it: a decimal comma, or a unit.
-std::string number_advice(const Source& source, std::size_t at) {
-  std::size_t end = std::min(at, source.text.size());
-  while (end > 0 && source.text[end - 1] == ' ') --end;
-  if (at >= source.text.size() || end == 0 || !is_digit(source.text[end - 1])) return "";
-  if (source.text[at] == ',') return "; decimals have a point: 40.5, not 40,5";
-  const auto c = static_cast<unsigned char>(source.text[at]);
-  const bool is_word = std::isalpha(c) != 0 || c >= 0x80U || c == '%';
-  return is_word ? "; numbers stand without a unit, [units] says it once for the whole file" : "";
-}
-
-/// What to do about a fault of TOML's own, where its words need it.
-std::string advice(const std::string& fault) {
-  const auto says = [&](const char* words) { return fault.find(words) != std::string::npos; };
-  if (says("root table") && says("saw '{'")) {
-    return "; a mechanism file is TOML, not JSON: docs/mechanism-file.md shows one";
-  }
-  if (says("redefine")) {
-    const std::string brackets = bracket_advice(fault);
-    return brackets.empty() ? "; two bodies, points or keys have one name, rename one of them"
-                            : brackets;
-  }
-  if (says("boolean") || says("value type"))
-    return "; text stands in quotes, as in title = \"...\"";
-  if (says("table header")) return "; names have letters, digits, '_' and '-', and no blanks";
-  return "";
-}
-
 [[noreturn]] void throw_toml_fault(const Reading& reading, const toml::parse_error& error) {
-  const std::string fault(error.description());
-  const SourcePosition at = reading.position(error.source().begin);
-  const std::string about_number = number_advice(reading.source(), at.offset);
   throw ParseError(reading.source(),
-                   {{at, fault + (about_number.empty() ? advice(fault) : about_number)}});
+                   {toml_fault(reading.source(), reading.position(error.source().begin),
+                               std::string(error.description()))});
 }
 
 /// The TOML parser calls itself for each part of a dotted key: as deep as for brackets, and no deeper.
@@ -160,6 +136,61 @@ void refuse_deep_keys(const Source& source) {
       throw ParseError(source, {{{begin, line, 1}, "a key has more than 256 parts"}});
     }
     begin = end + 1;
+  }
+}
+
+/// A value that the file gives an angle, or its rate, in radians, and its name.
+struct TypedAngle {
+  std::string name;
+  double value = 0;
+  bool is_rate = false;
+
+  /// Several turns, or a rate of quarter turns if it were in degrees.
+  bool looks_like_degrees() const {
+    constexpr double kQuarter = 90;
+    if (is_rate) return value != 0 && std::fmod(value, kQuarter) == 0;
+    return std::abs(value) > 2 * std::numbers::pi;
+  }
+};
+
+/// Of drivers, joints and the guess.
+std::vector<TypedAngle> typed_angles(const Mechanism& mechanism) {
+  std::vector<TypedAngle> angles;
+  for (const Driver& driver : mechanism.drivers) {
+    if (kind_of(mechanism, driver) == CoordinateKind::length) continue;
+    const DriverState begin = driver_state(driver.law, 0);
+    angles.push_back({"driver " + driver.name, begin.value});
+    angles.push_back({"the velocity of driver " + driver.name, begin.velocity, true});
+  }
+  for (const Joint& joint : mechanism.joints) {
+    const std::string name = " of joint " + joint.name;
+    angles.push_back({"'turn'" + name, joint.turn_rad});
+    angles.push_back({"'phase'" + name, joint.gear.phase_rad});
+    if (!joint.limits || !is_angular(joint.type)) continue;
+    angles.push_back({"a limit" + name, joint.limits->lower});
+    angles.push_back({"a limit" + name, joint.limits->upper});
+  }
+  const std::vector<Coordinate> all = coordinates(mechanism);
+  for (const Coordinate& coordinate : all) {
+    const auto guess = mechanism.guess.find(coordinate.name);
+    if (guess == mechanism.guess.end() || coordinate.kind == CoordinateKind::length) continue;
+    angles.push_back({"the guess of " + coordinate.name, guess->second});
+  }
+  return angles;
+}
+
+/// An angle of several turns is one in degrees more often, where the file names no unit.
+void warn_of_radians(const toml::table& document, Mechanism& mechanism) {
+  if (document.at_path("units.angle")) return;
+  constexpr double kTurn = 2 * std::numbers::pi;
+  for (const TypedAngle& angle : typed_angles(mechanism)) {
+    if (!angle.looks_like_degrees()) continue;
+    char text[80];
+    std::snprintf(text, sizeof text, " = %.6g is %.3g turns%s", angle.value, angle.value / kTurn,
+                  angle.is_rate ? " per second" : "");
+    mechanism.warnings.push_back("angles are radians where [units] names none: " + angle.name +
+                                 text + "; for degrees write angle = \"deg\" under [units]");
+    return;
   }
 }
 
@@ -195,6 +226,7 @@ Mechanism read_mechanism(const Source& source) {
   read_header(reading, document, mechanism);
   read_sections(reading, document, mechanism);
   throw_faults(reading);
+  warn_of_radians(document, mechanism);
   return mechanism;
 }
 

@@ -24,19 +24,37 @@ std::optional<Eigen::Vector3d> read_vector(Reading& reading, const toml::node& n
   return Eigen::Vector3d((*values)[0], (*values)[1], size == 3 ? (*values)[2] : 0);
 }
 
+void read_point(Reading& reading, const toml::table& in, const toml::key& key, Space space,
+                Body& body) {
+  const std::string name(key.str());
+  const SourcePosition where = reading.position(key.source().begin);
+  if (!is_name(name)) {
+    reading.fault(where, "a point's name may have letters, digits, '_' and '-' only");
+  }
+  const std::string what = "point '" + body.name + "." + name + "'";
+  const auto at = read_vector(reading, *in.get(name), what, space);
+  body.points.push_back({name, at.value_or(Eigen::Vector3d::Zero()), where});
+}
+
 void read_points(Reading& reading, const toml::table& in, Space space, Body& body) {
-  reading.check_keys(in, {"points", "tolerance", "tolerances"}, "body '" + body.name + "'");
+  std::vector<std::string> known{"points", "tolerance", "tolerances"};
+  bool is_told = false;
+  for (const toml::key* key : reading.keys_in_order(in)) {
+    if (!in.get(key->str())->is_array() || key->str() == "points") continue;
+    known.emplace_back(key->str());
+    const std::string header = body.name == "ground" ? "ground" : "body." + body.name;
+    if (!is_told) {
+      reading.fault(reading.position(key->source().begin),
+                    "points stand under [" + header + ".points], not under [" + header + "]");
+    }
+    is_told = true;
+    read_point(reading, in, *key, space, body);
+  }
+  reading.check_keys(in, known, "body '" + body.name + "'");
   const toml::table* points = reading.table(in, "points");
   if (points == nullptr) return;
   for (const toml::key* key : reading.keys_in_order(*points)) {
-    const std::string name(key->str());
-    const SourcePosition where = reading.position(key->source().begin);
-    if (!is_name(name)) {
-      reading.fault(where, "a point's name may have letters, digits, '_' and '-' only");
-    }
-    const std::string what = "point '" + body.name + "." + name + "'";
-    const auto at = read_vector(reading, *points->get(name), what, space);
-    body.points.push_back({name, at.value_or(Eigen::Vector3d::Zero()), where});
+    read_point(reading, *points, *key, space, body);
   }
 }
 

@@ -2,6 +2,8 @@
 // How are drivers and the guess read?
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <map>
 #include <numbers>
 #include <numeric>
 
@@ -15,6 +17,57 @@ namespace {
 
 const std::vector<std::string> kTargets{"angle", "slide", "x", "y", "z", "unknown"};
 const std::vector<std::string> kLaws{"start", "velocity", "acceleration", "table", "value"};
+
+/// What others call the keys of a driver.
+const std::map<std::string, std::string> kTargetsCalled{
+    {"body", "its angle is driven by angle = \"body\""},
+    {"joint", "it is driven by angle = \"body\" or slide = \"joint\""},
+    {"position", "its slide is driven by slide = \"joint\", a point by x = \"body.point\""},
+    {"displacement", "it is driven by slide = \"joint\""},
+    {"length", "it is driven by slide = \"joint\""}};
+const std::map<std::string, std::string> kLawsCalled{{"speed", "velocity"},
+                                                     {"omega", "velocity"},
+                                                     {"w", "velocity"},
+                                                     {"rate", "velocity"},
+                                                     {"angular_velocity", "velocity"},
+                                                     {"v", "velocity"},
+                                                     {"alpha", "acceleration"},
+                                                     {"a", "acceleration"},
+                                                     {"angular_acceleration", "acceleration"},
+                                                     {"phi", "start"},
+                                                     {"phi0", "start"},
+                                                     {"theta", "start"},
+                                                     {"initial", "start"},
+                                                     {"from", "start"},
+                                                     {"at", "start"},
+                                                     {"formula", "value"},
+                                                     {"function", "value"}};
+
+/// "60 rpm are velocity = 360": in the file's unit of angle.
+std::string rpm_advice(const toml::table& entry, const std::string& angle_name) {
+  const double turn = angle_name == "deg" ? 360 : 2 * std::numbers::pi;
+  const auto rpm = entry.get("rpm") != nullptr ? entry.get("rpm")->value<double>() : std::nullopt;
+  constexpr double kMinute = 60;
+  const double turns = rpm.value_or(kMinute);
+  char text[80];
+  std::snprintf(text, sizeof text, "%.6g rpm are velocity = %.8g", turns, turns / kMinute * turn);
+  return text + (", " + angle_name + " per second");
+}
+
+/// Advice on the words of others in this driver.
+std::map<std::string, std::string> called_in(const toml::table& entry, const Mechanism& mechanism) {
+  std::map<std::string, std::string> called = kTargetsCalled;
+  for (const auto& [word, key] : kLawsCalled) called[word] = "here it is called '" + key + "'";
+  called["rpm"] = rpm_advice(entry, mechanism.units.angle);
+  return called;
+}
+
+/// Whether another's word stands where a law is expected.
+bool has_law_by_another_name(const toml::table& entry) {
+  return entry.contains("rpm") ||
+         std::any_of(kLawsCalled.begin(), kLawsCalled.end(),
+                     [&](const auto& word) { return entry.contains(word.first); });
+}
 
 std::optional<std::size_t> find_joint(Reading& reading, const Mechanism& mechanism,
                                       const std::string& name, const toml::node& at) {
@@ -175,6 +228,7 @@ void read_law(Reading& reading, const toml::table& entry, double unit, Driver& d
       entry.contains("start") || entry.contains("velocity") || entry.contains("acceleration");
   const int laws =
       (is_parabola ? 1 : 0) + (entry.contains("table") ? 1 : 0) + (entry.contains("value") ? 1 : 0);
+  if (laws == 0 && has_law_by_another_name(entry)) return;
   if (laws != 1) {
     reading.fault(entry,
                   laws == 0
@@ -201,7 +255,7 @@ Driver read_driver(Reading& reading, const toml::table& entry, const Mechanism& 
   std::vector<std::string> known = kTargets;
   known.insert(known.end(), kLaws.begin(), kLaws.end());
   if (!is_typed(mechanism)) known.emplace_back("tolerance");
-  reading.check_keys(entry, known, "a driver");
+  reading.check_keys(entry, known, "a driver", called_in(entry, mechanism));
   const std::size_t faults_before = reading.faults().size();
   read_target(reading, entry, mechanism, driver);
   const bool has_target = reading.faults().size() == faults_before;

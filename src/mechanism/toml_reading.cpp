@@ -61,12 +61,15 @@ std::vector<const toml::key*> Reading::keys_in_order(const toml::table& table) c
 }
 
 void Reading::check_keys(const toml::table& table, const std::vector<std::string>& known,
-                         const std::string& what) {
+                         const std::string& what,
+                         const std::map<std::string, std::string>& called) {
   for (const toml::key* key : keys_in_order(table)) {
     const std::string name(key->str());
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    const auto advice = called.find(name);
     fault(position(key->source().begin),
-          "unknown key '" + name + "' in " + what + suggestion(name, known));
+          "unknown key '" + name + "' in " + what +
+              (advice == called.end() ? suggestion(name, known) : "; " + advice->second));
   }
 }
 

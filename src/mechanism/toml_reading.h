@@ -4,6 +4,7 @@
 
 #include <toml++/toml.h>
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,9 +25,9 @@ class Reading {
   SourcePosition position(const toml::source_position& at) const;
   SourcePosition position(const toml::node& node) const;
 
-  /// Faults of keys that are not `known`; `what` names the table ("a joint").
+  /// Faults of keys that are not `known`; `what` names the table ("a joint"), `called` has advice on words that others use.
   void check_keys(const toml::table& table, const std::vector<std::string>& known,
-                  const std::string& what);
+                  const std::string& what, const std::map<std::string, std::string>& called = {});
   /// Keys in the order of the file.
   std::vector<const toml::key*> keys_in_order(const toml::table& table) const;
 

@@ -52,6 +52,23 @@ TEST(RedundantConstraints, AreNoDrivers) {
   EXPECT_FALSE(contains(outcome.out, "drivers are"));
 }
 
+TEST(AnglesOfManyTurns, AreWarnedOfWhereNoUnitIsNamed) {
+  Scene scene;
+  scene.write("typed.toml", changed("roller", "angle = \"deg\"", ""));
+  const std::string warning =
+      "warning: angles are radians where [units] names none: driver crank = 40 is 6.37 turns; for "
+      "degrees write angle = \"deg\" under [units]";
+  EXPECT_TRUE(has_line(scene.run({"closures", "typed.toml"}).out, warning));
+  std::string from_zero = changed("roller", "angle = \"deg\"", "");
+  const std::string law = "start = 40\nvelocity = 1432.3944878270581";
+  from_zero.replace(from_zero.find(law), law.size(), "start = 0\nvelocity = 360");
+  scene.write("typed.toml", from_zero);
+  EXPECT_TRUE(contains(scene.run({"closures", "typed.toml"}).out,
+                       "the velocity of driver crank = 360 is 57.3 turns per second;"));
+  scene.write("typed.toml", changed("roller", "angle = \"deg\"", "angle = \"rad\""));
+  EXPECT_FALSE(contains(scene.run({"closures", "typed.toml"}).out, "warning"));
+}
+
 TEST(NoDriver, IsSaidByClosuresAndRefusedByMotion) {
   EXPECT_EQ(
       answered("closures", "nodriver").json.at("message"),

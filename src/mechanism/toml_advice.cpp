@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+// Advice by the parser's words and by the characters around the place where it stopped.
+#include "toml_advice.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <string_view>
+
+namespace moivre {
+namespace {
+
+bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
+
+/// What stands around the fault.
+struct Scene {
+  std::string_view text;
+  std::size_t at = 0;
+  std::string_view fault;
+
+  bool says(std::string_view words) const { return fault.find(words) != std::string_view::npos; }
+  /// "\n" at the end.
+  char here() const { return at < text.size() ? text[at] : '\n'; }
+  std::string_view rest() const { return text.substr(std::min(at, text.size())); }
+  std::size_t line_begin() const {
+    const std::size_t before = at == 0 ? std::string_view::npos : text.rfind('\n', at - 1);
+    return before == std::string_view::npos ? 0 : before + 1;
+  }
+  std::string_view line() const {
+    const std::size_t begin = line_begin();
+    return text.substr(begin, std::min(text.find('\n', begin), text.size()) - begin);
+  }
+  /// The last character on the line before the fault that is no blank; "\n" where there is none.
+  char before() const {
+    std::size_t k = at;
+    while (k > line_begin() && (text[k - 1] == ' ' || text[k - 1] == '\t')) --k;
+    return k > line_begin() ? text[k - 1] : '\n';
+  }
+};
+
+bool begins_with_any(std::string_view text, std::initializer_list<std::string_view> words) {
+  return std::any_of(words.begin(), words.end(),
+                     [&](std::string_view word) { return text.starts_with(word); });
+}
+
+/// "// ..." and the like, at the beginning of a line or behind a value.
+std::string comment_advice(const Scene& scene) {
+  const bool begins_line = scene.before() == '\n';
+  const bool is_comment = begins_with_any(scene.rest(), {"//", "/*"}) ||
+                          (begins_line && begins_with_any(scene.rest(), {";", "%", "--", "!"}));
+  return is_comment ? "; comments begin with #" : "";
+}
+
+/// Where a number goes on with something that is none of it: an operator, a decimal comma or a unit.
+std::string number_advice(const Scene& scene) {
+  const char c = scene.here();
+  if (!is_digit(scene.before())) return "";
+  if (c == ',') {
+    const bool is_decimal = scene.at + 1 < scene.text.size() && is_digit(scene.text[scene.at + 1]);
+    return is_decimal ? "; decimals have a point: 40.5, not 40,5"
+                      : "; several numbers stand in brackets, as in [40, 0]";
+  }
+  if (std::string_view("/*+-^(").find(c) != std::string_view::npos) {
+    return "; numbers are written out, such as 13.3333333 for 40/3";
+  }
+  const bool is_word = is_letter(c) || static_cast<unsigned char>(c) >= 0x80U || c == '%';
+  return is_word ? "; numbers stand without a unit, [units] says it once for the whole file" : "";
+}
+
+/// Where a value begins with neither a quote nor a digit.
+std::string value_advice(const Scene& scene) {
+  if (!scene.says("value type") && !scene.says("boolean")) return "";
+  if (scene.here() == '(') return "; several numbers stand in brackets, as in [40, 0]";
+  if (begins_with_any(scene.rest(), {"pi", "sqrt(", "sin(", "cos(", "tan(", "atan", "acos("})) {
+    return "; numbers are written out, such as 1.0471976 for pi/3; only a driver's value = \"...\" "
+           "is an expression";
+  }
+  return "; text stands in quotes, as in title = \"...\"";
+}
+
+/// "[[joint]] has two brackets" where one pair was written for an array; empty for another name that is taken.
+std::string bracket_advice(const Scene& scene) {
+  for (const std::string name : {"joint", "driver"}) {
+    if (!scene.says("'" + name + "'")) continue;
+    return "; every " + name + " begins with [[" + name + "]], in two brackets";
+  }
+  return "";
+}
+
+std::string header_advice(const Scene& scene) {
+  if (!scene.says("table header")) return "";
+  const std::string_view line = scene.line();
+  const auto closing = std::count(line.begin(), line.end(), ']');
+  const auto opening = std::count(line.begin(), line.end(), '[');
+  if (closing >= opening) return "; names have letters, digits, '_' and '-', and no blanks";
+  const bool has_blank = line.substr(0, line.find('#')).find_first_of(" \t", 1) < scene.at;
+  if (has_blank && closing > 0) return "; names have letters, digits, '_' and '-', and no blanks";
+  return opening == 1 ? "; the line begins with '[' and ends with ']'"
+                      : "; the line begins with '[[' and ends with ']]'";
+}
+
+/// What to do about a fault that is where the parser stopped; empty where its words are enough.
+std::string advice(const Scene& scene) {
+  if (scene.says("root table") && scene.says("saw '{'")) {
+    return "; a mechanism file is TOML, not JSON: docs/mechanism-file.md shows one";
+  }
+  if (scene.says("redefine")) {
+    const std::string brackets = bracket_advice(scene);
+    return brackets.empty() ? "; two bodies, points or keys have one name, rename one of them"
+                            : brackets;
+  }
+  for (const auto& of : {comment_advice, number_advice, value_advice, header_advice}) {
+    if (std::string found = of(scene); !found.empty()) return found;
+  }
+  return "";
+}
+
+/// The end of what is written on a line, comment left out: behind its last character.
+std::size_t code_end(std::string_view text, std::size_t begin, std::size_t end) {
+  bool is_quoted = false;
+  std::size_t last = begin;
+  for (std::size_t k = begin; k < end; ++k) {
+    if (text[k] == '"') is_quoted = !is_quoted;
+    if (text[k] == '#' && !is_quoted) break;
+    if (std::isspace(static_cast<unsigned char>(text[k])) == 0) last = k + 1;
+  }
+  return last;
+}
+
+/// Behind the last character before the fault's line that belongs to the file's data.
+std::size_t end_of_data_before(const Scene& scene) {
+  std::size_t end = scene.line_begin();
+  while (end > 0) {
+    const std::size_t before = end < 2 ? std::string_view::npos : scene.text.rfind('\n', end - 2);
+    const std::size_t begin = before == std::string_view::npos ? 0 : before + 1;
+    const std::size_t last = code_end(scene.text, begin, end);
+    if (last > begin) return last;
+    end = begin;
+  }
+  return 0;
+}
+
+/// Whether a header or a key begins here: the array before it was not closed.
+bool begins_something_else(const Scene& scene) {
+  if (scene.at >= scene.text.size()) return true;
+  const std::string_view rest = scene.rest();
+  const std::size_t name = rest.find_first_not_of('[');
+  return name != std::string_view::npos && is_letter(rest[name]);
+}
+
+struct Missing {
+  std::size_t at = 0;
+  std::string what;
+};
+
+/// A bracket, comma or quote that is missing before the place where the parser stopped.
+Missing missing(const Scene& scene) {
+  if (scene.says("parsing array") && scene.before() == '\n') {
+    return {end_of_data_before(scene), begins_something_else(scene)
+                                           ? "']' is missing: the array is not closed"
+                                           : "',' is missing between two entries of the array"};
+  }
+  if (scene.says("parsing array") && scene.before() == '"' && is_letter(scene.here())) {
+    return {scene.at, "'\"' is missing before this: each name stands in quotes of its own"};
+  }
+  if (scene.says("parsing string") && scene.here() == '\n') {
+    return {scene.at, "'\"' is missing: the text is not closed"};
+  }
+  const std::string_view line = scene.line();
+  const std::size_t equals = line.find('=');
+  const bool is_listed = scene.here() == ',' && scene.says("key-value pair");
+  const bool is_open = is_listed && equals != std::string_view::npos &&
+                       line.find('[', equals) == std::string_view::npos &&
+                       line.find(']', equals) != std::string_view::npos;
+  if (!is_open) return {};
+  const std::size_t value = line.find_first_not_of(" \t", equals + 1);
+  return {scene.line_begin() + value, "'[' is missing: several values stand in brackets"};
+}
+
+}  // namespace
+
+Diagnostic toml_fault(const Source& source, const SourcePosition& at, const std::string& fault) {
+  const Scene scene{source.text, at.offset, fault};
+  const Missing what = missing(scene);
+  if (what.what.empty()) return {at, fault + advice(scene)};
+  return {after({}, scene.text.substr(0, what.at)), what.what};
+}
+
+}  // namespace moivre
