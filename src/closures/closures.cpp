@@ -52,6 +52,8 @@ void add_mobility(const Phi& phi, double fit, bool is_wanted, ClosureResult& res
 
 /// Why the search is not complete.
 std::string shortfall(const ClosureSearch& search) {
+  // What is missing may be what was not looked for any more.
+  if (search.stop) return "interrupted: what is finished is reported";
   if (search.undecided_motion) {
     const std::string what = search.result.solutions.empty()
                                  ? "no closure is isolated"
@@ -62,7 +64,7 @@ std::string shortfall(const ClosureSearch& search) {
   if (search.lost_images > 0) return "a closure's mirror image is missing: a path was lost";
   if (search.rootless > 0) return "a closure was found that is none of the roots: roots were lost";
   if (search.unpolished > 0) return "Newton-Raphson does not confirm a real root";
-  return search.stop ? "interrupted: what is finished is reported" : "some paths failed";
+  return "some paths failed";
 }
 
 /// x in the file's unit of length.

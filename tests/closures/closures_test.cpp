@@ -234,6 +234,22 @@ TEST(Closures, IdsAreLettersInOrder) {
   EXPECT_EQ(result.closures.back().id, "H");
 }
 
+TEST(Closures, AreToldAsInterruptedWhateverIsMissingThen) {
+  const Mechanism arm = mechanism_file("general-6r");
+  for (std::uint64_t last = 1; last <= 24; last += 2) {
+    std::atomic<bool> stop{false};
+    ClosureOptions options;
+    options.solve.threads = 1;
+    options.solve.progress = [&](const Progress& progress) {
+      if (progress.done >= last) stop = true;
+    };
+    const ClosureResult result = find_closures(arm, *make_cvode_tracker(), options, stop);
+    EXPECT_FALSE(result.complete) << last;
+    EXPECT_EQ(result.message, "interrupted: what is finished is reported") << last;
+    EXPECT_EQ(result.counts.complex, result.solutions.size()) << last;
+  }
+}
+
 TEST(Closures, NothingDependsOnTheNumberOfThreads) {
   const Mechanism mechanism = mechanism_file("assur-7-serial");
   ClosureOptions options;
