@@ -172,6 +172,14 @@ Box extent(const Mechanism& mechanism, const std::vector<Eigen::VectorXd>& poses
   return box;
 }
 
+bool has_own_name(const Mechanism& mechanism, const Joint& joint) {
+  const auto full = [&](const PointOf& point) {
+    const Body& body = mechanism.bodies[point.body];
+    return body.name + "." + body.points[point.point].name;
+  };
+  return joint.name != full(joint.at[0]) + "-" + full(joint.at[1]);
+}
+
 bool is_guided(const Joint& joint) {
   const JointPlace place = traits(joint.type).place;
   return place == JointPlace::on_line || place == JointPlace::in_plane;

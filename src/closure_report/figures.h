@@ -55,6 +55,9 @@ struct Site {
 };
 std::vector<Site> sites(const Mechanism& mechanism);
 
+/// Whether the file names the joint. Else its name is made of its points', which are written beside them.
+bool has_own_name(const Mechanism& mechanism, const Joint& joint);
+
 /// Whether the joint's second point moves along a line or in a plane through its first, so that a line between them is in it.
 bool is_guided(const Joint& joint);
 

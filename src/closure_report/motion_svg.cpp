@@ -5,6 +5,7 @@
 
 #include "labels.h"
 #include "moivre/closure_report/picture.h"
+#include "moivre/closures/same_pose.h"
 #include "moivre/expression/counted.h"
 #include "moivre/report/number_text.h"
 #include "motion_curves.h"
@@ -35,6 +36,31 @@ Drawing pale(Drawing drawing, const Mechanism& mechanism, const std::vector<Movi
   return drawing;
 }
 
+/// The branch that begins nearest to this pose; nullptr where none begins at `from`.
+const MotionBranch* nearest_branch(const Phi& phi, const MotionResult& result,
+                                   const Eigen::VectorXd& q) {
+  const MotionBranch* nearest = nullptr;
+  for (const MotionBranch& branch : result.branches) {
+    if (branch.samples.empty() || branch.begins != result.from) continue;
+    const bool is_nearer = nearest == nullptr || distance(phi, branch.samples[0].q, q) <
+                                                     distance(phi, nearest->samples[0].q, q);
+    if (is_nearer) nearest = &branch;
+  }
+  return nearest;
+}
+
+/// The pose in which the mechanism is shown: as drawn, q = 0, where a branch begins there; else the beginning nearest to the guess.
+Eigen::VectorXd shown_pose(const Mechanism& mechanism, const MotionResult& result) {
+  const Phi phi(mechanism);
+  const Eigen::VectorXd drawn = Eigen::VectorXd::Zero(phi.dimension());
+  const MotionBranch* branch = nearest_branch(phi, result, drawn);
+  if (branch == nullptr) return all_poses(mechanism, result).front();
+  if (!is_same_pose(phi, branch->samples[0].q, drawn)) {
+    branch = nearest_branch(phi, result, initial_guess(mechanism, result.from));
+  }
+  return branch->samples[0].q;
+}
+
 class MotionPicture {
  public:
   MotionPicture(const MotionResult& result, const Mechanism& mechanism)
@@ -43,9 +69,8 @@ class MotionPicture {
         looks_(branch_looks(find_circuits(mechanism, result), result)),
         traced_(traced_points(mechanism)),
         drawing_(pale(draw(mechanism, all_poses(mechanism, result)), mechanism, traced_)),
-        first_(result.branches.front().samples.empty() ? all_poses(mechanism, result).front()
-                                                       : result.branches.front().samples[0].q) {
-    const std::vector<Similarity> places = place(drawing_, mechanism_, first_);
+        shown_(shown_pose(mechanism, result)) {
+    const std::vector<Similarity> places = place(drawing_, mechanism_, shown_);
     box_ = bounds(drawing_, places);
     for (const MovingPoint& point : traced_) {
       auto& curves = curves_.emplace_back();
@@ -89,7 +114,7 @@ class MotionPicture {
 
   std::string mechanism_svg() const {
     return element("g", {{"class", "faint"}},
-                   figures_svg(drawing_, place(drawing_, mechanism_, first_), map_)) +
+                   figures_svg(drawing_, place(drawing_, mechanism_, shown_), map_)) +
            '\n';
   }
 
@@ -118,8 +143,8 @@ class MotionPicture {
     Box frame;
     frame.include(map_(box_.lower), kRoom);
     frame.include(map_(box_.upper), kRoom);
-    return labels_svg(place_labels(drawing_, mechanism_, first_,
-                                   place(drawing_, mechanism_, first_), map_, frame));
+    return labels_svg(place_labels(drawing_, mechanism_, shown_,
+                                   place(drawing_, mechanism_, shown_), map_, frame));
   }
 
   bool has_shared_curve() const {
@@ -133,7 +158,7 @@ class MotionPicture {
   std::vector<BranchLook> looks_;
   std::vector<MovingPoint> traced_;
   Drawing drawing_;
-  Eigen::VectorXd first_;
+  Eigen::VectorXd shown_;
   std::vector<std::vector<std::vector<Complex>>> curves_;  ///< of each traced point, of each branch
   std::vector<std::vector<Share>> shares_;                 ///< likewise
   Box box_;

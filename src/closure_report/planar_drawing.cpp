@@ -194,6 +194,7 @@ class PlanarDrawing {
     sketch_.add(Sketch::links, frame, std::nullopt,
                 {capsule(Style::rod, 0, joint.length, kRodRadius * size_)});
     add_pin(joint);
+    if (!has_own_name(mechanism_, joint)) return;
     sketch_.drawing.labels.push_back(
         {LabelKind::body, joint.name, frame, joint.length / 2, std::nullopt, std::nullopt});
   }

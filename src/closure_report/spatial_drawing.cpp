@@ -127,7 +127,9 @@ class SpatialDrawing {
     const MaterialPoint first = material(joint.at[0]);
     if (joint.type == JointType::rod) {
       add_line(Sketch::links, Style::wire, std::nullopt, first, material(joint.at[1]));
-      add_label(LabelKind::body, joint.name, sketch_.drawing.frames.size() - 1, 0.5);
+      if (has_own_name(mechanism_, joint)) {
+        add_label(LabelKind::body, joint.name, sketch_.drawing.frames.size() - 1, 0.5);
+      }
     }
     if (joint.type == JointType::actuator) add_actuator(joint);
     if (axis_count(joint.type) > 0 && joint.type != JointType::weld) {

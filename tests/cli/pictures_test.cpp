@@ -2,6 +2,9 @@
 // Do the commands that draw keep their contract: where pictures go, and what is refused before the work?
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <vector>
+
 #include "program.h"
 
 namespace moivre::test {
@@ -23,6 +26,58 @@ TEST(Pictures, OfClosuresOnStandardOutputStandAlone) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(outcome.out.substr(0, 5), "<svg ");
   EXPECT_FALSE(contains(outcome.out, "closure A"));
+}
+
+/// A slider-crank drawn with the slider on the right: closure A has it on the left.
+constexpr const char* kDrawnSliderCrank = R"([units]
+angle = "deg"
+[ground.points]
+O = [0, 0]
+[body.crank.points]
+O = [0, 0]
+A = [1, 0]
+[body.slider.points]
+B = [4, 0]
+[[joint]]
+type = "revolute"
+at = ["ground.O", "crank.O"]
+[[joint]]
+type = "rod"
+at = ["crank.A", "slider.B"]
+length = 3
+[[joint]]
+type = "prismatic"
+at = ["ground.O", "slider.B"]
+along = [1, 0]
+name = "guide"
+[[driver]]
+angle = "crank"
+velocity = 360
+)";
+
+TEST(Pictures, OfMotionsShowTheMechanismAsItIsDrawn) {
+  Scene scene;
+  scene.write("drawn.toml", kDrawnSliderCrank);
+  const Outcome outcome = scene.run({"motion", "drawn.toml", "--svg", "-"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  std::vector<double> x;
+  const std::string pin = "class=\"pin\" cx=\"";
+  for (std::size_t at = outcome.out.find(pin); at != std::string::npos;
+       at = outcome.out.find(pin, at + 1)) {
+    x.push_back(std::stod(outcome.out.substr(at + pin.size())));
+  }
+  ASSERT_GE(x.size(), 3U);
+  EXPECT_EQ(*std::min_element(x.begin(), x.end()), x.front());
+}
+
+TEST(Pictures, NameARodOnlyAsItsFileDoes) {
+  Scene scene;
+  scene.write("drawn.toml", kDrawnSliderCrank);
+  EXPECT_FALSE(contains(scene.run({"closures", "drawn.toml", "--svg", "-"}).out, "crank.A-"));
+  std::string named = kDrawnSliderCrank;
+  named.replace(named.find("length = 3"), 10, "length = 3\nname = \"pitman\"");
+  scene.write("named.toml", named);
+  EXPECT_TRUE(contains(scene.run({"closures", "named.toml", "--svg", "-"}).out, ">pitman<"));
 }
 
 TEST(Pictures, ThatCannotBeWrittenAreRefusedBeforeTheWork) {
