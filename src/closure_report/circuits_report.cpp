@@ -39,8 +39,13 @@ std::string range_text(const Mechanism& mechanism, const Swing& swing) {
   const bool in_degrees = !is_length && mechanism.units.angle == "deg";
   const double unit = in_degrees ? 180 / std::numbers::pi : 1;
   const std::string& name = is_length ? mechanism.units.length : mechanism.units.angle;
-  return short_text(unit * swing.lower, kRangeDigits) + " .. " +
-         short_text(unit * swing.upper, kRangeDigits) + (name.empty() ? "" : ' ' + name);
+  constexpr double kNoise =
+      1e-6;  // of the range: an extreme's place is known to the root of rounding
+  const double noise = kNoise * (swing.upper - swing.lower);
+  const auto text = [&](double value) {
+    return short_text(std::abs(value) <= noise ? 0 : unit * value, kRangeDigits);
+  };
+  return text(swing.lower) + " .. " + text(swing.upper) + (name.empty() ? "" : ' ' + name);
 }
 
 std::string swing_text(const Mechanism& mechanism, const Swing& swing) {
@@ -50,7 +55,7 @@ std::string swing_text(const Mechanism& mechanism, const Swing& swing) {
   const double size = is_length ? Phi(mechanism).length() : 1;
   const bool stands = swing.upper - swing.lower <= kStands * size;
   // A joint that slides may turn as well.
-  if (stands) return swing.name + (is_length ? " keeps its slide" : " stands");
+  if (stands) return swing.name + (is_length ? " keeps its slide" : " does not turn");
   return swing.name + (is_length ? " slides " : " rocks ") + range_text(mechanism, swing);
 }
 
@@ -75,12 +80,23 @@ std::string places_text(const std::vector<std::size_t>& events, const MotionResu
   return joined(places, ", ");
 }
 
+/// By whole turns to where it holds the value that the driver begins with, if it does somewhere.
+void bring_to(double begin, Swing& swing) {
+  constexpr double kTurn = 2 * std::numbers::pi;
+  if (swing.kind == CoordinateKind::length || swing.turns > 0) return;
+  const double shift = kTurn * std::ceil((begin - swing.upper) / kTurn - kStands);
+  if (swing.lower + shift > begin + kStands) return;
+  swing.lower += shift;
+  swing.upper += shift;
+}
+
 /// "crank rocks 16.0761 .. 220.337 deg between dead points".
 std::string driver_text(const Circuit& circuit, const MotionResult& motion,
                         const Mechanism& mechanism) {
   if (circuit.drivers.empty()) return "no driver";
   Swing driver = circuit.drivers.front();
   driver.name = label_of(mechanism.drivers.front());
+  bring_to(driver_state(mechanism.drivers.front().law, motion.from).value, driver);
   switch (circuit.driver_motion) {
     case DriverMotion::turns: {
       const std::string text = driver.name + " turns fully";

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "moivre/closure_report/readings_report.h"
+#include "moivre/mechanism/phi.h"
 #include "moivre/report/number_text.h"
 #include "readings_parts.h"
 
@@ -25,16 +26,20 @@ std::string place_of(const Extreme& extreme, const Mechanism& mechanism) {
   if (std::isnan(extreme.value)) return "";
   // An extreme's place is known to fewer digits than its value.
   constexpr int kDigits = 5;
+  constexpr double kNoise = 1e-7;  // radians, or of the mechanism's length
   if (mechanism.drivers.empty()) return "t = " + short_text(extreme.time, kDigits) + " s";
   const AngleForm form{mechanism.units.angle == "deg", true};
   const std::vector<double> values = driver_values(mechanism, extreme.time);
+  const double length = Phi(mechanism).length();
   std::string text;
   for (std::size_t k = 0; k < values.size(); ++k) {
     const Driver& driver = mechanism.drivers[k];
     const CoordinateKind kind = kind_of(mechanism, driver);
-    const std::string unit = kind == CoordinateKind::angle ? unit_of(form) : mechanism.units.length;
+    const bool is_angle = kind == CoordinateKind::angle;
+    const std::string unit = is_angle ? unit_of(form) : mechanism.units.length;
+    const double value = std::abs(values[k]) <= kNoise * (is_angle ? 1 : length) ? 0 : values[k];
     text += (k == 0 ? "" : ", ") + label_of(driver) + " = " +
-            short_text(in_form(values[k], kind, form), kDigits) + (unit.empty() ? "" : " " + unit);
+            short_text(in_form(value, kind, form), kDigits) + (unit.empty() ? "" : " " + unit);
   }
   return text;
 }
@@ -110,14 +115,16 @@ std::string extremes_text(const Readings& readings, const Mechanism& mechanism) 
         return where.empty() ? where : "at " + where;
       };
       const double noise = kNoiseShare * size.at(unit_text(quantity, {}));
+      const auto value = [&](const Extreme& extreme) {
+        const double known = std::abs(extreme.value) <= noise ? 0 : extreme.value;
+        return six_digits(in_form(known, quantity, form));
+      };
       if (largest.value - least.value <= noise) {
-        const double value = std::abs(least.value) <= noise ? 0 : least.value;
-        rows.push_back({column_name(quantity, form), six_digits(in_form(value, quantity, form)),
-                        "throughout", "", ""});
+        rows.push_back({column_name(quantity, form), value(least), "throughout", "", ""});
         continue;
       }
-      rows.push_back({column_name(quantity, form), six_digits(in_form(least.value, quantity, form)),
-                      at(least), six_digits(in_form(largest.value, quantity, form)), at(largest)});
+      rows.push_back(
+          {column_name(quantity, form), value(least), at(least), value(largest), at(largest)});
     }
     text += aligned(rows);
     for (const TimeRatio& ratio : branch.time_ratios)

@@ -52,7 +52,7 @@ bool is_same_curve(const std::vector<Complex>& a, const std::vector<Complex>& b,
 std::string branch_text(const MotionResult& result, const Mechanism& mechanism,
                         const MotionBranch& branch, const BranchLook& look) {
   const auto end = [&](double time, const std::optional<std::size_t>& event) {
-    std::string text = drivers_text(mechanism, time);
+    std::string text = moving_drivers_text(mechanism, time);
     if (text.empty()) text = "t = " + short_text(time) + " s";
     return event ? text + " (" + to_string(result.events[*event].at.kind) + ")" : text;
   };

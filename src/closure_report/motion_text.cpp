@@ -14,10 +14,14 @@
 namespace moivre {
 namespace {
 
-std::string place(const Mechanism& mechanism, double time) {
+std::string place(double time, const std::string& drivers) {
   constexpr int kDigits = 8;
-  const std::string drivers = drivers_text(mechanism, time);
   return "t = " + short_text(time, kDigits) + " s" + (drivers.empty() ? "" : " (" + drivers + ")");
+}
+
+/// Drivers that stand are told once, at the head.
+std::string place(const Mechanism& mechanism, double time) {
+  return place(time, moving_drivers_text(mechanism, time));
 }
 
 std::string branch_text(const MotionBranch& branch, const MotionResult& result,
@@ -128,8 +132,8 @@ std::string motion_text(const MotionResult& result, const Mechanism& mechanism,
   text += warnings_text(mechanism) + idle_text(result.idle) +
           counted(result.branches.size(), "branch", "branches") +
           (result.all_listed ? "" : " listed, of more,") + " from " +
-          place(mechanism, result.from) + " to " + place(mechanism, result.to) + '\n' +
-          result.message + '\n';
+          place(result.from, drivers_text(mechanism, result.from)) + " to " +
+          place(mechanism, result.to) + '\n' + result.message + '\n';
   text += result.sub_chains.empty() ? course_text(result, mechanism) : sub_chains_text(result);
   for (const std::string& failure : result.failures) text += "failed: " + failure + '\n';
   return text + left_out_text(result.left_out);

@@ -24,14 +24,33 @@ std::string coordinate_text(const Mechanism& mechanism, const Coordinate& coordi
   return short_text(shown, kDigits) + (unit.empty() ? "" : " " + unit);
 }
 
-std::string drivers_text(const Mechanism& mechanism, double time) {
+namespace {
+
+bool moves(const Driver& driver) {
+  const auto* parabola = std::get_if<Parabola>(&driver.law);
+  return parabola == nullptr || parabola->velocity != 0 || parabola->acceleration != 0;
+}
+
+std::string text_of(const std::vector<Driver>& drivers, const Mechanism& mechanism, double time) {
   std::string text;
-  for (const Driver& driver : mechanism.drivers) {
+  for (const Driver& driver : drivers) {
     const Coordinate shown{driver.name, kind_of(mechanism, driver), 0};
     text += (text.empty() ? "" : ", ") + label_of(driver) + " = " +
             coordinate_text(mechanism, shown, driver_state(driver.law, time).value);
   }
   return text;
+}
+
+}  // namespace
+
+std::string drivers_text(const Mechanism& mechanism, double time) {
+  return text_of(mechanism.drivers, mechanism, time);
+}
+
+std::string moving_drivers_text(const Mechanism& mechanism, double time) {
+  std::vector<Driver> drivers = mechanism.drivers;
+  std::erase_if(drivers, [](const Driver& driver) { return !moves(driver); });
+  return text_of(drivers.empty() ? mechanism.drivers : drivers, mechanism, time);
 }
 
 std::string counts_text(const ClosureCounts& counts) {

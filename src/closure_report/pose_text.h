@@ -26,6 +26,9 @@ std::string coordinate_text(const Mechanism& mechanism, const Coordinate& coordi
 /// "crank = 40 deg, guide = 12 mm": the drivers at this time; empty without drivers.
 std::string drivers_text(const Mechanism& mechanism, double time);
 
+/// Of the drivers that move alone; of all where none does.
+std::string moving_drivers_text(const Mechanism& mechanism, double time);
+
 /// "8 complex closures, 4 real".
 std::string counts_text(const ClosureCounts& counts);
 

@@ -56,6 +56,15 @@ TEST(Columns, LetAnglesThatTurnGoOnOnlyWhereThatIsAskedFor) {
   EXPECT_NEAR(last_angle({"--continuous"}), 400, 1e-6);
 }
 
+TEST(Columns, TellNoRoundingForAnExtremeOrItsPlace) {
+  const Scene scene;
+  const std::string parallelogram = MOIVRE_SOURCE_DIR "/problems/mechanisms/parallelogram.toml";
+  const Outcome text = scene.run({"motion", parallelogram, "--columns", "transmission"});
+  ASSERT_EQ(text.exit_code, 0) << text.err;
+  EXPECT_TRUE(contains(text.out, "  0 at crank = ")) << text.out;
+  EXPECT_FALSE(contains(text.out, "e-")) << text.out;
+}
+
 TEST(Columns, TellTheirExtremesAsTextAndJson) {
   const Scene scene;
   const Outcome text = scene.run({"motion", kGuide, "--columns", "transmission"});

@@ -167,6 +167,50 @@ start = 90
 velocity = 60
 )";
 
+TEST(MotionCommand, TellsHowFarTheDriverRocksFromWhereItBegins) {
+  Scene scene;
+  scene.write("crank.toml", kCrank);
+  // Dead at 90 and at -90 degrees; the crank begins at 60.
+  const Outcome outcome = scene.run({"motion", "crank.toml"});
+  EXPECT_TRUE(contains(outcome.out, "crank rocks -90 .. 90 deg between dead points"))
+      << outcome.out;
+}
+
+TEST(MotionCommand, TellsDriversThatStandOnceAndBodiesThatDoNotTurn) {
+  Scene scene;
+  scene.write("table.toml", R"([units]
+angle = "deg"
+[ground.points]
+O = [0, 0]
+[body.x.points]
+O = [0, 0]
+[body.y.points]
+O = [0, 0]
+[[joint]]
+type = "prismatic"
+at = ["ground.O", "x.O"]
+along = [1, 0]
+name = "right"
+[[joint]]
+type = "prismatic"
+at = ["x.O", "y.O"]
+along = [0, 1]
+name = "up"
+[[driver]]
+slide = "right"
+start = 0
+velocity = 1
+[[driver]]
+slide = "up"
+start = 5
+)");
+  const Outcome outcome = scene.run({"motion", "table.toml", "--to", "1"});
+  EXPECT_TRUE(contains(outcome.out, "from t = 0 s (right = 0, up = 5) to t = 1 s (right = 1)"))
+      << outcome.out;
+  EXPECT_TRUE(contains(outcome.out, "branch A: from t = 0 s (right = 0)\n")) << outcome.out;
+  EXPECT_TRUE(contains(outcome.out, "x does not turn; y does not turn")) << outcome.out;
+}
+
 TEST(MotionCommand, TellsCircuitsPairsAndFourBars) {
   Scene scene;
   scene.write("rocker.toml", kRocker);
