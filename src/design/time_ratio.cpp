@@ -39,7 +39,7 @@ class Cycle {
     const Extreme least = extreme_of(curve, -1);
     const Extreme largest = extreme_of(curve, 1);
     const double range = largest.value - least.value;
-    const double back = value_at(output, from_ + period_) - value_at(output, from_);
+    const double back = curve.values.back() - curve.values[1];
     const double scale = std::max(std::abs(largest.value), std::abs(least.value));
     if (!(range > kBack * scale) || !(std::abs(back) < kBack * range)) return std::nullopt;
     double rising = std::fmod(largest.time - least.time, period_);
@@ -80,8 +80,22 @@ class Cycle {
     add(samples_[last].time - period_, samples_[last].q);
     for (std::size_t k = 0; k <= last; ++k) add(samples_[k].time, samples_[k].q);
     add(samples_.front().time + period_, samples_.front().q);
-    curve.at = [this, output](double time) { return value_at(output, time); };
+    if (output.is_angle) go_on(curve.values);
+    curve.at = [this, output, times = curve.times, values = curve.values](double time) {
+      const double value = value_at(output, time);
+      if (!output.is_angle) return value;
+      const auto behind = std::upper_bound(times.begin() + 1, times.end(), time);
+      const double beside = values[static_cast<std::size_t>(behind - times.begin()) - 1];
+      return beside + std::remainder(value - beside, kWholeTurn);
+    };
     return curve;
+  }
+
+  /// Angles without the jumps at half a turn.
+  static void go_on(std::vector<double>& angles) {
+    for (std::size_t k = 1; k < angles.size(); ++k) {
+      angles[k] = angles[k - 1] + std::remainder(angles[k] - angles[k - 1], kWholeTurn);
+    }
   }
 
   const std::vector<BranchSample>& samples_;

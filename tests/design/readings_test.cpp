@@ -52,6 +52,49 @@ TEST(TimeRatio, OfWhitworthsDriveIsThatOfItsTangents) {
   EXPECT_NEAR(ratios[0].ratio, (2 * kPi - quick) / quick, 1e-6);
 }
 
+// The rocker's hinge goes from 114 to 180.3 degrees, over half a turn, where its angle is told as -179.7.
+TEST(TimeRatio, OfAHingeGoesOnOverHalfATurn) {
+  const Mechanism rssr = typed(R"toml(space = "spatial"
+[units]
+length = "mm"
+angle = "deg"
+[ground.points]
+O = [0, 0, 0]
+Q = [100, 50, 30]
+[body.crank.points]
+O = [0, 0, 0]
+A = [0, 30, 0]
+[body.rocker.points]
+Q = [100, 50, 30]
+B = [100, 50, 110]
+[[joint]]
+type = "revolute"
+at = ["ground.O", "crank.O"]
+axis = [0, 0, 1]
+name = "crank"
+[[joint]]
+type = "rod"
+at = ["crank.A", "rocker.B"]
+length = 150
+[[joint]]
+type = "revolute"
+at = ["ground.Q", "rocker.Q"]
+axis = [0, 1, 0]
+name = "rocker"
+[[driver]]
+angle = "crank"
+velocity = 1
+[guess]
+rocker.ry = 147
+)toml");
+  const Followed all = followed(rssr, {});
+  const auto& ratios = all.readings.branches.front().time_ratios;
+  ASSERT_EQ(ratios.size(), 1U);
+  EXPECT_NEAR(ratios[0].from * 180 / kPi, 114.347, 1e-3);
+  EXPECT_NEAR(ratios[0].to * 180 / kPi, 180.306, 1e-3);
+  EXPECT_LT(ratios[0].ratio, 1.2);
+}
+
 TEST(TimeRatio, IsNotToldOfWhatGoesRoundOrComesToNoEnd) {
   // A drag link: both cranks go round.
   const Followed drag = followed(typed(four_bar_text(100, 90, 95, 40)), {});
