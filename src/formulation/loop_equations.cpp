@@ -3,6 +3,7 @@
 #include "loop_equations.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "dyad.h"
 #include "four_turns.h"
@@ -155,16 +156,23 @@ class LoopEquations {
     return c;
   }
 
+  /// Where axes meet in a point all shifts cancel, and each part is rounding of what a shift of the mechanism's length would give.
   void in_space(const MovingPose& pose, const DyadSpace& space) {
+    constexpr std::size_t kTurnEntries = kEntries / 2;
+    double turn = 0;
+    for (std::size_t k = 0; k < kTurnEntries; ++k) {
+      turn = std::max(turn, largest_coefficient(entry(pose, k)));
+    }
     for (const auto& normal : space.normals) {
       Polynomial sum;
       double size = 0;
       for (std::size_t k = 0; k < kEntries; ++k) {
         const Polynomial part = Coefficient{normal[k], 0} * entry(pose, k);
-        size = std::max(size, largest_coefficient(part));
+        const double whole = turn * (k < kTurnEntries ? 1 : frame_.length());
+        size = std::max({size, largest_coefficient(part), std::abs(to_double(normal[k])) * whole});
         sum = sum + part;
       }
-      frame_.add_equation("loop", without_noise(std::move(sum), size));
+      frame_.add_equation("loop", frame_.without_rounding(std::move(sum), size));
     }
   }
 

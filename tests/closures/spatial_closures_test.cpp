@@ -412,6 +412,72 @@ velocity = 360
   EXPECT_LE(scaled_residual(Phi(mechanism), result.moves->pose, 0), 1e-12);
 }
 
+/// Two shafts, bent by 30 degrees, whose lines meet in the cross at the origin; the second one's bearing is at x, y.
+std::string cardan_shaft(const std::string& x, const std::string& y, const std::string& axis) {
+  return R"toml(space = "spatial"
+[units]
+angle = "deg"
+[ground.points]
+A = [-100, 0, 0]
+B = [)toml" +
+         x + ", " + y + R"toml(, 0]
+[body.in.points]
+A = [-100, 0, 0]
+C = [0, 0, 0]
+[body.out.points]
+B = [)toml" +
+         x + ", " + y + R"toml(, 0]
+C = [0, 0, 0]
+[[joint]]
+type = "revolute"
+at = ["ground.A", "in.A"]
+axis = [1, 0, 0]
+name = "in"
+[[joint]]
+type = "universal"
+at = ["in.C", "out.C"]
+axis = [[0, 1, 0], [0, 0, 1]]
+[[joint]]
+type = "revolute"
+at = ["ground.B", "out.B"]
+axis = )toml" +
+         axis + R"toml(
+[[driver]]
+angle = "in"
+start = 0
+velocity = 360
+)toml";
+}
+
+// Half a turn of the cross leads from one to the other. All axes meet in a point, where the shifts of a loop of 100 leave rounding alone.
+TEST(SpatialClosures, CardanShaftHasTwo) {
+  for (const Mechanism& mechanism :
+       {mechanism_text(cardan_shaft("86.6025403784", "50", "[0.866025403784, 0.5, 0]")),
+        mechanism_text(cardan_shaft("86.60254037844386", "50", "[0.8660254037844386, 0.5, 0]")),
+        mechanism_text(cardan_shaft("80", "60", "[0.8, 0.6, 0]"))}) {
+    for (const double time : {0.0, 0.1, 0.25, 0.61}) {
+      const ClosureResult result = closures_of(mechanism, 1, time);
+      EXPECT_TRUE(result.complete) << result.message;
+      EXPECT_EQ(result.counts.complex, 2U) << time;
+      EXPECT_EQ(result.closures.size(), 2U) << time;
+    }
+  }
+}
+
+TEST(SpatialClosures, SphericalFourBarHasTwoWhereverItStands) {
+  for (const double shift : {0.0, 0.3, 50.7, 1e4}) {
+    Mechanism mechanism = mechanism_file("spherical-four-bar");
+    mechanism.guess.clear();
+    for (BodyPoint& point : mechanism.bodies[0].points) {
+      point.at += shift * Eigen::Vector3d(1, 0.7, -0.3);
+    }
+    const ClosureResult result = closures_of(mechanism);
+    EXPECT_TRUE(result.complete) << result.message;
+    EXPECT_EQ(result.counts.complex, 2U) << shift;
+    EXPECT_EQ(result.closures.size(), 2U) << shift;
+  }
+}
+
 // With bars of one length the top may be folded onto the base, where the second leg swings; two closures stand beside that.
 TEST(SpatialClosures, SarrussLinkageHasTwoBesideItsFoldedPoses) {
   const Mechanism mechanism = mechanism_text(R"toml(space = "spatial"
