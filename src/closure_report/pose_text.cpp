@@ -11,14 +11,29 @@
 
 namespace moivre {
 
+namespace {
+
+// Of radians, and of the largest length of a pose: a zero of rounding would fill the line with digits that say nothing.
+constexpr double kRoundingNoise = 1e-14;
+
+/// The largest length among the coordinates.
+double largest_length(const std::vector<Coordinate>& names, const Eigen::VectorXd& q) {
+  double size = 0;
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const double value = std::abs(q[static_cast<Eigen::Index>(k)]);
+    if (names[k].kind == CoordinateKind::length) size = std::max(size, value);
+  }
+  return size;
+}
+
+}  // namespace
+
 std::string coordinate_text(const Mechanism& mechanism, const Coordinate& coordinate,
                             double value) {
   const bool is_length = coordinate.kind == CoordinateKind::length;
   const bool in_degrees = !is_length && mechanism.units.angle == "deg";
-  // A zero of rounding would fill the line with digits that say nothing.
-  constexpr double kRoundingNoise = 1e-14;
-  double shown = in_degrees ? value * 180 / std::numbers::pi : value;
-  if (std::abs(shown) < kRoundingNoise) shown = 0;
+  const double known = std::abs(value) < kRoundingNoise ? 0 : value;
+  const double shown = in_degrees ? known * 180 / std::numbers::pi : known;
   constexpr int kDigits = 8;
   const std::string unit = is_length ? mechanism.units.length : mechanism.units.angle;
   return short_text(shown, kDigits) + (unit.empty() ? "" : " " + unit);
@@ -79,6 +94,7 @@ std::string pose_text(const Mechanism& mechanism, const Eigen::VectorXd& q) {
 std::string pose_text(const Mechanism& mechanism, const std::vector<Coordinate>& names,
                       const Eigen::VectorXd& q) {
   std::string text;
+  const double noise = kRoundingNoise * largest_length(names, q);
   std::size_t width = 0;
   for (const Coordinate& c : names) width = std::max(width, c.name.size());
   for (std::size_t k = 0; k < names.size(); ++k) {
@@ -91,7 +107,9 @@ std::string pose_text(const Mechanism& mechanism, const std::vector<Coordinate>&
     } else {
       name.resize(width, ' ');
     }
-    text += name + " = " + coordinate_text(mechanism, names[k], q[static_cast<Eigen::Index>(k)]);
+    const double value = q[static_cast<Eigen::Index>(k)];
+    const bool is_noise = names[k].kind == CoordinateKind::length && std::abs(value) < noise;
+    text += name + " = " + coordinate_text(mechanism, names[k], is_noise ? 0 : value);
   }
   return text + '\n';
 }
