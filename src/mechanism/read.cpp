@@ -57,7 +57,9 @@ std::map<std::string, std::string> bodies_called(const toml::table& document) {
       return entry.first == "points" || entry.second.is_array();
     });
     const std::string name(key.str());
-    if (has_points) called[name] = "points of a body stand under [body." + name + ".points]";
+    const bool is_ground = suggestion(name, {"ground"}).find("did you mean") != std::string::npos;
+    if (has_points && !is_ground)
+      called[name] = "points of a body stand under [body." + name + ".points]";
   }
   return called;
 }

@@ -55,7 +55,10 @@ std::string comment_advice(const Scene& scene) {
 /// Where a number goes on with something that is none of it: an operator, a decimal comma or a unit.
 std::string number_advice(const Scene& scene) {
   const char c = scene.here();
+  if (scene.says("floating-point")) return "; digits stand on both sides of the point: 0.5, 5.0";
   if (!is_digit(scene.before())) return "";
+  if (is_digit(c)) return "; the digits of a number stand without blanks";
+  if (c == ';') return "; the entries of an array are parted by commas";
   if (c == ',') {
     const bool is_decimal = scene.at + 1 < scene.text.size() && is_digit(scene.text[scene.at + 1]);
     return is_decimal ? "; decimals have a point: 40.5, not 40,5"
@@ -72,6 +75,9 @@ std::string number_advice(const Scene& scene) {
 std::string value_advice(const Scene& scene) {
   if (!scene.says("value type") && !scene.says("boolean")) return "";
   if (scene.here() == '(') return "; several numbers stand in brackets, as in [40, 0]";
+  if (begins_with_any(scene.rest(), {"\u201c", "\u201d", "\u201e", "\u2018", "\u2019"})) {
+    return "; quotes are straight, \"...\", not those of a word processor";
+  }
   if (begins_with_any(scene.rest(), {"pi", "sqrt(", "sin(", "cos(", "tan(", "atan", "acos("})) {
     return "; numbers are written out, such as 1.0471976 for pi/3; only a driver's value = \"...\" "
            "is an expression";
@@ -86,6 +92,16 @@ std::string bracket_advice(const Scene& scene) {
     return "; every " + name + " begins with [[" + name + "]], in two brackets";
   }
   return "";
+}
+
+/// Where a key is followed by something else than its value.
+std::string key_advice(const Scene& scene) {
+  if (!scene.says("expected '='")) return "";
+  const std::string_view line = scene.line();
+  if (scene.here() == ':') return "; a key and its value are joined by '='";
+  return line.find('=') == std::string_view::npos
+             ? "; a key and its value are joined by '='"
+             : "; names have letters, digits, '_' and '-', and no blanks";
 }
 
 std::string header_advice(const Scene& scene) {
@@ -110,7 +126,7 @@ std::string advice(const Scene& scene) {
     return brackets.empty() ? "; two bodies, points or keys have one name, rename one of them"
                             : brackets;
   }
-  for (const auto& of : {comment_advice, number_advice, value_advice, header_advice}) {
+  for (const auto& of : {comment_advice, number_advice, value_advice, key_advice, header_advice}) {
     if (std::string found = of(scene); !found.empty()) return found;
   }
   return "";
@@ -160,6 +176,10 @@ Missing missing(const Scene& scene) {
     return {end_of_data_before(scene), begins_something_else(scene)
                                            ? "']' is missing: the array is not closed"
                                            : "',' is missing between two entries of the array"};
+  }
+  if (scene.says("parsing array") && is_digit(scene.before()) &&
+      (is_digit(scene.here()) || scene.here() == '-')) {
+    return {scene.at, "',' is missing before this entry of the array"};
   }
   if (scene.says("parsing array") && scene.before() == '"' && is_letter(scene.here())) {
     return {scene.at, "'\"' is missing before this: each name stands in quotes of its own"};

@@ -2,8 +2,10 @@
 // Does the program say what is odd, and what to do about a slip?
 #include <gtest/gtest.h>
 
+#include <array>
 #include <fstream>
 #include <sstream>
+#include <vector>
 
 #include "files.h"
 
@@ -106,6 +108,25 @@ TEST(DecimalComma, IsPointedOut) {
             "typed.toml:16:6: error: point 'crank.A' must be 2 numbers in brackets, not 3 entries\n"
             "    A  = [40, 0, 0]\n"
             "         ^\n");
+}
+
+TEST(SlipsOfTheHand, AreToldWhatWasMeant) {
+  const std::vector<std::array<std::string, 3>> slips{
+      {"[40, 0]", "[40 0]", "',' is missing before this entry of the array"},
+      {"[40, 0]", "[40; 0]", "; the entries of an array are parted by commas"},
+      {"[40, 0]", "[.5, 0]", "; digits stand on both sides of the point: 0.5, 5.0"},
+      {"[40, 0]", "[5., 0]", "; digits stand on both sides of the point: 0.5, 5.0"},
+      {"start = 40", "start = 4 000", "; the digits of a number stand without blanks"},
+      {"start = 40", "start: 40", "; a key and its value are joined by '='"},
+      {"start = 40", "start 40", "; a key and its value are joined by '='"},
+      {"start = 40", "sta rt = 40", "; names have letters, digits, '_' and '-', and no blanks"},
+      {"\"deg\"", "\u201cdeg\u201d",
+       "; quotes are straight, \"...\", not those of a word processor"},
+      {"[ground.points]", "[Ground.points]", "did you mean 'ground'?"}};
+  for (const auto& [right, wrong, advice] : slips) {
+    const std::string said = said_of(changed("roller", right, wrong));
+    EXPECT_TRUE(contains(said, advice + "\n")) << wrong << '\n' << said;
+  }
 }
 
 TEST(UnitOnANumber, IsPointedOut) {
