@@ -73,9 +73,10 @@ void count_paths(const Run& run, PathCounts& counts) {
   }
   counts.tracked = run.ledger.tracked();
   for (const PathRecord& path : run.ledger.records()) {
+    if (path.verdict == PathVerdict::open) continue;  // an interruption came first
     if (path.followed > 1) ++counts.retracked;
     if (path.handed_over) ++counts.handed_over;
-    if (path.rung == Rung::mixed) ++counts.mixed;
+    if (path.rung == Rung::mixed && path.verdict == PathVerdict::finite) ++counts.mixed;
     if (path.rung == Rung::double_double) ++counts.double_double;
     if (path.rung == Rung::multiprecision) ++counts.multiprecision;
   }

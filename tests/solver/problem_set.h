@@ -67,6 +67,8 @@ inline void expect_conservation(const SolveResult& result) {
             sum_of_multiplicities(result) + paths.on_positive_dimensional + result.excess);
   EXPECT_EQ(paths.failed, result.failures.size());
   EXPECT_LE(paths.retracked, result.start.paths);
+  EXPECT_LE(paths.mixed, paths.finite);
+  EXPECT_LE(paths.mixed + paths.double_double + paths.multiprecision, paths.tracked);
   if (result.complete) {
     EXPECT_EQ(paths.tracked, result.start.paths);
     EXPECT_EQ(paths.failed, 0U);
