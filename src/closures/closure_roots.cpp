@@ -3,7 +3,6 @@
 #include "closure_roots.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <stdexcept>
 #include <string>
@@ -12,6 +11,7 @@
 #include "closing.h"
 #include "moivre/closures/stages.h"
 #include "moivre/expression/counted.h"
+#include "moivre/numeric/near_points.h"
 #include "moivre/polynomial/square_up.h"
 #include "moving_pose.h"
 
@@ -214,56 +214,22 @@ void solve_determined(ClosureSearch& search, const BlockStructure& structure) {
   }
 }
 
-bool is_same(const Point& a, const Point& b, double tolerance) {
-  for (std::size_t v = 0; v < a.size(); ++v) {
-    if (!(std::abs(a[v] - b[v]) <= tolerance)) return false;
-  }
-  return true;
-}
-
-/// Roots by one number of each, a sum of its coordinates with weights that no two roots agree in by chance.
-class RootsByNumber {
- public:
-  explicit RootsByNumber(const std::vector<Solution>& roots) : roots_(roots) {
-    for (const Solution& root : roots) places_.emplace_back(number(root.x), places_.size());
-    std::sort(places_.begin(), places_.end());
-  }
-
-  bool contains(const Point& x, double tolerance) const {
-    const double reach = tolerance * static_cast<double>(x.size());
-    const double at = number(x);
-    auto place =
-        std::lower_bound(places_.begin(), places_.end(), std::pair(at - reach, std::size_t{0}));
-    for (; place != places_.end() && place->first <= at + reach; ++place) {
-      if (is_same(x, roots_[place->second].x, tolerance)) return true;
-    }
-    return false;
-  }
-
- private:
-  /// Weights on the unit circle: what is within the tolerance in every coordinate is within their number times that.
-  static double number(const Point& x) {
-    double sum = 0;
-    for (std::size_t v = 0; v < x.size(); ++v) {
-      const double angle = static_cast<double>(v * v + 1);
-      sum += std::cos(angle) * x[v].real() + std::sin(angle) * x[v].imag();
-    }
-    return sum;
-  }
-
-  const std::vector<Solution>& roots_;
-  std::vector<std::pair<double, std::size_t>> places_;
-};
-
 /// The image of an isolated root is a root: one that is not there was lost.
 std::uint64_t lost_images(const Formulation& formulation, const std::vector<Solution>& roots) {
-  const RootsByNumber known(roots);
-  return static_cast<std::uint64_t>(
-      std::count_if(roots.begin(), roots.end(), [&](const Solution& root) {
-        if (root.real || root.singular) return false;
-        const Point image = mirrored(formulation, root.x);
-        return !known.contains(image, kHolds * std::max(1.0, max_norm(image)));
-      }));
+  std::vector<double> numbers;
+  for (const Solution& root : roots) numbers.push_back(number_of(root.x));
+  const NearNumbers near(numbers);
+  const auto is_lost = [&](const Solution& root) {
+    if (root.real || root.singular) return false;
+    const Point image = mirrored(formulation, root.x);
+    const double most = kHolds * std::max(1.0, max_norm(image));
+    bool is_there = false;
+    near.visit_near(number_of(image), static_cast<double>(image.size()) * most, [&](auto k) {
+      is_there = is_there || max_distance(image, roots[k].x) <= most;
+    });
+    return !is_there;
+  };
+  return static_cast<std::uint64_t>(std::count_if(roots.begin(), roots.end(), is_lost));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "isotropic_frame.h"
 #include "moivre/mechanism/phi.h"
+#include "moivre/numeric/near_points.h"
 #include "moivre/polynomial/value.h"
 #include "spatial_bodies.h"
 
@@ -56,12 +57,7 @@ Point mirrored(const Formulation& formulation, const Point& root) {
 }
 
 double distance_from_real(const Formulation& formulation, const Point& root) {
-  const Point image = mirrored(formulation, root);
-  double largest = 0;
-  for (std::size_t v = 0; v < root.size(); ++v) {
-    largest = std::max(largest, std::abs(root[v] - image[v]));
-  }
-  return largest / std::max(1.0, max_norm(root));
+  return max_distance(root, mirrored(formulation, root)) / std::max(1.0, max_norm(root));
 }
 
 std::vector<NearExclusion> near_exclusions(const Formulation& formulation,

@@ -13,6 +13,7 @@
 #include "moivre/formulation/exact.h"
 #include "moivre/kinematics/state.h"
 #include "moivre/mechanism/pose.h"
+#include "moivre/numeric/near_points.h"
 #include "reconcile.h"
 
 namespace moivre {
@@ -27,12 +28,6 @@ constexpr int kMostTries = 5;
 constexpr double kLostAtOnce = 1e-3;
 // Values of one pair that were found twice, in units.
 constexpr double kSamePair = 1e-6;
-
-double distance(const Point& a, const Point& b) {
-  double largest = 0;
-  for (std::size_t k = 0; k < a.size(); ++k) largest = std::max(largest, std::abs(a[k] - b[k]));
-  return largest;
-}
 
 /// Times at which the formulations are looked at anew: drivers move smoothly between.
 std::vector<double> knots(const MotionRun& run) {
@@ -122,7 +117,7 @@ void PairSearch::enter_pairs(const Point& root, PairScene& scene) {
     const bool is_known =
         std::any_of(scene.pairs.begin(), scene.pairs.end(), [&](const KnownPair& pair) {
           return pair.block == block &&
-                 std::min(distance(pair.x, x), distance(pair.x, image)) <= kSamePair * size;
+                 std::min(max_distance(pair.x, x), max_distance(pair.x, image)) <= kSamePair * size;
         });
     if (!is_known) scene.pairs.push_back({block, x, false});
   }
@@ -152,7 +147,8 @@ bool PairSearch::pass(std::size_t scene, std::size_t block, const Point& x,
   const Point image = equations_[block]->image(x);
   const double most = kSamePair * std::max(1.0, max_norm(x));
   for (KnownPair& pair : scenes_[scene].pairs) {
-    if (pair.block != block || std::min(distance(pair.x, x), distance(pair.x, image)) > most) {
+    if (pair.block != block ||
+        std::min(max_distance(pair.x, x), max_distance(pair.x, image)) > most) {
       continue;
     }
     pair.is_passed = true;
@@ -219,7 +215,7 @@ void PairSearch::take_brief(const PairEquations& equations, const RealWhile& lif
       std::any_of(brief_lives_.begin(), brief_lives_.end(), [&](const RealWhile& known) {
         return known.roots[0].size() == life.roots[0].size() &&
                std::abs(known.at - life.at) <= kBriefest * equations.duration() &&
-               distance(known.roots[0], life.roots[0]) <= kSamePlace;
+               max_distance(known.roots[0], life.roots[0]) <= kSamePlace;
       });
   if (is_known) return;
   brief_lives_.push_back(life);

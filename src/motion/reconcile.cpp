@@ -101,13 +101,10 @@ bool leads_back(const MotionRun& run, const std::vector<Scene>& scenes, const Tr
                 bool is_forwards) {
   const WayBack way = way_back(scenes, track, is_forwards);
   if (way.last == nullptr) return true;
-  const Eigen::VectorXd* start = nullptr;
-  for (const Closure& closure : way.last->closures.closures) {
-    const BranchSample* sample = track.at(way.last->time);
-    if (is_same_pose(run.phi, closure.q, sample->q)) start = &closure.q;
-  }
-  if (start == nullptr) return true;
-  const Branch back = run.follower.follow_back({way.last->time, *start}, way.times, track);
+  const auto start = nearest_closure(run.phi, *way.last, track.at(way.last->time)->q);
+  if (!start) return true;
+  const Eigen::VectorXd& q = way.last->closures.closures[*start].q;
+  const Branch back = run.follower.follow_back({way.last->time, q}, way.times, track);
   if (back.samples.size() != way.times.size()) return run.stop;
   return std::all_of(back.samples.begin(), back.samples.end(), [&](const BranchSample& sample) {
     const BranchSample* there = track.at(sample.time);

@@ -4,8 +4,27 @@
 
 #include <algorithm>
 
+#include "moivre/closures/same_pose.h"
+
 namespace moivre {
 namespace {
+
+/// Poses are told apart by their lengths: angles are known but for whole turns.
+double number_of_lengths(const Phi& phi, const Eigen::VectorXd& q) {
+  Point lengths;
+  for (Eigen::Index k = 0; k < q.size(); ++k) {
+    if (is_length(phi, k)) lengths.emplace_back(q[k]);
+  }
+  return number_of(lengths);
+}
+
+Scene solve_scene(const MotionRun& run, const Tracker& tracker, double time) {
+  ClosureOptions options;
+  options.time = time;
+  options.solve = run.options.solve;
+  options.certify = false;  // what is compared with branches needs no proof of its own
+  return scene_of(run.phi, find_closures(run.mechanism, tracker, options, run.stop));
+}
 
 /// Whether a joint's limits hide a closure there.
 bool hides_closures(const Scene& scene) {
@@ -25,17 +44,30 @@ bool is_crossing(const MotionRun& run, const Scene& scene) {
 
 }  // namespace
 
-Scene solve_scene(const MotionRun& run, const Tracker& tracker, double time) {
-  ClosureOptions options;
-  options.time = time;
-  options.solve = run.options.solve;
-  options.certify = false;  // what is compared with branches needs no proof of its own
-  Scene scene;
-  scene.time = time;
-  scene.closures = find_closures(run.mechanism, tracker, options, run.stop);
-  scene.poses = KnownPoses(run.phi, scene.closures.closures);
-  scene.track_of.resize(scene.closures.closures.size());
-  return scene;
+Scene scene_of(const Phi& phi, ClosureResult closures) {
+  std::vector<double> numbers;
+  for (const Closure& closure : closures.closures) {
+    numbers.push_back(number_of_lengths(phi, closure.q));
+  }
+  const double time = closures.time;
+  const std::size_t count = numbers.size();
+  return {time, std::move(closures), NearNumbers(numbers),
+          std::vector<std::optional<std::size_t>>(count)};
+}
+
+std::optional<std::size_t> nearest_closure(const Phi& phi, const Scene& scene,
+                                           const Eigen::VectorXd& q) {
+  // What is the same pose is hardly larger.
+  const double reach = 2 * static_cast<double>(q.size()) * kSamePose * size_of(phi, q);
+  std::optional<std::size_t> nearest;
+  double least = kSamePose;
+  scene.numbers.visit_near(number_of_lengths(phi, q), reach, [&](std::size_t j) {
+    const double gap = distance(phi, q, scene.closures.closures[j].q);
+    if (!(gap <= least)) return;
+    least = gap;
+    nearest = j;
+  });
+  return nearest;
 }
 
 std::vector<Scene> solve_scenes(const MotionRun& run, const Tracker& tracker) {
@@ -89,7 +121,7 @@ std::optional<std::pair<std::size_t, std::size_t>> match(const MotionRun& run, S
   for (std::size_t k = 0; k < run.tracks.size(); ++k) {
     const BranchSample* sample = run.tracks[k].at(scene.time);
     if (sample == nullptr) continue;
-    const auto nearest = scene.poses.nearest(run.phi, scene.closures.closures, sample->q);
+    const auto nearest = nearest_closure(run.phi, scene, sample->q);
     if (!nearest) continue;
     auto& owner = scene.track_of[*nearest];
     if (!owner) {

@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "known_poses.h"
+#include "moivre/numeric/near_points.h"
 #include "motion_run.h"
 
 namespace moivre {
@@ -16,11 +16,16 @@ namespace moivre {
 struct Scene {
   double time = 0;
   ClosureResult closures;
-  KnownPoses poses;                                  ///< of the closures
+  NearNumbers numbers;                               ///< of the closures
   std::vector<std::optional<std::size_t>> track_of;  ///< one a closure: index into the tracks
 };
 
-Scene solve_scene(const MotionRun& run, const Tracker& tracker, double time);
+/// Without tracks.
+Scene scene_of(const Phi& phi, ClosureResult closures);
+
+/// Index of the nearest closure that is the same pose as q.
+std::optional<std::size_t> nearest_closure(const Phi& phi, const Scene& scene,
+                                           const Eigen::VectorXd& q);
 
 /// The scenes at `from` and at every checkpoint, ascending; fewer where the run was stopped.
 std::vector<Scene> solve_scenes(const MotionRun& run, const Tracker& tracker);

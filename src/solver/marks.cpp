@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Marks of points, and the search among them along the real axis.
+// Marks of points, and the search among them by their real parts.
 #include "marks.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
+#include <set>
 
-#include "moivre/numeric/random.h"
+#include "moivre/numeric/near_points.h"
 
 namespace moivre {
 namespace {
@@ -17,8 +17,6 @@ constexpr std::uint64_t kSeed = 1;
 
 // Points are known to this, relative, where they are compared.
 constexpr double kMarkTolerance = 1e-7;
-
-bool are_one(Complex a, Complex b) { return std::abs(a - b) <= tolerance_at(a); }
 
 }  // namespace
 
@@ -48,22 +46,17 @@ void Marks::forget(std::uint64_t path) {
 }
 
 std::vector<std::uint64_t> Marks::shared() const {
-  std::vector<std::uint64_t> order(marks_.size());
-  std::iota(order.begin(), order.end(), std::uint64_t{0});
-  std::erase_if(order, [&](std::uint64_t path) { return std::isnan(marks_[path].real()); });
-  std::sort(order.begin(), order.end(),
-            [&](std::uint64_t a, std::uint64_t b) { return marks_[a].real() < marks_[b].real(); });
-  std::vector<std::uint64_t> result;
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const Complex mark = marks_[order[i]];
-    for (std::size_t k = i + 1; k < order.size(); ++k) {
-      if (marks_[order[k]].real() - mark.real() > tolerance_at(mark)) break;
-      if (are_one(mark, marks_[order[k]])) result.insert(result.end(), {order[i], order[k]});
-    }
+  std::vector<double> numbers;
+  for (const Complex mark : marks_) numbers.push_back(mark.real());
+  const NearNumbers near(numbers);
+  std::set<std::uint64_t> result;
+  for (std::uint64_t a = 0; a < marks_.size(); ++a) {
+    const double most = tolerance_at(marks_[a]);
+    near.visit_near(numbers[a], most, [&](std::uint64_t b) {
+      if (a != b && std::abs(marks_[a] - marks_[b]) <= most) result.insert({a, b});
+    });
   }
-  std::sort(result.begin(), result.end());
-  result.erase(std::unique(result.begin(), result.end()), result.end());
-  return result;
+  return {result.begin(), result.end()};
 }
 
 }  // namespace moivre
