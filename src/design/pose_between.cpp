@@ -2,11 +2,11 @@
 // Interpolation, correction, velocity and acceleration.
 #include "pose_between.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "moivre/kinematics/own_units.h"
 #include "moivre/kinematics/state.h"
+#include "moivre/numeric/quintic.h"
 
 namespace moivre {
 namespace {
@@ -23,30 +23,10 @@ VectorXd interpolated(const BranchSample& before, const BranchSample& after, dou
   const double s = (time - before.time) / h;
   if (!after.is_determined) return after.q + std::sqrt(1 - s) * (before.q - after.q);
   if (!before.is_determined) return before.q + std::sqrt(s) * (after.q - before.q);
-  const VectorXd line = (1 - s) * before.q + s * after.q;
-  if (!has_velocity(before) || !has_velocity(after)) return line;
-  // By q, q' and q'' at both ends; u counts from the other end.
-  const double u = 1 - s;
-  const VectorXd way = after.q - before.q;
-  const VectorXd at_before = h * before.velocity - way;
-  const VectorXd at_after = way - h * after.velocity;
-  const double bend = h * h / 2;
-  // The cubic, and what its second derivatives miss.
-  const VectorXd cubic = line + s * u * (u * at_before + s * at_after);
-  const VectorXd missed_before = bend * before.acceleration - (at_after - 2 * at_before);
-  const VectorXd missed_after = bend * after.acceleration - (at_before - 2 * at_after);
-  return cubic + s * s * u * u * (u * missed_before + s * missed_after);
-}
-
-/// The largest entry, lengths beside the mechanism's.
-double size_of(const VectorXd& step, const Phi& phi) {
-  double size = 0;
-  for (std::size_t k = 0; k < phi.coordinates().size(); ++k) {
-    const bool is_length = phi.coordinates()[k].kind == CoordinateKind::length;
-    const double entry = std::abs(step[static_cast<Eigen::Index>(k)]);
-    size = std::max(size, is_length ? entry / phi.length() : entry);
-  }
-  return size;
+  if (!has_velocity(before) || !has_velocity(after)) return (1 - s) * before.q + s * after.q;
+  const QuinticWeights<double> w = quintic_weights(time - before.time, h);
+  return w.a * before.q + w.slope_a * before.velocity + w.bend_a * before.acceleration +
+         w.b * after.q + w.slope_b * after.velocity + w.bend_b * after.acceleration;
 }
 
 }  // namespace
@@ -60,11 +40,11 @@ BranchSample pose_between(const Phi& phi, const BranchSample& before, const Bran
   sample.time = time;
   sample.q = interpolated(before, after, time);
   sample.is_determined = false;
-  const double most = size_of(after.q - before.q, phi) + kSettled;
+  const double most = largest_of(phi, after.q - before.q) + kSettled;
   for (int step = 0; step < kMostSteps; ++step) {
     const Factorization factors = factorization_of(phi, phi.jacobian(sample.q, time));
     const VectorXd correction = factors.solve(-phi.value(sample.q, time));
-    const double size = size_of(correction, phi);
+    const double size = largest_of(phi, correction);
     if (!(size <= most)) return sample;
     sample.q += correction;
     if (size > kSettled) continue;

@@ -6,7 +6,7 @@
 
 namespace moivre {
 
-/// Newton's method from Hermite's cubic through both. `is_determined` is false where it does not settle beside the cubic, or
+/// Newton's method from the quintic through both. `is_determined` is false where it does not settle beside that, or
 /// Phi_q is singular.
 BranchSample pose_between(const Phi& phi, const BranchSample& before, const BranchSample& after,
                           double time);

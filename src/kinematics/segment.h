@@ -33,7 +33,7 @@ double place_of_time(const Segment& segment, double time);
 /// The curve's point at x; nullopt where it cannot be corrected.
 std::optional<CurvePoint> point_at(const Curve& curve, const Segment& segment, double x);
 
-/// Where `f`, positive at a and not at b, changes sign: bisection and regula falsi, to rounding of x.
+/// Where `f`, positive at a and not at b, changes sign, to rounding of x.
 /// nullopt where a point in between cannot be corrected.
 std::optional<CurvePoint> sign_change(const Curve& curve, const Segment& segment,
                                       const std::function<double(const CurvePoint&)>& f);

@@ -4,12 +4,13 @@
 
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
-#include <cstdint>
 #include <optional>
 
+#include "moivre/mechanism/jet.h"
 #include "moivre/mechanism/pose.h"
+#include "moivre/numeric/quintic.h"
+#include "moivre/numeric/zero_between.h"
 
 namespace moivre {
 namespace {
@@ -24,30 +25,21 @@ double difference(const MovingPart& quantity, double a, double b) {
   return is_cut ? std::remainder(a - b, kOneTurn) : a - b;
 }
 
-/// A quantity over one step, beside its value at the beginning: degree five in u = x / length.
+/// A quantity over one step, beside its value at the beginning.
 class StepCurve {
  public:
   StepCurve(const BranchPiece& piece, const MovingPart& quantity) {
-    const auto [v0, a0] = rates(piece, quantity, 0);
-    const auto [v1, a1] = rates(piece, quantity, 1);
-    const double rise =
-        difference(quantity, quantity.value(piece.q[1]), quantity.value(piece.q[0]));
-    c_ = {v0, a0 / 2, 10 * rise - 6 * v0 - 4 * v1 - 1.5 * a0 + 0.5 * a1,
-          -15 * rise + 8 * v0 + 7 * v1 + 1.5 * a0 - a1,
-          6 * rise - 3 * v0 - 3 * v1 - 0.5 * a0 + 0.5 * a1};
+    length_ = piece.length;
+    at_ = {along(piece, quantity, 0), along(piece, quantity, 1)};
+    at_[1].f = difference(quantity, quantity.value(piece.q[1]), quantity.value(piece.q[0]));
   }
 
-  double value(double u) const {
-    return u * (c_[0] + u * (c_[1] + u * (c_[2] + u * (c_[3] + u * c_[4]))));
-  }
-  double slope(double u) const {
-    return c_[0] + u * (2 * c_[1] + u * (3 * c_[2] + u * (4 * c_[3] + u * 5 * c_[4])));
-  }
+  double value(double x) const { return at(x).f; }
+  double slope(double x) const { return at({x, 1, 0}).d; }
 
  private:
-  /// Slope and bend in u at one end of the step.
-  static std::pair<double, double> rates(const BranchPiece& piece, const MovingPart& quantity,
-                                         std::size_t end) {
+  /// At one end of the step, beside the value there.
+  static Jet along(const BranchPiece& piece, const MovingPart& quantity, std::size_t end) {
     const double here = quantity.value(piece.q[end]);
     const auto moved = [&](double x) {
       const VectorXd q = piece.q[end] + x * piece.slope[end] + x * x / 2 * piece.bend[end];
@@ -55,11 +47,17 @@ class StepCurve {
     };
     const double later = moved(kDifference);
     const double earlier = moved(-kDifference);
-    return {piece.length * (later - earlier) / (2 * kDifference),
-            piece.length * piece.length * (later + earlier) / (kDifference * kDifference)};
+    return {0, (later - earlier) / (2 * kDifference),
+            (later + earlier) / (kDifference * kDifference)};
+  }
+  Jet at(const Jet& x) const {
+    const QuinticWeights<Jet> w = quintic_weights(x, length_);
+    return w.slope_a * at_[0].d + w.bend_a * at_[0].dd + w.b * at_[1].f + w.slope_b * at_[1].d +
+           w.bend_b * at_[1].dd;
   }
 
-  std::array<double, 5> c_{};
+  double length_ = 0;
+  std::array<Jet, 2> at_;
 };
 
 /// Takes one step in from value `v`, where it begins; returns the value where it ends.
@@ -73,13 +71,12 @@ double take_step(const BranchPiece& piece, const MovingPart& quantity, double v,
     return take(v + difference(quantity, quantity.value(piece.q[1]), quantity.value(piece.q[0])));
   }
   const StepCurve curve(piece, quantity);
-  const double until = piece.until / piece.length;
-  const double end = take(v + curve.value(until));
-  if (curve.slope(0) * curve.slope(until) >= 0) return end;
+  const double end = take(v + curve.value(piece.until));
+  if (curve.slope(0) * curve.slope(piece.until) >= 0) return end;
   constexpr int kBits = 26;  // half of a double's: the place of an extreme is known no better
   const double sign = curve.slope(0) > 0 ? -1 : 1;
   const auto found = boost::math::tools::brent_find_minima(
-      [&](double u) { return sign * curve.value(u); }, 0.0, until, kBits);
+      [&](double x) { return sign * curve.value(x); }, 0.0, piece.until, kBits);
   take(v + sign * found.second);
   return end;
 }
@@ -139,10 +136,7 @@ Course course(const MotionBranch& branch, const MovingPart& quantity) {
 std::optional<double> turning_time(const DriverLaw& law, double from, double to) {
   const auto rate = [&](double time) { return driver_state(law, time).velocity; };
   if (!(rate(from) * rate(to) < 0)) return std::nullopt;
-  std::uintmax_t iterations = 100;
-  const auto [lower, upper] = boost::math::tools::toms748_solve(
-      rate, from, to, boost::math::tools::eps_tolerance<double>(), iterations);
-  return (lower + upper) / 2;
+  return zero_between(rate, from, to, rate(from), rate(to));
 }
 
 Course driver_course(const MotionBranch& branch, const Driver& driver) {

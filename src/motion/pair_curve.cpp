@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "moivre/numeric/zero_between.h"
+
 namespace moivre {
 namespace {
 
@@ -142,33 +144,17 @@ class PairFollower {
     Point x;  ///< both roots
   };
 
-  /// Where s changes its sign between two places of a step, by regula falsi (Illinois).
-  Meeting zero_of_s(const PairStep& step, double below, double above) const {
-    constexpr int kMostRounds = 60;
-    const auto s_at = [&](double x) {
+  /// Where s changes its sign between two places of a step.
+  Meeting zero_of_s(const PairStep& step, double from, double to) const {
+    const auto y_at = [&](double x) {
       const auto point = between(step, x);
-      return point ? s(*point) : hermite(step, x)[equations_.at_s()].real();
+      return point ? point->y : hermite(step, x);
     };
-    double f_below = s_at(below);
-    double f_above = s_at(above);
-    double x = above;
-    for (int k = 0; k < kMostRounds; ++k) {
-      x = above - f_above * (above - below) / (f_above - f_below);
-      const double f = s_at(x);
-      if (f == 0 || std::abs(above - below) <= 1e-15 * step.length) break;
-      if (f > 0) {
-        above = x;
-        f_above = f;
-        f_below /= 2;
-      } else {
-        below = x;
-        f_below = f;
-        f_above /= 2;
-      }
-      if (std::abs(f) <= kNoiseOfS / 10) break;
-    }
-    const auto point = between(step, x);
-    return meeting_at(point ? point->y : hermite(step, x));
+    const auto s_at = [&](double x) {
+      const double s_there = y_at(x)[equations_.at_s()].real();
+      return std::abs(s_there) <= kNoiseOfS / 10 ? 0 : s_there;
+    };
+    return meeting_at(y_at(zero_between(s_at, from, to, s_at(from), s_at(to))));
   }
 
   Meeting meeting_at(PairVector y) const {
@@ -208,7 +194,7 @@ class PairFollower {
     if (!top || s(*top) < -kNearZero) return;
     if (rate(*top) * rate(step.a) < 0) return curve_.fold_backs.push_back(time(*top));
     if (s(*top) <= kNearZero) return take_brief(*top);
-    take_life(zero_of_s(step, 0, x), zero_of_s(step, step.length, x), time(*top),
+    take_life(zero_of_s(step, 0, x), zero_of_s(step, x, step.length), time(*top),
               equations_.roots(top->y));
   }
 
@@ -266,8 +252,7 @@ class PairFollower {
     if (begin < 0 && end < 0 && slope(step.a) > 0 && slope(step.b) < 0) locate_maximum(step);
     if ((begin < 0) != (end < 0)) {
       const bool turns_within = goes_back_while_real(step);
-      const Meeting meeting =
-          begin < 0 ? zero_of_s(step, 0, step.length) : zero_of_s(step, step.length, 0);
+      const Meeting meeting = zero_of_s(step, 0, step.length);
       curve_.borders.push_back(meeting.time);
       if (begin < 0) {
         met_ = meeting;

@@ -82,7 +82,7 @@ class QuantityReader {
 
   /// The sample of a regular pose.
   BranchSample sample_at(double time, const Eigen::VectorXd& q) const;
-  /// A sample between two: Newton's method from Hermite's cubic. Status false (is_determined) where it does not settle.
+  /// A sample between two: Newton's method from the quintic through both. Status false (is_determined) where it does not settle.
   BranchSample between(const BranchSample& before, const BranchSample& after, double time) const;
 
   /// The outputs' values, as quantities of a reader of their own: see time_ratio.h.
