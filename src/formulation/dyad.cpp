@@ -184,8 +184,6 @@ void add_half_angles(SpatialFrame& frame, const LoopElement& a, const LoopElemen
                      const std::array<Polynomial, 4>& c) {
   frame.add_equation(a.name, c[0] * a.unknown - c[2]);
   frame.add_equation(b.name, c[0] * b.unknown - c[1]);
-  exclude_endless(frame, a);
-  exclude_endless(frame, b);
 }
 
 std::array<Polynomial, 4> coordinates_in(const DyadSpace& space, const MovingPose& pose) {

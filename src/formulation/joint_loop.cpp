@@ -50,14 +50,4 @@ std::array<ExactPose, 2> basis_of(const LoopElement& element) {
   return {one + element.fixed * element.axis, moved};
 }
 
-void exclude_endless(SpatialFrame& frame, const LoopElement& element) {
-  if (element.is_turn) {
-    frame.exclude(constant({1, 0}) + element.unknown * element.unknown,
-                  "a half angle's tangent is i or -i there: nothing is turned");
-  } else if (!element.fixed.is_zero()) {
-    frame.exclude(constant({1, 0}) - Coefficient{element.fixed, 0} * element.unknown,
-                  "a slide is infinitely long there");
-  }
-}
-
 }  // namespace moivre

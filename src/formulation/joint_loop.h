@@ -35,7 +35,4 @@ std::vector<JointLoop> all_ways(const JointLoop& loop);
 /// b0 and b1.
 std::array<ExactPose, 2> basis_of(const LoopElement& element);
 
-/// Throws out what satisfies the polynomials and is no joint's motion: tangents i and -i, and infinite slides that o brought near.
-void exclude_endless(SpatialFrame& frame, const LoopElement& element);
-
 }  // namespace moivre

@@ -75,8 +75,6 @@ class LoopEquations {
     const MovingPose pose = element(0) * pose_in(dyad_at(1), inner) * element(3);
     // whole^-1 E_1 D_23 E_4 = conj(E_5 E_6), whose conjugate lies in the space of E_5 E_6.
     const MovingPose rest = conjugate(conjugate(whole()) * pose);
-    exclude(0);
-    exclude(3);
     in_space(rest, outer);
     add_half_angles(frame_, e(4), e(5), coordinates_in(outer, rest));
   }
@@ -87,11 +85,9 @@ class LoopEquations {
     // Inside V Study's quadric holds, and with it the dyad's.
     const MovingPose pose = element(0) * pose_in(dyad_at(1), add_inner_dyad());
     const MovingPose rest = conjugate(conjugate(whole()) * pose);  // E_4 E_5 E_6
-    exclude(0);
     in_space(rest, outer);
     const std::array<Polynomial, 4> c = coordinates_in(outer, conjugate(element(3)) * rest);
     add_quadric(frame_, e(4), c);
-    exclude(3);
     add_half_angles(frame_, e(4), e(5), c);
   }
 
@@ -105,12 +101,8 @@ class LoopEquations {
     if (has_inner_dyad) {
       inner = add_inner_dyad();
       rest = rest * element(0) * pose_in(dyad_at(1), inner);
-      exclude(0);
     } else {
-      for (std::size_t k = 0; k < last; ++k) {
-        rest = rest * element(k);
-        exclude(k);
-      }
+      for (std::size_t k = 0; k < last; ++k) rest = rest * element(k);
     }
     rest = conjugate(rest);
     const DyadSpace outer = dyad_at(last);
@@ -146,7 +138,6 @@ class LoopEquations {
   const LoopElement& e(std::size_t k) const { return loop_.elements[k]; }
   MovingPose element(std::size_t k) const { return element_pose(e(k)); }
   MovingPose whole() const { return to_moving(loop_.whole); }
-  void exclude(std::size_t k) { exclude_endless(frame_, e(k)); }
   DyadSpace dyad_at(std::size_t k) const { return dyad_space(e(k), e(k + 1), frame_.length()); }
 
   /// Unknown coordinates for the dyad of elements 1 and 2, with their half angles.
@@ -192,36 +183,37 @@ class LoopEquations {
 
 }  // namespace
 
-bool takes_plain_slides(const JointLoop& loop, double length) {
-  if (count_turns(loop) == 0) return true;
-  if (loop.elements.size() < kSix) return false;
-  if (count_turns(loop) == kTurnsOfSpace) return true;
-  return begun_with_slide(loop) && !best_cut(loop, length).has_common_space;
+LoopForm form_of(JointLoop loop, double length) {
+  using Kind = LoopForm::Kind;
+  if (count_turns(loop) == 0) return {Kind::slides, std::move(loop)};
+  if (loop.elements.size() < kSix) return {Kind::short_loop, short_cut(loop)};
+  if (count_turns(loop) == kTurnsOfSpace) return {Kind::turns_first, std::move(loop)};
+  Cut cut = best_cut(loop, length);
+  if (cut.has_common_space) return {Kind::decoupled, std::move(cut.loop)};
+  if (auto begun = begun_with_slide(loop)) return {Kind::four_turns, std::move(*begun)};
+  return {Kind::general, std::move(cut.loop)};
 }
 
-void add_loop_equations(SpatialFrame& frame, const JointLoop& loop) {
-  if (count_turns(loop) == 0) {
-    LoopEquations(frame, loop).add_slides();
-    return;
-  }
-  if (loop.elements.size() < kSix) {
-    LoopEquations(frame, short_cut(loop)).add_short();
-    return;
-  }
-  if (count_turns(loop) == kTurnsOfSpace) {
-    LoopEquations(frame, loop).add_turns_first();
-    return;
-  }
-  Cut cut = best_cut(loop, frame.length());
-  if (const auto begun = begun_with_slide(loop); begun && !cut.has_common_space) {
-    add_four_turns(frame, *begun);
-    return;
-  }
-  LoopEquations equations(frame, std::move(cut.loop));
-  if (cut.has_common_space) {
-    equations.add_decoupled();
-  } else {
-    equations.add_general();
+bool has_linear_slides(LoopForm::Kind kind) {
+  using Kind = LoopForm::Kind;
+  return kind == Kind::slides || kind == Kind::turns_first || kind == Kind::four_turns;
+}
+
+void add_loop_equations(SpatialFrame& frame, LoopForm form) {
+  if (form.kind == LoopForm::Kind::four_turns) return add_four_turns(frame, form.loop);
+  LoopEquations equations(frame, std::move(form.loop));
+  switch (form.kind) {
+    case LoopForm::Kind::slides:
+      return equations.add_slides();
+    case LoopForm::Kind::turns_first:
+      return equations.add_turns_first();
+    case LoopForm::Kind::short_loop:
+      return equations.add_short();
+    case LoopForm::Kind::decoupled:
+      return equations.add_decoupled();
+    case LoopForm::Kind::general:
+    case LoopForm::Kind::four_turns:
+      return equations.add_general();
   }
 }
 

@@ -12,11 +12,24 @@ ExactPose shortened(const ExactPose& pose);
 ExactPose axis_at(const ExactPose& frame);
 ExactPose slide_at(const ExactPose& frame);
 
-/// Whether the loop's slides are to be unknowns themselves (o = 0), since they are found linearly behind the turns. For three to six
-/// elements, whatever their o is now.
-bool takes_plain_slides(const JointLoop& loop, double length);
+/// How a loop is stated, begun where that is done best.
+struct LoopForm {
+  enum class Kind {
+    slides,       ///< no turns: linear
+    turns_first,  ///< three turns and three slides
+    four_turns,   ///< and two slides (four_turns.h)
+    short_loop,   ///< three to five elements
+    decoupled,    ///< six, the last three stay in one 3-space
+    general
+  } kind = Kind::general;
+  JointLoop loop;
+};
 
-/// For three to six elements.
-void add_loop_equations(SpatialFrame& frame, const JointLoop& loop);
+/// For three to six elements, whatever their o is.
+LoopForm form_of(JointLoop loop, double length);
+/// Whether slides follow linearly from the turns: they are to be unknowns themselves, o = 0.
+bool has_linear_slides(LoopForm::Kind kind);
+
+void add_loop_equations(SpatialFrame& frame, LoopForm form);
 
 }  // namespace moivre

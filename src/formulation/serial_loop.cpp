@@ -19,66 +19,39 @@ class Chain {
       : frame_(frame), groups_(groups), has_plain_slides_(has_plain_slides) {}
 
   void follow(const Tie& tie, bool is_last) {
-    owners_ = groups_.bodies[is_last ? tie.i : tie.j];
-    step_ = to_moving(identity_pose());
-    fixed(tie.at_i);
-    turns(tie);
-    slides(tie);
-    fixed(conjugate(tie.at_j));
-    if (!is_last) frame_.place(tie.j, tie.i, step_);
+    const std::vector<std::string>& owners = groups_.bodies[is_last ? tie.i : tie.j];
+    MovingPose pose = to_moving(identity_pose());
+    for (const TieStep& step : steps_of(tie, true)) {
+      if (step.kind == TieStep::Kind::fixed) {
+        at_ = at_ * step.pose;
+        pose = pose * to_moving(step.pose);
+      } else {
+        pose = pose * add(step, owners);
+      }
+    }
+    if (!is_last) frame_.place(tie.j, tie.i, pose);
   }
 
   std::vector<LoopElement> take() && { return std::move(elements_); }
   ExactPose end() const { return at_; }
 
  private:
-  void turn(const std::string& name) {
+  MovingPose add(const TieStep& step, const std::vector<std::string>& owners) {
     LoopElement element;
-    element.fixed = frame_.random_number();
-    element.axis = axis_at(at_);
-    element.owners = owners_;
-    element.is_turn = true;
-    element.name = name;
-    element.unknown = frame_.add_unknown(name, true, owners_);
-    step_ = step_ * turn_of(element.unknown, element.fixed);
-    elements_.push_back(std::move(element));
-  }
-
-  void slide(const std::string& name) {
-    LoopElement element;
-    if (!has_plain_slides_) {
+    element.is_turn = step.kind == TieStep::Kind::turn;
+    element.axis = element.is_turn ? axis_at(at_) : slide_at(at_);
+    element.owners = owners;
+    element.name = step.name;
+    if (element.is_turn) {
       element.fixed = frame_.random_number();
-      element.fixed /= Rational(frame_.length());
+      element.unknown = frame_.add_turn(step.name, owners);
+    } else {
+      if (!has_plain_slides_) element.fixed = frame_.random_number() / Rational(frame_.length());
+      element.unknown = frame_.add_slide(step.name, element.fixed, owners);
     }
-    element.axis = slide_at(at_);
-    element.owners = owners_;
-    element.name = name;
-    element.unknown = frame_.add_unknown(name, false, owners_);
-    step_ = step_ * slide_of(element.unknown, element.fixed);
-    elements_.push_back(std::move(element));
-  }
-
-  void turns(const Tie& tie) {
-    if (turn_freedom(tie) == 1) turn("t_" + tie.name);
-    if (turn_freedom(tie) != 2) return;
-    turn("t1_" + tie.name);
-    fixed(tilt(tie.half_tangent));
-    turn("t2_" + tie.name);
-  }
-
-  void slides(const Tie& tie) {
-    if (tie.place == JointPlace::on_line) slide("s_" + tie.name);
-    if (tie.place != JointPlace::in_plane) return;
-    for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
-      fixed(across(k));
-      slide("s" + std::to_string(k + 1) + "_" + tie.name);
-      fixed(conjugate(across(k)));
-    }
-  }
-
-  void fixed(const ExactPose& pose) {
-    at_ = at_ * pose;
-    step_ = step_ * to_moving(pose);
+    elements_.push_back(element);
+    return element.is_turn ? turn_of(element.unknown, element.fixed)
+                           : slide_of(element.unknown, element.fixed);
   }
 
   SpatialFrame& frame_;
@@ -86,8 +59,6 @@ class Chain {
   bool has_plain_slides_;
   std::vector<LoopElement> elements_;
   ExactPose at_ = identity_pose();  ///< where the chain has come with all joints at rest
-  MovingPose step_;                 ///< of the tie at work
-  std::vector<std::string> owners_;
 };
 
 }  // namespace
@@ -125,10 +96,15 @@ void add_loop(SpatialFrame& frame, const RigidGroups& groups, const std::vector<
     const ExactPose whole = conjugate(shortened(chain.end()));
     return JointLoop{std::move(chain).take(), whole};
   };
-  SpatialFrame tried(frame.length());
-  const bool has_plain_slides = takes_plain_slides(followed(tried, true), frame.length());
   frame.note_rounding();
-  add_loop_equations(frame, followed(frame, has_plain_slides));
+  SpatialFrame plain = frame;
+  LoopForm form = form_of(followed(plain, true), frame.length());
+  if (has_linear_slides(form.kind)) {
+    frame = std::move(plain);
+  } else {
+    form = form_of(followed(frame, false), frame.length());
+  }
+  add_loop_equations(frame, std::move(form));
 }
 
 }  // namespace moivre

@@ -106,16 +106,19 @@ MovingPose slide_of(const Polynomial& u, const Rational& fixed) {
   return slide;
 }
 
-MovingPose SpatialFrame::add_turn(const std::string& name, const Rational& fixed,
-                                  const std::vector<std::string>& owners) {
+Polynomial SpatialFrame::add_turn(const std::string& name, const std::vector<std::string>& owners) {
   const Polynomial t = add_unknown(name, true, owners);
-  exclude(constant({1, 0}) + t * t, "a half angle's tangent is i or -i there");
-  return turn_of(t, fixed);
+  exclude(constant({1, 0}) + t * t, "a half angle's tangent is i or -i there: nothing is turned");
+  return t;
 }
 
-MovingPose SpatialFrame::add_slide(const std::string& name,
+Polynomial SpatialFrame::add_slide(const std::string& name, const Rational& fixed,
                                    const std::vector<std::string>& owners) {
-  return slide_of(add_unknown(name, false, owners));
+  const Polynomial u = add_unknown(name, false, owners);
+  if (!fixed.is_zero()) {
+    exclude(constant({1, 0}) - Coefficient{fixed, 0} * u, "a slide is infinitely long there");
+  }
+  return u;
 }
 
 std::vector<Polynomial> SpatialFrame::add_patched(const std::string& name, std::size_t count,
@@ -151,47 +154,53 @@ MovingPose SpatialFrame::add_any_pose(const std::string& name,
   return pose;
 }
 
-namespace {
-
-MovingPose turns_of(SpatialFrame& frame, const Tie& tie, const std::vector<std::string>& owners) {
-  const auto turn = [&](const std::string& name) {
-    return frame.add_turn(name, frame.random_number(), owners);
-  };
-  switch (turn_freedom(tie)) {
-    case 0:
-      return to_moving(identity_pose());
-    case 1:
-      return turn("t_" + tie.name);
-    case 2: {
-      const MovingPose first = turn("t1_" + tie.name);
-      return first * to_moving(tilt(tie.half_tangent)) * turn("t2_" + tie.name);
-    }
-    default:
-      return frame.add_any_turn(tie.name, owners);
+std::vector<TieStep> steps_of(const Tie& tie, bool turns_first) {
+  using Kind = TieStep::Kind;
+  std::vector<TieStep> turns;
+  const std::size_t count = turn_freedom(tie);
+  if (count == 1) turns = {{Kind::turn, {}, "t_" + tie.name}};
+  if (count == 2) {
+    turns = {{Kind::turn, {}, "t1_" + tie.name},
+             {Kind::fixed, tilt(tie.half_tangent)},
+             {Kind::turn, {}, "t2_" + tie.name}};
   }
-}
-
-MovingPose slides_of(SpatialFrame& frame, const Tie& tie, const std::vector<std::string>& owners) {
-  MovingPose slides = to_moving(identity_pose());
-  if (tie.place == JointPlace::on_line) return frame.add_slide("s_" + tie.name, owners);
-  if (tie.place != JointPlace::in_plane) return slides;
-  for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
-    const std::string name = "s" + std::to_string(k + 1) + "_" + tie.name;
-    slides = slides * to_moving(across(k)) * frame.add_slide(name, owners) *
-             to_moving(conjugate(across(k)));
+  if (count > 2) turns = {{Kind::any_turn, {}, tie.name}};
+  std::vector<TieStep> slides;
+  if (tie.place == JointPlace::on_line) slides = {{Kind::slide, {}, "s_" + tie.name}};
+  if (tie.place == JointPlace::in_plane) {
+    slides = {{Kind::fixed, across(0)},
+              {Kind::slide, {}, "s1_" + tie.name},
+              {Kind::fixed, conjugate(across(0)) * across(1)},
+              {Kind::slide, {}, "s2_" + tie.name},
+              {Kind::fixed, conjugate(across(1))}};
   }
-  return slides;
+  std::vector<TieStep> steps{{Kind::fixed, tie.at_i}};
+  for (const auto* part : {turns_first ? &turns : &slides, turns_first ? &slides : &turns}) {
+    steps.insert(steps.end(), part->begin(), part->end());
+  }
+  steps.push_back({Kind::fixed, conjugate(tie.at_j)});
+  return steps;
 }
-
-}  // namespace
 
 MovingPose add_motion(SpatialFrame& frame, const Tie& tie, const std::vector<std::string>& owners) {
   if (is_loose(tie)) throw std::logic_error("a tie that holds one number places nothing");
-  const MovingPose turns = turns_of(frame, tie, owners);
-  const MovingPose slides = slides_of(frame, tie, owners);
-  // The line of a point that turns freely is fixed in one group; other turns commute with their slides.
-  const MovingPose motion = tie.is_reversed ? turns * slides : slides * turns;
-  return to_moving(tie.at_i) * motion * to_moving(conjugate(tie.at_j));
+  const auto moved = [&](const TieStep& step) {
+    switch (step.kind) {
+      case TieStep::Kind::turn:
+        return turn_of(frame.add_turn(step.name, owners), frame.random_number());
+      case TieStep::Kind::slide:
+        return slide_of(frame.add_slide(step.name, 0, owners), 0);
+      case TieStep::Kind::any_turn:
+        return frame.add_any_turn(step.name, owners);
+      case TieStep::Kind::fixed:
+        break;
+    }
+    return to_moving(step.pose);
+  };
+  // The line of a point that turns freely is fixed in one group.
+  MovingPose motion = to_moving(identity_pose());
+  for (const TieStep& step : steps_of(tie, tie.is_reversed)) motion = motion * moved(step);
+  return motion;
 }
 
 Polynomial rod_equation(SpatialFrame& frame, const Tie& tie, const MovingPose& j_in_i) {

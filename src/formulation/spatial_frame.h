@@ -2,11 +2,11 @@
 // How are unknowns and equations of spatial closure polynomials collected, and how does a tie move with its unknowns?
 //
 //   turn   1 + t k after a fixed turn 1 + o k: (1 - o t) + (o + t) k. The fixed turn, random, keeps half a turn at t finite.
-//   slide  1 + eps s k / 2, s the slide itself
+//   slide  (1 - o u) + eps u k / 2, the slide u / (1 - o u): with o = 0 u is the slide itself, else infinity is brought to a finite place
 //   any turn    four homogeneous unknowns with a random patch, a . x = 1
 //   any pose    eight, the patch on the first four: what has q = 0 is infinitely far
 // Every unknown is real where the pose is: the mirror of each is itself.
-// Exclusions: 1 + t^2 = 0, and |q|^2 = 0 of homogeneous ones; there the polynomials hold and nothing is turned.
+// Exclusions: 1 + t^2 = 0, 1 - o u = 0, and |q|^2 = 0 of homogeneous ones; there the polynomials hold and nothing is turned.
 #pragma once
 
 #include <string>
@@ -54,10 +54,10 @@ class SpatialFrame {
   /// A random number of size 1/2 to 2, positive or negative.
   Rational random_number();
 
-  /// An unknown turn about z; `fixed` is the number o.
-  MovingPose add_turn(const std::string& name, const Rational& fixed,
-                      const std::vector<std::string>& owners);
-  MovingPose add_slide(const std::string& name, const std::vector<std::string>& owners);
+  /// t of a turn about z, u of a slide along it; `fixed` is the number o.
+  Polynomial add_turn(const std::string& name, const std::vector<std::string>& owners);
+  Polynomial add_slide(const std::string& name, const Rational& fixed,
+                       const std::vector<std::string>& owners);
   MovingPose add_any_turn(const std::string& name, const std::vector<std::string>& owners);
   MovingPose add_any_pose(const std::string& name, const std::vector<std::string>& owners);
 
@@ -75,10 +75,18 @@ class SpatialFrame {
   std::uint64_t random_count_ = 0;
 };
 
-/// The turn (1 - o t) + (o + t) k of t.
+/// The turn of t and the slide of u.
 MovingPose turn_of(const Polynomial& t, const Rational& fixed);
-/// The slide s = u / (1 - o u) of u: (1 - o u) + eps u k / 2. With o = 0 u is the slide itself.
-MovingPose slide_of(const Polynomial& u, const Rational& fixed = 0);
+MovingPose slide_of(const Polynomial& u, const Rational& fixed);
+
+/// What lies between the groups of a tie, one after the other.
+struct TieStep {
+  enum class Kind { fixed, turn, slide, any_turn } kind = Kind::fixed;
+  ExactPose pose = {};    ///< of a fixed one
+  std::string name = {};  ///< of the others' unknowns
+};
+/// From group i to group j. Turns come first where `turns_first`; but for any_turn they commute with the tie's slides.
+std::vector<TieStep> steps_of(const Tie& tie, bool turns_first);
 
 /// Adds the tie's unknowns and gives the pose of group j in group i.
 MovingPose add_motion(SpatialFrame& frame, const Tie& tie, const std::vector<std::string>& owners);
