@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Bipartite matching by augmenting paths, then strongly connected components by Tarjan.
+// Bipartite matching by augmenting paths, then strongly connected components.
 #include "moivre/formulation/block_structure.h"
 
 #include <algorithm>
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/graph/strong_components.hpp>
 #include <optional>
 
 namespace moivre {
@@ -56,64 +58,31 @@ class Matching {
   std::vector<bool> visited_;
 };
 
-/// Tarjan's algorithm on equations: e needs the equation that is matched with each of its other variables.
-class Components {
- public:
-  Components(const Incidence& variables, const Matching& matching)
-      : variables_(variables),
-        matching_(matching),
-        order_(variables.size(), 0),
-        low_(variables.size(), 0),
-        on_stack_(variables.size(), false) {
-    for (std::size_t e = 0; e < variables.size(); ++e) {
-      if (matching.variable_of()[e] && order_[e] == 0) visit(e);
+/// Strongly connected equations that are matched, where one needs those that are matched with its other variables; needed ones first.
+std::vector<Block> blocks_of(const Incidence& variables, const Matching& matching) {
+  using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS>;
+  Graph needs(variables.size());
+  for (std::size_t e = 0; e < variables.size(); ++e) {
+    if (!matching.variable_of()[e]) continue;
+    for (const std::size_t v : variables[e]) {
+      if (const auto needed = matching.equation_of()[v]) boost::add_edge(e, *needed, needs);
     }
   }
-
-  std::vector<Block> take() && { return std::move(blocks_); }
-
- private:
-  void visit(std::size_t e) {
-    order_[e] = low_[e] = ++count_;
-    stack_.push_back(e);
-    on_stack_[e] = true;
-    for (const std::size_t v : variables_[e]) {
-      const auto needed = matching_.equation_of()[v];
-      if (!needed) continue;
-      if (order_[*needed] == 0) {
-        visit(*needed);
-        low_[e] = std::min(low_[e], low_[*needed]);
-      } else if (on_stack_[*needed]) {
-        low_[e] = std::min(low_[e], order_[*needed]);
-      }
-    }
-    if (low_[e] == order_[e]) close(e);
+  std::vector<std::size_t> component(variables.size());
+  const std::size_t count = boost::strong_components(
+      needs,
+      boost::make_iterator_property_map(component.begin(), boost::get(boost::vertex_index, needs)));
+  std::vector<Block> blocks(count);
+  for (std::size_t e = 0; e < variables.size(); ++e) {
+    const auto v = matching.variable_of()[e];
+    if (!v) continue;
+    blocks[component[e]].equations.push_back(e);
+    blocks[component[e]].variables.push_back(*v);
   }
-
-  void close(std::size_t root) {
-    Block block;
-    std::size_t e = root;
-    do {
-      e = stack_.back();
-      stack_.pop_back();
-      on_stack_[e] = false;
-      block.equations.push_back(e);
-      block.variables.push_back(*matching_.variable_of()[e]);
-    } while (e != root);
-    std::sort(block.equations.begin(), block.equations.end());
-    std::sort(block.variables.begin(), block.variables.end());
-    blocks_.push_back(std::move(block));
-  }
-
-  const Incidence& variables_;
-  const Matching& matching_;
-  std::vector<std::size_t> order_;  // 0: not visited
-  std::vector<std::size_t> low_;
-  std::vector<bool> on_stack_;
-  std::vector<std::size_t> stack_;
-  std::size_t count_ = 0;
-  std::vector<Block> blocks_;
-};
+  std::erase_if(blocks, [](const Block& block) { return block.equations.empty(); });
+  for (Block& block : blocks) std::sort(block.variables.begin(), block.variables.end());
+  return blocks;
+}
 
 /// Which unknowns are free, or tied to a free one by the equation that is matched with them?
 std::vector<bool> reached_from_free(const Incidence& variables, const Matching& matching) {
@@ -138,7 +107,7 @@ BlockStructure block_structure(const System& f) {
   const Incidence variables = incidence(f);
   const Matching matching(variables, f.variables.size());
   BlockStructure structure;
-  structure.blocks = Components(variables, matching).take();
+  structure.blocks = blocks_of(variables, matching);
   const std::vector<bool> reached = reached_from_free(variables, matching);
   for (Block& block : structure.blocks) {
     block.is_determined = std::none_of(block.variables.begin(), block.variables.end(),
