@@ -25,6 +25,9 @@ constexpr std::uint64_t kPathsWithoutSearch = 32;
 // An exact value is rounded once its fractions are this long (in bits): a chain of lengths and directions stays below.
 constexpr std::size_t kLongFraction = 2048;
 
+// A simple root is known far better than this, a multiple one just so: what is larger beside its terms does not vanish.
+constexpr double kNearExclusion = 1e-6;
+
 // Where nothing is proved: a simple root is known to rounding, and what vanishes there does so to 1e-14.
 constexpr double kVanishes = 1e-13;
 
@@ -162,10 +165,12 @@ class Stages {
     for (const KnownValue& value : root.value) {
       values.push_back(value ? std::optional(value->rounded) : std::nullopt);
     }
-    for (const NearExclusion& near : near_exclusions(formulation_, values)) {
-      const std::optional<bool> proved = prover_.vanishes(root.proof, *near.exclusion);
-      if (!proved.value_or(root.singular || near.share <= kVanishes)) continue;
-      run_.excluded[near.exclusion->reason] += root.multiplicity;
+    for (const Formulation::Exclusion& exclusion : formulation_.exclusions) {
+      const auto share = share_left(exclusion, values);
+      if (!share || *share > kNearExclusion) continue;
+      const std::optional<bool> proved = prover_.vanishes(root.proof, exclusion);
+      if (!proved.value_or(root.singular || *share <= kVanishes)) continue;
+      run_.excluded[exclusion.reason] += root.multiplicity;
       return true;
     }
     return false;

@@ -60,23 +60,17 @@ double distance_from_real(const Formulation& formulation, const Point& root) {
   return max_distance(root, mirrored(formulation, root)) / std::max(1.0, max_norm(root));
 }
 
-std::vector<NearExclusion> near_exclusions(const Formulation& formulation,
-                                           const std::vector<std::optional<Complex>>& values) {
-  Point root;
-  root.reserve(values.size());
-  for (const auto& value : values) root.push_back(value.value_or(0));
-  std::vector<NearExclusion> near;
-  for (const Formulation::Exclusion& exclusion : formulation.exclusions) {
-    bool is_known = true;
-    for (const Term& term : exclusion.of.terms) {
-      for (const Power& power : term.monomial) is_known &= values[power.variable].has_value();
+std::optional<double> share_left(const Formulation::Exclusion& exclusion,
+                                 const std::vector<std::optional<Complex>>& values) {
+  for (const Term& term : exclusion.of.terms) {
+    for (const Power& power : term.monomial) {
+      if (!values[power.variable]) return std::nullopt;
     }
-    if (!is_known) continue;
-    const double size = std::abs(value_at(exclusion.of, root));
-    const double terms = term_size(exclusion.of, root);
-    if (size <= kNearExclusion * terms) near.push_back({&exclusion, terms > 0 ? size / terms : 0});
   }
-  return near;
+  Point root;
+  for (const auto& value : values) root.push_back(value.value_or(0));
+  const double terms = term_size(exclusion.of, root);
+  return terms > 0 ? std::abs(value_at(exclusion.of, root)) / terms : 0;
 }
 
 }  // namespace moivre

@@ -83,18 +83,9 @@ struct Formulation {
   std::vector<std::pair<std::string, std::string>> left_out;  ///< what was left out, and why
 };
 
-/// An exclusion that all but vanishes.
-struct NearExclusion {
-  const Formulation::Exclusion* exclusion = nullptr;
-  double share = 0;  ///< what is left of its terms, 0 to kNearExclusion
-};
-
-/// A simple root is known far better than this, a multiple one just so: an exclusion that is larger beside its terms does not vanish.
-inline constexpr double kNearExclusion = 1e-6;
-
-/// Those in values that are known (null where not), in the formulation's order.
-std::vector<NearExclusion> near_exclusions(const Formulation& formulation,
-                                           const std::vector<std::optional<Complex>>& values);
+/// What is left of an exclusion's terms, 0 to 1; nullopt where it has a variable whose value is not known.
+std::optional<double> share_left(const Formulation::Exclusion& exclusion,
+                                 const std::vector<std::optional<Complex>>& values);
 
 /// The polynomials at time t.
 Formulation formulate(const Mechanism& mechanism, double t);
