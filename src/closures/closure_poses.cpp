@@ -25,8 +25,8 @@ namespace {
 // Newton-Raphson polishes a pose; it does not look for another.
 constexpr double kPolish = 1e-4;
 
-/// Joint -> closures that its limits filtered.
-using BeyondLimits = std::map<std::size_t, std::uint64_t>;
+/// Joint, in the mechanism's order -> closures that its limits filtered.
+using BeyondLimits = std::map<const Joint*, std::uint64_t>;
 
 /// Is this pose of a multiple root one of many? Then the root is not isolated.
 bool lies_on_motion(ClosureSearch& search, const Eigen::VectorXd& q) {
@@ -37,21 +37,12 @@ bool lies_on_motion(ClosureSearch& search, const Eigen::VectorXd& q) {
   return true;
 }
 
-/// The first joint whose limits do not allow the pose.
-std::optional<std::size_t> beyond_limits_at(const Mechanism& mechanism, const Eigen::VectorXd& q) {
-  for (std::size_t k = 0; k < mechanism.joints.size(); ++k) {
-    const Joint& joint = mechanism.joints[k];
-    if (joint.limits && !is_within_limits(mechanism, joint, q)) return k;
-  }
-  return std::nullopt;
-}
-
 /// Whether the joints' limits allow the pose; where they do not, `beyond_limits` counts it.
 bool is_allowed(const ClosureSearch& search, const Eigen::VectorXd& q,
                 BeyondLimits& beyond_limits) {
-  const auto beyond = beyond_limits_at(search.mechanism, q);
-  if (beyond) ++beyond_limits[*beyond];
-  return !beyond;
+  const Joint* const broken = broken_limit(search.mechanism, q);
+  if (broken) ++beyond_limits[broken];
+  return !broken;
 }
 
 /// Whether a root is near the pose q, as Phi and its derivatives there say. Along the direction v that Phi_q sees least, Phi is
@@ -82,7 +73,7 @@ bool shows_a_loss(const ClosureSearch& search, const NewtonResult& pose) {
   return pose.status == NewtonStatus::converged && !pose.is_singular && !search.result.moves &&
          !has_gears && has_root_nearby(search.phi, pose.q, search.options.time) &&
          are_spins_as_meant(search.mechanism, pose.q) &&
-         !beyond_limits_at(search.mechanism, search.phi.canonical(pose.q));
+         !broken_limit(search.mechanism, search.phi.canonical(pose.q));
 }
 
 void take_pose(ClosureSearch& search, const Solution& solution, const NewtonResult& polished,
@@ -156,9 +147,9 @@ void take_fitting(ClosureSearch& search, BeyondLimits& beyond_limits) {
 
 void tell_limits(const BeyondLimits& beyond_limits, ClosureSearch& search) {
   for (const auto& [joint, count] : beyond_limits) {
-    const Joint& at = search.mechanism.joints[joint];
     search.result.left_out.push_back(
-        {counted(count, "closure"), "outside the limits of " + to_string(at.type) + " " + at.name});
+        {counted(count, "closure"),
+         "outside the limits of " + to_string(joint->type) + " " + joint->name});
   }
 }
 

@@ -152,7 +152,6 @@ class Follower {
     const auto& wanted = options_.velocity_times;
     return !wanted || std::binary_search(wanted->begin(), wanted->end(), time);
   }
-  const Joint* broken_limit(const VectorXd& q) const;
   void choose_length(const CurvePoint& b, double h);
   void watch_approach(const CurvePoint& b);
   void cross();
@@ -201,13 +200,6 @@ BranchEvent Follower::event_at(EventKind kind, const VectorXd& y) const {
   return event;
 }
 
-const Joint* Follower::broken_limit(const VectorXd& q) const {
-  for (const Joint& joint : mechanism_.joints) {
-    if (joint.limits && !is_within_limits(mechanism_, joint, q)) return &joint;
-  }
-  return nullptr;
-}
-
 BranchSample Follower::state_at(const VectorXd& assembled, double time) const {
   BranchSample sample;
   sample.time = time;
@@ -251,7 +243,7 @@ bool Follower::is_begun(const VectorXd& q0) {
     end_at(event_at(EventKind::bifurcation, y));
   } else if (std::abs(at_.time_rate()) < kAcross) {
     end_at(event_at(EventKind::dead_point, y));
-  } else if (const Joint* joint = broken_limit(q0)) {
+  } else if (const Joint* joint = broken_limit(mechanism_, q0)) {
     BranchEvent event = event_at(EventKind::joint_limit, y);
     event.joint = joint->name;
     end_at(std::move(event));
@@ -384,7 +376,7 @@ std::optional<CurvePoint> Follower::end_within(const Segment& segment,
     if (!last) return last;
     event = event_at(EventKind::dead_point, last->y);
   }
-  if (const Joint* joint = broken_limit(curve_.q_of(last->y))) {
+  if (const Joint* joint = broken_limit(mechanism_, curve_.q_of(last->y))) {
     const Segment up_to_last{segment.a, *last, segment.a.tangent.dot(last->y - segment.a.y)};
     last = sign_change(curve_, up_to_last, [&](const CurvePoint& p) {
       return is_within_limits(mechanism_, *joint, curve_.q_of(p.y)) ? 1.0 : -1.0;

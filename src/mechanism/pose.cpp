@@ -2,6 +2,7 @@
 // How are points, orientations and joint coordinates read off q?
 #include "moivre/mechanism/pose.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -78,14 +79,21 @@ ScalarState turn_state(const Mechanism& mechanism, const Joint& joint, const Vec
 }
 
 bool is_within_limits(const Mechanism& mechanism, const Joint& joint, const VectorXd& q) {
-  const auto value = joint_coordinate(mechanism, joint, q);
-  if (!joint.limits || !value) return true;
+  const auto value = joint.limits ? joint_coordinate(mechanism, joint, q) : std::nullopt;
+  if (!value) return true;
   double above_lower = *value - joint.limits->lower;
   if (is_angular(joint.type)) {
     constexpr double kTurn = 2 * std::numbers::pi;
     above_lower -= kTurn * std::floor(above_lower / kTurn);
   }
   return above_lower >= 0 && above_lower <= joint.limits->upper - joint.limits->lower;
+}
+
+const Joint* broken_limit(const Mechanism& mechanism, const VectorXd& q) {
+  const auto at =
+      std::find_if(mechanism.joints.begin(), mechanism.joints.end(),
+                   [&](const Joint& joint) { return !is_within_limits(mechanism, joint, q); });
+  return at == mechanism.joints.end() ? nullptr : &*at;
 }
 
 }  // namespace moivre

@@ -52,12 +52,6 @@ std::string between(double from, double to) {
   return "between t = " + std::to_string(from) + " s and " + std::to_string(to) + " s";
 }
 
-bool is_allowed(const Mechanism& mechanism, const Eigen::VectorXd& q) {
-  return std::all_of(mechanism.joints.begin(), mechanism.joints.end(), [&](const Joint& joint) {
-    return !joint.limits || is_within_limits(mechanism, joint, q);
-  });
-}
-
 }  // namespace
 
 Track brief_track(const Phi& phi, const BranchPose& begin, const BranchPose& pose,
@@ -204,7 +198,7 @@ std::vector<BranchPose> PairSearch::poses_above(const PairEquations& equations, 
     for (const KnownValue& value : found.value) root.push_back(value->rounded);
     const Eigen::VectorXd q = coordinates_of_root(there, root);
     const bool is_assembled = residual_by_size(run_.phi, q, time) <= kAssembled;
-    if (is_assembled && is_allowed(run_.mechanism, q)) poses.push_back({time, q});
+    if (is_assembled && !broken_limit(run_.mechanism, q)) poses.push_back({time, q});
   }
   return poses;
 }

@@ -55,4 +55,7 @@ ScalarState turn_state(const Mechanism& mechanism, const Joint& joint, const Eig
 /// Whether the joint stands within its limits (true where it has none); angles count modulo whole turns.
 bool is_within_limits(const Mechanism& mechanism, const Joint& joint, const Eigen::VectorXd& q);
 
+/// The first joint that does not; nullptr where all do.
+const Joint* broken_limit(const Mechanism& mechanism, const Eigen::VectorXd& q);
+
 }  // namespace moivre
