@@ -25,6 +25,12 @@ std::optional<std::size_t> event_at(const MotionResult& motion, const BranchEnd&
   return end.is_last ? branch.end_event : branch.begin_event;
 }
 
+/// Of branches that end at such an event; nullopt: a stop joins none.
+std::optional<JoinKind> join_kind(EventKind kind) {
+  if (kind == EventKind::joint_limit) return std::nullopt;
+  return kind == EventKind::dead_point ? JoinKind::dead_point : JoinKind::bifurcation;
+}
+
 /// All pairs of ends at one event.
 void join_at_events(const MotionResult& motion, std::vector<BranchJoin>& joins) {
   std::vector<std::vector<BranchEnd>> ends(motion.events.size());
@@ -35,13 +41,10 @@ void join_at_events(const MotionResult& motion, std::vector<BranchJoin>& joins) 
     }
   }
   for (std::size_t event = 0; event < ends.size(); ++event) {
-    const EventKind kind = motion.events[event].at.kind;
-    if (kind == EventKind::joint_limit) continue;
-    const JoinKind join =
-        kind == EventKind::dead_point ? JoinKind::dead_point : JoinKind::bifurcation;
-    for (std::size_t a = 0; a < ends[event].size(); ++a) {
+    const auto kind = join_kind(motion.events[event].at.kind);
+    for (std::size_t a = 0; kind && a < ends[event].size(); ++a) {
       for (std::size_t b = a + 1; b < ends[event].size(); ++b) {
-        joins.push_back({join, {ends[event][a], ends[event][b]}});
+        joins.push_back({*kind, {ends[event][a], ends[event][b]}});
       }
     }
   }
@@ -50,13 +53,10 @@ void join_at_events(const MotionResult& motion, std::vector<BranchJoin>& joins) 
 /// The kind of a join over the turn; nullopt where a stop is in the way.
 std::optional<JoinKind> kind_over_turn(const MotionResult& motion, const BranchEnd& last,
                                        const BranchEnd& first) {
-  JoinKind kind = JoinKind::turn;
+  std::optional<JoinKind> kind = JoinKind::turn;
   for (const BranchEnd& end : {last, first}) {
     const auto event = event_at(motion, end);
-    if (!event) continue;
-    if (motion.events[*event].at.kind == EventKind::joint_limit) return std::nullopt;
-    kind = motion.events[*event].at.kind == EventKind::dead_point ? JoinKind::dead_point
-                                                                  : JoinKind::bifurcation;
+    if (event && kind) kind = join_kind(motion.events[*event].at.kind);
   }
   return kind;
 }

@@ -8,6 +8,7 @@
 #include <map>
 #include <numbers>
 #include <numeric>
+#include <set>
 #include <stdexcept>
 
 #include "branch_joins.h"
@@ -48,30 +49,24 @@ struct Ways {
 };
 
 Ways ways_through(const std::vector<std::size_t>& part, const std::vector<BranchJoin>& joins) {
-  std::map<std::size_t, bool> is_reached;
-  for (const std::size_t branch : part) is_reached[branch] = branch == part.front();
-  Ways ways;
   std::vector<std::array<BranchEnd, 2>> open;
   for (const BranchJoin& join : joins) {
-    if (is_reached.count(join.ends[0].branch) > 0) open.push_back(join.ends);
+    if (std::binary_search(part.begin(), part.end(), join.ends[0].branch)) {
+      open.push_back(join.ends);
+    }
   }
-  for (bool is_changed = true; is_changed;) {
-    is_changed = false;
+  std::set<std::size_t> reached{part.front()};
+  Ways ways;
+  while (!open.empty()) {
     std::vector<std::array<BranchEnd, 2>> later;
-    for (const auto& [a, b] : open) {
-      const bool has_a = is_reached[a.branch];
-      const bool has_b = is_reached[b.branch];
-      if (has_a && has_b) {
-        ways.closing.push_back({a, b});
-      } else if (has_a || has_b) {
-        ways.leading.push_back(has_a ? std::array{a, b} : std::array{b, a});
-        is_reached[(has_a ? b : a).branch] = true;
-        is_changed = true;
-      } else {
+    for (auto [a, b] : open) {
+      if (reached.count(a.branch) == 0) std::swap(a, b);
+      if (reached.count(a.branch) == 0) {
         later.push_back({a, b});
+      } else {
+        (reached.insert(b.branch).second ? ways.leading : ways.closing).push_back({a, b});
       }
     }
-    is_changed = is_changed && !later.empty();
     open = std::move(later);
   }
   return ways;
@@ -79,17 +74,15 @@ Ways ways_through(const std::vector<std::size_t>& part, const std::vector<Branch
 
 /// What turns or slides, and its course on each branch.
 struct Measured {
-  std::string name;
-  CoordinateKind kind = CoordinateKind::angle;
-  bool may_turn = true;  ///< a whole turn more is the same pose
-  double from = 0;       ///< where it may turn: its range begins within one turn from here
+  MovingPart part;
+  double from = 0;  ///< where it may turn: its range begins within one turn from here
   std::vector<Course> on;
 };
 
 std::vector<Measured> measured(const MotionResult& motion, const std::vector<MovingPart>& parts) {
   std::vector<Measured> all;
   for (const MovingPart& part : parts) {
-    all.push_back({part.name, part.kind, part.may_turn, -std::numbers::pi, {}});
+    all.push_back({part, -std::numbers::pi, {}});
     for (const MotionBranch& branch : motion.branches) {
       all.back().on.push_back(course(branch, part));
     }
@@ -100,7 +93,7 @@ std::vector<Measured> measured(const MotionResult& motion, const std::vector<Mov
 std::vector<Measured> measured_drivers(const MotionResult& motion, const Mechanism& mechanism) {
   std::vector<Measured> all;
   for (const Driver& driver : mechanism.drivers) {
-    all.push_back({driver.name, kind_of(mechanism, driver), may_turn(mechanism, driver), 0, {}});
+    all.push_back({{driver.name, kind_of(mechanism, driver), may_turn(mechanism, driver)}, 0, {}});
     for (const MotionBranch& branch : motion.branches) {
       all.back().on.push_back(driver_course(branch, driver));
     }
@@ -122,7 +115,7 @@ Unrolled unrolled(const std::vector<std::size_t>& part, const Ways& ways,
                   const Measured& quantity) {
   Unrolled all;
   for (const std::size_t branch : part) all.shift[branch] = 0;
-  if (!quantity.may_turn) return all;
+  if (!quantity.part.may_turn) return all;
   const auto turns_between = [&](const BranchEnd& a, const BranchEnd& b) {
     const double gap = value_at(quantity.on[a.branch], a) + all.shift[a.branch] -
                        value_at(quantity.on[b.branch], b) - all.shift[b.branch];
@@ -144,7 +137,7 @@ void shift_to(Swing& swing, double from) {
 
 Swing swing_over(const std::vector<std::size_t>& part, const Ways& ways, const Measured& quantity) {
   const Unrolled all = unrolled(part, ways, quantity);
-  Swing swing{quantity.name, quantity.kind, all.turns, 0, 0};
+  Swing swing{quantity.part.name, quantity.part.kind, all.turns, 0, 0};
   if (all.turns != 0) return swing;
   swing.lower = std::numeric_limits<double>::infinity();
   swing.upper = -swing.lower;
@@ -153,7 +146,7 @@ Swing swing_over(const std::vector<std::size_t>& part, const Ways& ways, const M
     swing.lower = std::min(swing.lower, quantity.on[branch].lower + shift);
     swing.upper = std::max(swing.upper, quantity.on[branch].upper + shift);
   }
-  if (quantity.may_turn) shift_to(swing, quantity.from);
+  if (quantity.part.may_turn) shift_to(swing, quantity.from);
   return swing;
 }
 

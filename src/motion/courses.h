@@ -23,7 +23,7 @@ struct MovingPart {
   CoordinateKind kind = CoordinateKind::angle;
   bool may_turn = true;  ///< a whole turn more is the same pose
   bool goes_on = true;   ///< its value goes on as q does; else it is brought into (-pi, pi]
-  std::function<double(const Eigen::VectorXd& q)> value;
+  std::function<double(const Eigen::VectorXd& q)> value = {};
 };
 
 /// Planar: the angle of each moving body. Typed equations: each unknown.

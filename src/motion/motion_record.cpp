@@ -3,6 +3,7 @@
 #include "motion_record.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "moivre/expression/counted.h"
 #include "moivre/mechanism/closure_id.h"
@@ -139,20 +140,17 @@ MotionResult empty_result(const MotionRun& run) {
 
 void drop_moments(MotionRun& run) {
   const auto is_moment = [](const Track& track) { return track.begins() == track.ends(); };
-  const auto meets = [&](const BranchEvent& event, const Track& track) {
-    return std::any_of(run.tracks.begin(), run.tracks.end(), [&](const Track& other) {
-      if (&other == &track || is_moment(other)) return false;
-      return (other.backwards.event && is_same_event(run, *other.backwards.event, event)) ||
-             (other.forwards.event && is_same_event(run, *other.forwards.event, event));
-    });
-  };
-  std::vector<Track> kept;
+  std::vector<BranchEvent> met;
   for (const Track& track : run.tracks) {
-    const auto& event = track.forwards.event ? track.forwards.event : track.backwards.event;
-    if (is_moment(track) && event && meets(*event, track)) continue;
-    kept.push_back(track);
+    if (is_moment(track)) continue;
+    for (const BranchEvent& event : track.events()) met.push_back(event);
   }
-  run.tracks = std::move(kept);
+  std::erase_if(run.tracks, [&](const Track& track) {
+    if (!is_moment(track) || track.events().empty()) return false;
+    const BranchEvent event = track.events().back();
+    return std::any_of(met.begin(), met.end(),
+                       [&](const BranchEvent& other) { return is_same_event(run, other, event); });
+  });
 }
 
 void order_tracks(MotionRun& run) {
@@ -171,23 +169,27 @@ void order_tracks(MotionRun& run) {
   });
 }
 
-void order_events(MotionResult& result) {
-  std::vector<std::size_t> order(result.events.size());
-  for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return result.events[a].at.time < result.events[b].at.time;
-  });
-  std::vector<MotionEvent> sorted;
-  std::vector<std::size_t> place(order.size());
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    place[order[k]] = k;
-    sorted.push_back(std::move(result.events[order[k]]));
+void keep_events(const std::vector<std::size_t>& kept, MotionResult& result) {
+  std::vector<MotionEvent> events;
+  std::vector<std::size_t> place(result.events.size());
+  for (const std::size_t k : kept) {
+    place[k] = events.size();
+    events.push_back(std::move(result.events[k]));
   }
-  result.events = std::move(sorted);
+  result.events = std::move(events);
   for (MotionBranch& branch : result.branches) {
     if (branch.begin_event) branch.begin_event = place[*branch.begin_event];
     if (branch.end_event) branch.end_event = place[*branch.end_event];
   }
+}
+
+void order_events(MotionResult& result) {
+  std::vector<std::size_t> order(result.events.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return result.events[a].at.time < result.events[b].at.time;
+  });
+  keep_events(order, result);
 }
 
 void enter_branches(const MotionRun& run, MotionResult& result) {
@@ -228,7 +230,7 @@ void enter_unmet(const MotionRun& run, MotionResult& result) {
   for (std::size_t k = 0; k < run.tracks.size() && !run.stop; ++k) {
     for (const bool is_forwards : {false, true}) {
       if (!lacks_partner(run, run.tracks[k], is_forwards)) continue;
-      const double time = way_of(run.tracks[k], is_forwards).event->time;
+      const double time = run.tracks[k].way(is_forwards).event->time;
       result.failures.push_back("branch " + result.branches[k].id + " " + at_time(time) +
                                 ": the branch that meets it in its dead point was not found");
     }

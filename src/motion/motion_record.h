@@ -24,6 +24,8 @@ void order_tracks(MotionRun& run);
 /// Enters a branch for every track, in their order, and the events, by time.
 void enter_branches(const MotionRun& run, MotionResult& result);
 
+/// Keeps these events, in this order; every branch that is left ends at one of them, or at none.
+void keep_events(const std::vector<std::size_t>& kept, MotionResult& result);
 /// Puts the events in the order of their times.
 void order_events(MotionResult& result);
 

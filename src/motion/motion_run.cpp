@@ -7,6 +7,7 @@
 
 #include "moivre/closures/same_pose.h"
 #include "moivre/kinematics/own_units.h"
+
 namespace moivre {
 namespace {
 
@@ -64,20 +65,19 @@ bool is_event_time(const MotionRun& run, const BranchEvent& event, double time) 
 
 bool is_event_of_a_track(const MotionRun& run, double time, const Eigen::VectorXd& q) {
   return std::any_of(run.tracks.begin(), run.tracks.end(), [&](const Track& track) {
-    for (const Branch* way : {&track.forwards, &track.backwards}) {
-      if (way->event && is_at(run, *way->event, time, q, 0)) return true;
-    }
-    return false;
+    const std::vector<BranchEvent> events = track.events();
+    return std::any_of(events.begin(), events.end(),
+                       [&](const BranchEvent& event) { return is_at(run, event, time, q, 0); });
   });
 }
 
 bool lacks_partner(const MotionRun& run, const Track& track, bool is_forwards) {
-  const Branch& way = way_of(track, is_forwards);
+  const Branch& way = track.way(is_forwards);
   if (!way.event || !way.beyond) return false;
   if (!(way.beyond->time > run.times.from && way.beyond->time < run.times.to)) return false;
   return std::none_of(run.tracks.begin(), run.tracks.end(), [&](const Track& other) {
-    const Branch& its_way = way_of(other, is_forwards);
-    return &other != &track && its_way.event && is_same_event(run, *its_way.event, *way.event);
+    const auto& its_end = other.way(is_forwards).event;
+    return &other != &track && its_end && is_same_event(run, *its_end, *way.event);
   });
 }
 

@@ -47,11 +47,6 @@ bool is_event_time(const MotionRun& run, const BranchEvent& event, double time);
 /// Whether a track ends, either way, at that time in the pose q.
 bool is_event_of_a_track(const MotionRun& run, double time, const Eigen::VectorXd& q);
 
-/// The way that a track goes from its anchor.
-inline const Branch& way_of(const Track& track, bool is_forwards) {
-  return is_forwards ? track.forwards : track.backwards;
-}
-
 /// Whether a track ends at a dead point between the times where no other track ends, the same way. `track` is one of the run's.
 bool lacks_partner(const MotionRun& run, const Track& track, bool is_forwards);
 

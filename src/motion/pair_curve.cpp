@@ -90,33 +90,39 @@ class PairFollower {
   double rate(const PairPoint& point) const { return point.tangent[equations_.at_tau()].real(); }
   double time(const PairPoint& point) const { return equations_.time(tau(point)); }
 
+  /// The curve's point near a guess, x along the tangent from at_.
+  std::optional<PairPoint> point_ahead(const PairVector& guess, double x) const {
+    const double offset = at_.tangent.dot(at_.y).real() + x;
+    return equations_.corrected(guess, base_, at_.tangent, offset, at_.tangent);
+  }
+  /// The curve's point near a guess at this tau, its tangent the way of `before`.
+  std::optional<PairPoint> point_at(const PairVector& guess, double tau,
+                                    const PairVector& before) const {
+    return equations_.corrected(guess, base_, across(), tau, before);
+  }
+  PairVector across() const { return PairVector::Unit(base_.size(), equations_.at_tau()); }
   /// The curve's point at x of a step that begins at at_.
   std::optional<PairPoint> between(const PairStep& step, double x) const {
-    const double offset = at_.tangent.dot(at_.y).real() + x;
-    return equations_.corrected(hermite(step, x), base_, at_.tangent, offset, at_.tangent);
+    return point_ahead(hermite(step, x), x);
   }
 
   /// A step of length h; nullopt where it is too long for the curve.
-  std::optional<PairStep> tried(double h) {
+  std::optional<PairStep> tried(double h) const {
     const PairVector predicted = at_.y + h * at_.tangent + (h * h / 2) * bend_;
-    const double offset = at_.tangent.dot(at_.y).real() + h;
-    const auto b = equations_.corrected(predicted, base_, at_.tangent, offset, at_.tangent);
-    if (!b) return std::nullopt;
-    PairStep step{at_, *b, h};
-    if (!is_known_within(step, predicted)) return std::nullopt;
-    return step;
+    return step_to(point_ahead(predicted, h), predicted);
   }
 
   /// To tau = border, which is near.
   std::optional<PairStep> last_step(double border) const {
-    const double h = (border - tau(at_)) / rate(at_);
-    const PairVector predicted = at_.y + h * at_.tangent;
-    const PairVector across = PairVector::Unit(at_.y.size(), equations_.at_tau());
-    const auto b = equations_.corrected(predicted, base_, across, border, at_.tangent);
+    const PairVector predicted = at_.y + (border - tau(at_)) / rate(at_) * at_.tangent;
+    return step_to(point_at(predicted, border, at_.tangent), predicted);
+  }
+
+  std::optional<PairStep> step_to(const std::optional<PairPoint>& b,
+                                  const PairVector& predicted) const {
     if (!b) return std::nullopt;
     PairStep step{at_, *b, at_.tangent.dot(b->y - at_.y).real()};
-    if (!is_known_within(step, predicted)) return std::nullopt;
-    return step;
+    return is_known_within(step, predicted) ? std::optional(std::move(step)) : std::nullopt;
   }
 
   /// Whether the step's end is where it was predicted, s and its slope above all: then s has no maximum that its slopes hide.
@@ -289,9 +295,7 @@ class PairFollower {
       const bool is_on_the_way = low < there && there < high;
       if ((!is_on_the_way && there != tau(step.b)) || s(step.a) >= 0 || s(step.b) >= 0) continue;
       const double share = (there - tau(step.a)) / (tau(step.b) - tau(step.a));
-      const PairVector guess = hermite(step, share * step.length);
-      const PairVector across = PairVector::Unit(guess.size(), equations_.at_tau());
-      const auto point = equations_.corrected(guess, base_, across, there, at_.tangent);
+      const auto point = point_at(hermite(step, share * step.length), there, at_.tangent);
       const bool is_complex = point && s(*point) < 0;  // in a short life within the step it is not
       if (is_complex && !passing_(k, equations_.roots(point->y).front())) return false;
     }
@@ -299,18 +303,13 @@ class PairFollower {
   }
 
   bool has_begun(const Point& x, double time, bool forwards) {
-    const PairVector guess = equations_.point(x, equations_.tau(time));
-    const PairVector across = PairVector::Unit(guess.size(), equations_.at_tau());
-    const PairVector way = forwards ? across : PairVector(-across);
-    const auto point = equations_.corrected(guess, guess, across, equations_.tau(time), way);
+    base_ = equations_.point(x, equations_.tau(time));
+    const auto point = point_at(base_, equations_.tau(time), (forwards ? 1 : -1) * across());
     if (!point) return false;
     at_ = *point;
-    base_ = guess;
-    bend_ = PairVector::Zero(guess.size());
+    bend_ = PairVector::Zero(base_.size());
     // Where a driver stands s is level, and its slope is foretold by the bend alone.
-    const double offset = at_.tangent.dot(at_.y).real() + kProbe;
-    const auto probe =
-        equations_.corrected(at_.y + kProbe * at_.tangent, base_, at_.tangent, offset, at_.tangent);
+    const auto probe = point_ahead(at_.y + kProbe * at_.tangent, kProbe);
     if (probe) bend_ = (probe->tangent - at_.tangent) / kProbe;
     return s(at_) < 0;
   }

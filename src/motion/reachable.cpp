@@ -7,7 +7,7 @@
 
 #include "moivre/expression/joined.h"
 #include "moivre/motion/circuits.h"
-#include "motion_times.h"
+#include "motion_record.h"
 
 namespace moivre {
 namespace {
@@ -40,30 +40,20 @@ std::vector<std::size_t> named_branches(const MotionResult& motion,
   return found;
 }
 
-/// Where each kept event or branch has its place among those that are kept.
-constexpr std::size_t kDropped = static_cast<std::size_t>(-1);
-
 /// Keeps the events at which a kept branch begins or ends, with the kept branches alone.
-void keep_events(MotionResult& motion) {
-  std::vector<std::size_t> place(motion.events.size(), kDropped);
-  std::vector<MotionEvent> kept;
+void keep_events_of_branches(MotionResult& motion) {
+  std::vector<std::size_t> kept;
   for (std::size_t k = 0; k < motion.events.size(); ++k) {
-    MotionEvent event = motion.events[k];
+    MotionEvent& event = motion.events[k];
     const auto is_dropped = [&](const std::string& id) {
       return std::none_of(motion.branches.begin(), motion.branches.end(),
                           [&](const MotionBranch& branch) { return branch.id == id; });
     };
     std::erase_if(event.ending, is_dropped);
     std::erase_if(event.beginning, is_dropped);
-    if (event.ending.empty() && event.beginning.empty()) continue;
-    place[k] = kept.size();
-    kept.push_back(std::move(event));
+    if (!event.ending.empty() || !event.beginning.empty()) kept.push_back(k);
   }
-  motion.events = std::move(kept);
-  for (MotionBranch& branch : motion.branches) {
-    if (branch.begin_event) branch.begin_event = place[*branch.begin_event];
-    if (branch.end_event) branch.end_event = place[*branch.end_event];
-  }
+  keep_events(kept, motion);
 }
 
 /// Whether each sub-chain is on the circuit on which it is in one of `from`; the circuits of the whole are parts of these.
@@ -158,7 +148,7 @@ MotionResult reachable_from(MotionResult motion, const Circuits& circuits,
     }
   }
   motion.branches = std::move(kept);
-  keep_events(motion);
+  keep_events_of_branches(motion);
   if (!dropped.empty()) {
     motion.left_out.push_back(
         {(dropped.size() == 1 ? "branch " : "branches ") + joined(dropped, ", "),

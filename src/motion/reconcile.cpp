@@ -65,7 +65,7 @@ bool add_partner(MotionRun& run) {
   for (std::size_t k = 0; k < run.tracks.size() && !run.stop; ++k) {
     for (const bool is_forwards : {true, false}) {
       if (!lacks_partner(run, run.tracks[k], is_forwards)) continue;
-      const Branch& way = way_of(run.tracks[k], is_forwards);
+      const Branch& way = run.tracks[k].way(is_forwards);
       if (is_sought(run, *way.event)) continue;
       run.sought.push_back(*way.event);
       const BranchPose beyond = *way.beyond;

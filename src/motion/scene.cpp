@@ -34,11 +34,10 @@ bool hides_closures(const Scene& scene) {
 
 bool is_crossing(const MotionRun& run, const Scene& scene) {
   return std::any_of(run.tracks.begin(), run.tracks.end(), [&](const Track& track) {
-    for (const Branch* way : {&track.forwards, &track.backwards}) {
-      const bool crosses = way->event && way->event->kind == EventKind::bifurcation;
-      if (crosses && is_event_time(run, *way->event, scene.time)) return true;
-    }
-    return false;
+    const std::vector<BranchEvent> events = track.events();
+    return std::any_of(events.begin(), events.end(), [&](const BranchEvent& event) {
+      return event.kind == EventKind::bifurcation && is_event_time(run, event, scene.time);
+    });
   });
 }
 

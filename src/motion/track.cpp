@@ -13,14 +13,12 @@ constexpr double kTighter = 0.25;
 // Of the steps on the way back: what one length jumps over another does not.
 constexpr double kOther = 0.6;
 
-/// Samples go one way in time.
-const BranchSample* sample_at(const Branch& branch, double time, bool is_forwards) {
-  const auto& samples = branch.samples;
-  const auto at =
-      std::partition_point(samples.begin(), samples.end(), [&](const BranchSample& sample) {
-        return is_forwards ? sample.time < time : sample.time > time;
-      });
-  return at != samples.end() && at->time == time ? &*at : nullptr;
+/// The place of a time among samples that go one way in time.
+template <class Samples>
+auto place_of(double time, bool is_forwards, Samples& samples) {
+  return std::partition_point(samples.begin(), samples.end(), [&](const BranchSample& sample) {
+    return is_forwards ? sample.time < time : sample.time > time;
+  });
 }
 
 /// Where a branch came to: its event, its last sample, or `anchor`.
@@ -49,12 +47,22 @@ double Track::ends() const { return reached(forwards, anchor.time); }
 
 const BranchSample* Track::at(double time) const {
   const bool is_forwards = time >= anchor.time;
-  return sample_at(is_forwards ? forwards : backwards, time, is_forwards);
+  const auto& samples = way(is_forwards).samples;
+  const auto at = place_of(time, is_forwards, samples);
+  return at != samples.end() && at->time == time ? &*at : nullptr;
 }
 
-BranchOptions TrackFollower::options_of(const Track& track) const {
+std::vector<BranchEvent> Track::events() const {
+  std::vector<BranchEvent> all;
+  for (const Branch* one : {&backwards, &forwards}) {
+    if (one->event) all.push_back(*one->event);
+  }
+  return all;
+}
+
+BranchOptions TrackFollower::options_of(const Track& track, double share) const {
   BranchOptions steps = options;
-  const double share = std::pow(kTighter, track.retracked);
+  share *= std::pow(kTighter, track.retracked);
   steps.largest_turn_rad *= share;
   steps.largest_miss *= share;
   steps.longest_step *= share;
@@ -64,10 +72,7 @@ BranchOptions TrackFollower::options_of(const Track& track) const {
 
 Branch TrackFollower::follow_back(const BranchPose& pose, const std::vector<double>& backs,
                                   const Track& track) const {
-  BranchOptions steps = options_of(track);
-  steps.largest_turn_rad *= kOther;
-  steps.largest_miss *= kOther;
-  steps.longest_step *= kOther;
+  BranchOptions steps = options_of(track, kOther);
   steps.velocity_times.emplace();
   return follow_branch(mechanism, pose.q, backs, steps, stop);
 }
@@ -76,10 +81,7 @@ void TrackFollower::add_sample(Track& track, double time) const {
   if (time < track.begins() || time > track.ends()) return;
   const bool is_forwards = time >= track.anchor.time;
   std::vector<BranchSample>& samples = (is_forwards ? track.forwards : track.backwards).samples;
-  const auto next =
-      std::partition_point(samples.begin(), samples.end(), [&](const BranchSample& sample) {
-        return is_forwards ? sample.time < time : sample.time > time;
-      });
+  const auto next = place_of(time, is_forwards, samples);
   if (next == samples.begin()) return;
   BranchOptions steps = options_of(track);
   steps.velocity_times.emplace();

@@ -21,6 +21,10 @@ struct Track {
   int retracked = 0;
   bool is_verified = false;  ///< followed back from its last checkpoints
 
+  /// From its anchor on, or back.
+  const Branch& way(bool is_forwards) const { return is_forwards ? forwards : backwards; }
+  /// Where it ends, either way.
+  std::vector<BranchEvent> events() const;
   double begins() const;
   double ends() const;
   int steps() const { return forwards.steps + backwards.steps; }
@@ -47,7 +51,8 @@ struct TrackFollower {
                      const Track& track) const;
 
  private:
-  BranchOptions options_of(const Track& track) const;
+  /// Steps of the track, `share` of its own length.
+  BranchOptions options_of(const Track& track, double share = 1) const;
   void run(Track& track) const;
 };
 
