@@ -73,6 +73,7 @@ bool Lu::factor(std::span<const double> weights) noexcept {
     }
     reciprocal_[k] = reciprocal(a_[k * n_ + k]);
     for (std::size_t i = k + 1; i < n_; ++i) {
+      if (a_[i * n_ + k] == 0.0) continue;
       const Complex l = product(a_[i * n_ + k], reciprocal_[k]);
       a_[i * n_ + k] = l;
       eliminate_row(&a_[i * n_], &a_[k * n_], l, k + 1, n_);

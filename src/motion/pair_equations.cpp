@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+
+#include "moivre/factorization/lu.h"
 
 namespace moivre {
 namespace {
 
 using Eigen::Index;
-using Eigen::MatrixXcd;
 using RowMatrix = Eigen::Matrix<Complex, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 constexpr std::size_t kNoPlace = static_cast<std::size_t>(-1);
@@ -21,15 +21,17 @@ constexpr double kPairShrinks = 0.5;
 constexpr double kPairConverged = 1e-8;
 
 /// a + b e, e^2 = s, with the derivatives of a and b by s.
+template <class S>
 struct RootNumber {
-  Complex a;
-  Complex b;
-  Complex a_s = 0;
-  Complex b_s = 0;
+  S a;
+  S b;
+  S a_s = 0.0;
+  S b_s = 0.0;
 };
 
-RootNumber times(const RootNumber& x, const RootNumber& y, const Complex& s) {
-  const Complex bb = product(x.b, y.b);
+template <class S>
+RootNumber<S> times(const RootNumber<S>& x, const RootNumber<S>& y, const S& s) {
+  const S bb = product(x.b, y.b);
   return {product(x.a, y.a) + product(s, bb), product(x.a, y.b) + product(x.b, y.a),
           product(x.a_s, y.a) + product(x.a, y.a_s) + bb +
               product(s, product(x.b_s, y.b) + product(x.b, y.b_s)),
@@ -69,56 +71,23 @@ std::vector<std::size_t> needed_blocks(const Formulation& formulation,
   return needed;
 }
 
-/// [J B] -> J^-1 B by Gauss's elimination, with pivots by columns in that order: most entries that are zero stay so.
-MatrixXcd solved(RowMatrix both, const std::vector<Index>& columns) {
-  const Index n = both.rows();
-  const Index sides = both.cols() - n;
-  std::vector<Index> row_of(columns.size());
-  std::vector<Index> open(columns.size());
-  std::iota(open.begin(), open.end(), 0);
-  std::vector<Index> filled;
-  for (std::size_t k = 0; k < columns.size(); ++k) {
-    const Index column = columns[k];
-    const auto pivot = std::max_element(open.begin(), open.end(), [&](Index a, Index b) {
-      return std::norm(both(a, column)) < std::norm(both(b, column));
-    });
-    const Index row = row_of[k] = *pivot;
-    *pivot = open.back();
-    open.pop_back();
-    const Complex* const of_row = &both(row, 0);
-    filled.clear();
-    for (std::size_t j = k + 1; j < columns.size(); ++j) {
-      if (of_row[columns[j]] != 0.0) filled.push_back(columns[j]);
-    }
-    for (Index j = n; j < n + sides; ++j) filled.push_back(j);
-    const Complex scale = reciprocal(of_row[column]);
-    for (const Index i : open) {
-      Complex* const of_i = &both(i, 0);
-      if (of_i[column] == 0.0) continue;
-      const Complex factor = product(of_i[column], scale);
-      for (const Index j : filled) of_i[j] -= product(factor, of_row[j]);
-    }
-  }
-  MatrixXcd X(n, sides);
-  for (std::size_t k = columns.size(); k-- > 0;) {
-    const Complex* const of_row = &both(row_of[k], 0);
-    const Complex scale = reciprocal(of_row[columns[k]]);
-    for (Index side = 0; side < sides; ++side) {
-      Complex sum = of_row[n + side];
-      for (std::size_t j = k + 1; j < columns.size(); ++j) {
-        if (of_row[columns[j]] != 0.0) sum -= product(of_row[columns[j]], X(columns[j], side));
-      }
-      X(columns[k], side) = product(scale, sum);
-    }
-  }
-  return X;
-}
-
 }  // namespace
 
 struct PairEquations::Linearized {
-  PairVector value;    ///< n
-  RowMatrix jacobian;  ///< (n + 1) x (n + 1); the last row is the caller's
+  explicit Linearized(Index n) : lu(static_cast<std::size_t>(n + 1)) {}
+
+  Eigen::Map<RowMatrix> jacobian() {
+    const auto size = static_cast<Index>(lu.size());
+    return {lu.matrix().data(), size, size};
+  }
+  /// Of n + 1 equations; once factored.
+  PairVector solved(PairVector b) {
+    lu.solve({b.data(), lu.size()});
+    return b;
+  }
+
+  PairVector value;  ///< n
+  Lu lu;             ///< of the derivatives; the last row is the caller's
 };
 
 PairEquations::PairEquations(const MovingPolynomials& polynomials, const std::vector<Block>& blocks,
@@ -141,30 +110,6 @@ PairEquations::PairEquations(const MovingPolynomials& polynomials, const std::ve
     has_mirror_ = has_mirror_ && image != kNoPlace && (image < needed_) == (k < needed_);
     mirror_.push_back(static_cast<Index>(image));
   }
-  order_columns();
-}
-
-/// By the number of terms that a column is in.
-void PairEquations::order_columns() {
-  std::vector<std::size_t> entries(static_cast<std::size_t>(size() + 1), 0);
-  for (const std::size_t row : rows_) {
-    for (const MovingPolynomials::MovingTerm& term : polynomials_.rows()[row]) {
-      for (const std::uint32_t v : term.factors) {
-        const std::size_t k = place_[v];
-        // What is multiplied by others fills more than what is added.
-        entries[k] += 1 + 4 * (term.factors.size() - 1);
-        if (k >= needed_)
-          entries[k + variables_.size() - needed_] += 1 + 4 * (term.factors.size() - 1);
-      }
-    }
-  }
-  entries[static_cast<std::size_t>(at_s())] = entries[static_cast<std::size_t>(at_tau())] =
-      kNoPlace;
-  columns_.resize(entries.size());
-  std::iota(columns_.begin(), columns_.end(), 0);
-  std::stable_sort(columns_.begin(), columns_.end(), [&](Index a, Index b) {
-    return entries[static_cast<std::size_t>(a)] < entries[static_cast<std::size_t>(b)];
-  });
 }
 
 Point PairEquations::restricted(const Point& root) const {
@@ -243,9 +188,10 @@ bool PairEquations::linearize(const PairVector& y, const PairVector& base, Linea
   const Index n = size();
   const Complex s = y[at_s()];
   to.value = PairVector::Zero(n);
-  to.jacobian = RowMatrix::Zero(n + 1, n + 1);
+  auto J = to.jacobian();
+  J.setZero();
   const auto needed = static_cast<Index>(needed_);
-  std::vector<RootNumber> factors;
+  std::vector<RootNumber<Complex>> factors;
   for (std::size_t r = 0; r < rows_.size(); ++r) {
     const auto row_a = static_cast<Index>(r);
     const Index row_b = r < needed_ ? Index{-1} : row_a + own();
@@ -258,7 +204,7 @@ bool PairEquations::linearize(const PairVector& y, const PairVector& base, Linea
       }
       const Complex c = moving->c[term.number];
       for (std::size_t skip = 0; skip <= factors.size(); ++skip) {
-        RootNumber rest{1, 0};
+        RootNumber<Complex> rest{1, 0};
         for (std::size_t i = 0; i < factors.size(); ++i) {
           if (i != skip) rest = times(rest, factors[i], s);
         }
@@ -267,49 +213,48 @@ bool PairEquations::linearize(const PairVector& y, const PairVector& base, Linea
         if (skip == factors.size()) {
           const Complex rate = moving->rate[term.number] * duration_;
           to.value[row_a] += a;
-          to.jacobian(row_a, at_s()) += product(c, rest.a_s);
-          to.jacobian(row_a, at_tau()) += product(rate, rest.a);
+          J(row_a, at_s()) += product(c, rest.a_s);
+          J(row_a, at_tau()) += product(rate, rest.a);
           if (row_b < 0) continue;
           to.value[row_b] += b;
-          to.jacobian(row_b, at_s()) += product(c, rest.b_s);
-          to.jacobian(row_b, at_tau()) += product(rate, rest.b);
+          J(row_b, at_s()) += product(c, rest.b_s);
+          J(row_b, at_tau()) += product(rate, rest.b);
           continue;
         }
         const auto place = static_cast<Index>(place_[term.factors[skip]]);
         const Index u = first_u() + place - needed;
-        to.jacobian(row_a, place) += a;
-        if (place >= needed) to.jacobian(row_a, u) += product(s, b);
+        J(row_a, place) += a;
+        if (place >= needed) J(row_a, u) += product(s, b);
         if (row_b < 0) continue;
-        to.jacobian(row_b, place) += b;
-        if (place >= needed) to.jacobian(row_b, u) += a;
+        J(row_b, place) += b;
+        if (place >= needed) J(row_b, u) += a;
       }
     }
   }
   const auto u0 = base.segment(first_u(), own());
   to.value[n - 1] = u0.dot(y.segment(first_u(), own())) - 1.0;
-  to.jacobian.row(n - 1).segment(first_u(), own()) = u0.adjoint();
-  return to.value.allFinite() && to.jacobian.allFinite();
+  J.row(n - 1).segment(first_u(), own()) = u0.adjoint();
+  return to.value.allFinite() && J.allFinite();
 }
 
 std::optional<PairPoint> PairEquations::corrected(PairVector y, const PairVector& base,
                                                   const PairVector& normal, double offset,
                                                   const PairVector& before) const {
   double last = 0;
-  Linearized here;
+  Linearized here(size());
   for (int k = 0; k < kPairCorrections; ++k) {
     if (!linearize(y, base, here)) return std::nullopt;
-    here.jacobian.row(size()) = normal.adjoint();
-    RowMatrix both(size() + 1, size() + 3);
-    both << here.jacobian, PairVector::Zero(size() + 1), PairVector::Unit(size() + 1, size());
-    both.col(size() + 1).head(size()) = -here.value;
-    both(size(), size() + 1) = offset - normal.dot(y);
-    const MatrixXcd sides = solved(std::move(both), columns_);
-    const double length = sides.col(0).norm();
+    here.jacobian().row(size()) = normal.adjoint();
+    PairVector miss(size() + 1);
+    miss << -here.value, offset - normal.dot(y);
+    if (!here.lu.factor()) return std::nullopt;
+    const PairVector step = here.solved(std::move(miss));
+    const double length = step.norm();
     if (!std::isfinite(length) || (k > 0 && length > kPairShrinks * last)) return std::nullopt;
-    y += sides.col(0);
+    y += step;
     last = length;
     if (length > kPairConverged * y.norm()) continue;
-    const PairVector along = made_real(sides.col(1));
+    const PairVector along = made_real(here.solved(PairVector::Unit(size() + 1, size())));
     const double way = before.dot(along).real() < 0 ? -along.norm() : along.norm();
     if (!std::isfinite(way) || way == 0) return std::nullopt;
     return PairPoint{made_real(y), along / way};
@@ -322,9 +267,10 @@ std::optional<double> PairEquations::sharp_s(const PairVector& y) const {
   constexpr int kMostRounds = 8;
   constexpr double kSharp = 1e-26;
   const auto c = polynomials_.sharply_at(time(y[at_tau()].real()));
-  Linearized here;
+  Linearized here(size());
   if (!c || !linearize(y, y, here)) return std::nullopt;
-  here.jacobian.row(size()) = PairVector::Unit(size() + 1, at_tau()).adjoint();
+  here.jacobian().row(size()) = PairVector::Unit(size() + 1, at_tau()).adjoint();
+  if (!here.lu.factor()) return std::nullopt;
   std::vector<ComplexDoubleDouble> sharp(y.begin(), y.end());
   const auto needed = static_cast<Index>(needed_);
   for (int round = 0; round < kMostRounds; ++round) {
@@ -333,21 +279,15 @@ std::optional<double> PairEquations::sharp_s(const PairVector& y) const {
       ComplexDoubleDouble a;
       ComplexDoubleDouble b;
       for (const MovingPolynomials::MovingTerm& term : polynomials_.rows()[rows_[r]]) {
-        ComplexDoubleDouble term_a = (*c)[term.number];
-        ComplexDoubleDouble term_b;
+        RootNumber<ComplexDoubleDouble> whole{(*c)[term.number], 0.0};
         for (const std::uint32_t v : term.factors) {
           const std::size_t k = place_[v];
-          const ComplexDoubleDouble& m = sharp[k];
-          const ComplexDoubleDouble u =
-              k < needed_ ? ComplexDoubleDouble() : sharp[k + variables_.size() - needed_];
-          const ComplexDoubleDouble next =
-              product(term_a, m) +
-              product(sharp[static_cast<std::size_t>(at_s())], product(term_b, u));
-          term_b = product(term_a, u) + product(term_b, m);
-          term_a = next;
+          RootNumber<ComplexDoubleDouble> factor{sharp[k], 0.0};
+          if (k >= needed_) factor.b = sharp[k + variables_.size() - needed_];
+          whole = times(whole, factor, sharp[static_cast<std::size_t>(at_s())]);
         }
-        a += term_a;
-        b += term_b;
+        a += whole.a;
+        b += whole.b;
       }
       const auto row = static_cast<Index>(r);
       miss[row] = -to_complex(a);
@@ -358,9 +298,7 @@ std::optional<double> PairEquations::sharp_s(const PairVector& y) const {
       along += product(ComplexDoubleDouble(std::conj(y[k])), sharp[static_cast<std::size_t>(k)]);
     }
     miss[size() - 1] = -to_complex(along);
-    RowMatrix both(size() + 1, size() + 2);
-    both << here.jacobian, miss;
-    const PairVector step = solved(std::move(both), columns_).col(0);
+    const PairVector step = here.solved(std::move(miss));
     for (Index k = 0; k < size(); ++k) sharp[static_cast<std::size_t>(k)] += step[k];
     if (!step.allFinite()) return std::nullopt;
     if (step.norm() <= kSharp * y.norm()) {

@@ -69,7 +69,6 @@ class PairEquations {
 
  private:
   struct Linearized;
-  void order_columns();
   bool linearize(const PairVector& y, const PairVector& base, Linearized& to) const;
   PairVector made_real(const PairVector& y) const;
   /// n
@@ -84,10 +83,9 @@ class PairEquations {
   double duration_;
   std::vector<std::uint32_t> variables_;
   std::size_t needed_ = 0;
-  std::vector<std::size_t> rows_;      ///< of the needed blocks first
-  std::vector<std::size_t> place_;     ///< of a variable of the formulation among variables_
-  std::vector<Eigen::Index> mirror_;   ///< of each of variables_
-  std::vector<Eigen::Index> columns_;  ///< of the derivatives, those with few entries first
+  std::vector<std::size_t> rows_;     ///< of the needed blocks first
+  std::vector<std::size_t> place_;    ///< of a variable of the formulation among variables_
+  std::vector<Eigen::Index> mirror_;  ///< of each of variables_
   bool has_mirror_ = true;
 };
 
