@@ -7,6 +7,7 @@
 #include <map>
 
 #include "moivre/factorization/lu.h"
+#include "moivre/start/multihomogeneous.h"
 
 namespace moivre {
 namespace {
@@ -176,35 +177,10 @@ void snap_to_zero(Point& x) {
   }
 }
 
-/// Of an equation or a term: in all the block's unknowns, in one half of them, and in the other.
-struct Degrees {
-  std::uint64_t total = 0;
-  std::uint64_t first = 0;
-  std::uint64_t second = 0;
-
-  void add(std::uint64_t exponent, bool is_first) {
-    total += exponent;
-    (is_first ? first : second) += exponent;
-  }
-  void take_larger(const Degrees& other) {
-    total = std::max(total, other.total);
-    first = std::max(first, other.first);
-    second = std::max(second, other.second);
-  }
-};
-
-/// The total degree, or c(n_1, n_2) of both halves where that is less. Few quadratic equations: both fit.
-std::uint64_t bound_of(const std::vector<Degrees>& degrees, std::size_t first_half) {
-  std::uint64_t total = 1;
-  std::vector<std::uint64_t> ways{1};  // by the number of factors in the first half
-  for (const Degrees& equation : degrees) {
-    total *= equation.total;
-    ways.push_back(0);
-    for (std::size_t k = ways.size(); k-- > 0;) {
-      ways[k] = ways[k] * equation.second + (k > 0 ? ways[k - 1] * equation.first : 0);
-    }
-  }
-  return std::min(total, ways[first_half]);
+/// The total degree, or the multihomogeneous number of these groups where that is less.
+std::uint64_t bound_of(const System& f, const Partition& groups) {
+  const std::uint64_t total = total_degree(degrees(f)).value_or(0);
+  return std::min(total, multihomogeneous_number(f, groups).value_or(total));
 }
 
 double weight(Index i, Index j) { return i == j ? 1 : 0.5; }
@@ -213,35 +189,40 @@ double weight(Index i, Index j) { return i == j ? 1 : 0.5; }
 
 QuadraticBlock::QuadraticBlock(const Formulation& f, const Block& block)
     : n_(static_cast<Index>(block.variables.size())) {
-  std::map<std::size_t, Index> place;
-  for (const std::size_t v : block.variables) place.emplace(v, static_cast<Index>(place.size()));
-  std::vector<Degrees> degrees;
+  System own;  // in the block's unknowns, whatever the others are
+  std::map<std::size_t, std::uint32_t> place;
+  Partition halves(2);
+  for (const std::size_t v : block.variables) {
+    const auto k = static_cast<std::uint32_t>(place.size());
+    place.emplace(v, k);
+    own.variables.push_back(f.system.variables[v]);
+    halves[v <= f.mirror[v] ? 0 : 1].push_back(k);
+  }
+  std::erase_if(halves, [](const auto& half) { return half.empty(); });
   for (const std::size_t e : block.equations) {
     Equation equation;
-    Degrees of_equation;
+    TermMap terms;
     for (const Term& term : f.system.polynomials[e].terms) {
       Product product{to_complex_double_double(term.coefficient), {}, n_, n_};
-      Degrees of_term;
+      Monomial monomial;
       for (const Power& power : term.monomial) {
-        const auto own = place.find(power.variable);
-        if (own == place.end()) {
+        const auto k = place.find(power.variable);
+        if (k == place.end()) {
           product.known.push_back(power);
           continue;
         }
-        of_term.add(power.exponent, power.variable <= f.mirror[power.variable]);
-        (product.i == n_ ? product.i : product.j) = own->second;
-        if (power.exponent > 1) product.j = own->second;
+        monomial.push_back({k->second, power.exponent});
+        (product.i == n_ ? product.i : product.j) = static_cast<Index>(k->second);
+        if (power.exponent > 1) product.j = static_cast<Index>(k->second);
       }
-      of_equation.take_larger(of_term);
+      terms.emplace(std::move(monomial), Coefficient{1, 0});
       equation.push_back(std::move(product));
     }
-    is_quadratic_ = is_quadratic_ && of_equation.total <= 2;
-    degrees.push_back(of_equation);
+    own.polynomials.push_back(to_polynomial(std::move(terms)));
+    is_quadratic_ = is_quadratic_ && degree(own.polynomials.back()) <= 2;
     equations_.push_back(std::move(equation));
   }
-  const auto first_half = std::count_if(block.variables.begin(), block.variables.end(),
-                                        [&](std::size_t v) { return v <= f.mirror[v]; });
-  if (is_quadratic_) bound_ = bound_of(degrees, static_cast<std::size_t>(first_half));
+  if (is_quadratic_) bound_ = bound_of(own, halves);
 }
 
 SystemFacts QuadraticBlock::reduced_facts(std::size_t roots) {
