@@ -120,15 +120,9 @@ ExactPose shortened(const ExactPose& pose) {
   return shifted * turn_by(rounded.q);
 }
 
-ExactPose axis_at(const ExactPose& frame) {
+ExactPose axis_at(const ExactPose& frame, bool is_turn) {
   const ExactPose near = shortened(frame);
-  const ExactPose z{{0, 0, 0, 1}, {}};
-  return 1 / norm(near) * (near * z * conjugate(near));
-}
-
-ExactPose slide_at(const ExactPose& frame) {
-  const ExactPose near = shortened(frame);
-  const ExactPose z{{}, {0, 0, 0, Rational(1, 2)}};
+  const ExactPose z = is_turn ? ExactPose{{0, 0, 0, 1}, {}} : ExactPose{{}, {0, 0, 0, {1, 2}}};
   return 1 / norm(near) * (near * z * conjugate(near));
 }
 

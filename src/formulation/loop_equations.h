@@ -8,9 +8,8 @@ namespace moivre {
 
 /// The pose within rounding, by short numbers.
 ExactPose shortened(const ExactPose& pose);
-/// A of a turn about the z axis of a frame, and of a slide along it.
-ExactPose axis_at(const ExactPose& frame);
-ExactPose slide_at(const ExactPose& frame);
+/// A of a turn about the z axis of a frame, or of a slide along it.
+ExactPose axis_at(const ExactPose& frame, bool is_turn);
 
 /// How a loop is stated, begun where that is done best.
 struct LoopForm {

@@ -39,7 +39,7 @@ class Chain {
   MovingPose add(const TieStep& step, const std::vector<std::string>& owners) {
     LoopElement element;
     element.is_turn = step.kind == TieStep::Kind::turn;
-    element.axis = element.is_turn ? axis_at(at_) : slide_at(at_);
+    element.axis = axis_at(at_, element.is_turn);
     element.owners = owners;
     element.name = step.name;
     if (element.is_turn) {
