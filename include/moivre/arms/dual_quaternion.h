@@ -39,12 +39,4 @@ DualQuaternion<S> conjugate(const DualQuaternion<S>& a) {
   return {a[0], -a[1], -a[2], -a[3], a[4], -a[5], -a[6], -a[7]};
 }
 
-/// q_a . d_b + d_a . q_b: zero for all a, b in a space of displacements alone.
-template <class S>
-S study_form(const DualQuaternion<S>& a, const DualQuaternion<S>& b) {
-  S sum{};
-  for (std::size_t k = 0; k < 4; ++k) sum += a[k] * b[k + 4] + a[k + 4] * b[k];
-  return sum;
-}
-
 }  // namespace moivre
