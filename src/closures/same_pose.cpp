@@ -15,18 +15,6 @@ double size_of(const Phi& phi, const Eigen::VectorXd& a, const Eigen::VectorXd& 
 
 }  // namespace
 
-bool is_length(const Phi& phi, Eigen::Index k) {
-  return phi.coordinates()[static_cast<std::size_t>(k)].kind == CoordinateKind::length;
-}
-
-double size_of(const Phi& phi, const Eigen::VectorXd& q) {
-  double size = phi.length();
-  for (Eigen::Index k = 0; k < q.size(); ++k) {
-    if (is_length(phi, k)) size = std::max(size, std::abs(q[k]));
-  }
-  return size;
-}
-
 double distance(const Phi& phi, const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
   const Eigen::VectorXd gap = phi.canonical(phi.canonical(a) - phi.canonical(b));
   const double size = size_of(phi, a, b);

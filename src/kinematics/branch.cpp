@@ -53,26 +53,6 @@ constexpr double kSampleMiss = 0.05;
 constexpr double kSampleConverged = 1e-8;
 constexpr int kSampleCorrections = 8;
 
-/// The mechanism's length, or that of the pose where it is larger.
-double length_at(const Phi& phi, const VectorXd& q) {
-  double length = phi.length();
-  for (Index k = 0; k < q.size(); ++k) {
-    const auto kind = phi.coordinates()[static_cast<std::size_t>(k)].kind;
-    if (kind == CoordinateKind::length) length = std::max(length, std::abs(q[k]));
-  }
-  return length;
-}
-
-CurveScale scale_of(const Phi& phi, const VectorXd& q, const std::vector<double>& times) {
-  CurveScale scale{VectorXd::Ones(q.size()), times.front(), times.back() - times.front()};
-  const double length = length_at(phi, q);
-  for (Index k = 0; k < q.size(); ++k) {
-    const auto kind = phi.coordinates()[static_cast<std::size_t>(k)].kind;
-    if (kind == CoordinateKind::length) scale.w[k] = length;
-  }
-  return scale;
-}
-
 /// q with the coordinates that are rounding noise beside the others at 0, where that leaves less of Phi: a row whose terms
 /// are noise has no scale of its own.
 VectorXd least_residual(const Phi& phi, const VectorXd& q, double t) {
@@ -83,7 +63,7 @@ VectorXd least_residual(const Phi& phi, const VectorXd& q, double t) {
 
 /// What rows of length 1 leave together where each of them misses by Mechanism::fit.
 double slack_of(const Mechanism& mechanism, const Phi& phi, const VectorXd& q) {
-  return mechanism.fit.value_or(0) / length_at(phi, q) * std::sqrt(static_cast<double>(phi.size()));
+  return mechanism.fit.value_or(0) / size_of(phi, q) * std::sqrt(static_cast<double>(phi.size()));
 }
 
 void validate(const Phi& phi, const VectorXd& q0, const std::vector<double>& times,
@@ -124,8 +104,8 @@ class Follower {
         times_(times),
         options_(options),
         stop_(stop),
-        curve_(phi_, scale_of(phi_, q0, times), slack_of(mechanism, phi_, q0),
-               !is_typed(mechanism)),
+        curve_(phi_, {sizes_of(phi_, q0), times.front(), times.back() - times.front()},
+               slack_of(mechanism, phi_, q0), !is_typed(mechanism)),
         order_(staircase_order(phi_.reads(), phi_.dimension())) {
     validate(phi_, q0, times, mechanism.fit);
   }

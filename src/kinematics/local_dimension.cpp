@@ -36,15 +36,7 @@ constexpr int kAgreeing = 3;
 class Slicing {
  public:
   Slicing(const Phi& phi, const VectorXd& q, double t, std::uint64_t seed)
-      : phi_(phi), q_(q), t_(t), seed_(seed), scale_(VectorXd::Ones(q.size())) {
-    // No less than the pose's own: far away it is known to fewer digits.
-    double largest_length = phi.length();
-    for (Index k = 0; k < q.size(); ++k) {
-      if (is_length(k)) largest_length = std::max(largest_length, std::abs(q[k]));
-    }
-    for (Index k = 0; k < q.size(); ++k) {
-      if (is_length(k)) scale_[k] = largest_length;
-    }
+      : phi_(phi), q_(q), t_(t), seed_(seed), scale_(sizes_of(phi, q)) {
     const VectorXd rows = (phi.jacobian(q, t) * scale_.asDiagonal()).rowwise().norm();
     weight_ = rows.cwiseMax(kFaintRow * rows.maxCoeff()).cwiseInverse();
     null_space_ = null_space(weight_.asDiagonal() * phi.jacobian(q, t) * scale_.asDiagonal());
@@ -62,10 +54,6 @@ class Slicing {
   }
 
  private:
-  bool is_length(Index k) const {
-    return phi_.coordinates()[static_cast<std::size_t>(k)].kind == CoordinateKind::length;
-  }
-
   /// d x n: random orthonormal directions in the null space, where a set of poses would lie; planes stand across them.
   MatrixXd planes(Index d, int slice) const {
     const Index k = null_space_.cols();
@@ -120,7 +108,8 @@ class Slicing {
   const VectorXd& q_;
   double t_;
   std::uint64_t seed_;
-  VectorXd scale_;       ///< of each coordinate
+  VectorXd
+      scale_;  ///< of each coordinate, no less than the pose's own: far away it is known to fewer digits
   VectorXd weight_;      ///< of each row
   MatrixXd null_space_;  ///< of the weighted Phi_q
 };

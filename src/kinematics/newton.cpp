@@ -60,7 +60,7 @@ MatrixXd columns(const MatrixXd& J, const std::vector<Index>& free) {
   return static_cast<Index>(free.size()) == J.cols() ? J : MatrixXd(J(Eigen::all, free));
 }
 
-double size_of(const Phi& phi, const VectorXd& q) { return std::max(1.0, largest_of(phi, q)); }
+double own_size_of(const Phi& phi, const VectorXd& q) { return std::max(1.0, largest_of(phi, q)); }
 
 NewtonIteration measured(const Phi& phi, const VectorXd& q, double t) {
   NewtonIteration row;
@@ -82,7 +82,7 @@ NewtonIteration look(const Phi& phi, const VectorXd& q, double t, const NewtonOp
 /// How many steps ago the last iterate was visited before; 0 when it is new.
 int cycle_length(const Phi& phi, const std::vector<NewtonIteration>& rows) {
   const VectorXd& q = rows.back().q;
-  const double size = size_of(phi, q);
+  const double size = own_size_of(phi, q);
   for (std::size_t back = 2; back < rows.size(); ++back) {
     const VectorXd& old = rows[rows.size() - 1 - back].q;
     const VectorXd& after_old = rows[rows.size() - back].q;
@@ -98,7 +98,7 @@ std::optional<NewtonStatus> verdict(const Phi& phi, const NewtonResult& run, con
                                     const NewtonOptions& options) {
   const NewtonIteration& row = run.iterations.back();
   const bool is_number = row.q.allFinite() && std::isfinite(row.scaled_residual);
-  if (!is_number || size_of(phi, row.q) > kEscape * size_of(phi, guess))
+  if (!is_number || own_size_of(phi, row.q) > kEscape * own_size_of(phi, guess))
     return NewtonStatus::diverged;
   if (row.scaled_residual <= options.residual_tolerance) return NewtonStatus::converged;
   if (run.cycle_length > 0) return NewtonStatus::cycling;
@@ -212,7 +212,7 @@ NewtonResult newton(const Phi& phi, const VectorXd& guess, double t, const Newto
     change(free) = step;
     VectorXd next = row.q + change;
     if (options.held.empty() && phi.has_long_rotation(next)) next = phi.canonical(next);
-    const bool rests = largest_of(phi, change) <= kStandstill * size_of(phi, row.q);
+    const bool rests = largest_of(phi, change) <= kStandstill * own_size_of(phi, row.q);
     const NewtonStatus rest_verdict = at_rest(phi, row, t, std::min(J.rows(), J.cols()));
     run.iterations.push_back(look(phi, next, t, options));
     run.iterations.back().method = factors.method();

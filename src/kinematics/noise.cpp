@@ -14,18 +14,14 @@ using Eigen::VectorXd;
 
 VectorXd without_noise(const Phi& phi, const VectorXd& q, const std::vector<Index>& held) {
   constexpr double kNoise = 8 * std::numeric_limits<double>::epsilon();
-  const auto is_length = [&phi](Index k) {
-    return phi.coordinates()[static_cast<std::size_t>(k)].kind == CoordinateKind::length;
-  };
+  const double largest_length = size_of(phi, q);
   double largest_angle = 1;
-  double largest_length = phi.length();
   for (Index k = 0; k < q.size(); ++k) {
-    double& largest = is_length(k) ? largest_length : largest_angle;
-    largest = std::max(largest, std::abs(q[k]));
+    if (!is_length(phi, k)) largest_angle = std::max(largest_angle, std::abs(q[k]));
   }
   VectorXd clean = q;
   for (Index k = 0; k < q.size(); ++k) {
-    const double noise = kNoise * (is_length(k) ? largest_length : largest_angle);
+    const double noise = kNoise * (is_length(phi, k) ? largest_length : largest_angle);
     const bool is_held = std::find(held.begin(), held.end(), k) != held.end();
     if (!is_held && std::abs(q[k]) <= noise) clean[k] = 0;
   }

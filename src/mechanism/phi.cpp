@@ -78,21 +78,6 @@ double mean_of(const std::vector<double>& lengths) {
 
 bool is_length(const Coordinate& coordinate) { return coordinate.kind == CoordinateKind::length; }
 
-/// A unit of the mechanism's size for each coordinate: its largest length, or a radian.
-VectorXd units_of(const Phi& phi, const VectorXd& q) {
-  double length = phi.length();
-  for (Index k = 0; k < q.size(); ++k) {
-    if (is_length(phi.coordinates()[static_cast<std::size_t>(k)])) {
-      length = std::max(length, std::abs(q[k]));
-    }
-  }
-  VectorXd unit = VectorXd::Ones(q.size());
-  for (Index k = 0; k < q.size(); ++k) {
-    if (is_length(phi.coordinates()[static_cast<std::size_t>(k)])) unit[k] = length;
-  }
-  return unit;
-}
-
 /// How fast each row changes at most when one body (or unknown) is displaced; 0 for a row that compares angles.
 VectorXd rates_by_displacement(const Phi& phi, const VectorXd& q, double t) {
   MatrixXd J = phi.jacobian(q, t);
@@ -325,6 +310,27 @@ bool Phi::has_long_rotation(const VectorXd& q) const {
   return false;
 }
 
+bool is_length(const Phi& phi, Index k) {
+  return is_length(phi.coordinates()[static_cast<std::size_t>(k)]);
+}
+
+double size_of(const Phi& phi, const VectorXd& q) {
+  double size = phi.length();
+  for (Index k = 0; k < q.size(); ++k) {
+    if (is_length(phi, k)) size = std::max(size, std::abs(q[k]));
+  }
+  return size;
+}
+
+VectorXd sizes_of(const Phi& phi, const VectorXd& q) {
+  VectorXd sizes = VectorXd::Ones(q.size());
+  const double length = size_of(phi, q);
+  for (Index k = 0; k < q.size(); ++k) {
+    if (is_length(phi, k)) sizes[k] = length;
+  }
+  return sizes;
+}
+
 double scaled_residual(const Phi& phi, const VectorXd& q, double t) {
   double worst = 0;
   for (const Magnitude& row : phi.magnitudes(q, t)) {
@@ -335,7 +341,7 @@ double scaled_residual(const Phi& phi, const VectorXd& q, double t) {
 }
 
 VectorXd row_sizes(const Phi& phi, const VectorXd& q, double t) {
-  return phi.term_magnitudes(q, t) + phi.jacobian(q, t).cwiseAbs() * units_of(phi, q);
+  return phi.term_magnitudes(q, t) + phi.jacobian(q, t).cwiseAbs() * sizes_of(phi, q);
 }
 
 double residual_by_size(const Phi& phi, const VectorXd& q, double t) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Are two poses one? How far they are apart, angles to the nearest turn in radians and lengths beside the size of the mechanism's pose.
 //
-// q: n coordinates as in Phi. A pose's size is its largest length, the mechanism's at least.
+// q: n coordinates as in Phi.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,10 +15,6 @@ inline constexpr double kSamePose = 1e-6;
 /// Poses where branches meet are known to the root of that.
 inline constexpr double kSamePlace = 1e-3;
 
-/// Whether coordinate k is a length.
-bool is_length(const Phi& phi, Eigen::Index k);
-/// The largest length of the pose, phi.length() at least.
-double size_of(const Phi& phi, const Eigen::VectorXd& q);
 /// Largest difference of two poses: of angles, in radians and to the nearest turn; of lengths, beside the larger pose's size.
 double distance(const Phi& phi, const Eigen::VectorXd& a, const Eigen::VectorXd& b);
 /// Whether that is no more than kSamePose; where not, a length nearly always says so at once.

@@ -97,6 +97,13 @@ class Phi {
   double mean_length_ = 1;
 };
 
+/// Whether coordinate k is a length.
+bool is_length(const Phi& phi, Eigen::Index k);
+/// The size of a pose: its largest length, phi.length() at least.
+double size_of(const Phi& phi, const Eigen::VectorXd& q);
+/// That for each coordinate that is a length; 1, a radian, for an angle.
+Eigen::VectorXd sizes_of(const Phi& phi, const Eigen::VectorXd& q);
+
 /// max_i |Phi_i| / (sum of |terms| of Phi_i), 0 for a row without terms.
 double scaled_residual(const Phi& phi, const Eigen::VectorXd& q, double t);
 
