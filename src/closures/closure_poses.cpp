@@ -12,12 +12,12 @@
 #include "moivre/closures/same_pose.h"
 #include "moivre/expression/counted.h"
 #include "moivre/factorization/svd.h"
-#include "moivre/kinematics/local_dimension.h"
 #include "moivre/kinematics/newton.h"
 #include "moivre/kinematics/own_units.h"
 #include "moivre/mechanism/closure_id.h"
 #include "moivre/mechanism/pose.h"
 #include "moivre/mechanism/spins.h"
+#include "moving_pose.h"
 
 namespace moivre {
 namespace {
@@ -30,10 +30,9 @@ using BeyondLimits = std::map<const Joint*, std::uint64_t>;
 
 /// Is this pose of a multiple root one of many? Then the root is not isolated.
 bool lies_on_motion(ClosureSearch& search, const Eigen::VectorXd& q) {
-  const LocalDimension local =
-      local_dimension(search.phi, q, search.options.time, search.options.solve.seed);
-  if (local.dimension == 0) return false;
-  search.result.moves = Moves{static_cast<std::uint64_t>(local.dimension), local.shown, q};
+  auto moves = moves_at(search.phi, q, search.options.time, search.options.solve.seed);
+  if (!moves) return false;
+  search.result.moves = std::move(moves);
   return true;
 }
 

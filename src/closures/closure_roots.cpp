@@ -124,11 +124,10 @@ RootCompleteness completeness(const Formulation& formulation, const StageRun& ru
 }
 
 bool shows_motion(ClosureSearch& search) {
-  const auto found =
+  auto moves =
       moving_pose(search.mechanism, search.phi, search.options.time, search.options.solve.seed);
-  if (!found) return false;
-  search.result.moves =
-      Moves{static_cast<std::uint64_t>(found->moves.dimension), found->moves.shown, found->q};
+  if (!moves) return false;
+  search.result.moves = std::move(moves);
   return true;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "moivre/kinematics/local_dimension.h"
 #include "moivre/kinematics/newton.h"
 #include "moivre/kinematics/own_units.h"
 #include "moivre/numeric/random.h"
@@ -22,16 +23,22 @@ Eigen::VectorXd random_pose(const Phi& phi, const Eigen::VectorXd& guess, std::u
     const auto n = static_cast<std::uint64_t>(q.size());
     const auto index = start * n + static_cast<std::uint64_t>(k);
     const double wander = 2 * random_unit(seed, RandomStream::slice, index) - 1;
-    const auto kind = phi.coordinates()[static_cast<std::size_t>(k)].kind;
-    q[k] += wander * (kind == CoordinateKind::length ? size * unit[k] : std::numbers::pi);
+    q[k] += wander * (is_length(phi, k) ? size * unit[k] : std::numbers::pi);
   }
   return q;
 }
 
 }  // namespace
 
-std::optional<MovingPose> moving_pose(const Mechanism& mechanism, const Phi& phi, double t,
-                                      std::uint64_t seed) {
+std::optional<Moves> moves_at(const Phi& phi, const Eigen::VectorXd& q, double t,
+                              std::uint64_t seed) {
+  const LocalDimension local = local_dimension(phi, q, t, seed);
+  if (local.dimension == 0) return std::nullopt;
+  return Moves{static_cast<std::uint64_t>(local.dimension), local.shown, q};
+}
+
+std::optional<Moves> moving_pose(const Mechanism& mechanism, const Phi& phi, double t,
+                                 std::uint64_t seed) {
   const Eigen::VectorXd guess = initial_guess(mechanism, t);
   const auto begin = [&](std::uint64_t start) -> Eigen::VectorXd {
     if (start == 0) return guess;
@@ -41,8 +48,7 @@ std::optional<MovingPose> moving_pose(const Mechanism& mechanism, const Phi& phi
   for (std::uint64_t start = 0; start < kMovingStarts; ++start) {
     const NewtonResult found = newton(phi, begin(start), t);
     if (found.status != NewtonStatus::converged) continue;
-    const LocalDimension local = local_dimension(phi, found.q, t, seed);
-    if (local.dimension > 0) return MovingPose{phi.canonical(found.q), local};
+    if (auto moves = moves_at(phi, phi.canonical(found.q), t, seed)) return moves;
   }
   return std::nullopt;
 }

@@ -6,20 +6,18 @@
 
 #include <optional>
 
-#include "moivre/kinematics/local_dimension.h"
-#include "moivre/mechanism/mechanism.h"
+#include "moivre/closures/closures.h"
 
 namespace moivre {
 
 /// Least squares from a random pose assembles a linkage more often than not; what so many starts miss is left undecided.
 inline constexpr std::uint64_t kMovingStarts = 32;
 
-struct MovingPose {
-  Eigen::VectorXd q;
-  LocalDimension moves;  ///< dimension > 0
-};
+/// How the pose moves with the drivers held; nullopt: not at all.
+std::optional<Moves> moves_at(const Phi& phi, const Eigen::VectorXd& q, double t,
+                              std::uint64_t seed);
 
-std::optional<MovingPose> moving_pose(const Mechanism& mechanism, const Phi& phi, double t,
-                                      std::uint64_t seed);
+std::optional<Moves> moving_pose(const Mechanism& mechanism, const Phi& phi, double t,
+                                 std::uint64_t seed);
 
 }  // namespace moivre
