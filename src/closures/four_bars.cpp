@@ -61,16 +61,18 @@ Sorted sorted(const std::array<double, 4>& lengths) {
   return all;
 }
 
+/// Types of one kind stand in the order of the links that they are named by.
+FourBarType type_by_link(FourBarType first, std::size_t link) {
+  return static_cast<FourBarType>(static_cast<std::size_t>(first) + link);
+}
+
 FourBarType change_point_type(const std::array<double, 4>& lengths, const Sorted& all) {
   const auto equal = [&](double x, double y) { return std::abs(x - y) <= all.noise; };
   const auto is_as_short = [&](double x) { return equal(x, lengths[all.shortest]); };
   const auto short_ones = std::count_if(lengths.begin(), lengths.end(), is_as_short);
   if (short_ones == 4) return FourBarType::four_equal_sides;
   if (short_ones == 2) return FourBarType::two_equal_pairs;
-  constexpr std::array kTypes{
-      FourBarType::change_point_double_crank, FourBarType::change_point_crank_rocker,
-      FourBarType::change_point_double_rocker, FourBarType::change_point_rocker_crank};
-  return kTypes[all.shortest];
+  return type_by_link(FourBarType::change_point_double_crank, all.shortest);
 }
 
 /// A body, or a rod.
@@ -264,11 +266,6 @@ FourBarRule four_bar_rule(const std::array<double, 4>& lengths) {
 }
 
 FourBarType four_bar_type(const std::array<double, 4>& lengths) {
-  constexpr std::array kGrashof{FourBarType::double_crank, FourBarType::crank_rocker,
-                                FourBarType::double_rocker, FourBarType::rocker_crank};
-  constexpr std::array kNonGrashof{
-      FourBarType::triple_rocker_frame, FourBarType::triple_rocker_input,
-      FourBarType::triple_rocker_coupler, FourBarType::triple_rocker_output};
   const Sorted all = sorted(lengths);
   const double longest = lengths[all.longest];
   if (longest - (all.s_and_l + all.p_and_q - longest) > all.noise) {
@@ -276,9 +273,9 @@ FourBarType four_bar_type(const std::array<double, 4>& lengths) {
   }
   switch (four_bar_rule(lengths)) {
     case FourBarRule::grashof:
-      return kGrashof[all.shortest];
+      return type_by_link(FourBarType::double_crank, all.shortest);
     case FourBarRule::non_grashof:
-      return kNonGrashof[all.longest];
+      return type_by_link(FourBarType::triple_rocker_frame, all.longest);
     case FourBarRule::change_point:
       break;
   }
