@@ -76,12 +76,10 @@ void tell_why_nothing_moves(const std::vector<Scene>& scenes, MotionResult& resu
   }
 }
 
-void tell_instants(const std::vector<double>& instants, MotionResult& result) {
-  for (const double time : instants) {
-    result.left_out.push_back(
-        {"closures " + at_time(time),
-         "complex closures meet there and separate again: a pose for an instant"});
-  }
+/// The same of each of these times.
+void tell_times(const std::vector<double>& times, const std::string& what, const std::string& why,
+                MotionResult& result) {
+  for (const double time : times) result.left_out.push_back({what + at_time(time), why});
 }
 
 /// A line for each time at which closures are there that no branch leads through.
@@ -92,14 +90,6 @@ void tell_instants(const std::vector<BranchPose>& instants, MotionResult& result
     result.left_out.push_back(
         {std::to_string(count) + (count == 1 ? " closure " : " closures ") + at_time(time),
          "the constraints are compatible for an instant only: no branch passes through"});
-  }
-}
-
-void tell_crossings(const std::vector<double>& times, MotionResult& result) {
-  for (const double time : times) {
-    result.left_out.push_back({"the checkpoint " + at_time(time),
-                               "branches cross there and closures are not all isolated: they were "
-                               "compared on both sides of it"});
   }
 }
 
@@ -140,7 +130,8 @@ MotionResult find_motion_of_whole(const Mechanism& mechanism, const Tracker& tra
     PairSearch pairs(run, tracker);
     if (look_closer(run, tracker, scenes)) reconcile(run, scenes);
     search_pairs(run, tracker, scenes, pairs);
-    tell_instants(pairs.instants(), result);
+    tell_times(pairs.instants(), "closures ",
+               "complex closures meet there and separate again: a pose for an instant", result);
     doubts = pairs.doubts();
     if (const auto sampled = pairs.sampled()) {
       result.left_out.push_back({"a short branch, if there is one", *sampled});
@@ -156,7 +147,10 @@ MotionResult find_motion_of_whole(const Mechanism& mechanism, const Tracker& tra
   std::move(doubts.begin(), doubts.end(), std::back_inserter(result.failures));
   count_work(scenes, result);
   tell_instants(run.instants, result);
-  tell_crossings(crossings, result);
+  tell_times(crossings, "the checkpoint ",
+             "branches cross there and closures are not all isolated: they were compared on both "
+             "sides of it",
+             result);
   conclude(run, result);
   tell_why_nothing_moves(scenes, result);
   if (options.checkpoints == 0 || has_limits(mechanism)) {
