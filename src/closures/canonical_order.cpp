@@ -9,78 +9,63 @@
 namespace moivre {
 namespace {
 
+using Eigen::Index;
+using Eigen::VectorXd;
 using Positions = std::vector<std::size_t>::iterator;
 
-class Order {
- public:
-  Order(const std::vector<Eigen::VectorXd>& poses, const std::vector<Coordinate>& coordinates,
-        double length)
-      : poses_(poses), coordinates_(coordinates), largest_length_(length) {
-    for (const Eigen::VectorXd& q : poses) {
-      for (std::size_t k = 0; k < coordinates.size(); ++k) {
-        const double size = std::abs(q[static_cast<Eigen::Index>(k)]);
-        if (!is_angle(k)) largest_length_ = std::max(largest_length_, size);
-      }
-    }
+/// Sorts [first, last), whose poses tie in every coordinate before k. Values: lengths beside the largest, half a turn as it is named.
+void sort_from(Index k, Positions first, Positions last, const std::vector<VectorXd>& values) {
+  if (last - first < 2 || k == values.front().size()) return;
+  std::stable_sort(first, last,
+                   [&](std::size_t a, std::size_t b) { return values[a][k] > values[b][k]; });
+  for (Positions piece = first; piece != last;) {
+    Positions end = piece + 1;
+    while (end != last && values[*(end - 1)][k] - values[*end][k] <= kSameCoordinate) ++end;
+    std::sort(piece, end);
+    sort_from(k + 1, piece, end, values);
+    piece = end;
   }
-
-  /// Sorts [first, last), whose poses tie in every coordinate before k.
-  void sort_from(std::size_t k, Positions first, Positions last) const {
-    if (k == coordinates_.size() || last - first < 2) return;
-    std::stable_sort(first, last,
-                     [&](std::size_t a, std::size_t b) { return value(a, k) > value(b, k); });
-    for (Positions piece = first; piece != last;) {
-      Positions end = piece + 1;
-      while (end != last && value(*(end - 1), k) - value(*end, k) <= tolerance(k)) ++end;
-      std::sort(piece, end);
-      sort_from(k + 1, piece, end);
-      piece = end;
-    }
-  }
-
- private:
-  bool is_angle(std::size_t k) const { return coordinates_[k].kind != CoordinateKind::length; }
-  double tolerance(std::size_t k) const {
-    return kSameCoordinate * (is_angle(k) ? 1.0 : largest_length_);
-  }
-  double value(std::size_t pose, std::size_t k) const {
-    const double v = poses_[pose][static_cast<Eigen::Index>(k)];
-    const bool is_half_turn = is_angle(k) && v <= -std::numbers::pi + kSameCoordinate;
-    return is_half_turn ? v + 2 * std::numbers::pi : v;
-  }
-
-  const std::vector<Eigen::VectorXd>& poses_;
-  const std::vector<Coordinate>& coordinates_;
-  double largest_length_;
-};
+}
 
 /// Half a turn about v is half a turn about -v: of the two, the one whose first coordinate that is not zero is positive.
-Eigen::VectorXd with_named_half_turns(Eigen::VectorXd q,
-                                      const std::vector<Coordinate>& coordinates) {
-  constexpr Eigen::Index kSize = 3;
-  for (Eigen::Index k = 0; k < q.size(); ++k) {
-    if (coordinates[static_cast<std::size_t>(k)].kind != CoordinateKind::rotation_vector) continue;
+void name_half_turns(const std::vector<Coordinate>& coordinates, VectorXd& q) {
+  constexpr Index kSize = 3;
+  for (Index k = 0; k < q.size(); ++k) {
+    const CoordinateKind kind = coordinates[static_cast<std::size_t>(k)].kind;
+    if (kind == CoordinateKind::angle && q[k] <= -std::numbers::pi + kSameCoordinate) {
+      q[k] += 2 * std::numbers::pi;
+    }
+    if (kind != CoordinateKind::rotation_vector) continue;
     auto v = q.segment<kSize>(k);
     k += kSize - 1;
     if (v.norm() < std::numbers::pi - kSameCoordinate) continue;
-    Eigen::Index first = 0;
+    Index first = 0;
     while (first < kSize - 1 && std::abs(v[first]) <= kSameCoordinate) ++first;
     if (v[first] < 0) v *= -1;
   }
-  return q;
 }
 
 }  // namespace
 
-std::vector<std::size_t> canonical_order(const std::vector<Eigen::VectorXd>& poses,
+std::vector<std::size_t> canonical_order(const std::vector<VectorXd>& poses,
                                          const std::vector<Coordinate>& coordinates,
                                          double length) {
+  const auto is_length = [&](Index k) {
+    return coordinates[static_cast<std::size_t>(k)].kind == CoordinateKind::length;
+  };
+  for (const VectorXd& q : poses) {
+    for (Index k = 0; k < q.size(); ++k) {
+      if (is_length(k)) length = std::max(length, std::abs(q[k]));
+    }
+  }
+  std::vector<VectorXd> values = poses;
+  for (VectorXd& q : values) {
+    name_half_turns(coordinates, q);
+    for (Index k = 0; k < q.size(); ++k) q[k] /= is_length(k) ? length : 1;
+  }
   std::vector<std::size_t> order(poses.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::vector<Eigen::VectorXd> named;
-  named.reserve(poses.size());
-  for (const Eigen::VectorXd& q : poses) named.push_back(with_named_half_turns(q, coordinates));
-  Order(named, coordinates, length).sort_from(0, order.begin(), order.end());
+  sort_from(0, order.begin(), order.end(), values);
   return order;
 }
 
