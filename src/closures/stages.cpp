@@ -211,7 +211,7 @@ class Stages {
       next.push_back(std::move(root));
     }
     run_.roots = std::move(next);
-    if (!decides_exclusions(block)) return;
+    if (formulation_.exclusions.empty()) return;
     prove_all();
     std::erase_if(run_.roots, [&](const PartialRoot& root) { return is_excluded(root); });
   }
@@ -345,20 +345,6 @@ class Stages {
   void prove_all() {
     if (!prover_.close()) return;
     for (PartialRoot& root : run_.roots) prove(root);
-  }
-
-  /// Whether an exclusion has one of the block's variables.
-  bool decides_exclusions(const Block& block) const {
-    for (const Formulation::Exclusion& exclusion : formulation_.exclusions) {
-      for (const Term& term : exclusion.of.terms) {
-        for (const Power& power : term.monomial) {
-          if (std::count(block.variables.begin(), block.variables.end(), power.variable) > 0) {
-            return true;
-          }
-        }
-      }
-    }
-    return false;
   }
 
   std::string group_name(const Block& block) const {
