@@ -9,6 +9,7 @@
 #include "known_motions.h"
 #include "linear_values.h"
 #include "moivre/formulation/block_structure.h"
+#include "moivre/mechanism/driven_joint.h"
 #include "moivre/mechanism/phi.h"
 #include "moivre/polynomial/value.h"
 #include "shared_pins.h"
@@ -152,9 +153,7 @@ class Bodies {
         add_known_slides(joint);
         return;
       case JointPlace::at_any_distance:
-        if (const Driver* driver = slide_of(joint)) {
-          add_distance(joint, driver_state(driver->law, t_).value);
-        }
+        if (const auto length = driven_slide(joint)) add_distance(joint, *length);
         return;
       case JointPlace::in_plane:
         break;
@@ -164,8 +163,8 @@ class Bodies {
 
   void add_line(const Joint& joint) {
     const Mirrored along = turned(joint.at[0].body, joint.axis[0]);
-    if (const Driver* driver = slide_of(joint)) {
-      const Coefficient s{typed_decimal(driver_state(driver->law, t_).value), 0};
+    if (const auto slide = driven_slide(joint)) {
+      const Coefficient s{typed_decimal(*slide), 0};
       frame_.add_equations(label(joint) + ": slide", without_rounding(gap(joint) - s * along));
       return;
     }
@@ -196,10 +195,10 @@ class Bodies {
       frame_.add_equation(label(joint),
                           without_rounding(twice_slide(joint) - constant({2 * value, 0})));
     };
-    const Driver* driver = slide_of(joint);
-    if (driver != nullptr) add(driver_state(driver->law, t_).value);
+    const auto driven = driven_slide(joint);
+    if (driven) add(*driven);
     const auto& slide = known_.slides[number(joint)];
-    const bool is_driven_rack = driver != nullptr && joint.type == JointType::rack;
+    const bool is_driven_rack = driven && joint.type == JointType::rack;
     if (slide && !slide->follows && !is_driven_rack) add(slide->value);
     if (joint.type == JointType::cam && known_.is_followed[number(joint)]) add(0);
   }
@@ -327,14 +326,8 @@ class Bodies {
     return static_cast<std::size_t>(&joint - mechanism_.joints.data());
   }
   std::string label(const Joint& joint) const { return to_string(joint.type) + " " + joint.name; }
-  /// The driver of this joint's slide, if there is one.
-  const Driver* slide_of(const Joint& joint) const {
-    for (const Driver& driver : mechanism_.drivers) {
-      if (driver.kind == DriverKind::slide && &mechanism_.joints[driver.joint] == &joint) {
-        return &driver;
-      }
-    }
-    return nullptr;
+  std::optional<double> driven_slide(const Joint& joint) const {
+    return driven_joint(mechanism_, number(joint), t_).slide;
   }
 
   const Mechanism& mechanism_;
