@@ -92,30 +92,24 @@ void TrackFollower::add_sample(Track& track, double time) const {
 
 void TrackFollower::run(Track& track) const {
   const BranchOptions steps = options_of(track);
-  std::vector<double> later{track.anchor.time};
-  std::vector<double> earlier{track.anchor.time};
-  for (const double time : times) {
-    if (time > track.anchor.time) later.push_back(time);
-    if (time < track.anchor.time) earlier.insert(earlier.begin() + 1, time);
+  for (const bool is_forwards : {true, false}) {
+    std::vector<double> ahead;
+    for (const double time : times) {
+      if (is_forwards ? time > track.anchor.time : time < track.anchor.time) ahead.push_back(time);
+    }
+    if (!is_forwards) std::reverse(ahead.begin(), ahead.end());
+    Branch& way = is_forwards ? track.forwards : track.backwards;
+    way = {};
+    way.status = BranchStatus::reached;
+    way.message = "followed to the end";
+    if (ahead.empty()) continue;
+    ahead.insert(ahead.begin(), track.anchor.time);
+    way = follow_branch(mechanism, track.anchor.q, ahead, steps, stop);
+    if (track.is_simple) refuse_crossing_at(track.anchor.time, way);
   }
-  track.forwards = {};
-  track.backwards = {};
-  if (later.size() > 1) {
-    track.forwards = follow_branch(mechanism, track.anchor.q, later, steps, stop);
-  }
-  if (earlier.size() > 1) {
-    track.backwards = follow_branch(mechanism, track.anchor.q, earlier, steps, stop);
-  }
-  // At either end of the times one of the two has nothing to do but to hold the anchor.
-  if (later.size() == 1) {
-    track.forwards.status = BranchStatus::reached;
-    track.forwards.message = "followed to the end";
-    track.forwards.samples.push_back(track.backwards.samples.front());
-  }
-  if (earlier.size() == 1) track.backwards.status = BranchStatus::reached;
-  if (!track.is_simple) return;
-  refuse_crossing_at(track.anchor.time, track.forwards);
-  refuse_crossing_at(track.anchor.time, track.backwards);
+  // At the end of the times the way on has nothing to do but to hold the anchor.
+  std::vector<BranchSample>& samples = track.forwards.samples;
+  if (samples.empty()) samples.push_back(track.backwards.samples.front());
 }
 
 Track TrackFollower::follow(const BranchPose& anchor, bool is_simple) const {
