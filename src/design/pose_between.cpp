@@ -40,11 +40,15 @@ BranchSample pose_between(const Phi& phi, const BranchSample& before, const Bran
   sample.time = time;
   sample.q = interpolated(before, after, time);
   sample.is_determined = false;
-  const double most = largest_of(phi, after.q - before.q) + kSettled;
+  const VectorXd unit = sizes_of(phi, VectorXd::Zero(before.q.size()));
+  const auto size_of_step = [&](const VectorXd& step) {
+    return step.cwiseQuotient(unit).lpNorm<Eigen::Infinity>();
+  };
+  const double most = size_of_step(after.q - before.q) + kSettled;
   for (int step = 0; step < kMostSteps; ++step) {
     const Factorization factors = factorization_of(phi, phi.jacobian(sample.q, time));
     const VectorXd correction = factors.solve(-phi.value(sample.q, time));
-    const double size = largest_of(phi, correction);
+    const double size = size_of_step(correction);
     if (!(size <= most)) return sample;
     sample.q += correction;
     if (size > kSettled) continue;
