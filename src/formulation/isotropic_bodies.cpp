@@ -129,8 +129,7 @@ class Bodies {
   void add_positions() {
     positions_.push_back({constant({0, 0}), constant({0, 0})});
     for (std::size_t i = 1; i < mechanism_.bodies.size(); ++i) {
-      const std::string& name = mechanism_.bodies[i].name;
-      positions_.push_back(frame_.add_pair(name, name));
+      positions_.push_back(frame_.add_pair(mechanism_.bodies[i].name));
     }
   }
 
@@ -272,7 +271,7 @@ class Bodies {
   void write() {
     hold_angles();
     add_positions();
-    frame_.add_angles("_");
+    frame_.add_angles();
     for (const Driver& driver : mechanism_.drivers) add_driver(driver);
     for (const Joint& joint : mechanism_.joints) add_joint(joint);
   }

@@ -58,7 +58,7 @@ class Equations {
 
   void add_unknowns() {
     using Part = Formulation::Reading::Part;
-    frame_.add_angles("_");
+    frame_.add_angles();
     for (std::size_t k = 0; k < mechanism_.unknowns.size(); ++k) {
       const Unknown& unknown = mechanism_.unknowns[k];
       lengths_.push_back(unknown.is_angle ? constant({0, 0}) : frame_.add_real(unknown.name));

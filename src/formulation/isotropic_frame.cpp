@@ -29,7 +29,7 @@ void IsotropicFrame::contradict(const std::string& name) {
   result_.contradictions.push_back(name + " holds an angle that is already held at another value");
 }
 
-void IsotropicFrame::add_angles(const std::string& prefix) {
+void IsotropicFrame::add_angles() {
   t_of_.assign(names_.size() + 1, 0);
   for (std::size_t node = 1; node <= names_.size(); ++node) {
     if (classes_.find(node).root != node) continue;
@@ -38,8 +38,8 @@ void IsotropicFrame::add_angles(const std::string& prefix) {
       if (classes_.find(member).root == node) owners.push_back(names_[member - 1]);
     }
     const std::string& name = names_[node - 1];
-    const std::uint32_t t = add_variable("t" + prefix + name, owners);
-    const std::uint32_t u = add_variable("u" + prefix + name, owners);
+    const std::uint32_t t = add_variable("t_" + name, owners);
+    const std::uint32_t u = add_variable("u_" + name, owners);
     result_.mirror[t] = u;
     result_.mirror[u] = t;
     result_.is_direction[t] = true;
@@ -60,9 +60,9 @@ std::uint32_t IsotropicFrame::add_variable(const std::string& name,
   return static_cast<std::uint32_t>(index);
 }
 
-Mirrored IsotropicFrame::add_pair(const std::string& name, const std::string& owner) {
-  const std::uint32_t p = add_variable("p_" + name, {owner});
-  const std::uint32_t pb = add_variable("pb_" + name, {owner});
+Mirrored IsotropicFrame::add_pair(const std::string& name) {
+  const std::uint32_t p = add_variable("p_" + name, {name});
+  const std::uint32_t pb = add_variable("pb_" + name, {name});
   result_.mirror[p] = pb;
   result_.mirror[pb] = p;
   return {unknown(p), unknown(pb)};

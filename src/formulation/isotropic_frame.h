@@ -44,10 +44,10 @@ class IsotropicFrame {
   /// Notes that `name` wants another angle than the one that is held.
   void contradict(const std::string& name);
   /// Ends the holding of angles: t and u of every class that is left, with t u = 1.
-  void add_angles(const std::string& prefix);
+  void add_angles();
 
-  /// A new pair p, pb (or one unknown that is its own mirror), placed by `owner`.
-  Mirrored add_pair(const std::string& name, const std::string& owner);
+  /// A new pair p, pb, or one unknown that is its own mirror, that places the body (or unknown) of this name.
+  Mirrored add_pair(const std::string& name);
   Polynomial add_real(const std::string& name);
 
   void add_equation(const std::string& name, Polynomial p);

@@ -72,14 +72,6 @@ bool is_followed_freely(const Mechanism& mechanism, const Joint& joint) {
                       [&](const Driver& driver) { return reads(mechanism, driver, body); });
 }
 
-std::vector<std::optional<double>> values(const std::vector<std::optional<KnownSlide>>& slides) {
-  std::vector<std::optional<double>> found;
-  for (const auto& slide : slides) {
-    found.push_back(slide ? std::optional(slide->value) : std::nullopt);
-  }
-  return found;
-}
-
 class MotionsInTurn {
  public:
   MotionsInTurn(const Mechanism& mechanism, double t) : mechanism_(mechanism), t_(t) {
@@ -92,11 +84,10 @@ class MotionsInTurn {
   }
 
   KnownMotions run(const FindSlides& find_slides) && {
-    settle_by_angles();
-    while (has_open() && take(find_slides(known_))) settle_by_angles();
-    for (std::size_t k = 0; k < known_.slides.size(); ++k) {
-      if (is_open(k)) follow(k);
-    }
+    do {
+      settle_by_angles();
+    } while (!open().empty() && take(find_slides(known_)));
+    for (const std::size_t k : open()) follow(k);
     return std::move(known_);
   }
 
@@ -106,20 +97,20 @@ class MotionsInTurn {
     const JointTurn turn = traits(mechanism_.joints[k].type).turn;
     return (turn == JointTurn::by_rack || turn == JointTurn::by_cam) && !known_.slides[k];
   }
-  bool has_open() const {
+  std::vector<std::size_t> open() const {
+    std::vector<std::size_t> all;
     for (std::size_t k = 0; k < known_.slides.size(); ++k) {
-      if (is_open(k)) return true;
+      if (is_open(k)) all.push_back(k);
     }
-    return false;
+    return all;
   }
 
   void settle_by_angles() {
     for (bool has_grown = true; has_grown;) {
       has_grown = false;
-      known_.angles = known_angles(mechanism_, t_, values(known_.slides));
-      for (std::size_t k = 0; k < known_.slides.size(); ++k) {
-        const Joint& joint = mechanism_.joints[k];
-        const auto slide = is_open(k) ? slide_by_angles(joint, known_.angles) : std::nullopt;
+      known_.angles = known_angles(mechanism_, t_, known_.slides);
+      for (const std::size_t k : open()) {
+        const auto slide = slide_by_angles(mechanism_.joints[k], known_.angles);
         if (!slide) continue;
         known_.slides[k] = KnownSlide{*slide, false};
         has_grown = true;
@@ -130,8 +121,8 @@ class MotionsInTurn {
   /// Whether any of these is new.
   bool take(const std::vector<std::optional<double>>& found) {
     bool is_new = false;
-    for (std::size_t k = 0; k < found.size(); ++k) {
-      if (!is_open(k) || !found[k]) continue;
+    for (const std::size_t k : open()) {
+      if (!found[k]) continue;
       known_.slides[k] = KnownSlide{*found[k], true};
       is_new = true;
     }

@@ -17,12 +17,6 @@
 
 namespace moivre {
 
-/// A rack's slide or a cam's lift that is known.
-struct KnownSlide {
-  double value = 0;
-  bool follows = false;  ///< from the equations of other joints: the rack adds none
-};
-
 /// Known before the roots: angles of bodies, slides of racks and lifts of cams (by joint), and which joints' second bodies follow.
 struct KnownMotions {
   std::vector<std::optional<KnownAngle>> angles;

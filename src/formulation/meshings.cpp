@@ -108,7 +108,7 @@ double turn_by(const Joint& joint, double slide) {
 }
 
 std::vector<std::optional<KnownAngle>> known_angles(
-    const Mechanism& mechanism, double t, const std::vector<std::optional<double>>& slides) {
+    const Mechanism& mechanism, double t, const std::vector<std::optional<KnownSlide>>& slides) {
   Angles angles;
   bool agrees = true;
   for (const Driver& driver : mechanism.drivers) {
@@ -127,7 +127,7 @@ std::vector<std::optional<KnownAngle>> known_angles(
   for (std::size_t k = 0; k < slides.size(); ++k) {
     const Joint& joint = mechanism.joints[k];
     if (!slides[k] || joint.type == JointType::cam) continue;
-    angles.add(difference(turn_body(joint), joint.at[1].body, turn_by(joint, *slides[k])));
+    angles.add(difference(turn_body(joint), joint.at[1].body, turn_by(joint, slides[k]->value)));
   }
   if (!agrees) return std::vector<std::optional<KnownAngle>>(mechanism.bodies.size());
   return angles.take(mechanism.bodies.size());

@@ -25,6 +25,12 @@ struct KnownAngle {
   double value = 0;      ///< rad
 };
 
+/// A rack's slide or a cam's lift that is known.
+struct KnownSlide {
+  double value = 0;
+  bool follows = false;  ///< from the equations of other joints: the rack adds none
+};
+
 /// The body relative to which a rack turns its pinion, or a cam its lever; and how far, by the rack's slide or the cam's lift.
 std::size_t turn_body(const Joint& joint);
 double turn_by(const Joint& joint, double slide);
@@ -32,7 +38,7 @@ double turn_by(const Joint& joint, double slide);
 /// Of each body; nothing for a body whose angle depends on more than one other. `slides`: those of racks and lifts of cams, by joint,
 /// that are known.
 std::vector<std::optional<KnownAngle>> known_angles(
-    const Mechanism& mechanism, double t, const std::vector<std::optional<double>>& slides);
+    const Mechanism& mechanism, double t, const std::vector<std::optional<KnownSlide>>& slides);
 
 /// Whether the gear is to hold in the drawn meshing alone, and does by these angles.
 bool is_settled(const Joint& gear, const std::vector<std::optional<KnownAngle>>& angles);
