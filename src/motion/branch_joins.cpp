@@ -65,20 +65,17 @@ void join_over_turn(const Mechanism& mechanism, const MotionResult& motion,
                     std::vector<BranchJoin>& joins) {
   const Phi phi(mechanism);
   const double width = kSameTime * (motion.to - motion.from);
-  std::vector<BranchEnd> firsts;
-  for (std::size_t k = 0; k < motion.branches.size(); ++k) {
-    if (motion.branches[k].begins <= motion.from + width) firsts.push_back({k, false});
-  }
+  const std::vector<std::size_t> firsts = first_branches(motion);
   for (std::size_t k = 0; k < motion.branches.size(); ++k) {
     const MotionBranch& branch = motion.branches[k];
     if (branch.ends < motion.to - width) continue;
     const BranchEnd last{k, true};
-    for (const BranchEnd& first : firsts) {
-      const auto kind = kind_over_turn(motion, last, first);
+    for (const std::size_t first : firsts) {
+      const auto kind = kind_over_turn(motion, last, {first, false});
       if (!kind) continue;
-      const double apart = distance(phi, branch.end_pose, motion.branches[first.branch].begin_pose);
+      const double apart = distance(phi, branch.end_pose, motion.branches[first].begin_pose);
       if (apart <= (*kind == JoinKind::turn ? kSamePose : kSamePlace)) {
-        joins.push_back({*kind, {last, first}});
+        joins.push_back({*kind, {last, {first, false}}});
       }
     }
   }

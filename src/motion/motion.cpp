@@ -117,7 +117,7 @@ MotionResult find_motion_of_whole(const Mechanism& mechanism, const Tracker& tra
                                   const MotionOptions& options, const std::atomic<bool>& stop) {
   const Stopwatch watch;
   MotionRun run(mechanism, options, motion_times(options, options.checkpoints), stop);
-  MotionResult result = empty_result(run);
+  MotionResult result = empty_result(options, run.times);
   result.tracker = tracker.kind();
   result.tracker_options = tracker.options_in_force();
   std::vector<Scene> scenes = solve_scenes(run, tracker);
@@ -180,7 +180,7 @@ MotionResult follow_guesses(const Mechanism& mechanism, const std::vector<Eigen:
   const Stopwatch watch;
   const HeldMechanism held = hold_idle(mechanism);
   MotionRun run(held.mechanism, options, motion_times(options, 0), stop);
-  MotionResult result = empty_result(run);
+  MotionResult result = empty_result(options, run.times);
   result.idle = held.idle;
   for (std::size_t k = 0; k < guesses.size() && !stop; ++k) {
     begin_track(run, guesses[k], "guess " + std::to_string(k + 1), result);

@@ -40,13 +40,13 @@ class MotionProduct {
  public:
   MotionProduct(const Mechanism& mechanism, const std::vector<IndependentChain>& chains,
                 const MotionOptions& options, const std::atomic<bool>& stop)
-      : mechanism_(mechanism), chains_(chains), options_(options), stop_(stop) {}
+      : mechanism_(mechanism),
+        chains_(chains),
+        options_(options),
+        stop_(stop),
+        result_(empty_result(options, motion_times(options, options.checkpoints))) {}
 
   MotionResult run(const Tracker& tracker) {
-    result_.from = options_.from;
-    result_.to = options_.to;
-    result_.seed = options_.solve.seed;
-    result_.times = motion_times(options_, options_.checkpoints).samples;
     follow_chains(tracker);
     choose();
     for (std::size_t k = 0; k < choices_.size(); ++k) enter(choices_[k], k);

@@ -129,12 +129,12 @@ std::size_t enter_lone_branches(const MotionRun& run, const Scene& scene, Checkp
 
 }  // namespace
 
-MotionResult empty_result(const MotionRun& run) {
+MotionResult empty_result(const MotionOptions& options, const MotionTimes& times) {
   MotionResult result;
-  result.from = run.options.from;
-  result.to = run.options.to;
-  result.times = run.times.samples;
-  result.seed = run.options.solve.seed;
+  result.from = options.from;
+  result.to = options.to;
+  result.times = times.samples;
+  result.seed = options.solve.seed;
   return result;
 }
 

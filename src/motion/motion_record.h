@@ -12,7 +12,7 @@
 namespace moivre {
 
 /// A result of nothing yet: times and seed.
-MotionResult empty_result(const MotionRun& run);
+MotionResult empty_result(const MotionOptions& options, const MotionTimes& times);
 
 /// Drops tracks of a moment that end where others begin or end: a motion that begins at a dead point has a closure there, and what lives are
 /// the branches that leave it.

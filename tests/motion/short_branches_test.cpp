@@ -110,7 +110,7 @@ TEST(ShortBranches, TheOneThatNoSceneShowsHasItsVelocityWhereItIsASample) {
   at.time = run.times.samples[1];
   const BranchPose pose{at.time, find_closures(m, *make_lane_tracker(), at).closures.front().q};
   run.tracks.push_back(brief_track(run.phi, pose, pose, pose));
-  MotionResult result = empty_result(run);
+  MotionResult result = empty_result(run.options, run.times);
   enter_branches(run, result);
   ASSERT_EQ(result.branches.front().samples.size(), 1U);
   const BranchSample& sample = result.branches.front().samples.front();
