@@ -10,8 +10,7 @@ namespace moivre {
 namespace {
 
 TEST(PoseText, HasNoRoundingBesideItsLengths) {
-  const Mechanism mechanism =
-      read_mechanism({"crank", R"toml([units]
+  const Mechanism mechanism = read_mechanism({"crank", R"toml([units]
 length = "mm"
 angle = "deg"
 [ground.points]

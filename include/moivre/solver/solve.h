@@ -73,7 +73,7 @@ struct SolveOptions {
   bool second_start = true;
   bool slice = false;  ///< fewer equations than unknowns: cut by random linear ones, else refused
   Precision precision = Precision::automatic;
-  bool certify = true;  ///< proofs of regular roots, and of completeness, are told; made they are always
+  bool certify = true;  ///< proofs are told; they are made in any case
   EndgameOptions endgame;
   /// Tracks again the paths that `tracker` left in doubt; in double-double too, where it has lanes for that and `tracker` has not. Not owned, may
   /// be nullptr.
