@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "moivre/certify/certifier.h"
 #include "results.h"
 
 namespace moivre::test {
@@ -259,6 +260,9 @@ class PlantedLies : public testing::TestWithParam<Lie> {};
 
 TEST_P(PlantedLies, AreFoundByTheNameOfTheClaim) {
   const Lie& lie = GetParam();
+  if (lie.claim == ClaimKind::digits && !proves_beyond_double()) {
+    GTEST_SKIP() << "needs more digits";
+  }
   Json result = honest(lie.result);
   lie.plant(result);
   const std::string name = lie.result;

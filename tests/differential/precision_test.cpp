@@ -2,6 +2,7 @@
 // Do lanes in double-double find what double cannot tell, and the same whatever the number of threads?
 #include <gtest/gtest.h>
 
+#include "moivre/certify/certifier.h"
 #include "moivre/tracker_lanes/lane_tracker.h"
 #include "problem_set.h"
 
@@ -16,6 +17,7 @@ SolveResult solve_in_lanes(const System& f, Precision precision, std::uint64_t s
 }
 
 TEST(LanesInDoubleDouble, FindEveryRootOfWilkinsonsPolynomialOfDegreeTwenty) {
+  if (!proves_beyond_double()) GTEST_SKIP() << "needs more digits";
   const System f = test::system_of(test::problem("wilkinson-20"));
   for (const Precision precision : {Precision::automatic, Precision::double_double}) {
     for (std::uint64_t seed = 1; seed <= 2; ++seed) {
@@ -78,6 +80,7 @@ TEST(LanesInDoubleDouble, AreClimbedToByNoPathOfAWellConditionedSystem) {
 }
 
 TEST(LanesInDoubleDouble, DecideWhatFailedByPrecisionBeforeAnyPathIsFollowedWithMoreCare) {
+  if (!proves_beyond_double()) GTEST_SKIP() << "needs more digits";
   for (const char* name : {"wilkinson-20"}) {
     SCOPED_TRACE(name);
     SolveOptions options = test::with_seed(1);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "mechanisms.h"
+#include "moivre/certify/certifier.h"
 #include "moivre/kinematics/mobility.h"
 #include "moivre/kinematics/newton.h"
 #include "moivre/kinematics/state.h"
@@ -40,6 +41,7 @@ Mechanism boom(const std::string& law) {
 double boom_angle(double length) { return std::acos((25 - length * length) / 24); }
 
 TEST(AnActuator, ClosesATriangleInTwoWays) {
+  if (!proves_beyond_double()) GTEST_SKIP() << "needs more digits";
   for (const double length : {1.5, 3.0, 5.0, 6.9}) {
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
       const Mechanism m = boom("start = " + std::to_string(length));

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "certificates.h"
+#include "moivre/certify/certifier.h"
 #include "moivre/polynomial/read.h"
 #include "problem_set.h"
 
@@ -60,6 +61,7 @@ TEST(Refine, StatesAnAccuracyThatHoldsForAnIrrationalRoot) {
 }
 
 TEST(Refine, KnowsRootsOfWilkinsonsPolynomialThatDoubleDoesNotProve) {
+  if (!proves_beyond_double()) GTEST_SKIP() << "needs more digits";
   const System f = read(wilkinson(30));
   Prover prover(make_certify_program(f));
   int beyond_double = 0;
