@@ -78,9 +78,11 @@ void judge_all_there(const System& f, const Claims& claims, Verdicts& verdicts) 
                       why + "; the digits of the file may not tell the others from infinity");
 }
 
+// Of the algebra: a fifth of a second.
+constexpr std::uint64_t kMostTerms = 20'000'000;
+
 /// Of more equations than unknowns the list has every different root where it has as many as exact algebra counts.
 void judge_points(const System& f, const Claims& claims, Verdicts& verdicts) {
-  constexpr std::uint64_t kMostTerms = 20'000'000;  // a fifth of a second
   const bool is_overdetermined = f.polynomials.size() > f.variables.size();
   if (!is_overdetermined || !claims.complete || !coefficient_errors(f).empty()) return;
   const auto points = quotient_ring(f, {0, kMostTerms, nullptr, true}).points;
@@ -92,16 +94,18 @@ void judge_points(const System& f, const Claims& claims, Verdicts& verdicts) {
 
 /// Beside curves exact algebra counts the simple roots alone.
 void judge_simple_roots(const StandIn& stand_in, const Claims& claims, Verdicts& verdicts) {
-  constexpr std::uint64_t kMostTerms = 20'000'000;  // a fifth of a second
   const Judgement& judgement = verdicts.judgement();
   if (!claims.complete || judgement.proved_by || !coefficient_errors(stand_in.system).empty()) {
     return;
   }
   const auto simple = quotient_ring(stand_in.system, {0, kMostTerms, nullptr}).simple;
   if (!simple) return;
-  verdicts.judge(ClaimKind::complete, judgement.roots.distinct >= *simple,
-                 "exact algebra counts " + counted(*simple, "simple root") + " beside curves, " +
-                     std::to_string(judgement.roots.distinct) + " are certified");
+  if (judgement.roots.distinct >= *simple) return verdicts.hold(ClaimKind::complete);
+  const std::string why = "exact algebra counts " + counted(*simple, "simple root") +
+                          " beside curves, " + std::to_string(judgement.roots.distinct) +
+                          " are certified";
+  if (claims.roots.size() < *simple) return verdicts.refute(ClaimKind::complete, why);
+  verdicts.leave_open(ClaimKind::complete, why);
 }
 
 void judge_completeness(const Claims& claims, const StandIn& stand_in, Verdicts& verdicts) {

@@ -54,7 +54,8 @@ Coefficient offset(const Certificate& c, const Point& x, std::size_t j) {
 }
 
 std::string no_certificate() {
-  return "no certificate was found in " + std::to_string(kMostArbBits) +
+  const int bits = proves_beyond_double() ? kMostArbBits : kDoubleBits;
+  return "no certificate was found in " + std::to_string(bits) +
          " bits, and none that there is no root";
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Which roots of many members are proved to be roots of the exact systems, and different ones? Members with others are not complete.
 //
-// Without the module certify nothing is done. Private to the module.
+// Private to the module.
 #pragma once
 
 #include "moivre/family/members.h"

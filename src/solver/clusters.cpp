@@ -3,7 +3,6 @@
 #include "clusters.h"
 
 #include <algorithm>
-#include <limits>
 #include <numbers>
 #include <optional>
 

@@ -238,8 +238,8 @@ class MeetingSheets {
     for (const std::uint64_t path : paths()) before_.emplace(path, root(path));
   }
 
-  /// In double-double: all where they go together, else a few that end at one point. Then some in more digits, as long as that helps, and all as
-  /// long as a root is missing.
+  /// In double-double: all, where they go together, else a few of one end. Then the first ones in more digits as long as that helps; all of
+  /// them as long as a root is missing.
   void follow() {
     const Trackers& trackers = run_.setting.trackers;
     if (trackers.fine_lanes) {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <optional>
 
@@ -53,15 +52,15 @@ std::shared_ptr<const Certificate> if_within_reach(
   return is_it ? certificate : nullptr;
 }
 
-/// A proved root near the end is what the path ends at; without a proof it is no simple root. Of an end that may still wait for more effort
-/// double tells enough: near a multiple root a proof is sought in vain, for long.
+/// A proved root near the end is what the path ends at; without a proof it is no simple root. Of an end that may still wait for more effort,
+/// and in a run that is to stop, double tells enough: near a multiple root a proof is sought in vain, for long.
 bool prove(const Run& run, Tools& tools, const PathEnd& end, const Point& x, double accuracy,
            Root& root) {
   auto& [refiner, prover, restorer] = tools;
-  const bool may_wait = run.effort == Effort::regular_ends || run.setting.stop;
-  const auto nearest = may_wait ? prover.prove_in_double(x) : prover.prove(x);
+  const bool is_brief = run.effort == Effort::regular_ends || run.setting.stop;
+  const auto nearest = is_brief ? prover.prove_in_double(x) : prover.prove(x);
   auto certificate = if_within_reach(refiner, x, accuracy, nearest);
-  if (!certificate && !may_wait) certificate = restorer.proved(prover, end.x);
+  if (!certificate && !is_brief) certificate = restorer.proved(prover, end.x);
   if (!certificate) {
     root.beside = nearest;
     return false;

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What does the end of a path say? Its verdict is entered in the ledger; a finite end must first prove a root of the system.
 //
-//   simple       a root is proved there, where that is asked for; else Newton's method on the system as given contracts
+//   simple       a root is proved there (certificates.h)
 //   singular     sheets meet, and the endgame has told how many: a root as accurate as the endgame found it
 //   otherwise    it shows no root in this precision: the path has failed
-//
-// A proof decides what Newton's method in double cannot: an end of which it says nothing may be proved simple, and a root that it
-// takes for simple is not where no proof is to be had.
-// J is singular along a curve of roots, but as rounded it may pass for a simple root's; the slices of dimension.h decide.
 #pragma once
 
 #include "run.h"

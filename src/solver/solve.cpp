@@ -183,12 +183,10 @@ SolveResult solve_by_starts(const System& f, const Tracker& tracker, const Solve
   return is_last ? result : solve_again(f, tracker, options, stop, std::move(result));
 }
 
-/// What is known stays known: only its telling is left out.
-SolveResult without_certificates(SolveResult&& result) {
+void leave_out_certificates(SolveResult& result) {
   for (Solution& root : result.solutions) root.certified.reset();
   result.completeness.reset();
   result.bound.reset();
-  return std::move(result);
 }
 
 SolveResult solve_any(const System& f, const Tracker& tracker, const SolveOptions& options,
@@ -203,7 +201,7 @@ SolveResult solve_any(const System& f, const Tracker& tracker, const SolveOption
     return result;
   }
   SolveResult result = solve_by_starts(squared(f, options), tracker, options, stop);
-  take_back(f, result);
+  take_back(f, options, result);
   return result;
 }
 
@@ -220,7 +218,8 @@ SolveResult solve(const System& f, const Tracker& tracker, const SolveOptions& o
                   const std::atomic<bool>& stop) {
   require_unbroken(validate(options));
   SolveResult result = solve_any(f, tracker, options, stop);
-  return options.certify ? result : without_certificates(std::move(result));
+  if (!options.certify) leave_out_certificates(result);
+  return result;
 }
 
 SolveResult solve_from(const System& f, GivenStart start, const Tracker& tracker,
@@ -230,7 +229,8 @@ SolveResult solve_from(const System& f, GivenStart start, const Tracker& tracker
   Stopwatch watch;
   SolveResult result =
       solve_in(Setting(f, prepare_given(f, std::move(start)), tracker, options, stop), watch);
-  return options.certify ? result : without_certificates(std::move(result));
+  if (!options.certify) leave_out_certificates(result);
+  return result;
 }
 
 }  // namespace moivre

@@ -76,7 +76,7 @@ QuotientRing ring_of(const System& f) {
 }
 
 /// A proof is of the square system. Beside slices and patches its roots are roots of F; combinations prove nothing of F's equations.
-void tell_of_squared(bool is_overdetermined, SolveResult& result) {
+void tell_of_squared(bool is_overdetermined, bool are_told, SolveResult& result) {
   if (!result.completeness) return;
   result.bound.reset();
   if (!is_overdetermined) {
@@ -86,6 +86,7 @@ void tell_of_squared(bool is_overdetermined, SolveResult& result) {
   }
   result.completeness.reset();
   for (Solution& root : result.solutions) root.certified.reset();
+  if (!are_told) return;
   result.left_out.push_back(
       {"certificates",
        "a proved root of the combinations need not be a root of the file's equations"});
@@ -103,7 +104,7 @@ System squared(const System& f, const SolveOptions& options) {
   return g;
 }
 
-void take_back(const System& f, SolveResult& result) {
+void take_back(const System& f, const SolveOptions& options, SolveResult& result) {
   const bool has_patches = has_homogeneous_groups(f);
   const System g = has_patches ? with_patches(f, result.seed) : f;
   const std::size_t m = g.polynomials.size();
@@ -118,7 +119,7 @@ void take_back(const System& f, SolveResult& result) {
     compare_with_algebra(ring, result);
     tell_of_multiplicities(ring, result);
   }
-  tell_of_squared(m > n, result);
+  tell_of_squared(m > n, options.certify, result);
   if (m < n) {
     result.left_out.push_back(
         {"cut by " + counted(n - m, "equation"),

@@ -19,6 +19,6 @@ System squared(const System& f, const SolveOptions& options);
 
 /// From a result on squared(f, ...): excess roots dropped and counted, coordinates of homogeneous groups normalized, and a
 /// sentence for what was done.
-void take_back(const System& f, SolveResult& result);
+void take_back(const System& f, const SolveOptions& options, SolveResult& result);
 
 }  // namespace moivre

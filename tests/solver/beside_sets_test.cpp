@@ -92,7 +92,6 @@ TEST(RootBesideACurve, ThatIsSimpleIsFoundOrSaidToBeInDoubt) {
   }
 }
 
-// On a surface the points that moved planes meet depend on where one starts.
 // All paths seem to end where the curve crosses itself. Exact algebra counts one simple root, so all of them go on in more digits.
 TEST(RootBesideACurve, ThatIsSimpleIsFoundBesideACrossingOfTheCurve) {
   const std::string node = "((x - 3)*(y - 2) + (x - 3)^3)";
@@ -101,6 +100,7 @@ TEST(RootBesideACurve, ThatIsSimpleIsFoundBesideACrossingOfTheCurve) {
                1, 1);
 }
 
+// On a surface the points that moved planes meet depend on where one starts.
 TEST(RootBesideACurve, IsNoPointOfASurfaceBesideIt) {
   expect_roots(
       read("3\n"

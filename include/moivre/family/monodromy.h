@@ -34,7 +34,7 @@ struct MonodromyOptions {
       20;  ///< random roots, which belong to another component where loops do not lead to them
   bool test = true;  ///< the trace test, where the roots are no more than `most_tested`
   std::size_t most_tested = 2000;
-  bool certify = true;  ///< each root, where the module certify is built
+  bool certify = true;  ///< each root
   std::function<void(const LoopProgress&)> progress;  ///< called after each loop
 };
 

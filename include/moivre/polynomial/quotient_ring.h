@@ -4,14 +4,14 @@
 //
 //   f: any number of equations in n unknowns, coefficients exact; p a prime of 61 bits
 //   dimension = monomials that no leading monomial of a Groebner basis of f modulo p divides, degree reverse lexicographic order
+//   simple = the same of f and z det(df_i / dx_j) - 1 in n + 1 unknowns [Rabinowitsch29]: its roots are the simple roots of f
 //
-//   simple = the dimension of that of f and z det(df_i / dx_j) - 1 in n + 1 unknowns [Rabinowitsch29]: its roots are the simple ones of f alone
 // Where all roots are isolated the dimension is the number of roots in C^n, each counted with its multiplicity; those at infinity
 // do not count. Leading monomials found so far bound it already. A random linear form of the unknowns takes different values at
 // different roots: they are the roots of the minimal polynomial of the multiplication by it [Wiedemann86].
 // Chance: what vanishes modulo p only would give another number, with probability about 1e-18 for each number met; a p that divides
-// a coefficient of f is refused. Roots on curves make the dimension infinite: all of these
-// are singular, and the simple ones are counted instead.
+// a coefficient of f is refused. Roots on curves make the dimension infinite. They are all
+// singular, and the simple ones are counted instead.
 // Not supported: no unknown, or more than 15; degrees beyond 255; no more terms are looked at than allowed.
 // Sources: [Buchberger65], which pairs are needed [GebauerMoeller88].
 #pragma once

@@ -2,7 +2,7 @@
 // What are all isolated roots of a polynomial system? Which paths were tracked, where did each end, and do the counts add up?
 //
 // F: polynomials in n variables, usually n of them. Presolve (linear equations eliminated, rows and variables scaled) -> start
-// system -> all paths on all cores -> ends refined on the system as given -> jumps found and tracked again -> isolated roots.
+// system -> all paths on all cores -> ends judged on the system as given -> jumps found and tracked again -> isolated roots.
 //
 // Completeness:
 //   proved   as many roots are certified as a proved bound allows
