@@ -10,6 +10,7 @@ import math
 import os
 import pathlib
 import re
+import select
 import shutil
 import subprocess
 import sys
@@ -17,6 +18,7 @@ import tempfile
 import xml.etree.ElementTree
 
 SKIPPED = 77
+PATIENCE = 60  # seconds that the browser may be silent
 BROWSERS = ("chromium", "chromium-browser", "google-chrome")
 PUMA_POSE = "0.4 -0.2 0.3 0.5 0.5 0.5 0.5"
 EVIL = "</script></title><script>document.documentElement.dataset.evil = 1</script>"
@@ -127,6 +129,7 @@ class Browser:
         heard, self.commands = os.pipe()
         self.answers, spoken = os.pipe()
         self.buffer = b""
+        self.events = []
         self.asked = 0
 
         def connect():
@@ -140,12 +143,22 @@ class Browser:
         os.close(heard)
         os.close(spoken)
 
-    def close(self):
-        self.ask("Browser.close")
-        self.process.wait(timeout=60)
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *failure):
+        try:
+            if self.process.poll() is None and failure[0] is None:
+                self.ask("Browser.close")
+                self.process.wait(timeout=PATIENCE)
+        finally:
+            self.process.kill()
+            self.process.wait()
 
     def next_message(self):
         while b"\0" not in self.buffer:
+            ready, _, _ = select.select([self.answers], [], [], PATIENCE)
+            expect(ready, f"the browser speaks within {PATIENCE} seconds")
             part = os.read(self.answers, 1 << 16)
             expect(part, "the browser runs to the end")
             self.buffer += part
@@ -157,9 +170,19 @@ class Browser:
         command = {"id": self.asked, "method": method, "params": parameters, **({"sessionId": session} if session else {})}
         os.write(self.commands, json.dumps(command).encode() + b"\0")
         while (answer := self.next_message()).get("id") != self.asked:
-            pass
+            self.events.append(answer)
         expect("result" in answer, f"the browser obeys: {answer}")
         return answer["result"]
+
+    def wait_for(self, event, session):
+        """Events may come before the answer to what brings them about."""
+        def is_meant(message):
+            return message.get("method") == event and message.get("sessionId") == session
+
+        if any(map(is_meant, self.events)):
+            return
+        while not is_meant(self.next_message()):
+            pass
 
     def dom(self, page, address=""):
         """The document after its script has run for two seconds of its own time."""
@@ -167,12 +190,12 @@ class Browser:
         session = self.ask("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
         self.ask("Emulation.setDeviceMetricsOverride", session, width=1300, height=1000, deviceScaleFactor=1, mobile=False)
         self.ask("Page.enable", session)
+        self.events.clear()
         self.ask("Page.navigate", session, url=f"file://{page}{address}")
-        while self.next_message().get("method") != "Page.loadEventFired":
-            pass
+        self.wait_for("Page.loadEventFired", session)
+        self.events.clear()
         self.ask("Emulation.setVirtualTimePolicy", session, policy="advance", budget=2000)
-        while self.next_message().get("method") != "Emulation.virtualTimeBudgetExpired":
-            pass
+        self.wait_for("Emulation.virtualTimeBudgetExpired", session)
         dom = self.ask("Runtime.evaluate", session, expression="document.documentElement.outerHTML")["result"]["value"]
         self.ask("Target.closeTarget", targetId=target)
         return dom
@@ -388,9 +411,8 @@ def main():
         print("skipped: no Chromium here (scripts/install-dependencies --browser installs it)")
         sys.exit(SKIPPED)
     mechanisms = root / "problems/mechanisms"
-    with tempfile.TemporaryDirectory() as name:
+    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as name, Browser(program, name) as browser:
         folder = pathlib.Path(name)
-        browser = Browser(program, folder)
         four_bar = page_of(moivre, folder, "motion", mechanisms / "four-bar.toml")
         check_motion(browser, four_bar)
         check_ticks(browser, four_bar)
@@ -411,7 +433,6 @@ def main():
         expect(all("J6 " in caption for caption in postures), "joints' values tell postures apart that look alike")
         check_sweep(browser, moivre, root, folder)
         check_names(browser, moivre, root, folder)
-        browser.close()
     print("the pages work")
 
 
