@@ -29,8 +29,8 @@ inline constexpr double kRankTolerance = 1e-9;
 /// rounding noise in a zero row stays noise).
 Eigen::MatrixXd equilibrated(const Eigen::MatrixXd& A);
 
-/// Rank by column-pivoted QR of the equilibrated matrix. Of a larger `tolerance` than kRankTolerance by its singular values, beside the
-/// largest: pivots tell them apart from zero only where these are as good as zero.
+/// Rank by column-pivoted QR of the equilibrated matrix. With a `tolerance` above kRankTolerance: the number of its singular values above
+/// tolerance times the largest, since pivots find only what is zero to rounding.
 Eigen::Index numerical_rank(const Eigen::MatrixXd& A, double tolerance = kRankTolerance);
 
 struct LinearOptions {

@@ -6,8 +6,9 @@
 //   a redundant row is a combination of rows before it; left null vectors c with c^T Phi_q = 0 say which
 //   constraint i pushes along -lambda_i (Phi_q^T) column i
 // The rank comes from column-pivoted QR, and singular values confirm it; both are of the equilibrated Phi_q.
-// With `fit` (Mechanism::fit, in the file's unit of length) a motion is one during which constraints miss by no more than fit: singular values
-// up to sqrt(m) fit / phi.length() count as zero, and a pose that misses by no more than fit as assembled.
+// With `fit` (Mechanism::fit, in the file's unit of length) a motion is one during which constraints miss by no more than fit: singular
+// values up to sqrt(m) fit / phi.length() count as zero, and a pose that misses by no more than fit, drivers
+// included, as assembled.
 // A singular pose (a dead point, a bifurcation) has a lower rank than the poses near it. It is found by stepping along R and
 // correcting back to the constraints. A pose near a singular one gives a warning.
 #pragma once
@@ -72,7 +73,7 @@ struct Mobility {
   std::vector<IdleFreedom> idle;
   std::vector<Eigen::Index> independent;  ///< coordinates chosen by pivoting
   double misfit = 0;                      ///< of the pose, drivers included (mechanism/phi.h)
-  bool is_assembled = false;              ///< the joints' rows vanish, or miss by no more than fit
+  bool is_assembled = false;              ///< the joints' rows vanish, or misfit <= fit
   bool is_singular = false;               ///< rank_nearby > rank
   Eigen::Index rank_nearby = 0;           ///< rank at assembled poses next to this one
   bool is_near_singular = false;
@@ -80,7 +81,7 @@ struct Mobility {
   std::vector<std::string> warnings;
 };
 
-/// At the pose q (assembled, so that the joints' rows vanish, or miss by no more than `fit`) and the time t.
+/// At the pose q and the time t. Assembled: the joints' rows vanish, or no row misses by more than `fit`.
 Mobility mobility(const Phi& phi, const Eigen::VectorXd& q, double t = 0, double fit = 0);
 
 }  // namespace moivre
