@@ -167,7 +167,7 @@ class Stages {
     }
     for (const Formulation::Exclusion& exclusion : formulation_.exclusions) {
       const auto share = share_left(exclusion, values);
-      if (!share || *share > kNearExclusion) continue;
+      if (!share || !(*share <= kNearExclusion)) continue;
       const std::optional<bool> proved = prover_.vanishes(root.proof, exclusion);
       if (!proved.value_or(root.singular || *share <= kVanishes)) continue;
       run_.excluded[exclusion.reason] += root.multiplicity;
