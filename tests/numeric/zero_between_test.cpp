@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 
 namespace moivre {
@@ -26,6 +27,19 @@ TEST(ZeroBetween, IsTheStepOfAFunctionThatHasOnlySigns) {
 TEST(ZeroBetween, IsTheNearerEndWhereSignsAgree) {
   const auto f = [](double x) { return 1 + x * x; };
   EXPECT_EQ(zero_of(f, -1, 0.5), 0.5);
+}
+
+TEST(ZeroBetween, IsTheNearerEndWhereSignsAgreeThoughTheirProductIsZero) {
+  const auto f = [](double x) { return 1e-200 * (1 + x * x); };
+  EXPECT_EQ(zero_of(f, -1, 0.5), 0.5);
+}
+
+TEST(ZeroBetween, IsAnEndWhereThereIsNothingBetween) {
+  const auto f = [](double x) { return x - 0.25; };
+  EXPECT_EQ(zero_of(f, 1, 1), 1);
+  EXPECT_EQ(zero_of(f, 1, 0), 0);
+  EXPECT_EQ(zero_between(f, 0, 1, std::nan(""), 0.75), 1);
+  EXPECT_EQ(zero_between(f, 0, 1, -0.25, std::nan("")), 0);
 }
 
 }  // namespace

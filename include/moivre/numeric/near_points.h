@@ -2,7 +2,8 @@
 // Which of many points may be near this one? Those whose numbers are near its own; the others need no look.
 //
 // A point's number is one that all its coordinates have a part in: near points have near numbers, and others agree but by chance.
-// A look costs O(log N), and as much again for each number that is found.
+// A look costs O(log N), and O(1) for each number that is found.
+// Edges: a point with a coordinate that is NaN is near none. All points of no coordinates have the number 0: each is near each.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +16,7 @@
 
 namespace moivre {
 
-/// max_i |x_i - y_i|
+/// max_i |x_i - y_i|, x and y of as many coordinates; 0 of none.
 inline double max_distance(const Point& x, const Point& y) {
   double largest = 0;
   for (std::size_t i = 0; i < x.size(); ++i) largest = std::max(largest, std::abs(x[i] - y[i]));
