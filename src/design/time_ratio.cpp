@@ -67,6 +67,12 @@ class Cycle {
     return value_of(output, reader_.between(*(behind - 1), *behind, time).q);
   }
 
+  /// The pose a turn behind the first one, from the samples beside it; it need not be the first one again.
+  BranchSample pose_a_turn_later(const BranchSample& before, const BranchSample& after) const {
+    const double time = from_ + period_;
+    return after.time <= time + kBack * period_ ? after : reader_.between(before, after, time);
+  }
+
   /// The samples of the turn, the last one before them and the first one behind, so that no extreme is at an end.
   Series cycle_of(const Observable& output) const {
     Series curve;
@@ -79,7 +85,7 @@ class Cycle {
     while (last + 1 < samples_.size() && samples_[last + 1].time < from_ + period_ - tiny) ++last;
     add(samples_[last].time - period_, samples_[last].q);
     for (std::size_t k = 0; k <= last; ++k) add(samples_[k].time, samples_[k].q);
-    add(samples_.front().time + period_, samples_.front().q);
+    add(from_ + period_, pose_a_turn_later(samples_[last], samples_[last + 1]).q);
     if (output.is_angle) go_on(curve.values);
     curve.at = [this, output, times = curve.times, values = curve.values](double time) {
       const double value = value_at(output, time);
