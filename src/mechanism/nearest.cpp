@@ -39,12 +39,12 @@ std::size_t distance(const std::string& a, const std::string& b) {
 
 }  // namespace
 
-std::string suggestion(const std::string& word, const std::vector<std::string>& known) {
-  if (known.empty()) return "";
+std::optional<std::string> nearest_word(const std::string& word,
+                                        const std::vector<std::string>& known) {
   // A third of the letters may be wrong, never all of them.
   const std::size_t allowed = word.size() < 2 ? 0 : std::max<std::size_t>(1, (word.size() + 1) / 3);
   std::size_t best = allowed + 1;
-  std::string nearest;
+  std::optional<std::string> nearest;
   for (const std::string& candidate : known) {
     if (word.size() > kLongestWord || candidate.size() > kLongestWord) continue;
     const std::size_t d = std::min(distance(word, candidate), distance(singular(word), candidate));
@@ -53,7 +53,12 @@ std::string suggestion(const std::string& word, const std::vector<std::string>& 
       nearest = candidate;
     }
   }
-  if (best <= allowed) return "; did you mean '" + nearest + "'?";
+  return nearest;
+}
+
+std::string suggestion(const std::string& word, const std::vector<std::string>& known) {
+  if (known.empty()) return "";
+  if (const auto nearest = nearest_word(word, known)) return "; did you mean '" + *nearest + "'?";
   std::string list = known.size() == 1 ? "; known is" : "; known are";
   for (std::size_t k = 0; k < std::min(known.size(), kListed); ++k) {
     list += (k == 0 ? " '" : ", '") + known[k] + "'";

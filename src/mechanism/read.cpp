@@ -47,28 +47,37 @@ std::string read_word(Reading& reading, const toml::table& in, const std::string
   return otherwise;
 }
 
-/// Advice on tables of points that are no [body.NAME.points].
-std::map<std::string, std::string> bodies_called(const toml::table& document) {
+/// Whether an entry is the place of a point: two or three numbers.
+bool has_places(const toml::table& table) {
+  return std::any_of(table.begin(), table.end(), [](const auto& entry) {
+    const toml::array* place = entry.second.as_array();
+    const bool is_short = place != nullptr && (place->size() == 2 || place->size() == 3);
+    return is_short && std::all_of(place->begin(), place->end(),
+                                   [](const toml::node& x) { return x.is_number(); });
+  });
+}
+
+/// Advice on tables of points that are no [body.NAME.points], where no known key was meant.
+std::map<std::string, std::string> bodies_called(const toml::table& document,
+                                                 const std::vector<std::string>& known) {
   std::map<std::string, std::string> called;
   for (const auto& [key, value] : document) {
     const toml::table* table = value.as_table();
-    if (table == nullptr) continue;
-    const bool has_points = std::any_of(table->begin(), table->end(), [](const auto& entry) {
-      return entry.first == "points" || entry.second.is_array();
-    });
     const std::string name(key.str());
-    const bool is_ground = suggestion(name, {"ground"}).find("did you mean") != std::string::npos;
-    if (has_points && !is_ground)
+    if (table == nullptr || nearest_word(name, known)) continue;
+    const toml::table* points = table->get_as<toml::table>("points");
+    if (has_places(*table) || (points != nullptr && has_places(*points))) {
       called[name] = "points of a body stand under [body." + name + ".points]";
+    }
   }
   return called;
 }
 
 void read_header(Reading& reading, const toml::table& document, Mechanism& mechanism) {
-  reading.check_keys(document,
-                     {"title", "space", "units", "ground", "body", "joint", "driver", "guess",
-                      "unknowns", "constants", "equations", "fit", "tolerance"},
-                     "a mechanism file", bodies_called(document));
+  const std::vector<std::string> known{"title",    "space",     "units",    "ground", "body",
+                                       "joint",    "driver",    "guess",    "fit",    "tolerance",
+                                       "unknowns", "constants", "equations"};
+  reading.check_keys(document, known, "a mechanism file", bodies_called(document, known));
   mechanism.title = reading.text(document, "title").value_or("");
   mechanism.fit = reading.number(document, "fit");
   if (mechanism.fit && !(*mechanism.fit > 0)) {
