@@ -116,6 +116,14 @@ TEST(SlipsOfTheHand, AreToldWhatWasMeant) {
       {"[40, 0]", "[40; 0]", "; the entries of an array are parted by commas"},
       {"[40, 0]", "[.5, 0]", "; digits stand on both sides of the point: 0.5, 5.0"},
       {"[40, 0]", "[5., 0]", "; digits stand on both sides of the point: 0.5, 5.0"},
+      {"[40, 0]", "[4.5; 0]", "; the entries of an array are parted by commas"},
+      {"start = 40", "start = .5", "; digits stand on both sides of the point: 0.5, 5.0"},
+      {"start = 40", "start = 40 ; upright", "; comments begin with #"},
+      {"start = 40", "start = pi/3",
+       "; numbers are written out, such as 1.0471976 for pi/3; only a driver's value = \"...\" is "
+       "an "
+       "expression"},
+      {"start = 40", "start = piston", "; text stands in quotes, as in title = \"...\""},
       {"start = 40", "start = 4 000", "; the digits of a number stand without blanks"},
       {"start = 40", "start: 40", "; a key and its value are joined by '='"},
       {"start = 40", "start 40", "; a key and its value are joined by '='"},
@@ -132,11 +140,22 @@ TEST(SlipsOfTheHand, AreToldWhatWasMeant) {
 TEST(UnitOnANumber, IsPointedOut) {
   for (const std::string& text : {changed("roller", "[40, 0]", "[40 mm, 0]"),
                                   changed("roller", "start = 40", "start = 40 deg"),
+                                  changed("roller", "start = 40", "start = 40deg"),
+                                  changed("roller", "start = 40", "start = 4.5deg"),
                                   changed("roller", "start = 40", "start = 40\xc2\xb0")}) {
     const std::string said = said_of(text);
     EXPECT_TRUE(
         contains(said, "; numbers stand without a unit, [units] says it once for the whole file\n"))
         << said;
+  }
+}
+
+TEST(ArrayThatIsOpen, IsSaidAtTheEndOfTheFileToo) {
+  for (const std::string end : {"", "\n", "\n\n", " # mm\n\n"}) {
+    EXPECT_EQ(said_of("x = [40, 0" + end),
+              "typed.toml:1:11: error: ']' is missing: the array is not closed\n"
+              "    x = [40, 0" +
+                  end.substr(0, end.find('\n')) + "\n" + "              ^\n");
   }
 }
 
