@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "dyad.h"
 #include "four_turns.h"
@@ -212,9 +213,11 @@ void add_loop_equations(SpatialFrame& frame, LoopForm form) {
     case LoopForm::Kind::decoupled:
       return equations.add_decoupled();
     case LoopForm::Kind::general:
-    case LoopForm::Kind::four_turns:
       return equations.add_general();
+    case LoopForm::Kind::four_turns:
+      break;
   }
+  throw std::logic_error("a loop of four turns is stated by four_turns.h");
 }
 
 }  // namespace moivre

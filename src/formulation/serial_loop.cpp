@@ -3,6 +3,7 @@
 #include "serial_loop.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "loop_equations.h"
 
@@ -103,6 +104,9 @@ void add_loop(SpatialFrame& frame, const RigidGroups& groups, const std::vector<
     frame = std::move(plain);
   } else {
     form = form_of(followed(frame, false), frame.length());
+    if (has_linear_slides(form.kind)) {
+      throw std::logic_error("a loop's form hangs on how its slides are written");
+    }
   }
   add_loop_equations(frame, std::move(form));
 }
