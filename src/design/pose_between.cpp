@@ -40,7 +40,7 @@ BranchSample pose_between(const Phi& phi, const BranchSample& before, const Bran
   sample.time = time;
   sample.q = interpolated(before, after, time);
   sample.is_determined = false;
-  const VectorXd unit = sizes_of(phi, VectorXd::Zero(before.q.size()));
+  const VectorXd unit = own_sizes(phi);
   const auto size_of_step = [&](const VectorXd& step) {
     return step.cwiseQuotient(unit).lpNorm<Eigen::Infinity>();
   };

@@ -48,7 +48,7 @@ bool SampledPose::runs_away(const Observable& what) const {
   // A dead point is known to about 1e-8 of the mechanism's length; what its free direction moves by less stands.
   constexpr double kStands = 1e-5;
   const double length = phi_.length();
-  const VectorXd size = sizes_of(phi_, VectorXd::Zero(pose_.q.size()));
+  const VectorXd size = own_sizes(phi_);
   const VectorXd free = size.asDiagonal() * shortest_direction(jacobian() * size.asDiagonal());
   const double moved = what.state(pose_.q, free, VectorXd::Zero(free.size())).velocity /
                        (what.is_angle ? 1 : length);

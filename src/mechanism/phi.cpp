@@ -91,6 +91,15 @@ VectorXd rates_by_displacement(const Phi& phi, const VectorXd& q, double t) {
                              : VectorXd(squares.rowwise().maxCoeff().cwiseSqrt());
 }
 
+/// `length` for each coordinate that is a length, 1 for an angle.
+VectorXd sizes_by(const Phi& phi, double length) {
+  VectorXd sizes = VectorXd::Ones(phi.dimension());
+  for (Index k = 0; k < phi.dimension(); ++k) {
+    if (is_length(phi, k)) sizes[k] = length;
+  }
+  return sizes;
+}
+
 }  // namespace
 
 std::shared_ptr<const Constraint> joint_constraint(const Mechanism& mechanism, const Joint& joint,
@@ -322,14 +331,9 @@ double size_of(const Phi& phi, const VectorXd& q) {
   return size;
 }
 
-VectorXd sizes_of(const Phi& phi, const VectorXd& q) {
-  VectorXd sizes = VectorXd::Ones(q.size());
-  const double length = size_of(phi, q);
-  for (Index k = 0; k < q.size(); ++k) {
-    if (is_length(phi, k)) sizes[k] = length;
-  }
-  return sizes;
-}
+VectorXd sizes_of(const Phi& phi, const VectorXd& q) { return sizes_by(phi, size_of(phi, q)); }
+
+VectorXd own_sizes(const Phi& phi) { return sizes_by(phi, phi.length()); }
 
 double scaled_residual(const Phi& phi, const VectorXd& q, double t) {
   double worst = 0;

@@ -103,6 +103,8 @@ bool is_length(const Phi& phi, Eigen::Index k);
 double size_of(const Phi& phi, const Eigen::VectorXd& q);
 /// That for each coordinate that is a length; 1, a radian, for an angle.
 Eigen::VectorXd sizes_of(const Phi& phi, const Eigen::VectorXd& q);
+/// Of the mechanism, whatever its pose: phi.length() for a length, 1 for an angle.
+Eigen::VectorXd own_sizes(const Phi& phi);
 
 /// max_i |Phi_i| / (sum of |terms| of Phi_i), 0 for a row without terms.
 double scaled_residual(const Phi& phi, const Eigen::VectorXd& q, double t);
