@@ -76,10 +76,8 @@ std::string unit_of(const Mechanism& mechanism, const std::string& name) {
 
 std::string told(const SweepSample& sample) {
   if (!sample.complete) return "not decided";
-  const Assemblies& found = sample.found;
-  const std::string text = counted(sample.complex, "complex closure") + ", " +
-                           std::to_string(found.real) + " real" + beside_text(found);
-  return found.moves ? text + "; it moves although the drivers stand" : text;
+  return counted(sample.complex, "complex closure") + ", " + std::to_string(sample.found.real) +
+         " real" + beside_text(sample.found);
 }
 
 std::vector<PointOf> all_points(const Mechanism& mechanism) {

@@ -21,12 +21,6 @@ Json at_json(const SweepResult& result, const std::vector<double>& at) {
 
 constexpr std::size_t kBordersShown = 50;
 
-/// "2 real closures, 1 outside a joint's limits".
-std::string told(const Assemblies& found) {
-  const std::string text = counted(found.real, "real closure") + beside_text(found);
-  return found.moves ? text + ", and it moves though the drivers stand" : text;
-}
-
 /// Of a border: "2", "2 (1 outside limits)", "moves".
 std::string side_text(const Assemblies& found) {
   std::vector<std::string> beside;
@@ -44,15 +38,6 @@ Json sides_json(const SweepBorder& border, auto value) {
 
 }  // namespace
 
-std::string beside_text(const Assemblies& found) {
-  std::string text;
-  if (found.filtered > 0) {
-    text += ", " + std::to_string(found.filtered) + " outside a joint's limits";
-  }
-  if (found.fitted > 0) text += ", " + std::to_string(found.fitted) + " within fit";
-  return text;
-}
-
 std::string sweep_text(const SweepResult& result, const std::string& file) {
   std::string text = file + ": " + counted(result.samples.size(), "sample");
   for (const Varied& number : result.varied) {
@@ -66,7 +51,8 @@ std::string sweep_text(const SweepResult& result, const std::string& file) {
     sample.complete ? ++samples[sample.found] : ++undecided;
   }
   for (const auto& [found, count] : samples) {
-    text += "  " + told(found) + ": " + counted(count, "sample") + '\n';
+    text += "  " + counted(found.real, "real closure") + beside_text(found) + ": " +
+            counted(count, "sample") + '\n';
   }
   if (undecided > 0) text += "  not decided: " + counted(undecided, "sample") + '\n';
   if (result.varied.size() > 1) {
