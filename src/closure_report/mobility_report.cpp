@@ -73,7 +73,7 @@ Json kind_json(const MobilityKind& kind) {
           {"singular", kind.mobility.is_singular}};
 }
 
-/// What the rank and the freedoms hold within, where the pose is a fitted one.
+/// What the rank and the freedoms hold within, where the file has a fit.
 std::string fit_text(const Mobility& mobility, const Mechanism& mechanism) {
   const std::string unit = mechanism.units.length.empty() ? "" : " " + mechanism.units.length;
   return "within fit = " + short_text(*mechanism.fit) + unit + ": the pose misses by " +

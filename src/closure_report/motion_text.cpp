@@ -14,14 +14,14 @@
 namespace moivre {
 namespace {
 
-std::string place(double time, const std::string& drivers) {
+std::string place_text(double time, const std::string& drivers) {
   constexpr int kDigits = 8;
   return "t = " + short_text(time, kDigits) + " s" + (drivers.empty() ? "" : " (" + drivers + ")");
 }
 
-/// Drivers that stand are told once, at the head.
-std::string place(const Mechanism& mechanism, double time) {
-  return place(time, moving_drivers_text(mechanism, time));
+/// With the drivers that move: those that stand are told once, at the head.
+std::string moving_place(const Mechanism& mechanism, double time) {
+  return place_text(time, moving_drivers_text(mechanism, time));
 }
 
 std::string branch_text(const MotionBranch& branch, const MotionResult& result,
@@ -29,10 +29,11 @@ std::string branch_text(const MotionBranch& branch, const MotionResult& result,
   const auto kind_at = [&](const std::optional<std::size_t>& event) {
     return event ? ", " + to_string(result.events[*event].at.kind) : std::string();
   };
-  std::string text = "branch " + branch.id + ": from " + place(mechanism, branch.begins) +
-                     kind_at(branch.begin_event) + "\n  to " + place(mechanism, branch.ends) +
-                     kind_at(branch.end_event) + "; " + counted(branch.samples.size(), "sample") +
-                     ", " + counted(static_cast<std::uint64_t>(branch.steps), "step");
+  std::string text = "branch " + branch.id + ": from " + moving_place(mechanism, branch.begins) +
+                     kind_at(branch.begin_event) + "\n  to " +
+                     moving_place(mechanism, branch.ends) + kind_at(branch.end_event) + "; " +
+                     counted(branch.samples.size(), "sample") + ", " +
+                     counted(static_cast<std::uint64_t>(branch.steps), "step");
   if (branch.retracked > 0) {
     text += ", followed again " + counted(static_cast<std::uint64_t>(branch.retracked), "time") +
             " with shorter steps";
@@ -50,7 +51,7 @@ std::string doubt_text(const BranchEvent& event) {
 std::string event_text(const MotionEvent& event, const Mechanism& mechanism) {
   std::string text = to_string(event.at.kind);
   if (!event.at.joint.empty()) text += " of " + event.at.joint;
-  text += " at " + place(mechanism, event.at.time) + doubt_text(event.at) + ": ";
+  text += " at " + moving_place(mechanism, event.at.time) + doubt_text(event.at) + ": ";
   if (!event.ending.empty())
     text += joined(event.ending, ", ") + " end" + (event.ending.size() == 1 ? "s" : "");
   if (!event.ending.empty() && !event.beginning.empty()) text += ", ";
@@ -84,9 +85,10 @@ std::string checkpoints_text(const std::vector<Checkpoint>& all, const Mechanism
     const Checkpoint& first = all[k];
     std::vector<std::string> ids;
     for (const std::string& id : sorted(first.branches)) ids.push_back(id.empty() ? "-" : id);
-    text += next == k + 1 ? "checkpoint " + place(mechanism, first.time)
-                          : counted(next - k, "checkpoint") + ' ' + place(mechanism, first.time) +
-                                " .. " + place(mechanism, all[next - 1].time);
+    text += next == k + 1
+                ? "checkpoint " + moving_place(mechanism, first.time)
+                : counted(next - k, "checkpoint") + ' ' + moving_place(mechanism, first.time) +
+                      " .. " + moving_place(mechanism, all[next - 1].time);
     text += ": " + counts_text(first.counts) +
             (first.counts.fitted > 0 ? ", " + std::to_string(first.counts.fitted) + " within fit"
                                      : "") +
@@ -132,8 +134,8 @@ std::string motion_text(const MotionResult& result, const Mechanism& mechanism,
   text += warnings_text(mechanism) + idle_text(result.idle) +
           counted(result.branches.size(), "branch", "branches") +
           (result.all_listed ? "" : " listed, of more,") + " from " +
-          place(result.from, drivers_text(mechanism, result.from)) + " to " +
-          place(mechanism, result.to) + '\n' + result.message + '\n';
+          place_text(result.from, drivers_text(mechanism, result.from)) + " to " +
+          moving_place(mechanism, result.to) + '\n' + result.message + '\n';
   text += result.sub_chains.empty() ? course_text(result, mechanism) : sub_chains_text(result);
   for (const std::string& failure : result.failures) text += "failed: " + failure + '\n';
   return text + left_out_text(result.left_out);

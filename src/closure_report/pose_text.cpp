@@ -10,7 +10,6 @@
 #include "moivre/report/number_text.h"
 
 namespace moivre {
-
 namespace {
 
 // Of radians, and of the largest length of a pose: a zero of rounding would fill the line with digits that say nothing.
@@ -25,21 +24,6 @@ double largest_length(const std::vector<Coordinate>& names, const Eigen::VectorX
   }
   return size;
 }
-
-}  // namespace
-
-std::string coordinate_text(const Mechanism& mechanism, const Coordinate& coordinate,
-                            double value) {
-  const bool is_length = coordinate.kind == CoordinateKind::length;
-  const bool in_degrees = !is_length && mechanism.units.angle == "deg";
-  const double known = std::abs(value) < kRoundingNoise ? 0 : value;
-  const double shown = in_degrees ? known * 180 / std::numbers::pi : known;
-  constexpr int kDigits = 8;
-  const std::string unit = is_length ? mechanism.units.length : mechanism.units.angle;
-  return short_text(shown, kDigits) + (unit.empty() ? "" : " " + unit);
-}
-
-namespace {
 
 bool moves(const Driver& driver) {
   const auto* parabola = std::get_if<Parabola>(&driver.law);
@@ -57,6 +41,17 @@ std::string text_of(const std::vector<Driver>& drivers, const Mechanism& mechani
 }
 
 }  // namespace
+
+std::string coordinate_text(const Mechanism& mechanism, const Coordinate& coordinate,
+                            double value) {
+  const bool is_length = coordinate.kind == CoordinateKind::length;
+  const bool in_degrees = !is_length && mechanism.units.angle == "deg";
+  const double known = std::abs(value) < kRoundingNoise ? 0 : value;
+  const double shown = in_degrees ? known * 180 / std::numbers::pi : known;
+  constexpr int kDigits = 8;
+  const std::string unit = is_length ? mechanism.units.length : mechanism.units.angle;
+  return short_text(shown, kDigits) + (unit.empty() ? "" : " " + unit);
+}
 
 std::string drivers_text(const Mechanism& mechanism, double time) {
   return text_of(mechanism.drivers, mechanism, time);
