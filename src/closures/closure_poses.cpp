@@ -138,9 +138,13 @@ void take_fitting(ClosureSearch& search, BeyondLimits& beyond_limits) {
       result.least_misfit = closure.misfit;
     }
     if (!fit || closure.misfit > *fit || is_known) continue;
+    if (!is_allowed(search, closure.q, beyond_limits)) {
+      ++result.fitted_beyond_limits;
+      continue;
+    }
     ++result.counts.fitted;
     closure.is_fitted = true;
-    if (is_allowed(search, closure.q, beyond_limits)) result.closures.push_back(std::move(closure));
+    result.closures.push_back(std::move(closure));
   }
 }
 

@@ -178,16 +178,16 @@ ClosureCounts product_of(const std::vector<ClosureCounts>& parts) {
   ClosureCounts whole;
   whole.complex = whole.real = 1;
   std::uint64_t within_limits = 1;
-  std::uint64_t real_or_fitted = 1;
+  std::uint64_t usable = 1;
   for (const ClosureCounts& part : parts) {
     whole.complex = saturating_product(whole.complex, part.complex);
     whole.real = saturating_product(whole.real, part.real);
     within_limits = saturating_product(within_limits, part.real - part.filtered);
-    real_or_fitted = saturating_product(real_or_fitted, part.real + part.fitted);
+    usable = saturating_product(usable, part.real - part.filtered + part.fitted);
     whole.rejected += part.rejected;
   }
   whole.filtered = whole.real - within_limits;
-  whole.fitted = real_or_fitted - whole.real;
+  whole.fitted = usable - within_limits;
   return whole;
 }
 

@@ -105,6 +105,7 @@ std::string verdict(const ClosureSearch& search) {
                                              : " though the drivers stand");
   }
   if (counts.fitted > 0) return "every path was decided; " + fitted_text(search);
+  if (search.result.fitted_beyond_limits > 0) return "every path was decided";
   if (search.part_is_complex) {
     return "cannot be assembled: a part of it closes in complex numbers only";
   }

@@ -28,8 +28,8 @@ Scene solve_scene(const MotionRun& run, const Tracker& tracker, double time) {
 
 /// Whether a joint's limits hide a closure there.
 bool hides_closures(const Scene& scene) {
-  const ClosureCounts& counts = scene.closures.counts;
-  return counts.real + counts.fitted > scene.closures.closures.size();
+  const ClosureResult& all = scene.closures;
+  return all.counts.real + all.counts.fitted + all.fitted_beyond_limits > all.closures.size();
 }
 
 bool is_crossing(const MotionRun& run, const Scene& scene) {

@@ -296,10 +296,25 @@ TEST(SubChains, ClosuresThatAreFittedAreCountedWithThoseOfTheOtherChains) {
 
 TEST(SubChains, FittedClosuresBeyondLimitsAreNoneOfTheRealOnes) {
   const Mechanism mechanism = with_rounded_leg("limits = [3, 4]\n");
-  EXPECT_EQ(closures_of(mechanism).counts.filtered, 0U);
+  const ClosureResult closures = closures_of(mechanism);
+  EXPECT_EQ(closures.counts.filtered, 0U);
+  EXPECT_EQ(closures.counts.fitted, closures.closures.size());
+  EXPECT_GT(closures.fitted_beyond_limits, 0U);
   const MotionResult motion = find_motion(mechanism, *make_cvode_tracker(), one_turn(8));
   EXPECT_EQ(motion.checkpoints.front().counts.filtered, 0U);
   EXPECT_EQ(motion.checkpoints.front().counts.real, 0U);
+}
+
+TEST(SubChains, FittedClosuresOfTheWholeHaveNoneBeyondLimits) {
+  ClosureCounts real, fitted;
+  real.complex = real.real = 4;
+  real.filtered = 1;
+  fitted.complex = fitted.real = 2;
+  fitted.fitted = 5;
+  const ClosureCounts whole = product_of({real, fitted});
+  EXPECT_EQ(whole.real, 8U);
+  EXPECT_EQ(whole.filtered, 2U);
+  EXPECT_EQ(whole.fitted, 15U);
 }
 
 TEST(SubChains, CountsOfTheWholeStopAtTheLargestNumber) {

@@ -51,6 +51,59 @@ TEST(Sweep, FindsWhereAFourBarCanNoLongerBeAssembled) {
   for (const SweepSample& sample : result.samples) EXPECT_EQ(sample.complex, 2U);
 }
 
+TEST(Sweep, FindsWhereAFittedClosureReachesALimit) {
+  // Three parallel cranks, one pin a thousandth off: within fit only. The second crank turns with the first, from 1 on.
+  const Mechanism mechanism = read_mechanism({"typed", R"toml(fit = 0.01
+[ground.points]
+O = [0, 0]
+P = [3, 0]
+Q = [1.5, 0]
+[body.crank.points]
+O = [0, 0]
+A = [1, 0]
+[body.second.points]
+P = [0, 0]
+B = [1, 0]
+[body.third.points]
+Q = [0, 0]
+C = [1, 0]
+[body.bar.points]
+A = [0, 0]
+B = [3, 0]
+C = [1.5, 0.001]
+[[joint]]
+type = "revolute"
+at = ["ground.O", "crank.O"]
+[[joint]]
+type = "revolute"
+at = ["ground.P", "second.P"]
+limits = [1, 4]
+[[joint]]
+type = "revolute"
+at = ["ground.Q", "third.Q"]
+[[joint]]
+type = "revolute"
+at = ["crank.A", "bar.A"]
+[[joint]]
+type = "revolute"
+at = ["second.B", "bar.B"]
+[[joint]]
+type = "revolute"
+at = ["third.C", "bar.C"]
+[[driver]]
+angle = "crank"
+start = 0.5
+)toml"});
+  const auto lanes = make_lane_tracker();
+  FamilyBook book;
+  const SweepResult result = sweep(mechanism, {{"crank", 0.6, 1.5, 4}}, *lanes, book);
+  EXPECT_TRUE(result.complete);
+  ASSERT_EQ(result.borders.size(), 1U);
+  EXPECT_NEAR(result.borders[0].at[0], 1, 1e-2);
+  EXPECT_EQ(result.borders[0].below.usable(), 0U);
+  EXPECT_EQ(result.borders[0].above.usable(), 1U);
+}
+
 TEST(Sweep, FindsTheDeadPointsOfADriver) {
   Mechanism mechanism = example("four-bar");
   set_dimension(mechanism, "crank.A.x", 150);

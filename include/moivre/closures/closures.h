@@ -69,7 +69,8 @@ struct ClosureCounts {
   std::uint64_t real = 0;
   std::uint64_t filtered = 0;  ///< of the real ones: outside a joint's limits
   std::uint64_t rejected = 0;  ///< roots of the solved equations that fail a redundant one
-  std::uint64_t fitted = 0;  ///< closures that close within Mechanism::fit only; none of the above
+  std::uint64_t fitted =
+      0;  ///< closures within limits and within Mechanism::fit only; none of the above
 };
 
 /// Of independent sub-chains: closures of the whole are one of each. Counts stop at 2^64 - 1.
@@ -131,6 +132,7 @@ struct ClosureResult {
   std::vector<LeftOut> left_out;
   std::vector<IdleJoint> idle;         ///< held, so that the others have isolated closures
   std::optional<double> least_misfit;  ///< of poses that do not close, in the file's unit of length
+  std::uint64_t fitted_beyond_limits = 0;  ///< poses within Mechanism::fit, in none of the counts
   StepCount work;
   SolveTime time_s;
 };
