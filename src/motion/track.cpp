@@ -62,11 +62,12 @@ std::vector<BranchEvent> Track::events() const {
 
 BranchOptions TrackFollower::options_of(const Track& track, double share) const {
   BranchOptions steps = options;
-  share *= std::pow(kTighter, track.retracked);
-  steps.largest_turn_rad *= share;
-  steps.largest_miss *= share;
-  steps.longest_step *= share;
-  steps.largest_approach *= share;
+  const double tighter = std::pow(kTighter, track.retracked);
+  steps.largest_turn_rad *= share * tighter;
+  steps.largest_miss *= share * tighter;
+  steps.longest_step *= share * tighter;
+  // No length: how carefully a crossing is come to is the same there and back.
+  steps.largest_approach *= tighter;
   return steps;
 }
 

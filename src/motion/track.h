@@ -51,7 +51,7 @@ struct TrackFollower {
                      const Track& track) const;
 
  private:
-  /// Steps of the track, `share` of its own length.
+  /// Steps of the track, `share` of their own length.
   BranchOptions options_of(const Track& track, double share = 1) const;
   void run(Track& track) const;
 };
