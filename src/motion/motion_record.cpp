@@ -140,14 +140,14 @@ MotionResult empty_result(const MotionOptions& options, const MotionTimes& times
 
 void drop_moments(MotionRun& run) {
   const auto is_moment = [](const Track& track) { return track.begins() == track.ends(); };
-  std::vector<BranchEvent> met;
+  std::vector<BranchEvent> met;  // copied: tracks move while others are dropped
   for (const Track& track : run.tracks) {
     if (is_moment(track)) continue;
-    for (const BranchEvent& event : track.events()) met.push_back(event);
+    for (const BranchEvent* event : track.events()) met.push_back(*event);
   }
   std::erase_if(run.tracks, [&](const Track& track) {
     if (!is_moment(track) || track.events().empty()) return false;
-    const BranchEvent event = track.events().back();
+    const BranchEvent& event = *track.events().back();
     return std::any_of(met.begin(), met.end(),
                        [&](const BranchEvent& other) { return is_same_event(run, other, event); });
   });

@@ -65,9 +65,9 @@ bool is_event_time(const MotionRun& run, const BranchEvent& event, double time) 
 
 bool is_event_of_a_track(const MotionRun& run, double time, const Eigen::VectorXd& q) {
   return std::any_of(run.tracks.begin(), run.tracks.end(), [&](const Track& track) {
-    const std::vector<BranchEvent> events = track.events();
+    const auto events = track.events();
     return std::any_of(events.begin(), events.end(),
-                       [&](const BranchEvent& event) { return is_at(run, event, time, q, 0); });
+                       [&](const BranchEvent* event) { return is_at(run, *event, time, q, 0); });
   });
 }
 

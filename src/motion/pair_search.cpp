@@ -286,7 +286,7 @@ void PairSearch::follow(const std::vector<Scene>& scenes) {
 std::vector<double> PairSearch::event_times() const {
   std::vector<double> times = borders_;
   for (const Track& track : run_.tracks) {
-    for (const BranchEvent& event : track.events()) times.push_back(event.time);
+    for (const BranchEvent* event : track.events()) times.push_back(event->time);
   }
   return times;
 }

@@ -34,9 +34,9 @@ bool hides_closures(const Scene& scene) {
 
 bool is_crossing(const MotionRun& run, const Scene& scene) {
   return std::any_of(run.tracks.begin(), run.tracks.end(), [&](const Track& track) {
-    const std::vector<BranchEvent> events = track.events();
-    return std::any_of(events.begin(), events.end(), [&](const BranchEvent& event) {
-      return event.kind == EventKind::bifurcation && is_event_time(run, event, scene.time);
+    const auto events = track.events();
+    return std::any_of(events.begin(), events.end(), [&](const BranchEvent* event) {
+      return event->kind == EventKind::bifurcation && is_event_time(run, *event, scene.time);
     });
   });
 }

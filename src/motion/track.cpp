@@ -52,10 +52,10 @@ const BranchSample* Track::at(double time) const {
   return at != samples.end() && at->time == time ? &*at : nullptr;
 }
 
-std::vector<BranchEvent> Track::events() const {
-  std::vector<BranchEvent> all;
+std::vector<const BranchEvent*> Track::events() const {
+  std::vector<const BranchEvent*> all;
   for (const Branch* one : {&backwards, &forwards}) {
-    if (one->event) all.push_back(*one->event);
+    if (one->event) all.push_back(&*one->event);
   }
   return all;
 }

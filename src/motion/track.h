@@ -23,8 +23,8 @@ struct Track {
 
   /// From its anchor on, or back.
   const Branch& way(bool is_forwards) const { return is_forwards ? forwards : backwards; }
-  /// Where it ends, either way.
-  std::vector<BranchEvent> events() const;
+  /// At which it ends: the one behind it, then the one ahead, those that there are. They are the track's own.
+  std::vector<const BranchEvent*> events() const;
   double begins() const;
   double ends() const;
   int steps() const { return forwards.steps + backwards.steps; }
