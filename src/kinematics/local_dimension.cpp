@@ -108,8 +108,8 @@ class Slicing {
   const VectorXd& q_;
   double t_;
   std::uint64_t seed_;
-  VectorXd
-      scale_;  ///< of each coordinate, no less than the pose's own: far away it is known to fewer digits
+  /// Of each coordinate, no less than the pose's own: far away it is known to fewer digits.
+  VectorXd scale_;
   VectorXd weight_;      ///< of each row
   MatrixXd null_space_;  ///< of the weighted Phi_q
 };

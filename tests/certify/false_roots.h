@@ -57,7 +57,7 @@ inline std::vector<Point> fabricated(const Planted& p, std::uint64_t seed) {
 
 inline FalseRootCounts expect_no_untruth(std::uint64_t first_seed, std::uint64_t systems) {
   constexpr double kAccuracies[] = {1e-10, 1e-6, 1e-2, 1.0};
-  // No multiple of the accuracies' number, so that Arb meets every one of them.
+  // Has no factor in common with the number of accuracies, so that Arb meets every one of them.
   constexpr std::size_t kArbEvery = 9;
   constexpr Factors kKinds[] = {Factors::real, Factors::conjugate_pairs, Factors::complex,
                                 Factors::repeated};
