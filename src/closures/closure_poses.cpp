@@ -90,10 +90,22 @@ void take_pose(ClosureSearch& search, const Solution& solution, const NewtonResu
   search.result.closures.push_back(std::move(closure));
 }
 
+/// A double root of the solved equations may be two that rounding has parted, of which a spare equation leaves one. Their pose is regular,
+/// and nearer to one that is known than another regular pose can be.
+bool is_told(const ClosureSearch& search, const NewtonResult& pose) {
+  const System& f = search.formulation.system;
+  if (f.polynomials.size() <= f.variables.size() || pose.is_singular) return false;
+  const auto& closures = search.result.closures;
+  return std::any_of(closures.begin(), closures.end(), [&](const Closure& other) {
+    return distance(search.phi, other.q, search.phi.canonical(pose.q)) <=
+           kSamePose * std::min(1.0, other.smallest_singular_value);
+  });
+}
+
 enum class RootKind {
-  isolated,       ///< and, where it is real, polished to a pose
-  on_a_set,       ///< its pose is one of many
-  does_not_close  ///< spare constraints keep Newton-Raphson away from zero
+  isolated,  ///< and, where it is real, polished to a pose
+  on_a_set,  ///< its pose is one of many
+  does_not_close  ///< spare constraints keep Newton-Raphson away from zero, or leave one of several roots at its pose
 };
 
 /// Polishes a real root to a pose.
@@ -116,6 +128,7 @@ RootKind polish(ClosureSearch& search, const Solution& solution, BeyondLimits& b
   if (polished.is_singular && lies_on_motion(search, phi.canonical(polished.q))) {
     return RootKind::on_a_set;
   }
+  if (is_told(search, polished)) return RootKind::does_not_close;
   take_pose(search, solution, polished, beyond_limits);
   return RootKind::isolated;
 }

@@ -730,5 +730,53 @@ TEST(SpatialClosures, OutOfReachCannotBeAssembled) {
   EXPECT_FALSE(result.moves);
 }
 
+// Two roots of the three equations that are solved lie 1e-16 apart, at one regular pose: the fourth leaves one of them.
+TEST(SpatialClosures, AreToldOnceWhereRoundingPartsARootOfTheSolvedEquations) {
+  const Mechanism mechanism = mechanism_text(R"toml(space = "spatial"
+[ground.points]
+P0 = [0, -1, 1]
+P1 = [-1, -1, -1]
+[body.b1.points]
+P0 = [-1, -2, 2]
+P1 = [0, -2, 1]
+[body.b2.points]
+P0 = [0, -1, -0.912]
+P1 = [-1, -2, 2]
+[body.b3.points]
+P0 = [0.566, -1, -1]
+P1 = [0, -2, 1]
+[[joint]]
+type = "cylindrical"
+name = "J0"
+at = ["ground.P0", "b2.P0"]
+axis = [[0, 0, 1], [0, 0, 1]]
+[[joint]]
+type = "spherical"
+name = "J1"
+at = ["b2.P1", "b1.P0"]
+[[joint]]
+type = "prismatic"
+name = "J2"
+at = ["ground.P1", "b3.P0"]
+axis = [[1, 0, 0], [1, 0, 0]]
+[[joint]]
+type = "universal"
+name = "J3"
+at = ["b3.P1", "b1.P1"]
+axis = [[1, 0, 0], [0, 1, 0]]
+[[driver]]
+slide = "J0"
+start = -1.912
+[[driver]]
+slide = "J2"
+start = 1.566
+)toml");
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    const ClosureResult result = closures_of(mechanism, seed);
+    EXPECT_TRUE(result.complete) << result.message;
+    EXPECT_EQ(result.closures.size(), 4U);
+  }
+}
+
 }  // namespace
 }  // namespace moivre
