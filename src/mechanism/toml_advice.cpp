@@ -51,12 +51,16 @@ bool begins_with_any(std::string_view text, std::initializer_list<std::string_vi
                      [&](std::string_view word) { return text.starts_with(word); });
 }
 
-/// "// ..." and the like, at the beginning of a line or behind a value.
+/// "// ..." and the like, at the beginning of a line or behind a value; ";" that ends one.
 std::string comment_advice(const Stop& stop) {
   const bool begins_line = stop.before() == '\n';
-  const bool is_comment = begins_with_any(stop.rest(), {"//", "/*"}) ||
-                          (begins_line && begins_with_any(stop.rest(), {";", "%", "--", "!"})) ||
-                          (stop.here() == ';' && !stop.is_in_array());
+  const bool has_value = stop.line().find('=') < stop.at - stop.line_begin();
+  const bool is_behind_value = stop.here() == ';' && has_value && !stop.is_in_array();
+  if (is_behind_value && stop.rest().find_first_not_of(" \t\r", 1) == stop.rest().find('\n')) {
+    return "; a value ends with its line, without ';'";
+  }
+  const bool is_comment = is_behind_value || begins_with_any(stop.rest(), {"//", "/*"}) ||
+                          (begins_line && begins_with_any(stop.rest(), {";", "%", "--", "!"}));
   return is_comment ? "; comments begin with #" : "";
 }
 

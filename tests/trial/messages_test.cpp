@@ -118,6 +118,7 @@ TEST(SlipsOfTheHand, AreToldWhatWasMeant) {
       {"[40, 0]", "[5., 0]", "; digits stand on both sides of the point: 0.5, 5.0"},
       {"[40, 0]", "[4.5; 0]", "; the entries of an array are parted by commas"},
       {"start = 40", "start = .5", "; digits stand on both sides of the point: 0.5, 5.0"},
+      {"start = 40", "start = 40;", "; a value ends with its line, without ';'"},
       {"start = 40", "start = 40 ; upright", "; comments begin with #"},
       {"start = 40", "start = pi/3",
        "; numbers are written out, such as 1.0471976 for pi/3; only a driver's value = \"...\" is "
@@ -130,6 +131,8 @@ TEST(SlipsOfTheHand, AreToldWhatWasMeant) {
       {"start = 40", "sta rt = 40", "; names have letters, digits, '_' and '-', and no blanks"},
       {"\"deg\"", "\u201cdeg\u201d",
        "; quotes are straight, \"...\", not those of a word processor"},
+      {"[ground.points]", "[ground;points]",
+       "; names have letters, digits, '_' and '-', and no blanks"},
       {"[ground.points]", "[Ground.points]", "did you mean 'ground'?"}};
   for (const auto& [right, wrong, advice] : slips) {
     const std::string said = said_of(changed("roller", right, wrong));
