@@ -300,6 +300,7 @@ TEST(SubChains, FittedClosuresBeyondLimitsAreNoneOfTheRealOnes) {
   EXPECT_EQ(closures.counts.filtered, 0U);
   EXPECT_EQ(closures.counts.fitted, closures.closures.size());
   EXPECT_GT(closures.fitted_beyond_limits, 0U);
+  EXPECT_EQ(closures.message, "every path was decided");  // and no wider fit would help
   const MotionResult motion = find_motion(mechanism, *make_cvode_tracker(), one_turn(8));
   EXPECT_EQ(motion.checkpoints.front().counts.filtered, 0U);
   EXPECT_EQ(motion.checkpoints.front().counts.real, 0U);
