@@ -77,7 +77,7 @@ bool is_contradicted(const Refined& end, int sheets, double accuracy) {
   return std::pow(end.accuracy, sheets) > kMostOfFirstOrder * (accuracy + kRoundingOfF);
 }
 
-Root refined_root(const Run& run, Tools& tools, const PathEnd& end) {
+Root judged_root(const Run& run, Tools& tools, const PathEnd& end) {
   const Setting& setting = run.setting;
   Refiner& refiner = tools.refiner;
   const Point x = to_original(setting.prepared, end.x);
@@ -100,7 +100,7 @@ Root refined_root(const Run& run, Tools& tools, const PathEnd& end) {
   return root;
 }
 
-std::vector<Root> refined_roots(const Run& run) {
+std::vector<Root> judged_roots(const Run& run) {
   std::vector<Root> roots(run.ends.size());
   const auto threads = static_cast<std::size_t>(run.setting.threads);
   const std::size_t chunks = std::min(threads, 1 + roots.size() / kEndsOfAThread);
@@ -111,7 +111,7 @@ std::vector<Root> refined_roots(const Run& run) {
       const auto& [path, end] = run.ends[k];
       const bool is_fine = run.ledger.rung(path) == Rung::multiprecision;
       if (is_fine && !fine_tools) fine_tools.emplace(run.setting, kMostArbBits);
-      roots[k] = refined_root(run, is_fine ? *fine_tools : tools, end);
+      roots[k] = judged_root(run, is_fine ? *fine_tools : tools, end);
     }
   });
   return roots;
@@ -172,10 +172,10 @@ void take_end(Run& run, std::uint64_t path, PathEnd&& end) {
   }
 }
 
-void refine_ends(Run& run) {
+void judge_ends(Run& run) {
   std::sort(run.ends.begin(), run.ends.end(),
             [](const auto& a, const auto& b) { return a.first < b.first; });
-  std::vector<Root> roots = refined_roots(run);
+  std::vector<Root> roots = judged_roots(run);
   for (std::size_t k = 0; k < roots.size(); ++k) {
     const auto& [path, end] = run.ends[k];
     const bool is_root =

@@ -13,7 +13,7 @@ namespace moivre {
 /// What one more following of the path, or of the rest of its way, took.
 void count_following(Run& run, std::uint64_t path, const PathEnd& end);
 
-/// Enters the verdict on a path; a finite end waits for refine_ends(). A path that was cut short has no entry, nor has one that waits
+/// Enters the verdict on a path; a finite end waits for judge_ends(). A path that was cut short has no entry, nor has one that waits
 /// for more effort.
 void take_end(Run& run, std::uint64_t path, PathEnd&& end);
 
@@ -21,6 +21,6 @@ void take_end(Run& run, std::uint64_t path, PathEnd&& end);
 double simple_tolerance(const Refined& root);
 
 /// Enters all finite ends that wait, on all threads. Where only regular ends are sought, what is not proved waits for more effort.
-void refine_ends(Run& run);
+void judge_ends(Run& run);
 
 }  // namespace moivre

@@ -37,7 +37,7 @@ void follow(Run& run, const PathProblem& problem, const PathList& paths, int car
                          [&](std::uint64_t k) { return paths.path_of(first + k); }, paths.outposts};
     track_paths(problem, block, care, setting.threads, sink_unless_cancelled, setting.stop);
     // Ends that wait to be refined take much more memory than roots.
-    refine_ends(run);
+    judge_ends(run);
   }
   // What was refined after a stop is not proved.
   if (ended < paths.count || setting.stop) run.interrupted = true;
