@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: MIT
+// Are the closures found of loops with more equations than unknowns, each once, and none where these contradict each other?
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+#include "../mechanism/in_unit.h"
+#include "mechanisms.h"
+#include "moivre/certify/certifier.h"
+
+namespace moivre {
+namespace {
+
+using Eigen::Vector3d;
+
+TEST(OverconstrainedClosures, BennettsLinkageDoesNotCloseWithOtherLengths) {
+  const ClosureResult result = closures_of(disturbed(mechanism_file("bennett"), 1e-2));
+  EXPECT_TRUE(result.complete) << result.message;
+  EXPECT_EQ(result.counts.complex, 0U);
+}
+
+TEST(OverconstrainedClosures, BricardsLinkageMovesInOneDirection) {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    const ClosureResult result = closures_of(mechanism_file("bricard"), seed);
+    EXPECT_TRUE(result.complete) << result.message;
+    ASSERT_TRUE(result.moves) << "seed " << seed;
+    EXPECT_EQ(result.moves->dimension, 1U);
+  }
+}
+
+TEST(OverconstrainedClosures, BricardsLinkageDoesNotCloseWithOtherLengths) {
+  for (const double share : {1e-2, 1e-9}) {
+    const ClosureResult result = closures_of(disturbed(mechanism_file("bricard-driven"), share));
+    EXPECT_TRUE(result.complete) << share << ": " << result.message;
+    EXPECT_EQ(result.counts.complex, 0U) << share;
+  }
+}
+
+std::string cardan_shaft(const std::string& x, const std::string& y, const std::string& axis) {
+  return R"toml(space = "spatial"
+[units]
+angle = "deg"
+[ground.points]
+A = [-100, 0, 0]
+B = [)toml" +
+         x + ", " + y + R"toml(, 0]
+[body.in.points]
+A = [-100, 0, 0]
+C = [0, 0, 0]
+[body.out.points]
+B = [)toml" +
+         x + ", " + y + R"toml(, 0]
+C = [0, 0, 0]
+[[joint]]
+type = "revolute"
+at = ["ground.A", "in.A"]
+axis = [1, 0, 0]
+name = "in"
+[[joint]]
+type = "universal"
+at = ["in.C", "out.C"]
+axis = [[0, 1, 0], [0, 0, 1]]
+[[joint]]
+type = "revolute"
+at = ["ground.B", "out.B"]
+axis = )toml" +
+         axis + R"toml(
+[[driver]]
+angle = "in"
+start = 0
+velocity = 360
+)toml";
+}
+
+// Half a turn of the cross leads from one to the other. All axes meet in a point, where the shifts of a loop of 100 leave rounding alone.
+TEST(OverconstrainedClosures, CardanShaftHasTwo) {
+  for (const Mechanism& mechanism :
+       {mechanism_text(cardan_shaft("86.6025403784", "50", "[0.866025403784, 0.5, 0]")),
+        mechanism_text(cardan_shaft("86.60254037844386", "50", "[0.8660254037844386, 0.5, 0]")),
+        mechanism_text(cardan_shaft("80", "60", "[0.8, 0.6, 0]"))}) {
+    for (const double time : {0.0, 0.1, 0.25, 0.61}) {
+      const ClosureResult result = closures_of(mechanism, 1, time);
+      EXPECT_TRUE(result.complete) << result.message;
+      EXPECT_EQ(result.counts.complex, 2U) << time;
+      EXPECT_EQ(result.closures.size(), 2U) << time;
+    }
+  }
+}
+
+TEST(OverconstrainedClosures, SphericalFourBarHasTwoWhereverItStands) {
+  for (const double shift : {0.0, 0.3, 50.7, 1e4}) {
+    Mechanism mechanism = mechanism_file("spherical-four-bar");
+    mechanism.guess.clear();
+    for (BodyPoint& point : mechanism.bodies[0].points) {
+      point.at += shift * Eigen::Vector3d(1, 0.7, -0.3);
+    }
+    const ClosureResult result = closures_of(mechanism);
+    EXPECT_TRUE(result.complete) << result.message;
+    EXPECT_EQ(result.counts.complex, 2U) << shift;
+    EXPECT_EQ(result.closures.size(), 2U) << shift;
+  }
+}
+
+// With bars of one length the top may be folded onto the base, where the second leg swings; two closures stand beside that.
+TEST(OverconstrainedClosures, SarrussLinkageHasTwoBesideItsFoldedPoses) {
+  if (!proves_beyond_double()) GTEST_SKIP() << "needs more digits";
+  const Mechanism mechanism = mechanism_text(R"toml(space = "spatial"
+[units]
+angle = "deg"
+[ground.points]
+A = [1, 0, 0]
+D = [0, 1, 0]
+[body.l1.points]
+A = [1, 0, 0]
+B = [2, 0, 1]
+[body.l2.points]
+B = [2, 0, 1]
+C = [1, 0, 2]
+[body.top.points]
+C = [1, 0, 2]
+F = [0, 1, 2]
+[body.l3.points]
+D = [0, 1, 0]
+E = [0, 2, 1]
+[body.l4.points]
+E = [0, 2, 1]
+F = [0, 1, 2]
+[[joint]]
+type = "revolute"
+at = ["ground.A", "l1.A"]
+axis = [0, 1, 0]
+name = "a"
+[[joint]]
+type = "revolute"
+at = ["l1.B", "l2.B"]
+axis = [0, 1, 0]
+[[joint]]
+type = "revolute"
+at = ["l2.C", "top.C"]
+axis = [0, 1, 0]
+[[joint]]
+type = "revolute"
+at = ["ground.D", "l3.D"]
+axis = [1, 0, 0]
+[[joint]]
+type = "revolute"
+at = ["l3.E", "l4.E"]
+axis = [1, 0, 0]
+[[joint]]
+type = "revolute"
+at = ["l4.F", "top.F"]
+axis = [1, 0, 0]
+[[driver]]
+angle = "a"
+start = 10
+)toml");
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    const ClosureResult result = closures_of(mechanism, seed);
+    EXPECT_TRUE(result.complete) << result.message;
+    EXPECT_TRUE(result.moves);
+    ASSERT_EQ(result.closures.size(), 2U) << seed;
+    EXPECT_EQ(result.counts.complex, 2U) << seed;
+    for (const Closure& closure : result.closures) {
+      EXPECT_GT(closure.smallest_singular_value, 0.01);
+      EXPECT_LE(scaled_residual(Phi(mechanism), closure.q, 0), 1e-12);
+    }
+  }
+}
+
+// Overconstrained: what rounding leaves of its spare equations has to be seen beside their own terms, in millimetres as well.
+TEST(OverconstrainedClosures, BennettsLinkageClosesAtEveryAngleInEveryUnit) {
+  const Mechanism mechanism = mechanism_text(R"toml(title = "Bennett"
+space = "spatial"
+[units]
+length = "mm"
+angle = "deg"
+[ground.points]
+J0 = [0, 0, 0]
+J1 = [34.20201433256688, 93.96926207859083, 0.0]
+[body.l1.points]
+J1 = [34.20201433256688, 93.96926207859083, 0.0]
+J2 = [-61.547952991693464, -12.373653417768352, 44.979196092608]
+[body.l2.points]
+J2 = [-61.547952991693464, -12.373653417768352, 44.979196092608]
+J3 = [-150.0, 0, 0]
+[body.l3.points]
+J3 = [-150.0, 0, 0]
+J0 = [0, 0, 0]
+[[joint]]
+type = "revolute"
+at = ["l3.J0", "ground.J0"]
+axis = [0, 0, 1]
+name = "J0"
+[[joint]]
+type = "revolute"
+at = ["ground.J1", "l1.J1"]
+axis = [0.6040227735550536, -0.21984631039295421, 0.766044443118978]
+name = "J1"
+[[joint]]
+type = "revolute"
+at = ["l1.J2", "l2.J2"]
+axis = [-0.29986130728405325, 0.587799197315435, 0.7513822595917664]
+name = "J2"
+[[joint]]
+type = "revolute"
+at = ["l2.J3", "l3.J3"]
+axis = [1.942890293094024e-16, 0.9641814145298088, 0.26524366132915744]
+name = "J3"
+[[driver]]
+angle = "J1"
+start = 0
+velocity = 360
+)toml");
+  for (const double unit : {1e-2, 1.0, 1e3}) {
+    for (const double time : {0.1, 0.25, 0.5, 0.75}) {
+      const ClosureResult result = closures_of(test::in_unit(mechanism, unit), 1, time);
+      EXPECT_TRUE(result.complete) << result.message;
+      EXPECT_EQ(result.counts.real, 1U) << unit << ", t = " << time;
+    }
+  }
+}
+
+// Two roots of the three equations that are solved lie 1e-16 apart, at one regular pose: the fourth leaves one of them.
+TEST(OverconstrainedClosures, AreToldOnceWhereRoundingPartsARootOfTheSolvedEquations) {
+  const Mechanism mechanism = mechanism_text(R"toml(space = "spatial"
+[ground.points]
+P0 = [0, -1, 1]
+P1 = [-1, -1, -1]
+[body.b1.points]
+P0 = [-1, -2, 2]
+P1 = [0, -2, 1]
+[body.b2.points]
+P0 = [0, -1, -0.912]
+P1 = [-1, -2, 2]
+[body.b3.points]
+P0 = [0.566, -1, -1]
+P1 = [0, -2, 1]
+[[joint]]
+type = "cylindrical"
+name = "J0"
+at = ["ground.P0", "b2.P0"]
+axis = [[0, 0, 1], [0, 0, 1]]
+[[joint]]
+type = "spherical"
+name = "J1"
+at = ["b2.P1", "b1.P0"]
+[[joint]]
+type = "prismatic"
+name = "J2"
+at = ["ground.P1", "b3.P0"]
+axis = [[1, 0, 0], [1, 0, 0]]
+[[joint]]
+type = "universal"
+name = "J3"
+at = ["b3.P1", "b1.P1"]
+axis = [[1, 0, 0], [0, 1, 0]]
+[[driver]]
+slide = "J0"
+start = -1.912
+[[driver]]
+slide = "J2"
+start = 1.566
+)toml");
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    const ClosureResult result = closures_of(mechanism, seed);
+    EXPECT_TRUE(result.complete) << result.message;
+    EXPECT_EQ(result.closures.size(), 4U);
+  }
+}
+
+}  // namespace
+}  // namespace moivre
