@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <string>
 
 #include "../mechanism/in_unit.h"
 #include "mechanisms.h"
 #include "moivre/certify/certifier.h"
+#include "spatial_counts.h"
 
 namespace moivre {
 namespace {

@@ -2,7 +2,10 @@
 // Do links that spin between balls hide no closure, whether they are bodies or lines?
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
+#include <string>
 
 #include "mechanisms.h"
 
