@@ -120,30 +120,6 @@ void take_root(ClosureSearch& search, const PartialRoot& root, RootProver& prove
   search.result.solutions.push_back(std::move(solution));
 }
 
-/// Where as many poses are proved as a theorem allows, paths in doubt lead to none.
-void settle_by_theorem(const Formulation& formulation, StageRun& run) {
-  const auto& theorem = formulation.theorem;
-  if (!theorem || run.stages.size() != 1 || run.roots.size() < theorem->most) return;
-  const bool all_proved =
-      std::all_of(run.roots.begin(), run.roots.end(),
-                  [](const PartialRoot& root) { return root.proof != nullptr; });
-  if (!all_proved) return;
-  if (run.roots.size() > theorem->most) {
-    throw std::logic_error(std::to_string(run.roots.size()) + " poses are proved, but " +
-                           theorem->of + " has no more than " + std::to_string(theorem->most));
-  }
-  run.is_proved = true;
-  if (run.complete) return;
-  for (PathCounts* paths : {&run.paths, &run.stages.front().paths}) {
-    paths->at_infinity += std::exchange(paths->failed, 0);
-  }
-  run.left_out.push_back({counted(run.failures.size(), "path") + " that were in doubt",
-                          counted(theorem->most, "closure") + " are proved, and " + theorem->of +
-                              " has no more: they lead to no other"});
-  run.failures.clear();
-  run.complete = true;
-}
-
 RootCompleteness completeness(const Formulation& formulation, const StageRun& run,
                               const ClosureResult& result) {
   const auto& roots = result.solutions;
@@ -227,7 +203,6 @@ void solve_determined(ClosureSearch& search, const BlockStructure& structure) {
   }
   RootProver prover(search.formulation, search.wants_proofs());
   StageRun run = solve_blocks(search, search.formulation, structure.blocks, prover);
-  settle_by_theorem(search.formulation, run);
   const bool is_motion_shown = run.moves && run.may_move && shows_motion(search);
   if (run.moves && !search.stop && !structure.spare_equations.empty()) {
     run = solve_combined(search, run);

@@ -123,12 +123,14 @@ class Stages {
     const QuadraticBlock formula(formulation_, block);
     Stage stage;
     stage.group = group_name(block);
+    const bool was_proved = run_.is_proved;
     std::vector<PartialRoot> next;
     for (const PartialRoot& root : run_.roots) {
       if (stop_) run_.complete = false;
       if (stop_) break;
       add_roots(block, formula, root, stage, next);
     }
+    if (is_of_theorem(block)) settle_by_theorem(was_proved, next, stage);
     run_.paths += stage.paths;
     run_.stages.push_back(std::move(stage));
     run_.roots = std::move(next);
@@ -152,6 +154,35 @@ class Stages {
   }
 
  private:
+  /// Whether the theorem speaks of this block, which then is the first.
+  bool is_of_theorem(const Block& block) const {
+    const auto& theorem = formulation_.theorem;
+    return theorem && block.variables.size() == theorem->unknowns &&
+           block.variables.back() + 1 == theorem->unknowns &&
+           block.equations.back() + 1 == theorem->unknowns;
+  }
+
+  /// Where as many poses are proved as a theorem allows, paths in doubt lead to none.
+  void settle_by_theorem(bool was_proved, const std::vector<PartialRoot>& poses, Stage& stage) {
+    const Formulation::Theorem& theorem = *formulation_.theorem;
+    if (poses.size() < theorem.most) return;
+    const bool all_proved = std::all_of(
+        poses.begin(), poses.end(), [](const PartialRoot& root) { return root.proof != nullptr; });
+    if (!all_proved) return;
+    if (poses.size() > theorem.most) {
+      throw std::logic_error(std::to_string(poses.size()) + " poses are proved, but " + theorem.of +
+                             " has no more than " + std::to_string(theorem.most));
+    }
+    run_.is_proved = was_proved;
+    if (run_.complete) return;
+    stage.paths.at_infinity += std::exchange(stage.paths.failed, 0);
+    run_.left_out.push_back({counted(run_.failures.size(), "path") + " that were in doubt",
+                             counted(theorem.most, "closure") + " are proved, and " + theorem.of +
+                                 " has no more: they lead to no other"});
+    run_.failures.clear();
+    run_.complete = true;
+  }
+
   /// The block has a set of roots of positive dimension above the root.
   void note_set(const PartialRoot& root) {
     run_.moves = true;
@@ -230,18 +261,14 @@ class Stages {
     return result;
   }
 
-  /// From a general member of the class, where the block is all there is of one. Its coefficients are real: a complex factor keeps the
+  /// From a general member of the class. Its coefficients are real: a complex factor keeps the
   /// line to this member away from those with fewer poses.
   std::optional<GivenStart> general_start(const Block& block, const PartialRoot& root) const {
-    const auto& theorem = formulation_.theorem;
-    const System& all = formulation_.system;
-    const bool is_whole = theorem && block.variables.size() == all.variables.size() &&
-                          block.equations.size() == all.polynomials.size();
-    if (!is_whole || options_.start != StartKind::automatic || options_.known_start) {
-      return std::nullopt;
-    }
-    const System f = system_at(all, block, root);
+    const bool is_chosen = options_.start == StartKind::automatic && !options_.known_start;
+    if (!is_of_theorem(block) || !is_chosen) return std::nullopt;
+    const System f = system_at(formulation_.system, block, root);
     if (eliminate(f).verdict != Reduction::Verdict::square) return std::nullopt;
+    const auto& theorem = formulation_.theorem;
     const Formulation::GeneralMember member = theorem->general();
     System general = system_at(member.system, block, root);
     const Coefficient factor =

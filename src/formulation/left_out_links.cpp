@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which links say no more than a distance or an angle? They become rods and cones.
+// Which links say no more than a distance or an angle? They become rods, cones and meetings of lines.
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -152,6 +152,60 @@ void leave_out_cone(RigidGroups& groups, std::size_t group) {
   groups.left_out.emplace_back(groups.names[group], "its two axes meet: it is one angle");
 }
 
+/// Whether the far end of a strut lies on neither its second axis nor the first end.
+bool is_armed(const Strut& strut) {
+  constexpr double kBeside = 1e-9;
+  const Axis axis = axis_of(strut.cross.at_j);
+  const Vector3d arm = axis_of(strut.ball.at_j).at - axis.at;
+  return arm.cross(axis.along).norm() > kBeside * arm.norm();
+}
+
+/// Whether a strut's own axes are parallel to each other and across its length, and the axes of both crosses perpendicular.
+bool is_flat(const Strut& strut) {
+  constexpr double kAcross = 1e-11;
+  const Axis near = axis_of(strut.cross.at_j);
+  const Axis far = axis_of(strut.ball.at_j);
+  const Vector3d arm = far.at - near.at;
+  return near.along.cross(far.along).norm() <= kAcross &&
+         std::abs(arm.dot(near.along)) <= kAcross * arm.norm() && strut.cross.half_tangent == 1 &&
+         strut.ball.half_tangent == 1;
+}
+
+Tie meeting_of(const Strut& strut, const std::string& name) {
+  Tie meeting;
+  meeting.is_meeting = true;
+  meeting.name = name;
+  meeting.i = strut.cross.i;
+  meeting.j = strut.ball.i;
+  meeting.at_i = strut.cross.at_i;
+  meeting.at_j = strut.ball.at_i;
+  return meeting;
+}
+
+void leave_out_strut(RigidGroups& groups, std::size_t group) {
+  std::vector<Tie> ties = ties_towards(groups, group);
+  if (ties.size() != 2 || ties[0].i == ties[1].i) return;
+  const auto is_cross = [](const Tie& tie) {
+    return tie.place == JointPlace::at_point && tie.turn == JointTurn::about_two_axes;
+  };
+  const auto is_ball = [](const Tie& tie) {
+    return tie.place == JointPlace::at_point && tie.turn == JointTurn::freely;
+  };
+  if (!is_cross(ties[0])) std::swap(ties[0], ties[1]);
+  const Strut strut{ties[0], ties[1]};
+  const bool has_ball = is_ball(strut.ball);
+  if (!is_cross(strut.cross) || !is_armed(strut)) return;
+  if (!has_ball && !(is_cross(strut.ball) && is_flat(strut))) return;
+  const std::string& name = groups.names[group];
+  remove_ties(groups, group);
+  groups.struts.push_back(strut);
+  groups.ties.push_back(rod_between(strut.cross, strut.ball, name));
+  if (!has_ball) groups.ties.push_back(meeting_of(strut, name));
+  groups.left_out.emplace_back(
+      name, has_ball ? "between a universal and a spherical joint it is one distance"
+                     : "between two universal joints it is one distance, and two lines that meet");
+}
+
 }  // namespace
 
 // Rods first: three distances to a point of a link that a distance may replace would leave its turn about the other point free.
@@ -167,6 +221,12 @@ void leave_out_rods(RigidGroups& groups) {
 void leave_out_cones(RigidGroups& groups, const std::vector<std::size_t>& among) {
   for (const std::size_t group : among) {
     if (!groups.is_left_out[group] && !is_driven(groups, group)) leave_out_cone(groups, group);
+  }
+}
+
+void leave_out_struts(RigidGroups& groups, const std::vector<std::size_t>& among) {
+  for (const std::size_t group : among) {
+    if (!groups.is_left_out[group] && !is_driven(groups, group)) leave_out_strut(groups, group);
   }
 }
 

@@ -198,6 +198,7 @@ class Grouping {
 
 std::size_t freedom(const Tie& tie) {
   constexpr int kRigidBody = 6;
+  if (tie.is_meeting) return kRigidBody - 1;
   return static_cast<std::size_t>(kRigidBody - row_count(tie.place, Space::spatial) -
                                   row_count(tie.turn, Space::spatial));
 }

@@ -9,11 +9,15 @@
 // A tie is what is left of a joint (mechanism/joint_type.h), or one of:
 //   a rod      at a distance, turning freely
 //   a cone     at a point, two turns about axes that keep their angle (universal: 90 deg)
+//   a meeting  of the z axes, as lines
 // A screw that is not driven ties an angle to a length, which no polynomial says: refused.
 // Links that say no more than a distance or an angle are replaced by it, and placed by their points afterwards:
 //   a group held by two spherical joints alone    a rod; its spin is free and moves nothing else
 //   a group held by three spherical joints alone  three rods
 //   a group held by two revolute joints whose axes meet, in a mechanism of several loops    a cone
+//   a strut, a group held by a universal joint and another joint at a point, in a mechanism of several loops:
+//     spherical                                   a rod
+//     universal, with axes of the strut that are parallel and across its length    a rod, and two lines that meet
 #pragma once
 
 #include <cstddef>
@@ -30,6 +34,7 @@ struct Tie {
   JointPlace place = JointPlace::at_point;
   JointTurn turn = JointTurn::about_axis;
   bool is_reversed = false;  ///< the line or plane is fixed in group j
+  bool is_meeting = false;   ///< of two lines; place and turn say nothing
   std::string name;
   std::size_t i = 0, j = 0;  ///< groups
   ExactPose at_i, at_j;
@@ -59,6 +64,12 @@ struct DrivenPoint {
   Rational value;
 };
 
+/// Its ties are seen from the groups it joins.
+struct Strut {
+  Tie cross;  ///< universal
+  Tie ball;   ///< the other, of which the point counts
+};
+
 struct RigidGroups {
   std::vector<std::string> names;                ///< of each group: its first body; 0 the ground
   std::vector<std::vector<std::string>> bodies;  ///< of each group
@@ -67,8 +78,9 @@ struct RigidGroups {
   std::vector<Tie> ties;
   std::vector<DrivenPoint> driven_points;
   std::vector<bool> is_left_out;              ///< of each group: a link that became a tie
-  std::vector<PoseReading::Placement> links;  ///< of these
-  std::vector<std::string> contradictions;    ///< as in Formulation
+  std::vector<PoseReading::Placement> links;  ///< of these, but for struts
+  std::vector<Strut> struts;
+  std::vector<std::string> contradictions;  ///< as in Formulation
   std::vector<std::pair<std::string, std::string>> left_out;
 };
 
@@ -79,5 +91,7 @@ RigidGroups rigid_groups(const Mechanism& mechanism, double t);
 void leave_out_rods(RigidGroups& groups);
 /// Replaces links of `among` by cones.
 void leave_out_cones(RigidGroups& groups, const std::vector<std::size_t>& among);
+/// Replaces struts of `among` by rods and meetings.
+void leave_out_struts(RigidGroups& groups, const std::vector<std::size_t>& among);
 
 }  // namespace moivre

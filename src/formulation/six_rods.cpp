@@ -140,6 +140,7 @@ Formulation::GeneralMember general_six_rods(RigidGroups groups, const Part& part
   for (std::size_t k = 0; k < kGeneralRods.size(); ++k) {
     put(groups.ties[part.ties[k]], kGeneralRods[k], typed_decimal(length));
   }
+  groups.struts.clear();
   SpatialFrame frame(length);
   add_tree(frame, groups, part);
   Formulation::GeneralMember member;

@@ -48,6 +48,7 @@ void leave_out_links(RigidGroups& groups) {
     in_trees.insert(in_trees.end(), part.groups.begin(), part.groups.end());
   }
   leave_out_cones(groups, in_trees);
+  leave_out_struts(groups, in_trees);
 }
 
 /// Whether all joints' frames are typed points, none of them turned.
@@ -85,7 +86,7 @@ std::optional<Formulation::Theorem> theorem_of(const RigidGroups& groups,
                            });
   if (!is_platform) return std::nullopt;
   return Formulation::Theorem{
-      "a body on six rods", kMostPoses,
+      "a body on six rods", kEntries, kMostPoses,
       [groups, part = parts.front(), length] { return general_six_rods(groups, part, length); }};
 }
 
@@ -116,6 +117,7 @@ Formulation spatial_bodies(const Mechanism& mechanism, double t) {
       add_tree(frame, groups, part);
     }
   }
+  frame.add_checks();
   Formulation formulation = std::move(frame.result());
   formulation.theorem = theorem_of(groups, parts, frame.length());
   read_poses(groups, formulation.poses);

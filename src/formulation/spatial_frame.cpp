@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 #include "moivre/numeric/random.h"
 
@@ -71,6 +72,14 @@ void SpatialFrame::add_equation(const std::string& name, Polynomial p) {
   }
   result_.system.polynomials.push_back(std::move(p));
   result_.equation_names.push_back(name);
+}
+
+void SpatialFrame::add_check(const std::string& name, Polynomial p) {
+  checks_.emplace_back(name, std::move(p));
+}
+
+void SpatialFrame::add_checks() {
+  for (auto& [name, p] : std::exchange(checks_, {})) add_equation(name, std::move(p));
 }
 
 void SpatialFrame::exclude(Polynomial p, const std::string& reason) {
@@ -240,8 +249,9 @@ void add_closing(SpatialFrame& frame, const Tie& tie, const MovingPose& j_in_i) 
     if (has_x_and_y) vanish(g[1], shift_size, "x");
     if (has_x_and_y) vanish(g[2], shift_size, "y");
     if (has_z) vanish(g[3], shift_size, "z");
+    // Study's quadric q g = 0 holds of every pose.
     const bool has_w = has_z || tie.turn == JointTurn::not_at_all;
-    if (has_w) vanish(g[0], shift_size, "w");
+    if (has_w) frame.add_check(tie.name + ": w", frame.without_rounding(g[0], shift_size));
     return;
   }
   const auto shift = product(g, conjugate(q));

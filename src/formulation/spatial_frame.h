@@ -47,6 +47,11 @@ class SpatialFrame {
   void note_rounding() { result_.is_exact = false; }
   /// Nothing where p is zero; a contradiction where it is another number.
   void add_equation(const std::string& name, Polynomial p);
+  /// An equation that the others imply but for a factor. It comes behind all others, so that it is checked, not solved, where they
+  /// suffice.
+  void add_check(const std::string& name, Polynomial p);
+  /// Adds what waits as a check.
+  void add_checks();
   void exclude(Polynomial p, const std::string& reason);
   /// Notes where a group stands: at this pose in a placed one.
   void place(std::size_t group, std::size_t parent, const MovingPose& relative);
@@ -72,6 +77,7 @@ class SpatialFrame {
   double length_;
   bool has_exact_frames_;
   Formulation result_;
+  std::vector<std::pair<std::string, Polynomial>> checks_;
   std::uint64_t random_count_ = 0;
 };
 

@@ -6,6 +6,8 @@
 #include <map>
 #include <optional>
 
+#include "struts.h"
+
 namespace moivre {
 namespace {
 
@@ -29,6 +31,12 @@ class Tree {
     }
     for (const DrivenPoint& driven : groups_.driven_points) {
       if (nodes_.count(driven.group) > 0 && driven.group != 0) drive(driven);
+    }
+    for (const Strut& strut : groups_.struts) {
+      const std::size_t i = strut.cross.i;
+      const std::size_t k = strut.ball.i;
+      if (nodes_.count(i) == 0 || nodes_.count(k) == 0) continue;
+      add_postures(frame_, groups_, strut, relative(i, k));
     }
   }
 
@@ -66,6 +74,11 @@ class Tree {
   }
 
   void close(const Tie& tie) {
+    if (tie.is_meeting) {
+      frame_.add_equation(tie.name + ": lines",
+                          meeting_equation(frame_, tie, relative(tie.i, tie.j)));
+      return;
+    }
     if (!is_rod(tie)) {
       add_closing(frame_, tie, relative(tie.i, tie.j));
       return;

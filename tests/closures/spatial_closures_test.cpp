@@ -58,14 +58,15 @@ TEST_P(SpatialCounts, AreMetForEverySeed) {
 INSTANTIATE_TEST_SUITE_P(
     Mechanisms, SpatialCounts,
     testing::Values(QuickCount{"rssr", 20}, QuickCount{"rccc", 5}, QuickCount{"bennett", 5},
-                    QuickCount{"spherical-four-bar", 20}, QuickCount{"spherical-3-rrr", 3},
-                    QuickCount{"3-rps", 3}, QuickCount{"general-6r", 3},
-                    QuickCount{"manseur-doty", 3}, QuickCount{"puma-560", 3}, QuickCount{"ur5", 3},
-                    QuickCount{"7r-loop", 3}, QuickCount{"bricard-driven", 5},
-                    QuickCount{"delta", 1}, QuickCount{"delta-reduced", 5},
-                    QuickCount{"delta-inverse", 5}, QuickCount{"dietmaier", 2},
-                    QuickCount{"planar-platform", 1}, QuickCount{"platform-6-4", 1},
-                    QuickCount{"platform-6-3", 1}, QuickCount{"octahedral-3-3", 1}),
+                    QuickCount{"3-upu", 5}, QuickCount{"spherical-four-bar", 20},
+                    QuickCount{"spherical-3-rrr", 3}, QuickCount{"3-rps", 3},
+                    QuickCount{"general-6r", 3}, QuickCount{"manseur-doty", 3},
+                    QuickCount{"puma-560", 3}, QuickCount{"ur5", 3}, QuickCount{"7r-loop", 3},
+                    QuickCount{"bricard-driven", 5}, QuickCount{"delta", 1},
+                    QuickCount{"delta-reduced", 5}, QuickCount{"delta-inverse", 5},
+                    QuickCount{"dietmaier", 2}, QuickCount{"planar-platform", 1},
+                    QuickCount{"platform-6-4", 1}, QuickCount{"platform-6-3", 1},
+                    QuickCount{"octahedral-3-3", 1}),
     [](const auto& tested) {
       std::string name = tested.param.file;
       std::replace(name.begin(), name.end(), '-', '_');

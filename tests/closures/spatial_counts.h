@@ -45,7 +45,7 @@ inline const std::vector<SpatialCount>& spatial_counts() {
       {"delta-reduced", 2, 2, 2, 2, 0},
       {"delta-inverse", 8, 8, 6, 0, 0},
       {"delta", 40, 12, 40, 40, 0},
-      {"3-upu", 16, 16, 700, 0, 0},
+      {"3-upu", 16, 16, 31, 0, 0},
       {"dietmaier", 40, 40, 40, 40, 0},
       {"planar-platform", 40, 12, 40, 40, 0},
       {"platform-6-4", 32, 4, 40, 40, 0},

@@ -73,9 +73,10 @@ struct Formulation {
     System system;  ///< equation by equation of the same kind as the formulation's, in its unknowns
     std::vector<Point> roots;
   };
-  /// A theorem: no member of this class has more isolated poses, complex ones included.
+  /// A theorem on the first unknowns: no member of this class has more isolated poses, complex ones included.
   struct Theorem {
-    std::string of;  ///< "a body on six rods"
+    std::string of;            ///< "a body on six rods"
+    std::size_t unknowns = 0;  ///< which these and as many equations, the first ones, say all of
     std::uint64_t most = 0;
     std::function<GeneralMember()> general;  ///< one with as many; made where it is asked for
   };
