@@ -202,7 +202,9 @@ int run(const ClosuresCommand& command) {
       is_shown ? "" : "the motion on the page is incomplete: " + motion->message;
   deliver(
       {{&json,
-        [&] { return closures_json(result, mechanism, command.file, told ? &*told : nullptr); }},
+        [&](const TextSink& sink) {
+          write_closures_json(sink, result, mechanism, command.file, told ? &*told : nullptr);
+        }},
        {&csv,
         [&] {
           return told ? sensitivity_csv(*told, mechanism, command.angles)

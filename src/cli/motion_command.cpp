@@ -72,9 +72,9 @@ void require_reachable(const Mechanism& mechanism, const MotionOptions& options)
 /// Refuses so many samples that a branch of them would not fit into memory.
 void require_room(const Mechanism& mechanism, const MotionCommand& command,
                   const QuantityReader* reader) {
-  constexpr double kMostInTree =
-      3e6;  // numbers with their names, as JSON and the page: half a gigabyte
+  constexpr double kMostInPage = 3e6;   // numbers with their names in one tree: half a gigabyte
   constexpr double kMostInTable = 3e7;  // as text, likewise
+  constexpr double kMostInStream = kMostInTable;  // the samples themselves, likewise
   std::size_t places = 0;
   for (const Body& body : mechanism.bodies) places += body.points.size();
   const std::size_t components = mechanism.space == Space::planar ? 2 : 3;
@@ -89,8 +89,8 @@ void require_room(const Mechanism& mechanism, const MotionCommand& command,
         " would not fit into memory; take " +
         std::to_string(std::llround(std::floor(most / numbers))) + " at most");
   };
-  require_all({[&] { require(command.json, "--json", kMostInTree); },
-               [&] { require(command.html, "--html", kMostInTree); },
+  require_all({[&] { require(command.json, "--json", kMostInStream); },
+               [&] { require(command.html, "--html", kMostInPage); },
                [&] { require(command.csv, "--csv", kMostInTable); }});
 }
 
@@ -181,7 +181,10 @@ int run(const MotionCommand& command) {
   if (reader) readings = read_motion(result, mechanism, *reader, tells_extremes);
   const Readings* const read = readings ? &*readings : nullptr;
   deliver(
-      {{&json, [&] { return motion_json(result, mechanism, command.file, command.angles, read); }},
+      {{&json,
+        [&](const TextSink& sink) {
+          write_motion_json(sink, result, mechanism, command.file, command.angles, read);
+        }},
        {&csv,
         [&] {
           return readings ? columns_csv(result, *readings, mechanism, command.angles)

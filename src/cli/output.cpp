@@ -96,32 +96,56 @@ bool takes_place_of(const Descriptor& file, const struct stat& old) {
          ::fchmod(file.number(), old.st_mode & 07777U) == 0;
 }
 
-/// Written beside and moved: false where that cannot be done here. Throws when the text cannot be written.
-bool is_replaced(const std::string& path, std::string_view text) {
-  const std::string target = behind_links(path);
-  const std::string beside = name_beside(target);
-  ::unlink(beside.c_str());
-  Descriptor file(open_to_write(beside, O_CREAT | O_EXCL));
-  if (!file.is_open()) return false;
-  const auto old = status_of(target);
-  if (old && !takes_place_of(file, *old)) {
-    ::unlink(beside.c_str());
-    return false;
-  }
-  if (has_written_all(file.number(), text) && has_closed(file) &&
-      ::rename(beside.c_str(), target.c_str()) == 0) {
-    return true;
-  }
-  const int error = errno;
-  ::unlink(beside.c_str());
-  errno = error;
-  refuse_path(path);
+/// Throws when not all of a piece could be written. `path` is the name in the message.
+TextSink sink_of(const Descriptor& file, const std::string& path) {
+  return [&file, &path](std::string_view piece) {
+    if (!has_written_all(file.number(), piece)) refuse_path(path);
+  };
 }
 
-void write_in_place(const std::string& path, std::string_view text) {
+/// A file that is removed again unless it is moved to its place.
+class Draft {
+ public:
+  explicit Draft(const std::string& target) : target_(target), name_(name_beside(target)) {
+    ::unlink(name_.c_str());
+  }
+  ~Draft() {
+    if (!has_moved_) ::unlink(name_.c_str());
+  }
+  Draft(const Draft&) = delete;
+  Draft& operator=(const Draft&) = delete;
+
+  const std::string& name() const { return name_; }
+  /// False, with errno.
+  bool has_moved() {
+    has_moved_ = ::rename(name_.c_str(), target_.c_str()) == 0;
+    return has_moved_;
+  }
+
+ private:
+  std::string target_;
+  std::string name_;
+  bool has_moved_ = false;
+};
+
+/// Written beside and moved: false where that cannot be done here. Throws when the text cannot be written.
+bool is_replaced(const std::string& path, const Content& content) {
+  const std::string target = behind_links(path);
+  Draft draft(target);
+  Descriptor file(open_to_write(draft.name(), O_CREAT | O_EXCL));
+  if (!file.is_open()) return false;
+  const auto old = status_of(target);
+  if (old && !takes_place_of(file, *old)) return false;
+  content(sink_of(file, path));
+  if (!has_closed(file) || !draft.has_moved()) refuse_path(path);
+  return true;
+}
+
+void write_in_place(const std::string& path, const Content& content) {
   Descriptor file(open_to_write(path, O_CREAT | O_TRUNC));
-  if (!file.is_open() || !has_written_all(file.number(), text) || !has_closed(file))
-    refuse_path(path);
+  if (!file.is_open()) refuse_path(path);
+  content(sink_of(file, path));
+  if (!has_closed(file)) refuse_path(path);
 }
 
 /// Refuses a path at which no new file can be made.
@@ -151,14 +175,19 @@ Output::~Output() {
   if (device_ >= 0) ::close(device_);
 }
 
-void Output::write(std::string_view text) {
-  if (is_stdout()) return write_to_stdout(text);
+void Output::write(const Content& content) {
+  if (is_stdout()) return content(write_to_stdout);
   if (device_ < 0) {
-    if (!is_replaced(path_, text)) write_in_place(path_, text);
+    if (!is_replaced(path_, content)) write_in_place(path_, content);
     return;
   }
   Descriptor device(std::exchange(device_, -1));
-  if (!has_written_all(device.number(), text) || !has_closed(device)) refuse_path(path_);
+  content(sink_of(device, path_));
+  if (!has_closed(device)) refuse_path(path_);
+}
+
+void Output::write(std::string_view text) {
+  write([text](const TextSink& sink) { sink(text); });
 }
 
 void deliver(const std::vector<Form>& forms, bool quiet, const std::function<std::string()>& text,
@@ -175,10 +204,10 @@ void deliver(const std::vector<Form>& forms, bool quiet, const std::function<std
   for (const Form& form : forms) {
     if (form.output->is_stdout()) to_stdout = &form;
     if (!form.output->is_wanted() || form.output->is_stdout()) continue;
-    tried([&form] { form.output->write(form.text()); });
+    tried([&form] { form.output->write(form.content); });
   }
   if (to_stdout != nullptr) {
-    tried([to_stdout] { write_to_stdout(to_stdout->text()); });
+    tried([to_stdout] { to_stdout->output->write(to_stdout->content); });
     if (!quiet && !unfinished.empty()) std::fprintf(stderr, "moivre: %s\n", unfinished.c_str());
   } else if (!quiet || !failures.empty()) {
     tried([&text] { write_to_stdout(text()); });

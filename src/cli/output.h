@@ -9,9 +9,15 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "moivre/report/text_sink.h"
+
 namespace moivre {
+
+/// A text that is written piece by piece to where it is told.
+using Content = std::function<void(const TextSink&)>;
 
 class Output {
  public:
@@ -23,7 +29,9 @@ class Output {
 
   bool is_wanted() const { return !path_.empty(); }
   bool is_stdout() const { return path_ == "-"; }
-  /// Replaces the file's content. Throws std::invalid_argument when the disk is full and the like; the old content stands then.
+  /// Replaces the file's content. Throws std::invalid_argument when the disk is full and the like, and what `content` throws;
+  /// the old content stands then.
+  void write(const Content& content);
   void write(std::string_view text);
 
  private:
@@ -33,8 +41,12 @@ class Output {
 
 /// One form of a result, made when it is written.
 struct Form {
+  Form(Output* where, Content pieces) : output(where), content(std::move(pieces)) {}
+  Form(Output* where, const std::function<std::string()>& whole)
+      : output(where), content([whole](const TextSink& sink) { sink(whole()); }) {}
+
   Output* output;
-  std::function<std::string()> text;
+  Content content;
 };
 
 /// Writes every wanted form, files first, stdout last; then `text`, for people, to stdout, unless it is `quiet` or stdout is

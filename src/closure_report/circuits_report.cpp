@@ -265,16 +265,17 @@ std::string circuits_text(const Circuits& circuits, const MotionResult& motion,
   return text;
 }
 
-void add_circuits(const Circuits& circuits, const MotionResult& motion, const Mechanism& mechanism,
-                  Json& report) {
-  report["full_turn"] = circuits.is_full_turn;
-  report["circuits"] = Json::array();
+Json circuits_json(const Circuits& circuits, const MotionResult& motion,
+                   const Mechanism& mechanism) {
+  Json list = Json::array();
   for (std::size_t k = 0; k < circuits.circuits.size(); ++k) {
-    report["circuits"].push_back(circuit_json(circuits.circuits[k], k + 1, motion));
+    list.push_back(circuit_json(circuits.circuits[k], k + 1, motion));
   }
-  report["circuit_notes"] = circuits.notes;
-  report["pairs"] = pairs_json(circuits, motion);
-  report["four_bars"] = list_json(four_bars(mechanism), four_bar_json);
+  return {{"full_turn", circuits.is_full_turn},
+          {"circuits", std::move(list)},
+          {"circuit_notes", circuits.notes},
+          {"pairs", pairs_json(circuits, motion)},
+          {"four_bars", list_json(four_bars(mechanism), four_bar_json)}};
 }
 
 std::vector<BranchLook> branch_looks(const Circuits& circuits, const MotionResult& motion) {

@@ -13,9 +13,9 @@ namespace moivre {
 std::string circuits_text(const Circuits& circuits, const MotionResult& motion,
                           const Mechanism& mechanism);
 
-/// Adds `full_turn`, `circuits`, `circuit_notes`, `pairs` and `four_bars`.
-void add_circuits(const Circuits& circuits, const MotionResult& motion, const Mechanism& mechanism,
-                  Json& report);
+/// {"full_turn", "circuits", "circuit_notes", "pairs", "four_bars"}.
+Json circuits_json(const Circuits& circuits, const MotionResult& motion,
+                   const Mechanism& mechanism);
 
 /// How a branch is drawn: a colour a circuit, solid or dashed by its stretch.
 struct BranchLook {

@@ -2,6 +2,7 @@
 // Closures as JSON: the contract of docs/json.md, key by key.
 #include "joint_values.h"
 #include "moivre/closure_report/closure_report.h"
+#include "moivre/report/json_writer.h"
 #include "pose_json.h"
 #include "sensitivity_json.h"
 
@@ -38,27 +39,25 @@ Json moves_json(const std::optional<Moves>& moves, const Mechanism& mechanism) {
           {"pose", coordinates_json(mechanism, moves->pose)}};
 }
 
-Json closure_json(const Closure& closure, const Mechanism& mechanism) {
+void write_closure(const Closure& closure, const Mechanism& mechanism, PoseJson& pose,
+                   JsonWriter& report) {
+  report.member("id", closure.id);
+  report.members(pose.read(closure.q));
+  report.members({{"residual", to_json(closure.residual)},
+                  {"misfit", to_json(closure.misfit)},
+                  {"fitted", closure.is_fitted},
+                  {"newton_iterations", closure.newton_iterations},
+                  {"smallest_singular_value", to_json(closure.smallest_singular_value)},
+                  {"path", closure.path},
+                  {"multiplicity", closure.multiplicity},
+                  {"singular", closure.singular},
+                  {"certified", closure.certified ? Json(*closure.certified) : Json()}});
   Json joints = Json::object();
   for (const JointValue& joint : joint_values(mechanism, closure.q)) {
     joints[joint.name] = to_json(joint.value);
   }
-  Json json{{"id", closure.id},
-            {"coordinates", coordinates_json(mechanism, closure.q)},
-            {"bodies", bodies_json(mechanism, closure.q)},
-            {"points", points_json(mechanism, closure.q)},
-            {"residual", to_json(closure.residual)},
-            {"misfit", to_json(closure.misfit)},
-            {"fitted", closure.is_fitted},
-            {"newton_iterations", closure.newton_iterations},
-            {"smallest_singular_value", to_json(closure.smallest_singular_value)},
-            {"path", closure.path},
-            {"multiplicity", closure.multiplicity},
-            {"singular", closure.singular},
-            {"certified", closure.certified ? Json(*closure.certified) : Json()}};
-  if (!joints.empty()) json["joints"] = std::move(joints);
-  if (!closure.of.empty()) json["of"] = closure.of;
-  return json;
+  if (!joints.empty()) report.member("joints", joints);
+  if (!closure.of.empty()) report.member("of", closure.of);
 }
 
 Json counts_json(const ClosureCounts& counts) {
@@ -69,56 +68,77 @@ Json counts_json(const ClosureCounts& counts) {
           {"fitted", counts.fitted}};
 }
 
-Json sub_chain_json(const SubChain& part) {
-  return {{"bodies", part.chain.bodies},
-          {"counts", counts_json(part.counts)},
-          {"paths", to_json(part.paths)},
-          {"closures", list_json(part.closures, [&](const Closure& closure) {
-             return closure_json(closure, part.chain.mechanism);
-           })}};
+void write_sub_chain(const SubChain& part, JsonWriter& report) {
+  PoseJson pose(part.chain.mechanism);
+  report.member("bodies", part.chain.bodies);
+  report.member("counts", counts_json(part.counts));
+  report.member("paths", to_json(part.paths));
+  report.long_list("closures", part.closures, [&](const Closure& closure) {
+    write_closure(closure, part.chain.mechanism, pose, report);
+  });
+}
+
+void write_closures(const ClosureResult& result, const Mechanism& mechanism,
+                    const Sensitivities* sensitivities, JsonWriter& report) {
+  PoseJson pose(mechanism);
+  std::size_t number = 0;
+  report.long_list("closures", result.closures, [&](const Closure& closure) {
+    write_closure(closure, mechanism, pose, report);
+    if (sensitivities == nullptr) return;
+    report.member("sensitivity", sensitivity_json(*sensitivities, number++));
+  });
+  report.member("all_listed", result.all_listed);
+  report.long_list("sub_chains", result.sub_chains,
+                   [&](const SubChain& part) { write_sub_chain(part, report); });
+  if (sensitivities != nullptr) report.member("dimensions", dimensions_json(*sensitivities));
 }
 
 }  // namespace
 
+void write_closures_json(const TextSink& sink, const ClosureResult& result,
+                         const Mechanism& mechanism, const std::string& file,
+                         const Sensitivities* sensitivities) {
+  write_json(sink, [&](JsonWriter& report) {
+    report.members(report_head("closures", file));
+    report.member("seed", result.seed);
+    report.member("complete", result.complete);
+    report.member("message", result.message);
+    report.member("title", mechanism.title);
+    report.member("idle", idle_json(result.idle));
+    report.member("warnings", mechanism.warnings);
+    report.member("at", to_json(result.time));
+    report.member("units", units_json(mechanism));
+    report.member("mobility", mobility_summary(result));
+    report.member("system", to_json(result.system));
+    report.member("reduced", reduced_json(result.reduced));
+    report.member("start", to_json(result.start));
+    report.member("tracker", tracker_json(result.tracker, result.tracker_options));
+    report.member("paths", to_json(result.paths));
+    report.list("stages", result.stages, stage_json);
+    report.member("counts", counts_json(result.counts));
+    report.member("completeness",
+                  result.completeness ? Json(to_string(*result.completeness)) : Json());
+    report.member("fit", mechanism.fit ? to_json(*mechanism.fit) : Json(nullptr));
+    report.member("least_misfit",
+                  result.least_misfit ? to_json(*result.least_misfit) : Json(nullptr));
+    report.member("moves", moves_json(result.moves, mechanism));
+    write_closures(result, mechanism, sensitivities, report);
+    SolutionJson json;
+    report.list("solutions", result.solutions,
+                [&json](const Solution& solution) -> const Json& { return json.read(solution); });
+    report.list("failures", result.failures, [](const FailedPath& f) { return to_json(f); });
+    report.member("left_out", to_json(result.left_out));
+    report.member("work", work_json(result.work));
+    report.member("time_s", to_json(result.time_s));
+  });
+}
+
 std::string closures_json(const ClosureResult& result, const Mechanism& mechanism,
                           const std::string& file, const Sensitivities* sensitivities) {
-  Json report = report_head("closures", file);
-  report["seed"] = result.seed;
-  report["complete"] = result.complete;
-  report["message"] = result.message;
-  report["title"] = mechanism.title;
-  report["idle"] = idle_json(result.idle);
-  report["warnings"] = mechanism.warnings;
-  report["at"] = to_json(result.time);
-  report["units"] = units_json(mechanism);
-  report["mobility"] = mobility_summary(result);
-  report["system"] = to_json(result.system);
-  report["reduced"] = reduced_json(result.reduced);
-  report["start"] = to_json(result.start);
-  report["tracker"] = tracker_json(result.tracker, result.tracker_options);
-  report["paths"] = to_json(result.paths);
-  report["stages"] = list_json(result.stages, stage_json);
-  report["counts"] = counts_json(result.counts);
-  report["completeness"] = result.completeness ? Json(to_string(*result.completeness)) : Json();
-  report["fit"] = mechanism.fit ? to_json(*mechanism.fit) : Json(nullptr);
-  report["least_misfit"] = result.least_misfit ? to_json(*result.least_misfit) : Json(nullptr);
-  report["moves"] = moves_json(result.moves, mechanism);
-  report["closures"] = list_json(
-      result.closures, [&](const Closure& closure) { return closure_json(closure, mechanism); });
-  report["all_listed"] = result.all_listed;
-  report["sub_chains"] = list_json(result.sub_chains, sub_chain_json);
-  if (sensitivities != nullptr) {
-    report["dimensions"] = dimensions_json(*sensitivities);
-    for (std::size_t k = 0; k < result.closures.size(); ++k) {
-      report["closures"][k]["sensitivity"] = sensitivity_json(*sensitivities, k);
-    }
-  }
-  report["solutions"] = list_json(result.solutions, [](const Solution& s) { return to_json(s); });
-  report["failures"] = list_json(result.failures, [](const FailedPath& f) { return to_json(f); });
-  report["left_out"] = to_json(result.left_out);
-  report["work"] = work_json(result.work);
-  report["time_s"] = to_json(result.time_s);
-  return to_text(report);
+  std::string text;
+  write_closures_json([&text](std::string_view piece) { text += piece; }, result, mechanism, file,
+                      sensitivities);
+  return text;
 }
 
 }  // namespace moivre

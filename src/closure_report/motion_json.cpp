@@ -6,6 +6,7 @@
 #include "moivre/kinematics/null_space.h"
 #include "moivre/mechanism/phi.h"
 #include "moivre/mechanism/pose.h"
+#include "moivre/report/json_writer.h"
 #include "pose_json.h"
 #include "readings_parts.h"
 #include "shown_angles.h"
@@ -17,61 +18,100 @@ Json numbers_json(const std::vector<double>& numbers) {
   return list_json(numbers, [](double x) { return to_json(x); });
 }
 
-Json vector_json(const Mechanism& mechanism, const Eigen::Vector3d& v) {
-  Json json = Json::array({to_json(v.x()), to_json(v.y())});
-  if (mechanism.space == Space::spatial) json.push_back(to_json(v.z()));
-  return json;
-}
-
-/// {"crank.A": {"position": [x, y], "velocity": ..., "acceleration": ...}}, {} for typed equations.
-Json points_motion_json(const Mechanism& mechanism, const BranchSample& sample) {
-  Json json = Json::object();
+/// {"crank.A": {"position": [x, y], "velocity": ..., "acceleration": ...}}, {} for typed equations; numbers are to be filled in.
+Json points_motion_form(const Mechanism& mechanism) {
+  const Json vector = Json::array_t(mechanism.space == Space::planar ? 2 : 3);
+  Json form = Json::object();
   for (std::size_t body = 1; body < mechanism.bodies.size(); ++body) {
-    for (std::size_t k = 0; k < mechanism.bodies[body].points.size(); ++k) {
-      const PointState at =
-          point_state(mechanism, {body, k}, sample.q, sample.velocity, sample.acceleration);
-      json[mechanism.bodies[body].name + "." + mechanism.bodies[body].points[k].name] = {
-          {"position", vector_json(mechanism, at.position)},
-          {"velocity", vector_json(mechanism, at.velocity)},
-          {"acceleration", vector_json(mechanism, at.acceleration)}};
+    for (const BodyPoint& point : mechanism.bodies[body].points) {
+      form[mechanism.bodies[body].name + "." + point.name] = {
+          {"position", vector}, {"velocity", vector}, {"acceleration", vector}};
     }
   }
-  return json;
+  return form;
 }
 
-/// `q`: the sample's, in the form that is wanted.
-Json sample_json(const BranchSample& sample, const Eigen::VectorXd& q, const Mechanism& mechanism) {
-  return {{"t", to_json(sample.time)},
-          {"drivers", numbers_json(driver_values(mechanism, sample.time))},
-          {"coordinates", coordinates_json(mechanism, q)},
-          {"velocities", coordinates_json(mechanism, sample.velocity)},
-          {"accelerations", coordinates_json(mechanism, sample.acceleration)},
-          {"points", points_motion_json(mechanism, sample)},
-          {"residual", to_json(sample.residual)},
-          {"determined", sample.is_determined}};
+/// In the order of the form.
+std::vector<double> points_motion(const Mechanism& mechanism, const BranchSample& sample) {
+  const Eigen::Index axes = mechanism.space == Space::planar ? 2 : 3;
+  std::vector<double> numbers;
+  for (const PointState& at :
+       point_states(mechanism, sample.q, sample.velocity, sample.acceleration)) {
+    for (const Eigen::Vector3d* v : {&at.position, &at.velocity, &at.acceleration}) {
+      numbers.insert(numbers.end(), v->begin(), v->begin() + axes);
+    }
+  }
+  return numbers;
 }
+
+/// Samples of one mechanism, one after another: names are made once, numbers for each sample.
+class SampleJson {
+ public:
+  explicit SampleJson(const Mechanism& mechanism)
+      : mechanism_(mechanism),
+        sample_{{"t", nullptr},
+                {"drivers", Json::array_t(mechanism.drivers.size())},
+                {"coordinates", coordinates_form(mechanism)},
+                {"velocities", coordinates_form(mechanism)},
+                {"accelerations", coordinates_form(mechanism)},
+                {"points", points_motion_form(mechanism)},
+                {"residual", nullptr},
+                {"determined", nullptr}} {}
+
+  /// `q`: the sample's, in the form that is wanted. It stands until the next sample is read.
+  Json& read(const BranchSample& sample, const Eigen::VectorXd& q) {
+    sample_["t"] = to_json(sample.time);
+    refill(sample_["drivers"], driver_values(mechanism_, sample.time));
+    refill(sample_["coordinates"], q);
+    refill(sample_["velocities"], sample.velocity);
+    refill(sample_["accelerations"], sample.acceleration);
+    refill(sample_["points"], points_motion(mechanism_, sample));
+    sample_["residual"] = to_json(sample.residual);
+    sample_["determined"] = sample.is_determined;
+    return sample_;
+  }
+
+ private:
+  const Mechanism& mechanism_;
+  Json sample_;
+};
 
 Json index_json(const std::optional<std::size_t>& index) {
   return index ? Json(*index) : Json(nullptr);
 }
 
-Json branch_json(const MotionBranch& branch, const Mechanism& mechanism, const Phi& phi,
-                 const AngleForm& form) {
+/// What columns a branch has; none where no readings are wanted.
+struct BranchColumns {
+  const Readings& readings;
+  const BranchReadings& of_branch;
+};
+
+void write_branch(const MotionBranch& branch, const Mechanism& mechanism, const Phi& phi,
+                  const AngleForm& form, const std::optional<BranchColumns>& columns,
+                  JsonWriter& report) {
   const Eigen::VectorXd turns = turns_to_begin(mechanism, branch);
-  Json json{{"id", branch.id},
-            {"begins", to_json(branch.begins)},
-            {"ends", to_json(branch.ends)},
-            {"begin_event", index_json(branch.begin_event)},
-            {"end_event", index_json(branch.end_event)},
-            {"complete", branch.complete},
-            {"message", branch.message},
-            {"steps", branch.steps},
-            {"retracked", branch.retracked},
-            {"samples", list_json(branch.samples, [&](const BranchSample& sample) {
-               return sample_json(sample, shown(phi, sample, form, turns), mechanism);
-             })}};
-  if (!branch.of.empty()) json["of"] = branch.of;
-  return json;
+  report.member("id", branch.id);
+  report.member("begins", to_json(branch.begins));
+  report.member("ends", to_json(branch.ends));
+  report.member("begin_event", index_json(branch.begin_event));
+  report.member("end_event", index_json(branch.end_event));
+  report.member("complete", branch.complete);
+  report.member("message", branch.message);
+  report.member("steps", branch.steps);
+  report.member("retracked", branch.retracked);
+  SampleJson json(mechanism);
+  std::size_t number = 0;
+  report.list("samples", branch.samples, [&](const BranchSample& sample) -> const Json& {
+    Json& told = json.read(sample, shown(phi, sample, form, turns));
+    if (columns) {
+      told["columns"] = row_json(columns->readings, columns->of_branch.values[number++], form);
+    }
+    return told;
+  });
+  if (!branch.of.empty()) report.member("of", branch.of);
+  if (!columns) return;
+  report.member("extremes", extremes_json(columns->readings, columns->of_branch, mechanism));
+  report.member("time_ratios", time_ratios_json(columns->of_branch));
 }
 
 /// How the pose can move on where a branch cannot, though the drivers stand: one such direction, of length 1 (angles in radians,
@@ -114,71 +154,65 @@ Json checkpoint_json(const Checkpoint& checkpoint) {
           {"message", checkpoint.message}};
 }
 
-/// Branches, events, circuits and checkpoints.
-void add_course(const MotionResult& result, const Mechanism& mechanism, const AngleForm& form,
-                Json& report) {
+/// Branches, events, circuits and checkpoints; of the readings where there are any.
+void write_course(const MotionResult& result, const Mechanism& mechanism, const AngleForm& form,
+                  const Readings* readings, JsonWriter& report) {
   const Phi phi(hold_idle(mechanism).mechanism);
-  report["branches"] = list_json(result.branches, [&](const MotionBranch& branch) {
-    return branch_json(branch, mechanism, phi, form);
+  std::size_t number = 0;
+  report.long_list("branches", result.branches, [&](const MotionBranch& branch) {
+    std::optional<BranchColumns> columns;
+    if (readings != nullptr) columns.emplace(*readings, readings->branches[number++]);
+    write_branch(branch, mechanism, phi, form, columns, report);
   });
-  report["events"] = list_json(
-      result.events, [&](const MotionEvent& event) { return event_json(event, mechanism, phi); });
-  add_circuits(find_circuits(mechanism, result), result, mechanism, report);
-  report["checkpoints"] = list_json(result.checkpoints, checkpoint_json);
-}
-
-Json part_json(const MotionSubChain& part, const AngleForm& form) {
-  Json json{{"bodies", part.chain.bodies}};
-  add_course(part.motion, part.chain.mechanism, form, json);
-  return json;
-}
-
-/// Into the branches, and of each into its samples.
-void add_readings(const Readings& readings, const Mechanism& mechanism, const AngleForm& form,
-                  Json& report) {
-  report["columns"] = columns_json(readings);
-  for (std::size_t b = 0; b < readings.branches.size(); ++b) {
-    const BranchReadings& from = readings.branches[b];
-    Json& branch = report["branches"][b];
-    for (std::size_t j = 0; j < from.values.size(); ++j) {
-      branch["samples"][j]["columns"] = row_json(readings, from.values[j], form);
-    }
-    branch["extremes"] = extremes_json(readings, from, mechanism);
-    branch["time_ratios"] = time_ratios_json(from);
-  }
+  report.list("events", result.events,
+              [&](const MotionEvent& event) { return event_json(event, mechanism, phi); });
+  report.members(circuits_json(find_circuits(mechanism, result), result, mechanism));
+  report.list("checkpoints", result.checkpoints, checkpoint_json);
 }
 
 }  // namespace
 
+void write_motion_json(const TextSink& sink, const MotionResult& result, const Mechanism& mechanism,
+                       const std::string& file, const AngleForm& form, const Readings* readings) {
+  write_json(sink, [&](JsonWriter& report) {
+    report.members(report_head("motion", file));
+    report.member("seed", result.seed);
+    report.member("complete", result.complete);
+    report.member("message", result.message);
+    report.member("title", mechanism.title);
+    report.member("idle", idle_json(result.idle));
+    report.member("warnings", mechanism.warnings);
+    report.member("from", to_json(result.from));
+    report.member("to", to_json(result.to));
+    report.member("steps", result.times.empty() ? 0 : result.times.size() - 1);
+    report.member("units", units_json(mechanism));
+    report.list("drivers", mechanism.drivers, [](const Driver& driver) {
+      return Json{{"name", driver.name}, {"kind", to_string(driver.kind)}};
+    });
+    report.member("tracker", result.tracker.empty()
+                                 ? Json(nullptr)
+                                 : tracker_json(result.tracker, result.tracker_options));
+    report.member("paths", to_json(result.paths));
+    write_course(result, mechanism, form, readings, report);
+    if (readings != nullptr) report.member("columns", columns_json(*readings));
+    report.member("all_listed", result.all_listed);
+    report.long_list("sub_chains", result.sub_chains, [&](const MotionSubChain& part) {
+      report.member("bodies", part.chain.bodies);
+      write_course(part.motion, part.chain.mechanism, form, nullptr, report);
+    });
+    report.member("failures", result.failures);
+    report.member("left_out", to_json(result.left_out));
+    report.member("work", {{"steps", result.steps}, {"rejected", result.rejected}});
+    report.member("time_s", to_json(result.time_s));
+  });
+}
+
 std::string motion_json(const MotionResult& result, const Mechanism& mechanism,
                         const std::string& file, const AngleForm& form, const Readings* readings) {
-  Json report = report_head("motion", file);
-  report["seed"] = result.seed;
-  report["complete"] = result.complete;
-  report["message"] = result.message;
-  report["title"] = mechanism.title;
-  report["idle"] = idle_json(result.idle);
-  report["warnings"] = mechanism.warnings;
-  report["from"] = to_json(result.from);
-  report["to"] = to_json(result.to);
-  report["steps"] = result.times.empty() ? 0 : result.times.size() - 1;
-  report["units"] = units_json(mechanism);
-  report["drivers"] = list_json(mechanism.drivers, [](const Driver& driver) {
-    return Json{{"name", driver.name}, {"kind", to_string(driver.kind)}};
-  });
-  report["tracker"] =
-      result.tracker.empty() ? Json(nullptr) : tracker_json(result.tracker, result.tracker_options);
-  report["paths"] = to_json(result.paths);
-  add_course(result, mechanism, form, report);
-  if (readings != nullptr) add_readings(*readings, mechanism, form, report);
-  report["all_listed"] = result.all_listed;
-  report["sub_chains"] = list_json(
-      result.sub_chains, [&](const MotionSubChain& part) { return part_json(part, form); });
-  report["failures"] = result.failures;
-  report["left_out"] = to_json(result.left_out);
-  report["work"] = {{"steps", result.steps}, {"rejected", result.rejected}};
-  report["time_s"] = to_json(result.time_s);
-  return to_text(report);
+  std::string text;
+  write_motion_json([&text](std::string_view piece) { text += piece; }, result, mechanism, file,
+                    form, readings);
+  return text;
 }
 
 }  // namespace moivre

@@ -12,61 +12,98 @@ namespace moivre {
 namespace {
 
 /// Place and unit quaternion, its first number that is not zero positive.
-Json spatial_body_json(const Mechanism& mechanism, std::size_t body, const Eigen::VectorXd& q) {
+void add_spatial_body(const Mechanism& mechanism, std::size_t body, const Eigen::VectorXd& q,
+                      std::vector<double>& numbers) {
   constexpr Eigen::Index kSize = 6;
   const Eigen::Index at = kSize * static_cast<Eigen::Index>(body - 1);
   const Eigen::Quaterniond turn(orientation(mechanism, body, q));
-  std::array<double, 4> parts{turn.w(), turn.x(), turn.y(), turn.z()};
+  const std::array<double, 4> parts{turn.w(), turn.x(), turn.y(), turn.z()};
   const auto first = std::find_if(parts.begin(), parts.end(), [](double x) { return x != 0; });
   const double sign = first != parts.end() && *first < 0 ? -1 : 1;
-  Json quaternion = Json::array();
-  for (const double part : parts) quaternion.push_back(to_json(part == 0 ? 0 : sign * part));
-  return {{"x", to_json(q[at])},
-          {"y", to_json(q[at + 1])},
-          {"z", to_json(q[at + 2])},
-          {"q", quaternion}};
+  numbers.insert(numbers.end(), {q[at], q[at + 1], q[at + 2]});
+  for (const double part : parts) numbers.push_back(part == 0 ? 0 : sign * part);
+}
+
+Json bodies_form(const Mechanism& mechanism) {
+  Json form = Json::object();
+  if (is_typed(mechanism)) return form;
+  if (mechanism.space == Space::spatial) {
+    for (std::size_t body = 1; body < mechanism.bodies.size(); ++body) {
+      form[mechanism.bodies[body].name] = {
+          {"x", nullptr}, {"y", nullptr}, {"z", nullptr}, {"q", Json::array_t(4)}};
+    }
+    return form;
+  }
+  for (const Coordinate& coordinate : coordinates(mechanism)) {
+    const std::string& body = mechanism.bodies[coordinate.group + 1].name;
+    form[body][coordinate.name.substr(body.size() + 1)] = nullptr;
+  }
+  return form;
+}
+
+/// In the order of the form.
+std::vector<double> body_numbers(const Mechanism& mechanism, const Eigen::VectorXd& q) {
+  std::vector<double> numbers;
+  if (is_typed(mechanism)) return numbers;
+  if (mechanism.space == Space::planar) return {q.begin(), q.end()};
+  for (std::size_t body = 1; body < mechanism.bodies.size(); ++body) {
+    add_spatial_body(mechanism, body, q, numbers);
+  }
+  return numbers;
+}
+
+std::size_t axes_of(const Mechanism& mechanism) { return mechanism.space == Space::planar ? 2 : 3; }
+
+Json points_form(const Mechanism& mechanism) {
+  const std::size_t axes = axes_of(mechanism);
+  Json form = Json::object();
+  for (std::size_t body = 1; body < mechanism.bodies.size(); ++body) {
+    for (const BodyPoint& point : mechanism.bodies[body].points) {
+      form[mechanism.bodies[body].name + "." + point.name] = Json::array_t(axes);
+    }
+  }
+  return form;
+}
+
+/// In the order of the form.
+std::vector<double> point_numbers(const Mechanism& mechanism, const Eigen::VectorXd& q) {
+  const auto axes = static_cast<Eigen::Index>(axes_of(mechanism));
+  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(q.size());
+  std::vector<double> numbers;
+  for (const PointState& at : point_states(mechanism, q, rest, rest)) {
+    numbers.insert(numbers.end(), at.position.begin(), at.position.begin() + axes);
+  }
+  return numbers;
 }
 
 }  // namespace
 
+void refill(Json& tree, const Eigen::VectorXd& numbers) {
+  refill(tree, std::span<const double>(numbers.data(), static_cast<std::size_t>(numbers.size())));
+}
+
+Json coordinates_form(const Mechanism& mechanism) {
+  Json form = Json::object();
+  for (const Coordinate& coordinate : coordinates(mechanism)) form[coordinate.name] = nullptr;
+  return form;
+}
+
+PoseJson::PoseJson(const Mechanism& mechanism)
+    : mechanism_(mechanism),
+      pose_{{"coordinates", coordinates_form(mechanism)},
+            {"bodies", bodies_form(mechanism)},
+            {"points", points_form(mechanism)}} {}
+
+const Json& PoseJson::read(const Eigen::VectorXd& q) {
+  refill(pose_["coordinates"], q);
+  refill(pose_["bodies"], body_numbers(mechanism_, q));
+  refill(pose_["points"], point_numbers(mechanism_, q));
+  return pose_;
+}
+
 Json coordinates_json(const Mechanism& mechanism, const Eigen::VectorXd& q) {
-  Json json = Json::object();
-  Eigen::Index k = 0;
-  for (const Coordinate& coordinate : coordinates(mechanism)) {
-    json[coordinate.name] = to_json(q[k++]);
-  }
-  return json;
-}
-
-Json bodies_json(const Mechanism& mechanism, const Eigen::VectorXd& q) {
-  Json json = Json::object();
-  if (is_typed(mechanism)) return json;
-  const std::vector<Coordinate> names = coordinates(mechanism);
-  if (mechanism.space == Space::spatial) {
-    for (std::size_t body = 1; body < mechanism.bodies.size(); ++body) {
-      json[mechanism.bodies[body].name] = spatial_body_json(mechanism, body, q);
-    }
-    return json;
-  }
-  for (Eigen::Index k = 0; k < q.size(); ++k) {
-    const Coordinate& coordinate = names[static_cast<std::size_t>(k)];
-    const std::string& body = mechanism.bodies[coordinate.group + 1].name;
-    json[body][coordinate.name.substr(body.size() + 1)] = to_json(q[k]);
-  }
-  return json;
-}
-
-Json points_json(const Mechanism& mechanism, const Eigen::VectorXd& q) {
-  Json json = Json::object();
-  const bool is_spatial = mechanism.space == Space::spatial;
-  for (std::size_t body = 1; body < mechanism.bodies.size(); ++body) {
-    for (std::size_t k = 0; k < mechanism.bodies[body].points.size(); ++k) {
-      const Eigen::Vector3d r = point_position(mechanism, {body, k}, q);
-      Json at = Json::array({to_json(r.x()), to_json(r.y())});
-      if (is_spatial) at.push_back(to_json(r.z()));
-      json[mechanism.bodies[body].name + "." + mechanism.bodies[body].points[k].name] = at;
-    }
-  }
+  Json json = coordinates_form(mechanism);
+  refill(json, q);
   return json;
 }
 

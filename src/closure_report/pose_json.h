@@ -8,12 +8,28 @@
 
 namespace moivre {
 
+/// As refill of json.h.
+void refill(Json& tree, const Eigen::VectorXd& numbers);
+
+/// {"crank.phi": null, ...}: to be filled with q.
+Json coordinates_form(const Mechanism& mechanism);
+
+/// Poses of one mechanism, one after another: names are made once, numbers for each pose.
+class PoseJson {
+ public:
+  /// `mechanism` must outlive it.
+  explicit PoseJson(const Mechanism& mechanism);
+  /// {"coordinates": {"crank.phi": 0.52, ...}, "bodies": {"crank": {"x":.., "y":.., "phi":..}, ...}, "points": {"crank.B": [x, y],
+  /// ...}}, of every point of a moving body; the last two are {} for typed equations. It stands until the next pose is read.
+  const Json& read(const Eigen::VectorXd& q);
+
+ private:
+  const Mechanism& mechanism_;
+  Json pose_;
+};
+
 /// {"crank.phi": 0.52, ...}.
 Json coordinates_json(const Mechanism& mechanism, const Eigen::VectorXd& q);
-/// {"crank": {"x":.., "y":.., "phi":..}}, {} for typed equations.
-Json bodies_json(const Mechanism& mechanism, const Eigen::VectorXd& q);
-/// {"crank.B": [x, y]} of every point of a moving body, {} for typed equations.
-Json points_json(const Mechanism& mechanism, const Eigen::VectorXd& q);
 
 /// {"body": .., "joint": .., "held": ..}
 Json idle_json(const std::vector<IdleJoint>& idle);

@@ -21,6 +21,11 @@ std::vector<Jet> jets_of(const VectorXd& q, const VectorXd& qdot, const VectorXd
   return jets;
 }
 
+PointState point_at(const Mechanism& mechanism, const PointOf& point, const At<Jet>& at) {
+  const auto r = position_jet(mechanism, point, at);
+  return {{r.x.f, r.y.f, r.z.f}, {r.x.d, r.y.d, r.z.d}, {r.x.dd, r.y.dd, r.z.dd}};
+}
+
 ScalarState state_of(const Jet& jet) { return {jet.f, jet.d, jet.dd}; }
 
 }  // namespace
@@ -28,8 +33,19 @@ ScalarState state_of(const Jet& jet) { return {jet.f, jet.d, jet.dd}; }
 PointState point_state(const Mechanism& mechanism, const PointOf& point, const VectorXd& q,
                        const VectorXd& qdot, const VectorXd& qddot) {
   const std::vector<Jet> jets = jets_of(q, qdot, qddot);
-  const auto r = position_jet(mechanism, point, {jets, Jet(0)});
-  return {{r.x.f, r.y.f, r.z.f}, {r.x.d, r.y.d, r.z.d}, {r.x.dd, r.y.dd, r.z.dd}};
+  return point_at(mechanism, point, {jets, Jet(0)});
+}
+
+std::vector<PointState> point_states(const Mechanism& mechanism, const VectorXd& q,
+                                     const VectorXd& qdot, const VectorXd& qddot) {
+  const std::vector<Jet> jets = jets_of(q, qdot, qddot);
+  std::vector<PointState> states;
+  for (std::size_t body = 1; body < mechanism.bodies.size(); ++body) {
+    for (std::size_t k = 0; k < mechanism.bodies[body].points.size(); ++k) {
+      states.push_back(point_at(mechanism, {body, k}, {jets, Jet(0)}));
+    }
+  }
+  return states;
 }
 
 Vector3d point_position(const Mechanism& mechanism, const PointOf& point, const VectorXd& q) {

@@ -2,24 +2,42 @@
 // The common parts of the JSON reports.
 #include "moivre/report/json.h"
 
-#include <charconv>
 #include <cmath>
 
+#include "moivre/report/json_writer.h"
 #include "moivre/report/version.h"
 
 namespace moivre {
 namespace {
 
-std::string on_one_line(const Json& value) {
-  return value.dump(-1, ' ', false, Json::error_handler_t::replace);
+/// `x`: the solution's. It comes last: a tree that grows copies what it has.
+Json solution_json(const Solution& solution, Json x) {
+  Json json{{"path", solution.path},
+            {"x", nullptr},
+            {"real", solution.real},
+            {"singular", solution.singular},
+            {"multiplicity", solution.multiplicity},
+            {"winding", solution.winding.empty() ? Json(nullptr) : Json(solution.winding)},
+            {"residual", to_json(solution.residual)},
+            {"accuracy", to_json(solution.accuracy)},
+            {"condition", to_json(solution.condition)},
+            {"precision", to_string(solution.precision)},
+            {"certified", solution.certified ? Json(*solution.certified) : Json()}};
+  json["x"] = std::move(x);
+  return json;
 }
 
-bool is_list_of_objects(const Json& value) {
-  return value.is_array() && !value.empty() && value.front().is_object();
+/// Behind the numbers that `tree` took.
+const double* refilled(Json& tree, const double* number) {
+  if (!tree.is_structured()) {
+    tree = to_json(*number);
+    return number + 1;
+  }
+  for (Json& part : tree) number = refilled(part, number);
+  return number;
 }
 
 }  // namespace
-
 Json to_json(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
 
 Json to_json(Complex x) { return Json::array({to_json(x.real()), to_json(x.imag())}); }
@@ -54,19 +72,7 @@ Json work_json(const StepCount& work) {
           {"factorizations", work.work.factorizations}};
 }
 
-Json to_json(const Solution& solution) {
-  return {{"path", solution.path},
-          {"x", to_json(solution.x)},
-          {"real", solution.real},
-          {"singular", solution.singular},
-          {"multiplicity", solution.multiplicity},
-          {"winding", solution.winding.empty() ? Json(nullptr) : Json(solution.winding)},
-          {"residual", to_json(solution.residual)},
-          {"accuracy", to_json(solution.accuracy)},
-          {"condition", to_json(solution.condition)},
-          {"precision", to_string(solution.precision)},
-          {"certified", solution.certified ? Json(*solution.certified) : Json()}};
-}
+Json to_json(const Solution& solution) { return solution_json(solution, to_json(solution.x)); }
 
 Json to_json(const MetBound& bound) { return {{"kind", bound.kind}, {"value", bound.value}}; }
 
@@ -135,26 +141,24 @@ Json report_head(const std::string& command, const std::string& file) {
   return {{"moivre", std::string(version())}, {"command", command}, {"file", file}};
 }
 
-std::string to_text(const Json& report) {
-  std::string text = "{";
-  const char* comma = "";
-  for (const auto& [key, value] : report.items()) {
-    text += comma;
-    text += "\n  " + on_one_line(Json(key)) + ": ";
-    comma = ",";
-    if (!is_list_of_objects(value)) {
-      text += on_one_line(value);
-      continue;
-    }
-    text += '[';
-    const char* separator = "\n    ";
-    for (const Json& element : value) {
-      text += separator + on_one_line(element);
-      separator = ",\n    ";
-    }
-    text += "\n  ]";
+void refill(Json& tree, std::span<const double> numbers) { refilled(tree, numbers.data()); }
+
+const Json& SolutionJson::read(const Solution& solution) {
+  Json x = std::move(solution_["x"]);
+  if (x.size() != solution.x.size()) {
+    x = to_json(solution.x);
+  } else {
+    refilled(x, reinterpret_cast<const double*>(solution.x.data()));  // [complex.numbers]: re, im
   }
-  return text + "\n}\n";
+  solution_ = solution_json(solution, std::move(x));
+  return solution_;
+}
+
+std::string to_text(const Json& report) {
+  std::string text;
+  write_json([&text](std::string_view piece) { text += piece; },
+             [&report](JsonWriter& writer) { writer.members(report); });
+  return text;
 }
 
 }  // namespace moivre

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Does the program lose nothing when it is stopped, when it cannot write, and when it is called carelessly?
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <csignal>
 #include <filesystem>
@@ -20,6 +21,26 @@ using Json = nlohmann::json;
 std::string rest_of(std::ifstream& stream) {
   return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
+
+/// No file of this process and its children grows beyond so many bytes.
+class FileLimit {
+ public:
+  explicit FileLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    ::getrlimit(RLIMIT_FSIZE, &old_);
+    const rlimit limit{bytes, old_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FileLimit() {
+    ::setrlimit(RLIMIT_FSIZE, &old_);
+    std::signal(SIGXFSZ, handler_);
+  }
+  FileLimit(const FileLimit&) = delete;
+  FileLimit& operator=(const FileLimit&) = delete;
+
+ private:
+  void (*handler_)(int);
+  rlimit old_ = {};
+};
 
 void interrupt_soon(int process) {
   ASSERT_TRUE(catches_interrupt(process));
@@ -48,6 +69,20 @@ TEST(Robustness, PutsAWholeFileInTheOldOnesPlace) {
   EXPECT_EQ(scene.run({"solve", "f.phc", "--json", "old.json"}).exit_code, 0);
   EXPECT_EQ(rest_of(old), "what was there");
   EXPECT_EQ(Json::parse(scene.read("old.json"))["paths"]["finite"], 4);
+  EXPECT_FALSE(contains(scene.listing(), ".moivre-")) << scene.listing();
+}
+
+TEST(Robustness, LeavesTheOldFileWhereALongOneCannotBeFinished) {
+  constexpr rlim_t kBytes = 1 << 20;  // the motion has four times as many
+  Scene scene;
+  scene.write("motion.json", "what was there");
+  const FileLimit limit(kBytes);
+  const Outcome outcome =
+      scene.run({"motion", std::string(MOIVRE_SOURCE_DIR) + "/problems/mechanisms/four-bar.toml",
+                 "--steps", "1000", "--json", "motion.json", "--quiet"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_EQ(outcome.err, "moivre: cannot write motion.json: File too large\n");
+  EXPECT_EQ(scene.read("motion.json"), "what was there");
   EXPECT_FALSE(contains(scene.listing(), ".moivre-")) << scene.listing();
 }
 
@@ -195,8 +230,11 @@ TEST(Robustness, SaysBeforehandThatSamplesWouldNotFitIntoMemory) {
       {"motion", four_bar, "--steps", "1000000", "--json", "motion.json", "--csv", "motion.csv"});
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_EQ(outcome.err,
-            "moivre: --json: 1000000 steps would not fit into memory; take 37037 at most\n"
+            "moivre: --json: 1000000 steps would not fit into memory; take 370370 at most\n"
             "moivre: --csv: 1000000 steps would not fit into memory; take 370370 at most\n");
+  const Outcome page = scene.run({"motion", four_bar, "--steps", "1000000", "--html", "m.html"});
+  EXPECT_EQ(page.err,
+            "moivre: --html: 1000000 steps would not fit into memory; take 37037 at most\n");
 }
 
 TEST(Robustness, NamesACountBeyondSixtyFourBitsByWhatIsKnown) {

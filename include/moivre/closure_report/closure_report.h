@@ -11,6 +11,7 @@
 
 #include "moivre/closure_report/angles.h"
 #include "moivre/closures/closures.h"
+#include "moivre/report/text_sink.h"
 
 namespace moivre {
 
@@ -18,7 +19,11 @@ struct Sensitivities;
 
 std::string closures_text(const ClosureResult& result, const Mechanism& mechanism,
                           const std::string& file);
-/// `sensitivities` (sensitivity_report.h) are told where they are given.
+/// `sensitivities` (sensitivity_report.h) are told where they are given. One closure at a time is held as JSON.
+void write_closures_json(const TextSink& sink, const ClosureResult& result,
+                         const Mechanism& mechanism, const std::string& file,
+                         const Sensitivities* sensitivities = nullptr);
+/// The same as one text.
 std::string closures_json(const ClosureResult& result, const Mechanism& mechanism,
                           const std::string& file, const Sensitivities* sensitivities = nullptr);
 std::string closures_csv(const ClosureResult& result, const Mechanism& mechanism,

@@ -13,6 +13,7 @@
 
 #include "moivre/closure_report/angles.h"
 #include "moivre/motion/motion.h"
+#include "moivre/report/text_sink.h"
 
 namespace moivre {
 
@@ -20,7 +21,12 @@ struct Readings;
 
 std::string motion_text(const MotionResult& result, const Mechanism& mechanism,
                         const std::string& file);
-/// Angles in radians; `form` says whether they go on. `readings` (readings_report.h) are told where they are given.
+/// Angles in radians; `form` says whether they go on. `readings` (readings_report.h) are told where they are given. One sample at
+/// a time is held as JSON.
+void write_motion_json(const TextSink& sink, const MotionResult& result, const Mechanism& mechanism,
+                       const std::string& file, const AngleForm& form = {},
+                       const Readings* readings = nullptr);
+/// The same as one text.
 std::string motion_json(const MotionResult& result, const Mechanism& mechanism,
                         const std::string& file, const AngleForm& form = {},
                         const Readings* readings = nullptr);

@@ -22,6 +22,10 @@ struct PointState {
 PointState point_state(const Mechanism& mechanism, const PointOf& point, const Eigen::VectorXd& q,
                        const Eigen::VectorXd& qdot, const Eigen::VectorXd& qddot);
 
+/// Of every point of the moving bodies: body after body, point after point.
+std::vector<PointState> point_states(const Mechanism& mechanism, const Eigen::VectorXd& q,
+                                     const Eigen::VectorXd& qdot, const Eigen::VectorXd& qddot);
+
 Eigen::Vector3d point_position(const Mechanism& mechanism, const PointOf& point,
                                const Eigen::VectorXd& q);
 

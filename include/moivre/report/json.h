@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,19 @@ Json list_json(const List& list, Element element) {
   for (const auto& item : list) array.push_back(element(item));
   return array;
 }
+
+/// Puts numbers in the places of the numbers and nulls of a tree, in order, as many as it has: the same names with other numbers.
+void refill(Json& tree, std::span<const double> numbers);
+
+/// Solutions of one system, one after another: room for the coordinates is made once.
+class SolutionJson {
+ public:
+  /// It stands until the next solution is read.
+  const Json& read(const Solution& solution);
+
+ private:
+  Json solution_;
+};
 
 /// {"moivre": version, "command": command, "file": file}: how every report begins.
 Json report_head(const std::string& command, const std::string& file);
