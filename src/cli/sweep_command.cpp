@@ -102,11 +102,11 @@ int run(const SweepCommand& command) {
                                    options, interruption.stop());
   if (!interruption.stop()) families.keep();
   deliver(
-      {{&json, [&] { return sweep_json(result, command.file); }},
+      {{&json, [&] { return sweep_json(result, command.file, mechanism.warnings); }},
        {&csv, [&] { return sweep_csv(result); }},
        {&svg, [&] { return sweep_svg(result, command.file); }},
        {&html, [&] { return sweep_html(result, mechanism, command.file); }}},
-      command.quiet, [&] { return sweep_text(result, command.file); },
+      command.quiet, [&] { return sweep_text(result, command.file, mechanism.warnings); },
       result.complete ? "" : "some samples are not decided");
   return result.complete ? kDecided : kUndecided;
 }

@@ -36,7 +36,7 @@ std::string closures_svg(const ClosureResult& result, const Mechanism& mechanism
                          const std::string& file, Views views) {
   Sheet sheet;
   sheet.views = views;
-  sheet.title = mechanism.title.empty() ? file : mechanism.title;
+  sheet.title = picture_title(mechanism, file);
   sheet.summary = summary(result, mechanism);
   for (const Closure& closure : result.closures) {
     sheet.panels.push_back({caption(closure), closure.q});

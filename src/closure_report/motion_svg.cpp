@@ -171,7 +171,7 @@ class MotionPicture {
 
 std::string motion_svg(const MotionResult& result, const Mechanism& mechanism,
                        const std::string& file) {
-  const std::string title = mechanism.title.empty() ? file : mechanism.title;
+  const std::string title = picture_title(mechanism, file);
   if (all_poses(mechanism, result).empty()) {
     return svg_document(kNarrowestMotion, 4 * kLegendLine, title,
                         text_svg({kMotionMargin, 2 * kLegendLine}, "start", "title", title) +

@@ -405,7 +405,7 @@ std::string motion_html(const MotionResult& result, const Mechanism& mechanism,
                         const std::string& file, const Readings* readings) {
   Page page;
   if (readings != nullptr) page.columns = page_columns(*readings, result, mechanism);
-  page.title = mechanism.title.empty() ? file : mechanism.title;
+  page.title = picture_title(mechanism, file);
   page.summary = counted(result.branches.size(), "branch", "branches") +
                  " from t = " + short_text(result.from) + " s to " + short_text(result.to) + " s";
   if (!result.checkpoints.empty()) {
@@ -435,7 +435,7 @@ std::string closures_html(const ClosureResult& result, const Mechanism& mechanis
                           const std::string& file) {
   const std::string summary = counts_text(result.counts) + "; " + result.message;
   if (mechanism.space == Space::spatial) {
-    Sheet sheet{mechanism.title.empty() ? file : mechanism.title, summary, {}};
+    Sheet sheet{picture_title(mechanism, file), summary, {}};
     sheet.view.has_arrows = true;
     for (const Closure& closure : result.closures) {
       sheet.panels.push_back({closure.id, closure.q});
@@ -445,7 +445,7 @@ std::string closures_html(const ClosureResult& result, const Mechanism& mechanis
     return turning_html(sheet, mechanism);
   }
   Page page;
-  page.title = mechanism.title.empty() ? file : mechanism.title;
+  page.title = picture_title(mechanism, file);
   page.summary = summary;
   page.from = page.to = result.time;
   for (const Closure& closure : result.closures) {

@@ -3,6 +3,7 @@
 #include "panels.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <numbers>
 #include <stdexcept>
 
@@ -161,6 +162,11 @@ void require_spatial(const Mechanism& mechanism) {
   if (mechanism.space == Space::spatial && !is_typed(mechanism)) return;
   throw std::invalid_argument(
       "three views are for spatial mechanisms and robots; this one has a single view");
+}
+
+std::string picture_title(const Mechanism& mechanism, const std::string& file) {
+  return mechanism.title.empty() ? std::filesystem::path(file).filename().string()
+                                 : mechanism.title;
 }
 
 std::string sheet_svg(const Sheet& sheet, const Mechanism& mechanism) {

@@ -14,6 +14,7 @@
 #include "assemblies_text.h"
 #include "moivre/closure_report/document.h"
 #include "moivre/closure_report/drawing.h"
+#include "moivre/closure_report/sheet.h"
 #include "moivre/expression/counted.h"
 #include "moivre/mechanism/closure_id.h"
 #include "moivre/mechanism/dimensions.h"
@@ -224,7 +225,7 @@ std::string sliders_html(const SweepResult& result, const Shown& shown) {
 
 std::string sweep_html(const SweepResult& result, const Mechanism& mechanism,
                        const std::string& file) {
-  const std::string title = mechanism.title.empty() ? file : mechanism.title;
+  const std::string title = picture_title(mechanism, file);
   const Shown shown = shown_of(result);
   const std::vector<const SweepSample*> samples = samples_of(result, shown);
   Json data{{"plot", {kPlotLeft, kPlotTop, kPlotRight, kPlotBottom}},

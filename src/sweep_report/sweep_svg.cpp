@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A sweep as a picture: a curve of counts, or a map of them with its borders.
 #include <algorithm>
+#include <filesystem>
 #include <set>
 #include <utility>
 
@@ -331,7 +332,8 @@ std::string map_svg(const SweepResult& result, const std::string& title) {
 
 }  // namespace
 
-std::string sweep_svg(const SweepResult& result, const std::string& title) {
+std::string sweep_svg(const SweepResult& result, const std::string& file) {
+  const std::string title = std::filesystem::path(file).filename().string();
   return result.varied.size() == 1 ? curve_svg(result, title) : map_svg(result, title);
 }
 

@@ -38,13 +38,15 @@ Json sides_json(const SweepBorder& border, auto value) {
 
 }  // namespace
 
-std::string sweep_text(const SweepResult& result, const std::string& file) {
+std::string sweep_text(const SweepResult& result, const std::string& file,
+                       const std::vector<std::string>& warnings) {
   std::string text = file + ": " + counted(result.samples.size(), "sample");
   for (const Varied& number : result.varied) {
     text +=
         ", " + number.name + " from " + exact_text(number.from) + " to " + exact_text(number.to);
   }
   text += '\n';
+  for (const std::string& warning : warnings) text += "warning: " + warning + '\n';
   std::map<Assemblies, std::uint64_t> samples;
   std::uint64_t undecided = 0;
   for (const SweepSample& sample : result.samples) {
@@ -69,9 +71,11 @@ std::string sweep_text(const SweepResult& result, const std::string& file) {
   return text;
 }
 
-std::string sweep_json(const SweepResult& result, const std::string& file) {
+std::string sweep_json(const SweepResult& result, const std::string& file,
+                       const std::vector<std::string>& warnings) {
   Json report = report_head("sweep", file);
   report["complete"] = result.complete;
+  report["warnings"] = warnings;
   report["parameters"] = list_json(result.varied, [](const Varied& number) {
     return Json{{"name", number.name},
                 {"from", to_json(number.from)},

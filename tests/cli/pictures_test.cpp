@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <vector>
 
 #include "program.h"
@@ -54,6 +55,21 @@ name = "guide"
 angle = "crank"
 velocity = 360
 )";
+
+TEST(Pictures, AreTitledByTheFilesNameAndNotItsFolder) {
+  Scene scene;
+  std::filesystem::create_directory(scene.path("folder"));
+  scene.write("folder/drawn.toml", kDrawnSliderCrank);
+  const std::string file = scene.path("folder/drawn.toml");
+  scene.run({"closures", file, "--svg", "closures.svg", "--html", "closures.html"});
+  scene.run({"motion", file, "--svg", "motion.svg"});
+  scene.run({"sweep", file, "--vary", "crank=0:90:2", "--svg", "sweep.svg", "--html", "s.html"});
+  for (const char* picture :
+       {"closures.svg", "closures.html", "motion.svg", "sweep.svg", "s.html"}) {
+    EXPECT_TRUE(contains(scene.read(picture), ">drawn.toml<")) << picture;
+    EXPECT_FALSE(contains(scene.read(picture), "folder")) << picture;
+  }
+}
 
 TEST(Pictures, OfMotionsShowTheMechanismAsItIsDrawn) {
   Scene scene;

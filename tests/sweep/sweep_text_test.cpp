@@ -34,6 +34,14 @@ TEST(SweepText, TellsLimitsAndMotion) {
             "border at rod = 2.5: 2 (1 outside limits) | moves\n");
 }
 
+TEST(SweepText, TellsTheMechanismsWarnings) {
+  const std::string text = sweep_text(swept(), "file", {"body 'arm' is not tied"});
+  EXPECT_NE(text.find("rod from 1 to 3\nwarning: body 'arm' is not tied\n"), std::string::npos)
+      << text;
+  const auto json = nlohmann::json::parse(sweep_json(swept(), "file", {"body 'arm' is not tied"}));
+  EXPECT_EQ(json["warnings"], nlohmann::json({"body 'arm' is not tied"}));
+}
+
 TEST(SweepText, TellsFittedClosuresBesideTheRealOnes) {
   SweepResult result = swept();
   result.samples[0].found = {0, 0, 1, false};

@@ -33,6 +33,9 @@ struct Sheet {
   Views views = Views::standing;
 };
 
+/// The mechanism's title; where it has none, the file's name without its folder.
+std::string picture_title(const Mechanism& mechanism, const std::string& file);
+
 /// Throws std::invalid_argument, with the reason, where it has but one view.
 void require_spatial(const Mechanism& mechanism);
 

@@ -12,15 +12,20 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "moivre/sweep/sweep.h"
 
 namespace moivre {
 
-std::string sweep_text(const SweepResult& result, const std::string& file);
-std::string sweep_json(const SweepResult& result, const std::string& file);
+/// `warnings`: the mechanism's.
+std::string sweep_text(const SweepResult& result, const std::string& file,
+                       const std::vector<std::string>& warnings = {});
+std::string sweep_json(const SweepResult& result, const std::string& file,
+                       const std::vector<std::string>& warnings = {});
 std::string sweep_csv(const SweepResult& result);
-std::string sweep_svg(const SweepResult& result, const std::string& title);
+/// Titled by the file's name, without its folder.
+std::string sweep_svg(const SweepResult& result, const std::string& file);
 
 inline constexpr std::size_t kMostShown = 10'000;
 std::string sweep_html(const SweepResult& result, const Mechanism& mechanism,
