@@ -57,13 +57,17 @@ bool has_places(const toml::table& table) {
   });
 }
 
-/// Advice on tables of points that are no [body.NAME.points], where no known key was meant.
+/// Advice on tables of points that are no [body.NAME.points], where no known key was meant; [points] alone is nobody's.
 std::map<std::string, std::string> bodies_called(const toml::table& document,
                                                  const std::vector<std::string>& known) {
   std::map<std::string, std::string> called;
   for (const auto& [key, value] : document) {
     const toml::table* table = value.as_table();
     const std::string name(key.str());
+    if (name == "points") {
+      called[name] = "points stand under [ground.points] or [body.NAME.points]";
+      continue;
+    }
     if (table == nullptr || nearest_word(name, known)) continue;
     const toml::table* points = table->get_as<toml::table>("points");
     if (has_places(*table) || (points != nullptr && has_places(*points))) {

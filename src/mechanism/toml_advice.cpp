@@ -37,6 +37,15 @@ struct Stop {
     while (k > line_begin() && (text[k - 1] == ' ' || text[k - 1] == '\t')) --k;
     return k > line_begin() ? text[k - 1] : '\n';
   }
+  /// What stands around the fault without blanks, commas and brackets: the number that is read.
+  std::string_view word() const {
+    constexpr std::string_view kEnds = " \t\r\n,=[](){};#\"";
+    const std::size_t here = std::min(at, text.size());
+    const std::size_t before =
+        here == 0 ? std::string_view::npos : text.find_last_of(kEnds, here - 1);
+    const std::size_t begin = before == std::string_view::npos ? 0 : before + 1;
+    return text.substr(begin, std::min(text.find_first_of(kEnds, here), text.size()) - begin);
+  }
   /// Whether the value that begins behind the last '=' has a bracket open here.
   bool is_in_array() const {
     const std::string_view read = text.substr(0, at);
@@ -66,6 +75,7 @@ std::string comment_advice(const Stop& stop) {
 
 /// Where a number goes on with something that is none of it: an operator, a decimal comma or a unit.
 std::string number_advice(const Stop& stop) {
+  if (stop.says("leading zeroes")) return "; a number has no zeros in front: 7, not 007";
   const char c = stop.here();
   const char last = stop.before();
   if (stop.says("floating-point") && (last == '.' || (c == '.' && !is_digit(last)))) {
@@ -86,6 +96,24 @@ std::string number_advice(const Stop& stop) {
   }
   const bool is_word = is_letter(c) || static_cast<unsigned char>(c) >= 0x80U || c == '%';
   return is_word ? "; numbers stand without a unit, [units] says it once for the whole file" : "";
+}
+
+/// Where what is read is nearly a number: two signs, two points, an exponent without digits or with a point.
+std::string digits_advice(const Stop& stop) {
+  constexpr std::string_view kSigns = "+-";
+  constexpr std::string_view kPlain = "+-.0123456789";
+  const std::string_view word = stop.word();
+  if (word.size() > 1 && word.find_first_not_of(kSigns) > 1) return "; a number has one sign";
+  const std::size_t end = std::min(word.find_first_not_of(kPlain), word.size());
+  if (end == 0) return "";
+  if (end < word.size() && word[end] != 'e' && word[end] != 'E') return "";
+  const std::string_view mantissa = word.substr(0, end);
+  if (std::count(mantissa.begin(), mantissa.end(), '.') > 1) {
+    return "; a number has one decimal point";
+  }
+  const bool is_power =
+      end < word.size() && word.find_first_not_of(kPlain, end + 1) == std::string_view::npos;
+  return is_power ? "; an exponent is a whole number, as in 1e-3" : "";
 }
 
 /// Whether a formula begins here: pi, or a function's name and its bracket.
@@ -155,7 +183,8 @@ std::string advice(const Stop& stop) {
     return brackets.empty() ? "; two bodies, points or keys have one name, rename one of them"
                             : brackets;
   }
-  for (const auto& of : {comment_advice, number_advice, value_advice, key_advice, header_advice}) {
+  for (const auto& of :
+       {comment_advice, number_advice, digits_advice, value_advice, key_advice, header_advice}) {
     if (std::string found = of(stop); !found.empty()) return found;
   }
   return "";

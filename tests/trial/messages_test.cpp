@@ -117,6 +117,12 @@ TEST(SlipsOfTheHand, AreToldWhatWasMeant) {
       {"[40, 0]", "[.5, 0]", "; digits stand on both sides of the point: 0.5, 5.0"},
       {"[40, 0]", "[5., 0]", "; digits stand on both sides of the point: 0.5, 5.0"},
       {"[40, 0]", "[4.5; 0]", "; the entries of an array are parted by commas"},
+      {"[40, 0]", "[1e, 0]", "; an exponent is a whole number, as in 1e-3"},
+      {"start = 40", "start = 4e+", "; an exponent is a whole number, as in 1e-3"},
+      {"start = 40", "start = 4.5e1.5", "; an exponent is a whole number, as in 1e-3"},
+      {"[40, 0]", "[1.2.3, 0]", "; a number has one decimal point"},
+      {"[40, 0]", "[--40, 0]", "; a number has one sign"},
+      {"[40, 0]", "[040, 0]", "; a number has no zeros in front: 7, not 007"},
       {"start = 40", "start = .5", "; digits stand on both sides of the point: 0.5, 5.0"},
       {"start = 40", "start = 40;", "; a value ends with its line, without ';'"},
       {"start = 40", "start = 40 ; upright", "; comments begin with #"},
@@ -133,6 +139,7 @@ TEST(SlipsOfTheHand, AreToldWhatWasMeant) {
        "; quotes are straight, \"...\", not those of a word processor"},
       {"[ground.points]", "[ground;points]",
        "; names have letters, digits, '_' and '-', and no blanks"},
+      {"[ground.points]", "[points]", "; points stand under [ground.points] or [body.NAME.points]"},
       {"[ground.points]", "[Ground.points]", "did you mean 'ground'?"}};
   for (const auto& [right, wrong, advice] : slips) {
     const std::string said = said_of(changed("roller", right, wrong));
