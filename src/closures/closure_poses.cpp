@@ -63,14 +63,23 @@ bool has_root_nearby(const Phi& phi, const Eigen::VectorXd& q, double t) {
   return r * b < kSure * J.sigma[last] * J.sigma[last];
 }
 
+/// Whether Newton-Raphson came to a pose that satisfies spare constraints too. At rest it takes for zero what twelve digits leave; where
+/// constraints contradict each other by so little, no root is a closure, and no such pose is one.
+bool closes(const ClosureSearch& search, const NewtonResult& pose) {
+  constexpr double kRounding = 1e-13;  // beside a row's size
+  if (pose.status != NewtonStatus::converged) return false;
+  return search.phi.size() <= search.phi.dimension() ||
+         residual_by_size(search.phi, pose.q, search.options.time) <= kRounding;
+}
+
 /// Whether a pose that Newton-Raphson came to, and that is no closure found, shows that one was lost.
 bool shows_a_loss(const ClosureSearch& search, const NewtonResult& pose) {
   const auto& joints = search.mechanism.joints;
   // It may be in another meshing of the teeth than the drawn one.
   const bool has_gears = std::any_of(
       joints.begin(), joints.end(), [](const Joint& joint) { return is_transmission(joint.type); });
-  return pose.status == NewtonStatus::converged && !pose.is_singular && !search.result.moves &&
-         !has_gears && has_root_nearby(search.phi, pose.q, search.options.time) &&
+  return closes(search, pose) && !pose.is_singular && !search.result.moves && !has_gears &&
+         has_root_nearby(search.phi, pose.q, search.options.time) &&
          are_spins_as_meant(search.mechanism, pose.q) &&
          !broken_limit(search.mechanism, search.phi.canonical(pose.q));
 }
@@ -146,7 +155,7 @@ void take_fitting(ClosureSearch& search, BeyondLimits& beyond_limits) {
           return distance(search.phi, other.q, closure.q) <= kSamePose;
         });
     if (!is_known && shows_a_loss(search, least)) ++search.rootless;
-    if (least.status == NewtonStatus::converged) continue;
+    if (closes(search, least)) continue;
     if (!result.least_misfit || closure.misfit < *result.least_misfit) {
       result.least_misfit = closure.misfit;
     }

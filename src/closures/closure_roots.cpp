@@ -203,6 +203,7 @@ void solve_determined(ClosureSearch& search, const BlockStructure& structure) {
   }
   RootProver prover(search.formulation, search.wants_proofs());
   StageRun run = solve_blocks(search, search.formulation, structure.blocks, prover);
+  take_off_sets(search.formulation, run);
   const bool is_motion_shown = run.moves && run.may_move && shows_motion(search);
   if (run.moves && !search.stop && !structure.spare_equations.empty()) {
     run = solve_combined(search, run);

@@ -72,8 +72,9 @@ DualQuaternion<T> conjugate(const DualQuaternion<T>& a) {
 }
 
 /// d, behind a first number that is 0.
-inline Quaternion<double> shift_of(const DualQuaternion<double>& a) {
-  return scaled(2 / dot(a.q, a.q), product(a.g, conjugate(a.q)));
+template <class T>
+Quaternion<T> shift_of(const DualQuaternion<T>& a) {
+  return scaled(T(2) / dot(a.q, a.q), product(a.g, conjugate(a.q)));
 }
 
 /// Number k of the eight: q, then g.

@@ -15,9 +15,9 @@ constexpr std::size_t kMost = 6;
 
 class Chain {
  public:
-  /// Slides are their own unknowns where they are to be linear; else infinity is brought to a finite place.
-  Chain(SpatialFrame& frame, const RigidGroups& groups, bool has_plain_slides)
-      : frame_(frame), groups_(groups), has_plain_slides_(has_plain_slides) {}
+  /// Slides are their own unknowns where they are to be linear; else infinity is brought to a finite place. `at`: where it begins.
+  Chain(SpatialFrame& frame, const RigidGroups& groups, bool has_plain_slides, ExactPose at)
+      : frame_(frame), groups_(groups), has_plain_slides_(has_plain_slides), at_(std::move(at)) {}
 
   void follow(const Tie& tie, bool is_last) {
     const std::vector<std::string>& owners = groups_.bodies[is_last ? tie.i : tie.j];
@@ -59,7 +59,7 @@ class Chain {
   const RigidGroups& groups_;
   bool has_plain_slides_;
   std::vector<LoopElement> elements_;
-  ExactPose at_ = identity_pose();  ///< where the chain has come with all joints at rest
+  ExactPose at_;  ///< where the chain has come with all joints at rest
 };
 
 }  // namespace
@@ -91,10 +91,14 @@ std::optional<std::vector<Tie>> loop_of(const RigidGroups& groups, const Part& p
 }
 
 void add_loop(SpatialFrame& frame, const RigidGroups& groups, const std::vector<Tie>& loop) {
+  // Seen from the first joint: places far from the origin would be rounded by more, and a loop that moves would not.
+  const Quaternion<Rational> first = shift_of(loop.front().at_i);
+  const Rational half(1, 2);
+  const ExactPose origin{{1, 0, 0, 0}, {0, half * first[1], half * first[2], half * first[3]}};
   const auto followed = [&](SpatialFrame& into, bool has_plain_slides) {
-    Chain chain(into, groups, has_plain_slides);
+    Chain chain(into, groups, has_plain_slides, conjugate(origin));
     for (std::size_t k = 0; k < loop.size(); ++k) chain.follow(loop[k], k + 1 == loop.size());
-    const ExactPose whole = conjugate(shortened(chain.end()));
+    const ExactPose whole = conjugate(shortened(chain.end() * origin));
     return JointLoop{std::move(chain).take(), whole};
   };
   frame.note_rounding();

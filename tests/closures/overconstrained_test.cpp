@@ -30,6 +30,37 @@ TEST(OverconstrainedClosures, BricardsLinkageMovesInOneDirection) {
   }
 }
 
+// Rounded far from the origin it would not move, and points of its motion would be told as isolated closures.
+TEST(OverconstrainedClosures, BricardsLinkageMovesWhereverItStands) {
+  for (const Eigen::Vector3d& place :
+       {Eigen::Vector3d(12.3, -4.7, 8.1), Eigen::Vector3d(6.3, 0, 0)}) {
+    Mechanism mechanism = mechanism_file("bricard");
+    const double span = 6;
+    mechanism.bodies[0].points[0].at = place;
+    mechanism.bodies[0].points[1].at = {std::round(10 * (place.x() - span)) / 10, place.y(),
+                                        place.z()};
+    const ClosureResult result = closures_of(mechanism);
+    EXPECT_TRUE(result.complete) << result.message;
+    EXPECT_TRUE(result.moves) << place.transpose();
+    EXPECT_EQ(result.counts.complex, 0U) << place.transpose();
+  }
+}
+
+// A hinge's axis that is no fraction is rounded, and its motion with it: what is left of the motion is no isolated closure.
+TEST(OverconstrainedClosures, PointsOfARoundedMotionAreNoIsolatedClosures) {
+  Mechanism mechanism = mechanism_file("bricard");
+  const Eigen::Matrix3d turn = (Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, -1).normalized()) *
+                                Eigen::AngleAxisd(-1.1, Eigen::Vector3d::UnitX()))
+                                   .toRotationMatrix();
+  for (BodyPoint& point : mechanism.bodies[0].points) point.at = turn * point.at;
+  for (Joint& joint : mechanism.joints) {
+    for (std::size_t k = 0; k < 2; ++k) {
+      if (joint.at[k].body == 0) joint.axis[k] = turn * joint.axis[k];
+    }
+  }
+  EXPECT_EQ(closures_of(mechanism).counts.complex, 0U);
+}
+
 TEST(OverconstrainedClosures, BricardsLinkageDoesNotCloseWithOtherLengths) {
   for (const double share : {1e-2, 1e-9}) {
     const ClosureResult result = closures_of(disturbed(mechanism_file("bricard-driven"), share));
@@ -86,6 +117,20 @@ TEST(OverconstrainedClosures, CardanShaftHasTwo) {
       EXPECT_EQ(result.counts.complex, 2U) << time;
       EXPECT_EQ(result.closures.size(), 2U) << time;
     }
+  }
+}
+
+TEST(OverconstrainedClosures, CardanShaftThatMissesIsToldItsMisfit) {
+  for (const double miss : {1e-10, 1e-9, 1e-6}) {
+    Mechanism mechanism = mechanism_text(cardan_shaft("80", "60", "[4, 3, 0]"));
+    mechanism.bodies[0].points[1].at.z() = miss;
+    const ClosureResult result = closures_of(mechanism, 1, 0.1);
+    EXPECT_TRUE(result.complete) << miss << ": " << result.message;
+    EXPECT_EQ(result.counts.complex, 0U) << miss;
+    ASSERT_TRUE(result.least_misfit) << miss;
+    EXPECT_LE(*result.least_misfit, miss) << miss;
+    mechanism.fit = miss;
+    EXPECT_GE(closures_of(mechanism, 1, 0.1).counts.fitted, 1U) << miss;
   }
 }
 
