@@ -166,6 +166,45 @@ class SpinFinder {
   std::vector<std::size_t> group_;  ///< of each body
 };
 
+/// Whether a planar joint stays what it is while the body turns about this pin of it.
+bool lets_turn_in_plane(const Mechanism& mechanism, const Joint& joint, const PointOf& pin) {
+  const bool is_pinned = (joint.type == JointType::revolute && !joint.limits) ||
+                         joint.type == JointType::rod || joint.type == JointType::actuator ||
+                         (joint.type == JointType::slot && joint.at[1].body == pin.body);
+  const PointOf& own = joint.at[joint.at[0].body == pin.body ? 0 : 1];
+  const auto& points = mechanism.bodies[pin.body].points;
+  return is_pinned && points[own.point].at == points[pin.point].at;
+}
+
+/// Of the joints that touch the body, a revolute one about whose pin all let it turn.
+std::optional<std::size_t> planar_idle_joint(const Mechanism& mechanism, std::size_t body) {
+  const auto& joints = mechanism.joints;
+  const auto touches = [&](const std::vector<std::size_t>& bodies) {
+    return std::find(bodies.begin(), bodies.end(), body) != bodies.end();
+  };
+  const bool is_driven =
+      std::any_of(mechanism.drivers.begin(), mechanism.drivers.end(),
+                  [&](const Driver& driver) { return touches(bodies_of(mechanism, driver)); });
+  const auto hinge = std::find_if(joints.begin(), joints.end(), [&](const Joint& joint) {
+    return joint.type == JointType::revolute && touches(bodies_of(joint));
+  });
+  if (is_driven || hinge == joints.end()) return std::nullopt;
+  const PointOf& pin = hinge->at[hinge->at[0].body == body ? 0 : 1];
+  const bool turns = std::all_of(joints.begin(), joints.end(), [&](const Joint& joint) {
+    return !touches(bodies_of(joint)) || lets_turn_in_plane(mechanism, joint, pin);
+  });
+  if (!turns) return std::nullopt;
+  return static_cast<std::size_t>(hinge - joints.begin());
+}
+
+std::vector<IdleTurn> planar_idle_turns(const Mechanism& mechanism) {
+  std::vector<IdleTurn> turns;
+  for (std::size_t body = 1; body < mechanism.bodies.size(); ++body) {
+    if (const auto joint = planar_idle_joint(mechanism, body)) turns.push_back({body, *joint});
+  }
+  return turns;
+}
+
 }  // namespace
 
 std::vector<Spin> find_spins(const Mechanism& mechanism) {
@@ -174,7 +213,8 @@ std::vector<Spin> find_spins(const Mechanism& mechanism) {
 }
 
 std::vector<IdleTurn> find_idle_turns(const Mechanism& mechanism) {
-  if (is_typed(mechanism) || mechanism.space == Space::planar) return {};
+  if (is_typed(mechanism)) return {};
+  if (mechanism.space == Space::planar) return planar_idle_turns(mechanism);
   return SpinFinder(mechanism).idle_turns();
 }
 

@@ -107,6 +107,53 @@ TEST(Moves, NotALinkThatDanglesFromAnAssembledTriangleSinceItIsHeld) {
   EXPECT_EQ(result.idle[0].body, "tail");
 }
 
+// Each turns as it likes about a pin that all its joints share.
+TEST(Moves, NotABlockOnACranksPinThatASlotAloneLeadsSinceItIsHeld) {
+  const std::string text = R"toml([ground.points]
+O = [0, 0]
+Q = [0, -80]
+[body.crank.points]
+O = [0, 0]
+A = [30, 40]
+[body.block.points]
+A = [5, 5]
+[body.rocker.points]
+Q = [0, 0]
+[[joint]]
+type = "revolute"
+at = ["ground.O", "crank.O"]
+[[joint]]
+type = "revolute"
+at = ["ground.Q", "rocker.Q"]
+[[joint]]
+type = "revolute"
+at = ["crank.A", "block.A"]
+[[joint]]
+type = "slot"
+at = ["rocker.Q", "block.A"]
+along = [0, 1]
+[[driver]]
+angle = "crank"
+start = 0
+)toml";
+  const ClosureResult result = closures_of(mechanism_text(text));
+  EXPECT_TRUE(result.complete) << result.message;
+  EXPECT_FALSE(result.moves);
+  EXPECT_EQ(result.counts.real, 2U);
+  ASSERT_EQ(result.idle.size(), 1U);
+  EXPECT_EQ(result.idle[0].body, "block");
+
+  const std::string driven = text + "[[driver]]\nangle = \"block\"\nstart = 0\n";
+  const ClosureResult turned = closures_of(mechanism_text(driven));
+  EXPECT_EQ(turned.idle.size(), 0U);
+  EXPECT_EQ(turned.counts.real, 2U);
+  std::string led = text;
+  led.replace(led.find("\"slot\""), 6, "\"prismatic\"");
+  const ClosureResult guided = closures_of(mechanism_text(led));
+  EXPECT_EQ(guided.idle.size(), 0U);
+  EXPECT_EQ(guided.counts.real, 2U);
+}
+
 // The outer pair turns on a wheel of the inner one: held to that, it is one with it.
 TEST(Moves, NotAPairOfWheelsOnAWheelOfAPairSinceAllAreHeld) {
   std::string text = test::triangle_text("2.5");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which bodies of a spatial mechanism turn about a line while everything else stands still, and how is such a turn held?
+// Which bodies turn about a line while everything else stands still, and how is such a turn held?
 //
 // Bodies that two spherical joints alone tie to others turn about the line through the joints: the coupler of an RSSR, the leg of a
 // platform between two balls, whose slide is driven. Bodies that cannot turn against each other count as one.
@@ -9,6 +9,7 @@
 // which is no direction that anything is drawn in. Of the two solutions the one with R e on the side of e is meant.
 // A body also turns idly about the axis of a revolute or cylindrical joint that all its other joints let it turn about, as a piston with
 // a ball on its axis does. That joint's angle is free, and holding it holds the turn.
+// In a plane a body turns idly about a pin that all its joints share, as a block on a crank's pin does that a slot alone leads.
 // Edges: joints at one point, or to one and the same body, hold no line: no spin. A body with a driven point has none either, nor has one with
 // a cylinder beside the line whose length has limits.
 // Not supported: a body between a ball and a plane; several bodies that turn together, as a strut of free length between two balls does;
