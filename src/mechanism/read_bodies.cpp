@@ -312,13 +312,14 @@ std::optional<int> read_teeth(Reading& reading, const toml::node& node) {
 }
 
 void read_ratio(Reading& reading, const toml::table& entry, Joint& joint) {
-  const toml::array* ratio = reading.array(entry, "ratio");
+  const toml::node* given = entry.get("ratio");
+  const toml::array* ratio = given == nullptr ? nullptr : given->as_array();
   if (ratio != nullptr && ratio->size() == 2) {
     for (std::size_t k = 0; k < 2; ++k) {
       joint.gear.teeth[k] = read_teeth(reading, *ratio->get(k)).value_or(1);
     }
-  } else if (ratio != nullptr || !entry.contains("ratio")) {
-    reading.fault(ratio == nullptr ? static_cast<const toml::node&>(entry) : *ratio,
+  } else {
+    reading.fault(given == nullptr ? entry : *given,
                   "a gear needs 'ratio', the teeth of both wheels: ratio = [-20, 40]");
   }
 }

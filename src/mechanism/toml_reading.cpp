@@ -93,7 +93,8 @@ const toml::array* Reading::array(const toml::table& in, const std::string& key)
 std::optional<double> Reading::number(const toml::node& node, const std::string& what) {
   const auto value = node.is_number() ? node.value<double>() : std::nullopt;
   if (!value) {
-    fault(node, what + " must be a number, not " + kind_of(node));
+    const std::string advice = node.is_string() ? "; numbers stand without quotes and units" : "";
+    fault(node, what + " must be a number, not " + kind_of(node) + advice);
     return std::nullopt;
   }
   if (!std::isfinite(*value)) {

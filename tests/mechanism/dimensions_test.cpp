@@ -263,8 +263,10 @@ TEST(Tolerances, ThatMakeNoSenseAreFaultsWithTheirPlace) {
   const std::string triangle = test::triangle_text("2.5");
   const std::string from_zero = "a tolerance is how far a number may be off, up or down: from 0 up";
   expect_fault("tolerance = -0.1\n" + triangle, "1:13: error: " + from_zero);
-  expect_fault("tolerance = \"fine\"\n" + triangle,
-               "1:13: error: 'tolerance' must be a number, not a string");
+  expect_fault(
+      "tolerance = \"fine\"\n" + triangle,
+      "1:13: error: 'tolerance' must be a number, not a string; numbers stand without quotes "
+      "and units");
   expect_fault("[ground.tolerances]\nQ = 0.1\n" + triangle,
                "2:1: error: body 'ground' has no point 'Q'; known are 'O', 'P'");
   expect_fault(

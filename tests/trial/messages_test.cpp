@@ -123,6 +123,7 @@ TEST(SlipsOfTheHand, AreToldWhatWasMeant) {
       {"[40, 0]", "[1.2.3, 0]", "; a number has one decimal point"},
       {"[40, 0]", "[--40, 0]", "; a number has one sign"},
       {"[40, 0]", "[040, 0]", "; a number has no zeros in front: 7, not 007"},
+      {"start = 40", "start = \"40 deg\"", "; numbers stand without quotes and units"},
       {"start = 40", "start = .5", "; digits stand on both sides of the point: 0.5, 5.0"},
       {"start = 40", "start = 40;", "; a value ends with its line, without ';'"},
       {"start = 40", "start = 40 ; upright", "; comments begin with #"},
