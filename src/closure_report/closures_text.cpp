@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <numbers>
 
+#include "free_motion.h"
 #include "joint_values.h"
 #include "moivre/closure_report/closure_report.h"
+#include "moivre/closures/idle_joints.h"
 #include "moivre/expression/counted.h"
 #include "moivre/expression/joined.h"
 #include "moivre/report/number_text.h"
@@ -113,6 +115,17 @@ std::string sub_chains_text(const ClosureResult& result) {
   return text;
 }
 
+/// The pose that moves and, where it moves in one direction, along which coordinates.
+std::string moves_text(const ClosureResult& result, const Mechanism& mechanism) {
+  if (!result.moves) return "";
+  std::string text = "\nmoves from this pose in " + counted(result.moves->dimension, "direction") +
+                     ": " + result.moves->shown + '\n' + pose_text(mechanism, result.moves->pose);
+  if (result.moves->dimension != 1) return text;
+  const Phi phi(hold_idle(mechanism).mechanism);
+  const Eigen::VectorXd along = free_motion(phi, result.moves->pose, result.time);
+  return text + "  along: " + direction_text(along, mechanism) + '\n';
+}
+
 }  // namespace
 
 std::string closures_text(const ClosureResult& result, const Mechanism& mechanism,
@@ -121,11 +134,7 @@ std::string closures_text(const ClosureResult& result, const Mechanism& mechanis
   text += warnings_text(mechanism) + idle_text(result.idle) + answer(result) + stages_text(result);
   text += sub_chains_text(result);
   if (result.sub_chains.empty()) text += closures_text(result.closures, mechanism);
-  if (result.moves) {
-    text += "\nmoves from this pose in " + counted(result.moves->dimension, "direction") + ": " +
-            result.moves->shown + '\n' + pose_text(mechanism, result.moves->pose);
-  }
-  return text + left_out_text(result.left_out);
+  return text + moves_text(result, mechanism) + left_out_text(result.left_out);
 }
 
 }  // namespace moivre

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A mobility: counts, redundant rows by name, directions that are free.
+#include "free_motion.h"
 #include "moivre/closure_report/kinematics_report.h"
 #include "moivre/expression/counted.h"
 #include "moivre/expression/joined.h"
@@ -23,19 +24,6 @@ std::vector<std::string> names_of(const std::vector<Eigen::Index>& indices,
   std::vector<std::string> names;
   for (const Eigen::Index k : indices) names.push_back(all[static_cast<std::size_t>(k)].name);
   return names;
-}
-
-/// Entries that are not rounding noise, as "coupler.phi 0.3".
-std::string direction_text(const Eigen::VectorXd& direction, const Mechanism& mechanism) {
-  constexpr double kNoise = 1e-12;
-  const std::vector<Coordinate> names = coordinates(mechanism);
-  std::vector<std::string> parts;
-  for (Eigen::Index k = 0; k < direction.size(); ++k) {
-    if (std::abs(direction[k]) <= kNoise) continue;
-    parts.push_back(names[static_cast<std::size_t>(k)].name + " " +
-                    known_digits(direction[k], 1e-6));
-  }
-  return joined(parts, ", ");
 }
 
 std::string freedoms_text(Eigen::Index freedoms) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // A motion as JSON: the contract of docs/json.md, key by key.
 #include "circuits_report.h"
+#include "free_motion.h"
 #include "moivre/closure_report/motion_report.h"
 #include "moivre/closures/idle_joints.h"
-#include "moivre/kinematics/null_space.h"
 #include "moivre/mechanism/phi.h"
 #include "moivre/mechanism/pose.h"
 #include "moivre/report/json_writer.h"
@@ -118,15 +118,7 @@ void write_branch(const MotionBranch& branch, const Mechanism& mechanism, const 
 /// lengths beside the mechanism's). A joint's limit holds nothing else.
 Json free_motion_json(const MotionEvent& event, const Mechanism& mechanism, const Phi& phi) {
   if (event.at.kind == EventKind::joint_limit) return nullptr;
-  const auto& all = phi.coordinates();
-  Eigen::VectorXd scale(phi.dimension());
-  for (Eigen::Index k = 0; k < scale.size(); ++k) {
-    const bool is_length = all[static_cast<std::size_t>(k)].kind == CoordinateKind::length;
-    scale[k] = is_length ? phi.length() : 1;
-  }
-  const Eigen::VectorXd direction =
-      shortest_direction(phi.jacobian(event.at.q, event.at.time) * scale.asDiagonal());
-  return coordinates_json(mechanism, direction.cwiseProduct(scale));
+  return coordinates_json(mechanism, free_motion(phi, event.at.q, event.at.time));
 }
 
 Json event_json(const MotionEvent& event, const Mechanism& mechanism, const Phi& phi) {

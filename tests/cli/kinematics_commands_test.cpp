@@ -262,5 +262,19 @@ TEST_F(KinematicsCommands, ClosuresTellThatAMechanismMovesAndFromWhichPose) {
   EXPECT_EQ(report["moves"]["pose"].size(), 3U);
 }
 
+TEST_F(KinematicsCommands, ClosuresOfWhatMovesSayAlongWhichCoordinates) {
+  scene.write("free.toml", R"([ground.points]
+O = [0, 0]
+[body.crank.points]
+O = [0, 0]
+[[joint]]
+type = "revolute"
+at = ["ground.O", "crank.O"]
+)");
+  const Outcome outcome = scene.run({"closures", "free.toml"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_TRUE(has_line(outcome.out, "  along: crank.phi 1")) << outcome.out;
+}
+
 }  // namespace
 }  // namespace moivre::test
