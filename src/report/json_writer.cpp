@@ -26,7 +26,7 @@ void JsonWriter::member(std::string_view key, const Json& value) {
     close();
     return;
   }
-  this->key(key);
+  write_key(key);
   text_ += on_one_line(value);
   send_piece();
 }
@@ -47,7 +47,7 @@ void JsonWriter::open(char opening, char closing) {
 }
 
 void JsonWriter::open_list(std::string_view key) {
-  this->key(key);
+  write_key(key);
   open('[', ']');
 }
 
@@ -72,7 +72,7 @@ void JsonWriter::separate() {
   if (depth <= kLevelsInLines) text_ += '\n' + std::string(2 * depth, ' ');
 }
 
-void JsonWriter::key(std::string_view key) {
+void JsonWriter::write_key(std::string_view key) {
   separate();
   text_ += on_one_line(Json(key)) + (levels_.size() == 1 ? ": " : ":");
 }

@@ -5,7 +5,6 @@
 // one line. Text goes on in pieces of some tens of kilobytes. For modules that report. Including it needs nlohmann-json.
 #pragma once
 
-#include <cstddef>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -59,7 +58,7 @@ class JsonWriter {
   void add_element(const Json& value);
   void close();
   void separate();
-  void key(std::string_view key);
+  void write_key(std::string_view key);
   void send_piece();
 
   const TextSink& sink_;
