@@ -77,6 +77,24 @@ std::map<std::string, std::string> bodies_called(const toml::table& document,
   return called;
 }
 
+/// The section of the first point where every point of the file has three coordinates; nullptr elsewhere.
+const toml::node* drawn_in_space(const toml::table& document) {
+  std::vector<const toml::table*> sections{document["ground"]["points"].as_table()};
+  if (const toml::table* bodies = document["body"].as_table()) {
+    for (const auto& [name, body] : *bodies) {
+      if (body.is_table()) sections.push_back((*body.as_table())["points"].as_table());
+    }
+  }
+  std::erase(sections, nullptr);
+  const bool is_spatial = std::all_of(sections.begin(), sections.end(), [](const auto* points) {
+    return std::all_of(points->begin(), points->end(), [](const auto& point) {
+      const toml::array* at = point.second.as_array();
+      return at != nullptr && at->size() == 3;
+    });
+  });
+  return is_spatial && !sections.empty() && !sections.front()->empty() ? sections.front() : nullptr;
+}
+
 void read_header(Reading& reading, const toml::table& document, Mechanism& mechanism) {
   const std::vector<std::string> known{"title",    "space",     "units",    "ground", "body",
                                        "joint",    "driver",    "guess",    "fit",    "tolerance",
@@ -90,6 +108,13 @@ void read_header(Reading& reading, const toml::table& document, Mechanism& mecha
   mechanism.tolerance = read_tolerance(reading, document);
   const std::string space = read_word(reading, document, "space", {"planar", "spatial"}, "planar");
   mechanism.space = space == "spatial" ? Space::spatial : Space::planar;
+  const toml::node* spatial = document.contains("space") ? nullptr : drawn_in_space(document);
+  if (spatial != nullptr) {
+    reading.fault(*spatial,
+                  "every point has three coordinates; write space = \"spatial\" above "
+                  "the first section");
+    mechanism.space = Space::spatial;
+  }
   if (const toml::table* units = reading.table(document, "units")) {
     reading.check_keys(*units, {"length", "angle"}, "[units]");
     mechanism.units.length = read_word(reading, *units, "length", kLengthUnits, "");
