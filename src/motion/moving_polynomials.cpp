@@ -2,20 +2,25 @@
 // Formulations at Chebyshev's nodes, and the series through them.
 #include "moving_polynomials.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace moivre {
 namespace {
 
+using Eigen::Index;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kFewestNodes = 8;
 constexpr int kMostNodes = 32;
-// With the fewest nodes a smooth coefficient's last terms are this small already, beside the largest coefficient of its row.
+// With the fewest nodes a smooth coefficient's last terms are this small already, beside the largest coefficient of its rows.
 constexpr double kSmooth = 1e-3;
-// A stretch so much shorter is not halved again: there is a corner in it. Spatial ones are not halved, their formulations take long.
+// A stretch so much shorter is not halved again: there is a corner in it.
 constexpr int kMostHalvings = 5;
-// Beside the largest coefficient of its row: what the series leaves out is rounding.
+// Beside the largest coefficient of its rows: what the series leaves out is rounding.
 constexpr double kRoundingOfSeries = 3e-14;
 
 /// Values at cos(pi j / n), j = 0 .. n, to the coefficients of Chebyshev's polynomials.
@@ -33,17 +38,6 @@ std::vector<std::vector<Complex>> chebyshev(const std::vector<std::vector<Comple
     }
   }
   return series;
-}
-
-/// Whether the last two terms are no more than `most`, beside the sizes.
-bool has_fallen(const std::vector<std::vector<Complex>>& series, const std::vector<double>& sizes,
-                double most) {
-  for (std::size_t k = series.size() - 2; k < series.size(); ++k) {
-    for (std::size_t c = 0; c < sizes.size(); ++c) {
-      if (!(std::abs(series[k][c]) <= most * sizes[c])) return false;
-    }
-  }
-  return true;
 }
 
 bool has_same_unknowns(const Formulation& a, const Formulation& b) {
@@ -84,6 +78,27 @@ MovingPolynomials::MovingPolynomials(const Mechanism& mechanism, std::vector<dou
       }
     }
   }
+  find_groups();
+}
+
+/// Rows of one name with the same monomials.
+void MovingPolynomials::find_groups() {
+  const auto monomials = [](const std::map<Monomial, std::size_t>& numbers) {
+    std::vector<Monomial> all;
+    for (const auto& [monomial, number] : numbers) all.push_back(monomial);
+    return all;
+  };
+  for (std::size_t row = 0; row < rows_.size(); ++row) {
+    const auto known = std::find_if(groups_.begin(), groups_.end(), [&](const Group& group) {
+      return formulation_.equation_names[group.front()] == formulation_.equation_names[row] &&
+             monomials(number_[group.front()]) == monomials(number_[row]);
+    });
+    if (known == groups_.end()) {
+      groups_.push_back({row});
+    } else {
+      known->push_back(row);
+    }
+  }
 }
 
 std::optional<std::vector<ComplexDoubleDouble>> MovingPolynomials::coefficients(double t) const {
@@ -105,101 +120,147 @@ std::optional<std::vector<ComplexDoubleDouble>> MovingPolynomials::coefficients(
   return c;
 }
 
-/// Of each row the number of its largest coefficient; terms_ of a row without terms.
-std::vector<std::size_t> MovingPolynomials::largest_terms(const std::vector<Complex>& c) const {
-  std::vector<std::size_t> largest;
-  for (const std::vector<MovingTerm>& row : rows_) {
-    largest.push_back(row.empty() ? terms_ : row.front().number);
-    for (const MovingTerm& term : row) {
-      if (std::abs(c[term.number]) > std::abs(c[largest.back()])) largest.back() = term.number;
+/// One row each, its monomials in their order.
+Eigen::MatrixXcd MovingPolynomials::rows_of(const Group& group,
+                                            const std::vector<Complex>& c) const {
+  Eigen::MatrixXcd rows(static_cast<Index>(group.size()),
+                        static_cast<Index>(number_[group.front()].size()));
+  for (Index row = 0; row < rows.rows(); ++row) {
+    Index column = 0;
+    for (const auto& [monomial, number] : number_[group[static_cast<std::size_t>(row)]]) {
+      rows(row, column++) = c[number];
     }
   }
-  return largest;
+  return rows;
 }
 
-void MovingPolynomials::divide_rows(const std::vector<std::size_t>& divisors,
-                                    std::vector<Complex>& c) const {
-  for (std::size_t row = 0; row < rows_.size(); ++row) {
-    if (rows_[row].empty()) continue;
-    const Complex divisor = c[divisors[row]];
-    for (const MovingTerm& term : rows_[row]) c[term.number] /= divisor;
+/// (R M^H)^-1, the rows of M of length 1.
+Eigen::MatrixXcd MovingPolynomials::to_span(const Group& group, const std::vector<Complex>& c,
+                                            const std::vector<Complex>& middle) const {
+  const Eigen::MatrixXcd M = rows_of(group, middle).rowwise().normalized();
+  return (rows_of(group, c) * M.adjoint()).inverse();
+}
+
+template <class Number>
+void MovingPolynomials::replace_rows(const Group& group, const Eigen::MatrixXcd& by,
+                                     std::vector<Number>& c) const {
+  for (const auto& [monomial, first] : number_[group.front()]) {
+    std::vector<Number> column;
+    for (const std::size_t row : group) column.push_back(c[number_[row].at(monomial)]);
+    for (std::size_t i = 0; i < group.size(); ++i) {
+      Number sum = 0.0;
+      for (std::size_t k = 0; k < group.size(); ++k) {
+        sum += product(Number(by(static_cast<Index>(i), static_cast<Index>(k))), column[k]);
+      }
+      c[number_[group[i]].at(monomial)] = sum;
+    }
   }
 }
 
-std::optional<std::vector<ComplexDoubleDouble>> MovingPolynomials::sharply_at(double t) const {
-  const Stretch& here = stretch_at(t);
-  auto c = here.series.empty() ? std::nullopt : coefficients(t);
+/// How large the last two terms of the series are, beside the largest coefficient of the rows.
+double MovingPolynomials::last_share(const Group& group,
+                                     const std::vector<std::vector<Complex>>& series,
+                                     const std::vector<std::vector<Complex>>& nodes) const {
+  double size = 1;
+  for (const auto& node : nodes) {
+    size = std::max(size, rows_of(group, node).cwiseAbs().maxCoeff());
+  }
+  double last = 0;
+  for (std::size_t k = series.size() - 2; k < series.size(); ++k) {
+    const Eigen::MatrixXcd rows = rows_of(group, series[k]);
+    last = rows.allFinite() ? std::max(last, rows.cwiseAbs().maxCoeff()) : kInfinity;
+  }
+  return last / size;
+}
+
+std::optional<std::vector<ComplexDoubleDouble>> MovingPolynomials::sharply_at(
+    double t, const std::vector<std::size_t>& rows) const {
+  const Stretch* here = stretch_at(t, rows);
+  auto c = here == nullptr ? std::nullopt : coefficients(t);
   if (!c) return std::nullopt;
-  for (std::size_t row = 0; row < rows_.size(); ++row) {
-    if (rows_[row].empty()) continue;
-    // Rounded, it is one factor of the whole row.
-    const ComplexDoubleDouble factor = reciprocal(to_complex((*c)[here.divisors[row]]));
-    for (const MovingTerm& term : rows_[row]) {
-      (*c)[term.number] = product(factor, (*c)[term.number]);
+  std::vector<Complex> rounded;
+  for (const ComplexDoubleDouble& exact : *c) rounded.push_back(to_complex(exact));
+  // What is rounded of a factor is the same for whole rows.
+  for (const Group& group : groups_) {
+    if (!number_[group.front()].empty()) {
+      replace_rows(group, to_span(group, rounded, here->middle), *c);
     }
   }
   return c;
 }
 
-MovingPolynomials::Stretch MovingPolynomials::stretch(double from, double to) const {
-  Stretch made{from, to, {}, {}};
+/// The series of as many nodes as the rows want.
+void MovingPolynomials::fill(Stretch& stretch) const {
   std::map<int, std::vector<Complex>> known;  // by the node's number among kMostNodes
-  for (int n = kFewestNodes; n <= kMostNodes; n *= 2) {
+  const auto at_node = [&](int number) -> const std::vector<Complex>* {
+    const auto at = known.find(number);
+    if (at != known.end()) return &at->second;
+    const double x = std::cos(std::numbers::pi * number / kMostNodes);
+    const double t = (stretch.from + stretch.to) / 2 + x * (stretch.to - stretch.from) / 2;
+    const auto c = coefficients(t);
+    if (!c) return nullptr;
+    std::vector<Complex>& rounded = known[number];
+    for (const ComplexDoubleDouble& exact : *c) rounded.push_back(to_complex(exact));
+    if (stretch.middle.empty()) stretch.middle = rounded;
+    for (const Group& group : groups_) {
+      if (number_[group.front()].empty()) continue;
+      replace_rows(group, to_span(group, rounded, stretch.middle), rounded);
+    }
+    return &rounded;
+  };
+  if (at_node(kMostNodes / 2) == nullptr) return;
+  bool may_fall = true;
+  for (int n = kFewestNodes; n <= kMostNodes && may_fall; n *= 2) {
     std::vector<std::vector<Complex>> nodes;
     for (int j = 0; j <= n; ++j) {
-      const int number = j * (kMostNodes / n);
-      const double x = std::cos(std::numbers::pi * number / kMostNodes);
-      auto at = known.find(number);
-      if (at == known.end()) {
-        const auto c = coefficients((from + to) / 2 + x * (to - from) / 2);
-        if (!c) return made;
-        std::vector<Complex> rounded;
-        for (const ComplexDoubleDouble& exact : *c) rounded.push_back(to_complex(exact));
-        at = known.emplace(number, std::move(rounded)).first;
-      }
-      nodes.push_back(at->second);
+      const std::vector<Complex>* const node = at_node(j * (kMostNodes / n));
+      if (node == nullptr) return;
+      nodes.push_back(*node);
     }
-    made.divisors = largest_terms(nodes[nodes.size() / 2]);
-    for (std::vector<Complex>& node : nodes) divide_rows(made.divisors, node);
-    std::vector<double> sizes(terms_);
-    for (const std::vector<MovingTerm>& row : rows_) {
-      double size = 1;
-      for (const MovingTerm& term : row) {
-        for (const auto& node : nodes) size = std::max(size, std::abs(node[term.number]));
-      }
-      for (const MovingTerm& term : row) sizes[term.number] = size;
+    stretch.series = chebyshev(nodes);
+    may_fall = false;
+    for (const Group& group : groups_) {
+      const bool is_empty = number_[group.front()].empty();
+      const double last = is_empty ? 0 : last_share(group, stretch.series, nodes);
+      for (const std::size_t row : group) stretch.is_smooth[row] = last <= kRoundingOfSeries;
+      may_fall = may_fall || (last > kRoundingOfSeries && last <= kSmooth);
     }
-    auto series = chebyshev(nodes);
-    if (!has_fallen(series, sizes, kSmooth)) return made;
-    if (!has_fallen(series, sizes, kRoundingOfSeries)) continue;
-    made.series = std::move(series);
-    return made;
   }
+}
+
+MovingPolynomials::Stretch MovingPolynomials::stretch(double from, double to) const {
+  Stretch made{from, to, {}, {}, std::vector<bool>(rows_.size(), false)};
+  fill(made);
   return made;
 }
 
-const MovingPolynomials::Stretch& MovingPolynomials::stretch_at(double t) const {
-  for (const Stretch& known : stretches_) {
-    if (known.from <= t && t <= known.to) return known;
-  }
+/// The longest stretch in which the rows are smooth; nullptr: there is none.
+const MovingPolynomials::Stretch* MovingPolynomials::stretch_at(
+    double t, const std::vector<std::size_t>& rows) const {
   const auto after = std::upper_bound(borders_.begin() + 1, borders_.end() - 1, t);
   double from = *(after - 1);
   double to = *after;
-  Stretch made = stretch(from, to);
-  const int most = mechanism_.space == Space::planar ? kMostHalvings : 0;
-  for (int k = 0; made.series.empty() && k < most; ++k) {
+  for (int k = 0; k <= kMostHalvings; ++k) {
+    auto known = stretches_.find({from, to});
+    if (known == stretches_.end()) {
+      known = stretches_.emplace(std::pair(from, to), stretch(from, to)).first;
+    }
+    const Stretch& here = known->second;
+    if (std::all_of(rows.begin(), rows.end(), [&](std::size_t r) { return here.is_smooth[r]; })) {
+      return &here;
+    }
     const double middle = (from + to) / 2;
     (t < middle ? to : from) = middle;
-    made = stretch(from, to);
   }
-  stretches_.push_back(std::move(made));
-  return stretches_.back();
+  return nullptr;
 }
 
-std::optional<MovingPolynomials::Coefficients> MovingPolynomials::at(double t) const {
+std::optional<MovingPolynomials::Coefficients> MovingPolynomials::at(
+    double t, const std::vector<std::size_t>& rows) const {
   if (terms_ == 0 || !(t >= borders_.front() && t <= borders_.back())) return std::nullopt;
-  const Stretch& here = stretch_at(t);
-  if (here.series.empty()) return std::nullopt;
+  const Stretch* const stretch = stretch_at(t, rows);
+  if (stretch == nullptr) return std::nullopt;
+  const Stretch& here = *stretch;
   const double x = (2 * t - here.from - here.to) / (here.to - here.from);
   Coefficients moving;
   moving.c = here.series[0];

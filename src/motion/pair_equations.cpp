@@ -183,7 +183,7 @@ PairVector PairEquations::made_real(const PairVector& y) const {
 }
 
 bool PairEquations::linearize(const PairVector& y, const PairVector& base, Linearized& to) const {
-  const auto moving = polynomials_.at(time(y[at_tau()].real()));
+  const auto moving = polynomials_.at(time(y[at_tau()].real()), rows_);
   if (!moving) return false;
   const Index n = size();
   const Complex s = y[at_s()];
@@ -266,7 +266,7 @@ std::optional<PairPoint> PairEquations::corrected(PairVector y, const PairVector
 std::optional<double> PairEquations::sharp_s(const PairVector& y) const {
   constexpr int kMostRounds = 8;
   constexpr double kSharp = 1e-26;
-  const auto c = polynomials_.sharply_at(time(y[at_tau()].real()));
+  const auto c = polynomials_.sharply_at(time(y[at_tau()].real()), rows_);
   Linearized here(size());
   if (!c || !linearize(y, y, here)) return std::nullopt;
   here.jacobian().row(size()) = PairVector::Unit(size() + 1, at_tau()).adjoint();

@@ -259,5 +259,14 @@ TEST(SpatialMotion, LegsBetweenBallsCarryAPlatformAsActuatorsDo) {
   }
 }
 
+// Their formulations choose pivots anew at every time.
+TEST(SpatialMotion, OverconstrainedLoopsHaveAllTheirPairsOfComplexClosuresFollowed) {
+  for (const char* name : {"bricard-driven", "spherical-3-rrr"}) {
+    const MotionResult result = motion_of(mechanism_file(name), 5, 4);
+    expect_whole(result);
+    for (const LeftOut& out : result.left_out) ADD_FAILURE() << name << ": " << out.why;
+  }
+}
+
 }  // namespace
 }  // namespace moivre
