@@ -39,6 +39,8 @@ constexpr double kAim = 0.6;
 // At this sigma branches cross. Points there are known to 1e-16 / sigma, so that they still show sigma itself; branches that
 // pass each other by less are not told from crossing ones.
 constexpr double kCrossing = 1e-7;
+// Rounding moves the points of a step by no more than this over sigma, and so turns their tangents by as much over sigma again.
+constexpr double kRoundingOfPoints = 4e-16;
 // Cosine of both singular vectors beyond which a change of sign is a zero of sigma, and not two singular values in turn.
 constexpr double kSameVector = 0.5;
 // A tangent with less of time in it than this stands across.
@@ -117,6 +119,11 @@ class Follower {
   void step();
   bool still_fits(const VectorXd& y);
   double step_length() const;
+  struct Bend {
+    double miss = 0;      ///< of the prediction, beside the step
+    double turn_rad = 0;  ///< of the tangent
+  };
+  Bend bend_of(const CurvePoint& b, const VectorXd& predicted, double h) const;
   bool is_smooth(const CurvePoint& b, const VectorXd& predicted, double h);
   bool advance(const CurvePoint& b, double h);
   std::optional<CurvePoint> end_within(const Segment& segment, std::optional<BranchEvent>& event);
@@ -243,13 +250,22 @@ double Follower::step_length() const {
   return std::min({h_, longest, std::max(to_go, kShortestStep)});
 }
 
-bool Follower::is_smooth(const CurvePoint& b, const VectorXd& predicted, double h) {
-  const double miss = (b.y - predicted).norm() / h;
+/// How much the curve bends, without what rounding adds: no shorter step makes that less.
+Follower::Bend Follower::bend_of(const CurvePoint& b, const VectorXd& predicted, double h) const {
+  const double sigma = std::min(at_.sigma, b.sigma);
+  const double rounding = kRoundingOfPoints / sigma;
   const double turn = std::acos(std::clamp(at_.tangent.dot(b.tangent), -1.0, 1.0));
+  return {std::max(0.0, (b.y - predicted).norm() - rounding) / h,
+          std::max(0.0, turn - rounding / sigma)};
+}
+
+bool Follower::is_smooth(const CurvePoint& b, const VectorXd& predicted, double h) {
+  const Bend bend = bend_of(b, predicted, h);
   const double left = at_.u.dot(b.u);
   const double right = at_.v.dot(b.v);
   const bool crosses = left * right < 0 && std::min(std::abs(left), std::abs(right)) > kSameVector;
-  return miss <= options_.largest_miss && turn <= options_.largest_turn_rad && !crosses;
+  return bend.miss <= options_.largest_miss && bend.turn_rad <= options_.largest_turn_rad &&
+         !crosses;
 }
 
 void Follower::reject() {
@@ -288,8 +304,7 @@ void Follower::step() {
 /// The next step from how well this one went, and no further than a share of the way to where sigma points to zero.
 void Follower::choose_length(const CurvePoint& b, double h) {
   const VectorXd predicted = at_.y + h * at_.tangent + (h * h / 2) * at_.curvature;
-  const double miss = (b.y - predicted).norm() / h;
-  const double turn = std::acos(std::clamp(at_.tangent.dot(b.tangent), -1.0, 1.0));
+  const auto [miss, turn] = bend_of(b, predicted, h);
   const double by_miss = miss > 0 ? std::sqrt(kAim * options_.largest_miss / miss) : kMostGrowth;
   const double by_turn = turn > 0 ? kAim * options_.largest_turn_rad / turn : kMostGrowth;
   h_ = h * std::clamp(std::min(by_miss, by_turn), kLeastGrowth, kMostGrowth);
@@ -408,7 +423,9 @@ std::optional<BranchSample> Follower::sample(const Segment& segment, double t) c
 }
 
 void Follower::watch_approach(const CurvePoint& b) {
-  if (b.sigma >= approach_.back().sigma) approach_.clear();
+  const double last = approach_.back().sigma;
+  if (b.sigma > last + kRoundingOfPoints / last) approach_.clear();
+  while (!approach_.empty() && approach_.back().sigma <= b.sigma) approach_.pop_back();
   approach_.push_back(b);
   if (b.sigma <= kCrossing) cross();
 }
@@ -417,11 +434,11 @@ void Follower::watch_approach(const CurvePoint& b) {
 void Follower::cross() {
   const Meeting meeting = meeting_of(approach_, curve_);
   const double reach = std::pow(kCrossing, 0.5 / meeting.order);
-  const bool is_there = meeting.y.allFinite() && (meeting.y - at_.y).norm() <= reach;
+  const bool is_there = std::isfinite(meeting.doubt) && (meeting.y - at_.y).norm() <= reach;
   BranchEvent event = event_at(EventKind::bifurcation, is_there ? meeting.y : at_.y);
   if (!is_there) {
     event.uncertainty = std::sqrt(kCrossing) * std::abs(curve_.scale().T);
-  } else if (std::isfinite(meeting.doubt)) {
+  } else {
     event.uncertainty += meeting.doubt * std::abs(curve_.scale().T);
   }
   result_.pieces.push_back({0, 0, {curve_.q_of(at_.y), event.q}, {}, {}});

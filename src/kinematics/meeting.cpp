@@ -28,6 +28,17 @@ Meeting at_zero(const std::vector<CurvePoint>& points, std::size_t first, std::s
   return meeting;
 }
 
+/// Those at which sigma has fallen since the one before, up to the last: of neighbours rounding makes what it likes.
+std::vector<CurvePoint> spread(const std::vector<CurvePoint>& approach) {
+  constexpr double kFallen = 0.7;
+  std::vector<CurvePoint> points{approach.back()};
+  for (std::size_t k = approach.size(); k-- > 0;) {
+    if (points.back().sigma <= kFallen * approach[k].sigma) points.push_back(approach[k]);
+  }
+  std::reverse(points.begin(), points.end());
+  return points;
+}
+
 /// The meeting that a few points up to `last` point to. Points far off do not show sigma's shape: the doubt is what the first of them
 /// changes. Points near by are known to 1e-16 / sigma only.
 Meeting meeting_from(const std::vector<CurvePoint>& points, std::size_t last, int order) {
@@ -47,7 +58,7 @@ Meeting meeting_of(const std::vector<CurvePoint>& approach, const Curve& curve) 
   constexpr std::size_t kFewest = 4;
   // From 1 down to 1e-7, halved each time.
   constexpr std::size_t kMost = 24;
-  std::vector<CurvePoint> points = approach;
+  std::vector<CurvePoint> points = spread(approach);
   if (points.size() > kMost) points.erase(points.begin(), points.end() - kMost);
   for (CurvePoint& point : points) point.sigma = curve.sigma(point.y);
   Meeting best = at_zero(points, 0, points.size() - 1, 1);

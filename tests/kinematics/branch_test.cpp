@@ -257,6 +257,27 @@ TEST(Branch, LocatesWhereBranchesCrossAndWhereTheyTouch) {
   }
 }
 
+// Beside a crossing points are known to 1e-16 / sigma, which is more than a thousandth of so short a step.
+TEST(Branch, ComesToACrossingByStepsThatAreAsShortAsWhatIsKnownOfPoints) {
+  for (const bool is_parallel : {true, false}) {
+    const std::string guess = is_parallel ? "\"coupler.phi\" = 0\n\"rocker.phi\" = 60\n"
+                                          : "\"coupler.phi\" = -38\n\"rocker.phi\" = -98\n";
+    const Mechanism m = four_bar(3, 2, 3, 2, 60, guess);
+    for (const double tighter : {1.0 / 16, 1.0 / 64, 1.0 / 256}) {
+      BranchOptions options;
+      options.largest_turn_rad *= tighter;
+      options.largest_miss *= tighter;
+      options.longest_step *= tighter;
+      options.largest_approach *= tighter;
+      const Branch branch = follow_branch(m, assembled(m, 0), even_times(0, 4, 8), options);
+      ASSERT_EQ(branch.status, BranchStatus::ended) << tighter << ": " << branch.message;
+      EXPECT_EQ(branch.event->kind, EventKind::bifurcation);
+      EXPECT_NEAR(branch.event->time, 2, 10 * branch.event->uncertainty) << tighter;
+      EXPECT_LE(branch.event->uncertainty, 1e-6) << tighter;
+    }
+  }
+}
+
 TEST(Branch, DoubleParallelCrankWithItsRedundantRowEndsAtTheLine) {
   const Mechanism m = example("double-parallel-crank");
   const Branch branch = followed(m, 0, 6, 60);
