@@ -22,12 +22,14 @@ namespace {
 /// A track from every closure at `from`.
 void begin_tracks(MotionRun& run, const std::vector<Scene>& scenes) {
   if (scenes.empty()) return;
-  const auto& closures = scenes.front().closures.closures;
+  const Scene& first = scenes.front();
+  const auto& closures = first.closures.closures;
   const auto count = static_cast<double>(closures.size());
-  for (const Closure& closure : closures) {
+  for (std::size_t k = 0; k < closures.size(); ++k) {
     if (run.stop) return;
-    if (is_instant(run, scenes.front().time, closure)) continue;
-    run.tracks.push_back(run.follower.follow({scenes.front().time, closure.q}, !closure.singular));
+    if (is_instant(run, first.time, closures[k])) continue;
+    run.tracks.push_back(
+        run.follower.follow({first.time, closures[k].q}, stands_alone(run.phi, first, k)));
     run.show_progress(0.5 + 0.5 * static_cast<double>(run.tracks.size()) / count);
   }
 }
@@ -125,11 +127,13 @@ MotionResult find_motion_of_whole(const Mechanism& mechanism, const Tracker& tra
   begin_tracks(run, scenes);
   reconcile(run, scenes);
   std::vector<std::string> doubts;
-  const std::vector<double> crossings = drop_crossings(run, scenes);
+  std::vector<double> crossings = drop_crossings(run, scenes);
   if (options.checkpoints > 0 && !mechanism.drivers.empty() && !scenes.empty()) {
     PairSearch pairs(run, tracker);
     if (look_closer(run, tracker, scenes)) reconcile(run, scenes);
     search_pairs(run, tracker, scenes, pairs);
+    const std::vector<double> found = drop_crossings(run, scenes);
+    crossings.insert(crossings.end(), found.begin(), found.end());
     tell_times(pairs.instants(), "closures ",
                "complex closures meet there and separate again: a pose for an instant", result);
     doubts = pairs.doubts();
@@ -147,10 +151,11 @@ MotionResult find_motion_of_whole(const Mechanism& mechanism, const Tracker& tra
   std::move(doubts.begin(), doubts.end(), std::back_inserter(result.failures));
   count_work(scenes, result);
   tell_instants(run.instants, result);
-  tell_times(crossings, "the checkpoint ",
-             "branches cross there and closures are not all isolated: they were compared on both "
-             "sides of it",
-             result);
+  tell_times(
+      crossings, "the checkpoint ",
+      "branches cross there and closures are not all isolated or apart: they were compared on "
+      "both sides of it",
+      result);
   conclude(run, result);
   tell_why_nothing_moves(scenes, result);
   if (options.checkpoints == 0 || has_limits(mechanism)) {

@@ -79,11 +79,13 @@ void enter_branch(const MotionRun& run, const Track& track, MotionResult& result
   };
   branch.complete = is_decided(track.forwards) && is_decided(track.backwards);
   branch.message = track.forwards.message;
+  std::string told;  // what keeps it from leaving its anchor does so both ways
   for (const Branch* way : {&track.backwards, &track.forwards}) {
-    if (way->status == BranchStatus::failed) {
-      const double time = way == &track.forwards ? branch.ends : branch.begins;
-      result.failures.push_back("branch " + branch.id + " " + at_time(time) + ": " + way->message);
-    }
+    if (way->status != BranchStatus::failed) continue;
+    const double time = way == &track.forwards ? branch.ends : branch.begins;
+    std::string failure = "branch " + branch.id + " " + at_time(time) + ": " + way->message;
+    if (failure != told) result.failures.push_back(failure);
+    told = std::move(failure);
   }
   result.steps += track.steps();
   result.rejected += track.rejected();

@@ -121,9 +121,9 @@ void PairSearch::enter(const Scene& scene) {
   PairScene entered;
   entered.time = scene.time;
   entered.is_complete = scene.closures.complete;
-  entered.closures = scene.closures.solutions.size();
+  entered.are_apart = scene.are_apart;
+  entered.closures = scene.distinct;
   for (const Solution& closure : scene.closures.solutions) {
-    entered.are_apart = entered.are_apart && !closure.singular;
     if (closure.real || closure.singular) continue;
     prepare();
     enter_pairs(closure.x, entered);

@@ -56,7 +56,7 @@ class PairSearch {
     double time = 0;
     bool is_complete = false;
     bool are_apart = true;     ///< its closures
-    std::size_t closures = 0;  ///< complex ones too
+    std::size_t closures = 0;  ///< distinct ones, complex ones too
     std::vector<KnownPair> pairs;
     bool lacks_pair = false;  ///< a curve passes that is none of its pairs
     bool leads_on = true;     ///< its pairs can be followed from it

@@ -47,7 +47,8 @@ bool settle(MotionRun& run, const std::vector<Scene>& scenes, Scene& scene) {
     const Closure& closure = scene.closures.closures[j];
     if (scene.track_of[j] || is_event_of_a_track(run, scene.time, closure.q)) continue;
     if (is_instant(run, scene.time, closure)) continue;
-    run.tracks.push_back(run.follower.follow({scene.time, closure.q}, !closure.singular));
+    run.tracks.push_back(
+        run.follower.follow({scene.time, closure.q}, stands_alone(run.phi, scene, j)));
     return true;
   }
   return false;

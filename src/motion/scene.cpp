@@ -9,6 +9,9 @@
 namespace moivre {
 namespace {
 
+// Rounding e parts a double root into two that are 2 sqrt(e) apart, at which the smallest singular value is sqrt(e) too.
+constexpr double kParted = 4e-15;
+
 /// Poses are told apart by their lengths: angles are known but for whole turns.
 double number_of_lengths(const Phi& phi, const Eigen::VectorXd& q) {
   Point lengths;
@@ -24,6 +27,34 @@ Scene solve_scene(const MotionRun& run, const Tracker& tracker, double time) {
   options.solve = run.options.solve;
   options.certify = false;  // what is compared with branches needs no proof of its own
   return scene_of(run.phi, find_closures(run.mechanism, tracker, options, run.stop));
+}
+
+std::size_t count_distinct(const std::vector<Solution>& closures) {
+  std::vector<double> numbers;
+  for (const Solution& closure : closures) numbers.push_back(number_of(closure.x));
+  const NearNumbers near(numbers);
+  std::size_t distinct = 0;
+  for (std::size_t k = 0; k < closures.size(); ++k) {
+    const Point& x = closures[k].x;
+    const double most = kParted * closures[k].condition * std::max(1.0, max_norm(x));
+    bool is_first = true;
+    near.visit_near(numbers[k], static_cast<double>(x.size()) * most, [&](std::size_t j) {
+      is_first = is_first && (j >= k || max_distance(x, closures[j].x) > most);
+    });
+    distinct += is_first ? 1 : 0;
+  }
+  return distinct;
+}
+
+/// Calls visit(j, gap) for each closure that is the same pose as q.
+template <class Visit>
+void visit_same(const Phi& phi, const Scene& scene, const Eigen::VectorXd& q, const Visit& visit) {
+  // What is the same pose is hardly larger.
+  const double reach = 2 * static_cast<double>(q.size()) * kSamePose * size_of(phi, q);
+  scene.numbers.visit_near(number_of_lengths(phi, q), reach, [&](std::size_t j) {
+    const double gap = distance(phi, q, scene.closures.closures[j].q);
+    if (gap <= kSamePose) visit(j, gap);
+  });
 }
 
 /// Whether a joint's limits hide a closure there.
@@ -50,23 +81,38 @@ Scene scene_of(const Phi& phi, ClosureResult closures) {
   }
   const double time = closures.time;
   const std::size_t count = numbers.size();
-  return {time, std::move(closures), NearNumbers(numbers),
-          std::vector<std::optional<std::size_t>>(count)};
+  const std::vector<Solution>& all = closures.solutions;
+  const std::size_t distinct = count_distinct(all);
+  const bool are_apart =
+      distinct == all.size() &&
+      std::none_of(all.begin(), all.end(), [](const Solution& one) { return one.singular; });
+  return {time,
+          std::move(closures),
+          NearNumbers(numbers),
+          std::vector<std::optional<std::size_t>>(count),
+          distinct,
+          are_apart};
 }
 
 std::optional<std::size_t> nearest_closure(const Phi& phi, const Scene& scene,
                                            const Eigen::VectorXd& q) {
-  // What is the same pose is hardly larger.
-  const double reach = 2 * static_cast<double>(q.size()) * kSamePose * size_of(phi, q);
   std::optional<std::size_t> nearest;
   double least = kSamePose;
-  scene.numbers.visit_near(number_of_lengths(phi, q), reach, [&](std::size_t j) {
-    const double gap = distance(phi, q, scene.closures.closures[j].q);
-    if (!(gap <= least)) return;
+  visit_same(phi, scene, q, [&](std::size_t j, double gap) {
+    if (gap > least) return;
     least = gap;
     nearest = j;
   });
   return nearest;
+}
+
+bool stands_alone(const Phi& phi, const Scene& scene, std::size_t closure) {
+  const Closure& it = scene.closures.closures[closure];
+  bool is_alone = !it.singular;
+  visit_same(phi, scene, it.q, [&](std::size_t j, double gap) {
+    is_alone = is_alone && (j == closure || gap * it.smallest_singular_value > kParted);
+  });
+  return is_alone;
 }
 
 std::vector<Scene> solve_scenes(const MotionRun& run, const Tracker& tracker) {
@@ -107,7 +153,8 @@ std::vector<double> drop_crossings(const MotionRun& run, std::vector<Scene>& sce
   std::vector<double> times;
   std::erase_if(scenes, [&](const Scene& scene) {
     const bool is_border = scene.time == run.times.from || scene.time == run.times.to;
-    if (scene.closures.complete || is_border || !is_crossing(run, scene)) return false;
+    const bool is_clear = scene.closures.complete && scene.are_apart;
+    if (is_clear || is_border || !is_crossing(run, scene)) return false;
     times.push_back(scene.time);
     return true;
   });

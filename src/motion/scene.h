@@ -18,6 +18,9 @@ struct Scene {
   ClosureResult closures;
   NearNumbers numbers;                               ///< of the closures
   std::vector<std::optional<std::size_t>> track_of;  ///< one a closure: index into the tracks
+  /// Closures, complex ones too, those counted once that are as near to each other as rounding parts a double one.
+  std::size_t distinct = 0;
+  bool are_apart = true;  ///< no two are so near, and none is multiple
 };
 
 /// Without tracks.
@@ -26,6 +29,9 @@ Scene scene_of(const Phi& phi, ClosureResult closures);
 /// Index of the nearest closure that is the same pose as q.
 std::optional<std::size_t> nearest_closure(const Phi& phi, const Scene& scene,
                                            const Eigen::VectorXd& q);
+
+/// Whether it is simple, and no other closure there is so near that rounding may have parted a double one.
+bool stands_alone(const Phi& phi, const Scene& scene, std::size_t closure);
 
 /// The scenes at `from` and at every checkpoint, ascending; fewer where the run was stopped.
 std::vector<Scene> solve_scenes(const MotionRun& run, const Tracker& tracker);
@@ -40,8 +46,8 @@ bool look_closer(MotionRun& run, const Tracker& tracker, std::vector<Scene>& sce
 void add_scenes(MotionRun& run, const Tracker& tracker, const std::vector<double>& times,
                 std::vector<Scene>& scenes);
 
-/// Drops the checkpoints at which branches cross and closures are not all decided: there a pose may move though the drivers stand (an
-/// arm's straight wrist), and paths come to no isolated root. Closures are solved in the stretches on both sides, and what is one to one
+/// Drops the checkpoints at which branches cross and closures are not all decided or not apart: there a pose may move though the drivers
+/// stand (an arm's straight wrist), and paths come to no isolated root, or to one that rounding parts. Closures are solved in the stretches on both sides, and what is one to one
 /// there is so across the crossing, too. The first and the last checkpoint stay. Returns the times of those that were dropped.
 std::vector<double> drop_crossings(const MotionRun& run, std::vector<Scene>& scenes);
 

@@ -8,6 +8,7 @@
 #include "../mechanism/in_unit.h"
 #include "mechanisms.h"
 #include "moivre/certify/certifier.h"
+#include "sarrus.h"
 #include "spatial_counts.h"
 
 namespace moivre {
@@ -151,56 +152,7 @@ TEST(OverconstrainedClosures, SphericalFourBarHasTwoWhereverItStands) {
 // With bars of one length the top may be folded onto the base, where the second leg swings; two closures stand beside that.
 TEST(OverconstrainedClosures, SarrussLinkageHasTwoBesideItsFoldedPoses) {
   if (!proves_beyond_double()) GTEST_SKIP() << "needs more digits";
-  const Mechanism mechanism = mechanism_text(R"toml(space = "spatial"
-[units]
-angle = "deg"
-[ground.points]
-A = [1, 0, 0]
-D = [0, 1, 0]
-[body.l1.points]
-A = [1, 0, 0]
-B = [2, 0, 1]
-[body.l2.points]
-B = [2, 0, 1]
-C = [1, 0, 2]
-[body.top.points]
-C = [1, 0, 2]
-F = [0, 1, 2]
-[body.l3.points]
-D = [0, 1, 0]
-E = [0, 2, 1]
-[body.l4.points]
-E = [0, 2, 1]
-F = [0, 1, 2]
-[[joint]]
-type = "revolute"
-at = ["ground.A", "l1.A"]
-axis = [0, 1, 0]
-name = "a"
-[[joint]]
-type = "revolute"
-at = ["l1.B", "l2.B"]
-axis = [0, 1, 0]
-[[joint]]
-type = "revolute"
-at = ["l2.C", "top.C"]
-axis = [0, 1, 0]
-[[joint]]
-type = "revolute"
-at = ["ground.D", "l3.D"]
-axis = [1, 0, 0]
-[[joint]]
-type = "revolute"
-at = ["l3.E", "l4.E"]
-axis = [1, 0, 0]
-[[joint]]
-type = "revolute"
-at = ["l4.F", "top.F"]
-axis = [1, 0, 0]
-[[driver]]
-angle = "a"
-start = 10
-)toml");
+  const Mechanism mechanism = mechanism_text(sarrus_text("start = 10"));
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     const ClosureResult result = closures_of(mechanism, seed);
     EXPECT_TRUE(result.complete) << result.message;

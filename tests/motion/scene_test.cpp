@@ -45,5 +45,32 @@ TEST(ClosuresOfAScene, AreNotFoundAmongNone) {
   EXPECT_EQ(nearest_closure(phi, scene_of(phi, {}), initial_guess(m)), std::nullopt);
 }
 
+Solution root_at(double x, double condition) {
+  Solution root;
+  root.x = {Complex(x), Complex(2)};
+  root.condition = condition;
+  return root;
+}
+
+Scene scene_with(const std::vector<Solution>& roots) {
+  ClosureResult closures;
+  closures.solutions = roots;
+  return scene_of(Phi(mechanism_file("four-bar")), std::move(closures));
+}
+
+TEST(ClosuresOfAScene, AreCountedOnceWhereRoundingMayHavePartedADoubleOne) {
+  const Scene parted = scene_with({root_at(1 - 1e-8, 1e8), root_at(3, 10), root_at(1 + 1e-8, 1e8)});
+  EXPECT_EQ(parted.distinct, 2U);
+  EXPECT_FALSE(parted.are_apart);
+  const Scene near = scene_with({root_at(1 - 1e-6, 1e6), root_at(3, 10), root_at(1 + 1e-6, 1e6)});
+  EXPECT_EQ(near.distinct, 3U);
+  EXPECT_TRUE(near.are_apart);
+  Solution twice = root_at(1, 1e8);
+  twice.singular = true;
+  const Scene with_double = scene_with({twice, root_at(3, 10)});
+  EXPECT_EQ(with_double.distinct, 2U);
+  EXPECT_FALSE(with_double.are_apart);
+}
+
 }  // namespace
 }  // namespace moivre

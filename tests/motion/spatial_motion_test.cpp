@@ -8,9 +8,11 @@
 
 #include "gap.h"
 #include "mechanisms.h"
+#include "moivre/certify/certifier.h"
 #include "moivre/factorization/svd.h"
 #include "moivre/mechanism/pose.h"
 #include "moivre/motion/motion.h"
+#include "sarrus.h"
 
 namespace moivre {
 namespace {
@@ -265,6 +267,36 @@ TEST(SpatialMotion, OverconstrainedLoopsHaveAllTheirPairsOfComplexClosuresFollow
     const MotionResult result = motion_of(mechanism_file(name), 5, 4);
     expect_whole(result);
     for (const LeftOut& out : result.left_out) ADD_FAILURE() << name << ": " << out.why;
+  }
+}
+
+// At its folded poses branches cross, the top swings, and rounding parts the double closures into two that are real or not.
+TEST(SpatialMotion, SarrussLinkageIsFollowedThoughEveryCheckpointIsACrossing) {
+  if (!proves_beyond_double()) GTEST_SKIP() << "needs more digits";
+  for (const int start_deg : {45, 135}) {
+    const Mechanism m =
+        mechanism_text(sarrus_text("start = " + std::to_string(start_deg) + "\nvelocity = 90"));
+    MotionOptions options;
+    options.to = 2;
+    options.steps = 8;
+    options.checkpoints = 2;
+    options.solve.threads = 1;
+    const MotionResult result = find_motion(m, *make_cvode_tracker(), options);
+    expect_whole(result);
+    ASSERT_EQ(result.branches.size(), 4U) << start_deg;
+    for (const MotionBranch& branch : result.branches) {
+      EXPECT_NEAR(branch.ends - branch.begins, 1, 1e-6) << branch.id;
+      for (const BranchSample& sample : branch.samples) {
+        if (!sample.is_determined) continue;
+        const double a = joint_value(m, "a", sample.q);
+        const double law = start_deg * kPi / 180 + kPi / 2 * sample.time;
+        EXPECT_NEAR(std::remainder(a - law, 2 * kPi), 0, 1e-9);
+      }
+    }
+    for (const MotionEvent& event : result.events) {
+      EXPECT_EQ(event.at.kind, EventKind::bifurcation);
+      EXPECT_NEAR(event.at.time, std::round(event.at.time), 1e-6);
+    }
   }
 }
 
