@@ -5,9 +5,9 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "exact_displacement.h"
 #include "moivre/expression/joined.h"
 #include "moivre/urdf/placement.h"
+#include "typed_displacement.h"
 
 namespace moivre {
 namespace {
@@ -81,7 +81,7 @@ void check_free(const Robot& robot, const std::vector<std::size_t>& free,
 /// A chain while it is walked: what has been passed since the last free joint.
 struct Walk {
   Eigen::Isometry3d transform = Eigen::Isometry3d::Identity();
-  ExactDisplacement exact{1};
+  ExactDisplacement exact = ExactDisplacement::identity();
 
   void pass(const Eigen::Isometry3d& by, const ExactDisplacement& exact_by, bool is_backwards) {
     transform = transform * (is_backwards ? by.inverse() : by);

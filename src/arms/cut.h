@@ -9,7 +9,6 @@
 //   three joints  dim W = 4 where they make a group: turns about one point, or a plane's motions. Found by exact rank.
 #pragma once
 
-#include "exact_linear.h"
 #include "loop.h"
 
 namespace moivre {
@@ -21,10 +20,10 @@ struct Cut {
   std::size_t first = 0;            ///< the joints first, first + 1, ..., counted round the loop
   std::vector<std::size_t> inside;  ///< these
   std::vector<std::size_t>
-      outside;                    ///< the other joints, in their order round the loop behind them
-  std::vector<LinearForm> forms;  ///< that vanish on W
+      outside;  ///< the other joints, in their order round the loop behind them
+  std::vector<ExactDisplacement> forms;  ///< that vanish on W
   /// Two joints in the quadric: the coordinates in W of products c c, c s, s c, s s.
-  std::vector<LinearForm> coordinates;
+  std::vector<ExactDisplacement> coordinates;
 };
 
 /// Whether the cut may be at the last joint and the first, with the pose between them.
@@ -32,7 +31,25 @@ enum class CutPlace { anywhere, away_from_pose };
 
 Cut choose_cut(const Loop& loop, CutPlace place = CutPlace::anywhere);
 
-/// J_a = 1 or step, times before, times J_b = 1 or step: four of them, spanning W of the pair.
-std::vector<ExactDisplacement> pair_products(const Loop& loop, std::size_t a, std::size_t b);
+/// The product of the joints outside, backwards, which the product of those inside must be: coefficients of the monomials in the
+/// tangents; bit k of the index is the exponent of t_k+1.
+template <class S>
+std::vector<DualQuaternion<S>> outside_product(const Loop& loop, const Cut& cut,
+                                               JointNumbers<S> numbers) {
+  std::vector<DualQuaternion<S>> terms{DualQuaternion<S>::identity()};
+  for (const std::size_t joint : cut.outside) {
+    const auto& [before, one, step] = loop.joints[joint].*numbers;
+    const std::size_t size = terms.size();
+    for (std::size_t k = 0; k < size; ++k) {
+      const DualQuaternion<S> term = terms[k] * before;
+      terms[k] = one * term;
+      terms.push_back(term * step);
+    }
+  }
+  for (DualQuaternion<S>& term : terms) {
+    term = conjugate(term * (loop.joints[cut.first].*numbers).before);
+  }
+  return terms;
+}
 
 }  // namespace moivre

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "exact_displacement.h"
 #include "moivre/numeric/random.h"
+#include "typed_displacement.h"
 
 namespace moivre {
 namespace {
@@ -19,41 +19,32 @@ void shift_zero(LoopJoint& joint, std::uint64_t seed, std::size_t number) {
   const double at = random_unit(seed, RandomStream::arm, number);
   const auto c = static_cast<int>(std::lround(kFinest * std::cos(std::numbers::pi * at)));
   const auto s = static_cast<int>(std::lround(kFinest * std::sin(std::numbers::pi * at)));
-  ExactDisplacement turn{};
-  turn[0] = c * joint.one;
-  for (std::size_t k = 0; k < turn.size(); ++k) turn[k] += s * joint.step[k];
-  joint.before = reduced(joint.before * turn);
+  auto& [before, one, step] = joint.exact;
+  ExactDisplacement turn = Integer(s) * step;
+  turn.q[0] += c * one;
+  before = reduced(before * turn);
   joint.zero = 2 * std::atan2(s * joint.exact_length, c);
 }
 
 }  // namespace
 
-ComplexDisplacement rounded(const ExactDisplacement& g) {
-  Integer largest = 0;
-  for (const Integer& part : g) largest = std::max<Integer>(largest, abs(part));
-  ComplexDisplacement result{};
-  for (std::size_t k = 0; k < g.size(); ++k) result[k] = to_double(ratio(g[k], largest));
-  return result;
-}
+RealDisplacement unit(const RealDisplacement& g) { return 1 / column(g).norm() * g; }
 
 Loop open_loop(const Arm& arm, std::uint64_t seed) {
   Loop loop;
   loop.unit_exponent = std::ilogb(arm.length);
   for (const ArmJoint& joint : arm.joints) {
     LoopJoint& added = loop.joints.emplace_back();
-    added.before = in_unit(joint.exact_before, loop.unit_exponent);
-    added.step = joint.step;
+    auto& [before, one, step] = added.exact;
+    before = in_unit(joint.exact_before, loop.unit_exponent);
+    one <<= static_cast<unsigned>(std::max(0, std::ilogb(joint.exact_length)));
+    step = joint.step;
     added.is_slide = joint.is_slide;
-    added.one <<= static_cast<unsigned>(std::max(0, std::ilogb(joint.exact_length)));
-    added.exact_length = joint.exact_length / to_double(ratio(added.one));
-  }
-  for (std::size_t k = 0; k < loop.joints.size(); ++k) {
-    LoopJoint& joint = loop.joints[k];
-    if (!joint.is_slide) shift_zero(joint, seed, k);
-    joint.rounded_before = rounded(joint.before);
-    for (std::size_t i = 0; i < joint.step.size(); ++i) {
-      joint.rounded_step[i] = to_double(ratio(joint.step[i], joint.one));
-    }
+    added.exact_length = joint.exact_length / to_double(ratio(one));
+    if (!joint.is_slide) shift_zero(added, seed, loop.joints.size() - 1);
+    added.rounded.before = unit(rounded(before));
+    added.rounded.step =
+        mapped(step, [&](const Integer& part) { return to_double(ratio(part, added.exact.one)); });
   }
   return loop;
 }
@@ -63,14 +54,14 @@ Loop make_loop(const Arm& arm, const Eigen::Isometry3d& pose, std::uint64_t seed
   const ExactDisplacement back =
       in_unit(reduced(arm.exact_tool * conjugate(exact_pose(pose))), loop.unit_exponent);
   LoopJoint& first = loop.joints.front();
-  first.before = reduced(back * first.before);
-  first.rounded_before = rounded(first.before);
+  first.exact.before = reduced(back * first.exact.before);
+  first.rounded.before = unit(rounded(first.exact.before));
   return loop;
 }
 
 ComplexDisplacement joint_displacement(const LoopJoint& joint, const Tangent& at) {
-  ComplexDisplacement result{at.c};
-  for (std::size_t k = 0; k < result.size(); ++k) result[k] += at.s * joint.rounded_step[k];
+  ComplexDisplacement result = mapped(joint.rounded.step, [&](double part) { return at.s * part; });
+  result.q[0] += at.c;
   return result;
 }
 
@@ -81,12 +72,12 @@ double squared_norm(const LoopJoint& joint, const Tangent& at) {
 double distance_from_null(const LoopJoint& joint, const Tangent& at) {
   const double size = squared_norm(joint, at);
   if (joint.is_slide) return std::abs(at.c) / std::sqrt(size);
-  const std::complex<double> s = joint.exact_length * at.s;
+  const Complex s = joint.exact_length * at.s;
   return std::abs(at.c * at.c + s * s) / size;
 }
 
 double imaginary_part(const LoopJoint& joint, const Tangent& at) {
-  const std::complex<double> s = joint.exact_length * at.s;
+  const Complex s = joint.exact_length * at.s;
   return std::abs(std::imag(s * std::conj(at.c))) / squared_norm(joint, at);
 }
 

@@ -5,29 +5,41 @@
 // J = c one + s step, `one` a power of two near the length of `step`: an axis of fifteen decimals is a step of 1e15, and its tangents
 // would be 1e-15. Each turn is counted from a random angle, so that no closure that anybody asks for has an infinite tangent.
 // Lengths are in units of 2^unit_exponent, near the arm's own.
+// What is summed over the loop is so in integers, and in doubles where the loop is one of many.
 #pragma once
 
-#include <complex>
+#include <Eigen/Core>
 #include <cstdint>
 #include <vector>
 
 #include "moivre/arms/arm.h"
+#include "moivre/numeric/complex.h"
 
 namespace moivre {
 
-using ComplexDisplacement = DualQuaternion<std::complex<double>>;
+using RealDisplacement = DualQuaternion<double>;
+using ComplexDisplacement = DualQuaternion<Complex>;
+
+/// `before`, then J.
+template <class S>
+struct JointMotion {
+  DualQuaternion<S> before = DualQuaternion<S>::identity();
+  S one = S(1);
+  DualQuaternion<S> step;
+};
 
 struct LoopJoint {
-  ExactDisplacement before{1};
-  ExactDisplacement step{};
-  Integer one = 1;
-  ComplexDisplacement rounded_before{};
-  ComplexDisplacement rounded_step{};
+  JointMotion<Integer> exact;
+  JointMotion<double> rounded;  ///< `before` of norm 1, `one` 1
   bool is_slide = false;
   double exact_length =
-      1;  ///< of `step` beside `one`, as rounded_step is: a turn is 2 atan(exact_length s/c) + zero, a slide exact_length s/c
+      1;  ///< of rounded.step: a turn is 2 atan(exact_length s/c) + zero, a slide exact_length s/c
   double zero = 0;  ///< radians: where the tangent is 0
 };
+
+/// In which numbers: &LoopJoint::exact or &LoopJoint::rounded.
+template <class S>
+using JointNumbers = JointMotion<S> LoopJoint::*;
 
 struct Loop {
   std::vector<LoopJoint> joints;
@@ -38,16 +50,32 @@ struct Loop {
 Loop open_loop(const Arm& arm, std::uint64_t seed);
 Loop make_loop(const Arm& arm, const Eigen::Isometry3d& pose, std::uint64_t seed);
 
-/// Parts as doubles, the largest near 1.
-ComplexDisplacement rounded(const ExactDisplacement& g);
+template <class S>
+Eigen::Matrix<S, 8, 1> column(const DualQuaternion<S>& g) {
+  Eigen::Matrix<S, 8, 1> result;
+  for (std::size_t k = 0; k < g.size(); ++k) result[static_cast<Eigen::Index>(k)] = g[k];
+  return result;
+}
+
+/// Of norm 1 as eight numbers.
+RealDisplacement unit(const RealDisplacement& g);
+
+/// J_a = 1 or step, times before, times J_b = 1 or step: four of them, spanning all that the pair can do.
+template <class S>
+std::vector<DualQuaternion<S>> pair_products(const Loop& loop, std::size_t a, std::size_t b,
+                                             JointNumbers<S> numbers) {
+  const auto& [before, one, step] = loop.joints[b].*numbers;
+  const DualQuaternion<S> moved = (loop.joints[a].*numbers).step * before;
+  return {before, before * step, moved, moved * step};
+}
 
 /// A joint's place on the projective line.
 struct Tangent {
-  std::complex<double> c{1};
-  std::complex<double> s{0};
+  Complex c{1};
+  Complex s{0};
 };
 
-/// J = c + s step / one.
+/// J = c + s step.
 ComplexDisplacement joint_displacement(const LoopJoint& joint, const Tangent& at);
 /// |c|^2 + |exact_length s|^2.
 double squared_norm(const LoopJoint& joint, const Tangent& at);

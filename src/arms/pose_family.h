@@ -19,9 +19,8 @@ namespace moivre {
 struct PoseFamily {
   Loop loop;  ///< its first joint without tool and pose
   Cut cut;
-  /// An orthonormal basis of the forms that vanish on the cut's space, or random combinations of it.
-  std::vector<DualQuaternion<double>> forms;
-  DualQuaternion<double> tool{1};
+  std::vector<RealDisplacement> forms;  ///< the cut's, or random combinations of them, of norm 1
+  RealDisplacement tool = RealDisplacement::identity();
   std::vector<std::vector<std::size_t>> terms;  ///< of each equation: monomials, bit k for t_k+1
   Family family;
   std::uint64_t closures = 0;  ///< complex ones, of a pose that is nothing special

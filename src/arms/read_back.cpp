@@ -24,29 +24,21 @@ constexpr double kMissedByRounding = 1e-6;
 /// A quadratic whose coefficients are this small beside what they were summed from has no roots of its own.
 constexpr double kVanishing = 1e-11;
 
-using Column = Eigen::Matrix<Complex, 8, 1>;
-
-Column column(const ComplexDisplacement& g) {
-  Column result;
-  for (std::size_t k = 0; k < g.size(); ++k) result[static_cast<Eigen::Index>(k)] = g[k];
-  return result;
-}
-
 /// Coordinates in W of a pair: c c, c s, s c, s s.
 using Coordinates = Eigen::Matrix<Complex, 4, 1>;
 
 class Pair {
  public:
-  Pair(const Loop& loop, std::size_t a, std::size_t b)
-      : products_(products(loop.joints[a], loop.joints[b])) {}
+  Pair(const Loop& loop, std::size_t a, std::size_t b) : products_(products(loop, a, b)) {}
   Coordinates coordinates(const ComplexDisplacement& g) const { return products_.solve(column(g)); }
 
  private:
-  static Eigen::MatrixXcd products(const LoopJoint& first, const LoopJoint& second) {
-    const ComplexDisplacement moved = first.rounded_step * second.rounded_before;
+  static Eigen::MatrixXcd products(const Loop& loop, std::size_t a, std::size_t b) {
     Eigen::MatrixXcd columns(8, 4);
-    columns << column(second.rounded_before), column(second.rounded_before * second.rounded_step),
-        column(moved), column(moved * second.rounded_step);
+    Eigen::Index k = 0;
+    for (const RealDisplacement& product : pair_products(loop, a, b, &LoopJoint::rounded)) {
+      columns.col(k++) = column(product).cast<Complex>();
+    }
     return columns;
   }
 
@@ -88,10 +80,10 @@ double form_size(const Coordinates& a, const Coordinates& b) { return a.norm() *
 QuadraticRoots first_of_three(const Loop& loop, const Cut& cut, const Pair& pair,
                               const ComplexDisplacement& wanted) {
   const LoopJoint& first = loop.joints[cut.inside[0]];
-  const ComplexDisplacement back = conjugate(loop.joints[cut.inside[1]].rounded_before);
+  const RealDisplacement back = conjugate(loop.joints[cut.inside[1]].rounded.before);
   // J^-1 is c - s step up to a factor.
   const Coordinates a = pair.coordinates(back * wanted);
-  const Coordinates b = pair.coordinates(back * (first.rounded_step * wanted));
+  const Coordinates b = pair.coordinates(back * (first.rounded.step * wanted));
   return quadratic_roots(a[0] * a[3] - a[1] * a[2],
                          a[0] * b[3] + b[0] * a[3] - a[1] * b[2] - b[1] * a[2],
                          b[0] * b[3] - b[1] * b[2], form_size(a, a) + form_size(b, b));
@@ -100,11 +92,11 @@ QuadraticRoots first_of_three(const Loop& loop, const Cut& cut, const Pair& pair
 /// What the joints inside must do: the rest of the loop, backwards.
 ComplexDisplacement wanted_inside(const Loop& loop, const Cut& cut,
                                   const std::vector<Tangent>& at) {
-  ComplexDisplacement product{1};
+  ComplexDisplacement product = ComplexDisplacement::identity();
   for (const std::size_t k : cut.outside) {
-    product = product * loop.joints[k].rounded_before * joint_displacement(loop.joints[k], at[k]);
+    product = product * loop.joints[k].rounded.before * joint_displacement(loop.joints[k], at[k]);
   }
-  return conjugate(product * loop.joints[cut.first].rounded_before);
+  return conjugate(product * loop.joints[cut.first].rounded.before);
 }
 
 void scale_to_one(const LoopJoint& joint, Tangent& at) {
@@ -122,10 +114,10 @@ bool is_closure(const Loop& loop, const Cut& cut, const std::vector<Tangent>& at
   ComplexDisplacement product = joint_displacement(loop.joints[cut.inside[0]], at[cut.inside[0]]);
   for (std::size_t i = 1; i < cut.inside.size(); ++i) {
     const std::size_t k = cut.inside[i];
-    product = product * loop.joints[k].rounded_before * joint_displacement(loop.joints[k], at[k]);
+    product = product * loop.joints[k].rounded.before * joint_displacement(loop.joints[k], at[k]);
   }
-  const Column a = column(product).normalized();
-  const Column b = column(wanted).normalized();
+  const auto a = column(product).normalized().eval();
+  const auto b = column(wanted).normalized().eval();
   return (a - b * b.dot(a)).norm() <= missed;
 }
 
@@ -156,7 +148,7 @@ ReadBack read_back(const Loop& loop, const Cut& cut, const Point& x, double accu
   if (cut.kind == CutKind::one) {
     const LoopJoint& only = loop.joints[cut.inside[0]];
     Eigen::MatrixXcd span(8, 2);
-    span << column({1}), column(only.rounded_step);
+    span << column(ComplexDisplacement::identity()), column(only.rounded.step).cast<Complex>();
     const Eigen::VectorXcd a = PivotedQr<Complex>(span).solve(column(wanted));
     at[cut.inside[0]] = {a[0], a[1]};
     take();
@@ -180,7 +172,7 @@ ReadBack read_back(const Loop& loop, const Cut& cut, const Point& x, double accu
   for (const Tangent& tangent : firsts.at) {
     at[cut.inside[0]] = tangent;
     const ComplexDisplacement back =
-        conjugate(joint_displacement(first, tangent) * loop.joints[cut.inside[1]].rounded_before);
+        conjugate(joint_displacement(first, tangent) * loop.joints[cut.inside[1]].rounded.before);
     take_pair(back * wanted);
   }
   result.moves = result.moves && !result.roots.empty();

@@ -1,146 +1,47 @@
 // SPDX-License-Identifier: MIT
-// Eight-vectors: their spans and complements by exact elimination, their ranks by singular values.
+// Spans and complements by exact elimination, ranks by singular values.
 #include "dyad.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 
 #include "moivre/factorization/svd.h"
+#include "moivre/numeric/exact_displacement.h"
 
 namespace moivre {
 namespace {
 
 using Vector8 = Eigen::Matrix<double, 8, 1>;
+using Rounded = DualQuaternion<double>;
 
-/// Entries with lengths in units of `length`.
-Vector8 to_vector(const ExactPose& pose, double length) {
-  const DualQuaternion<double> rounded = to_double(pose);
+/// Numbers with lengths in units of `length`, of norm 1; 0 where all are.
+Vector8 unit_vector(const Rounded& pose, double length) {
   Vector8 v;
-  for (std::size_t k = 0; k < kEntries; ++k) {
-    v[static_cast<Eigen::Index>(k)] = entry(rounded, k) / (k < 4 ? 1 : length);
-  }
-  return v;
+  for (std::size_t k = 0; k < pose.size(); ++k) v[static_cast<Eigen::Index>(k)] = pose[k];
+  v.tail<4>() /= length;
+  return v.norm() > 0 ? v.normalized() : v;
 }
 
-Eigen::Matrix<double, 8, 4> plain_span(const LoopElement& a, const LoopElement& b, double length) {
-  Eigen::Matrix<double, 8, 4> span;
-  const ExactPose one = identity_pose();
-  const ExactPose poses[] = {one, a.axis, b.axis, a.axis * b.axis};
-  for (Eigen::Index k = 0; k < 4; ++k) span.col(k) = to_vector(poses[k], length).normalized();
-  return span;
-}
-
-/// Four eight-vectors by Gauss and Jordan, as combinations of which they are: [A B | A], 1 and 0 in the pivots' columns of A B.
-class ReducedRows {
- public:
-  /// Pivots are the largest entries, lengths in units of `length`. There are fewer than four where the vectors depend on each other.
-  ReducedRows(const std::array<ExactPose, 4>& vectors, double length);
-
-  bool is_pivot(std::size_t column) const {
-    return std::find(pivots_.begin(), pivots_.end(), column) != pivots_.end();
-  }
-  /// A vector orthogonal to all four: 1 in this column, else 0 outside the pivots.
-  std::array<Rational, 8> normal(std::size_t column) const;
-  /// What gives coordinate i of a vector v of the span: v = sum_i c_i vectors_i, c_i = sum_j v[pivot j] A_ji.
-  std::array<Rational, 8> coordinate(std::size_t i) const;
-
- private:
-  static constexpr std::size_t kRows = 4;
-  static constexpr std::size_t kColumns = kEntries + kRows;
-
-  bool bring_largest_to(std::size_t row, double length);
-  void clear_column_but(std::size_t row);
-
-  std::array<std::array<Rational, kColumns>, kRows> rows_;
-  std::vector<std::size_t> pivots_;  ///< column of each row that has one
-};
-
-ReducedRows::ReducedRows(const std::array<ExactPose, 4>& vectors, double length) {
-  for (std::size_t i = 0; i < kRows; ++i) {
-    for (std::size_t k = 0; k < kEntries; ++k) rows_[i][k] = entry(vectors[i], k);
-    rows_[i][kEntries + i] = 1;
-  }
-  for (std::size_t row = 0; row < kRows && bring_largest_to(row, length); ++row) {
-    clear_column_but(row);
-  }
-}
-
-/// False where nothing is left of this row and those below.
-bool ReducedRows::bring_largest_to(std::size_t row, double length) {
-  double largest = 0;
-  std::size_t from = row;
-  std::size_t column = 0;
-  for (std::size_t i = row; i < kRows; ++i) {
-    for (std::size_t k = 0; k < kEntries; ++k) {
-      const double size = std::abs(to_double(rows_[i][k])) / (k < 4 ? 1 : length);
-      if (size <= largest || is_pivot(k)) continue;
-      largest = size;
-      from = i;
-      column = k;
-    }
-  }
-  if (largest == 0) return false;
-  std::swap(rows_[row], rows_[from]);
-  pivots_.push_back(column);
-  return true;
-}
-
-void ReducedRows::clear_column_but(std::size_t row) {
-  const std::size_t column = pivots_[row];
-  const Rational inverse = 1 / rows_[row][column];
-  for (Rational& x : rows_[row]) x *= inverse;
-  for (std::size_t i = 0; i < kRows; ++i) {
-    const Rational factor = rows_[i][column];
-    if (i == row || factor.is_zero()) continue;
-    for (std::size_t k = 0; k < kColumns; ++k) rows_[i][k] -= factor * rows_[row][k];
-  }
-}
-
-std::array<Rational, 8> ReducedRows::normal(std::size_t column) const {
-  std::array<Rational, 8> normal;
-  normal[column] = 1;
-  for (std::size_t j = 0; j < pivots_.size(); ++j) normal[pivots_[j]] = -rows_[j][column];
-  return normal;
-}
-
-std::array<Rational, 8> ReducedRows::coordinate(std::size_t i) const {
-  std::array<Rational, 8> row;
-  for (std::size_t j = 0; j < pivots_.size(); ++j) row[pivots_[j]] = rows_[j][kEntries + i];
-  return row;
+ExactPose times(const Rational& factor, const ExactDisplacement& form) {
+  return mapped(form, [&](const Integer& part) { return factor * ratio(part); });
 }
 
 }  // namespace
-
-ExactPose shortened(const ExactPose& pose) {
-  const DualQuaternion<double> rounded = to_double(pose);
-  const Quaternion<double> half = scaled(0.5, shift_of(rounded));
-  const ExactPose shifted{{1, 0, 0, 0},
-                          {0, Rational(half[1]), Rational(half[2]), Rational(half[3])}};
-  return shifted * turn_by(rounded.q);
-}
-
-ExactPose axis_at(const ExactPose& frame, bool is_turn) {
-  const ExactPose near = shortened(frame);
-  const ExactPose z = is_turn ? ExactPose{{0, 0, 0, 1}, {}} : ExactPose{{}, {0, 0, 0, {1, 2}}};
-  return 1 / norm(near) * (near * z * conjugate(near));
-}
-
-MovingPose element_pose(const LoopElement& element) {
-  const auto basis = basis_of(element);
-  return to_moving(basis[0]) + element.unknown * to_moving(basis[1]);
-}
 
 DyadSpace dyad_space(const LoopElement& a, const LoopElement& b, double length) {
   const auto basis_a = basis_of(a);
   const auto basis_b = basis_of(b);
   DyadSpace space;
   for (std::size_t k = 0; k < 4; ++k) space.basis[k] = basis_a[k / 2] * basis_b[k % 2];
-  const ReducedRows reduced(space.basis, length);
-  for (std::size_t k = 0; k < kEntries; ++k) {
-    if (!reduced.is_pivot(k)) space.normals.push_back(reduced.normal(k));
+  const Integer common = common_denominator({space.basis.begin(), space.basis.end()});
+  std::vector<ExactDisplacement> vectors;
+  for (const ExactPose& pose : space.basis) vectors.push_back(whole(pose, common));
+  for (const ExactDisplacement& form : vanishing_forms(vectors, length)) {
+    space.normals.push_back(times(ratio(1, largest_part(form)), form));
   }
-  for (std::size_t i = 0; i < 4; ++i) space.coordinates[i] = reduced.coordinate(i);
+  const auto [forms, factor] = coordinate_forms(vectors, length);
+  for (std::size_t i = 0; i < 4; ++i) {
+    space.coordinates[i] = times(ratio(common, factor), forms[i]);
+  }
   return space;
 }
 
@@ -183,15 +84,17 @@ void add_half_angles(SpatialFrame& frame, const LoopElement& a, const LoopElemen
 std::array<Polynomial, 4> coordinates_in(const DyadSpace& space, const MovingPose& pose) {
   std::array<Polynomial, 4> coordinates;
   for (std::size_t i = 0; i < coordinates.size(); ++i) {
-    for (std::size_t k = 0; k < kEntries; ++k) {
-      coordinates[i] = coordinates[i] + Coefficient{space.coordinates[i][k], 0} * entry(pose, k);
-    }
+    coordinates[i] = value(to_moving(space.coordinates[i]), pose);
   }
   return coordinates;
 }
 
 double distance_from_quadric(const LoopElement& a, const LoopElement& b, double length) {
-  const Eigen::Matrix<double, 8, 4> span = plain_span(a, b, length);
+  const Rounded A = to_double(a.axis);
+  const Rounded B = to_double(b.axis);
+  Eigen::Matrix<double, 8, 4> span;
+  span << unit_vector(Rounded::identity(), length), unit_vector(A, length), unit_vector(B, length),
+      unit_vector(A * B, length);
   const Eigen::Matrix4d form = span.topRows<4>().transpose() * span.bottomRows<4>();
   return (form + form.transpose()).cwiseAbs().maxCoeff();
 }
@@ -200,19 +103,16 @@ bool spans_common_space(const LoopElement& a, const LoopElement& b, const LoopEl
                         double length) {
   constexpr double kInside = 1e-11;
   constexpr Eigen::Index kDimension = 4;
-  const ExactPose one = identity_pose();
-  const ExactPose poses[] = {one,
-                             a.axis,
-                             b.axis,
-                             c.axis,
-                             a.axis * b.axis,
-                             a.axis * c.axis,
-                             b.axis * c.axis,
-                             a.axis * b.axis * c.axis};
-  Eigen::Matrix<double, 8, 8> span = Eigen::Matrix<double, 8, 8>::Zero();
+  std::vector<Rounded> products{Rounded::identity()};
+  for (const LoopElement* element : {&a, &b, &c}) {
+    const std::size_t size = products.size();
+    for (std::size_t k = 0; k < size; ++k) {
+      products.push_back(products[k] * to_double(element->axis));
+    }
+  }
+  Eigen::Matrix<double, 8, 8> span;
   for (Eigen::Index k = 0; k < 8; ++k) {
-    const Vector8 v = to_vector(poses[k], length);
-    if (v.norm() > 0) span.col(k) = v.normalized();
+    span.col(k) = unit_vector(products[static_cast<std::size_t>(k)], length);
   }
   const Eigen::VectorXd sigma = singular_values(span);
   return sigma[kDimension] <= kInside * sigma[0] &&

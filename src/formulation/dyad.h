@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Which 3-space do the poses of two joints in a row span, and how do three joints lie in one?
 //
-// Basis b_ij = b_i(A) b_j(B), in the order 00, 01, 10, 11; normals: rows of eight numbers that vanish on it, four unless the axes
+// Basis b_ij = b_i(A) b_j(B), in the order 00, 01, 10, 11; normals: linear forms that vanish on it, four unless the axes
 // are one. Both are exact: a linkage that moves by its dimensions satisfies the equations along a whole curve, and with rounded normals
 // it would only nearly do so. Lengths count in units of `length`, so that turns and shifts weigh alike.
 #pragma once
@@ -9,21 +9,17 @@
 #include <array>
 #include <vector>
 
-#include "loop_equations.h"
+#include "joint_loop.h"
 
 namespace moivre {
 
 struct DyadSpace {
   std::array<ExactPose, 4> basis;
-  std::vector<std::array<Rational, 8>> normals;
-  std::array<std::array<Rational, 8>, 4>
-      coordinates;  ///< rows that give a pose's coordinates in the basis
+  std::vector<ExactPose> normals;
+  std::array<ExactPose, 4> coordinates;  ///< linear forms that give a pose's in the basis
 };
 
 DyadSpace dyad_space(const LoopElement& a, const LoopElement& b, double length);
-
-/// E = b0 + unknown b1 as polynomials.
-MovingPose element_pose(const LoopElement& element);
 
 /// Unknown coordinates for the dyad of a and b, with their patch; b comes behind a.
 std::array<Polynomial, 4> add_dyad_coordinates(SpatialFrame& frame, const LoopElement& a,

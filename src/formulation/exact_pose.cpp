@@ -21,8 +21,6 @@ Rational without_noise(double x) {
   return Rational(std::ldexp(std::nearbyint(std::ldexp(x, kBits)), -kBits));
 }
 
-ExactPose identity_pose() { return {{1, 0, 0, 0}, {}}; }
-
 ExactPose shift_to(const Eigen::Vector3d& point) {
   const Rational half(1, 2);
   return {{1, 0, 0, 0},
@@ -61,9 +59,7 @@ ExactPose across(std::size_t k) {
 Rational norm(const ExactPose& pose) { return dot(pose.q, pose.q); }
 
 DualQuaternion<double> to_double(const ExactPose& pose) {
-  DualQuaternion<double> rounded;
-  for (std::size_t k = 0; k < kEntries; ++k) entry(rounded, k) = to_double(entry(pose, k));
-  return rounded;
+  return mapped(pose, [](const Rational& part) { return to_double(part); });
 }
 
 }  // namespace moivre

@@ -7,7 +7,7 @@
 
 #include <Eigen/Core>
 
-#include "dual_quaternion.h"
+#include "moivre/numeric/dual_quaternion.h"
 #include "moivre/numeric/rational.h"
 
 namespace moivre {
@@ -17,7 +17,6 @@ using ExactPose = DualQuaternion<Rational>;
 /// x, a number near 1 or below, cleaned of the bits that square roots leave to chance: what was meant as 1 is 1.
 Rational without_noise(double x);
 
-ExactPose identity_pose();
 /// A shift to a point, whose coordinates are the decimals that were typed.
 ExactPose shift_to(const Eigen::Vector3d& point);
 /// A turn about the z axis, and a shift along it.

@@ -63,7 +63,7 @@ class FourTurns {
 
   /// What stands between two elements: A of the slide that moves, 1 for the others.
   ExactPose between(std::size_t first, std::size_t last, std::size_t moved) const {
-    return first <= moved && moved < last ? e(moved).axis : identity_pose();
+    return first <= moved && moved < last ? e(moved).axis : ExactPose::identity();
   }
 
   /// The dyad of turns `first` and the next one, with the slide `moved` in it.

@@ -44,10 +44,15 @@ std::vector<JointLoop> all_ways(const JointLoop& loop) {
 }
 
 std::array<ExactPose, 2> basis_of(const LoopElement& element) {
-  const ExactPose one = identity_pose();
+  const ExactPose one = ExactPose::identity();
   const ExactPose moved = element.axis + (-element.fixed) * one;
   if (!element.is_turn) return {one, moved};
   return {one + element.fixed * element.axis, moved};
+}
+
+MovingPose element_pose(const LoopElement& element) {
+  const auto basis = basis_of(element);
+  return to_moving(basis[0]) + element.unknown * to_moving(basis[1]);
 }
 
 }  // namespace moivre

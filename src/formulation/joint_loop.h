@@ -13,12 +13,13 @@ namespace moivre {
 
 /// One joint of one freedom: E = b0 + unknown b1, with b0 = 1 + o A, b1 = A - o for a turn; b0 = 1, b1 = A - o for a slide.
 struct LoopElement {
-  ExactPose axis;      ///< A
-  Rational fixed = 0;  ///< o
+  std::size_t number = 0;  ///< in the loop as it is followed
+  ExactPose axis;          ///< A
   bool is_turn = false;
   std::string name;
-  Polynomial unknown;
   std::vector<std::string> owners;
+  Rational fixed = 0;  ///< o
+  Polynomial unknown = {};
 };
 
 /// E_1 E_2 ... ~ whole.
@@ -34,5 +35,7 @@ std::vector<JointLoop> all_ways(const JointLoop& loop);
 
 /// b0 and b1.
 std::array<ExactPose, 2> basis_of(const LoopElement& element);
+/// E
+MovingPose element_pose(const LoopElement& element);
 
 }  // namespace moivre

@@ -28,21 +28,15 @@ Cut best_cut(const JointLoop& loop, double length) {
   Cut best;
   for (JointLoop& way : all_ways(loop)) {
     const auto& e = way.elements;
-    const bool has_common_space = spans_common_space(e[3], e[4], e[5], length);
     const double inner = distance_from_quadric(e[1], e[2], length);
-    const double outer = distance_from_quadric(e[4], e[5], length);
-    const bool is_degenerate = spans_common_space(e[0], e[1], e[2], length) ||
-                               spans_common_space(e[1], e[2], e[3], length);
-    double merit = outer > kOnQuadric ? outer + kOnQuadric * inner : 0;
-    if (is_degenerate) merit *= kOnQuadric;
     // Two slides in a row span a plane of displacements, too few for the coordinates of a dyad.
     const bool is_dyad = e[4].is_turn || e[5].is_turn;
     // Four paths and two for each beat any other cut.
-    const bool decouples = has_common_space && is_dyad && inner > kOnQuadric &&
+    const bool decouples = is_dyad && inner > kOnQuadric &&
+                           spans_common_space(e[3], e[4], e[5], length) &&
                            !spans_common_space(e[0], e[1], e[2], length);
-    if (decouples) merit = 2 + inner;
-    if (merit <= best.merit) continue;
-    best = {std::move(way), decouples, merit};
+    const double merit = decouples ? 2 + inner : distance_from_quadric(e[4], e[5], length);
+    if (merit > best.merit) best = {std::move(way), decouples, merit};
   }
   return best;
 }
@@ -68,14 +62,10 @@ class LoopEquations {
  public:
   LoopEquations(SpatialFrame& frame, JointLoop loop) : frame_(frame), loop_(std::move(loop)) {}
 
-  /// E_1 D_23 E_4 in the space of 5 and 6.
+  /// E_1 E_2 E_3 E_4 in the space of 5 and 6.
   void add_general() {
     const DyadSpace outer = dyad_at(4);
-    const std::array<Polynomial, 4> inner = add_inner_dyad();
-    add_quadric(frame_, e(1), inner);
-    const MovingPose pose = element(0) * pose_in(dyad_at(1), inner) * element(3);
-    // whole^-1 E_1 D_23 E_4 = conj(E_5 E_6), whose conjugate lies in the space of E_5 E_6.
-    const MovingPose rest = conjugate(conjugate(whole()) * pose);
+    const MovingPose rest = rest_behind(element(0) * element(1) * element(2) * element(3));
     in_space(rest, outer);
     add_half_angles(frame_, e(4), e(5), coordinates_in(outer, rest));
   }
@@ -84,12 +74,9 @@ class LoopEquations {
   void add_decoupled() {
     const DyadSpace outer = dyad_at(4);
     // Inside V Study's quadric holds, and with it the dyad's.
-    const MovingPose pose = element(0) * pose_in(dyad_at(1), add_inner_dyad());
-    const MovingPose rest = conjugate(conjugate(whole()) * pose);  // E_4 E_5 E_6
+    const MovingPose rest = rest_behind(element(0) * pose_in(dyad_at(1), add_inner_dyad()));
     in_space(rest, outer);
-    const std::array<Polynomial, 4> c = coordinates_in(outer, conjugate(element(3)) * rest);
-    add_quadric(frame_, e(4), c);
-    add_half_angles(frame_, e(4), e(5), c);
+    add_outer_dyad(4, coordinates_in(outer, conjugate(element(3)) * rest));
   }
 
   /// Three to five elements: E_1 D_23 ... , the last dyad in its space, where it need not be on the quadric. Four equations of the
@@ -97,21 +84,19 @@ class LoopEquations {
   void add_short() {
     const std::size_t last = loop_.elements.size() - 2;
     const bool has_inner_dyad = last == 3;
-    MovingPose rest = to_moving(conjugate(loop_.whole));
     std::array<Polynomial, 4> inner;
+    MovingPose before = element(0);
     if (has_inner_dyad) {
       inner = add_inner_dyad();
-      rest = rest * element(0) * pose_in(dyad_at(1), inner);
-    } else {
-      for (std::size_t k = 0; k < last; ++k) rest = rest * element(k);
+      before = before * pose_in(dyad_at(1), inner);
+    } else if (last == 2) {
+      before = before * element(1);
     }
-    rest = conjugate(rest);
+    const MovingPose rest = rest_behind(before);
     const DyadSpace outer = dyad_at(last);
     in_space(rest, outer);
     if (has_inner_dyad) add_quadric(frame_, e(1), inner);
-    const std::array<Polynomial, 4> c = coordinates_in(outer, rest);
-    add_quadric(frame_, e(last), c);
-    add_half_angles(frame_, e(last), e(last + 1), c);
+    add_outer_dyad(last, coordinates_in(outer, rest));
   }
 
   /// Three turns and three slides: the turns alone close like a spherical loop, and then the slides are linear.
@@ -141,6 +126,17 @@ class LoopEquations {
   MovingPose whole() const { return to_moving(loop_.whole); }
   DyadSpace dyad_at(std::size_t k) const { return dyad_space(e(k), e(k + 1), frame_.length()); }
 
+  /// What the other elements have to be, which close the loop: whole^-1 before = conj(rest).
+  MovingPose rest_behind(const MovingPose& before) const {
+    return conjugate(conjugate(whole()) * before);
+  }
+
+  /// The elements k and k + 1, whose dyad has the coordinates c where these are one's.
+  void add_outer_dyad(std::size_t k, const std::array<Polynomial, 4>& c) {
+    add_quadric(frame_, e(k), c);
+    add_half_angles(frame_, e(k), e(k + 1), c);
+  }
+
   /// Unknown coordinates for the dyad of elements 1 and 2, with their half angles.
   std::array<Polynomial, 4> add_inner_dyad() {
     const std::array<Polynomial, 4> c = add_dyad_coordinates(frame_, e(1), e(2));
@@ -150,17 +146,14 @@ class LoopEquations {
 
   /// Where axes meet in a point all shifts cancel, and each part is rounding of what a shift of the mechanism's length would give.
   void in_space(const MovingPose& pose, const DyadSpace& space) {
-    constexpr std::size_t kTurnEntries = kEntries / 2;
     double turn = 0;
-    for (std::size_t k = 0; k < kTurnEntries; ++k) {
-      turn = std::max(turn, largest_coefficient(entry(pose, k)));
-    }
-    for (const auto& normal : space.normals) {
+    for (const Polynomial& p : pose.q) turn = std::max(turn, largest_coefficient(p));
+    for (const ExactPose& normal : space.normals) {
       Polynomial sum;
       double size = 0;
-      for (std::size_t k = 0; k < kEntries; ++k) {
-        const Polynomial part = Coefficient{normal[k], 0} * entry(pose, k);
-        const double whole = turn * (k < kTurnEntries ? 1 : frame_.length());
+      for (std::size_t k = 0; k < pose.size(); ++k) {
+        const Polynomial part = Coefficient{normal[k], 0} * pose[k];
+        const double whole = turn * (k < 4 ? 1 : frame_.length());
         size = std::max({size, largest_coefficient(part), std::abs(to_double(normal[k])) * whole});
         sum = sum + part;
       }

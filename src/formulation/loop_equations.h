@@ -6,11 +6,6 @@
 
 namespace moivre {
 
-/// The pose within rounding, by short numbers.
-ExactPose shortened(const ExactPose& pose);
-/// A of a turn about the z axis of a frame, or of a slide along it.
-ExactPose axis_at(const ExactPose& frame, bool is_turn);
-
 /// How a loop is stated, begun where that is done best.
 struct LoopForm {
   enum class Kind {
@@ -24,7 +19,7 @@ struct LoopForm {
   JointLoop loop;
 };
 
-/// For three to six elements, whatever their o is.
+/// For three to six elements, whatever their o and unknowns are.
 LoopForm form_of(JointLoop loop, double length);
 /// Whether slides follow linearly from the turns: they are to be unknowns themselves, o = 0.
 bool has_linear_slides(LoopForm::Kind kind);

@@ -3,9 +3,8 @@
 #include "moivre/formulation/pose_reading.h"
 
 #include <Eigen/Geometry>
-#include <cmath>
+#include <algorithm>
 
-#include "dual_quaternion.h"
 #include "moivre/mechanism/spins.h"
 #include "moivre/polynomial/value.h"
 
@@ -24,20 +23,14 @@ Eigen::Isometry3d to_isometry(const DualQuaternion<double>& pose) {
   return placed;
 }
 
-/// A real pose may come with a complex factor: its largest entry becomes 1.
-Eigen::Isometry3d relative_pose(const std::array<Polynomial, 8>& relative, const Point& root) {
-  std::array<Complex, 8> values;
-  for (std::size_t k = 0; k < values.size(); ++k) values[k] = value_at(relative[k], root);
-  Complex factor = 1;
-  double largest = 0;
-  for (std::size_t k = 0; k < 4; ++k) {
-    if (std::abs(values[k]) <= largest) continue;
-    largest = std::abs(values[k]);
-    factor = values[k];
-  }
-  DualQuaternion<double> pose;
-  for (std::size_t k = 0; k < values.size(); ++k) entry(pose, k) = (values[k] / factor).real();
-  return to_isometry(pose);
+/// A real pose may come with a complex factor: its largest turn number becomes 1.
+Eigen::Isometry3d relative_pose(const DualQuaternion<Polynomial>& relative, const Point& root) {
+  const auto values = mapped(relative, [&](const Polynomial& p) { return value_at(p, root); });
+  const Complex factor = *std::max_element(
+      values.q.begin(), values.q.end(),
+      [](const Complex& a, const Complex& b) { return std::norm(a) < std::norm(b); });
+  return to_isometry(mapped(
+      values, [&](const Complex& value) { return factor == 0.0 ? 0 : (value / factor).real(); }));
 }
 
 /// x towards b - a, y on the side of c.
@@ -81,9 +74,7 @@ Eigen::VectorXd coordinates_of_root(const PoseReading& reading, const Point& roo
   Eigen::VectorXd q(kSize * static_cast<Eigen::Index>(reading.bodies.size()));
   Eigen::Index at = 0;
   for (const PoseReading::BodyPose& body : reading.bodies) {
-    DualQuaternion<double> in_group;
-    for (std::size_t k = 0; k < kEntries; ++k) entry(in_group, k) = body.in_group[k];
-    const Eigen::Isometry3d pose = groups[body.group] * to_isometry(in_group);
+    const Eigen::Isometry3d pose = groups[body.group] * to_isometry(body.in_group);
     const Eigen::AngleAxisd turn(pose.linear());
     q.segment<3>(at) = pose.translation();
     q.segment<3>(at + 3) = turn.angle() * turn.axis();

@@ -20,7 +20,7 @@ constexpr double kSame = 1e-9;
 
 /// About and along the joint's axis.
 ExactPose driven_motion(const DrivenJoint& driven) {
-  ExactPose motion = identity_pose();
+  ExactPose motion = ExactPose::identity();
   if (driven.angle) motion = turn_about_z(*driven.angle);
   if (driven.slide) motion = motion * slide_along_z(*driven.slide);
   return motion;
@@ -42,7 +42,7 @@ class Grouping {
   Grouping(const Mechanism& mechanism, double t) : mechanism_(mechanism), t_(t) {
     for (std::size_t body = 0; body < mechanism.bodies.size(); ++body) {
       root_.push_back(body);
-      pose_.push_back(identity_pose());
+      pose_.push_back(ExactPose::identity());
     }
   }
 

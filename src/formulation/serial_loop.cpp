@@ -3,7 +3,6 @@
 #include "serial_loop.h"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "loop_equations.h"
 
@@ -13,54 +12,74 @@ namespace {
 constexpr std::size_t kFewest = 3;
 constexpr std::size_t kMost = 6;
 
-class Chain {
- public:
-  /// Slides are their own unknowns where they are to be linear; else infinity is brought to a finite place. `at`: where it begins.
-  Chain(SpatialFrame& frame, const RigidGroups& groups, bool has_plain_slides, ExactPose at)
-      : frame_(frame), groups_(groups), has_plain_slides_(has_plain_slides), at_(std::move(at)) {}
+/// The pose within rounding, by short numbers.
+ExactPose shortened(const ExactPose& pose) {
+  const DualQuaternion<double> rounded = to_double(pose);
+  const Quaternion<double> half = scaled(0.5, shift_of(rounded));
+  const ExactPose shifted{{1, 0, 0, 0},
+                          {0, Rational(half[1]), Rational(half[2]), Rational(half[3])}};
+  return shifted * turn_by(rounded.q);
+}
 
-  void follow(const Tie& tie, bool is_last) {
-    const std::vector<std::string>& owners = groups_.bodies[is_last ? tie.i : tie.j];
-    MovingPose pose = to_moving(identity_pose());
+/// A of a turn about the z axis of a frame, or of a slide along it.
+ExactPose axis_at(const ExactPose& frame, bool is_turn) {
+  const ExactPose near = shortened(frame);
+  const ExactPose z = is_turn ? ExactPose{{0, 0, 0, 1}, {}} : ExactPose{{}, {0, 0, 0, {1, 2}}};
+  return 1 / norm(near) * (near * z * conjugate(near));
+}
+
+/// Axes where all joints are at rest; without unknowns. Seen from the first joint: places far from the origin would be rounded by more,
+/// and a loop that moves would not.
+JointLoop at_rest(const RigidGroups& groups, const std::vector<Tie>& loop) {
+  const Quaternion<Rational> first = shift_of(loop.front().at_i);
+  const Rational half(1, 2);
+  const ExactPose origin{{1, 0, 0, 0}, {0, half * first[1], half * first[2], half * first[3]}};
+  JointLoop joints;
+  ExactPose at = conjugate(origin);
+  for (const Tie& tie : loop) {
     for (const TieStep& step : steps_of(tie, true)) {
       if (step.kind == TieStep::Kind::fixed) {
-        at_ = at_ * step.pose;
-        pose = pose * to_moving(step.pose);
-      } else {
-        pose = pose * add(step, owners);
+        at = at * step.pose;
+        continue;
       }
+      const bool is_turn = step.kind == TieStep::Kind::turn;
+      const bool is_last = &tie == &loop.back();
+      joints.elements.push_back({joints.elements.size(), axis_at(at, is_turn), is_turn, step.name,
+                                 groups.bodies[is_last ? tie.i : tie.j]});
     }
-    if (!is_last) frame_.place(tie.j, tie.i, pose);
   }
+  joints.whole = conjugate(shortened(at * origin));
+  return joints;
+}
 
-  std::vector<LoopElement> take() && { return std::move(elements_); }
-  ExactPose end() const { return at_; }
+/// Slides are their own unknowns where they are to be linear; else infinity is brought to a finite place.
+void add_unknown(SpatialFrame& frame, bool has_linear_slides, LoopElement& element) {
+  if (element.is_turn) {
+    element.fixed = frame.random_number();
+    element.unknown = frame.add_turn(element.name, element.owners);
+  } else {
+    if (!has_linear_slides) element.fixed = frame.random_number() / Rational(frame.length());
+    element.unknown = frame.add_slide(element.name, element.fixed, element.owners);
+  }
+}
 
- private:
-  MovingPose add(const TieStep& step, const std::vector<std::string>& owners) {
-    LoopElement element;
-    element.is_turn = step.kind == TieStep::Kind::turn;
-    element.axis = axis_at(at_, element.is_turn);
-    element.owners = owners;
-    element.name = step.name;
-    if (element.is_turn) {
-      element.fixed = frame_.random_number();
-      element.unknown = frame_.add_turn(step.name, owners);
-    } else {
-      if (!has_plain_slides_) element.fixed = frame_.random_number() / Rational(frame_.length());
-      element.unknown = frame_.add_slide(step.name, element.fixed, owners);
+/// Where each group but the ground stands in the one before.
+void place_groups(SpatialFrame& frame, const std::vector<Tie>& loop, const JointLoop& joints) {
+  auto element = joints.elements.begin();
+  for (std::size_t k = 0; k + 1 < loop.size(); ++k) {
+    MovingPose pose = to_moving(ExactPose::identity());
+    for (const TieStep& step : steps_of(loop[k], true)) {
+      if (step.kind == TieStep::Kind::fixed) {
+        pose = pose * to_moving(step.pose);
+        continue;
+      }
+      pose = pose * (element->is_turn ? turn_of(element->unknown, element->fixed)
+                                      : slide_of(element->unknown, element->fixed));
+      ++element;
     }
-    elements_.push_back(element);
-    return element.is_turn ? turn_of(element.unknown, element.fixed)
-                           : slide_of(element.unknown, element.fixed);
+    frame.place(loop[k].j, loop[k].i, pose);
   }
-
-  SpatialFrame& frame_;
-  const RigidGroups& groups_;
-  bool has_plain_slides_;
-  std::vector<LoopElement> elements_;
-  ExactPose at_;  ///< where the chain has come with all joints at rest
-};
+}
 
 }  // namespace
 
@@ -91,26 +110,16 @@ std::optional<std::vector<Tie>> loop_of(const RigidGroups& groups, const Part& p
 }
 
 void add_loop(SpatialFrame& frame, const RigidGroups& groups, const std::vector<Tie>& loop) {
-  // Seen from the first joint: places far from the origin would be rounded by more, and a loop that moves would not.
-  const Quaternion<Rational> first = shift_of(loop.front().at_i);
-  const Rational half(1, 2);
-  const ExactPose origin{{1, 0, 0, 0}, {0, half * first[1], half * first[2], half * first[3]}};
-  const auto followed = [&](SpatialFrame& into, bool has_plain_slides) {
-    Chain chain(into, groups, has_plain_slides, conjugate(origin));
-    for (std::size_t k = 0; k < loop.size(); ++k) chain.follow(loop[k], k + 1 == loop.size());
-    const ExactPose whole = conjugate(shortened(chain.end() * origin));
-    return JointLoop{std::move(chain).take(), whole};
-  };
   frame.note_rounding();
-  SpatialFrame plain = frame;
-  LoopForm form = form_of(followed(plain, true), frame.length());
-  if (has_linear_slides(form.kind)) {
-    frame = std::move(plain);
-  } else {
-    form = form_of(followed(frame, false), frame.length());
-    if (has_linear_slides(form.kind)) {
-      throw std::logic_error("a loop's form hangs on how its slides are written");
-    }
+  JointLoop joints = at_rest(groups, loop);
+  LoopForm form = form_of(joints, frame.length());
+  for (LoopElement& element : joints.elements) {
+    add_unknown(frame, has_linear_slides(form.kind), element);
+  }
+  place_groups(frame, loop, joints);
+  for (LoopElement& element : form.loop.elements) {
+    element.fixed = joints.elements[element.number].fixed;
+    element.unknown = joints.elements[element.number].unknown;
   }
   add_loop_equations(frame, std::move(form));
 }

@@ -28,7 +28,7 @@ constexpr std::array<GeneralRod, 6> kGeneralRods{{
 /// q and g in units of that length, up to a factor, real and imaginary parts in turn; tests/closures/six_rods_test.cpp solves for them
 /// anew.
 constexpr std::size_t kGeneralPairs = 20;
-const std::array<std::array<double, 2 * kEntries>, kGeneralPairs> kGeneralPoses{{
+const std::array<std::array<double, 2 * ExactPose::size()>, kGeneralPairs> kGeneralPoses{{
     {0.32058166307439123, -0.22495648879670915, -0.11573872489992214, -0.15401184156981274,
      0.12165121258752679, -0.42488153743310136, 0.45195158716019374, 0.3093101421237596,
      -0.24285134128872626, 0.7894480030353896, 0.2698286009457709, -0.15702500103768802,
@@ -112,7 +112,7 @@ const std::array<std::array<double, 2 * kEntries>, kGeneralPairs> kGeneralPoses{
 }};
 
 ExactPose shift_by(const std::array<int, 3>& eighths, const Rational& length) {
-  ExactPose shift = identity_pose();
+  ExactPose shift = ExactPose::identity();
   for (std::size_t k = 0; k < eighths.size(); ++k) {
     shift.g[k + 1] = Rational(eighths[k], 16) * length;
   }
@@ -147,7 +147,7 @@ Formulation::GeneralMember general_six_rods(RigidGroups groups, const Part& part
   member.system = std::move(frame.result().system);
   for (const auto& pose : kGeneralPoses) {
     Point x;
-    for (std::size_t k = 0; k < kEntries; ++k) {
+    for (std::size_t k = 0; k < ExactPose::size(); ++k) {
       x.push_back((k < 4 ? 1 : length) * Complex(pose[2 * k], pose[2 * k + 1]));
     }
     x = on_patch(std::move(x), member.system.polynomials.front());

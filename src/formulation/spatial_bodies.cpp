@@ -53,14 +53,14 @@ void leave_out_links(RigidGroups& groups) {
 
 /// Whether all joints' frames are typed points, none of them turned.
 bool has_exact_frames(const RigidGroups& groups) {
-  const auto is_shift = [](const ExactPose& pose) { return pose.q == identity_pose().q; };
+  const auto is_shift = [](const ExactPose& pose) { return pose.q == ExactPose::identity().q; };
   return std::all_of(groups.ties.begin(), groups.ties.end(),
                      [&](const Tie& tie) { return is_shift(tie.at_i) && is_shift(tie.at_j); });
 }
 
 /// Ties whose both ends are the ground hold or do not, whatever moves.
 void add_ground_ties(SpatialFrame& frame, const RigidGroups& groups) {
-  const MovingPose rest = to_moving(identity_pose());
+  const MovingPose rest = to_moving(ExactPose::identity());
   for (const Tie& tie : groups.ties) {
     if (tie.i != 0 || tie.j != 0) continue;
     if (is_rod(tie)) {
@@ -94,11 +94,7 @@ void read_poses(const RigidGroups& groups, PoseReading& poses) {
   poses.groups = groups.names.size();
   poses.placements.insert(poses.placements.end(), groups.links.begin(), groups.links.end());
   for (std::size_t body = 1; body < groups.group_of.size(); ++body) {
-    PoseReading::BodyPose pose;
-    pose.group = groups.group_of[body];
-    const DualQuaternion<double> in_group = to_double(groups.in_group[body]);
-    for (std::size_t k = 0; k < kEntries; ++k) pose.in_group[k] = entry(in_group, k);
-    poses.bodies.push_back(pose);
+    poses.bodies.push_back({groups.group_of[body], to_double(groups.in_group[body])});
   }
 }
 

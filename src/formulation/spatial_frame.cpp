@@ -30,11 +30,7 @@ Polynomial real_constant(const Rational& c) {
   return c.is_zero() ? Polynomial{} : constant({c, 0});
 }
 
-MovingPose to_moving(const ExactPose& pose) {
-  MovingPose moving;
-  for (std::size_t k = 0; k < kEntries; ++k) entry(moving, k) = real_constant(entry(pose, k));
-  return moving;
-}
+MovingPose to_moving(const ExactPose& pose) { return mapped(pose, real_constant); }
 
 Polynomial SpatialFrame::add_unknown(const std::string& name, bool is_direction,
                                      const std::vector<std::string>& owners) {
@@ -87,9 +83,7 @@ void SpatialFrame::exclude(Polynomial p, const std::string& reason) {
 }
 
 void SpatialFrame::place(std::size_t group, std::size_t parent, const MovingPose& relative) {
-  PoseReading::Placement placement{group, parent, {}, {}};
-  for (std::size_t k = 0; k < kEntries; ++k) placement.relative[k] = entry(relative, k);
-  result_.poses.placements.push_back(std::move(placement));
+  result_.poses.placements.push_back({group, parent, relative, {}});
 }
 
 Rational SpatialFrame::random_number() {
@@ -207,7 +201,7 @@ MovingPose add_motion(SpatialFrame& frame, const Tie& tie, const std::vector<std
     return to_moving(step.pose);
   };
   // The line of a point that turns freely is fixed in one group.
-  MovingPose motion = to_moving(identity_pose());
+  MovingPose motion = to_moving(ExactPose::identity());
   for (const TieStep& step : steps_of(tie, tie.is_reversed)) motion = motion * moved(step);
   return motion;
 }

@@ -21,7 +21,7 @@ class Tree {
  public:
   Tree(SpatialFrame& frame, const RigidGroups& groups, const Part& part)
       : frame_(frame), groups_(groups), part_(part) {
-    nodes_[0] = {0, 0, to_moving(identity_pose())};
+    nodes_[0] = {0, 0, to_moving(ExactPose::identity())};
   }
 
   void build() {
@@ -98,7 +98,7 @@ class Tree {
 
   /// Pose of group j in group i, from where their branches part.
   MovingPose relative(std::size_t i, std::size_t j) const {
-    MovingPose to_i = to_moving(identity_pose());
+    MovingPose to_i = to_moving(ExactPose::identity());
     MovingPose to_j = to_i;
     while (i != j) {
       const Node& node_i = nodes_.at(i);

@@ -17,24 +17,21 @@
 #include <utility>
 #include <vector>
 
-#include "moivre/arms/dual_quaternion.h"
-#include "moivre/numeric/integer.h"
+#include "moivre/numeric/exact_displacement.h"
 #include "moivre/urdf/choice.h"
 #include "moivre/urdf/robot.h"
 
 namespace moivre {
 
-using ExactDisplacement = DualQuaternion<Integer>;
-
 struct ArmJoint {
   std::string name;
   bool is_slide = false;
-  std::optional<Limits> limits;                              ///< none: it turns without end
-  Eigen::Isometry3d before = Eigen::Isometry3d::Identity();  ///< B_i
-  Eigen::Vector3d axis = Eigen::Vector3d::UnitX();           ///< a_i, unit
-  ExactDisplacement exact_before{1};                         ///< B_i
+  std::optional<Limits> limits;                                    ///< none: it turns without end
+  Eigen::Isometry3d before = Eigen::Isometry3d::Identity();        ///< B_i
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitX();                 ///< a_i, unit
+  ExactDisplacement exact_before = ExactDisplacement::identity();  ///< B_i
   /// J_i = c + s step, up to a factor: s/c = tan(x_i/2) / exact_length of a turn, 1 / exact_length of a slide.
-  ExactDisplacement step{};
+  ExactDisplacement step;
   double exact_length = 1;  ///< of the axis as typed
 };
 
@@ -42,7 +39,7 @@ struct Arm {
   std::string robot, base, tip;
   std::vector<ArmJoint> joints;
   Eigen::Isometry3d tool = Eigen::Isometry3d::Identity();  ///< T
-  ExactDisplacement exact_tool{1};
+  ExactDisplacement exact_tool = ExactDisplacement::identity();
   std::vector<HeldJoint> held;
   double length = 1;  ///< of the arm stretched out; 1 where it has none
 };

@@ -10,12 +10,12 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
 
 #include "moivre/numeric/complex.h"
+#include "moivre/numeric/dual_quaternion.h"
 #include "moivre/polynomial/system.h"
 
 namespace moivre {
@@ -28,13 +28,13 @@ struct PoseReading {
   };
   struct Placement {
     std::size_t group = 0;
-    std::size_t parent = 0;              ///< of a placement by a pose
-    std::array<Polynomial, 8> relative;  ///< q, then g
-    std::vector<PointPair> points;       ///< not empty: by points
+    std::size_t parent = 0;  ///< of a placement by a pose
+    DualQuaternion<Polynomial> relative;
+    std::vector<PointPair> points;  ///< not empty: by points
   };
   struct BodyPose {
     std::size_t group = 0;
-    std::array<double, 8> in_group{};  ///< the body's frame in its group's
+    DualQuaternion<double> in_group;  ///< the body's frame in its group's
   };
 
   std::size_t groups = 0;

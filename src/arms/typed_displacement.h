@@ -21,8 +21,6 @@ ExactDisplacement exact_step(const ExactVector& axis, bool is_slide);
 /// The length of the axis in it: of a slide's, twice the dual part.
 double exact_length(const ExactDisplacement& step, bool is_slide);
 
-/// Without the factor that all eight share.
-ExactDisplacement reduced(ExactDisplacement g);
 /// Lengths in units of 2^exponent.
 ExactDisplacement in_unit(ExactDisplacement g, int exponent);
 
