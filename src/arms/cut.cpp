@@ -47,7 +47,6 @@ bool may_be_group(const Loop& loop, std::size_t first) {
 Cut cut_at(const Loop& loop, std::size_t first, std::size_t count) {
   const std::size_t n = loop.joints.size();
   Cut cut;
-  cut.first = first;
   for (std::size_t k = 0; k < n; ++k) {
     (k < count ? cut.inside : cut.outside).push_back((first + k) % n);
   }

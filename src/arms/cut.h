@@ -17,8 +17,7 @@ enum class CutKind { one, two, two_in_quadric, three };
 
 struct Cut {
   CutKind kind = CutKind::two;
-  std::size_t first = 0;            ///< the joints first, first + 1, ..., counted round the loop
-  std::vector<std::size_t> inside;  ///< these
+  std::vector<std::size_t> inside;  ///< neighbouring joints, counted round the loop
   std::vector<std::size_t>
       outside;  ///< the other joints, in their order round the loop behind them
   std::vector<ExactDisplacement> forms;  ///< that vanish on W
@@ -47,7 +46,7 @@ std::vector<DualQuaternion<S>> outside_product(const Loop& loop, const Cut& cut,
     }
   }
   for (DualQuaternion<S>& term : terms) {
-    term = conjugate(term * (loop.joints[cut.first].*numbers).before);
+    term = conjugate(term * (loop.joints[cut.inside.front()].*numbers).before);
   }
   return terms;
 }

@@ -89,14 +89,14 @@ QuadraticRoots first_of_three(const Loop& loop, const Cut& cut, const Pair& pair
                          b[0] * b[3] - b[1] * b[2], form_size(a, a) + form_size(b, b));
 }
 
-/// What the joints inside must do: the rest of the loop, backwards.
-ComplexDisplacement wanted_inside(const Loop& loop, const Cut& cut,
-                                  const std::vector<Tangent>& at) {
+/// Before J ... before J of these joints.
+ComplexDisplacement product_of(const Loop& loop, const std::vector<std::size_t>& joints,
+                               const std::vector<Tangent>& at) {
   ComplexDisplacement product = ComplexDisplacement::identity();
-  for (const std::size_t k : cut.outside) {
+  for (const std::size_t k : joints) {
     product = product * loop.joints[k].rounded.before * joint_displacement(loop.joints[k], at[k]);
   }
-  return conjugate(product * loop.joints[cut.first].rounded.before);
+  return product;
 }
 
 void scale_to_one(const LoopJoint& joint, Tangent& at) {
@@ -105,18 +105,13 @@ void scale_to_one(const LoopJoint& joint, Tangent& at) {
   at.s /= size;
 }
 
-/// Whether every joint has an inverse and the loop closes.
+/// Whether every joint has an inverse and the product of those inside is `wanted`.
 bool is_closure(const Loop& loop, const Cut& cut, const std::vector<Tangent>& at,
                 const ComplexDisplacement& wanted, double missed, double null) {
   for (std::size_t k = 0; k < at.size(); ++k) {
     if (!(distance_from_null(loop.joints[k], at[k]) > null)) return false;
   }
-  ComplexDisplacement product = joint_displacement(loop.joints[cut.inside[0]], at[cut.inside[0]]);
-  for (std::size_t i = 1; i < cut.inside.size(); ++i) {
-    const std::size_t k = cut.inside[i];
-    product = product * loop.joints[k].rounded.before * joint_displacement(loop.joints[k], at[k]);
-  }
-  const auto a = column(product).normalized().eval();
+  const auto a = column(product_of(loop, cut.inside, at)).normalized().eval();
   const auto b = column(wanted).normalized().eval();
   return (a - b * b.dot(a)).norm() <= missed;
 }
@@ -135,10 +130,13 @@ ReadBack read_back(const Loop& loop, const Cut& cut, const Point& x, double accu
     at[joint] = {1, x[k]};
     scale_to_one(loop.joints[joint], at[joint]);
   }
-  const ComplexDisplacement wanted = wanted_inside(loop, cut, at);
+  // What the product inside must be, and without the constant displacement at its beginning.
+  const ComplexDisplacement around = conjugate(product_of(loop, cut.outside, at));
+  const ComplexDisplacement wanted =
+      conjugate(loop.joints[cut.inside.front()].rounded.before) * around;
   const auto take = [&] {
     for (const std::size_t k : cut.inside) scale_to_one(loop.joints[k], at[k]);
-    if (!is_closure(loop, cut, at, wanted, missed, null)) return;
+    if (!is_closure(loop, cut, at, around, missed, null)) return;
     LoopRoot root{at, 0};
     for (std::size_t k = 0; k < at.size(); ++k) {
       root.imaginary = std::max(root.imaginary, imaginary_part(loop.joints[k], at[k]));

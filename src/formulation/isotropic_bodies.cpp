@@ -30,7 +30,7 @@ class Bodies {
   Formulation build() && {
     write();
     read_coordinates();
-    return std::move(frame_).take();
+    return std::move(frame_.result());
   }
 
   /// Pins begin at the ground, else at the body of the earliest block.
@@ -129,7 +129,8 @@ class Bodies {
   void add_positions() {
     positions_.push_back({constant({0, 0}), constant({0, 0})});
     for (std::size_t i = 1; i < mechanism_.bodies.size(); ++i) {
-      positions_.push_back(frame_.add_pair(mechanism_.bodies[i].name));
+      const std::string& name = mechanism_.bodies[i].name;
+      positions_.push_back(frame_.add_pair({"p_" + name, "pb_" + name}, false, {name}));
     }
   }
 

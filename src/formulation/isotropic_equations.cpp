@@ -34,7 +34,7 @@ class Equations {
       equation_ = equation.name;
       frame_.add_equation(equation.name, polynomial(equation.formula));
     }
-    return std::move(frame_).take();
+    return std::move(frame_.result());
   }
 
  private:
@@ -61,7 +61,9 @@ class Equations {
     frame_.add_angles();
     for (std::size_t k = 0; k < mechanism_.unknowns.size(); ++k) {
       const Unknown& unknown = mechanism_.unknowns[k];
-      lengths_.push_back(unknown.is_angle ? constant({0, 0}) : frame_.add_real(unknown.name));
+      lengths_.push_back(unknown.is_angle
+                             ? constant({0, 0})
+                             : frame_.add_unknown(unknown.name, false, {unknown.name}));
       frame_.result().coordinates.push_back(
           unknown.is_angle ? Formulation::Reading{Part::argument, frame_.t(k + 1).z}
                            : Formulation::Reading{Part::re, lengths_.back()});

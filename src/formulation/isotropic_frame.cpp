@@ -17,7 +17,7 @@ void IsotropicFrame::hold_angle(std::size_t i, std::size_t j, const Coefficient&
     case AngleClasses::Verdict::joined:
       return;
     case AngleClasses::Verdict::repeated:
-      result_.left_out.emplace_back(name, "its angle is already held at the same value");
+      result().left_out.emplace_back(name, "its angle is already held at the same value");
       return;
     case AngleClasses::Verdict::contradiction:
       contradict(name);
@@ -26,11 +26,11 @@ void IsotropicFrame::hold_angle(std::size_t i, std::size_t j, const Coefficient&
 }
 
 void IsotropicFrame::contradict(const std::string& name) {
-  result_.contradictions.push_back(name + " holds an angle that is already held at another value");
+  result().contradictions.push_back(name + " holds an angle that is already held at another value");
 }
 
 void IsotropicFrame::add_angles() {
-  t_of_.assign(names_.size() + 1, 0);
+  t_.assign(names_.size() + 1, {constant({1, 0}), constant({1, 0})});
   for (std::size_t node = 1; node <= names_.size(); ++node) {
     if (classes_.find(node).root != node) continue;
     std::vector<std::string> owners;
@@ -38,60 +38,34 @@ void IsotropicFrame::add_angles() {
       if (classes_.find(member).root == node) owners.push_back(names_[member - 1]);
     }
     const std::string& name = names_[node - 1];
-    const std::uint32_t t = add_variable("t_" + name, owners);
-    const std::uint32_t u = add_variable("u_" + name, owners);
-    result_.mirror[t] = u;
-    result_.mirror[u] = t;
-    result_.is_direction[t] = true;
-    result_.is_direction[u] = true;
-    t_of_[node] = t;
-    add_equation("unit " + name, unknown(t) * unknown(u) - constant({1, 0}));
+    t_[node] = add_pair({"t_" + name, "u_" + name}, true, owners);
+    add_equation("unit " + name, t_[node].z * t_[node].conjugate - constant({1, 0}));
   }
-  for (std::size_t node = 0; node <= names_.size(); ++node) t_.push_back(direction(node));
+  for (std::size_t node = 1; node <= names_.size(); ++node) {
+    const SharedAngle angle = classes_.find(node);
+    if (angle.root != node) t_[node] = angle.factor * t_[angle.root];
+  }
 }
 
-std::uint32_t IsotropicFrame::add_variable(const std::string& name,
-                                           std::vector<std::string> owners) {
-  const std::size_t index = result_.system.variables.size();
-  result_.system.variables.push_back(name);
-  result_.mirror.push_back(index);
-  result_.is_direction.push_back(false);
-  result_.owners.push_back(std::move(owners));
-  return static_cast<std::uint32_t>(index);
-}
-
-Mirrored IsotropicFrame::add_pair(const std::string& name) {
-  const std::uint32_t p = add_variable("p_" + name, {name});
-  const std::uint32_t pb = add_variable("pb_" + name, {name});
-  result_.mirror[p] = pb;
-  result_.mirror[pb] = p;
-  return {unknown(p), unknown(pb)};
-}
-
-Polynomial IsotropicFrame::add_real(const std::string& name) {
-  return unknown(add_variable(name, {name}));
+Mirrored IsotropicFrame::add_pair(const std::array<std::string, 2>& names, bool is_direction,
+                                  const std::vector<std::string>& owners) {
+  const std::uint32_t z = add_variable(names[0], is_direction, owners);
+  const std::uint32_t image = add_variable(names[1], is_direction, owners);
+  std::swap(result().mirror[z], result().mirror[image]);
+  return {unknown(z), unknown(image)};
 }
 
 void IsotropicFrame::add_equation(const std::string& name, Polynomial p) {
   if (p.terms.empty()) {
-    result_.left_out.emplace_back(name, "with the angles that are held it is 0 = 0");
+    result().left_out.emplace_back(name, "with the angles that are held it is 0 = 0");
     return;
   }
-  result_.system.polynomials.push_back(std::move(p));
-  result_.equation_names.push_back(name);
+  enter(name, std::move(p));
 }
 
 void IsotropicFrame::add_equations(const std::string& name, const Mirrored& z) {
   add_equation(name, z.z);
   add_equation(name + ", conjugate", z.conjugate);
-}
-
-Mirrored IsotropicFrame::direction(std::size_t node) const {
-  const SharedAngle angle = classes_.find(node);
-  const Coefficient inverse = conjugate(angle.factor);
-  if (angle.root == 0) return {constant(angle.factor), constant(inverse)};
-  const std::uint32_t t = t_of_[angle.root];
-  return {angle.factor * unknown(t), inverse * unknown(t + 1)};
 }
 
 void IsotropicFrame::add_turn(const std::string& name,
@@ -121,10 +95,9 @@ void IsotropicFrame::add_turn(const std::string& name,
   int right_degree = 0;
   for (const auto& [exponent, root] : by_size) {
     const bool to_left = left_degree <= right_degree;
-    const std::uint32_t t = t_of_[root];
     // t^e on the left is u^e on the right, and u = 1/t.
-    const std::uint32_t variable = (exponent > 0) == to_left ? t : t + 1;
-    const Polynomial factor = power(unknown(variable), std::abs(exponent));
+    const Polynomial& base = (exponent > 0) == to_left ? t_[root].z : t_[root].conjugate;
+    const Polynomial factor = power(base, std::abs(exponent));
     (to_left ? left : right) = (to_left ? left : right) * factor;
     (to_left ? left_degree : right_degree) += std::abs(exponent);
   }

@@ -7,8 +7,8 @@
 
 #include "angle_classes.h"
 #include "arithmetic.h"
+#include "frame.h"
 #include "moivre/formulation/exact.h"
-#include "moivre/formulation/formulation.h"
 
 namespace moivre {
 
@@ -34,7 +34,7 @@ inline Mirrored operator*(const Coefficient& c, const Mirrored& a) {
 inline Mirrored swapped(const Mirrored& a) { return {a.conjugate, a.z}; }
 
 /// Puts an Formulation together.
-class IsotropicFrame {
+class IsotropicFrame : public Frame {
  public:
   /// Nodes of the angle classes: 0 the ground, then one a name.
   explicit IsotropicFrame(std::vector<std::string> names);
@@ -46,9 +46,9 @@ class IsotropicFrame {
   /// Ends the holding of angles: t and u of every class that is left, with t u = 1.
   void add_angles();
 
-  /// A new pair p, pb, or one unknown that is its own mirror, that places the body (or unknown) of this name.
-  Mirrored add_pair(const std::string& name);
-  Polynomial add_real(const std::string& name);
+  /// A new pair, mirrors of each other.
+  Mirrored add_pair(const std::array<std::string, 2>& names, bool is_direction,
+                    const std::vector<std::string>& owners);
 
   void add_equation(const std::string& name, Polynomial p);
   void add_equations(const std::string& name, const Mirrored& z);
@@ -60,19 +60,10 @@ class IsotropicFrame {
   void add_turn(const std::string& name, const std::vector<std::pair<std::size_t, int>>& powers,
                 const Coefficient& value);
 
-  Formulation take() && { return std::move(result_); }
-  Formulation& result() { return result_; }
-  const Formulation& result() const { return result_; }
-
  private:
-  std::uint32_t add_variable(const std::string& name, std::vector<std::string> owners);
-  Mirrored direction(std::size_t node) const;
-
   std::vector<std::string> names_;
   AngleClasses classes_;
-  std::vector<std::uint32_t> t_of_;  ///< of each class root: the variable t; u is the next
-  std::vector<Mirrored> t_;          ///< of each node
-  Formulation result_;
+  std::vector<Mirrored> t_;  ///< of each node
 };
 
 /// p to a power >= 0.

@@ -109,41 +109,33 @@ class Grouping {
     }
   }
 
-  Tie between(const Joint& joint) const {
+  /// An actuator is a rod of the driven length, or nothing.
+  void tie(const Joint& joint, const DrivenJoint& driven) {
+    const JointTraits& type = traits(joint.type);
+    const bool is_actuator = type.place == JointPlace::at_any_distance;
+    if (is_actuator && !driven.slide) return;
+    if (type.turn == JointTurn::by_thread && !driven.angle) {
+      throw std::invalid_argument(
+          "the screw '" + joint.name +
+          "' ties an angle to a length, which no polynomial says; drive it (slide = \"" +
+          joint.name + "\"), or follow one pose with --from-guess");
+    }
     Tie tie;
     tie.name = joint.name;
     tie.i = groups_.group_of[joint.at[0].body];
     tie.j = groups_.group_of[joint.at[1].body];
     tie.at_i = pose_[joint.at[0].body] * end(joint, 0);
     tie.at_j = pose_[joint.at[1].body] * end(joint, 1);
-    return tie;
-  }
-
-  void tie(const Joint& joint, const DrivenJoint& driven) {
-    if (traits(joint.type).place == JointPlace::at_any_distance) {
-      if (driven.slide) tie_at(joint, *driven.slide);
-      return;
+    tie.place = type.place;
+    tie.turn = driven.angle ? JointTurn::not_at_all : type.turn;
+    if (is_actuator) {
+      tie.place = JointPlace::at_distance;
+      tie.square = signed_square(*driven.slide);
+    } else {
+      tie.at_i = tie.at_i * driven_motion(driven);
+      if (driven.slide) tie.place = JointPlace::at_point;
+      if (is_rod(tie)) tie.square = signed_square(joint.length);
     }
-    Tie tie = between(joint);
-    tie.at_i = tie.at_i * driven_motion(driven);
-    tie.place = driven.slide ? JointPlace::at_point : traits(joint.type).place;
-    tie.turn = driven.angle ? JointTurn::not_at_all : traits(joint.type).turn;
-    if (is_rod(tie)) tie.square = signed_square(joint.length);
-    if (tie.turn == JointTurn::by_thread) {
-      throw std::invalid_argument(
-          "the screw '" + joint.name +
-          "' ties an angle to a length, which no polynomial says; drive it (slide = \"" +
-          joint.name + "\"), or follow one pose with --from-guess");
-    }
-    groups_.ties.push_back(std::move(tie));
-  }
-
-  /// An actuator is a rod of the driven length.
-  void tie_at(const Joint& joint, double length) {
-    Tie tie = between(joint);
-    tie.place = JointPlace::at_distance;
-    tie.turn = JointTurn::freely;
-    tie.square = signed_square(length);
     groups_.ties.push_back(std::move(tie));
   }
 

@@ -32,16 +32,6 @@ Polynomial real_constant(const Rational& c) {
 
 MovingPose to_moving(const ExactPose& pose) { return mapped(pose, real_constant); }
 
-Polynomial SpatialFrame::add_unknown(const std::string& name, bool is_direction,
-                                     const std::vector<std::string>& owners) {
-  const std::size_t index = result_.system.variables.size();
-  result_.system.variables.push_back(name);
-  result_.mirror.push_back(index);
-  result_.is_direction.push_back(is_direction);
-  result_.owners.push_back(owners);
-  return unknown(static_cast<std::uint32_t>(index));
-}
-
 Polynomial SpatialFrame::without_rounding(Polynomial p, double size) {
   const std::size_t terms = p.terms.size();
   p = without_noise(std::move(p), size);
@@ -51,7 +41,7 @@ Polynomial SpatialFrame::without_rounding(Polynomial p, double size) {
 
 void SpatialFrame::note_dropped() {
   note_rounding();
-  result_.lacks_typed_terms = result_.lacks_typed_terms || has_exact_frames_;
+  result().lacks_typed_terms = result().lacks_typed_terms || has_exact_frames_;
 }
 
 Polynomial SpatialFrame::difference(const Polynomial& a, const Polynomial& b) {
@@ -63,11 +53,10 @@ Polynomial SpatialFrame::difference(const Polynomial& a, const Polynomial& b) {
 void SpatialFrame::add_equation(const std::string& name, Polynomial p) {
   if (p.terms.empty()) return;
   if (degree(p) == 0) {
-    result_.contradictions.push_back(name + " cannot hold: what it joins is already held");
+    result().contradictions.push_back(name + " cannot hold: what it joins is already held");
     return;
   }
-  result_.system.polynomials.push_back(std::move(p));
-  result_.equation_names.push_back(name);
+  enter(name, std::move(p));
 }
 
 void SpatialFrame::add_check(const std::string& name, Polynomial p) {
@@ -79,11 +68,11 @@ void SpatialFrame::add_checks() {
 }
 
 void SpatialFrame::exclude(Polynomial p, const std::string& reason) {
-  result_.exclusions.push_back({std::move(p), reason});
+  result().exclusions.push_back({std::move(p), reason});
 }
 
 void SpatialFrame::place(std::size_t group, std::size_t parent, const MovingPose& relative) {
-  result_.poses.placements.push_back({group, parent, relative, {}});
+  result().poses.placements.push_back({group, parent, relative, {}});
 }
 
 Rational SpatialFrame::random_number() {

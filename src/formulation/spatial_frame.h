@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "arithmetic.h"
-#include "moivre/formulation/formulation.h"
+#include "frame.h"
 #include "rigid_groups.h"
 
 namespace moivre {
@@ -29,22 +29,19 @@ Polynomial real_constant(const Rational& c);
 /// p but for terms that are rounding beside `size`.
 Polynomial without_noise(Polynomial p, double size);
 
-class SpatialFrame {
+class SpatialFrame : public Frame {
  public:
   /// length: the mechanism's size, in the file's unit of length. has_exact_frames: no joint's frame was rounded.
   explicit SpatialFrame(double length, bool has_exact_frames = false)
       : length_(length), has_exact_frames_(has_exact_frames) {}
   double length() const { return length_; }
 
-  /// `owners` are the bodies that the unknown places.
-  Polynomial add_unknown(const std::string& name, bool is_direction,
-                         const std::vector<std::string>& owners);
   /// p but for terms that are rounding beside `size`.
   Polynomial without_rounding(Polynomial p, double size);
   /// a - b but for what rounding of typed numbers leaves.
   Polynomial difference(const Polynomial& a, const Polynomial& b);
   /// The coefficients are not exact from now on.
-  void note_rounding() { result_.is_exact = false; }
+  void note_rounding() { result().is_exact = false; }
   /// Nothing where p is zero; a contradiction where it is another number.
   void add_equation(const std::string& name, Polynomial p);
   /// An equation that the others imply but for a factor. It comes behind all others, so that it is checked, not solved, where they
@@ -66,8 +63,6 @@ class SpatialFrame {
   MovingPose add_any_turn(const std::string& name, const std::vector<std::string>& owners);
   MovingPose add_any_pose(const std::string& name, const std::vector<std::string>& owners);
 
-  Formulation& result() { return result_; }
-
  private:
   std::vector<Polynomial> add_patched(const std::string& name, std::size_t count,
                                       const std::vector<std::string>& owners);
@@ -76,7 +71,6 @@ class SpatialFrame {
 
   double length_;
   bool has_exact_frames_;
-  Formulation result_;
   std::vector<std::pair<std::string, Polynomial>> checks_;
   std::uint64_t random_count_ = 0;
 };

@@ -11,7 +11,7 @@
 namespace moivre {
 namespace {
 
-double duration(const MotionRun& run) { return std::abs(run.times.to - run.times.from); }
+double duration(const MotionRun& run) { return std::abs(run.options.to - run.options.from); }
 
 bool is_near(const MotionRun& run, const BranchEvent& event, double time, double doubt) {
   return std::abs(event.time - time) <= std::max(kSameTime * duration(run), doubt);
@@ -74,7 +74,7 @@ bool is_event_of_a_track(const MotionRun& run, double time, const Eigen::VectorX
 bool lacks_partner(const MotionRun& run, const Track& track, bool is_forwards) {
   const Branch& way = track.way(is_forwards);
   if (!way.event || !way.beyond) return false;
-  if (!(way.beyond->time > run.times.from && way.beyond->time < run.times.to)) return false;
+  if (!(way.beyond->time > run.options.from && way.beyond->time < run.options.to)) return false;
   return std::none_of(run.tracks.begin(), run.tracks.end(), [&](const Track& other) {
     const auto& its_end = other.way(is_forwards).event;
     return &other != &track && its_end && is_same_event(run, *its_end, *way.event);

@@ -55,8 +55,6 @@ bool MotionTimes::is_sample(double time) const {
 
 MotionTimes motion_times(const MotionOptions& options, int checkpoints) {
   MotionTimes times;
-  times.from = options.from;
-  times.to = options.to;
   times.samples = even_times(options, options.steps);
   times.checkpoints =
       checkpoints == 0 ? std::vector{options.from} : even_times(options, checkpoints);

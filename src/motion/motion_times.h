@@ -20,8 +20,6 @@ namespace moivre {
 inline constexpr double kSameTime = 1e-7;
 
 struct MotionTimes {
-  double from = 0;
-  double to = 0;
   std::vector<double> samples;
   std::vector<double> checkpoints;
   std::vector<double> all;

@@ -35,7 +35,7 @@ std::vector<double> knots(const MotionRun& run) {
   const int count = std::max(kFewest, std::min(run.options.checkpoints, 16));
   std::vector<double> times;
   for (int k = 0; k <= count; ++k) {
-    times.push_back(run.times.from + (run.times.to - run.times.from) * k / count);
+    times.push_back(run.options.from + (run.options.to - run.options.from) * k / count);
   }
   return times;
 }
@@ -87,8 +87,8 @@ void PairSearch::prepare() {
   if (!structure.free_variables.empty()) return;
   blocks_ = structure.blocks;
   for (std::size_t k = 0; k < blocks_.size(); ++k) {
-    auto equations =
-        std::make_unique<PairEquations>(*polynomials_, blocks_, k, run_.times.from, run_.times.to);
+    auto equations = std::make_unique<PairEquations>(*polynomials_, blocks_, k, run_.options.from,
+                                                     run_.options.to);
     equations_.push_back(equations->has_mirror() ? std::move(equations) : nullptr);
   }
 }
@@ -259,7 +259,7 @@ void PairSearch::follow(std::size_t scene, std::size_t pair) {
     // Beyond a place where a curve is lost closures are solved again.
     if (!curve.is_lost || run_.stop) continue;
     const double way = std::abs(curve.last - scenes_[scene].time);
-    const bool goes_out = scenes_[scene].time == (forwards ? run_.times.to : run_.times.from);
+    const bool goes_out = scenes_[scene].time == (forwards ? run_.options.to : run_.options.from);
     if (way > kLostAtOnce * equations.duration()) {
       borders_.push_back(curve.last);
     } else if (!goes_out) {
@@ -296,10 +296,10 @@ bool PairSearch::shows(const PairScene& scene, double from, double to,
                        const std::vector<double>& events) const {
   // What was not decided is told, and solving beside it helps as little.
   if (scene.is_complete && (!is_regular(scene) || !scene.leads_on)) return false;
-  if (scene.time != run_.times.from && scene.time != run_.times.to) {
+  if (scene.time != run_.options.from && scene.time != run_.options.to) {
     return scene.time > from && scene.time < to;
   }
-  const double least = kBriefest * (run_.times.to - run_.times.from);
+  const double least = kBriefest * (run_.options.to - run_.options.from);
   return (scene.time == from || scene.time == to) &&
          std::none_of(events.begin(), events.end(), [&](double time) {
            return scene.time != time && std::abs(scene.time - time) <= least;
@@ -340,10 +340,10 @@ std::optional<std::string> PairSearch::sampled() const {
 std::vector<double> PairSearch::open_times() {
   const std::vector<double> events = event_times();
   std::vector<double> parts = events;
-  parts.push_back(run_.times.from);
-  parts.push_back(run_.times.to);
+  parts.push_back(run_.options.from);
+  parts.push_back(run_.options.to);
   std::sort(parts.begin(), parts.end());
-  const double least = kBriefest * (run_.times.to - run_.times.from);
+  const double least = kBriefest * (run_.options.to - run_.options.from);
   sampled_.clear();
   unclear_.clear();
   std::vector<double> open;

@@ -152,7 +152,7 @@ void add_scenes(MotionRun& run, const Tracker& tracker, const std::vector<double
 std::vector<double> drop_crossings(const MotionRun& run, std::vector<Scene>& scenes) {
   std::vector<double> times;
   std::erase_if(scenes, [&](const Scene& scene) {
-    const bool is_border = scene.time == run.times.from || scene.time == run.times.to;
+    const bool is_border = scene.time == run.options.from || scene.time == run.options.to;
     const bool is_clear = scene.closures.complete && scene.are_apart;
     if (is_clear || is_border || !is_crossing(run, scene)) return false;
     times.push_back(scene.time);
