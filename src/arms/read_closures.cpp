@@ -23,14 +23,6 @@ constexpr double kFarthest = 0.05;
 constexpr double kSameValue = 1e-9;
 constexpr double kSameDoubled = 1e-6;
 
-/// A root of the equations on its way to a closure.
-struct Found {
-  LoopRoot root;
-  std::uint64_t path = 0;
-  std::uint64_t multiplicity = 1;
-  bool singular = false;
-};
-
 /// What was done instead of following paths in all joints.
 LeftOut cut_told(const Arm& arm, const Cut& cut) {
   const std::string inside = names_of(arm, cut.inside);
@@ -98,11 +90,12 @@ double distance(const Arm& arm, const Eigen::VectorXd& a, const Eigen::VectorXd&
 
 /// The closure that the root means; nothing where it is not real.
 std::optional<ArmClosure> closure_of(const Arm& arm, const Loop& loop,
-                                     const Eigen::Isometry3d& pose, const Found& found) {
-  if (found.root.imaginary > kNearlyReal) return std::nullopt;
+                                     const Eigen::Isometry3d& pose, const Solution& solution,
+                                     const LoopRoot& root) {
+  if (root.imaginary > kNearlyReal) return std::nullopt;
   Eigen::VectorXd start(static_cast<Eigen::Index>(arm.joints.size()));
   for (std::size_t k = 0; k < arm.joints.size(); ++k) {
-    start[static_cast<Eigen::Index>(k)] = joint_value(loop, k, found.root.at[k]);
+    start[static_cast<Eigen::Index>(k)] = joint_value(loop, k, root.at[k]);
   }
   const Polished polished = polish(arm, pose, start);
   if (!(polished.residual <= kReach)) return std::nullopt;
@@ -113,9 +106,9 @@ std::optional<ArmClosure> closure_of(const Arm& arm, const Loop& loop,
   closure.newton_iterations = polished.iterations;
   closure.smallest_singular_value = polished.smallest_singular_value;
   closure.weakest = weakest_motion(arm, polished);
-  closure.path = found.path;
-  closure.multiplicity = found.multiplicity;
-  closure.singular = found.singular;
+  closure.path = solution.path;
+  closure.multiplicity = solution.multiplicity;
+  closure.singular = solution.singular;
   reduce_turns(arm, closure.values);
   place_in_limits(arm, closure);
   return closure;
@@ -184,8 +177,7 @@ void read_roots(const Arm& arm, const Loop& loop, const Cut& cut,
     const ReadBack read = read_back(loop, cut, solution.x, solution.accuracy);
     if (read.roots.empty()) result.counts.rejected += solution.multiplicity;
     for (const LoopRoot& root : read.roots) {
-      const Found found{root, solution.path, solution.multiplicity, solution.singular};
-      auto closure = closure_of(arm, loop, result.pose, found);
+      auto closure = closure_of(arm, loop, result.pose, solution, root);
       if (read.moves) {
         if (closure) moving.push_back(std::move(*closure));
         continue;

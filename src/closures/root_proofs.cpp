@@ -9,6 +9,7 @@
 
 #include "moivre/certify/certifier.h"
 #include "moivre/certify/distinct.h"
+#include "moivre/closures/stages.h"
 #include "moivre/numeric/random.h"
 #include "moivre/polynomial/value.h"
 
@@ -84,19 +85,6 @@ bool is_sharp(const Certificate& certificate) {
   if (certificate.verdict != Verdict::certified) return false;
   const double error = *std::max_element(certificate.error.begin(), certificate.error.end());
   return error <= kBlurred * std::max(1.0, max_norm(certificate.midpoint));
-}
-
-Polynomial renamed(const Polynomial& p, const std::vector<std::uint32_t>& place) {
-  TermMap terms;
-  for (const Term& term : p.terms) {
-    Monomial monomial;
-    for (const Power& power : term.monomial) {
-      monomial.push_back({place[power.variable], power.exponent});
-    }
-    std::sort(monomial.begin(), monomial.end());
-    terms.emplace(std::move(monomial), term.coefficient);
-  }
-  return to_polynomial(std::move(terms));
 }
 
 }  // namespace
@@ -185,7 +173,8 @@ RootProver::Work::Program RootProver::Work::program(const Group& group,
   const auto z = static_cast<std::uint32_t>(f.variables.size());
   if (value != nullptr) f.variables.emplace_back("value");
   for (const std::size_t v : given) add(v);
-  for (const Polynomial* p : polynomials) f.polynomials.push_back(renamed(*p, at));
+  const std::vector<KnownValue> none(at.size());
+  for (const Polynomial* p : polynomials) f.polynomials.push_back(substituted(*p, none, at));
   if (value != nullptr) {
     f.polynomials.back() = f.polynomials.back() + Coefficient{-1, 0} * unknown(z);
   }
@@ -301,16 +290,11 @@ RootProver::RootProver(const Formulation& formulation, bool is_wanted) {
 }
 RootProver::~RootProver() = default;
 
-void RootProver::add_lone(const Block& block) {
+void RootProver::add(const Block& block) {
   if (!work_) return;
   Block& waiting = work_->waiting;
   waiting.equations.insert(waiting.equations.end(), block.equations.begin(), block.equations.end());
   waiting.variables.insert(waiting.variables.end(), block.variables.begin(), block.variables.end());
-}
-
-void RootProver::close_group(const Block& block) {
-  add_lone(block);
-  close();
 }
 
 bool RootProver::close() {

@@ -38,27 +38,6 @@ Coefficient shortened(const Coefficient& c) {
   return std::max(bit_length(c.re), bit_length(c.im)) > kLongFraction ? exactly(to_complex(c)) : c;
 }
 
-/// p with the known values put in; `place` maps the other variables to those of the result.
-Polynomial substituted(const Polynomial& p, const std::vector<KnownValue>& value,
-                       const std::vector<std::uint32_t>& place) {
-  TermMap terms;
-  for (const Term& term : p.terms) {
-    Coefficient c = term.coefficient;
-    Monomial rest;
-    for (const Power& power : term.monomial) {
-      if (const auto& known = value[power.variable]) {
-        for (std::uint32_t k = 0; k < power.exponent; ++k) c = c * known->exact;
-      } else {
-        rest.push_back({place[power.variable], power.exponent});
-      }
-    }
-    std::sort(rest.begin(), rest.end());
-    const auto [at, is_new] = terms.emplace(std::move(rest), c);
-    if (!is_new) at->second = at->second + c;
-  }
-  return to_polynomial(std::move(terms));
-}
-
 /// In the block's variables, numbered in its order.
 Polynomial equation_at(const System& all, const Block& block, std::size_t equation,
                        const PartialRoot& root) {
@@ -119,7 +98,8 @@ class Stages {
   void solve_block(const Block& block) {
     if (run_.roots.empty()) return;
     if (is_linear(block)) return solve_lone(block);
-    prover_.close_group(block);
+    prover_.add(block);
+    prover_.close();
     const QuadraticBlock formula(formulation_, block);
     Stage stage;
     stage.group = group_name(block);
@@ -221,7 +201,7 @@ class Stages {
   /// One equation a x + b = 0, its x put in above every root so far. Where a vanishes there is none, where b does too a set of them.
   void solve_lone(const Block& block) {
     ++lone_;
-    prover_.add_lone(block);
+    prover_.add(block);
     const std::size_t equation = block.equations.front();
     double size = 0;
     for (const Term& term : formulation_.system.polynomials[equation].terms) {
@@ -400,6 +380,26 @@ class Stages {
 };
 
 }  // namespace
+
+Polynomial substituted(const Polynomial& p, const std::vector<KnownValue>& value,
+                       const std::vector<std::uint32_t>& place) {
+  TermMap terms;
+  for (const Term& term : p.terms) {
+    Coefficient c = term.coefficient;
+    Monomial rest;
+    for (const Power& power : term.monomial) {
+      if (const auto& known = value[power.variable]) {
+        for (std::uint32_t k = 0; k < power.exponent; ++k) c = c * known->exact;
+      } else {
+        rest.push_back({place[power.variable], power.exponent});
+      }
+    }
+    std::sort(rest.begin(), rest.end());
+    const auto [at, is_new] = terms.emplace(std::move(rest), c);
+    if (!is_new) at->second = at->second + c;
+  }
+  return to_polynomial(std::move(terms));
+}
 
 bool may_be_real(const Formulation& formulation, const PartialRoot& root) {
   double size = 1;

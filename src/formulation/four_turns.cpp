@@ -16,14 +16,6 @@ constexpr std::size_t kSlides = 2;
 
 using Vector = std::array<Polynomial, 3>;
 
-std::vector<std::size_t> turns_in(const JointLoop& loop) {
-  std::vector<std::size_t> turns;
-  for (std::size_t k = 0; k < loop.elements.size(); ++k) {
-    if (loop.elements[k].is_turn) turns.push_back(k);
-  }
-  return turns;
-}
-
 /// Of the angle between the axes of two turns.
 double sine(const LoopElement& a, const LoopElement& b) {
   const auto direction = [](const LoopElement& element) {
@@ -46,7 +38,7 @@ std::array<Rational, 3> cross(const std::array<Rational, 3>& a, const std::array
 class FourTurns {
  public:
   FourTurns(SpatialFrame& frame, const JointLoop& loop)
-      : frame_(frame), loop_(loop), turns_(turns_in(loop)) {
+      : frame_(frame), loop_(loop), turns_(turns_of(loop)) {
     for (std::size_t k = 1; k < loop.elements.size(); ++k) {
       if (!loop.elements[k].is_turn) other_ = k;
     }
@@ -159,12 +151,13 @@ class FourTurns {
 std::optional<JointLoop> begun_with_slide(const JointLoop& loop) {
   // Dyads of turns that are nearer to parallel have coordinates that differ by rounding.
   constexpr double kParallel = 1e-3;
-  if (count_turns(loop) != kTurns || loop.elements.size() != kTurns + kSlides) return std::nullopt;
+  if (turns_of(loop).size() != kTurns || loop.elements.size() != kTurns + kSlides)
+    return std::nullopt;
   std::optional<JointLoop> best;
   double merit = kParallel;
   for (JointLoop& way : all_ways(loop)) {
     if (way.elements.front().is_turn) continue;
-    const std::vector<std::size_t> turns = turns_in(way);
+    const std::vector<std::size_t> turns = turns_of(way);
     const auto& all = way.elements;
     const double least =
         std::min(sine(all[turns[0]], all[turns[1]]), sine(all[turns[2]], all[turns[3]]));

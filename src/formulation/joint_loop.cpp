@@ -26,10 +26,12 @@ JointLoop reversed(JointLoop loop) {
 
 }  // namespace
 
-std::size_t count_turns(const JointLoop& loop) {
-  return static_cast<std::size_t>(
-      std::count_if(loop.elements.begin(), loop.elements.end(),
-                    [](const LoopElement& element) { return element.is_turn; }));
+std::vector<std::size_t> turns_of(const JointLoop& loop) {
+  std::vector<std::size_t> turns;
+  for (std::size_t k = 0; k < loop.elements.size(); ++k) {
+    if (loop.elements[k].is_turn) turns.push_back(k);
+  }
+  return turns;
 }
 
 std::vector<JointLoop> all_ways(const JointLoop& loop) {

@@ -28,7 +28,8 @@ struct JointLoop {
   ExactPose whole;
 };
 
-std::size_t count_turns(const JointLoop& loop);
+/// Places of its turns.
+std::vector<std::size_t> turns_of(const JointLoop& loop);
 
 /// Begun at every element, both ways round.
 std::vector<JointLoop> all_ways(const JointLoop& loop);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "dyad.h"
 #include "four_turns.h"
@@ -60,7 +59,7 @@ JointLoop short_cut(const JointLoop& loop) {
 
 class LoopEquations {
  public:
-  LoopEquations(SpatialFrame& frame, JointLoop loop) : frame_(frame), loop_(std::move(loop)) {}
+  LoopEquations(SpatialFrame& frame, const JointLoop& loop) : frame_(frame), loop_(loop) {}
 
   /// E_1 E_2 E_3 E_4 in the space of 5 and 6.
   void add_general() {
@@ -107,7 +106,7 @@ class LoopEquations {
       element.axis.g = {};
       turns.elements.push_back(std::move(element));
     }
-    LoopEquations(frame_, std::move(turns)).add_short();
+    LoopEquations(frame_, turns).add_short();
     add_shift();
   }
 
@@ -172,45 +171,29 @@ class LoopEquations {
   }
 
   SpatialFrame& frame_;
-  JointLoop loop_;
+  const JointLoop& loop_;
 };
+
+template <void (LoopEquations::*Add)()>
+void stated(SpatialFrame& frame, const JointLoop& loop) {
+  (LoopEquations(frame, loop).*Add)();
+}
 
 }  // namespace
 
-LoopForm form_of(JointLoop loop, double length) {
-  using Kind = LoopForm::Kind;
-  if (count_turns(loop) == 0) return {Kind::slides, std::move(loop)};
-  if (loop.elements.size() < kSix) return {Kind::short_loop, short_cut(loop)};
-  if (count_turns(loop) == kTurnsOfSpace) return {Kind::turns_first, std::move(loop)};
-  Cut cut = best_cut(loop, length);
-  if (cut.has_common_space) return {Kind::decoupled, std::move(cut.loop)};
-  if (auto begun = begun_with_slide(loop)) return {Kind::four_turns, std::move(*begun)};
-  return {Kind::general, std::move(cut.loop)};
-}
-
-bool has_linear_slides(LoopForm::Kind kind) {
-  using Kind = LoopForm::Kind;
-  return kind == Kind::slides || kind == Kind::turns_first || kind == Kind::four_turns;
-}
-
-void add_loop_equations(SpatialFrame& frame, LoopForm form) {
-  if (form.kind == LoopForm::Kind::four_turns) return add_four_turns(frame, form.loop);
-  LoopEquations equations(frame, std::move(form.loop));
-  switch (form.kind) {
-    case LoopForm::Kind::slides:
-      return equations.add_slides();
-    case LoopForm::Kind::turns_first:
-      return equations.add_turns_first();
-    case LoopForm::Kind::short_loop:
-      return equations.add_short();
-    case LoopForm::Kind::decoupled:
-      return equations.add_decoupled();
-    case LoopForm::Kind::general:
-      return equations.add_general();
-    case LoopForm::Kind::four_turns:
-      break;
+LoopForm form_of(const JointLoop& loop, double length) {
+  const std::size_t turns = turns_of(loop).size();
+  if (turns == 0) return {loop, true, stated<&LoopEquations::add_slides>};
+  if (loop.elements.size() < kSix) {
+    return {short_cut(loop), false, stated<&LoopEquations::add_short>};
   }
-  throw std::logic_error("a loop of four turns is stated by four_turns.h");
+  if (turns == kTurnsOfSpace) return {loop, true, stated<&LoopEquations::add_turns_first>};
+  Cut cut = best_cut(loop, length);
+  if (cut.has_common_space) {
+    return {std::move(cut.loop), false, stated<&LoopEquations::add_decoupled>};
+  }
+  if (auto begun = begun_with_slide(loop)) return {std::move(*begun), true, add_four_turns};
+  return {std::move(cut.loop), false, stated<&LoopEquations::add_general>};
 }
 
 }  // namespace moivre

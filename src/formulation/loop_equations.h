@@ -6,24 +6,15 @@
 
 namespace moivre {
 
-/// How a loop is stated, begun where that is done best.
+/// How a loop is stated.
 struct LoopForm {
-  enum class Kind {
-    slides,       ///< no turns: linear
-    turns_first,  ///< three turns and three slides
-    four_turns,   ///< and two slides (four_turns.h)
-    short_loop,   ///< three to five elements
-    decoupled,    ///< six, the last three stay in one 3-space
-    general
-  } kind = Kind::general;
-  JointLoop loop;
+  JointLoop loop;  ///< begun where that is done best
+  bool
+      has_linear_slides;  ///< they follow linearly from the turns: slides are to be unknowns themselves, o = 0
+  void (*add_equations)(SpatialFrame& frame, const JointLoop& loop);
 };
 
 /// For three to six elements, whatever their o and unknowns are.
-LoopForm form_of(JointLoop loop, double length);
-/// Whether slides follow linearly from the turns: they are to be unknowns themselves, o = 0.
-bool has_linear_slides(LoopForm::Kind kind);
-
-void add_loop_equations(SpatialFrame& frame, LoopForm form);
+LoopForm form_of(const JointLoop& loop, double length);
 
 }  // namespace moivre

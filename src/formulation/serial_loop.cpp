@@ -114,14 +114,14 @@ void add_loop(SpatialFrame& frame, const RigidGroups& groups, const std::vector<
   JointLoop joints = at_rest(groups, loop);
   LoopForm form = form_of(joints, frame.length());
   for (LoopElement& element : joints.elements) {
-    add_unknown(frame, has_linear_slides(form.kind), element);
+    add_unknown(frame, form.has_linear_slides, element);
   }
   place_groups(frame, loop, joints);
   for (LoopElement& element : form.loop.elements) {
     element.fixed = joints.elements[element.number].fixed;
     element.unknown = joints.elements[element.number].unknown;
   }
-  add_loop_equations(frame, std::move(form));
+  form.add_equations(frame, form.loop);
 }
 
 }  // namespace moivre

@@ -36,11 +36,13 @@ struct Proofs {
 };
 
 Proofs prove(RootProver& prover, const Point& values) {
-  prover.close_group({{0}, {0}});
+  prover.add({{0}, {0}});
+  prover.close();
   Proofs proofs;
   proofs.first = prover.prove(nullptr, values);
-  prover.add_lone({{1}, {1}});
-  prover.close_group({{2}, {2}});
+  prover.add({{1}, {1}});
+  prover.add({{2}, {2}});
+  prover.close();
   proofs.all = prover.prove(proofs.first, values);
   return proofs;
 }

@@ -41,9 +41,7 @@ class RootProver {
   bool is_on() const { return work_ != nullptr; }
 
   /// The block waits for the next group.
-  void add_lone(const Block& block);
-  /// The block, and those that wait, are a group from now on, the last one.
-  void close_group(const Block& block);
+  void add(const Block& block);
   /// What waits is the last group from now on; false where nothing waits.
   bool close();
 

@@ -64,6 +64,10 @@ inline constexpr double kHolds = 1e-8;
 // Of a multiple root, which is known to the square root of that at best.
 inline constexpr double kHoldsSingular = 1e-5;
 
+/// p with the known values put in; `place` maps the other variables to those of the result.
+Polynomial substituted(const Polynomial& p, const std::vector<KnownValue>& value,
+                       const std::vector<std::uint32_t>& place);
+
 /// False where the image of a value that is known differs from it.
 bool may_be_real(const Formulation& formulation, const PartialRoot& root);
 
