@@ -65,20 +65,18 @@ ComplexDisplacement joint_displacement(const LoopJoint& joint, const Tangent& at
   return result;
 }
 
-double squared_norm(const LoopJoint& joint, const Tangent& at) {
-  return std::norm(at.c) + std::norm(joint.exact_length * at.s);
+Tangent unit(const LoopJoint& joint, const Tangent& at) {
+  const double size = std::sqrt(std::norm(at.c) + std::norm(joint.exact_length * at.s));
+  return {at.c / size, at.s / size};
 }
 
 double distance_from_null(const LoopJoint& joint, const Tangent& at) {
-  const double size = squared_norm(joint, at);
-  if (joint.is_slide) return std::abs(at.c) / std::sqrt(size);
   const Complex s = joint.exact_length * at.s;
-  return std::abs(at.c * at.c + s * s) / size;
+  return joint.is_slide ? std::abs(at.c) : std::abs(at.c * at.c + s * s);
 }
 
 double imaginary_part(const LoopJoint& joint, const Tangent& at) {
-  const Complex s = joint.exact_length * at.s;
-  return std::abs(std::imag(s * std::conj(at.c))) / squared_norm(joint, at);
+  return std::abs(std::imag(joint.exact_length * at.s * std::conj(at.c)));
 }
 
 double joint_value(const Loop& loop, std::size_t joint, const Tangent& at) {

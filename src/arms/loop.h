@@ -75,13 +75,13 @@ struct Tangent {
   Complex s{0};
 };
 
+/// The same place, with |c|^2 + |exact_length s|^2 = 1.
+Tangent unit(const LoopJoint& joint, const Tangent& at);
 /// J = c + s step.
 ComplexDisplacement joint_displacement(const LoopJoint& joint, const Tangent& at);
-/// |c|^2 + |exact_length s|^2.
-double squared_norm(const LoopJoint& joint, const Tangent& at);
-/// How near the joint is to no displacement, between 0 (J has no inverse) and 1.
+/// How near the joint is to no displacement, between 0 (J has no inverse) and 1; of a unit tangent.
 double distance_from_null(const LoopJoint& joint, const Tangent& at);
-/// |Im| of the tangent's place on the circle; 0 for a real one.
+/// |Im| of its place on the circle, 0 for a real one; of a unit tangent.
 double imaginary_part(const LoopJoint& joint, const Tangent& at);
 /// Value of the joint nearest to it: a turn in (-pi, pi], a slide in the arm's unit.
 double joint_value(const Loop& loop, std::size_t joint, const Tangent& at);

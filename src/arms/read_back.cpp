@@ -99,12 +99,6 @@ ComplexDisplacement product_of(const Loop& loop, const std::vector<std::size_t>&
   return product;
 }
 
-void scale_to_one(const LoopJoint& joint, Tangent& at) {
-  const double size = std::sqrt(squared_norm(joint, at));
-  at.c /= size;
-  at.s /= size;
-}
-
 /// Whether every joint has an inverse and the product of those inside is `wanted`.
 bool is_closure(const Loop& loop, const Cut& cut, const std::vector<Tangent>& at,
                 const ComplexDisplacement& wanted, double missed, double null) {
@@ -127,15 +121,14 @@ ReadBack read_back(const Loop& loop, const Cut& cut, const Point& x, double accu
   std::vector<Tangent> at(loop.joints.size());
   for (std::size_t k = 0; k < cut.outside.size(); ++k) {
     const std::size_t joint = cut.outside[k];
-    at[joint] = {1, x[k]};
-    scale_to_one(loop.joints[joint], at[joint]);
+    at[joint] = unit(loop.joints[joint], {1, x[k]});
   }
   // What the product inside must be, and without the constant displacement at its beginning.
   const ComplexDisplacement around = conjugate(product_of(loop, cut.outside, at));
   const ComplexDisplacement wanted =
       conjugate(loop.joints[cut.inside.front()].rounded.before) * around;
   const auto take = [&] {
-    for (const std::size_t k : cut.inside) scale_to_one(loop.joints[k], at[k]);
+    for (const std::size_t k : cut.inside) at[k] = unit(loop.joints[k], at[k]);
     if (!is_closure(loop, cut, at, around, missed, null)) return;
     LoopRoot root{at, 0};
     for (std::size_t k = 0; k < at.size(); ++k) {

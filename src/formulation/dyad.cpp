@@ -49,15 +49,7 @@ std::array<Polynomial, 4> add_dyad_coordinates(SpatialFrame& frame, const LoopEl
                                                const LoopElement& b) {
   std::vector<std::string> owners = a.owners;
   owners.insert(owners.end(), b.owners.begin(), b.owners.end());
-  Polynomial patch = constant({-1, 0});
-  std::array<Polynomial, 4> c;
-  for (std::size_t i = 0; i < c.size(); ++i) {
-    c[i] =
-        frame.add_unknown("c_" + a.name + "_" + std::to_string(i), a.is_turn && b.is_turn, owners);
-    patch = patch + Coefficient{frame.random_number(), 0} * c[i];
-  }
-  frame.add_equation("patch of " + a.name, patch);
-  return c;
+  return frame.add_patched("c_" + a.name + "_", a.is_turn && b.is_turn, owners);
 }
 
 MovingPose pose_in(const DyadSpace& space, const std::array<Polynomial, 4>& coordinates) {

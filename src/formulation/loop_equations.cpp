@@ -69,33 +69,25 @@ class LoopEquations {
     add_half_angles(frame_, e(4), e(5), coordinates_in(outer, rest));
   }
 
-  /// E_1 D_23 in the space of 4, 5 and 6, which E_4 does not leave.
-  void add_decoupled() {
-    const DyadSpace outer = dyad_at(4);
-    // Inside V Study's quadric holds, and with it the dyad's.
-    const MovingPose rest = rest_behind(element(0) * pose_in(dyad_at(1), add_inner_dyad()));
-    in_space(rest, outer);
-    add_outer_dyad(4, coordinates_in(outer, conjugate(element(3)) * rest));
-  }
-
-  /// Three to five elements: E_1 D_23 ... , the last dyad in its space, where it need not be on the quadric. Four equations of the
-  /// space come first: of five elements they alone have 4 paths, and the quadrics are checks.
-  void add_short() {
+  /// E_1, or E_1 E_2, or E_1 D_23 in the space of the last two, where they need not be on its quadric; of six elements E_1 D_23 in the
+  /// space of the last three, which E_4 does not leave. Of five elements the four equations of the space, which come first, have 4
+  /// paths alone, and D's quadric is a check; of six it holds, since the space lies in Study's.
+  void add_by_dyads() {
     const std::size_t last = loop_.elements.size() - 2;
-    const bool has_inner_dyad = last == 3;
-    std::array<Polynomial, 4> inner;
+    const DyadSpace outer = dyad_at(last);
     MovingPose before = element(0);
-    if (has_inner_dyad) {
+    std::array<Polynomial, 4> inner;
+    if (last == 2) before = before * element(1);
+    if (last > 2) {
       inner = add_inner_dyad();
       before = before * pose_in(dyad_at(1), inner);
-    } else if (last == 2) {
-      before = before * element(1);
     }
     const MovingPose rest = rest_behind(before);
-    const DyadSpace outer = dyad_at(last);
     in_space(rest, outer);
-    if (has_inner_dyad) add_quadric(frame_, e(1), inner);
-    add_outer_dyad(last, coordinates_in(outer, rest));
+    if (last == 3) add_quadric(frame_, e(1), inner);
+    const auto c = coordinates_in(outer, last == 4 ? conjugate(element(3)) * rest : rest);
+    add_quadric(frame_, e(last), c);
+    add_half_angles(frame_, e(last), e(last + 1), c);
   }
 
   /// Three turns and three slides: the turns alone close like a spherical loop, and then the slides are linear.
@@ -106,7 +98,7 @@ class LoopEquations {
       element.axis.g = {};
       turns.elements.push_back(std::move(element));
     }
-    LoopEquations(frame_, turns).add_short();
+    LoopEquations(frame_, turns).add_by_dyads();
     add_shift();
   }
 
@@ -128,12 +120,6 @@ class LoopEquations {
   /// What the other elements have to be, which close the loop: whole^-1 before = conj(rest).
   MovingPose rest_behind(const MovingPose& before) const {
     return conjugate(conjugate(whole()) * before);
-  }
-
-  /// The elements k and k + 1, whose dyad has the coordinates c where these are one's.
-  void add_outer_dyad(std::size_t k, const std::array<Polynomial, 4>& c) {
-    add_quadric(frame_, e(k), c);
-    add_half_angles(frame_, e(k), e(k + 1), c);
   }
 
   /// Unknown coordinates for the dyad of elements 1 and 2, with their half angles.
@@ -185,12 +171,12 @@ LoopForm form_of(const JointLoop& loop, double length) {
   const std::size_t turns = turns_of(loop).size();
   if (turns == 0) return {loop, true, stated<&LoopEquations::add_slides>};
   if (loop.elements.size() < kSix) {
-    return {short_cut(loop), false, stated<&LoopEquations::add_short>};
+    return {short_cut(loop), false, stated<&LoopEquations::add_by_dyads>};
   }
   if (turns == kTurnsOfSpace) return {loop, true, stated<&LoopEquations::add_turns_first>};
   Cut cut = best_cut(loop, length);
   if (cut.has_common_space) {
-    return {std::move(cut.loop), false, stated<&LoopEquations::add_decoupled>};
+    return {std::move(cut.loop), false, stated<&LoopEquations::add_by_dyads>};
   }
   if (auto begun = begun_with_slide(loop)) return {std::move(*begun), true, add_four_turns};
   return {std::move(cut.loop), false, stated<&LoopEquations::add_general>};

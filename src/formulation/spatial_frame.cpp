@@ -113,26 +113,22 @@ Polynomial SpatialFrame::add_slide(const std::string& name, const Rational& fixe
   return u;
 }
 
-std::vector<Polynomial> SpatialFrame::add_patched(const std::string& name, std::size_t count,
-                                                  const std::vector<std::string>& owners) {
-  std::vector<Polynomial> unknowns;
+Quaternion<Polynomial> SpatialFrame::add_patched(const std::string& name, bool is_direction,
+                                                 const std::vector<std::string>& owners) {
+  Quaternion<Polynomial> x;
   Polynomial patch = constant({-1, 0});
-  Polynomial square;
-  for (std::size_t k = 0; k < count; ++k) {
-    unknowns.push_back(add_unknown(name + std::to_string(k), true, owners));
-    patch = patch + Coefficient{random_number(), 0} * unknowns.back();
-    square = square + unknowns.back() * unknowns.back();
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    x[k] = add_unknown(name + std::to_string(k), is_direction, owners);
+    patch = patch + Coefficient{random_number(), 0} * x[k];
   }
   add_equation("patch of " + name, patch);
-  exclude(square, "the quaternion has norm 0 there");
-  return unknowns;
+  return x;
 }
 
 MovingPose SpatialFrame::add_any_turn(const std::string& name,
                                       const std::vector<std::string>& owners) {
-  const std::vector<Polynomial> q = add_patched("q_" + name + "_", 4, owners);
-  MovingPose turn;
-  for (std::size_t k = 0; k < turn.q.size(); ++k) turn.q[k] = q[k];
+  const MovingPose turn{add_patched("q_" + name + "_", true, owners), {}};
+  exclude(dot(turn.q, turn.q), "the quaternion has norm 0 there");
   return turn;
 }
 

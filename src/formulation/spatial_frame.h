@@ -60,13 +60,13 @@ class SpatialFrame : public Frame {
   Polynomial add_turn(const std::string& name, const std::vector<std::string>& owners);
   Polynomial add_slide(const std::string& name, const Rational& fixed,
                        const std::vector<std::string>& owners);
+  /// Four homogeneous unknowns on a random patch.
+  Quaternion<Polynomial> add_patched(const std::string& name, bool is_direction,
+                                     const std::vector<std::string>& owners);
   MovingPose add_any_turn(const std::string& name, const std::vector<std::string>& owners);
   MovingPose add_any_pose(const std::string& name, const std::vector<std::string>& owners);
 
  private:
-  std::vector<Polynomial> add_patched(const std::string& name, std::size_t count,
-                                      const std::vector<std::string>& owners);
-
   void note_dropped();
 
   double length_;
