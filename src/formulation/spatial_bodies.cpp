@@ -86,7 +86,7 @@ std::optional<Formulation::Theorem> theorem_of(const RigidGroups& groups,
                            });
   if (!is_platform) return std::nullopt;
   return Formulation::Theorem{
-      "a body on six rods", kEntries, kMostPoses,
+      "a body on six rods", ExactPose::size(), kMostPoses,
       [groups, part = parts.front(), length] { return general_six_rods(groups, part, length); }};
 }
 
