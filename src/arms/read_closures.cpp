@@ -7,6 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "moivre/expression/joined.h"
 #include "moivre/mechanism/closure_id.h"
 #include "polish.h"
 #include "random_values.h"
@@ -206,9 +207,9 @@ void require_finite(const Eigen::Isometry3d& pose) {
 }
 
 std::string names_of(const Arm& arm, const std::vector<std::size_t>& joints) {
-  std::string text;
-  for (const std::size_t k : joints) text += (text.empty() ? "" : ", ") + arm.joints[k].name;
-  return text;
+  std::vector<std::string> names;
+  for (const std::size_t k : joints) names.push_back(arm.joints[k].name);
+  return joined(names, ", ");
 }
 
 void read_closures(const Arm& arm, const Loop& loop, const Cut& cut,

@@ -225,11 +225,6 @@ QuadraticBlock::QuadraticBlock(const Formulation& f, const Block& block)
   if (is_quadratic_) bound_ = bound_of(own, halves);
 }
 
-SystemFacts QuadraticBlock::reduced_facts(std::size_t roots) {
-  if (roots == 1) return {{}, {}, 1};
-  return {{"y"}, {2}, 2};
-}
-
 std::vector<QuadraticBlock::Equation> QuadraticBlock::equations_at(
     const std::vector<KnownValue>& values) const {
   std::map<std::uint32_t, ComplexDoubleDouble> rounded;

@@ -33,8 +33,6 @@ class QuadraticBlock {
   /// No more isolated roots than this, whatever the known values: the total degree, or the multihomogeneous number of two groups, one
   /// the mirror image of the other. 0 where an equation is of a higher degree.
   std::uint64_t bound() const { return bound_; }
-  /// What is left when its equations are combined.
-  static SystemFacts reduced_facts(std::size_t roots);
 
  private:
   /// c times powers of known values, times x_i x_j; x_n = 1.

@@ -234,7 +234,7 @@ class Stages {
     ++formulas_;
     SolveResult result;
     result.complete = true;
-    result.reduced = QuadraticBlock::reduced_facts(roots->size());
+    result.reduced = roots->size() == 1 ? SystemFacts{{}, {}, 1} : SystemFacts{{"y"}, {2}, 2};
     result.paths.tracked = result.paths.finite = roots->size();
     result.start.kind = "formula";
     result.solutions = std::move(*roots);

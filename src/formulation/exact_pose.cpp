@@ -35,8 +35,6 @@ ExactPose turn_about_z(double angle_rad) {
   return {{without_noise(cosine / sine), 0, 0, 1}, {}};
 }
 
-ExactPose slide_along_z(double length) { return shift_to({0, 0, length}); }
-
 ExactPose frame_of(const Eigen::Vector3d& axis) {
   const Eigen::Quaterniond turn(joint_frame(axis));
   return turn_by({turn.w(), turn.x(), turn.y(), turn.z()});

@@ -19,9 +19,7 @@ Rational without_noise(double x);
 
 /// A shift to a point, whose coordinates are the decimals that were typed.
 ExactPose shift_to(const Eigen::Vector3d& point);
-/// A turn about the z axis, and a shift along it.
 ExactPose turn_about_z(double angle_rad);
-ExactPose slide_along_z(double length);
 /// The joint's frame (mechanism/pose.h) that has its z axis along `axis`.
 ExactPose frame_of(const Eigen::Vector3d& axis);
 /// A turn by the quaternion q, of any norm: its largest entry becomes 1.

@@ -22,7 +22,7 @@ constexpr double kSame = 1e-9;
 ExactPose driven_motion(const DrivenJoint& driven) {
   ExactPose motion = ExactPose::identity();
   if (driven.angle) motion = turn_about_z(*driven.angle);
-  if (driven.slide) motion = motion * slide_along_z(*driven.slide);
+  if (driven.slide) motion = motion * shift_to({0, 0, *driven.slide});
   return motion;
 }
 
@@ -156,25 +156,14 @@ class Grouping {
 
   void add_driven_points() {
     for (const Driver& driver : mechanism_.drivers) {
-      std::size_t axis = 0;
-      switch (driver.kind) {
-        case DriverKind::angle:
-        case DriverKind::slide:
-        case DriverKind::unknown:
-          continue;
-        case DriverKind::x:
-          break;
-        case DriverKind::y:
-          axis = 1;
-          break;
-        case DriverKind::z:
-          axis = 2;
-          break;
-      }
+      constexpr std::array<DriverKind, 3> kAxes{DriverKind::x, DriverKind::y, DriverKind::z};
+      const auto axis = std::find(kAxes.begin(), kAxes.end(), driver.kind);
+      if (axis == kAxes.end()) continue;
       const std::size_t body = driver.point.body;
       const auto& point = mechanism_.bodies[body].points[driver.point.point];
       groups_.driven_points.push_back({driver.name, groups_.group_of[body],
-                                       pose_[body] * shift_to(point.at), axis,
+                                       pose_[body] * shift_to(point.at),
+                                       static_cast<std::size_t>(axis - kAxes.begin()),
                                        typed_decimal(driver_state(driver.law, t_).value)});
     }
   }

@@ -337,17 +337,8 @@ class CircuitFinder {
 }  // namespace
 
 std::string to_string(DriverMotion motion) {
-  switch (motion) {
-    case DriverMotion::turns:
-      return "turns";
-    case DriverMotion::turns_over_dead_points:
-      return "turns over dead points";
-    case DriverMotion::rocks:
-      return "rocks";
-    case DriverMotion::open:
-      return "open";
-  }
-  return "";
+  constexpr std::array<const char*, 4> kNames{"turns", "turns over dead points", "rocks", "open"};
+  return kNames[static_cast<std::size_t>(motion)];
 }
 
 Circuits find_circuits(const Mechanism& mechanism, const MotionResult& motion) {
