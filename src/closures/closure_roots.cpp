@@ -241,6 +241,14 @@ std::uint64_t lost_images(const Formulation& formulation, const std::vector<Solu
   return static_cast<std::uint64_t>(std::count_if(roots.begin(), roots.end(), is_lost));
 }
 
+/// Whether equations without unknowns alone contradict each other: the roots of all others may miss by little.
+bool may_miss_by_little(const Formulation& formulation) {
+  const auto& equations = formulation.system.polynomials;
+  const auto constant = std::count_if(equations.begin(), equations.end(),
+                                      [](const Polynomial& p) { return degree(p) == 0; });
+  return static_cast<std::size_t>(constant) == formulation.contradictions.size();
+}
+
 }  // namespace
 
 void append(const SystemFacts& part, SystemFacts& whole) {
@@ -249,8 +257,10 @@ void append(const SystemFacts& part, SystemFacts& whole) {
 }
 
 void find_roots(ClosureSearch& search) {
-  if (!search.formulation.contradictions.empty()) return;
   const BlockStructure structure = block_structure(search.formulation.system);
+  const bool is_refuted = !search.formulation.contradictions.empty();
+  const bool is_solved = may_miss_by_little(search.formulation) && structure.free_variables.empty();
+  if (is_refuted && !is_solved) return;
   if (!structure.free_variables.empty()) {
     solve_free(search, structure.blocks);
   } else {

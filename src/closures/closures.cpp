@@ -124,6 +124,7 @@ void conclude(ClosureSearch& search) {
   auto& completeness = search.result.completeness;
   if (completeness && !search.result.complete) completeness = RootCompleteness::open;
   search.result.message = verdict(search);
+  if (search.result.counts.fitted > 0) return;
   for (const std::string& clause : search.formulation.contradictions) {
     search.result.message += "; " + clause;
   }

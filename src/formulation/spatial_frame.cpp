@@ -54,7 +54,6 @@ void SpatialFrame::add_equation(const std::string& name, Polynomial p) {
   if (p.terms.empty()) return;
   if (degree(p) == 0) {
     result().contradictions.push_back(name + " cannot hold: what it joins is already held");
-    return;
   }
   enter(name, std::move(p));
 }

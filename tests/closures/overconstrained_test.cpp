@@ -135,6 +135,44 @@ TEST(OverconstrainedClosures, CardanShaftThatMissesIsToldItsMisfit) {
   }
 }
 
+// Along the axes nothing is left to solve: the loop's equation is a number.
+TEST(OverconstrainedClosures, AJointThatMissesAlongItsAxesIsToldItsMisfit) {
+  constexpr double kMiss = 1e-9;
+  Mechanism mechanism = mechanism_text(R"toml(space = "spatial"
+[ground.points]
+O = [0, 0, 0]
+P = [0, 0, 0]
+[body.input.points]
+O = [0, 0, 0]
+[body.output.points]
+O = [0, 0, 0]
+[[joint]]
+type = "revolute"
+at = ["ground.O", "input.O"]
+axis = [0, 0, 1]
+name = "in"
+[[joint]]
+type = "revolute"
+at = ["ground.P", "output.O"]
+axis = [[0.6, 0, 0.8], [0, 0, 1]]
+[[joint]]
+type = "universal"
+at = ["input.O", "output.O"]
+axis = [[0, 1, 0], [1, 0, 0]]
+[[driver]]
+angle = "in"
+start = 0.4
+)toml");
+  mechanism.bodies[0].points[1].at.z() = kMiss;
+  const ClosureResult result = closures_of(mechanism);
+  EXPECT_TRUE(result.complete) << result.message;
+  EXPECT_EQ(result.counts.complex, 0U);
+  ASSERT_TRUE(result.least_misfit);
+  EXPECT_LE(*result.least_misfit, kMiss);
+  mechanism.fit = kMiss;
+  EXPECT_GE(closures_of(mechanism).counts.fitted, 1U);
+}
+
 TEST(OverconstrainedClosures, SphericalFourBarHasTwoWhereverItStands) {
   for (const double shift : {0.0, 0.3, 50.7, 1e4}) {
     Mechanism mechanism = mechanism_file("spherical-four-bar");

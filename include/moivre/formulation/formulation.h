@@ -47,7 +47,8 @@ struct Formulation {
   /// Terms of exact numbers were taken for rounding, since they are as small: a platform typed with 14 digits is the symmetric one.
   bool lacks_typed_terms = false;
   std::vector<std::vector<std::string>> owners;  ///< bodies (or unknowns) that a variable places
-  std::vector<std::string> contradictions;       ///< why there is no closure, each a clause
+  /// Why there is no closure, each a clause. What is a number, and no equation any more, stays in the system all the same.
+  std::vector<std::string> contradictions;
 
   /// Where q is read from: q_k = Re or Im of a number, or its argument. The number is `of`; of a body that follows a rack or a cam
   /// it is `of` + `arm` f(root), where f is no polynomial: a direction, a displacement.
