@@ -153,7 +153,8 @@ void write_course(const MotionResult& result, const Mechanism& mechanism, const 
   std::size_t number = 0;
   report.long_list("branches", result.branches, [&](const MotionBranch& branch) {
     std::optional<BranchColumns> columns;
-    if (readings != nullptr) columns.emplace(*readings, readings->branches[number++]);
+    if (readings != nullptr)
+      columns.emplace(BranchColumns{*readings, readings->branches[number++]});
     write_branch(branch, mechanism, phi, form, columns, report);
   });
   report.list("events", result.events,
