@@ -137,7 +137,8 @@ Mechanism read_choice(const ClosuresCommand& command, const Source& source) {
   return read_mechanism_file(command.file, source);
 }
 
-int run(const ClosuresCommand& command) {
+/// The tracker that is chosen. Throws std::invalid_argument with all that is wrong with the options.
+std::unique_ptr<Tracker> checked_tracker(const ClosuresCommand& command) {
   std::unique_ptr<Tracker> tracker;
   require_all(
       {[&] { require_known(command.start); }, [&] { require_threads(command.threads); },
@@ -154,76 +155,103 @@ int run(const ClosuresCommand& command) {
        },
        [&] { require_ending(command.html, ".html"); }, [&] { dimension_tolerance(command); },
        [&] { tracker = make_tracker(tracker_of(command)); }});
-  const Stopwatch watch;
-  const Source source = read_source(command.file);
-  const bool has_loops = !command.arm.loops.empty();
-  if (is_robot(command.file, source) && !has_loops) return run_robot(command, source);
+  return tracker;
+}
+
+/// As it is chosen by the options too.
+Mechanism chosen_mechanism(const ClosuresCommand& command, const Source& source) {
   Mechanism mechanism = read_choice(command, source);
   apply(command.mechanism, mechanism);
   if (command.sensitivity) require_dimensions(mechanism);
   if (const auto tolerance = dimension_tolerance(command)) mechanism.tolerance = tolerance;
   if (command.three_views) require_spatial(mechanism);
-  const double parse_s = watch.total();
-  Output json(command.json);
-  Output csv(command.csv);
-  Output svg(command.svg);
-  Output html(command.html);
+  return mechanism;
+}
 
-  MechanismFamilies families(command.family, command.file, command.start.seed);
+ClosureOptions options_of(const ClosuresCommand& command, ProgressLine& line) {
   ClosureOptions options;
-  families.serve(options.solve);
   options.time = command.at;
   options.solve.seed = command.start.seed;
   options.solve.start = kind_of(command.start);
   options.solve.threads = command.threads;
   options.solve.certify = !command.no_certify;
   options.with_mobility = !command.json.empty();
+  if (line.is_active()) {
+    options.solve.progress = [&line](const Progress& progress) { line.show(progress); };
+  }
+  return options;
+}
+
+/// All that is computed before anything is written.
+struct Computed {
+  ClosureResult closures;
+  std::optional<Sensitivities> sensitivities;
+  std::optional<MotionResult> motion;  ///< of the page
+};
+
+Computed computed(const ClosuresCommand& command, const Mechanism& mechanism,
+                  const Tracker& tracker, double parse_s) {
+  ProgressLine line(!command.quiet);
+  ClosureOptions options = options_of(command, line);
+  MechanismFamilies families(command.family, command.file, command.start.seed);
+  families.serve(options.solve);
   const std::unique_ptr<Tracker> fallback = make_fallback(tracker_of(command));
   options.solve.fallback = fallback.get();
-  ProgressLine line(!command.quiet);
-  if (line.is_active()) {
-    options.solve.progress = [&](const Progress& progress) { line.show(progress); };
-  }
   const Interruption interruption;
-  ClosureResult result = find_closures(mechanism, *tracker, options, interruption.stop());
-  result.time_s.parse = parse_s;
-  result.time_s.total += parse_s;
+  Computed result;
+  result.closures = find_closures(mechanism, tracker, options, interruption.stop());
+  result.closures.time_s.parse = parse_s;
+  result.closures.time_s.total += parse_s;
   if (!interruption.stop()) families.keep();
+  result.sensitivities = asked_sensitivities(command, mechanism, result.closures);
+  result.motion = motion_for_page(result.closures, mechanism, command, tracker, options, line,
+                                  interruption.stop());
+  return result;
+}
 
-  const std::optional<Sensitivities> told = asked_sensitivities(command, mechanism, result);
-  const std::optional<MotionResult> motion =
-      motion_for_page(result, mechanism, command, *tracker, options, line, interruption.stop());
-  const auto page = [&] {
-    return motion ? motion_html(*motion, mechanism, command.file)
-                  : closures_html(result, mechanism, command.file);
-  };
-  const bool is_shown = !motion || motion->complete;
+int write(const ClosuresCommand& command, const Mechanism& mechanism, const Computed& found,
+          Outputs& outputs) {
+  const ClosureResult& result = found.closures;
+  const bool is_shown = !found.motion || found.motion->complete;
   const std::string page_lacks =
-      is_shown ? "" : "the motion on the page is incomplete: " + motion->message;
-  deliver(
-      {{&json,
-        [&](const TextSink& sink) {
-          write_closures_json(sink, result, mechanism, command.file, told ? &*told : nullptr);
-        }},
-       {&csv,
-        [&] {
-          return told ? sensitivity_csv(*told, mechanism, command.angles)
-                      : closures_csv(result, mechanism, command.angles);
-        }},
-       {&svg,
-        [&] {
-          return closures_svg(result, mechanism, command.file,
-                              command.three_views ? Views::three : Views::standing);
-        }},
-       {&html, page}},
-      command.quiet,
-      [&] {
-        return closures_text(result, mechanism, command.file) +
-               (told ? sensitivity_text(*told, mechanism) : "") +
-               (is_shown ? "" : page_lacks + "\n");
-      },
-      result.complete ? page_lacks : result.message);
+      is_shown ? "" : "the motion on the page is incomplete: " + found.motion->message;
+  const auto json = [&](const TextSink& sink) {
+    write_closures_json(sink, result, mechanism, command.file,
+                        found.sensitivities ? &*found.sensitivities : nullptr);
+  };
+  const auto csv = [&] {
+    return found.sensitivities ? sensitivity_csv(*found.sensitivities, mechanism, command.angles)
+                               : closures_csv(result, mechanism, command.angles);
+  };
+  const auto svg = [&] {
+    return closures_svg(result, mechanism, command.file,
+                        command.three_views ? Views::three : Views::standing);
+  };
+  const auto page = [&] {
+    return found.motion ? motion_html(*found.motion, mechanism, command.file)
+                        : closures_html(result, mechanism, command.file);
+  };
+  const auto text = [&] {
+    return closures_text(result, mechanism, command.file) +
+           (found.sensitivities ? sensitivity_text(*found.sensitivities, mechanism) : "") +
+           (is_shown ? "" : page_lacks + "\n");
+  };
+  deliver({{&outputs.json, json}, {&outputs.csv, csv}, {&outputs.svg, svg}, {&outputs.html, page}},
+          command.quiet, text, result.complete ? page_lacks : result.message);
   return result.complete && is_shown ? kDecided : kUndecided;
+}
+
+int run(const ClosuresCommand& command) {
+  const std::unique_ptr<Tracker> tracker = checked_tracker(command);
+  const Stopwatch watch;
+  const Source source = read_source(command.file);
+  const bool has_loops = !command.arm.loops.empty();
+  if (is_robot(command.file, source) && !has_loops) return run_robot(command, source);
+  const Mechanism mechanism = chosen_mechanism(command, source);
+  const double parse_s = watch.total();
+  Outputs outputs{Output(command.json), Output(command.csv), Output(command.svg),
+                  Output(command.html)};
+  return write(command, mechanism, computed(command, mechanism, *tracker, parse_s), outputs);
 }
 
 }  // namespace

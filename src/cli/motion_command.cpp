@@ -125,7 +125,8 @@ MotionResult moved(const Mechanism& mechanism, const MotionCommand& command, con
   return follow_guesses(mechanism, {chosen_guess(mechanism, choice)}, options, stop);
 }
 
-int run(const MotionCommand& command) {
+/// The tracker that is chosen. Throws std::invalid_argument with all that is wrong with the options.
+std::unique_ptr<Tracker> checked_tracker(const MotionCommand& command) {
   std::unique_ptr<Tracker> tracker;
   require_all(
       {[&] { require_known(command.start); },
@@ -138,6 +139,59 @@ int run(const MotionCommand& command) {
          if (!asks_for_help(command.columns)) groups_of(command.columns);
        },
        [&] { tracker = make_tracker(command.tracker); }});
+  return tracker;
+}
+
+MotionOptions options_of(const MotionCommand& command, const Mechanism& mechanism,
+                         ProgressLine& line) {
+  MotionOptions options = command.options;
+  options.to = command.to.value_or(options.from + natural_duration(mechanism, options.from));
+  options.solve.seed = command.start.seed;
+  options.solve.start = kind_of(command.start);
+  if (line.is_active()) {
+    options.progress = [&line](double share) {
+      line.show(std::to_string(static_cast<int>(100 * share)) + " % of the motion");
+    };
+  }
+  return options;
+}
+
+MotionResult computed(const MotionCommand& command, const Mechanism& mechanism,
+                      const Tracker& tracker, MotionOptions options, double parse_s) {
+  const std::unique_ptr<Tracker> fallback = make_fallback(command.tracker);
+  options.solve.fallback = fallback.get();
+  const Interruption interruption;
+  MotionResult result = moved(mechanism, command, tracker, options, interruption.stop());
+  result.time_s.parse = parse_s;
+  result.time_s.total += parse_s;
+  if (command.closures.empty() || interruption.stop()) return result;
+  const Circuits circuits = find_circuits(mechanism, result);
+  return reachable_from(std::move(result), circuits, command.closures);
+}
+
+/// `read`: null where no columns were asked for.
+int write(const MotionCommand& command, const Mechanism& mechanism, const MotionResult& result,
+          const Readings* read, Outputs& outputs) {
+  const auto json = [&](const TextSink& sink) {
+    write_motion_json(sink, result, mechanism, command.file, command.angles, read);
+  };
+  const auto csv = [&] {
+    return read != nullptr ? columns_csv(result, *read, mechanism, command.angles)
+                           : motion_csv(result, mechanism, command.angles);
+  };
+  const auto svg = [&] { return motion_svg(result, mechanism, command.file); };
+  const auto page = [&] { return motion_html(result, mechanism, command.file, read); };
+  const auto text = [&] {
+    return motion_text(result, mechanism, command.file) +
+           (read != nullptr ? extremes_text(*read, mechanism) : "");
+  };
+  deliver({{&outputs.json, json}, {&outputs.csv, csv}, {&outputs.svg, svg}, {&outputs.html, page}},
+          command.quiet, text, result.complete ? "" : result.message);
+  return result.complete ? kDecided : kUndecided;
+}
+
+int run(const MotionCommand& command) {
+  const std::unique_ptr<Tracker> tracker = checked_tracker(command);
   const Stopwatch watch;
   Mechanism mechanism = read_any_mechanism(command.file);
   apply(command.mechanism, mechanism);
@@ -148,57 +202,18 @@ int run(const MotionCommand& command) {
   require_mover(mechanism);
   const std::unique_ptr<const QuantityReader> reader = make_reader(mechanism, command.columns);
   const double parse_s = watch.total();
-  MotionOptions options = command.options;
-  options.to = command.to.value_or(options.from + natural_duration(mechanism, options.from));
-  options.solve.seed = command.start.seed;
-  options.solve.start = kind_of(command.start);
-  const std::unique_ptr<Tracker> fallback = make_fallback(command.tracker);
-  options.solve.fallback = fallback.get();
+  ProgressLine line(!command.quiet);
+  const MotionOptions options = options_of(command, mechanism, line);
   require_workable(mechanism, options);
   require_reachable(mechanism, options);
   require_room(mechanism, command, reader.get());
-  Output json(command.json);
-  Output csv(command.csv);
-  Output svg(command.svg);
-  Output html(command.html);
-  ProgressLine line(!command.quiet);
-  if (line.is_active()) {
-    options.progress = [&](double share) {
-      line.show(std::to_string(static_cast<int>(100 * share)) + " % of the motion");
-    };
-  }
-
-  const Interruption interruption;
-  MotionResult result = moved(mechanism, command, *tracker, options, interruption.stop());
-  result.time_s.parse = parse_s;
-  result.time_s.total += parse_s;
-  if (!command.closures.empty() && !interruption.stop()) {
-    const Circuits circuits = find_circuits(mechanism, result);
-    result = reachable_from(std::move(result), circuits, command.closures);
-  }
+  Outputs outputs{Output(command.json), Output(command.csv), Output(command.svg),
+                  Output(command.html)};
+  const MotionResult result = computed(command, mechanism, *tracker, options, parse_s);
+  const bool tells_extremes = !command.quiet || outputs.json.is_wanted();
   std::optional<Readings> readings;
-  const bool tells_extremes = !command.quiet || json.is_wanted();
   if (reader) readings = read_motion(result, mechanism, *reader, tells_extremes);
-  const Readings* const read = readings ? &*readings : nullptr;
-  deliver(
-      {{&json,
-        [&](const TextSink& sink) {
-          write_motion_json(sink, result, mechanism, command.file, command.angles, read);
-        }},
-       {&csv,
-        [&] {
-          return readings ? columns_csv(result, *readings, mechanism, command.angles)
-                          : motion_csv(result, mechanism, command.angles);
-        }},
-       {&svg, [&] { return motion_svg(result, mechanism, command.file); }},
-       {&html, [&] { return motion_html(result, mechanism, command.file, read); }}},
-      command.quiet,
-      [&] {
-        return motion_text(result, mechanism, command.file) +
-               (readings ? extremes_text(*readings, mechanism) : "");
-      },
-      result.complete ? "" : result.message);
-  return result.complete ? kDecided : kUndecided;
+  return write(command, mechanism, result, readings ? &*readings : nullptr, outputs);
 }
 
 void add_time_options(CLI::App& app, MotionCommand& command) {

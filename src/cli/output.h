@@ -39,6 +39,11 @@ class Output {
   int device_ = -1;  ///< held open: what is no regular file (a pipe, a terminal)
 };
 
+/// Where closures and motions go in each of their forms.
+struct Outputs {
+  Output json, csv, svg, html;
+};
+
 /// One form of a result, made when it is written.
 struct Form {
   Form(Output* where, Content pieces) : output(where), content(std::move(pieces)) {}
