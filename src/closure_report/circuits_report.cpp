@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "id_list.h"
 #include "moivre/closure_report/angles.h"
 #include "moivre/closures/four_bars.h"
 #include "moivre/expression/joined.h"
@@ -141,7 +142,7 @@ std::string swings_text(const Circuit& circuit, const Mechanism& mechanism) {
 std::string stretches_text(const Circuit& circuit, const MotionResult& motion) {
   std::vector<std::string> parts;
   for (const std::vector<std::size_t>& stretch : circuit.stretches) {
-    parts.push_back(joined(ids_of(stretch, motion), ", "));
+    parts.push_back(id_list(ids_of(stretch, motion)));
   }
   return joined(parts, " | ");
 }
@@ -149,7 +150,7 @@ std::string stretches_text(const Circuit& circuit, const MotionResult& motion) {
 std::string circuit_text(const Circuit& circuit, std::size_t number, const MotionResult& motion,
                          const Mechanism& mechanism) {
   std::string text = "  circuit " + std::to_string(number) + ": " +
-                     joined(ids_of(circuit.branches, motion), ", ") + "; " +
+                     id_list(ids_of(circuit.branches, motion)) + "; " +
                      driver_text(circuit, motion, mechanism) + '\n';
   if (circuit.stretches.size() > 1) {
     text += "    a dead point lies between " + stretches_text(circuit, motion) + '\n';

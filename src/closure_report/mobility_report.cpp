@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A mobility: counts, redundant rows by name, directions that are free.
 #include "free_motion.h"
+#include "id_list.h"
 #include "moivre/closure_report/kinematics_report.h"
 #include "moivre/expression/counted.h"
 #include "moivre/expression/joined.h"
@@ -32,20 +33,14 @@ std::string freedoms_text(Eigen::Index freedoms) {
 
 /// A line a kind; what follows in the text is of the first.
 std::string kinds_text(const std::vector<MobilityKind>& kinds) {
-  // More ids would say no more.
-  constexpr std::size_t kListed = 12;
   std::string text;
   for (const MobilityKind& kind : kinds) {
-    std::vector<std::string> ids = kind.closures;
-    if (ids.size() > kListed) {
-      ids.resize(kListed);
-      ids.push_back("... (" + std::to_string(kind.closures.size()) + ")");
-    }
+    const std::vector<std::string>& ids = kind.closures;
     text += (&kind == &kinds.front() ? "generic: " : "") +
             freedoms_text(kind.mobility.degrees_of_freedom) + ", " +
             std::to_string(kind.mobility.driven_freedoms) + " with the drivers held: " +
             (ids.empty() ? "a pose of the set of closures"
-                         : (ids.size() == 1 ? "closure " : "closures ") + joined(ids, ", ")) +
+                         : (ids.size() == 1 ? "closure " : "closures ") + id_list(ids)) +
             '\n';
   }
   return text;

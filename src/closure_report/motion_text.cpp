@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "circuits_report.h"
+#include "id_list.h"
 #include "moivre/closure_report/motion_report.h"
 #include "moivre/expression/counted.h"
 #include "moivre/expression/joined.h"
@@ -53,10 +54,10 @@ std::string event_text(const MotionEvent& event, const Mechanism& mechanism) {
   if (!event.at.joint.empty()) text += " of " + event.at.joint;
   text += " at " + moving_place(mechanism, event.at.time) + doubt_text(event.at) + ": ";
   if (!event.ending.empty())
-    text += joined(event.ending, ", ") + " end" + (event.ending.size() == 1 ? "s" : "");
+    text += id_list(event.ending) + " end" + (event.ending.size() == 1 ? "s" : "");
   if (!event.ending.empty() && !event.beginning.empty()) text += ", ";
   if (!event.beginning.empty()) {
-    text += joined(event.beginning, ", ") + " begin" + (event.beginning.size() == 1 ? "s" : "");
+    text += id_list(event.beginning) + " begin" + (event.beginning.size() == 1 ? "s" : "");
   }
   return text + '\n';
 }
@@ -92,7 +93,7 @@ std::string checkpoints_text(const std::vector<Checkpoint>& all, const Mechanism
     text += ": " + counts_text(first.counts) +
             (first.counts.fitted > 0 ? ", " + std::to_string(first.counts.fitted) + " within fit"
                                      : "") +
-            (ids.empty() ? "" : " (" + joined(ids, ", ") + ")") + "; " + verdict_text(first) + '\n';
+            (ids.empty() ? "" : " (" + id_list(ids) + ")") + "; " + verdict_text(first) + '\n';
   }
   return text;
 }
