@@ -38,6 +38,7 @@ const double* refilled(Json& tree, const double* number) {
 }
 
 }  // namespace
+
 Json to_json(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
 
 Json to_json(Complex x) { return Json::array({to_json(x.real()), to_json(x.imag())}); }
@@ -145,7 +146,7 @@ void refill(Json& tree, std::span<const double> numbers) { refilled(tree, number
 
 const Json& SolutionJson::read(const Solution& solution) {
   Json x = std::move(solution_["x"]);
-  if (x.size() != solution.x.size()) {
+  if (x.is_null() || x.size() != solution.x.size()) {
     x = to_json(solution.x);
   } else {
     refilled(x, reinterpret_cast<const double*>(solution.x.data()));  // [complex.numbers]: re, im

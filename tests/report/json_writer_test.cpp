@@ -103,8 +103,9 @@ TEST(SolutionJson, TellsOneAfterAnotherAsIfEachWereTheFirst) {
   second.x = {{5, 6}, {7, 8}};
   Solution longer;
   longer.x = {{1, 0}, {2, 0}, {3, 0}};
+  const Solution without_unknowns;
   SolutionJson json;
-  for (const Solution& solution : {first, second, longer}) {
+  for (const Solution& solution : {without_unknowns, first, second, longer, without_unknowns}) {
     EXPECT_EQ(json.read(solution), to_json(solution));
   }
 }
