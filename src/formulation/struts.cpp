@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Points in the frame of a universal joint, as numerators over |q|^2.
+// Points and directions in the frame of a universal joint, as numerators over |q|^2.
 #include "struts.h"
 
 #include <algorithm>
+
+#include "moivre/formulation/exact.h"
 
 namespace moivre {
 namespace {
@@ -17,33 +19,90 @@ Place place_of(const MovingPose& pose) {
   return {scaled(real_constant(2), product(pose.g, conjugate(pose.q))), dot(pose.q, pose.q)};
 }
 
-}  // namespace
+/// Of the group at the strut's other end, in the frame of the cross's first axis.
+MovingPose end_of(const Strut& strut, const MovingPose& k_in_i) {
+  return to_moving(conjugate(strut.cross.at_i)) * k_in_i * to_moving(strut.ball.at_i);
+}
 
-void add_postures(SpatialFrame& frame, const RigidGroups& groups, const Strut& strut,
-                  const MovingPose& k_in_i) {
+/// The other end before any turn, in the frame of the cross's second axis.
+MovingPose start_of(const Strut& strut) {
+  return to_moving(conjugate(strut.cross.at_j) * strut.ball.at_j);
+}
+
+/// The direction of a pose's z axis, as a numerator over |q|^2.
+Quaternion<Polynomial> direction_of(const MovingPose& pose) {
+  const Quaternion<Polynomial> k = to_moving(ExactPose{{0, 0, 0, 1}, {}}).q;
+  return product(product(pose.q, k), conjugate(pose.q));
+}
+
+/// Holds where the turn brings `from`, at the same height as `to`, to it.
+void add_turn_equation(SpatialFrame& frame, const std::string& name, const MovingPose& turn,
+                       const Place& from, const Place& to) {
+  const Quaternion<Polynomial> w = scaled(to.denominator, from.numerator);
+  const Quaternion<Polynomial> b = scaled(from.denominator, to.numerator);
+  const Polynomial& c = turn.q[0];
+  const Polynomial& s = turn.q[3];
+  const Polynomial x = c * (w[1] - b[1]) - s * (w[2] + b[2]);
+  const Polynomial y = c * (w[2] - b[2]) + s * (w[1] + b[1]);
+  frame.add_equation(name + ": turn", real_constant(frame.random_number()) * x +
+                                          real_constant(frame.random_number()) * y);
+}
+
+/// Places the strut by two turns.
+void place_strut(SpatialFrame& frame, const Tie& cross, const MovingPose& first,
+                 const MovingPose& second) {
+  frame.place(cross.j, cross.i,
+              to_moving(cross.at_i) * first * second * to_moving(conjugate(cross.at_j)));
+}
+
+void add_postures_of_ball(SpatialFrame& frame, const std::vector<std::string>& owners,
+                          const Strut& strut, const MovingPose& k_in_i) {
   const Tie& cross = strut.cross;
-  const std::vector<std::string>& owners = groups.bodies[cross.j];
   const Rational fixed_1 = frame.random_number();
   const Rational fixed_2 = frame.random_number();
   const Polynomial t2 = frame.add_turn("t2_" + cross.name, owners);
   const MovingPose second = to_moving(tilt(cross.half_tangent)) * turn_of(t2, fixed_2);
-  const Place before = place_of(second * to_moving(conjugate(cross.at_j) * strut.ball.at_j));
-  const Place there =
-      place_of(to_moving(conjugate(cross.at_i)) * k_in_i * to_moving(strut.ball.at_i));
-  const Quaternion<Polynomial> w = scaled(there.denominator, before.numerator);
-  const Quaternion<Polynomial> b = scaled(before.denominator, there.numerator);
-  frame.add_equation(cross.name + ": height", w[3] - b[3]);
+  const Place before = place_of(second * start_of(strut));
+  const Place there = place_of(end_of(strut, k_in_i));
+  frame.add_equation(cross.name + ": height", there.denominator * before.numerator[3] -
+                                                  before.denominator * there.numerator[3]);
 
   const Polynomial t1 = frame.add_turn("t1_" + cross.name, owners);
   const MovingPose first = turn_of(t1, fixed_1);
-  const Polynomial& c = first.q[0];
-  const Polynomial& s = first.q[3];
-  const Polynomial x = c * (w[1] - b[1]) - s * (w[2] + b[2]);
-  const Polynomial y = c * (w[2] - b[2]) + s * (w[1] + b[1]);
-  frame.add_equation(cross.name + ": turn", real_constant(frame.random_number()) * x +
-                                                real_constant(frame.random_number()) * y);
-  frame.place(cross.j, cross.i,
-              to_moving(cross.at_i) * first * second * to_moving(conjugate(cross.at_j)));
+  add_turn_equation(frame, cross.name, first, before, there);
+  place_strut(frame, cross, first, second);
+}
+
+void add_postures_of_crosses(SpatialFrame& frame, const std::vector<std::string>& owners,
+                             const Strut& strut, const MovingPose& k_in_i) {
+  const Tie& cross = strut.cross;
+  const MovingPose tilted = to_moving(tilt(cross.half_tangent));
+  const MovingPose end = end_of(strut, k_in_i);
+  const Polynomial t1 = frame.add_turn("t1_" + cross.name, owners);
+  const MovingPose first = turn_of(t1, frame.random_number()) * tilted;
+  const Rational length = frame.random_number() * typed_decimal(frame.length());
+  const Quaternion<Polynomial> in_plane =
+      sum(scaled(real_constant(frame.random_number()), place_of(end).numerator),
+          scaled(real_constant(length), direction_of(end)));
+  frame.add_equation(cross.name + ": across", dot(direction_of(first), in_plane));
+
+  const Polynomial t2 = frame.add_turn("t2_" + cross.name, owners);
+  const MovingPose second = turn_of(t2, frame.random_number());
+  add_turn_equation(frame, cross.name, second, place_of(start_of(strut)),
+                    place_of(conjugate(first) * end));
+  place_strut(frame, cross, first, second);
+}
+
+}  // namespace
+
+void add_postures(SpatialFrame& frame, const RigidGroups& groups, const Strut& strut,
+                  const MovingPose& k_in_i) {
+  const std::vector<std::string>& owners = groups.bodies[strut.cross.j];
+  if (strut.ball.turn == JointTurn::freely) {
+    add_postures_of_ball(frame, owners, strut, k_in_i);
+  } else {
+    add_postures_of_crosses(frame, owners, strut, k_in_i);
+  }
 }
 
 Polynomial meeting_equation(SpatialFrame& frame, const Tie& tie, const MovingPose& j_in_i) {

@@ -6,9 +6,12 @@
 //   w_z(t2) = b_z                              quadratic in t2: the two postures
 //   c (w - b) + s k x (w + b) = 0, x and y     the first turn c + s k brings w to b: linear in t1. One is a multiple of the other, so
 //                                              that a random sum of both says all
-// Where B has a universal joint too, the strut's axis across AB is normal to a and to the axis of the other group: these two lines
-// meet. The line k moved by x + eps y has the direction x k conj(x) and the moment x k conj(y) + y k conj(x) [PottmannWallner01]; it meets k
-// itself where the moment's third part is 0, a quadric in the pose.
+// Where B has a universal joint too, the strut's axis across AB, turned to n(t1), is normal to a and to the axis of the other group: these
+// two lines meet. The line k moved by x + eps y has the direction c = x k conj(x) and the moment x k conj(y) + y k conj(x)
+// [PottmannWallner01]; it meets k itself where the moment's third part is 0, a quadric in the pose. Then the first turn comes first:
+//   n(t1) (r b + r' c) = 0                 quadratic in t1: n or -n. r and r' are random, as b or c alone may lie along a, where the
+//                                          strut stands still, although its place alone does not say so
+//   the second turn brings B to its place  linear in t2, as above
 #pragma once
 
 #include "spatial_frame.h"

@@ -133,6 +133,51 @@ TEST(Struts, OfTheSnuPlatformStandEightWaysInItsSeventyEightPoses) {
   }
 }
 
+// Where a leg lies along its cross's first axis, its place says nothing of that axis's turn: the other cross does.
+TEST(Struts, AlongTheirFirstAxisStandByTheirOtherCross) {
+  const std::string bodies = R"toml(space = "spatial"
+[ground.points]
+O = [0, 0, 1]
+A = [1, 0, 0]
+C = [0.3, 1.2, 0]
+[body.platform.points]
+O = [0, 0, 1]
+B = [1.2, 0, 0.9]
+D = [0.2, 0.9, 1.3]
+[body.leg.points]
+A = [1, 0, 0]
+B = [1.2, 0, 0.9]
+[[joint]]
+type = "spherical"
+at = ["ground.O", "platform.O"]
+[[joint]]
+type = "rod"
+at = ["ground.C", "platform.D"]
+length = 1.3379088160258652
+)toml";
+  const std::string along = R"toml([[joint]]
+type = "universal"
+at = ["ground.A", "leg.A"]
+axis = [[0.2, 0, 0.9], [0, 1, 0]]
+)toml";
+  const std::string across = R"toml([[joint]]
+type = "universal"
+at = ["leg.B", "platform.B"]
+axis = [[0, 1, 0], [1, 0, 0.4]]
+)toml";
+  for (const std::string& legs : {along + across, across + along}) {
+    const Mechanism mechanism = mechanism_text(bodies + legs);
+    const ClosureResult result = closures_of(mechanism);
+    EXPECT_TRUE(result.complete) << result.message;
+    EXPECT_EQ(result.counts.complex, 16U);
+    const Phi phi(mechanism);
+    const Eigen::VectorXd drawn = Eigen::VectorXd::Zero(phi.dimension());
+    EXPECT_TRUE(std::any_of(
+        result.closures.begin(), result.closures.end(),
+        [&](const Closure& closure) { return distance(phi, closure.q, drawn) < 1e-9; }));
+  }
+}
+
 // What a ball's fourth equation says follows from the other three on Study's quadric. It must not stand for the rod's.
 TEST(Struts, ARodTypedLastHidesNoClosure) {
   const std::string bodies = R"toml(space = "spatial"
