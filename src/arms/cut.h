@@ -18,8 +18,8 @@ enum class CutKind { one, two, two_in_quadric, three };
 struct Cut {
   CutKind kind = CutKind::two;
   std::vector<std::size_t> inside;  ///< neighbouring joints, counted round the loop
-  std::vector<std::size_t>
-      outside;  ///< the other joints, in their order round the loop behind them
+  /// The other joints, in their order round the loop behind them.
+  std::vector<std::size_t> outside;
   std::vector<ExactDisplacement> forms;  ///< that vanish on W
   /// Two joints in the quadric: the coordinates in W of products c c, c s, s c, s s.
   std::vector<ExactDisplacement> coordinates;

@@ -5,6 +5,11 @@
 // random combinations of them; roots that fail one are found out when they are read back.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
 #include "cut.h"
 #include "moivre/numeric/random.h"
 #include "moivre/polynomial/system.h"

@@ -2,6 +2,7 @@
 // The loop of an arm and a pose, exact and rounded.
 #include "loop.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 

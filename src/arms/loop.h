@@ -32,8 +32,8 @@ struct LoopJoint {
   JointMotion<Integer> exact;
   JointMotion<double> rounded;  ///< `before` of norm 1, `one` 1
   bool is_slide = false;
-  double exact_length =
-      1;  ///< of rounded.step: a turn is 2 atan(exact_length s/c) + zero, a slide exact_length s/c
+  /// Of rounded.step: a turn is 2 atan(exact_length s/c) + zero, a slide exact_length s/c.
+  double exact_length = 1;
   double zero = 0;  ///< radians: where the tangent is 0
 };
 

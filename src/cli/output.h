@@ -30,7 +30,7 @@ class Output {
   bool is_wanted() const { return !path_.empty(); }
   bool is_stdout() const { return path_ == "-"; }
   /// Replaces the file's content. Throws std::invalid_argument when the disk is full and the like, and what `content` throws;
-  /// the old content stands then.
+  /// the old content stands then, but where it is written in place.
   void write(const Content& content);
   void write(std::string_view text);
 

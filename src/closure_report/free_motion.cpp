@@ -2,6 +2,8 @@
 // The shortest direction of Phi_q, angles and lengths made comparable.
 #include "free_motion.h"
 
+#include <cmath>
+
 #include "moivre/expression/joined.h"
 #include "moivre/kinematics/null_space.h"
 #include "moivre/report/number_text.h"

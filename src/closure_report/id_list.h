@@ -10,7 +10,7 @@
 namespace moivre {
 
 inline std::string id_list(std::vector<std::string> ids) {
-  constexpr std::size_t kListed = 26;
+  constexpr std::size_t kListed = 26;  // A to Z
   const std::size_t count = ids.size();
   if (count > kListed) {
     ids.resize(kListed);

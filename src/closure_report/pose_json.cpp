@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <span>
 
 #include "moivre/mechanism/pose.h"
 

@@ -2,6 +2,7 @@
 // What do closure polynomials of bodies and of typed equations share? Unknowns with mirrors, angles as t and u, sums.
 #pragma once
 
+#include <array>
 #include <utility>
 #include <variant>
 
@@ -33,7 +34,7 @@ inline Mirrored operator*(const Coefficient& c, const Mirrored& a) {
 
 inline Mirrored swapped(const Mirrored& a) { return {a.conjugate, a.z}; }
 
-/// Puts an Formulation together.
+/// Puts a Formulation together.
 class IsotropicFrame : public Frame {
  public:
   /// Nodes of the angle classes: 0 the ground, then one a name.

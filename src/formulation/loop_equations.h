@@ -9,8 +9,8 @@ namespace moivre {
 /// How a loop is stated.
 struct LoopForm {
   JointLoop loop;  ///< begun where that is done best
-  bool
-      has_linear_slides;  ///< they follow linearly from the turns: slides are to be unknowns themselves, o = 0
+  /// Slides follow linearly from the turns, and are to be unknowns themselves, o = 0.
+  bool has_linear_slides;
   void (*add_equations)(SpatialFrame& frame, const JointLoop& loop);
 };
 

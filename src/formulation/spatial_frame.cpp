@@ -3,6 +3,7 @@
 #include "spatial_frame.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -11,8 +12,8 @@
 namespace moivre {
 namespace {
 
-constexpr std::uint64_t kSeed =
-    1;  // the formulation of a mechanism is one, whatever seed solves it
+// The formulation of a mechanism is one, whatever seed solves it.
+constexpr std::uint64_t kSeed = 1;
 
 }  // namespace
 

@@ -36,7 +36,7 @@ class SpatialFrame : public Frame {
       : length_(length), has_exact_frames_(has_exact_frames) {}
   double length() const { return length_; }
 
-  /// p but for terms that are rounding beside `size`.
+  /// As without_noise; notes where a term was dropped.
   Polynomial without_rounding(Polynomial p, double size);
   /// a - b but for what rounding of typed numbers leaves.
   Polynomial difference(const Polynomial& a, const Polynomial& b);

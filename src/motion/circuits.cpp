@@ -3,6 +3,7 @@
 #include "moivre/motion/circuits.h"
 
 #include <algorithm>
+#include <array>
 #include <boost/pending/disjoint_sets.hpp>
 #include <cmath>
 #include <map>

@@ -7,7 +7,7 @@
 // 9, 17 or 33 of them until the last coefficients are rounding; else the stretch is halved.
 // Some formulations are unique but for a factor of each row, or tell only what several rows of one name span: a pivot elsewhere gives
 // other rows of that span. So the k rows R of a group, with M theirs in the middle of the stretch, are replaced by (R M^H)^-1 R, which
-// hangs on the span alone and moves smoothly while it does not turn too far.
+// depends on the span alone and moves smoothly while it does not turn too far.
 // Stretches are made when they are asked for.
 // Edges: where a driver's law has a corner, or a formulation changes its kind, nothing is known, and at() says so. Rows that are
 // not smooth do not keep others from being known.

@@ -47,8 +47,9 @@ void add_scenes(MotionRun& run, const Tracker& tracker, const std::vector<double
                 std::vector<Scene>& scenes);
 
 /// Drops the checkpoints at which branches cross and closures are not all decided or not apart: there a pose may move though the drivers
-/// stand (an arm's straight wrist), and paths come to no isolated root, or to one that rounding parts. Closures are solved in the stretches on both sides, and what is one to one
-/// there is so across the crossing, too. The first and the last checkpoint stay. Returns the times of those that were dropped.
+/// stand (an arm's straight wrist), and paths come to no isolated root, or to one that rounding parts. Closures are solved in the
+/// stretches on both sides, and what is one to one there is so across the crossing, too. The first and the last checkpoint stay.
+/// Returns the times of those that were dropped.
 std::vector<double> drop_crossings(const MotionRun& run, std::vector<Scene>& scenes);
 
 /// Sets scene.track_of. Two tracks that are at one closure are returned, the older first.

@@ -23,14 +23,14 @@ Integer common_denominator(const std::vector<DualQuaternion<Rational>>& all);
 ExactDisplacement whole(const DualQuaternion<Rational>& g, const Integer& common);
 /// The largest of the eight, as a modulus.
 Integer largest_part(const ExactDisplacement& g);
-/// Numbers as doubles, beside the largest.
+/// Numbers as doubles, beside the largest; one is not 0.
 DualQuaternion<double> rounded(const ExactDisplacement& g);
 
 /// A basis of the forms that vanish on all `vectors`; 8 less their rank.
 std::vector<ExactDisplacement> vanishing_forms(const std::vector<ExactDisplacement>& vectors,
                                                double length = 1);
 
-/// On the span of linearly independent vectors, times `factor` the coordinates of a displacement among them.
+/// Values on the span of linearly independent vectors: `factor` times the coordinates of a displacement among them.
 struct CoordinateForms {
   std::vector<ExactDisplacement> forms;
   Integer factor;
