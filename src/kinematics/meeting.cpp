@@ -28,11 +28,11 @@ Meeting at_zero(const std::vector<CurvePoint>& points, std::size_t first, std::s
   return meeting;
 }
 
-/// Those at which sigma has fallen since the one before, up to the last: of neighbours rounding makes what it likes.
+/// The last point, and before it those of at least 1 / kFallen times the sigma of the next: the differences of nearer ones are rounding.
 std::vector<CurvePoint> spread(const std::vector<CurvePoint>& approach) {
   constexpr double kFallen = 0.7;
   std::vector<CurvePoint> points{approach.back()};
-  for (std::size_t k = approach.size(); k-- > 0;) {
+  for (std::size_t k = approach.size() - 1; k-- > 0;) {
     if (points.back().sigma <= kFallen * approach[k].sigma) points.push_back(approach[k]);
   }
   std::reverse(points.begin(), points.end());
