@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 #include "moivre/expression/counted.h"
@@ -157,7 +158,7 @@ class Stages {
     if (run_.complete) return;
     stage.paths.at_infinity += std::exchange(stage.paths.failed, 0);
     run_.left_out.push_back({counted(run_.failures.size(), "path") + " that were in doubt",
-                             counted(theorem.most, "closure") + " are proved, and " + theorem.of +
+                             counted(theorem.most, "pose") + " are proved, and " + theorem.of +
                                  " has no more: they lead to no other"});
     run_.failures.clear();
     run_.complete = true;
@@ -241,8 +242,8 @@ class Stages {
     return result;
   }
 
-  /// From a general member of the class. Its coefficients are real: a complex factor keeps the
-  /// line to this member away from those with fewer poses.
+  /// From a general member of the class. Its coefficients are real: a complex factor keeps the line to this member away from those
+  /// with fewer poses.
   std::optional<GivenStart> general_start(const Block& block, const PartialRoot& root) const {
     const bool is_chosen = options_.start == StartKind::automatic && !options_.known_start;
     if (!is_of_theorem(block) || !is_chosen) return std::nullopt;
