@@ -3,7 +3,6 @@
 #include "closure_roots.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <stdexcept>
 #include <string>
@@ -92,17 +91,11 @@ void take_account(ClosureResult& result, const StageRun& run) {
   result.reduced.total_degree = total_degree(result.reduced.degrees);
 }
 
-Point point_of(const PartialRoot& root) {
-  Point x;
-  for (const KnownValue& value : root.value) x.push_back(value->rounded);
-  return x;
-}
-
 /// Enters the root, or counts it as rejected where it does not satisfy every equation.
 void take_root(ClosureSearch& search, const PartialRoot& root, RootProver& prover) {
   Solution solution;
   solution.path = root.path;
-  solution.x = point_of(root);
+  for (const auto& value : root.value) solution.x.push_back(value->rounded);
   solution.singular = root.singular;
   solution.multiplicity = root.multiplicity;
   solution.winding = {static_cast<int>(root.multiplicity)};
@@ -173,29 +166,16 @@ void solve_free(ClosureSearch& search, const std::vector<Block>& blocks) {
   search.undecided_motion = true;
 }
 
-/// Roots that rounding of the coefficients moves as far as it likes are points of a set, where they stand alone. Rounding e parts a
-/// double root, and moves its parts by 2 sqrt(e) at most: they are isolated.
+/// Roots that rounding of the coefficients moves as far as it likes are points of a set.
 void take_off_sets(const Formulation& formulation, StageRun& run) {
   constexpr double kUndetermined = 0x1p45;  // products of a dozen frames are right to 45 bits
   if (formulation.is_exact) return;
-  const auto stands_alone = [&](const PartialRoot& root) {
-    const Point x = point_of(root);
-    const double parted = 2 / std::sqrt(kUndetermined) * std::max(1.0, max_norm(x));
-    return root.multiplicity == 1 &&
-           std::none_of(run.roots.begin(), run.roots.end(), [&](const PartialRoot& other) {
-             return &other != &root && max_distance(point_of(other), x) <= parted;
-           });
-  };
-  std::vector<PartialRoot> isolated;
-  for (const PartialRoot& root : run.roots) {
-    if (root.condition < kUndetermined || !stands_alone(root)) {
-      isolated.push_back(root);
-    } else {
-      run.moves = true;
-      run.may_move = run.may_move || may_be_real(formulation, root);
-    }
-  }
-  run.roots = std::move(isolated);
+  std::erase_if(run.roots, [&](const PartialRoot& root) {
+    if (root.condition < kUndetermined) return false;
+    run.moves = true;
+    run.may_move = run.may_move || may_be_real(formulation, root);
+    return true;
+  });
 }
 
 /// The equations that were solved have a set of roots that the spare ones may cut to isolated ones, also where part of it moves.

@@ -368,34 +368,6 @@ TEST(SpatialClosures, SlidesDoNotTurnWhatTheyHold) {
   EXPECT_EQ(result.counts.complex, 0U);
 }
 
-// Six hinges whose axes all meet one line are in a singular posture: two of the sixteen closures are one.
-TEST(SpatialClosures, OfAnArmInASingularPostureTwoAreOneAndNoSet) {
-  const int places[] = {0, 1, 2, 4, 5, 7};
-  const char* const axes[] = {"[0, 1, 2]", "[0, 2, -1]", "[0, 1, 1]",
-                              "[0, 3, 1]", "[0, 1, -1]", "[1, 2, 3]"};
-  std::string text = "space = \"spatial\"\n[ground.points]\nP0 = [0, 0, 0]\nP5 = [7, 0, 0]\n";
-  std::string joints;
-  for (int k = 0; k < 6; ++k) {
-    const std::string point = ".P" + std::to_string(k);
-    const std::string before = k == 0 ? "ground" : "link" + std::to_string(k);
-    const std::string after = k == 5 ? "ground" : "link" + std::to_string(k + 1);
-    joints += "[[joint]]\ntype = \"revolute\"\nat = [\"" + before + point + "\", \"" + after +
-              point + "\"]\naxis = " + axes[k] + "\n";
-    if (k == 5) continue;
-    text += "[body." + after + ".points]\n";
-    for (const int end : {k, k + 1}) {
-      text += "P" + std::to_string(end) + " = [" + std::to_string(places[end]) + ", 0, 0]\n";
-    }
-  }
-  const ClosureResult result = closures_of(mechanism_text(text + joints));
-  EXPECT_TRUE(result.complete) << result.message;
-  std::uint64_t roots = 0;
-  for (const Solution& root : result.solutions) roots += root.multiplicity;
-  EXPECT_EQ(roots, 16U);
-  ASSERT_FALSE(result.closures.empty());
-  for (const Closure& closure : result.closures) EXPECT_LT(closure.q.norm(), 1e-6);
-}
-
 TEST(SpatialClosures, OutOfReachCannotBeAssembled) {
   Mechanism arm = mechanism_file("puma-560");
   arm.bodies[0].points[1].at = {5, 0, 0};
