@@ -22,9 +22,13 @@ struct Cut {
   double merit = -1;
 };
 
-Cut best_cut(const JointLoop& loop, double length) {
-  // A dyad whose 3-space is nearer to Study's quadric than this lies in it: its axes meet or are parallel.
+/// Whether the 3-space of two elements lies in Study's quadric: their axes meet or are parallel.
+bool lies_on_quadric(const LoopElement& a, const LoopElement& b, double length) {
   constexpr double kOnQuadric = 1e-10;
+  return distance_from_quadric(a, b, length) <= kOnQuadric;
+}
+
+Cut best_cut(const JointLoop& loop, double length) {
   Cut best;
   for (JointLoop& way : all_ways(loop)) {
     const auto& e = way.elements;
@@ -32,7 +36,7 @@ Cut best_cut(const JointLoop& loop, double length) {
     // Two slides in a row span a plane of displacements, too few for the coordinates of a dyad.
     const bool is_dyad = e[4].is_turn || e[5].is_turn;
     // Four paths and two for each beat any other cut.
-    const bool decouples = is_dyad && inner > kOnQuadric &&
+    const bool decouples = is_dyad && !lies_on_quadric(e[1], e[2], length) &&
                            spans_common_space(e[3], e[4], e[5], length) &&
                            !spans_common_space(e[0], e[1], e[2], length);
     const double merit = decouples ? 2 + inner : distance_from_quadric(e[4], e[5], length);
@@ -67,7 +71,9 @@ class LoopEquations {
     const DyadSpace outer = dyad_at(4);
     const MovingPose rest = rest_behind(element(0) * element(1) * element(2) * element(3));
     in_space(rest, outer);
-    add_half_angles(frame_, e(4), e(5), coordinates_in(outer, rest));
+    const std::array<Polynomial, 4> c = coordinates_in(outer, rest);
+    if (lies_on_quadric(e(4), e(5), frame_.length())) add_quadric(frame_, e(4), c);
+    add_half_angles(frame_, e(4), e(5), c);
   }
 
   /// E_1, or E_1 E_2, or E_1 D_23 in the space of the last two, where they need not be on its quadric; of six elements E_1 D_23 in the

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -366,6 +367,37 @@ TEST(SpatialClosures, SlidesDoNotTurnWhatTheyHold) {
   const ClosureResult result = closures_of(chain);
   EXPECT_TRUE(result.complete) << result.message;
   EXPECT_EQ(result.counts.complex, 0U);
+}
+
+// Its first and last axes are parallel, and every two neighbours meet or are parallel: no dyad's 3-space leaves Study's quadric.
+TEST(SpatialClosures, AnArmWithoutOffsetsHasEightWithItsToolStraightDown) {
+  const std::array<std::array<Eigen::Vector3d, 2>, 6> joints{{{{{0, 0, 0}, {0, 0, 1}}},
+                                                              {{{0, 0, 1}, {0, 1, 0}}},
+                                                              {{{1, 0, 1.2}, {0, 1, 0}}},
+                                                              {{{1.8, 0, 0.9}, {0.8, 0, -0.3}}},
+                                                              {{{1.8, 0, 0.9}, {0.3, 0.8, -0.2}}},
+                                                              {{{1.8, 0, 0.9}, {0, 0, 1}}}}};
+  Mechanism mechanism = mechanism_file("7r-loop");
+  mechanism.drivers.clear();
+  mechanism.bodies.resize(joints.size());
+  mechanism.joints.resize(joints.size());
+  for (Body& body : mechanism.bodies) body.points.clear();
+  for (std::size_t k = 0; k < joints.size(); ++k) {
+    const std::size_t next = (k + 1) % joints.size();
+    Joint& joint = mechanism.joints[k];
+    joint.at = {PointOf{k, mechanism.bodies[k].points.size()},
+                PointOf{next, mechanism.bodies[next].points.size()}};
+    joint.axis = {joints[k][1].normalized(), joints[k][1].normalized()};
+    for (const std::size_t body : {k, next}) {
+      BodyPoint& point = mechanism.bodies[body].points.emplace_back();
+      point.name = "P" + std::to_string(k);
+      point.at = joints[k][0];
+    }
+  }
+  const ClosureResult result = closures_of(mechanism);
+  EXPECT_TRUE(result.complete) << result.message;
+  EXPECT_EQ(result.counts.complex, 8U);
+  EXPECT_EQ(result.closures.size(), 8U);
 }
 
 TEST(SpatialClosures, OutOfReachCannotBeAssembled) {
