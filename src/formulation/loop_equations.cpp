@@ -22,9 +22,10 @@ struct Cut {
   double merit = -1;
 };
 
-/// Whether the 3-space of two elements lies in Study's quadric: their axes meet or are parallel.
+// A dyad whose 3-space is nearer to Study's quadric than this lies in it: its axes meet or are parallel.
+constexpr double kOnQuadric = 1e-10;
+
 bool lies_on_quadric(const LoopElement& a, const LoopElement& b, double length) {
-  constexpr double kOnQuadric = 1e-10;
   return distance_from_quadric(a, b, length) <= kOnQuadric;
 }
 
@@ -35,11 +36,11 @@ Cut best_cut(const JointLoop& loop, double length) {
     const double inner = distance_from_quadric(e[1], e[2], length);
     // Two slides in a row span a plane of displacements, too few for the coordinates of a dyad.
     const bool is_dyad = e[4].is_turn || e[5].is_turn;
-    // Four paths and two for each beat any other cut.
-    const bool decouples = is_dyad && !lies_on_quadric(e[1], e[2], length) &&
-                           spans_common_space(e[3], e[4], e[5], length) &&
+    // Four paths and two for each beat any other cut. Without an inner dyad there is an equation too many: better than none.
+    const bool decouples = is_dyad && spans_common_space(e[3], e[4], e[5], length) &&
                            !spans_common_space(e[0], e[1], e[2], length);
-    const double merit = decouples ? 2 + inner : distance_from_quadric(e[4], e[5], length);
+    double merit = distance_from_quadric(e[4], e[5], length);
+    if (decouples) merit = inner > kOnQuadric ? 2 + inner : kOnQuadric;
     if (merit > best.merit) best = {std::move(way), decouples, merit};
   }
   return best;
@@ -76,18 +77,20 @@ class LoopEquations {
     add_half_angles(frame_, e(4), e(5), c);
   }
 
-  /// E_1, or E_1 E_2, or E_1 D_23 in the space of the last two, where they need not be on its quadric; of six elements E_1 D_23 in the
-  /// space of the last three, which E_4 does not leave. Of five elements the four equations of the space, which come first, have 4
+  /// E_1, or E_1 E_2, or E_1 D_23 in the space of the last two, where they need not be on its quadric; of six elements E_1 D_23, or
+  /// E_1 E_2 E_3 where that dyad's space lies in Study's quadric, in the space of the last three, which E_4 does not leave. Of five elements the four equations of the space, which come first, have 4
   /// paths alone, and D's quadric is a check; of six it holds, since the space lies in Study's.
   void add_by_dyads() {
     const std::size_t last = loop_.elements.size() - 2;
     const DyadSpace outer = dyad_at(last);
     MovingPose before = element(0);
     std::array<Polynomial, 4> inner;
-    if (last == 2) before = before * element(1);
-    if (last > 2) {
+    const bool has_dyad = last == 3 || (last == 4 && !lies_on_quadric(e(1), e(2), frame_.length()));
+    if (has_dyad) {
       inner = add_inner_dyad();
       before = before * pose_in(dyad_at(1), inner);
+    } else {
+      for (std::size_t k = 1; k < std::min<std::size_t>(last, 3); ++k) before = before * element(k);
     }
     const MovingPose rest = rest_behind(before);
     in_space(rest, outer);
