@@ -168,7 +168,6 @@ void solve_free(ClosureSearch& search, const std::vector<Block>& blocks) {
 
 /// Roots that rounding of the coefficients moves as far as it likes are points of a set.
 void take_off_sets(const Formulation& formulation, StageRun& run) {
-  constexpr double kUndetermined = 0x1p45;  // products of a dozen frames are right to 45 bits
   if (formulation.is_exact) return;
   std::erase_if(run.roots, [&](const PartialRoot& root) {
     if (root.condition < kUndetermined) return false;

@@ -182,6 +182,8 @@ class Stages {
       if (!share || !(*share <= kNearExclusion)) continue;
       const std::optional<bool> proved = prover_.vanishes(root.proof, exclusion);
       if (!proved.value_or(root.singular || *share <= kVanishes)) continue;
+      // Rounding that moves the root as far as it likes may have made it no pose.
+      if (root.condition >= kUndetermined) run_.is_proved = false;
       run_.excluded[exclusion.reason] += root.multiplicity;
       return true;
     }

@@ -68,6 +68,9 @@ inline constexpr double kHoldsSingular = 1e-5;
 Polynomial substituted(const Polynomial& p, const std::vector<KnownValue>& value,
                        const std::vector<std::uint32_t>& place);
 
+// From this condition on rounding of the coefficients moves a root as far as it likes: products of a dozen frames are right to 45 bits.
+inline constexpr double kUndetermined = 0x1p45;
+
 /// False where the image of a value that is known differs from it.
 bool may_be_real(const Formulation& formulation, const PartialRoot& root);
 
