@@ -199,5 +199,12 @@ carrier = "coupler"
   EXPECT_EQ(json.at("idle").at(0).at("body"), "w1");
 }
 
+// From another frame the same platform has 288 or 304 complex closures: which of its poses are none hangs on rounding.
+TEST(PosesFarAway, AreNotProvedToBeNone) {
+  const Answer answer = answered("closures", "nearly-similar-platform");
+  EXPECT_EQ(answer.json.at("counts").at("real"), 16);
+  EXPECT_NE(answer.json.at("completeness"), "proved");
+}
+
 }  // namespace
 }  // namespace moivre::test
