@@ -154,6 +154,7 @@ void leave_out_cone(RigidGroups& groups, std::size_t group) {
 
 /// Whether the far end of a strut lies on neither its second axis nor the first end.
 bool is_armed(const Strut& strut) {
+  // Nearer, the turn about the second axis moves the far end by less than half the digits tell.
   constexpr double kBeside = 1e-9;
   const Axis axis = axis_of(strut.cross.at_j);
   const Vector3d arm = axis_of(strut.ball.at_j).at - axis.at;
@@ -173,7 +174,8 @@ bool is_flat(const Strut& strut) {
 
 Tie meeting_of(const Strut& strut, const std::string& name) {
   Tie meeting;
-  meeting.is_meeting = true;
+  meeting.place = JointPlace::anywhere;
+  meeting.turn = JointTurn::freely;
   meeting.name = name;
   meeting.i = strut.cross.i;
   meeting.j = strut.ball.i;
@@ -202,8 +204,10 @@ void leave_out_strut(RigidGroups& groups, std::size_t group) {
   groups.ties.push_back(rod_between(strut.cross, strut.ball, name));
   if (!has_ball) groups.ties.push_back(meeting_of(strut, name));
   groups.left_out.emplace_back(
-      name, has_ball ? "between a universal and a spherical joint it is one distance"
-                     : "between two universal joints it is one distance, and two lines that meet");
+      name, has_ball
+                ? "between a universal and a spherical joint it is one distance, in two postures"
+                : "between two universal joints it is one distance and two lines that meet, in two "
+                  "postures");
 }
 
 }  // namespace

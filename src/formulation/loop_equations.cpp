@@ -77,9 +77,9 @@ class LoopEquations {
     add_half_angles(frame_, e(4), e(5), c);
   }
 
-  /// E_1, or E_1 E_2, or E_1 D_23 in the space of the last two, where they need not be on its quadric; of six elements E_1 D_23, or
-  /// E_1 E_2 E_3 where that dyad's space lies in Study's quadric, in the space of the last three, which E_4 does not leave. Of five elements the four equations of the space, which come first, have 4
-  /// paths alone, and D's quadric is a check; of six it holds, since the space lies in Study's.
+  /// E_1, or E_1 E_2, or E_1 D_23 in the space of the last two, where they need not be on its quadric; of six elements E_1 D_23 in the
+  /// space of the last three, which E_4 does not leave, or E_1 E_2 E_3 where D says too little. Of five elements the four equations of
+  /// the space, which come first, have 4 paths alone, and D's quadric is a check; of six it holds, since the space lies in Study's.
   void add_by_dyads() {
     const std::size_t last = loop_.elements.size() - 2;
     const DyadSpace outer = dyad_at(last);

@@ -179,7 +179,7 @@ class Grouping {
 
 std::size_t freedom(const Tie& tie) {
   constexpr int kRigidBody = 6;
-  if (tie.is_meeting) return kRigidBody - 1;
+  if (is_meeting(tie)) return kRigidBody - 1;
   return static_cast<std::size_t>(kRigidBody - row_count(tie.place, Space::spatial) -
                                   row_count(tie.turn, Space::spatial));
 }
@@ -190,6 +190,8 @@ std::size_t turn_freedom(const Tie& tie) {
 }
 
 bool is_rod(const Tie& tie) { return tie.place == JointPlace::at_distance; }
+
+bool is_meeting(const Tie& tie) { return tie.place == JointPlace::anywhere; }
 
 bool is_loose(const Tie& tie) {
   constexpr std::size_t kAllButOne = 5;

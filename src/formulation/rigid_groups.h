@@ -9,7 +9,7 @@
 // A tie is what is left of a joint (mechanism/joint_type.h), or one of:
 //   a rod      at a distance, turning freely
 //   a cone     at a point, two turns about axes that keep their angle (universal: 90 deg)
-//   a meeting  of the z axes, as lines
+//   a meeting  anywhere, turning freely, but so that the z axes, as lines, meet
 // A screw that is not driven ties an angle to a length, which no polynomial says: refused.
 // Links that say no more than a distance or an angle are replaced by it, and placed by their points afterwards:
 //   a group held by two spherical joints alone    a rod; its spin is free and moves nothing else
@@ -34,7 +34,6 @@ struct Tie {
   JointPlace place = JointPlace::at_point;
   JointTurn turn = JointTurn::about_axis;
   bool is_reversed = false;  ///< the line or plane is fixed in group j
-  bool is_meeting = false;   ///< of two lines; place and turn say nothing
   std::string name;
   std::size_t i = 0, j = 0;  ///< groups
   ExactPose at_i, at_j;
@@ -49,6 +48,7 @@ std::size_t freedom(const Tie& tie);
 std::size_t turn_freedom(const Tie& tie);
 
 bool is_rod(const Tie& tie);
+bool is_meeting(const Tie& tie);
 /// Whether it holds one number alone: an equation, no motion for a tree.
 bool is_loose(const Tie& tie);
 

@@ -12,6 +12,9 @@
 // Where joints 4, 5, 6 are parallel or meet in a point (a spherical wrist), their product stays in one 3-space V. With the dyad D of
 // joints 2 and 3, whose coordinates c are then the unknowns, as many equations as unknowns say it:
 //     n_k . (E_1 D) = 0,  k = 1..4:  4 paths,   then   conj(E_4) v in the 3-space of 5 and 6:  2 paths each.
+// Where every two neighbours are parallel or meet, each W lies in Study's quadric, and D's 3-space too. Then the same is said with
+// E_1 E_2 E_3 for E_1 D, one equation too many, or, without three such joints, with the quadric of joints 5 and 6 beside the four of W:
+// these loops have no certificates.
 // Loops of three to five joints are stated alike; they hold more equations than unknowns, unless all axes meet or are parallel.
 // Two slides are no dyad, since A B = 0. Loops of slides alone are linear.
 // Symbols: E, A, G, D dual quaternions (dual_quaternion.h); n_k, 8 numbers each, orthogonal to W.

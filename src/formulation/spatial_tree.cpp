@@ -74,7 +74,7 @@ class Tree {
   }
 
   void close(const Tie& tie) {
-    if (tie.is_meeting) {
+    if (is_meeting(tie)) {
       frame_.add_equation(tie.name + ": lines",
                           meeting_equation(frame_, tie, relative(tie.i, tie.j)));
       return;
