@@ -99,13 +99,7 @@ void write_closures_json(const TextSink& sink, const ClosureResult& result,
                          const Mechanism& mechanism, const std::string& file,
                          const Sensitivities* sensitivities) {
   write_json(sink, [&](JsonWriter& report) {
-    report.members(report_head("closures", file));
-    report.member("seed", result.seed);
-    report.member("complete", result.complete);
-    report.member("message", result.message);
-    report.member("title", mechanism.title);
-    report.member("idle", idle_json(result.idle));
-    report.member("warnings", mechanism.warnings);
+    report.members(result_head("closures", file, result, mechanism));
     report.member("at", to_json(result.time));
     report.member("units", units_json(mechanism));
     report.member("mobility", mobility_summary(result));

@@ -168,13 +168,7 @@ void write_course(const MotionResult& result, const Mechanism& mechanism, const 
 void write_motion_json(const TextSink& sink, const MotionResult& result, const Mechanism& mechanism,
                        const std::string& file, const AngleForm& form, const Readings* readings) {
   write_json(sink, [&](JsonWriter& report) {
-    report.members(report_head("motion", file));
-    report.member("seed", result.seed);
-    report.member("complete", result.complete);
-    report.member("message", result.message);
-    report.member("title", mechanism.title);
-    report.member("idle", idle_json(result.idle));
-    report.member("warnings", mechanism.warnings);
+    report.members(result_head("motion", file, result, mechanism));
     report.member("from", to_json(result.from));
     report.member("to", to_json(result.to));
     report.member("steps", result.times.empty() ? 0 : result.times.size() - 1);

@@ -34,6 +34,21 @@ Json coordinates_json(const Mechanism& mechanism, const Eigen::VectorXd& q);
 /// {"body": .., "joint": .., "held": ..}
 Json idle_json(const std::vector<IdleJoint>& idle);
 
+/// What the reports of closures and of a motion begin with, behind report_head() of json.h: "seed", "complete", "message", "title", "idle",
+/// "warnings".
+template <class Result>
+Json result_head(const std::string& command, const std::string& file, const Result& result,
+                 const Mechanism& mechanism) {
+  Json head = report_head(command, file);
+  head["seed"] = result.seed;
+  head["complete"] = result.complete;
+  head["message"] = result.message;
+  head["title"] = mechanism.title;
+  head["idle"] = idle_json(result.idle);
+  head["warnings"] = mechanism.warnings;
+  return head;
+}
+
 Json to_json(const Eigen::VectorXd& v);
 /// Row by row.
 Json rows_json(const Eigen::MatrixXd& m);
