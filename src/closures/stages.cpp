@@ -7,12 +7,14 @@
 #include <stdexcept>
 #include <utility>
 
+#include "lone_equation.h"
 #include "moivre/expression/counted.h"
 #include "moivre/formulation/exact.h"
 #include "moivre/numeric/random.h"
 #include "moivre/polynomial/eliminate.h"
 #include "moivre/solver/member_start.h"
 #include "quadratic_block.h"
+#include "shared_above.h"
 
 namespace moivre {
 namespace {
@@ -23,40 +25,31 @@ constexpr std::uint64_t kPathsForOneThread = 8;
 // So few paths are followed before a better start is found: closure polynomials have hardly more of them than roots.
 constexpr std::uint64_t kPathsWithoutSearch = 32;
 
-// An exact value is rounded once its fractions are this long (in bits): a chain of lengths and directions stays below.
-constexpr std::size_t kLongFraction = 2048;
-
 // A simple root is known far better than this, a multiple one just so: what is larger beside its terms does not vanish.
 constexpr double kNearExclusion = 1e-6;
 
 // Where nothing is proved: a simple root is known to rounding, and what vanishes there does so to 1e-14.
 constexpr double kVanishes = 1e-13;
 
-// A coefficient that cancelled to this, beside the terms it was added from, is zero.
-constexpr double kCancelled = 1e-13;
-
-Coefficient shortened(const Coefficient& c) {
-  return std::max(bit_length(c.re), bit_length(c.im)) > kLongFraction ? exactly(to_complex(c)) : c;
-}
-
 /// In the block's variables, numbered in its order.
-Polynomial equation_at(const System& all, const Block& block, std::size_t equation,
-                       const PartialRoot& root) {
-  std::vector<std::uint32_t> place(all.variables.size());
-  for (std::size_t k = 0; k < block.variables.size(); ++k) {
-    place[block.variables[k]] = static_cast<std::uint32_t>(k);
-  }
-  return substituted(all.polynomials[equation], root.value, place);
-}
-
 System system_at(const System& all, const Block& block, const PartialRoot& root) {
   System f;
-  for (const std::size_t v : block.variables) f.variables.push_back(all.variables[v]);
+  std::vector<std::uint32_t> place(all.variables.size());
+  for (const std::size_t v : block.variables) {
+    place[v] = static_cast<std::uint32_t>(f.variables.size());
+    f.variables.push_back(all.variables[v]);
+  }
   for (const std::size_t e : block.equations) {
-    f.polynomials.push_back(equation_at(all, block, e, root));
+    f.polynomials.push_back(substituted(all.polynomials[e], root.value, place));
   }
   return f;
 }
+
+/// Above all roots that have the values in its equations in common.
+struct BlockSolve {
+  SolveResult result;
+  std::vector<std::vector<KnownValue>> values;  ///< of each solution, by the block's variables
+};
 
 /// Two paths that are led to one root prove one.
 void drop_repeated_proofs(std::vector<PartialRoot>& children) {
@@ -98,10 +91,11 @@ class Stages {
 
   void solve_block(const Block& block) {
     if (run_.roots.empty()) return;
-    if (is_linear(block)) return solve_lone(block);
+    if (LoneEquation::is_one(formulation_.system, block)) return solve_lone(block);
     prover_.add(block);
     prover_.close();
     const QuadraticBlock formula(formulation_, block);
+    SharedAbove<BlockSolve> solves(formulation_.system, block);
     Stage stage;
     stage.group = group_name(block);
     const bool was_proved = run_.is_proved;
@@ -109,7 +103,13 @@ class Stages {
     for (const PartialRoot& root : run_.roots) {
       if (stop_) run_.complete = false;
       if (stop_) break;
-      add_roots(block, formula, root, stage, next);
+      bool is_new = false;
+      const BlockSolve& solve = solves.above(root, [&] {
+        is_new = true;
+        return solved(block, formula, root);
+      });
+      if (!is_new) ++shared_;
+      add_roots(block, formula.bound(), solve, root, stage, next);
     }
     if (is_of_theorem(block)) settle_by_theorem(was_proved, next, stage);
     run_.paths += stage.paths;
@@ -125,6 +125,10 @@ class Stages {
           lone_ == 1 ? LeftOut{"1 linear equation solved alone", "it has a single unknown left"}
                      : LeftOut{std::to_string(lone_) + " linear equations solved one by one",
                                "each has a single unknown left"});
+    }
+    if (shared_ > 0) {
+      run_.left_out.push_back({"following the paths of " + counted(shared_, "solve"),
+                               "above roots with the same values they are those of another one"});
     }
     if (formulas_ > 0) {
       run_.left_out.push_back(
@@ -190,39 +194,21 @@ class Stages {
     return false;
   }
 
-  /// Whether it is one equation, and of degree 1 in its unknown whatever the values before.
-  bool is_linear(const Block& block) const {
-    if (block.equations.size() != 1) return false;
-    for (const Term& term : formulation_.system.polynomials[block.equations.front()].terms) {
-      for (const Power& power : term.monomial) {
-        if (power.variable == block.variables.front() && power.exponent > 1) return false;
-      }
-    }
-    return true;
-  }
-
-  /// One equation a x + b = 0, its x put in above every root so far. Where a vanishes there is none, where b does too a set of them.
+  /// Its x put in above every root so far.
   void solve_lone(const Block& block) {
     ++lone_;
     prover_.add(block);
-    const std::size_t equation = block.equations.front();
-    double size = 0;
-    for (const Term& term : formulation_.system.polynomials[equation].terms) {
-      size = std::max(size, std::abs(to_complex(term.coefficient)));
-    }
+    LoneEquation equation(formulation_.system, block);
     std::vector<PartialRoot> next;
     for (PartialRoot& root : run_.roots) {
-      const Polynomial p = equation_at(formulation_.system, block, equation, root);
-      Coefficient a;
-      Coefficient b;
-      for (const Term& term : p.terms) (term.monomial.empty() ? b : a) = term.coefficient;
-      if (std::abs(to_complex(a)) <= kCancelled * size) {
-        if (std::abs(to_complex(b)) <= kCancelled * size) note_set(root);
-        run_.is_proved = false;
+      const LoneEquation::Answer& answer = equation.above(root);
+      if (answer.x) {
+        root.value[block.variables.front()] = answer.x;
+        next.push_back(std::move(root));
         continue;
       }
-      root.value[block.variables.front()] = std::make_shared<const Known>(shortened(-b / a));
-      next.push_back(std::move(root));
+      if (answer.is_free) note_set(root);
+      run_.is_proved = false;
     }
     run_.roots = std::move(next);
     if (formulation_.exclusions.empty()) return;
@@ -230,12 +216,31 @@ class Stages {
     std::erase_if(run_.roots, [&](const PartialRoot& root) { return is_excluded(root); });
   }
 
-  /// By formula, where that is clear and no start was asked for: a quadratic equation counts as its two paths.
-  SolveResult solved(const Block& block, const QuadraticBlock& formula, const PartialRoot& root) {
-    auto roots = options_.start == StartKind::automatic ? formula.roots(root.value) : std::nullopt;
-    if (!roots) return followed(block, root);
-    ++formulas_;
+  BlockSolve solved(const Block& block, const QuadraticBlock& formula, const PartialRoot& root) {
+    BlockSolve solve{by_formula(formula, root), {}};
+    if (solve.result.solutions.empty()) solve.result = followed(block, root);
+    for (const Solution& solution : solve.result.solutions) {
+      solve.values.push_back(values_of(solution));
+    }
+    run_.work += solve.result.work;
+    run_.time.threads = std::max(run_.time.threads, solve.result.time.threads);
+    add_solving(solve.result.time, run_.time);
+    return solve;
+  }
+
+  static std::vector<KnownValue> values_of(const Solution& solution) {
+    std::vector<KnownValue> values;
+    for (const Complex& xi : solution.x)
+      values.push_back(std::make_shared<const Known>(exactly(xi)));
+    return values;
+  }
+
+  /// Where that is clear and no start was asked for, else without solutions: a quadratic equation counts as its two paths.
+  SolveResult by_formula(const QuadraticBlock& formula, const PartialRoot& root) {
     SolveResult result;
+    auto roots = options_.start == StartKind::automatic ? formula.roots(root.value) : std::nullopt;
+    if (!roots) return result;
+    ++formulas_;
     result.complete = true;
     result.reduced = roots->size() == 1 ? SystemFacts{{}, {}, 1} : SystemFacts{{"y"}, {2}, 2};
     result.paths.tracked = result.paths.finite = roots->size();
@@ -286,18 +291,19 @@ class Stages {
     return result;
   }
 
-  void add_roots(const Block& block, const QuadraticBlock& formula, const PartialRoot& root,
-                 Stage& stage, std::vector<PartialRoot>& next) {
-    const SolveResult result = solved(block, formula, root);
+  /// The roots of its solve above this one, accounted as if nothing else stood above it.
+  void add_roots(const Block& block, std::uint64_t bound, const BlockSolve& solve,
+                 const PartialRoot& root, Stage& stage, std::vector<PartialRoot>& next) {
+    const SolveResult& result = solve.result;
     const std::uint64_t first_path = stage.paths.tracked;
     std::vector<PartialRoot> children;
-    for (const Solution& solution : result.solutions) {
-      children.push_back(child_of(root, block, solution));
-      children.back().path = first_path + solution.path;
+    for (std::size_t k = 0; k < result.solutions.size(); ++k) {
+      children.push_back(child_of(root, block, result.solutions[k], solve.values[k]));
+      children.back().path = first_path + result.solutions[k].path;
     }
     drop_repeated_proofs(children);
     run_.is_proved = run_.is_proved && prover_.is_on() &&
-                     has_proved_bound(result, children, formula.bound(), root.proof == nullptr);
+                     has_proved_bound(result, children, bound, root.proof == nullptr);
     for (PartialRoot& child : children) {
       if (!is_excluded(child)) next.push_back(std::move(child));
     }
@@ -311,9 +317,6 @@ class Stages {
     }
     stage.paths += result.paths;
     if (result.start.paths > run_.largest_start.paths) run_.largest_start = result.start;
-    run_.work += result.work;
-    run_.time.threads = std::max(run_.time.threads, result.time.threads);
-    add_solving(result.time, run_.time);
     run_.complete = run_.complete && result.complete;
     const bool is_dependent = result.paths.tracked == 0 && result.complete &&
                               eliminate(system_at(formulation_.system, block, root)).verdict ==
@@ -323,15 +326,16 @@ class Stages {
           Solution on_set;
           on_set.x = x;
           on_set.singular = true;
-          return !is_excluded(child_of(root, block, on_set));
+          return !is_excluded(child_of(root, block, on_set, values_of(on_set)));
         });
     if (is_dependent || has_set) note_set(root);
   }
 
-  PartialRoot child_of(const PartialRoot& root, const Block& block, const Solution& solution) {
+  PartialRoot child_of(const PartialRoot& root, const Block& block, const Solution& solution,
+                       const std::vector<KnownValue>& values) {
     PartialRoot child = root;
     for (std::size_t k = 0; k < block.variables.size(); ++k) {
-      child.value[block.variables[k]] = std::make_shared<const Known>(exactly(solution.x[k]));
+      child.value[block.variables[k]] = values[k];
     }
     child.multiplicity *= solution.multiplicity;
     child.singular |= solution.singular;
@@ -380,6 +384,7 @@ class Stages {
   StageRun run_;
   std::size_t lone_ = 0;
   std::uint64_t formulas_ = 0;  ///< solves by formula
+  std::uint64_t shared_ = 0;    ///< that another root's was
 };
 
 }  // namespace
