@@ -82,19 +82,6 @@ bool is_worth_a_search(const Run& run, std::uint64_t roots) {
   return counted == roots || lacks_origin(setting.prepared.reduction.system);
 }
 
-/// A search that was given up is made again where twice as much is worth it.
-bool is_worth_another(std::uint64_t allowed, std::uint64_t worth) { return allowed <= worth / 2; }
-
-/// Each search is made once, unless another is worth it.
-const std::optional<std::uint64_t>& once(SoughtBound& bound, std::uint64_t steps,
-                                         const auto& search) {
-  if (!bound.value && is_worth_another(bound.steps, steps)) {
-    bound.steps = steps;
-    bound.value = search();
-  }
-  return bound.value;
-}
-
 std::uint64_t terms_worth_looking_at(const Run& run) {
   const Prepared& prepared = run.setting.prepared;
   const double cost = cost_of_paths(prepared.reduction.system, paths_at_stake(run));
@@ -108,23 +95,25 @@ std::uint64_t terms_worth_looking_at(const Run& run) {
 /// Looked for when `roots` are known; not where some are left out.
 const QuotientRing& ring_of(Run& run, std::uint64_t roots) {
   if (run.setting.prepared.leaves_out) return run.bounds.ring;
+  Bounds& bounds = run.bounds;
   const std::uint64_t most_terms = terms_worth_looking_at(run);
-  if (run.bounds.ring.verdict == QuotientRing::Verdict::not_found &&
-      is_worth_another(run.bounds.ring_terms, most_terms)) {
-    run.bounds.ring_terms = most_terms;
-    run.bounds.ring = quotient_ring(run.setting.prepared.reduction.system,
-                                    {roots, most_terms, &run.setting.stop});
+  if (bounds.ring.verdict == QuotientRing::Verdict::not_found &&
+      bounds.for_ring.allows(most_terms)) {
+    bounds.ring = quotient_ring(run.setting.prepared.reduction.system,
+                                {roots, most_terms, &run.setting.stop});
   }
-  return run.bounds.ring;
+  return bounds.ring;
 }
 
 std::optional<MetBound> volume_met_by(Run& run, std::uint64_t roots) {
   if (!is_worth_a_search(run, roots)) return std::nullopt;
   const System& f = run.setting.prepared.reduction.system;
-  const std::uint64_t steps = bounded_search(run, f).most_steps;
-  const auto search = [&] { return verified_volume(run, f); };
+  Bounds& bounds = run.bounds;
+  if (!bounds.volume && bounds.for_volume.allows(bounded_search(run, f).most_steps)) {
+    bounds.volume = verified_volume(run, f);
+  }
   const std::string kind = lacks_origin(f) ? "stable mixed volume" : "mixed volume";
-  if (is_met(once(run.bounds.volume, steps, search), roots, kind)) return MetBound{kind, roots};
+  if (is_met(bounds.volume, roots, kind)) return MetBound{kind, roots};
   return std::nullopt;
 }
 
@@ -144,11 +133,9 @@ std::optional<MetBound> strata_met_by(Run& run, std::uint64_t points) {
   if (!lacks_origin(f)) return std::nullopt;
   const CellSearchOptions search = bounded_search(run, f);
   Bounds& bounds = run.bounds;
-  if (bounds.points_asked == points && !is_worth_another(bounds.strata_steps, search.most_steps)) {
-    return std::nullopt;
-  }
-  bounds.points_asked = points;
-  bounds.strata_steps = search.most_steps;
+  if (bounds.asked_by_strata != points) bounds.for_strata = {};
+  if (!bounds.for_strata.allows(search.most_steps)) return std::nullopt;
+  bounds.asked_by_strata = points;
   const auto most = most_isolated_points(f, run.setting.options.seed, search, points);
   const std::string kind = "mixed volume of the strata";
   if (!is_met(most, points, kind)) return std::nullopt;
@@ -192,23 +179,19 @@ Refined point_of(const Run& run, const ExactRoot& exact) {
   return point;
 }
 
-/// It ends at an exact root, whatever was seen of its end.
-void bring(Run& run, std::uint64_t path, const ExactRoot& exact) {
-  Root root;
+/// What is known of an end, which is that exact root.
+void enter_exact(Run& run, std::uint64_t path, const ExactRoot& exact, Root&& root) {
   root.point = point_of(run, exact);
-  root.is_counted = true;
   root.is_exact = true;
   root.on_set = SetHere::none;
   run.ledger.enter_root(path, std::move(root));
 }
 
-/// Its end was seen, and is that exact root.
-void put_right(Run& run, std::uint64_t path, const ExactRoot& exact) {
-  Root root = run.ledger.roots().at(path);
-  root.point = point_of(run, exact);
-  root.is_exact = true;
-  root.on_set = SetHere::none;
-  run.ledger.enter_root(path, std::move(root));
+/// It ends there, whatever was seen of its end.
+void bring(Run& run, std::uint64_t path, const ExactRoot& exact) {
+  Root root;
+  root.is_counted = true;
+  enter_exact(run, path, exact, std::move(root));
 }
 
 /// The exact roots and how many paths each still lacks.
@@ -230,7 +213,9 @@ class Places {
       const bool fits = place.multiplicity == group.size() && cycles(run.ledger, group) &&
                         relative_distance(place.x, end.point.x) <= end.tolerance;
       if (!fits) continue;
-      for (const std::uint64_t path : group) put_right(run, path, place);
+      for (const std::uint64_t path : group) {
+        enter_exact(run, path, place, Root(run.ledger.roots().at(path)));
+      }
       place.multiplicity = 0;
       return true;
     }
@@ -311,12 +296,11 @@ bool are_as_counted(Run& run) {
     roots += group.size();
   }
   if (roots != ring.dimension) return false;
-  if (!run.bounds.points_sought) {
-    run.bounds.points_sought = true;
-    run.bounds.points =
-        quotient_ring(run.setting.prepared.reduction.system,
-                      {0, static_cast<std::uint64_t>(kTermsInDoubt), &run.setting.stop, true})
-            .points;
+  constexpr auto most_terms = static_cast<std::uint64_t>(kTermsInDoubt);
+  if (run.bounds.for_points.allows(most_terms)) {
+    run.bounds.points = quotient_ring(run.setting.prepared.reduction.system,
+                                      {0, most_terms, &run.setting.stop, true})
+                            .points;
   }
   return groups.size() == run.bounds.points;
 }

@@ -34,6 +34,12 @@ std::string to_string(RootCompleteness completeness) {
   return "";
 }
 
+bool Budget::allows(std::uint64_t worth) {
+  if (spent_ > worth / 2) return false;
+  spent_ = worth;
+  return true;
+}
+
 SetHere set_of(const Run& run, const Root& root) {
   if (!root.on_set) {
     const Setting& setting = run.setting;

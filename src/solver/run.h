@@ -18,10 +18,14 @@
 
 namespace moivre {
 
-/// A bound that takes a search.
-struct SoughtBound {
-  std::uint64_t steps = 0;             ///< that were allowed for it
-  std::optional<std::uint64_t> value;  ///< where the search found it, and twice
+/// A search that was given up is made again where twice as much is worth it.
+class Budget {
+ public:
+  /// Whether to search now, at no more than `worth`.
+  bool allows(std::uint64_t worth);
+
+ private:
+  std::uint64_t spent_ = 0;
 };
 
 /// A root that is known exactly, and how often F has it (exact_roots.h).
@@ -34,15 +38,13 @@ struct ExactRoot {
 /// What is known of proved bounds on the number of isolated roots (completeness.h).
 struct Bounds {
   std::optional<MetBound> met;
-  bool lacks_paths = false;      ///< fewer are left than the roots that are known exactly need
-  SoughtBound volume;            ///< the (stable) mixed volume of what is tracked
-  QuotientRing ring;             ///< of what is tracked
-  std::uint64_t ring_terms = 0;  ///< that were allowed for it
-  bool points_sought = false;
+  bool lacks_paths = false;  ///< fewer are left than the roots that are known exactly need
+  Budget for_volume, for_ring, for_points, for_strata;
+  std::optional<std::uint64_t> volume;  ///< the (stable) mixed volume of what is tracked
+  QuotientRing ring;                    ///< of what is tracked
+  std::optional<std::uint64_t> points;  ///< different roots of what is tracked
   std::optional<std::uint64_t>
-      points;  ///< different roots of what is tracked, where they were asked for and found
-  std::optional<std::uint64_t> points_asked;  ///< whether they are all, by their strata
-  std::uint64_t strata_steps = 0;             ///< that were allowed for it
+      asked_by_strata;  ///< points of which it was asked whether they are all
 };
 
 /// By the candidate, real and imaginary part of each coordinate in turn; multiplicity 0: it is no root, or nothing can be said.
