@@ -22,11 +22,10 @@ namespace {
 // Steps of a search that are always worth it: some milliseconds.
 constexpr std::uint64_t kLeastSearch = 10'000;
 // Terms of the algebra that are always worth it, some thirty milliseconds at most; beyond them, a share of what the paths cost, in
-// multiply-adds a term; and where paths are in doubt, less time than one of them takes in more digits.
+// multiply-adds a term; and where paths are in doubt kAffordableTerms, less time than one of them takes in more digits.
 constexpr double kLeastTerms = 3'000'000;
 constexpr double kAlgebraShare = 0.5;
 constexpr double kTermCost = 20;
-constexpr double kTermsInDoubt = 20'000'000;
 
 /// The bound whose value is `roots`; throws where it is less.
 bool is_met(const std::optional<std::uint64_t>& bound, std::uint64_t roots,
@@ -87,7 +86,7 @@ std::uint64_t terms_worth_looking_at(const Run& run) {
   const double cost = cost_of_paths(prepared.reduction.system, paths_at_stake(run));
   const double least = !run.waiting.empty()            ? 0
                        : run.ledger.failures().empty() ? kLeastTerms
-                                                       : kTermsInDoubt;
+                                                       : kAffordableTerms;
   return static_cast<std::uint64_t>(
       std::min(std::max(least, kAlgebraShare * cost / kTermCost), 1e18));
 }
@@ -296,10 +295,9 @@ bool are_as_counted(Run& run) {
     roots += group.size();
   }
   if (roots != ring.dimension) return false;
-  constexpr auto most_terms = static_cast<std::uint64_t>(kTermsInDoubt);
-  if (run.bounds.for_points.allows(most_terms)) {
+  if (run.bounds.for_points.allows(kAffordableTerms)) {
     run.bounds.points = quotient_ring(run.setting.prepared.reduction.system,
-                                      {0, most_terms, &run.setting.stop, true})
+                                      {.stop = &run.setting.stop, .counts_points = true})
                             .points;
   }
   return groups.size() == run.bounds.points;

@@ -70,9 +70,8 @@ void tell_of_multiplicities(const QuotientRing& ring, SolveResult& result) {
 }
 
 QuotientRing ring_of(const System& f) {
-  constexpr std::uint64_t kMostTerms = 20'000'000;  // a fifth of a second
   if (!coefficient_errors(f).empty()) return {};
-  return quotient_ring(f, {0, kMostTerms, nullptr, true});
+  return quotient_ring(f, {.counts_points = true});
 }
 
 /// A proof is of the square system. Beside slices and patches its roots are roots of F; combinations prove nothing of F's equations.
