@@ -163,7 +163,6 @@ void Endgame::deliver_end() {
   if (end_.x.empty()) return;
   end_.size = 1 / chart_.finiteness(end_.x);
   end_.x = outside(frame_, std::move(end_.x));
-  end_.frame = frame_;
 }
 
 std::optional<Departure> Endgame::proceed(Arrival&& arrival, PathSystem& path) {

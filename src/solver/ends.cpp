@@ -85,7 +85,6 @@ Root judged_root(const Run& run, Tools& tools, const PathEnd& end) {
   const double accuracy = end.accuracy * std::max(1.0, end.size);
   Root root;
   root.winding = end.winding;
-  refiner.measure_by(natural_sizes(setting.prepared, end.frame));
   const bool many_sheets = end.winding.value_or(1) > 1;
   if (!many_sheets && prove(run, tools, end, x, accuracy, root)) return root;
   const int sheets = many_sheets ? *end.winding : kLeastMultiplicity;

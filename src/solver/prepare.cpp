@@ -187,15 +187,6 @@ std::vector<double> natural_sizes(const Prepared& prepared) {
   return sizes;
 }
 
-std::vector<double> natural_sizes(const Prepared& prepared, const FramePointer& frame) {
-  if (!frame) return {};
-  std::vector<double> sizes = natural_sizes(prepared);
-  for (std::size_t j = 0; j < prepared.reduction.kept.size(); ++j) {
-    sizes[prepared.reduction.kept[j]] *= std::exp2(std::min(0, frame->log2[j]));
-  }
-  return sizes;
-}
-
 Point to_homogeneous(const Prepared& prepared, const Point& x) {
   Point z;
   for (std::size_t j = 0; j < prepared.reduction.kept.size(); ++j) {

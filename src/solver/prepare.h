@@ -47,8 +47,6 @@ Point to_original(const Prepared& prepared, const Point& homogeneous);
 
 /// Natural size of each original unknown: 2^v of a kept one, 1 of an eliminated one.
 std::vector<double> natural_sizes(const Prepared& prepared);
-/// The same along a path: smaller where its frame's unit is. Empty where it has no frame.
-std::vector<double> natural_sizes(const Prepared& prepared, const FramePointer& frame);
 
 /// The homogeneous point, z_0 = 1, of a point of the original system.
 Point to_homogeneous(const Prepared& prepared, const Point& x);

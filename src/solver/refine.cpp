@@ -57,7 +57,6 @@ struct Refiner::Workspace {
   explicit Workspace(std::shared_ptr<const RefinerProgram> shared)
       : program(std::move(shared)),
         n(program->tape.variables),
-        unit(program->unit),
         lu(n),
         registers(program->tape.register_count()),
         value(program->tape.equations),
@@ -79,9 +78,7 @@ struct Refiner::Workspace {
       const Tape::Entry& entry = program->tape.jacobian[k];
       j[entry.row * n + entry.column] = jacobian[k];
     }
-    if (!has_own_units) return lu.factor();
-    for (std::size_t i = 0; i < n; ++i) size_x[i] = std::max(std::abs(x[i]), unit[i]);
-    return lu.factor(size_x);
+    return lu.factor();
   }
 
   void evaluate_fine(const Point& x) {
@@ -104,7 +101,7 @@ struct Refiner::Workspace {
   double size_at(const Point& v, const Point& x) const {
     double largest = 0;
     for (std::size_t i = 0; i < n; ++i) {
-      const double size = std::abs(v[i]) / std::max(std::abs(x[i]), unit[i]);
+      const double size = std::abs(v[i]) / std::max(std::abs(x[i]), program->unit[i]);
       if (!(size <= largest)) largest = size;
     }
     return largest;
@@ -112,8 +109,6 @@ struct Refiner::Workspace {
 
   std::shared_ptr<const RefinerProgram> program;
   std::size_t n;
-  std::vector<double> unit;    ///< in force
-  bool has_own_units = false;  ///< not the program's
   Lu lu;
   std::vector<Complex> registers, value, jacobian;
   std::vector<ComplexDoubleDouble> fine_x, fine_registers, fine_value;
@@ -126,11 +121,6 @@ Refiner::Refiner(std::shared_ptr<const RefinerProgram> program)
     : w_(std::make_unique<Workspace>(std::move(program))) {}
 Refiner::~Refiner() = default;
 Refiner::Refiner(Refiner&&) noexcept = default;
-
-void Refiner::measure_by(std::vector<double> units) {
-  w_->has_own_units = !units.empty();
-  w_->unit = units.empty() ? w_->program->unit : std::move(units);
-}
 
 const std::vector<Complex>& Refiner::relative_values(const Point& x) & {
   Workspace& w = *w_;
@@ -208,7 +198,7 @@ double Refiner::condition_at(const Point& x) {
 double Refiner::natural_residual(const Point& x) {
   Workspace& w = *w_;
   w.evaluate_fine(x);
-  w.evaluate_sizes(x, w.unit);
+  w.evaluate_sizes(x, w.program->unit);
   double largest = 0;
   for (std::size_t i = 0; i < w.size_value.size(); ++i) {
     if (w.size_value[i] > 0) {

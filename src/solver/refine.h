@@ -47,9 +47,6 @@ class Refiner {
   ~Refiner();
   Refiner(Refiner&&) noexcept;
 
-  /// The sizes that coordinates are measured by where they are smaller, from now on; empty: the program's.
-  void measure_by(std::vector<double> units);
-
   /// The root that is proved, as accurate as that says. Parts of coordinates that may be 0 are set to 0 if that fits F as well.
   Refined take(const Certificate& proved);
 

@@ -81,7 +81,6 @@ struct PathEnd {
   double size = 1;        ///< |x|_inf / |x_0|, in the path's frame
   double condition = 0;   ///< of the bordered, row-scaled Jacobian
   Complex t = 0;          ///< how far it came
-  FramePointer frame;     ///< in which the path was followed; nullptr: in none
   std::size_t stage = 0;  ///< of the plan, on which it ended
   /// Homogeneous, over 1 - t = common_radius(watch_radius), where the path has gone back to; empty: it has not.
   Point sheet;
