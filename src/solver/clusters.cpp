@@ -10,9 +10,9 @@
 #include "coincidence.h"
 #include "completeness.h"
 #include "ends.h"
+#include "exact_roots.h"
 #include "moivre/certify/distinct.h"
 #include "moivre/numeric/random.h"
-#include "moivre/numeric/simplest.h"
 #include "moivre/polynomial/local_multiplicity.h"
 #include "moivre/polynomial/numerical_multiplicity.h"
 
@@ -71,20 +71,12 @@ struct Finding {
   bool is_on_curve = false;
 };
 
-/// Of the end as it is, or of the simplest fractions nearer and nearer to what is known of it, unless these are a simple root, another one
-/// beside it. nullopt: none is a root, or nothing can be said.
+/// Of the first of the fractions near the end that are a root, unless that is a simple one, another one beside it. nullopt: none is, or
+/// nothing can be said.
 std::optional<LocalRing> exact_ring(const System& f, const Root& end) {
-  const auto here = local_ring(f, simplest(end.point.x, 0));
-  if (here) return here;
-  const double size = std::max(1.0, max_norm(end.point.x));
-  for (const double error : {1e-15, 1e-12, 1e-9, 1e-7, 1e-5, end.tolerance}) {
-    if (error > end.tolerance) continue;
-    std::vector<Coefficient> candidate;
-    for (const Complex& xi : end.point.x) {
-      candidate.push_back({simplest(xi.real(), error * size), simplest(xi.imag(), error * size)});
-    }
-    const auto near = local_ring(f, candidate);
-    if (near && near->dimension > 1) return near;
+  for (const auto& candidate : fractions_near(end.point.x, end.tolerance)) {
+    const auto ring = local_ring(f, candidate);
+    if (ring && ring->dimension > 1) return ring;
   }
   return std::nullopt;
 }

@@ -11,9 +11,11 @@
 namespace moivre {
 namespace {
 
-// How far an end may be from its root, relative to the coordinate or to 1: nothing, all digits of double, and what is left of them at
-// roots of low, of middle and of high multiplicity.
-constexpr double kEndErrors[] = {0, 1e-15, 1e-12, 1e-9, 1e-5, 1e-2, 0.1};
+// How far an end may be from its root: nothing, all digits of double, and what is left of them at roots of low, of middle and of high
+// multiplicity.
+constexpr double kEndErrors[] = {0, 1e-15, 1e-12, 1e-9, 1e-5, 1e-2};
+// The worst of them.
+constexpr double kWorstEnd = 0.1;
 // A root of multiplicity m leaves m paths, some of them near it. More candidates than this would cost more than paths do.
 constexpr std::size_t kMostFailures = 64;
 
@@ -40,8 +42,7 @@ void look_near(Run& run, const Point& x) {
     return std::isfinite(xi.real()) && std::isfinite(xi.imag());
   });
   if (!is_finite) return;
-  for (const double error : kEndErrors) {
-    const std::vector<Coefficient> candidate = simplest(x, error);
+  for (const std::vector<Coefficient>& candidate : fractions_near(x, kWorstEnd)) {
     const auto [place, is_new] = run.looked_at.try_emplace(parts_of(candidate));
     if (is_new) place->second = root_at(run.setting.f, candidate);
     if (place->second.multiplicity > 0) return;
@@ -49,6 +50,18 @@ void look_near(Run& run, const Point& x) {
 }
 
 }  // namespace
+
+std::vector<std::vector<Coefficient>> fractions_near(const Point& x, double known_to) {
+  std::vector<std::vector<Coefficient>> candidates;
+  for (const double error : kEndErrors) {
+    if (error < known_to) candidates.push_back(simplest(x, error));
+  }
+  const double known = known_to * std::max(1.0, max_norm(x));
+  std::vector<Coefficient>& last = candidates.emplace_back();
+  for (const Complex& xi : x)
+    last.push_back({simplest(xi.real(), known), simplest(xi.imag(), known)});
+  return candidates;
+}
 
 std::vector<ExactRoot> exact_roots(Run& run) {
   look_near(run, Point(run.setting.f.variables.size()));

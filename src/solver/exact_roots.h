@@ -14,6 +14,10 @@
 
 namespace moivre {
 
+/// Which fractions x, known to `known_to` relative to max(1, |x|_inf), may have been: x as it is, then the simplest ones within larger and
+/// larger errors of each coordinate, at last of the whole point.
+std::vector<std::vector<Coefficient>> fractions_near(const Point& x, double known_to);
+
 /// Of multiplicity 2 at least; none where nothing is to be proved.
 std::vector<ExactRoot> exact_roots(Run& run);
 
