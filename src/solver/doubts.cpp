@@ -39,27 +39,39 @@ Ends ends_of(const Run& run, const std::vector<std::uint64_t>& group) {
   return ends;
 }
 
-/// Simple roots nearer to each other than double can tell pass for one singular root. One path to each such root is
-/// followed in double-double: where it finds a regular end, so do the others.
-void resolve_clusters(Run& run) {
-  std::map<std::uint64_t, std::vector<std::uint64_t>> clusters;
-  PathSet first;
+/// The paths of isolated ends at which several meet and some show no simple root: those, by the first of them.
+std::map<std::uint64_t, PathSet> clusters_in(const Run& run) {
+  std::map<std::uint64_t, PathSet> clusters;
   for (const auto& group : groups_of(run)) {
     const Ends ends = ends_of(run, group);
     if (group.size() == 1 || ends.singular.empty()) continue;
-    const std::uint64_t path = ends.singular.front();
-    if (is_on_set(run, run.ledger.roots().at(path))) continue;
-    first.insert(path);
-    clusters[path] = ends.singular;
+    const std::uint64_t first = ends.singular.front();
+    if (is_on_set(run, run.ledger.roots().at(first))) continue;
+    clusters[first] = {ends.singular.begin(), ends.singular.end()};
   }
-  climb(run, first, Taken::regular_ends);
+  return clusters;
+}
+
+/// Of each cluster one path goes ahead to a regular end: where it finds one, so do the others, which are returned.
+PathSet climb_to_simple_roots(Run& run, const std::map<std::uint64_t, PathSet>& clusters,
+                              const std::function<void(const PathSet& paths)>& climb_these) {
+  PathSet first;
+  for (const auto& [path, cluster] : clusters) first.insert(path);
+  climb_these(first);
   PathSet others;
-  for (const auto& [path, singular] : clusters) {
-    if (run.ledger.rung(path) == Rung::double_double) {
-      others.insert(singular.begin() + 1, singular.end());
-    }
+  for (const auto& [path, cluster] : clusters) {
+    const auto root = run.ledger.roots().find(path);
+    if (root == run.ledger.roots().end() || !root->second.point.simple) continue;
+    others.insert(std::next(cluster.begin()), cluster.end());
   }
-  climb(run, others, Taken::regular_ends);
+  climb_these(others);
+  return others;
+}
+
+/// Simple roots nearer to each other than double can tell pass for one singular root, but not in double-double.
+void resolve_clusters(Run& run) {
+  climb_to_simple_roots(run, clusters_in(run),
+                        [&](const PathSet& paths) { climb(run, paths, Taken::regular_ends); });
 }
 
 PathSet paths_failed_by(const Run& run, Failure reason) {
@@ -402,24 +414,14 @@ void settle_doubts(Run& run) {
 void part_uncounted(Run& run) {
   const auto& finer = run.setting.trackers.finer;
   if (finer.empty() || run.interrupted || is_settled(run)) return;
-  std::map<std::uint64_t, PathSet> clusters;
-  PathSet first;
-  for (const auto& group : groups_of(run)) {
-    const Ends ends = ends_of(run, group);
-    if (group.size() == 1 || !ends.simple.empty()) continue;
-    const Root& end = run.ledger.roots().at(group.front());
-    if (is_on_set(run, end) || is_counted_exactly(run, end, group.size())) continue;
-    first.insert(group.front());
-    clusters[group.front()] = {group.begin() + 1, group.end()};
-  }
-  climb_beyond_double_double(run, *finer.front(), first);
-  PathSet others;
-  for (const auto& [path, rest] : clusters) {
-    if (has_climbed_to_a_simple_root(run, path)) others.insert(rest.begin(), rest.end());
-  }
-  if (others.empty()) return;
-  climb_beyond_double_double(run, *finer.front(), others);
-  fail_unsettled(run);
+  auto clusters = clusters_in(run);
+  std::erase_if(clusters, [&](const auto& cluster) {
+    return is_counted_exactly(run, run.ledger.roots().at(cluster.first), cluster.second.size());
+  });
+  const PathSet others = climb_to_simple_roots(run, clusters, [&](const PathSet& paths) {
+    climb_beyond_double_double(run, *finer.front(), paths);
+  });
+  if (!others.empty()) fail_unsettled(run);
 }
 
 }  // namespace moivre
