@@ -199,40 +199,25 @@ bool has_helped(const Run& run, const PathSet& ahead) {
                      [&](auto path) { return has_climbed_to_a_simple_root(run, path); });
 }
 
-/// Some go ahead, then twice as many, as long as `goes_on` says so of the last ones and of those of them that ran out of steps. A path that
-/// ends at no simple root costs as much as thousands in double.
-void climb_ahead(Run& run, const Tracker& tracker, const PathSet& paths,
-                 const std::function<bool(const PathSet& ahead, const PathSet& stuck)>& goes_on) {
+/// Some go ahead, then twice as many, as long as one of the last ones has found a root or `goes_on`. A path that ends at no simple root
+/// costs as much as thousands in double.
+void climb_while_it_helps(
+    Run& run, const Tracker& tracker, const PathSet& paths,
+    const std::function<bool()>& goes_on = [] { return false; }) {
   std::size_t together = kFirstAhead;
   for (auto next = paths.begin(); next != paths.end() && !run.interrupted; together *= 2) {
     PathSet ahead;
     while (next != paths.end() && ahead.size() < together) ahead.insert(*next++);
-    const PathSet stuck = climb_beyond_double_double(run, tracker, ahead);
-    if (!goes_on(ahead, stuck)) return;
+    climb_beyond_double_double(run, tracker, ahead);
+    if (!has_helped(run, ahead) && !goes_on()) return;
   }
-}
-
-/// As long as one of those before has found a root.
-void climb_while_it_helps(Run& run, const Tracker& tracker, const PathSet& paths) {
-  climb_ahead(run, tracker, paths,
-              [&](const PathSet& ahead, const PathSet&) { return has_helped(run, ahead); });
 }
 
 /// Simple roots that double-double cannot part, by more digits, which save no steps.
 void climb_to_clusters(Run& run) {
-  PathSet out_of_steps;
-  bool is_over = false;
   for (const auto& tracker : run.setting.trackers.finer) {
-    PathSet doubtful = unsettled_paths(run);
-    for (const std::uint64_t path : out_of_steps) doubtful.erase(path);
-    climb_ahead(run, *tracker, doubtful, [&](const PathSet& ahead, const PathSet& stuck) {
-      const bool is_missing = is_root_missing(run);
-      const bool helps = has_helped(run, ahead);
-      out_of_steps.insert(stuck.begin(), stuck.end());
-      is_over = (stuck == ahead && !is_missing) || (helps && is_settled(run));
-      return !is_over && (helps || is_missing);
-    });
-    if (is_over) return;
+    climb_while_it_helps(run, *tracker, unsettled_paths(run), [&] { return is_root_missing(run); });
+    if (run.interrupted || is_settled(run)) return;
   }
 }
 
@@ -260,9 +245,7 @@ class MeetingSheets {
       climb(run_, first_of_one_end(), Taken::regular_ends);
     }
     for (const auto& tracker : trackers.finer) {
-      climb_ahead(run_, *tracker, paths(), [&](const PathSet& ahead, const PathSet&) {
-        return has_helped(run_, ahead) || is_root_missing(run_);
-      });
+      climb_while_it_helps(run_, *tracker, paths(), [&] { return is_root_missing(run_); });
       if (!is_root_missing(run_)) return;
     }
   }

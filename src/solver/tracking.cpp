@@ -58,15 +58,10 @@ EndSink taking_ends(Run& run) {
   };
 }
 
-/// The paths that came to no verdict, and those of them that ran out of steps.
-struct Left {
+/// The paths that came to no verdict.
+PathSet climb_with(Run& run, const Tracker& tracker, Rung rung, Taken taken, const PathSet& paths) {
   PathSet undecided;
-  PathSet out_of_steps;
-};
-
-Left climb_with(Run& run, const Tracker& tracker, Rung rung, Taken taken, const PathSet& paths) {
-  Left left;
-  if (paths.empty() || run.interrupted) return left;
+  if (paths.empty() || run.interrupted) return undecided;
   const Setting& setting = run.setting;
   EndgameOptions endgame = setting.endgame;
   endgame.goes_straight = true;
@@ -75,14 +70,13 @@ Left climb_with(Run& run, const Tracker& tracker, Rung rung, Taken taken, const 
   follow(run, problem, paths, 0, [&](std::uint64_t path, PathEnd&& end) {
     if (end.status == PathStatus::failed) {
       count_following(run, path, end);
-      left.undecided.insert(path);
-      if (end.failure == Failure::step_limit) left.out_of_steps.insert(path);
+      undecided.insert(path);
       return;
     }
     take_end(run, path, std::move(end));
     run.ledger.set_rung(path, rung);
   });
-  return left;
+  return undecided;
 }
 
 }  // namespace
@@ -125,7 +119,7 @@ void track_again(Run& run, const PathSet& paths, int care) {
 PathSet climb_together(Run& run, const PathSet& paths, Taken taken) {
   const Trackers& trackers = run.setting.trackers;
   return trackers.fine_lanes
-             ? climb_with(run, *trackers.fine_lanes, Rung::double_double, taken, paths).undecided
+             ? climb_with(run, *trackers.fine_lanes, Rung::double_double, taken, paths)
              : PathSet{};
 }
 
@@ -136,8 +130,8 @@ void climb(Run& run, const PathSet& paths, Taken taken) {
              trackers.fine_lanes ? climb_together(run, paths, taken) : paths);
 }
 
-PathSet climb_beyond_double_double(Run& run, const Tracker& tracker, const PathSet& paths) {
-  return climb_with(run, tracker, Rung::multiprecision, Taken::regular_ends, paths).out_of_steps;
+void climb_beyond_double_double(Run& run, const Tracker& tracker, const PathSet& paths) {
+  climb_with(run, tracker, Rung::multiprecision, Taken::regular_ends, paths);
 }
 
 }  // namespace moivre

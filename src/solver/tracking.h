@@ -29,8 +29,7 @@ void climb(Run& run, const PathSet& paths, Taken taken = Taken::all_ends);
 /// neither tracker has lanes for that.
 PathSet climb_together(Run& run, const PathSet& paths, Taken taken = Taken::all_ends);
 
-/// Follows these to regular ends by a tracker of more digits than double-double. A path that finds none keeps its entry. Returns
-/// those that ran out of steps.
-PathSet climb_beyond_double_double(Run& run, const Tracker& tracker, const PathSet& paths);
+/// Follows these to regular ends by a tracker of more digits than double-double. A path that finds none keeps its entry.
+void climb_beyond_double_double(Run& run, const Tracker& tracker, const PathSet& paths);
 
 }  // namespace moivre
