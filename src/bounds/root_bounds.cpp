@@ -21,7 +21,7 @@ constexpr std::uint64_t kCellWork = 4'000'000'000;
 constexpr std::uint64_t kStepCost = 10;
 // Terms that the algebra may look at: less than a second.
 constexpr std::uint64_t kAlgebraTerms = 20'000'000;
-// Any two seeds: what they draw has nothing in common.
+// Any two seeds: what they draw has nothing in common. The first one draws the prime of the algebra too.
 constexpr std::uint64_t kLiftingSeeds[] = {101, 202};
 
 CellSearchOptions bounded(const System& f) {
@@ -54,7 +54,8 @@ RootBound stable_mixed_volume_bound(const System& f) {
 
 RootBound quotient_ring_bound(const System& f, std::uint64_t known) {
   RootBound bound{BoundKind::quotient_ring, std::nullopt, ""};
-  const QuotientRing ring = quotient_ring(f, {known, kAlgebraTerms, nullptr});
+  const QuotientRing ring =
+      quotient_ring(f, {known, kAlgebraTerms, nullptr, false, kLiftingSeeds[0]});
   switch (ring.verdict) {
     case QuotientRing::Verdict::finite:
       bound.value = ring.dimension;

@@ -78,11 +78,14 @@ void judge_all_there(const System& f, const Claims& claims, Verdicts& verdicts) 
                       why + "; the digits of the file may not tell the others from infinity");
 }
 
+// The prime of the algebra is another one than the solver's.
+constexpr std::uint64_t kSeed = 101;
+
 /// Of more equations than unknowns the list has every different root where it has as many as exact algebra counts.
 void judge_points(const System& f, const Claims& claims, Verdicts& verdicts) {
   const bool is_overdetermined = f.polynomials.size() > f.variables.size();
   if (!is_overdetermined || !claims.complete || !coefficient_errors(f).empty()) return;
-  const auto points = quotient_ring(f, {.counts_points = true}).points;
+  const auto points = quotient_ring(f, {.counts_points = true, .seed = kSeed}).points;
   if (!points) return;
   verdicts.judge(ClaimKind::complete, claims.roots.size() == *points,
                  "exact algebra counts " + counted(*points, "different root") + ", these are " +
@@ -95,7 +98,7 @@ void judge_simple_roots(const StandIn& stand_in, const Claims& claims, Verdicts&
   if (!claims.complete || judgement.proved_by || !coefficient_errors(stand_in.system).empty()) {
     return;
   }
-  const auto simple = quotient_ring(stand_in.system, {}).simple;
+  const auto simple = quotient_ring(stand_in.system, {.seed = kSeed}).simple;
   if (!simple) return;
   if (judgement.roots.distinct >= *simple) return verdicts.hold(ClaimKind::complete);
   const std::string why = "exact algebra counts " + counted(*simple, "simple root") +

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "local_polynomial.h"
+#include "modular.h"
 
 namespace moivre {
 namespace {
@@ -18,11 +19,12 @@ constexpr std::uint64_t kMostDegree = 1000;
 class Macaulay {
  public:
   /// Up to degree k.
-  Macaulay(const System& f, const std::vector<Residue>& x, std::uint64_t k)
-      : k_(k), monomials_(monomials(x.size(), k, kMostColumns)) {
+  Macaulay(const PrimeField& field, const System& f, const std::vector<Residue>& x, std::uint64_t k)
+      : field_(field), k_(k), monomials_(monomials(x.size(), k, kMostColumns)) {
     for (std::size_t c = 0; c < monomials_.size(); ++c) column_[monomials_[c]] = c;
     for (const Polynomial& p : f.polynomials) {
-      rows_.push_back(moved(p, x, k, [](const Coefficient& c) { return residue(c); }));
+      rows_.push_back(
+          moved(field, p, x, k, [&](const Coefficient& c) { return field.residue(c); }));
     }
   }
 
@@ -35,7 +37,7 @@ class Macaulay {
 
   /// Up to the least j <= k with dim D_j = dim D_{j-1}, or to k where there is none.
   LocalRing ring() const {
-    ModularRows reduced;
+    ModularRows reduced(field_);
     std::vector<std::uint64_t> dimension(k_ + 1);  // first columns of each degree that no row has
     for (const Exponents& m : monomials_) ++dimension[degree(m)];
     for (const Exponents& factor : monomials_) {
@@ -69,6 +71,7 @@ class Macaulay {
     return row;
   }
 
+  PrimeField field_;
   std::uint64_t k_;
   std::vector<Exponents> monomials_;
   std::map<Exponents, std::size_t, LocalOrder> column_;
@@ -81,11 +84,12 @@ std::optional<LocalRing> local_ring(const System& f, const std::vector<Coefficie
   for (const std::uint64_t d : degrees(f)) {
     if (d > kMostDegree) return std::nullopt;
   }
+  const PrimeField field(f);
   std::vector<Residue> root;
-  for (const Coefficient& xi : x) root.push_back(residue(xi));
+  for (const Coefficient& xi : x) root.push_back(field.residue(xi));
   std::optional<LocalRing> ring;
   for (std::uint64_t k = 2;; ++k) {
-    const Macaulay macaulay(f, root, k);
+    const Macaulay macaulay(field, f, root, k);
     if (macaulay.is_too_large()) return ring;
     if (!macaulay.has_root()) return std::nullopt;
     ring = macaulay.ring();

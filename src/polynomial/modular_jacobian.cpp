@@ -11,14 +11,15 @@ namespace {
 using Columns = std::uint32_t;  // a bit for each
 
 /// By x_i.
-ModularPolynomial partial_derivative(const ModularPolynomial& p, std::size_t i) {
+ModularPolynomial partial_derivative(const PrimeField& field, const ModularPolynomial& p,
+                                     std::size_t i) {
   ModularPolynomial result;
   for (const auto& [m, c] : p) {
     if (m.at[1 + i] == 0) continue;
     DegreeAndExponents lower = m;
     --lower.at[0];
     --lower.at[1 + i];
-    result.emplace_back(lower, times(c, m.at[1 + i]));
+    result.emplace_back(lower, field.times(c, m.at[1 + i]));
   }
   std::sort(result.begin(), result.end(),
             [](const auto& a, const auto& b) { return is_smaller(b.first, a.first); });
@@ -27,8 +28,9 @@ ModularPolynomial partial_derivative(const ModularPolynomial& p, std::size_t i) 
 
 class Minors {
  public:
-  Minors(const std::vector<const ModularPolynomial*>& basis, TermBudget& budget)
-      : basis_(basis), budget_(budget) {}
+  Minors(const PrimeField& field, const std::vector<const ModularPolynomial*>& basis,
+         TermBudget& budget)
+      : field_(field), basis_(basis), budget_(budget) {}
 
   /// False where it is given up. The sign of the whole is nobody's concern.
   bool add_row(const std::vector<ModularPolynomial>& row) {
@@ -45,7 +47,7 @@ class Minors {
       }
     }
     for (auto& [columns, minor] : larger) {
-      auto rest = reduced(std::move(minor), basis_, budget_);
+      auto rest = reduced(field_, std::move(minor), basis_, budget_);
       if (!rest) return false;
       minor = std::move(*rest);
     }
@@ -59,13 +61,14 @@ class Minors {
   bool add_product(const ModularPolynomial& p, bool is_negative, const ModularPolynomial& q,
                    ModularPolynomial& result) {
     for (const auto& [m, c] : p) {
-      auto next = sum(result, is_negative ? minus(c) : c, m, q, budget_);
+      auto next = sum(field_, result, is_negative ? field_.minus(c) : c, m, q, budget_);
       if (!next) return false;
       result = std::move(*next);
     }
     return true;
   }
 
+  const PrimeField& field_;
   const std::vector<const ModularPolynomial*>& basis_;
   TermBudget& budget_;
   std::map<Columns, ModularPolynomial> minors_{{0, {{DegreeAndExponents{}, 1}}}};
@@ -74,12 +77,12 @@ class Minors {
 }  // namespace
 
 std::optional<ModularPolynomial> jacobian_determinant(
-    const std::vector<ModularPolynomial>& f, const std::vector<const ModularPolynomial*>& basis,
-    TermBudget& budget) {
-  Minors minors(basis, budget);
+    const PrimeField& field, const std::vector<ModularPolynomial>& f,
+    const std::vector<const ModularPolynomial*>& basis, TermBudget& budget) {
+  Minors minors(field, basis, budget);
   for (const ModularPolynomial& p : f) {
     std::vector<ModularPolynomial> row;
-    for (std::size_t j = 0; j < f.size(); ++j) row.push_back(partial_derivative(p, j));
+    for (std::size_t j = 0; j < f.size(); ++j) row.push_back(partial_derivative(field, p, j));
     if (!minors.add_row(row)) return std::nullopt;
   }
   return minors.last();

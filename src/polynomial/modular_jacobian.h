@@ -11,7 +11,7 @@ namespace moivre {
 
 /// nullopt beyond the largest degree, and where the budget is used up.
 std::optional<ModularPolynomial> jacobian_determinant(
-    const std::vector<ModularPolynomial>& f, const std::vector<const ModularPolynomial*>& basis,
-    TermBudget& budget);
+    const PrimeField& field, const std::vector<ModularPolynomial>& f,
+    const std::vector<const ModularPolynomial*>& basis, TermBudget& budget);
 
 }  // namespace moivre

@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "modular.h"
+#include "prime_field.h"
 
 namespace moivre {
 
@@ -16,13 +16,13 @@ namespace moivre {
 using Line = std::vector<Residue>;
 
 void trim(Line& p);
-Line derivative(const Line& p);
+Line derivative(const PrimeField& field, const Line& p);
 /// Of polynomials that are not both 0.
-std::size_t degree_of_gcd(Line a, Line b);
+std::size_t degree_of_gcd(const PrimeField& field, Line a, Line b);
 /// In whatever field; of p other than 0.
-std::size_t distinct_roots(const Line& p);
+std::size_t distinct_roots(const PrimeField& field, const Line& p);
 
 /// The shortest recurrence p_0 s_k + ... + p_L s_{k+L} = 0 of the sequence, p_L = 1; for the one there is, the sequence has 2 L numbers.
-Line minimal_polynomial(const std::vector<Residue>& s);
+Line minimal_polynomial(const PrimeField& field, const std::vector<Residue>& s);
 
 }  // namespace moivre

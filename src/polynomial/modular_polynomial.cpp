@@ -22,15 +22,16 @@ DegreeAndExponents product(const DegreeAndExponents& a, const DegreeAndExponents
 }
 
 /// Into `sum`: terms of p from `first` on, plus those of c m q from `second` on.
-void merge(const ModularPolynomial& p, std::size_t first, Residue c, const DegreeAndExponents& m,
-           const ModularPolynomial& q, std::size_t second, ModularPolynomial& sum) {
+void merge(const PrimeField& field, const ModularPolynomial& p, std::size_t first, Residue c,
+           const DegreeAndExponents& m, const ModularPolynomial& q, std::size_t second,
+           ModularPolynomial& sum) {
   sum.clear();
   auto a = p.begin() + static_cast<std::ptrdiff_t>(first);
   for (auto b = q.begin() + static_cast<std::ptrdiff_t>(second); b != q.end(); ++b) {
     const DegreeAndExponents moved = product(m, b->first);
     while (a != p.end() && is_larger(a->first, moved)) sum.push_back(*a++);
-    Residue value = times(c, b->second);
-    if (a != p.end() && a->first == moved) value = plus(value, (a++)->second);
+    Residue value = field.times(c, b->second);
+    if (a != p.end() && a->first == moved) value = field.plus(value, (a++)->second);
     if (value != 0) sum.emplace_back(moved, value);
   }
   sum.insert(sum.end(), a, p.end());
@@ -38,10 +39,10 @@ void merge(const ModularPolynomial& p, std::size_t first, Residue c, const Degre
 
 }  // namespace
 
-ModularPolynomial monic(ModularPolynomial p) {
+ModularPolynomial monic(const PrimeField& field, ModularPolynomial p) {
   if (p.empty() || p.front().second == 1) return p;
-  const Residue scale = inverse(p.front().second);
-  for (auto& [m, c] : p) c = times(c, scale);
+  const Residue scale = field.inverse(p.front().second);
+  for (auto& [m, c] : p) c = field.times(c, scale);
   return p;
 }
 
@@ -83,7 +84,7 @@ bool are_coprime(const DegreeAndExponents& a, const DegreeAndExponents& b) {
   return true;
 }
 
-std::optional<ModularPolynomial> modular(const Polynomial& p) {
+std::optional<ModularPolynomial> modular(const PrimeField& field, const Polynomial& p) {
   ModularPolynomial image;
   for (const Term& term : p.terms) {
     DegreeAndExponents m;
@@ -94,16 +95,14 @@ std::optional<ModularPolynomial> modular(const Polynomial& p) {
       m.at[1 + power.variable] = static_cast<std::uint8_t>(power.exponent);
     }
     m.at[0] = static_cast<std::uint8_t>(degree);
-    const std::optional<Residue> c = residue_if_faithful(term.coefficient);
-    if (!c) return std::nullopt;
-    image.emplace_back(m, *c);
+    image.emplace_back(m, field.residue(term.coefficient));
   }
   std::sort(image.begin(), image.end(),
             [](const auto& a, const auto& b) { return is_larger(a.first, b.first); });
-  return monic(std::move(image));
+  return monic(field, std::move(image));
 }
 
-std::optional<ModularPolynomial> reduced(ModularPolynomial p,
+std::optional<ModularPolynomial> reduced(const PrimeField& field, ModularPolynomial p,
                                          const std::vector<const ModularPolynomial*>& basis,
                                          TermBudget& budget) {
   ModularPolynomial rest;
@@ -120,7 +119,8 @@ std::optional<ModularPolynomial> reduced(ModularPolynomial p,
     }
     const ModularPolynomial& q = **divisor;
     // The first terms cancel.
-    merge(p, first + 1, minus(p[first].second), quotient(m, q.front().first), q, 1, sum);
+    merge(field, p, first + 1, field.minus(p[first].second), quotient(m, q.front().first), q, 1,
+          sum);
     std::swap(p, sum);
     first = 0;
     budget.spend(p.size());
@@ -129,19 +129,19 @@ std::optional<ModularPolynomial> reduced(ModularPolynomial p,
   return rest;
 }
 
-std::optional<ModularPolynomial> sum(const ModularPolynomial& p, Residue c,
+std::optional<ModularPolynomial> sum(const PrimeField& field, const ModularPolynomial& p, Residue c,
                                      const DegreeAndExponents& m, const ModularPolynomial& q,
                                      TermBudget& budget) {
   if (q.empty()) return p;
   if (m.degree() + q.front().first.degree() > DegreeAndExponents::kMostDegree) return std::nullopt;
   ModularPolynomial result;
-  merge(p, 0, c, m, q, 0, result);
+  merge(field, p, 0, c, m, q, 0, result);
   budget.spend(result.size());
   if (budget.is_used_up()) return std::nullopt;
   return result;
 }
 
-std::optional<ModularPolynomial> s_polynomial(const ModularPolynomial& p,
+std::optional<ModularPolynomial> s_polynomial(const PrimeField& field, const ModularPolynomial& p,
                                               const ModularPolynomial& q) {
   const auto common = lcm(p.front().first, q.front().first);
   if (!common) return std::nullopt;
@@ -149,7 +149,7 @@ std::optional<ModularPolynomial> s_polynomial(const ModularPolynomial& p,
   ModularPolynomial multiple = p;
   for (auto& [m, c] : multiple) m = product(factor, m);
   ModularPolynomial difference;
-  merge(multiple, 1, minus(1), quotient(*common, q.front().first), q, 1, difference);
+  merge(field, multiple, 1, field.minus(1), quotient(*common, q.front().first), q, 1, difference);
   return difference;
 }
 

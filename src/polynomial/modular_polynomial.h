@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "modular.h"
 #include "moivre/polynomial/system.h"
+#include "prime_field.h"
 
 namespace moivre {
 
@@ -39,11 +39,10 @@ bool are_coprime(const DegreeAndExponents& a, const DegreeAndExponents& b);
 using ModularPolynomial = std::vector<std::pair<DegreeAndExponents, Residue>>;
 
 /// With 1 as first coefficient, but for 0.
-ModularPolynomial monic(ModularPolynomial p);
+ModularPolynomial monic(const PrimeField& field, ModularPolynomial p);
 
-/// In kMostUnknowns at most; monic. nullopt, too, where the prime divides a numerator or a denominator: the image would be that of another
-/// system.
-std::optional<ModularPolynomial> modular(const Polynomial& p);
+/// In kMostUnknowns at most; monic.
+std::optional<ModularPolynomial> modular(const PrimeField& field, const Polynomial& p);
 
 /// How many terms may still be looked at.
 class TermBudget {
@@ -57,17 +56,17 @@ class TermBudget {
 };
 
 /// No term of what is left is a multiple of a leading monomial of `basis`. nullopt, too, where the budget is used up.
-std::optional<ModularPolynomial> reduced(ModularPolynomial p,
+std::optional<ModularPolynomial> reduced(const PrimeField& field, ModularPolynomial p,
                                          const std::vector<const ModularPolynomial*>& basis,
                                          TermBudget& budget);
 
 /// p + c m q; nullopt, too, where the budget is used up.
-std::optional<ModularPolynomial> sum(const ModularPolynomial& p, Residue c,
+std::optional<ModularPolynomial> sum(const PrimeField& field, const ModularPolynomial& p, Residue c,
                                      const DegreeAndExponents& m, const ModularPolynomial& q,
                                      TermBudget& budget);
 
 /// The difference of the multiples that have the least common multiple as leading monomial.
-std::optional<ModularPolynomial> s_polynomial(const ModularPolynomial& p,
+std::optional<ModularPolynomial> s_polynomial(const PrimeField& field, const ModularPolynomial& p,
                                               const ModularPolynomial& q);
 
 }  // namespace moivre

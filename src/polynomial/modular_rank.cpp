@@ -11,13 +11,14 @@ namespace moivre {
 
 std::size_t modular_rank(const std::vector<const IntegerPolynomial*>& rows, std::uint64_t degree) {
   std::map<Monomial, std::size_t, MonomialOrder> columns;
-  ModularRows reduced;
+  const PrimeField field;
+  ModularRows reduced(field);
   for (const IntegerPolynomial* p : rows) {
     ModularRow row;
     for (const auto& [m, c] : p->terms) {
       if (moivre::degree(m) != degree) continue;
       const std::size_t column = columns.try_emplace(m, columns.size()).first->second;
-      const Residue value = residue(c);
+      const Residue value = field.residue(c);
       if (value != 0) row.emplace_back(column, value);
     }
     std::sort(row.begin(), row.end());

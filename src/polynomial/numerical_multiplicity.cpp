@@ -36,7 +36,7 @@ LocalPolynomial<double> first_order(const LocalPolynomial<double>& sizes, double
       if (m[j] == 0) continue;
       Exponents smaller = m;
       --smaller[j];
-      add(change, smaller, e * m[j] * c);
+      add(RoundedNumbers{}, change, smaller, e * m[j] * c);
     }
   }
   return change;
@@ -47,18 +47,19 @@ KnownPolynomial known(const Polynomial& p, const Point& x, double error, std::ui
   std::vector<double> far;
   for (const Complex& xi : x) far.push_back(std::abs(xi) + error);
   KnownPolynomial result;
-  result.terms =
-      moved(p, place, k + 1, [](const Coefficient& c) { return to_complex_double_double(c); });
+  result.terms = moved(RoundedNumbers{}, p, place, k + 1,
+                       [](const Coefficient& c) { return to_complex_double_double(c); });
   // |p|: no derivative of p within the error of x exceeds that of |p| there.
   const LocalPolynomial<double> largest =
-      moved(p, far, k + 2, [](const Coefficient& c) { return std::abs(to_complex(c)); });
+      moved(RoundedNumbers{}, p, far, k + 2,
+            [](const Coefficient& c) { return std::abs(to_complex(c)); });
   LocalPolynomial<double> sizes;
   for (const auto& [m, c] : result.terms) sizes[m] = std::abs(to_complex(c));
   result.noise = first_order(sizes, error);
   for (const auto& [m, c] : first_order(first_order(largest, error), error)) {
-    add(result.noise, m, c / 2);
+    add(RoundedNumbers{}, result.noise, m, c / 2);
   }
-  for (const auto& [m, c] : largest) add(result.noise, m, kRounding * c);
+  for (const auto& [m, c] : largest) add(RoundedNumbers{}, result.noise, m, kRounding * c);
   return result;
 }
 

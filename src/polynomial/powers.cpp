@@ -18,6 +18,8 @@ namespace {
 constexpr std::size_t kMostWork = 4'000'000;
 // Equations of a higher degree are looked at no further.
 constexpr std::uint64_t kHighestDegree = 4096;
+// Whatever its prime divides, a line of a power is one: bases are looked for in vain at worst.
+constexpr PrimeField kField;
 
 Monomial root_of(Monomial m, std::uint32_t exponent) {
   for (Power& power : m) power.exponent /= exponent;
@@ -51,28 +53,20 @@ Polynomial power(const Polynomial& base, std::uint32_t exponent) {
 Line interpolated(std::vector<Residue> values) {
   const std::size_t n = values.size();
   for (std::size_t level = 1; level < n; ++level) {
-    const Residue over = inverse(level);
+    const Residue over = kField.inverse(level);
     for (std::size_t k = n; k-- > level;) {
-      values[k] = times(plus(values[k], minus(values[k - 1])), over);
+      values[k] = kField.times(kField.plus(values[k], kField.minus(values[k - 1])), over);
     }
   }
   Line p{values[n - 1]};
   for (std::size_t k = n - 1; k-- > 0;) {
     p.push_back(0);
-    for (std::size_t j = p.size(); j-- > 1;) p[j] = plus(p[j - 1], times(minus(k), p[j]));
-    p[0] = plus(times(minus(k), p[0]), values[k]);
+    for (std::size_t j = p.size(); j-- > 1;)
+      p[j] = kField.plus(p[j - 1], kField.times(kField.minus(k), p[j]));
+    p[0] = kField.plus(kField.times(kField.minus(k), p[0]), values[k]);
   }
   trim(p);
   return p;
-}
-
-Residue to_the(Residue x, std::uint32_t exponent) {
-  Residue result = 1;
-  for (; exponent > 0; exponent >>= 1) {
-    if (exponent & 1) result = times(result, x);
-    x = times(x, x);
-  }
-  return result;
 }
 
 /// f on the line of points (a_v + b_v s).
@@ -84,13 +78,14 @@ Line on_a_line(const Polynomial& f) {
   for (Residue s = 0; s <= degree(f); ++s) {
     Residue value = 0;
     for (const auto& [monomial, coefficient] : whole.terms) {
-      Residue product = residue(coefficient);
+      Residue product = kField.residue(coefficient);
       for (const Power& factor : monomial) {
         const Residue v = factor.variable + 1;
-        const Residue x = plus(times(kOffset, times(v, v)), times(plus(kSlope, v), s));
-        product = times(product, to_the(x, factor.exponent));
+        const Residue x = kField.plus(kField.times(kOffset, kField.times(v, v)),
+                                      kField.times(kField.plus(kSlope, v), s));
+        product = kField.times(product, kField.power(x, factor.exponent));
       }
-      value = plus(value, product);
+      value = kField.plus(value, product);
     }
     values.push_back(value);
   }
@@ -102,7 +97,7 @@ std::uint64_t most_exponent(const Polynomial& f) {
   const Line p = on_a_line(f);
   if (p.size() < 2) return 1;
   const std::size_t d = p.size() - 1;
-  return d / (d - degree_of_gcd(p, derivative(p)));
+  return d / (d - degree_of_gcd(kField, p, derivative(kField, p)));
 }
 
 /// g with f = g^exponent, for f and g of leading coefficient 1.

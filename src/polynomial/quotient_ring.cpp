@@ -22,9 +22,9 @@ constexpr std::uint64_t kMultiplicationsOfATerm = 2;
 
 // Random numbers: coefficients of the linear form, then of two vectors.
 constexpr std::uint64_t kFirstOfVectors = 1000;
-Residue random_residue(std::uint64_t i) {
+Residue random_residue(const PrimeField& field, std::uint64_t i) {
   constexpr std::uint64_t kSeed = 1;
-  return random_bits(kSeed, RandomStream::algebra, i) % kPrime;
+  return random_bits(kSeed, RandomStream::algebra, i) % field.prime();
 }
 
 struct Pair {
@@ -82,8 +82,8 @@ class Staircase {
 /// Square, by rows that are mostly full.
 class Multiplication {
  public:
-  explicit Multiplication(std::size_t dimension)
-      : dimension_(dimension), rows_(dimension * dimension) {}
+  Multiplication(const PrimeField& field, std::size_t dimension)
+      : field_(field), dimension_(dimension), rows_(dimension * dimension) {}
 
   Residue& at(std::size_t i, std::size_t j) { return rows_[i * dimension_ + j]; }
 
@@ -91,21 +91,21 @@ class Multiplication {
   std::uint64_t distinct_eigenvalues() const {
     std::vector<Residue> left, right;
     for (std::size_t i = 0; i < dimension_; ++i) {
-      left.push_back(random_residue(kFirstOfVectors + 2 * i));
-      right.push_back(random_residue(kFirstOfVectors + 2 * i + 1));
+      left.push_back(random_residue(field_, kFirstOfVectors + 2 * i));
+      right.push_back(random_residue(field_, kFirstOfVectors + 2 * i + 1));
     }
     std::vector<Residue> sequence;
     for (std::size_t k = 0; k < 2 * dimension_; ++k) {
       sequence.push_back(product(left.data(), right));
       right = times_vector(right);
     }
-    return distinct_roots(minimal_polynomial(sequence));
+    return distinct_roots(field_, minimal_polynomial(field_, sequence));
   }
 
  private:
   Residue product(const Residue* row, const std::vector<Residue>& x) const {
     Residue sum = 0;
-    for (std::size_t j = 0; j < dimension_; ++j) sum = plus(sum, times(row[j], x[j]));
+    for (std::size_t j = 0; j < dimension_; ++j) sum = field_.plus(sum, field_.times(row[j], x[j]));
     return sum;
   }
   std::vector<Residue> times_vector(const std::vector<Residue>& x) const {
@@ -114,14 +114,15 @@ class Multiplication {
     return y;
   }
 
+  const PrimeField& field_;
   std::size_t dimension_;
   std::vector<Residue> rows_;
 };
 
 class GroebnerBasis {
  public:
-  GroebnerBasis(std::size_t n, const QuotientRingOptions& options)
-      : n_(n), options_(options), budget_(options.most_terms) {}
+  GroebnerBasis(const PrimeField& field, std::size_t n, const QuotientRingOptions& options)
+      : field_(field), n_(n), options_(options), budget_(options.most_terms) {}
 
   QuotientRing of(std::vector<ModularPolynomial> f) {
     std::sort(f.begin(), f.end(), [](const auto& a, const auto& b) {
@@ -141,7 +142,7 @@ class GroebnerBasis {
     while (!is_enough_ && !pairs_.empty()) {
       if (options_.stop != nullptr && *options_.stop) return false;
       const Pair pair = next_pair();
-      auto s = s_polynomial(elements_[pair.first], elements_[pair.second]);
+      auto s = s_polynomial(field_, elements_[pair.first], elements_[pair.second]);
       if (!s || !take(std::move(*s))) return false;
     }
     return true;
@@ -150,11 +151,12 @@ class GroebnerBasis {
   /// Of f, whose basis this is; it is then another one.
   std::optional<std::uint64_t> simple_roots(const std::vector<ModularPolynomial>& f) {
     if (n_ == DegreeAndExponents::kMostUnknowns) return std::nullopt;
-    const auto determinant = jacobian_determinant(f, reducers(), budget_);
+    const auto determinant = jacobian_determinant(field_, f, reducers(), budget_);
     if (!determinant) return std::nullopt;
     DegreeAndExponents z;
     z.at[0] = z.at[1 + n_] = 1;
-    auto inverse = sum({{DegreeAndExponents{}, minus(1)}}, 1, z, *determinant, budget_);
+    auto inverse =
+        sum(field_, {{DegreeAndExponents{}, field_.minus(1)}}, 1, z, *determinant, budget_);
     ++n_;
     options_.known = 0;
     if (!inverse || !take(std::move(*inverse)) || !is_completed()) return std::nullopt;
@@ -196,7 +198,7 @@ class GroebnerBasis {
       Leading larger = m;
       ++larger.at[0];
       ++larger.at[1 + i];
-      p.emplace_back(larger, random_residue(i));
+      p.emplace_back(larger, random_residue(field_, i));
     }
     std::sort(p.begin(), p.end(),
               [](const auto& a, const auto& b) { return is_smaller(b.first, a.first); });
@@ -206,10 +208,10 @@ class GroebnerBasis {
   std::optional<std::uint64_t> points(const std::vector<Leading>& basis) {
     const std::uint64_t size = basis.size();
     if (size * size * size / kMultiplicationsOfATerm > options_.most_terms) return std::nullopt;
-    Multiplication multiplication(basis.size());
+    Multiplication multiplication(field_, basis.size());
     for (std::size_t j = 0; j < basis.size(); ++j) {
       if (basis[j].degree() == DegreeAndExponents::kMostDegree) return std::nullopt;
-      const auto image = reduced(multiple(basis[j]), reducers(), budget_);
+      const auto image = reduced(field_, multiple(basis[j]), reducers(), budget_);
       if (!image) return std::nullopt;
       for (const auto& [m, c] : *image) {
         const auto place = std::lower_bound(basis.begin(), basis.end(), m, is_smaller);
@@ -230,10 +232,10 @@ class GroebnerBasis {
 
   /// False where it is given up.
   bool take(ModularPolynomial p) {
-    auto rest = reduced(std::move(p), reducers(), budget_);
+    auto rest = reduced(field_, std::move(p), reducers(), budget_);
     if (!rest) return false;
     if (rest->empty()) return true;
-    elements_.push_back(monic(std::move(*rest)));
+    elements_.push_back(monic(field_, std::move(*rest)));
     if (!pair_up(elements_.size() - 1)) return false;
     const Staircase stairs = staircase();
     is_enough_ = stairs.is_finite() && stairs.monomials(budget_).size() <= options_.known;
@@ -271,6 +273,7 @@ class GroebnerBasis {
     return true;
   }
 
+  PrimeField field_;
   std::size_t n_;
   QuotientRingOptions options_;
   TermBudget budget_;
@@ -285,13 +288,14 @@ class GroebnerBasis {
 QuotientRing quotient_ring(const System& f, const QuotientRingOptions& options) {
   const std::size_t n = f.variables.size();
   if (n == 0 || n > DegreeAndExponents::kMostUnknowns) return {};
+  const PrimeField field(f, options.seed);
   std::vector<ModularPolynomial> images;
   for (const Polynomial& p : f.polynomials) {
-    auto image = modular(p);
+    auto image = modular(field, p);
     if (!image) return {};
     images.push_back(std::move(*image));
   }
-  return GroebnerBasis(n, options).of(std::move(images));
+  return GroebnerBasis(field, n, options).of(std::move(images));
 }
 
 }  // namespace moivre

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "local_polynomial.h"
+#include "modular.h"
 
 namespace moivre {
 namespace {
@@ -16,14 +17,14 @@ constexpr std::size_t kMostMonomials = 400;
 using Equation = LocalPolynomial<Residue>;
 
 /// Divided by the monomial that all terms share, which is not 0 here.
-Equation without_common_factor(const Polynomial& p, std::size_t n) {
+Equation without_common_factor(const PrimeField& field, const Polynomial& p, std::size_t n) {
   std::vector<std::pair<Exponents, Residue>> terms;
   Exponents common(n, UINT32_MAX);
   for (const Term& term : p.terms) {
     Exponents a(n);
     for (const Power& factor : term.monomial) a[factor.variable] = factor.exponent;
     for (std::size_t j = 0; j < n; ++j) common[j] = std::min(common[j], a[j]);
-    terms.emplace_back(std::move(a), residue(term.coefficient));
+    terms.emplace_back(std::move(a), field.residue(term.coefficient));
   }
   Equation equation;
   for (auto& [a, c] : terms) {
@@ -37,9 +38,9 @@ std::uint64_t degree_of(const Equation& equation) { return degree(equation.rbegi
 
 class Span {
  public:
-  explicit Span(const System& f) : n_(f.variables.size()) {
+  explicit Span(const System& f) : field_(f), n_(f.variables.size()), rows_(field_) {
     for (const Polynomial& p : f.polynomials) {
-      equations_.push_back(without_common_factor(p, n_));
+      equations_.push_back(without_common_factor(field_, p, n_));
       least_degree_ = std::max(least_degree_, degree_of(equations_.back()));
     }
   }
@@ -77,6 +78,7 @@ class Span {
     return row;
   }
 
+  PrimeField field_;
   std::size_t n_;
   std::vector<Equation> equations_;
   std::uint64_t least_degree_ = 0;

@@ -98,8 +98,11 @@ const QuotientRing& ring_of(Run& run, std::uint64_t roots) {
   const std::uint64_t most_terms = terms_worth_looking_at(run);
   if (bounds.ring.verdict == QuotientRing::Verdict::not_found &&
       bounds.for_ring.allows(most_terms)) {
-    bounds.ring = quotient_ring(run.setting.prepared.reduction.system,
-                                {roots, most_terms, &run.setting.stop});
+    bounds.ring =
+        quotient_ring(run.setting.prepared.reduction.system, {.known = roots,
+                                                              .most_terms = most_terms,
+                                                              .stop = &run.setting.stop,
+                                                              .seed = run.setting.options.seed});
   }
   return bounds.ring;
 }
@@ -296,9 +299,11 @@ bool are_as_counted(Run& run) {
   }
   if (roots != ring.dimension) return false;
   if (run.bounds.for_points.allows(kAffordableTerms)) {
-    run.bounds.points = quotient_ring(run.setting.prepared.reduction.system,
-                                      {.stop = &run.setting.stop, .counts_points = true})
-                            .points;
+    run.bounds.points =
+        quotient_ring(
+            run.setting.prepared.reduction.system,
+            {.stop = &run.setting.stop, .counts_points = true, .seed = run.setting.options.seed})
+            .points;
   }
   return groups.size() == run.bounds.points;
 }

@@ -53,6 +53,8 @@ TEST(LocalMultiplicity, IsThatOfTheRootAlone) {
 
 TEST(LocalMultiplicity, SaysNothingOfAPointThatIsNoRoot) {
   EXPECT_FALSE(multiplicity("2\n x^2;\n y^2;\n", {1e-30, 0}));
+  // A prime of 61 bits.
+  EXPECT_FALSE(multiplicity("1\n x^2 - 2305843009213693921;\n", {0}));
 }
 
 TEST(LocalMultiplicity, SaysNothingOfARootThatIsNotIsolated) {

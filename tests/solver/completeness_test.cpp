@@ -207,6 +207,18 @@ TEST(CountedRoots, AreLookedForAmongEndsAtInfinityInMoreDigits) {
   }
 }
 
+// p = 2^61 - 31 is prime: modulo p the first has a double root at 0, the second one beside two others.
+TEST(CountedRoots, AreNotThoseModuloAPrimeThatTheSystemWasMadeFor) {
+  const auto tracker = make_lane_tracker();
+  const SolveResult large = solve(read("1\n x^2 - 2305843009213693921;\n"), *tracker);
+  EXPECT_EQ(large.solutions.size(), 2U);
+  EXPECT_EQ(large.completeness, RootCompleteness::proved);
+  const SolveResult small =
+      solve(read("1\n (x - 1)*(x - 2)*(x^2 - 2305843009213693921e-40);\n"), *tracker);
+  EXPECT_EQ(small.solutions.size(), 4U);
+  EXPECT_EQ(small.completeness, RootCompleteness::proved);
+}
+
 // 720 paths of which 564 end at infinity: no circle is walked when the others have met a bound.
 TEST(WaitingPaths, WalkNoCircleWhereTheOthersMeetABound) {
   const auto lanes = make_lane_tracker();

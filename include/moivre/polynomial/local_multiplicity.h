@@ -5,8 +5,8 @@
 //   dim D_k = number of monomials of degree <= k - rank of the rows y^b F_i
 //
 // dim D_k grows with k until it is constant. It is then the multiplicity of the isolated root. At a root that is not isolated it
-// grows forever, on a curve by the same number at last. Ranks are taken modulo a prime of 61 bits, so that a multiplicity is wrong
-// with probability about 1e-18.
+// grows forever, on a curve by the same number at last. Ranks are taken modulo a prime of 61 bits, drawn from the numbers of F, so
+// that a multiplicity is wrong with probability about 1e-18.
 //
 // Not supported: more than a few hundred monomials; what is known then is dim D_k for the largest k within them.
 // Source: Macaulay's inverse systems, [DaytonZeng05].
