@@ -32,6 +32,27 @@ bool leads_elsewhere(const ReferenceRoot& found, const Solution& root) {
   return found.forward_error > std::max(root.accuracy, std::numeric_limits<double>::epsilon() / 2);
 }
 
+double scale_of(const Point& x) {
+  double scale = 1;
+  for (const Complex& xj : x) scale = std::max(scale, std::abs(xj));
+  return scale;
+}
+
+/// False: another simple root may be the one that was found. Their points are one as far as they are known.
+bool is_told_apart(const std::vector<Solution>& roots, std::size_t k) {
+  const Point& x = roots[k].x;
+  for (std::size_t other = 0; other < roots.size(); ++other) {
+    if (other == k || roots[other].singular) continue;
+    const double known = (roots[k].accuracy + roots[other].accuracy) * scale_of(x);
+    bool is_near = true;
+    for (std::size_t j = 0; j < x.size(); ++j) {
+      is_near = is_near && std::abs(x[j] - roots[other].x[j]) <= known;
+    }
+    if (is_near) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 void give_digits(const System& f, int digits, SolveResult& result, const std::atomic<bool>& stop) {
@@ -45,17 +66,19 @@ void give_digits(const System& f, int digits, SolveResult& result, const std::at
   for (std::size_t k = 0; k < roots.size(); ++k) {
     if (roots[k].working_digits == 0) {
       ++not_begun;
-    } else if (!roots[k].converged || leads_elsewhere(roots[k], result.solutions[k])) {
+    } else if (!roots[k].converged || leads_elsewhere(roots[k], result.solutions[k]) ||
+               !is_told_apart(result.solutions, k)) {
       ++without;
     } else {
       result.solutions[k].x_digits = roots[k].x;
     }
   }
   if (without > 0) {
-    result.left_out.push_back({std::to_string(digits) + " digits of " + counted(without, "root"),
-                               "Newton's method does not converge quadratically there, as at every "
-                               "singular root, or leads to another root; no digit could be "
-                               "guaranteed"});
+    result.left_out.push_back(
+        {std::to_string(digits) + " digits of " + counted(without, "root"),
+         "Newton's method does not converge quadratically there, as at every "
+         "singular root, or leads to another root, or double does not tell the "
+         "root from another one; no digit could be guaranteed"});
   }
   if (not_begun > 0) {
     result.complete = false;

@@ -63,6 +63,20 @@ TEST(SolveCommand, GivesTheSameBytesForEveryNumberOfThreads) {
 
 #if MOIVRE_WITH_MULTIPRECISION
 
+// Roots 2e-20 apart: Newton's method comes to the same one of them twice.
+TEST(SolveCommand, GivesNoDigitsOfRootsThatDoubleDoesNotTellApart) {
+  if (!MOIVRE_WITH_CERTIFY) GTEST_SKIP() << "needs more digits";
+  Scene scene;
+  scene.write("f.phc", "1\n((x - 1/3)^2 - 1e-40)*(x - 2);\n");
+  const Outcome outcome = scene.run({"solve", "f.phc", "--digits", "30", "--json", "-"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  const Json json = Json::parse(outcome.out);
+  ASSERT_EQ(json["solutions"].size(), 3U);
+  for (const Json& root : json["solutions"]) {
+    EXPECT_EQ(root["x_digits"].is_null(), root["x"][0][0] != 2.0) << root.dump();
+  }
+}
+
 TEST(SolveCommand, GivesAsManyDigitsAsAreAskedFor) {
   Scene scene;
   scene.write("f.phc", "1\nx^2 - 2;\n");
