@@ -2,8 +2,11 @@
 // What do the parts of the judgement share? The system, the claims, certificates of the roots, and the notes.
 #pragma once
 
+#include <functional>
+
 #include "moivre/certify/certifier.h"
 #include "moivre/check/claims.h"
+#include "moivre/polynomial/local_multiplicity.h"
 #include "stand_in.h"
 #include "verdicts.h"
 
@@ -37,8 +40,15 @@ void judge_paths(const Claims& claims, Verdicts& verdicts);
 
 /// Existence and accuracy of each root (src/check/existence.cpp); fills the entries.
 void judge_existence(Bench& bench);
+/// Of a root that the entry may mean, found from points beside it; undecided where none is found that is_wanted
+/// (src/check/existence.cpp).
+Certificate certificate_beside(Bench& bench, const Entry& entry,
+                               const std::function<bool(const Certificate&)>& is_wanted);
 /// Multiplicities: of entries that are claimed to be singular (src/check/clusters.cpp).
 void judge_clusters(Bench& bench);
+/// Of the point as it is, or of the simplest fractions within `reach`; of dimension 0: neither is a root, or nothing can be said
+/// (src/check/clusters.cpp).
+LocalRing exact_ring(const System& f, const Point& x, double reach);
 /// Residual and condition (src/check/figures.cpp).
 void judge_figures(const Bench& bench);
 /// Digits beyond double (src/check/digits.cpp).

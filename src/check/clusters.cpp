@@ -55,13 +55,6 @@ std::size_t regular_roots_within(Bench& bench, Certifier& certifier, const Entry
   return firsts.size();
 }
 
-/// Of the point as it is, or of the simplest fractions within `reach`; of dimension 0: neither is a root, or nothing can be said.
-LocalRing exact_ring(const System& f, const Point& x, double reach) {
-  const double error = reach / std::max(1.0, max_norm(x));
-  const auto here = local_ring(f, simplest(x, 0));
-  return here ? *here : local_ring(f, simplest(x, error)).value_or(LocalRing{});
-}
-
 void judge_cluster(Bench& bench, Certifier& certifier, Entry& entry, const RootClaim& root,
                    std::size_t number) {
   Verdicts& verdicts = bench.verdicts;
@@ -100,6 +93,12 @@ void judge_cluster(Bench& bench, Certifier& certifier, Entry& entry, const RootC
 }
 
 }  // namespace
+
+LocalRing exact_ring(const System& f, const Point& x, double reach) {
+  const double error = reach / std::max(1.0, max_norm(x));
+  const auto here = local_ring(f, simplest(x, 0));
+  return here ? *here : local_ring(f, simplest(x, error)).value_or(LocalRing{});
+}
 
 void judge_clusters(Bench& bench) {
   if (bench.is_list()) return;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Is there a regular root, and as near as is stated? Certificates, and exact Taylor sums where there is none.
+// Is there a regular root, and as near as is stated? Certificates, and exact Taylor sums where there is none. A claim is false where that is proved.
 #include <algorithm>
 #include <cmath>
 
 #include "bench.h"
+#include "moivre/numeric/random.h"
 #include "moivre/polynomial/exclusion.h"
 
 namespace moivre {
@@ -21,6 +22,9 @@ constexpr double kChartRounding = 1e-13;
 // Bounds of distances lose less than this share.
 constexpr double kRoundedUp = 1 + 0x1p-40;
 constexpr double kRoundedDown = 1 - 0x1p-40;
+// Newton's method is begun at so many points, as far from x as it may be known to double.
+constexpr std::uint64_t kTriesBeside = 16;
+constexpr double kNeighbours = 0x1p-50;
 
 /// max(1, |x|_inf), also where the square of a coordinate overflows.
 double scale_of(const Point& x) {
@@ -35,7 +39,8 @@ double reach_of(const Bench& bench, const RootClaim& root, const Point& x) {
   }
   double accuracy = root.accuracy.value_or(kUnknownAccuracy);
   if (bench.stand_in.has_patches()) accuracy = std::max(kChart * accuracy, kChartRounding);
-  return std::max(0.0, accuracy) * scale_of(x) * kRoundedUp;
+  // A stated distance may be that of the root to the last digit.
+  return std::max(0.0, accuracy) * scale_of(x) * kRoundedUp * kRoundedUp;
 }
 
 bool is_finite(const Point& x) {
@@ -107,6 +112,10 @@ void judge_farther(Bench& bench, Entry& entry, const RootClaim& root, std::size_
 void judge_regular(Bench& bench, Entry& entry, const RootClaim& root, std::size_t number) {
   Verdicts& verdicts = bench.verdicts;
   entry.certificate = bench.certifier.certify(entry.x);
+  if (!entry.certificate.holds_root()) {
+    // Between two roots that double does not tell apart J is singular.
+    entry.certificate = certificate_beside(bench, entry, [](const Certificate&) { return true; });
+  }
   if (entry.certificate.holds_root()) {
     const DistanceBounds d =
         sharp_distance(bench.certifier, entry.certificate, entry.x, entry.reach);
@@ -126,14 +135,39 @@ void judge_certified(Bench& bench, const Entry& entry, const RootClaim& root, st
     return bench.verdicts.leave_open(ClaimKind::certified,
                                      "a count of roots on a ball is not made here", number);
   }
-  const bool holds = entry.certificate.holds_root() && !entry.is_refuted;
-  bench.verdicts.judge(
-      ClaimKind::certified, holds,
-      entry.is_refuted ? "no root lies where one is said to be certified" : no_certificate(),
-      number);
+  if (entry.is_refuted) {
+    return bench.verdicts.refute(ClaimKind::certified,
+                                 "no root lies where one is said to be certified", number);
+  }
+  if (!entry.certificate.holds_root()) {
+    const bool is_multiple = exact_ring(bench.stand_in.system, entry.x, entry.reach).dimension > 1;
+    if (!is_multiple) {
+      return bench.verdicts.leave_open(ClaimKind::certified, no_certificate(), number);
+    }
+    return bench.verdicts.refute(ClaimKind::certified,
+                                 "a multiple root, known exactly, has no certificate", number);
+  }
+  bench.verdicts.hold(ClaimKind::certified);
 }
 
 }  // namespace
+
+Certificate certificate_beside(Bench& bench, const Entry& entry,
+                               const std::function<bool(const Certificate&)>& is_wanted) {
+  for (std::uint64_t t = 0; t < kTriesBeside; ++t) {
+    Point x = entry.x;
+    for (std::size_t j = 0; j < x.size(); ++j) {
+      const double step = std::max(entry.reach, kNeighbours * std::abs(x[j]));
+      x[j] += step * random_phase(bench.claims.seed, RandomStream::check, t * x.size() + j);
+    }
+    Certificate c = bench.certifier.certify(x);
+    if (!c.holds_root()) continue;
+    const bool is_beyond =
+        sharp_distance(bench.certifier, c, entry.x, entry.reach).least > entry.reach;
+    if (!is_beyond && is_wanted(c)) return c;
+  }
+  return {};
+}
 
 DistanceBounds distance(const Certificate& certificate, const Point& x) {
   DistanceBounds d;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "bench.h"
 #include "moivre/certify/distinct.h"
@@ -51,9 +52,32 @@ void judge_unproved_pairs(Bench& bench) {
   }
 }
 
+/// Two claims at one place may be of two roots that double does not tell apart: of the second one another certificate is sought.
+bool seek_others(Bench& bench, const Distinctness& d, std::vector<Certificate>& certificates) {
+  bool is_found = false;
+  for (std::size_t k = 0; k < certificates.size(); ++k) {
+    if (!certificates[k].holds_root() || d.first_of[k] == k) continue;
+    const auto is_other = [&](const Certificate& c) {
+      return std::none_of(certificates.begin(), certificates.end(), [&](const Certificate& known) {
+        return known.holds_root() && relation(known, c) == Relation::same;
+      });
+    };
+    // The nearer root may be the later claim's.
+    for (const std::size_t claim : {k, d.first_of[k]}) {
+      Certificate other = certificate_beside(bench, bench.entries[claim], is_other);
+      if (!other.holds_root()) continue;
+      certificates[claim] = std::move(other);
+      is_found = true;
+      break;
+    }
+  }
+  return is_found;
+}
+
 Distinctness judge_distinct(Bench& bench) {
   std::vector<Certificate> certificates = certificates_of(bench);
   Distinctness d = tell_apart(bench.certifier, certificates);
+  if (seek_others(bench, d, certificates)) d = tell_apart(bench.certifier, certificates);
   std::map<std::size_t, std::size_t> doubtful;
   for (const IndexPair& pair : d.doubtful) doubtful.emplace(pair.second, pair.first);
   for (std::size_t k = 0; k < certificates.size(); ++k) {

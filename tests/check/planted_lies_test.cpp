@@ -282,6 +282,18 @@ TEST(Check, HonestResultsPass) {
   EXPECT_TRUE(judged("plane", honest("plane-40")).holds());
 }
 
+// Two and two roots 2e-20 apart are the same doubles. The third one at a place is one too many.
+TEST(Check, RootsThatDoubleDoesNotTellApartAreAsManyAsThereAre) {
+  if (!proves_beyond_double()) GTEST_SKIP() << "needs more digits";
+  Json result = honest("near-pairs");
+  const Judgement judgement = judged("near-pairs", result);
+  EXPECT_TRUE(judgement.holds()) << lines(judgement.refuted);
+  EXPECT_EQ(judgement.roots.distinct, 4U);
+  EXPECT_EQ(judgement.proved_by, BoundKind::bezout);
+  double_root(result, 1);
+  EXPECT_TRUE(refutes(judged("near-pairs", result), ClaimKind::distinct, 5));
+}
+
 TEST(Check, TellsWhatIsProved) {
   const Judgement plane = judged("plane", honest("plane"));
   EXPECT_EQ(plane.roots.certified, 4U);

@@ -103,9 +103,9 @@ struct Solution {
   double residual = 0;   ///< max_i |F_i(x)| / sum |terms of F_i|
   double accuracy = 0;   ///< bound on |x - x*|_inf / max(1, |x|_inf)
   double condition = 0;  ///< infinity-norm condition number of the row-scaled Jacobian
-  /// Exactly one root of the exact system is proved to lie within `accuracy`: a simple one, or, where equations are powers, a simple one of
-  /// their bases (polynomial/powers.h), whose multiplicity is then proved too. nullopt: not asked for, or not possible because F has more
-  /// equations than unknowns.
+  /// A root of the exact system is proved to lie within `accuracy`, none of the other certified ones: a simple one, or, where equations are
+  /// powers, a simple one of their bases (polynomial/powers.h), whose multiplicity is then proved too. nullopt: not asked for, or not possible
+  /// because F has more equations than unknowns.
   std::optional<bool> certified;
   Rung precision = Rung::double_precision;  ///< that its paths needed
   std::vector<ComplexDecimal>
