@@ -199,17 +199,16 @@ bool has_helped(const Run& run, const PathSet& ahead) {
                      [&](auto path) { return has_climbed_to_a_simple_root(run, path); });
 }
 
-/// Some go ahead, then twice as many, as long as one of the last ones has found a root or `goes_on`. A path that ends at no simple root
-/// costs as much as thousands in double.
-void climb_while_it_helps(
-    Run& run, const Tracker& tracker, const PathSet& paths,
-    const std::function<bool()>& goes_on = [] { return false; }) {
+/// Some go ahead, then twice as many, as long as one of the last ones has found a root or `goes_on`, and something is in doubt. A path that
+/// ends at no simple root costs as much as thousands in double.
+void climb_while_it_helps(Run& run, const Tracker& tracker, const PathSet& paths,
+                          const std::function<bool()>& goes_on) {
   std::size_t together = kFirstAhead;
   for (auto next = paths.begin(); next != paths.end() && !run.interrupted; together *= 2) {
     PathSet ahead;
     while (next != paths.end() && ahead.size() < together) ahead.insert(*next++);
     climb_beyond_double_double(run, tracker, ahead);
-    if (!has_helped(run, ahead) && !goes_on()) return;
+    if (has_helped(run, ahead) ? is_settled(run) : !goes_on()) return;
   }
 }
 
@@ -350,14 +349,6 @@ PathSet paths_at_infinity(const Run& run) {
   return paths;
 }
 
-/// Roots are missing: a path that is said to end at infinity may have jumped on its way, and a root of size 1e34 is there as far as double
-/// tells.
-void climb_from_infinity(Run& run) {
-  const auto& finer = run.setting.trackers.finer;
-  if (finer.empty() || !lacks_ends(run)) return;
-  climb_while_it_helps(run, *finer.front(), paths_at_infinity(run));
-}
-
 /// With all care, but for the paths that went ahead in more digits.
 void follow_with_care(Run& run, const PathSet& beyond) {
   const SolveOptions& options = run.setting.options;
@@ -379,9 +370,42 @@ void settle_ends(Run& run) {
   climb_last(run, beyond);
   if (run.interrupted || is_settled(run)) return;
   climb_to_clusters(run);
-  if (run.interrupted || is_settled(run)) return;
-  climb_from_infinity(run);
   if (!run.interrupted && !is_settled(run)) fail_unsettled(run);
+}
+
+/// Paths that failed, and those whose ends are told without a proof.
+PathSet unproved_paths(const Run& run) {
+  PathSet paths = unsettled_paths(run);
+  for (const auto& [path, root] : run.ledger.roots()) {
+    if (!root.point.simple && !root.is_exact) paths.insert(path);
+  }
+  return paths;
+}
+
+/// The ends do not add up to what exact algebra counts: one that is told without a proof is none, and nothing tells which. Where there are
+/// fewer ends than roots a path that is said to end at infinity may have jumped on its way, and a root of size 1e34 is there as far as
+/// double tells.
+void climb_from_contradiction(Run& run) {
+  const auto& finer = run.setting.trackers.finer;
+  const bool is_counted = run.bounds.ring.verdict == QuotientRing::Verdict::finite;
+  if (finer.empty() || !is_counted || are_as_counted(run)) return;
+  for (const auto& tracker : finer) {
+    climb_while_it_helps(run, *tracker, unproved_paths(run), [] { return true; });
+    if (run.interrupted || is_settled(run)) return;
+  }
+  if (!lacks_ends(run)) return;
+  climb_while_it_helps(run, *finer.front(), paths_at_infinity(run), [] { return false; });
+}
+
+/// Simple roots as near to each other as 1e-45 pass for a multiple one in double-double.
+void part_uncounted(Run& run, const Tracker& tracker) {
+  auto clusters = clusters_in(run);
+  std::erase_if(clusters, [&](const auto& cluster) {
+    return is_counted_exactly(run, run.ledger.roots().at(cluster.first), cluster.second.size());
+  });
+  climb_to_simple_roots(run, clusters, [&](const PathSet& paths) {
+    climb_beyond_double_double(run, tracker, paths);
+  });
 }
 
 }  // namespace
@@ -394,17 +418,13 @@ void settle_doubts(Run& run) {
   if (!run.interrupted && !is_settled(run)) fail_unsettled(run);
 }
 
-void part_uncounted(Run& run) {
+void climb_at_last(Run& run) {
   const auto& finer = run.setting.trackers.finer;
   if (finer.empty() || run.interrupted || is_settled(run)) return;
-  auto clusters = clusters_in(run);
-  std::erase_if(clusters, [&](const auto& cluster) {
-    return is_counted_exactly(run, run.ledger.roots().at(cluster.first), cluster.second.size());
-  });
-  const PathSet others = climb_to_simple_roots(run, clusters, [&](const PathSet& paths) {
-    climb_beyond_double_double(run, *finer.front(), paths);
-  });
-  if (!others.empty()) fail_unsettled(run);
+  climb_from_contradiction(run);
+  if (run.interrupted || is_settled(run)) return;
+  part_uncounted(run, *finer.front());
+  fail_unsettled(run);
 }
 
 }  // namespace moivre

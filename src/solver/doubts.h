@@ -19,9 +19,8 @@ namespace moivre {
 
 void settle_doubts(Run& run);
 
-/// Behind part_clusters(): simple roots as near to each other as 1e-45 pass for a multiple one in double-double. Where no exact count stands
-/// behind it a path goes ahead in more digits: where that comes to a simple root, so do the others. A regular end without a proof leaves it
-/// undecided: no multiple root has one.
-void part_uncounted(Run& run);
+/// Behind part_clusters(): what no exact count stands behind, in more digits than double-double. Where that comes to a simple root beside
+/// others, so do these; a regular end without a proof leaves it undecided: no multiple root has one.
+void climb_at_last(Run& run);
 
 }  // namespace moivre

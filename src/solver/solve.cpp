@@ -136,7 +136,7 @@ SolveResult solve_in(const Setting& setting, Stopwatch& watch) {
     result.time.track = watch.lap();
     settle_doubts(run);
     part_clusters(run);
-    part_uncounted(run);
+    climb_at_last(run);
     settle_by_bound(run);
     close_account(run, result);
     result.time.refine = watch.lap();

@@ -207,6 +207,21 @@ TEST(CountedRoots, AreLookedForAmongEndsAtInfinityInMoreDigits) {
   }
 }
 
+// Of size 9e7, and its path meets one to infinity 1e-16 before t = 1: two sheets with one mean, told as a double root.
+TEST(CountedRoots, AreLookedForAmongMultipleEndsInMoreDigits) {
+  const System f = read(
+      "2\n500000*x^2*y - 2000000*x*y^2 + 600000*x*y - 30*y + 70000;\n"
+      "-10000*x^2*y^3 + 400000000*x^2*y^2 + 60*x*y^4 - 4*x + 80000*y^2 - 50;\n");
+  const auto lanes = make_lane_tracker();
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    SolveOptions options = with_seed(seed);
+    options.start = StartKind::multihomogeneous;
+    const SolveResult result = solve(f, *lanes, options);
+    EXPECT_EQ(result.solutions.size(), 9U);
+    EXPECT_EQ(result.completeness, RootCompleteness::proved) << result.message;
+  }
+}
+
 // p = 2^61 - 31 is prime: modulo p the first has a double root at 0, the second one beside two others.
 TEST(CountedRoots, AreNotThoseModuloAPrimeThatTheSystemWasMadeFor) {
   const auto tracker = make_lane_tracker();
