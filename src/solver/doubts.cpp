@@ -341,14 +341,6 @@ bool is_counted_exactly(Run& run, const Root& end, std::size_t paths) {
   });
 }
 
-PathSet paths_at_infinity(const Run& run) {
-  PathSet paths;
-  for (std::uint64_t path = 0; path < run.ledger.records().size(); ++path) {
-    if (run.ledger.records()[path].verdict == PathVerdict::at_infinity) paths.insert(path);
-  }
-  return paths;
-}
-
 /// With all care, but for the paths that went ahead in more digits.
 void follow_with_care(Run& run, const PathSet& beyond) {
   const SolveOptions& options = run.setting.options;
@@ -378,6 +370,14 @@ PathSet unproved_paths(const Run& run) {
   PathSet paths = unsettled_paths(run);
   for (const auto& [path, root] : run.ledger.roots()) {
     if (!root.point.simple && !root.is_exact) paths.insert(path);
+  }
+  return paths;
+}
+
+PathSet paths_at_infinity(const Run& run) {
+  PathSet paths;
+  for (std::uint64_t path = 0; path < run.ledger.records().size(); ++path) {
+    if (run.ledger.records()[path].verdict == PathVerdict::at_infinity) paths.insert(path);
   }
   return paths;
 }

@@ -19,8 +19,9 @@ namespace moivre {
 
 void settle_doubts(Run& run);
 
-/// Behind part_clusters(): what no exact count stands behind, in more digits than double-double. Where that comes to a simple root beside
-/// others, so do these; a regular end without a proof leaves it undecided: no multiple root has one.
+/// Behind part_clusters(), in more digits than double-double: ends that do not add up to the exact count, and clusters behind which no exact
+/// count stands. Where one path of a cluster comes to a simple root, so do the others; a regular end without a proof leaves it undecided,
+/// since no multiple root has one.
 void climb_at_last(Run& run);
 
 }  // namespace moivre
