@@ -365,12 +365,13 @@ void settle_ends(Run& run) {
   if (!run.interrupted && !is_settled(run)) fail_unsettled(run);
 }
 
-/// Paths that failed, and those whose ends are told without a proof.
+/// Paths that failed, and those whose ends are told without a proof, unless they were followed in all digits.
 PathSet unproved_paths(const Run& run) {
   PathSet paths = unsettled_paths(run);
   for (const auto& [path, root] : run.ledger.roots()) {
     if (!root.point.simple && !root.is_exact) paths.insert(path);
   }
+  for (const std::uint64_t path : run.in_all_digits) paths.erase(path);
   return paths;
 }
 

@@ -63,6 +63,7 @@ struct Run {
       sheets;  ///< of the points over one t to which paths have gone back from ends that circles have told
   Bounds bounds;
   ExactCandidates looked_at;  ///< each candidate for an exact root once
+  PathSet in_all_digits;  ///< followed by the last of Trackers::finer: once more tells nothing new
   StepCount work;
   bool interrupted = false;
 };

@@ -132,6 +132,8 @@ void climb(Run& run, const PathSet& paths, Taken taken) {
 
 void climb_beyond_double_double(Run& run, const Tracker& tracker, const PathSet& paths) {
   climb_with(run, tracker, Rung::multiprecision, Taken::regular_ends, paths);
+  const bool is_last = &tracker == run.setting.trackers.finer.back().get();
+  if (is_last) run.in_all_digits.insert(paths.begin(), paths.end());
 }
 
 }  // namespace moivre
