@@ -6,6 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "moivre/numeric/near_points.h"
 #include "moivre/numeric/stopwatch.h"
 #include "moivre/report/number_text.h"
 
@@ -32,23 +33,13 @@ bool leads_elsewhere(const ReferenceRoot& found, const Solution& root) {
   return found.forward_error > std::max(root.accuracy, std::numeric_limits<double>::epsilon() / 2);
 }
 
-double scale_of(const Point& x) {
-  double scale = 1;
-  for (const Complex& xj : x) scale = std::max(scale, std::abs(xj));
-  return scale;
-}
-
 /// False: another simple root may be the one that was found. Their points are one as far as they are known.
 bool is_told_apart(const std::vector<Solution>& roots, std::size_t k) {
   const Point& x = roots[k].x;
   for (std::size_t other = 0; other < roots.size(); ++other) {
     if (other == k || roots[other].singular) continue;
-    const double known = (roots[k].accuracy + roots[other].accuracy) * scale_of(x);
-    bool is_near = true;
-    for (std::size_t j = 0; j < x.size(); ++j) {
-      is_near = is_near && std::abs(x[j] - roots[other].x[j]) <= known;
-    }
-    if (is_near) return false;
+    const double known = roots[k].accuracy + roots[other].accuracy;
+    if (max_distance(x, roots[other].x) <= known * std::max(1.0, max_norm(x))) return false;
   }
   return true;
 }
