@@ -17,6 +17,8 @@
 #include "moivre/closure_report/picture.h"
 #include "moivre/closure_report/readings_report.h"
 #include "moivre/expression/counted.h"
+#include "moivre/mechanism/closure_id.h"
+#include "moivre/mechanism/drawn_pose.h"
 #include "moivre/motion/circuits.h"
 #include "moivre/numeric/stopwatch.h"
 #include "moivre/report/number_text.h"
@@ -105,6 +107,16 @@ void require_mover(const Mechanism& mechanism) {
       "start = 0, velocity = 10");
 }
 
+/// Where the drawn pose is asked for and does not close, what misses.
+void require_drawn(const Mechanism& mechanism, const MotionCommand& command) {
+  const auto& asked = command.closures;
+  const bool is_asked = std::find(asked.begin(), asked.end(), kDrawn) != asked.end();
+  if (!is_asked || is_drawn_at(mechanism, command.options.from)) return;
+  throw std::invalid_argument("the drawn pose, all coordinates 0, is no closure at t = " +
+                              exact_text(command.options.from) +
+                              " s: " + drawn_miss(mechanism, command.options.from));
+}
+
 MotionResult closures_moved(const Mechanism& mechanism, const Tracker& tracker,
                             const MotionOptions& options, const std::atomic<bool>& stop) {
   try {
@@ -160,6 +172,7 @@ MotionResult computed(const MotionCommand& command, const Mechanism& mechanism,
                       const Tracker& tracker, MotionOptions options, double parse_s) {
   const std::unique_ptr<Tracker> fallback = make_fallback(command.tracker);
   options.solve.fallback = fallback.get();
+  options.asked = command.closures;
   const Interruption interruption;
   MotionResult result = moved(mechanism, command, tracker, options, interruption.stop());
   result.time_s.parse = parse_s;
@@ -206,6 +219,7 @@ int run(const MotionCommand& command) {
   const MotionOptions options = options_of(command, mechanism, line);
   require_workable(mechanism, options);
   require_reachable(mechanism, options);
+  require_drawn(mechanism, command);
   require_room(mechanism, command, reader.get());
   Outputs outputs{Output(command.json), Output(command.csv), Output(command.svg),
                   Output(command.html)};
@@ -243,9 +257,11 @@ void add_motion_command(CLI::App& moivre, Chosen& chosen) {
   guess->type_name("NAME=VALUE");
   CLI::Option* const from_guess = app.add_flag(
       "--from-guess", command->from_guess, "follow only the pose assembled from the file's guess");
-  app.add_option("--closure", command->closures,
-                 "show only the branches that can be reached from this closure without taking the "
-                 "mechanism apart (A, B, ... at the start of the motion); may be repeated")
+  app.add_option(
+         "--closure", command->closures,
+         "show only the branches that can be reached from this closure without taking the "
+         "mechanism apart: A, B, ... at the start of the motion, or drawn; of independent "
+         "sub-chains also E.H, one of each, or 1:E, any with E of the first; may be repeated")
       ->excludes(guess)
       ->excludes(from_guess)
       ->type_name("NAME");

@@ -147,6 +147,31 @@ std::string stretches_text(const Circuit& circuit, const MotionResult& motion) {
   return joined(parts, " | ");
 }
 
+/// Where all closures on both sides are known and one branch comes in and one goes out, there is one way.
+bool is_passed_in_one_way(const MotionEvent& event, const MotionResult& motion) {
+  return motion.complete && !motion.checkpoints.empty() && event.ending.size() == 1 &&
+         event.beginning.size() == 1;
+}
+
+std::string change_points_text(const Circuit& circuit, const MotionResult& motion,
+                               const Mechanism& mechanism) {
+  std::vector<std::size_t> open;
+  std::vector<std::size_t> passed;
+  for (const std::size_t k : circuit.change_points) {
+    (is_passed_in_one_way(motion.events[k], motion) ? passed : open).push_back(k);
+  }
+  std::string text;
+  if (!open.empty()) {
+    text += "    change points at " + places_text(open, motion, mechanism) +
+            ": which way it goes on is not determined there\n";
+  }
+  if (!passed.empty()) {
+    text += "    singular poses at " + places_text(passed, motion, mechanism) +
+            ": one branch comes in and one goes out, so that it goes on in one way\n";
+  }
+  return text;
+}
+
 std::string circuit_text(const Circuit& circuit, std::size_t number, const MotionResult& motion,
                          const Mechanism& mechanism) {
   std::string text = "  circuit " + std::to_string(number) + ": " +
@@ -155,10 +180,7 @@ std::string circuit_text(const Circuit& circuit, std::size_t number, const Motio
   if (circuit.stretches.size() > 1) {
     text += "    a dead point lies between " + stretches_text(circuit, motion) + '\n';
   }
-  if (!circuit.change_points.empty()) {
-    text += "    change points at " + places_text(circuit.change_points, motion, mechanism) +
-            ": which way it goes on is not determined there\n";
-  }
+  text += change_points_text(circuit, motion, mechanism);
   const std::string swings = swings_text(circuit, mechanism);
   return swings.empty() ? text : text + "    " + swings + '\n';
 }

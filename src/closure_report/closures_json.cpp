@@ -51,7 +51,8 @@ void write_closure(const Closure& closure, const Mechanism& mechanism, PoseJson&
                   {"path", closure.path},
                   {"multiplicity", closure.multiplicity},
                   {"singular", closure.singular},
-                  {"certified", closure.certified ? Json(*closure.certified) : Json()}});
+                  {"certified", closure.certified ? Json(*closure.certified) : Json()},
+                  {"drawn", closure.is_drawn}});
   Json joints = Json::object();
   for (const JointValue& joint : joint_values(mechanism, closure.q)) {
     joints[joint.name] = to_json(joint.value);

@@ -9,6 +9,7 @@
 #include "moivre/closures/idle_joints.h"
 #include "moivre/expression/counted.h"
 #include "moivre/expression/joined.h"
+#include "moivre/mechanism/closure_id.h"
 #include "moivre/report/number_text.h"
 #include "moivre/report/text_blocks.h"
 #include "pose_text.h"
@@ -79,10 +80,11 @@ std::string joints_text(const Mechanism& mechanism, const Eigen::VectorXd& q) {
   return text.empty() ? text : text + '\n';
 }
 
-std::string closure_text(const Closure& closure, const Mechanism& mechanism,
-                         const std::vector<Coordinate>& names) {
+/// `name`: what the commands know the closure by.
+std::string closure_text(const Closure& closure, const std::string& name,
+                         const Mechanism& mechanism, const std::vector<Coordinate>& names) {
   std::string text =
-      "\nclosure " + closure.id +
+      "\nclosure " + name + (closure.is_drawn ? ", as drawn" : "") +
       (closure.is_fitted ? ", by least squares" : ", path " + std::to_string(closure.path));
   if (closure.multiplicity > 1) text += ", multiplicity " + std::to_string(closure.multiplicity);
   text += ", residual " + rough_text(closure.residual) + ", " +
@@ -100,17 +102,42 @@ std::string closure_text(const Closure& closure, const Mechanism& mechanism,
 std::string closures_text(const std::vector<Closure>& closures, const Mechanism& mechanism) {
   const std::vector<Coordinate> names = coordinates(mechanism);
   std::string text;
-  for (const Closure& closure : closures) text += closure_text(closure, mechanism, names);
+  for (const Closure& closure : closures) {
+    text += closure_text(closure, closure.id, mechanism, names);
+  }
   return text;
+}
+
+/// How closures of the whole are named.
+std::string names_text(const ClosureResult& result) {
+  if (result.closures.empty()) return "";
+  const auto told = [](const Closure& closure) {
+    std::vector<std::string> parts;
+    for (std::size_t k = 0; k < closure.of.size(); ++k) {
+      parts.push_back(sub_chain_name(k, closure.of[k]));
+    }
+    const std::string dotted = joined(closure.of, ".");
+    return joined(parts, " with ") + " is closure " + closure.id +
+           (closure.id == dotted ? "" : ", or " + dotted);
+  };
+  const auto& all = result.closures;
+  const auto drawn =
+      std::find_if(all.begin(), all.end(), [](const Closure& one) { return one.is_drawn; });
+  return "a closure of the whole is one of each: " + told(all.front()) +
+         (drawn == all.end() ? "" : "; as drawn: " + told(*drawn)) + '\n';
 }
 
 /// Each with what the drivers place; closures of the whole are one of each.
 std::string sub_chains_text(const ClosureResult& result) {
-  std::string text;
-  for (const SubChain& part : result.sub_chains) {
-    text +=
-        "\nsub-chain " + joined(part.chain.bodies, ", ") + ": " + counts_text(part.counts) + '\n';
-    text += closures_text(part.closures, part.chain.mechanism);
+  std::string text = result.sub_chains.empty() ? "" : names_text(result);
+  for (std::size_t k = 0; k < result.sub_chains.size(); ++k) {
+    const SubChain& part = result.sub_chains[k];
+    text += "\nsub-chain " + std::to_string(k + 1) + ", " + joined(part.chain.bodies, ", ") + ": " +
+            counts_text(part.counts) + '\n';
+    const std::vector<Coordinate> names = coordinates(part.chain.mechanism);
+    for (const Closure& closure : part.closures) {
+      text += closure_text(closure, sub_chain_name(k, closure.id), part.chain.mechanism, names);
+    }
   }
   return text;
 }

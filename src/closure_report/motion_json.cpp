@@ -182,6 +182,7 @@ void write_motion_json(const TextSink& sink, const MotionResult& result, const M
     report.member("paths", to_json(result.paths));
     write_course(result, mechanism, form, readings, report);
     if (readings != nullptr) report.member("columns", columns_json(*readings));
+    report.member("drawn", result.drawn.empty() ? Json(nullptr) : Json(result.drawn));
     report.member("all_listed", result.all_listed);
     report.long_list("sub_chains", result.sub_chains, [&](const MotionSubChain& part) {
       report.member("bodies", part.chain.bodies);

@@ -8,6 +8,7 @@
 #include "moivre/closure_report/motion_report.h"
 #include "moivre/expression/counted.h"
 #include "moivre/expression/joined.h"
+#include "moivre/mechanism/closure_id.h"
 #include "moivre/report/number_text.h"
 #include "moivre/report/text_blocks.h"
 #include "pose_text.h"
@@ -30,7 +31,8 @@ std::string branch_text(const MotionBranch& branch, const MotionResult& result,
   const auto kind_at = [&](const std::optional<std::size_t>& event) {
     return event ? ", " + to_string(result.events[*event].at.kind) : std::string();
   };
-  std::string text = "branch " + branch.id + ": from " + moving_place(mechanism, branch.begins) +
+  std::string text = "branch " + branch.id + (branch.id == result.drawn ? ", as drawn" : "") +
+                     ": from " + moving_place(mechanism, branch.begins) +
                      kind_at(branch.begin_event) + "\n  to " +
                      moving_place(mechanism, branch.ends) + kind_at(branch.end_event) + "; " +
                      counted(branch.samples.size(), "sample") + ", " +
@@ -120,9 +122,15 @@ std::string sub_chains_text(const MotionResult& result) {
   std::string text = std::to_string(counts.size()) + " independent sub-chains, of " +
                      joined(counts, ", ") +
                      " branches: a branch of the whole is one of each, as long as all exist\n";
-  for (const MotionSubChain& part : result.sub_chains) {
-    text += "\nsub-chain " + joined(part.chain.bodies, ", ") + '\n' +
-            course_text(part.motion, part.chain.mechanism);
+  if (!result.drawn.empty()) text += "as drawn: branch " + result.drawn + " of the whole\n";
+  for (std::size_t k = 0; k < result.sub_chains.size(); ++k) {
+    const auto& [chain, motion] = result.sub_chains[k];
+    text += "\nsub-chain " + std::to_string(k + 1) + ", " + joined(chain.bodies, ", ");
+    if (!motion.branches.empty()) {
+      const std::string& id = motion.branches.front().id;
+      text += "; its branch " + id + " is --closure " + sub_chain_name(k, id);
+    }
+    text += '\n' + course_text(motion, chain.mechanism);
   }
   return text;
 }

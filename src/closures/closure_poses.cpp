@@ -28,14 +28,6 @@ constexpr double kPolish = 1e-4;
 /// Joint, in the mechanism's order -> closures that its limits filtered.
 using BeyondLimits = std::map<const Joint*, std::uint64_t>;
 
-/// Is this pose of a multiple root one of many? Then the root is not isolated.
-bool lies_on_motion(ClosureSearch& search, const Eigen::VectorXd& q) {
-  auto moves = moves_at(search.phi, q, search.options.time, search.options.solve.seed);
-  if (!moves) return false;
-  search.result.moves = std::move(moves);
-  return true;
-}
-
 /// Whether the joints' limits allow the pose; where they do not, `beyond_limits` counts it.
 bool is_allowed(const ClosureSearch& search, const Eigen::VectorXd& q,
                 BeyondLimits& beyond_limits) {
@@ -70,18 +62,6 @@ bool closes(const ClosureSearch& search, const NewtonResult& pose) {
   if (pose.status != NewtonStatus::converged) return false;
   return search.phi.size() <= search.phi.dimension() ||
          residual_by_size(search.phi, pose.q, search.options.time) <= kRounding;
-}
-
-/// Whether a pose that Newton-Raphson came to, and that is no closure found, shows that one was lost.
-bool shows_a_loss(const ClosureSearch& search, const NewtonResult& pose) {
-  const auto& joints = search.mechanism.joints;
-  // It may be in another meshing of the teeth than the drawn one.
-  const bool has_gears = std::any_of(
-      joints.begin(), joints.end(), [](const Joint& joint) { return is_transmission(joint.type); });
-  return closes(search, pose) && !pose.is_singular && !search.result.moves && !has_gears &&
-         has_root_nearby(search.phi, pose.q, search.options.time) &&
-         are_spins_as_meant(search.mechanism, pose.q) &&
-         !broken_limit(search.mechanism, search.phi.canonical(pose.q));
 }
 
 void take_pose(ClosureSearch& search, const Solution& solution, const NewtonResult& polished,
@@ -127,7 +107,7 @@ RootKind polish(ClosureSearch& search, const Solution& solution, BeyondLimits& b
   // At half a turn the same angle has two names.
   const bool stayed = moved <= most || largest_of(phi, polished.q - guess) <= most;
   if (polished.status == NewtonStatus::no_solution && phi.size() > phi.dimension() && stayed) {
-    search.near_misses.push_back(guess);
+    search.near_misses.push_back(solution);
     return RootKind::does_not_close;
   }
   if (polished.status != NewtonStatus::converged || !stayed) {
@@ -142,24 +122,41 @@ RootKind polish(ClosureSearch& search, const Solution& solution, BeyondLimits& b
   return RootKind::isolated;
 }
 
-/// What misses by little: the least squares beside each near miss, taken where it is within Mechanism::fit.
+bool is_known(const ClosureSearch& search, const Eigen::VectorXd& q) {
+  const auto& closures = search.result.closures;
+  return std::any_of(closures.begin(), closures.end(), [&](const Closure& other) {
+    return distance(search.phi, other.q, q) <= kSamePose;
+  });
+}
+
+/// A root that an equation whose terms nearly cancel does not know, but all of Phi does: it is one.
+void take_back(ClosureSearch& search, Solution solution, const NewtonResult& pose,
+               BeyondLimits& beyond_limits) {
+  solution.real = true;
+  solution.residual = residual_by_size(search.phi, pose.q, search.options.time);
+  if (search.has_proofs()) solution.certified = false;
+  --search.result.counts.rejected;
+  take_pose(search, solution, pose, beyond_limits);
+  search.result.solutions.push_back(std::move(solution));
+}
+
+/// What misses by little: the least squares beside each near miss, taken where it closes after all, or is within Mechanism::fit.
 void take_fitting(ClosureSearch& search, BeyondLimits& beyond_limits) {
   ClosureResult& result = search.result;
   const std::optional<double>& fit = search.mechanism.fit;
-  for (const Eigen::VectorXd& guess : search.near_misses) {
+  for (const Solution& near : search.near_misses) {
+    const Eigen::VectorXd guess = coordinates_of_root(search.formulation, near.x);
     const NewtonResult least = newton(search.phi, guess, search.options.time);
     if (!least.q.allFinite()) continue;
     Closure closure = closure_at(search, least);
-    const bool is_known =
-        std::any_of(result.closures.begin(), result.closures.end(), [&](const Closure& other) {
-          return distance(search.phi, other.q, closure.q) <= kSamePose;
-        });
-    if (!is_known && shows_a_loss(search, least)) ++search.rootless;
-    if (closes(search, least)) continue;
-    if (!result.least_misfit || closure.misfit < *result.least_misfit) {
-      result.least_misfit = closure.misfit;
+    const bool is_old = is_known(search, closure.q);
+    if (!is_old && shows_a_loss(search, least)) {
+      take_back(search, near, least, beyond_limits);
+      continue;
     }
-    if (!fit || closure.misfit > *fit || is_known) continue;
+    if (closes(search, least)) continue;
+    note_misfit(search, closure);
+    if (!fit || closure.misfit > *fit || is_old) continue;
     if (!is_allowed(search, closure.q, beyond_limits)) {
       ++result.fitted_beyond_limits;
       continue;
@@ -178,23 +175,34 @@ void tell_limits(const BeyondLimits& beyond_limits, ClosureSearch& search) {
   }
 }
 
-/// Where no real closure was found: a pose that Newton-Raphson comes to from the guess, or from the pose as drawn, moves, or shows a loss.
-void look_from_the_guess(ClosureSearch& search) {
-  const double t = search.options.time;
-  const bool is_empty = search.result.counts.real == 0 && !search.mechanism.fit;
-  if (!is_empty || search.result.moves || search.stop) return;
-  for (const Eigen::VectorXd& guess :
-       {initial_guess(search.mechanism, t),
-        Eigen::VectorXd(Eigen::VectorXd::Zero(search.phi.dimension()))}) {
-    const NewtonResult pose = newton(search.phi, guess, t);
-    if (pose.status != NewtonStatus::converged) continue;
-    if (pose.is_singular && lies_on_motion(search, search.phi.canonical(pose.q))) return;
-    if (shows_a_loss(search, pose)) ++search.rootless;
-    return;
-  }
+}  // namespace
+
+bool lies_on_motion(ClosureSearch& search, const Eigen::VectorXd& q) {
+  auto moves = moves_at(search.phi, q, search.options.time, search.options.solve.seed);
+  if (!moves) return false;
+  search.result.moves = std::move(moves);
+  return true;
 }
 
-}  // namespace
+bool shows_a_loss(const ClosureSearch& search, const NewtonResult& pose) {
+  const auto& joints = search.mechanism.joints;
+  // It may be in another meshing of the teeth than the drawn one.
+  const bool has_gears = std::any_of(
+      joints.begin(), joints.end(), [](const Joint& joint) { return is_transmission(joint.type); });
+  return closes(search, pose) && !pose.is_singular && !search.result.moves && !has_gears &&
+         has_root_nearby(search.phi, pose.q, search.options.time) &&
+         are_spins_as_meant(search.mechanism, pose.q) &&
+         !broken_limit(search.mechanism, search.phi.canonical(pose.q));
+}
+
+void note_misfit(ClosureSearch& search, const Closure& pose) {
+  ClosureResult& result = search.result;
+  if (result.least_misfit && *result.least_misfit <= pose.misfit) return;
+  Eigen::Index worst = 0;
+  row_misfits(search.phi, pose.q, search.options.time).maxCoeff(&worst);
+  result.least_misfit = pose.misfit;
+  result.misses_most = search.phi.row_names()[static_cast<std::size_t>(worst)];
+}
 
 Closure closure_at(const ClosureSearch& search, const NewtonResult& polished) {
   Closure closure;
@@ -240,10 +248,9 @@ void find_poses(ClosureSearch& search) {
     }
   }
   result.solutions = std::move(isolated);
-  result.counts.complex = result.solutions.size();
   take_fitting(search, beyond_limits);
+  result.counts.complex = result.solutions.size();
   tell_limits(beyond_limits, search);
-  look_from_the_guess(search);
   letter(result.closures, search.phi);
 }
 

@@ -14,6 +14,15 @@ namespace moivre {
 /// Fills closures and counts; leaves the isolated roots alone among the solutions.
 void find_poses(ClosureSearch& search);
 
+/// Is this pose of a multiple root, or one that Newton-Raphson came to, one of many? Then it is told as the one that moves.
+bool lies_on_motion(ClosureSearch& search, const Eigen::VectorXd& q);
+
+/// Whether a pose that Newton-Raphson came to, and that is no closure found, shows that one was lost.
+bool shows_a_loss(const ClosureSearch& search, const NewtonResult& pose);
+
+/// Keeps the least misfit of poses that do not close, and where it is.
+void note_misfit(ClosureSearch& search, const Closure& pose);
+
 /// The closure at the end of a Newton run, its path and kind not yet said.
 Closure closure_at(const ClosureSearch& search, const NewtonResult& polished);
 

@@ -22,8 +22,10 @@ std::uint64_t all_of(const std::vector<std::size_t>& sizes) {
   return all;
 }
 
-/// All choices, the last index fastest, up to kMostListed; of more: the first of each, and for each other index the first of the others.
-std::vector<Choice> listed_choices(const std::vector<std::size_t>& sizes) {
+/// All choices, the last index fastest, up to kMostListed; of more: the first of each, and for each other index the first of the others;
+/// last the one that was drawn.
+std::vector<Choice> listed_choices(const std::vector<std::size_t>& sizes,
+                                   const std::optional<Choice>& drawn) {
   std::vector<Choice> choices;
   const std::uint64_t all = all_of(sizes);
   if (all == 0) return choices;
@@ -43,7 +45,22 @@ std::vector<Choice> listed_choices(const std::vector<std::size_t>& sizes) {
       choices.back()[k] = i;
     }
   }
+  const bool is_new = drawn && std::find(choices.begin(), choices.end(), *drawn) == choices.end();
+  if (is_new) choices.push_back(*drawn);
   return choices;
+}
+
+/// The closure of each sub-chain that was drawn; nullopt where one has none.
+std::optional<Choice> drawn_choice(const std::vector<ClosureResult>& parts) {
+  Choice choice;
+  for (const ClosureResult& part : parts) {
+    const auto& all = part.closures;
+    const auto drawn =
+        std::find_if(all.begin(), all.end(), [](const Closure& one) { return one.is_drawn; });
+    if (drawn == all.end()) return std::nullopt;
+    choice.push_back(static_cast<std::size_t>(drawn - all.begin()));
+  }
+  return choice;
 }
 
 bool is_plain(const ClosureResult& part) {
@@ -128,13 +145,14 @@ std::optional<Closure> closure_of(const ClosureSearch& search,
   if (polished.status != NewtonStatus::converged) return std::nullopt;
   Closure whole = closure_at(search, polished);
   whole.path = path_number(parts, [&](std::size_t k) { return parts[k].closures[choice[k]].path; });
-  whole.certified = true;
+  whole.certified = whole.is_drawn = true;
   for (std::size_t k = 0; k < parts.size(); ++k) {
     const Closure& part = parts[k].closures[choice[k]];
     whole.certified = both(whole.certified, part.certified);
     whole.newton_iterations = std::max(whole.newton_iterations, part.newton_iterations);
     whole.multiplicity = saturating_product(whole.multiplicity, part.multiplicity);
     whole.singular = whole.singular || part.singular;
+    whole.is_drawn = whole.is_drawn && part.is_drawn;
     whole.of.push_back(part.id);
     whole.id += (k == 0 ? "" : ".") + part.id;
   }
@@ -160,7 +178,9 @@ void tell_listed(ClosureResult& whole) {
       {"some combinations of the sub-chains' closures",
        "beyond " + std::to_string(kMostListed) +
            " they are not all listed: sub_chains has the closures of each sub-chain; closures and "
-           "solutions list each of these once, with the first closure of the others"});
+           "solutions list each of these once, with the first closure of the others, and closures "
+           "the "
+           "one that was drawn"});
 }
 
 }  // namespace
@@ -210,7 +230,7 @@ bool solve_apart(ClosureSearch& search) {
     solutions.push_back(part.solutions.size());
   }
   std::vector<Closure> found;
-  for (const Choice& choice : listed_choices(closures)) {
+  for (const Choice& choice : listed_choices(closures, drawn_choice(parts))) {
     std::optional<Closure> closure = closure_of(search, chains, parts, choice);
     if (!closure) return false;
     found.push_back(std::move(*closure));
@@ -218,7 +238,7 @@ bool solve_apart(ClosureSearch& search) {
   ClosureResult& whole = search.result;
   whole.closures = std::move(found);
   if (all_of(closures) <= kMostListed) letter(whole.closures, search.phi);
-  for (const Choice& choice : listed_choices(solutions)) {
+  for (const Choice& choice : listed_choices(solutions, std::nullopt)) {
     whole.solutions.push_back(solution_of(parts, choice, places));
   }
   whole.counts = product_of(counts);

@@ -111,7 +111,7 @@ void take_root(ClosureSearch& search, const PartialRoot& root, RootProver& prove
   if (!holds(search.formulation, solution)) {
     ++search.result.counts.rejected;
     if (distance_from_real(search.formulation, solution.x) <= kNearReal) {
-      search.near_misses.push_back(coordinates_of_root(search.formulation, solution.x));
+      search.near_misses.push_back(std::move(solution));
     }
     return;
   }
@@ -166,11 +166,12 @@ void solve_free(ClosureSearch& search, const std::vector<Block>& blocks) {
   search.undecided_motion = true;
 }
 
-/// Roots that rounding of the coefficients moves as far as it likes are points of a set.
+/// Roots that rounding moves as far as it likes are points of a set: rounding of the coefficients, or of the roots of the blocks before, where
+/// no proof knows these exactly.
 void take_off_sets(const Formulation& formulation, StageRun& run) {
-  if (formulation.is_exact) return;
   std::erase_if(run.roots, [&](const PartialRoot& root) {
-    if (root.condition < kUndetermined) return false;
+    const bool is_known = formulation.is_exact && root.proof != nullptr;
+    if (root.condition < kUndetermined || is_known) return false;
     run.moves = true;
     run.may_move = run.may_move || may_be_real(formulation, root);
     return true;
@@ -201,10 +202,14 @@ void solve_determined(ClosureSearch& search, const BlockStructure& structure) {
          "there are more than unknowns; every root is checked on all of them"});
   }
   RootProver prover(search.formulation, search.wants_proofs());
-  StageRun run = solve_blocks(search, search.formulation, structure.blocks, prover);
-  take_off_sets(search.formulation, run);
+  StageRun run;
+  if (!search.is_combined) {
+    run = solve_blocks(search, search.formulation, structure.blocks, prover);
+    take_off_sets(search.formulation, run);
+  }
   const bool is_motion_shown = run.moves && run.may_move && shows_motion(search);
-  if (run.moves && !search.stop && !structure.spare_equations.empty()) {
+  const bool has_spare = !structure.spare_equations.empty();
+  if (has_spare && !search.stop && (run.moves || search.is_combined)) {
     run = solve_combined(search, run);
   }
   const bool has_unseen_sets = run.moves && !is_motion_shown;

@@ -37,12 +37,14 @@ struct ClosureSearch {
   const Phi phi;
   const Formulation formulation;
   ClosureResult result;
+  /// All equations are combined at random to as many as there are unknowns. Else the first ones that could determine these are solved, which
+  /// may depend on each other within rounding.
+  bool is_combined = false;
   std::uint64_t lost_images = 0;  ///< roots whose mirror image is not among the roots
   std::uint64_t unpolished = 0;   ///< real roots that Newton-Raphson does not confirm
   std::uint64_t rootless =
       0;  ///< poses that close regularly beside roots that do not, and are no root's
-  std::vector<Eigen::VectorXd>
-      near_misses;                ///< real roots of the solved equations that fail another one
+  std::vector<Solution> near_misses;  ///< real roots of the solved equations that fail another one
   bool undecided_motion = false;  ///< a set of closures may exist, and no pose that moves was found
   bool part_is_complex = false;   ///< a part of the mechanism closes in complex numbers only
 };

@@ -12,6 +12,7 @@
 #include "moivre/expression/refusal.h"
 #include "moivre/numeric/stopwatch.h"
 #include "moving_pose.h"
+#include "witness.h"
 
 namespace moivre {
 namespace {
@@ -50,6 +51,33 @@ void add_mobility(const Phi& phi, double fit, bool is_wanted, ClosureResult& res
   }
 }
 
+/// Whether roots were lost by solving equations that depend on each other, and all of them combined may have these.
+bool may_find_more(const ClosureSearch& search) {
+  const System& f = search.formulation.system;
+  return search.rootless > 0 && !search.stop && f.polynomials.size() > f.variables.size();
+}
+
+void find_all(ClosureSearch& search) {
+  find_roots(search);
+  find_poses(search);
+  look_for_witnesses(search);
+}
+
+/// Everything anew, with all equations combined. What was done before stays in the account.
+void find_all_combined(ClosureSearch& search) {
+  const ClosureResult first = std::move(search.result);
+  search.result = described(search);
+  search.result.idle = first.idle;
+  search.is_combined = true;
+  search.lost_images = search.unpolished = search.rootless = 0;
+  search.near_misses.clear();
+  find_all(search);
+  ClosureResult& result = search.result;
+  result.stages.insert(result.stages.begin(), first.stages.begin(), first.stages.end());
+  result.paths += first.paths;
+  result.work += first.work;
+}
+
 /// Why the search is not complete.
 std::string shortfall(const ClosureSearch& search) {
   // What is missing may be what was not looked for any more.
@@ -80,7 +108,9 @@ std::string misfit_text(const ClosureSearch& search) {
   constexpr double kRounded = 1e-2;
   const std::optional<double>& misfit = search.result.least_misfit;
   if (!misfit || search.result.counts.fitted > 0) return "";
-  const std::string text = "; the nearest pose misses by " + length_text(*misfit, search.mechanism);
+  const std::string text = "; the nearest pose misses by " +
+                           length_text(*misfit, search.mechanism) + " at " +
+                           search.result.misses_most;
   if (*misfit > kRounded * search.phi.length()) return text;
   const double digit = std::pow(10, std::floor(std::log10(*misfit)));
   char fit[32];
@@ -142,8 +172,9 @@ ClosureResult find_closures(const Mechanism& mechanism, const Tracker& tracker,
   search.result = described(search);
   search.result.idle = std::move(held.idle);
   if (!solve_apart(search)) {
-    find_roots(search);
-    find_poses(search);
+    find_all(search);
+    if (may_find_more(search)) find_all_combined(search);
+    mark_drawn(search);
   }
   add_mobility(Phi(mechanism), mechanism.fit.value_or(0), options.with_mobility, search.result);
   conclude(search);

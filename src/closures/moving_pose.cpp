@@ -11,24 +11,20 @@
 #include "moivre/numeric/random.h"
 
 namespace moivre {
-namespace {
 
-/// Angles anywhere, lengths within the mechanism's size, or the guess's, of the guess.
 Eigen::VectorXd random_pose(const Phi& phi, const Eigen::VectorXd& guess, std::uint64_t seed,
-                            std::uint64_t start) {
+                            std::uint64_t start, double share) {
   Eigen::VectorXd q = guess;
   const Eigen::VectorXd unit = phi.own_units();
   const double size = std::max(1.0, largest_of(phi, guess));
   for (Eigen::Index k = 0; k < q.size(); ++k) {
     const auto n = static_cast<std::uint64_t>(q.size());
     const auto index = start * n + static_cast<std::uint64_t>(k);
-    const double wander = 2 * random_unit(seed, RandomStream::slice, index) - 1;
+    const double wander = share * (2 * random_unit(seed, RandomStream::slice, index) - 1);
     q[k] += wander * (is_length(phi, k) ? size * unit[k] : std::numbers::pi);
   }
   return q;
 }
-
-}  // namespace
 
 std::optional<Moves> moves_at(const Phi& phi, const Eigen::VectorXd& q, double t,
                               std::uint64_t seed) {

@@ -17,6 +17,10 @@ inline constexpr std::uint64_t kMovingStarts = 32;
 std::optional<Moves> moves_at(const Phi& phi, const Eigen::VectorXd& q, double t,
                               std::uint64_t seed);
 
+/// Pose number `start` of many: angles anywhere, lengths within the mechanism's size, or the guess's, of the guess; `share` of that at most.
+Eigen::VectorXd random_pose(const Phi& phi, const Eigen::VectorXd& guess, std::uint64_t seed,
+                            std::uint64_t start, double share = 1);
+
 std::optional<Moves> moving_pose(const Mechanism& mechanism, const Phi& phi, double t,
                                  std::uint64_t seed);
 

@@ -15,10 +15,13 @@
 
 namespace moivre {
 
+using KnownCertificate = std::shared_ptr<const Certificate>;
+
+/// Roots that differ in nothing that a group knows share its certificate.
 struct RootProof {
   KnownProof before;
   std::size_t group = 0;
-  Certificate certificate;
+  KnownCertificate certificate;
 };
 
 namespace {
@@ -75,7 +78,7 @@ std::vector<const Certificate*> chain_of(const KnownProof& last) {
   std::vector<const Certificate*> chain;
   if (last) chain.resize(last->group + 1);
   for (const RootProof* proof = last.get(); proof != nullptr; proof = proof->before.get()) {
-    chain[proof->group] = &proof->certificate;
+    chain[proof->group] = proof->certificate.get();
   }
   return chain;
 }
@@ -104,11 +107,17 @@ struct RootProver::Work {
     Certifier certifier;
   };
 
+  /// What a certificate follows from: the certificates of the numbers that are given, and where the root is looked for.
+  using Grounds = std::pair<std::vector<KnownCertificate>, std::vector<std::pair<double, double>>>;
+
   struct Group {
     std::vector<std::size_t> equations;
     std::vector<std::size_t> unknowns;                            ///< variables of the formulation
     std::optional<Program> program;                               ///< where it was needed
     std::map<const Formulation::Exclusion*, Program> with_value;  ///< likewise, by the exclusion
+    std::map<Grounds, KnownCertificate> proved;
+    std::map<Grounds, KnownCertificate> proved_finely;
+    std::map<Grounds, KnownCertificate> sharpened;  ///< in kFineBits; the root itself is given, too
   };
 
   explicit Work(const Formulation& the_formulation)
@@ -117,7 +126,10 @@ struct RootProver::Work {
   void close();
   Program program(const Group& group, const Polynomial* value) const;
   std::vector<Enclosure> given(const Program& program, const KnownProof& before) const;
+  Grounds grounds(const Program& program, const KnownProof& before) const;
   KnownProof prove(std::size_t number, const KnownProof& before, const Point& values);
+  KnownCertificate certificate(Group& group, const KnownProof& before, const Point& x,
+                               bool is_fine);
   KnownProof prove_beside(const KnownProof& proof, const Point& values);
   std::optional<Enclosure> value(const KnownProof& proof, const Formulation::Exclusion& exclusion);
   Work& shake();
@@ -143,7 +155,8 @@ void RootProver::Work::close() {
   for (std::size_t k = 0; k < waiting.variables.size(); ++k) {
     place[waiting.variables[k]] = Place{groups.size(), k};
   }
-  groups.push_back({std::move(waiting.equations), std::move(waiting.variables), {}, {}});
+  groups.push_back(
+      {std::move(waiting.equations), std::move(waiting.variables), {}, {}, {}, {}, {}});
   waiting = Block();
 }
 
@@ -192,16 +205,36 @@ std::vector<Enclosure> RootProver::Work::given(const Program& program,
   return numbers;
 }
 
+/// The certificates, one a group, of the numbers that are given.
+RootProver::Work::Grounds RootProver::Work::grounds(const Program& program,
+                                                    const KnownProof& before) const {
+  std::set<std::size_t> needed;
+  for (const std::size_t v : program.given) needed.insert(place[v]->group);
+  Grounds grounds;
+  for (const RootProof* proof = before.get(); proof != nullptr; proof = proof->before.get()) {
+    if (needed.contains(proof->group)) grounds.first.push_back(proof->certificate);
+  }
+  return grounds;
+}
+
 /// The same root in balls of kFineBits; nullptr where that failed.
 KnownProof RootProver::Work::finer(const KnownProof& proof) {
   KnownProof before;
   if (proof->before && !(before = finer(proof->before))) return nullptr;
-  RootProof result{before, proof->group, proof->certificate};
-  auto& program = *groups[proof->group].program;
-  if (!program.certifier.sharpen(result.certificate, kFineBits, given(program, before))) {
-    return nullptr;
+  auto& group = groups[proof->group];
+  Program& program = *group.program;
+  Grounds from = grounds(program, before);
+  from.first.push_back(proof->certificate);
+  const auto [place_of_sharp, is_new] = group.sharpened.try_emplace(std::move(from));
+  KnownCertificate& sharp = place_of_sharp->second;
+  if (is_new) {
+    Certificate certificate = *proof->certificate;
+    if (program.certifier.sharpen(certificate, kFineBits, given(program, before))) {
+      sharp = std::make_shared<const Certificate>(std::move(certificate));
+    }
   }
-  return std::make_shared<const RootProof>(std::move(result));
+  if (!sharp) return nullptr;
+  return std::make_shared<const RootProof>(RootProof{before, proof->group, sharp});
 }
 
 /// The root of group `number` near `values`, of all variables.
@@ -212,17 +245,30 @@ KnownProof RootProver::Work::prove(std::size_t number, const KnownProof& before,
   if (!group.program) group.program.emplace(program(group, nullptr));
   Point x;
   for (const std::size_t v : group.unknowns) x.push_back(values[v]);
-  RootProof proof{before, number, {}};
+  const KnownCertificate first = certificate(group, before, x, false);
+  if (is_sharp(*first)) return std::make_shared<const RootProof>(RootProof{before, number, first});
+  KnownProof sharp_before;
+  if (before && !(sharp_before = finer(before))) return nullptr;
+  const KnownCertificate sharp = certificate(group, sharp_before, x, true);
+  if (sharp->verdict != Verdict::certified) return nullptr;
+  return std::make_shared<const RootProof>(RootProof{sharp_before, number, sharp});
+}
+
+/// Of a root of the group near x; in kFineBits where that is wanted.
+KnownCertificate RootProver::Work::certificate(Group& group, const KnownProof& before,
+                                               const Point& x, bool is_fine) {
+  Grounds from = grounds(*group.program, before);
+  for (const Complex& xi : x) from.second.emplace_back(xi.real(), xi.imag());
+  auto& known = is_fine ? group.proved_finely : group.proved;
+  const auto [at, is_new] = known.try_emplace(std::move(from));
+  if (!is_new) return at->second;
+  Certificate made;
+  const std::vector<Enclosure> numbers = given(*group.program, before);
   Certifier& certifier = group.program->certifier;
-  certifier.certify(x, proof.certificate, given(*group.program, before));
-  if (!is_sharp(proof.certificate)) {
-    if (before && !(proof.before = finer(before))) return nullptr;
-    const std::vector<Enclosure> sharp = given(*group.program, proof.before);
-    certifier.certify(x, proof.certificate, sharp);
-    if (proof.certificate.holds_root()) certifier.sharpen(proof.certificate, kFineBits, sharp);
-  }
-  if (proof.certificate.verdict != Verdict::certified) return nullptr;
-  return std::make_shared<const RootProof>(std::move(proof));
+  certifier.certify(x, made, numbers);
+  if (is_fine && made.holds_root()) certifier.sharpen(made, kFineBits, numbers);
+  at->second = std::make_shared<const Certificate>(std::move(made));
+  return at->second;
 }
 
 /// The root nearest to one that is proved of another system with the same blocks, `values` its midpoints.
@@ -243,7 +289,7 @@ std::optional<Enclosure> RootProver::Work::value(const KnownProof& proof,
   }
   Program& with_value = place_of_value->second;
   const std::vector<Enclosure> numbers = given(with_value, fine->before);
-  Point x = fine->certificate.midpoint;
+  Point x = fine->certificate->midpoint;
   x.push_back(value_at(exclusion.of, midpoints(fine)));
   Certificate certificate = with_value.certifier.certify(x, numbers);
   if (!certificate.holds_root() || !with_value.certifier.sharpen(certificate, kFineBits, numbers)) {
@@ -258,7 +304,7 @@ RootProver::Work& RootProver::Work::shake() {
   work.place = place;
   while (work.groups.size() < groups.size()) {
     const Group& group = groups[work.groups.size()];
-    work.groups.push_back({group.equations, group.unknowns, {}, {}});
+    work.groups.push_back({group.equations, group.unknowns, {}, {}, {}, {}, {}});
   }
   return work;
 }
@@ -311,7 +357,7 @@ KnownProof RootProver::prove(const KnownProof& before, const Point& values) {
 std::vector<bool> RootProver::are_new(const std::vector<KnownProof>& proofs) {
   std::vector<Certificate> certificates;
   for (const KnownProof& proof : proofs) {
-    certificates.push_back(proof ? proof->certificate : Certificate());
+    certificates.push_back(proof ? *proof->certificate : Certificate());
   }
   const Distinctness told = compare(certificates);
   std::vector<bool> result;

@@ -57,7 +57,20 @@ Point mirrored(const Formulation& formulation, const Point& root) {
 }
 
 double distance_from_real(const Formulation& formulation, const Point& root) {
-  return max_distance(root, mirrored(formulation, root)) / std::max(1.0, max_norm(root));
+  double direction = 1;
+  double length = formulation.length;
+  for (std::size_t v = 0; v < root.size(); ++v) {
+    double& size = formulation.is_direction[v] ? direction : length;
+    size = std::max(size, std::abs(root[v]));
+  }
+  if (length == 0) length = 1;
+  const Point image = mirrored(formulation, root);
+  double largest = 0;
+  for (std::size_t v = 0; v < root.size(); ++v) {
+    const double size = formulation.is_direction[v] ? direction : length;
+    largest = std::max(largest, std::abs(root[v] - image[v]) / size);
+  }
+  return largest;
 }
 
 std::optional<double> share_left(const Formulation::Exclusion& exclusion,

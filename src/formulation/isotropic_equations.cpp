@@ -107,11 +107,11 @@ class Equations {
         return constant(Coefficient{1, 0} / divisor.terms.front().coefficient);
       }
       case Formula::Kind::power:
-        if (!is_number(f)) return powered(f);
+        if (!is_number(f) || is_whole_power(f)) return powered(f);
         break;
       case Formula::Kind::cos:
       case Formula::Kind::sin: {
-        if (is_number(f)) break;
+        if (is_number(f)) return constant({part_of_unit(f), 0});
         const Mirrored e = unit(f.operands[0]);
         return f.kind == Formula::Kind::cos ? half * (e.z + e.conjugate)
                                             : Coefficient{0, Rational(-1, 2)} * (e.z - e.conjugate);
@@ -129,6 +129,23 @@ class Equations {
     const double value = number(f);
     if (!std::isfinite(value)) refuse("a constant part of it is not defined");
     return constant({typed_decimal(value), 0});
+  }
+
+  /// Of one angle, cosine and sine are those of one point of the unit circle: rounded apart, the squares of both would not add up to 1, and
+  /// terms that cancel would bring roots from infinity.
+  Rational part_of_unit(const Formula& f) const {
+    const double angle = number(f.operands[0]);
+    if (!std::isfinite(angle)) refuse("a constant part of it is not defined");
+    const Coefficient c = unit_at(angle);
+    return f.kind == Formula::Kind::cos ? c.re : c.im;
+  }
+
+  /// A small whole power of a number, which is taken exactly.
+  bool is_whole_power(const Formula& f) const {
+    const Formula& exponent = f.operands[1];
+    if (!is_number(exponent)) return false;
+    const double p = number(exponent);
+    return p >= 0 && p <= kLargestPower && p == std::floor(p);
   }
 
   Polynomial powered(const Formula& f) const {

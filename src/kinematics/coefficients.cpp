@@ -14,7 +14,6 @@ using Eigen::VectorXd;
 
 KinematicCoefficients kinematic_coefficients(const Phi& phi, const VectorXd& q, double t) {
   const Index drivers = phi.driver_size();
-  const Index first_row = phi.size() - drivers;
   const MatrixXd unknown =
       MatrixXd::Constant(phi.dimension(), drivers, std::numeric_limits<double>::quiet_NaN());
   KinematicCoefficients result{false, unknown,
@@ -22,15 +21,15 @@ KinematicCoefficients kinematic_coefficients(const Phi& phi, const VectorXd& q, 
   const Factorization factors = factorization_of(phi, phi.jacobian(q, t));
   if (factors.rank() != phi.dimension()) return result;
   result.is_determined = true;
-  for (Index a = 0; a < drivers; ++a) {
-    result.first.col(a) = factors.solve(VectorXd::Unit(phi.size(), first_row + a));
-  }
+  const DriverRates rates = phi.driver_rates(q, t);
+  for (Index a = 0; a < drivers; ++a) result.first.col(a) = factors.solve(-rates.first.col(a));
   for (Index a = 0; a < drivers; ++a) {
     for (Index b = 0; b <= a; ++b) {
       const VectorXd sum = result.first.col(a) + result.first.col(b);
       const VectorXd difference = result.first.col(a) - result.first.col(b);
       // (Phi_q u)_q v = ((Phi_q (u+v))_q (u+v) - (Phi_q (u-v))_q (u-v)) / 4
-      const VectorXd bent = (phi.quadratic(q, sum, t) - phi.quadratic(q, difference, t)) * 0.25;
+      VectorXd bent = (phi.quadratic(q, sum, t) - phi.quadratic(q, difference, t)) * 0.25;
+      if (a == b) bent += rates.second.col(a);
       const VectorXd k = factors.solve(-bent);
       result.second[static_cast<std::size_t>(a)].col(b) = k;
       result.second[static_cast<std::size_t>(b)].col(a) = k;

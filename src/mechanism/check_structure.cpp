@@ -275,6 +275,7 @@ void check_structure(Reading& reading, Mechanism& mechanism) {
   check_drivers(reading, mechanism);
   warn_of_count(mechanism);
   warn_of_loose_pivots(mechanism);
+  warn_of_mistyped_point(mechanism);
 }
 
 }  // namespace moivre

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Where does Newton's method start? Bodies placed joint by joint from the ground outwards, at guessed or driven angles.
+// Where does Newton's method start? In the drawn pose where that closes, else with bodies placed joint by joint from the ground outwards, at
+// guessed or driven angles; slides that nothing drives stand as drawn.
 #include <Eigen/Geometry>
 
+#include "moivre/mechanism/drawn_pose.h"
 #include "moivre/mechanism/driven_joint.h"
 #include "moivre/mechanism/mechanism.h"
 #include "spatial_pose.h"
@@ -23,7 +25,10 @@ Eigen::Matrix3d turn_about(const Eigen::Vector3d& axis, double angle_rad) {
 class Placement {
  public:
   Placement(const Mechanism& mechanism, double t)
-      : mechanism_(mechanism), t_(t), poses_(mechanism.bodies.size()) {
+      : mechanism_(mechanism),
+        t_(t),
+        is_drawn_(is_drawn(mechanism)),
+        poses_(mechanism.bodies.size()) {
     poses_[0].is_placed = true;
   }
 
@@ -103,6 +108,30 @@ class Placement {
     return base * (end == 0 ? relative : Eigen::Matrix3d(relative.transpose()));
   }
 
+  /// From the point that stands to the one that is placed: as far apart as driven or as long, along the joint's line.
+  Eigen::Vector3d gap_along_line(const Joint& joint, std::size_t end,
+                                 const Eigen::Matrix3d& R) const {
+    double apart = driven(joint).slide.value_or(0);
+    if (joint.type == JointType::rod) apart = joint.length;
+    return end == 0 ? Eigen::Vector3d(apart * poses_[joint.at[0].body].R * joint.axis[0])
+                    : Eigen::Vector3d(-apart * R * joint.axis[0]);
+  }
+
+  /// The same as it is drawn, turned with the body that stands; a length or a slide that is given counts.
+  Eigen::Vector3d drawn_gap(const Joint& joint, std::size_t end) const {
+    const Eigen::Vector3d drawn = point(joint.at[1 - end]) - point(joint.at[end]);
+    const Eigen::Matrix3d& base = poses_[joint.at[end].body].R;
+    std::optional<double> length = driven(joint).slide;
+    if (joint.type == JointType::rod) length = joint.length;
+    if (!length || drawn.isZero(0)) return base * drawn;
+    if (joint.type == JointType::rod || joint.type == JointType::actuator) {
+      return base * drawn.normalized() * *length;
+    }
+    const double sign = end == 0 ? 1 : -1;
+    const Eigen::Vector3d& along = joint.axis[0];
+    return base * (drawn + (sign * *length - drawn.dot(along)) * along);
+  }
+
   /// The body at the other end of `joint`, so that the joint's points meet (or stand as far apart as driven or as long).
   Pose placed(const Joint& joint, std::size_t end) const {
     const PointOf& here = joint.at[end];
@@ -112,12 +141,10 @@ class Placement {
     pose.is_placed = true;
     pose.R = is_planar ? planar_orientation(joint, end, there.body)
                        : spatial_orientation(joint, end, there.body);
-    double apart = driven(joint).slide.value_or(0);
-    if (joint.type == JointType::rod) apart = joint.length;
-    const Eigen::Vector3d along = end == 0 ? Eigen::Vector3d(poses_[here.body].R * joint.axis[0])
-                                           : Eigen::Vector3d(-(pose.R * joint.axis[0]));
-    pose.r = poses_[here.body].r + poses_[here.body].R * point(here) + apart * along -
-             pose.R * point(there);
+    const Eigen::Vector3d gap = is_drawn_ && traits(joint.type).place != JointPlace::at_point
+                                    ? drawn_gap(joint, end)
+                                    : gap_along_line(joint, end, pose.R);
+    pose.r = poses_[here.body].r + poses_[here.body].R * point(here) + gap - pose.R * point(there);
     const char* names[] = {"x", "y", "z"};
     for (int k = 0; k < 3; ++k) pose.r[k] = guess(there.body, names[k]).value_or(pose.r[k]);
     return pose;
@@ -125,6 +152,7 @@ class Placement {
 
   const Mechanism& mechanism_;
   double t_;
+  bool is_drawn_;
   std::vector<Pose> poses_;
 };
 
@@ -151,7 +179,7 @@ Eigen::VectorXd initial_guess(const Mechanism& mechanism, double t) {
     for (const Driver& driver : mechanism.drivers) {
       q[static_cast<Eigen::Index>(driver.unknown)] = driver_state(driver.law, t).value;
     }
-  } else {
+  } else if (!mechanism.guess.empty() || !is_drawn_at(mechanism, t)) {
     const std::vector<Pose> poses = Placement(mechanism, t).place_all();
     const std::size_t size = mechanism.space == Space::planar ? 3 : 6;
     for (std::size_t body = 1; body < poses.size(); ++body) {

@@ -135,8 +135,12 @@ Phi::Phi(const Mechanism& mechanism)
   for (const Spin& spin : mechanism.held_spins) {
     constraints_.push_back(spin_constraint(mechanism, spin));
   }
-  for (const Driver& driver : mechanism.drivers) {
-    constraints_.push_back(driver_constraint(mechanism, driver));
+  for (std::size_t a = 0; a < mechanism.drivers.size(); ++a) {
+    Dimension value;
+    value.kind = DimensionKind::driver;
+    value.driver = a;
+    constraints_.push_back(driver_constraint(mechanism, mechanism.drivers[a]));
+    moving_drivers_.push_back(driver_constraint(mechanism, mechanism.drivers[a], &value));
   }
   for (const auto& constraint : constraints_) {
     for (const RowLabel& label : constraint->labels) {
@@ -165,6 +169,7 @@ Phi Phi::without_drivers() const {
   joints.constraints_.resize(constraints_.size() - drivers);
   joints.row_names_.resize(row_names_.size() - drivers);
   joints.row_powers_.resize(row_names_.size() - drivers);
+  joints.moving_drivers_.clear();
   joints.driver_size_ = 0;
   return joints;
 }
@@ -208,6 +213,24 @@ VectorXd Phi::quadratic(const VectorXd& q, const VectorXd& qdot, double t) const
 // The second derivative along (q', 1) is (Phi_q q')_q q' + 2 Phi_qt q' + Phi_tt.
 VectorXd Phi::mixed(const VectorXd& q, const VectorXd& qdot, double t) const {
   return derivative({q, &qdot, t, 1}, 2) - quadratic(q, qdot, t) - partial_tt(q, t);
+}
+
+DriverRates Phi::driver_rates(const VectorXd& q, double t) const {
+  DriverRates rates{MatrixXd::Zero(size(), driver_size_), MatrixXd::Zero(size(), driver_size_)};
+  const std::vector<Jet> at(q.begin(), q.end());
+  std::vector<Jet> rows(static_cast<std::size_t>(size()));
+  Index first = size() - driver_size_;
+  for (Index a = 0; a < driver_size_; ++a) {
+    const Constraint& driver = *moving_drivers_[static_cast<std::size_t>(a)];
+    driver.evaluate(At<Jet>{at, Jet(t)}, rows.data());
+    for (const RowLabel& label : driver.labels) {
+      const Jet& row = rows[static_cast<std::size_t>(&label - driver.labels.data())];
+      rates.first(first, a) = row.d;
+      rates.second(first, a) = row.dd;
+      ++first;
+    }
+  }
+  return rates;
 }
 
 VectorXd Phi::velocity_rhs(const VectorXd& q, double t) const { return -partial_t(q, t); }
@@ -361,14 +384,20 @@ double residual_by_size(const Phi& phi, const VectorXd& q, double t) {
   return worst;
 }
 
-double misfit(const Phi& phi, const VectorXd& q, double t) {
-  const VectorXd value = phi.value(q, t);
+VectorXd row_misfits(const Phi& phi, const VectorXd& q, double t) {
   const VectorXd rate = rates_by_displacement(phi, q, t);
-  double worst = 0;
+  VectorXd misses = phi.value(q, t).cwiseAbs();
   for (Index i = 0; i < phi.size(); ++i) {
-    if (std::isnan(value[i])) return value[i];
-    const double miss = std::abs(value[i]);
-    worst = std::max(worst, rate[i] > 0 ? miss / rate[i] : miss * phi.length());
+    misses[i] = rate[i] > 0 ? misses[i] / rate[i] : misses[i] * phi.length();
+  }
+  return misses;
+}
+
+double misfit(const Phi& phi, const VectorXd& q, double t) {
+  double worst = 0;
+  for (const double miss : row_misfits(phi, q, t)) {
+    if (std::isnan(miss)) return miss;
+    worst = std::max(worst, miss);
   }
   return worst;
 }

@@ -95,14 +95,20 @@ ScalarState turn_state(const Mechanism& mechanism, const Joint& joint, const Vec
 }
 
 bool is_within_limits(const Mechanism& mechanism, const Joint& joint, const VectorXd& q) {
+  // Of the limits: a pose that stands at a stop is known to rounding, and stands there.
+  constexpr double kAtStop = 1e-11;
   const auto value = joint.limits ? joint_coordinate(mechanism, joint, q) : std::nullopt;
   if (!value) return true;
-  double above_lower = *value - joint.limits->lower;
-  if (is_angular(joint.type)) {
+  const auto [lower, upper] = *joint.limits;
+  const bool turns = is_angular(joint.type);
+  const double rounding =
+      kAtStop * std::max({turns ? 1.0 : 0.0, std::abs(lower), std::abs(upper)});
+  double above_lower = *value - lower + rounding;
+  if (turns) {
     constexpr double kTurn = 2 * std::numbers::pi;
     above_lower -= kTurn * std::floor(above_lower / kTurn);
   }
-  return above_lower >= 0 && above_lower <= joint.limits->upper - joint.limits->lower;
+  return above_lower >= 0 && above_lower <= upper - lower + 2 * rounding;
 }
 
 const Joint* broken_limit(const Mechanism& mechanism, const VectorXd& q) {

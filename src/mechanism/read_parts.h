@@ -31,6 +31,8 @@ void read_guess(Reading& reading, const toml::table& document, Mechanism& mechan
 
 /// Faults that no single entry shows: bodies that nothing holds, cycles of welds, links of no length, too many drivers.
 void check_structure(Reading& reading, Mechanism& mechanism);
+/// A warning where one body has a shared point elsewhere than the others, in a file typed from one drawing.
+void warn_of_mistyped_point(Mechanism& mechanism);
 
 /// The body's number; nothing and a fault at `at` where there is none of that name.
 std::optional<std::size_t> find_body(Reading& reading, const Mechanism& mechanism,

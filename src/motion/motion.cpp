@@ -6,9 +6,11 @@
 #include <iterator>
 #include <map>
 
+#include "moivre/closures/drawn_closure.h"
 #include "moivre/closures/idle_joints.h"
 #include "moivre/closures/same_pose.h"
 #include "moivre/kinematics/newton.h"
+#include "moivre/motion/circuits.h"
 #include "moivre/numeric/stopwatch.h"
 #include "motion_product.h"
 #include "motion_record.h"
@@ -66,6 +68,18 @@ void conclude(const MotionRun& run, MotionResult& result) {
   result.message = run.stop          ? "interrupted: what is finished is reported"
                    : result.complete ? "every branch was followed to an event or to the end"
                                      : "not everything was decided: see failures";
+}
+
+/// Names the branch that begins in the drawn pose.
+void tell_drawn(const MotionRun& run, MotionResult& result) {
+  const auto drawn = drawn_closure(run.mechanism, run.phi, result.from);
+  if (!drawn) return;
+  for (const std::size_t k : first_branches(result)) {
+    const MotionBranch& branch = result.branches[k];
+    if (!is_same_pose(run.phi, run.phi.canonical(branch.begin_pose), *drawn)) continue;
+    result.drawn = branch.id;
+    return;
+  }
 }
 
 /// The message of a motion whose branches say nothing of how it went.
@@ -145,6 +159,7 @@ MotionResult find_motion_of_whole(const Mechanism& mechanism, const Tracker& tra
   order_tracks(run);
   for (Scene& scene : scenes) match(run, scene);
   enter_branches(run, result);
+  tell_drawn(run, result);
   for (const Scene& scene : scenes) enter_checkpoint(run, scene, result);
   enter_unverified(run, result);
   enter_unmet(run, result);
@@ -192,6 +207,7 @@ MotionResult follow_guesses(const Mechanism& mechanism, const std::vector<Eigen:
     run.show_progress(static_cast<double>(k + 1) / static_cast<double>(guesses.size()));
   }
   enter_branches(run, result);
+  tell_drawn(run, result);
   conclude(run, result);
   result.left_out.push_back(
       {"closures and checkpoints", "the motion starts from guesses: no polynomials were solved"});

@@ -9,6 +9,7 @@
 #include "moivre/closures/canonical_order.h"
 #include "moivre/expression/counted.h"
 #include "moivre/mechanism/closure_id.h"
+#include "moivre/motion/circuits.h"
 #include "moivre/numeric/saturating.h"
 #include "motion_record.h"
 
@@ -50,6 +51,7 @@ class MotionProduct {
     follow_chains(tracker);
     choose();
     for (std::size_t k = 0; k < choices_.size(); ++k) enter(choices_[k], k);
+    tell_drawn();
     order_events(result_);
     enter_checkpoints();
     enter_account();
@@ -104,6 +106,52 @@ class MotionProduct {
           choices_.push_back(*choice);
         }
       }
+    }
+    for (const std::vector<std::string>& ids : asked_ids()) {
+      const auto choice = choice_of(ids);
+      const auto is_same = [&](const BranchChoice& other) {
+        return other.branch == choice->branch;
+      };
+      if (choice && std::none_of(choices_.begin(), choices_.end(), is_same)) {
+        choices_.push_back(*choice);
+      }
+    }
+  }
+
+  /// Of each sub-chain the branch that was drawn, "" where none was.
+  std::vector<std::string> drawn_ids() const {
+    std::vector<std::string> ids;
+    for (const MotionSubChain& part : result_.sub_chains) ids.push_back(part.motion.drawn);
+    return ids;
+  }
+
+  /// The names that were asked for, taken apart, and the drawn one.
+  std::vector<std::vector<std::string>> asked_ids() const {
+    std::vector<std::vector<std::string>> all;
+    for (const std::string& name : options_.asked) all.push_back(parts_of_name(name));
+    all.push_back(drawn_ids());
+    return all;
+  }
+
+  /// The branches with these names at `from`, one of each sub-chain; nullopt where one does not exist.
+  std::optional<BranchChoice> choice_of(const std::vector<std::string>& ids) const {
+    if (ids.size() != chains_.size()) return std::nullopt;
+    BranchChoice choice{{}, options_.from, options_.to};
+    for (std::size_t k = 0; k < ids.size(); ++k) {
+      std::optional<BranchChoice> longer;
+      for (const std::size_t b : first_branches(motion(k))) {
+        if (motion(k).branches[b].id == ids[k]) longer = joined_by(choice, b);
+      }
+      if (!longer) return std::nullopt;
+      choice = *longer;
+    }
+    return choice;
+  }
+
+  void tell_drawn() {
+    const std::vector<std::string> ids = drawn_ids();
+    for (const std::size_t k : first_branches(result_)) {
+      if (result_.branches[k].of == ids) result_.drawn = result_.branches[k].id;
     }
   }
 
@@ -414,6 +462,18 @@ class MotionProduct {
 };
 
 }  // namespace
+
+std::vector<std::string> parts_of_name(const std::string& name) {
+  std::vector<std::string> parts{""};
+  for (const char letter : name) {
+    if (letter == '.') {
+      parts.emplace_back();
+    } else {
+      parts.back() += letter;
+    }
+  }
+  return parts;
+}
 
 MotionResult find_motion_apart(const Mechanism& mechanism,
                                const std::vector<IndependentChain>& chains, const Tracker& tracker,

@@ -13,6 +13,9 @@
 
 namespace moivre {
 
+/// "G.H.C" -> G, H, C: one closure of each sub-chain.
+std::vector<std::string> parts_of_name(const std::string& name);
+
 /// Not taken apart. `mechanism`: without idle freedoms.
 MotionResult find_motion_of_whole(const Mechanism& mechanism, const Tracker& tracker,
                                   const MotionOptions& options, const std::atomic<bool>& stop);

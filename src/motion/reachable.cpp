@@ -2,11 +2,13 @@
 // Ways between branches, and the motion of what can be reached.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <queue>
 #include <stdexcept>
 
 #include "moivre/expression/joined.h"
 #include "moivre/motion/circuits.h"
+#include "motion_product.h"
 #include "motion_record.h"
 
 namespace moivre {
@@ -18,23 +20,44 @@ std::size_t count_branches(const Circuits& circuits) {
   return count;
 }
 
+/// Whether a name means this branch: its id, the ids of its sub-chains' branches as in E.H, one of these as in 1:E, or the drawn pose.
+bool is_named(const MotionResult& motion, const MotionBranch& branch, const std::string& name) {
+  if (branch.id == name) return true;
+  if (name == kDrawn) return branch.id == motion.drawn;
+  for (std::size_t k = 0; k < branch.of.size(); ++k) {
+    if (name == sub_chain_name(k, branch.of[k])) return true;
+  }
+  return !branch.of.empty() && parts_of_name(name) == branch.of;
+}
+
+std::string names_text(const MotionResult& motion, const std::vector<std::size_t>& branches) {
+  constexpr std::size_t kListed = 60;
+  std::vector<std::string> known;
+  for (const std::size_t k : branches) known.push_back(motion.branches[k].id);
+  if (known.empty()) return "there is none at all";
+  const bool are_many = known.size() > kListed;
+  known.resize(std::min(known.size(), kListed));
+  std::string text = "there are " + joined(known, ", ") + (are_many ? ", ..." : "");
+  if (motion.sub_chains.empty()) return text;
+  const auto& of = motion.branches[branches.front()].of;
+  return text + "; " + joined(of, ".") + " names one closure of each sub-chain, " +
+         sub_chain_name(0, of.front()) + " all with this one of the first";
+}
+
 /// The branches at `from` with these names. Throws std::invalid_argument that names every unknown one.
 std::vector<std::size_t> named_branches(const MotionResult& motion,
                                         const std::vector<std::string>& names) {
   const std::vector<std::size_t> firsts = first_branches(motion);
-  std::vector<std::string> known;
-  for (const std::size_t k : firsts) known.push_back(motion.branches[k].id);
   std::vector<std::size_t> found;
   std::string refusal;
   for (const std::string& name : names) {
-    const auto at = std::find(known.begin(), known.end(), name);
-    if (at != known.end()) {
-      found.push_back(firsts[static_cast<std::size_t>(at - known.begin())]);
-      continue;
-    }
+    const std::size_t before = found.size();
+    std::copy_if(firsts.begin(), firsts.end(), std::back_inserter(found),
+                 [&](std::size_t k) { return is_named(motion, motion.branches[k], name); });
+    if (found.size() > before) continue;
     if (!refusal.empty()) refusal += '\n';
-    refusal += "there is no closure '" + name + "' where the motion begins; ";
-    refusal += known.empty() ? "there is none at all" : "there are " + joined(known, ", ");
+    refusal +=
+        "there is no closure '" + name + "' where the motion begins; " + names_text(motion, firsts);
   }
   if (!refusal.empty()) throw std::invalid_argument(refusal);
   return found;
@@ -54,6 +77,18 @@ void keep_events_of_branches(MotionResult& motion) {
     if (!event.ending.empty() || !event.beginning.empty()) kept.push_back(k);
   }
   keep_events(kept, motion);
+}
+
+/// Keeps the sub-chains' branches of which branches of the whole are made.
+void keep_parts_of_branches(MotionResult& motion) {
+  for (std::size_t k = 0; k < motion.sub_chains.size(); ++k) {
+    MotionResult& part = motion.sub_chains[k].motion;
+    std::erase_if(part.branches, [&](const MotionBranch& one) {
+      return std::none_of(motion.branches.begin(), motion.branches.end(),
+                          [&](const MotionBranch& whole) { return whole.of[k] == one.id; });
+    });
+    keep_events_of_branches(part);
+  }
 }
 
 /// Whether each sub-chain is on the circuit on which it is in one of `from`; the circuits of the whole are parts of these.
@@ -149,6 +184,7 @@ MotionResult reachable_from(MotionResult motion, const Circuits& circuits,
   }
   motion.branches = std::move(kept);
   keep_events_of_branches(motion);
+  keep_parts_of_branches(motion);
   if (!dropped.empty()) {
     motion.left_out.push_back(
         {(dropped.size() == 1 ? "branch " : "branches ") + joined(dropped, ", "),

@@ -10,7 +10,7 @@ namespace {
 
 TEST(KinematicCoefficients, AreTheDerivativesByOneDriver) {
   for (const char* name : {"four-bar", "slider-crank", "whitworth", "stephenson-3", "jansen-leg",
-                           "five-bar", "gear-five-bar", "rssr"}) {
+                           "five-bar", "gear-five-bar", "rssr", "crane"}) {
     Mechanism m = example(name);
     const Phi phi(m);
     const NewtonResult pose = newton(phi, initial_guess(m));
@@ -39,8 +39,51 @@ TEST(KinematicCoefficients, AreTheDerivativesByOneDriver) {
   }
 }
 
+/// A boom of 2 m on a hinge at A, lifted by a cylinder from B; AB = sqrt(0.5).
+std::string boom_text(bool is_spatial) {
+  const std::string z = is_spatial ? ", 0" : "";
+  return std::string(is_spatial ? "space = \"spatial\"\n" : "") +
+         "[units]\nlength = \"m\"\n[ground.points]\nA = [0, 0" + z + "]\nB = [0.5, -0.5" + z +
+         "]\n[body.boom.points]\nA = [0, 0" + z + "]\nC = [2, 0" + z +
+         "]\n[[joint]]\ntype = \"revolute\"\nat = [\"ground.A\", \"boom.A\"]\n" +
+         (is_spatial ? "axis = [0, 0, 1]\n" : "") +
+         "[[joint]]\ntype = \"actuator\"\nat = [\"ground.B\", \"boom.C\"]\nname = \"lift\"\n"
+         "[[driver]]\nslide = \"lift\"\nstart = 2\nvelocity = 0.05\n";
+}
+
+TEST(KinematicCoefficients, OfAnActuatorAreByItsLength) {
+  for (const bool is_spatial : {false, true}) {
+    const Mechanism m = typed(boom_text(is_spatial));
+    const Phi phi(m);
+    const NewtonResult pose = newton(phi, initial_guess(m));
+    ASSERT_EQ(pose.status, NewtonStatus::converged);
+    const KinematicCoefficients k = kinematic_coefficients(phi, pose.q, 0);
+    // L^2 = AB^2 + AC^2 - 2 AB AC cos(gamma)
+    const double ab = std::sqrt(0.5), ac = 2, L = 2;
+    const double cosine = (ab * ab + ac * ac - L * L) / (2 * ab * ac);
+    const double slope = L / (ab * ac * std::sqrt(1 - cosine * cosine));
+    const double bend = 1 / (ab * ac * std::sqrt(1 - cosine * cosine)) -
+                        slope * slope * cosine / std::sqrt(1 - cosine * cosine);
+    const Eigen::Index turn = is_spatial ? 5 : 2;
+    EXPECT_NEAR(std::abs(k.first(turn, 0)), slope, 1e-9);
+    EXPECT_NEAR(std::abs(k.second[0](turn, 0)), std::abs(bend), 1e-8);
+  }
+}
+
+TEST(MechanicalAdvantage, OfAnActuatorIsOneOverWhatItsLengthMoves) {
+  const Followed all = followed(
+      typed(boom_text(false)),
+      {{QuantityGroup::advantage, QuantityGroup::coefficients}, {"lift", "boom.C.y"}}, 8, 2);
+  for (std::size_t k = 0; k < all.samples().size(); ++k) {
+    EXPECT_NEAR(all.value("d lift/d lift", k), 1, 1e-9);
+    EXPECT_NEAR(all.value("lift-boom.C.y advantage", k) *
+                    std::abs(all.samples()[k].velocity[2] * 2 * std::cos(all.samples()[k].q[2])),
+                0.05, 1e-9);
+  }
+}
+
 TEST(KinematicCoefficients, OfAllDriversGiveVelocityAndAcceleration) {
-  for (const char* name : {"five-bar", "four-bar", "gear-five-bar", "whitworth", "rssr"}) {
+  for (const char* name : {"five-bar", "four-bar", "gear-five-bar", "whitworth", "rssr", "crane"}) {
     const Followed all = followed(example(name), {}, 12, 0.4);
     const Phi phi(all.mechanism);
     for (const BranchSample& sample : all.samples()) {

@@ -11,6 +11,8 @@
 // An isolated multiple closure (a dead point) is singular and does not move.
 // Sub-chains that share no more than what the drivers place (sub_chains.h) are solved each on its own: closures of the whole are
 // one of each, and are listed up to kMostListed of them.
+// Where a file is typed from one drawing, the closure that was drawn is marked, and it is always listed.
+// After the answer a few local searches look for a closure that is not in it (src/closures/witness.h): one found is a contradiction.
 // Closures get letters by their poses: larger first coordinate first, ties by the next one.
 // In a block after a complex root of another block, conjugates come from the block's own unknowns pb and u.
 // Not supported: typed equations that are not polynomials (std::invalid_argument with the reason).
@@ -62,6 +64,7 @@ struct Closure {
   /// unknowns, or fewer.
   std::optional<bool> certified;
   std::vector<std::string> of;  ///< of independent sub-chains: the id of each one's closure
+  bool is_drawn = false;        ///< Newton-Raphson comes to it from the drawn pose, q = 0
 };
 
 struct ClosureCounts {
@@ -132,6 +135,7 @@ struct ClosureResult {
   std::vector<LeftOut> left_out;
   std::vector<IdleJoint> idle;         ///< held, so that the others have isolated closures
   std::optional<double> least_misfit;  ///< of poses that do not close, in the file's unit of length
+  std::string misses_most;             ///< the row of Phi that misses by this
   std::uint64_t fitted_beyond_limits = 0;  ///< poses within Mechanism::fit, in none of the counts
   StepCount work;
   SolveTime time_s;

@@ -99,7 +99,8 @@ Eigen::VectorXd coordinates_of_root(const Formulation& formulation, const Point&
 /// of the mechanism. Without this an equation like p = 0 would have rounding errors as its only scale.
 double residual_of_root(const Formulation& formulation, const Point& root);
 
-/// max_v |x_v - conj(x_mirror(v))| / max(1, |x|_inf): 0 for a real pose.
+/// max_v |x_v - conj(x_mirror(v))| / size_v: 0 for a real pose. size_v: of a direction the largest one, 1 at least; of a length the largest
+/// one, of the root and of the mechanism.
 double distance_from_real(const Formulation& formulation, const Point& root);
 
 /// The image of a root under the real structure: a root as well.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is closure number k called? A to Z, then AA, AB, ...
+// What is closure number k called? A to Z, then AA, AB, ...; of a sub-chain with the sub-chain's number.
 #pragma once
 
 #include <cstddef>
@@ -15,6 +15,14 @@ inline std::string closure_id(std::size_t index) {
     text.insert(text.begin(), static_cast<char>('A' + (k - 1) % kLetters));
   }
   return text;
+}
+
+/// The name of the closure that was drawn, beside its id.
+inline constexpr const char* kDrawn = "drawn";
+
+/// Of the k-th of several sub-chains, which each have a closure E: 1:E, 2:E.
+inline std::string sub_chain_name(std::size_t k, const std::string& id) {
+  return std::to_string(k + 1) + ':' + id;
 }
 
 }  // namespace moivre

@@ -23,6 +23,13 @@ namespace moivre {
 class Constraint;
 struct Magnitude;
 
+/// How each row of Phi changes with the value that one driver prescribes, whatever its speed: -1 in the row of a driven angle, -2 L in that
+/// of an actuator of length L.
+struct DriverRates {
+  Eigen::MatrixXd first;   ///< m x d, d Phi / d f_a
+  Eigen::MatrixXd second;  ///< m x d, d2 Phi / d f_a^2; the mixed ones are 0
+};
+
 class Phi {
  public:
   explicit Phi(const Mechanism& mechanism);
@@ -62,6 +69,8 @@ class Phi {
   Eigen::VectorXd second_derivative(const Eigen::VectorXd& q, const Eigen::VectorXd& qdot, double t,
                                     double tdot) const;
 
+  DriverRates driver_rates(const Eigen::VectorXd& q, double t) const;
+
   /// -Phi_t
   Eigen::VectorXd velocity_rhs(const Eigen::VectorXd& q, double t) const;
   /// gamma
@@ -90,6 +99,8 @@ class Phi {
   std::vector<std::string> row_names_;
   std::vector<int> row_powers_;  ///< of a length, that each row is
   std::vector<std::shared_ptr<const Constraint>> constraints_;
+  std::vector<std::shared_ptr<const Constraint>>
+      moving_drivers_;  ///< the drivers' rows, each with its own value growing at rate 1
   Eigen::Index driver_size_ = 0;
   std::size_t timeless_ =
       0;  ///< so many constraints, the first ones, do not read t: those of joints
@@ -118,8 +129,10 @@ double residual_by_size(const Phi& phi, const Eigen::VectorXd& q, double t);
 /// A pose counts as assembled up to this residual_by_size. Poses from Newton's method are exact to rounding.
 inline constexpr double kAssembled = 1e-9;
 
-/// By how much the worst row does not close, as a length in the file's unit. A row that compares angles is taken at a lever arm of
+/// By how much each row does not close, as a length in the file's unit; m. A row that compares angles is taken at a lever arm of
 /// phi.length().
+Eigen::VectorXd row_misfits(const Phi& phi, const Eigen::VectorXd& q, double t);
+/// Of the worst row: by how much the pose does not close.
 double misfit(const Phi& phi, const Eigen::VectorXd& q, double t);
 
 }  // namespace moivre

@@ -100,6 +100,8 @@ std::vector<std::optional<Passage>> passages_from(const Circuits& circuits, std:
 std::vector<std::size_t> first_branches(const MotionResult& motion);
 
 /// The motion with only those branches that can be reached from these closures at `from`. Checkpoints do not change.
+/// A closure is named by its id, "drawn" is the one that was drawn; of independent sub-chains E.H has one of each, and 1:E is any with E of the
+/// first one.
 /// Throws std::invalid_argument, which lists the closures, if one does not exist.
 MotionResult reachable_from(MotionResult motion, const Circuits& circuits,
                             const std::vector<std::string>& closures);

@@ -45,6 +45,9 @@ struct MotionOptions {
   BranchOptions branch;
   FollowBranch follow = follow_branch;
   SolveOptions solve;  ///< of the closures, at `from` and at every checkpoint
+  /// Closures of independent sub-chains that are listed in any case, though there are more than kMostBranchesListed: "G.H.C.B" has one of
+  /// each. So is the one that was drawn.
+  std::vector<std::string> asked;
   /// Called with the share of the work that is done, in [0, 1]; may be empty.
   std::function<void(double)> progress;
 };
@@ -116,7 +119,8 @@ struct MotionResult {
   std::vector<LeftOut> left_out;
   std::vector<MotionSubChain> sub_chains;  ///< two or more, or none: then the whole was followed
   bool all_listed = true;                  ///< false: branches are more than kMostBranchesListed
-  int steps = 0;                           ///< of the follower, all branches
+  std::string drawn;  ///< id of the branch that is in the drawn pose at `from`; empty: none is
+  int steps = 0;      ///< of the follower, all branches
   int rejected = 0;
   SolveTime time_s;
 };
