@@ -20,8 +20,13 @@
 namespace moivre {
 namespace {
 
-// A root that is off by rounded lengths is no farther than this from a real pose.
-constexpr double kNearReal = 1e-2;
+/// A root that is off by rounded lengths is no farther than this from a real pose.
+double near_real(const ClosureSearch& search) {
+  constexpr double kRounded = 1e-2;
+  // Where all constraints miss by so much at least squares, those that are met leave several times that to the others.
+  constexpr double kOfFit = 4;
+  return std::max(kRounded, kOfFit * search.mechanism.fit.value_or(0) / search.phi.length());
+}
 
 // What a root's own rounding leaves behind Newton's method, with lengths of the file typed to twelve digits.
 constexpr double kRounding = 1e-12;
@@ -110,7 +115,7 @@ void take_root(ClosureSearch& search, const PartialRoot& root, RootProver& prove
   solution.residual = residual_of_root(search.formulation, solution.x);
   if (!holds(search.formulation, solution)) {
     ++search.result.counts.rejected;
-    if (distance_from_real(search.formulation, solution.x) <= kNearReal) {
+    if (distance_from_real(search.formulation, solution.x) <= near_real(search)) {
       search.near_misses.push_back(std::move(solution));
     }
     return;

@@ -63,14 +63,13 @@ void find_all(ClosureSearch& search) {
   look_for_witnesses(search);
 }
 
-/// Everything anew, with all equations combined. What was done before stays in the account.
+/// Everything anew, with all equations combined. What was done before stays in the account, and what missed by little is looked at again.
 void find_all_combined(ClosureSearch& search) {
   const ClosureResult first = std::move(search.result);
   search.result = described(search);
   search.result.idle = first.idle;
   search.is_combined = true;
   search.lost_images = search.unpolished = search.rootless = 0;
-  search.near_misses.clear();
   find_all(search);
   ClosureResult& result = search.result;
   result.stages.insert(result.stages.begin(), first.stages.begin(), first.stages.end());

@@ -240,6 +240,21 @@ void PairSearch::take(const PairEquations& equations, const PairCurve& curve) {
   }
 }
 
+/// Curves are lost at places that are nearer to each other than what shows nothing: these are one.
+void PairSearch::lose(double time) {
+  const double width = kLostAtOnce * (run_.options.to - run_.options.from);
+  for (Stretch& place : lost_) {
+    const double from = std::min(place.from, time);
+    const double to = std::max(place.to, time);
+    if (to - from > width) continue;
+    place.from = from;
+    place.to = to;
+    return;
+  }
+  lost_.push_back({time, time, 0});
+  borders_.push_back(time);
+}
+
 void PairSearch::follow(std::size_t scene, std::size_t pair) {
   KnownPair& begun = scenes_[scene].pairs[pair];
   const PairEquations& equations = *equations_[begun.block];
@@ -261,7 +276,7 @@ void PairSearch::follow(std::size_t scene, std::size_t pair) {
     const double way = std::abs(curve.last - scenes_[scene].time);
     const bool goes_out = scenes_[scene].time == (forwards ? run_.options.to : run_.options.from);
     if (way > kLostAtOnce * equations.duration()) {
-      borders_.push_back(curve.last);
+      lose(curve.last);
     } else if (!goes_out) {
       scenes_[scene].leads_on = false;
     }
@@ -357,6 +372,16 @@ std::vector<double> PairSearch::open_times() {
     if (is_seen) continue;
     if (const auto time = next_time(from, to)) open.push_back(*time);
   }
+  for (Stretch place : lost_) {
+    if (!(place.to > place.from)) continue;
+    place.scenes = static_cast<std::uint64_t>(
+        std::count_if(scenes_.begin(), scenes_.end(), [&](const PairScene& scene) {
+          return scene.time >= place.from && scene.time <= place.to;
+        }));
+    sampled_.push_back(place);
+  }
+  std::sort(sampled_.begin(), sampled_.end(),
+            [](const Stretch& a, const Stretch& b) { return a.from < b.from; });
   for (const double time : fold_backs_) {
     const auto is_there = [&](double other) { return std::abs(other - time) <= least; };
     const bool is_seen = std::any_of(open.begin(), open.end(), is_there) ||

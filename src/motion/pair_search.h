@@ -10,6 +10,8 @@
 // Stretches shorter than kBriefest have no scene of their own; the roots that are real there come from the pair's own curve. But where
 // three roots are real these are well apart, and a scene shows them, however short that is.
 // Every pair that passes a regular scene must be one of its pairs.
+// Curves that come by a place where complex closures nearly meet are lost there one by one, a little apart: that is one time of B, and of what
+// lies between them the scenes alone are known.
 // Edges: closures beyond a joint's limits are no branches; that they come within limits for a while is seen at scenes alone.
 // A mechanism without drivers, or with fewer equations than unknowns, has no pairs that move.
 #pragma once
@@ -67,6 +69,7 @@ class PairSearch {
     std::uint64_t scenes = 0;
   };
   bool is_regular(const PairScene& scene) const;
+  void lose(double time);
   std::vector<double> event_times() const;
   bool shows(const PairScene& scene, double from, double to,
              const std::vector<double>& events) const;
@@ -93,6 +96,8 @@ class PairSearch {
   std::vector<Track> brief_;
   std::vector<std::string> doubts_;
   std::vector<Stretch> sampled_;
+  std::vector<Stretch>
+      lost_;  ///< where curves were lost, near places together: where complex closures nearly meet
   std::vector<std::string> unclear_;  ///< stretches without a regular scene, likewise
 };
 
