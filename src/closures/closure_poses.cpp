@@ -58,7 +58,7 @@ bool has_root_nearby(const Phi& phi, const Eigen::VectorXd& q, double t) {
 /// Whether Newton-Raphson came to a pose that satisfies spare constraints too. At rest it takes for zero what twelve digits leave; where
 /// constraints contradict each other by so little, no root is a closure, and no such pose is one.
 bool closes(const ClosureSearch& search, const NewtonResult& pose) {
-  constexpr double kRounding = 1e-13;  // beside a row's size
+  constexpr double kRounding = 1e-14;  // beside a row's size
   if (pose.status != NewtonStatus::converged) return false;
   return search.phi.size() <= search.phi.dimension() ||
          residual_by_size(search.phi, pose.q, search.options.time) <= kRounding;

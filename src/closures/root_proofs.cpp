@@ -118,6 +118,8 @@ struct RootProver::Work {
     std::map<Grounds, KnownCertificate> proved;
     std::map<Grounds, KnownCertificate> proved_finely;
     std::map<Grounds, KnownCertificate> sharpened;  ///< in kFineBits; the root itself is given, too
+    /// What exclusions are at roots, likewise; nullopt where that failed.
+    std::map<std::pair<const Formulation::Exclusion*, Grounds>, std::optional<Enclosure>> values;
   };
 
   explicit Work(const Formulation& the_formulation)
@@ -155,8 +157,9 @@ void RootProver::Work::close() {
   for (std::size_t k = 0; k < waiting.variables.size(); ++k) {
     place[waiting.variables[k]] = Place{groups.size(), k};
   }
-  groups.push_back(
-      {std::move(waiting.equations), std::move(waiting.variables), {}, {}, {}, {}, {}});
+  Group& group = groups.emplace_back();
+  group.equations = std::move(waiting.equations);
+  group.unknowns = std::move(waiting.variables);
   waiting = Block();
 }
 
@@ -288,6 +291,10 @@ std::optional<Enclosure> RootProver::Work::value(const KnownProof& proof,
     place_of_value = group.with_value.emplace(&exclusion, program(group, &exclusion.of)).first;
   }
   Program& with_value = place_of_value->second;
+  Grounds from = grounds(with_value, fine->before);
+  from.first.push_back(fine->certificate);
+  const auto [known, is_new] = group.values.try_emplace({&exclusion, std::move(from)});
+  if (!is_new) return known->second;
   const std::vector<Enclosure> numbers = given(with_value, fine->before);
   Point x = fine->certificate->midpoint;
   x.push_back(value_at(exclusion.of, midpoints(fine)));
@@ -295,7 +302,8 @@ std::optional<Enclosure> RootProver::Work::value(const KnownProof& proof,
   if (!certificate.holds_root() || !with_value.certifier.sharpen(certificate, kFineBits, numbers)) {
     return std::nullopt;
   }
-  return enclosure(certificate, group.unknowns.size());
+  known->second = enclosure(certificate, group.unknowns.size());
+  return known->second;
 }
 
 RootProver::Work& RootProver::Work::shake() {
@@ -304,7 +312,9 @@ RootProver::Work& RootProver::Work::shake() {
   work.place = place;
   while (work.groups.size() < groups.size()) {
     const Group& group = groups[work.groups.size()];
-    work.groups.push_back({group.equations, group.unknowns, {}, {}, {}, {}, {}});
+    Group& same = work.groups.emplace_back();
+    same.equations = group.equations;
+    same.unknowns = group.unknowns;
   }
   return work;
 }

@@ -174,21 +174,41 @@ class Stages {
     run_.may_move = run_.may_move || may_be_real(formulation_, root);
   }
 
-  /// Whether the root is no pose; counted where so.
-  bool is_excluded(const PartialRoot& root) {
-    if (formulation_.exclusions.empty()) return false;
+  /// The exclusions in which an unknown of the block stands: what the others say of a root is known from the blocks before.
+  std::vector<const Formulation::Exclusion*> exclusions_of(const Block& block) const {
+    std::vector<const Formulation::Exclusion*> found;
+    const auto is_of_block = [&](const Power& power) {
+      return std::binary_search(block.variables.begin(), block.variables.end(), power.variable);
+    };
+    for (const Formulation::Exclusion& exclusion : formulation_.exclusions) {
+      const auto& terms = exclusion.of.terms;
+      const bool is_told = std::any_of(terms.begin(), terms.end(), [&](const Term& term) {
+        return std::any_of(term.monomial.begin(), term.monomial.end(), is_of_block);
+      });
+      if (is_told) found.push_back(&exclusion);
+    }
+    return found;
+  }
+
+  /// Whether the root is no pose, as the block's unknowns say; counted where so.
+  bool is_excluded(const PartialRoot& root, const Block& block) {
+    if (&block != block_of_exclusions_) {
+      exclusions_ = exclusions_of(block);
+      block_of_exclusions_ = &block;
+    }
+    if (exclusions_.empty()) return false;
     std::vector<std::optional<Complex>> values;
     for (const KnownValue& value : root.value) {
       values.push_back(value ? std::optional(value->rounded) : std::nullopt);
     }
-    for (const Formulation::Exclusion& exclusion : formulation_.exclusions) {
-      const auto share = share_left(exclusion, values);
+    for (const Formulation::Exclusion* const exclusion : exclusions_) {
+      const auto share = share_left(*exclusion, values);
       if (!share || !(*share <= kNearExclusion)) continue;
-      const std::optional<bool> proved = prover_.vanishes(root.proof, exclusion);
+      const std::optional<bool> proved = prover_.vanishes(root.proof, *exclusion);
       if (!proved.value_or(root.singular || *share <= kVanishes)) continue;
       // Rounding that moves the root as far as it likes may have made it no pose.
       if (root.condition >= kUndetermined) run_.is_proved = false;
-      run_.excluded[exclusion.reason] += root.multiplicity;
+      run_.excluded[exclusion->reason] += root.multiplicity;
       return true;
     }
     return false;
@@ -211,9 +231,9 @@ class Stages {
       run_.is_proved = false;
     }
     run_.roots = std::move(next);
-    if (formulation_.exclusions.empty()) return;
+    if (exclusions_of(block).empty()) return;
     prove_all();
-    std::erase_if(run_.roots, [&](const PartialRoot& root) { return is_excluded(root); });
+    std::erase_if(run_.roots, [&](const PartialRoot& root) { return is_excluded(root, block); });
   }
 
   BlockSolve solved(const Block& block, const QuadraticBlock& formula, const PartialRoot& root) {
@@ -305,7 +325,7 @@ class Stages {
     run_.is_proved = run_.is_proved && prover_.is_on() &&
                      has_proved_bound(result, children, bound, root.proof == nullptr);
     for (PartialRoot& child : children) {
-      if (!is_excluded(child)) next.push_back(std::move(child));
+      if (!is_excluded(child, block)) next.push_back(std::move(child));
     }
     for (FailedPath failure : result.failures) {
       failure.path += first_path;
@@ -326,7 +346,7 @@ class Stages {
           Solution on_set;
           on_set.x = x;
           on_set.singular = true;
-          return !is_excluded(child_of(root, block, on_set, values_of(on_set)));
+          return !is_excluded(child_of(root, block, on_set, values_of(on_set)), block);
         });
     if (is_dependent || has_set) note_set(root);
   }
@@ -382,6 +402,8 @@ class Stages {
   const std::atomic<bool>& stop_;
   RootProver& prover_;
   StageRun run_;
+  const Block* block_of_exclusions_ = nullptr;
+  std::vector<const Formulation::Exclusion*> exclusions_;  ///< of that block
   std::size_t lone_ = 0;
   std::uint64_t formulas_ = 0;  ///< solves by formula
   std::uint64_t shared_ = 0;    ///< that another root's was

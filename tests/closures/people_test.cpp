@@ -13,7 +13,7 @@ namespace moivre {
 namespace {
 
 using test::person;
-constexpr std::uint64_t kSeeds = 5;
+constexpr std::uint64_t kFewSeeds = 5;
 
 const Closure* drawn_of(const std::vector<Closure>& closures) {
   const auto found = std::find_if(closures.begin(), closures.end(),
@@ -24,7 +24,7 @@ const Closure* drawn_of(const std::vector<Closure>& closures) {
 TEST(PeoplesClosures, OfThreeCranksWithARoundedPivotCloseWithinFit) {
   Mechanism m = person("fit-not-assembled");
   m.fit = 0.05;
-  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+  for (std::uint64_t seed = 1; seed <= kFewSeeds; ++seed) {
     for (const double time : {0.0, 0.1, 0.2}) {
       const ClosureResult result = closures_of(m, seed, time);
       EXPECT_TRUE(result.complete) << result.message;
@@ -42,7 +42,7 @@ TEST(PeoplesClosures, OfThreeCranksWithARoundedPivotCloseWithinFit) {
 }
 
 TEST(PeoplesClosures, OfFivePosesOfAFourBarAreItsFourBurmesterPoints) {
-  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+  for (std::uint64_t seed = 1; seed <= kFewSeeds; ++seed) {
     const ClosureResult result = closures_of(person("burmester-5-moves"), seed);
     EXPECT_TRUE(result.complete) << result.message;
     EXPECT_FALSE(result.moves);
@@ -52,7 +52,7 @@ TEST(PeoplesClosures, OfFivePosesOfAFourBarAreItsFourBurmesterPoints) {
 }
 
 TEST(PeoplesClosures, OfACardanJointWhoseShaftPassesThroughItsCentreAreTwo) {
-  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+  for (std::uint64_t seed = 1; seed <= kFewSeeds; ++seed) {
     const ClosureResult result = closures_of(person("cardan-single"), seed);
     EXPECT_TRUE(result.complete) << result.message;
     EXPECT_EQ(result.counts.real, 2U);
