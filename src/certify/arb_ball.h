@@ -5,27 +5,36 @@
 // of its operands; S(double) is exact and brings none. Memory is FLINT's, which keeps some for each thread.
 #pragma once
 
+// FLINT 3 has taken Arb in, and its headers.
+#if __has_include(<flint/acb.h>)
+#include <flint/acb.h>
+#include <flint/acb_mat.h>
+#else
+#include <acb.h>
+#include <acb_mat.h>
+#endif
+#include <flint/flint.h>
+#include <flint/fmpz.h>
+
 #include <algorithm>
 #include <utility>
-
-#include "arb_library.h"
 
 namespace moivre {
 
 class ArbBall {
  public:
-  ArbBall() { arb().acb_init(value_); }
-  explicit ArbBall(double value) : ArbBall() { arb().acb_set_d(value_, value); }
+  ArbBall() { acb_init(value_); }
+  explicit ArbBall(double value) : ArbBall() { acb_set_d(value_, value); }
   ArbBall(const ArbBall& other) : bits_(other.bits_) {
-    arb().acb_init(value_);
-    arb().acb_set(value_, other.value_);
+    acb_init(value_);
+    acb_set(value_, other.value_);
   }
   ArbBall(ArbBall&& other) noexcept : ArbBall() { swap(other); }
   ArbBall& operator=(ArbBall other) noexcept {
     swap(other);
     return *this;
   }
-  ~ArbBall() { arb().acb_clear(value_); }
+  ~ArbBall() { acb_clear(value_); }
 
   acb_ptr get() { return value_; }
   acb_srcptr get() const { return value_; }
@@ -34,7 +43,7 @@ class ArbBall {
 
   ArbBall& operator+=(const ArbBall& other) {
     bits_ = std::max(bits_, other.bits_);
-    arb().acb_add(value_, value_, other.value_, std::max(bits_, kLeastBits));
+    acb_add(value_, value_, other.value_, std::max(bits_, kLeastBits));
     return *this;
   }
 
@@ -42,14 +51,14 @@ class ArbBall {
   static constexpr slong kLeastBits = 53;
 
   void swap(ArbBall& other) noexcept {
-    arb().acb_swap(value_, other.value_);
+    acb_swap(value_, other.value_);
     std::swap(bits_, other.bits_);
   }
 
   friend ArbBall product(const ArbBall& a, const ArbBall& b) {
     ArbBall result;
     result.bits_ = std::max(a.bits_, b.bits_);
-    arb().acb_mul(result.value_, a.value_, b.value_, std::max(result.bits_, kLeastBits));
+    acb_mul(result.value_, a.value_, b.value_, std::max(result.bits_, kLeastBits));
     return result;
   }
 
@@ -60,12 +69,12 @@ class ArbBall {
 /// An upper bound on a modulus, as FLINT keeps it.
 class ArbSize {
  public:
-  ArbSize() { arb().mag_init(value_); }
+  ArbSize() { mag_init(value_); }
   /// At least `value`, which must not be negative.
-  explicit ArbSize(double value) : ArbSize() { arb().mag_set_d(value_, value); }
+  explicit ArbSize(double value) : ArbSize() { mag_set_d(value_, value); }
   ArbSize(const ArbSize&) = delete;
   ArbSize& operator=(const ArbSize&) = delete;
-  ~ArbSize() { arb().mag_clear(value_); }
+  ~ArbSize() { mag_clear(value_); }
 
   mag_ptr get() { return value_; }
   mag_srcptr get() const { return value_; }
@@ -74,8 +83,8 @@ class ArbSize {
   double upper() const {
     // mag_get_d gives 0 below this size.
     constexpr double kSmallest = 0x1p-999;
-    const double value = arb().mag_get_d(value_);
-    return value == 0 && !arb().mag_is_zero(value_) ? kSmallest : value;
+    const double value = mag_get_d(value_);
+    return value == 0 && !mag_is_zero(value_) ? kSmallest : value;
   }
 
  private:

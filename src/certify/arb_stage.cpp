@@ -52,25 +52,25 @@ struct FlintCaches {
   FlintCaches() = default;
   FlintCaches(const FlintCaches&) = delete;
   FlintCaches& operator=(const FlintCaches&) = delete;
-  ~FlintCaches() { arb().flint_cleanup(); }
+  ~FlintCaches() { flint_cleanup(); }
 };
 
 void set(fmpz_t result, const Integer& value) {
   std::vector<std::uint64_t> limbs;
   export_bits(abs(value), std::back_inserter(limbs), 64, false);  // least significant first
-  arb().fmpz_set_ui_array(result, limbs.data(), static_cast<slong>(limbs.size()));
-  if (value < 0) arb().fmpz_neg(result, result);
+  fmpz_set_ui_array(result, limbs.data(), static_cast<slong>(limbs.size()));
+  if (value < 0) fmpz_neg(result, result);
 }
 
 void set(arb_t result, const Rational& value, slong bits) {
   fmpz_t over, under;
-  arb().fmpz_init(over);
-  arb().fmpz_init(under);
+  fmpz_init(over);
+  fmpz_init(under);
   set(over, numerator(value));
   set(under, denominator(value));
-  arb().arb_fmpz_div_fmpz(result, over, under, bits);
-  arb().fmpz_clear(over);
-  arb().fmpz_clear(under);
+  arb_fmpz_div_fmpz(result, over, under, bits);
+  fmpz_clear(over);
+  fmpz_clear(under);
 }
 
 ArbBall to_arb(const Coefficient& c, slong bits) {
@@ -84,10 +84,10 @@ ArbBall to_arb(const Coefficient& c, slong bits) {
 /// Adds a double, exactly.
 void add_exactly(arb_t sum, double value) {
   arf_t term;
-  arb().arf_init_set_ui(term, 0);
-  arb().arf_set_d(term, value);
-  arb().arb_add_arf(sum, sum, term, ARF_PREC_EXACT);
-  arb().arf_clear(term);
+  arf_init_set_ui(term, 0);
+  arf_set_d(term, value);
+  arb_add_arf(sum, sum, term, ARF_PREC_EXACT);
+  arf_clear(term);
 }
 
 void add_exactly(ArbBall& sum, const Complex& value) {
@@ -97,27 +97,27 @@ void add_exactly(ArbBall& sum, const Complex& value) {
 
 /// Takes the double nearest to the midpoint off it, exactly.
 double take_double(arb_t rest) {
-  const double part = arb().arf_get_d(arb_midref(rest), ARF_RND_NEAR);
+  const double part = arf_get_d(arb_midref(rest), ARF_RND_NEAR);
   if (std::isfinite(part)) add_exactly(rest, -part);
   return part;
 }
 
 double modulus_of(acb_srcptr z) {
   mag_t size;
-  arb().mag_init(size);
-  arb().acb_get_mag(size, z);
-  const double result = arb().mag_get_d(size);
-  arb().mag_clear(size);
+  mag_init(size);
+  acb_get_mag(size, z);
+  const double result = mag_get_d(size);
+  mag_clear(size);
   return result;
 }
 
 /// |a - b|, to the precision of a bound.
 double distance(acb_srcptr a, acb_srcptr b) {
   acb_t difference;
-  arb().acb_init(difference);
-  arb().acb_sub(difference, a, b, kBitsOfDouble);
+  acb_init(difference);
+  acb_sub(difference, a, b, kBitsOfDouble);
   const double result = modulus_of(difference);
-  arb().acb_clear(difference);
+  acb_clear(difference);
   return result;
 }
 
@@ -125,11 +125,11 @@ double distance(acb_srcptr a, acb_srcptr b) {
 class ArbMatrix {
  public:
   ArbMatrix(std::size_t rows, std::size_t columns) {
-    arb().acb_mat_init(value_, static_cast<slong>(rows), static_cast<slong>(columns));
+    acb_mat_init(value_, static_cast<slong>(rows), static_cast<slong>(columns));
   }
   ArbMatrix(const ArbMatrix&) = delete;
   ArbMatrix& operator=(const ArbMatrix&) = delete;
-  ~ArbMatrix() { arb().acb_mat_clear(value_); }
+  ~ArbMatrix() { acb_mat_clear(value_); }
 
   acb_mat_struct* get() { return value_; }
   acb_ptr entry(std::size_t i, std::size_t j) {
@@ -207,12 +207,12 @@ const std::vector<ArbBall>& ArbStage::Work::coefficients() {
 void ArbStage::Work::take(std::span<const Enclosure> given) {
   for (std::size_t k = 0; k < given.size(); ++k) {
     ArbBall& z = x_[n_ + k];
-    arb().acb_zero(z.get());
+    acb_zero(z.get());
     add_exactly(z, given[k].middle);
     for (const Complex& part : given[k].finer) add_exactly(z, part);
     const ArbSize error(given[k].error);
-    arb().arb_add_error_mag(acb_realref(z.get()), error.get());
-    arb().arb_add_error_mag(acb_imagref(z.get()), error.get());
+    arb_add_error_mag(acb_realref(z.get()), error.get());
+    arb_add_error_mag(acb_imagref(z.get()), error.get());
     z.set_bits(bits_ + kGuardBits);
   }
 }
@@ -222,7 +222,7 @@ ArbOutcome ArbStage::Work::prove(std::span<const Complex> midpoint, std::span<co
                                  Certificate& result) {
   bits_ = bits;
   for (std::size_t j = 0; j < n_; ++j) {
-    arb().acb_zero(m_[j].get());
+    acb_zero(m_[j].get());
     add_exactly(m_[j], midpoint[j]);
     for (const Point& part : finer) add_exactly(m_[j], part[j]);
     m_[j].set_bits(bits_ + kGuardBits);
@@ -241,11 +241,11 @@ ArbOutcome ArbStage::Work::prove(std::span<const Complex> midpoint, std::span<co
 void ArbStage::Work::evaluate_at(std::span<const ArbBall> unknowns) {
   std::copy(unknowns.begin(), unknowns.end(), x_.begin());
   evaluate<ArbBall, ArbBall>(program_.tape, coefficients(), x_, registers_, values_, jacobian_);
-  arb().acb_mat_zero(j_.get());
-  for (std::size_t i = 0; i < n_; ++i) arb().acb_set(f_.entry(i, 0), values_[i].get());
+  acb_mat_zero(j_.get());
+  for (std::size_t i = 0; i < n_; ++i) acb_set(f_.entry(i, 0), values_[i].get());
   for (std::size_t k = 0; k < jacobian_.size(); ++k) {
     const Tape::Entry& entry = program_.tape.jacobian[k];
-    arb().acb_set(j_.entry(entry.row, entry.column), jacobian_[k].get());
+    acb_set(j_.entry(entry.row, entry.column), jacobian_[k].get());
   }
 }
 
@@ -259,11 +259,11 @@ double ArbStage::Work::largest_coordinate() const {
 bool ArbStage::Work::find_step() {
   for (std::size_t i = 0; i < n_; ++i) {
     acb_srcptr value = values_[i].get();
-    arb().arb_get_rad_arb(acb_realref(f_.entry(i, 1)), acb_realref(value));
-    arb().arb_get_rad_arb(acb_imagref(f_.entry(i, 1)), acb_imagref(value));
+    arb_get_rad_arb(acb_realref(f_.entry(i, 1)), acb_realref(value));
+    arb_get_rad_arb(acb_imagref(f_.entry(i, 1)), acb_imagref(value));
   }
-  arb().acb_mat_zero(step_.get());  // approximate functions leave radii as they are
-  return arb().acb_mat_approx_solve(step_.get(), j_.get(), f_.get(), bits_ + kGuardBits) != 0;
+  acb_mat_zero(step_.get());  // approximate functions leave radii as they are
+  return acb_mat_approx_solve(step_.get(), j_.get(), f_.get(), bits_ + kGuardBits) != 0;
 }
 
 /// Newton's method until its correction is small enough, or no better; the test is left to say what the point is worth. Never
@@ -283,8 +283,8 @@ ArbOutcome ArbStage::Work::approach(double farthest) {
     double moved = 0;
     for (std::size_t j = 0; j < n_; ++j) {
       acb_ptr mj = m_[j].get();
-      arb().acb_sub(mj, mj, step_.entry(j, 0), bits_ + kGuardBits);
-      arb().acb_get_mid(mj, mj);
+      acb_sub(mj, mj, step_.entry(j, 0), bits_ + kGuardBits);
+      acb_get_mid(mj, mj);
       const double step = modulus_of(step_.entry(j, 0));
       const double size = modulus_of(mj);
       if (!std::isfinite(step) || !std::isfinite(size)) return ArbOutcome::not_proved;
@@ -315,7 +315,7 @@ void ArbStage::Work::split_midpoint(Certificate& result) {
   result.finer.assign(parts, Point(n_));
   for (std::size_t j = 0; j < n_; ++j) {
     ArbBall rest = m_[j];
-    arb().acb_zero(m_[j].get());
+    acb_zero(m_[j].get());
     for (std::size_t k = 0; k <= parts; ++k) {
       const Complex part(take_double(acb_realref(rest.get())),
                          take_double(acb_imagref(rest.get())));
@@ -330,11 +330,11 @@ void ArbStage::Work::split_midpoint(Certificate& result) {
 bool ArbStage::Work::find_radii(Certificate& result) {
   const slong bits = bits_ + kGuardBits;
   evaluate_at(m_);
-  if (!arb().acb_mat_approx_inv(y_.get(), j_.get(), bits)) return false;
-  arb().acb_mat_mul(step_.get(), y_.get(), f_.get(), bits);
+  if (!acb_mat_approx_inv(y_.get(), j_.get(), bits)) return false;
+  acb_mat_mul(step_.get(), y_.get(), f_.get(), bits);
   for (std::size_t j = 0; j < n_; ++j) {
     ArbSize size;
-    arb().acb_get_mag(size.get(), step_.entry(j, 0));
+    acb_get_mag(size.get(), step_.entry(j, 0));
     fixed_[j] = size.upper();
   }
   const auto b = static_cast<double>(bits_);
@@ -374,11 +374,11 @@ void ArbStage::Work::image(const std::vector<double>& rho, std::vector<double>& 
   ball_ = m_;
   for (std::size_t j = 0; j < n_; ++j) {
     const ArbSize radius(rho[j]);
-    arb().acb_add_error_mag(ball_[j].get(), radius.get());
+    acb_add_error_mag(ball_[j].get(), radius.get());
   }
   evaluate_at(ball_);
-  arb().acb_mat_mul(g_.get(), y_.get(), j_.get(), bits);
-  for (std::size_t j = 0; j < n_; ++j) arb().acb_sub_si(g_.entry(j, j), g_.entry(j, j), 1, bits);
+  acb_mat_mul(g_.get(), y_.get(), j_.get(), bits);
+  for (std::size_t j = 0; j < n_; ++j) acb_sub_si(g_.entry(j, j), g_.entry(j, j), 1, bits);
   kappa = apply(rho);
 }
 
@@ -395,9 +395,9 @@ std::vector<double> ArbStage::Work::apply(const std::vector<double>& reach) {
     ArbSize sum(fixed_[j]);
     for (std::size_t k = 0; k < n_; ++k) {
       ArbSize size;
-      arb().acb_get_mag(size.get(), g_.entry(j, k));
+      acb_get_mag(size.get(), g_.entry(j, k));
       const ArbSize part(reach[k]);
-      arb().mag_addmul(sum.get(), size.get(), part.get());
+      mag_addmul(sum.get(), size.get(), part.get());
     }
     result[j] = sum.upper();
   }

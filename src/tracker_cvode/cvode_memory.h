@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Who owns SUNDIALS' objects? Context, vector, nonlinear solver and CVODE memory are freed in the right order.
 //
+// What differs between SUNDIALS 6.4 and 7 stands here: how a context is made without MPI, and how errors are kept from the
+// terminal.
 // y: real state of length 2N. Newton's iteration has a dense matrix, 2N x 2N, and its LU as well; the fixed-point iteration
 // makes neither. Private to tracker_cvode.
 #pragma once
@@ -8,6 +10,7 @@
 #include <cvode/cvode.h>
 #include <cvode/cvode_proj.h>
 #include <nvector/nvector_serial.h>
+#include <sundials/sundials_config.h>
 #include <sunlinsol/sunlinsol_dense.h>
 #include <sunmatrix/sunmatrix_dense.h>
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
@@ -27,10 +30,25 @@ inline void require_sundials(int flag, const char* call) {
   if (flag < 0) throw std::runtime_error(std::string(call) + " failed: " + std::to_string(flag));
 }
 
+#if SUNDIALS_VERSION_MAJOR < 7
+inline SUNContext make_context() {
+  SUNContext context = nullptr;
+  require_sundials(SUNContext_Create(nullptr, &context), "SUNContext_Create");
+  return context;
+}
+#else
+inline SUNContext make_context() {
+  SUNContext context = nullptr;
+  require_sundials(SUNContext_Create(SUN_COMM_NULL, &context), "SUNContext_Create");
+  require_sundials(SUNContext_ClearErrHandlers(context), "SUNContext_ClearErrHandlers");
+  require_sundials(SUNContext_SetLogger(context, nullptr), "SUNContext_SetLogger");
+  return context;
+}
+#endif
+
 class CvodeMemory {
  public:
   CvodeMemory(int linear_multistep_method, CvodeIteration iteration, std::size_t coordinates) {
-    require_sundials(SUNContext_Create(nullptr, &context_), "SUNContext_Create");
     const auto size = static_cast<sunindextype>(2 * coordinates);
     state_ = N_VNew_Serial(size, context_);
     cvode_ = CVodeCreate(linear_multistep_method, context_);
@@ -58,6 +76,13 @@ class CvodeMemory {
   CvodeMemory& operator=(const CvodeMemory&) = delete;
 
   void* cvode() const { return cvode_; }
+  /// A failure is an outcome, and told by a flag; nothing is printed.
+  void silence() {
+#if SUNDIALS_VERSION_MAJOR < 7
+    const auto nothing = [](int, const char*, const char*, char*, void*) {};
+    require_sundials(CVodeSetErrHandlerFn(cvode_, nothing, nullptr), "CVodeSetErrHandlerFn");
+#endif
+  }
   N_Vector state() const { return state_; }
 
   /// Hands CVODE, which has been initialized, the solvers of its implicit formulas.
@@ -68,7 +93,7 @@ class CvodeMemory {
   }
 
  private:
-  SUNContext context_ = nullptr;
+  SUNContext context_ = make_context();
   N_Vector state_ = nullptr;
   SUNNonlinearSolver solver_ = nullptr;
   SUNMatrix matrix_ = nullptr;

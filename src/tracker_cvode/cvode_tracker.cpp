@@ -51,9 +51,9 @@ class CvodeSession : public TrackerSession {
   bool take_samples(const Departure& departure, double previous, double s, Arrival& arrival);
   void count_into(StepCount& count) const;
 
-  static int right_hand_side(realtype s, N_Vector y, N_Vector dy, void* self);
-  static int project(realtype s, N_Vector y, N_Vector correction, realtype epsilon, N_Vector error,
-                     void* self);
+  static int right_hand_side(sunrealtype s, N_Vector y, N_Vector dy, void* self);
+  static int project(sunrealtype s, N_Vector y, N_Vector correction, sunrealtype epsilon,
+                     N_Vector error, void* self);
   static int weights(N_Vector y, N_Vector weight, void* self);
 
   CvodeOptions options_;
@@ -68,13 +68,11 @@ class CvodeSession : public TrackerSession {
   Correction last_correction_;
 };
 
-void silence(int, const char*, const char*, char*, void*) {}
-
 void CvodeSession::set_up() {
   void* cvode = memory_.cvode();
   N_VConst(1, memory_.state());
   require_sundials(CVodeInit(cvode, right_hand_side, 0, memory_.state()), "CVodeInit");
-  require_sundials(CVodeSetErrHandlerFn(cvode, silence, nullptr), "CVodeSetErrHandlerFn");
+  memory_.silence();
   require_sundials(CVodeSetUserData(cvode, this), "CVodeSetUserData");
   require_sundials(CVodeWFtolerances(cvode, weights), "CVodeWFtolerances");
   memory_.attach_solvers();
@@ -93,7 +91,7 @@ void CvodeSession::set_up() {
                    "CVodeSetMaxNumProjFails");
 }
 
-int CvodeSession::right_hand_side(realtype s, N_Vector y, N_Vector dy, void* self) {
+int CvodeSession::right_hand_side(sunrealtype s, N_Vector y, N_Vector dy, void* self) {
   auto& session = *static_cast<CvodeSession*>(self);
   if (!session.path_.linearize(coordinates(y), session.contour_.at(s))) return 1;
   session.linearized_at_ = s;
@@ -101,7 +99,7 @@ int CvodeSession::right_hand_side(realtype s, N_Vector y, N_Vector dy, void* sel
   return 0;
 }
 
-int CvodeSession::project(realtype s, N_Vector y, N_Vector correction, realtype, N_Vector,
+int CvodeSession::project(sunrealtype s, N_Vector y, N_Vector correction, sunrealtype, N_Vector,
                           void* self) {
   auto& session = *static_cast<CvodeSession*>(self);
   const auto from = coordinates(y);

@@ -2,6 +2,7 @@
 // How often was SUNDIALS initialized, and a CVODE memory made? Counters on the calls; include once.
 #pragma once
 
+#include <sundials/sundials_config.h>
 #include <sundials/sundials_context.h>
 
 #include "counted_calls.h"
@@ -13,9 +14,15 @@ inline CallCounter cvode_memories;
 
 }  // namespace moivre::test
 
+#if SUNDIALS_VERSION_MAJOR < 7
+using SunCommunicator = void*;
+#else
+using SunCommunicator = SUNComm;
+#endif
+
 extern "C" {
-int __real_SUNContext_Create(void* communicator, SUNContext* context);
-int __wrap_SUNContext_Create(void* communicator, SUNContext* context) {
+int __real_SUNContext_Create(SunCommunicator communicator, SUNContext* context);
+int __wrap_SUNContext_Create(SunCommunicator communicator, SUNContext* context) {
   moivre::test::sundials_contexts.raise();
   return __real_SUNContext_Create(communicator, context);
 }
