@@ -6,12 +6,12 @@
 
 #include "command.h"
 #include "common_options.h"
-#include "digits.h"
 #include "interruption.h"
 #include "moivre/numeric/stopwatch.h"
 #include "moivre/polynomial/patches.h"
 #include "moivre/report/solve_report.h"
 #include "moivre/solver/cross_check.h"
+#include "moivre/solver/digits.h"
 #include "output.h"
 #include "progress_line.h"
 #include "tracker_choice.h"
@@ -81,6 +81,14 @@ SolveResult solve_interruptibly(const SolveCommand& command, const Problem& prob
   return result;
 }
 
+void require_option(int digits) {
+  try {
+    require_digits(digits);
+  } catch (const std::invalid_argument& refusal) {
+    throw std::invalid_argument("--digits " + std::to_string(digits) + ": " + refusal.what());
+  }
+}
+
 /// Roots are refined on the equations as they are.
 void require_digits_possible(const SolveCommand& command, const System& f) {
   if (!command.digits || is_square(f)) return;
@@ -95,7 +103,7 @@ int run(const SolveCommand& command) {
       {[&] { require_known(command.start); }, [&] { require_threads(command.threads); },
        [&] { precision_of(command.precision); },
        [&] {
-         if (command.digits) require_digits(*command.digits);
+         if (command.digits) require_option(*command.digits);
        },
        [&] {
          require_distinct({command.json, command.csv, command.paths, command.phc}, command.file);

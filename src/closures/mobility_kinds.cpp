@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <map>
+#include <stdexcept>
 #include <utility>
 
 #include "moivre/kinematics/own_units.h"
@@ -18,6 +19,20 @@ Ranks ranks_at(const Phi& phi, const Eigen::VectorXd& q, double t, double tolera
   const Eigen::MatrixXd J = phi.jacobian(q, t);
   return {rank_of(phi, J.topRows(J.rows() - phi.driver_size()), tolerance),
           rank_of(phi, J, tolerance)};
+}
+
+/// Of the closures; none where the mechanism is spatial or has none by solving.
+std::vector<MobilityKind> kinds_at(const Mechanism& mechanism, const Tracker& tracker, double t,
+                                   const std::atomic<bool>& stop) {
+  if (mechanism.space == Space::spatial) return {};
+  ClosureOptions options;
+  options.time = t;
+  options.certify = false;
+  try {
+    return mobility_kinds(mechanism, find_closures(mechanism, tracker, options, stop));
+  } catch (const std::invalid_argument&) {
+    return {};  // equations that are no polynomials have Newton-Raphson's pose
+  }
 }
 
 }  // namespace
@@ -39,6 +54,22 @@ std::vector<MobilityKind> mobility_kinds(const Mechanism& mechanism, const Closu
     entry.second.mobility = mobility(phi, entry.second.q, result.time, fit);
     found.push_back(std::move(entry.second));
   }
+  return found;
+}
+
+FoundMobility find_mobility(const Mechanism& mechanism, const Tracker& tracker, double t,
+                            const std::optional<Eigen::VectorXd>& guess,
+                            const std::atomic<bool>& stop) {
+  FoundMobility found;
+  if (!guess && mechanism.guess.empty()) {
+    found.kinds = kinds_at(mechanism, tracker, t, stop);
+  }
+  const Phi phi(mechanism);
+  const Eigen::VectorXd begin =
+      found.kinds.empty() ? guess.value_or(initial_guess(mechanism, t)) : found.kinds.front().q;
+  found.pose = newton(phi, begin, t);
+  found.mobility = found.kinds.empty() ? mobility(phi, found.pose.q, t, mechanism.fit.value_or(0))
+                                       : found.kinds.front().mobility;
   return found;
 }
 

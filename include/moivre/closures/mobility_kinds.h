@@ -5,10 +5,12 @@
 // degrees of freedom hold nearly everywhere. If closures form a set, the pose found on the set is one more closure.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "moivre/closures/closures.h"
+#include "moivre/kinematics/newton.h"
 
 namespace moivre {
 
@@ -20,5 +22,19 @@ struct MobilityKind {
 
 /// The generic kind first; empty where there is no closure.
 std::vector<MobilityKind> mobility_kinds(const Mechanism& mechanism, const ClosureResult& result);
+
+/// The mobility of a mechanism, and of which pose it is.
+struct FoundMobility {
+  std::vector<MobilityKind> kinds;  ///< of its closures; empty: there is but the pose from a guess
+  NewtonResult
+      pose;  ///< that Newton-Raphson leads to from the guess, or from the generic kind's closure
+  Mobility mobility;  ///< there
+};
+
+/// At the closures of the time t, where no guess is given, neither here nor by the mechanism, and closures of a planar mechanism can be
+/// found; else at the pose that Newton-Raphson finds from the guess.
+FoundMobility find_mobility(const Mechanism& mechanism, const Tracker& tracker, double t = 0,
+                            const std::optional<Eigen::VectorXd>& guess = {},
+                            const std::atomic<bool>& stop = std::atomic<bool>{false});
 
 }  // namespace moivre

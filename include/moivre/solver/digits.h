@@ -9,11 +9,12 @@
 
 namespace moivre {
 
-/// Throws std::invalid_argument when this program was built without multiprecision or `digits` is out of range.
+/// Throws std::invalid_argument, with the reason, when this was built without multiprecision or `digits` is not in [1, 1000].
 void require_digits(int digits);
 
 /// Fills `x_digits` of every root to which Newton's method converges; what has none, and why, joins `left_out`. Once `stop` is
-/// true no further root is begun, and the result is not complete.
+/// true no further root is begun, and the result is not complete. Throws as require_digits(), and std::invalid_argument where f is not square or
+/// has homogeneous groups.
 void give_digits(const System& f, int digits, SolveResult& result, const std::atomic<bool>& stop);
 
 }  // namespace moivre

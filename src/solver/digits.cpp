@@ -1,30 +1,18 @@
 // SPDX-License-Identifier: MIT
 // The roots' digits from the module multiprecision, where it was built.
-#include "digits.h"
+#include "moivre/solver/digits.h"
 
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
 
-#include "moivre/numeric/near_points.h"
-#include "moivre/numeric/stopwatch.h"
-#include "moivre/report/number_text.h"
-
-#if MOIVRE_WITH_MULTIPRECISION
 #include "moivre/expression/counted.h"
 #include "moivre/multiprecision/reference_roots.h"
-#endif
+#include "moivre/numeric/near_points.h"
+#include "moivre/numeric/stopwatch.h"
+#include "moivre/polynomial/patches.h"
 
 namespace moivre {
-
-#if MOIVRE_WITH_MULTIPRECISION
-
-void require_digits(int digits) {
-  if (digits >= 1 && digits <= kMostDigits) return;
-  throw std::invalid_argument("--digits " + std::to_string(digits) +
-                              ": the number of digits must lie between 1 and " +
-                              std::to_string(kMostDigits));
-}
 
 namespace {
 
@@ -46,7 +34,18 @@ bool is_told_apart(const std::vector<Solution>& roots, std::size_t k) {
 
 }  // namespace
 
+void require_digits(int digits) {
+  if (digits >= 1 && digits <= kMostDigits) return;
+  throw std::invalid_argument("the number of digits must lie between 1 and " +
+                              std::to_string(kMostDigits));
+}
+
 void give_digits(const System& f, int digits, SolveResult& result, const std::atomic<bool>& stop) {
+  require_digits(digits);
+  if (!is_square(f)) {
+    throw std::invalid_argument(
+        "digits need as many equations as unknowns, and no homogeneous groups");
+  }
   const Stopwatch watch;
   result.digits = digits;
   std::vector<Point> points;
@@ -79,15 +78,5 @@ void give_digits(const System& f, int digits, SolveResult& result, const std::at
   }
   result.time.total += watch.total();
 }
-
-#else
-
-void require_digits(int) {
-  throw std::invalid_argument("--digits: this program was built without multiprecision");
-}
-
-void give_digits(const System&, int, SolveResult&, const std::atomic<bool>&) {}
-
-#endif
 
 }  // namespace moivre

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// Are roots given the digits that were asked for, and is what cannot have them refused by the library itself?
+#include "moivre/solver/digits.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <stdexcept>
+
+#include "moivre/tracker_cvode/cvode_tracker.h"
+#include "problem_set.h"
+
+namespace moivre {
+namespace {
+
+using test::read;
+
+const std::atomic<bool> kGoOn{false};
+
+TEST(Digits, AreThoseOfTheRoot) {
+  const System f = read("1\n x^2 - 2;\n");
+  SolveResult result = solve(f, *make_cvode_tracker());
+  give_digits(f, 30, result, kGoOn);
+  ASSERT_EQ(result.solutions.size(), 2U);
+  for (const Solution& root : result.solutions) {
+    const std::string sign = root.x[0].real() < 0 ? "-" : "";
+    EXPECT_EQ(root.x_digits[0].re, sign + "1.41421356237309504880168872421");
+  }
+}
+
+TEST(Digits, AreRefusedOutOfRange) {
+  const System f = read("1\n x^2 - 2;\n");
+  SolveResult result = solve(f, *make_cvode_tracker());
+  for (const int digits : {0, -3, 1001}) {
+    EXPECT_THROW(give_digits(f, digits, result, kGoOn), std::invalid_argument);
+  }
+  EXPECT_FALSE(result.digits.has_value());
+}
+
+TEST(Digits, AreRefusedWhereEquationsAreMoreThanUnknowns) {
+  const System f = read("2 1\n x^2 - 1;\n x - 1;\n");
+  SolveResult result = solve(f, *make_cvode_tracker());
+  EXPECT_THROW(give_digits(f, 30, result, kGoOn), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace moivre
