@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-# What `cmake --install` lays down: each module's library and headers, the command, and a package for find_package(moivre).
+# What `cmake --install` lays down: each module's library and headers, the command, a package for find_package(moivre), and one for
+# pkg-config.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -7,12 +8,14 @@ set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/moivre)
 
 # One export a module, so that a consumer meets the packages of the components it asked for and no others.
 foreach(module IN LISTS MOIVRE_BUILT_MODULES)
-  install(TARGETS moivre_${module} EXPORT moivre_${module} FILE_SET HEADERS)
+  install(TARGETS moivre_${module} EXPORT moivre_${module}
+    LIBRARY COMPONENT library NAMELINK_COMPONENT development ARCHIVE COMPONENT development
+    FILE_SET HEADERS COMPONENT development)
   install(EXPORT moivre_${module} DESTINATION ${package_dir} NAMESPACE moivre::
-          FILE moivre_${module}.cmake)
+          FILE moivre_${module}.cmake COMPONENT development)
 endforeach()
 if(TARGET moivre)
-  install(TARGETS moivre)
+  install(TARGETS moivre COMPONENT program)
 endif()
 
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/moivreConfig.cmake.in
@@ -20,5 +23,7 @@ configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/moivreConfig.cmake.in
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/moivreConfigVersion.cmake
   COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/moivreConfig.cmake ${PROJECT_BINARY_DIR}/moivreConfigVersion.cmake
-  ${CMAKE_CURRENT_LIST_DIR}/layers.cmake ${CMAKE_CURRENT_LIST_DIR}/FindMPFR.cmake
-  DESTINATION ${package_dir})
+  ${CMAKE_CURRENT_LIST_DIR}/layers.cmake ${CMAKE_CURRENT_LIST_DIR}/FindMPFR.cmake ${CMAKE_CURRENT_LIST_DIR}/FindArb.cmake
+  DESTINATION ${package_dir} COMPONENT development)
+include(${CMAKE_CURRENT_LIST_DIR}/pkg_config.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/packages_of_debian.cmake)

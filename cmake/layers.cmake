@@ -84,7 +84,7 @@ set(MOIVRE_THIRD_PARTY_cli CLI11::CLI11)
 
 # What is known of each package: the arguments of find_package, and how its headers begin (a regular expression).
 # Of a package in MOIVRE_HEADER_ONLY only the headers are used, and nothing is linked: a consumer of the installed library
-# needs it only where it is vocabulary of the public headers (MOIVRE_VOCABULARY). Arb is loaded at its first use.
+# needs it only where it is vocabulary of the public headers (MOIVRE_VOCABULARY).
 set(MOIVRE_FIND_Eigen3::Eigen Eigen3 3.4)
 set(MOIVRE_FIND_Boost::headers Boost 1.74)
 set(MOIVRE_FIND_taocpp::pegtl pegtl 3.2)
@@ -111,9 +111,17 @@ set(MOIVRE_HEADERS_tomlplusplus::tomlplusplus "toml\\+\\+/")
 set(MOIVRE_HEADERS_pugixml::pugixml "pugi(xml|config)\\.hpp")
 set(MOIVRE_HEADERS_CLI11::CLI11 "CLI/")
 
+# How moivre.pc names what a module links: a package of pkg-config, or the linker's argument where there is none. MPFR's and Arb's
+# arguments follow from the files that were found.
+set(MOIVRE_PC_Eigen3::Eigen eigen3)
+set(MOIVRE_PC_SUNDIALS::cvode -lsundials_cvode)
+set(MOIVRE_PC_TBB::tbb tbb)
+set(MOIVRE_PC_tomlplusplus::tomlplusplus tomlplusplus)
+set(MOIVRE_PC_pugixml::pugixml pugixml)
+
 set(MOIVRE_VOCABULARY Eigen3::Eigen Boost::headers)
 set(MOIVRE_HEADER_ONLY Eigen3::Eigen Boost::headers taocpp::pegtl nlohmann_json::nlohmann_json
-    CLI11::CLI11 hwy::hwy Arb::Arb)
+    CLI11::CLI11 hwy::hwy)
 
 # moivre_closure(<variable> <module>...): the modules and everything they use, in the order of MOIVRE_MODULES.
 function(moivre_closure variable)

@@ -1,11 +1,17 @@
 # SPDX-License-Identifier: MIT
-# moivre_module(<name> <source>...): one static library a module, linked and installed as cmake/layers.cmake says.
+# moivre_module(<name> <source>...): one library a module, linked and installed as cmake/layers.cmake says. Static, or shared where
+# BUILD_SHARED_LIBS says so (decision 64).
 
 function(moivre_module name)
   set(sources ${ARGN})
   if(sources)
     add_library(moivre_${name} ${sources})
     set(scope PUBLIC)
+    moivre_independent(moivre_${name})
+    # Below 1.0 a minor version may change the interface.
+    set_target_properties(moivre_${name} PROPERTIES
+      VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
+      INSTALL_RPATH "$ORIGIN")
     target_link_libraries(moivre_${name} PRIVATE $<BUILD_INTERFACE:moivre_warnings>)
   else()
     add_library(moivre_${name} INTERFACE)
@@ -27,6 +33,16 @@ function(moivre_module name)
   endforeach()
   moivre_link_packages(${name} ${scope})
   moivre_module_headers(${name} ${scope})
+endfunction()
+
+# moivre_independent(<target>): code that may stand in a shared object, also where its library is static. A function calls its
+# neighbours directly: nobody puts functions of his own in the place of ours, and GCC would not inline what could be replaced.
+function(moivre_independent target)
+  if(NOT MOIVRE_BUILD_PYTHON AND NOT BUILD_SHARED_LIBS AND NOT target STREQUAL "moivre_certify")
+    return()
+  endif()
+  set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  target_compile_options(${target} PRIVATE -fno-semantic-interposition)
 endfunction()
 
 # moivre_alone(<source>...): compiled alone where the other sources of a target are compiled together (CMAKE_UNITY_BUILD), since
@@ -55,5 +71,8 @@ endfunction()
 function(moivre_module_headers name scope)
   set(base ${PROJECT_SOURCE_DIR}/include)
   file(GLOB headers CONFIGURE_DEPENDS ${base}/moivre/${name}/*.h)
+  if(name STREQUAL "numeric")
+    list(APPEND headers ${base}/moivre/version.h)
+  endif()
   target_sources(moivre_${name} ${scope} FILE_SET HEADERS BASE_DIRS ${base} FILES ${headers})
 endfunction()

@@ -36,12 +36,12 @@ endmacro()
 file(GLOB_RECURSE code_files
   ${ROOT}/bench/*.h ${ROOT}/bench/*.cpp ${ROOT}/examples/*.h ${ROOT}/examples/*.cpp
   ${ROOT}/fuzz/*.h ${ROOT}/fuzz/*.cpp ${ROOT}/include/*.h ${ROOT}/src/*.h ${ROOT}/src/*.cpp
-  ${ROOT}/tests/*.h ${ROOT}/tests/*.cpp)
+  ${ROOT}/tests/*.h ${ROOT}/tests/*.cpp ${ROOT}/python/*.h ${ROOT}/python/*.cpp)
 file(GLOB_RECURSE cmake_files
   ${ROOT}/cmake/*.cmake ${ROOT}/cmake/*.in ${ROOT}/tests/*.cmake ${ROOT}/bench/CMakeLists.txt
   ${ROOT}/examples/CMakeLists.txt ${ROOT}/fuzz/CMakeLists.txt ${ROOT}/src/CMakeLists.txt
-  ${ROOT}/tests/CMakeLists.txt)
-file(GLOB script_files ${ROOT}/scripts/* ${ROOT}/.ci/run)
+  ${ROOT}/tests/CMakeLists.txt ${ROOT}/python/CMakeLists.txt)
+file(GLOB script_files ${ROOT}/scripts/* ${ROOT}/.ci/run ${ROOT}/python/*/*.py ${ROOT}/python/*/*.pyi)
 file(GLOB_RECURSE prose_files ${ROOT}/docs/*.md)
 list(APPEND cmake_files ${ROOT}/CMakeLists.txt)
 list(APPEND prose_files ${ROOT}/README.md ${ROOT}/CONTRIBUTING.md)

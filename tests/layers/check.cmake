@@ -52,6 +52,8 @@ macro(check_include module file line header bracket)
     elseif(NOT EXISTS ${ROOT}/include/${header})
       breach(${file} "${line}" "no such public header")
     endif()
+  elseif("${header}" MATCHES "^moivre/[a-z_]+\\.h$" AND EXISTS ${ROOT}/include/${header})
+    # a header of no module
   elseif("${bracket}" STREQUAL "\"")
     get_filename_component(folder ${file} DIRECTORY)
     if("${header}" MATCHES "\\.\\." OR NOT EXISTS "${folder}/${header}")

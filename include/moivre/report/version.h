@@ -6,7 +6,7 @@
 
 namespace moivre {
 
-/// "0.1.0", as in the top CMakeLists.txt.
+/// "0.1.0", as in moivre/version.h.
 std::string_view version();
 
 }  // namespace moivre
