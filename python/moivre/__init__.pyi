@@ -1,0 +1,283 @@
+# SPDX-License-Identifier: MIT
+# Which types has the public face of the module? For type checkers and editors.
+import os
+from decimal import Decimal
+from fractions import Fraction
+from typing import Any, Callable, Iterator, Literal, Mapping, Optional, Sequence, Union, overload
+
+import numpy as np
+import numpy.typing as npt
+
+__version__: str
+
+_Path = Union[str, os.PathLike[str]]
+_Floats = npt.NDArray[np.float64]
+_Complexes = npt.NDArray[np.complex128]
+_Ints = npt.NDArray[np.int64]
+_Bools = npt.NDArray[np.bool_]
+_Number = Union[int, float, complex, Fraction, Decimal]
+_Tracker = Literal["cvode", "lanes"]
+_Start = Literal["auto", "total-degree", "multihomogeneous", "polyhedral"]
+_Precision = Literal["auto", "double", "double-double"]
+_Progress = Union[None, bool, Callable[[int, int], Any], Any]
+# A text, a path, texts, sympy's expressions, or (coefficients, exponents) of each equation.
+_Equations = Union[_Path, Sequence[Any], Any]
+
+class ParseError(ValueError):
+    faults: list[tuple[int, int, str]]
+    line: Optional[int]
+    column: Optional[int]
+
+class Root:
+    x: _Complexes
+    variables: tuple[str, ...]
+    real: bool
+    singular: bool
+    multiplicity: int
+    accuracy: float
+    residual: float
+    condition: float
+    certified: Optional[bool]
+    def __getitem__(self, variable: Any) -> Union[float, complex]: ...
+
+class Result:
+    complete: bool
+    completeness: Optional[str]
+    message: str
+    variables: list[str]
+    paths: dict[str, int]
+    points: _Complexes
+    real: _Bools
+    singular: _Bools
+    multiplicity: _Ints
+    accuracy: _Floats
+    residual: _Floats
+    condition: _Floats
+    certified: list[Optional[bool]]
+    @property
+    def real_points(self) -> _Floats: ...
+    def __len__(self) -> int: ...
+    @overload
+    def __getitem__(self, index: int) -> Root: ...
+    @overload
+    def __getitem__(self, index: slice) -> list[Root]: ...
+    def __iter__(self) -> Iterator[Root]: ...
+    def digits(self, digits: int, progress: _Progress = ...) -> list[Optional[list[Any]]]: ...
+    def to_json(self, path: Optional[_Path] = ...) -> Optional[str]: ...
+    def to_csv(self, path: Optional[_Path] = ...) -> Optional[str]: ...
+    def to_phc(self, path: Optional[_Path] = ...) -> Optional[str]: ...
+    def to_text(self, all: bool = ...) -> str: ...
+
+def solve(equations: _Equations, *, variables: Optional[Sequence[Any]] = ..., tracker: Optional[_Tracker] = ...,
+          start: Optional[_Start] = ..., seed: Optional[int] = ..., threads: Optional[int] = ..., slice: Optional[bool] = ...,
+          precision: Optional[_Precision] = ..., certify: Optional[bool] = ..., digits: Optional[int] = ...,
+          tracker_options: Optional[Mapping[str, Any]] = ..., progress: _Progress = ...) -> Result: ...
+
+class Family:
+    variables: list[str]
+    parameters: list[str]
+    roots: int
+    complete: bool
+    standing: str
+    @classmethod
+    def learn(cls, equations: _Equations, parameters: Union[Sequence[Any], Mapping[Any, float]], *,
+              variables: Optional[Sequence[Any]] = ..., monodromy: bool = ..., nonzero: bool = ...,
+              tracker: Optional[_Tracker] = ..., start: Optional[_Start] = ..., seed: Optional[int] = ...,
+              threads: Optional[int] = ..., certify: Optional[bool] = ..., tracker_options: Optional[Mapping[str, Any]] = ...,
+              progress: _Progress = ...) -> Family: ...
+    @classmethod
+    def load(cls, path: _Path) -> Family: ...
+    def save(self, path: _Path) -> None: ...
+    def solve(self, members: npt.ArrayLike, *, tracker: Optional[_Tracker] = ..., seed: Optional[int] = ...,
+              threads: Optional[int] = ..., certify: Optional[bool] = ..., tracker_options: Optional[Mapping[str, Any]] = ...,
+              progress: _Progress = ...) -> Members: ...
+    def member(self, values: Mapping[Any, Union[_Number, str]], *, tracker: Optional[_Tracker] = ..., seed: Optional[int] = ...,
+               threads: Optional[int] = ..., certify: Optional[bool] = ..., tracker_options: Optional[Mapping[str, Any]] = ...,
+               progress: _Progress = ...) -> Result: ...
+    def to_json(self, path: Optional[_Path] = ...) -> Optional[str]: ...
+
+class Members:
+    points: _Complexes
+    member: _Ints
+    counts: _Ints
+    real: _Bools
+    multiplicity: _Ints
+    accuracy: _Floats
+    certified: _Bools
+    decided: _Bools
+    completeness: list[Optional[str]]
+    complete: bool
+    def __len__(self) -> int: ...
+    def of(self, member: int) -> _Complexes: ...
+    def to_json(self, path: Optional[_Path] = ...) -> Optional[str]: ...
+
+class Body:
+    def __getattr__(self, coordinate: str) -> float: ...
+
+class Closure:
+    id: str
+    names: tuple[str, ...]
+    q: _Floats
+    bodies: dict[str, Body]
+    points: dict[str, _Floats]
+    certified: Optional[bool]
+    singular: bool
+    multiplicity: int
+    residual: float
+    def __getitem__(self, name: str) -> float: ...
+
+class _Reported:
+    @property
+    def svg(self) -> str: ...
+    def to_json(self, path: Optional[_Path] = ...) -> Optional[str]: ...
+    def to_csv(self, path: Optional[_Path] = ...) -> Optional[str]: ...
+    def to_html(self, path: Optional[_Path] = ...) -> Optional[str]: ...
+
+class Closures(_Reported):
+    complete: bool
+    completeness: Optional[str]
+    message: str
+    counts: dict[str, int]
+    paths: dict[str, int]
+    moves: bool
+    time: float
+    names: list[str]
+    ids: list[str]
+    q: _Floats
+    def __len__(self) -> int: ...
+    @overload
+    def __getitem__(self, index: Union[int, str]) -> Closure: ...
+    @overload
+    def __getitem__(self, index: slice) -> list[Closure]: ...
+    def __iter__(self) -> Iterator[Closure]: ...
+    def sensitivity(self) -> Sensitivity: ...
+    def guesses(self) -> Guesses: ...
+
+class Event:
+    kind: str
+    t: float
+    q: _Floats
+    drivers: list[float]
+    ending: list[str]
+    beginning: list[str]
+
+class Branch:
+    id: str
+    t: _Floats
+    q: _Floats
+    velocity: _Floats
+    acceleration: _Floats
+    begins: float
+    ends: float
+    begin_event: Optional[Event]
+    event: Optional[Event]
+    complete: bool
+    message: str
+
+class Motion(_Reported):
+    complete: bool
+    message: str
+    failures: list[str]
+    names: list[str]
+    events: list[Event]
+    branches: list[Branch]
+    def __len__(self) -> int: ...
+
+class Sweep(_Reported):
+    names: list[str]
+    shape: tuple[int, ...]
+    at: _Floats
+    real: _Ints
+    usable: _Ints
+    complex: _Ints
+    moves: _Bools
+    decided: _Bools
+    borders: _Floats
+    complete: bool
+    def __len__(self) -> int: ...
+
+class ClosureSensitivity:
+    id: str
+    missing: str
+    rates: _Floats
+    worst_case: _Floats
+    root_sum_square: _Floats
+
+class Sensitivity:
+    dimensions: list[str]
+    quantities: list[str]
+    values: _Floats
+    tolerances: _Floats
+    def __len__(self) -> int: ...
+    def __getitem__(self, index: int) -> ClosureSensitivity: ...
+    def rate(self, quantity: str, dimension: str, closure: int = ...) -> float: ...
+
+class Guesses:
+    names: list[str]
+    ids: list[str]
+    q: _Floats
+    def __len__(self) -> int: ...
+    def to_json(self, path: Optional[_Path] = ...) -> Optional[str]: ...
+
+class Mobility:
+    degrees_of_freedom: int
+    gruebler: int
+    driven_freedoms: int
+    rank: int
+    redundant: list[str]
+    is_singular: bool
+    is_assembled: bool
+    q: _Floats
+    null_space: _Floats
+    def to_json(self, path: Optional[_Path] = ...) -> Optional[str]: ...
+
+class Mechanism:
+    title: str
+    coordinates: list[str]
+    points: list[str]
+    dimensions: list[str]
+    warnings: list[str]
+    def __init__(self, source: Union[_Path, Mapping[str, Any]]) -> None: ...
+    def closures(self, *, at: Optional[float] = ..., fit: Optional[float] = ..., meshings: Optional[bool] = ...,
+                 tolerance: Optional[float] = ..., tracker: Optional[_Tracker] = ..., start: Optional[_Start] = ...,
+                 seed: Optional[int] = ..., threads: Optional[int] = ..., certify: Optional[bool] = ...,
+                 tracker_options: Optional[Mapping[str, Any]] = ..., progress: _Progress = ...) -> Closures: ...
+    def motion(self, *, begin: Optional[float] = ..., end: Optional[float] = ..., steps: Optional[int] = ...,
+               checkpoints: Optional[int] = ..., fit: Optional[float] = ..., meshings: Optional[bool] = ...,
+               tracker: Optional[_Tracker] = ..., start: Optional[_Start] = ..., seed: Optional[int] = ...,
+               threads: Optional[int] = ..., certify: Optional[bool] = ..., tracker_options: Optional[Mapping[str, Any]] = ...,
+               progress: _Progress = ...) -> Motion: ...
+    def sweep(self, vary: Mapping[str, tuple[float, float, int]], *, at: Optional[float] = ..., fit: Optional[float] = ...,
+              meshings: Optional[bool] = ..., tracker: Optional[_Tracker] = ..., start: Optional[_Start] = ...,
+              seed: Optional[int] = ..., threads: Optional[int] = ..., tracker_options: Optional[Mapping[str, Any]] = ...,
+              progress: _Progress = ...) -> Sweep: ...
+    def sensitivity(self, tolerance: Optional[float] = ..., *, at: Optional[float] = ..., **options: Any) -> Sensitivity: ...
+    def guesses(self, *, at: Optional[float] = ..., **options: Any) -> Guesses: ...
+    def mobility(self, *, at: Optional[float] = ..., fit: Optional[float] = ..., meshings: Optional[bool] = ...) -> Mobility: ...
+
+class Arm:
+    robot: str
+    base: str
+    tip: str
+    joints: list[str]
+    limits: list[Optional[tuple[float, float]]]
+    def __init__(self, path: _Path, base: Optional[str] = ..., tip: Optional[str] = ...,
+                 hold: Optional[Mapping[str, float]] = ...) -> None: ...
+    def fk(self, q: npt.ArrayLike) -> _Floats: ...
+    def ik(self, poses: npt.ArrayLike, *, tracker: Optional[_Tracker] = ..., start: Optional[_Start] = ...,
+           seed: Optional[int] = ..., threads: Optional[int] = ..., tracker_options: Optional[Mapping[str, Any]] = ...,
+           progress: _Progress = ...) -> Postures: ...
+
+class Postures:
+    values: _Floats
+    in_limits: _Floats
+    counts: _Ints
+    moves: _Bools
+    decided: _Bools
+    complete: bool
+    def __len__(self) -> int: ...
+    def __getitem__(self, pose: int) -> _Floats: ...
+    def names(self, pose: int = ...) -> list[str]: ...
+    def to_json(self, path: Optional[_Path] = ...) -> Optional[str]: ...
+    def to_svg(self, path: Optional[_Path] = ...) -> Optional[str]: ...
+    def to_html(self, path: Optional[_Path] = ...) -> Optional[str]: ...

@@ -1,0 +1,279 @@
+# SPDX-License-Identifier: MIT
+# What are all isolated roots of a system? solve(), its result as arrays and as a list of roots, and every report of it.
+"""Polynomial systems."""
+
+import dataclasses
+import html
+
+import numpy as np
+
+from . import _moivre
+from ._progress import told
+from ._systems import to_system
+
+
+def chosen(**options):
+    """The options that were given: the library has the defaults."""
+    return {name: value for name, value in options.items() if value is not None}
+
+
+def write(text, path):
+    """Returns the text, or writes it to a file."""
+    if path is None:
+        return text
+    with open(path, "w", encoding="utf-8", newline="") as file:
+        file.write(text)
+    return None
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class Root:
+    """One isolated root.
+
+    Attributes
+    ----------
+    x : ndarray of complex, shape (unknowns,)
+    variables : tuple of str
+        Names of the unknowns; `root["y"]` is the value of y.
+    real, singular : bool
+    multiplicity : int
+    accuracy : float
+        The root lies within accuracy * max(1, largest abs(x)) of x; proved where `certified`.
+    residual, condition : float
+    certified : bool or None
+        A root of the exact system is proved to be there; None where this was not asked for or is not possible.
+
+    Examples
+    --------
+    >>> import moivre
+    >>> root = moivre.solve("x^2 - 2; x*y - 1")[0]
+    >>> root.certified, root.multiplicity, round(abs(root["x"]), 6)
+    (True, 1, 1.414214)
+    """
+
+    x: np.ndarray
+    variables: tuple
+    real: bool
+    singular: bool
+    multiplicity: int
+    accuracy: float
+    residual: float
+    condition: float
+    certified: object
+
+    def __getitem__(self, variable):
+        try:
+            value = self.x[self.variables.index(str(variable))]
+        except ValueError:
+            raise KeyError(f"{variable}: the unknowns are {', '.join(self.variables)}") from None
+        return value.real if self.real else value
+
+    def __repr__(self):
+        values = ", ".join(f"{name} = {_short(value)}" for name, value in zip(self.variables, self.x))
+        return f"<moivre.Root: {values}{', certified' if self.certified else ''}>"
+
+
+def _short(value):
+    return f"{value.real:.10g}" if value.imag == 0 else f"{value:.10g}"
+
+
+class Result:
+    """All isolated roots of a system, and what is known of their number. Made by `solve`.
+
+    `len(r)`, `r[k]` and iteration give `Root`s; print() shows the text of the command line, a notebook a table.
+
+    Attributes
+    ----------
+    complete : bool
+        Every path was decided. Whether a root can be missing, `completeness` tells.
+    completeness : str or None
+        "proved": there is no other root; "shown": every path was decided and every regular root is certified; "open": neither.
+        None where it was not asked for, or there are more equations than unknowns.
+    message : str
+    variables : list of str
+    paths : dict
+        tracked = finite + at_infinity + failed.
+    points : ndarray of complex, shape (roots, unknowns)
+    real_points : ndarray of float, shape (real roots, unknowns)
+    real, singular : ndarray of bool, shape (roots,)
+    multiplicity : ndarray of int, shape (roots,)
+    accuracy, residual, condition : ndarray of float, shape (roots,)
+    certified : list of (bool or None)
+
+    Examples
+    --------
+    >>> import moivre
+    >>> r = moivre.solve(["x^2 + y^2 - 4", "x*y - 1"])
+    >>> r.complete, r.completeness, r.points.shape
+    (True, 'proved', (4, 2))
+    """
+
+    def __init__(self, solved, name):
+        self._solved = solved
+        self._name = name
+        roots = solved.roots()
+        self.complete = solved.complete
+        self.completeness = solved.completeness
+        self.message = solved.message
+        self.variables = solved.variables
+        self.paths = solved.paths
+        self.points = roots["points"]
+        self.real = roots["real"]
+        self.singular = roots["singular"]
+        self.multiplicity = roots["multiplicity"]
+        self.accuracy = roots["accuracy"]
+        self.residual = roots["residual"]
+        self.condition = roots["condition"]
+        self.certified = roots["certified"]
+        self._digits = roots["digits"]
+
+    @property
+    def real_points(self):
+        return self.points[self.real].real
+
+    def __len__(self):
+        return len(self.points)
+
+    def __getitem__(self, index):
+        if isinstance(index, slice):
+            return [self[k] for k in range(*index.indices(len(self)))]
+        k = range(len(self))[index]
+        return Root(self.points[k], tuple(self.variables), bool(self.real[k]), bool(self.singular[k]),
+                    int(self.multiplicity[k]), float(self.accuracy[k]), float(self.residual[k]), float(self.condition[k]),
+                    self.certified[k])
+
+    def __iter__(self):
+        return (self[k] for k in range(len(self)))
+
+    def digits(self, digits, progress=None):
+        """Every root to so many significant digits, by Newton's method with a proved bound.
+
+        Parameters
+        ----------
+        digits : int
+            From 1 to 1000.
+
+        Returns
+        -------
+        list of (list or None)
+            For each root its coordinates: mpmath's numbers where mpmath is there, else pairs of texts (re, im). None at a
+            singular root, and where the digits cannot be guaranteed.
+
+        Examples
+        --------
+        >>> import moivre
+        >>> r = moivre.solve("x^2 - 2")
+        >>> sorted(str(x.real) for x, in r.digits(30))
+        ['-1.41421356237309504880168872421', '1.41421356237309504880168872421']
+        """
+        with told(progress) as tell:
+            found = self._solved.with_digits(digits, tell).roots()["digits"]
+        try:
+            import mpmath
+        except ImportError:
+            return [root or None for root in found]
+        context = mpmath.mp.clone()
+        context.dps = digits
+        return [[context.mpc(re, im) for re, im in root] if root else None for root in found]
+
+    def to_json(self, path=None):
+        """The JSON of `moivre solve` (docs/json.md), as text or into a file."""
+        return write(self._solved.json(self._name), path)
+
+    def to_csv(self, path=None):
+        """A line a root, as text or into a file."""
+        return write(self._solved.csv(), path)
+
+    def to_phc(self, path=None):
+        """PHCpack's solution list, as text or into a file."""
+        return write(self._solved.phc(), path)
+
+    def to_text(self, all=False):
+        """The text of the command line; all: with the roots that are not real."""
+        return self._solved.text(self._name, all)
+
+    def __str__(self):
+        return self.to_text()
+
+    def __repr__(self):
+        real = int(np.count_nonzero(self.real))
+        return (f"<moivre.Result: {len(self)} roots in {', '.join(self.variables)}, {real} of them real, "
+                f"{_standing(self)}>")
+
+    def _repr_html_(self):
+        head = "".join(f"<th>{html.escape(v)}</th>" for v in self.variables)
+        rows = "".join(
+            f"<tr><td>{k}</td>{''.join(f'<td>{_short(x)}</td>' for x in self.points[k])}<td>{self.multiplicity[k]}</td>"
+            f"<td>{self.accuracy[k]:.1e}</td><td>{_word(self.certified[k])}</td></tr>" for k in range(len(self)))
+        return (f"<p>{html.escape(repr(self)[9:-1])}</p><table><tr><th></th>{head}<th>multiplicity</th><th>accuracy</th>"
+                f"<th>certified</th></tr>{rows}</table>")
+
+
+def _word(certified):
+    return {True: "yes", False: "no", None: ""}[certified]
+
+
+def _standing(result):
+    if not result.complete:
+        return f"not complete ({result.message})"
+    if result.completeness == "proved":
+        return "proved complete"
+    if result.completeness == "shown":
+        return "every path decided, regular roots certified"
+    return "every path decided"
+
+
+def solve(equations, *, variables=None, tracker=None, start=None, seed=None, threads=None, slice=None, precision=None,
+          certify=None, digits=None, tracker_options=None, progress=None):
+    """All isolated roots of a polynomial system, complex roots included.
+
+    Parameters
+    ----------
+    equations : text, path, or list
+        A text in PHCpack's or Bertini's form ("x^2 - 4; x*y - 1"), a path to such a file, a list of texts, a list of sympy's
+        expressions (each is to be 0, or an Eq), or a list of (coefficients, exponents): numbers, and whole numbers of shape
+        (terms, unknowns). int, Fraction, Decimal and sympy's Rational stay exact; a float is the double that it is.
+    variables : list of str or symbols, optional
+        The unknowns in their order. Default: a text's in the order of their first appearance, sympy's by name.
+    tracker : {"cvode", "lanes"}, optional
+    start : {"auto", "total-degree", "multihomogeneous", "polyhedral"}, optional
+    seed : int, optional
+        Of the random numbers. The same seed gives the same roots in the same order.
+    threads : int, optional
+        Default: as many as the machine has.
+    slice : bool, optional
+        Add random linear equations where equations are missing.
+    precision : {"auto", "double", "double-double"}, optional
+    certify : bool, optional
+        False: say nothing of certificates and completeness.
+    digits : int, optional
+        Also give every nonsingular root to so many digits; reports have them.
+    tracker_options : dict, optional
+        By the names of docs/trackers.md.
+    progress : True, callable or tqdm-shaped bar, optional
+        Told (paths done, paths in all).
+
+    Returns
+    -------
+    Result
+
+    Notes
+    -----
+    Ctrl-C ends the run; what is finished is returned and is not complete. A second Ctrl-C raises KeyboardInterrupt. Python's
+    lock is free while paths run.
+
+    Examples
+    --------
+    >>> import moivre
+    >>> from fractions import Fraction
+    >>> r = moivre.solve([([1, Fraction(-1, 4)], [[2], [0]])])
+    >>> sorted(r.real_points[:, 0])
+    [-0.5, 0.5]
+    >>> r.certified
+    [True, True]
+    """
+    system, name = to_system(equations, variables)
+    options = chosen(tracker=tracker, start=start, seed=seed, threads=threads, slice=slice, precision=precision,
+                     certify=certify, digits=digits, tracker_options=tracker_options)
+    with told(progress) as tell:
+        return Result(_moivre.solve(system, options, tell), name)

@@ -1,0 +1,184 @@
+# SPDX-License-Identifier: MIT
+# Which system does a user mean? Text, a file, equations of sympy, or arrays of coefficients and exponents; every number exact.
+"""Systems of equations from what users have."""
+
+import decimal
+import math
+import numbers
+import os
+import re
+import sys
+
+from . import _moivre
+
+TEXT = "equations"
+# One word with an ending, as "katsura.phc": no equation looks like it.
+_PATH = re.compile(r"[^;*+^=()\n]*\.[A-Za-z]\w*")
+
+_BEHIND = re.compile(r"^\s*(END|TITLE|THE SOLUTIONS)\b", re.MULTILINE)
+
+
+def _is_sympy(value):
+    """Whether sympy is in use and the value is one of its objects; sympy is not imported for it."""
+    sympy = sys.modules.get("sympy")
+    return sympy is not None and isinstance(value, sympy.Basic)
+
+
+def _ratio(number, what):
+    """A real number as "numerator/denominator", and whether it is exact by its kind (a float is the double that it is)."""
+    if isinstance(number, numbers.Rational):
+        return f"{int(number.numerator)}/{int(number.denominator)}", True
+    if isinstance(number, decimal.Decimal):
+        if not number.is_finite():
+            raise ValueError(f"{what}: {number} is not finite")
+        return "{}/{}".format(*number.as_integer_ratio()), True
+    if isinstance(number, numbers.Real):
+        number = float(number)
+        if not math.isfinite(number):
+            raise ValueError(f"{what}: {number} is not finite")
+        return "{}/{}".format(*number.as_integer_ratio()), False
+    raise ValueError(f"{what}: {number!r} is no number")
+
+
+def _exact(number, what):
+    """((re, im), is_exact): both parts as "numerator/denominator"."""
+    if _is_sympy(number):
+        return _exact_sympy(number, what)
+    if isinstance(number, numbers.Complex) and not isinstance(number, numbers.Real):
+        (re_, a), (im, b) = _ratio(number.real, what), _ratio(number.imag, what)
+        return (re_, im), a and b
+    text, is_exact = _ratio(number, what)
+    return (text, "0"), is_exact
+
+
+def _exact_sympy(number, what):
+    parts = []
+    for part in number.as_real_imag():
+        if not part.is_Rational:
+            raise ValueError(f"{what}: the coefficient {number} is neither rational nor a float; give it as a float "
+                             "(.evalf()), or as an unknown with an equation of its own")
+        parts.append(f"{part.p}/{part.q}")
+    return tuple(parts), True
+
+
+def _natural(symbol):
+    """x2 stands before x10."""
+    return [int(part) if part.isdigit() else part for part in re.split(r"(\d+)", str(symbol))]
+
+
+def _polynomial_terms(expression, symbols, what):
+    """(coefficients, exponents) of an expression of sympy in which every number is rational."""
+    import sympy
+    try:
+        polynomial = sympy.Poly(expression, *symbols)
+    except sympy.PolynomialError:
+        raise ValueError(f"{what}: {expression} is no polynomial in {', '.join(map(str, symbols))}") from None
+    stray = polynomial.free_symbols_in_domain
+    if stray:
+        raise ValueError(f"{what}: {', '.join(sorted(map(str, stray)))} is neither an unknown nor a parameter")
+    terms = [(coefficient, monomial) for monomial, coefficient in polynomial.terms() if coefficient != 0]
+    coefficients = [_exact(coefficient, what)[0] for coefficient, _ in terms]
+    return coefficients, [monomial for _, monomial in terms]
+
+
+def _of_sympy(equations, variables, parameters):
+    import sympy
+    expressions = []
+    is_exact = True
+    for k, equation in enumerate(equations):
+        if isinstance(equation, str):
+            raise ValueError(f"equation {k + 1}: a text among sympy's expressions; give all as text or all as expressions")
+        expression = sympy.sympify(equation)
+        if isinstance(expression, sympy.Equality):
+            expression = expression.lhs - expression.rhs
+        if not isinstance(expression, sympy.Expr) or expression.has(sympy.nan, sympy.oo, -sympy.oo, sympy.zoo):
+            raise ValueError(f"equation {k + 1}: {equation} is no expression with finite numbers")
+        floats = expression.atoms(sympy.Float)
+        is_exact = is_exact and not floats
+        # Beside a float sympy would round every other number.
+        expressions.append(expression.xreplace({x: sympy.Rational(x) for x in floats}))
+    symbols = _symbols(expressions, variables, parameters)
+    terms = [_polynomial_terms(expression, symbols, f"equation {k + 1}") for k, expression in enumerate(expressions)]
+    return _moivre.system_of_terms([str(s) for s in symbols], _shaped(terms, len(symbols)), is_exact)
+
+
+def _symbols(expressions, variables, parameters):
+    import sympy
+    if variables is not None:
+        return [sympy.Symbol(v) if isinstance(v, str) else v for v in [*variables, *parameters]]
+    by_name = {}
+    for symbol in set().union(*(e.free_symbols for e in expressions)) if expressions else ():
+        by_name.setdefault(str(symbol), symbol)
+    names = [str(p) for p in parameters]
+    unknown = [s for name, s in by_name.items() if name not in names]
+    given = [by_name.get(name, sympy.Symbol(name)) for name in names]
+    return sorted(unknown, key=_natural) + given
+
+
+def _shaped(terms, variables):
+    import numpy
+    return [(coefficients, numpy.asarray(exponents, dtype=numpy.int64).reshape(len(coefficients), variables))
+            for coefficients, exponents in terms]
+
+
+def _of_arrays(equations, variables):
+    import numpy
+    terms = []
+    is_exact = True
+    for k, (coefficients, exponents) in enumerate(equations):
+        what = f"equation {k + 1}"
+        powers = numpy.asarray(exponents)
+        if powers.ndim != 2 or not numpy.issubdtype(powers.dtype, numpy.integer):
+            raise ValueError(f"{what}: exponents are whole numbers of shape (terms, variables)")
+        exact = [_exact(c, what) for c in (coefficients.tolist() if hasattr(coefficients, "tolist") else coefficients)]
+        is_exact = is_exact and all(is_so for _, is_so in exact)
+        terms.append(([number for number, _ in exact], powers))
+    if not terms:
+        raise ValueError("there is no equation")
+    if variables is None:
+        variables = [f"x{k + 1}" for k in range(terms[0][1].shape[1])]
+    return _moivre.system_of_terms([str(v) for v in variables], terms, is_exact)
+
+
+def _of_text(text):
+    """The last equation of a text needs no semicolon; what follows the equations of a file is left alone."""
+    is_ended = text.rstrip().endswith(";") or _BEHIND.search(text)
+    return _moivre.system_of_text(TEXT, text if is_ended else text + ";")
+
+
+def is_path(value):
+    """A path, or a text that is the name of a file."""
+    if isinstance(value, os.PathLike):
+        return True
+    return isinstance(value, str) and (_PATH.fullmatch(value.strip()) is not None or os.path.isfile(value))
+
+
+def to_system(equations, variables=None, parameters=()):
+    """The system of the compiled half, and the name that reports give it."""
+    if isinstance(equations, _moivre.System):
+        return equations, TEXT
+    if is_path(equations):
+        path = os.fspath(equations)
+        return _moivre.system_of_file(path), path
+    if isinstance(equations, str):
+        return _in_order(_of_text(equations), variables), TEXT
+    if _is_sympy(equations) and not hasattr(equations, "__iter__"):
+        equations = [equations]
+    if isinstance(equations, (dict, set)):
+        raise ValueError("equations are a list: a dictionary or a set has no place for them")
+    equations = list(equations)
+    if equations and all(isinstance(e, str) for e in equations):
+        return _in_order(_of_text("".join(e.strip().rstrip(";") + ";\n" for e in equations)), variables), TEXT
+    if any(_is_sympy(e) for e in equations):
+        return _of_sympy(equations, variables, parameters), TEXT
+    if equations and all(isinstance(e, (tuple, list)) and len(e) == 2 for e in equations):
+        return _of_arrays(equations, variables), TEXT
+    raise ValueError("equations are a text, a path, a list of texts, a list of sympy's expressions, or a list of "
+                     "(coefficients, exponents)")
+
+
+def _in_order(system, variables):
+    """Unknowns of a text come in the order of their first appearance; variables= may give another one."""
+    if variables is None:
+        return system
+    return system.in_order([str(v) for v in variables])

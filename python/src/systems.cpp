@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: MIT
+// Systems for Python: from text, from exact numbers, from arrays of doubles; their roots as arrays and reports.
+#include <pybind11/complex.h>
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "arrays.h"
+#include "bindings.h"
+#include "choice.h"
+#include "moivre/numeric/integer.h"
+#include "moivre/polynomial/read.h"
+#include "moivre/polynomial/write.h"
+#include "moivre/report/solve_report.h"
+#include "moivre/solver/digits.h"
+
+namespace moivre::python {
+namespace {
+
+namespace py = pybind11;
+
+using Exponents = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
+
+Monomial monomial_of(const std::int64_t* exponents, std::size_t variables) {
+  Monomial monomial;
+  for (std::size_t k = 0; k < variables; ++k) {
+    if (exponents[k] < 0 || exponents[k] > UINT32_MAX) {
+      throw std::invalid_argument("an exponent of " + std::to_string(exponents[k]) +
+                                  ": exponents are whole, from 0 to 4294967295");
+    }
+    if (exponents[k] == 0) continue;
+    monomial.push_back({static_cast<std::uint32_t>(k), static_cast<std::uint32_t>(exponents[k])});
+  }
+  return monomial;
+}
+
+/// "-31/10", or "-3".
+Rational rational_of(const std::string& text) {
+  const std::size_t slash = text.find('/');
+  if (slash == std::string::npos) return ratio(Integer(text));
+  return ratio(Integer(text.substr(0, slash)), Integer(text.substr(slash + 1)));
+}
+
+/// A sequence of (re, im), each such a text.
+std::vector<Coefficient> exact_coefficients(const py::sequence& given) {
+  std::vector<Coefficient> coefficients;
+  for (const py::handle& each : given) {
+    const auto [re, im] = each.cast<std::pair<std::string, std::string>>();
+    coefficients.push_back({rational_of(re), rational_of(im)});
+  }
+  return coefficients;
+}
+
+Polynomial polynomial_of(const std::vector<Coefficient>& coefficients, const Exponents& exponents,
+                         std::size_t variables) {
+  const bool fits = exponents.ndim() == 2 &&
+                    static_cast<std::size_t>(exponents.shape(0)) == coefficients.size() &&
+                    static_cast<std::size_t>(exponents.shape(1)) == variables;
+  if (!fits) {
+    throw std::invalid_argument("exponents of shape (terms, variables) = (" +
+                                std::to_string(coefficients.size()) + ", " +
+                                std::to_string(variables) + ") are wanted");
+  }
+  TermMap terms;
+  const std::int64_t* row = exponents.data();
+  for (const Coefficient& c : coefficients) {
+    Coefficient& sum = terms[monomial_of(row, variables)];
+    sum = sum + c;
+    row += variables;
+  }
+  return to_polynomial(std::move(terms));
+}
+
+/// equations: (coefficients, exponents) each.
+System system_of_terms(std::vector<std::string> variables, const py::sequence& equations,
+                       bool is_exact) {
+  System system;
+  system.variables = std::move(variables);
+  system.is_exact = is_exact;
+  for (const py::handle& each : equations) {
+    const auto [coefficients, exponents] = each.cast<std::pair<py::sequence, Exponents>>();
+    system.polynomials.push_back(
+        polynomial_of(exact_coefficients(coefficients), exponents, system.variables.size()));
+  }
+  return system;
+}
+
+/// The same system with its unknowns in another order.
+System in_order(const System& system, const std::vector<std::string>& names) {
+  const std::size_t n = system.variables.size();
+  std::vector<std::uint32_t> place(n);
+  std::vector<bool> is_taken(n);
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const auto at = std::find(system.variables.begin(), system.variables.end(), names[k]);
+    const auto old = static_cast<std::size_t>(at - system.variables.begin());
+    if (old == n || is_taken[old]) {
+      throw std::invalid_argument("variables: " + names[k] +
+                                  (old == n ? " occurs in no equation" : " is named twice"));
+    }
+    is_taken[old] = true;
+    place[old] = static_cast<std::uint32_t>(k);
+  }
+  if (names.size() != n) {
+    const auto left = std::find(is_taken.begin(), is_taken.end(), false) - is_taken.begin();
+    throw std::invalid_argument("variables: the unknown " +
+                                system.variables[static_cast<std::size_t>(left)] + " is not named");
+  }
+  System result = system;
+  result.variables = names;
+  for (Polynomial& p : result.polynomials) {
+    TermMap terms;
+    for (Term& term : p.terms) {
+      for (Power& power : term.monomial) power.variable = place[power.variable];
+      std::sort(term.monomial.begin(), term.monomial.end());
+      terms.emplace(std::move(term.monomial), std::move(term.coefficient));
+    }
+    p = to_polynomial(std::move(terms));
+  }
+  for (VariableGroup& group : result.groups) {
+    for (std::uint32_t& variable : group.variables) variable = place[variable];
+    std::sort(group.variables.begin(), group.variables.end());
+  }
+  return result;
+}
+
+Solved solved(const System& system, const py::dict& choice, const py::object& progress) {
+  const Trackers trackers = make_trackers(choice);
+  const int digits = choice.contains("digits") ? choice["digits"].cast<int>() : 0;
+  if (choice.contains("digits")) require_digits(digits);
+  const SolveOptions chosen = solve_options(choice, trackers);
+  return overseen(progress, [&](Oversight& oversight) {
+    const SolveOptions options = overseen_by(oversight, chosen);
+    Solved run{system, solve(system, *trackers.chosen, options, oversight.stop())};
+    if (digits > 0) give_digits(run.system, digits, run.result, oversight.stop());
+    return run;
+  });
+}
+
+Solved with_digits(const Solved& run, int digits, const py::object& progress) {
+  require_digits(digits);
+  return overseen(progress, [&](Oversight& oversight) {
+    Solved more = run;
+    give_digits(more.system, digits, more.result, oversight.stop());
+    return more;
+  });
+}
+
+py::list digits_of(const Solution& solution) {
+  py::list list;
+  for (const ComplexDecimal& x : solution.x_digits) list.append(py::make_tuple(x.re, x.im));
+  return list;
+}
+
+py::dict root_arrays(const Solved& run) {
+  const std::vector<Solution>& roots = run.result.solutions;
+  const std::size_t n = run.system.variables.size();
+  py::dict arrays;
+  arrays["points"] = rows<Complex>(roots, n, [](const Solution& s) -> const Point& { return s.x; });
+  arrays["real"] = column<bool>(roots, [](const Solution& s) { return s.real; });
+  arrays["singular"] = column<bool>(roots, [](const Solution& s) { return s.singular; });
+  arrays["multiplicity"] =
+      column<std::int64_t>(roots, [](const Solution& s) { return s.multiplicity; });
+  arrays["accuracy"] = column<double>(roots, [](const Solution& s) { return s.accuracy; });
+  arrays["residual"] = column<double>(roots, [](const Solution& s) { return s.residual; });
+  arrays["condition"] = column<double>(roots, [](const Solution& s) { return s.condition; });
+  py::list certified, digits;
+  for (const Solution& s : roots) {
+    certified.append(optional_bool(s.certified));
+    digits.append(digits_of(s));
+  }
+  arrays["certified"] = certified;
+  arrays["digits"] = digits;
+  return arrays;
+}
+
+}  // namespace
+
+py::object completeness_of(const std::optional<RootCompleteness>& completeness) {
+  if (!completeness) return py::none();
+  return py::str(to_string(*completeness));
+}
+
+py::dict counts_of(const PathCounts& paths) {
+  py::dict counts;
+  counts["tracked"] = paths.tracked;
+  counts["finite"] = paths.finite;
+  counts["at_infinity"] = paths.at_infinity;
+  counts["failed"] = paths.failed;
+  return counts;
+}
+
+void bind_systems(py::module_& module) {
+  py::class_<System>(module, "System")
+      .def_readonly("variables", &System::variables)
+      .def_property_readonly("equations", [](const System& f) { return f.polynomials.size(); })
+      .def("in_order", &in_order)
+      .def("text", [](const System& f) { return to_text(f, PolynomialFormat::phcpack); });
+  module.def("system_of_text", [](const std::string& name, const std::string& text) {
+    return read_system({name, text});
+  });
+  module.def("system_of_file",
+             [](const std::string& path) { return read_system(read_source(path)); });
+  module.def("system_of_terms", &system_of_terms);
+
+  py::class_<Solved>(module, "Solved")
+      .def_property_readonly("complete", [](const Solved& run) { return run.result.complete; })
+      .def_property_readonly("message", [](const Solved& run) { return run.result.message; })
+      .def_property_readonly(
+          "completeness",
+          [](const Solved& run) { return completeness_of(run.result.completeness); })
+      .def_property_readonly("variables", [](const Solved& run) { return run.system.variables; })
+      .def_property_readonly("paths", [](const Solved& run) { return counts_of(run.result.paths); })
+      .def("roots", &root_arrays)
+      .def("with_digits", &with_digits)
+      .def("json",
+           [](const Solved& run, const std::string& file) { return solve_json(run.result, file); })
+      .def("csv", [](const Solved& run) { return solve_csv(run.result); })
+      .def("phc", [](const Solved& run) { return solve_phc(run.result, run.system); })
+      .def("text", [](const Solved& run, const std::string& file, bool all) {
+        return solve_text(run.result, file, all ? ListedRoots::all : ListedRoots::real);
+      });
+  module.def("solve", &solved);
+}
+
+}  // namespace moivre::python

@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: MIT
+# Are all postures of an arm found, for one pose and for many, and do they hold the pose?
+import numpy as np
+import pytest
+from conftest import parsed
+
+import moivre
+
+
+@pytest.fixture(scope="module")
+def arm():
+    from conftest import PROBLEMS
+    return moivre.Arm(PROBLEMS / "robots" / "ur5.urdf", base="base_link", tip="tool0")
+
+
+def poses_of(arm, count, seed=1):
+    q = np.random.default_rng(seed).uniform(-np.pi, np.pi, (count, len(arm.joints)))
+    return q, arm.fk(q)
+
+
+def test_an_arm_has_joints_and_limits(arm):
+    assert len(arm.joints) == 6 and len(arm.limits) == 6 and (arm.base, arm.tip) == ("base_link", "tool0")
+
+
+def test_forward_kinematics_of_one_and_of_many(arm):
+    q, poses = poses_of(arm, 5)
+    assert poses.shape == (5, 4, 4) and arm.fk(q[0]).shape == (4, 4)
+    assert np.array_equal(arm.fk(q[0]), poses[0])
+    assert np.allclose(poses[:, :3, :3] @ poses[:, :3, :3].transpose(0, 2, 1), np.eye(3))
+
+
+def test_one_pose_has_its_postures(arm):
+    _, poses = poses_of(arm, 1)
+    q = arm.ik(poses[0])
+    assert q.values.shape == (1, 16, 6) and q.counts.shape == (1,) and q.complete is True
+    assert np.isnan(q.values[0, q.counts[0]:]).all() and not np.isnan(q.values[0, :q.counts[0]]).any()
+    assert q[0].shape == (q.counts[0], 6)
+
+
+def test_every_posture_holds_the_pose(arm):
+    given, poses = poses_of(arm, 20)
+    q = arm.ik(poses, tracker="lanes")
+    assert q.complete and q.values.shape == (20, 16, 6)
+    for k in range(20):
+        assert np.allclose(arm.fk(q[k]), poses[k], atol=1e-8)
+        turned = np.abs(np.exp(1j * q[k]) - np.exp(1j * given[k])).max(axis=1)
+        assert turned.min() < 1e-6
+
+
+def test_postures_have_names(arm):
+    _, poses = poses_of(arm, 2)
+    q = arm.ik(poses)
+    assert len(q.names(1)) == q.counts[1] and "shoulder" in q.names(1)[0]
+
+
+def test_a_pose_out_of_reach_has_none(arm):
+    pose = np.eye(4)
+    pose[:3, 3] = [10, 0, 0]
+    q = arm.ik(pose)
+    assert q.complete and q.counts[0] == 0 and np.isnan(q.values).all() and q[0].shape == (0, 6)
+
+
+def test_no_pose_gives_empty_arrays(arm):
+    q = arm.ik(np.zeros((0, 4, 4)))
+    assert q.values.shape == (0, 16, 6) and q.complete and len(q) == 0
+
+
+def broken(change):
+    pose = np.eye(4)
+    change(pose)
+    return pose
+
+
+@pytest.mark.parametrize("change, words", [
+    (lambda p: p.__setitem__((0, 0), np.nan), "not finite"),
+    (lambda p: p.__setitem__((0, 3), np.inf), "not finite"),
+    (lambda p: p.__setitem__((0, 0), 2), "no rotation"),
+    (lambda p: p.__setitem__((0, 0), -1), "no rotation"),
+    (lambda p: p.__setitem__((3, 0), 1), "last row"),
+])
+def test_what_is_no_pose_is_refused_by_number(arm, change, words):
+    poses = np.stack([np.eye(4), broken(change)])
+    with pytest.raises(ValueError, match=f"pose 1: .*{words}"):
+        arm.ik(poses)
+
+
+@pytest.mark.parametrize("poses", [np.eye(3), np.zeros((2, 3, 4)), np.zeros(16)])
+def test_poses_of_another_shape_are_refused(arm, poses):
+    with pytest.raises(ValueError, match="4, 4"):
+        arm.ik(poses)
+
+
+@pytest.mark.parametrize("q", [[0, 0, 0], np.zeros((2, 5)), np.zeros((1, 1, 6)), [0, 0, 0, 0, 0, np.nan]])
+def test_joint_values_that_do_not_fit_are_refused(arm, q):
+    with pytest.raises(ValueError):
+        arm.fk(q)
+
+
+def test_limits_are_met_by_whole_turns_where_that_can_be(arm):
+    _, poses = poses_of(arm, 3)
+    q = arm.ik(poses)
+    lower, upper = np.array([limit or (-np.inf, np.inf) for limit in arm.limits]).T
+    inside = (q.in_limits >= lower) & (q.in_limits <= upper) | np.isnan(q.in_limits)
+    assert inside.all()
+    assert np.allclose(np.exp(1j * q.values[0, 0]), np.exp(1j * q.in_limits[0, 0]))
+
+
+def test_a_joint_can_be_held(problems):
+    arm = moivre.Arm(problems / "robots" / "panda.urdf", tip="panda_hand_tcp", hold={"panda_joint7": 0.8})
+    assert len(arm.joints) == 6
+    assert arm.ik(arm.fk([0.1, 0.2, 0.3, -1.0, 0.5, 1.5])).counts[0] >= 1
+
+
+@pytest.mark.parametrize("options", [{"tip": "hand"}, {"base": "nowhere"}, {"hold": {"elbow": 1}}])
+def test_unknown_links_and_joints_are_named(ur5, options):
+    with pytest.raises(ValueError):
+        moivre.Arm(ur5, **options)
+
+
+def test_a_file_that_is_no_robot_has_a_place(tmp_path):
+    (tmp_path / "r.urdf").write_text("<robot name='r'>\n<link/>\n</robot>")
+    with pytest.raises(moivre.ParseError) as caught:
+        moivre.Arm(tmp_path / "r.urdf")
+    assert caught.value.line == 2
+
+
+def test_postures_are_those_of_the_command_line(arm, ur5, command, tmp_path):
+    _, poses = poses_of(arm, 3)
+    rows = []
+    for pose in poses:
+        w = np.sqrt(1 + np.trace(pose[:3, :3])) / 2
+        x, y, z = ((pose[2, 1] - pose[1, 2]) / 4 / w, (pose[0, 2] - pose[2, 0]) / 4 / w, (pose[1, 0] - pose[0, 1]) / 4 / w)
+        rows.append(" ".join(map(repr, map(float, [*pose[:3, 3], w, x, y, z]))))
+    (tmp_path / "poses.csv").write_text("\n".join(rows))
+    theirs = parsed(command("closures", ur5, "--base", "base_link", "--tip", "tool0", "--poses", tmp_path / "poses.csv"))
+    ours = parsed(arm.ik(poses).to_json())
+    assert set(ours) == set(theirs) and len(ours["poses"]) == len(theirs["poses"])
+    q = arm.ik(poses)
+    for k, pose in enumerate(theirs["poses"]):
+        values = np.array([[c["coordinates"][joint] for joint in arm.joints] for c in pose["closures"]])
+        assert np.allclose(values, q[k], atol=1e-9)
+
+
+def test_a_single_pose_is_drawn(arm):
+    q = arm.ik(arm.fk([0.1, -1.2, 1.1, 0.3, 0.8, -0.4]))
+    assert "<svg" in q.to_svg() and q._repr_html_() and "<html" in q.to_html()

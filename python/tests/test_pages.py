@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: MIT
+# Do the blocks of docs/python.md run, one after another, and do the types that are told exist?
+import ast
+import os
+import re
+
+import pytest
+from conftest import ROOT
+
+import moivre
+
+
+def test_the_page_runs(tmp_path, monkeypatch):
+    pytest.importorskip("sympy")
+    page = (ROOT / "docs" / "python.md").read_text(encoding="utf-8")
+    blocks = re.findall(r"```python\n(.*?)```", page, re.DOTALL)
+    assert len(blocks) >= 4
+    code = "\n".join(blocks).replace("problems/", f"{ROOT}/problems/")
+    monkeypatch.chdir(tmp_path)
+    exec(compile(code, "docs/python.md", "exec"), {})  # noqa: S102
+    assert os.path.exists("quadratic.family")
+
+
+def told_members():
+    tree = ast.parse((ROOT / "python" / "moivre" / "__init__.pyi").read_text(encoding="utf-8"))
+    for node in tree.body:
+        if isinstance(node, ast.ClassDef) and not node.name.startswith("_") and node.name != "Body":
+            for member in node.body:
+                if isinstance(member, ast.FunctionDef):
+                    yield node.name, member.name
+
+
+def test_every_function_that_is_typed_exists():
+    for name, member in told_members():
+        assert hasattr(getattr(moivre, name), member), f"{name}.{member}"
+
+
+def test_every_public_name_is_typed_and_documented():
+    tree = ast.parse((ROOT / "python" / "moivre" / "__init__.pyi").read_text(encoding="utf-8"))
+    typed = {node.name for node in tree.body if isinstance(node, (ast.ClassDef, ast.FunctionDef))}
+    for name in moivre.__all__:
+        if name == "__version__":
+            continue
+        assert name in typed
+        assert getattr(moivre, name).__doc__
+
+
+@pytest.mark.parametrize("name", ["solve", "Result", "Root", "Family", "Closures", "Motion", "Sweep", "Sensitivity", "Guesses",
+                                  "Mobility", "Mechanism", "Arm", "ParseError"])
+def test_what_users_call_has_an_example(name):
+    assert ">>>" in getattr(moivre, name).__doc__

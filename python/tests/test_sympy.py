@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: MIT
+# Are expressions of sympy taken as they stand, every number exact?
+import sys
+
+import numpy as np
+import pytest
+
+sp = pytest.importorskip("sympy")
+
+import moivre  # noqa: E402
+
+x, y, a, b = sp.symbols("x y a b")
+
+
+def test_the_first_lines_of_the_manual_run():
+    r = moivre.solve([x**2 + y**2 - 4, x * y - 1])
+    assert r.completeness == "proved" and r.complete is True
+    assert r.points.shape == (4, 2) and r.real_points.shape == (4, 2)
+    assert (r[0].multiplicity, r[0].certified) == (1, True)
+
+
+def test_equations_of_sympy_equal_those_of_text():
+    by_text = moivre.solve(["x^2 + y^2 - 4", "x*y - 1"])
+    by_sympy = moivre.solve([x**2 + y**2 - 4, x * y - 1])
+    assert np.array_equal(by_text.points, by_sympy.points)
+
+
+def test_an_equality_is_an_equation():
+    assert np.allclose(moivre.solve([sp.Eq(x, 2 * y), sp.Eq(y, 3)]).points, [[6, 3]])
+
+
+def test_a_single_expression_is_a_system():
+    assert len(moivre.solve(x**2 - 2)) == 2
+
+
+def test_unknowns_come_by_name_and_number():
+    symbols = sp.symbols("x1:12")
+    r = moivre.solve([s - k for k, s in enumerate(symbols)])
+    assert r.variables == [str(s) for s in symbols]
+
+
+def test_variables_may_be_symbols():
+    assert moivre.solve([x - 1, y - 2], variables=[y, x]).variables == ["y", "x"]
+
+
+def test_rationals_stay_exact_beside_floats():
+    r = moivre.solve([x * 0.5 - sp.Rational(1, 3)])
+    assert str(r.digits(30)[0][0].real) == "0.666666666666666666666666666667"
+
+
+def test_a_float_is_the_double_that_it_is():
+    r = moivre.solve([x - sp.Float(0.1)])
+    assert str(r.digits(30)[0][0].real) == "0.100000000000000005551115123126"
+
+
+def test_complex_coefficients_are_taken():
+    r = moivre.solve([x**2 - sp.I])
+    assert np.allclose(r.points[:, 0] ** 2, 1j)
+
+
+def test_products_are_expanded():
+    assert moivre.solve([(x - 1) ** 3])[0].multiplicity == 3
+
+
+@pytest.mark.parametrize("expression, words", [
+    (sp.sin(x) - 1, "no polynomial"),
+    (x**sp.Rational(1, 2) - 1, "no polynomial"),
+    (sp.sqrt(2) * x - 1, "neither rational nor a float"),
+    (sp.pi * x - 1, "neither rational nor a float"),
+    (sp.nan + x, "finite"),
+    (x - sp.oo, "finite"),
+])
+def test_what_is_no_polynomial_is_named(expression, words):
+    with pytest.raises(ValueError, match=words):
+        moivre.solve([expression])
+
+
+def test_a_stray_symbol_is_named():
+    with pytest.raises(ValueError, match="a is neither an unknown nor a parameter"):
+        moivre.solve([x - a], variables=[x])
+
+
+def test_text_among_expressions_is_refused():
+    with pytest.raises(ValueError, match="equation 2"):
+        moivre.solve([x - 1, "y - 2"])
+
+
+def test_a_family_of_expressions_is_learned():
+    f = moivre.Family.learn([x**2 + a * x + b], parameters=[a, b])
+    assert (f.variables, f.parameters, f.roots) == (["x"], ["a", "b"], 2)
+    s = f.solve(np.array([[-3.0, 2.0]]))
+    assert np.allclose(sorted(s.points[:, 0].real), [1, 2])
+
+
+def test_moivre_does_not_import_sympy():
+    import subprocess
+    code = "import sys, moivre; moivre.solve('x^2 - 2'); sys.exit('sympy' in sys.modules)"
+    assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
