@@ -14,6 +14,8 @@ foreach(module IN LISTS MOIVRE_BUILT_MODULES)
   install(EXPORT moivre_${module} DESTINATION ${package_dir} NAMESPACE moivre::
           FILE moivre_${module}.cmake COMPONENT development)
 endforeach()
+# All of it by one header.
+install(FILES ${PROJECT_SOURCE_DIR}/include/moivre/moivre.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/moivre)
 if(TARGET moivre)
   install(TARGETS moivre COMPONENT program)
 endif()

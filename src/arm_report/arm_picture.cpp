@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cstdio>
 #include <numbers>
-#include <stdexcept>
 
 #include "moivre/arm_report/arm_report.h"
 #include "moivre/arms/posture.h"
 #include "moivre/closure_report/sheet.h"
 #include "moivre/expression/counted.h"
+#include "moivre/numeric/invalid_input.h"
 #include "moivre/report/number_text.h"
 #include "skeleton.h"
 
@@ -70,8 +70,8 @@ struct Scene {
 
 Scene scene_of(const ArmReport& report, bool in_degrees) {
   if (report.results.size() != 1) {
-    throw std::invalid_argument("a picture shows the closures of one pose, not of " +
-                                std::to_string(report.results.size()));
+    throw InvalidInput("a picture shows the closures of one pose, not of " +
+                       std::to_string(report.results.size()));
   }
   const Arm& arm = report.arm;
   const ArmResult& result = report.results.front();

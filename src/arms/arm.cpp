@@ -3,9 +3,10 @@
 #include "moivre/arms/arm.h"
 
 #include <cmath>
-#include <stdexcept>
 
+#include "moivre/arms/rules.h"
 #include "moivre/expression/joined.h"
+#include "moivre/numeric/invalid_input.h"
 #include "moivre/urdf/placement.h"
 #include "typed_displacement.h"
 
@@ -59,7 +60,7 @@ void check_mimics(const Robot& robot, const std::vector<std::size_t>& free,
       faults.push_back("joints '" + robot.joints[free[j]].name + "' and '" +
                        robot.joints[free[k]].name +
                        "' move together (mimic) and are both in the chain, which is not "
-                       "supported; hold one of them by --hold");
+                       "supported; hold one of them by `held`");
     }
   }
 }
@@ -73,8 +74,7 @@ void check_free(const Robot& robot, const std::vector<std::size_t>& free,
     faults.push_back(
         "there are " + std::to_string(free.size()) +
         " free joints; with more than six the arm can move while the tip stands. Hold " +
-        std::to_string(free.size() - kMostFree) +
-        " of them by --hold JOINT=VALUE: " + listed_names(names));
+        std::to_string(free.size() - kMostFree) + " of them by `held`: " + listed_names(names));
   }
 }
 
@@ -152,11 +152,12 @@ void pass(const Robot& robot, const Passage& passage, const std::vector<HeldJoin
 }  // namespace
 
 Arm make_arm(const Robot& robot, const ArmChoice& choice) {
+  require_unbroken(broken_rules(robot));
   std::vector<std::string> faults;
   check_held(robot, choice.held, faults);
   const std::size_t base = find_link(robot, choice.base, robot.root, faults);
   const std::size_t tip = find_tip(robot, choice.tip, faults);
-  if (!faults.empty()) throw std::invalid_argument(joined(faults, "; "));
+  require_unbroken(faults);
   const std::vector<Passage> passages = way(robot, base, tip);
   std::vector<std::size_t> free;
   for (const Passage& passage : passages) {
@@ -166,7 +167,7 @@ Arm make_arm(const Robot& robot, const ArmChoice& choice) {
   }
   check_free(robot, free, faults);
   check_mimics(robot, free, faults);
-  if (!faults.empty()) throw std::invalid_argument(joined(faults, "; "));
+  require_unbroken(faults);
 
   Arm arm;
   arm.robot = robot.name;
@@ -182,6 +183,7 @@ Arm make_arm(const Robot& robot, const ArmChoice& choice) {
 }
 
 std::vector<Eigen::Isometry3d> joint_frames(const Arm& arm, const Eigen::VectorXd& values) {
+  require_values(arm, values);
   std::vector<Eigen::Isometry3d> frames;
   Eigen::Isometry3d frame = Eigen::Isometry3d::Identity();
   Eigen::Index k = 0;
@@ -193,7 +195,8 @@ std::vector<Eigen::Isometry3d> joint_frames(const Arm& arm, const Eigen::VectorX
 }
 
 Eigen::Isometry3d forward_kinematics(const Arm& arm, const Eigen::VectorXd& values) {
-  return joint_frames(arm, values).back() * arm.tool;
+  const std::vector<Eigen::Isometry3d> frames = joint_frames(arm, values);
+  return frames.empty() ? arm.tool : frames.back() * arm.tool;
 }
 
 }  // namespace moivre

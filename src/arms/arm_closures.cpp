@@ -3,6 +3,7 @@
 #include "moivre/arms/arm_closures.h"
 
 #include "equations.h"
+#include "moivre/arms/rules.h"
 #include "moivre/numeric/stopwatch.h"
 #include "read_closures.h"
 
@@ -32,9 +33,11 @@ void take_account(const SolveResult& solved, ArmResult& result) {
 
 }  // namespace
 
-ArmResult find_arm_closures(const Arm& arm, const Eigen::Isometry3d& pose, const Tracker& tracker,
+ArmResult find_arm_closures(const Arm& arm, const Eigen::Isometry3d& given, const Tracker& tracker,
                             const SolveOptions& options, const std::atomic<bool>& stop) {
-  require_finite(pose);
+  require_unbroken(arm);
+  require_unbroken(validate(options));
+  const Eigen::Isometry3d pose = workable_pose(given, "the pose");
   const Stopwatch watch;
   ArmResult result;
   result.seed = options.seed;

@@ -5,8 +5,9 @@
 #include <optional>
 
 #include "moivre/arms/arm_closures.h"
+#include "moivre/arms/rules.h"
 #include "moivre/expression/counted.h"
-#include "moivre/expression/refusal.h"
+#include "moivre/numeric/invalid_input.h"
 #include "moivre/numeric/stopwatch.h"
 #include "moivre/numeric/threads.h"
 #include "pose_family.h"
@@ -73,19 +74,25 @@ struct Poses {
   const SolveOptions& options;
   const std::atomic<bool>& stop;
   std::vector<PoseFamily> families;
-  std::vector<std::optional<ArmResult>> results;  ///< none of a pose that was not begun
+  std::vector<std::optional<ArmResult>> results;  ///< of a block; none of a pose that was not begun
   std::mutex telling;
   std::uint64_t done = 0;
+  std::atomic<bool> has_thrown{false};  ///< the callback: no other pose begins
 
   void tell() {
     const std::lock_guard lock(telling);
     ++done;
-    if (!options.progress) return;
+    if (!options.progress || has_thrown) return;
     Progress progress;
     progress.done = done;
     progress.total = poses.size();
     progress.finite = done;
-    options.progress(progress);
+    try {
+      options.progress(progress);
+    } catch (...) {
+      has_thrown = true;
+      throw;
+    }
   }
 };
 
@@ -122,7 +129,7 @@ void solve_range(Poses& all, std::size_t begin, std::size_t end, std::size_t thr
   const double share = following.total() / static_cast<double>(end - begin);
   std::atomic<std::size_t> next = begin;
   on_threads(static_cast<int>(std::min(threads, end - begin)), [&] {
-    for (std::size_t k = next++; k < end && !all.stop; k = next++) {
+    for (std::size_t k = next++; k < end && !all.stop && !all.has_thrown; k = next++) {
       const Stopwatch watch;
       std::optional<ArmResult> result;
       const Followed& own = followed[k - begin];
@@ -134,7 +141,7 @@ void solve_range(Poses& all, std::size_t begin, std::size_t end, std::size_t thr
         result = find_arm_closures(all.arm, all.poses[k], all.tracker, all.of_one, all.stop);
       }
       result->time_s.total = watch.total() + share;
-      all.results[k] = std::move(result);
+      all.results[k - begin] = std::move(result);
       all.tell();
     }
   });
@@ -156,29 +163,44 @@ std::vector<PoseFamily> families_of(const Arm& arm, const Tracker& tracker,
 
 }  // namespace
 
-std::vector<ArmResult> find_arm_closures(const Arm& arm,
-                                         const std::vector<Eigen::Isometry3d>& poses,
-                                         const Tracker& tracker, const SolveOptions& options,
-                                         const std::atomic<bool>& stop) {
-  for (const Eigen::Isometry3d& pose : poses) require_finite(pose);
+void for_each_pose(const Arm& arm, const std::vector<Eigen::Isometry3d>& given,
+                   const Tracker& tracker, const std::function<void(ArmResult&& result)>& take,
+                   const SolveOptions& options, const std::atomic<bool>& stop) {
+  require_unbroken(arm);
   require_unbroken(validate(options));
+  std::vector<Eigen::Isometry3d> poses;
+  poses.reserve(given.size());
+  for (std::size_t k = 0; k < given.size(); ++k) {
+    poses.push_back(workable_pose(given[k], "pose " + std::to_string(k)));
+  }
   const auto threads =
       std::min(poses.size(), static_cast<std::size_t>(thread_count(options.threads)));
   SolveOptions of_one = options;
   of_one.threads = 1;
   of_one.progress = nullptr;
-  Poses all{arm, poses, tracker, of_one, options, stop, {}, {}, {}, 0};
-  all.results.resize(poses.size());
+  Poses all{arm, poses, tracker, of_one, options, stop, {}, {}, {}, 0, {}};
   const bool may_be_family = options.start == StartKind::automatic && poses.size() >= kWorthAFamily;
   if (may_be_family) all.families = families_of(arm, tracker, of_one, stop);
-  const std::size_t block = all.families.empty() ? poses.size() : kTogether * threads;
+  const std::size_t block = kTogether * threads;
   for (std::size_t begin = 0; begin < poses.size() && !stop; begin += block) {
-    solve_range(all, begin, std::min(begin + block, poses.size()), threads);
+    const std::size_t end = std::min(begin + block, poses.size());
+    all.results.assign(end - begin, std::nullopt);
+    solve_range(all, begin, end, threads);
+    for (std::optional<ArmResult>& result : all.results) {
+      if (result) take(std::move(*result));
+    }
   }
+}
+
+std::vector<ArmResult> find_arm_closures(const Arm& arm,
+                                         const std::vector<Eigen::Isometry3d>& poses,
+                                         const Tracker& tracker, const SolveOptions& options,
+                                         const std::atomic<bool>& stop) {
   std::vector<ArmResult> begun;
-  for (std::optional<ArmResult>& result : all.results) {
-    if (result) begun.push_back(std::move(*result));
-  }
+  begun.reserve(poses.size());
+  for_each_pose(
+      arm, poses, tracker, [&](ArmResult&& result) { begun.push_back(std::move(result)); }, options,
+      stop);
   return begun;
 }
 

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
 #include "moivre/expression/joined.h"
 #include "moivre/mechanism/closure_id.h"
+#include "moivre/numeric/invalid_input.h"
 #include "polish.h"
 #include "random_values.h"
 #include "read_back.h"
@@ -199,12 +199,6 @@ void read_roots(const Arm& arm, const Loop& loop, const Cut& cut,
 }
 
 }  // namespace
-
-void require_finite(const Eigen::Isometry3d& pose) {
-  if (!pose.matrix().allFinite()) {
-    throw std::invalid_argument("the pose has a number that is not finite");
-  }
-}
 
 std::string names_of(const Arm& arm, const std::vector<std::size_t>& joints) {
   std::vector<std::string> names;

@@ -9,9 +9,6 @@
 
 namespace moivre {
 
-/// Throws std::invalid_argument where it is not.
-void require_finite(const Eigen::Isometry3d& pose);
-
 /// "joint2, joint3".
 std::string names_of(const Arm& arm, const std::vector<std::size_t>& joints);
 

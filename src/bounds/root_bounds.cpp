@@ -3,9 +3,9 @@
 #include "moivre/bounds/root_bounds.h"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "moivre/expression/counted.h"
+#include "moivre/numeric/invalid_input.h"
 #include "moivre/polynomial/eliminate.h"
 #include "moivre/polynomial/quotient_ring.h"
 #include "moivre/start/mixed_volume.h"
@@ -101,10 +101,11 @@ RootBound smaller(const RootBound& a, const RootBound& b) {
 }
 
 void require_square(const System& f) {
+  require_unbroken(broken_rules(f));
   if (f.polynomials.size() == f.variables.size()) return;
-  throw std::invalid_argument("bounds on roots are those of square systems; this one has " +
-                              counted(f.polynomials.size(), "equation") + " in " +
-                              counted(f.variables.size(), "unknown"));
+  throw InvalidInput("bounds on roots are those of square systems; this one has " +
+                     counted(f.polynomials.size(), "equation") + " in " +
+                     counted(f.variables.size(), "unknown"));
 }
 
 }  // namespace

@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <future>
 #include <optional>
-#include <stdexcept>
 #include <string>
 
 #include "arb_stage.h"
 #include "double_stage.h"
 #include "moivre/certify/distinct.h"
 #include "moivre/expression/counted.h"
+#include "moivre/numeric/invalid_input.h"
 #include "reality.h"
 
 namespace moivre {
@@ -19,12 +19,12 @@ namespace {
 
 CertifyOptions checked(CertifyOptions options) {
   if (!(options.accuracy > 0) || !std::isfinite(options.accuracy)) {
-    throw std::invalid_argument("the accuracy of a certificate must be a positive number");
+    throw InvalidInput("the accuracy of a certificate must be a positive number");
   }
   if (options.most_bits < kDoubleBits || options.most_bits > kMostArbBits) {
-    throw std::invalid_argument(
-        "bits of a certificate must lie between " + std::to_string(kDoubleBits) + " and " +
-        std::to_string(kMostArbBits) + ", not " + std::to_string(options.most_bits));
+    throw InvalidInput("bits of a certificate must lie between " + std::to_string(kDoubleBits) +
+                       " and " + std::to_string(kMostArbBits) + ", not " +
+                       std::to_string(options.most_bits));
   }
   return options;
 }
@@ -94,7 +94,7 @@ class Certifier::Work {
 
   bool sharpen(Certificate& certificate, std::span<const Enclosure> given, int bits) {
     require_dimension(certificate.midpoint.size(), given.size());
-    if (!certificate.holds_root()) throw std::invalid_argument("no root is proved to sharpen");
+    if (!certificate.holds_root()) throw InvalidInput("no root is proved to sharpen");
     Certificate finer;
     const double farthest = *std::max_element(certificate.radius.begin(), certificate.radius.end());
     if (arb().prove(certificate.midpoint, certificate.finer, given, bits, farthest, finer) !=
@@ -112,12 +112,12 @@ class Certifier::Work {
  private:
   void require_dimension(std::size_t n, std::size_t given) const {
     if (n != dimension()) {
-      throw std::invalid_argument("a point has " + counted(n, "coordinate") + ", the system " +
-                                  counted(dimension(), "unknown"));
+      throw InvalidInput("a point has " + counted(n, "coordinate") + ", the system " +
+                         counted(dimension(), "unknown"));
     }
     if (given != program_->given) {
-      throw std::invalid_argument(counted(given, "number") + " are given, the system has " +
-                                  std::to_string(program_->given));
+      throw InvalidInput(counted(given, "number") + " are given, the system has " +
+                         std::to_string(program_->given));
     }
   }
 
@@ -181,8 +181,8 @@ std::vector<Certificate> certify(const System& f, const std::vector<Point>& poin
   checked(options);
   for (const Point& x : points) {
     if (x.size() == program->dimension()) continue;
-    throw std::invalid_argument("a point has " + counted(x.size(), "coordinate") + ", the system " +
-                                counted(program->dimension(), "unknown"));
+    throw InvalidInput("a point has " + counted(x.size(), "coordinate") + ", the system " +
+                       counted(program->dimension(), "unknown"));
   }
   std::vector<Certificate> certificates(points.size());
   const auto workers = std::clamp<std::size_t>(static_cast<std::size_t>(std::max(threads, 1)), 1,

@@ -7,12 +7,12 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <utility>
 
 #include "moivre/expression/counted.h"
 #include "moivre/numeric/integer.h"
+#include "moivre/numeric/invalid_input.h"
 
 namespace moivre {
 namespace {
@@ -101,14 +101,15 @@ CertifyProgram::CertifyProgram(const System& f, std::size_t numbers)
 }
 
 std::shared_ptr<const CertifyProgram> make_certify_program(const System& f, std::size_t given) {
+  require_unbroken(broken_rules(f));
   const std::size_t unknowns = f.variables.size() - std::min(given, f.variables.size());
   if (f.polynomials.size() != unknowns) {
-    throw std::invalid_argument("certificates are for square systems; this one has " +
-                                counted(f.polynomials.size(), "equation") + " in " +
-                                counted(unknowns, "unknown"));
+    throw InvalidInput("certificates are for square systems; this one has " +
+                       counted(f.polynomials.size(), "equation") + " in " +
+                       counted(unknowns, "unknown"));
   }
   if (unknowns == 0) {
-    throw std::invalid_argument("a system without unknowns has no root to certify");
+    throw InvalidInput("a system without unknowns has no root to certify");
   }
   return std::make_shared<const CertifyProgram>(f, given);
 }

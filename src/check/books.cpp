@@ -170,11 +170,11 @@ void judge_paths(const Claims& claims, Verdicts& verdicts) {
   const PathClaim& paths = *claims.paths;
   judge_count(verdicts, ClaimKind::paths, "tracked, as finite + at_infinity + failed",
               paths.tracked, sum({paths.finite, paths.at_infinity, paths.failed}));
-  std::vector<std::uint64_t> finite{paths.on_positive_dimensional, claims.excess};
+  std::vector<std::uint64_t> finite{paths.on_positive_dimensional, claims.excess, claims.left_out};
   for (const RootClaim& root : claims.roots) finite.push_back(root.multiplicity);
   judge_count(verdicts, ClaimKind::paths,
-              "finite, as multiplicities + on_positive_dimensional + excess", paths.finite,
-              sum(finite));
+              "finite, as multiplicities + on_positive_dimensional + excess + roots left out",
+              paths.finite, sum(finite));
   judge_count(verdicts, ClaimKind::paths, "failed, as listed", paths.failed, claims.failures);
   if (paths.retracked) {
     verdicts.judge(ClaimKind::paths, *paths.retracked <= paths.tracked,

@@ -84,6 +84,7 @@ constexpr std::uint64_t kSeed = 101;
 /// Of more equations than unknowns the list has every different root where it has as many as exact algebra counts.
 void judge_points(const System& f, const Claims& claims, Verdicts& verdicts) {
   const bool is_overdetermined = f.polynomials.size() > f.variables.size();
+  if (claims.left_out > 0) return;
   if (!is_overdetermined || !claims.complete || !coefficient_errors(f).empty()) return;
   const auto points = quotient_ring(f, {.counts_points = true, .seed = kSeed}).points;
   if (!points) return;
@@ -95,7 +96,8 @@ void judge_points(const System& f, const Claims& claims, Verdicts& verdicts) {
 /// Beside curves exact algebra counts the simple roots alone.
 void judge_simple_roots(const StandIn& stand_in, const Claims& claims, Verdicts& verdicts) {
   const Judgement& judgement = verdicts.judgement();
-  if (!claims.complete || judgement.proved_by || !coefficient_errors(stand_in.system).empty()) {
+  if (claims.left_out > 0 || !claims.complete || judgement.proved_by ||
+      !coefficient_errors(stand_in.system).empty()) {
     return;
   }
   const auto simple = quotient_ring(stand_in.system, {.seed = kSeed}).simple;
@@ -115,6 +117,11 @@ void judge_completeness(const Claims& claims, const StandIn& stand_in, Verdicts&
   if (*claims.completeness == "shown") {
     return verdicts.leave_open(ClaimKind::completeness,
                                "\"shown\" rests on paths, which are not followed here");
+  }
+  if (claims.left_out > 0) {
+    return verdicts.leave_open(
+        ClaimKind::completeness,
+        "\"proved\" of all roots, and " + std::to_string(claims.left_out) + " are not listed");
   }
   if (!stand_in.has_all_roots) {
     return verdicts.refute(ClaimKind::completeness,

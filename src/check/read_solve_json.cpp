@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The JSON of solve, key by key as in docs/json.md; keys that no claim is made of are passed over.
-#include <stdexcept>
 
 #include "json_reader.h"
 #include "moivre/expression/counted.h"
 #include "moivre/expression/joined.h"
+#include "moivre/numeric/invalid_input.h"
 #include "read_forms.h"
 
 namespace moivre {
@@ -23,7 +23,7 @@ JsonValue parse(const Source& source) {
     const std::string_view before(source.text.data(), std::min(place, source.text.size()));
     throw ParseError(source, {{after({}, before), "the JSON is broken or cut off here"}});
   } catch (const JsonValue::exception&) {
-    throw std::invalid_argument(source.name + ": a number in the JSON is beyond double");
+    throw InvalidInput(source.name + ": a number in the JSON is beyond double");
   }
 }
 
@@ -159,6 +159,9 @@ Claims read_top(const JsonPlace& top) {
     claims.failures = list->size();
   }
   if (const auto excess = top.member("excess")) claims.excess = excess->count();
+  for (const char* kind : {"on_denominators", "filtered"}) {
+    if (const auto left_out = top.member(kind)) claims.left_out += left_out->count();
+  }
   if (const auto digits = top.member("digits")) claims.digits = read_digit_count(*digits);
   if (const auto level = top.member("completeness")) claims.completeness = read_level(*level);
   claims.names_bound = top.member("bound").has_value();
@@ -182,8 +185,7 @@ Claims read_solve_json(const Source& source) {
   const std::size_t found = faults.size();
   faults.resize(std::min(found, kMostFaults));
   if (found > kMostFaults) faults.push_back("and " + std::to_string(found - kMostFaults) + " more");
-  throw std::invalid_argument(source.name + ": no result of moivre solve\n  " +
-                              joined(faults, "\n  "));
+  throw InvalidInput(source.name + ": no result of moivre solve\n  " + joined(faults, "\n  "));
 }
 
 }  // namespace moivre

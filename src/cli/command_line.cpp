@@ -10,6 +10,7 @@
 #include "command.h"
 #include "moivre/expression/joined.h"
 #include "moivre/expression/source.h"
+#include "option_words.h"
 #include "output.h"
 #include "suggest.h"
 #include "version_text.h"
@@ -174,7 +175,7 @@ int run_command_line(int argc, char** argv) noexcept {
   } catch (const ParseError& error) {
     return refuse(error.what());
   } catch (const std::invalid_argument& error) {
-    return refuse(std::string("moivre: ") + error.what() + '\n');
+    return refuse("moivre: " + in_option_words(error.what()) + '\n');
   } catch (const std::overflow_error& error) {
     return refuse(std::string("moivre: ") + error.what() + '\n');
   } catch (const std::bad_alloc&) {

@@ -7,7 +7,7 @@
 
 #include "command_line.h"
 #include "interruption.h"
-#include "moivre/expression/refusal.h"
+#include "moivre/numeric/invalid_input.h"
 #include "moivre/polynomial/read.h"
 #include "moivre/report/number_text.h"
 #include "moivre/study_report/study_report.h"

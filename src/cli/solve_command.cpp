@@ -7,6 +7,7 @@
 #include "command.h"
 #include "common_options.h"
 #include "interruption.h"
+#include "moivre/numeric/invalid_input.h"
 #include "moivre/numeric/stopwatch.h"
 #include "moivre/polynomial/patches.h"
 #include "moivre/report/solve_report.h"
@@ -14,6 +15,7 @@
 #include "moivre/solver/digits.h"
 #include "output.h"
 #include "progress_line.h"
+#include "root_filter.h"
 #include "tracker_choice.h"
 
 namespace moivre {
@@ -23,6 +25,7 @@ struct SolveCommand {
   std::string file;
   StartChoice start;
   TrackerChoice tracker;
+  FilterChoice filter;
   int threads = 0;
   bool all = false;
   bool slice = false;
@@ -112,16 +115,19 @@ int run(const SolveCommand& command) {
        [&] {
          if (command.cross_check) witness = make_witness(command.tracker);
        }});
+  const RootFilter filter = filter_of(command.filter);
   const Problem problem = read_problem(command.file);
   require_digits_possible(command, problem.system);
+  require_unbroken(broken_rules(filter, problem.system.variables));
   Output json(command.json);
   Output csv(command.csv);
   Output paths(command.paths);
   Output phc(command.phc);
 
   const Interruption interruption;
-  const SolveResult result =
+  SolveResult result =
       solve_interruptibly(command, problem, *tracker, witness.get(), interruption.stop());
+  keep_wanted(filter, result);
 
   deliver(
       {{&json, [&] { return solve_json(result, command.file); }},
@@ -144,6 +150,7 @@ void add_solve_command(CLI::App& moivre, Chosen& chosen) {
   add_file(app, command->file);
   add_start_options(app, command->start);
   add_threads_option(app, command->threads);
+  add_filter_options(app, command->filter);
   app.add_flag("--all", command->all, "also print the roots that are not real");
   app.add_flag(
       "--slice", command->slice,

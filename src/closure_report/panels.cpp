@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <filesystem>
 #include <numbers>
-#include <stdexcept>
 
 #include "labels.h"
 #include "moivre/closure_report/angles.h"
 #include "moivre/closure_report/sheet.h"
+#include "moivre/numeric/invalid_input.h"
 #include "pose_text.h"
 #include "svg.h"
 
@@ -160,7 +160,7 @@ double pixel_scale(const Drawing& drawing) { return kPinDot / drawing.symbol; }
 
 void require_spatial(const Mechanism& mechanism) {
   if (mechanism.space == Space::spatial && !is_typed(mechanism)) return;
-  throw std::invalid_argument(
+  throw InvalidInput(
       "three views are for spatial mechanisms and robots; this one has a single view");
 }
 

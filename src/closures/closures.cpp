@@ -9,7 +9,7 @@
 #include "closure_product.h"
 #include "closure_roots.h"
 #include "moivre/closures/idle_joints.h"
-#include "moivre/expression/refusal.h"
+#include "moivre/numeric/invalid_input.h"
 #include "moivre/numeric/stopwatch.h"
 #include "moving_pose.h"
 #include "witness.h"

@@ -2,7 +2,7 @@
 // Closures and real roots as guesses; polynomials as formulas.
 #include "moivre/closures/guesses.h"
 
-#include <stdexcept>
+#include "moivre/numeric/invalid_input.h"
 
 namespace moivre {
 namespace {
@@ -62,7 +62,7 @@ InitialGuesses initial_guesses(const SolveResult& result) {
 
 Mechanism typed_mechanism(const System& f) {
   if (!is_real(f)) {
-    throw std::invalid_argument(
+    throw InvalidInput(
         "Newton-Raphson takes real coordinates, and the polynomials have "
         "coefficients that are not real");
   }

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <set>
-#include <stdexcept>
 
 #include "moivre/mechanism/nearest.h"
+#include "moivre/numeric/invalid_input.h"
 
 namespace moivre {
 namespace {
@@ -171,10 +171,10 @@ Observable output_observable(const Mechanism& mechanism, const std::string& name
     if (one.name == name) return std::move(one);
     known.push_back(one.name);
   }
-  throw std::invalid_argument("there is no output '" + name +
-                              "': it is a body (its angle, or its slide where it cannot turn), a "
-                              "joint, or a point's coordinate such as rocker.B.x" +
-                              suggestion(name, known));
+  throw InvalidInput("there is no output '" + name +
+                     "': it is a body (its angle, or its slide where it cannot turn), a "
+                     "joint, or a point's coordinate such as rocker.B.x" +
+                     suggestion(name, known));
 }
 
 std::vector<std::string> default_outputs(const Mechanism& mechanism) {

@@ -10,6 +10,7 @@
 #include "moivre/closures/idle_joints.h"
 #include "moivre/factorization/svd.h"
 #include "moivre/kinematics/own_units.h"
+#include "moivre/numeric/invalid_input.h"
 #include "pose_between.h"
 #include "sampled_pose.h"
 
@@ -170,7 +171,7 @@ struct QuantityReader::Parts {
         refusals += (refusals.empty() ? "" : "\n") + std::string(refusal.what());
       }
     }
-    if (!refusals.empty()) throw std::invalid_argument(refusals);
+    if (!refusals.empty()) throw InvalidInput(refusals);
     for (const QuantityGroup group : choice.groups) add(group);
     for (const QuantityRule& rule : rules) quantities.push_back(rule.quantity);
   }

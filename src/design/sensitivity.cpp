@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 #include <utility>
 
 #include "moivre/closures/idle_joints.h"
@@ -13,6 +12,7 @@
 #include "moivre/kinematics/sensitivity.h"
 #include "moivre/mechanism/dimension_rates.h"
 #include "moivre/mechanism/pose.h"
+#include "moivre/numeric/invalid_input.h"
 
 namespace moivre {
 namespace {
@@ -268,7 +268,7 @@ bool Sensitivities::has_tolerances() const {
 
 void require_dimensions(const Mechanism& mechanism) {
   if (!is_typed(mechanism)) return;
-  throw std::invalid_argument(
+  throw InvalidInput(
       "typed equations have no dimensions to vary: sensitivities are of mechanisms with bodies and "
       "joints");
 }

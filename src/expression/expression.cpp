@@ -26,7 +26,11 @@ struct digits : plus<digit> {};
 struct fraction : seq<one<'.'>, star<digit>> {};
 struct exponent : seq<one<'e', 'E'>, opt<one<'+', '-'>>, digits> {};
 struct number : seq<sor<seq<digits, opt<fraction>>, seq<one<'.'>, digits>>, opt<exponent>> {};
-struct name : seq<sor<alpha, one<'_'>>, star<sor<alnum, one<'_', '[', ']'>>>> {};
+// Greek letters are of two bytes in UTF-8, small digits below the line (x\u2081) of three.
+struct greek : seq<one<'\xCE', '\xCF'>, range<'\x80', '\xBF'>> {};
+struct low_digit : seq<string<'\xE2', '\x82'>, range<'\x80', '\x89'>> {};
+struct name
+    : seq<sor<alpha, one<'_'>, greek>, star<sor<alnum, one<'_', '[', ']'>, greek, low_digit>>> {};
 
 struct sum;
 struct opening : one<'('> {};
@@ -50,7 +54,19 @@ struct begin_product : success {};
 struct end_product : success {};
 struct multiplied : if_must<seq<one<'*'>, not_at<one<'*'>>>, gap, signed_power> {};
 struct divided : if_must<one<'/'>, gap, signed_power> {};
-struct product : seq<begin_product, power, star<sor<multiplied, divided>>, end_product> {};
+// 2x, 3(x + 1): a number right before what it multiplies. Behind a `/` it would be read in two ways: 1/2x.
+struct behind_digit {
+  using rule_t = behind_digit;
+  using subs_t = empty_list;
+  template <class AnyInput>
+  static bool match(const AnyInput& in) {
+    const char* here = in.current();
+    return here != in.begin() && ((here[-1] >= '0' && here[-1] <= '9') || here[-1] == '.');
+  }
+};
+struct multiple : seq<behind_digit, at<sor<alpha, one<'_', '('>, greek>>, power> {};
+struct product : seq<begin_product, power, star<multiple>,
+                     star<sor<seq<multiplied, star<multiple>>, divided>>, end_product> {};
 
 struct begin_sum : success {};
 struct end_sum : success {};
@@ -309,7 +325,8 @@ std::string quoted(char c) {
 std::string first_word(std::string_view text) {
   constexpr std::size_t kLongestWord = 40;
   std::size_t end = 0;
-  while (end < text.size() && end < kLongestWord && (is_name_character(text[end]) || text[end] == '.')) {
+  while (end < text.size() && end < kLongestWord &&
+         (is_name_character(text[end]) || text[end] == '.')) {
     ++end;
   }
   return end == 0 ? quoted(text.front()) : '`' + std::string(text.substr(0, end)) + '`';

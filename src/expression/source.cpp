@@ -10,6 +10,8 @@
 #include <iostream>
 #include <system_error>
 
+#include "moivre/numeric/invalid_input.h"
+
 namespace moivre {
 
 namespace {
@@ -75,6 +77,12 @@ std::string all_texts(const Source& source, const std::vector<Diagnostic>& fault
   return text;
 }
 
+std::vector<std::string> messages_of(const std::vector<Diagnostic>& faults) {
+  std::vector<std::string> messages;
+  for (const Diagnostic& fault : faults) messages.push_back(fault.message);
+  return messages;
+}
+
 Source read_whole(const std::string& name, std::istream& stream) {
   std::string text;
   for (std::size_t piece = kFirstPiece; stream; piece = kPiece) {
@@ -83,12 +91,11 @@ Source read_whole(const std::string& name, std::istream& stream) {
     stream.read(text.data() + before, static_cast<std::streamsize>(piece));
     text.resize(before + static_cast<std::size_t>(stream.gcount()));
     if (text.size() <= kLongestText) continue;
-    throw std::invalid_argument(name + ": is longer than " +
-                                std::to_string(kLongestText / kMegabyte) +
-                                " MB, more than any system or mechanism that can be solved");
+    throw InvalidInput(name + ": is longer than " + std::to_string(kLongestText / kMegabyte) +
+                       " MB, more than any system or mechanism that can be solved");
   }
   if (stream.bad()) {
-    throw std::invalid_argument(name + ": cannot be read: " + std::strerror(errno));
+    throw InvalidInput(name + ": cannot be read: " + std::strerror(errno));
   }
   if (text.compare(0, kByteOrderMark.size(), kByteOrderMark) == 0) {
     text.erase(0, kByteOrderMark.size());
@@ -112,12 +119,12 @@ Source read_source(const std::string& path) {
   if (path == "-") return read_whole("standard input", std::cin);
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) {
-    throw std::invalid_argument(path + ": cannot be read: it is a directory");
+    throw InvalidInput(path + ": cannot be read: it is a directory");
   }
   errno = 0;
   std::ifstream file(path, std::ios::binary);
   if (!file) {
-    throw std::invalid_argument(path + ": cannot be opened: " + std::strerror(errno));
+    throw InvalidInput(path + ": cannot be opened: " + std::strerror(errno));
   }
   return read_whole(path, file);
 }
@@ -130,6 +137,7 @@ std::string to_text(const Diagnostic& diagnostic, const Source& source) {
 }
 
 ParseError::ParseError(const Source& source, std::vector<Diagnostic> faults)
-    : std::invalid_argument(all_texts(source, faults)), diagnostics_(std::move(faults)) {}
+    : InvalidInput(all_texts(source, faults), messages_of(faults)),
+      diagnostics_(std::move(faults)) {}
 
 }  // namespace moivre

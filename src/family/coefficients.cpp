@@ -3,7 +3,8 @@
 #include "moivre/family/coefficients.h"
 
 #include <algorithm>
-#include <stdexcept>
+
+#include "moivre/numeric/invalid_input.h"
 
 namespace moivre {
 namespace {
@@ -32,15 +33,14 @@ Monomial unknowns_of(const Monomial& monomial, std::size_t unknowns) {
 Family coefficient_family(const System& member) {
   const std::size_t n = member.variables.size();
   if (member.polynomials.size() != n) {
-    throw std::invalid_argument("a family has as many equations as unknowns, got " +
-                                std::to_string(member.polynomials.size()) + " in " +
-                                std::to_string(n));
+    throw InvalidInput("a family has as many equations as unknowns, got " +
+                       std::to_string(member.polynomials.size()) + " in " + std::to_string(n));
   }
   Family family;
   family.system.variables = member.variables;
   for (std::size_t i = 0; i < n; ++i) {
     if (member.polynomials[i].terms.empty()) {
-      throw std::invalid_argument("equation " + std::to_string(i + 1) + " is 0");
+      throw InvalidInput("equation " + std::to_string(i + 1) + " is 0");
     }
     TermMap terms;
     for (std::size_t k = 0; k < member.polynomials[i].terms.size(); ++k) {

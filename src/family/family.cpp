@@ -3,9 +3,9 @@
 #include "moivre/family/family.h"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "moivre/expression/counted.h"
+#include "moivre/numeric/invalid_input.h"
 
 namespace moivre {
 namespace {
@@ -63,9 +63,8 @@ std::vector<std::string> Family::parameter_names() const {
 
 System member_system(const Family& family, const ParameterValues& p) {
   if (p.size() != family.parameters()) {
-    throw std::invalid_argument("a member of this family has " +
-                                counted(family.parameters(), "parameter") + ", got " +
-                                std::to_string(p.size()));
+    throw InvalidInput("a member of this family has " + counted(family.parameters(), "parameter") +
+                       ", got " + std::to_string(p.size()));
   }
   System member;
   member.variables = family.unknown_names();

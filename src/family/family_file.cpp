@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "moivre/numeric/invalid_input.h"
 #include "moivre/polynomial/read.h"
 #include "moivre/polynomial/write.h"
 
@@ -79,22 +80,22 @@ Json family_json(const Family& family) {
 }
 
 [[noreturn]] void refuse(const Source& source, const std::string& reason) {
-  throw std::invalid_argument(source.name + ": " + reason);
+  throw InvalidInput(source.name + ": " + reason);
 }
 
 double finite(const Json& number) {
   const double x = number.get<double>();
-  if (!std::isfinite(x)) throw std::invalid_argument("a number is not finite");
+  if (!std::isfinite(x)) throw InvalidInput("a number is not finite");
   return x;
 }
 
 Point point_of(const Json& json, std::size_t size) {
   Point x;
   for (const Json& pair : json) {
-    if (!pair.is_array() || pair.size() != 2) throw std::invalid_argument("a number is no pair");
+    if (!pair.is_array() || pair.size() != 2) throw InvalidInput("a number is no pair");
     x.emplace_back(finite(pair[0]), finite(pair[1]));
   }
-  if (x.size() != size) throw std::invalid_argument("a point has too many or too few coordinates");
+  if (x.size() != size) throw InvalidInput("a point has too many or too few coordinates");
   return x;
 }
 
@@ -118,7 +119,7 @@ Learning learning_of(const Json& json) {
 System system_of(const Source& source, const Json& json, const std::vector<std::string>& names) {
   System system = read_system({source.name, json.at("system").get<std::string>()});
   system.groups.clear();
-  if (system.variables != names) throw std::invalid_argument("the system has other names");
+  if (system.variables != names) throw InvalidInput("the system has other names");
   return system;
 }
 
@@ -129,11 +130,11 @@ Family family_of(const Source& source, const Json& json) {
   for (const Json& parameter : json.at("parameters")) {
     names.push_back(parameter.at("name").get<std::string>());
     family.sizes.push_back(finite(parameter.at("size")));
-    if (!(family.sizes.back() > 0)) throw std::invalid_argument("a parameter has no size");
+    if (!(family.sizes.back() > 0)) throw InvalidInput("a parameter has no size");
   }
   family.system = system_of(source, json, names);
   if (n == 0 || family.system.polynomials.size() != n || family.sizes.empty()) {
-    throw std::invalid_argument("the system is not square");
+    throw InvalidInput("the system is not square");
   }
   family.nonzero = json.at("nonzero").get<bool>();
   family.seed = json.at("seed").get<std::uint64_t>();
@@ -188,22 +189,21 @@ FamilyFile read_family(const Source& source) {
   try {
     const int version = json.at(kVersionKey).get<int>();
     if (version != kFamilyFileVersion) {
-      throw std::invalid_argument("the file has version " + std::to_string(version) +
-                                  ", this program reads version " +
-                                  std::to_string(kFamilyFileVersion));
+      throw InvalidInput("the file has version " + std::to_string(version) +
+                         ", this program reads version " + std::to_string(kFamilyFileVersion));
     }
     FamilyFile file;
     file.kind = json.at("kind").get<std::string>();
     file.source = json.at("source").get<std::string>();
     const bool is_polynomials = file.kind == kPolynomialsKind;
     if (!is_polynomials && file.kind != kMechanismKind) {
-      throw std::invalid_argument("the file holds families of an unknown kind, " + file.kind);
+      throw InvalidInput("the file holds families of an unknown kind, " + file.kind);
     }
     for (const Json& family : json.at("families")) {
       file.families.push_back(family_of(source, family));
     }
     if (is_polynomials && file.families.size() != 1) {
-      throw std::invalid_argument("the file holds not one family");
+      throw InvalidInput("the file holds not one family");
     }
     return file;
   } catch (const ParseError& error) {
@@ -228,7 +228,7 @@ void save_family(const FamilyFile& file, const std::string& path) {
   if (!out || error) {
     std::error_code ignored;
     std::filesystem::remove(beside, ignored);
-    throw std::invalid_argument("cannot write " + path);
+    throw InvalidInput("cannot write " + path);
   }
 }
 

@@ -7,7 +7,7 @@
 
 #include "moivre/expression/counted.h"
 #include "moivre/expression/joined.h"
-#include "moivre/expression/refusal.h"
+#include "moivre/numeric/invalid_input.h"
 #include "moivre/numeric/random.h"
 #include "moivre/polynomial/patches.h"
 
@@ -117,13 +117,32 @@ void keep_roots(const SolveResult& result, Family& family) {
   }
 }
 
+/// A denominator of parameters alone is no zero of a member that has a meaning.
+void require_whole(const System& system, const std::vector<NamedParameter>& parameters) {
+  const auto is_unknown = [&](const Power& power) {
+    const std::string& name = system.variables[power.variable];
+    return std::none_of(parameters.begin(), parameters.end(),
+                        [&](const NamedParameter& p) { return p.name == name; });
+  };
+  for (const Polynomial& d : system.denominators) {
+    for (const Term& term : d.terms) {
+      if (std::none_of(term.monomial.begin(), term.monomial.end(), is_unknown)) continue;
+      throw InvalidInput(
+          "a family's equations must not divide by unknowns: roots on the denominators would be "
+          "told as roots; solve a member by itself");
+    }
+  }
+}
+
 }  // namespace
 
 Family unlearned_family(const System& system, const std::vector<NamedParameter>& parameters) {
+  require_unbroken(moivre::broken_rules(system));
   require_unbroken(broken_rules(system, parameters));
   if (has_homogeneous_groups(system)) {
-    throw std::invalid_argument("a family has no homogeneous groups of unknowns");
+    throw InvalidInput("a family has no homogeneous groups of unknowns");
   }
+  require_whole(system, parameters);
   const std::vector<std::uint32_t> place = places(system, parameters);
   Family family;
   family.system.variables.resize(system.variables.size());
@@ -148,6 +167,7 @@ Point generic_member(const Family& family, std::uint64_t seed) {
 
 Family learn(Family unlearned, const Tracker& tracker, const SolveOptions& options,
              const std::atomic<bool>& stop) {
+  require_unbroken(broken_rules_of_unlearned(unlearned));
   Family family = std::move(unlearned);
   family.seed = options.seed;
   family.generic = generic_member(family, options.seed);

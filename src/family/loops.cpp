@@ -63,7 +63,7 @@ void follow(Batch& batch, const Tracker& tracker, const Follower& follower) {
   batch.next = 0;
   on_threads(std::min(follower.threads, static_cast<int>(batch.wanted.size())), [&] {
     BatchSource source(batch);
-    tracker.open(batch.homotopy)->run(source, follower.stop);
+    run_session(*tracker.open(batch.homotopy), source, follower.stop);
   });
 }
 

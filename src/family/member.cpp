@@ -46,6 +46,7 @@ GivenStart start_of_member(const Family& family, const ParameterValues& p, const
 
 SolveResult solve_member(const Family& family, const ParameterValues& p, const Tracker& tracker,
                          const SolveOptions& options, const std::atomic<bool>& stop) {
+  require_unbroken(broken_rules(family));
   const System member = member_system(family, p);
   return solve_from(member, start_of_member(family, p, member), tracker, options, stop);
 }

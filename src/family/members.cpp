@@ -3,14 +3,14 @@
 #include "moivre/family/members.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <mutex>
-#include <stdexcept>
 
 #include "certified_members.h"
 #include "moivre/expression/counted.h"
-#include "moivre/expression/refusal.h"
 #include "moivre/family/member.h"
+#include "moivre/numeric/invalid_input.h"
 #include "moivre/numeric/threads.h"
 
 namespace moivre {
@@ -39,13 +39,22 @@ struct Shared {
   std::atomic<std::size_t> next{0};
   std::mutex progress_mutex;
   Progress progress;
+  std::atomic<bool> has_thrown{false};  ///< the callback: no other member begins
+
+  bool is_over() const { return stop.load(std::memory_order_relaxed) || has_thrown; }
 
   void report(std::uint64_t finite) {
     if (!options.progress) return;
     const std::lock_guard lock(progress_mutex);
+    if (has_thrown) return;
     ++progress.done;
     progress.finite += finite;
-    options.progress(progress);
+    try {
+      options.progress(progress);
+    } catch (...) {
+      has_thrown = true;
+      throw;
+    }
   }
 };
 
@@ -125,7 +134,7 @@ class MemberSource : public DepartureSource {
 
  private:
   bool begin_member() {
-    if (shared_.stop.load(std::memory_order_relaxed)) return false;
+    if (shared_.is_over()) return false;
     if (++member_ >= block_end_) {
       const std::size_t block = shared_.next.fetch_add(kBlock, std::memory_order_relaxed);
       if (block >= shared_.members.size()) return false;
@@ -209,7 +218,7 @@ void judge_the_rest(Shared& shared, int threads) {
   }
   std::atomic<std::size_t> next{0};
   on_threads(std::min<int>(threads, static_cast<int>(rest.size())), [&] {
-    for (std::size_t k = next++; k < rest.size() && !shared.stop; k = next++) {
+    for (std::size_t k = next++; k < rest.size() && !shared.is_over(); k = next++) {
       judge(shared, rest[k]);
     }
   });
@@ -241,11 +250,15 @@ std::vector<Point> homogeneous(const std::vector<Point>& roots) {
 }
 
 void require_fitting(const Family& family, std::span<const Point> members) {
+  require_unbroken(broken_rules(family));
   for (std::size_t k = 0; k < members.size(); ++k) {
+    if (!std::isfinite(max_norm(members[k]))) {
+      throw InvalidInput("member " + std::to_string(k) + " has a parameter that is not finite");
+    }
     if (members[k].size() == family.parameters()) continue;
-    throw std::invalid_argument("member " + std::to_string(k) + " has " +
-                                counted(members[k].size(), "parameter") + ", the family " +
-                                std::to_string(family.parameters()));
+    throw InvalidInput("member " + std::to_string(k) + " has " +
+                       counted(members[k].size(), "parameter") + ", the family " +
+                       std::to_string(family.parameters()));
   }
 }
 
@@ -270,13 +283,14 @@ std::vector<MemberRoots> roots_of(const Family& family, std::span<const Point> m
                 results,
                 {},
                 {},
+                {},
                 {}};
   shared.progress.total = members.size();
   const auto blocks = static_cast<int>(std::min<std::size_t>(members.size() / kBlock + 1, 1024));
   if (!family.roots.empty()) {
     on_threads(std::min(threads, blocks), [&] {
       MemberSource source(shared);
-      tracker.open(shared.homotopy)->run(source, stop);
+      run_session(*tracker.open(shared.homotopy), source, stop);
     });
     if (options.certify) certify_members(family, members, threads, stop, results);
   }

@@ -5,7 +5,6 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "certified_members.h"
 #include "loops.h"
@@ -13,6 +12,7 @@
 #include "moivre/expression/counted.h"
 #include "moivre/factorization/qr.h"
 #include "moivre/family/learn.h"
+#include "moivre/numeric/invalid_input.h"
 #include "moivre/numeric/random.h"
 #include "moivre/polynomial/tape.h"
 
@@ -93,10 +93,14 @@ bool has_vanishing_coordinate(const Point& x) {
 }
 
 void require_pair(const Family& family, const KnownPair& pair) {
+  require_unbroken(broken_rules_of_unlearned(family));
+  if (!std::isfinite(max_norm(pair.x)) || !std::isfinite(max_norm(pair.p))) {
+    throw InvalidInput("a pair has a number that is not finite");
+  }
   if (pair.x.size() == family.unknowns() && pair.p.size() == family.parameters()) return;
-  throw std::invalid_argument("a pair has a number for each of the " +
-                              counted(family.unknowns(), "unknown") + " and " +
-                              counted(family.parameters(), "parameter"));
+  throw InvalidInput("a pair has a number for each of the " +
+                     counted(family.unknowns(), "unknown") + " and " +
+                     counted(family.parameters(), "parameter"));
 }
 
 /// What is known about the number of roots.
@@ -199,9 +203,19 @@ std::optional<KnownPair> random_pair(const Family& family, std::uint64_t seed, d
   return std::nullopt;
 }
 
+std::vector<std::string> validate(const MonodromyOptions& options) {
+  std::vector<std::string> broken;
+  if (options.threads < 1) broken.emplace_back("threads must be 1 or more");
+  if (options.quiet_loops < 1) broken.emplace_back("quiet_loops must be 1 or more");
+  if (options.most_loops < 1) broken.emplace_back("most_loops must be 1 or more");
+  if (options.other_pairs < 0) broken.emplace_back("other_pairs must be 0 or more");
+  return broken;
+}
+
 Family learn_by_monodromy(Family unlearned, const KnownPair& pair, const Tracker& tracker,
                           const MonodromyOptions& options, const std::atomic<bool>& stop) {
   require_pair(unlearned, pair);
+  require_unbroken(validate(options));
   Family family = std::move(unlearned);
   family.seed = options.seed;
   family.generic = generic_member(family, options.seed);
@@ -209,7 +223,7 @@ Family learn_by_monodromy(Family unlearned, const KnownPair& pair, const Tracker
   const auto first =
       follow_roots(family.system, pair.p, family.generic, {pair.x}, follower).front();
   if (!first && !stop) {
-    throw std::invalid_argument("the pair is no regular root of a member of the family");
+    throw InvalidInput("the pair is no regular root of a member of the family");
   }
   Search search;
   if (first) search.roots.add(*first);

@@ -8,8 +8,8 @@
 
 #include "moivre/expression/expression.h"
 #include "moivre/expression/joined.h"
-#include "moivre/expression/refusal.h"
 #include "moivre/expression/words.h"
+#include "moivre/numeric/invalid_input.h"
 
 namespace moivre {
 namespace {

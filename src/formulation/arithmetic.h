@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What do formulations need of polynomials beside polynomial/system.h? Differences, of rounded numbers too, and sizes.
+// What do formulations need of polynomials beside polynomial/system.h? Differences of rounded numbers, and sizes.
 #pragma once
 
 #include <algorithm>
@@ -7,12 +7,6 @@
 #include "moivre/polynomial/system.h"
 
 namespace moivre {
-
-inline Polynomial operator-(Polynomial a) {
-  for (Term& term : a.terms) term.coefficient = -term.coefficient;
-  return a;
-}
-inline Polynomial operator-(const Polynomial& a, const Polynomial& b) { return a + -b; }
 
 inline double largest_coefficient(const Polynomial& p) {
   double largest = 0;

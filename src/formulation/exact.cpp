@@ -8,10 +8,10 @@
 #include <cstdlib>
 #include <limits>
 #include <numbers>
-#include <stdexcept>
 #include <string>
 
 #include "moivre/numeric/integer.h"
+#include "moivre/numeric/invalid_input.h"
 
 namespace moivre {
 namespace {
@@ -32,8 +32,7 @@ Rational power_of_ten(int exponent) {
 
 // The shortest decimal of a double has up to 17 digits: they fit a word.
 Rational typed_decimal(double x) {
-  if (!std::isfinite(x))
-    throw std::invalid_argument("no decimal was typed for " + std::to_string(x));
+  if (!std::isfinite(x)) throw InvalidInput("no decimal was typed for " + std::to_string(x));
   constexpr std::size_t kLongestDouble = 32;
   char text[kLongestDouble];
   const char* const end =

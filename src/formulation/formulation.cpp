@@ -12,6 +12,7 @@
 
 namespace moivre {
 Formulation formulate(const Mechanism& mechanism, double t) {
+  require_drivers(mechanism, t);
   if (is_typed(mechanism)) return isotropic_equations(mechanism, t);
   Formulation formulation = mechanism.space == Space::spatial ? spatial_bodies(mechanism, t)
                                                               : isotropic_bodies(mechanism, t);

@@ -2,10 +2,10 @@
 // Typed equations as polynomials: cosines and sines of whole multiples of angles become powers of t and u.
 #include <cmath>
 #include <map>
-#include <stdexcept>
 
 #include "isotropic_frame.h"
 #include "moivre/mechanism/jet.h"
+#include "moivre/numeric/invalid_input.h"
 
 namespace moivre {
 namespace {
@@ -223,8 +223,8 @@ class Equations {
   double number(const Formula& f) const { return evaluate<Jet>(f, {}, Jet(t_)).f; }
 
   [[noreturn]] void refuse(const std::string& reason) const {
-    throw std::invalid_argument("equation " + equation_ + " is no polynomial: " + reason +
-                                "; newton, mobility and motion take it as it is");
+    throw InvalidInput("equation " + equation_ + " is no polynomial: " + reason +
+                       "; newton, mobility and motion take it as it is");
   }
 
   const Mechanism& mechanism_;

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
 #include "moivre/mechanism/driven_joint.h"
+#include "moivre/numeric/invalid_input.h"
 
 namespace moivre {
 namespace {
@@ -134,15 +134,15 @@ class MotionsInTurn {
     known_.is_followed[k] = is_followed_freely(mechanism_, joint);
     if (known_.is_followed[k]) return;
     const std::string name = "the " + to_string(joint.type) + " '" + joint.name + "' ";
-    throw std::invalid_argument(
+    throw InvalidInput(
         is_rack(k)
             ? name +
                   "ties an angle to a length, which no polynomial says, and neither is known "
                   "before the other; drive the pinion or the rack (slide = \"" +
-                  joint.name + "\"), or follow one pose with --from-guess"
+                  joint.name + "\"), or follow one pose with `follow_guesses`"
             : name +
                   "lifts by a table, which no polynomial says; drive the cam's angle, or follow "
-                  "one pose with --from-guess");
+                  "one pose with `follow_guesses`");
   }
 
   const Mechanism& mechanism_;

@@ -7,10 +7,10 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
-#include <stdexcept>
 
 #include "moivre/formulation/exact.h"
 #include "moivre/mechanism/driven_joint.h"
+#include "moivre/numeric/invalid_input.h"
 
 namespace moivre {
 namespace {
@@ -115,10 +115,10 @@ class Grouping {
     const bool is_actuator = type.place == JointPlace::at_any_distance;
     if (is_actuator && !driven.slide) return;
     if (type.turn == JointTurn::by_thread && !driven.angle) {
-      throw std::invalid_argument(
+      throw InvalidInput(
           "the screw '" + joint.name +
           "' ties an angle to a length, which no polynomial says; drive it (slide = \"" +
-          joint.name + "\"), or follow one pose with --from-guess");
+          joint.name + "\"), or follow one pose with `follow_guesses`");
     }
     Tie tie;
     tie.name = joint.name;

@@ -3,9 +3,9 @@
 #include "moivre/homotopy/homotopy.h"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "moivre/expression/counted.h"
+#include "moivre/numeric/invalid_input.h"
 #include "moivre/polynomial/homogenize.h"
 #include "moivre/polynomial/scale.h"
 
@@ -15,10 +15,10 @@ namespace {
 void require_square_pair(const System& f, const System& g) {
   const std::size_t n = f.variables.size();
   if (f.polynomials.size() == n && g.variables.size() == n && g.polynomials.size() == n) return;
-  throw std::invalid_argument("a homotopy needs two systems of n polynomials in n variables; got " +
-                              std::to_string(f.polynomials.size()) + " in " + std::to_string(n) +
-                              " and " + std::to_string(g.polynomials.size()) + " in " +
-                              std::to_string(g.variables.size()));
+  throw InvalidInput("a homotopy needs two systems of n polynomials in n variables; got " +
+                     std::to_string(f.polynomials.size()) + " in " + std::to_string(n) + " and " +
+                     std::to_string(g.polynomials.size()) + " in " +
+                     std::to_string(g.variables.size()));
 }
 
 /// The terms of both, with coefficient 1.
@@ -133,11 +133,10 @@ void Homotopy::set_coefficient_errors(const CoefficientErrors& errors) {
     of_f.insert(of_f.end(), own.begin(), own.end());
   auto next = of_f.begin();
   for (const Coefficient& c : f_) {
-    if (!is_zero(c) && next == of_f.end())
-      throw std::invalid_argument("fewer errors than coefficients");
+    if (!is_zero(c) && next == of_f.end()) throw InvalidInput("fewer errors than coefficients");
     errors_.push_back(is_zero(c) ? NumberErrors{} : *next++);
   }
-  if (next != of_f.end()) throw std::invalid_argument("more errors than coefficients");
+  if (next != of_f.end()) throw InvalidInput("more errors than coefficients");
 }
 
 Homotopy Homotopy::framed(const System& f, const System& g) {
@@ -159,9 +158,9 @@ Homotopy Homotopy::toric(const System& g) {
 Homotopy Homotopy::members(const System& family, const Point& from) {
   const std::size_t n = family.polynomials.size();
   if (family.variables.size() != n + from.size()) {
-    throw std::invalid_argument("a parameter homotopy needs n polynomials in n unknowns and the " +
-                                counted(from.size(), "parameter") + "; got " + std::to_string(n) +
-                                " in " + std::to_string(family.variables.size()) + " variables");
+    throw InvalidInput("a parameter homotopy needs n polynomials in n unknowns and the " +
+                       counted(from.size(), "parameter") + "; got " + std::to_string(n) + " in " +
+                       std::to_string(family.variables.size()) + " variables");
   }
   const auto unknowns = family.variables.begin() + static_cast<std::ptrdiff_t>(n);
   System support{{family.variables.begin(), unknowns}, {}};
@@ -186,9 +185,8 @@ Homotopy Homotopy::members(const System& family, const Point& from) {
 
 Homotopy Homotopy::parameters(const System& family, const Point& from, const Point& to) {
   if (from.size() != to.size()) {
-    throw std::invalid_argument("a parameter homotopy needs two members; got " +
-                                std::to_string(from.size()) + " and " +
-                                counted(to.size(), "parameter"));
+    throw InvalidInput("a parameter homotopy needs two members; got " +
+                       std::to_string(from.size()) + " and " + counted(to.size(), "parameter"));
   }
   Homotopy homotopy = members(family, from);
   ParameterLaw& law = *homotopy.parameters_;

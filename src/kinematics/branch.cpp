@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <stdexcept>
 
 #include "curve.h"
 #include "extreme_singular_values.h"
@@ -13,6 +12,7 @@
 #include "moivre/kinematics/own_units.h"
 #include "moivre/kinematics/state.h"
 #include "moivre/mechanism/pose.h"
+#include "moivre/numeric/invalid_input.h"
 #include "noise.h"
 #include "segment.h"
 #include "staircase_qr.h"
@@ -71,23 +71,22 @@ double slack_of(const Mechanism& mechanism, const Phi& phi, const VectorXd& q) {
 void validate(const Phi& phi, const VectorXd& q0, const std::vector<double>& times,
               const std::optional<double>& fit) {
   if (q0.size() != phi.dimension() || !q0.allFinite()) {
-    throw std::invalid_argument("a branch begins at " + std::to_string(phi.dimension()) +
-                                " finite coordinates");
+    throw InvalidInput("a branch begins at " + std::to_string(phi.dimension()) +
+                       " finite coordinates");
   }
-  if (times.size() < 2)
-    throw std::invalid_argument("a branch is followed through two times or more");
+  if (times.size() < 2) throw InvalidInput("a branch is followed through two times or more");
   for (std::size_t k = 1; k < times.size(); ++k) {
     const bool is_forwards = times.back() > times.front();
     if (!std::isfinite(times[k]) ||
         !(is_forwards ? times[k] > times[k - 1] : times[k] < times[k - 1])) {
-      throw std::invalid_argument("the times of a branch go one way");
+      throw InvalidInput("the times of a branch go one way");
     }
   }
   const double residual = residual_by_size(phi, q0, times.front());
   const bool is_fitting = fit && misfit(phi, q0, times.front()) <= *fit;
   if (!(residual <= kAssembled) && !is_fitting) {
-    throw std::invalid_argument("a branch begins at an assembled pose; this one leaves " +
-                                std::to_string(residual) + " of what its size is worth");
+    throw InvalidInput("a branch begins at an assembled pose; this one leaves " +
+                       std::to_string(residual) + " of what its size is worth");
   }
 }
 

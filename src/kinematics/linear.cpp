@@ -6,11 +6,11 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "extreme_singular_values.h"
 #include "moivre/factorization/qr.h"
 #include "moivre/factorization/svd.h"
+#include "moivre/numeric/invalid_input.h"
 
 namespace moivre {
 namespace {
@@ -144,8 +144,8 @@ Factorization::Factorization(const MatrixXd& A, const LinearOptions& options)
   if (options.weights.size() != 0) {
     if (options.weights.size() != A.cols() || !(options.weights.array() > 0).all() ||
         !options.weights.allFinite()) {
-      throw std::invalid_argument("weights must be " + std::to_string(A.cols()) +
-                                  " positive numbers, one a coordinate");
+      throw InvalidInput("weights must be " + std::to_string(A.cols()) +
+                         " positive numbers, one a coordinate");
     }
     root_weights_ = root_weights_.cwiseProduct(options.weights.cwiseSqrt());
   }

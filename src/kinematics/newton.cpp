@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 #include "extreme_singular_values.h"
 #include "moivre/expression/counted.h"
 #include "moivre/kinematics/own_units.h"
+#include "moivre/numeric/invalid_input.h"
 #include "noise.h"
 
 namespace moivre {
@@ -40,7 +40,7 @@ void validate(const Phi& phi, const VectorXd& guess, const NewtonOptions& option
   for (const Index k : options.held) {
     if (k < 0 || k >= phi.dimension()) broken += "held names no coordinate. ";
   }
-  if (!broken.empty()) throw std::invalid_argument(broken.substr(0, broken.size() - 1));
+  if (!broken.empty()) throw InvalidInput(broken.substr(0, broken.size() - 1));
 }
 
 bool is_held(const NewtonOptions& options, Index k) {

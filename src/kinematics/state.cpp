@@ -4,11 +4,11 @@
 
 #include <Eigen/Core>
 #include <algorithm>
-#include <stdexcept>
 
 #include "moivre/expression/counted.h"
 #include "moivre/factorization/qr.h"
 #include "moivre/kinematics/own_units.h"
+#include "moivre/numeric/invalid_input.h"
 
 namespace moivre {
 namespace {
@@ -24,7 +24,7 @@ MatrixXd columns(const MatrixXd& A, const std::vector<Index>& chosen) {
 }
 
 void require_usable(const Partition& partition) {
-  if (!partition.is_usable()) throw std::invalid_argument(partition.refusal);
+  if (!partition.is_usable()) throw InvalidInput(partition.refusal);
 }
 
 /// Smallest over largest pivot of the equilibrated matrix; 1 for an empty one.
@@ -91,8 +91,8 @@ Partition make_partition(const Phi& joints, const VectorXd& q, std::vector<Index
   const bool outside =
       !independent.empty() && (independent.front() < 0 || independent.back() >= joints.dimension());
   if (twice || outside) {
-    throw std::invalid_argument("independent coordinates must be distinct indices below " +
-                                std::to_string(joints.dimension()));
+    throw InvalidInput("independent coordinates must be distinct indices below " +
+                       std::to_string(joints.dimension()));
   }
   Partition partition;
   partition.independent = std::move(independent);

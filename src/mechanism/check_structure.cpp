@@ -4,6 +4,7 @@
 #include <numeric>
 #include <optional>
 
+#include "faults.h"
 #include "moivre/expression/counted.h"
 #include "read_parts.h"
 
@@ -35,30 +36,30 @@ class Groups {
 /// Gears, racks and cams hold motions, not places.
 bool places(const Joint& joint) { return !is_transmission(joint.type); }
 
-void check_connected(Reading& reading, const Mechanism& mechanism) {
+void check_connected(Faults& faults, const Mechanism& mechanism) {
   Groups groups(mechanism.bodies.size());
   for (const Joint& joint : mechanism.joints) {
     if (places(joint)) groups.join(joint.at[0].body, joint.at[1].body);
   }
   for (std::size_t body = 1; body < mechanism.bodies.size(); ++body) {
     if (groups.find(body) == groups.find(0)) continue;
-    reading.fault(mechanism.bodies[body].where,
-                  "body '" + mechanism.bodies[body].name +
-                      "' is not connected to the ground by joints; join it or remove it");
+    faults.push_back({mechanism.bodies[body].where,
+                      "body '" + mechanism.bodies[body].name +
+                          "' is not connected to the ground by joints; join it or remove it"});
   }
 }
 
-void check_welds(Reading& reading, const Mechanism& mechanism) {
+void check_welds(Faults& faults, const Mechanism& mechanism) {
   Groups groups(mechanism.bodies.size());
   for (const Joint& joint : mechanism.joints) {
     if (joint.type != JointType::weld || groups.join(joint.at[0].body, joint.at[1].body)) continue;
-    reading.fault(joint.where,
-                  "weld '" + joint.name + "' closes a cycle of welds; remove one of them");
+    faults.push_back(
+        {joint.where, "weld '" + joint.name + "' closes a cycle of welds; remove one of them"});
   }
 }
 
 /// What is counted for zero, in rank and in what moves, is so beside lengths near 1.
-void check_size(Reading& reading, const Mechanism& mechanism) {
+void check_size(Faults& faults, const Mechanism& mechanism) {
   constexpr double kLongest = 1e9;
   double longest = 0;
   for (const Body& body : mechanism.bodies) {
@@ -66,21 +67,29 @@ void check_size(Reading& reading, const Mechanism& mechanism) {
   }
   for (const Joint& joint : mechanism.joints) longest = std::max(longest, joint.length);
   if (longest == 0 || (longest <= kLongest && longest >= 1 / kLongest)) return;
-  reading.fault(SourcePosition{},
-                "the largest length must lie between 1e-9 and 1e9; give lengths in another unit");
+  faults.push_back(
+      {SourcePosition{},
+       "the largest length must lie between 1e-9 and 1e9; give lengths in another unit"});
 }
 
 /// Rank, null spaces and singular values are those of dense matrices: more bodies take minutes a pose.
-void check_count(Reading& reading, const Mechanism& mechanism) {
+void check_count(Faults& faults, const Mechanism& mechanism) {
   constexpr std::size_t kMostBodies = 300;
   if (mechanism.bodies.size() <= kMostBodies + 1) return;
-  reading.fault(mechanism.bodies[kMostBodies + 1].where,
-                "there are " + counted(mechanism.bodies.size() - 1, "body", "bodies") +
-                    ", at most " + std::to_string(kMostBodies) + " are taken");
+  faults.push_back({mechanism.bodies[kMostBodies + 1].where,
+                    "there are " + counted(mechanism.bodies.size() - 1, "body", "bodies") +
+                        ", at most " + std::to_string(kMostBodies) + " are taken"});
+}
+
+void check_rods(Faults& faults, const Mechanism& mechanism) {
+  for (const Joint& joint : mechanism.joints) {
+    if (joint.type != JointType::rod || joint.length > 0) continue;
+    faults.push_back({joint.where, "rod '" + joint.name + "' needs a length above 0"});
+  }
 }
 
 /// A body that is held at one place only, by pins twice or more, turns about it for nothing.
-void check_lengths(Reading& reading, const Mechanism& mechanism) {
+void check_lengths(Faults& faults, const Mechanism& mechanism) {
   for (std::size_t body = 1; body < mechanism.bodies.size(); ++body) {
     std::vector<Eigen::Vector3d> pins;
     bool has_pins_only = true;
@@ -95,10 +104,11 @@ void check_lengths(Reading& reading, const Mechanism& mechanism) {
         pins.begin(), pins.end(), [&](const Eigen::Vector3d& pin) { return pin == pins.front(); });
     if (!has_pins_only || pins.size() < 2 || !is_one_place || mechanism.space != Space::planar)
       continue;
-    reading.fault(mechanism.bodies[body].where,
-                  "body '" + mechanism.bodies[body].name +
-                      "' has length zero: all its joints are at one place; move one or join its "
-                      "neighbours directly");
+    faults.push_back(
+        {mechanism.bodies[body].where,
+         "body '" + mechanism.bodies[body].name +
+             "' has length zero: all its joints are at one place; move one or join its "
+             "neighbours directly"});
   }
 }
 
@@ -119,7 +129,7 @@ std::optional<Centre> centre_of(const Joint& joint) {
   return std::nullopt;
 }
 
-void check_centres(Reading& reading, const Mechanism& mechanism) {
+void check_centres(Faults& faults, const Mechanism& mechanism) {
   const auto place = [&](const PointOf& p) { return mechanism.bodies[p.body].points[p.point].at; };
   for (const Joint& joint : mechanism.joints) {
     const auto centre = centre_of(joint);
@@ -135,13 +145,13 @@ void check_centres(Reading& reading, const Mechanism& mechanism) {
         });
     if (has_pin) continue;
     const Body& wheel = mechanism.bodies[at.body];
-    reading.fault(joint.where, "no revolute joint is at '" + wheel.name + "." +
-                                   wheel.points[at.point].name + "', which should be the " +
-                                   centre->of + "'s centre; write at = " + centre->advice);
+    faults.push_back({joint.where, "no revolute joint is at '" + wheel.name + "." +
+                                       wheel.points[at.point].name + "', which should be the " +
+                                       centre->of + "'s centre; write at = " + centre->advice});
   }
 }
 
-void check_twin_joints(Reading& reading, const Mechanism& mechanism) {
+void check_twin_joints(Faults& faults, const Mechanism& mechanism) {
   const auto same = [](const PointOf& a, const PointOf& b) {
     return a.body == b.body && a.point == b.point;
   };
@@ -153,7 +163,7 @@ void check_twin_joints(Reading& reading, const Mechanism& mechanism) {
       const bool is_same = same(a.at[0], b.at[0]) && same(a.at[1], b.at[1]);
       const bool is_mirrored = same(a.at[0], b.at[1]) && same(a.at[1], b.at[0]);
       if (is_same || is_mirrored)
-        reading.fault(b.where, "this joint repeats joint '" + a.name + "'; remove it");
+        faults.push_back({b.where, "this joint repeats joint '" + a.name + "'; remove it"});
     }
   }
 }
@@ -204,21 +214,21 @@ int freedoms_at_most(const Mechanism& mechanism) {
   return bound;
 }
 
-void check_drivers(Reading& reading, const Mechanism& mechanism) {
+void check_drivers(Faults& faults, const Mechanism& mechanism) {
   const auto& drivers = mechanism.drivers;
   for (std::size_t k = 0; k < drivers.size(); ++k) {
     for (std::size_t j = 0; j < k; ++j) {
       if (!drive_the_same(mechanism, drivers[j], drivers[k])) continue;
-      reading.fault(drivers[k].where,
-                    "'" + drivers[k].name + "' is driven twice; remove one of the drivers");
+      faults.push_back({drivers[k].where,
+                        "'" + drivers[k].name + "' is driven twice; remove one of the drivers"});
     }
   }
   const int most = freedoms_at_most(mechanism);
   if (static_cast<int>(drivers.size()) > most) {
-    reading.fault(drivers[static_cast<std::size_t>(most)].where,
-                  "too many drivers: the joints leave at most " +
-                      counted(most, "degree of freedom", "degrees of freedom") + ", there are " +
-                      std::to_string(drivers.size()) + " drivers");
+    faults.push_back({drivers[static_cast<std::size_t>(most)].where,
+                      "too many drivers: the joints leave at most " +
+                          counted(most, "degree of freedom", "degrees of freedom") +
+                          ", there are " + std::to_string(drivers.size()) + " drivers"});
   }
 }
 
@@ -264,15 +274,22 @@ void warn_of_loose_pivots(Mechanism& mechanism) {
 
 }  // namespace
 
+void find_structure_faults(const Mechanism& mechanism, Faults& faults) {
+  check_connected(faults, mechanism);
+  check_welds(faults, mechanism);
+  check_rods(faults, mechanism);
+  check_lengths(faults, mechanism);
+  check_centres(faults, mechanism);
+  check_size(faults, mechanism);
+  check_count(faults, mechanism);
+  check_twin_joints(faults, mechanism);
+  check_drivers(faults, mechanism);
+}
+
 void check_structure(Reading& reading, Mechanism& mechanism) {
-  check_connected(reading, mechanism);
-  check_welds(reading, mechanism);
-  check_lengths(reading, mechanism);
-  check_centres(reading, mechanism);
-  check_size(reading, mechanism);
-  check_count(reading, mechanism);
-  check_twin_joints(reading, mechanism);
-  check_drivers(reading, mechanism);
+  find_form_faults(mechanism, reading.faults());
+  if (!reading.faults().empty()) return;
+  find_structure_faults(mechanism, reading.faults());
   warn_of_count(mechanism);
   warn_of_loose_pivots(mechanism);
   warn_of_mistyped_point(mechanism);

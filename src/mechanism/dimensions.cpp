@@ -3,9 +3,9 @@
 #include "moivre/mechanism/dimensions.h"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "moivre/expression/joined.h"
+#include "moivre/numeric/invalid_input.h"
 #include "read_parts.h"
 
 namespace moivre {
@@ -120,8 +120,8 @@ void set_dimension(Mechanism& mechanism, const std::string& name, double value) 
     const double unit = dimension.is_angle ? angle_unit(mechanism) : 1;
     return set_dimension(mechanism, dimension, value * unit);
   }
-  throw std::invalid_argument("the mechanism has no number " + name + "; its numbers are " +
-                              joined(dimension_names(mechanism), ", "));
+  throw InvalidInput("the mechanism has no number " + name + "; its numbers are " +
+                     joined(dimension_names(mechanism), ", "));
 }
 
 }  // namespace moivre

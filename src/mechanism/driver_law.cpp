@@ -5,7 +5,8 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
+
+#include "moivre/numeric/invalid_input.h"
 
 namespace moivre {
 namespace {
@@ -43,10 +44,10 @@ DriverState state(const Spline& s, double t) {
 void require_table(const std::vector<double>& t, const std::vector<double>& value,
                    std::size_t least) {
   if (t.size() < least || value.size() != t.size()) {
-    throw std::invalid_argument("a table needs " + std::to_string(least) + " or more points");
+    throw InvalidInput("a table needs " + std::to_string(least) + " or more points");
   }
   for (std::size_t k = 1; k < t.size(); ++k) {
-    if (!(t[k] > t[k - 1])) throw std::invalid_argument("a table's times must increase");
+    if (!(t[k] > t[k - 1])) throw InvalidInput("a table's times must increase");
   }
 }
 

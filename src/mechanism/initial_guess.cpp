@@ -6,6 +6,7 @@
 #include "moivre/mechanism/drawn_pose.h"
 #include "moivre/mechanism/driven_joint.h"
 #include "moivre/mechanism/mechanism.h"
+#include "moivre/mechanism/rules.h"
 #include "spatial_pose.h"
 
 namespace moivre {
@@ -172,6 +173,7 @@ void write_pose(const Pose& pose, Space space, double* q) {
 }  // namespace
 
 Eigen::VectorXd initial_guess(const Mechanism& mechanism, double t) {
+  require_form(mechanism);
   require_drivers(mechanism, t);
   const std::vector<Coordinate> names = coordinates(mechanism);
   Eigen::VectorXd q = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(names.size()));

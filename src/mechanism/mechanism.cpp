@@ -6,7 +6,9 @@
 #include <cmath>
 #include <cstdio>
 #include <numbers>
-#include <stdexcept>
+
+#include "moivre/mechanism/rules.h"
+#include "moivre/numeric/invalid_input.h"
 
 namespace moivre {
 
@@ -74,7 +76,8 @@ bool is_workable_angle(double angle_rad) {
 }
 
 void require_drivers(const Mechanism& mechanism, double t) {
-  if (!std::isfinite(t)) throw std::invalid_argument("the time of the drivers must be finite");
+  require_form(mechanism);
+  if (!std::isfinite(t)) throw InvalidInput("the time of the drivers must be finite");
   std::string broken;
   for (const Driver& driver : mechanism.drivers) {
     const double value = driver_state(driver.law, t).value;
@@ -91,7 +94,7 @@ void require_drivers(const Mechanism& mechanism, double t) {
     broken += (broken.empty() ? "at t = " + time_text(t) + " s driver '" : ", driver '") +
               driver.name + "' prescribes " + fault;
   }
-  if (!broken.empty()) throw std::invalid_argument(broken);
+  if (!broken.empty()) throw InvalidInput(broken);
 }
 
 std::vector<Coordinate> coordinates(const Mechanism& mechanism) {

@@ -8,6 +8,7 @@
 
 #include "constraint.h"
 #include "dimension_jets.h"
+#include "moivre/mechanism/rules.h"
 
 namespace moivre {
 namespace {
@@ -76,6 +77,18 @@ double mean_of(const std::vector<double>& lengths) {
   return count == 0 ? 1 : std::exp(sum / count);
 }
 
+/// The mechanism; throws where its form is broken.
+const Mechanism& of_whole_form(const Mechanism& mechanism) {
+  require_form(mechanism);
+  return mechanism;
+}
+
+void require_size(const VectorXd& q, Index n) {
+  if (q.size() == n) return;
+  throw InvalidInput("q has " + std::to_string(n) + " numbers, one for each coordinate, not " +
+                     std::to_string(q.size()));
+}
+
 bool is_length(const Coordinate& coordinate) { return coordinate.kind == CoordinateKind::length; }
 
 /// How fast each row changes at most when one body (or unknown) is displaced; 0 for a row that compares angles.
@@ -124,7 +137,7 @@ struct Phi::Line {
 };
 
 Phi::Phi(const Mechanism& mechanism)
-    : coordinates_(moivre::coordinates(mechanism)),
+    : coordinates_(moivre::coordinates(of_whole_form(mechanism))),
       constraints_(joint_constraints(mechanism)),
       length_(largest_of(lengths_of(mechanism))),
       mean_length_(mean_of(lengths_of(mechanism))) {
@@ -176,6 +189,8 @@ Phi Phi::without_drivers() const {
 
 /// Derivative of that order (0, 1, 2) of every row along the line.
 VectorXd Phi::derivative(const Line& line, int order) const {
+  require_size(line.q, dimension());
+  if (line.qdot != nullptr) require_size(*line.qdot, dimension());
   std::vector<Jet> q(coordinates_.size());
   for (std::size_t k = 0; k < q.size(); ++k) {
     const auto i = static_cast<Index>(k);
@@ -246,6 +261,7 @@ VectorXd Phi::acceleration_rhs(const VectorXd& q, const VectorXd& qdot, double t
 
 /// A few columns at a time, and only the coordinates that a constraint reads.
 void Phi::add_jacobian(const VectorXd& q, double t, MatrixXd& to) const {
+  require_size(q, dimension());
   std::vector<Gradient> point(q.begin(), q.end());
   std::vector<Gradient> rows;
   Index first = 0;
@@ -297,6 +313,7 @@ VectorXd Phi::own_row_units() const {
 }
 
 std::vector<Magnitude> Phi::magnitudes(const VectorXd& q, double t) const {
+  require_size(q, dimension());
   const std::vector<Magnitude> point(q.begin(), q.end());
   std::vector<Magnitude> rows(row_names_.size());
   Magnitude* row = rows.data();
@@ -316,6 +333,7 @@ VectorXd Phi::term_magnitudes(const VectorXd& q, double t) const {
 
 VectorXd Phi::canonical(const VectorXd& q) const {
   constexpr double kTurn = 2 * std::numbers::pi;
+  require_size(q, dimension());
   VectorXd result = q;
   for (Index k = 0; k < dimension(); ++k) {
     const Coordinate& coordinate = coordinates_[static_cast<std::size_t>(k)];
@@ -334,6 +352,7 @@ VectorXd Phi::canonical(const VectorXd& q) const {
 
 bool Phi::has_long_rotation(const VectorXd& q) const {
   constexpr double kLongest = 1.25 * std::numbers::pi;
+  require_size(q, dimension());
   for (Index k = 0; k < dimension(); ++k) {
     if (coordinates_[static_cast<std::size_t>(k)].kind != CoordinateKind::rotation_vector) continue;
     if (q.segment<3>(k).norm() > kLongest) return true;

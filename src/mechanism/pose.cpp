@@ -15,13 +15,30 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-std::vector<Jet> jets_of(const VectorXd& q, const VectorXd& qdot, const VectorXd& qddot) {
+void require_size(const Mechanism& mechanism, const VectorXd& q) {
+  const Eigen::Index each = mechanism.space == Space::planar ? 3 : 6;
+  const Eigen::Index n = each * (static_cast<Eigen::Index>(mechanism.bodies.size()) - 1);
+  if (!is_typed(mechanism) && q.size() == n) return;
+  throw InvalidInput(is_typed(mechanism) ? "a mechanism of typed equations has no bodies to place"
+                                         : "q has " + std::to_string(n) +
+                                               " numbers, one for each coordinate, not " +
+                                               std::to_string(q.size()));
+}
+
+std::vector<Jet> jets_of(const Mechanism& mechanism, const VectorXd& q, const VectorXd& qdot,
+                         const VectorXd& qddot) {
+  for (const VectorXd* one : {&q, &qdot, &qddot}) require_size(mechanism, *one);
   std::vector<Jet> jets;
   for (Eigen::Index k = 0; k < q.size(); ++k) jets.emplace_back(q[k], qdot[k], qddot[k]);
   return jets;
 }
 
 PointState point_at(const Mechanism& mechanism, const PointOf& point, const At<Jet>& at) {
+  if (point.body >= mechanism.bodies.size() ||
+      point.point >= mechanism.bodies[point.body].points.size()) {
+    throw InvalidInput("there is no point " + std::to_string(point.point) + " of body " +
+                       std::to_string(point.body) + ", both counted from 0");
+  }
   const auto r = position_jet(mechanism, point, at);
   return {{r.x.f, r.y.f, r.z.f}, {r.x.d, r.y.d, r.z.d}, {r.x.dd, r.y.dd, r.z.dd}};
 }
@@ -32,13 +49,13 @@ ScalarState state_of(const Jet& jet) { return {jet.f, jet.d, jet.dd}; }
 
 PointState point_state(const Mechanism& mechanism, const PointOf& point, const VectorXd& q,
                        const VectorXd& qdot, const VectorXd& qddot) {
-  const std::vector<Jet> jets = jets_of(q, qdot, qddot);
+  const std::vector<Jet> jets = jets_of(mechanism, q, qdot, qddot);
   return point_at(mechanism, point, {jets, Jet(0)});
 }
 
 std::vector<PointState> point_states(const Mechanism& mechanism, const VectorXd& q,
                                      const VectorXd& qdot, const VectorXd& qddot) {
-  const std::vector<Jet> jets = jets_of(q, qdot, qddot);
+  const std::vector<Jet> jets = jets_of(mechanism, q, qdot, qddot);
   std::vector<PointState> states;
   for (std::size_t body = 1; body < mechanism.bodies.size(); ++body) {
     for (std::size_t k = 0; k < mechanism.bodies[body].points.size(); ++k) {
@@ -54,6 +71,10 @@ Vector3d point_position(const Mechanism& mechanism, const PointOf& point, const 
 }
 
 Matrix3d orientation(const Mechanism& mechanism, std::size_t body, const VectorXd& q) {
+  require_size(mechanism, q);
+  if (body >= mechanism.bodies.size()) {
+    throw InvalidInput("there is no body " + std::to_string(body) + ", counted from 0");
+  }
   const std::vector<Jet> jets(q.begin(), q.end());
   const At<Jet> at{jets, Jet(0)};
   Matrix3d R = Matrix3d::Identity();
@@ -83,14 +104,14 @@ std::optional<double> joint_coordinate(const Mechanism& mechanism, const Joint& 
 std::optional<ScalarState> joint_state(const Mechanism& mechanism, const Joint& joint,
                                        const VectorXd& q, const VectorXd& qdot,
                                        const VectorXd& qddot) {
-  const std::vector<Jet> jets = jets_of(q, qdot, qddot);
+  const std::vector<Jet> jets = jets_of(mechanism, q, qdot, qddot);
   const std::optional<Jet> coordinate = joint_jet(mechanism, joint, {jets, Jet(0)});
   return coordinate ? std::optional(state_of(*coordinate)) : std::nullopt;
 }
 
 ScalarState turn_state(const Mechanism& mechanism, const Joint& joint, const VectorXd& q,
                        const VectorXd& qdot, const VectorXd& qddot) {
-  const std::vector<Jet> jets = jets_of(q, qdot, qddot);
+  const std::vector<Jet> jets = jets_of(mechanism, q, qdot, qddot);
   return state_of(joint_turn_jet(mechanism, joint, {jets, Jet(0)}));
 }
 

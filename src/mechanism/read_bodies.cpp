@@ -7,6 +7,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "faults.h"
 #include "moivre/mechanism/nearest.h"
 #include "read_parts.h"
 #include "read_tolerances.h"
@@ -299,8 +300,6 @@ void read_limits(Reading& reading, const toml::table& entry, const Mechanism& me
     reading.fault(*entry.get("limits"), "the limits of an actuator's length are from 0 up");
   }
 }
-
-constexpr std::int64_t kMostTeeth = 100000;
 
 std::optional<int> read_teeth(Reading& reading, const toml::node& node) {
   const auto teeth = node.is_integer() ? node.value<std::int64_t>() : std::nullopt;

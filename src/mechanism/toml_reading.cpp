@@ -223,10 +223,4 @@ std::string kind_of(const toml::node& node) {
   return "a date or time";
 }
 
-bool is_name(const std::string& text) {
-  return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-';
-  });
-}
-
 }  // namespace moivre

@@ -11,6 +11,7 @@
 
 #include "moivre/expression/expression.h"
 #include "moivre/mechanism/formula.h"
+#include "names.h"
 
 namespace moivre {
 
@@ -64,8 +65,5 @@ class Reading {
 
 /// "a string", "a number", ...
 std::string kind_of(const toml::node& node);
-
-/// Letters, digits, '_' and '-', not empty: what bodies, points, joints and unknowns may be called.
-bool is_name(const std::string& text);
 
 }  // namespace moivre

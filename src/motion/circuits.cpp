@@ -10,10 +10,10 @@
 #include <numbers>
 #include <numeric>
 #include <set>
-#include <stdexcept>
 
 #include "branch_joins.h"
 #include "courses.h"
+#include "moivre/numeric/invalid_input.h"
 
 namespace moivre {
 namespace {
@@ -346,7 +346,7 @@ Circuits find_circuits(const Mechanism& mechanism, const MotionResult& motion) {
   const auto count = static_cast<Eigen::Index>(coordinates(mechanism).size());
   for (const MotionBranch& branch : motion.branches) {
     if (branch.begin_pose.size() == count && branch.end_pose.size() == count) continue;
-    throw std::invalid_argument("branch " + branch.id + " is not one of this mechanism");
+    throw InvalidInput("branch " + branch.id + " is not one of this mechanism");
   }
   if (!motion.all_listed) {
     Circuits none;

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <optional>
 
-#include "moivre/expression/refusal.h"
+#include "moivre/numeric/invalid_input.h"
 
 namespace moivre {
 namespace {

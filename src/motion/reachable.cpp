@@ -7,7 +7,9 @@
 #include <stdexcept>
 
 #include "moivre/expression/joined.h"
+#include "moivre/mechanism/closure_id.h"
 #include "moivre/motion/circuits.h"
+#include "moivre/numeric/invalid_input.h"
 #include "motion_product.h"
 #include "motion_record.h"
 
@@ -59,7 +61,7 @@ std::vector<std::size_t> named_branches(const MotionResult& motion,
     refusal +=
         "there is no closure '" + name + "' where the motion begins; " + names_text(motion, firsts);
   }
-  if (!refusal.empty()) throw std::invalid_argument(refusal);
+  if (!refusal.empty()) throw InvalidInput(refusal);
   return found;
 }
 

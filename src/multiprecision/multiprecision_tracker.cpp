@@ -2,10 +2,9 @@
 // The tracker of fine_tracker.h in MPFR's numbers.
 #include "moivre/multiprecision/multiprecision_tracker.h"
 
-#include <stdexcept>
-
 #include "big_complex.h"
 #include "moivre/homotopy/write_program.h"
+#include "moivre/numeric/invalid_input.h"
 #include "moivre/tracker/fine_tracker.h"
 
 namespace moivre {
@@ -33,9 +32,8 @@ std::unique_ptr<Tracker> make_multiprecision_tracker(int digits) {
     case kMany:
       return make_tracker<kMany>();
     default:
-      throw std::invalid_argument("paths are followed in " + std::to_string(kSome) + " or " +
-                                  std::to_string(kMany) + " digits, not in " +
-                                  std::to_string(digits));
+      throw InvalidInput("paths are followed in " + std::to_string(kSome) + " or " +
+                         std::to_string(kMany) + " digits, not in " + std::to_string(digits));
   }
 }
 

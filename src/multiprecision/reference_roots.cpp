@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <stdexcept>
 #include <thread>
 #include <tuple>
 
 #include "big_newton.h"
 #include "moivre/expression/counted.h"
+#include "moivre/numeric/invalid_input.h"
 
 namespace moivre {
 namespace {
@@ -165,20 +165,23 @@ class MpfrCaches {
 };
 
 void require_usable(const System& f, const std::vector<Point>& approximations, int digits) {
+  require_unbroken(broken_rules(f));
   const std::size_t n = f.variables.size();
   if (digits < 1 || digits > kMostDigits) {
-    throw std::invalid_argument("digits must lie between 1 and " + std::to_string(kMostDigits) +
-                                ", not " + std::to_string(digits));
+    throw InvalidInput("digits must lie between 1 and " + std::to_string(kMostDigits) + ", not " +
+                       std::to_string(digits));
   }
   if (f.polynomials.size() != n) {
-    throw std::invalid_argument("digits are for square systems; this one has " +
-                                counted(f.polynomials.size(), "equation") + " in " +
-                                counted(n, "unknown"));
+    throw InvalidInput("digits are for square systems; this one has " +
+                       counted(f.polynomials.size(), "equation") + " in " + counted(n, "unknown"));
   }
   for (const Point& x : approximations) {
+    if (!std::isfinite(max_norm(x))) {
+      throw InvalidInput("an approximation has a coordinate that is not finite");
+    }
     if (x.size() == n) continue;
-    throw std::invalid_argument("an approximation has " + counted(x.size(), "coordinate") +
-                                ", the system " + counted(n, "unknown"));
+    throw InvalidInput("an approximation has " + counted(x.size(), "coordinate") + ", the system " +
+                       counted(n, "unknown"));
   }
 }
 

@@ -9,9 +9,9 @@
 #include <numeric>
 #include <optional>
 #include <ostream>
-#include <stdexcept>
 
 #include "moivre/numeric/integer.h"
+#include "moivre/numeric/invalid_input.h"
 
 namespace moivre {
 
@@ -93,7 +93,7 @@ void put(Number&& value, std::unique_ptr<Number>& place) {
 bool is_whole(const Number& x) { return x.below == 1; }
 
 void require_divisor(bool is_zero) {
-  if (is_zero) throw std::invalid_argument("division of an exact number by zero");
+  if (is_zero) throw InvalidInput("division of an exact number by zero");
 }
 
 /// Numerator and denominator of a number that was typed nearly always fit a machine word: their arithmetic takes a tenth of the
@@ -223,7 +223,12 @@ Rational::Rational(Rational&& other) noexcept = default;
 Rational& Rational::operator=(Rational&& other) noexcept = default;
 Rational::~Rational() = default;
 
-Rational::Rational(double value) : Rational(number_of(value)) {}
+Rational Rational::of_double(double value) {
+  if (!std::isfinite(value)) {
+    throw InvalidInput("an exact number must be finite, not " + std::to_string(value));
+  }
+  return from(number_of(value));
+}
 Rational::Rational(std::int64_t numerator, std::int64_t denominator) {
   if (denominator == 1 && numerator == 0) return;
   *this = from(denominator == 1 ? Number{numerator, 1} : fraction(numerator, denominator));

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "moivre/numeric/integer.h"
+#include "moivre/numeric/invalid_input.h"
 
 namespace moivre {
 namespace {
@@ -25,7 +25,7 @@ Rational simplest_between(const Rational& low, const Rational& high) {
 
 Rational simplest(double x, double error) {
   if (!std::isfinite(x) || !std::isfinite(error) || error < 0) {
-    throw std::invalid_argument("a number and its error must be finite, the error not negative");
+    throw InvalidInput("a number and its error must be finite, the error not negative");
   }
   const Rational low = Rational(x) - Rational(error);
   const Rational high = Rational(x) + Rational(error);

@@ -9,8 +9,10 @@
 #include <stdexcept>
 #include <utility>
 
+#include "moivre/expression/words.h"
 #include "moivre/numeric/integer.h"
 #include "moivre/polynomial/digits.h"
+#include "number_functions.h"
 
 namespace moivre {
 
@@ -22,6 +24,8 @@ struct Excess : std::runtime_error {
 };
 
 std::size_t bits(const Coefficient& c) { return std::max(bit_length(c.re), bit_length(c.im)); }
+
+}  // namespace
 
 /// Counts the work of a file against kMaximumWork.
 class Account {
@@ -57,6 +61,8 @@ class Account {
  private:
   std::uint64_t& work_;
 };
+
+namespace {
 
 [[noreturn]] void refuse_term_count() {
   throw Excess("the expansion has more than " + std::to_string(kMaximumTerms) + " terms");
@@ -284,7 +290,34 @@ Expander::Value Expander::value(const Expression& e, const Environment& names) {
     return refuse(e.at, "`" + e.name + "(`: an operator is missing behind `" + e.name +
                             "` (a product is written with `*`)");
   }
-  return refuse(e.at, "`" + e.name + "(`: function calls are not polynomials");
+  return function_of_number(e, names);
+}
+
+Expander::Value Expander::rounded_number(const std::optional<Rational>& number,
+                                         const SourcePosition& at, const std::string& what) {
+  if (!number) return refuse(at, what + " has no real value here that can be computed");
+  has_rounded_number_ = has_rounded_number_ || is_rounded(*number);
+  return constant(*number);
+}
+
+Expander::Value Expander::function_of_number(const Expression& e, const Environment& names) {
+  const auto function = number_function(e.name);
+  if (!function || e.operands.size() != 1) {
+    return refuse(e.at, "`" + e.name + "(`: function calls are not polynomials");
+  }
+  const Value operand = value(e.operands.front(), names);
+  if (!operand) return std::nullopt;
+  if (!is_constant(*operand) || !is_real(constant_of(*operand))) {
+    return refuse(
+        e.at, "`" + e.name + "(` of an unknown is no polynomial; of a real number it is a number");
+  }
+  return rounded_number(function(constant_of(*operand).re), e.at, "`" + e.name + "(`");
+}
+
+Expander::Value Expander::root_of_number(const Coefficient& base, const Rational& exponent,
+                                         const SourcePosition& at) {
+  if (!is_real(base)) return refuse(at, "a root of a number that is not real has many values");
+  return rounded_number(number_power(base.re, exponent), at, "this root");
 }
 
 Expander::Value Expander::named(const Expression& e, const Environment& names) {
@@ -323,47 +356,113 @@ Expander::Value Expander::product_of(const Expression& e, const Environment& nam
 Expander::Value Expander::reciprocal(const Expression& e, const Environment& names) {
   const Value operand = value(e.operands.front(), names);
   if (!operand) return std::nullopt;
-  if (!is_constant(*operand)) {
-    return refuse(e.at, "division by a variable: only a number may stand behind `/`");
-  }
-  if (operand->terms.empty()) return refuse(e.at, "division by zero");
-  return constant(Coefficient{1, 0} / constant_of(*operand));
+  return reciprocal_of(*operand, e.at);
 }
 
-std::optional<std::int64_t> Expander::exponent(const Expression& e, const Environment& names) {
+/// p = N / M, where M has all that p divides by: 1 / p = M / N.
+Expander::Value Expander::reciprocal_of(const Polynomial& p, const SourcePosition& at) {
+  return within_limits(at, [&](Account& account) -> Polynomial {
+    Polynomial factor = constant(1);
+    Polynomial whole = without_reciprocals(p, factor, account);
+    if (whole.terms.empty()) throw Excess("division by zero");
+    const Coefficient leading = Coefficient(1) / whole.terms.front().coefficient;
+    if (is_constant(whole)) return leading * factor;
+    whole = leading * whole;
+    const auto known = std::find(denominators_.begin(), denominators_.end(), whole);
+    const auto k = static_cast<std::uint32_t>(known - denominators_.begin());
+    if (known == denominators_.end()) denominators_.push_back(std::move(whole));
+    return product(leading * unknown(kFirstReciprocal + k), std::move(factor), account);
+  });
+}
+
+/// p times `factor`, which is multiplied by the least powers of denominators that it takes.
+Polynomial Expander::without_reciprocals(const Polynomial& p, Polynomial& factor,
+                                         Account& account) const {
+  Polynomial whole = p;
+  for (std::size_t k = 0; k < denominators_.size(); ++k) {
+    const auto reciprocal = kFirstReciprocal + static_cast<std::uint32_t>(k);
+    const auto exponent_in = [&](const Monomial& m) -> std::uint32_t {
+      for (const Power& power : m) {
+        if (power.variable == reciprocal) return power.exponent;
+      }
+      return 0;
+    };
+    std::uint32_t most = 0;
+    for (const Term& term : whole.terms) most = std::max(most, exponent_in(term.monomial));
+    if (most == 0) continue;
+    // Terms by how often they divide: each is multiplied by what is left of the highest power.
+    std::vector<Polynomial> by_power(most + std::size_t{1});
+    for (Term& term : whole.terms) {
+      const std::uint32_t exponent = exponent_in(term.monomial);
+      std::erase_if(term.monomial, [&](const Power& one) { return one.variable == reciprocal; });
+      TermMap one;
+      one.emplace(std::move(term.monomial), std::move(term.coefficient));
+      by_power[exponent] = by_power[exponent] + to_polynomial(std::move(one));
+    }
+    whole = {};
+    for (std::uint32_t j = 0; j <= most; ++j) {
+      whole = whole + product(by_power[j], raised(denominators_[k], most - j, account), account);
+    }
+    factor = product(std::move(factor), raised(denominators_[k], most, account), account);
+  }
+  return whole;
+}
+
+std::optional<Polynomial> Expander::cleared(const Polynomial& p, const SourcePosition& at) {
+  if (denominators_.empty()) return p;
+  return within_limits(at, [&](Account& account) {
+    Polynomial factor = constant(1);
+    return without_reciprocals(p, factor, account);
+  });
+}
+
+std::optional<Polynomial> Expander::expand_equation(std::string_view text,
+                                                    const SourcePosition& begin,
+                                                    const Environment& names) {
+  const std::size_t sign = text.find('=');
+  if (sign == std::string_view::npos || text.find('=', sign + 1) != std::string_view::npos) {
+    return expand(text, begin, names);
+  }
+  const SourcePosition at = after(begin, text.substr(0, sign));
+  const SourcePosition behind = after(at, "=");
+  if (trimmed(text.substr(0, sign)).empty() || trimmed(text.substr(sign + 1)).empty()) {
+    return refuse(at, "a side of this `=` is missing");
+  }
+  const Value left = expand(text.substr(0, sign), begin, names);
+  const Value right = expand(text.substr(sign + 1), behind, names);
+  if (!left || !right) return std::nullopt;
+  return *left - *right;
+}
+
+std::optional<Rational> Expander::exponent(const Expression& e, const Environment& names) {
   const Value exact = value(e, names);
   if (!exact) return std::nullopt;
-  if (!is_constant(*exact)) {
-    refuse(e.at, "the exponent is not a number");
+  if (!is_constant(*exact) || !is_real(constant_of(*exact))) {
+    refuse(e.at,
+           is_constant(*exact) ? "the exponent is not an integer" : "the exponent is not a number");
     return std::nullopt;
   }
-  const Coefficient c = constant_of(*exact);
-  if (!is_real(c) || denominator(c.re) != 1) {
-    refuse(e.at, "the exponent is not an integer");
+  Rational k = constant_of(*exact).re;
+  if (abs(k) > Rational(kMaximumExponent)) {
+    refuse(e.at, "the exponent" + (denominator(k) == 1 ? quoted(numerator(k)) : "") +
+                     " is beyond " + std::to_string(kMaximumExponent));
     return std::nullopt;
   }
-  const Integer n = numerator(c.re);
-  if (abs(n) > kMaximumExponent) {
-    refuse(e.at, "the exponent" + quoted(n) + " is beyond " + std::to_string(kMaximumExponent));
-    return std::nullopt;
-  }
-  return static_cast<std::int64_t>(n);
+  return k;
 }
 
 Expander::Value Expander::power(const Expression& e, const Environment& names) {
   Value base = value(e.operands[0], names);
-  const std::optional<std::int64_t> k = exponent(e.operands[1], names);
+  const std::optional<Rational> k = exponent(e.operands[1], names);
   if (!base || !k) return std::nullopt;
-  if (*k < 0) {
-    if (!is_constant(*base)) {
-      return refuse(e.operands[1].at,
-                    "negative exponent " + std::to_string(*k) + ": that divides by a variable");
-    }
-    if (base->terms.empty()) return refuse(e.at, "division by zero");
-    base = constant(Coefficient{1, 0} / constant_of(*base));
+  if (denominator(*k) != 1) {
+    if (!is_constant(*base)) return refuse(e.operands[1].at, "the exponent is not an integer");
+    return root_of_number(constant_of(*base), *k, e.operands[1].at);
   }
+  if (*k < 0) base = reciprocal_of(*base, e.at);
+  if (!base) return std::nullopt;
   return within_limits(e.operands[1].at, [&](Account& account) {
-    return raised(*base, static_cast<std::uint64_t>(*k < 0 ? -*k : *k), account);
+    return raised(*base, static_cast<std::uint64_t>(numerator(abs(*k))), account);
   });
 }
 

@@ -26,17 +26,34 @@ inline constexpr std::uint64_t kMaximumWork = 50'000'000;
 /// Bits of a coefficient's numerator or denominator: 5000 digits fit.
 inline constexpr std::size_t kMaximumBits = 17'000;
 
-/// Parses and expands the expressions of one file. Faults (of the grammar, a non-integer exponent,
-/// division by a variable, an unknown name, a limit passed, a coefficient out of double's range) are
-/// appended to the list given; all those of an expression are.
+class Account;
+
+/// Parses and expands the expressions of one file. Faults (of the grammar, an exponent that is no integer, an unknown name, a limit
+/// passed, a coefficient out of double's range) are appended to the list given; all those of an expression are.
+///
+/// 1/d of a polynomial d is an unknown of its own until the denominators are cleared: unknown kFirstReciprocal + k is 1/d_k.
+/// Functions and roots of numbers (number_functions.h) are decimals of 40 digits, and count as rounded.
 class Expander {
  public:
+  static constexpr std::uint32_t kFirstReciprocal = 0x80000000;
+
   explicit Expander(std::vector<Diagnostic>& faults) : faults_(faults) {}
 
   /// nullopt when something in the text, which begins at `begin`, was at fault. Only one summand's tree is
-  /// in memory at a time.
+  /// in memory at a time. Reciprocals are left in.
   std::optional<Polynomial> expand(std::string_view text, const SourcePosition& begin,
                                    const Environment& names);
+
+  /// "left = right" as left - right, or an expression alone.
+  std::optional<Polynomial> expand_equation(std::string_view text, const SourcePosition& begin,
+                                            const Environment& names);
+
+  /// The polynomial times the least powers of denominators that leave no reciprocal in it; nullopt and a fault at `at` where a limit is
+  /// passed.
+  std::optional<Polynomial> cleared(const Polynomial& p, const SourcePosition& at);
+
+  /// By which the expressions so far divide: monic, none constant, none twice.
+  const std::vector<Polynomial>& denominators() const { return denominators_; }
 
   /// Among the numbers of all expressions so far (digits.h).
   bool has_rounded_number() const { return has_rounded_number_; }
@@ -54,14 +71,22 @@ class Expander {
   Value sum_of(const Expression& e, const Environment& names);
   Value product_of(const Expression& e, const Environment& names);
   Value reciprocal(const Expression& e, const Environment& names);
+  Value reciprocal_of(const Polynomial& p, const SourcePosition& at);
+  Value function_of_number(const Expression& e, const Environment& names);
+  Value root_of_number(const Coefficient& base, const Rational& exponent, const SourcePosition& at);
+  Value rounded_number(const std::optional<Rational>& number, const SourcePosition& at,
+                       const std::string& what);
+  Polynomial without_reciprocals(const Polynomial& p, Polynomial& factor, Account& account) const;
   Value power(const Expression& e, const Environment& names);
   Value named(const Expression& e, const Environment& names);
   Value refuse(const SourcePosition& at, const std::string& message);
-  std::optional<std::int64_t> exponent(const Expression& e, const Environment& names);
+  /// A number; nullopt and a fault where it is none, or not real.
+  std::optional<Rational> exponent(const Expression& e, const Environment& names);
   template <class Operation>
   Value within_limits(const SourcePosition& at, Operation operation);
 
   std::vector<Diagnostic>& faults_;
+  std::vector<Polynomial> denominators_;
   std::uint64_t work_ = 0;
   bool has_rounded_number_ = false;
 };

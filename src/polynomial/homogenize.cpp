@@ -3,7 +3,8 @@
 #include "moivre/polynomial/homogenize.h"
 
 #include <limits>
-#include <stdexcept>
+
+#include "moivre/numeric/invalid_input.h"
 
 namespace moivre {
 
@@ -17,9 +18,8 @@ System homogenize(const System& f, const std::vector<std::uint64_t>& degrees) {
     for (const Term& term : f.polynomials[i].terms) {
       const std::uint64_t own = degree(term.monomial);
       if (own > degrees[i] || degrees[i] > std::numeric_limits<std::uint32_t>::max()) {
-        throw std::invalid_argument("equation " + std::to_string(i + 1) +
-                                    " cannot be homogenized to degree " +
-                                    std::to_string(degrees[i]));
+        throw InvalidInput("equation " + std::to_string(i + 1) +
+                           " cannot be homogenized to degree " + std::to_string(degrees[i]));
       }
       Monomial m = term.monomial;
       if (own < degrees[i]) m.push_back({n, static_cast<std::uint32_t>(degrees[i] - own)});

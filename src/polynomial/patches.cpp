@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <stdexcept>
 
+#include "moivre/numeric/invalid_input.h"
 #include "random_share.h"
 
 namespace moivre {
@@ -24,9 +24,9 @@ Polynomial patch(const VariableGroup& group, std::uint64_t seed) {
 void check_homogeneous(const System& f, const VariableGroup& group) {
   for (std::size_t i = 0; i < f.polynomials.size(); ++i) {
     if (is_homogeneous(f.polynomials[i], group.variables)) continue;
-    throw std::invalid_argument("equation " + std::to_string(i + 1) +
-                                " is not homogeneous in the group of " +
-                                f.variables[group.variables.front()]);
+    throw InvalidInput("equation " + std::to_string(i + 1) +
+                       " is not homogeneous in the group of " +
+                       f.variables[group.variables.front()]);
   }
 }
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <stdexcept>
 
 #include "moivre/numeric/integer.h"
+#include "moivre/numeric/invalid_input.h"
 #include "moivre/numeric/random.h"
 
 namespace moivre {
@@ -92,7 +92,7 @@ Residue PrimeField::residue(const Integer& a) const {
 Residue PrimeField::residue(const Rational& a) const {
   if (a.is_zero()) return 0;
   const Residue below = residue(denominator(a));
-  if (below == 0) throw std::invalid_argument("a denominator that the prime divides");
+  if (below == 0) throw InvalidInput("a denominator that the prime divides");
   return times(residue(numerator(a)), inverse(below));
 }
 

@@ -58,9 +58,45 @@ void read_text(const Source& source, const std::function<void(std::vector<Diagno
   throw ParseError(source, std::move(faults));
 }
 
+/// With blanks in the place of comments, from a # to the end of its line, so that all places stay.
+Source without_comments(const Source& source) {
+  Source rest = source;
+  bool is_comment = false;
+  for (char& c : rest.text) {
+    if (c == '#') is_comment = true;
+    if (c == '\n') is_comment = false;
+    if (is_comment) c = ' ';
+  }
+  return rest;
+}
+
+System read_as(PolynomialFormat format, const Source& source, std::vector<Diagnostic>& faults) {
+  switch (format) {
+    case PolynomialFormat::bertini:
+      return read_bertini(source, faults);
+    case PolynomialFormat::msolve:
+      return read_msolve(without_comments(source), faults);
+    case PolynomialFormat::julia: {
+      ParametricSystem read = read_julia(without_comments(source), faults);
+      if (!read.declared.empty() && faults.empty()) {
+        faults.push_back({{},
+                          "the file describes a family of systems, with parameters; learn it by "
+                          "moivre family learn"});
+      }
+      return std::move(read.system);
+    }
+    case PolynomialFormat::phcpack:
+      break;
+  }
+  return read_phcpack(without_comments(source), faults);
+}
+
 }  // namespace
 
 PolynomialFormat detect_format(const std::string& text) {
+  const std::string bare = without_comments({"", text}).text;
+  if (looks_like_julia(bare)) return PolynomialFormat::julia;
+  if (looks_like_msolve(bare)) return PolynomialFormat::msolve;
   std::string head = without_bertini_comments(text);
   head.resize(std::min(head.find(';'), head.size()));
   std::string_view rest = head;
@@ -87,17 +123,22 @@ System read_system(const Source& source) { return read_system(source, detect_for
 
 System read_system(const Source& source, PolynomialFormat format) {
   System system;
-  read_text(source, [&](std::vector<Diagnostic>& faults) {
-    system = format == PolynomialFormat::bertini ? read_bertini(source, faults)
-                                                 : read_phcpack(source, faults);
-  });
+  read_text(source,
+            [&](std::vector<Diagnostic>& faults) { system = read_as(format, source, faults); });
   return system;
 }
 
 ParametricSystem read_parametric(const Source& source, const std::vector<std::string>& constants) {
   ParametricSystem result;
-  if (detect_format(source.text) != PolynomialFormat::bertini) {
-    result.system = read_system(source, PolynomialFormat::phcpack);
+  const PolynomialFormat format = detect_format(source.text);
+  if (format == PolynomialFormat::julia) {
+    read_text(source, [&](std::vector<Diagnostic>& faults) {
+      result = read_julia(without_comments(source), faults);
+    });
+    return result;
+  }
+  if (format != PolynomialFormat::bertini) {
+    result.system = read_system(source, format);
     return result;
   }
   read_text(source, [&](std::vector<Diagnostic>& faults) {

@@ -361,9 +361,12 @@ System BertiniReader::read(const std::vector<Statement>& statements) {
   for (const std::string& name : functions_) {
     const auto value = names_.find(name);
     if (value == names_.end() || !value->second) continue;
-    check_homogeneous(name, *value->second);
-    system.polynomials.push_back(*value->second);
+    auto cleared = expander_.cleared(*value->second, declared_.find(name)->second.at);
+    if (!cleared) continue;
+    check_homogeneous(name, *cleared);
+    system.polynomials.push_back(std::move(*cleared));
   }
+  system.denominators = expander_.denominators();
   return system;
 }
 

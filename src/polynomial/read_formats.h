@@ -14,6 +14,14 @@ namespace moivre {
 /// there are any.
 System read_phcpack(const Source& source, std::vector<Diagnostic>& faults);
 System read_bertini(const Source& source, std::vector<Diagnostic>& faults);
+System read_msolve(const Source& source, std::vector<Diagnostic>& faults);
+/// Its parameters are the last unknowns.
+ParametricSystem read_julia(const Source& source, std::vector<Diagnostic>& faults);
+
+/// Does the text, without comments, begin as msolve's does, or hold HomotopyContinuation.jl's declarations?
+bool looks_like_msolve(std::string_view text);
+bool looks_like_julia(std::string_view text);
+
 /// Parameters stay names, and so do these constants.
 ParametricSystem read_parametric_bertini(const Source& source,
                                          const std::vector<std::string>& constants,

@@ -10,6 +10,7 @@
 
 #include "expand.h"
 #include "moivre/expression/counted.h"
+#include "number_functions.h"
 #include "read_formats.h"
 #include "statements.h"
 
@@ -233,18 +234,27 @@ void check_polynomial_count(const Layout& layout, std::vector<Diagnostic>& fault
 }
 
 bool is_imaginary_unit(std::string_view name) { return name == "i" || name == "I"; }
+bool is_pi(std::string_view name) { return name == "pi" || name == "\u03c0"; }
 
-/// The unknowns: every name but the imaginary unit, in the order of first appearance.
+/// The unknowns: every name but the imaginary unit and pi, in the order of first appearance.
 std::vector<NamePlace> unknowns_of(const std::vector<Statement>& polynomials) {
   std::vector<NamePlace> unknowns;
   std::unordered_map<std::string_view, bool> is_known;
   for (const Statement& polynomial : polynomials) {
     for (const NamePlace& place : names_in(polynomial.text, polynomial.begin)) {
-      if (is_imaginary_unit(place.name)) continue;
+      if (is_imaginary_unit(place.name) || is_pi(place.name)) continue;
       if (is_known.try_emplace(place.name, true).second) unknowns.push_back(place);
     }
   }
   return unknowns;
+}
+
+bool names_pi(const std::vector<Statement>& polynomials) {
+  return std::any_of(polynomials.begin(), polynomials.end(), [](const Statement& polynomial) {
+    const std::vector<NamePlace> places = names_in(polynomial.text, polynomial.begin);
+    return std::any_of(places.begin(), places.end(),
+                       [](const NamePlace& place) { return is_pi(place.name); });
+  });
 }
 
 void check_unknown_count(const Layout& layout, const std::vector<NamePlace>& unknowns,
@@ -269,6 +279,7 @@ void check_unknown_count(const Layout& layout, const std::vector<NamePlace>& unk
 Environment meanings_of(const std::vector<NamePlace>& unknowns) {
   Environment names;
   for (const char* unit : {"i", "I"}) names.emplace(unit, constant({0, 1}));
+  for (const char* pi : {"pi", "\u03c0"}) names.emplace(pi, constant(number_pi()));
   for (std::size_t k = 0; k < unknowns.size(); ++k) {
     names.emplace(unknowns[k].name, unknown(static_cast<std::uint32_t>(k)));
   }
@@ -292,11 +303,14 @@ System read_phcpack(const Source& source, std::vector<Diagnostic>& faults) {
       faults.push_back({statement.begin, "a polynomial is missing before this `;`"});
       continue;
     }
-    std::optional<Polynomial> polynomial = expander.expand(statement.text, statement.begin, names);
+    const auto typed = expander.expand_equation(statement.text, statement.begin, names);
+    std::optional<Polynomial> polynomial =
+        typed ? expander.cleared(*typed, statement.begin) : std::nullopt;
     if (!polynomial) continue;
     system.polynomials.push_back(std::move(*polynomial));
   }
-  system.is_exact = !expander.has_rounded_number();
+  system.is_exact = !expander.has_rounded_number() && !names_pi(layout.polynomials);
+  system.denominators = expander.denominators();
   return system;
 }
 

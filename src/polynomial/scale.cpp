@@ -7,10 +7,10 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
-#include <stdexcept>
 
 #include "moivre/factorization/qr.h"
 #include "moivre/numeric/integer.h"
+#include "moivre/numeric/invalid_input.h"
 
 namespace moivre {
 namespace {
@@ -174,7 +174,7 @@ Scaling choose_scaling(const System& f) {
 System scale(const System& f, const Scaling& scaling) {
   if (scaling.variable_log2.size() != f.variables.size() ||
       scaling.equation_log2.size() != f.polynomials.size()) {
-    throw std::invalid_argument("the scaling has another shape than the system");
+    throw InvalidInput("the scaling has another shape than the system");
   }
   System g = f;
   for (std::size_t i = 0; i < g.polynomials.size(); ++i) {
@@ -212,7 +212,7 @@ std::string to_text(const Scaling& scaling) {
 std::vector<std::complex<double>> restore(const Scaling& scaling,
                                           const std::vector<std::complex<double>>& y) {
   if (scaling.variable_log2.size() != y.size()) {
-    throw std::invalid_argument("the point has another dimension than the scaling");
+    throw InvalidInput("the point has another dimension than the scaling");
   }
   std::vector<std::complex<double>> x(y.size());
   for (std::size_t j = 0; j < y.size(); ++j) {

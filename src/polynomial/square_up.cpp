@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <vector>
 
+#include "moivre/numeric/invalid_input.h"
 #include "moivre/polynomial/scale.h"
 #include "random_share.h"
 
@@ -39,7 +39,7 @@ std::vector<std::size_t> ranked(const System& f) {
 System square_up(const System& f, std::uint64_t seed) {
   const std::size_t n = f.variables.size();
   const std::size_t m = f.polynomials.size();
-  if (m < n) throw std::invalid_argument("fewer equations than unknowns cannot be squared up");
+  if (m < n) throw InvalidInput("fewer equations than unknowns cannot be squared up");
   const std::vector<std::size_t> order = ranked(f);
   const auto leads_end = order.begin() + static_cast<std::ptrdiff_t>(std::min(n, order.size()));
   std::vector<std::size_t> leading(order.begin(), leads_end);
@@ -61,7 +61,7 @@ System square_up(const System& f, std::uint64_t seed) {
 System with_slices(const System& f, std::uint64_t seed) {
   const std::size_t n = f.variables.size();
   if (f.polynomials.size() > n) {
-    throw std::invalid_argument("more equations than unknowns leave no room for a slice");
+    throw InvalidInput("more equations than unknowns leave no room for a slice");
   }
   System g = f;
   for (std::size_t i = f.polynomials.size(); i < n; ++i) {

@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "moivre/numeric/invalid_input.h"
+
 namespace moivre {
 
 std::uint64_t degree(const Monomial& m) {
@@ -110,6 +112,47 @@ Polynomial operator*(const Polynomial& a, const Polynomial& b) {
     }
   }
   return to_polynomial(std::move(terms));
+}
+
+std::vector<Polynomial> unknowns(std::size_t n) {
+  std::vector<Polynomial> x;
+  x.reserve(n);
+  for (std::size_t j = 0; j < n; ++j) x.push_back(unknown(static_cast<std::uint32_t>(j)));
+  return x;
+}
+
+Polynomial operator+(const Polynomial& p, const Coefficient& c) { return p + constant(c); }
+Polynomial operator+(const Coefficient& c, const Polynomial& p) { return p + constant(c); }
+Polynomial operator-(const Polynomial& p) {
+  Polynomial negative = p;
+  for (Term& term : negative.terms) term.coefficient = -term.coefficient;
+  return negative;
+}
+Polynomial operator-(const Polynomial& a, const Polynomial& b) { return a + -b; }
+Polynomial operator-(const Polynomial& p, const Coefficient& c) { return p + constant(-c); }
+Polynomial operator-(const Coefficient& c, const Polynomial& p) { return constant(c) + -p; }
+Polynomial operator*(const Polynomial& p, const Coefficient& c) { return c * p; }
+Polynomial operator/(const Polynomial& p, const Coefficient& c) { return Coefficient(1) / c * p; }
+Polynomial& operator+=(Polynomial& a, const Polynomial& b) { return a = a + b; }
+Polynomial& operator+=(Polynomial& p, const Coefficient& c) { return p = p + c; }
+Polynomial& operator-=(Polynomial& a, const Polynomial& b) { return a = a - b; }
+Polynomial& operator-=(Polynomial& p, const Coefficient& c) { return p = p - c; }
+Polynomial& operator*=(Polynomial& a, const Polynomial& b) { return a = a * b; }
+Polynomial& operator*=(Polynomial& p, const Coefficient& c) { return p = c * p; }
+Polynomial& operator/=(Polynomial& p, const Coefficient& c) { return p = p / c; }
+
+Polynomial pow(const Polynomial& p, int exponent) {
+  if (exponent < 0) {
+    throw InvalidInput("a polynomial has no power " + std::to_string(exponent) +
+                       ": exponents are 0 or more");
+  }
+  Polynomial result = constant(1);
+  Polynomial square = p;
+  for (int k = exponent; k > 0; k /= 2) {
+    if (k % 2 == 1) result = result * square;
+    if (k > 1) square = square * square;
+  }
+  return result;
 }
 
 Polynomial operator*(const Coefficient& c, const Polynomial& p) {

@@ -4,7 +4,8 @@
 
 #include <limits>
 #include <map>
-#include <stdexcept>
+
+#include "moivre/numeric/invalid_input.h"
 
 namespace moivre {
 namespace {
@@ -32,7 +33,7 @@ class Products {
     const std::uint32_t b = register_of(right);
     const std::size_t next = tape_.register_count();
     if (next >= std::numeric_limits<std::uint32_t>::max()) {
-      throw std::invalid_argument("the system needs more than 2^32 products");
+      throw InvalidInput("the system needs more than 2^32 products");
     }
     tape_.products.push_back({a, b});
     return registers_[m] = static_cast<std::uint32_t>(next);
@@ -135,7 +136,7 @@ std::vector<Complex> complex_coefficients(const Tape& tape, const System& f) {
 }
 
 std::vector<double> real_coefficients(const Tape& tape, const System& f) {
-  if (!is_real(f)) throw std::invalid_argument("real coefficients of a system that is not real");
+  if (!is_real(f)) throw InvalidInput("real coefficients of a system that is not real");
   return round_coefficients<double>(tape, f, [](const Coefficient& c) { return to_double(c.re); });
 }
 

@@ -4,11 +4,11 @@
 #include "moivre/polynomial/write.h"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "moivre/expression/expression.h"
 #include "moivre/expression/joined.h"
 #include "moivre/numeric/integer.h"
+#include "moivre/numeric/invalid_input.h"
 #include "read_formats.h"
 
 namespace moivre {
@@ -107,6 +107,13 @@ class Writer {
     return text;
   }
 
+  /// Behind the last polynomial: read back, they are the system's, and add nothing.
+  std::string denominators() const {
+    std::string text;
+    for (const Polynomial& d : f_.denominators) text += "\n + 0/(" + polynomial(d, {}) + ")";
+    return text;
+  }
+
  private:
   void append(std::string& text, const Term& t) const {
     const Factor factor = factor_of(t.coefficient, unit_);
@@ -132,14 +139,14 @@ class Writer {
 
 void require_writable(const System& f, const std::vector<std::string>& reserved) {
   if (f.polynomials.empty() || f.variables.empty()) {
-    throw std::invalid_argument("a system without polynomials or without variables has no text");
+    throw InvalidInput("a system without polynomials or without variables has no text");
   }
   for (const std::string& name : f.variables) {
     const std::vector<NamePlace> names = names_in(name, {});
     const bool is_one_name = names.size() == 1 && names.front().name == name;
     const bool is_reserved = std::find(reserved.begin(), reserved.end(), name) != reserved.end();
     if (!is_one_name || is_reserved || is_bertini_keyword(name)) {
-      throw std::invalid_argument("the variable's name `" + name + "` cannot be written");
+      throw InvalidInput("the variable's name `" + name + "` cannot be written");
     }
   }
 }
@@ -177,14 +184,16 @@ std::string order_lead(const System& f) {
 }
 
 std::string phcpack_text(const System& f) {
-  require_writable(f, {"i", "I"});
+  require_writable(f, {"i", "I", "pi", "\u03c0"});
   const Writer writer(f, "i");
   std::string text = std::to_string(f.polynomials.size());
   if (f.variables.size() != f.polynomials.size()) text += ' ' + std::to_string(f.variables.size());
   text += '\n';
   std::string lead = order_lead(f);
-  for (const Polynomial& p : f.polynomials) {
-    text += writer.polynomial(p, lead) + ";\n";
+  for (std::size_t k = 0; k < f.polynomials.size(); ++k) {
+    const bool is_last = k + 1 == f.polynomials.size();
+    text +=
+        writer.polynomial(f.polynomials[k], lead) + (is_last ? writer.denominators() : "") + ";\n";
     lead.clear();
   }
   return text;
@@ -211,14 +220,14 @@ std::string group_declarations(const System& f) {
   for (const VariableGroup& group : f.groups) {
     std::vector<std::string> names;
     for (const std::uint32_t v : group.variables) {
-      if (v != next++) throw std::invalid_argument(kGroupsOutOfOrder);
+      if (v != next++) throw InvalidInput(kGroupsOutOfOrder);
       names.push_back(f.variables[v]);
     }
     text += (group.is_homogeneous ? "hom_variable_group " : "variable_group ") +
             joined(names, ", ") + ";\n";
   }
   if (f.groups.empty()) return "variable_group " + joined(f.variables, ", ") + ";\n";
-  if (next != f.variables.size()) throw std::invalid_argument(kGroupsOutOfOrder);
+  if (next != f.variables.size()) throw InvalidInput(kGroupsOutOfOrder);
   return text;
 }
 
@@ -232,7 +241,9 @@ std::string bertini_text(const System& f) {
   std::string text = "CONFIG\nEND;\nINPUT\n" + group_declarations(f) + "function " +
                      joined(functions, ", ") + ";\n";
   for (std::size_t k = 0; k < f.polynomials.size(); ++k) {
-    text += functions[k] + " = " + writer.polynomial(f.polynomials[k], {}) + ";\n";
+    const bool is_last = k + 1 == f.polynomials.size();
+    text += functions[k] + " = " + writer.polynomial(f.polynomials[k], {}) +
+            (is_last ? writer.denominators() : "") + ";\n";
   }
   return text + "END;\n";
 }

@@ -48,6 +48,8 @@ std::string solve_json(const SolveResult& result, const std::string& file) {
     return solution;
   });
   report["excess"] = result.excess;
+  if (result.on_denominators > 0) report["on_denominators"] = result.on_denominators;
+  if (result.filtered > 0) report["filtered"] = result.filtered;
   report["failures"] = list_json(result.failures, [](const FailedPath& f) { return to_json(f); });
   if (result.cross_check) report["cross_check"] = cross_check_json(*result.cross_check);
   report["left_out"] = to_json(result.left_out);

@@ -71,6 +71,11 @@ std::string roots_line(const SolveResult& result) {
   if (result.excess > 0) {
     text += "; " + std::to_string(result.excess) + " of the squared-up system fail an equation";
   }
+  if (result.on_denominators > 0) {
+    text += "; " + std::to_string(result.on_denominators) + " more where a denominator is zero";
+  }
+  if (result.filtered > 0)
+    text += "; " + std::to_string(result.filtered) + " more were not asked for";
   return text + '\n';
 }
 

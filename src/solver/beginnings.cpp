@@ -87,7 +87,7 @@ bool Beginnings::advance(const std::atomic<bool>& stop) {
   }
   for (std::size_t stage = 0; stage < early_.size(); ++stage) {
     StageSource source(plan_, block_, stage, care_);
-    early_[stage]->run(source, stop);
+    run_session(*early_[stage], source, stop);
   }
   return !block_.empty();
 }

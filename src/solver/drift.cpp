@@ -3,10 +3,10 @@
 #include "moivre/solver/drift.h"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "beginnings.h"
 #include "facts.h"
+#include "moivre/numeric/invalid_input.h"
 #include "prepare.h"
 
 namespace moivre {
@@ -83,7 +83,7 @@ std::vector<PathDrift> measure_drift(const System& f, const Tracker& tracker,
   std::vector<PathDrift> drifts(paths.size());
   for (std::size_t k = 0; k < paths.size(); ++k) {
     if (paths[k] >= prepared.plan->paths) {
-      throw std::invalid_argument("there is no path " + std::to_string(paths[k]));
+      throw InvalidInput("there is no path " + std::to_string(paths[k]));
     }
     drifts[k].path = paths[k];
   }
@@ -95,7 +95,7 @@ std::vector<PathDrift> measure_drift(const System& f, const Tracker& tracker,
   Beginnings beginnings(*prepared.plan, tracker, options.care, paths.size(), draw);
   DriftSource source(prepared, options.care, drifts, beginnings);
   beginnings.advance(stop);
-  tracker.open(prepared.plan->last())->run(source, stop);
+  run_session(*tracker.open(prepared.plan->last()), source, stop);
   return drifts;
 }
 

@@ -2,9 +2,8 @@
 // Facts of a system, and the refusal of those that are not square.
 #include "facts.h"
 
-#include <stdexcept>
-
 #include "moivre/expression/counted.h"
+#include "moivre/numeric/invalid_input.h"
 
 namespace moivre {
 
@@ -16,14 +15,14 @@ void require_square(const System& f) {
   const std::size_t equations = f.polynomials.size();
   const std::size_t unknowns = f.variables.size();
   if (equations == unknowns) return;
-  throw std::invalid_argument(
+  throw InvalidInput(
       "the system has " + counted(equations, "equation") + " in " + counted(unknowns, "unknown") +
       ": " +
       (equations > unknowns
            ? "it is overdetermined, and paths belong to the system that solve squares it up to"
            : "it is underdetermined: its roots form sets of dimension " +
                  std::to_string(unknowns - equations) +
-                 " or more, and none is isolated. moivre solve --slice cuts them by random linear "
+                 " or more, and none is isolated. `slice` cuts them by random linear "
                  "equations"));
 }
 

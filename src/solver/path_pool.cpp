@@ -40,20 +40,30 @@ struct Shared {
   const EndSink& sink;
   const std::atomic<bool>& stop;
   std::atomic<std::uint64_t> next{0};
+  std::atomic<bool> has_thrown{
+      false};  ///< the sink: no other path begins, no other end is handed in
   std::mutex sink_mutex = {};
   std::vector<Waiting> waiting = {};
 
   void hand_in(std::uint64_t path, PathEnd&& end) {
     const std::lock_guard lock(sink_mutex);
-    sink(path, std::move(end));
+    if (has_thrown) return;
+    try {
+      sink(path, std::move(end));
+    } catch (...) {
+      has_thrown = true;
+      throw;
+    }
   }
   void let_wait(std::uint64_t path, std::unique_ptr<Endgame> endgame) {
     const std::lock_guard lock(sink_mutex);
     waiting.push_back({path, std::move(endgame)});
   }
 
+  bool is_over() const { return stop.load(std::memory_order_relaxed) || has_thrown; }
+
   std::optional<std::uint64_t> draw() {
-    if (stop.load(std::memory_order_relaxed)) return std::nullopt;
+    if (is_over()) return std::nullopt;
     const std::uint64_t k = next.fetch_add(1, std::memory_order_relaxed);
     if (k >= paths.count) return std::nullopt;
     return paths.path_of(k);
@@ -158,7 +168,7 @@ void track_on_one_thread(const PathProblem& problem, const EndgameOptions& optio
                          std::uint64_t threads, Shared& shared) {
   if (shared.paths.outposts) {
     SessionSource source(problem, options, shared, nullptr);
-    problem.tracker.open(problem.plan.last())->run(source, shared.stop);
+    run_session(*problem.tracker.open(problem.plan.last()), source, shared.stop);
     return;
   }
   const std::uint64_t share = shared.paths.count / (threads * kBlocksOfAThread) + 1;
@@ -166,8 +176,8 @@ void track_on_one_thread(const PathProblem& problem, const EndgameOptions& optio
                         [&] { return shared.draw(); });
   SessionSource source(problem, options, shared, &beginnings);
   const auto session = problem.tracker.open(problem.plan.last());
-  if (problem.plan.stages.size() == 1) return session->run(source, shared.stop);
-  while (beginnings.advance(shared.stop)) session->run(source, shared.stop);
+  if (problem.plan.stages.size() == 1) return run_session(*session, source, shared.stop);
+  while (beginnings.advance(shared.stop)) run_session(*session, source, shared.stop);
 }
 
 /// Paths that have waited go on: together where they are the sheets of one cycle, else alone.
@@ -187,7 +197,7 @@ void walk_on(const PathProblem& problem, const EndgameOptions& options, int thre
   const std::size_t sessions = std::min(static_cast<std::size_t>(threads), cycles.size());
   for_each_parallel(sessions, threads, [&](std::size_t s) {
     SessionSource source(problem, options, shared, nullptr);
-    for (std::size_t c = s; c < cycles.size(); c += sessions) {
+    for (std::size_t c = s; c < cycles.size() && !shared.has_thrown; c += sessions) {
       std::vector<Waiting> sheets;
       for (const std::size_t k : cycles[c]) sheets.push_back(std::move(waiting[k]));
       if (sheets.size() > 1 && !shared.stop) {
@@ -199,7 +209,7 @@ void walk_on(const PathProblem& problem, const EndgameOptions& options, int thre
         source.take_up(std::move(path), std::move(next));
       }
     }
-    problem.tracker.open(problem.plan.last())->run(source, shared.stop);
+    run_session(*problem.tracker.open(problem.plan.last()), source, shared.stop);
   });
 }
 

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <stdexcept>
 
 #include "moivre/expression/counted.h"
+#include "moivre/numeric/invalid_input.h"
 
 namespace moivre {
 namespace {
@@ -162,7 +162,7 @@ Prepared prepare_given(const System& f, GivenStart start) {
 
 void require_paths(const Prepared& prepared) {
   if (prepared.plan) return;
-  throw std::invalid_argument("there is no path to follow: elimination alone decides the system");
+  throw InvalidInput("there is no path to follow: elimination alone decides the system");
 }
 
 Point to_reduced(const Prepared& prepared, const Point& homogeneous) {

@@ -10,11 +10,12 @@
 #include "certificates.h"
 #include "clusters.h"
 #include "completeness.h"
+#include "denominators.h"
 #include "doubts.h"
 #include "ends.h"
 #include "facts.h"
 #include "moivre/expression/counted.h"
-#include "moivre/expression/refusal.h"
+#include "moivre/numeric/invalid_input.h"
 #include "moivre/numeric/stopwatch.h"
 #include "moivre/polynomial/patches.h"
 #include "moivre/solver/cross_check.h"
@@ -205,30 +206,38 @@ SolveResult solve_any(const System& f, const Tracker& tracker, const SolveOption
   return result;
 }
 
+void require_usable(const System& f, const SolveOptions& options) {
+  std::vector<std::string> broken = broken_rules(f);
+  for (std::string& rule : validate(options)) broken.push_back(std::move(rule));
+  require_unbroken(broken);
+}
+
 void require_square_start(const System& f) {
   if (is_square(f)) return;
-  throw std::invalid_argument("a given start needs as many equations as unknowns, got " +
-                              std::to_string(f.polynomials.size()) + " in " +
-                              std::to_string(f.variables.size()) + " without homogeneous groups");
+  throw InvalidInput("a given start needs as many equations as unknowns, got " +
+                     std::to_string(f.polynomials.size()) + " in " +
+                     std::to_string(f.variables.size()) + " without homogeneous groups");
 }
 
 }  // namespace
 
 SolveResult solve(const System& f, const Tracker& tracker, const SolveOptions& options,
                   const std::atomic<bool>& stop) {
-  require_unbroken(validate(options));
+  require_usable(f, options);
   SolveResult result = solve_any(f, tracker, options, stop);
+  drop_on_denominators(f, result);
   if (!options.certify) leave_out_certificates(result);
   return result;
 }
 
 SolveResult solve_from(const System& f, GivenStart start, const Tracker& tracker,
                        const SolveOptions& options, const std::atomic<bool>& stop) {
-  require_unbroken(validate(options));
+  require_usable(f, options);
   require_square_start(f);
   Stopwatch watch;
   SolveResult result =
       solve_in(Setting(f, prepare_given(f, std::move(start)), tracker, options, stop), watch);
+  drop_on_denominators(f, result);
   if (!options.certify) leave_out_certificates(result);
   return result;
 }

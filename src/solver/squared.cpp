@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "account.h"
+#include "drop_solutions.h"
 #include "facts.h"
 #include "moivre/expression/counted.h"
 #include "moivre/polynomial/digits.h"
@@ -44,7 +45,7 @@ void drop_excess(const System& f, SolveResult& result) {
     result.excess += root.multiplicity;
     return true;
   };
-  std::erase_if(result.solutions, is_excess);
+  drop_solutions(result, is_excess);
 }
 
 /// Where exact algebra counts the different roots of all equations: they are those that are told.

@@ -4,10 +4,10 @@
 
 #include <functional>
 #include <limits>
-#include <stdexcept>
 
 #include "beginnings.h"
 #include "facts.h"
+#include "moivre/numeric/invalid_input.h"
 #include "moivre/polynomial/powers.h"
 #include "setting.h"
 
@@ -126,9 +126,8 @@ Trace trace_path(const System& f, const Tracker& tracker, const SolveOptions& op
   const StartPlan& plan = *setting.prepared.plan;
   const std::uint64_t paths = bases.sheets * plan.paths;
   if (path >= paths) {
-    throw std::invalid_argument("there is no path " + std::to_string(path) +
-                                ": the start system has " + std::to_string(paths) +
-                                ", numbered from 0 to " + std::to_string(paths - 1));
+    throw InvalidInput("there is no path " + std::to_string(path) + ": the start system has " +
+                       std::to_string(paths) + ", numbered from 0 to " + std::to_string(paths - 1));
   }
   Trace trace;
   trace.system = facts_of(f);
@@ -146,8 +145,7 @@ Trace trace_path(const System& f, const System& g, const Point& start, const Tra
                  const SolveOptions& options, const std::atomic<bool>& stop) {
   require_square(f);
   if (g.variables != f.variables || start.size() != f.variables.size()) {
-    throw std::invalid_argument(
-        "the start system and its point must be in the variables of the system");
+    throw InvalidInput("the start system and its point must be in the variables of the system");
   }
   require_square(g);
   Point homogeneous = start;

@@ -9,6 +9,7 @@
 
 #include "exact_inverse.h"
 #include "exact_word.h"
+#include "moivre/numeric/invalid_input.h"
 #include "moivre/start/cell_geometry.h"
 
 namespace moivre {
@@ -109,7 +110,7 @@ template <class Word>
 BinomialSystem take_apart(std::span<const std::int64_t> v, std::span<const Complex> beta) {
   const std::size_t n = beta.size();
   const auto inverse = scaled_inverse<Word>(v, n);
-  if (!inverse) throw std::invalid_argument("the exponents of the binomials are dependent");
+  if (!inverse) throw InvalidInput("the exponents of the binomials are dependent");
   if (inverse->det > Word(std::numeric_limits<std::int64_t>::max())) {
     throw std::overflow_error("a binomial system with more than 2^63 roots");
   }
@@ -140,10 +141,10 @@ BinomialSystem take_apart(std::span<const std::int64_t> v, std::span<const Compl
 BinomialSystem binomial_system(std::span<const std::int64_t> exponents,
                                std::span<const Complex> beta) {
   if (exponents.size() != beta.size() * beta.size()) {
-    throw std::invalid_argument("the exponents are not a square matrix of the size of beta");
+    throw InvalidInput("the exponents are not a square matrix of the size of beta");
   }
   for (const Complex& b : beta) {
-    if (!is_finite(b) || b == 0.0) throw std::invalid_argument("a binomial without two terms");
+    if (!is_finite(b) || b == 0.0) throw InvalidInput("a binomial without two terms");
   }
   BinomialSystem system =
       in_shortest_word([&](auto word) { return take_apart<decltype(word)>(exponents, beta); });
@@ -159,7 +160,7 @@ BinomialSystem binomial_system(const MixedSubdivision& subdivision, const MixedC
   for (std::size_t i = 0; i < cell.edges.size(); ++i) {
     const std::size_t terms = subdivision.supports[i].terms.size();
     if (begin + terms > coefficients.size()) {
-      throw std::invalid_argument("there are fewer coefficients than terms");
+      throw InvalidInput("there are fewer coefficients than terms");
     }
     beta.push_back(-coefficients[begin + cell.edges[i][0]] /
                    coefficients[begin + cell.edges[i][1]]);

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <limits>
-#include <stdexcept>
 
 #include "exact_inverse.h"
 #include "exact_word.h"
 #include "moivre/numeric/integer.h"
+#include "moivre/numeric/invalid_input.h"
 
 namespace moivre {
 
@@ -28,7 +28,7 @@ void check_cell(const MixedSubdivision& subdivision, const MixedCell& cell) {
     const std::size_t terms = subdivision.supports[i].terms.size();
     fits = cell.edges[i][0] < terms && cell.edges[i][1] < terms;
   }
-  if (!fits) throw std::invalid_argument("the cell is not one of these supports");
+  if (!fits) throw InvalidInput("the cell is not one of these supports");
 }
 
 template <class Word>
@@ -61,7 +61,7 @@ ScaledGeometry<Word> scaled_geometry(const MixedSubdivision& s, const MixedCell&
   const std::size_t n = s.supports.size();
   const std::vector<std::int64_t> v = edge_matrix(s, cell);
   const auto inverse = scaled_inverse<Word>(v, n);
-  if (!inverse) throw std::invalid_argument("the cell has no volume");
+  if (!inverse) throw InvalidInput("the cell has no volume");
   ScaledGeometry<Word> geometry{inverse->det, scaled_normal_of(s, cell, *inverse), {}};
   for (std::size_t i = 0; i < n; ++i) {
     const std::vector<Exponents>& terms = s.supports[i].terms;

@@ -7,6 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "moivre/numeric/invalid_input.h"
 #include "moivre/start/infinity.h"
 #include "moivre/start/multihomogeneous_plan.h"
 #include "moivre/start/polyhedral.h"
@@ -190,8 +191,8 @@ class Chooser {
     chosen_.plan = multihomogeneous_plan(f_, search_.groups, options_.seed);
     chosen_.why = why;
     if (chosen_.plan) return;
-    throw std::invalid_argument(
-        "the multihomogeneous start system has too many terms to be multiplied out; try --start "
+    throw InvalidInput(
+        "the multihomogeneous start system has too many terms to be multiplied out; try `start` "
         "polyhedral");
   }
 

@@ -5,9 +5,9 @@
 #include <limits>
 #include <numeric>
 #include <set>
-#include <stdexcept>
 #include <utility>
 
+#include "moivre/numeric/invalid_input.h"
 #include "moivre/start/multihomogeneous.h"
 #include "partition_judge.h"
 
@@ -239,11 +239,11 @@ void improve_beginnings(PartitionJudge& judge, const std::vector<Partition>& fro
 PartitionSearch find_partition(const System& f, std::uint64_t most_work) {
   const std::size_t n = f.variables.size();
   if (f.polynomials.size() != n || n == 0) {
-    throw std::invalid_argument("groups are looked for in square systems only");
+    throw InvalidInput("groups are looked for in square systems only");
   }
   if (std::any_of(f.polynomials.begin(), f.polynomials.end(),
                   [](const Polynomial& p) { return p.terms.empty(); })) {
-    throw std::invalid_argument("groups are not looked for where an equation is 0 = 0");
+    throw InvalidInput("groups are not looked for where an equation is 0 = 0");
   }
   PartitionJudge judge(f);
   const std::uint64_t allowed = std::min(allowed_work(f), std::max(kLeastSearchWork, most_work));

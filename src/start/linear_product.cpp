@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "exact_coefficient.h"
+#include "moivre/numeric/invalid_input.h"
 #include "moivre/numeric/random.h"
 #include "moivre/numeric/saturating.h"
 #include "moivre/start/total_degree.h"
@@ -101,7 +102,7 @@ Point linear_form(Draw& draw, std::size_t size, std::vector<Point>& taken) {
 void check(const GroupDegrees& degrees) {
   for (std::size_t i = 0; i < degrees.size(); ++i) {
     if (std::all_of(degrees[i].begin(), degrees[i].end(), [](auto d) { return d == 0; })) {
-      throw std::invalid_argument("equation " + std::to_string(i + 1) + " is a constant");
+      throw InvalidInput("equation " + std::to_string(i + 1) + " is a constant");
     }
   }
 }

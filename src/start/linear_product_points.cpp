@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A path's number becomes a choice of factors, the choice a point: one small linear system a group.
-#include <stdexcept>
 
 #include "moivre/factorization/lu.h"
+#include "moivre/numeric/invalid_input.h"
 #include "moivre/start/linear_product.h"
 #include "moivre/start/total_degree.h"
 
@@ -93,8 +93,7 @@ void solve_group(const LinearProductStart& start, const std::vector<Chosen>& cho
 
 Point start_point(const LinearProductStart& start, std::uint64_t number) {
   if (number >= start.paths) {
-    throw std::invalid_argument("path " + std::to_string(number) + " of " +
-                                std::to_string(start.paths));
+    throw InvalidInput("path " + std::to_string(number) + " of " + std::to_string(start.paths));
   }
   const std::vector<Chosen> chosen = choice(start, number);
   Point x(start.degrees.size() + 1, 1.0);

@@ -3,10 +3,10 @@
 #include "moivre/start/mixed_cells.h"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "cell_search.h"
 #include "cell_stages.h"
+#include "moivre/numeric/invalid_input.h"
 #include "random_lifting.h"
 
 namespace moivre {
@@ -42,7 +42,7 @@ void check_shape(const std::vector<Support>& supports, const Lifting& lifting) {
   for (std::size_t i = 0; fits && i < supports.size(); ++i) {
     fits = lifting[i].size() == supports[i].terms.size();
   }
-  if (!fits) throw std::invalid_argument("the lifting has not one number for every term");
+  if (!fits) throw InvalidInput("the lifting has not one number for every term");
 }
 
 /// The subdivision of supports that need no search.

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
-#include <stdexcept>
 
 #include "exponent_table.h"
+#include "moivre/numeric/invalid_input.h"
 #include "moivre/numeric/saturating.h"
 
 namespace moivre {
@@ -20,7 +20,7 @@ std::vector<std::uint32_t> group_of_unknowns(const Partition& groups, std::size_
   for (std::size_t j = 0; j < groups.size(); ++j) {
     for (const std::uint32_t v : groups[j]) {
       if (v >= n || group_of[v] != kNone) {
-        throw std::invalid_argument(
+        throw InvalidInput(
             "group " + std::to_string(j + 1) + " holds unknown " + std::to_string(v + 1) +
             (v >= n ? ", which is none of the system" : ", which stands in a group already"));
       }
@@ -29,8 +29,8 @@ std::vector<std::uint32_t> group_of_unknowns(const Partition& groups, std::size_
   }
   const auto left = std::find(group_of.begin(), group_of.end(), kNone);
   if (left != group_of.end()) {
-    throw std::invalid_argument("unknown " + std::to_string(left - group_of.begin() + 1) +
-                                " stands in no group");
+    throw InvalidInput("unknown " + std::to_string(left - group_of.begin() + 1) +
+                       " stands in no group");
   }
   return group_of;
 }
@@ -39,9 +39,8 @@ void check_square(const GroupDegrees& degrees, const Partition& groups) {
   std::size_t unknowns = 0;
   for (const auto& group : groups) unknowns += group.size();
   if (degrees.size() != unknowns) {
-    throw std::invalid_argument(
-        "a number of roots by groups needs as many equations as unknowns: " +
-        std::to_string(degrees.size()) + " are not " + std::to_string(unknowns));
+    throw InvalidInput("a number of roots by groups needs as many equations as unknowns: " +
+                       std::to_string(degrees.size()) + " are not " + std::to_string(unknowns));
   }
 }
 

@@ -3,9 +3,10 @@
 #include "moivre/start/support.h"
 
 #include <algorithm>
-#include <stdexcept>
 #include <string>
 #include <utility>
+
+#include "moivre/numeric/invalid_input.h"
 
 namespace moivre {
 
@@ -28,9 +29,9 @@ void check_lengths(const std::vector<Support>& supports, std::size_t n) {
   for (std::size_t i = 0; i < supports.size(); ++i) {
     for (const Exponents& term : supports[i].terms) {
       if (term.size() == n) continue;
-      throw std::invalid_argument("a term of support " + std::to_string(i + 1) + " has " +
-                                  std::to_string(term.size()) + " exponents for " +
-                                  std::to_string(n) + " variables");
+      throw InvalidInput("a term of support " + std::to_string(i + 1) + " has " +
+                         std::to_string(term.size()) + " exponents for " + std::to_string(n) +
+                         " variables");
     }
   }
 }

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "exact_coefficient.h"
+#include "moivre/numeric/invalid_input.h"
 #include "moivre/numeric/random.h"
 
 namespace moivre {
@@ -23,7 +24,7 @@ TotalDegreeStart total_degree_start(const std::vector<std::uint64_t>& degrees, s
   start.degrees = degrees;
   for (std::size_t j = 0; j < degrees.size(); ++j) {
     if (degrees[j] == 0) {
-      throw std::invalid_argument("equation " + std::to_string(j + 1) + " is a constant");
+      throw InvalidInput("equation " + std::to_string(j + 1) + " is a constant");
     }
     start.c1.push_back(random_phase(seed, RandomStream::start_system, 2 * j));
     start.c2.push_back(random_phase(seed, RandomStream::start_system, 2 * j + 1));

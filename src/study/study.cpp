@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "moivre/expression/refusal.h"
+#include "moivre/numeric/invalid_input.h"
 #include "moivre/solver/drift.h"
 #include "moivre/study/cpu_time.h"
 #include "plain_newton.h"

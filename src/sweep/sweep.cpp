@@ -8,8 +8,8 @@
 #include <mutex>
 #include <stdexcept>
 
-#include "moivre/expression/refusal.h"
 #include "moivre/mechanism/dimensions.h"
+#include "moivre/numeric/invalid_input.h"
 #include "moivre/numeric/stopwatch.h"
 #include "moivre/numeric/threads.h"
 
@@ -54,7 +54,7 @@ class Sweep {
     return sample;
   }
 
-  /// f(k) for all k on all threads, told as progress. What a value makes the mechanism refuse is thrown.
+  /// f(k) for all k on all threads, told as progress. What a value makes the mechanism refuse is thrown, and what the callback throws.
   void on_all(std::size_t count, const std::function<void(std::size_t)>& f) {
     std::atomic<std::size_t> next{0};
     std::size_t done = 0;
@@ -63,13 +63,13 @@ class Sweep {
     const auto one = [&](std::size_t k) {
       try {
         f(k);
+        const std::lock_guard lock(mutex);
+        if (refusal) return false;
+        if (options_.progress) options_.progress(++done, count);
       } catch (...) {
         const std::lock_guard lock(mutex);
         refusal = std::current_exception();
-        return false;
       }
-      const std::lock_guard lock(mutex);
-      if (options_.progress) options_.progress(++done, count);
       return refusal == nullptr;
     };
     const auto work = [&] {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "cvode_memory.h"
-#include "moivre/expression/refusal.h"
+#include "moivre/numeric/invalid_input.h"
 
 namespace moivre {
 namespace {

@@ -48,7 +48,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 #include <algorithm>
 
-#include "moivre/expression/refusal.h"
+#include "moivre/numeric/invalid_input.h"
 
 namespace moivre {
 namespace {

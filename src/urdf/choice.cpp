@@ -43,7 +43,7 @@ std::size_t find_tip(const Robot& robot, const std::optional<std::string>& name,
     std::vector<std::string> names;
     for (const std::size_t link : ends) names.push_back(robot.links[link].name);
     faults.push_back("the robot ends in " + std::to_string(ends.size()) +
-                     " links, choose one by --tip: " + listed_names(std::move(names)));
+                     " links, choose one by `tip`: " + listed_names(std::move(names)));
   }
   return find_link(robot, name, ends.front(), faults);
 }
@@ -54,15 +54,15 @@ void check_held(const Robot& robot, const std::vector<HeldJoint>& held,
     const std::string& name = held[k].name;
     const auto joint = joint_named(robot, name);
     if (!joint) {
-      faults.push_back("--hold: there is no joint '" + name + "'" +
+      faults.push_back("`held`: there is no joint '" + name + "'" +
                        suggestion(name, names_of(robot.joints)));
     } else if (!is_moving(robot.joints[*joint])) {
-      faults.push_back("--hold: joint '" + name + "' is fixed");
+      faults.push_back("`held`: joint '" + name + "' is fixed");
     }
     if (!is_workable(held[k].value))
-      faults.push_back("--hold " + name + ": the value is too large");
+      faults.push_back("`held` " + name + ": the value is too large");
     for (std::size_t j = 0; j < k; ++j) {
-      if (held[j].name == name) faults.push_back("--hold: joint '" + name + "' is held twice");
+      if (held[j].name == name) faults.push_back("`held`: joint '" + name + "' is held twice");
     }
   }
 }

@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <cstdio>
 #include <set>
-#include <stdexcept>
 
 #include "layout.h"
 #include "moivre/expression/joined.h"
 #include "moivre/mechanism/additions.h"
 #include "moivre/mechanism/read.h"
+#include "moivre/numeric/invalid_input.h"
 #include "moivre/urdf/placement.h"
 
 namespace moivre {
@@ -243,15 +243,16 @@ void check_changes(const Robot& robot, const RobotChanges& changes, const std::s
   }
   check_held(robot, changes.held, faults);
   if (changes.pose && tip == robot.root) {
-    faults.emplace_back("the tip is the root, which stands; choose another by --tip");
+    faults.emplace_back("the tip is the root, which stands; choose another by `tip`");
   }
-  if (!faults.empty()) throw std::invalid_argument(joined(faults, "; "));
+  require_unbroken(faults);
 }
 
 }  // namespace
 
 std::string mechanism_text(const Robot& robot, const std::string& file,
                            const RobotChanges& changes) {
+  require_unbroken(broken_rules(robot));
   std::vector<std::string> faults;
   const bool has_tip = changes.pose || changes.tip;
   const std::size_t tip = has_tip ? find_tip(robot, changes.tip, faults) : robot.root;

@@ -20,14 +20,14 @@ std::string refusal_of(const Robot& robot, const ArmChoice& choice) {
 
 TEST(ArmTest, TheTipMustBeChosenWhereTheRobotHasSeveralEnds) {
   const std::string refusal = refusal_of(robot_of("ur5"), {});
-  EXPECT_EQ(refusal, "the robot ends in 3 links, choose one by --tip: ee_link, base, tool0");
+  EXPECT_EQ(refusal, "the robot ends in 3 links, choose one by `tip`: ee_link, base, tool0");
 }
 
 TEST(ArmTest, SevenFreeJointsAreRefusedWithTheirNames) {
   const std::string refusal = refusal_of(robot_of("panda"), {std::nullopt, "panda_hand_tcp", {}});
   EXPECT_EQ(refusal,
             "there are 7 free joints; with more than six the arm can move while the tip stands. "
-            "Hold 1 of them by --hold JOINT=VALUE: panda_joint1, panda_joint2, panda_joint3, "
+            "Hold 1 of them by `held`: panda_joint1, panda_joint2, panda_joint3, "
             "panda_joint4, panda_joint5, panda_joint6, panda_joint7");
 }
 
@@ -36,9 +36,9 @@ TEST(ArmTest, EveryFaultOfAChoiceIsNamed) {
       refusal_of(robot_of("ur5"), {"bas_link", "tool", {{"elbow", 0}, {"world_joint", 1}}});
   EXPECT_EQ(
       refusal,
-      "--hold: there is no joint 'elbow'; known are 'shoulder_pan_joint', 'shoulder_lift_joint', "
+      "`held`: there is no joint 'elbow'; known are 'shoulder_pan_joint', 'shoulder_lift_joint', "
       "'elbow_joint', 'wrist_1_joint', 'wrist_2_joint', 'wrist_3_joint', 'ee_fixed_joint', "
-      "'base_link-base_fixed_joint', ...; --hold: joint 'world_joint' is fixed; there is no link "
+      "'base_link-base_fixed_joint', ...; `held`: joint 'world_joint' is fixed; there is no link "
       "'bas_link'; did you mean 'base_link'?; there is no link 'tool'; did you mean 'tool0'?");
 }
 
@@ -62,7 +62,7 @@ TEST(ArmTest, TwoJointsThatMoveTogetherInTheChainAreRefused) {
   const std::string refusal = refusal_of(robot, {"panda_leftfinger", "panda_rightfinger", {}});
   EXPECT_EQ(refusal,
             "joints 'panda_finger_joint1' and 'panda_finger_joint2' move together (mimic) and are "
-            "both in the chain, which is not supported; hold one of them by --hold");
+            "both in the chain, which is not supported; hold one of them by `held`");
 }
 
 TEST(ArmTest, TheChainUpwardsIsTheInverseOfTheChainDownwards) {

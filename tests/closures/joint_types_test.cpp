@@ -220,7 +220,7 @@ TEST(AScrewThatIsNotDriven, IsRefusedBeforeAnyTracking) {
   } catch (const std::invalid_argument& refusal) {
     EXPECT_EQ(std::string(refusal.what()),
               "the screw 'thread' ties an angle to a length, which no polynomial says; drive it "
-              "(slide = \"thread\"), or follow one pose with --from-guess");
+              "(slide = \"thread\"), or follow one pose with `follow_guesses`");
   }
 }
 

@@ -115,14 +115,20 @@ TEST(Expression, NamesTheFaultOfEverySummand) {
     return all;
   };
   using Columns = std::vector<std::size_t>;
-  EXPECT_EQ(columns("2x + 3y - 1e400*z"), (Columns{2, 7, 11}));
-  EXPECT_EQ(columns("2x^1e-3 - 1e+5y"), (Columns{2, 15}))
+  EXPECT_EQ(columns("2 x + 3 y - 1e400*z"), (Columns{3, 9, 13}));
+  EXPECT_EQ(columns("2 x^1e-3 - 1e+5 y"), (Columns{3, 17}))
       << "the sign of a number begins no summand";
   EXPECT_EQ(columns("x*(y - 1 + 2 z"), (Columns{14, 3})) << "and the parenthesis is not closed";
   EXPECT_EQ(columns("(2 z + 3 y)*x) + 4 t + u)"), (Columns{4, 14, 20, 25}));
   EXPECT_EQ(columns("x y +"), (Columns{3, 6}));
-  EXPECT_EQ(columns(std::string(257, '(') + "x" + std::string(257, ')') + "+ 2y"),
-            (Columns{257, 519}));
+  EXPECT_EQ(columns(std::string(257, '(') + "x" + std::string(257, ')') + "+ 2 y"),
+            (Columns{257, 520}));
+}
+
+TEST(Expression, TakesANumberRightBeforeWhatItMultiplies) {
+  EXPECT_EQ(tree("2x + 3(y - 1)"), tree("2*x + 3*(y - 1)"));
+  EXPECT_EQ(tree("4x^2y"), tree("4*x^2*y"));
+  EXPECT_EQ(fault("1/2x").at.column, 4U);
 }
 
 TEST(Expression, RefusesMoreDigitsThanAnyDataHas) {

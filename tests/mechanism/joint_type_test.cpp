@@ -23,6 +23,9 @@ Mechanism two_bodies(JointType type, Space space) {
   joint.name = "J";
   joint.at = {PointOf{0, 0}, PointOf{1, 0}};
   joint.pitch = 0.1;
+  joint.radius = 1;
+  joint.gear.radii = {1, 1};
+  joint.profile = periodic_spline({0, 2, 4, 2 * std::numbers::pi}, {0, 1, 1, 0});
   mechanism.joints.push_back(joint);
   return mechanism;
 }

@@ -161,7 +161,7 @@ TEST(ACam, ThatNothingDrivesIsRefusedWithWhatWorks) {
   } catch (const std::invalid_argument& error) {
     EXPECT_EQ(std::string(error.what()),
               "the cam 'lobe' lifts by a table, which no polynomial says; drive the cam's angle, "
-              "or follow one pose with --from-guess");
+              "or follow one pose with `follow_guesses`");
   }
 }
 

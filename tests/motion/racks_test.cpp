@@ -285,7 +285,7 @@ P = [30, 0]
     EXPECT_EQ(std::string(error.what()),
               "the rack 'mesh' ties an angle to a length, which no polynomial says, and neither is "
               "known before the other; drive the pinion or the rack (slide = \"mesh\"), or follow "
-              "one pose with --from-guess");
+              "one pose with `follow_guesses`");
   }
 }
 

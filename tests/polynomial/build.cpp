@@ -14,12 +14,6 @@ Polynomial constant(const Rational& re, const Rational& im) {
 
 Polynomial variable(std::uint32_t j) { return {{Term{Coefficient{1, 0}, {{j, 1}}}}}; }
 
-Polynomial operator*(const Rational& c, const Polynomial& p) { return Coefficient{c, 0} * p; }
-
-Polynomial operator-(const Polynomial& a, const Polynomial& b) {
-  return a + Coefficient{-1, 0} * b;
-}
-
 Polynomial power(const Polynomial& p, int exponent) {
   Polynomial result = constant(1);
   for (int i = 0; i < exponent; ++i) result = result * p;

@@ -15,8 +15,6 @@ using Point = std::vector<Coefficient>;
 
 Polynomial constant(const Rational& re, const Rational& im = 0);
 Polynomial variable(std::uint32_t j);
-Polynomial operator*(const Rational& c, const Polynomial& p);
-Polynomial operator-(const Polynomial& a, const Polynomial& b);
 Polynomial power(const Polynomial& p, int exponent);
 /// Unknowns named x1 ... xn.
 System system(std::size_t unknowns, std::vector<Polynomial> polynomials);

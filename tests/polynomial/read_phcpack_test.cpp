@@ -32,19 +32,19 @@ TEST(PhcReader, OrdersVariablesByFirstAppearance) {
 
 TEST(PhcReader, KeepsDecimalsExactly) {
   EXPECT_EQ(system_of("1\n3.1*x - 1.25E-02;\n").polynomials[0],
-            Coefficient({Rational(31, 10), 0}) * x + number(Rational(-1, 80)));
-  EXPECT_EQ(system_of("1\n.5*x+5.*x;\n").polynomials[0], Coefficient({Rational(11, 2), 0}) * x);
+            Coefficient(Rational(31, 10), 0) * x + number(Rational(-1, 80)));
+  EXPECT_EQ(system_of("1\n.5*x+5.*x;\n").polynomials[0], Coefficient(Rational(11, 2), 0) * x);
 }
 
 TEST(PhcReader, TakesEitherLetterForTheImaginaryUnit) {
   EXPECT_EQ(system_of("1\n(1+2*i)*(1-2*I)*x + i^2 + i*I*i*I;\n").polynomials[0],
-            Coefficient({5, 0}) * x);
+            Coefficient(5, 0) * x);
 }
 
 TEST(PhcReader, DividesByNumbersExactly) {
   EXPECT_EQ(system_of("1\n(1/2)*x + x/3 - 2/4/5;\n").polynomials[0],
-            Coefficient({Rational(5, 6), 0}) * x + number(Rational(-1, 10)));
-  EXPECT_EQ(system_of("1\nx/(2*i);\n").polynomials[0], Coefficient({0, Rational(-1, 2)}) * x);
+            Coefficient(Rational(5, 6), 0) * x + number(Rational(-1, 10)));
+  EXPECT_EQ(system_of("1\nx/(2*i);\n").polynomials[0], Coefficient(0, Rational(-1, 2)) * x);
 }
 
 TEST(PhcReader, MultipliesOutProductsAndPowers) {
@@ -168,15 +168,13 @@ TEST(PhcReader, RefusesExponentsThatAreNoCounts) {
   expect_faults("1\nx^(1/2) - 1;\n", {{2, 4, "the exponent is not an integer"}});
   expect_faults("1\nx^i - 1;\n", {{2, 3, "the exponent is not an integer"}});
   expect_faults("1\nx^x - 1;\n", {{2, 3, "the exponent is not a number"}});
-  expect_faults("1\nx^-2 - 1;\n", {{2, 3, "negative exponent -2"}});
   expect_faults("1\nx^99999999999;\n", {{2, 3, "the exponent 99999999999 is beyond 4294967295"}});
   expect_faults("1\nx^4000000000*x^4000000000;\n", {{2, 14, "an exponent is beyond 4294967295"}});
   expect_faults("1\n(x^70000)^70000;\n", {{2, 11, "an exponent is beyond 4294967295"}});
-  EXPECT_EQ(system_of("1\n2^-3*x;\n").polynomials[0], Coefficient({Rational(1, 8), 0}) * x);
+  EXPECT_EQ(system_of("1\n2^-3*x;\n").polynomials[0], Coefficient(Rational(1, 8), 0) * x);
 }
 
-TEST(PhcReader, RefusesDivisionByAVariableAndByZero) {
-  expect_faults("1\n1/x - 1;\n", {{2, 2, "division by a variable"}});
+TEST(PhcReader, RefusesDivisionByZero) {
   expect_faults("1\nx/(x-x) - 1;\n", {{2, 2, "division by zero"}});
   expect_faults("1\nx/0 + 0^-1;\n", {{2, 2, "division by zero"}, {2, 7, "division by zero"}});
 }
@@ -191,32 +189,37 @@ TEST(PhcReader, RefusesStrayAndMissingOperators) {
   expect_faults("2\nx^2 ++ *y - 1;\nx - y;\n",
                 {{2, 6, "found the operator `+`"}, {2, 8, "found the operator `*`"}});
   expect_faults("2\nx y - 1;\nx - y;\n", {{2, 3, "an operator is missing before `y`"}});
-  expect_faults("1\n2x - 1;\n", {{2, 2, "an operator is missing before `x`"}});
-  expect_faults("1\n2(x - 1);\n", {{2, 2, "an operator is missing before `(`"}});
+  expect_faults("1\n1/2x - 1;\n", {{2, 4, "an operator is missing before `x`"}});
+  expect_faults("1\n2 x - 1;\n", {{2, 3, "an operator is missing before `x`"}});
   expect_faults("1\nx(x - 1);\n", {{2, 1, "an operator is missing behind `x`"}});
   expect_faults("1\nx - ;\n", {{2, 4, "but the expression ends here"}});
   expect_faults("1\nx*/2;\n", {{2, 3, "found the operator `/`"}});
   expect_faults("1\nx***2;\n", {{2, 4, "found the operator `*`"}});
-  expect_faults("1\nx^2 = 1;\n", {{2, 5, "`=` has no place in an expression"}});
-  expect_faults("1\nx^2 # 1;\n", {{2, 5, "unexpected character: `#`"}});
+  expect_faults("1\nx^2 = 1 = 1;\n", {{2, 5, "`=` has no place in an expression"}});
+  expect_faults("1\nx^2 = ;\n", {{2, 5, "a side of this `=` is missing"}});
+  expect_faults("1\nx^2 ! 1;\n", {{2, 5, "unexpected character: `!`"}});
   expect_faults("1\nx \xE2\x88\x92 1;\n", {{2, 3, "unexpected character: the byte 0xE2"}});
   expect_faults("1\n;\n",
                 {{1, 1, "expected 1 unknown, found 0 names"}, {2, 1, "a polynomial is missing"}});
 }
 
 TEST(PhcReader, NamesWhatStandsBehindAFaultOfTheSamePolynomial) {
-  expect_faults("2\nx y + x^2.5 - 1e400 + y/x + (x;\n2x - 3y;\n",
+  expect_faults("2\nx y + x^2.5 - 1e400 + y/0 + (x;\n2 x - 3 y;\n",
                 {{2, 3, "an operator is missing before `y`"},
                  {2, 9, "the exponent is not an integer"},
                  {2, 15, "`1e400` is beyond the range of double"},
-                 {2, 24, "division by a variable"},
+                 {2, 24, "division by zero"},
                  {2, 29, "this `(` is never closed"},
-                 {3, 2, "an operator is missing before `x`"},
-                 {3, 7, "an operator is missing before `y`"}});
+                 {3, 3, "an operator is missing before `x`"},
+                 {3, 9, "an operator is missing before `y`"}});
 }
 
 TEST(PhcReader, RefusesFunctionCalls) {
-  expect_faults("1\nx - sin(x);\n", {{2, 5, "`sin(`: function calls are not polynomials"}});
+  expect_faults("1\nx - f(x);\n", {{2, 5, "`f(`: function calls are not polynomials"}});
+  expect_faults("1\nx - sin(x);\n", {{2, 5, "`sin(` of an unknown is no polynomial"}});
+  expect_faults("1\nx - sqrt(-2) - log(0);\n",
+                {{2, 5, "`sqrt(` has no real value here"}, {2, 16, "`log(` has no real value"}});
+  expect_faults("1\nx - (-8)^(1/3);\n", {{2, 11, "this root has no real value"}});
 }
 
 TEST(PhcReader, RefusesNumbersThatNoDoubleHolds) {
@@ -231,21 +234,21 @@ TEST(PhcReader, RefusesNumbersThatNoDoubleHolds) {
 }
 
 TEST(PhcReader, NamesEveryFaultOfAFile) {
-  expect_faults("4\nx^2 + y^2 - 1e400;\n (x + y;\nx^1.5 - 1/y;\nx y + z;\n",
+  expect_faults("4\nx^2 + y^2 - 1e400;\n (x + y;\nx^1.5 - 1/0;\nx y + z + y;\n",
                 {{1, 1, "expected 4 unknowns, found 3 names"},
                  {2, 13, "`1e400`"},
                  {3, 2, "never closed"},
                  {4, 3, "not an integer"},
-                 {4, 10, "division by a variable"},
+                 {4, 10, "division by zero"},
                  {5, 3, "an operator is missing"}});
 }
 
 TEST(PhcReader, NamesTheFaultsAroundAFaultOfTheGrammarToo) {
-  expect_faults("1\nx^2.5 + 1/x - 1/1e400 ++ x^-1;\n", {{2, 3, "not an integer"},
-                                                        {2, 10, "division by a variable"},
+  expect_faults("1\nx^2.5 + 1/0 - 1/1e400 ++ x^.5;\n", {{2, 3, "not an integer"},
+                                                        {2, 10, "division by zero"},
                                                         {2, 17, "`1e400`"},
                                                         {2, 24, "found the operator `+`"},
-                                                        {2, 28, "negative exponent -1"}});
+                                                        {2, 28, "not an integer"}});
 }
 
 TEST(PhcReader, RefusesEmptyAndBinaryFiles) {

@@ -14,7 +14,6 @@
 namespace moivre {
 namespace {
 
-using build::operator-;
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 // Random polynomials here have at most a few hundred operations on their largest term.
 constexpr double kOperations = 100;

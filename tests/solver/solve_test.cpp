@@ -244,7 +244,7 @@ TEST(Solve, RefusesFewerEquationsThanUnknownsWithTheReason) {
         std::string(refusal.what())
             .ends_with(
                 ": it is underdetermined: its roots form sets of dimension 1 or more, and none is "
-                "isolated. moivre solve --slice cuts them by random linear equations"))
+                "isolated. `slice` cuts them by random linear equations"))
         << refusal.what();
   }
 }

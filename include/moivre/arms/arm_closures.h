@@ -14,6 +14,7 @@
 
 #include <Eigen/Geometry>
 #include <atomic>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -101,6 +102,13 @@ struct ArmResult {
 ArmResult find_arm_closures(const Arm& arm, const Eigen::Isometry3d& pose, const Tracker& tracker,
                             const SolveOptions& options = {},
                             const std::atomic<bool>& stop = std::atomic<bool>{false});
+
+/// The same for many poses, whose results are handed on one by one, in their order, as soon as some hundreds of them are there: what is
+/// not kept takes no memory. A set `stop` leaves out the poses that are not begun.
+void for_each_pose(const Arm& arm, const std::vector<Eigen::Isometry3d>& poses,
+                   const Tracker& tracker, const std::function<void(ArmResult&& result)>& take,
+                   const SolveOptions& options = {},
+                   const std::atomic<bool>& stop = std::atomic<bool>{false});
 
 /// The same for many poses, options.threads of them at once. With more than a few poses and options.start automatic, the arm is solved
 /// once at random coefficients, and paths lead from there to every pose (start.kind "family"). A pose for which this does not give

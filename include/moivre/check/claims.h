@@ -73,6 +73,8 @@ struct Claims {
   std::optional<PathClaim> paths;
   std::optional<std::uint64_t> failures;  ///< how many are listed
   std::uint64_t excess = 0;
+  std::uint64_t left_out =
+      0;  ///< roots where a denominator is zero, and roots that were not asked for
   std::optional<int> digits;
   std::optional<std::string> completeness;
   bool names_bound = false;  ///< the one that proves completeness

@@ -9,14 +9,13 @@
 // the imaginary unit) is the caller's to say.
 //
 //   sum      = [+|-] product { (+|-) [-] product }
-//   product  = power { (*|/) [-] power }
+//   product  = power { (*|/) [-] power }                and 2x, 3(x + 1): a number right before what it multiplies
 //   power    = operand [ (^|**) [-] power ]             -x^2 is -(x^2), x^2^3 is x^(2^3)
 //   operand  = number | name | name ( sum {, sum} ) | ( sum )     name and ( on one line
 //   number   = digits [. digits] [(e|E) [+|-] digits], also .5
-//   name     = letter or _, then letters, digits, _, [ and ]
+//   name     = letter (Greek ones too) or _, then letters, digits, small digits below the line, _, [ and ]
 //
-// Not supported: a product without its `*` (2x, x y), signs in a row (++, +-+), relations,
-// comments.
+// Not supported: other products without their `*` (x y, 1/2x), signs in a row (++, +-+), relations, comments.
 #pragma once
 
 #include <functional>

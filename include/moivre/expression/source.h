@@ -6,10 +6,11 @@
 #pragma once
 
 #include <cstddef>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "moivre/numeric/invalid_input.h"
 
 namespace moivre {
 
@@ -36,7 +37,7 @@ struct Source {
   std::string text;
 };
 
-/// Reads the whole file, "-": standard input, without a UTF-8 byte order mark. Throws std::invalid_argument with the
+/// Reads the whole file, "-": standard input, without a UTF-8 byte order mark. Throws InvalidInput with the
 /// reason when it cannot be read (a directory, no permission, not there, more than 256 MB).
 Source read_source(const std::string& path);
 
@@ -44,8 +45,8 @@ Source read_source(const std::string& path);
 /// the fault.
 std::string to_text(const Diagnostic& diagnostic, const Source& source);
 
-/// Every fault of one input; what() is all their texts, one after another.
-class ParseError : public std::invalid_argument {
+/// Every fault of one input; what() is all their texts, one after another; the broken rules are their messages.
+class ParseError : public InvalidInput {
  public:
   ParseError(const Source& source, std::vector<Diagnostic> faults);
   const std::vector<Diagnostic>& diagnostics() const noexcept { return diagnostics_; }

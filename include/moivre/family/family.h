@@ -51,13 +51,19 @@ struct Family {
   friend bool operator==(const Family& a, const Family& b);
 };
 
+/// Every broken rule as a sentence, empty where there is none: the system's own, and that sizes, p* and the roots have as many finite
+/// numbers as there are parameters and unknowns.
+std::vector<std::string> broken_rules(const Family& family);
+/// The same of a family that is not learned: of its system and sizes.
+std::vector<std::string> broken_rules_of_unlearned(const Family& family);
+
 /// Values of the parameters, exact.
 using ParameterValues = std::vector<Coefficient>;
 
-/// F(x; p) in the unknowns alone. Throws std::invalid_argument when p has another size than the family.
+/// F(x; p) in the unknowns alone. Throws InvalidInput when p has another size than the family.
 System member_system(const Family& family, const ParameterValues& p);
 
-/// The double itself.
+/// The double itself. Throws InvalidInput where it is not finite.
 Coefficient exact_value(const Complex& x);
 ParameterValues exact_values(const Point& p);
 

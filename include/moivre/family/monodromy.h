@@ -34,9 +34,12 @@ struct MonodromyOptions {
       20;  ///< random roots, which belong to another component where loops do not lead to them
   bool test = true;  ///< the trace test, where the roots are no more than `most_tested`
   std::size_t most_tested = 2000;
-  bool certify = true;  ///< each root
+  bool certify = true;                                ///< each root
   std::function<void(const LoopProgress&)> progress;  ///< called after each loop
 };
+
+/// Every broken rule as a sentence; empty when the options can be used.
+std::vector<std::string> validate(const MonodromyOptions& options);
 
 /// Whether all roots of the components were found.
 struct TraceTest {
@@ -56,7 +59,7 @@ struct KnownPair {
 /// this size. nullopt where it leads to no regular root from 64 random beginnings.
 std::optional<KnownPair> random_pair(const Family& family, std::uint64_t seed, double size = 1);
 
-/// A set `stop` keeps what was found. Throws std::invalid_argument where the pair is no regular root, or of another size.
+/// A set `stop` keeps what was found. Throws InvalidInput where the pair is no regular root, or of another size.
 Family learn_by_monodromy(Family unlearned, const KnownPair& pair, const Tracker& tracker,
                           const MonodromyOptions& options = {},
                           const std::atomic<bool>& stop = std::atomic<bool>{false});

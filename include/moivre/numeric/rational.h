@@ -25,9 +25,12 @@ class Rational {
   Rational(I value) : Rational(std::int64_t{value}, 1) {}
   template <std::unsigned_integral I>
   Rational(I value) : Rational(whole(value)) {}
-  /// The double itself, which must be finite.
-  explicit Rational(double value);
-  /// Throws std::invalid_argument where the denominator is zero.
+  /// The double itself: 0.1 is 3602879701896397/2^55, not 1/10. Throws InvalidInput where it is not finite.
+  template <std::floating_point F>
+  Rational(F value) : Rational(of_double(static_cast<double>(value))) {
+    static_assert(sizeof(F) <= sizeof(double), "a longer number than double would be rounded");
+  }
+  /// Throws InvalidInput where the denominator is zero.
   Rational(std::int64_t numerator, std::int64_t denominator);
 
   Rational(const Rational& other);
@@ -41,7 +44,7 @@ class Rational {
   Rational& operator+=(const Rational& other);
   Rational& operator-=(const Rational& other);
   Rational& operator*=(const Rational& other);
-  /// Throws std::invalid_argument where `other` is zero.
+  /// Throws InvalidInput where `other` is zero.
   Rational& operator/=(const Rational& other);
 
   struct Number;  ///< Boost's number; complete where integer.h is included
@@ -50,6 +53,7 @@ class Rational {
 
  private:
   static Rational whole(std::uint64_t value);
+  static Rational of_double(double value);
 
   std::unique_ptr<Number> number_;  // null: zero, as nearly every imaginary part is
 };
@@ -68,10 +72,18 @@ std::ostream& operator<<(std::ostream& out, const Rational& a);
 /// The bits of the longer of numerator and denominator.
 std::size_t bit_length(const Rational& a);
 
-/// Gaussian rational re + i*im: the exact complex coefficient.
+/// Gaussian rational re + i*im: the exact complex coefficient. A number of any type is one: 2, 0.5, Rational(1, 3).
 struct Coefficient {
   Rational re;
   Rational im;
+
+  Coefficient() noexcept = default;
+  Coefficient(Rational real, Rational imaginary = {})
+      : re(std::move(real)), im(std::move(imaginary)) {}
+  template <class N>
+  requires std::integral<N> || std::floating_point<N> Coefficient(N real) : re(real) {}
+  /// Both doubles themselves. Throws InvalidInput where one is not finite.
+  explicit Coefficient(const std::complex<double>& value) : re(value.real()), im(value.imag()) {}
 
   friend bool operator==(const Coefficient&, const Coefficient&) = default;
 };
@@ -80,7 +92,7 @@ Coefficient operator+(const Coefficient& a, const Coefficient& b);
 Coefficient operator-(const Coefficient& a, const Coefficient& b);
 Coefficient operator-(const Coefficient& a);
 Coefficient operator*(const Coefficient& a, const Coefficient& b);
-/// Requires b != 0 (std::invalid_argument).
+/// Throws InvalidInput where b is zero.
 Coefficient operator/(const Coefficient& a, const Coefficient& b);
 
 bool is_zero(const Coefficient& a);

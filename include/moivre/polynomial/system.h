@@ -10,7 +10,9 @@
 // exponents.
 #pragma once
 
+#include <array>
 #include <compare>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -63,15 +65,43 @@ Polynomial to_polynomial(TermMap terms);
 /// The polynomial x_index, and the polynomial c.
 Polynomial unknown(std::uint32_t index);
 Polynomial constant(const Coefficient& c);
+/// x_0, x_1, ...: auto [x, y] = unknowns<2>();
+template <std::size_t N>
+std::array<Polynomial, N> unknowns() {
+  std::array<Polynomial, N> x;
+  for (std::size_t j = 0; j < N; ++j) x[j] = unknown(static_cast<std::uint32_t>(j));
+  return x;
+}
+std::vector<Polynomial> unknowns(std::size_t n);
 
 std::uint64_t degree(const Polynomial& p);
 bool is_real(const Polynomial& p);
 /// All terms of one degree (the zero polynomial counts as homogeneous).
 bool is_homogeneous(const Polynomial& p);
+
+// As on paper: x*y - 1, -x, 2*x, p += x, pow(x, 3). A number of any type stands where a coefficient does (numeric/rational.h).
+// Products and powers throw std::overflow_error when an exponent leaves 32 bits.
 Polynomial operator+(const Polynomial& a, const Polynomial& b);
-/// Throws std::overflow_error when an exponent leaves 32 bits.
+Polynomial operator+(const Polynomial& p, const Coefficient& c);
+Polynomial operator+(const Coefficient& c, const Polynomial& p);
+Polynomial operator-(const Polynomial& p);
+Polynomial operator-(const Polynomial& a, const Polynomial& b);
+Polynomial operator-(const Polynomial& p, const Coefficient& c);
+Polynomial operator-(const Coefficient& c, const Polynomial& p);
 Polynomial operator*(const Polynomial& a, const Polynomial& b);
 Polynomial operator*(const Coefficient& c, const Polynomial& p);
+Polynomial operator*(const Polynomial& p, const Coefficient& c);
+/// Throws InvalidInput where c is zero.
+Polynomial operator/(const Polynomial& p, const Coefficient& c);
+Polynomial& operator+=(Polynomial& a, const Polynomial& b);
+Polynomial& operator+=(Polynomial& p, const Coefficient& c);
+Polynomial& operator-=(Polynomial& a, const Polynomial& b);
+Polynomial& operator-=(Polynomial& p, const Coefficient& c);
+Polynomial& operator*=(Polynomial& a, const Polynomial& b);
+Polynomial& operator*=(Polynomial& p, const Coefficient& c);
+Polynomial& operator/=(Polynomial& p, const Coefficient& c);
+/// p^0 is 1. Throws InvalidInput where the exponent is negative.
+Polynomial pow(const Polynomial& p, int exponent);
 
 /// Variables that belong together: coordinates of one affine space, or homogeneous ones of one projective space.
 struct VariableGroup {
@@ -88,12 +118,21 @@ struct System {
   std::vector<VariableGroup> groups = {};
   /// As typed, no number was rounded (digits.h): products of short ones are long, and exact. false: its coefficients tell.
   bool is_exact = false;
+  /// By which the text divides, cleared from the equations: what makes one of them zero is no root of what was typed.
+  std::vector<Polynomial> denominators = {};
 
   /// The same equations in the same unknowns. Groups tell how to look for roots, not which equations hold.
   friend bool operator==(const System& a, const System& b) {
-    return a.variables == b.variables && a.polynomials == b.polynomials;
+    return a.variables == b.variables && a.polynomials == b.polynomials &&
+           a.denominators == b.denominators;
   }
 };
+
+/// Every broken rule as a sentence, empty where there is none: names are given and differ; terms are canonical, their variables are there
+/// and their exponents 1 or more; a variable is in one group at most.
+std::vector<std::string> broken_rules(const System& f);
+/// The polynomials in unknowns of these names. Throws InvalidInput with every broken rule.
+System make_system(std::vector<std::string> variables, std::vector<Polynomial> polynomials);
 
 std::vector<std::uint64_t> degrees(const System& f);
 /// Bezout number: the product of the degrees; nullopt when it leaves 64 bits.

@@ -10,7 +10,7 @@
 //   open     neither
 //
 // Conservation, on every run:   tracked = finite + at_infinity + failed
-//                               finite  = sum of multiplicities + on_positive_dimensional + excess
+//                               finite  = sum of multiplicities + on_positive_dimensional + excess + on_denominators + filtered
 // A lost path counts as failed. `complete` is true when every path was decided. The result does not depend on the number of
 // threads. A system with more equations than unknowns is squared up by random combinations; roots of these that fail an
 // equation of F are `excess`. A system with fewer equations is refused, or cut by random linear ones (SolveOptions::slice).
@@ -83,7 +83,8 @@ struct SolveOptions {
                                            const SolveOptions& options,
                                            const std::atomic<bool>& stop)>
       known_start = {};
-  /// Called after each path, from any thread, never twice at once; may be empty.
+  /// Called after each path, from any thread, never twice at once; may be empty. What it throws ends the run, when the paths under way
+  /// have ended, and is thrown to the caller.
   std::function<void(const Progress&)> progress;
 };
 
@@ -244,6 +245,10 @@ struct SolveResult {
       on_sets;  ///< one end of paths for each place on a set of positive dimension, in the system's variables
   std::uint64_t excess =
       0;  ///< roots that squaring up added, with multiplicity: they fail an equation of F
+  std::uint64_t on_denominators =
+      0;  ///< roots of the cleared equations, with multiplicity, where a denominator of F is zero
+  std::uint64_t filtered =
+      0;  ///< roots that were not asked for (solver/filter.h), with multiplicity
   std::vector<FailedPath> failures;
   std::vector<PathRecord> ledger;  ///< by path number; empty where no path was followed
   std::vector<LeftOut> left_out;
@@ -254,8 +259,8 @@ struct SolveResult {
   SolveTime time;
 };
 
-/// Throws before any tracking: std::invalid_argument when there are fewer equations than unknowns without `slice`, or an option
-/// is out of range; std::overflow_error when the number of paths exceeds 64 bits. A set `stop` ends the run with the paths
+/// Throws before any tracking: InvalidInput, with every broken rule, when the system breaks one (polynomial/system.h), an option is out of
+/// range, or there are fewer equations than unknowns without `slice`; std::overflow_error when the number of paths exceeds 64 bits. A set `stop` ends the run with the paths
 /// that are finished.
 SolveResult solve(const System& f, const Tracker& tracker, const SolveOptions& options = {},
                   const std::atomic<bool>& stop = std::atomic<bool>{false});

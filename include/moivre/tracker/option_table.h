@@ -11,6 +11,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "moivre/numeric/invalid_input.h"
 #include "moivre/tracker/options_in_force.h"
 
 namespace moivre {
@@ -67,7 +68,7 @@ OptionRow<Options> word_row(OptionFacts facts, Choice Options::*member,
   row.set = [=](Options& options, const OptionValue& value) {
     const auto& word = std::get<std::string>(value);
     const auto place = std::find(facts.words.begin(), facts.words.end(), word);
-    if (place == facts.words.end()) throw std::invalid_argument(refusal_of_word(facts, word));
+    if (place == facts.words.end()) throw InvalidInput(refusal_of_word(facts, word));
     options.*member = choices[static_cast<std::size_t>(place - facts.words.begin())];
   };
   row.is_in_range = [](const Options&) { return true; };

@@ -121,6 +121,9 @@ class Tracker {
   virtual std::unique_ptr<Tracker> in_double_double() const { return nullptr; }
 };
 
+/// session.run(). What the source throws is thrown here, when the segments under way have ended; no others begin.
+void run_session(TrackerSession& session, DepartureSource& source, const std::atomic<bool>& stop);
+
 /// Follows one departure.
 Arrival follow(TrackerSession& session, Departure departure, const std::atomic<bool>& stop);
 

@@ -64,6 +64,10 @@ struct Robot {
   std::size_t root = 0;
 };
 
+/// Every broken rule as a sentence, empty where there is none: joints make one tree of the links, names are given and differ, numbers
+/// can be worked with, axes of moving joints are not zero, no joint mimics itself. What a reader makes breaks none.
+std::vector<std::string> broken_rules(const Robot& robot);
+
 bool is_moving(const RobotJoint& joint);
 /// Links that are no joint's parent, in the order of the file.
 std::vector<std::size_t> leaves(const Robot& robot);

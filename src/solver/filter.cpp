@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// Roots beside what is wanted of them.
+#include "moivre/solver/filter.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "drop_solutions.h"
+#include "moivre/expression/counted.h"
+#include "moivre/expression/joined.h"
+#include "moivre/numeric/invalid_input.h"
+
+namespace moivre {
+namespace {
+
+std::string said(const RootFilter& filter) {
+  std::vector<std::string> words;
+  if (filter.real) words.emplace_back("real");
+  if (filter.positive) words.emplace_back("positive");
+  if (filter.nonzero) words.emplace_back("without a zero");
+  if (!filter.box.empty()) words.emplace_back("in the box");
+  return joined(words, ", ");
+}
+
+bool is_wanted(const RootFilter& filter, const std::vector<std::size_t>& places,
+               const Solution& root) {
+  const double error = root.accuracy * std::max(1.0, max_norm(root.x));
+  const bool must_be_real = filter.real || filter.positive || !filter.box.empty();
+  if (must_be_real && !root.real) return false;
+  const auto all = [&](auto holds) { return std::all_of(root.x.begin(), root.x.end(), holds); };
+  if (filter.positive && !all([&](const Complex& x) { return x.real() > error; })) return false;
+  if (filter.nonzero && !all([&](const Complex& x) { return std::abs(x) > error; })) return false;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const double x = root.x[places[k]].real();
+    if (x < filter.box[k].from - error || x > filter.box[k].to + error) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::vector<std::string> broken_rules(const RootFilter& filter,
+                                      const std::vector<std::string>& unknowns) {
+  std::vector<std::string> broken;
+  for (const WantedRange& range : filter.box) {
+    if (std::find(unknowns.begin(), unknowns.end(), range.unknown) == unknowns.end()) {
+      broken.push_back("there is no unknown '" + range.unknown + "'; its unknowns are " +
+                       joined(unknowns, ", "));
+    }
+    if (!(range.from <= range.to)) {
+      broken.push_back("the range of '" + range.unknown +
+                       "' goes from the lower number to the upper");
+    }
+  }
+  return broken;
+}
+
+void keep_wanted(const RootFilter& filter, SolveResult& result) {
+  const std::vector<std::string>& unknowns = result.system.variables;
+  require_unbroken(broken_rules(filter, unknowns));
+  if (filter.wants_all()) return;
+  std::vector<std::size_t> places;
+  for (const WantedRange& range : filter.box) {
+    const auto at = std::find(unknowns.begin(), unknowns.end(), range.unknown);
+    places.push_back(static_cast<std::size_t>(at - unknowns.begin()));
+  }
+  std::uint64_t left = 0;
+  drop_solutions(result, [&](const Solution& root) {
+    if (is_wanted(filter, places, root)) return false;
+    result.filtered += root.multiplicity;
+    ++left;
+    return true;
+  });
+  result.left_out.push_back({"roots that are not " + said(filter),
+                             "asked for: " + counted(left, "root is", "roots are") + " not told"});
+}
+
+}  // namespace moivre

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+// Are mechanisms put together in code refused by name where they cannot be meant, whatever takes them?
+#include <functional>
+#include <limits>
+
+#include "moivre/closures/closures.h"
+#include "moivre/kinematics/mobility.h"
+#include "moivre/kinematics/newton.h"
+#include "moivre/mechanism/pose.h"
+#include "moivre/mechanism/read.h"
+#include "moivre/mechanism/rules.h"
+#include "moivre/motion/motion.h"
+#include "moivre/sweep/sweep.h"
+#include "refused.h"
+
+namespace moivre::test {
+namespace {
+
+Mechanism four_bar() {
+  return read_mechanism(read_source(MOIVRE_SOURCE_DIR "/problems/mechanisms/four-bar.toml"));
+}
+
+/// Every entry refuses the mechanism with this sentence.
+void expect_refused_everywhere(const Mechanism& mechanism, const std::string& word) {
+  const Eigen::VectorXd q = Eigen::VectorXd::Zero(9);
+  expect_refused([&] { return find_closures(mechanism, cvode()); }, word);
+  expect_refused([&] { return find_motion(mechanism, cvode()); }, word);
+  expect_refused([&] { return follow_guesses(mechanism, {q}); }, word);
+  expect_refused([&] { return formulate(mechanism, 0); }, word);
+  expect_refused([&] { return Phi(mechanism); }, word);
+  expect_refused([&] { return initial_guess(mechanism); }, word);
+}
+
+struct Slip {
+  std::string refusal;
+  std::function<void(Mechanism&)> make;
+};
+
+TEST(MisuseTest, EverySlipInAMechanismIsRefusedByName) {
+  const std::vector<Slip> slips{
+      {"names body 7, counted from 0, of 4", [](Mechanism& m) { m.joints[1].at[0].body = 7; }},
+      {"names point 9, counted from 0, of body", [](Mechanism& m) { m.joints[1].at[1].point = 9; }},
+      {"ties body 'crank' to itself",
+       [](Mechanism& m) {
+         m.joints[0].at = {PointOf{1, 0}, PointOf{1, 1}};
+       }},
+      {"of a planar mechanism must have z = 0",
+       [](Mechanism& m) { m.bodies[1].points[0].at.z() = 5; }},
+      {"two bodies are called 'crank'", [](Mechanism& m) { m.bodies[2].name = "crank"; }},
+      {"is there twice",
+       [](Mechanism& m) { m.bodies[1].points[1].name = m.bodies[1].points[0].name; }},
+      {"two joints are called", [](Mechanism& m) { m.joints[1].name = m.joints[0].name; }},
+      {"has a coordinate that is not finite",
+       [](Mechanism& m) { m.bodies[2].points[1].at.x() = kNaN; }},
+      {"has a coordinate that is not finite",
+       [](Mechanism& m) { m.bodies[2].points[1].at.y() = kInfinity; }},
+      {"needs finite numbers of its parabola",
+       [](Mechanism& m) {
+         m.drivers[0].law = Parabola{kNaN, 0, 0};
+       }},
+      {"needs a table of two or more finite rows",
+       [](Mechanism& m) {
+         m.drivers[0].law = Spline{{0, 1}, {1}, {}};
+       }},
+      {"has a function without its one operand",
+       [](Mechanism& m) {
+         m.drivers[0].law = TypedLaw{{Formula::Kind::sin, 0, 0, {}}, 1};
+       }},
+      {"drives body 12, counted from 0, of 4", [](Mechanism& m) { m.drivers[0].bodies[1] = 12; }},
+      {"drives a body against itself",
+       [](Mechanism& m) {
+         m.drivers[0].bodies = {1, 1};
+       }},
+      {"drives joint 99, counted from 0, of 4",
+       [](Mechanism& m) {
+         m.drivers[0].kind = DriverKind::slide;
+         m.drivers[0].joint = 99;
+       }},
+      {"a revolute joint that has none",
+       [](Mechanism& m) {
+         m.drivers[0].kind = DriverKind::slide;
+         m.drivers[0].joint = 0;
+       }},
+      {"drives an unknown of a mechanism of bodies",
+       [](Mechanism& m) { m.drivers[0].kind = DriverKind::unknown; }},
+      {"exists in spatial mechanisms only",
+       [](Mechanism& m) { m.joints[0].type = JointType::spherical; }},
+      {"needs axis[0] of length 1",
+       [](Mechanism& m) {
+         m.joints[0].type = JointType::prismatic;
+         m.joints[0].axis[0] = {2, 0, 0};
+       }},
+      {"has its lower limit above the upper",
+       [](Mechanism& m) {
+         m.joints[0].limits = Limits{1, 0};
+       }},
+      {"needs teeth other than 0",
+       [](Mechanism& m) {
+         m.joints[0].type = JointType::gear;
+         m.joints[0].gear.teeth = {0, 3};
+       }},
+      {"names carrier 44, counted from 0, of 4 bodies",
+       [](Mechanism& m) {
+         m.joints[0].type = JointType::gear;
+         m.joints[0].gear.carrier = 44;
+       }},
+      {"needs a profile of four or more angles",
+       [](Mechanism& m) { m.joints[0].type = JointType::cam_lever; }},
+      {"names a coordinate that is not there, 'crank.psi'",
+       [](Mechanism& m) { m.guess["crank.psi"] = 1; }},
+      {"the guess of 'crank.phi' must be finite",
+       [](Mechanism& m) { m.guess["crank.phi"] = kNaN; }},
+      {"fit must be a finite length above 0", [](Mechanism& m) { m.fit = -1; }},
+      {"there is no ground", [](Mechanism& m) { m.bodies.clear(); }},
+      {"the first body is the ground", [](Mechanism& m) { m.bodies[0].name = "frame"; }},
+      {"a held spin names a body",
+       [](Mechanism& m) {
+         m.held_spins.push_back({9, {}});
+       }},
+      {"there are bodies and typed unknowns",
+       [](Mechanism& m) {
+         m.unknowns.push_back({"x", false, {}});
+       }},
+  };
+  EXPECT_TRUE(broken_rules(four_bar()).empty());
+  for (const Slip& slip : slips) {
+    SCOPED_TRACE(slip.refusal);
+    Mechanism mechanism = four_bar();
+    slip.make(mechanism);
+    expect_refused_everywhere(mechanism, slip.refusal);
+  }
+}
+
+TEST(MisuseTest, AFormulaNamesUnknownsThatAreThere) {
+  Mechanism typed;
+  typed.unknowns = {{"x", false, {}}};
+  typed.equations = {{"e", {}, {Formula::Kind::unknown, 0, 5, {}}, {}}};
+  expect_refused([&] { return Phi(typed); }, "equation 'e' has unknown 5, counted from 0, of 1");
+}
+
+TEST(MisuseTest, StructureIsNamedToo) {
+  Mechanism loose = four_bar();
+  loose.bodies.push_back({"loose", {}, {}});
+  EXPECT_TRUE(broken_form(loose).empty());
+  ASSERT_EQ(broken_rules(loose).size(), 1U);
+  EXPECT_NE(broken_rules(loose)[0].find("'loose' is not connected to the ground"),
+            std::string::npos);
+}
+
+TEST(MisuseTest, APoseHasANumberForEachCoordinate) {
+  const Mechanism mechanism = four_bar();
+  const Phi phi(mechanism);
+  const Eigen::VectorXd three = Eigen::VectorXd::Zero(3);
+  const Eigen::VectorXd nine = Eigen::VectorXd::Zero(9);
+  const std::string word = "q has 9 numbers, one for each coordinate, not 3";
+  expect_refused([&] { return phi.value(three, 0); }, word);
+  expect_refused([&] { return phi.jacobian(three, 0); }, word);
+  expect_refused([&] { return phi.quadratic(nine, three, 0); }, word);
+  expect_refused([&] { return phi.canonical(three); }, word);
+  expect_refused([&] { return mobility(phi, three); }, "9");
+  expect_refused([&] { return newton(phi, three); }, "9");
+  expect_refused([&] { return newton(phi, Eigen::VectorXd::Constant(9, kNaN)); }, "finite");
+  expect_refused([&] { return point_position(mechanism, {1, 0}, three); }, word);
+  expect_refused([&] { return point_position(mechanism, {1, 9}, nine); }, "there is no point 9");
+  expect_refused([&] { return orientation(mechanism, 7, nine); }, "there is no body 7");
+  expect_refused([&] { return joint_coordinate(mechanism, mechanism.joints[0], three); }, word);
+  expect_refused([&] { return require_pose(mechanism, three); }, "9 numbers");
+}
+
+TEST(MisuseTest, TimesAreFinite) {
+  const Mechanism mechanism = four_bar();
+  ClosureOptions closures;
+  closures.time = kNaN;
+  expect_refused([&] { return find_closures(mechanism, cvode(), closures); }, "finite");
+  MotionOptions motion;
+  motion.to = kInfinity;
+  expect_refused([&] { return find_motion(mechanism, cvode(), motion); }, "to");
+}
+
+}  // namespace
+}  // namespace moivre::test

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// Are roots told that are wanted, the others counted, and those on denominators no roots?
+#include <gtest/gtest.h>
+
+#include "moivre/numeric/invalid_input.h"
+#include "moivre/polynomial/read.h"
+#include "moivre/solver/filter.h"
+#include "moivre/solver/solve.h"
+#include "moivre/tracker_cvode/cvode_tracker.h"
+
+namespace moivre {
+namespace {
+
+SolveResult solved(const std::string& text) {
+  static const std::unique_ptr<Tracker> tracker = make_cvode_tracker();
+  return solve(read_system({"text", text}), *tracker);
+}
+
+std::uint64_t sum_of(const SolveResult& result) {
+  std::uint64_t sum = result.on_denominators + result.filtered + result.excess +
+                      result.paths.on_positive_dimensional;
+  for (const Solution& root : result.solutions) sum += root.multiplicity;
+  return sum;
+}
+
+TEST(Denominators, RootsOnThemAreDroppedAndCounted) {
+  // (x^2 - 1)/(x - 1) = y, x*y = 6: x = 1 makes the denominator zero, the roots are 2, 3 and -3, -2.
+  const SolveResult result = solved("(x^2 - 1)/(x - 1) - y; x*y - 6;");
+  EXPECT_TRUE(result.complete) << result.message;
+  ASSERT_EQ(result.solutions.size(), 2U);
+  EXPECT_EQ(result.on_denominators, 1U);
+  EXPECT_EQ(result.paths.finite, sum_of(result));
+  for (const Solution& root : result.solutions) {
+    EXPECT_LT(std::abs(root.x[0] * root.x[1] - 6.0), 1e-12);
+    EXPECT_LT(std::abs(root.x[0] + 1.0 - root.x[1]), 1e-12);
+  }
+}
+
+TEST(Denominators, ARootBesideADenominatorIsARoot) {
+  for (const std::string gap : {"1e-3", "1e-9", "1e-14"}) {
+    const SolveResult result = solved("(x - 1 - " + gap + ")*(x - 3)/(x - 1); y - x;");
+    EXPECT_EQ(result.solutions.size(), 2U) << gap;
+    EXPECT_EQ(result.on_denominators, 0U) << gap;
+  }
+}
+
+TEST(Denominators, HillTermsHaveTheirSteadyStates) {
+  // x' = 4 x^2 / (1 + x^2) - x: 0 and 2 +- sqrt(3).
+  const SolveResult result = solved("4*x^2/(1 + x^2) = x;");
+  ASSERT_EQ(result.solutions.size(), 3U);
+  EXPECT_EQ(result.completeness, RootCompleteness::proved);
+  EXPECT_TRUE(result.solutions[0].real && result.solutions[1].real && result.solutions[2].real);
+}
+
+TEST(Denominators, AllRootsMayLieOnThem) {
+  const SolveResult result = solved("x/x - y; (y - 1)*x^2/x;");
+  EXPECT_EQ(result.solutions.size(), 0U);
+}
+
+TEST(Filter, KeepsWhatIsWantedAndCountsTheRest) {
+  const std::string circle = "x^2 + y^2 - 5; x*y - 2;";  // +-(1, 2), +-(2, 1)
+  const SolveResult all = solved(circle);
+  ASSERT_EQ(all.solutions.size(), 4U);
+  SolveResult positive = all;
+  keep_wanted({.positive = true}, positive);
+  EXPECT_EQ(positive.solutions.size(), 2U);
+  EXPECT_EQ(positive.filtered, 2U);
+  EXPECT_EQ(positive.completeness, all.completeness);
+  EXPECT_EQ(positive.paths.finite, sum_of(positive));
+  for (const PathRecord& path : positive.ledger) {
+    EXPECT_TRUE(path.solution == PathRecord::kNoSolution || path.solution < 2U);
+  }
+  SolveResult boxed = all;
+  keep_wanted({.box = {{"x", 0, 1.5}, {"y", -10, 10}}}, boxed);
+  ASSERT_EQ(boxed.solutions.size(), 1U);
+  EXPECT_NEAR(boxed.solutions[0].x[0].real(), 1, 1e-12);
+  SolveResult edge = all;
+  keep_wanted({.box = {{"x", 2, 3}}}, edge);
+  EXPECT_EQ(edge.solutions.size(), 1U) << "a root on the edge of the box is in it";
+}
+
+TEST(Filter, RealAndNonzero) {
+  SolveResult real = solved("x^3 - 1; y - x;");
+  keep_wanted({.real = true}, real);
+  EXPECT_EQ(real.solutions.size(), 1U);
+  EXPECT_EQ(real.filtered, 2U);
+  SolveResult nonzero = solved("x*(x - 3); y*(y - 2);");
+  keep_wanted({.nonzero = true}, nonzero);
+  EXPECT_EQ(nonzero.solutions.size(), 1U);
+  SolveResult positive = solved("x*(x - 3); y*(y - 2);");
+  keep_wanted({.positive = true}, positive);
+  EXPECT_EQ(positive.solutions.size(), 1U);
+}
+
+TEST(Filter, RefusesWhatCannotBeMeant) {
+  SolveResult result = solved("x - 1;");
+  EXPECT_THROW(keep_wanted({.box = {{"z", 0, 1}}}, result), InvalidInput);
+  EXPECT_THROW(keep_wanted({.box = {{"x", 1, 0}}}, result), InvalidInput);
+  EXPECT_THROW(keep_wanted({.box = {{"x", std::nan(""), 0}}}, result), InvalidInput);
+}
+
+}  // namespace
+}  // namespace moivre
