@@ -3,6 +3,11 @@
 #
 # Static libraries bring what they need into the consumer's link line; shared ones have brought it themselves.
 
+# SUNDIALS 7 has its common part in a library of its own, which may be built on MPI, as in Debian 13.
+if(TARGET SUNDIALS::core)
+  list(APPEND MOIVRE_PC_SUNDIALS::cvode -lsundials_core ${MPI_C_LIBRARIES})
+endif()
+
 # pc_names_of(<variable> <package>): names of packages of pkg-config, or arguments -l<library>.
 function(pc_names_of variable package)
   set(names ${MOIVRE_PC_${package}})
@@ -39,8 +44,8 @@ foreach(module IN LISTS pc_modules)
   endforeach()
 endforeach()
 set(arguments ${packages})
-list(FILTER arguments INCLUDE REGEX "^-")
-list(FILTER packages EXCLUDE REGEX "^-")
+list(FILTER arguments INCLUDE REGEX "^[-/]")
+list(FILTER packages EXCLUDE REGEX "^[-/]")
 
 foreach(list vocabulary packages arguments libraries)
   list(REMOVE_DUPLICATES ${list})
