@@ -15,7 +15,8 @@ foreach(module IN LISTS MOIVRE_BUILT_MODULES)
           FILE moivre_${module}.cmake COMPONENT development)
 endforeach()
 # All of it by one header.
-install(FILES ${PROJECT_SOURCE_DIR}/include/moivre/moivre.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/moivre)
+install(FILES ${PROJECT_SOURCE_DIR}/include/moivre/moivre.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/moivre
+  COMPONENT development)
 if(TARGET moivre)
   install(TARGETS moivre COMPONENT program)
 endif()

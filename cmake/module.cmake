@@ -11,7 +11,7 @@ function(moivre_module name)
     # Below 1.0 a minor version may change the interface.
     set_target_properties(moivre_${name} PROPERTIES
       VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
-      INSTALL_RPATH "$ORIGIN")
+      INSTALL_RPATH "$ORIGIN" DEFINE_SYMBOL "")
     target_link_libraries(moivre_${name} PRIVATE $<BUILD_INTERFACE:moivre_warnings>)
   else()
     add_library(moivre_${name} INTERFACE)
