@@ -16,30 +16,42 @@ namespace {
 
 using Eigen::VectorXd;
 
-// A handful: what a wrong answer lacks is met by one of a few, and they cost less than a tenth of what it took.
+// A handful: what a wrong answer lacks is met by one of a few.
 constexpr std::uint64_t kRandomStarts = 4;
-constexpr std::size_t kNeighbours = 3;
+constexpr std::uint64_t kNeighbours = 3;
+// A run takes as long as so many steps of a tracker; all of them are to cost no more than a tenth of the answer.
+constexpr std::uint64_t kStepsOfRun = 20;
+constexpr std::uint64_t kShareOfRuns = 10;
+// What comes to a closure at all does so in fewer iterations; the others wander.
+constexpr int kMostIterations = 15;
 // Of the size of the pose, and of half a turn: out of the closure's own neighbourhood, not yet anywhere.
 constexpr double kBeside = 0.2;
 
-/// Poses from which to look, the likeliest first.
+/// Poses from which to look, the likeliest first: of an answer by formula one, of one that took many steps more. Where a proof says that there
+/// is no other closure, what was drawn is looked at alone: the proof is about polynomials.
 std::vector<VectorXd> starts_of(const ClosureSearch& search) {
   const Phi& phi = search.phi;
   const double t = search.options.time;
   const std::uint64_t seed = search.options.solve.seed;
-  std::vector<VectorXd> starts;
-  if (is_drawn_at(search.mechanism, t)) starts.emplace_back(VectorXd::Zero(phi.dimension()));
+  if (search.result.completeness == RootCompleteness::proved) {
+    if (!is_drawn_at(search.mechanism, t)) return {};
+    return {VectorXd::Zero(phi.dimension())};
+  }
+  // The drawn pose is the guess, where it closes.
   const VectorXd guess = initial_guess(search.mechanism, t);
-  starts.push_back(guess);
+  std::vector<VectorXd> starts{guess};
+  const std::uint64_t runs = search.result.work.accepted / (kStepsOfRun * kShareOfRuns);
   // Behind those of moving_pose().
   std::uint64_t number = kMovingStarts;
-  for (std::uint64_t k = 0; k < kRandomStarts; ++k) {
+  const std::uint64_t random_starts = std::min(kRandomStarts, runs);
+  for (std::uint64_t k = 0; k < random_starts; ++k) {
     starts.push_back(random_pose(phi, guess, seed, number++));
   }
   const auto& closures = search.result.closures;
-  const std::size_t count = std::min(kNeighbours, closures.size());
-  for (std::size_t k = 0; k < count; ++k) {
-    const Closure& near = closures[k * closures.size() / count];
+  const std::uint64_t beside =
+      std::min<std::uint64_t>({kNeighbours, runs - random_starts, closures.size()});
+  for (std::uint64_t k = 0; k < beside; ++k) {
+    const Closure& near = closures[k * closures.size() / beside];
     starts.push_back(random_pose(phi, near.q, seed, number++, kBeside));
   }
   return starts;
@@ -74,8 +86,10 @@ void look_for_witnesses(ClosureSearch& search) {
   const ClosureResult& result = search.result;
   if (!result.complete || search.stop || result.moves) return;
   const bool has_found = result.counts.real + result.counts.fitted > 0;
+  NewtonOptions options;
+  options.maximum_iterations = kMostIterations;
   for (const VectorXd& start : starts_of(search)) {
-    const NewtonResult pose = newton(search.phi, start, search.options.time);
+    const NewtonResult pose = newton(search.phi, start, search.options.time, options);
     if (!pose.q.allFinite()) continue;
     const VectorXd q = search.phi.canonical(pose.q);
     if (is_listed(search, q)) continue;

@@ -15,6 +15,7 @@
 #include "moivre/motion/circuits.h"
 #include "moivre/numeric/random.h"
 #include "motion_product.h"
+#include "people.h"
 
 namespace moivre {
 namespace {
@@ -352,6 +353,69 @@ TEST(SubChains, ManyBranchesAreListedOnceForEachOfASubChain) {
   EXPECT_EQ(motion.branches.size(), 10U);
   EXPECT_TRUE(motion.complete) << motion.message;
   EXPECT_EQ(motion.checkpoints.front().counts.real, 512U);
+}
+
+MotionOptions short_motion() {
+  MotionOptions options;
+  options.to = 0.02;
+  options.steps = 2;
+  options.checkpoints = 1;
+  options.solve.threads = 1;
+  return options;
+}
+
+std::vector<std::vector<std::string>> reached(const Mechanism& mechanism, const MotionResult& all,
+                                              const std::string& name) {
+  std::vector<std::vector<std::string>> of;
+  for (const MotionBranch& branch :
+       reachable_from(all, find_circuits(mechanism, all), {name}).branches) {
+    of.push_back(branch.of);
+  }
+  return of;
+}
+
+TEST(SubChainNames, AreThoseOfTheWholeOfOneOfEachAndOfASingleSubChain) {
+  const Mechanism mechanism = test::person("letters-collide-jansen-double");
+  const MotionResult all = find_motion(mechanism, *make_cvode_tracker(), short_motion());
+  EXPECT_EQ(all.drawn, "AT");
+  const std::vector<std::string> drawn{"E", "H"};
+  for (const char* name : {"AT", "E.H", "drawn"}) {
+    const auto of = reached(mechanism, all, name);
+    EXPECT_NE(std::find(of.begin(), of.end(), drawn), of.end()) << name;
+  }
+  const auto of_first = reached(mechanism, all, "1:E");
+  EXPECT_GE(of_first.size(), all.sub_chains[1].motion.branches.size());
+  for (const auto& of : of_first) EXPECT_EQ(of[0], "E");
+  const auto of_second = reached(mechanism, all, "2:H");
+  for (const auto& of : of_second) EXPECT_EQ(of[1], "H");
+  EXPECT_THROW(reached(mechanism, all, "3:E"), std::invalid_argument);
+  const MotionResult left = reachable_from(all, find_circuits(mechanism, all), {"E.H"});
+  EXPECT_LT(left.sub_chains[0].motion.branches.size(), all.sub_chains[0].motion.branches.size());
+}
+
+TEST(SubChainNames, OfClosuresThatAreNotListedAreFollowedWhereTheyAreAskedFor) {
+  const Mechanism mechanism = test::person("strandbeest-4-drawn-pose-not-listed");
+  MotionOptions options = short_motion();
+  options.asked = {"A.B.C.D"};
+  const MotionResult all = find_motion(mechanism, *make_cvode_tracker(), options);
+  EXPECT_FALSE(all.all_listed);
+  EXPECT_EQ(all.drawn, "G.H.C.B");
+  for (const char* name : {"G.H.C.B", "A.B.C.D", "drawn"}) {
+    EXPECT_FALSE(reached(mechanism, all, name).empty()) << name;
+  }
+}
+
+TEST(PeoplesMotions, OfAValveGearAndOfASuspensionAreDecidedInFewSteps) {
+  for (const auto& [name, branches, checkpoints] : {std::tuple("walschaerts-motion-slow", 18U, 40U),
+                                                    std::tuple("vpp-shock-undecided", 4U, 10U)}) {
+    MotionOptions options;
+    options.solve.threads = 1;
+    const MotionResult motion = find_motion(test::person(name), *make_cvode_tracker(), options);
+    EXPECT_TRUE(motion.complete) << name << ": " << motion.message;
+    EXPECT_EQ(motion.branches.size(), branches) << name;
+    EXPECT_LE(motion.checkpoints.size(), checkpoints) << name;
+    EXPECT_LE(motion.steps, 1000) << name;
+  }
 }
 
 }  // namespace
