@@ -24,7 +24,7 @@ namespace {
 double near_real(const ClosureSearch& search) {
   constexpr double kRounded = 1e-2;
   // Where all constraints miss by so much at least squares, those that are met leave several times that to the others.
-  constexpr double kOfFit = 4;
+  constexpr double kOfFit = 20;
   return std::max(kRounded, kOfFit * search.mechanism.fit.value_or(0) / search.phi.length());
 }
 

@@ -40,7 +40,10 @@ std::vector<VectorXd> starts_of(const ClosureSearch& search) {
   // The drawn pose is the guess, where it closes.
   const VectorXd guess = initial_guess(search.mechanism, t);
   std::vector<VectorXd> starts{guess};
-  const std::uint64_t runs = search.result.work.accepted / (kStepsOfRun * kShareOfRuns);
+  // Least squares have no count that proves them: of these more is looked at than costs a tenth.
+  const bool has_fit = search.mechanism.fit && phi.size() > phi.dimension();
+  const std::uint64_t runs = has_fit ? kRandomStarts + kNeighbours
+                                     : search.result.work.accepted / (kStepsOfRun * kShareOfRuns);
   // Behind those of moving_pose().
   std::uint64_t number = kMovingStarts;
   const std::uint64_t random_starts = std::min(kRandomStarts, runs);
