@@ -37,13 +37,17 @@ std::vector<Piece> cut(const Piece& whole, Separates separates) {
   std::vector<Piece> pieces;
   int depth = 0;
   std::size_t begin = 0;
+  SourcePosition here = whole.begin;
   for (std::size_t k = 0; k <= whole.text.size(); ++k) {
     const char c = k < whole.text.size() ? whole.text[k] : '\0';
     if (c == '(' || c == '[') ++depth;
     if (c == ')' || c == ']') --depth;
     if (k < whole.text.size() && (depth > 0 || !separates(whole.text, k))) continue;
-    const Piece piece = part_of(whole, begin, k);
+    const std::string_view text = whole.text.substr(begin, k - begin);
+    const Piece piece = tightened({text, here});
     if (!piece.text.empty()) pieces.push_back(piece);
+    if (k == whole.text.size()) break;
+    here = after(here, whole.text.substr(begin, k + 1 - begin));
     begin = k + 1;
   }
   return pieces;
@@ -51,6 +55,17 @@ std::vector<Piece> cut(const Piece& whole, Separates separates) {
 
 std::vector<Piece> cut_at_commas(const Piece& whole) {
   return cut(whole, [](std::string_view text, std::size_t k) { return text[k] == ','; });
+}
+
+/// Where the bracket at `open` is closed; the end of the text where it is not.
+std::size_t closing(std::string_view text, std::size_t open) {
+  int depth = 0;
+  for (std::size_t k = open; k < text.size(); ++k) {
+    if (text[k] == '(' || text[k] == '[') ++depth;
+    if (text[k] == ')' || text[k] == ']') --depth;
+    if (depth == 0) return k;
+  }
+  return text.size();
 }
 
 bool continues(char c) { return std::string_view("+-*/^=,([").find(c) != std::string_view::npos; }
@@ -163,9 +178,7 @@ class JuliaReader {
     const std::size_t call = statement.text.find("System(");
     if (call != std::string_view::npos) {
       const std::size_t open = call + std::string_view("System").size();
-      const std::size_t close = statement.text.rfind(')');
-      if (close == std::string_view::npos || close < open) return;
-      system_ = part_of(statement, open + 1, close);
+      system_ = part_of(statement, open + 1, closing(statement.text, open));
       return;
     }
     const std::size_t sign = statement.text.find('=');
@@ -249,7 +262,7 @@ class JuliaReader {
     const std::vector<Piece> polynomials = elements(arguments.front());
     const std::set<std::string> needed = names_needed(polynomials);
     for (const auto& [name, value] : assigned_) {
-      if (needed.count(name) == 0) continue;
+      if (needed.count(name) == 0 || value.text.empty() || value.text.front() == '[') continue;
       names_.insert_or_assign(name, expander_.expand(value.text, value.begin, names_));
     }
     add_polynomials(polynomials, names_, expander_, faults_, result_.system);
@@ -270,19 +283,25 @@ class JuliaReader {
 }  // namespace
 
 bool looks_like_msolve(std::string_view text) {
+  if (text.find(';') != std::string_view::npos) return false;
   const std::vector<Piece> lines = lines_of(text);
   if (lines.size() < 3 || !is_whole_number(lines[1].text)) return false;
-  if (text.find(';') != std::string_view::npos) return false;
   const std::vector<Piece> names = cut_at_commas(lines[0]);
   return std::all_of(names.begin(), names.end(),
                      [](const Piece& name) { return is_one_name(name.text); });
 }
 
 bool looks_like_julia(std::string_view text) {
-  const std::vector<Piece> lines = lines_of(text);
-  return std::any_of(lines.begin(), lines.end(), [](const Piece& line) {
-    return line.text.substr(0, 5) == "@var " || line.text.substr(0, 9) == "@polyvar ";
-  });
+  for (const std::string_view word : {"@var ", "@polyvar "}) {
+    const std::size_t at = text.find(word);
+    if (at == std::string_view::npos) continue;
+    const std::string_view before = text.substr(0, at);
+    const std::size_t line = before.rfind('\n');
+    const bool begins_line =
+        trimmed(before.substr(line == std::string_view::npos ? 0 : line)).empty();
+    if (begins_line) return true;
+  }
+  return false;
 }
 
 System read_msolve(const Source& source, std::vector<Diagnostic>& faults) {

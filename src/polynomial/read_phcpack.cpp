@@ -249,12 +249,16 @@ std::vector<NamePlace> unknowns_of(const std::vector<Statement>& polynomials) {
   return unknowns;
 }
 
-bool names_pi(const std::vector<Statement>& polynomials) {
-  return std::any_of(polynomials.begin(), polynomials.end(), [](const Statement& polynomial) {
-    const std::vector<NamePlace> places = names_in(polynomial.text, polynomial.begin);
-    return std::any_of(places.begin(), places.end(),
-                       [](const NamePlace& place) { return is_pi(place.name); });
-  });
+bool names_pi(const std::vector<Statement>& polynomials, std::string_view text) {
+  // Where the letters do not occur, nothing need be read again.
+  const bool may_be =
+      text.find("pi") != std::string_view::npos || text.find("\u03c0") != std::string_view::npos;
+  return may_be &&
+         std::any_of(polynomials.begin(), polynomials.end(), [](const Statement& polynomial) {
+           const std::vector<NamePlace> places = names_in(polynomial.text, polynomial.begin);
+           return std::any_of(places.begin(), places.end(),
+                              [](const NamePlace& place) { return is_pi(place.name); });
+         });
 }
 
 void check_unknown_count(const Layout& layout, const std::vector<NamePlace>& unknowns,
@@ -309,7 +313,7 @@ System read_phcpack(const Source& source, std::vector<Diagnostic>& faults) {
     if (!polynomial) continue;
     system.polynomials.push_back(std::move(*polynomial));
   }
-  system.is_exact = !expander.has_rounded_number() && !names_pi(layout.polynomials);
+  system.is_exact = !expander.has_rounded_number() && !names_pi(layout.polynomials, source.text);
   system.denominators = expander.denominators();
   return system;
 }
