@@ -311,7 +311,7 @@ class Sweep(_Reported):
     >>> s.real
     array([2, 2, 2, 0, 0, 0])
     >>> s.borders.round(3)
-    array([[153.987]])
+    array([[153.971]])
     """
 
     def __init__(self, found, names, shape):
