@@ -133,7 +133,8 @@ class ChainFinder {
       return std::all_of(bodies.begin(), bodies.end(),
                          [&](std::size_t body) { return is_own[body] || is_placed_[body]; });
     };
-    std::vector<std::size_t> place_of_joint(mechanism_.joints.size(), 0);
+    // One more: a driver that drives no joint names the first, and there may be none.
+    std::vector<std::size_t> place_of_joint(mechanism_.joints.size() + 1, 0);
     for (std::size_t k = 0; k < mechanism_.joints.size(); ++k) {
       Joint joint = mechanism_.joints[k];
       if (!is_in(bodies_of(joint))) continue;

@@ -66,6 +66,16 @@ std::string fault_of_target(const Mechanism& mechanism, const Driver& driver) {
   return "drives nothing";
 }
 
+/// What the driver's kind does not read keeps its default, or names something that is there: whatever copies a driver renumbers it.
+std::string fault_of_unread(const Mechanism& mechanism, const Driver& driver) {
+  const std::size_t bodies = mechanism.bodies.size();
+  const bool is_whole = driver.bodies[0] < bodies && driver.bodies[1] < bodies &&
+                        driver.point.body < bodies &&
+                        (driver.joint == 0 || driver.joint < mechanism.joints.size()) &&
+                        (driver.unknown == 0 || driver.unknown < mechanism.unknowns.size());
+  return is_whole ? "" : "has a number of something that is not there, though it does not drive it";
+}
+
 bool is_table(const Spline& table) {
   const std::size_t rows = table.t.size();
   if (rows < 2 || table.value.size() != rows || table.curvature.size() != rows) return false;
@@ -98,8 +108,9 @@ std::string fault_of_law(const DriverLaw& law) {
 
 void find_driver_faults(const Mechanism& mechanism, Faults& faults) {
   for (const Driver& driver : mechanism.drivers) {
-    for (const std::string& fault :
-         {fault_of_target(mechanism, driver), fault_of_law(driver.law)}) {
+    const std::string of_target = fault_of_target(mechanism, driver);
+    const std::string of_unread = of_target.empty() ? fault_of_unread(mechanism, driver) : "";
+    for (const std::string& fault : {of_target, of_unread, fault_of_law(driver.law)}) {
       if (fault.empty()) continue;
       faults.push_back({driver.where, "driver '" + driver.name + "' " + fault});
     }

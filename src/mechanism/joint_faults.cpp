@@ -109,8 +109,12 @@ bool is_whole_turn(const Spline& profile) {
 }
 
 void check_transmission(const Checked& at) {
-  if (!is_transmission(at.joint.type)) return;
   const Gear& gear = at.joint.gear;
+  // Whatever copies a joint renumbers its carrier, read or not.
+  const bool is_there = gear.carrier < at.mechanism.bodies.size();
+  at.require(is_there, "names carrier " + std::to_string(gear.carrier) + ", counted from 0, of " +
+                           std::to_string(at.mechanism.bodies.size()) + " bodies");
+  if (!is_transmission(at.joint.type)) return;
   const auto is_wheel = [](int teeth) { return teeth != 0 && std::abs(teeth) <= kMostTeeth; };
   at.require(is_wheel(gear.teeth[0]) && is_wheel(gear.teeth[1]),
              "needs teeth other than 0, at most 100000");
@@ -120,9 +124,6 @@ void check_transmission(const Checked& at) {
                    is_workable(gear.radii[1]),
                "needs two finite radii above 0");
   }
-  const bool is_there = gear.carrier < at.mechanism.bodies.size();
-  at.require(is_there, "names carrier " + std::to_string(gear.carrier) + ", counted from 0, of " +
-                           std::to_string(at.mechanism.bodies.size()) + " bodies");
   const bool is_third = gear.carrier == 0 || (gear.carrier != at.joint.at[0].body &&
                                               gear.carrier != at.joint.at[1].body);
   at.require(is_third, "needs a third body as its carrier");

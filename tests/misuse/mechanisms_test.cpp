@@ -67,6 +67,10 @@ TEST(MisuseTest, EverySlipInAMechanismIsRefusedByName) {
          m.drivers[0].law = TypedLaw{{Formula::Kind::sin, 0, 0, {}}, 1};
        }},
       {"drives body 12, counted from 0, of 4", [](Mechanism& m) { m.drivers[0].bodies[1] = 12; }},
+      {"has a number of something that is not there",
+       [](Mechanism& m) { m.drivers[0].joint = 1'000'000'000; }},
+      {"names carrier 1000000000, counted from 0, of 4 bodies",
+       [](Mechanism& m) { m.joints[0].gear.carrier = 1'000'000'000; }},
       {"drives a body against itself",
        [](Mechanism& m) {
          m.drivers[0].bodies = {1, 1};
