@@ -38,9 +38,6 @@ endfunction()
 # moivre_independent(<target>): code that may stand in a shared object, also where its library is static. A function calls its
 # neighbours directly: nobody puts functions of his own in the place of ours, and GCC would not inline what could be replaced.
 function(moivre_independent target)
-  if(NOT MOIVRE_BUILD_PYTHON AND NOT BUILD_SHARED_LIBS AND NOT target STREQUAL "moivre_certify")
-    return()
-  endif()
   set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
   target_compile_options(${target} PRIVATE -fno-semantic-interposition)
 endfunction()
