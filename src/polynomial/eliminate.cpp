@@ -7,8 +7,10 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
+#include <span>
 
 #include "integer_polynomial.h"
 #include "modular_rank.h"
@@ -23,10 +25,35 @@ constexpr double kHopelessFill = 32;
 /// Small systems may grow to this many terms in a trial all the same.
 constexpr double kCheapTrial = 1000;
 
-/// An equation on its way; `origin` is its number in the file.
-struct Row {
+/// So many terms of an equation hold the unknown to this power.
+struct Occurrence {
+  std::uint32_t variable = 0;
+  std::uint32_t exponent = 0;
+  double count = 0;
+};
+
+/// An unknown that a linear equation may be solved for.
+struct Divisor {
+  std::uint32_t variable = 0;
+  double size_log2 = 0;  ///< beside the largest one of the equation
+};
+
+/// An equation, and what is asked of it again and again.
+struct RowFacts {
   IntegerPolynomial p;
+  std::uint64_t degree = 0;
+  double work = 0;                      // of its terms
+  std::vector<Occurrence> occurrences;  // by unknown, then by exponent
+  std::vector<Divisor> divisors;        // of a linear equation
+};
+
+/// An equation on its way; `origin` is its number in the file. States share what they have in common.
+struct Row {
+  std::shared_ptr<const RowFacts> equation;
   std::size_t origin = 0;
+
+  const IntegerPolynomial& p() const { return equation->p; }
+  std::uint64_t degree() const { return equation->degree; }
 };
 
 struct State {
@@ -36,12 +63,16 @@ struct State {
   std::vector<Omission> combinations;
   std::vector<std::size_t> dependent;        // origins of the equations that became 0 = 0
   std::optional<std::size_t> contradiction;  // origin of the one that became c = 0
+  std::set<std::uint64_t> independent;       // degrees whose highest parts are known to be so
 };
 
 /// What does not change from move to move.
 struct Limits {
   std::size_t bits = 0;
   std::vector<int> variable_log2;  // sizes of the unknowns, for the choice of pivots
+  const std::atomic<bool>* stop = nullptr;
+
+  bool is_over() const { return stop != nullptr && stop->load(std::memory_order_relaxed); }
 };
 
 // ---- sizes and work ----
@@ -98,7 +129,7 @@ std::string total_degree_text(const std::vector<std::uint64_t>& degrees) {
 
 std::vector<std::uint64_t> degrees_of(const std::vector<Row>& rows) {
   std::vector<std::uint64_t> result;
-  for (const Row& row : rows) result.push_back(degree(row.p));
+  for (const Row& row : rows) result.push_back(row.degree());
   return result;
 }
 
@@ -127,7 +158,7 @@ System to_system(const State& s, const System& given) {
   f.groups = groups_left(s, given.groups, place);
   f.is_exact = given.is_exact;
   for (const Row& row : s.rows) {
-    Polynomial p = to_polynomial(row.p);
+    Polynomial p = to_polynomial(row.p());
     for (Term& term : p.terms) {
       for (Power& power : term.monomial) power.variable = place[power.variable];
     }
@@ -157,12 +188,64 @@ double log2_promise(const State& s) {
   Work work;
   double paths_log2 = 0;
   for (const Row& row : s.rows) {
-    paths_log2 += std::log2(static_cast<double>(std::max<std::uint64_t>(degree(row.p), 1)));
-    for (const auto& [m, c] : row.p.terms) work.terms += work_of(m);
+    if (row.degree() > 1) paths_log2 += std::log2(static_cast<double>(row.degree()));
+    work.terms += row.equation->work;
   }
   work.unknowns =
       static_cast<double>(std::count(s.is_eliminated.begin(), s.is_eliminated.end(), false));
   return paths_log2 + std::log2(std::max(total(work), 1.0));
+}
+
+// ---- equations ----
+
+double log2_size(const GaussianInteger& c, int shift) {
+  return log2_size(Coefficient{ratio(c.re), ratio(c.im)}) + shift;
+}
+
+/// The unknowns of a linear equation that are large enough to divide by.
+std::vector<Divisor> divisors_of(const IntegerPolynomial& p, const Limits& limits) {
+  std::vector<Divisor> divisors;
+  double largest = -std::numeric_limits<double>::infinity();
+  for (const auto& [m, c] : p.terms) {
+    if (m.empty()) continue;
+    const std::uint32_t variable = m.front().variable;
+    divisors.push_back({variable, log2_size(c, limits.variable_log2[variable])});
+    largest = std::max(largest, divisors.back().size_log2);
+  }
+  std::erase_if(divisors, [largest](const Divisor& d) {
+    return d.size_log2 < largest + std::log2(kPivotThreshold);
+  });
+  for (Divisor& d : divisors) d.size_log2 -= largest;
+  return divisors;
+}
+
+std::vector<Occurrence> occurrences_in(const IntegerPolynomial& p) {
+  std::vector<Occurrence> all;
+  for (const auto& [m, c] : p.terms) {
+    for (const Power& power : m) all.push_back({power.variable, power.exponent, 1});
+  }
+  const auto place = [](const Occurrence& o) { return std::pair(o.variable, o.exponent); };
+  std::sort(all.begin(), all.end(),
+            [&](const Occurrence& a, const Occurrence& b) { return place(a) < place(b); });
+  std::vector<Occurrence> counted;
+  for (const Occurrence& o : all) {
+    if (!counted.empty() && place(counted.back()) == place(o)) {
+      counted.back().count += 1;
+    } else {
+      counted.push_back(o);
+    }
+  }
+  return counted;
+}
+
+std::shared_ptr<const RowFacts> facts_of_row(IntegerPolynomial p, const Limits& limits) {
+  auto equation = std::make_shared<RowFacts>();
+  equation->degree = degree(p);
+  for (const auto& [m, c] : p.terms) equation->work += work_of(m);
+  equation->occurrences = occurrences_in(p);
+  if (equation->degree == 1) equation->divisors = divisors_of(p, limits);
+  equation->p = std::move(p);
+  return equation;
 }
 
 // ---- combine ----
@@ -170,23 +253,23 @@ double log2_promise(const State& s) {
 /// Takes out equations without unknowns.
 void settle_constants(State& s) {
   for (const Row& row : s.rows) {
-    if (row.p.terms.empty()) {
+    if (row.p().terms.empty()) {
       s.dependent.push_back(row.origin);
-    } else if (degree(row.p) == 0 && !s.contradiction) {
+    } else if (row.degree() == 0 && !s.contradiction) {
       s.contradiction = row.origin;
     }
   }
-  std::erase_if(s.rows, [](const Row& row) { return degree(row.p) == 0; });
+  std::erase_if(s.rows, [](const Row& row) { return row.degree() == 0; });
 }
 
 /// The rows of one degree, the sparsest first: they become the pivots.
 std::vector<std::size_t> rows_of_degree(const State& s, std::uint64_t d) {
   std::vector<std::size_t> places;
   for (std::size_t i = 0; i < s.rows.size(); ++i) {
-    if (degree(s.rows[i].p) == d) places.push_back(i);
+    if (s.rows[i].degree() == d) places.push_back(i);
   }
   std::stable_sort(places.begin(), places.end(), [&s](std::size_t a, std::size_t b) {
-    return s.rows[a].p.terms.size() < s.rows[b].p.terms.size();
+    return s.rows[a].p().terms.size() < s.rows[b].p().terms.size();
   });
   return places;
 }
@@ -196,12 +279,16 @@ std::vector<std::size_t> rows_of_degree(const State& s, std::uint64_t d) {
 void combine_degree(State& s, std::uint64_t d, const Limits& limits) {
   const std::vector<std::size_t> places = rows_of_degree(s, d);
   std::vector<const IntegerPolynomial*> originals;
-  for (std::size_t i : places) originals.push_back(&s.rows[i].p);
-  if (modular_rank(originals, d) == places.size()) return;
+  for (std::size_t i : places) originals.push_back(&s.rows[i].p());
+  if (modular_rank(originals, d) == places.size()) {
+    s.independent.insert(d);
+    return;
+  }
 
   std::vector<IntegerPolynomial> pivots;  // each with a leading monomial the later ones lack
   for (std::size_t i : places) {
-    IntegerPolynomial p = s.rows[i].p;
+    if (limits.is_over()) return;
+    IntegerPolynomial p = s.rows[i].p();
     for (const IntegerPolynomial& pivot : pivots) {
       p = without_monomial(p, pivot, pivot.terms.begin()->first);
     }
@@ -210,7 +297,8 @@ void combine_degree(State& s, std::uint64_t d, const Limits& limits) {
       const Monomial leading = p.terms.begin()->first;
       pivots.push_back(with_real_coefficient(p, leading));
     } else {
-      s.rows[i].p = std::move(p);
+      s.rows[i].equation = facts_of_row(std::move(p), limits);
+      s.independent.erase(s.rows[i].degree());
     }
   }
 }
@@ -222,9 +310,10 @@ void combine(State& s, const Limits& limits) {
   while (!pending.empty()) {
     const std::uint64_t d = *pending.begin();
     pending.erase(pending.begin());
+    if (s.independent.contains(d)) continue;
     combine_degree(s, d, limits);
     for (const Row& row : s.rows) {
-      if (degree(row.p) < d && degree(row.p) > 0) pending.insert(degree(row.p));
+      if (row.degree() < d && row.degree() > 0) pending.insert(row.degree());
     }
   }
   const std::vector<std::uint64_t> after = degrees_of(s.rows);
@@ -255,18 +344,39 @@ double dense_terms(double n, double d) {
   return std::exp(std::lgamma(n + d + 1) - std::lgamma(n + 1) - std::lgamma(d + 1));
 }
 
-/// For each row and unknown, how many terms hold the unknown to which power.
-using Census = std::vector<std::map<std::uint32_t, std::map<std::uint32_t, double>>>;
+/// For each unknown the rows that hold it, ascending, and where in their occurrences it begins.
+class Census {
+ public:
+  struct Place {
+    std::size_t row = 0;
+    std::size_t first = 0;
+  };
 
-Census take_census(const State& s) {
-  Census census(s.rows.size());
-  for (std::size_t i = 0; i < s.rows.size(); ++i) {
-    for (const auto& [m, c] : s.rows[i].p.terms) {
-      for (const Power& p : m) census[i][p.variable][p.exponent] += 1;
-    }
+  explicit Census(const State& s) : begin_(s.is_eliminated.size() + 1) {
+    const auto visit = [&s](const auto& take) {
+      for (std::size_t i = 0; i < s.rows.size(); ++i) {
+        const auto& occurrences = s.rows[i].equation->occurrences;
+        for (std::size_t k = 0; k < occurrences.size(); ++k) {
+          const std::uint32_t v = occurrences[k].variable;
+          if (k == 0 || occurrences[k - 1].variable != v) take(v, Place{i, k});
+        }
+      }
+    };
+    visit([this](std::uint32_t v, const Place&) { ++begin_[v + 1]; });
+    for (std::size_t v = 1; v < begin_.size(); ++v) begin_[v] += begin_[v - 1];
+    places_.resize(begin_.back());
+    std::vector<std::size_t> next(begin_.begin(), begin_.end() - 1);
+    visit([&](std::uint32_t v, const Place& place) { places_[next[v]++] = place; });
   }
-  return census;
-}
+
+  std::span<const Place> of(std::uint32_t variable) const {
+    return std::span(places_).subspan(begin_[variable], begin_[variable + 1] - begin_[variable]);
+  }
+
+ private:
+  std::vector<std::size_t> begin_;
+  std::vector<Place> places_;
+};
 
 /// New terms when the unknown becomes a form of `length` terms everywhere but in row `without`: its
 /// power e then has C(length + e - 1, e) terms; never more than a dense polynomial in `unknowns`
@@ -274,59 +384,39 @@ Census take_census(const State& s) {
 double estimated_fill(const State& s, const Census& census, std::uint32_t variable,
                       std::size_t without, double length, double unknowns) {
   double fill = 0;
-  for (std::size_t i = 0; i < s.rows.size(); ++i) {
-    const auto found = census[i].find(variable);
-    if (i == without || found == census[i].end()) continue;
+  for (const auto& [i, first] : census.of(variable)) {
+    if (i == without) continue;
+    const RowFacts& equation = *s.rows[i].equation;
     double grown = 0;
-    for (const auto& [exponent, count] : found->second) {
-      const double powers = length == 0 ? 0 : dense_terms(length - 1, exponent);
-      grown += count * (powers - 1);
+    for (std::size_t k = first; k < equation.occurrences.size(); ++k) {
+      const Occurrence& o = equation.occurrences[k];
+      if (o.variable != variable) break;
+      const double powers = length == 0 ? 0 : dense_terms(length - 1, o.exponent);
+      grown += o.count * (powers - 1);
     }
-    const double room = dense_terms(unknowns, static_cast<double>(degree(s.rows[i].p))) -
-                        static_cast<double>(s.rows[i].p.terms.size());
+    const double room = dense_terms(unknowns, static_cast<double>(equation.degree)) -
+                        static_cast<double>(equation.p.terms.size());
     fill += std::min(grown, room);
   }
-  return fill - static_cast<double>(s.rows[without].p.terms.size());
-}
-
-double log2_size(const GaussianInteger& c, int shift) {
-  return log2_size(Coefficient{ratio(c.re), ratio(c.im)}) + shift;
-}
-
-/// The unknowns of a linear row that are large enough to divide by.
-std::vector<Pivot> admissible(const State& s, std::size_t i, const Limits& limits) {
-  std::vector<Pivot> pivots;
-  double largest = -std::numeric_limits<double>::infinity();
-  for (const auto& [m, c] : s.rows[i].p.terms) {
-    if (m.empty()) continue;
-    const std::uint32_t variable = m.front().variable;
-    pivots.push_back({i, variable, 0, log2_size(c, limits.variable_log2[variable])});
-    largest = std::max(largest, pivots.back().size_log2);
-  }
-  std::erase_if(pivots, [largest](const Pivot& p) {
-    return p.size_log2 < largest + std::log2(kPivotThreshold);
-  });
-  for (Pivot& p : pivots) p.size_log2 -= largest;
-  return pivots;
+  return fill - static_cast<double>(s.rows[without].p().terms.size());
 }
 
 /// The pivot of least fill; among equals the largest, then the first. `refused` holds origins.
-std::optional<Pivot> choose_pivot(const State& s, const Limits& limits,
+std::optional<Pivot> choose_pivot(const State& s, const Census& census,
                                   const std::set<std::size_t>& refused) {
-  const Census census = take_census(s);
   const auto unknowns =
       static_cast<double>(std::count(s.is_eliminated.begin(), s.is_eliminated.end(), false));
   std::optional<Pivot> best;
   double terms = 0;
-  for (const Row& row : s.rows) terms += static_cast<double>(row.p.terms.size());
+  for (const Row& row : s.rows) terms += static_cast<double>(row.p().terms.size());
   for (std::size_t i = 0; i < s.rows.size(); ++i) {
-    if (degree(s.rows[i].p) != 1 || refused.count(s.rows[i].origin) != 0) continue;
-    const auto length = static_cast<double>(s.rows[i].p.terms.size()) - 1;
-    for (Pivot p : admissible(s, i, limits)) {
-      p.fill = estimated_fill(s, census, p.variable, i, length, unknowns - 1);
-      if (p.fill > kHopelessFill * terms + kCheapTrial) continue;
-      if (!best || p.fill < best->fill || (p.fill == best->fill && p.size_log2 > best->size_log2)) {
-        best = p;
+    if (s.rows[i].degree() != 1 || refused.count(s.rows[i].origin) != 0) continue;
+    const auto length = static_cast<double>(s.rows[i].p().terms.size()) - 1;
+    for (const Divisor& d : s.rows[i].equation->divisors) {
+      const double fill = estimated_fill(s, census, d.variable, i, length, unknowns - 1);
+      if (fill > kHopelessFill * terms + kCheapTrial) continue;
+      if (!best || fill < best->fill || (fill == best->fill && d.size_log2 > best->size_log2)) {
+        best = Pivot{i, d.variable, fill, d.size_log2};
       }
     }
   }
@@ -348,17 +438,25 @@ Substitution to_substitution(const AffineForm& form) {
 }
 
 /// False, and nothing changed, where a coefficient would grow beyond the limit.
-bool substitute(State& s, const Pivot& pivot, const Limits& limits) {
+bool substitute(State& s, const Pivot& pivot, const Census& census, const Limits& limits) {
   const Monomial unknown{{pivot.variable, 1}};
   const AffineForm form =
-      form_of(with_real_coefficient(s.rows[pivot.row].p, unknown), pivot.variable);
-  std::vector<Row> rows;
-  for (std::size_t i = 0; i < s.rows.size(); ++i) {
+      form_of(with_real_coefficient(s.rows[pivot.row].p(), unknown), pivot.variable);
+  std::vector<std::pair<std::size_t, std::shared_ptr<const RowFacts>>> changed;
+  for (const auto& [i, first] : census.of(pivot.variable)) {
     if (i == pivot.row) continue;
-    rows.push_back({substituted(s.rows[i].p, form), s.rows[i].origin});
-    if (bit_length(rows.back().p) > limits.bits) return false;
+    if (limits.is_over()) return false;
+    IntegerPolynomial p = substituted(s.rows[i].p(), form);
+    if (bit_length(p) > limits.bits) return false;
+    changed.emplace_back(i, facts_of_row(std::move(p), limits));
   }
-  s.rows = std::move(rows);
+  for (auto& [i, equation] : changed) {
+    // Of independent linear equations those left are independent: a step of Gaussian elimination.
+    const bool was_linear = s.rows[i].degree() == 1;
+    if (!was_linear || equation->degree != 1) s.independent.erase(equation->degree);
+    s.rows[i].equation = std::move(equation);
+  }
+  s.rows.erase(s.rows.begin() + static_cast<std::ptrdiff_t>(pivot.row));
   s.is_eliminated[pivot.variable] = true;
   s.substitutions.push_back(to_substitution(form));
   return true;
@@ -376,12 +474,20 @@ TermErrors to_term_errors(const Polynomial& p, const std::vector<NumberErrors>& 
   return errors;
 }
 
-State start(const System& f) {
-  State s;
+std::vector<IntegerPolynomial> integers_of(const System& f) {
+  std::vector<IntegerPolynomial> result;
   const CoefficientErrors errors = coefficient_errors(f);
   for (std::size_t i = 0; i < f.polynomials.size(); ++i) {
-    s.rows.push_back({to_integer(f.polynomials[i]), i});
-    if (!errors.empty()) s.rows.back().p.errors = to_term_errors(f.polynomials[i], errors[i]);
+    result.push_back(to_integer(f.polynomials[i]));
+    if (!errors.empty()) result.back().errors = to_term_errors(f.polynomials[i], errors[i]);
+  }
+  return result;
+}
+
+State start(const System& f, std::vector<IntegerPolynomial> equations, const Limits& limits) {
+  State s;
+  for (std::size_t i = 0; i < equations.size(); ++i) {
+    s.rows.push_back({facts_of_row(std::move(equations[i]), limits), i});
   }
   s.is_eliminated.assign(f.variables.size(), false);
   return s;
@@ -393,11 +499,11 @@ CoefficientErrors errors_left(const State& s) {
   bool is_exact = true;
   for (const Row& row : s.rows) {
     std::vector<NumberErrors>& own = errors.emplace_back();
-    for (const auto& [m, c] : row.p.terms) {
+    for (const auto& [m, c] : row.p().terms) {
       own.emplace_back();
-      const auto found = row.p.errors.find(m);
-      if (found == row.p.errors.end()) continue;
-      add(own.back(), 1.0 / value_of(row.p, c), found->second);
+      const auto found = row.p().errors.find(m);
+      if (found == row.p().errors.end()) continue;
+      add(own.back(), 1.0 / value_of(row.p(), c), found->second);
       if (!std::isfinite(bound(own.back()))) own.back().clear();
       is_exact = is_exact && own.back().empty();
     }
@@ -405,40 +511,66 @@ CoefficientErrors errors_left(const State& s) {
   return is_exact ? CoefficientErrors{} : errors;
 }
 
-Limits choose_limits(const State& s, const System& f) {
+Limits choose_limits(const System& f, const std::vector<IntegerPolynomial>& equations,
+                     const std::atomic<bool>* stop) {
   std::size_t longest = 1;
-  for (const Row& row : s.rows) longest = std::max(longest, bit_length(row.p));
+  for (const IntegerPolynomial& p : equations) longest = std::max(longest, bit_length(p));
   const std::size_t grown = std::clamp(kBitGrowth * longest, kShortInteger, kLongestInteger);
-  return {std::max(longest, grown), choose_scaling(f).variable_log2};
+  return {std::max(longest, grown), choose_scaling(f).variable_log2, stop};
 }
 
-bool answers_more(const State& a, const State& b) {
+/// How to come back to a state after more moves: lists only grow, and rows are shared.
+struct Mark {
+  std::vector<Row> rows;
+  std::size_t substitutions = 0, combinations = 0, dependent = 0;
+  std::optional<std::size_t> contradiction;
+};
+
+Mark mark_of(const State& s) {
+  return {s.rows, s.substitutions.size(), s.combinations.size(), s.dependent.size(),
+          s.contradiction};
+}
+
+State back_to(const Mark& mark, State s) {
+  for (std::size_t k = mark.substitutions; k < s.substitutions.size(); ++k) {
+    s.is_eliminated[s.substitutions[k].variable] = false;
+  }
+  s.rows = mark.rows;
+  s.substitutions.resize(mark.substitutions);
+  s.combinations.resize(mark.combinations);
+  s.dependent.resize(mark.dependent);
+  s.contradiction = mark.contradiction;
+  return s;
+}
+
+bool answers_more(const State& a, const Mark& b) {
   return a.contradiction.has_value() != b.contradiction.has_value() ||
-         a.dependent.size() > b.dependent.size();
+         a.dependent.size() > b.dependent;
 }
 
-/// The state of least promised work on the way to the last possible substitution. A state that
+/// The state of least promised work on the way to the last possible substitution, or to a stop. A state that
 /// shows a contradiction or a dependence is always kept.
 State least_work(State s, const Limits& limits) {
   combine(s, limits);
-  State best = s;
+  Mark best = mark_of(s);
   double least = log2_promise(s);
   std::set<std::size_t> refused;
-  while (!s.contradiction) {
-    const std::optional<Pivot> pivot = choose_pivot(s, limits, refused);
+  while (!s.contradiction && !limits.is_over()) {
+    const Census census(s);
+    const std::optional<Pivot> pivot = choose_pivot(s, census, refused);
     if (!pivot) break;
-    if (!substitute(s, *pivot, limits)) {
+    if (!substitute(s, *pivot, census, limits)) {
       refused.insert(s.rows[pivot->row].origin);
       continue;
     }
     combine(s, limits);
     const double promise = log2_promise(s);
     if (promise <= least || answers_more(s, best)) {
-      best = s;
+      best = mark_of(s);
       least = promise;
     }
   }
-  return best;
+  return back_to(best, std::move(s));
 }
 
 std::vector<bool> appears(const System& f) {
@@ -521,9 +653,10 @@ std::string to_string(Reduction::Verdict verdict) {
   return "unknown";
 }
 
-Reduction eliminate(const System& f) {
-  const State first = start(f);
-  const State last = least_work(first, choose_limits(first, f));
+Reduction eliminate(const System& f, const std::atomic<bool>* stop) {
+  std::vector<IntegerPolynomial> equations = integers_of(f);
+  const Limits limits = choose_limits(f, equations, stop);
+  const State last = least_work(start(f, std::move(equations), limits), limits);
 
   Reduction result;
   result.system = to_system(last, f);

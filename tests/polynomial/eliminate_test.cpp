@@ -470,5 +470,26 @@ TEST(Elimination, RestoreInDoubleAgreesWithTheExactOne) {
   }
 }
 
+TEST(Elimination, AStopLeavesAReduction) {
+  const std::atomic<bool> stop{true};
+  const System f = katsura(5);
+  const Reduction r = eliminate(f, &stop);
+  EXPECT_EQ(r.verdict, Verdict::square);
+  expect_same_span(f, r, 3);
+}
+
+// Four equations each hold an unknown: the work of a step is that of these four.
+TEST(Elimination, ALongChainOfLinearEquationsIsShortWork) {
+  constexpr int kLength = 3000;
+  std::string text = std::to_string(kLength) + "\nx1 - 1;\n";
+  for (int k = 2; k <= kLength; ++k) {
+    text += "x" + std::to_string(k) + " - x" + std::to_string(k - 1) + " - 1;\n";
+  }
+  const Reduction r = eliminate(read_system({"test", text}));
+  ASSERT_EQ(r.verdict, Verdict::solved);
+  const Point x = restored(r, {});
+  EXPECT_EQ(x.back().re, Rational(kLength));
+}
+
 }  // namespace
 }  // namespace moivre

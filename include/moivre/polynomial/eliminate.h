@@ -23,6 +23,7 @@
 // Not supported: products of equations with polynomials (Groebner bases), factors of an equation.
 #pragma once
 
+#include <atomic>
 #include <complex>
 #include <cstddef>
 #include <string>
@@ -81,7 +82,8 @@ struct Reduction {
 
 std::string to_string(Reduction::Verdict verdict);
 
-Reduction eliminate(const System& f);
+/// stop: once set the elimination ends with what is done, which is a reduction too.
+Reduction eliminate(const System& f, const std::atomic<bool>* stop = nullptr);
 
 /// x from y, over any scalar with + and *: `round` makes the scalar of an exact coefficient.
 template <typename Scalar, typename Round>
