@@ -24,19 +24,20 @@ constexpr std::uint64_t kAlgebraTerms = 20'000'000;
 // Any two seeds: what they draw has nothing in common. The first one draws the prime of the algebra too.
 constexpr std::uint64_t kLiftingSeeds[] = {101, 202};
 
-CellSearchOptions bounded(const System& f) {
+CellSearchOptions bounded(const System& f, const std::atomic<bool>* stop) {
   CellSearchOptions options;
+  options.stop = stop;
   options.most_steps =
       kCellWork / (kStepCost * std::max<std::uint64_t>(1, f.variables.size() * term_count(f)));
   return options;
 }
 
-RootBound stable_mixed_volume_bound(const System& f) {
+RootBound stable_mixed_volume_bound(const System& f, const std::atomic<bool>* stop) {
   RootBound bound{BoundKind::stable_mixed_volume, std::nullopt, ""};
   const std::vector<Support> supports = supports_of(f);
   std::optional<std::uint64_t> first;
   for (const std::uint64_t seed : kLiftingSeeds) {
-    const MixedVolume volume = stable_mixed_volume(supports, seed, bounded(f));
+    const MixedVolume volume = stable_mixed_volume(supports, seed, bounded(f, stop));
     if (!volume.value) {
       bound.missing = description(volume.end);
       return bound;
@@ -52,10 +53,9 @@ RootBound stable_mixed_volume_bound(const System& f) {
   return bound;
 }
 
-RootBound quotient_ring_bound(const System& f, std::uint64_t known) {
+RootBound quotient_ring_bound(const System& f, std::uint64_t known, const std::atomic<bool>* stop) {
   RootBound bound{BoundKind::quotient_ring, std::nullopt, ""};
-  const QuotientRing ring =
-      quotient_ring(f, {known, kAlgebraTerms, nullptr, false, kLiftingSeeds[0]});
+  const QuotientRing ring = quotient_ring(f, {known, kAlgebraTerms, stop, false, kLiftingSeeds[0]});
   switch (ring.verdict) {
     case QuotientRing::Verdict::finite:
       bound.value = ring.dimension;
@@ -70,9 +70,9 @@ RootBound quotient_ring_bound(const System& f, std::uint64_t known) {
   return bound;
 }
 
-RootBound strata_bound(const System& f) {
+RootBound strata_bound(const System& f, const std::atomic<bool>* stop) {
   RootBound bound{BoundKind::strata, std::nullopt, ""};
-  bound.value = most_isolated_points(f, kLiftingSeeds[0], bounded(f));
+  bound.value = most_isolated_points(f, kLiftingSeeds[0], bounded(f, stop));
   if (!bound.value) bound.missing = "a stratum of which nothing is known";
   return bound;
 }
@@ -128,9 +128,10 @@ std::string to_string(BoundKind kind) {
   return "";
 }
 
-std::vector<RootBound> root_bounds(const System& f, const KnownRoots& known) {
+std::vector<RootBound> root_bounds(const System& f, const KnownRoots& known,
+                                   const std::atomic<bool>* stop) {
   require_square(f);
-  const Reduction reduction = eliminate(f);
+  const Reduction reduction = eliminate(f, stop);
   if (reduction.verdict == Reduction::Verdict::solved) return {{BoundKind::elimination, 1, ""}};
   // A contradiction leaves no root, a dependence none that is isolated.
   if (reduction.verdict != Reduction::Verdict::square) {
@@ -143,20 +144,41 @@ std::vector<RootBound> root_bounds(const System& f, const KnownRoots& known) {
     return bound.value && *bound.value <= known.count(bound.kind);
   };
   if (is_met(bezout(r)) || is_met(multihomogeneous(r))) return bounds;
-  RootBound volume = stable_mixed_volume_bound(r);
+  RootBound volume = stable_mixed_volume_bound(r, stop);
   // What elimination fills with monomials may have a larger volume than before.
   const bool is_filled = !reduction.substitutions.empty();
   if (is_filled && (!volume.value || *volume.value > known.roots)) {
-    volume = smaller(volume, stable_mixed_volume_bound(f));
+    volume = smaller(volume, stable_mixed_volume_bound(f, stop));
   }
   const bool may_have_zeros =
       std::any_of(f.polynomials.begin(), f.polynomials.end(), lacks_constant);
-  if (is_met(volume) || is_met(quotient_ring_bound(r, known.roots))) return bounds;
-  if (may_have_zeros) bounds.push_back(strata_bound(f));
+  if (is_met(volume) || is_met(quotient_ring_bound(r, known.roots, stop))) return bounds;
+  if (may_have_zeros) bounds.push_back(strata_bound(f, stop));
   return bounds;
 }
 
-StructureCounts structure_counts(const System& f, bool with_partitions, bool with_cells) {
+RootBound root_bound(const System& f, BoundKind kind, const KnownRoots& known,
+                     const std::atomic<bool>* stop) {
+  require_square(f);
+  switch (kind) {
+    case BoundKind::elimination:
+      break;
+    case BoundKind::bezout:
+      return bezout(f);
+    case BoundKind::multihomogeneous:
+      return multihomogeneous(f);
+    case BoundKind::stable_mixed_volume:
+      return stable_mixed_volume_bound(f, stop);
+    case BoundKind::quotient_ring:
+      return quotient_ring_bound(f, known.roots, stop);
+    case BoundKind::strata:
+      return strata_bound(f, stop);
+  }
+  return {kind, std::nullopt, "elimination leaves equations"};
+}
+
+StructureCounts structure_counts(const System& f, bool with_partitions, bool with_cells,
+                                 const std::atomic<bool>* stop) {
   require_square(f);
   StructureCounts counts;
   if (with_partitions) {
@@ -166,7 +188,7 @@ StructureCounts structure_counts(const System& f, bool with_partitions, bool wit
   }
   if (with_cells) {
     const auto supports = with_origin(supports_of(f), f.variables.size()).supports;
-    counts.mixed_volume = mixed_volume(supports, kLiftingSeeds[0], bounded(f)).value;
+    counts.mixed_volume = mixed_volume(supports, kLiftingSeeds[0], bounded(f, stop)).value;
   }
   return counts;
 }

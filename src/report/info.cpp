@@ -42,6 +42,10 @@ StartCost total_degree_cost(Reduction::Verdict verdict, const SystemFacts& reduc
   return cost;
 }
 
+Scaling identity_of(const System& f) {
+  return {std::vector<int>(f.variables.size()), std::vector<int>(f.polynomials.size())};
+}
+
 void add_cost(const std::string& kind, const StartCount& count, const std::string& why,
               SystemInfo& info) {
   info.start_systems.push_back({kind, count.paths, count.paths ? why : count.missing});
@@ -49,7 +53,8 @@ void add_cost(const std::string& kind, const StartCount& count, const std::strin
 
 }  // namespace
 
-SystemInfo inspect(const System& f) {
+SystemInfo inspect(const System& f, const InspectOptions& options) {
+  const auto is_over = [&] { return options.stop != nullptr && *options.stop; };
   SystemInfo info;
   info.system = facts(f);
   info.equations = f.polynomials.size();
@@ -57,20 +62,24 @@ SystemInfo inspect(const System& f) {
   info.real = is_real(f);
   info.homogeneous = std::all_of(f.polynomials.begin(), f.polynomials.end(),
                                  [](const Polynomial& p) { return is_homogeneous(p); });
-  const Reduction reduction = eliminate(f);
+  const Reduction reduction = eliminate(f, options.stop);
   info.verdict = to_string(reduction.verdict);
   info.reduced = facts(reduction.system);
   info.reduced_terms = term_count(reduction.system);
-  const Scaling scaling = choose_scaling(reduction.system);
+  const Scaling scaling =
+      is_over() ? identity_of(reduction.system) : choose_scaling(reduction.system);
   info.variable_log2 = scaling.variable_log2;
   info.equation_log2 = scaling.equation_log2;
   info.start_systems.push_back(total_degree_cost(reduction.verdict, info.reduced));
   for (StartCount* count :
        {&info.counts.total_degree, &info.counts.multihomogeneous, &info.counts.mixed_volume}) {
-    count->missing = "there are no paths to count: " + info.verdict;
+    count->missing = is_over() ? "interrupted" : "there are no paths to count: " + info.verdict;
   }
-  if (reduction.verdict == Reduction::Verdict::square) {
-    info.counts = count_starts(scale(reduction.system, scaling), {});
+  if (reduction.verdict == Reduction::Verdict::square && !is_over()) {
+    StartChoiceOptions counting;
+    counting.stop = options.stop;
+    counting.progress = options.progress;
+    info.counts = count_starts(scale(reduction.system, scaling), counting);
     add_cost("multihomogeneous", info.counts.multihomogeneous,
              "the least of the partitions of the unknowns that were tried", info);
     add_cost("polyhedral", info.counts.mixed_volume,

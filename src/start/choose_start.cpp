@@ -29,6 +29,10 @@ constexpr double kQuickSearchCost = 5e6;
 constexpr std::size_t kFewUnknowns = 6;
 // A search asked for by name, or by moivre info, may take so many steps: a minute or so.
 constexpr std::uint64_t kLongSearch = 100'000'000;
+// And so many multiply-adds, less than a minute.
+constexpr double kLongSearchCost = 5e10;
+// Degrees and supports are tables, a column an unknown: of more entries than this they take gigabytes.
+constexpr double kMostExponents = 1e8;
 
 const char* const kNotAsked = "not needed for the start that was asked for";
 
@@ -72,16 +76,27 @@ class Chooser {
   }
 
   StartCounts count() {
+    const auto n = static_cast<double>(f_.variables.size());
+    if (n * static_cast<double>(term_count(f_)) > kMostExponents) {
+      for (StartCount* count : {&chosen_.counts.multihomogeneous, &chosen_.counts.mixed_volume}) {
+        count->missing = "the table of degrees would take gigabytes";
+      }
+      return chosen_.counts;
+    }
     count_multihomogeneous();
-    if (!is_dense()) count_cells(kLongSearch);
+    const double steps = kLongSearchCost / search_step_cost(f_);
+    if (!is_dense()) {
+      count_cells(static_cast<std::uint64_t>(std::min(static_cast<double>(kLongSearch), steps)));
+    }
     return chosen_.counts;
   }
 
  private:
   /// No root at infinity: the degrees' product is the mixed volume.
   bool is_dense() {
+    if (!chosen_.counts.total_degree.paths) return false;
     const auto meets = meets_infinity(start_supports(f_));
-    if (!meets || *meets || !chosen_.counts.total_degree.paths) return false;
+    if (!meets || *meets) return false;
     chosen_.counts.mixed_volume = chosen_.counts.total_degree;
     return true;
   }

@@ -14,6 +14,7 @@
 // roots; then there is one bound, `elimination`. Not supported: systems that are not square; bounds beyond 64 bits have no value.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -50,8 +51,13 @@ struct KnownRoots {
 };
 
 /// Bounds in the order of their cost, up to the first one that `known` roots meet; no bound can be lower. Throws
-/// std::invalid_argument when F is not square.
-std::vector<RootBound> root_bounds(const System& f, const KnownRoots& known);
+/// std::invalid_argument when F is not square. Once `stop` is set the bounds that are not known yet are missing.
+std::vector<RootBound> root_bounds(const System& f, const KnownRoots& known,
+                                   const std::atomic<bool>* stop = nullptr);
+
+/// That one alone, of F as it is, without elimination; `elimination` has no value then.
+RootBound root_bound(const System& f, BoundKind kind, const KnownRoots& known,
+                     const std::atomic<bool>* stop = nullptr);
 
 /// Two counts of paths that starts have; nullopt beyond 64 bits, or beyond a bounded search.
 struct StructureCounts {
@@ -61,6 +67,7 @@ struct StructureCounts {
 };
 /// Of a square system without zero polynomials (std::invalid_argument); `multihomogeneous` and the mixed volume are computed
 /// only where wanted.
-StructureCounts structure_counts(const System& f, bool with_partitions, bool with_cells);
+StructureCounts structure_counts(const System& f, bool with_partitions, bool with_cells,
+                                 const std::atomic<bool>* stop = nullptr);
 
 }  // namespace moivre

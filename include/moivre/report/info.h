@@ -4,6 +4,8 @@
 // As solve() prepares it: eliminated, then scaled. Edges: a system that is not square has no start system's paths, but a verdict.
 #pragma once
 
+#include <atomic>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,8 +37,14 @@ struct SystemInfo {
   std::vector<LeftOut> left_out;
 };
 
+/// stop: once set, what is not known yet is missing. progress: of the search for mixed cells; may be empty.
+struct InspectOptions {
+  const std::atomic<bool>* stop = nullptr;
+  std::function<void(const CellSearchProgress&)> progress = {};
+};
+
 /// Any system, square or not.
-SystemInfo inspect(const System& f);
+SystemInfo inspect(const System& f, const InspectOptions& options = {});
 
 std::string info_text(const SystemInfo& info, const std::string& file);
 std::string info_json(const SystemInfo& info, const std::string& file);
