@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "judged_claims.h"
 #include "moivre/numeric/invalid_input.h"
 #include "moivre/polynomial/read.h"
 #include "moivre/polynomial/write.h"
@@ -24,7 +25,7 @@ constexpr std::string_view kEnd = "\"\n}\n";
 constexpr std::size_t kChecksumDigits = 16;
 
 /// FNV-1a of 64 bits.
-std::string checksum(std::string_view text) {
+std::uint64_t hash_of(std::string_view text) {
   constexpr std::uint64_t kOffset = 0xcbf29ce484222325;
   constexpr std::uint64_t kPrime = 0x100000001b3;
   std::uint64_t hash = kOffset;
@@ -32,8 +33,12 @@ std::string checksum(std::string_view text) {
     hash ^= static_cast<unsigned char>(c);
     hash *= kPrime;
   }
+  return hash;
+}
+
+std::string checksum(std::string_view text) {
   char digits[kChecksumDigits + 1];
-  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(hash));
+  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(hash_of(text)));
   return digits;
 }
 
@@ -201,6 +206,7 @@ FamilyFile read_family(const Source& source) {
     }
     for (const Json& family : json.at("families")) {
       file.families.push_back(family_of(source, family));
+      judge_claims(file.families.back(), hash_of(source.text));
     }
     if (is_polynomials && file.families.size() != 1) {
       throw InvalidInput("the file holds not one family");

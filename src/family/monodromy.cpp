@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "certified_members.h"
+#include "known_counts.h"
 #include "loops.h"
-#include "moivre/bounds/root_bounds.h"
 #include "moivre/expression/counted.h"
 #include "moivre/factorization/qr.h"
 #include "moivre/family/learn.h"
@@ -138,40 +138,6 @@ void look_elsewhere(const Family& family, const LoopSearch& loops, const Followe
   }
 }
 
-std::string name_of(BoundKind kind) {
-  switch (kind) {
-    case BoundKind::bezout:
-      return "total degree";
-    case BoundKind::multihomogeneous:
-      return "multihomogeneous number";
-    case BoundKind::elimination:
-    case BoundKind::stable_mixed_volume:
-    case BoundKind::quotient_ring:
-    case BoundKind::strata:
-      break;
-  }
-  return to_string(kind);
-}
-
-/// What is known of the number of roots beside those that were found.
-struct KnownCounts {
-  std::optional<MetBound> met;
-  std::optional<std::uint64_t> by_algebra;  ///< with multiplicities
-};
-
-KnownCounts known_counts(const Family& family) {
-  const std::uint64_t roots = family.roots.size();
-  const System member = member_system(family, exact_values(family.generic));
-  KnownCounts known;
-  for (const RootBound& bound : root_bounds(member, {roots, roots})) {
-    if (bound.value == roots) {
-      known.met = MetBound{name_of(bound.kind), roots, bound.kind == BoundKind::strata};
-    }
-    if (bound.kind == BoundKind::quotient_ring && !family.nonzero) known.by_algebra = bound.value;
-  }
-  return known;
-}
-
 }  // namespace
 
 std::optional<KnownPair> random_pair(const Family& family, std::uint64_t seed, double size) {
@@ -237,7 +203,7 @@ Family learn_by_monodromy(Family unlearned, const KnownPair& pair, const Tracker
   if (options.certify) learning.certified = certified_roots(family, options.threads, stop);
   std::optional<std::uint64_t> by_algebra;
   if (learning.certified == family.roots.size() && !stop) {
-    const KnownCounts known = known_counts(family);
+    const KnownCounts known = known_counts(family, family.generic, &stop);
     learning.bound = known.met;
     by_algebra = known.by_algebra;
   }

@@ -10,6 +10,8 @@
 
 #include "families.h"
 #include "moivre/family/coefficients.h"
+#include "moivre/family/member.h"
+#include "moivre/family/members.h"
 #include "moivre/tracker_lanes/lane_tracker.h"
 
 namespace moivre {
@@ -82,6 +84,61 @@ TEST(FamilyFile, EveryChangedByteIsSeen) {
     changed[k] = static_cast<char>(changed[k] ^ (1 << (k % 8)));
     EXPECT_NE(refusal(changed), "") << k;
   }
+}
+
+/// As one who leaves out all but two roots, and makes the checksum anew.
+std::string forged(const Family& family, std::optional<MetBound> bound) {
+  FamilyFile file;
+  file.families.push_back(family);
+  Family& liar = file.families.front();
+  liar.roots.resize(2);
+  liar.learning.bound = std::move(bound);
+  return family_text(file);
+}
+
+TEST(FamilyFile, AForgedBoundProvesNoMember) {
+  const auto tracker = make_lane_tracker();
+  const Family honest = conics_file().families.front();
+  ASSERT_EQ(honest.roots.size(), 4U);
+  for (const auto& bound :
+       {std::optional(MetBound{"total degree", 2}), std::optional(MetBound{"mixed volume", 7}),
+        std::optional<MetBound>()}) {
+    const Family read = read_family({"f", forged(honest, bound)}).families.front();
+    EXPECT_FALSE(read.learning.bound);
+    EXPECT_FALSE(read.learning.complete);
+    EXPECT_EQ(read.learning.standing,
+              "the file has 2 roots, and exact algebra counts 4 of a generic member: roots are "
+              "missing");
+    const Point p = random_member(3, 1);
+    const SolveResult result = solve_member(read, exact_values(p), *tracker);
+    EXPECT_NE(result.completeness, RootCompleteness::proved);
+    EXPECT_FALSE(result.complete);
+    const std::vector<Point> members{p};
+    const MemberRoots member = solve_members(read, members, *tracker).front();
+    EXPECT_NE(member.completeness, RootCompleteness::proved);
+    EXPECT_FALSE(member.complete);
+  }
+}
+
+TEST(FamilyFile, ABoundIsFoundAgainWhereTheFileIsHonest) {
+  const Family read = read_family({"f", family_text(conics_file())}).families.front();
+  ASSERT_TRUE(read.learning.bound);
+  EXPECT_EQ(read.learning.bound->kind, "total degree");
+  EXPECT_TRUE(read.learning.complete);
+}
+
+TEST(FamilyFile, RootsWithoutZerosAreCountedByAlgebraToo) {
+  // x = 0 is a root of every member, and left out; of the two others a forger leaves one.
+  Family family =
+      unlearned_family(read_system({"test", "2 6\nx^3 + a*x*y - b*x; x + y^2*c - d*y;\n"}),
+                       {{"a"}, {"b"}, {"c"}, {"d"}});
+  family.nonzero = true;
+  FamilyFile file;
+  file.families.push_back(learn(family, *make_lane_tracker()));
+  const std::size_t roots = file.families.front().roots.size();
+  EXPECT_TRUE(read_family({"f", family_text(file)}).families.front().learning.complete) << roots;
+  file.families.front().roots.pop_back();
+  EXPECT_FALSE(read_family({"f", family_text(file)}).families.front().learning.complete);
 }
 
 TEST(FamilyFile, NoBytesBehindARightChecksumCrashTheReader) {
