@@ -2,6 +2,7 @@
 // What do the parts of the judgement share? The system, the claims, certificates of the roots, and the notes.
 #pragma once
 
+#include <atomic>
 #include <functional>
 
 #include "moivre/certify/certifier.h"
@@ -12,12 +13,16 @@
 
 namespace moivre {
 
+/// Ends a judgement; what was noted stands.
+struct Interrupted {};
+
 /// What is known of an entry of the result.
 struct Entry {
   Point x;                  ///< as judged: on the patches, where there are any
   double reach = 0;         ///< a root is claimed within this of x, in every coordinate
   bool is_regular = true;   ///< as claimed
   bool is_refuted = false;  ///< no root is there
+  bool is_farther = false;  ///< the root that is proved may be beyond reach
   Certificate certificate;  ///< undecided where none was found or looked for
 };
 
@@ -28,14 +33,19 @@ struct Bench {
   Certifier& certifier;
   std::vector<Entry> entries;
   Verdicts& verdicts;
+  const std::atomic<bool>& stop;
 
+  /// Throws Interrupted where the judgement is to end.
+  void require_time() const {
+    if (stop.load(std::memory_order_relaxed)) throw Interrupted();
+  }
   bool is_list() const { return claims.form == ClaimForm::solution_list; }
 };
 
 /// System, reduced system, start and sums (src/check/books.cpp). False: the unknowns are not those of the system.
 bool judge_system(const System& f, const Claims& claims, Verdicts& verdicts);
-void judge_start(const System& f, const StandIn& stand_in, const Claims& claims,
-                 Verdicts& verdicts);
+void judge_start(const System& f, const StandIn& stand_in, const Claims& claims, Verdicts& verdicts,
+                 const std::atomic<bool>& stop);
 void judge_paths(const Claims& claims, Verdicts& verdicts);
 
 /// Existence and accuracy of each root (src/check/existence.cpp); fills the entries.
@@ -51,6 +61,9 @@ void judge_clusters(Bench& bench);
 LocalRing exact_ring(const System& f, const Point& x, double reach);
 /// Residual and condition (src/check/figures.cpp).
 void judge_figures(const Bench& bench);
+/// The bound that is said to be met (src/check/bound_claim.cpp); behind the bounds that were found.
+void judge_bound(const Claims& claims, const StandIn& stand_in, Verdicts& verdicts,
+                 const std::atomic<bool>& stop);
 /// Digits beyond double (src/check/digits.cpp).
 void judge_digits(Bench& bench);
 /// Distinct, real, conjugates (src/check/relations.cpp); counts the roots.

@@ -2,6 +2,7 @@
 // Are the books of a result right? Its system's facts from the file, its counts from each other.
 #include <algorithm>
 #include <limits>
+#include <set>
 
 #include "bench.h"
 #include "moivre/expression/counted.h"
@@ -76,12 +77,14 @@ void judge_partitions(const StartClaim& start, const StructureCounts& counts,
               counts.multihomogeneous);
 }
 
-void judge_counts_of_starts(const System& tracked, const StartClaim& start, Verdicts& verdicts) {
+void judge_counts_of_starts(const System& tracked, const StartClaim& start, Verdicts& verdicts,
+                            const std::atomic<bool>& stop) {
   const std::optional<std::uint64_t> total = total_degree(degrees(tracked));
   judge_count(verdicts, ClaimKind::start, "total degree", start.total_degree, total);
   const bool counts_paths = start.multihomogeneous || start.mixed_volume;
   const StructureCounts counts =
-      structure_counts(tracked, start.multihomogeneous.has_value(), counts_paths);
+      structure_counts(tracked, start.multihomogeneous.has_value(), counts_paths, &stop);
+  if (stop) throw Interrupted();
   judge_partitions(start, counts, total, verdicts);
   if (start.mixed_volume && !counts.mixed_volume) {
     verdicts.leave_open(ClaimKind::start, "mixed volume: beyond a bounded search");
@@ -91,8 +94,15 @@ void judge_counts_of_starts(const System& tracked, const StartClaim& start, Verd
   }
 }
 
+/// Paths are numbered by the start; an interrupted run has tracked some of them.
+std::uint64_t paths_there_are(const Claims& claims) {
+  const std::uint64_t tracked = claims.paths->tracked;
+  return claims.complete || !claims.start ? tracked : std::max(tracked, claims.start->paths);
+}
+
 void judge_roots_of_paths(const Claims& claims, Verdicts& verdicts) {
-  std::vector<std::uint64_t> numbers;
+  const std::uint64_t paths = paths_there_are(claims);
+  std::set<std::uint64_t> numbers;
   for (std::size_t k = 0; k < claims.roots.size(); ++k) {
     const RootClaim& root = claims.roots[k];
     if (root.winding) {
@@ -102,9 +112,8 @@ void judge_roots_of_paths(const Claims& claims, Verdicts& verdicts) {
                      k + 1);
     }
     if (!root.path) continue;
-    const bool is_seen = std::find(numbers.begin(), numbers.end(), *root.path) != numbers.end();
-    numbers.push_back(*root.path);
-    verdicts.judge(ClaimKind::paths, !is_seen && *root.path < claims.paths->tracked,
+    const bool is_seen = !numbers.insert(*root.path).second;
+    verdicts.judge(ClaimKind::paths, !is_seen && *root.path < paths,
                    "path " + std::to_string(*root.path) +
                        (is_seen ? " ends at another root" : " was not tracked"),
                    k + 1);
@@ -130,8 +139,8 @@ bool judge_system(const System& f, const Claims& claims, Verdicts& verdicts) {
   return true;
 }
 
-void judge_start(const System& f, const StandIn& stand_in, const Claims& claims,
-                 Verdicts& verdicts) {
+void judge_start(const System& f, const StandIn& stand_in, const Claims& claims, Verdicts& verdicts,
+                 const std::atomic<bool>& stop) {
   if (claims.start) {
     judge_count(verdicts, ClaimKind::start, "paths of the " + claims.start->kind + " start",
                 claims.start->paths, count_of(*claims.start));
@@ -145,7 +154,8 @@ void judge_start(const System& f, const StandIn& stand_in, const Claims& claims,
     return verdicts.leave_open(ClaimKind::reduced,
                                "those of a square system that stands for the file's");
   }
-  const Reduction reduction = eliminate(stand_in.system);
+  const Reduction reduction = eliminate(stand_in.system, &stop);
+  if (stop) throw Interrupted();
   const System* tracked = tracked_system(*claims.reduced, stand_in.system, reduction.system);
   const std::vector<std::uint64_t> left = degrees(reduction.system);
   verdicts.judge(
@@ -156,7 +166,7 @@ void judge_start(const System& f, const StandIn& stand_in, const Claims& claims,
           std::to_string(reduction.system.variables.size()) + " of " + list_text(left)));
   const bool has_paths = reduction.verdict == Reduction::Verdict::square;
   if (tracked != nullptr && has_paths && claims.start) {
-    judge_counts_of_starts(*tracked, *claims.start, verdicts);
+    judge_counts_of_starts(*tracked, *claims.start, verdicts, stop);
   }
 }
 

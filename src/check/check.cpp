@@ -24,11 +24,11 @@ std::string bounds_text(const std::vector<RootBound>& bounds) {
 }
 
 /// Bounds on the stand-in's roots, and whether the distinct ones, and those that exact algebra counts, meet one.
-void find_bounds(const StandIn& stand_in, Judgement& judgement) {
+void find_bounds(const StandIn& stand_in, Judgement& judgement, const std::atomic<bool>& stop) {
   const std::size_t distinct = judgement.roots.distinct;
   const KnownRoots known{distinct + judgement.roots.counted,
                          distinct + judgement.roots.counted_points};
-  judgement.bounds = root_bounds(stand_in.system, known);
+  judgement.bounds = root_bounds(stand_in.system, known, &stop);
   for (const RootBound& bound : judgement.bounds) {
     if (!bound.value) continue;
     if (*bound.value < distinct) {
@@ -82,11 +82,13 @@ void judge_all_there(const System& f, const Claims& claims, Verdicts& verdicts) 
 constexpr std::uint64_t kSeed = 101;
 
 /// Of more equations than unknowns the list has every different root where it has as many as exact algebra counts.
-void judge_points(const System& f, const Claims& claims, Verdicts& verdicts) {
+void judge_points(const System& f, const Claims& claims, Verdicts& verdicts,
+                  const std::atomic<bool>& stop) {
   const bool is_overdetermined = f.polynomials.size() > f.variables.size();
   if (claims.left_out > 0) return;
   if (!is_overdetermined || !claims.complete || !coefficient_errors(f).empty()) return;
-  const auto points = quotient_ring(f, {.counts_points = true, .seed = kSeed}).points;
+  const auto points =
+      quotient_ring(f, {.stop = &stop, .counts_points = true, .seed = kSeed}).points;
   if (!points) return;
   verdicts.judge(ClaimKind::complete, claims.roots.size() == *points,
                  "exact algebra counts " + counted(*points, "different root") + ", these are " +
@@ -94,13 +96,14 @@ void judge_points(const System& f, const Claims& claims, Verdicts& verdicts) {
 }
 
 /// Beside curves exact algebra counts the simple roots alone.
-void judge_simple_roots(const StandIn& stand_in, const Claims& claims, Verdicts& verdicts) {
+void judge_simple_roots(const StandIn& stand_in, const Claims& claims, Verdicts& verdicts,
+                        const std::atomic<bool>& stop) {
   const Judgement& judgement = verdicts.judgement();
   if (claims.left_out > 0 || !claims.complete || judgement.proved_by ||
       !coefficient_errors(stand_in.system).empty()) {
     return;
   }
-  const auto simple = quotient_ring(stand_in.system, {.seed = kSeed}).simple;
+  const auto simple = quotient_ring(stand_in.system, {.stop = &stop, .seed = kSeed}).simple;
   if (!simple) return;
   if (judgement.roots.distinct >= *simple) return verdicts.hold(ClaimKind::complete);
   const std::string why = "exact algebra counts " + counted(*simple, "simple root") +
@@ -110,9 +113,33 @@ void judge_simple_roots(const StandIn& stand_in, const Claims& claims, Verdicts&
   verdicts.leave_open(ClaimKind::complete, why);
 }
 
+/// Of a proof every root that is not singular has its part.
+std::optional<std::size_t> first_without_proof(const Claims& claims) {
+  for (std::size_t k = 0; k < claims.roots.size(); ++k) {
+    const RootClaim& root = claims.roots[k];
+    if (root.singular == false && root.certified != true) return k;
+  }
+  return std::nullopt;
+}
+
+/// Whether a bound is met if what is said to be certified is.
+bool would_meet_bound(const Judgement& judgement) {
+  const RootTally& roots = judgement.roots;
+  const KnownRoots said{roots.distinct + roots.counted + roots.unproved,
+                        roots.distinct + roots.counted_points + roots.unproved};
+  return std::any_of(judgement.bounds.begin(), judgement.bounds.end(), [&](const RootBound& bound) {
+    return !bound.value || *bound.value == said.count(bound.kind);
+  });
+}
+
 void judge_completeness(const Claims& claims, const StandIn& stand_in, Verdicts& verdicts) {
   if (!claims.completeness || *claims.completeness == "open") return;
   const Judgement& judgement = verdicts.judgement();
+  const bool is_proved = *claims.completeness == "proved";
+  if (const auto k = first_without_proof(claims); is_proved && k) {
+    return verdicts.refute(ClaimKind::completeness,
+                           "\"proved\", and " + root_name(*k + 1) + " is not said to be certified");
+  }
   if (judgement.proved_by) return verdicts.hold(ClaimKind::completeness);
   if (*claims.completeness == "shown") {
     return verdicts.leave_open(ClaimKind::completeness,
@@ -128,16 +155,17 @@ void judge_completeness(const Claims& claims, const StandIn& stand_in, Verdicts&
                            "\"proved\", and there is no bound on roots of this file: its equations "
                            "are not as many as its unknowns, or homogeneous");
   }
-  if (!claims.names_bound) {
+  if (!claims.bound) {
     return verdicts.refute(ClaimKind::completeness, "\"proved\", and no bound is named");
   }
   const std::string why = "\"proved\", and " + std::to_string(judgement.roots.distinct) +
                           " distinct roots are certified: " + bounds_text(judgement.bounds);
-  const bool all_known = std::all_of(judgement.bounds.begin(), judgement.bounds.end(),
-                                     [](const RootBound& bound) { return bound.value; });
-  if (!all_known) return verdicts.leave_open(ClaimKind::completeness, why);
+  if (would_meet_bound(judgement)) return verdicts.leave_proof_open(ClaimKind::completeness, why);
   verdicts.refute(ClaimKind::completeness, why);
 }
+
+/// Points are as many, whatever their multiplicity.
+bool counts_points(const BoundClaim& bound) { return bound.kind == to_string(BoundKind::strata); }
 
 /// What is claimed of the stand-in, whose paths and multiplicities are so many times fewer.
 Claims divided(const Claims& claims, std::uint64_t sheets, Verdicts& verdicts) {
@@ -160,6 +188,7 @@ Claims divided(const Claims& claims, std::uint64_t sheets, Verdicts& verdicts) {
       root.singular = root.multiplicity > 1;
     }
   }
+  if (result.bound && !counts_points(*result.bound)) divide(ClaimKind::bound, result.bound->value);
   if (result.paths) divide(ClaimKind::paths, result.paths->tracked);
   if (!result.start) return result;
   divide(ClaimKind::start, result.start->paths);
@@ -170,39 +199,52 @@ Claims divided(const Claims& claims, std::uint64_t sheets, Verdicts& verdicts) {
   return result;
 }
 
-}  // namespace
-
-Judgement check(const System& f, const Claims& given) {
-  Judgement judgement;
-  judgement.form = given.form;
-  judgement.roots.listed = given.roots.size();
-  Verdicts verdicts(judgement);
-  judge_paths(given, verdicts);
-  judgement.is_judged_whole = judge_system(f, given, verdicts);
-  if (!judgement.is_judged_whole || f.variables.empty()) return judgement;
-
+/// All but the books of the paths.
+void judge_roots(const System& f, const Claims& given, Verdicts& verdicts,
+                 const std::atomic<bool>& stop) {
+  Judgement& judgement = verdicts.judgement();
   // A list has each root as often as its author's paths came to it.
   const StandIn stand_in = make_stand_in(f, given.seed, given.form == ClaimForm::solve_json);
   const Claims claims = divided(given, stand_in.sheets, verdicts);
   judgement.stand_in = stand_in.name;
-  judge_start(f, stand_in, claims, verdicts);
+  judge_start(f, stand_in, claims, verdicts, stop);
   Certifier certifier(make_certify_program(stand_in.system));
-  Bench bench{f, claims, stand_in, certifier, {}, verdicts};
+  Bench bench{f, claims, stand_in, certifier, {}, verdicts, stop};
   judge_existence(bench);
   judge_clusters(bench);
   judge_figures(bench);
   judge_relations(bench);
   judge_digits(bench);
   if (stand_in.has_all_roots) {
-    find_bounds(stand_in, judgement);
+    find_bounds(stand_in, judgement, stop);
+    bench.require_time();
     if (!bench.is_list()) {
       judge_sum(claims, verdicts);
       judge_all_there(f, claims, verdicts);
-      judge_simple_roots(stand_in, claims, verdicts);
+      judge_simple_roots(stand_in, claims, verdicts, stop);
     }
   }
-  if (!bench.is_list()) judge_points(f, claims, verdicts);
+  if (!bench.is_list()) judge_points(f, claims, verdicts, stop);
+  bench.require_time();
   judge_completeness(claims, stand_in, verdicts);
+  judge_bound(claims, stand_in, verdicts, stop);
+}
+
+}  // namespace
+
+Judgement check(const System& f, const Claims& claims, const std::atomic<bool>& stop) {
+  Judgement judgement;
+  judgement.form = claims.form;
+  judgement.roots.listed = claims.roots.size();
+  Verdicts verdicts(judgement);
+  judge_paths(claims, verdicts);
+  judgement.is_judged_whole = judge_system(f, claims, verdicts);
+  if (!judgement.is_judged_whole || f.variables.empty()) return judgement;
+  try {
+    judge_roots(f, claims, verdicts, stop);
+  } catch (const Interrupted&) {
+    judgement.interrupted = true;
+  }
   return judgement;
 }
 

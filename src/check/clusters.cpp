@@ -108,6 +108,7 @@ void judge_clusters(Bench& bench) {
   options.accuracy = kWidestDisc;
   Certifier certifier(make_certify_program(bench.stand_in.system), options);
   for (std::size_t k = 0; k < bench.entries.size(); ++k) {
+    bench.require_time();
     const RootClaim& root = bench.claims.roots[k];
     if (root.singular == false) {
       bench.verdicts.judge(ClaimKind::multiplicity, root.multiplicity == 1,

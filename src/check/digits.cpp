@@ -121,6 +121,7 @@ void judge_root(Bench& bench, Entry& entry, std::size_t number) {
 void judge_digits(Bench& bench) {
   if (!bench.claims.digits || bench.stand_in.has_patches() || !bench.stand_in.proves_roots) return;
   for (std::size_t k = 0; k < bench.entries.size(); ++k) {
+    bench.require_time();
     if (!bench.claims.roots[k].x_digits.empty()) judge_root(bench, bench.entries[k], k + 1);
   }
 }

@@ -98,6 +98,7 @@ void accept(Bench& bench, const Entry& entry, const RootClaim& root, std::size_t
 /// The root found is farther away than is claimed.
 void judge_farther(Bench& bench, Entry& entry, const RootClaim& root, std::size_t number,
                    const DistanceBounds& d) {
+  entry.is_farther = true;
   const ClaimKind claim = bench.is_list() || !root.accuracy ? ClaimKind::root : ClaimKind::accuracy;
   const std::string nearest = "the nearest one found is " + rough(d.most) + " away";
   if (!is_excluded(bench, entry, root)) {
@@ -132,8 +133,8 @@ void judge_regular(Bench& bench, Entry& entry, const RootClaim& root, std::size_
 void judge_certified(Bench& bench, const Entry& entry, const RootClaim& root, std::size_t number) {
   if (root.certified != true) return;
   if (!entry.is_regular) {
-    return bench.verdicts.leave_open(ClaimKind::certified,
-                                     "a count of roots on a ball is not made here", number);
+    return bench.verdicts.leave_proof_open(ClaimKind::certified,
+                                           "a count of roots on a ball is not made here", number);
   }
   if (entry.is_refuted) {
     return bench.verdicts.refute(ClaimKind::certified,
@@ -142,10 +143,14 @@ void judge_certified(Bench& bench, const Entry& entry, const RootClaim& root, st
   if (!entry.certificate.holds_root()) {
     const bool is_multiple = exact_ring(bench.stand_in.system, entry.x, entry.reach).dimension > 1;
     if (!is_multiple) {
-      return bench.verdicts.leave_open(ClaimKind::certified, no_certificate(), number);
+      return bench.verdicts.leave_proof_open(ClaimKind::certified, no_certificate(), number);
     }
     return bench.verdicts.refute(ClaimKind::certified,
                                  "a multiple root, known exactly, has no certificate", number);
+  }
+  if (entry.is_farther) {
+    return bench.verdicts.leave_proof_open(
+        ClaimKind::certified, "a root is proved, not within the accuracy that is stated", number);
   }
   bench.verdicts.hold(ClaimKind::certified);
 }
@@ -193,6 +198,7 @@ DistanceBounds sharp_distance(Certifier& certifier, Certificate& certificate, co
 
 void judge_existence(Bench& bench) {
   for (std::size_t k = 0; k < bench.claims.roots.size(); ++k) {
+    bench.require_time();
     const RootClaim& root = bench.claims.roots[k];
     Entry entry;
     entry.x = on_patches(bench.stand_in, root.x);

@@ -153,6 +153,7 @@ void judge_figures(const Bench& bench) {
   Figures figures(with_rows_near_one(bench.f));
   Figures of_bases(with_rows_near_one(bench.stand_in.sheets > 1 ? bench.stand_in.system : bench.f));
   for (std::size_t k = 0; k < bench.entries.size(); ++k) {
+    bench.require_time();
     judge_residual(bench, figures, k);
     if (figures.is_square()) judge_condition(bench, of_bases, k);
   }

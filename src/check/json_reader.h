@@ -35,6 +35,8 @@ class JsonPlace {
   std::vector<std::string> texts() const;
 
   void fault(const std::string& message) const;
+  /// One that was found elsewhere, with its place.
+  void note(const std::string& fault) const { faults_->push_back(fault); }
 
  private:
   /// Notes a value that is not what was expected.

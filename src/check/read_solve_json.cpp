@@ -15,9 +15,52 @@ constexpr std::size_t kMostFaults = 20;
 // Digits that solve can be asked for.
 constexpr std::uint64_t kMostDigits = 1000;
 
-JsonValue parse(const Source& source) {
+/// The roots of a result, taken one by one while it is parsed: as a tree they would take ten times the text.
+struct TakenRoots {
+  std::optional<std::size_t> dimension;  ///< once the system was read
+  bool are_read = false;
+  std::vector<RootClaim> roots;
+  std::vector<std::string> faults;
+};
+
+RootClaim read_root(const JsonPlace& place, std::size_t dimension);
+
+/// What the parser calls. A root that is taken is kept in no tree.
+class RootTaker {
+ public:
+  explicit RootTaker(TakenRoots& taken) : taken_(taken) {}
+
+  bool operator()(int depth, JsonValue::parse_event_t event, const JsonValue& value) {
+    using Event = JsonValue::parse_event_t;
+    if (depth == 1 && event == Event::key) key_ = value.get<std::string>();
+    const bool is_end =
+        event == Event::object_end || event == Event::array_end || event == Event::value;
+    if (depth == 1 && event == Event::array_start && key_ == "solutions" && taken_.dimension) {
+      taken_.are_read = true;
+      taken_.roots.clear();
+      taken_.faults.clear();
+    }
+    if (depth == 1 && event == Event::object_end && key_ == "system") take_dimension(value);
+    if (depth != 2 || !is_end || key_ != "solutions" || !taken_.are_read) return true;
+    const std::string name = "solutions[" + std::to_string(taken_.roots.size()) + ']';
+    taken_.roots.push_back(
+        read_root(JsonPlace(value, name, taken_.faults), taken_.dimension.value_or(0)));
+    return false;
+  }
+
+ private:
+  void take_dimension(const JsonValue& system) {
+    const auto variables = system.find("variables");
+    if (variables != system.end() && variables->is_array()) taken_.dimension = variables->size();
+  }
+
+  TakenRoots& taken_;
+  std::string key_;
+};
+
+JsonValue parse(const Source& source, TakenRoots& taken) {
   try {
-    return JsonValue::parse(source.text);
+    return JsonValue::parse(source.text, RootTaker(taken));
   } catch (const JsonValue::parse_error& error) {
     const std::size_t place = error.byte > 0 ? error.byte - 1 : 0;
     const std::string_view before(source.text.data(), std::min(place, source.text.size()));
@@ -142,7 +185,15 @@ int read_digit_count(const JsonPlace& place) {
   return static_cast<int>(std::min(digits, kMostDigits));
 }
 
-Claims read_top(const JsonPlace& top) {
+BoundClaim read_bound(const JsonPlace& place) {
+  BoundClaim bound;
+  if (!place.is_object()) return bound;
+  if (const auto kind = place.member("kind", true)) bound.kind = kind->text();
+  if (const auto value = place.member("value", true)) bound.value = value->count();
+  return bound;
+}
+
+Claims read_top(const JsonPlace& top, TakenRoots& taken) {
   Claims claims;
   if (!top.is_object()) return claims;
   if (const auto command = top.member("command", true); command && command->text() != "solve") {
@@ -164,12 +215,17 @@ Claims read_top(const JsonPlace& top) {
   }
   if (const auto digits = top.member("digits")) claims.digits = read_digit_count(*digits);
   if (const auto level = top.member("completeness")) claims.completeness = read_level(*level);
-  claims.names_bound = top.member("bound").has_value();
+  if (const auto bound = top.member("bound")) claims.bound = read_bound(*bound);
   if (const auto counts = top.member("counts"); counts && counts->is_object()) {
     if (const auto n = counts->member("complex")) claims.counts.complex = n->count();
     if (const auto n = counts->member("real")) claims.counts.real = n->count();
   }
-  if (const auto roots = top.member("solutions", true); roots && claims.system) {
+  const auto roots = top.member("solutions", true);
+  if (!roots || !claims.system) return claims;
+  if (taken.are_read && roots->is_list()) {
+    claims.roots = std::move(taken.roots);
+    for (const std::string& fault : taken.faults) top.note(fault);
+  } else {
     read_roots(*roots, claims.system->variables.size(), claims);
   }
   return claims;
@@ -178,9 +234,10 @@ Claims read_top(const JsonPlace& top) {
 }  // namespace
 
 Claims read_solve_json(const Source& source) {
-  const JsonValue json = parse(source);
+  TakenRoots taken;
+  const JsonValue json = parse(source, taken);
   std::vector<std::string> faults;
-  Claims claims = read_top(JsonPlace(json, "", faults));
+  Claims claims = read_top(JsonPlace(json, "", faults), taken);
   if (faults.empty()) return claims;
   const std::size_t found = faults.size();
   faults.resize(std::min(found, kMostFaults));

@@ -34,6 +34,7 @@ void judge_unproved_pairs(Bench& bench) {
   const std::vector<Entry>& entries = bench.entries;
   for (std::size_t k = 0; k < entries.size(); ++k) {
     if (is_proved(entries[k]) || entries[k].is_refuted) continue;
+    bench.require_time();
     for (std::size_t other = 0; other < entries.size(); ++other) {
       if (other == k || entries[other].is_refuted) continue;
       if (other > k && !is_proved(entries[other])) continue;  // seen from the later one
@@ -135,9 +136,9 @@ Certificate conjugate(Certificate c) {
   return c;
 }
 
-bool has_unproved_near(const Bench& bench, const Certificate& c) {
-  return std::any_of(bench.entries.begin(), bench.entries.end(), [&](const Entry& entry) {
-    return !is_proved(entry) && apart(entry.x, c.midpoint) <= entry.reach + c.radius[0];
+bool has_near(const std::vector<const Entry*>& entries, const Certificate& c) {
+  return std::any_of(entries.begin(), entries.end(), [&](const Entry* entry) {
+    return apart(entry->x, c.midpoint) <= entry->reach + c.radius[0];
   });
 }
 
@@ -163,8 +164,12 @@ void judge_conjugates(Bench& bench) {
   };
   meet(d.same);
   meet(d.doubtful);
+  std::vector<const Entry*> unproved;
+  for (const Entry& entry : bench.entries) {
+    if (!is_proved(entry)) unproved.push_back(&entry);
+  }
   for (std::size_t k = 0; k < origin.size(); ++k) {
-    const bool is_listed = met[listed + k] || has_unproved_near(bench, all[listed + k]);
+    const bool is_listed = met[listed + k] || has_near(unproved, all[listed + k]);
     bench.verdicts.judge(ClaimKind::complete, is_listed,
                          "the conjugate is a root as well, and is missing", origin[k] + 1);
   }
@@ -199,6 +204,8 @@ void judge_relations(Bench& bench) {
     const Entry& entry = bench.entries[k];
     judge_real(bench, entry, k + 1);
     tally.not_roots += entry.is_refuted ? 1 : 0;
+    const bool is_said = entry.is_regular && bench.claims.roots[k].certified == true;
+    tally.unproved += is_said && !is_proved(entry) && !entry.is_refuted ? 1 : 0;
     if (!is_proved(entry)) continue;
     tally.doubled += d.first_of[k] != k ? 1 : 0;
     if (d.first_of[k] != k) continue;

@@ -8,10 +8,10 @@
 namespace moivre {
 
 std::string to_string(ClaimKind kind) {
-  constexpr const char* names[] = {"system",   "reduced",      "start",       "paths",
-                                   "complete", "root",         "accuracy",    "distinct",
-                                   "real",     "multiplicity", "residual",    "condition",
-                                   "digits",   "certified",    "completeness"};
+  constexpr const char* names[] = {"system",   "reduced",      "start",        "paths",
+                                   "complete", "root",         "accuracy",     "distinct",
+                                   "real",     "multiplicity", "residual",     "condition",
+                                   "digits",   "certified",    "completeness", "bound"};
   return names[static_cast<std::size_t>(kind)];
 }
 
@@ -34,6 +34,12 @@ void Verdicts::leave_open(ClaimKind claim, const std::string& why,
                           std::optional<std::size_t> root) {
   ++tally(claim).open;
   judgement_.open.push_back({claim, root, why});
+}
+
+void Verdicts::leave_proof_open(ClaimKind claim, const std::string& why,
+                                std::optional<std::size_t> root) {
+  ++judgement_.unverified_proofs;
+  leave_open(claim, why, root);
 }
 
 void Verdicts::judge(ClaimKind claim, bool holds, const std::string& why,

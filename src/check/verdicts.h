@@ -15,6 +15,9 @@ class Verdicts {
               std::optional<std::size_t> root = std::nullopt);
   void leave_open(ClaimKind claim, const std::string& why,
                   std::optional<std::size_t> root = std::nullopt);
+  /// What is said to be proved is not proved here.
+  void leave_proof_open(ClaimKind claim, const std::string& why,
+                        std::optional<std::size_t> root = std::nullopt);
   /// Holds, or is refuted for the reason.
   void judge(ClaimKind claim, bool holds, const std::string& why,
              std::optional<std::size_t> root = std::nullopt);

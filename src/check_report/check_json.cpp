@@ -39,6 +39,8 @@ std::string check_json(const Judgement& judgement, const JudgedFiles& files) {
   report["result"] = files.result;
   report["form"] = judgement.form == ClaimForm::solution_list ? "solution list" : "solve";
   report["holds"] = judgement.holds();
+  report["unverified_proofs"] = judgement.unverified_proofs;
+  report["interrupted"] = judgement.interrupted;
   report["stand_in"] = judgement.stand_in.empty() ? Json(nullptr) : Json(judgement.stand_in);
   report["roots"] = roots_json(judgement.roots);
   report["bounds"] = list_json(judgement.bounds, bound_json);

@@ -120,9 +120,16 @@ std::string check_text(const Judgement& judgement, const JudgedFiles& files) {
   text += "Bounds    " + bounds_text(judgement) + '\n';
   text += "Complete  " + proof_text(judgement) + '\n';
   text += claims_text(judgement) + refuted_text(judgement) + open_text(judgement);
-  text += judgement.holds() ? "\nEvery claim that can be verified holds.\n"
-                            : '\n' + counted(judgement.refuted.size(), "claim does", "claims do") +
-                                  " not hold.\n";
+  if (judgement.interrupted) text += "\nInterrupted: not every claim was judged.\n";
+  if (!judgement.holds()) {
+    return text + '\n' + counted(judgement.refuted.size(), "claim does", "claims do") +
+           " not hold.\n";
+  }
+  text += "\nEvery claim that can be verified holds.\n";
+  if (judgement.unverified_proofs > 0) {
+    text += counted(judgement.unverified_proofs, "claim of a proof", "claims of a proof") +
+            " cannot be verified.\n";
+  }
   return text;
 }
 

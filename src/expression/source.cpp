@@ -22,8 +22,6 @@ constexpr std::size_t kWindow = 96;
 constexpr std::size_t kMaximumFaultsInText = 1000;
 
 constexpr std::size_t kMegabyte = 1'000'000;
-/// Far more than a system at the limit of a million terms takes; a device without end is not read for ever.
-constexpr std::size_t kLongestText = 256 * kMegabyte;
 /// Read at a time: first a mechanism's usual length, for every page of memory that is touched costs a microsecond.
 constexpr std::size_t kFirstPiece = 1 << 12;
 constexpr std::size_t kPiece = 1 << 16;
@@ -83,15 +81,15 @@ std::vector<std::string> messages_of(const std::vector<Diagnostic>& faults) {
   return messages;
 }
 
-Source read_whole(const std::string& name, std::istream& stream) {
+Source read_whole(const std::string& name, std::istream& stream, std::size_t longest) {
   std::string text;
   for (std::size_t piece = kFirstPiece; stream; piece = kPiece) {
     const std::size_t before = text.size();
     text.resize(before + piece);
     stream.read(text.data() + before, static_cast<std::streamsize>(piece));
     text.resize(before + static_cast<std::size_t>(stream.gcount()));
-    if (text.size() <= kLongestText) continue;
-    throw InvalidInput(name + ": is longer than " + std::to_string(kLongestText / kMegabyte) +
+    if (text.size() <= longest) continue;
+    throw InvalidInput(name + ": is longer than " + std::to_string(longest / kMegabyte) +
                        " MB, more than any system or mechanism that can be solved");
   }
   if (stream.bad()) {
@@ -115,8 +113,8 @@ SourcePosition after(SourcePosition begin, std::string_view text) {
   return end;
 }
 
-Source read_source(const std::string& path) {
-  if (path == "-") return read_whole("standard input", std::cin);
+Source read_source(const std::string& path, std::size_t longest) {
+  if (path == "-") return read_whole("standard input", std::cin, longest);
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) {
     throw InvalidInput(path + ": cannot be read: it is a directory");
@@ -126,7 +124,7 @@ Source read_source(const std::string& path) {
   if (!file) {
     throw InvalidInput(path + ": cannot be opened: " + std::strerror(errno));
   }
-  return read_whole(path, file);
+  return read_whole(path, file, longest);
 }
 
 std::string to_text(const Diagnostic& diagnostic, const Source& source) {

@@ -15,7 +15,7 @@ namespace moivre {
 namespace {
 
 /// Some forty bytes of memory stand for each byte of the smallest elements; no robot's tree needs a megabyte.
-constexpr std::size_t kLongestText = 16'000'000;
+constexpr std::size_t kLongestXml = 16'000'000;
 
 std::string advice(pugi::xml_parse_status status) {
   static const std::map<pugi::xml_parse_status, std::string> sentences{
@@ -54,7 +54,7 @@ XmlReading::XmlReading(const Source& source)
   for (std::size_t k = 0; k < source.text.size(); ++k) {
     if (source.text[k] == '\n') line_offsets_.push_back(k + 1);
   }
-  if (source.text.size() > kLongestText) {
+  if (source.text.size() > kLongestXml) {
     throw ParseError(source, {{{}, "the file is longer than 16 MB, more than any robot's tree"}});
   }
   const std::size_t zero = source.text.find('\0');

@@ -252,6 +252,23 @@ const Lie kLies[] = {
        r["bound"] = nullptr;
      },
      ClaimKind::completeness},
+    {"a bound of another value", "near-pairs", [](Json& r) { raise(r["bound"]["value"]); },
+     ClaimKind::bound},
+    {"a bound of another kind", "near-pairs", [](Json& r) { r["bound"]["kind"] = "elimination"; },
+     ClaimKind::bound},
+    {"a bound that there is not", "near-pairs", [](Json& r) { r["bound"]["kind"] = "intuition"; },
+     ClaimKind::bound},
+    {"a bound of powers without their exponents", "powers",
+     [](Json& r) { r["bound"]["value"] = 2; }, ClaimKind::bound},
+    {"a bound beside a completeness that is shown", "near-pairs",
+     [](Json& r) { r["completeness"] = "shown"; }, ClaimKind::bound},
+    {"a proof, and a root that is moved and no longer certified", "near-pairs",
+     [](Json& r) {
+       part(r, 1, 0) = 1.01 * part(r, 1, 0).get<double>() + 0.01;
+       root(r, 1)["certified"] = false;
+       root(r, 1)["accuracy"] = 0.1;
+     },
+     ClaimKind::completeness},
     {"an excess root of the combinations called one of the file", "three",
      [](Json& r) { part(r, 1, 0) = -part(r, 1, 0).get<double>(); }, ClaimKind::root, 1},
 };
@@ -278,6 +295,7 @@ TEST(Check, HonestResultsPass) {
        {"plane", "doubles", "three", "cassou", "eco-6", "powers", "beside-a-curve"}) {
     const Judgement judgement = judged(name, honest(name));
     EXPECT_TRUE(judgement.holds()) << name << '\n' << lines(judgement.refuted);
+    EXPECT_TRUE(judgement.proofs_hold()) << name << '\n' << lines(judgement.open);
   }
   EXPECT_TRUE(judged("plane", honest("plane-40")).holds());
 }
@@ -336,6 +354,46 @@ TEST(Check, RepeatsWhatItCannotVerify) {
   // Roots of x = 1 are counted by exact algebra, those of x = sqrt(2) by nobody.
   EXPECT_EQ(open_multiplicities(judged("doubles", honest("doubles"))), 0);
   EXPECT_EQ(open_multiplicities(judged("surds", honest("surds"))), 4);
+}
+
+// A run that is interrupted on two threads has followed paths of any number.
+TEST(Check, AnInterruptedRunHasFollowedSomeOfItsPaths) {
+  Json result = honest("cassou");
+  result["complete"] = false;
+  result["message"] = "interrupted: what is finished is reported";
+  while (result["solutions"].size() > 2) result["solutions"].erase(1);
+  result["paths"]["tracked"] = result["paths"]["finite"] = 2;
+  result["paths"]["at_infinity"] = 0;
+  root(result, 2)["path"] = 23;
+  const Judgement judgement = judged("cassou", result);
+  EXPECT_TRUE(judgement.holds()) << lines(judgement.refuted);
+  root(result, 2)["path"] = 24;
+  EXPECT_TRUE(refutes(judged("cassou", result), ClaimKind::paths, 2));
+}
+
+// (x - 1)^2 = 1e-36 in a file of its own: the roots are one number of double.
+TEST(Check, AProofThatIsNotFoundAgainIsNotCalledFalse) {
+  const System f = system_of_result("near-pairs");
+  Json result = honest("near-pairs");
+  // Points so far from the roots that no certificate is found near them, and none that there is no root.
+  for (Json& solution : result["solutions"]) {
+    for (Json& xj : solution["x"]) xj[0] = xj[0].get<double>() * (1 + 1e-5);
+    solution["accuracy"] = 1e-3;
+    solution["condition"] = 1e16;
+  }
+  const Judgement judgement = judged("near-pairs", result);
+  EXPECT_FALSE(judgement.proofs_hold());
+  EXPECT_FALSE(refutes(judgement, ClaimKind::completeness)) << lines(judgement.refuted);
+}
+
+TEST(Check, AStopEndsTheJudgementWithWhatWasJudged) {
+  const System f = system_of_result("eco-6");
+  const Claims claims = read_claims({"result", honest("eco-6").dump()}, f.variables);
+  const std::atomic<bool> stop{true};
+  const Judgement judgement = check(f, claims, stop);
+  EXPECT_TRUE(judgement.interrupted);
+  EXPECT_TRUE(judgement.holds()) << lines(judgement.refuted);
+  EXPECT_FALSE(judgement.proofs_hold());
 }
 
 TEST(Check, JudgesTheSumsOfAnotherFileButNotItsRoots) {

@@ -10,6 +10,7 @@
 //   residual, condition   recomputed
 //   system, reduced, start, paths, complete   facts and sums; the conjugate of a root of a real system is a root
 //   certified, completeness   proved again here; completeness by a bound of bounds/root_bounds.h that the distinct roots meet
+//   bound         its value is the number of the roots, and that of its kind
 // A list of PHCpack claims roots, each listed once, and how many there are.
 //
 // The judge shares reading, the tape, the certificates and the bounds with the solver, but nothing that follows a path.
@@ -18,6 +19,7 @@
 // A result whose unknowns are not those of the system belongs to another file. It is refuted and judged no further.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -45,7 +47,8 @@ enum class ClaimKind {
   condition,
   digits,
   certified,
-  completeness
+  completeness,
+  bound
 };
 std::string to_string(ClaimKind kind);
 
@@ -69,10 +72,11 @@ struct RootTally {
   std::uint64_t counted =
       0;  ///< multiplicities, by exact algebra, of singular roots that are known exactly
   std::size_t counted_points = 0;  ///< of these
-  std::size_t real = 0;  ///< of the distinct ones, proved
+  std::size_t real = 0;            ///< of the distinct ones, proved
   std::size_t not_real = 0;
   std::size_t doubled = 0;    ///< proved to be an earlier one of the list
   std::size_t not_roots = 0;  ///< proved to have no root near
+  std::size_t unproved = 0;   ///< said to be certified; neither a root nor none is proved near
 };
 
 struct Judgement {
@@ -85,10 +89,16 @@ struct Judgement {
   std::vector<ClaimTally> claims;      ///< of every kind that is claimed
   std::vector<Finding> refuted;
   std::vector<Finding> open;
+  std::size_t unverified_proofs = 0;  ///< of the open claims: what is said to be proved
+  bool interrupted = false;           ///< by the stop flag: what was not judged is in no list
 
   bool holds() const { return refuted.empty(); }
+  /// No claim is refuted, and what is said to be proved is.
+  bool proofs_hold() const { return holds() && unverified_proofs == 0 && !interrupted; }
 };
 
-Judgement check(const System& f, const Claims& claims);
+/// Once `stop` is set the judgement ends with what was judged.
+Judgement check(const System& f, const Claims& claims,
+                const std::atomic<bool>& stop = std::atomic<bool>{false});
 
 }  // namespace moivre

@@ -57,6 +57,12 @@ struct PathClaim {
   std::optional<std::uint64_t> retracked, handed_over;
 };
 
+/// The bound that is said to be met.
+struct BoundClaim {
+  std::string kind;
+  std::uint64_t value = 0;
+};
+
 /// Numbers of roots stated besides the list: top-level `counts`.
 struct CountClaim {
   std::optional<std::uint64_t> complex, real;
@@ -77,7 +83,7 @@ struct Claims {
       0;  ///< roots where a denominator is zero, and roots that were not asked for
   std::optional<int> digits;
   std::optional<std::string> completeness;
-  bool names_bound = false;  ///< the one that proves completeness
+  std::optional<BoundClaim> bound;  ///< the one that proves completeness
   CountClaim counts;
   std::optional<std::uint64_t> listed;  ///< how many roots a solution list announces
 };
