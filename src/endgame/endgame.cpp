@@ -112,7 +112,7 @@ Departure Endgame::along(const Contour& contour, Point x, int samples, Watcher* 
   return departure;
 }
 
-Watcher::Verdict Endgame::watch(const StepRecord& step, PathSystem&) noexcept {
+Watcher::Verdict Endgame::watch(const StepRecord& step, PathSystem&) {
   const double radius = std::abs(step.t.rest);
   if (radius > options_.ends.watch_radius || radius == 0) return Verdict::go_on;
   if (outpost_.empty() || radius > options_.ends.creeping_radius / options_.ends.shrink) {

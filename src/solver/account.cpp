@@ -8,6 +8,7 @@
 #include "certificates.h"
 #include "coincidence.h"
 #include "completeness.h"
+#include "moivre/certify/distinct.h"
 #include "moivre/expression/counted.h"
 
 namespace moivre {
@@ -47,8 +48,57 @@ void enter_places(const std::vector<std::vector<std::uint64_t>>& groups, SolveRe
   }
 }
 
+/// The groups of a run, and the paths of which it was not found out what they end at.
+struct Judged {
+  std::vector<std::vector<std::uint64_t>> groups;
+  std::vector<std::uint64_t> open;
+};
+
+/// Of simple roots those that are proved to be different; nothing is known of the others.
+void enter_simple_ones(const Run& run, const std::vector<std::uint64_t>& group, Judged& judged) {
+  std::vector<const Certificate*> taken;
+  for (const std::uint64_t path : group) {
+    const Certificate* proof = run.ledger.roots().at(path).certificate.get();
+    const bool is_new = proof != nullptr && std::all_of(taken.begin(), taken.end(), [&](auto* one) {
+                          return relation(*one, *proof) == Relation::distinct;
+                        });
+    if (is_new) {
+      taken.push_back(proof);
+      judged.groups.push_back({path});
+    } else {
+      judged.open.push_back(path);
+    }
+  }
+}
+
+/// What an interrupted run has found out without looking further.
+Judged judged_so_far(const Run& run) {
+  Judged judged;
+  for (auto& group : run.ledger.groups()) {
+    const Root& first = run.ledger.roots().at(group.front());
+    const bool is_one_simple = group.size() == 1 && first.point.simple;
+    const bool are_singular = std::none_of(group.begin(), group.end(), [&](std::uint64_t path) {
+      return run.ledger.roots().at(path).point.simple;
+    });
+    if (is_one_simple || (are_singular && first.on_set)) {
+      judged.groups.push_back(std::move(group));
+    } else {
+      enter_simple_ones(run, group, judged);
+    }
+  }
+  std::sort(judged.groups.begin(), judged.groups.end());
+  return judged;
+}
+
+/// As if they had not been followed yet.
+void reopen(const std::vector<std::uint64_t>& paths, SolveResult& result) {
+  for (const std::uint64_t path : paths) result.ledger[path].verdict = PathVerdict::open;
+}
+
 void enter_solutions(const Run& run, SolveResult& result) {
-  const auto groups = groups_of(run);
+  const Judged judged = run.interrupted ? judged_so_far(run) : Judged{groups_of(run), {}};
+  const auto& groups = judged.groups;
+  reopen(judged.open, result);
   for (const auto& group : groups) {
     result.paths.finite += group.size();
     const Root& first = run.ledger.roots().at(group.front());
@@ -64,15 +114,15 @@ void enter_solutions(const Run& run, SolveResult& result) {
   enter_places(groups, result);
 }
 
-void count_paths(const Run& run, PathCounts& counts) {
+void count_paths(const Run& run, const std::vector<PathRecord>& records, PathCounts& counts) {
   counts.failed = run.ledger.failures().size();
   // What a bound has left ends at no root that is not known: it is counted with what ends at infinity.
   for (const PathVerdict verdict :
        {PathVerdict::at_infinity, PathVerdict::as_rounded, PathVerdict::left_by_bound}) {
     counts.at_infinity += run.ledger.count(verdict);
   }
-  counts.tracked = run.ledger.tracked();
-  for (const PathRecord& path : run.ledger.records()) {
+  counts.tracked = counts.finite + counts.at_infinity + counts.failed;
+  for (const PathRecord& path : records) {
     if (path.verdict == PathVerdict::open) continue;  // an interruption came first
     if (path.followed > 1) ++counts.retracked;
     if (path.handed_over) ++counts.handed_over;
@@ -154,16 +204,17 @@ void close_account(const Run& run, SolveResult& result) {
   require_all_entries(run);
   result.ledger = run.ledger.records();
   enter_solutions(run, result);
-  count_paths(run, result.paths);
+  count_paths(run, result.ledger, result.paths);
   for (const auto& [path, failure] : run.ledger.failures()) result.failures.push_back(failure);
   result.work = run.work;
   const bool lacks_image =
       !run.bounds.met && is_real(run.setting.f) && !missing_conjugates(run.ledger).empty();
   const bool all_decided = result.paths.failed == 0 && !lacks_image;
-  auto doubt = contradiction_by_algebra(run, result);
+  auto doubt = run.interrupted ? std::nullopt : contradiction_by_algebra(run, result);
   if (!doubt) doubt = doubt_of_start(run);
   result.complete = !run.interrupted && all_decided && !doubt;
-  result.message = run.interrupted           ? "interrupted: what is finished is reported"
+  result.message = run.out_of_memory         ? "memory ran out: what is finished is reported"
+                   : run.interrupted         ? "interrupted: what is finished is reported"
                    : all_decided             ? doubt.value_or("every path was decided")
                    : result.paths.failed > 0 ? "some paths failed"
                                              : "a root's conjugate is missing among the roots";

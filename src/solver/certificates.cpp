@@ -83,6 +83,7 @@ std::vector<std::vector<std::uint64_t>> groups_of(const Run& run) {
       result.push_back(std::move(group));
       continue;
     }
+    run.require_time();
     for (auto& part : parted(run, certifier, group)) result.push_back(std::move(part));
   }
   return result;

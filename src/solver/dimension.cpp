@@ -57,8 +57,8 @@ struct Limit {
 /// The neighbourhood of one root, y = x + s z with s the natural sizes of the coordinates.
 class Neighbourhood {
  public:
-  Neighbourhood(const RefinerProgram& program, const Point& x, double tolerance,
-                std::uint64_t seed);
+  Neighbourhood(const RefinerProgram& program, const Point& x, double tolerance, std::uint64_t seed,
+                const std::atomic<bool>* stop);
 
   /// The limits of what a plane, moved, meets, up to the first that may be x.
   std::vector<Limit> met(int slice);
@@ -69,6 +69,7 @@ class Neighbourhood {
   using Number = ComplexDoubleDouble;
   using FinePoint = std::vector<Number>;
 
+  bool is_over() const { return stop_ != nullptr && stop_->load(std::memory_order_relaxed); }
   Index dimension() const { return static_cast<Index>(x_.size()); }
   Index equations() const { return static_cast<Index>(program_.tape.equations); }
   void evaluate_at(const FinePoint& z);
@@ -85,6 +86,7 @@ class Neighbourhood {
   const Point& x_;
   double known_to_;  ///< x, absolute
   std::uint64_t seed_;
+  const std::atomic<bool>* stop_;
   std::vector<double> scale_;
   MatrixXcd null_space_;
   std::vector<double> size_y_, size_registers_, size_;
@@ -97,11 +99,12 @@ class Neighbourhood {
 };
 
 Neighbourhood::Neighbourhood(const RefinerProgram& program, const Point& x, double tolerance,
-                             std::uint64_t seed)
+                             std::uint64_t seed, const std::atomic<bool>* stop)
     : program_(program),
       x_(x),
       known_to_(tolerance * std::max(1.0, max_norm(x))),
       seed_(seed),
+      stop_(stop),
       size_y_(x.size()),
       size_registers_(program.tape.register_count()),
       size_(program.tape.equations),
@@ -182,7 +185,7 @@ Neighbourhood::FinePoint Neighbourhood::start_on(const VectorXcd& plane, int num
 std::vector<Limit> Neighbourhood::met(int slice) {
   const VectorXcd plane = random_vector(null_space_.cols(), slice).normalized();
   std::vector<Limit> limits;
-  for (int start = 0; start < kStarts; ++start) {
+  for (int start = 0; start < kStarts && !is_over(); ++start) {
     const auto there = limit(plane, slice, start_on(plane, slice * kStarts + start));
     if (!there) continue;
     limits.push_back(*there);
@@ -271,6 +274,7 @@ std::optional<double> Neighbourhood::settle(const MatrixXcd& planes, double step
   bool is_root = false;
   int waited = 0;
   for (int k = 0; k < kMaximumIterations && waited < kPatience; ++k) {
+    if (is_over()) return {};
     evaluate_at(z);
     const VectorXcd here = rounded(z);
     if (!here.allFinite() || here.lpNorm<Eigen::Infinity>() > kNeighbourhood * step) return {};
@@ -294,9 +298,9 @@ std::optional<double> Neighbourhood::settle(const MatrixXcd& planes, double step
 }  // namespace
 
 SetHere set_through(const RefinerProgram& program, const Point& x, double tolerance,
-                    std::uint64_t seed) {
+                    std::uint64_t seed, const std::atomic<bool>* stop) {
   if (x.size() < 2) return SetHere::none;
-  Neighbourhood neighbourhood(program, x, tolerance, seed);
+  Neighbourhood neighbourhood(program, x, tolerance, seed, stop);
   std::vector<Limit> through;
   double beside = std::numeric_limits<double>::infinity();
   int sure = 0;

@@ -23,6 +23,8 @@
 // Source: [SommeseWampler05, ch. 13], local dimension by slicing.
 #pragma once
 
+#include <atomic>
+
 #include "refine.h"
 
 namespace moivre {
@@ -33,8 +35,9 @@ enum class SetHere {
   sharp
 };
 
-/// program: F as given. x: a singular root of F, n coordinates, known to `tolerance`, relative to max(1, |x|_inf).
+/// program: F as given. x: a singular root of F, n coordinates, known to `tolerance`, relative to max(1, |x|_inf). Once `stop` is set
+/// the answer comes at once and means nothing.
 SetHere set_through(const RefinerProgram& program, const Point& x, double tolerance,
-                    std::uint64_t seed);
+                    std::uint64_t seed, const std::atomic<bool>* stop = nullptr);
 
 }  // namespace moivre

@@ -17,7 +17,7 @@ class DriftWatcher : public Watcher {
  public:
   explicit DriftWatcher(PathDrift& drift) : drift_(&drift) {}
 
-  Verdict watch(const StepRecord& step, PathSystem& path) noexcept override {
+  Verdict watch(const StepRecord& step, PathSystem& path) override {
     path.linearize(step.x, step.t);
     const double after = path.residual();
     drift_->after = std::max(drift_->after, after);
@@ -79,8 +79,12 @@ std::vector<PathDrift> measure_drift(const System& f, const Tracker& tracker,
                                      const std::atomic<bool>& stop) {
   require_square(f);
   const Prepared prepared = prepare(f, options, stop);
-  require_paths(prepared);
   std::vector<PathDrift> drifts(paths.size());
+  if (prepared.interrupted) {
+    for (std::size_t k = 0; k < paths.size(); ++k) drifts[k].path = paths[k];
+    return drifts;
+  }
+  require_paths(prepared);
   for (std::size_t k = 0; k < paths.size(); ++k) {
     if (paths[k] >= prepared.plan->paths) {
       throw InvalidInput("there is no path " + std::to_string(paths[k]));

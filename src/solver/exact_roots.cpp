@@ -36,17 +36,27 @@ std::vector<Rational> parts_of(const std::vector<Coefficient>& candidate) {
   return parts;
 }
 
-/// Until one of the roundings is a root.
+std::vector<double> numbers_of(const Point& x) {
+  std::vector<double> numbers;
+  for (const Complex& xi : x) numbers.insert(numbers.end(), {xi.real(), xi.imag()});
+  return numbers;
+}
+
+/// Until one of the roundings is a root. What was found near a point once is found again.
 void look_near(Run& run, const Point& x) {
   const bool is_finite = std::all_of(x.begin(), x.end(), [](const Complex& xi) {
     return std::isfinite(xi.real()) && std::isfinite(xi.imag());
   });
   if (!is_finite) return;
+  std::vector<double> numbers = numbers_of(x);
+  if (run.looked_near.contains(numbers)) return;
   for (const std::vector<Coefficient>& candidate : fractions_near(x, kWorstEnd)) {
     const auto [place, is_new] = run.looked_at.try_emplace(parts_of(candidate));
     if (is_new) place->second = root_at(run.setting.f, candidate);
-    if (place->second.multiplicity > 0) return;
+    if (place->second.multiplicity > 0) break;
+    run.require_time();
   }
+  run.looked_near.insert(std::move(numbers));
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ namespace moivre {
 /// larger errors of each coordinate, at last of the whole point.
 std::vector<std::vector<Coefficient>> fractions_near(const Point& x, double known_to);
 
-/// Of multiplicity 2 at least; none where nothing is to be proved.
+/// Of multiplicity 2 at least; none where nothing is to be proved. Throws Interrupted.
 std::vector<ExactRoot> exact_roots(Run& run);
 
 }  // namespace moivre

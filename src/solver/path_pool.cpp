@@ -10,6 +10,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <new>
 #include <utility>
 #include <vector>
 
@@ -42,6 +43,7 @@ struct Shared {
   std::atomic<std::uint64_t> next{0};
   std::atomic<bool> has_thrown{
       false};  ///< the sink: no other path begins, no other end is handed in
+  std::atomic<bool> is_exhausted{false};  ///< memory ran out: no other path begins
   std::mutex sink_mutex = {};
   std::vector<Waiting> waiting = {};
 
@@ -60,7 +62,9 @@ struct Shared {
     waiting.push_back({path, std::move(endgame)});
   }
 
-  bool is_over() const { return stop.load(std::memory_order_relaxed) || has_thrown; }
+  bool is_over() const {
+    return stop.load(std::memory_order_relaxed) || has_thrown || is_exhausted;
+  }
 
   std::optional<std::uint64_t> draw() {
     if (is_over()) return std::nullopt;
@@ -227,7 +231,7 @@ void for_each_parallel(std::size_t count, int threads, const std::function<void(
   arena.execute([&] { tbb::parallel_for(std::size_t{0}, count, f); });
 }
 
-void track_paths(const PathProblem& problem, const PathList& paths, int care, int threads,
+bool track_paths(const PathProblem& problem, const PathList& paths, int care, int threads,
                  const EndSink& sink, const std::atomic<bool>& stop) {
   Shared shared{paths, care, sink, stop};
   EndgameOptions options = problem.endgame;
@@ -235,9 +239,20 @@ void track_paths(const PathProblem& problem, const PathList& paths, int care, in
   const bool few = paths.count <= kFewPaths && care == 0;
   const std::uint64_t sessions =
       std::min(few ? std::uint64_t{1} : static_cast<std::uint64_t>(threads), paths.count);
-  for_each_parallel(sessions, threads,
-                    [&](std::size_t) { track_on_one_thread(problem, options, sessions, shared); });
-  if (!shared.waiting.empty()) walk_on(problem, options, threads, shared);
+  const auto within_memory = [&shared](const std::function<void()>& work) {
+    try {
+      work();
+    } catch (const std::bad_alloc&) {
+      shared.is_exhausted = true;
+    }
+  };
+  for_each_parallel(sessions, threads, [&](std::size_t) {
+    within_memory([&] { track_on_one_thread(problem, options, sessions, shared); });
+  });
+  if (!shared.waiting.empty() && !shared.is_exhausted) {
+    within_memory([&] { walk_on(problem, options, threads, shared); });
+  }
+  return !shared.is_exhausted;
 }
 
 }  // namespace moivre

@@ -39,8 +39,9 @@ struct PathList {
 };
 
 /// Follows them on `threads` threads, at most all at once: they may wait for one another. Paths cut short by
-/// `stop` end as Failure::cancelled; those not yet begun are not reported.
-void track_paths(const PathProblem& problem, const PathList& paths, int care, int threads,
+/// `stop` end as Failure::cancelled; those not yet begun are not reported. False where memory ran out: those under way on the thread
+/// that met it are not reported either.
+bool track_paths(const PathProblem& problem, const PathList& paths, int care, int threads,
                  const EndSink& sink, const std::atomic<bool>& stop);
 
 /// f(k) for k in [0, count) on `threads` threads; in order on the caller's thread when that is one.

@@ -84,7 +84,10 @@ Prepared prepare_reduced(Reduction reduction, const SolveOptions& options,
   for (const Omission& omission : prepared.reduction.left_out) {
     prepared.left_out.push_back({omission.what, omission.why});
   }
-  if (prepared.reduction.verdict != Reduction::Verdict::square) return prepared;
+  prepared.interrupted = stop;
+  if (prepared.interrupted || prepared.reduction.verdict != Reduction::Verdict::square) {
+    return prepared;
+  }
   const System& reduced = prepared.reduction.system;
   prepared.scaling = options.scale ? choose_scaling(reduced)
                                    : Scaling{std::vector<int>(reduced.variables.size()),
@@ -127,7 +130,7 @@ double expected_cost(const Prepared& prepared) {
 
 Prepared prepare(const System& f, const SolveOptions& options, const std::atomic<bool>& stop) {
   Prepared reduced =
-      prepare_reduced(options.eliminate ? eliminate(f) : keep_everything(f), options, stop);
+      prepare_reduced(options.eliminate ? eliminate(f, &stop) : keep_everything(f), options, stop);
   if (!may_have_fewer_paths_whole(reduced, options)) return reduced;
   Prepared whole = prepare_reduced(keep_everything(f), options, stop);
   if (whole.interrupted) return whole;
@@ -162,6 +165,7 @@ Prepared prepare_given(const System& f, GivenStart start) {
 
 void require_paths(const Prepared& prepared) {
   if (prepared.plan) return;
+  if (prepared.interrupted) throw InvalidInput("interrupted: no path was followed");
   throw InvalidInput("there is no path to follow: elimination alone decides the system");
 }
 

@@ -43,8 +43,11 @@ bool Budget::allows(std::uint64_t worth) {
 SetHere set_of(const Run& run, const Root& root) {
   if (!root.on_set) {
     const Setting& setting = run.setting;
-    root.on_set =
-        set_through(*setting.refiner_program, root.point.x, root.tolerance, setting.options.seed);
+    run.require_time();
+    const SetHere found = set_through(*setting.refiner_program, root.point.x, root.tolerance,
+                                      setting.options.seed, &setting.stop);
+    run.require_time();
+    root.on_set = found;
   }
   return *root.on_set;
 }

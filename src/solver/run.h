@@ -8,6 +8,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "effort.h"
@@ -50,6 +51,9 @@ struct Bounds {
 /// By the candidate, real and imaginary part of each coordinate in turn; multiplicity 0: it is no root, or nothing can be said.
 using ExactCandidates = std::map<std::vector<Rational>, ExactRoot>;
 
+/// Thrown where an answer would take its time and the run is to stop. What is entered so far stands.
+struct Interrupted {};
+
 struct Run {
   explicit Run(const Setting& the_setting) : setting(the_setting) {}
 
@@ -62,13 +66,20 @@ struct Run {
   Marks
       sheets;  ///< of the points over one t to which paths have gone back from ends that circles have told
   Bounds bounds;
-  ExactCandidates looked_at;  ///< each candidate for an exact root once
+  ExactCandidates looked_at;                  ///< each candidate for an exact root once
+  std::set<std::vector<double>> looked_near;  ///< points whose candidates were looked at
   PathSet in_all_digits;  ///< followed by the last of Trackers::finer: once more tells nothing new
   StepCount work;
   bool interrupted = false;
+  bool out_of_memory = false;  ///< that is why
+
+  /// Throws Interrupted where the run is to stop.
+  void require_time() const {
+    if (setting.stop.load(std::memory_order_relaxed)) throw Interrupted();
+  }
 };
 
-/// Whether the root lies on a positive-dimensional set; asked once a root.
+/// Whether the root lies on a positive-dimensional set; asked once a root. Throws Interrupted.
 SetHere set_of(const Run& run, const Root& root);
 bool is_on_set(const Run& run, const Root& root);
 

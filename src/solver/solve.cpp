@@ -3,7 +3,10 @@
 #include "moivre/solver/solve.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <ctime>
+#include <functional>
+#include <new>
 #include <stdexcept>
 
 #include "account.h"
@@ -84,6 +87,19 @@ void enter_eliminated(Solution&& root, SolveResult& result) {
   tell_eliminated(1, result);
 }
 
+/// A record of each path is kept in any case.
+void require_memory(const Setting& setting) {
+  constexpr double kGigabyte = 1e9;
+  const std::uint64_t memory = setting.options.memory;
+  const std::uint64_t paths = setting.prepared.start.paths;
+  if (memory == 0 || paths <= memory / sizeof(PathRecord)) return;
+  char sizes[80];
+  std::snprintf(sizes, sizeof sizes, " take %.3g GB at least, and there are %.3g GB",
+                static_cast<double>(paths) * sizeof(PathRecord) / kGigabyte,
+                static_cast<double>(memory) / kGigabyte);
+  throw std::invalid_argument(counted(paths, "path") + sizes);
+}
+
 /// False where paths have to be followed.
 bool decided_without_tracking(const Setting& setting, SolveResult& result) {
   if (setting.prepared.interrupted) {
@@ -126,19 +142,35 @@ void track_to_ends(Run& run) {
   }
 }
 
+/// Where it is to stop, or memory runs out, the run ends with what is entered.
+void as_far_as_possible(Run& run, const std::function<void()>& steps) {
+  if (run.interrupted) return;
+  try {
+    steps();
+  } catch (const Interrupted&) {
+    run.interrupted = true;
+  } catch (const std::bad_alloc&) {
+    run.interrupted = run.out_of_memory = true;
+  }
+}
+
 SolveResult solve_in(const Setting& setting, Stopwatch& watch) {
   SolveResult result = described(setting);
   result.time.start = watch.lap();
   if (!decided_without_tracking(setting, result)) {
+    require_memory(setting);
     Run run(setting);
     const std::clock_t begin = std::clock();
-    track_to_ends(run);
+    as_far_as_possible(run, [&] { track_to_ends(run); });
     result.time.track_cpu = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
     result.time.track = watch.lap();
-    settle_doubts(run);
-    part_clusters(run);
-    climb_at_last(run);
-    settle_by_bound(run);
+    as_far_as_possible(run, [&] {
+      settle_doubts(run);
+      part_clusters(run);
+      climb_at_last(run);
+      settle_by_bound(run);
+    });
+    if (setting.stop) run.interrupted = true;
     close_account(run, result);
     result.time.refine = watch.lap();
   }

@@ -31,7 +31,7 @@ class Recorder : public Watcher {
     ++journey_;
   }
 
-  Verdict watch(const StepRecord& record, PathSystem& path) noexcept override {
+  Verdict watch(const StepRecord& record, PathSystem& path) override {
     TraceStep& step = steps_.emplace_back();
     step.journey = journey_;
     step.s = record.s;

@@ -32,15 +32,19 @@ void follow(Run& run, const PathProblem& problem, const PathList& paths, int car
     ++ended;
     sink(path, std::move(end));
   };
-  for (std::uint64_t first = 0; first < paths.count && !setting.stop; first += kPathsTogether) {
+  bool has_memory = true;
+  for (std::uint64_t first = 0; first < paths.count && has_memory && !setting.stop;
+       first += kPathsTogether) {
     const PathList block{std::min(kPathsTogether, paths.count - first),
                          [&](std::uint64_t k) { return paths.path_of(first + k); }, paths.outposts};
-    track_paths(problem, block, care, setting.threads, sink_unless_cancelled, setting.stop);
+    has_memory =
+        track_paths(problem, block, care, setting.threads, sink_unless_cancelled, setting.stop);
     // Ends that wait to be refined take much more memory than roots.
     judge_ends(run);
   }
   // What was refined after a stop is not proved.
   if (ended < paths.count || setting.stop) run.interrupted = true;
+  if (!has_memory) run.interrupted = run.out_of_memory = true;
 }
 
 void follow(Run& run, const PathProblem& problem, const PathSet& paths, int care,

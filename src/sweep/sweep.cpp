@@ -102,7 +102,7 @@ class Sweep {
       sharpen(between, b, along, width, borders);
       return;
     }
-    borders.push_back({place(0.5), a.found, b.found, along});
+    if (!stop_) borders.push_back({place(0.5), a.found, b.found, along});
   }
 
  private:

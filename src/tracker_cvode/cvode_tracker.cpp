@@ -34,7 +34,7 @@ class CvodeSession : public TrackerSession {
     set_up();
   }
 
-  void run(DepartureSource& source, const std::atomic<bool>& stop) noexcept override {
+  void run(DepartureSource& source, const std::atomic<bool>& stop) override {
     while (std::optional<Departure> departure = source.next()) {
       Arrival arrival = travel(*departure, stop);
       source.arrived(*departure, std::move(arrival));
@@ -45,7 +45,7 @@ class CvodeSession : public TrackerSession {
   bool projects() const { return options_.method == CvodeMethod::bdf_projection; }
 
   void set_up();
-  Arrival travel(const Departure& departure, const std::atomic<bool>& stop) noexcept;
+  Arrival travel(const Departure& departure, const std::atomic<bool>& stop);
   bool depart(const Departure& departure);
   Journey step_on(const Departure& departure, const std::atomic<bool>& stop, Arrival& arrival);
   bool take_samples(const Departure& departure, double previous, double s, Arrival& arrival);
@@ -221,7 +221,7 @@ Journey CvodeSession::step_on(const Departure& departure, const std::atomic<bool
   return Journey::arrived;
 }
 
-Arrival CvodeSession::travel(const Departure& departure, const std::atomic<bool>& stop) noexcept {
+Arrival CvodeSession::travel(const Departure& departure, const std::atomic<bool>& stop) {
   const WorkCount before = path_.work();
   Arrival arrival;
   arrival.x = departure.x;

@@ -35,7 +35,7 @@ class LaneSession : public TrackerSession {
         point_(newton_.coordinates()),
         tangent_(newton_.coordinates()) {}
 
-  void run(DepartureSource& source, const std::atomic<bool>& stop) noexcept override {
+  void run(DepartureSource& source, const std::atomic<bool>& stop) override {
     bool may_have_more = true;
     for (;;) {
       if (may_have_more) may_have_more = refill(source);

@@ -124,7 +124,7 @@ class Endgame : public Watcher {
   const PathEnd& end() const noexcept { return end_; }
   PathEnd& end() noexcept { return end_; }
 
-  Verdict watch(const StepRecord& step, PathSystem& path) noexcept override;
+  Verdict watch(const StepRecord& step, PathSystem& path) override;
 
  private:
   enum class Phase { whole_way, first_approach, approach, circle, landing, way_back };

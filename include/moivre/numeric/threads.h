@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <future>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -16,12 +17,16 @@ inline int thread_count(int wanted) {
   return wanted > 0 ? wanted : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-/// work() on each of so many threads, at least on the caller's.
+/// work() on each of so many threads, at least on the caller's; on fewer where the system gives no more.
 template <class Work>
 void on_threads(int threads, const Work& work) {
   std::vector<std::future<void>> others;
-  for (int k = 1; k < threads; ++k) {
-    others.push_back(std::async(std::launch::async, [&work] { work(); }));
+  try {
+    for (int k = 1; k < threads; ++k) {
+      others.push_back(std::async(std::launch::async, [&work] { work(); }));
+    }
+  } catch (const std::system_error&) {
+    // Of what is to be done each thread takes what is left.
   }
   work();
   for (std::future<void>& other : others) other.get();

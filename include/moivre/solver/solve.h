@@ -75,6 +75,8 @@ struct SolveOptions {
   Precision precision = Precision::automatic;
   bool certify = true;  ///< proofs are told; they are made in any case
   EndgameOptions endgame;
+  /// Bytes that there are; 0: not known. A run whose paths cannot be kept within them is refused before it begins.
+  std::uint64_t memory = 0;
   /// Tracks again the paths that `tracker` left in doubt; in double-double too, where it has lanes for that and `tracker` has not. Not owned, may
   /// be nullptr.
   const Tracker* fallback = nullptr;
@@ -260,7 +262,8 @@ struct SolveResult {
 };
 
 /// Throws before any tracking: InvalidInput, with every broken rule, when the system breaks one (polynomial/system.h), an option is out of
-/// range, or there are fewer equations than unknowns without `slice`; std::overflow_error when the number of paths exceeds 64 bits. A set `stop` ends the run with the paths
+/// range, the paths do not fit into `memory`, or there are fewer equations than unknowns without `slice`; std::overflow_error when the number
+/// of paths exceeds 64 bits. A set `stop` ends the run with the paths
 /// that are finished.
 SolveResult solve(const System& f, const Tracker& tracker, const SolveOptions& options = {},
                   const std::atomic<bool>& stop = std::atomic<bool>{false});

@@ -88,7 +88,7 @@ class FineSession : public TrackerSession {
     }
   }
 
-  void run(DepartureSource& source, const std::atomic<bool>& stop) noexcept override {
+  void run(DepartureSource& source, const std::atomic<bool>& stop) override {
     while (std::optional<Departure> departure = source.next()) {
       Arrival arrival = travel(*departure, stop);
       source.arrived(*departure, std::move(arrival));

@@ -39,12 +39,12 @@ struct StepRecord {
   double correction = 0;  ///< |dx_1|_w of the first Newton correction; 0 without correction
 };
 
-/// Sees every accepted step of one segment, and may end it. Called by the thread that tracks; must not throw.
+/// Sees every accepted step of one segment, and may end it. Called by the thread that tracks.
 class Watcher {
  public:
   virtual ~Watcher() = default;
   enum class Verdict { go_on, stop };
-  virtual Verdict watch(const StepRecord& step, PathSystem& path) noexcept = 0;
+  virtual Verdict watch(const StepRecord& step, PathSystem& path) = 0;
 };
 
 struct Departure {
@@ -104,8 +104,9 @@ class DepartureSource {
 class TrackerSession {
  public:
   virtual ~TrackerSession() = default;
-  /// Until the source has no more departures. A set `stop` ends segments under way with Journey::cancelled.
-  virtual void run(DepartureSource& source, const std::atomic<bool>& stop) noexcept = 0;
+  /// Until the source has no more departures. A set `stop` ends segments under way with Journey::cancelled. Throws what the source
+  /// throws, and std::bad_alloc; segments under way are lost then, and the session is of no more use.
+  virtual void run(DepartureSource& source, const std::atomic<bool>& stop) = 0;
 };
 
 class Tracker {
