@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "moivre/arm_report/arm_report.h"
+#include "moivre/report/csv_cell.h"
 #include "moivre/report/number_text.h"
 
 namespace moivre {
@@ -12,7 +13,7 @@ std::string arm_csv(const ArmReport& report, bool in_degrees) {
   std::string text =
       "pose,id,path,residual,newton_iterations,smallest_singular_value,within_limits";
   for (const ArmJoint& joint : report.arm.joints) {
-    text += ',' + joint.name + (joint.is_slide ? "" : unit);
+    text += ',' + csv_cell(joint.name + (joint.is_slide ? "" : unit));
   }
   text += '\n';
   for (std::size_t pose = 0; pose < report.results.size(); ++pose) {

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "moivre/closure_report/readings_report.h"
+#include "moivre/report/csv_cell.h"
 #include "moivre/report/number_text.h"
 #include "readings_parts.h"
 
@@ -27,7 +28,8 @@ std::string columns_csv(const MotionResult& motion, const Readings& readings,
   for (const Driver& driver : mechanism.drivers) {
     text += ',' + column_name("driver " + label_of(driver), kind_of(mechanism, driver), form);
   }
-  for (const Quantity& quantity : readings.quantities) text += ',' + column_name(quantity, form);
+  for (const Quantity& quantity : readings.quantities)
+    text += ',' + csv_cell(column_name(quantity, form));
   text += '\n';
   for (std::size_t b = 0; b < motion.branches.size(); ++b) {
     const MotionBranch& branch = motion.branches[b];

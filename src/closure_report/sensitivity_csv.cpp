@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Sensitivities as a table: one line per closure and dimension.
 #include "moivre/closure_report/sensitivity_report.h"
+#include "moivre/report/csv_cell.h"
 #include "moivre/report/number_text.h"
 
 namespace moivre {
@@ -37,7 +38,7 @@ std::string sensitivity_csv(const Sensitivities& told, const Mechanism& mechanis
     for (std::size_t k = 0; k < told.dimensions.size(); ++k) {
       const bool is_angle = told.dimensions[k].is_angle;
       const double unit = units_in(is_angle ? CoordinateKind::angle : CoordinateKind::length, form);
-      text += closure.id + ',' + told.dimensions[k].name + ',' +
+      text += closure.id + ',' + csv_cell(told.dimensions[k].name) + ',' +
               (is_angle ? unit_of(form) : mechanism.units.length) + ',' +
               exact_text(told.values[k] * unit) + ',' + exact_text(told.tolerances[k] * unit);
       for (std::size_t i = 0; i < told.quantities.size(); ++i) {

@@ -3,13 +3,15 @@
 #include <map>
 
 #include "moivre/report/solve_report.h"
+#include "moivre/report/text_pieces.h"
 
 namespace moivre {
 
-std::string paths_csv(const SolveResult& result) {
+void write_paths_csv(const TextSink& sink, const SolveResult& result) {
   std::map<std::uint64_t, Failure> reasons;
   for (const FailedPath& path : result.failures) reasons[path.path] = path.failure;
-  std::string text = "path,stage,verdict,solution,reason,precision,followed,handed_over,steps\n";
+  TextPieces text(sink);
+  text += "path,stage,verdict,solution,reason,precision,followed,handed_over,steps\n";
   for (std::uint64_t k = 0; k < result.ledger.size(); ++k) {
     const PathRecord& path = result.ledger[k];
     const bool is_placed = path.solution != PathRecord::kNoSolution;
@@ -22,7 +24,11 @@ std::string paths_csv(const SolveResult& result) {
             to_string(path.rung) + ',' + std::to_string(path.followed) + ',' +
             (path.handed_over ? "1," : "0,") + std::to_string(path.steps) + '\n';
   }
-  return text;
+  text.flush();
+}
+
+std::string paths_csv(const SolveResult& result) {
+  return whole_text([&](const TextSink& sink) { write_paths_csv(sink, result); });
 }
 
 }  // namespace moivre

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A solve as JSON: the contract of docs/json.md, key by key.
-#include "moivre/report/json.h"
+#include "moivre/report/json_writer.h"
 #include "moivre/report/solve_report.h"
+#include "moivre/report/text_pieces.h"
 
 namespace moivre {
 namespace {
@@ -29,33 +30,39 @@ Json cross_check_json(const CrossCheck& check) {
 
 }  // namespace
 
-std::string solve_json(const SolveResult& result, const std::string& file) {
-  Json report = report_head("solve", file);
-  report["seed"] = result.seed;
-  report["complete"] = result.complete;
-  report["message"] = result.message;
-  report["system"] = to_json(result.system);
-  report["reduced"] = reduced_json(result.reduced);
-  report["start"] = to_json(result.start);
-  report["completeness"] = result.completeness ? Json(to_string(*result.completeness)) : Json();
-  report["bound"] = result.bound ? to_json(*result.bound) : Json();
-  report["tracker"] = tracker_json(result.tracker, result.tracker_options);
-  report["paths"] = to_json(result.paths);
-  if (result.digits) report["digits"] = *result.digits;
-  report["solutions"] = list_json(result.solutions, [&](const Solution& s) {
-    Json solution = to_json(s);
-    if (result.digits) solution["x_digits"] = digits_json(s.x_digits);
-    return solution;
+void write_solve_json(const TextSink& sink, const SolveResult& result, const std::string& file) {
+  write_json(sink, [&](JsonWriter& report) {
+    report.members(report_head("solve", file));
+    report.member("seed", result.seed);
+    report.member("complete", result.complete);
+    report.member("message", result.message);
+    report.member("system", to_json(result.system));
+    report.member("reduced", reduced_json(result.reduced));
+    report.member("start", to_json(result.start));
+    report.member("completeness",
+                  result.completeness ? Json(to_string(*result.completeness)) : Json());
+    report.member("bound", result.bound ? to_json(*result.bound) : Json());
+    report.member("tracker", tracker_json(result.tracker, result.tracker_options));
+    report.member("paths", to_json(result.paths));
+    if (result.digits) report.member("digits", *result.digits);
+    report.list("solutions", result.solutions, [&](const Solution& s) {
+      Json solution = to_json(s);
+      if (result.digits) solution["x_digits"] = digits_json(s.x_digits);
+      return solution;
+    });
+    report.member("excess", result.excess);
+    if (result.on_denominators > 0) report.member("on_denominators", result.on_denominators);
+    if (result.filtered > 0) report.member("filtered", result.filtered);
+    report.list("failures", result.failures, [](const FailedPath& f) { return to_json(f); });
+    if (result.cross_check) report.member("cross_check", cross_check_json(*result.cross_check));
+    report.member("left_out", to_json(result.left_out));
+    report.member("work", work_json(result.work));
+    report.member("time_s", to_json(result.time));
   });
-  report["excess"] = result.excess;
-  if (result.on_denominators > 0) report["on_denominators"] = result.on_denominators;
-  if (result.filtered > 0) report["filtered"] = result.filtered;
-  report["failures"] = list_json(result.failures, [](const FailedPath& f) { return to_json(f); });
-  if (result.cross_check) report["cross_check"] = cross_check_json(*result.cross_check);
-  report["left_out"] = to_json(result.left_out);
-  report["work"] = work_json(result.work);
-  report["time_s"] = to_json(result.time);
-  return to_text(report);
+}
+
+std::string solve_json(const SolveResult& result, const std::string& file) {
+  return whole_text([&](const TextSink& sink) { write_solve_json(sink, result, file); });
 }
 
 }  // namespace moivre

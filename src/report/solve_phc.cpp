@@ -6,6 +6,7 @@
 #include "moivre/polynomial/write.h"
 #include "moivre/report/number_text.h"
 #include "moivre/report/solve_report.h"
+#include "moivre/report/text_pieces.h"
 
 namespace moivre {
 namespace {
@@ -26,8 +27,9 @@ std::string figures(const Solution& root) {
 
 }  // namespace
 
-std::string solve_phc(const SolveResult& result, const System& f) {
-  std::string text = to_text(f, PolynomialFormat::phcpack);
+void write_solve_phc(const TextSink& sink, const SolveResult& result, const System& f) {
+  TextPieces text(sink);
+  text += to_text(f, PolynomialFormat::phcpack);
   text += "\nTHE SOLUTIONS :\n" + std::to_string(result.solutions.size()) + ' ' +
           std::to_string(f.variables.size()) + '\n' + kRule + '\n';
   std::size_t width = 0;
@@ -44,7 +46,11 @@ std::string solve_phc(const SolveResult& result, const System& f) {
     }
     text += figures(root);
   }
-  return text;
+  text.flush();
+}
+
+std::string solve_phc(const SolveResult& result, const System& f) {
+  return whole_text([&](const TextSink& sink) { write_solve_phc(sink, result, f); });
 }
 
 }  // namespace moivre

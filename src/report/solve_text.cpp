@@ -8,6 +8,7 @@
 #include "moivre/report/number_text.h"
 #include "moivre/report/solve_report.h"
 #include "moivre/report/text_blocks.h"
+#include "moivre/report/text_pieces.h"
 
 namespace moivre {
 namespace {
@@ -130,8 +131,7 @@ std::string root_text(const Solution& root, const std::vector<std::string>& name
   return text;
 }
 
-std::string roots_text(const SolveResult& result, ListedRoots listed) {
-  std::string text;
+void write_roots(TextPieces& text, const SolveResult& result, ListedRoots listed) {
   std::uint64_t hidden = 0;
   for (const Solution& root : result.solutions) {
     if (root.real || listed == ListedRoots::all) {
@@ -144,7 +144,6 @@ std::string roots_text(const SolveResult& result, ListedRoots listed) {
     text += '\n' + counted(hidden, "root is", "roots are") + " not real (--all lists " +
             (hidden == 1 ? "it" : "them") + ")\n";
   }
-  return text;
 }
 
 std::string failures_text(const std::vector<FailedPath>& failures) {
@@ -184,14 +183,21 @@ std::string time_line(const SolveTime& time) {
 
 }  // namespace
 
-std::string solve_text(const SolveResult& result, const std::string& file, ListedRoots listed) {
-  std::string text = system_line(result, file) + paths_line(result) + roots_line(result);
+void write_solve_text(const TextSink& sink, const SolveResult& result, const std::string& file,
+                      ListedRoots listed) {
+  TextPieces text(sink);
+  text += system_line(result, file) + paths_line(result) + roots_line(result);
   text += cross_check_text(result);
   text += result.message + '\n' + completeness_line(result);
-  text += roots_text(result, listed);
+  write_roots(text, result, listed);
   text += failures_text(result.failures);
   text += left_out_text(result.left_out);
-  return text + time_line(result.time);
+  text += time_line(result.time);
+  text.flush();
+}
+
+std::string solve_text(const SolveResult& result, const std::string& file, ListedRoots listed) {
+  return whole_text([&](const TextSink& sink) { write_solve_text(sink, result, file, listed); });
 }
 
 }  // namespace moivre

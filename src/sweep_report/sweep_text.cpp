@@ -6,6 +6,7 @@
 #include "assemblies_text.h"
 #include "moivre/expression/counted.h"
 #include "moivre/expression/joined.h"
+#include "moivre/report/csv_cell.h"
 #include "moivre/report/json.h"
 #include "moivre/report/number_text.h"
 #include "moivre/sweep_report/sweep_report.h"
@@ -103,7 +104,7 @@ std::string sweep_json(const SweepResult& result, const std::string& file,
 
 std::string sweep_csv(const SweepResult& result) {
   std::string text;
-  for (const Varied& number : result.varied) text += number.name + ',';
+  for (const Varied& number : result.varied) text += csv_cell(number.name) + ',';
   text += "complex,real,complete,moves,filtered,fitted\n";
   for (const SweepSample& sample : result.samples) {
     for (const double value : sample.at) text += exact_text(value) + ',';

@@ -18,18 +18,28 @@
 #include <string>
 
 #include "moivre/polynomial/system.h"
+#include "moivre/report/text_sink.h"
 #include "moivre/solver/solve.h"
 
 namespace moivre {
 
 enum class ListedRoots { real, all };
 
+/// Piece by piece: a root is held at a time.
+void write_solve_text(const TextSink& sink, const SolveResult& result, const std::string& file,
+                      ListedRoots listed = ListedRoots::real);
+void write_solve_json(const TextSink& sink, const SolveResult& result, const std::string& file);
+void write_solve_csv(const TextSink& sink, const SolveResult& result);
+void write_paths_csv(const TextSink& sink, const SolveResult& result);
+/// `f`: the system that was solved.
+void write_solve_phc(const TextSink& sink, const SolveResult& result, const System& f);
+
+/// The same as one text.
 std::string solve_text(const SolveResult& result, const std::string& file,
                        ListedRoots listed = ListedRoots::real);
 std::string solve_json(const SolveResult& result, const std::string& file);
 std::string solve_csv(const SolveResult& result);
 std::string paths_csv(const SolveResult& result);
-/// `f`: the system that was solved.
 std::string solve_phc(const SolveResult& result, const System& f);
 
 }  // namespace moivre
