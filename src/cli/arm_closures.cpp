@@ -177,7 +177,7 @@ int run_arm(const ArmRun& run, const Source& source) {
   if (line.is_active()) {
     options.progress = [&](const Progress& progress) { line.show(progress); };
   }
-  const Interruption interruption;
+  const Interruption interruption(run.time_limit);
   report.results = find_arm_closures(report.arm, poses, *tracker, options, interruption.stop());
   report.total_s = watch.total();
   const bool complete = is_complete(report) && report.results.size() == poses.size();

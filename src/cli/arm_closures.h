@@ -43,6 +43,7 @@ struct ArmRun {
   bool in_degrees = false;
   bool three_views = false;
   std::string json, csv, svg, html;
+  std::optional<double> time_limit;
 };
 
 /// By its ending, or by its content where that says XML.

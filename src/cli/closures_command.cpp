@@ -43,6 +43,7 @@ struct ClosuresCommand {
   std::string svg;
   std::string html;
   bool three_views = false;
+  std::optional<double> time_limit;
 };
 
 /// What a page shows where drivers move: one turn of the first driver. None where no page is wanted or nothing moves.
@@ -60,7 +61,8 @@ std::optional<MotionResult> motion_for_page(const ClosureResult& result, const M
   motion.solve.progress = nullptr;
   if (line.is_active()) {
     motion.progress = [&](double share) {
-      line.show(std::to_string(static_cast<int>(100 * share)) + " % of the motion for the page");
+      line.show(std::to_string(static_cast<int>(100 * share)) + " % of the motion for the page",
+                share);
     };
   }
   return find_motion(mechanism, tracker, motion, stop);
@@ -83,7 +85,7 @@ int run_robot(const ClosuresCommand& command, const Source& source) {
   require_no_more(command);
   return run_arm({command.file, command.arm, command.start, command.tracker, command.threads,
                   command.quiet, command.angles.in_degrees, command.three_views, command.json,
-                  command.csv, command.svg, command.html},
+                  command.csv, command.svg, command.html, command.time_limit},
                  source);
 }
 
@@ -197,12 +199,12 @@ Computed computed(const ClosuresCommand& command, const Mechanism& mechanism,
   families.serve(options.solve);
   const std::unique_ptr<Tracker> fallback = make_fallback(tracker_of(command));
   options.solve.fallback = fallback.get();
-  const Interruption interruption;
+  const Interruption interruption(command.time_limit);
   Computed result;
   result.closures = find_closures(mechanism, tracker, options, interruption.stop());
   result.closures.time_s.parse = parse_s;
   result.closures.time_s.total += parse_s;
-  if (!interruption.stop()) families.keep();
+  if (!interruption.stop() || families.book().learned() > 0) families.keep();
   result.sensitivities = asked_sensitivities(command, mechanism, result.closures);
   result.motion = motion_for_page(result.closures, mechanism, command, tracker, options, line,
                                   interruption.stop());
@@ -271,6 +273,7 @@ void add_closures_command(CLI::App& moivre, Chosen& chosen) {
                "leave out certificates; completeness is then not stated");
   add_start_options(app, command->start);
   add_threads_option(app, command->threads);
+  add_time_limit_option(app, command->time_limit);
   add_quiet_flag(app, command->quiet);
   add_json_option(app, command->json);
   app.add_option("--csv", command->csv, "write a table of the closures here")->type_name("PATH");

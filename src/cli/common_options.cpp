@@ -79,6 +79,14 @@ void add_quiet_flag(CLI::App& command, bool& quiet) {
   command.add_flag("--quiet", quiet, "print no text and no progress line");
 }
 
+void add_time_limit_option(CLI::App& command, std::optional<double>& seconds) {
+  command
+      .add_option("--time-limit", seconds,
+                  "stop after so many seconds with what is finished; exit code 2 then")
+      ->check(CLI::PositiveNumber)
+      ->type_name("SECONDS");
+}
+
 std::string not_64_bits(const std::string& number) {
   if (number.find('-') != std::string::npos) return number + " is negative";
   errno = 0;

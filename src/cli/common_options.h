@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,9 @@ void add_quiet_flag(CLI::App& command, bool& quiet);
 
 /// A sentence when the text is an integer below 0 or beyond 64 bits, which CLI11 would wrap around or cut; else empty.
 std::string not_64_bits(const std::string& number);
+
+/// "--time-limit" of a command that may run long.
+void add_time_limit_option(CLI::App& command, std::optional<double>& seconds);
 
 /// Runs every check. What they refuse by std::invalid_argument is thrown as one, a line each.
 void require_all(const std::vector<std::function<void()>>& checks);

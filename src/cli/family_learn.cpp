@@ -2,8 +2,11 @@
 // moivre family learn FILE --parameters a,b -o F.family: solves a random complex member and keeps its roots.
 #include "family_learn.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <memory>
 #include <stdexcept>
 
@@ -36,6 +39,7 @@ struct LearnCommand {
   bool no_certify = false;
   bool quiet = false;
   std::string json;
+  std::optional<double> time_limit;
 };
 
 /// "a,b=100": names, and typical sizes where they are not near 1.
@@ -106,7 +110,7 @@ int run_mechanism(const LearnCommand& command, const Tracker& tracker) {
   Output out(command.family);
   Output json(command.json);
   const std::unique_ptr<Tracker> fallback = make_fallback(command.tracker);
-  const Interruption interruption;
+  const Interruption interruption(command.time_limit);
   const FamilyFile file = learn_mechanism(command.file, tracker,
                                           options_of(command, fallback.get()), interruption.stop());
   deliver({{&out, [&] { return family_text(file); }},
@@ -150,6 +154,25 @@ FamilyFile learn_interruptibly(const LearnCommand& command, Family family, const
   return file;
 }
 
+/// Where it cannot be written to its place it is kept elsewhere: what was learned took its time. Why, or empty.
+std::string kept(Output& out, const std::string& text) {
+  try {
+    out.write(text);
+    return "";
+  } catch (const std::invalid_argument& failure) {
+    if (out.is_stdout() || is_writing_interrupted()) return failure.what();
+    const std::string elsewhere = (std::filesystem::temp_directory_path() /
+                                   ("moivre-" + std::to_string(::getpid()) + ".family"))
+                                      .string();
+    try {
+      Output(elsewhere).write(text);
+    } catch (const std::invalid_argument&) {
+      return failure.what();
+    }
+    return std::string(failure.what()) + "; what was learned is in " + elsewhere;
+  }
+}
+
 int run(const LearnCommand& command) {
   std::unique_ptr<Tracker> tracker;
   require_all({[&] { require_known(command.start); }, [&] { require_threads(command.threads); },
@@ -162,19 +185,20 @@ int run(const LearnCommand& command) {
   Family family = read_family_of(command);
   Output out(command.family);
   Output json(command.json);
-  const Interruption interruption;
+  const Interruption interruption(command.time_limit);
   const FamilyFile file =
       learn_interruptibly(command, std::move(family), *tracker, interruption.stop());
   const Learning& learning = file.families.front().learning;
-  if (interruption.stop()) {
+  if (file.families.front().roots.empty() && interruption.stop()) {
     throw std::invalid_argument("interrupted: nothing was learned, and " + command.family +
                                 " is unchanged");
   }
+  const std::string failure = kept(out, family_text(file));
   deliver(
-      {{&out, [&] { return family_text(file); }},
-       {&json, [&] { return family_report_json(file, command.family, "family learn"); }}},
+      {{&json, [&] { return family_report_json(file, command.family, "family learn"); }}},
       command.quiet, [&] { return family_report_text(file, command.family); },
       learning.complete ? "" : learning.standing);
+  if (!failure.empty()) throw std::invalid_argument(failure);
   return learning.complete ? kDecided : kUndecided;
 }
 
@@ -203,6 +227,7 @@ void add_family_learn(CLI::App& family, Chosen& chosen) {
       ->needs("--monodromy");
   add_start_options(app, command->start);
   add_threads_option(app, command->threads);
+  add_time_limit_option(app, command->time_limit);
   app.add_flag("--no-certify", command->no_certify, "leave out certificates");
   add_quiet_flag(app, command->quiet);
   add_json_option(app, command->json);

@@ -30,6 +30,7 @@ struct FamilySolveCommand {
   bool quiet = false;
   std::string json;
   std::string csv;
+  std::optional<double> time_limit;
 };
 
 void require_one_kind(const FamilySolveCommand& command) {
@@ -124,7 +125,7 @@ int run(const FamilySolveCommand& command) {
   options.fallback = fallback.get();
   ProgressLine line(!command.quiet);
   if (line.is_active()) options.progress = [&](const Progress& progress) { line.show(progress); };
-  const Interruption interruption;
+  const Interruption interruption(command.time_limit);
   const FamilyScene scene{command, family, *tracker, options, json, csv, interruption.stop()};
   return command.table.empty() ? solve_one(scene, p) : solve_table(scene, members);
 }
@@ -145,6 +146,7 @@ void add_family_solve(CLI::App& family, Chosen& chosen) {
       ->check(CLI::Validator(not_64_bits, ""))
       ->capture_default_str();
   add_threads_option(app, command->threads);
+  add_time_limit_option(app, command->time_limit);
   app.add_flag("--all", command->all, "also print the roots that are not real");
   app.add_flag("--no-certify", command->no_certify,
                "leave out certificates; many members then take less time");

@@ -1,38 +1,149 @@
 // SPDX-License-Identifier: MIT
-// The only signal handlers of Moivre: a flag is set, and the signal's own action is restored.
+// The only signal handlers of Moivre, the only handler of failed allocations, and the thread that looks at memory.
 #include "interruption.h"
 
+#include <sys/time.h>
+
+#include <chrono>
+#include <cmath>
 #include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <new>
+#include <system_error>
+
+#include "memory.h"
 
 namespace moivre {
 namespace {
 
-std::atomic<bool> interrupted{false};
-static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may touch nothing else");
+enum class Reason { none, signal, time, memory };
 
-void restore_default_action() {
-  std::signal(SIGINT, SIG_DFL);
-  std::signal(SIGTERM, SIG_DFL);
+std::atomic<bool> interrupted{false};
+std::atomic<Reason> stop_reason{Reason::none};
+std::atomic<bool> signalled{false};
+std::atomic<bool> is_writing{false};
+std::atomic<bool> writing_interrupted{false};
+std::atomic<void*> reserve{nullptr};
+static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<Reason>::is_always_lock_free,
+              "a signal handler may touch nothing else");
+
+constexpr int kSignals[]{SIGINT, SIGTERM, SIGHUP};
+// Untouched, so that it takes address space only.
+constexpr std::size_t kReserve = std::size_t{32} << 20;
+constexpr std::chrono::milliseconds kLook{50};
+// What a run has in memory is told with less than a third of it again, and some for its buffers.
+constexpr std::uint64_t kShareToTell = 3;
+constexpr std::uint64_t kLeastToTell = std::uint64_t{32} << 20;
+
+void ask_to_stop(Reason why) {
+  Reason none = Reason::none;
+  stop_reason.compare_exchange_strong(none, why);
+  interrupted.store(true, std::memory_order_relaxed);
 }
 
-void note_interruption(int) {
-  interrupted.store(true, std::memory_order_relaxed);
-  restore_default_action();
+void note_signal(int signal) {
+  const bool is_first = !signalled.exchange(true);
+  const bool is_first_of_writing = is_writing && !writing_interrupted.exchange(true);
+  if (is_first || is_first_of_writing) return ask_to_stop(Reason::signal);
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);
+}
+
+void note_time(int) { ask_to_stop(Reason::time); }
+
+/// Called where memory cannot be had: once for all threads the reserve is given up, and each tries once more.
+void give_up_reserve() {
+  thread_local bool has_tried_again = false;
+  void* const block = reserve.exchange(nullptr);
+  std::free(block);
+  ask_to_stop(Reason::memory);
+  if (block == nullptr && has_tried_again) throw std::bad_alloc();
+  has_tried_again = true;
+}
+
+void set_timer(double seconds) {
+  struct itimerval timer = {};
+  const double whole = std::floor(seconds);
+  timer.it_value.tv_sec = static_cast<time_t>(whole);
+  timer.it_value.tv_usec = static_cast<suseconds_t>((seconds - whole) * 1e6);
+  setitimer(ITIMER_REAL, &timer, nullptr);
+}
+
+void catch_signal(int signal, void (*handler)(int)) {
+  struct sigaction old = {};
+  sigaction(signal, nullptr, &old);
+  if (signal == SIGHUP && old.sa_handler == SIG_IGN) return;
+  struct sigaction action = {};
+  action.sa_handler = handler;
+  action.sa_flags = SA_RESTART;
+  sigaction(signal, &action, nullptr);
 }
 
 }  // namespace
 
-Interruption::Interruption() {
-  interrupted = false;
-  struct sigaction action = {};
-  action.sa_handler = note_interruption;
-  action.sa_flags = SA_RESTART;
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
+Interruption::Interruption(std::optional<double> seconds) : seconds_(seconds) {
+  interrupted = writing_interrupted = signalled = false;
+  stop_reason = Reason::none;
+  for (const int signal : kSignals) catch_signal(signal, note_signal);
+  if (seconds) {
+    catch_signal(SIGALRM, note_time);
+    set_timer(*seconds);
+  }
+  reserve = std::malloc(kReserve);
+  std::set_new_handler(give_up_reserve);
+  try {
+    watch_ = std::thread([this] { watch_memory(); });
+  } catch (const std::system_error&) {
+    // The reserve has to do.
+  }
 }
 
-Interruption::~Interruption() { restore_default_action(); }
+Interruption::~Interruption() {
+  {
+    const std::lock_guard lock(mutex_);
+    is_over_ = true;
+  }
+  wake_.notify_one();
+  if (watch_.joinable()) watch_.join();
+  std::set_new_handler(nullptr);
+  std::free(reserve.exchange(nullptr));
+  if (seconds_) {
+    set_timer(0);
+    std::signal(SIGALRM, SIG_DFL);
+  }
+  for (const int signal : kSignals) {
+    struct sigaction now = {};
+    sigaction(signal, nullptr, &now);
+    if (now.sa_handler == note_signal) std::signal(signal, SIG_DFL);
+  }
+  if (stop_reason == Reason::time) {
+    std::fprintf(stderr, "moivre: the time limit of %g s was reached\n", *seconds_);
+  }
+  if (stop_reason == Reason::memory) std::fputs("moivre: memory ran out\n", stderr);
+}
+
+void Interruption::watch_memory() {
+  std::unique_lock lock(mutex_);
+  while (!is_over_) {
+    wake_.wait_for(lock, kLook, [this] { return is_over_; });
+    if (is_over_) return;
+    const MemoryState memory = memory_state();
+    if (memory.available < memory.used / kShareToTell + kLeastToTell) {
+      return ask_to_stop(Reason::memory);
+    }
+  }
+}
 
 const std::atomic<bool>& Interruption::stop() const { return interrupted; }
+
+Writing::Writing() {
+  writing_interrupted = false;
+  is_writing = true;
+}
+
+Writing::~Writing() { is_writing = false; }
+
+bool is_writing_interrupted() { return writing_interrupted; }
 
 }  // namespace moivre

@@ -1,20 +1,55 @@
 // SPDX-License-Identifier: MIT
-// How does Ctrl-C end a run? The first one asks it to stop with what is finished, the second ends the program at once.
+// What asks a run to stop with what is finished? Ctrl-C and its like, a limit of time, and memory that runs out.
+//
+//   SIGINT, SIGTERM, SIGHUP   the first one asks the run to stop, the second ends the program at once; SIGHUP does not, where the run was
+//                             begun with nohup
+//   a limit of time           asks as the first signal does
+//   memory                    looked at now and then: what is left has to suffice for telling what is finished. Where an
+//                             allocation fails all the same a reserve is given up for that
+//
+// While results are written a signal gives the writing up (is_writing_interrupted()).
 #pragma once
 
 #include <atomic>
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <thread>
 
 namespace moivre {
 
-/// Catches SIGINT and SIGTERM while it lives; one at a time.
+/// Catches all this while it lives; one at a time.
 class Interruption {
  public:
-  Interruption();
+  /// seconds: from now on, after which the run is to stop.
+  explicit Interruption(std::optional<double> seconds = std::nullopt);
+  /// Tells on stderr where it was not a signal that stopped the run.
   ~Interruption();
   Interruption(const Interruption&) = delete;
   Interruption& operator=(const Interruption&) = delete;
 
   const std::atomic<bool>& stop() const;
+
+ private:
+  void watch_memory();
+
+  std::optional<double> seconds_;
+  std::mutex mutex_;
+  std::condition_variable wake_;
+  bool is_over_ = false;
+  std::thread watch_;
 };
+
+/// Results are written while it lives.
+class Writing {
+ public:
+  Writing();
+  ~Writing();
+  Writing(const Writing&) = delete;
+  Writing& operator=(const Writing&) = delete;
+};
+
+/// Whether a signal came since the writing began.
+bool is_writing_interrupted();
 
 }  // namespace moivre

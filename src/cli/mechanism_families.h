@@ -19,10 +19,11 @@ class MechanismFamilies {
   FamilyBook& book() { return book_; }
   /// Makes every solve ask the book, where families are wanted.
   void serve(SolveOptions& options);
-  /// Writes the file where something was learned, or it is new.
+  /// Writes the file where something was learned, or it is new, with what another process has learned meanwhile.
   void keep();
 
  private:
+  std::string path_;
   std::string source_;
   bool is_new_ = false;
   FamilyBook book_;

@@ -30,6 +30,7 @@ namespace moivre {
 namespace {
 
 struct MotionCommand {
+  std::optional<double> time_limit;
   std::string file;
   StartChoice start;
   TrackerChoice tracker;
@@ -162,7 +163,7 @@ MotionOptions options_of(const MotionCommand& command, const Mechanism& mechanis
   options.solve.start = kind_of(command.start);
   if (line.is_active()) {
     options.progress = [&line](double share) {
-      line.show(std::to_string(static_cast<int>(100 * share)) + " % of the motion");
+      line.show(std::to_string(static_cast<int>(100 * share)) + " % of the motion", share);
     };
   }
   return options;
@@ -173,7 +174,7 @@ MotionResult computed(const MotionCommand& command, const Mechanism& mechanism,
   const std::unique_ptr<Tracker> fallback = make_fallback(command.tracker);
   options.solve.fallback = fallback.get();
   options.asked = command.closures;
-  const Interruption interruption;
+  const Interruption interruption(command.time_limit);
   MotionResult result = moved(mechanism, command, tracker, options, interruption.stop());
   result.time_s.parse = parse_s;
   result.time_s.total += parse_s;
@@ -268,6 +269,7 @@ void add_motion_command(CLI::App& moivre, Chosen& chosen) {
   add_mechanism_options(app, command->mechanism);
   add_start_options(app, command->start);
   add_threads_option(app, command->options.solve.threads);
+  add_time_limit_option(app, command->time_limit);
   add_quiet_flag(app, command->quiet);
   add_json_option(app, command->json);
   app.add_option("--csv", command->csv, "write a table of all samples here")->type_name("PATH");

@@ -3,6 +3,7 @@
 #include "output.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -12,10 +13,13 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <new>
 #include <optional>
 #include <set>
 #include <stdexcept>
 #include <utility>
+
+#include "interruption.h"
 
 namespace moivre {
 namespace {
@@ -40,6 +44,10 @@ class Descriptor {
   }
   Descriptor(const Descriptor&) = delete;
   Descriptor& operator=(const Descriptor&) = delete;
+  Descriptor& operator=(Descriptor&& other) {
+    std::swap(descriptor_, other.descriptor_);
+    return *this;
+  }
 
   bool is_open() const { return descriptor_ >= 0; }
   int number() const { return descriptor_; }
@@ -73,10 +81,41 @@ std::optional<struct stat> status_of(const std::string& path) {
   return status;
 }
 
+std::string folder_of(const std::string& path) {
+  const std::string folder = std::filesystem::path(path).parent_path().string();
+  return folder.empty() ? "." : folder;
+}
+
 /// A name of this process's own in the folder of `path`.
 std::string name_beside(const std::string& path) {
-  const std::string folder = std::filesystem::path(path).parent_path().string();
-  return (folder.empty() ? "" : folder + '/') + ".moivre-" + std::to_string(::getpid());
+  return folder_of(path) + "/.moivre-" + std::to_string(::getpid());
+}
+
+/// Without a name, so that nothing stays behind where the process is killed; -1 where the file system has no such files.
+int open_nameless(const std::string& folder) {
+#ifdef O_TMPFILE
+  // Its name comes by way of /proc.
+  return ::access("/proc/self/fd", X_OK) == 0 ? open_to_write(folder, O_TMPFILE) : -1;
+#else
+  return -1;
+#endif
+}
+
+/// Gives a nameless file this name; false, with errno.
+bool has_named(const Descriptor& file, const std::string& name) {
+  const std::string self = "/proc/self/fd/" + std::to_string(file.number());
+  return ::linkat(AT_FDCWD, self.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0;
+}
+
+/// False, with errno. Pipes and the like cannot be synchronized, nor need they.
+bool has_synced(int descriptor) {
+  return ::fsync(descriptor) == 0 || errno == EINVAL || errno == EROFS || errno == ENOSYS;
+}
+
+/// The entries of a folder, after a file was moved in it; where that fails the file is there all the same.
+void sync_folder(const std::string& folder) {
+  const Descriptor descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (descriptor.is_open()) ::fsync(descriptor.number());
 }
 
 /// Where the file itself is, or would be, behind links.
@@ -99,15 +138,21 @@ bool takes_place_of(const Descriptor& file, const struct stat& old) {
 /// Throws when not all of a piece could be written. `path` is the name in the message.
 TextSink sink_of(const Descriptor& file, const std::string& path) {
   return [&file, &path](std::string_view piece) {
+    if (is_writing_interrupted()) {
+      throw std::invalid_argument("interrupted: " + path + " was not written");
+    }
     if (!has_written_all(file.number(), piece)) refuse_path(path);
   };
 }
 
-/// A file that is removed again unless it is moved to its place.
+/// A file beside its place, which is removed again unless it is moved there. It has no name before, where that can be.
 class Draft {
  public:
-  explicit Draft(const std::string& target) : target_(target), name_(name_beside(target)) {
+  explicit Draft(const std::string& target)
+      : target_(target), name_(name_beside(target)), file_(open_nameless(folder_of(target))) {
     ::unlink(name_.c_str());
+    is_nameless_ = file_.is_open();
+    if (!is_nameless_) file_ = Descriptor(open_to_write(name_, O_CREAT | O_EXCL));
   }
   ~Draft() {
     if (!has_moved_) ::unlink(name_.c_str());
@@ -115,16 +160,22 @@ class Draft {
   Draft(const Draft&) = delete;
   Draft& operator=(const Draft&) = delete;
 
-  const std::string& name() const { return name_; }
-  /// False, with errno.
+  const Descriptor& file() const { return file_; }
+  /// When it is on the disk; false, with errno. A full disk may be told no earlier than here.
   bool has_moved() {
+    if (!has_synced(file_.number())) return false;
+    if (is_nameless_ && !has_named(file_, name_)) return false;
+    if (!has_closed(file_)) return false;
     has_moved_ = ::rename(name_.c_str(), target_.c_str()) == 0;
+    if (has_moved_) sync_folder(folder_of(target_));
     return has_moved_;
   }
 
  private:
   std::string target_;
   std::string name_;
+  Descriptor file_;
+  bool is_nameless_ = false;
   bool has_moved_ = false;
 };
 
@@ -132,20 +183,38 @@ class Draft {
 bool is_replaced(const std::string& path, const Content& content) {
   const std::string target = behind_links(path);
   Draft draft(target);
-  Descriptor file(open_to_write(draft.name(), O_CREAT | O_EXCL));
-  if (!file.is_open()) return false;
+  if (!draft.file().is_open()) return false;
   const auto old = status_of(target);
-  if (old && !takes_place_of(file, *old)) return false;
-  content(sink_of(file, path));
-  if (!has_closed(file) || !draft.has_moved()) refuse_path(path);
+  if (old && !takes_place_of(draft.file(), *old)) return false;
+  content(sink_of(draft.file(), path));
+  if (!draft.has_moved()) refuse_path(path);
   return true;
 }
 
+/// The text is whole, and its room is there, before a byte of the old content is lost.
 void write_in_place(const std::string& path, const Content& content) {
-  Descriptor file(open_to_write(path, O_CREAT | O_TRUNC));
+  Descriptor file(open_to_write(path, O_CREAT));
   if (!file.is_open()) refuse_path(path);
-  content(sink_of(file, path));
-  if (!has_closed(file)) refuse_path(path);
+  std::string text;
+  content([&](std::string_view piece) {
+    if (is_writing_interrupted()) {
+      throw std::invalid_argument("interrupted: " + path + " was not written");
+    }
+    text += piece;
+  });
+  const auto size = static_cast<off_t>(text.size());
+  struct stat old = {};
+  if (::fstat(file.number(), &old) != 0) refuse_path(path);
+  const int refusal = size == 0 ? 0 : ::posix_fallocate(file.number(), 0, size);
+  if (refusal != 0 && refusal != EOPNOTSUPP && refusal != EINVAL) {
+    if (::ftruncate(file.number(), old.st_size) != 0) errno = refusal;
+    errno = refusal;
+    refuse_path(path);
+  }
+  if (!has_written_all(file.number(), text) || ::ftruncate(file.number(), size) != 0 ||
+      !has_synced(file.number()) || !has_closed(file)) {
+    refuse_path(path);
+  }
 }
 
 /// Refuses a path at which no new file can be made.
@@ -192,12 +261,24 @@ void Output::write(std::string_view text) {
 
 void deliver(const std::vector<Form>& forms, bool quiet, const std::function<std::string()>& text,
              const std::string& unfinished) {
+  deliver(
+      forms, quiet, [&text](const TextSink& sink) { sink(text()); }, unfinished);
+}
+
+void deliver(const std::vector<Form>& forms, bool quiet, const Content& text,
+             const std::string& unfinished) {
+  const Writing writing;
   std::string failures;
-  const auto tried = [&failures](const std::function<void()>& write) {
+  const auto note = [&failures](const std::string& why) {
+    failures += (failures.empty() ? "" : "\nmoivre: ") + why;
+  };
+  const auto tried = [&note](const std::function<void()>& write) {
     try {
       write();
     } catch (const std::invalid_argument& failure) {
-      failures += (failures.empty() ? "" : "\nmoivre: ") + std::string(failure.what());
+      note(failure.what());
+    } catch (const std::bad_alloc&) {
+      note("there was not enough memory to write a result");
     }
   };
   const Form* to_stdout = nullptr;
@@ -210,12 +291,13 @@ void deliver(const std::vector<Form>& forms, bool quiet, const std::function<std
     tried([to_stdout] { to_stdout->output->write(to_stdout->content); });
     if (!quiet && !unfinished.empty()) std::fprintf(stderr, "moivre: %s\n", unfinished.c_str());
   } else if (!quiet || !failures.empty()) {
-    tried([&text] { write_to_stdout(text()); });
+    tried([&text] { text(write_to_stdout); });
   }
   if (!failures.empty()) throw std::invalid_argument(failures);
 }
 
 void write_to_stdout(std::string_view text) {
+  if (is_writing_interrupted()) throw std::invalid_argument("interrupted while writing");
   if (!has_written_all(STDOUT_FILENO, text)) refuse_path("standard output");
 }
 
@@ -265,6 +347,15 @@ void require_distinct(const std::vector<std::string>& outputs, const std::string
       throw std::invalid_argument("the result would overwrite the problem file " + input);
     }
   }
+}
+
+FolderLock::FolderLock(const std::string& path)
+    : folder_(::open(folder_of(behind_links(path)).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+  if (folder_ >= 0) ::flock(folder_, LOCK_EX);
+}
+
+FolderLock::~FolderLock() {
+  if (folder_ >= 0) ::close(folder_);
 }
 
 }  // namespace moivre

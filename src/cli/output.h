@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Where do results go? Files that are known to be writable before a long run begins, or stdout; no result is lost for another.
 //
-// Nothing is touched before write(). A regular file is then written beside its place and moved there when it is whole, so
-// that an old file stays until then and no half of a new one is ever seen; where that cannot be done (a link's other name,
-// a folder that cannot be written) it is written in place. "-" is stdout.
+// Nothing is touched before write(). A regular file is then written beside its place and moved there when it is whole and on
+// the disk, so that an old file stays until then and no half of a new one is ever seen. Until then it has no name (O_TMPFILE), so that
+// a killed run leaves nothing; on file systems without such files its name is .moivre-<process>. Where it cannot be moved there (a link's
+// other name, a folder that cannot be written) it is written in place, when its room is reserved. "-" is stdout.
 #pragma once
 
 #include <functional>
@@ -57,8 +58,22 @@ struct Form {
 /// Writes every wanted form, files first, stdout last; then `text`, for people, to stdout, unless it is `quiet` or stdout is
 /// taken. Where a file cannot be written all the others are, `text` is printed in any case, and std::invalid_argument is
 /// thrown at the end. `unfinished`, a sentence or empty, goes to stderr where no text tells it.
+void deliver(const std::vector<Form>& forms, bool quiet, const Content& text,
+             const std::string& unfinished = "");
 void deliver(const std::vector<Form>& forms, bool quiet, const std::function<std::string()>& text,
              const std::string& unfinished = "");
+
+/// Alone among the processes that write to the folder of `path` by such a lock, while it lives.
+class FolderLock {
+ public:
+  explicit FolderLock(const std::string& path);
+  ~FolderLock();
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+
+ private:
+  int folder_ = -1;  ///< where it cannot be locked nothing is
+};
 
 /// All of the text to stdout. Throws std::invalid_argument when it cannot be written.
 void write_to_stdout(std::string_view text);

@@ -7,6 +7,7 @@
 #include "command.h"
 #include "common_options.h"
 #include "interruption.h"
+#include "memory.h"
 #include "moivre/numeric/invalid_input.h"
 #include "moivre/numeric/stopwatch.h"
 #include "moivre/polynomial/patches.h"
@@ -33,6 +34,7 @@ struct SolveCommand {
   bool no_certify = false;
   std::optional<int> digits;
   std::string precision = "auto";
+  std::optional<double> time_limit;
   bool quiet = false;
   std::string json;
   std::string csv;
@@ -70,6 +72,7 @@ SolveResult solve_interruptibly(const SolveCommand& command, const Problem& prob
   options.slice = command.slice;
   options.certify = !command.no_certify;
   options.precision = precision_of(command.precision);
+  options.memory = memory_state().available;
   const std::unique_ptr<Tracker> fallback = make_fallback(command.tracker);
   options.fallback = fallback.get();
   ProgressLine line(!command.quiet);
@@ -124,19 +127,20 @@ int run(const SolveCommand& command) {
   Output paths(command.paths);
   Output phc(command.phc);
 
-  const Interruption interruption;
+  const Interruption interruption(command.time_limit);
   SolveResult result =
       solve_interruptibly(command, problem, *tracker, witness.get(), interruption.stop());
   keep_wanted(filter, result);
 
   deliver(
-      {{&json, [&] { return solve_json(result, command.file); }},
-       {&csv, [&] { return solve_csv(result); }},
-       {&paths, [&] { return paths_csv(result); }},
-       {&phc, [&] { return solve_phc(result, problem.system); }}},
+      {{&json, [&](const TextSink& sink) { write_solve_json(sink, result, command.file); }},
+       {&csv, [&](const TextSink& sink) { write_solve_csv(sink, result); }},
+       {&paths, [&](const TextSink& sink) { write_paths_csv(sink, result); }},
+       {&phc, [&](const TextSink& sink) { write_solve_phc(sink, result, problem.system); }}},
       command.quiet,
-      [&] {
-        return solve_text(result, command.file, command.all ? ListedRoots::all : ListedRoots::real);
+      [&](const TextSink& sink) {
+        write_solve_text(sink, result, command.file,
+                         command.all ? ListedRoots::all : ListedRoots::real);
       },
       result.complete ? "" : result.message);
   return result.complete ? kDecided : kUndecided;
@@ -151,6 +155,7 @@ void add_solve_command(CLI::App& moivre, Chosen& chosen) {
   add_start_options(app, command->start);
   add_threads_option(app, command->threads);
   add_filter_options(app, command->filter);
+  add_time_limit_option(app, command->time_limit);
   app.add_flag("--all", command->all, "also print the roots that are not real");
   app.add_flag(
       "--slice", command->slice,

@@ -33,6 +33,7 @@ struct SweepCommand {
   std::string csv;
   std::string svg;
   std::string html;
+  std::optional<double> time_limit;
 };
 
 /// "crank.A.x=10:50:200".
@@ -94,13 +95,14 @@ int run(const SweepCommand& command) {
   ProgressLine line(!command.quiet);
   if (line.is_active()) {
     options.progress = [&](std::size_t done, std::size_t total) {
-      line.show(std::to_string(done) + " of " + std::to_string(total) + " samples");
+      line.show(std::to_string(done) + " of " + std::to_string(total) + " samples",
+                static_cast<double>(done) / static_cast<double>(total));
     };
   }
-  const Interruption interruption;
+  const Interruption interruption(command.time_limit);
   const SweepResult result = sweep(mechanism, varied_of(command.vary), *tracker, families.book(),
                                    options, interruption.stop());
-  if (!interruption.stop()) families.keep();
+  if (!interruption.stop() || families.book().learned() > 0) families.keep();
   deliver(
       {{&json, [&] { return sweep_json(result, command.file, mechanism.warnings); }},
        {&csv, [&] { return sweep_csv(result); }},
@@ -127,6 +129,7 @@ void add_sweep_command(CLI::App& moivre, Chosen& chosen) {
   add_mechanism_options(app, command->mechanism);
   add_start_options(app, command->start);
   add_threads_option(app, command->threads);
+  add_time_limit_option(app, command->time_limit);
   app.add_flag("--no-borders", command->no_borders, "do not locate where the counts change");
   app.add_option("--family", command->family,
                  "use the families in this file, and add those that are learned")

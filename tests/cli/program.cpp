@@ -50,11 +50,13 @@ std::string content(const fs::path& file) {
   ::_exit(127);
 }
 
-std::string drained(int descriptor) {
+/// `seen` is called with all that came so far.
+std::string drained(int descriptor, const std::function<void(const std::string&)>& seen) {
   std::string text;
   char buffer[4096];
   for (ssize_t got = 0; (got = ::read(descriptor, buffer, sizeof buffer)) > 0;) {
     text.append(buffer, static_cast<std::size_t>(got));
+    seen(text);
   }
   return text;
 }
@@ -98,6 +100,24 @@ Outcome Scene::run(const std::vector<std::string>& arguments) const {
 
 Outcome Scene::run(const std::vector<std::string>& arguments, bool terminal,
                    const std::function<void(int)>& meanwhile) const {
+  return run_in(arguments, terminal, meanwhile, [](int, const std::string&) {});
+}
+
+Outcome Scene::run_until(const std::vector<std::string>& arguments, const std::string& wanted,
+                         int signal) const {
+  bool is_sent = false;
+  return run_in(
+      arguments, true, [](int) {},
+      [&](int process, const std::string& text) {
+        if (is_sent || !contains(text, wanted)) return;
+        ::kill(process, signal);
+        is_sent = true;
+      });
+}
+
+Outcome Scene::run_in(const std::vector<std::string>& arguments, bool terminal,
+                      const std::function<void(int)>& meanwhile,
+                      const std::function<void(int, const std::string&)>& seen) const {
   int master = -1;
   int slave = -1;
   if (terminal && ::openpty(&master, &slave, nullptr, nullptr, nullptr) != 0) {
@@ -108,7 +128,9 @@ Outcome Scene::run(const std::vector<std::string>& arguments, bool terminal,
   if (terminal) ::close(slave);
   meanwhile(process);
   Outcome outcome;
-  if (terminal) outcome.err = drained(master);
+  if (terminal) {
+    outcome.err = drained(master, [&](const std::string& text) { seen(process, text); });
+  }
   int status = 0;
   ::waitpid(process, &status, 0);
   if (terminal) ::close(master);

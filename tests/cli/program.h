@@ -38,7 +38,15 @@ class Scene {
   Outcome run(const std::vector<std::string>& arguments, bool terminal,
               const std::function<void(int)>& meanwhile) const;
 
+  /// The same with a terminal as stderr; the signal is sent when `wanted` was seen on it.
+  Outcome run_until(const std::vector<std::string>& arguments, const std::string& wanted,
+                    int signal) const;
+
  private:
+  Outcome run_in(const std::vector<std::string>& arguments, bool terminal,
+                 const std::function<void(int)>& meanwhile,
+                 const std::function<void(int, const std::string&)>& seen) const;
+
   std::string folder_;
 };
 

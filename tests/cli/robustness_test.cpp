@@ -86,6 +86,26 @@ TEST(Robustness, LeavesTheOldFileWhereALongOneCannotBeFinished) {
   EXPECT_FALSE(contains(scene.listing(), ".moivre-")) << scene.listing();
 }
 
+TEST(Robustness, LeavesTheOldFileOfTwoNamesWhereALongOneCannotBeFinished) {
+  constexpr rlim_t kBytes = 1 << 20;
+  Scene scene;
+  scene.write("motion.json", "what was there");
+  std::filesystem::create_hard_link(scene.path("motion.json"), scene.path("other.json"));
+  const std::string four_bar =
+      std::string(MOIVRE_SOURCE_DIR) + "/problems/mechanisms/four-bar.toml";
+  {
+    const FileLimit limit(kBytes);
+    const Outcome outcome =
+        scene.run({"motion", four_bar, "--steps", "1000", "--json", "motion.json", "--quiet"});
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_EQ(outcome.err, "moivre: cannot write motion.json: File too large\n");
+  }
+  EXPECT_EQ(scene.read("motion.json"), "what was there");
+  EXPECT_EQ(scene.run({"motion", four_bar, "--json", "motion.json", "--quiet"}).exit_code, 0);
+  EXPECT_EQ(scene.read("other.json"), scene.read("motion.json"));
+  EXPECT_TRUE(Json::accept(scene.read("other.json")));
+}
+
 TEST(Robustness, WritesThroughALink) {
   Scene scene;
   scene.write("f.phc", kCircleAndHyperbola);

@@ -370,14 +370,11 @@ TEST(SolveCommand, EndsOnCtrlCWithWhatIsFinished) {
 TEST(SolveCommand, ShowsProgressOnATerminalAndErasesIt) {
   Scene scene;
   scene.write("f.phc", katsura(13));
-  const Outcome outcome =
-      scene.run({"solve", "f.phc", "--threads", "1", "--json", "f.json"}, true, [](int process) {
-        ASSERT_TRUE(catches_interrupt(process));
-        std::this_thread::sleep_for(std::chrono::milliseconds(1500));
-        kill(process, SIGTERM);
-      });
+  const Outcome outcome = scene.run_until({"solve", "f.phc", "--threads", "1", "--json", "f.json"},
+                                          " of 8192 paths, ", SIGTERM);
   EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_TRUE(contains(outcome.err, " of 8192 paths, ")) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, " a second, ")) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, " s left")) << outcome.err;
   EXPECT_EQ(outcome.err.substr(outcome.err.rfind('\r')), "\r\x1b[K");
 }
 

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// How much memory may this process still take? What a limit of the shell, a container or the machine leaves.
+#pragma once
+
+#include <cstdint>
+
+namespace moivre {
+
+struct MemoryState {
+  std::uint64_t used = 0;       ///< bytes that are in memory
+  std::uint64_t available = 0;  ///< bytes that can still be had
+};
+
+/// Of this moment; where the system does not tell, as much as there is no lack of.
+MemoryState memory_state();
+
+}  // namespace moivre

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+// Does the program end whole where the machine gives no more: time, memory, room on the disk, a terminal?
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "problems.h"
+#include "program.h"
+
+namespace moivre::test {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr const char* kInterrupted = "interrupted: what is finished is reported";
+
+/// x1 = 1 and x_{k+1} = 2 x_k - x_{k-1} + ..., each with some more unknowns: linear, and long to eliminate.
+std::string linear_equations(int n) {
+  std::string text = std::to_string(n) + "\n";
+  for (int i = 1; i <= n; ++i) {
+    text += "x" + std::to_string(i);
+    for (int k = 1; k <= 6; ++k) {
+      const int j = (i * (2 * k + 1) + 7 * k * k) % n + 1;
+      text += " + " + std::to_string(i % 9 + k) + "*x" + std::to_string(j);
+    }
+    text += " - 1;\n";
+  }
+  return text;
+}
+
+/// Sends the signal when the program catches it, and some of its work is done.
+std::function<void(int)> send_soon(int signal) {
+  return [signal](int process) {
+    ASSERT_TRUE(catches_interrupt(process));
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    kill(process, signal);
+  };
+}
+
+TEST(Faults, ALostTerminalEndsARunWithWhatIsFinished) {
+  const Scene scene;
+  scene.write("f.phc", katsura(13));
+  const Outcome outcome =
+      scene.run({"solve", "f.phc", "--threads", "2", "--json", "f.json"}, false, send_soon(SIGHUP));
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(Json::parse(scene.read("f.json"))["message"], kInterrupted);
+}
+
+TEST(Faults, ALimitOfTimeEndsARunWithWhatIsFinished) {
+  const Scene scene;
+  scene.write("f.phc", katsura(13));
+  const Outcome outcome = scene.run({"solve", "f.phc", "--time-limit", "0.5", "--json", "f.json"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.err, "moivre: the time limit of 0.5 s was reached\n");
+  const Json json = Json::parse(scene.read("f.json"));
+  EXPECT_EQ(json["complete"], false);
+  EXPECT_EQ(json["message"], kInterrupted);
+  EXPECT_EQ(scene.run({"solve", "f.phc", "--time-limit", "0"}).exit_code, 1);
+}
+
+TEST(Faults, ALimitOfTimeThatIsNotReachedChangesNothing) {
+  const Scene scene;
+  scene.write("f.phc", kCircleAndHyperbola);
+  const Outcome outcome = scene.run({"solve", "f.phc", "--time-limit", "1000"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.err, "");
+}
+
+TEST(Faults, EliminationEndsWhereItIsInterrupted) {
+  const Scene scene;
+  scene.write("f.phc", linear_equations(700));
+  const auto begin = std::chrono::steady_clock::now();
+  for (const char* command : {"solve", "info"}) {
+    const Outcome outcome =
+        scene.run({command, "f.phc", "--quiet", "--json", "f.json"}, false, send_soon(SIGTERM));
+    EXPECT_EQ(outcome.exit_code, 2) << command << outcome.err;
+    EXPECT_TRUE(scene.has("f.json"));
+  }
+  // It would take minutes.
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(30));
+}
+
+TEST(Faults, AFamilyThatIsHalfLearnedIsKept) {
+  const Scene scene;
+  const std::string nine = std::string(MOIVRE_SOURCE_DIR) + "/problems/families/nine-point.bertini";
+  const Outcome outcome = scene.run({"family", "learn", nine, "--monodromy", "--tracker", "lanes",
+                                     "--time-limit", "3", "-o", "nine.family"});
+  EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+  const Outcome info = scene.run({"family", "info", "nine.family", "--json", "-"});
+  ASSERT_EQ(info.exit_code, 0) << info.err;
+  const Json family = Json::parse(info.out)["families"][0];
+  EXPECT_GT(family["roots"], 0);
+  EXPECT_EQ(family["learning"]["complete"], false);
+}
+
+TEST(Faults, TwoRunsOnOneFamilyFileLoseNothing) {
+  const Scene scene;
+  const std::string folder = std::string(MOIVRE_SOURCE_DIR) + "/problems/mechanisms/";
+  const auto closures = [&](const std::string& mechanism) {
+    return std::vector<std::string>{"closures", folder + mechanism, "--family", "both.family",
+                                    "--quiet"};
+  };
+  const auto families = [&] {
+    const Outcome info = scene.run({"family", "info", "both.family", "--json", "-"});
+    return Json::parse(info.out)["families"].size();
+  };
+  scene.run(closures("stephenson-3.toml"));
+  const std::size_t one = families();
+  std::filesystem::remove(scene.path("both.family"));
+  scene.run(closures("3-rpr.toml"));
+  const std::size_t other = families();
+  std::filesystem::remove(scene.path("both.family"));
+  ASSERT_GT(one + other, 1U);
+  scene.run(closures("stephenson-3.toml"), false, [&](int) { scene.run(closures("3-rpr.toml")); });
+  EXPECT_EQ(families(), one + other);
+}
+
+/// The program gets no more address space than this.
+std::function<void(int)> limit_memory(rlim_t bytes) {
+  return [bytes](int process) {
+    const rlimit limit{bytes, bytes};
+    ::prlimit(process, RLIMIT_AS, &limit, nullptr);
+  };
+}
+
+TEST(Faults, PathsThatCannotBeKeptAreRefusedBeforeTheyAreFollowed) {
+  const Scene scene;
+  scene.write("f.phc", "1\nx^4294967295 - 1;\n");
+  const Outcome outcome = scene.run({"solve", "f.phc"}, false, limit_memory(rlim_t{2} << 30));
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_TRUE(contains(outcome.err, "moivre: 4294967295 paths take 68.7 GB at least, and there "))
+      << outcome.err;
+}
+
+// Wherever memory runs out the program ends by itself: with what is finished, or with a sentence.
+TEST(Faults, NoLimitOfMemoryEndsARunWithoutAWord) {
+  const Scene scene;
+  scene.write("f.phc", katsura(11));
+  int told = 0;
+  for (rlim_t megabytes = 60; megabytes <= 400; megabytes += 20) {
+    std::filesystem::remove(scene.path("f.json"));
+    const Outcome outcome =
+        scene.run({"solve", "f.phc", "--tracker", "lanes", "--threads", "2", "--json", "f.json"},
+                  false, limit_memory(megabytes << 20));
+    EXPECT_NE(outcome.exit_code, -1) << megabytes << outcome.err;
+    if (outcome.exit_code == 1) EXPECT_FALSE(outcome.err.empty()) << megabytes;
+    if (outcome.exit_code == 1) continue;
+    ++told;
+    EXPECT_TRUE(Json::accept(scene.read("f.json"))) << megabytes;
+  }
+  EXPECT_GT(told, 0);
+}
+
+}  // namespace
+}  // namespace moivre::test
