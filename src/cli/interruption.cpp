@@ -32,9 +32,9 @@ constexpr int kSignals[]{SIGINT, SIGTERM, SIGHUP};
 // Untouched, so that it takes address space only.
 constexpr std::size_t kReserve = std::size_t{32} << 20;
 constexpr std::chrono::milliseconds kLook{50};
-// What a run has in memory is told with less than a third of it again, and some for its buffers.
+// What a run has in memory is told with less than a third of it again; of little of it the reserve is enough.
 constexpr std::uint64_t kShareToTell = 3;
-constexpr std::uint64_t kLeastToTell = std::uint64_t{32} << 20;
+constexpr std::uint64_t kLeastToTell = std::uint64_t{8} << 20;
 
 void ask_to_stop(Reason why) {
   Reason none = Reason::none;
