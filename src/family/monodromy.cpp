@@ -104,7 +104,8 @@ void require_pair(const Family& family, const KnownPair& pair) {
 }
 
 /// What is known about the number of roots.
-std::string standing_of(const Learning& learning, const TraceTest& test, const Search& search) {
+std::string standing_of(const Learning& learning, const TraceTest& test, const Search& search,
+                        bool was_stopped) {
   const std::string elsewhere = std::to_string(search.components - 1) +
                                 " times a random root was not among those that loops lead to: the "
                                 "family is reducible, or loops have lost roots";
@@ -115,6 +116,7 @@ std::string standing_of(const Learning& learning, const TraceTest& test, const S
   }
   if (search.components > 1) return elsewhere + "; there may be more";
   const std::string loops = std::to_string(search.count.loops) + " loops";
+  if (was_stopped) return "interrupted after " + loops + ": there may be more roots";
   if (!test.was_made) return loops + ", the last ones without a new root; no trace test";
   const std::string points = counted(test.points, "point") + " of the curve";
   return test.holds ? "shown: the trace test holds (" + points +
@@ -216,7 +218,7 @@ Family learn_by_monodromy(Family unlearned, const KnownPair& pair, const Tracker
       learning.bound || (test.holds && search.components == 1 && !lacks_roots && !stop);
   learning.standing = lacks_roots ? "exact algebra counts " + counted(*by_algebra, "root") +
                                         " with multiplicities: roots are missing, or multiple"
-                                  : standing_of(learning, test, search);
+                                  : standing_of(learning, test, search, stop);
   return family;
 }
 

@@ -96,6 +96,7 @@ TEST(Faults, AFamilyThatIsHalfLearnedIsKept) {
   const Json family = Json::parse(info.out)["families"][0];
   EXPECT_GT(family["roots"], 0);
   EXPECT_EQ(family["learning"]["complete"], false);
+  EXPECT_TRUE(contains(family["learning"]["standing"], "interrupted after ")) << family;
 }
 
 TEST(Faults, TwoRunsOnOneFamilyFileLoseNothing) {
