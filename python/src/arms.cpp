@@ -128,7 +128,7 @@ py::dict posture_arrays(const Postures& run) {
     const auto at = static_cast<py::ssize_t>(k);
     counts.mutable_at(at) = is_done ? static_cast<std::int64_t>(run.results[k].closures.size()) : 0;
     complete.mutable_at(at) = is_done && run.results[k].complete;
-    moves.mutable_at(at) = is_done && run.results[k].moves.has_value();
+    moves.mutable_at(at) = is_done && !run.results[k].moves.empty();
   }
   const auto copy = [](const Eigen::VectorXd& values, double* row) {
     std::copy(values.data(), values.data() + values.size(), row);

@@ -69,14 +69,43 @@ Json closure_json(const ArmClosure& closure, const Arm& arm) {
             {"tip", twist_json(closure.weakest.tip)}}},
           {"path", closure.path},
           {"multiplicity", closure.multiplicity},
-          {"singular", closure.singular}};
+          {"singular", closure.singular},
+          {"moved_by_digits", to_json(closure.moved_by_digits)},
+          {"within_digits", closure.within_digits}};
 }
 
-Json moves_json(const std::optional<ArmMoves>& moves, const Arm& arm) {
-  if (!moves) return nullptr;
-  return {{"pose", values_json(arm, moves->values)},
-          {"tangent", values_json(arm, moves->tangent)},
-          {"lost", twist_json(moves->lost)}};
+Json relation_json(const JointRelation& relation, const Arm& arm) {
+  Json factors = Json::object();
+  for (std::size_t k = 0; k < arm.joints.size(); ++k) {
+    const double factor = relation.factors[static_cast<Eigen::Index>(k)];
+    if (factor != 0) factors[arm.joints[k].name] = to_json(factor);
+  }
+  return {{"factors", factors}, {"value", to_json(relation.value)}};
+}
+
+Json sample_json(const Eigen::VectorXd& sample, const Arm& arm) {
+  Eigen::VectorXd values = sample;
+  const bool is_within = place_in_limits(arm, values).empty();
+  return {{"coordinates", values_json(arm, values)}, {"within_limits", is_within}};
+}
+
+Json moves_json(const SelfMotion& set, const Arm& arm) {
+  Json directions = Json::array();
+  for (Eigen::Index k = 0; k < set.directions.cols(); ++k) {
+    directions.push_back(values_json(arm, set.directions.col(k)));
+  }
+  return {{"pose", values_json(arm, set.values)},
+          {"tangent", directions.front()},
+          {"lost", twist_json(set.lost)},
+          {"dimension", set.dimension},
+          {"directions", directions},
+          {"relations",
+           list_json(set.relations, [&](const JointRelation& r) { return relation_json(r, arm); })},
+          {"closes", set.closes},
+          {"misfit", to_json(set.misfit)},
+          {"within_digits", set.within_digits},
+          {"samples",
+           list_json(set.samples, [&](const Eigen::VectorXd& x) { return sample_json(x, arm); })}};
 }
 
 Json stage_json(const ArmStage& stage) {
@@ -93,6 +122,7 @@ void add_result(const ArmResult& result, const Arm& arm, Json& json) {
   json["complete"] = result.complete;
   json["message"] = result.message;
   json["target"] = pose_json(result.pose);
+  json["accuracy"] = to_json(result.accuracy);
   json["start"] = to_json(result.start);
   json["paths"] = to_json(result.paths);
   json["stages"] = list_json(result.stages, stage_json);
@@ -101,7 +131,16 @@ void add_result(const ArmResult& result, const Arm& arm, Json& json) {
                     {"filtered", 0},
                     {"beyond_limits", result.counts.beyond_limits},
                     {"rejected", result.counts.rejected}};
-  json["moves"] = moves_json(result.moves, arm);
+  json["moves"] = nullptr;
+  if (!result.moves.empty()) {
+    json["moves"] =
+        list_json(result.moves, [&](const SelfMotion& m) { return moves_json(m, arm); });
+  }
+  json["nearest"] = nullptr;
+  if (result.nearest) {
+    json["nearest"] = {{"coordinates", values_json(arm, result.nearest->values)},
+                       {"misfit", to_json(result.nearest->misfit)}};
+  }
   json["closures"] =
       list_json(result.closures, [&](const ArmClosure& c) { return closure_json(c, arm); });
   json["failures"] = list_json(result.failures, [](const FailedPath& f) { return to_json(f); });

@@ -51,7 +51,8 @@ std::string summary(const Arm& arm, const ArmResult& result, bool in_degrees) {
   if (result.counts.beyond_limits > 0) {
     text += ", " + std::to_string(result.counts.beyond_limits) + " beyond a joint's limits (!)";
   }
-  if (!result.complete || result.moves || result.closures.empty()) text += "; " + result.message;
+  if (!result.complete || !result.moves.empty() || result.closures.empty())
+    text += "; " + result.message;
   text += in_degrees ? "; values in degrees of" : "; values in radians of";
   for (std::size_t k = 0; k < arm.joints.size(); ++k) {
     text += (k == 0 ? " " : ", ") + std::to_string(k + 1) + ' ' + arm.joints[k].name +
@@ -85,11 +86,12 @@ Scene scene_of(const ArmReport& report, bool in_degrees) {
   }
   if (sheet.panels.empty()) {
     const Eigen::VectorXd values =
-        result.moves ? result.moves->values
-                     : Eigen::VectorXd::Zero(static_cast<Eigen::Index>(arm.joints.size()));
-    const std::string caption = result.moves ? "moves, from here" : "no closure: all joints at 0";
+        result.moves.empty() ? Eigen::VectorXd::Zero(static_cast<Eigen::Index>(arm.joints.size()))
+                             : result.moves.front().values;
+    const std::string caption =
+        result.moves.empty() ? "no closure: all joints at 0" : "moves, from here";
     sheet.panels.push_back(
-        {caption, skeleton_pose(scene.skeleton, arm, values), !result.moves.has_value()});
+        {caption, skeleton_pose(scene.skeleton, arm, values), result.moves.empty()});
   }
   std::vector<Eigen::VectorXd> poses;
   for (const Panel& panel : sheet.panels) poses.push_back(panel.q);

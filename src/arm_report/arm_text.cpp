@@ -58,6 +58,9 @@ std::string closure_line(const ArmClosure& closure, const Arm& arm) {
   const std::string posture = to_string(posture_of(arm, closure.values));
   if (!posture.empty()) text += (was_beyond ? " " : "  ") + posture;
   if (closure.singular) text += "  singular";
+  if (closure.within_digits) {
+    text += "  within the digits alone, misses by " + rounded_text(closure.residual);
+  }
   if (!closure.beyond.empty()) text += "  beyond limits";
   return text + '\n';
 }
@@ -120,9 +123,27 @@ std::string weakest_text(const ArmResult& result, const Arm& arm) {
   return text;
 }
 
-std::string moves_text(const ArmResult& result, const Arm& arm) {
-  if (!result.moves) return "";
-  std::string text = "the tip stands while the joints move, from here\n  ";
+/// "joint_4 + joint_6 = 0.3".
+std::string relation_text(const JointRelation& relation, const Arm& arm) {
+  std::string text;
+  for (std::size_t k = 0; k < arm.joints.size(); ++k) {
+    const double factor = relation.factors[static_cast<Eigen::Index>(k)];
+    if (factor == 0) continue;
+    const std::string sign =
+        factor < 0 ? (text.empty() ? "-" : " - ") : (text.empty() ? "" : " + ");
+    const double size = std::abs(factor);
+    text += sign + (size == 1 ? "" : fixed_text(size) + ' ') + arm.joints[k].name;
+  }
+  return text + " = " + fixed_text(relation.value);
+}
+
+std::string set_text(const SelfMotion& set, const Arm& arm) {
+  std::string text = set.within_digits
+                         ? "within the digits of the file's numbers (it misses by " +
+                               rounded_text(set.misfit) + ") the tip stands while the joints move"
+                         : "the tip stands while the joints move";
+  if (set.dimension > 1) text += " (" + std::to_string(set.dimension) + " freedoms)";
+  text += ", from here\n  ";
   const auto line = [&](const Eigen::VectorXd& values) {
     std::string joints;
     for (std::size_t k = 0; k < arm.joints.size(); ++k) {
@@ -130,8 +151,20 @@ std::string moves_text(const ArmResult& result, const Arm& arm) {
     }
     return joints + '\n';
   };
-  return text + line(result.moves->values) + "along\n  " + line(result.moves->tangent) +
-         "there the tip cannot move by " + twist_text(result.moves->lost) + '\n';
+  text += line(set.values) + "along\n";
+  for (Eigen::Index k = 0; k < set.directions.cols(); ++k) {
+    text += "  " + line(set.directions.col(k));
+  }
+  for (const JointRelation& relation : set.relations) {
+    text += "  " + relation_text(relation, arm) + '\n';
+  }
+  return text + "there the tip cannot move by " + twist_text(set.lost) + '\n';
+}
+
+std::string moves_text(const ArmResult& result, const Arm& arm) {
+  std::string text;
+  for (const SelfMotion& set : result.moves) text += set_text(set, arm);
+  return text;
 }
 
 std::string result_text(const ArmResult& result, const Arm& arm) {

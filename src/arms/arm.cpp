@@ -121,6 +121,27 @@ ArmJoint free_joint(const RobotJoint& joint, const Walk& walk, bool is_backwards
   return free;
 }
 
+/// By how much a typed number may differ from the one that is meant. Numbers of few decimals are meant as they stand.
+double rounding_of(const Rational& number, bool is_angle) {
+  constexpr int kFewDecimals = 3;
+  if (is_angle) {
+    if (const auto missed = missed_right_angle(number)) return *missed;
+  }
+  const int typed = decimals(number);
+  return typed > kFewDecimals ? 0.5 * std::pow(10, -typed) : 0;
+}
+
+/// What the typed numbers of a joint leave open, radians and metres.
+struct Rounding {
+  double angle = 0, length = 0;
+};
+Rounding rounding_of(const RobotJoint& joint) {
+  Rounding rounding;
+  for (const Rational& x : joint.rpy) rounding.angle += rounding_of(x, true);
+  for (const Rational& x : joint.xyz) rounding.length += rounding_of(x, false);
+  return rounding;
+}
+
 /// Passes a joint that does not move, and the origin of one that does; that one is added to the arm.
 void pass(const Robot& robot, const Passage& passage, const std::vector<HeldJoint>& held, Arm& arm,
           Walk& walk) {
@@ -175,10 +196,17 @@ Arm make_arm(const Robot& robot, const ArmChoice& choice) {
   arm.tip = robot.links[tip].name;
   arm.length = 0;
   Walk walk;
-  for (const Passage& passage : passages) pass(robot, passage, choice.held, arm, walk);
+  Rounding rounding;
+  for (const Passage& passage : passages) {
+    pass(robot, passage, choice.held, arm, walk);
+    const Rounding own = rounding_of(robot.joints[passage.joint]);
+    rounding.angle += own.angle;
+    rounding.length += own.length;
+  }
   arm.tool = walk.transform;
   arm.exact_tool = walk.exact;
   if (arm.length == 0) arm.length = 1;
+  arm.rounding = rounding.angle + rounding.length / arm.length;
   return arm;
 }
 

@@ -3,6 +3,7 @@
 #include "cut.h"
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 
 #include "moivre/factorization/svd.h"
@@ -13,6 +14,9 @@ namespace {
 /// Pairs that are nearer to meeting or to being parallel, beside the arm's size, are taken as if they were: the equations
 /// for that hold for all pairs, and the others lose as many digits as this has zeros.
 constexpr double kLeastQuality = 1e-5;
+
+/// A pair with a slide is taken only where others are nearly special: its space also holds slides that leave.
+constexpr double kSlidePenalty = 1e-3;
 
 using Columns = Eigen::Matrix<double, 8, Eigen::Dynamic>;
 
@@ -75,12 +79,12 @@ std::optional<Cut> cut_of_three(const Loop& loop, std::size_t first) {
 
 Cut cut_of_two(const Loop& loop, CutPlace place) {
   const std::size_t n = loop.joints.size();
-  const bool has_more = n > 2 && place == CutPlace::anywhere;
   std::size_t best = 0, loosest = 0;
   double best_quality = -1, best_independence = -1;
-  for (std::size_t k = 0; k < (has_more ? n : n - 1); ++k) {
+  for (std::size_t k = 0; k < (place == CutPlace::anywhere ? n : n - 1); ++k) {
     const Columns products = unit_columns(pair_products(loop, k, (k + 1) % n, &LoopJoint::rounded));
-    const double here = quality(products);
+    const bool has_slide = loop.joints[k].is_slide || loop.joints[(k + 1) % n].is_slide;
+    const double here = quality(products) * (has_slide ? kSlidePenalty : 1);
     const double apart = singular_values(products)[3];
     if (here > best_quality) best_quality = here, best = k;
     if (apart > best_independence) best_independence = apart, loosest = k;
@@ -94,20 +98,27 @@ Cut cut_of_two(const Loop& loop, CutPlace place) {
   return cut;
 }
 
-}  // namespace
+/// Two slides that leave take the whole product to 0, whatever the others do: such a set is better at infinity.
+void choose_chart(const Loop& loop, Cut& cut) {
+  constexpr int kChart = 3;
+  const auto slides = std::count_if(cut.outside.begin(), cut.outside.end(),
+                                    [&](std::size_t joint) { return loop.joints[joint].is_slide; });
+  cut.chart = slides == 1 ? kChart : 0;
+}
 
-Cut choose_cut(const Loop& loop, CutPlace place) {
-  const std::size_t n = loop.joints.size();
-  if (n == 1) {
-    Cut cut = cut_at(loop, 0, 1);
-    cut.kind = CutKind::one;
-    cut.forms = vanishing_forms({ExactDisplacement::identity(), loop.joints[0].exact.step});
-    return cut;
-  }
-  for (std::size_t first = 0; first + 2 < n; ++first) {
+Cut plain_cut(const Loop& loop, CutPlace place) {
+  for (std::size_t first = 0; first + 2 < loop.joints.size(); ++first) {
     if (auto cut = cut_of_three(loop, first)) return *cut;
   }
   return cut_of_two(loop, place);
+}
+
+}  // namespace
+
+Cut choose_cut(const Loop& loop, CutPlace place) {
+  Cut cut = plain_cut(loop, place);
+  choose_chart(loop, cut);
+  return cut;
 }
 
 }  // namespace moivre

@@ -8,32 +8,57 @@ namespace {
 /// Coefficients beside the largest are kept to so many bits: twice what the paths are followed with at the most.
 constexpr std::size_t kBits = 256;
 
-/// The forms' values on the product, all scaled by one power of two to have coefficients near 1.
-std::vector<Polynomial> values_of(const std::vector<ExactDisplacement>& forms,
-                                  const std::vector<ExactDisplacement>& terms) {
-  std::vector<std::vector<Integer>> values;
+using Row = std::vector<Integer>;
+
+Row row_of(const ExactDisplacement& form, const std::vector<ExactDisplacement>& terms) {
+  Row row;
+  for (const ExactDisplacement& term : terms) row.push_back(value(form, term));
+  return row;
+}
+
+std::size_t bits_of(const Row& row) {
   std::size_t bits = 0;
-  for (const ExactDisplacement& form : forms) {
-    std::vector<Integer>& row = values.emplace_back();
-    for (const ExactDisplacement& term : terms) {
-      row.push_back(value(form, term));
-      bits = std::max(bits, bit_length(row.back()));
-    }
-  }
+  for (const Integer& x : row) bits = std::max(bits, bit_length(x));
+  return bits;
+}
+
+/// The row's polynomial, scaled by a power of two so that a number of `bits` bits is near 1.
+Polynomial polynomial_of(const Row& row, std::size_t bits) {
   const std::size_t dropped = bits > kBits ? bits - kBits : 0;
   const Integer unit = Integer(1) << static_cast<unsigned>(dropped);
   // Over a power of two a number counts as rounded (moivre/polynomial/digits.h); these are not.
   const Integer scale = Integer(3) << static_cast<unsigned>(bits - dropped);
+  TermMap map;
+  for (std::size_t k = 0; k < row.size(); ++k) {
+    const Integer kept = row[k] / unit;
+    if (kept != 0) map[multilinear(k)] = {ratio(kept, scale), {}};
+  }
+  return to_polynomial(std::move(map));
+}
+
+/// Each form's value on the product; forms may be thousands of digits apart.
+std::vector<Polynomial> values_of(const std::vector<ExactDisplacement>& forms,
+                                  const std::vector<ExactDisplacement>& terms) {
   std::vector<Polynomial> polynomials;
-  for (const std::vector<Integer>& row : values) {
-    TermMap map;
-    for (std::size_t k = 0; k < row.size(); ++k) {
-      const Integer kept = row[k] / unit;
-      if (kept != 0) map[multilinear(k)] = {ratio(kept, scale), {}};
-    }
-    polynomials.push_back(to_polynomial(std::move(map)));
+  for (const ExactDisplacement& form : forms) {
+    const Row row = row_of(form, terms);
+    polynomials.push_back(polynomial_of(row, bits_of(row)));
   }
   return polynomials;
+}
+
+/// a b = c d of the coordinates in W: all four of one scale.
+Polynomial quadric_of(const std::vector<ExactDisplacement>& coordinates,
+                      const std::vector<ExactDisplacement>& terms) {
+  std::vector<Row> rows;
+  std::size_t bits = 0;
+  for (const ExactDisplacement& form : coordinates) {
+    rows.push_back(row_of(form, terms));
+    bits = std::max(bits, bits_of(rows.back()));
+  }
+  std::vector<Polynomial> x;
+  for (const Row& row : rows) x.push_back(polynomial_of(row, bits));
+  return x[0] * x[3] + Coefficient{Rational(-1), {}} * (x[1] * x[2]);
 }
 
 }  // namespace
@@ -54,20 +79,27 @@ std::vector<std::string> tangent_names(const Cut& cut) {
   return names;
 }
 
+std::vector<ExactDisplacement> of_one_size(std::vector<ExactDisplacement> forms) {
+  std::size_t most = 0;
+  for (const ExactDisplacement& form : forms) most = std::max(most, bit_length(largest_part(form)));
+  for (ExactDisplacement& form : forms) {
+    const auto shift = static_cast<unsigned>(most - bit_length(largest_part(form)));
+    form = mapped(form, [shift](const Integer& part) { return Integer(part << shift); });
+  }
+  return forms;
+}
+
 System cut_equations(const Loop& loop, const Cut& cut, std::uint64_t seed) {
   System system;
   system.variables = tangent_names(cut);
   const std::size_t unknowns = cut.outside.size();
-  if (unknowns == 0) return system;
   const auto terms = outside_product(loop, cut, &LoopJoint::exact);
   const bool needs_quadric = unknowns == 4 && cut.coordinates.size() == 4;
   const std::size_t linear = unknowns - (needs_quadric ? 1 : 0);
   system.polynomials = values_of(
-      cut.forms.size() == linear ? cut.forms : combinations(cut.forms, linear, seed), terms);
-  if (needs_quadric) {
-    const std::vector<Polynomial> x = values_of(cut.coordinates, terms);
-    system.polynomials.push_back(x[0] * x[3] + Coefficient{Rational(-1), {}} * (x[1] * x[2]));
-  }
+      cut.forms.size() == linear ? cut.forms : combinations(of_one_size(cut.forms), linear, seed),
+      terms);
+  if (needs_quadric) system.polynomials.push_back(quadric_of(cut.coordinates, terms));
   return system;
 }
 

@@ -19,6 +19,9 @@ namespace moivre {
 /// The product of the tangents of bits that are set: t_k+1 for bit k.
 Monomial multilinear(std::size_t bits);
 
+/// As large as the largest: a combination of forms of different sizes would be the largest alone.
+std::vector<ExactDisplacement> of_one_size(std::vector<ExactDisplacement> forms);
+
 /// `count` random combinations of the forms, with whole numbers.
 template <class S>
 std::vector<DualQuaternion<S>> combinations(const std::vector<DualQuaternion<S>>& forms,

@@ -88,4 +88,13 @@ double joint_value(const Loop& loop, std::size_t joint, const Tangent& at) {
   return std::remainder(angle, 2 * std::numbers::pi);
 }
 
+Complex complex_joint_value(const Loop& loop, std::size_t joint, const Tangent& at) {
+  const LoopJoint& own = loop.joints[joint];
+  const Complex s = own.exact_length * at.s;
+  if (own.is_slide) return std::ldexp(1.0, loop.unit_exponent) * (s / at.c);
+  const Complex i(0, 1);
+  const Complex angle = -i * std::log((at.c + i * s) / (at.c - i * s)) + own.zero;
+  return {std::remainder(angle.real(), 2 * std::numbers::pi), angle.imag()};
+}
+
 }  // namespace moivre

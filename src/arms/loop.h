@@ -85,5 +85,7 @@ double distance_from_null(const LoopJoint& joint, const Tangent& at);
 double imaginary_part(const LoopJoint& joint, const Tangent& at);
 /// Value of the joint nearest to it: a turn in (-pi, pi], a slide in the arm's unit.
 double joint_value(const Loop& loop, std::size_t joint, const Tangent& at);
+/// Its value, the angle of a turn with real part in (-pi, pi].
+Complex complex_joint_value(const Loop& loop, std::size_t joint, const Tangent& at);
 
 }  // namespace moivre

@@ -7,8 +7,18 @@
 #pragma once
 
 #include "moivre/arms/arm_closures.h"
+#include "tip.h"
 
 namespace moivre {
+
+/// The pose as seen from the tip at some joint values.
+struct Linearized {
+  Velocity6<double> error;  ///< translation beside the arm's length, rotation vector
+  Screws<double> screws;
+};
+Linearized linearized(const Arm& arm, const Eigen::Isometry3d& pose, const Eigen::VectorXd& values);
+/// The larger of both errors.
+double size_of(const Velocity6<double>& error);
 
 struct Polished {
   Eigen::VectorXd values;
@@ -25,8 +35,5 @@ WeakestMotion weakest_motion(const Arm& arm, const Polished& closure);
 
 Polished polish(const Arm& arm, const Eigen::Isometry3d& pose, const Eigen::VectorXd& start,
                 bool is_damped = false);
-
-/// Whether the joints can move on from a closure while the tip stands.
-bool can_move(const Arm& arm, const Eigen::Isometry3d& pose, const Polished& closure);
 
 }  // namespace moivre

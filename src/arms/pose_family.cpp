@@ -9,6 +9,7 @@
 #include "moivre/family/coefficients.h"
 #include "moivre/family/learn.h"
 #include "random_values.h"
+#include "read_back.h"
 #include "typed_displacement.h"
 
 namespace moivre {
@@ -24,6 +25,27 @@ RealDisplacement back_from(const Eigen::Isometry3d& pose, int exponent) {
   const RealDisplacement turn{{q.w(), q.x(), q.y(), q.z()}, {}};
   const RealDisplacement shift{{1, 0, 0, 0}, {0, t.x(), t.y(), t.z()}};
   return conjugate(shift * turn);
+}
+
+/// The loop that the pose closes, rounded.
+Loop loop_at(const PoseFamily& poses, const Eigen::Isometry3d& pose) {
+  Loop loop = poses.loop;
+  LoopJoint& first = loop.joints.front();
+  first.rounded.before =
+      unit(poses.tool * back_from(pose, loop.unit_exponent) * first.rounded.before);
+  return loop;
+}
+
+/// The member that the loop is.
+Point member_of(const PoseFamily& poses, const Loop& loop) {
+  const auto products = outside_product(loop, poses.cut, &LoopJoint::rounded);
+  Point member;
+  for (std::size_t i = 0; i < poses.forms.size(); ++i) {
+    for (const std::size_t bits : poses.terms[i]) {
+      member.emplace_back(value(poses.forms[i], products[bits]));
+    }
+  }
+  return member;
 }
 
 /// The system of all terms that any pose has, with the coefficients of one that is nothing special.
@@ -53,13 +75,31 @@ System typical_system(const Arm& arm, PoseFamily& poses, std::uint64_t seed) {
   return system;
 }
 
+/// The closures that the roots of one pose mean; empty where one could not be put right on the arm.
+std::vector<ApproachEnd> ends_of(const PoseFamily& poses, const Arm& arm,
+                                 const Eigen::Isometry3d& pose, const Loop& loop,
+                                 const MemberRoots& roots) {
+  constexpr double kMovedByMeaning = 0.2;
+  if (!roots.complete) return {};
+  std::vector<ApproachEnd> ends;
+  const Placement<Complex> wanted = complex_placement(pose);
+  for (const auto& solution : roots.roots) {
+    for (const LoopRoot& root : read_back(loop, poses.cut, solution.x, solution.accuracy).roots) {
+      ApproachEnd& end = ends.emplace_back();
+      end.values = values_of(loop, root);
+      if (!correct_at(arm, wanted, end.values, kMovedByMeaning, end.accuracy)) return {};
+      end.kind = ApproachKind::regular;
+      end.remaining = 0;
+    }
+  }
+  return ends;
+}
+
 }  // namespace
 
 std::optional<PoseFamily> learn_pose_family(const Arm& arm, const Tracker& tracker,
                                             const SolveOptions& options,
                                             const std::atomic<bool>& stop) {
-  constexpr std::size_t kJoints = 6;
-  if (arm.joints.size() != kJoints) return std::nullopt;
   PoseFamily poses;
   poses.loop = open_loop(arm, options.seed);
   poses.cut = choose_cut(poses.loop, CutPlace::away_from_pose);
@@ -81,23 +121,29 @@ std::optional<PoseFamily> learn_pose_family(const Arm& arm, const Tracker& track
   return poses;
 }
 
-Loop loop_at(const PoseFamily& poses, const Eigen::Isometry3d& pose) {
-  Loop loop = poses.loop;
-  LoopJoint& first = loop.joints.front();
-  first.rounded.before =
-      unit(poses.tool * back_from(pose, loop.unit_exponent) * first.rounded.before);
-  return loop;
-}
-
-Point member_of(const PoseFamily& poses, const Loop& loop) {
-  const auto products = outside_product(loop, poses.cut, &LoopJoint::rounded);
-  Point member;
-  for (std::size_t i = 0; i < poses.forms.size(); ++i) {
-    for (const std::size_t bits : poses.terms[i]) {
-      member.emplace_back(value(poses.forms[i], products[bits]));
-    }
+std::vector<std::vector<ApproachEnd>> follow_poses(const PoseFamily& poses, const Arm& arm,
+                                                   std::span<const TypedPose> wanted,
+                                                   std::size_t closures, const Tracker& tracker,
+                                                   const SolveOptions& options,
+                                                   const std::atomic<bool>& stop) {
+  std::vector<Loop> loops;
+  std::vector<Point> members;
+  for (const TypedPose& pose : wanted) {
+    loops.push_back(loop_at(poses, pose.pose));
+    members.push_back(member_of(poses, loops.back()));
   }
-  return member;
+  SolveOptions plain = options;
+  plain.certify = false;  // Newton's method on the arm itself judges every closure
+  plain.progress = nullptr;
+  const auto roots = follow_members(poses.family, members, tracker, plain, stop);
+  std::vector<std::vector<ApproachEnd>> all(wanted.size());
+  for (std::size_t k = 0; k < wanted.size(); ++k) {
+    std::vector<ApproachEnd> ends = ends_of(poses, arm, wanted[k].pose, loops[k], roots[k]);
+    const bool is_plain =
+        ends.size() == closures && are_different(arm, ends) && have_conjugates(arm, ends);
+    if (is_plain) all[k] = std::move(ends);
+  }
+  return all;
 }
 
 }  // namespace moivre

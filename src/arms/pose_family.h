@@ -5,11 +5,15 @@
 // parameters are all coefficients (family/coefficients.h): multilinear, and as many paths as a pose solved from nothing takes, but
 // no start system, no exact arithmetic and no endgame for each. Coefficients are those of unit displacements, in double; the
 // last digits are those of Newton's method on the product of transforms, as always.
-// A pose is answered only where all its paths end at regular roots, all different, and these mean as many closures as the arm has
-// at random joint values. Any other is the ordinary way's to solve.
-// Not supported: arms of fewer than six joints, neighbours whose axes all meet or are parallel, nearly.
+// Roots are read back, and put right on the arm itself: ends like those of approach.h, where they are as many closures as a regular
+// pose has, all regular, all different, and their conjugates among them. Any other pose is approached by the tip's way.
+// Not supported: neighbours whose axes all meet or are parallel, nearly.
 #pragma once
 
+#include <span>
+#include <vector>
+
+#include "approach.h"
 #include "cut.h"
 #include "moivre/arms/arm_closures.h"
 #include "moivre/family/members.h"
@@ -23,18 +27,18 @@ struct PoseFamily {
   RealDisplacement tool = RealDisplacement::identity();
   std::vector<std::vector<std::size_t>> terms;  ///< of each equation: monomials, bit k for t_k+1
   Family family;
-  std::uint64_t closures = 0;  ///< complex ones, of a pose that is nothing special
 };
 
-/// nullopt where the arm is not supported, or its family could not be learned completely. `closures` is left to the caller.
+/// Of an arm of six joints. nullopt where the arm is not supported, or its family could not be learned completely.
 std::optional<PoseFamily> learn_pose_family(const Arm& arm, const Tracker& tracker,
                                             const SolveOptions& options,
                                             const std::atomic<bool>& stop);
 
-/// The loop that the pose closes, rounded.
-Loop loop_at(const PoseFamily& poses, const Eigen::Isometry3d& pose);
-
-/// The member that the loop is.
-Point member_of(const PoseFamily& poses, const Loop& loop);
+/// The closures of every pose, followed together by `threads`; empty where the family does not answer.
+std::vector<std::vector<ApproachEnd>> follow_poses(const PoseFamily& poses, const Arm& arm,
+                                                   std::span<const TypedPose> wanted,
+                                                   std::size_t closures, const Tracker& tracker,
+                                                   const SolveOptions& options,
+                                                   const std::atomic<bool>& stop);
 
 }  // namespace moivre

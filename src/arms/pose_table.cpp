@@ -18,7 +18,7 @@ void append(const ArmResult& result, PoseTable& table) {
   }
   table.first.push_back(table.residual.size());
   table.complete.push_back(result.complete ? 1 : 0);
-  table.moves.push_back(result.moves ? 1 : 0);
+  table.moves.push_back(result.moves.empty() ? 0 : 1);
 }
 
 }  // namespace

@@ -32,9 +32,28 @@ std::vector<Word> words_of(std::string_view line, SourcePosition begin) {
   return words;
 }
 
+/// Decimals of a number as typed.
+int decimals_of(std::string_view word) {
+  const std::size_t exponent = word.find_first_of("eE");
+  const std::string_view mantissa = word.substr(0, exponent);
+  const std::size_t point = mantissa.find('.');
+  const auto behind =
+      point == std::string_view::npos ? 0 : static_cast<int>(mantissa.size() - point - 1);
+  if (exponent == std::string_view::npos) return behind;
+  const auto shift = to_number(word.substr(exponent + 1));
+  return behind - static_cast<int>(shift.value_or(0));
+}
+
+double accuracy_of(const std::vector<Word>& words) {
+  constexpr int kFewest = 3, kMost = 11;
+  int most = 0;
+  for (const Word& word : words) most = std::max(most, decimals_of(word.text));
+  return most < kFewest || most > kMost ? 0 : 2 * std::pow(10, -most);
+}
+
 /// The pose of one line, or a fault.
-std::optional<Eigen::Isometry3d> read_pose(const std::vector<Word>& words,
-                                           std::vector<Diagnostic>& faults) {
+std::optional<TypedPose> read_pose(const std::vector<Word>& words,
+                                   std::vector<Diagnostic>& faults) {
   if (words.size() != kNumbers) {
     faults.push_back({words.front().at, "a pose is seven numbers, x y z qw qx qy qz, not " +
                                             std::to_string(words.size())});
@@ -61,7 +80,7 @@ std::optional<Eigen::Isometry3d> read_pose(const std::vector<Word>& words,
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   pose.translate(Eigen::Vector3d(x[0], x[1], x[2]));
   pose.rotate(q.normalized());
-  return pose;
+  return TypedPose{pose, accuracy_of(words)};
 }
 
 bool are_names(const std::vector<Word>& words) {
@@ -71,8 +90,8 @@ bool are_names(const std::vector<Word>& words) {
 
 }  // namespace
 
-std::vector<Eigen::Isometry3d> read_poses(const Source& source) {
-  std::vector<Eigen::Isometry3d> poses;
+std::vector<TypedPose> read_poses(const Source& source) {
+  std::vector<TypedPose> poses;
   std::vector<Diagnostic> faults;
   const std::string_view text = source.text;
   SourcePosition begin;

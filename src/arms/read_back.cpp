@@ -18,8 +18,8 @@ constexpr double kNullPerError = 1e2;
 /// at the least. A root that is known to few digits may miss by some thousand times its error.
 constexpr double kMissed = 1e-9;
 constexpr double kMissedPerError = 1e3;
-/// With fewer than six joints a pose is typed that they can reach; it is rounded. Where no equations were combined there are no
-/// others to tell apart, and closures of nearly special arms, next to joints without an inverse, miss by 1e-9.
+/// Where no equations were combined there are no others to tell apart, and closures of nearly special arms, next to joints without
+/// an inverse, miss by 1e-9.
 constexpr double kMissedByRounding = 1e-6;
 /// A quadratic whose coefficients are this small beside what they were summed from has no roots of its own.
 constexpr double kVanishing = 1e-11;
@@ -114,14 +114,15 @@ bool is_closure(const Loop& loop, const Cut& cut, const std::vector<Tangent>& at
 
 ReadBack read_back(const Loop& loop, const Cut& cut, const Point& x, double accuracy) {
   ReadBack result;
-  const bool is_loose = loop.joints.size() < 6 || cut.kind == CutKind::two;
+  const bool is_loose = cut.kind == CutKind::two;
   const double least = is_loose ? kMissedByRounding : kMissed;
   const double missed = std::max(least, kMissedPerError * accuracy);
   const double null = std::max(kNull, kNullPerError * accuracy);
   std::vector<Tangent> at(loop.joints.size());
   for (std::size_t k = 0; k < cut.outside.size(); ++k) {
     const std::size_t joint = cut.outside[k];
-    at[joint] = unit(loop.joints[joint], {1, x[k]});
+    const Complex chart(loop.joints[joint].is_slide ? cut.chart : 0);
+    at[joint] = unit(loop.joints[joint], {1.0 + chart * x[k], x[k]});
   }
   // What the product inside must be, and without the constant displacement at its beginning.
   const ComplexDisplacement around = conjugate(product_of(loop, cut.outside, at));
@@ -136,15 +137,6 @@ ReadBack read_back(const Loop& loop, const Cut& cut, const Point& x, double accu
     }
     result.roots.push_back(std::move(root));
   };
-  if (cut.kind == CutKind::one) {
-    const LoopJoint& only = loop.joints[cut.inside[0]];
-    Eigen::MatrixXcd span(8, 2);
-    span << column(ComplexDisplacement::identity()), column(only.rounded.step).cast<Complex>();
-    const Eigen::VectorXcd a = PivotedQr<Complex>(span).solve(column(wanted));
-    at[cut.inside[0]] = {a[0], a[1]};
-    take();
-    return result;
-  }
   const std::size_t last = cut.inside.size() - 1;
   const Pair pair(loop, cut.inside[last - 1], cut.inside[last]);
   const auto take_pair = [&](const ComplexDisplacement& of_pair) {
@@ -168,6 +160,14 @@ ReadBack read_back(const Loop& loop, const Cut& cut, const Point& x, double accu
   }
   result.moves = result.moves && !result.roots.empty();
   return result;
+}
+
+JointVector<Complex> values_of(const Loop& loop, const LoopRoot& root) {
+  JointVector<Complex> values(std::ssize(loop.joints));
+  for (std::size_t k = 0; k < loop.joints.size(); ++k) {
+    values[static_cast<Eigen::Index>(k)] = complex_joint_value(loop, k, root.at[k]);
+  }
+  return values;
 }
 
 }  // namespace moivre

@@ -7,7 +7,7 @@
 #pragma once
 
 #include "cut.h"
-#include "moivre/numeric/complex.h"
+#include "tip.h"
 
 namespace moivre {
 
@@ -25,5 +25,8 @@ struct ReadBack {
 
 /// `x`: the unknowns of cut_equations(), known to `accuracy` beside max(1, |x|).
 ReadBack read_back(const Loop& loop, const Cut& cut, const Point& x, double accuracy);
+
+/// Its joint values, angles with real parts in (-pi, pi].
+JointVector<Complex> values_of(const Loop& loop, const LoopRoot& root);
 
 }  // namespace moivre

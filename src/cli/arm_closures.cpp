@@ -46,7 +46,7 @@ std::optional<std::string> chosen(const std::string& name) {
   return name.empty() ? std::nullopt : std::optional(name);
 }
 
-Eigen::Isometry3d only_pose(const std::string& text) {
+TypedPose only_pose(const std::string& text) {
   const auto poses = read_poses({"--pose", text});
   if (poses.size() > 1) {
     throw std::invalid_argument("--pose takes one pose, --poses a file of many");
@@ -54,7 +54,8 @@ Eigen::Isometry3d only_pose(const std::string& text) {
   return poses.front();
 }
 
-std::vector<Eigen::Isometry3d> chosen_poses(const ArmOptions& options) {
+/// As typed, with the accuracy that was asked for instead of that of the digits.
+std::vector<TypedPose> typed_poses(const ArmOptions& options) {
   if (options.pose.empty() == options.poses.empty()) {
     throw std::invalid_argument(
         options.pose.empty()
@@ -63,6 +64,16 @@ std::vector<Eigen::Isometry3d> chosen_poses(const ArmOptions& options) {
   }
   if (options.poses.empty()) return {only_pose(options.pose)};
   return read_poses(read_source(options.poses));
+}
+
+std::vector<TypedPose> chosen_poses(const ArmOptions& options) {
+  std::vector<TypedPose> poses = typed_poses(options);
+  if (!options.pose_accuracy) return poses;
+  if (!(*options.pose_accuracy >= 0) || !std::isfinite(*options.pose_accuracy)) {
+    throw std::invalid_argument("--pose-accuracy is metres and radians, 0 or more");
+  }
+  for (TypedPose& pose : poses) pose.accuracy = *options.pose_accuracy;
+  return poses;
 }
 
 void require_one_to_draw(const ArmRun& run, std::size_t poses) {
@@ -105,6 +116,12 @@ void add_arm_options(CLI::App& command, ArmOptions& options) {
   command.add_option("--poses", options.poses, "file of poses, one per line (CSV)")
       ->type_name("PATH")
       ->group(kRobots);
+  command
+      .add_option("--pose-accuracy", options.pose_accuracy,
+                  "how well the pose is known, metres and radians: closures and sets miss it by no "
+                  "more; default: by its digits")
+      ->type_name("X")
+      ->group(kRobots);
 }
 
 bool are_given(const ArmOptions& options) {
@@ -118,7 +135,7 @@ std::string robot_as_mechanism(const std::string& file, const Source& source,
   RobotChanges changes;
   require_all({[&] { changes.held = held_joints(options.held); },
                [&] {
-                 if (!options.pose.empty()) changes.pose = only_pose(options.pose);
+                 if (!options.pose.empty()) changes.pose = only_pose(options.pose).pose;
                },
                [&] {
                  if (options.base.empty() || options.base == robot.links[robot.root].name) return;
@@ -148,7 +165,7 @@ int run_arm(const ArmRun& run, const Source& source) {
   const Stopwatch watch;
   const Robot robot = read_urdf(source);
   ArmReport report;
-  std::vector<Eigen::Isometry3d> poses;
+  std::vector<TypedPose> poses;
   std::unique_ptr<Tracker> tracker;
   require_all({[&] {
                  report.arm = make_arm(

@@ -15,8 +15,9 @@ namespace moivre {
 
 struct ArmOptions {
   std::string base, tip;
-  std::string pose;               ///< "x y z qw qx qy qz"
-  std::string poses;              ///< a file of them
+  std::string pose;   ///< "x y z qw qx qy qz"
+  std::string poses;  ///< a file of them
+  std::optional<double> pose_accuracy;
   std::vector<std::string> held;  ///< "JOINT=VALUE"
   std::string loops;              ///< a side file
 };

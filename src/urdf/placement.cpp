@@ -23,7 +23,8 @@ const Rational& right_angle() {
   return value;
 }
 
-/// How many decimals the number has; kMostDecimals where more.
+}  // namespace
+
 int decimals(const Rational& number) {
   Integer scale = 1;
   for (int k = 0; k < kMostDecimals; ++k) {
@@ -33,19 +34,33 @@ int decimals(const Rational& number) {
   return kMostDecimals;
 }
 
-}  // namespace
+namespace {
 
-std::optional<int> quarter_turns(const Rational& angle) {
+/// k where the angle is k pi/2 in its digits, `fewest` decimals at least.
+std::optional<int> turns_in_digits(const Rational& angle, int fewest) {
   if (angle.is_zero()) return 0;
   const double turns = to_double(angle) / (std::numbers::pi / 2);
   constexpr double kMost = 1e6;
   if (std::abs(turns) > kMost) return std::nullopt;
   const auto nearest = static_cast<int>(std::lround(turns));
   const int typed = decimals(angle);
-  if (nearest == 0 || typed < kFewestDecimals) return std::nullopt;
+  if (nearest == 0 || typed < fewest) return std::nullopt;
   const Rational last_digit = ratio(Integer(1), pow(Integer(10), static_cast<unsigned>(typed)));
   if (abs(angle - Rational(nearest) * right_angle()) >= last_digit) return std::nullopt;
   return nearest;
+}
+
+}  // namespace
+
+std::optional<int> quarter_turns(const Rational& angle) {
+  return turns_in_digits(angle, kFewestDecimals);
+}
+
+std::optional<double> missed_right_angle(const Rational& angle) {
+  constexpr int kTellingDecimals = 2;
+  const auto turns = turns_in_digits(angle, kTellingDecimals);
+  if (!turns) return std::nullopt;
+  return std::abs(to_double(angle - Rational(*turns) * right_angle()));
 }
 
 Eigen::Vector3d to_vector(const ExactVector& v) {

@@ -20,15 +20,15 @@ TEST(PosesTest, NumbersStandBetweenBlanksOrCommasBelowALineOfNames) {
   const auto poses = read_poses(
       {"poses.csv", "x,y,z,qw,qx,qy,qz\r\n# home\n1,2,3,1,0,0,0\r\n\n  4 5\t6; 0 0 -1 0  \n"});
   ASSERT_EQ(poses.size(), 2U);
-  EXPECT_EQ(poses[0].translation(), Eigen::Vector3d(1, 2, 3));
-  EXPECT_EQ(poses[0].linear(), Eigen::Matrix3d::Identity());
-  EXPECT_EQ(poses[1].translation(), Eigen::Vector3d(4, 5, 6));
-  EXPECT_EQ(poses[1].linear().diagonal(), Eigen::Vector3d(-1, 1, -1));
+  EXPECT_EQ(poses[0].pose.translation(), Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(poses[0].pose.linear(), Eigen::Matrix3d::Identity());
+  EXPECT_EQ(poses[1].pose.translation(), Eigen::Vector3d(4, 5, 6));
+  EXPECT_EQ(poses[1].pose.linear().diagonal(), Eigen::Vector3d(-1, 1, -1));
 }
 
 TEST(PosesTest, ARoundedQuaternionIsScaled) {
   const auto poses = read_poses({"--pose", "0 0 0 0.71 0.71 0 0"});
-  EXPECT_NEAR(poses[0].linear()(2, 1), 1, 1e-15);
+  EXPECT_NEAR(poses[0].pose.linear()(2, 1), 1, 1e-15);
 }
 
 TEST(PosesTest, EveryFaultIsNamedAtItsPlace) {

@@ -48,16 +48,17 @@ TEST(SpecialPosesTest, AStraightWristMoves) {
   own << 0.3, 0.4, 0.5, 0.2, 0, 0.1;
   const ArmResult result =
       find_arm_closures(arm, forward_kinematics(arm, own), lanes(), one_thread());
-  ASSERT_TRUE(result.moves);
-  Eigen::VectorXd further = result.moves->values + 1e-4 * result.moves->tangent;
+  ASSERT_FALSE(result.moves.empty());
+  Eigen::VectorXd further =
+      result.moves.front().values + 1e-4 * result.moves.front().directions.col(0);
   const double missed =
       (forward_kinematics(arm, further).matrix() - result.pose.matrix()).cwiseAbs().maxCoeff();
   EXPECT_LT(missed, 1e-7);
   // The tip cannot turn across the plane of the wrist's two axes that are not one.
-  const std::vector<Eigen::Isometry3d> frames = joint_frames(arm, result.moves->values);
+  const std::vector<Eigen::Isometry3d> frames = joint_frames(arm, result.moves.front().values);
   const Eigen::Vector3d four = frames[3].linear() * arm.joints[3].axis;
   const Eigen::Vector3d five = frames[4].linear() * arm.joints[4].axis;
-  const Twist& lost = result.moves->lost;
+  const Twist& lost = result.moves.front().lost;
   EXPECT_LT(std::abs(lost.rotation.dot(four)), 1e-9);
   EXPECT_LT(std::abs(lost.rotation.dot(five)), 1e-9);
   EXPECT_GT(lost.rotation.norm(), 0.01);

@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "moivre/arms/arm.h"
+#include "moivre/arms/poses.h"
 #include "moivre/solver/solve.h"
 
 namespace moivre {
@@ -55,6 +56,10 @@ struct ArmClosure {
   std::uint64_t path = 0;
   std::uint64_t multiplicity = 1;
   bool singular = false;
+  /// By how much the digits of the file's numbers may move a joint, to first order: radians, and lengths beside the arm's.
+  double moved_by_digits = 0;
+  /// It misses the pose by more than this is accurate, but by no more than the digits of the file leave open.
+  bool within_digits = false;
 };
 
 /// A system that is solved as a whole.
@@ -71,11 +76,31 @@ struct ArmCounts {
   std::uint64_t rejected = 0;       ///< roots that are no closures
 };
 
-/// The tip stands still while the joints move.
-struct ArmMoves {
-  Eigen::VectorXd values;   ///< of one closure
-  Eigen::VectorXd tangent;  ///< unit: how its joints may move
-  Twist lost;               ///< unit: how the tip cannot move from there
+/// factors . values = value, turns modulo whole ones.
+struct JointRelation {
+  Eigen::VectorXd factors;
+  double value = 0;
+};
+
+/// A set of postures that hold the pose: the tip stands while the joints move along it.
+struct SelfMotion {
+  int dimension = 1;
+  Eigen::VectorXd values;      ///< of one posture
+  Eigen::MatrixXd directions;  ///< a unit column for each dimension: how its joints may move
+  Twist lost;                  ///< unit: how the tip cannot move from there
+  /// That hold on the whole set, where it is a piece of a plane in joint space, for the joints that move. Empty: it is curved.
+  std::vector<JointRelation> relations;
+  std::vector<Eigen::VectorXd>
+      samples;          ///< postures of it, turns without reduction: a way along it
+  bool closes = false;  ///< it has one dimension and comes back to its beginning
+  double misfit = 0;    ///< the most that a sample misses the pose by
+  /// It misses the pose by more than this is accurate, but by no more than the digits of the file leave open.
+  bool within_digits = false;
+};
+
+struct NearestPosture {
+  Eigen::VectorXd values;
+  double misfit = 0;  ///< radians, and lengths beside the arm's
 };
 
 struct ArmResult {
@@ -83,6 +108,7 @@ struct ArmResult {
   std::string message = "find_arm_closures() was not run";
   std::uint64_t seed = 0;
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  double accuracy = kReach;  ///< of the pose: radians, and lengths beside the arm's
   StartFacts start;
   std::string tracker;
   OptionsInForce tracker_options;
@@ -90,30 +116,47 @@ struct ArmResult {
   std::vector<ArmStage> stages;
   ArmCounts counts;
   std::vector<ArmClosure> closures;  ///< by id
-  std::optional<ArmMoves> moves;
+  std::vector<SelfMotion> moves;
+  /// The posture that comes nearest to the pose, where there is no closure.
+  std::optional<NearestPosture> nearest;
   std::vector<FailedPath> failures;
   std::vector<LeftOut> left_out;
   StepCount work;
   SolveTime time_s;
 };
 
+/// Whether the posture is on the set, as far as its samples show: no farther from it than `within`, radians and arm's lengths.
+bool is_on(const Arm& arm, const SelfMotion& motion, const Eigen::VectorXd& values, double within);
+
+/// Adds whole turns to `values` where that brings a joint between its limits; the joints that are beyond them all the same.
+std::vector<std::size_t> place_in_limits(const Arm& arm, Eigen::VectorXd& values);
+
 /// With `options.start` automatic, the start is the one that is known to be best here.
 /// Throws std::invalid_argument where the pose is not finite or an option is out of range.
+ArmResult find_arm_closures(const Arm& arm, const TypedPose& pose, const Tracker& tracker,
+                            const SolveOptions& options = {},
+                            const std::atomic<bool>& stop = std::atomic<bool>{false});
 ArmResult find_arm_closures(const Arm& arm, const Eigen::Isometry3d& pose, const Tracker& tracker,
                             const SolveOptions& options = {},
                             const std::atomic<bool>& stop = std::atomic<bool>{false});
 
 /// The same for many poses, whose results are handed on one by one, in their order, as soon as some hundreds of them are there: what is
 /// not kept takes no memory. A set `stop` leaves out the poses that are not begun.
+void for_each_pose(const Arm& arm, const std::vector<TypedPose>& poses, const Tracker& tracker,
+                   const std::function<void(ArmResult&& result)>& take,
+                   const SolveOptions& options = {},
+                   const std::atomic<bool>& stop = std::atomic<bool>{false});
 void for_each_pose(const Arm& arm, const std::vector<Eigen::Isometry3d>& poses,
                    const Tracker& tracker, const std::function<void(ArmResult&& result)>& take,
                    const SolveOptions& options = {},
                    const std::atomic<bool>& stop = std::atomic<bool>{false});
 
-/// The same for many poses, options.threads of them at once. With more than a few poses and options.start automatic, the arm is solved
-/// once at random coefficients, and paths lead from there to every pose (start.kind "family"). A pose for which this does not give
-/// as many simple closures as a random pose has is solved as above. A set `stop` leaves out the poses that are not begun, so that
-/// the result is shorter. Progress counts poses.
+/// The same for many poses, options.threads of them at once. Equations are solved once for the arm; paths lead from there to every
+/// pose (start.kind "family"). A set `stop` leaves out the poses that are not begun, so that the result is shorter. Progress
+/// counts poses.
+std::vector<ArmResult> find_arm_closures(const Arm& arm, const std::vector<TypedPose>& poses,
+                                         const Tracker& tracker, const SolveOptions& options = {},
+                                         const std::atomic<bool>& stop = std::atomic<bool>{false});
 std::vector<ArmResult> find_arm_closures(const Arm& arm,
                                          const std::vector<Eigen::Isometry3d>& poses,
                                          const Tracker& tracker, const SolveOptions& options = {},

@@ -16,6 +16,12 @@ namespace moivre {
 /// k, the quarter turns that a typed angle means; nothing if it is no multiple of pi/2 in its digits.
 std::optional<int> quarter_turns(const Rational& angle);
 
+/// How many decimals the number has as typed; 30 where more.
+int decimals(const Rational& number);
+
+/// By how much a typed angle misses the quarter turns that it may stand for, in two decimals or more; nothing where it stands for none.
+std::optional<double> missed_right_angle(const Rational& angle);
+
 /// R of the numbers as typed, to rounding.
 Eigen::Matrix3d rotation(const ExactVector& rpy);
 

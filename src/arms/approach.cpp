@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: MIT
+// Steps of Runge and Kutta, corrected by Newton's method, that shrink before closures meet.
+#include "approach.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <numbers>
+
+namespace moivre {
+namespace {
+
+/// The tip on its way, and its velocity by s.
+struct Moving {
+  Placement<Complex> at;
+  Velocity6<Complex> velocity;
+};
+
+Moving moving(const Arm& arm, const TipWay& way, double s) {
+  const Complex u(s, way.detour * s * (1 - s));
+  const Complex du(1, way.detour * (1 - 2 * s));
+  const double angle = way.turn.norm();
+  const Eigen::Vector3d axis =
+      angle > 0 ? Eigen::Vector3d(way.turn / angle) : Eigen::Vector3d::UnitX();
+  Moving result;
+  result.at.R = way.begin.R.cast<Complex>() * turn_about<Complex>(axis, u * angle);
+  const Eigen::Vector3d shift = way.end.p - way.begin.p;
+  result.at.p = way.begin.p.cast<Complex>() + u * shift.cast<Complex>();
+  result.velocity << du / arm.length * shift.cast<Complex>(),
+      du * (way.begin.R * way.turn).cast<Complex>();
+  return result;
+}
+
+/// Joint velocities, or a Newton step, that give the tip this one.
+JointVector<Complex> joints_for(const Arm& arm, const Screws<Complex>& screws,
+                                const Velocity6<Complex>& wanted) {
+  const Eigen::Matrix<Complex, 6, 6> square = screws;
+  return in_joints<Complex>(arm, square.partialPivLu().solve(wanted));
+}
+
+JointVector<Complex> velocity_at(const Arm& arm, const TipWay& way, double s,
+                                 const JointVector<Complex>& q) {
+  return joints_for(arm, tip_motion<Complex>(arm, q).screws, moving(arm, way, s).velocity);
+}
+
+/// Radians, or arm's lengths.
+double step_size(const Arm& arm, const JointVector<Complex>& step) {
+  double largest = 0;
+  for (Eigen::Index k = 0; k < step.size(); ++k) {
+    const bool is_slide = arm.joints[static_cast<std::size_t>(k)].is_slide;
+    const double size = std::abs(step[k]) / (is_slide ? arm.length : 1);
+    if (!(size <= largest)) largest = size;
+  }
+  return largest;
+}
+
+JointVector<Complex> newton_step(const Arm& arm, const Placement<Complex>& pose,
+                                 const JointVector<Complex>& q) {
+  const TipMotion<Complex> motion = tip_motion<Complex>(arm, q);
+  return joints_for(arm, motion.screws, small_difference<Complex>(arm, pose, motion.tip));
+}
+
+JointVector<Complex> predicted(const Arm& arm, const TipWay& way, double s, double h,
+                               const JointVector<Complex>& q) {
+  const JointVector<Complex> a = velocity_at(arm, way, s, q);
+  const JointVector<Complex> b = velocity_at(arm, way, s + h / 2, q + h / 2 * a);
+  const JointVector<Complex> c = velocity_at(arm, way, s + h / 2, q + h / 2 * b);
+  const JointVector<Complex> d = velocity_at(arm, way, s + h, q + h * c);
+  return q + h / 6 * (a + 2 * b + 2 * c + d);
+}
+
+/// Two Newton steps; nothing where the second is not smaller by `contraction` than the first.
+struct Corrected {
+  bool contracts = false;
+  double first = 0, second = 0;
+};
+Corrected corrected(const Arm& arm, const Placement<Complex>& pose, double contraction,
+                    JointVector<Complex>& q) {
+  /// Radians: a prediction that is farther off may be another path's.
+  constexpr double kFarthest = 0.1;
+  /// Steps that are smaller may be rounding's, next to a singular posture; they lead to no other path.
+  constexpr double kRounding = 1e-9;
+  Corrected result;
+  const JointVector<Complex> one = newton_step(arm, pose, q);
+  result.first = step_size(arm, one);
+  if (!(result.first <= kFarthest)) return result;
+  q += one;
+  const JointVector<Complex> two = newton_step(arm, pose, q);
+  result.second = step_size(arm, two);
+  if (!(result.second <= std::max(contraction * result.first, kRounding))) return result;
+  q += two;
+  result.contracts = true;
+  return result;
+}
+
+bool is_infinite(const Arm& arm, const JointVector<Complex>& q) {
+  constexpr double kAngle = 12, kSlide = 1e6;
+  for (Eigen::Index k = 0; k < q.size(); ++k) {
+    const bool is_slide = arm.joints[static_cast<std::size_t>(k)].is_slide;
+    if (is_slide ? std::abs(q[k]) > kSlide * arm.length : std::abs(q[k].imag()) > kAngle) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Closures that are nearer at a pose are one, where both are regular.
+bool have_met(const Arm& arm, const ApproachEnd& a, const ApproachEnd& b) {
+  const double within = std::max(1e-9, 10 * (a.accuracy + b.accuracy));
+  return a.kind == ApproachKind::regular && b.kind == ApproachKind::regular &&
+         distance_of(arm, a.values, b.values) <= within;
+}
+
+/// The poses are real: a closure's conjugate is another one, or the closure itself.
+bool has_conjugate(const Arm& arm, const ApproachEnd& end, const std::vector<ApproachEnd>& ends) {
+  if (end.kind != ApproachKind::regular) return true;
+  const JointVector<Complex> mirrored = end.values.conjugate();
+  return std::any_of(ends.begin(), ends.end(), [&](const ApproachEnd& other) {
+    return other.kind == ApproachKind::regular &&
+           distance_of(arm, mirrored, other.values) <=
+               std::max(1e-8, 10 * (end.accuracy + other.accuracy));
+  });
+}
+
+}  // namespace
+
+Placement<Complex> complex_placement(const Eigen::Isometry3d& pose) {
+  return {pose.linear().cast<Complex>(), pose.translation().cast<Complex>()};
+}
+
+double distance_of(const Arm& arm, const JointVector<Complex>& a, const JointVector<Complex>& b) {
+  double largest = 0;
+  for (Eigen::Index k = 0; k < a.size(); ++k) {
+    const Complex difference = a[k] - b[k];
+    const bool is_slide = arm.joints[static_cast<std::size_t>(k)].is_slide;
+    const Complex apart =
+        is_slide
+            ? difference / arm.length
+            : Complex(std::remainder(difference.real(), 2 * std::numbers::pi), difference.imag());
+    largest = std::max(largest, std::abs(apart));
+  }
+  return largest;
+}
+
+TipWay tip_way(const Eigen::Isometry3d& begin, const Eigen::Isometry3d& end, double detour) {
+  const Eigen::AngleAxisd turn(begin.linear().transpose() * end.linear());
+  return {{begin.linear(), begin.translation()},
+          {end.linear(), end.translation()},
+          turn.angle() * turn.axis(),
+          detour};
+}
+
+bool correct_at(const Arm& arm, const Placement<Complex>& pose, JointVector<Complex>& values,
+                double farthest, double& accuracy) {
+  constexpr int kMost = 12;
+  constexpr double kRegular = 1e-5;
+  JointVector<Complex> q = values;
+  accuracy = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < kMost; ++k) {
+    const JointVector<Complex> step = newton_step(arm, pose, q);
+    const double size = step_size(arm, step);
+    if (!std::isfinite(size)) return false;
+    if (size > accuracy / 2 && accuracy <= kRegular) break;  // the last digits
+    if (size > farthest) return false;
+    q += step;
+    accuracy = size;
+    if (size == 0) break;
+  }
+  if (!(accuracy <= kRegular) || distance_of(arm, q, values) > farthest) return false;
+  values = q;
+  return true;
+}
+
+ApproachEnd approach(const Arm& arm, const TipWay& way, const JointVector<Complex>& start,
+                     double contraction) {
+  constexpr double kFirstStep = 0.1, kLeastShare = 1e-7, kNear = 1e-3, kRounding = 1e-13;
+  /// Newton steps that a prediction should need, radians.
+  constexpr double kWanted = 1e-3;
+  constexpr int kMostSteps = 2000;
+  const Placement<Complex> end{way.end.R.cast<Complex>(), way.end.p.cast<Complex>()};
+  ApproachEnd result;
+  result.values = start;
+  double s = 0, h = kFirstStep;
+  for (int steps = 0; steps < kMostSteps; ++steps) {
+    result.remaining = 1 - s;
+    if (is_infinite(arm, result.values)) {
+      result.kind = result.remaining < kNear ? ApproachKind::infinite : ApproachKind::lost;
+      return result;
+    }
+    if (result.remaining < kRounding) break;
+    const bool is_last = h >= result.remaining;
+    h = std::min(h, result.remaining);
+    const double next = is_last ? 1 : s + h;
+    JointVector<Complex> q = predicted(arm, way, s, h, result.values);
+    const Corrected step =
+        corrected(arm, is_last ? end : moving(arm, way, next).at, contraction, q);
+    if (step.contracts && is_last) {
+      JointVector<Complex> last = q;
+      if (correct_at(arm, end, last, kWanted, result.accuracy)) {
+        result.values = last;
+        result.remaining = 0;
+        result.kind = ApproachKind::regular;
+        return result;
+      }
+    }
+    if (step.contracts && !is_last) {
+      result.values = q;
+      s = next;
+      const double growth = std::pow(kWanted / std::max(step.first, 1e-9), 0.2);
+      h *= std::clamp(0.9 * growth, 0.3, 3.0);
+      continue;
+    }
+    h /= 3;
+    if (h < kLeastShare * result.remaining) break;
+  }
+  if (result.remaining < kNear) result.kind = ApproachKind::singular;
+  return result;
+}
+
+bool are_different(const Arm& arm, const std::vector<ApproachEnd>& ends) {
+  for (std::size_t k = 0; k < ends.size(); ++k) {
+    if (ends[k].kind == ApproachKind::lost) return false;
+    for (std::size_t j = 0; j < k; ++j) {
+      if (have_met(arm, ends[j], ends[k])) return false;
+    }
+  }
+  return true;
+}
+
+bool have_conjugates(const Arm& arm, const std::vector<ApproachEnd>& ends) {
+  return std::all_of(ends.begin(), ends.end(),
+                     [&](const ApproachEnd& end) { return has_conjugate(arm, end, ends); });
+}
+
+}  // namespace moivre

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+// Newton's method from a start, sets through what it finds, limits and letters.
+#include "posture_list.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "moivre/mechanism/closure_id.h"
+#include "polish.h"
+#include "self_motion.h"
+
+namespace moivre {
+namespace {
+
+/// Postures with a larger smallest singular value stand alone, whatever is asked.
+constexpr double kStandsAlone = 1e-6;
+/// Postures that are nearer to a set are of it: they are known to half the digits where sets meet.
+constexpr double kOnSet = 1e-4;
+/// A set that reaches farther than this, radians, is looked for where the accuracy may move a joint so far.
+constexpr double kReachesFar = 0.05;
+
+/// By how much a tip that stands may seem to move.
+constexpr double kRounding = 1e-12;
+
+/// Two postures that are nearer are one: what rounding moves a closure by.
+double same_within(const ArmClosure& closure) {
+  constexpr double kLeast = 1e-9, kLastDigits = 1e-13, kAtMost = 1e-2;
+  const double sigma = std::max(closure.smallest_singular_value, 1e-300);
+  return std::clamp((kLastDigits + closure.residual) / sigma, kLeast, kAtMost);
+}
+
+ArmClosure closure_of(const PostureList& list, const Polished& polished) {
+  const Arm& arm = list.arm;
+  ArmClosure closure;
+  closure.values = polished.values;
+  closure.residual = polished.residual;
+  closure.newton_iterations = polished.iterations;
+  closure.smallest_singular_value = polished.smallest_singular_value;
+  closure.weakest = weakest_motion(arm, polished);
+  closure.moved_by_digits = arm.rounding / std::max(polished.smallest_singular_value, 1e-300);
+  closure.within_digits = polished.residual > list.accuracy;
+  reduce_turns(arm, closure.values);
+  closure.in_limits = closure.values;
+  closure.beyond = place_in_limits(arm, closure.in_limits);
+  return closure;
+}
+
+std::optional<std::size_t> listed(const PostureList& list, const ArmClosure& closure) {
+  for (std::size_t k = 0; k < list.closures.size(); ++k) {
+    const ArmClosure& other = list.closures[k];
+    const double within = std::max(same_within(closure), same_within(other));
+    if (distance(list.arm, closure.values, other.values) <= within) return k;
+  }
+  return std::nullopt;
+}
+
+std::optional<std::size_t> set_of(const PostureList& list, const Eigen::VectorXd& values,
+                                  bool is_exact) {
+  for (std::size_t k = 0; k < list.moves.size(); ++k) {
+    if (is_exact && list.moves[k].within_digits) continue;
+    if (is_on(list.arm, list.moves[k], values, kOnSet)) return k;
+  }
+  return std::nullopt;
+}
+
+/// Adds the set through the posture that the accuracy, or the digits, leave open; its number where the pose's accuracy does.
+std::optional<std::size_t> add_set(PostureList& list, const ArmClosure& closure) {
+  const double sigma = closure.smallest_singular_value;
+  // What a pose typed with all digits leaves open is rounding alone.
+  const double of_pose = list.accuracy > kReach ? list.accuracy : kRounding;
+  for (const double accuracy : {of_pose, list.accuracy + list.arm.rounding}) {
+    const bool is_by_digits = accuracy > of_pose;
+    if (is_by_digits && list.arm.rounding == 0) continue;
+    if (sigma > std::max(is_by_digits ? 0 : kStandsAlone, accuracy / kReachesFar)) continue;
+    if (is_by_digits && set_of(list, closure.values, false)) return std::nullopt;
+    auto traced = trace_set(list.arm, list.pose, closure.values, accuracy, list.seed);
+    if (!traced) continue;
+    traced->motion.within_digits = is_by_digits && traced->motion.misfit > of_pose;
+    // Where sets meet the posture may not be known well enough to be seen on one that is there.
+    if (const auto same = set_of(list, traced->motion.values, true)) return same;
+    const bool is_within_digits = traced->motion.within_digits;
+    list.moves.push_back(std::move(traced->motion));
+    if (!is_within_digits) return list.moves.size() - 1;
+    for (const Eigen::VectorXd& near : traced->near_closures) enter(list, near, false);
+    return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+double distance(const Arm& arm, const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+  double largest = 0;
+  for (std::size_t k = 0; k < arm.joints.size(); ++k) {
+    const double difference = a[static_cast<Eigen::Index>(k)] - b[static_cast<Eigen::Index>(k)];
+    const double apart = arm.joints[k].is_slide ? difference / arm.length
+                                                : std::remainder(difference, 2 * std::numbers::pi);
+    largest = std::max(largest, std::abs(apart));
+  }
+  return largest;
+}
+
+void reduce_turns(const Arm& arm, Eigen::VectorXd& values) {
+  constexpr double kRounding = 1e-12;
+  for (std::size_t k = 0; k < arm.joints.size(); ++k) {
+    if (arm.joints[k].is_slide) continue;
+    double& value = values[static_cast<Eigen::Index>(k)];
+    value = std::remainder(value, 2 * std::numbers::pi);
+    if (value <= -std::numbers::pi + kRounding) value = std::numbers::pi;
+  }
+}
+
+std::vector<std::size_t> place_in_limits(const Arm& arm, Eigen::VectorXd& values) {
+  constexpr double kRounding = 1e-9;
+  constexpr double kTurn = 2 * std::numbers::pi;
+  std::vector<std::size_t> beyond;
+  for (std::size_t k = 0; k < arm.joints.size(); ++k) {
+    const ArmJoint& joint = arm.joints[k];
+    if (!joint.limits) continue;
+    double& stands = values[static_cast<Eigen::Index>(k)];
+    const double slack = kRounding * std::max(1.0, std::abs(stands));
+    const double lower = joint.limits->lower - slack;
+    const double upper = joint.limits->upper + slack;
+    double value = stands;
+    if (!joint.is_slide && value < lower) value += kTurn * std::ceil((lower - value) / kTurn);
+    if (!joint.is_slide && value > upper) value -= kTurn * std::ceil((value - upper) / kTurn);
+    if (value < lower || value > upper) {
+      beyond.push_back(k);
+    } else {
+      stands = value;
+    }
+  }
+  return beyond;
+}
+
+void name_closures(std::vector<ArmClosure>& closures) {
+  constexpr double kGrid = 1e-6;
+  const auto key = [](const ArmClosure& closure) {
+    std::vector<long long> rounded;
+    for (const double value : closure.values) rounded.push_back(std::llround(-value / kGrid));
+    return rounded;
+  };
+  std::sort(closures.begin(), closures.end(),
+            [&](const ArmClosure& a, const ArmClosure& b) { return key(a) < key(b); });
+  for (std::size_t k = 0; k < closures.size(); ++k) closures[k].id = closure_id(k);
+}
+
+Entry enter(PostureList& list, const Eigen::VectorXd& start, bool is_far) {
+  const Polished polished = polish(list.arm, list.pose, start, is_far);
+  if (!list.nearest || polished.residual < list.nearest->misfit) {
+    list.nearest = {polished.values, polished.residual};
+    reduce_turns(list.arm, list.nearest->values);
+  }
+  Entry entry;
+  entry.moved = distance(list.arm, polished.values, start);
+  if (!(polished.residual <= list.accuracy + list.arm.rounding)) return entry;
+  ArmClosure closure = closure_of(list, polished);
+  const auto known = [&]() -> std::optional<Entry> {
+    if (const auto same = listed(list, closure)) {
+      return Entry{Entry::Kind::closure, *same, false, entry.moved};
+    }
+    // A closure may stand on a set that is there within the digits only; what is no closure is of that set.
+    if (const auto set = set_of(list, closure.values, !closure.within_digits)) {
+      return Entry{Entry::Kind::on_set, *set, false, entry.moved};
+    }
+    return std::nullopt;
+  };
+  if (const auto same = known()) return *same;
+  if (const auto set = add_set(list, closure))
+    return {Entry::Kind::on_set, *set, true, entry.moved};
+  if (const auto same = known()) return *same;
+  list.closures.push_back(std::move(closure));
+  return {Entry::Kind::closure, list.closures.size() - 1, true, entry.moved};
+}
+
+}  // namespace moivre

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// Which postures hold the pose, of all that searches lead to? A list of closures that stand alone, and of sets on which joints move.
+//
+// A start becomes a posture by Newton's method (least squares, where the arm has fewer joints than six) on the product of transforms,
+// as typed. It is entered if it misses the pose by no more than the pose is accurate; marked where only the digits of the file's
+// numbers explain the rest.
+// A posture whose smallest singular value is small is followed (self_motion.h): it may belong to a set. Postures of a set are not
+// listed as closures, unless it is a set within the digits only.
+#pragma once
+
+#include <optional>
+
+#include "moivre/arms/arm_closures.h"
+
+namespace moivre {
+
+struct PostureList {
+  const Arm& arm;
+  Eigen::Isometry3d pose;
+  double accuracy = kReach;  ///< of the pose: radians, and lengths beside the arm's
+  std::uint64_t seed = 0;
+  std::vector<ArmClosure> closures;
+  std::vector<SelfMotion> moves;
+  std::optional<NearestPosture> nearest;  ///< of all starts
+};
+
+struct Entry {
+  enum class Kind { none, closure, on_set } kind = Kind::none;
+  std::size_t index = 0;  ///< of the closure or the set
+  bool is_new = false;
+  double moved = 0;  ///< from the start, radians or arm's lengths
+};
+
+/// `is_far`: the start is not near a closure, so that steps are damped.
+Entry enter(PostureList& list, const Eigen::VectorXd& start, bool is_far);
+
+/// Largest difference, turns modulo whole ones, slides beside the arm's length.
+double distance(const Arm& arm, const Eigen::VectorXd& a, const Eigen::VectorXd& b);
+
+/// Turns in (-pi, pi], a half turn from either side as pi.
+void reduce_turns(const Arm& arm, Eigen::VectorXd& values);
+
+/// Letters by values, larger first.
+void name_closures(std::vector<ArmClosure>& closures);
+
+}  // namespace moivre

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+// Random joint values, the loop of their pose, its roots, put right on the arm itself.
+#include "regular_pose.h"
+
+#include <algorithm>
+
+#include "equations.h"
+#include "moivre/factorization/svd.h"
+#include "random_values.h"
+#include "read_back.h"
+
+namespace moivre {
+namespace {
+
+/// Radians: what the special geometry that a file's digits stand for may move a closure of a regular pose.
+constexpr double kMovedByMeaning = 0.2;
+/// Imaginary parts of angles: sines are thousands, and products of them have no digit left.
+constexpr double kFar = 7;
+/// Closures of a regular pose that are nearer are one.
+constexpr double kSameRoot = 1e-6;
+
+SolveResult solve_outside(const System& system, const Tracker& tracker, SolveOptions options,
+                          const std::atomic<bool>& stop) {
+  options.eliminate = false;  // multilinear equations have nothing that pays
+  options.progress = nullptr;
+  if (options.start == StartKind::automatic) options.start = StartKind::multihomogeneous;
+  return solve(system, tracker, options, stop);
+}
+
+bool is_among(const Arm& arm, const JointVector<Complex>& values,
+              const std::vector<RegularRoot>& roots) {
+  return std::any_of(roots.begin(), roots.end(), [&](const RegularRoot& root) {
+    return distance_of(arm, root.values, values) < kSameRoot;
+  });
+}
+
+/// False where a root could not be put right, or is there twice.
+bool read_roots(const Arm& arm, const Loop& loop, RegularPose& regular) {
+  const Placement<Complex> pose = complex_placement(regular.pose);
+  bool are_right = true;
+  std::uint64_t roots = 0;
+  for (const Solution& solution : regular.solved.solutions) {
+    roots += solution.multiplicity;
+    const ReadBack read = read_back(loop, regular.cut, solution.x, solution.accuracy);
+    if (read.roots.empty()) {
+      regular.rejected += solution.multiplicity;
+      continue;
+    }
+    if (read.moves || solution.multiplicity > 1) are_right = false;
+    for (const LoopRoot& root : read.roots) {
+      JointVector<Complex> values = values_of(loop, root);
+      double accuracy = 0;
+      if (values.imag().cwiseAbs().maxCoeff() > kFar) {
+        ++regular.far;
+        continue;
+      }
+      if (!correct_at(arm, pose, values, kMovedByMeaning, accuracy) ||
+          is_among(arm, values, regular.roots)) {
+        are_right = false;
+      } else {
+        regular.roots.push_back({values, solution.path});
+      }
+    }
+  }
+  // Every form of a general arm has two false roots for a true one at most: where there are more, true ones were not read back.
+  return are_right && 3 * regular.rejected <= 2 * roots;
+}
+
+RegularPose closures_of_values(const Arm& arm, const Eigen::VectorXd& own, const Tracker& tracker,
+                               const SolveOptions& options, const std::atomic<bool>& stop) {
+  RegularPose regular;
+  regular.pose = forward_kinematics(arm, own);
+  const Loop loop = make_loop(arm, regular.pose, options.seed);
+  regular.cut = choose_cut(loop);
+  regular.solved =
+      solve_outside(cut_equations(loop, regular.cut, options.seed), tracker, options, stop);
+  const bool are_right = read_roots(arm, loop, regular);
+  regular.solved.solutions.clear();
+  regular.complete =
+      regular.solved.complete && are_right && is_among(arm, own.cast<Complex>(), regular.roots);
+  return regular;
+}
+
+/// Of random postures the one that is farthest from singular.
+Eigen::VectorXd regular_values(const Arm& arm, std::uint64_t seed, std::uint64_t trial) {
+  constexpr std::uint64_t kPostures = 30, kBehindOthers = 20000;
+  Eigen::VectorXd best;
+  double largest = -1;
+  for (std::uint64_t k = 0; k < kPostures; ++k) {
+    const Eigen::VectorXd values =
+        random_joint_values(arm, seed, kBehindOthers + trial * kPostures + k);
+    const double least = singular_values(tip_motion<double>(arm, values).screws).minCoeff();
+    if (least > largest) largest = least, best = values;
+  }
+  return best;
+}
+
+}  // namespace
+
+StartsAtPose starts_at(const Arm& arm, const Eigen::Isometry3d& pose, const Tracker& tracker,
+                       const SolveOptions& options, const std::atomic<bool>& stop) {
+  /// Roots that are nearer to real than this are tried as closures: double ones leave the real line by rounding.
+  constexpr double kNearlyReal = 0.1;
+  const Loop loop = make_loop(arm, pose, options.seed);
+  const Cut cut = choose_cut(loop);
+  const SolveResult solved =
+      solve_outside(cut_equations(loop, cut, options.seed), tracker, options, stop);
+  StartsAtPose starts;
+  starts.complete = solved.complete;
+  for (const Solution& solution : solved.solutions) {
+    for (const LoopRoot& root : read_back(loop, cut, solution.x, solution.accuracy).roots) {
+      const JointVector<Complex> values = values_of(loop, root);
+      if (values.imag().cwiseAbs().maxCoeff() < kNearlyReal) starts.values.push_back(values.real());
+    }
+  }
+  return starts;
+}
+
+RegularPose find_regular_pose(const Arm& arm, const Tracker& tracker, const SolveOptions& options,
+                              const std::atomic<bool>& stop) {
+  constexpr std::uint64_t kTries = 4;
+  RegularPose best;
+  for (std::uint64_t k = 0; k < kTries && !stop && !best.complete; ++k) {
+    RegularPose regular =
+        closures_of_values(arm, regular_values(arm, options.seed, k), tracker, options, stop);
+    const bool is_better = regular.complete || regular.roots.size() > best.roots.size();
+    if (k == 0 || is_better) best = std::move(regular);
+  }
+  return best;
+}
+
+}  // namespace moivre

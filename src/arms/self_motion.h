@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// How do the joints move while the tip stands, within an accuracy? The set of postures through one of them, followed to its ends.
+//
+// At a posture the screws' smallest singular values tell candidates: joint velocities that move the tip least. Random steps along
+// them, put right by Newton's method, come back to the set if there is one; it has as many dimensions as these places span.
+// A set of dimension 1 is followed in steps of kStep to both sides until it closes or ends. Of a larger one random ways are followed.
+//   relations: r . q = constant on the whole set, for its joints that move, where it is a piece of a plane in joint space
+// Closures of the arm may lie on a set that is there only within the accuracy: where the miss, along the direction in which the tip
+// can least move, changes its sign.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "moivre/arms/arm_closures.h"
+
+namespace moivre {
+
+struct TracedSet {
+  SelfMotion motion;
+  /// Near places where the arm closes exactly, if the set does so only within the accuracy.
+  std::vector<Eigen::VectorXd> near_closures;
+};
+
+/// nullopt where the posture stands alone. `accuracy`: radians, and lengths beside the arm's.
+std::optional<TracedSet> trace_set(const Arm& arm, const Eigen::Isometry3d& pose,
+                                   const Eigen::VectorXd& from, double accuracy,
+                                   std::uint64_t seed);
+
+}  // namespace moivre

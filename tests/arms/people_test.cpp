@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+// Do people's own arms keep the posture that a pose was made from? Five joints, home poses, axes in line, angles typed to five digits;
+// poses at singular postures and within 1e-9 to 1e-3 of them.
+#include <gtest/gtest.h>
+
+#include "robots.h"
+#if MOIVRE_WITH_CVODE
+#include "moivre/tracker_cvode/cvode_tracker.h"
+#endif
+
+namespace moivre::test {
+namespace {
+
+struct PeoplesArm {
+  const char* name;
+  std::vector<HeldJoint> held;
+  std::vector<std::vector<double>> values;  ///< that poses are made from
+  bool moves = false;  ///< the tip can stand while the joints move, at every one of these poses
+};
+
+const std::vector<PeoplesArm>& peoples_arms() {
+  static const std::vector<PeoplesArm> arms{
+      {"bravo7",
+       {},
+       {{1.028, 0.551, 0.253, 0.221, 1.257, 1.387}, {0.865, 1.436, 0.387, 1.433, 0.605, 0.75}},
+       false},
+      {"crx10ial",
+       {},
+       {{2.356194490192345, 0.0, -1.5707963267948966, 1.5707963267948966, 2.356194490192345,
+         -2.356194490192345}},
+       true},
+      {"fiveaxis",
+       {},
+       {{0.1, 0.2, 0.3, 0, 0.5},
+        {0.1, 0.2, 0.3, 1e-09, 0.5},
+        {0.1, 0.2, 0.3, 1e-06, 0.5},
+        {0.1, 0.2, 0.3, -1e-06, -1.1},
+        {0.1, 0.2, 0.3, 0.001, 0.5},
+        {0.1, 0.2, 0.3, 3.141592653589793, 0.5},
+        {0.1, 0.2, 0.3, 3.141591653589793, 0.5}},
+       false},
+      {"iiwa14",
+       {{"joint_a7", 2.721}},
+       {{1.5799575184990262, 1.4893770988454786, -1.4313939433151546, -0.9970733816555748,
+         0.20949707863316602, 1.8251363904224793}},
+       false},
+      {"m430ia2p", {}, {{0, 0, 0, 0, 0, 0}, {0.4, 0, 0, -0.4, 0, 0}}, true},
+      {"pincher_arm",
+       {},
+       {{0.3002, 0.9533, 0.6616, -0.6595, -0.4796},
+        {0.8965, -1.1874, 0.7709, 0.713, -0.077},
+        {-0.4727, -0.5318, -0.5883, -0.1318, 0.0109},
+        {0.1284, 1.1892, 0.7024, 0.2932, 1.1735},
+        {-0.6833, -0.8155, 0.2701, -1.0945, -1.1144},
+        {0.0357, -0.0811, 1.0012, 0.3101, 0.0339}},
+       false},
+      {"pincher_finger",
+       {},
+       {{0.3287, -0.5525, -1.1017, -1.1603, 0.7518},
+        {0.9906, 0.2559, 0.5508, 0.1047, 1.0442},
+        {0.758, -1.1934, 0.8578, -1.1194, 0.5512},
+        {-0.7784, 0.8716, 0.0995, -0.4807, -0.1856},
+        {-1.132, -0.9017, 0.4095, 0.3533, 0.2769}},
+       false},
+      {"px150", {}, {{0.3, -0.5, 0.4, 0.6, -0.3, 0.2}}, true},
+      {"railed_6dof",
+       {},
+       {{-1.8701892318988271, -1.5707963267948966, -1.5707963267948966, 0.0, 1.5707963267948966,
+         -1.5707963267948966}},
+       false},
+      {"schunk_lwa4p",
+       {},
+       {{-0.6114129202884033, -0.864836266284267, 0.07386111100500914, 0.0012484447909621998, 0.0,
+         -0.31325917849104146}},
+       false},
+      {"so101",
+       {},
+       {{0.0236, 0.9009, -0.7117, 0.8973, -0.3763},
+        {-0.1533, 0.6554, -0.1816, 0.0992, -0.9449},
+        {0.507, 0.0763, -0.3405, 0.5769, -0.3936},
+        {-0.093, -0.7319, -0.1938, -0.5931, -0.4754},
+        {0.5007, -0.4392, -0.0296, 0.9615, 0.9233}},
+       false},
+      {"stanford", {}, {{0, 0, 0, 0, 0, 0}, {0.5, 0.8, 0, 0.4, 0.6, -0.3}}, true},
+      {"tx2_90", {}, {{0, 0, 0, 0, 0, 0}, {0, 0, 0, 0.3, 0, -0.3}}, true},
+      {"ur5_ros", {}, {{0.3, -1.0, 1.2, 0.4, 0, 0.7}, {0, 0, 0, 0, 0, 0}}, true},
+      {"ur5_ros",
+       {},
+       {{0.3, -1.0, 1.2, 0.4, 1e-09, 0.7},
+        {0.3, -1.0, 1.2, 0.4, 1e-07, 0.7},
+        {0.3, -1.0, 1.2, 0.4, 1e-06, 0.7},
+        {0.3, -1.0, 1.2, 0.4, 1e-05, 0.7}},
+       false},
+      {"wx250s_horn",
+       {{"elbow", -0.55}},
+       {{0.329, -0.553, -1.102, -1.16, 0.752, 0.991},
+        {0.028, 1.081, -0.854, 1.077, -0.452, -0.184},
+        {-0.572, -0.484, 0.754, -0.979, 0.24, 0.549}},
+       true},
+      {"yumi",
+       {{"yumi_joint_3_r", -0.3}, {"yumi_joint_7_r", 0.4}},
+       {{0.3, -0.5, 0.4, 0.6, -0.3, 0.01}},
+       false},
+  };
+  return arms;
+}
+
+Arm made_of(const PeoplesArm& peoples) {
+  const std::string file =
+      std::string(MOIVRE_SOURCE_DIR "/tests/arms/people/") + peoples.name + ".urdf";
+  return make_arm(read_urdf(read_source(file)), {std::nullopt, std::nullopt, peoples.held});
+}
+
+bool is_told(const Arm& arm, const ArmResult& result, const Eigen::VectorXd& own) {
+  constexpr double kNear = 1e-5;
+  if (least_distance(arm, result, own) < kNear) return true;
+  return std::any_of(result.moves.begin(), result.moves.end(),
+                     [&](const SelfMotion& set) { return is_on(arm, set, own, kNear); });
+}
+
+void expect_own_postures(const Tracker& tracker, std::uint64_t seed) {
+  for (const PeoplesArm& peoples : peoples_arms()) {
+    const Arm arm = made_of(peoples);
+    for (const std::vector<double>& values : peoples.values) {
+      SCOPED_TRACE(peoples.name + (" seed " + std::to_string(seed)));
+      const Eigen::VectorXd own =
+          Eigen::Map<const Eigen::VectorXd>(values.data(), std::ssize(values));
+      const ArmResult result =
+          find_arm_closures(arm, forward_kinematics(arm, own), tracker, one_thread(seed));
+      EXPECT_TRUE(result.complete) << result.message;
+      EXPECT_TRUE(is_told(arm, result, own)) << ::testing::PrintToString(values);
+      const bool moves = std::any_of(result.moves.begin(), result.moves.end(),
+                                     [](const SelfMotion& set) { return !set.within_digits; });
+      EXPECT_EQ(moves, peoples.moves) << ::testing::PrintToString(values);
+      for (const ArmClosure& closure : result.closures) {
+        EXPECT_LE(closure.residual, closure.within_digits ? kReach + arm.rounding : kReach);
+      }
+    }
+  }
+}
+
+TEST(PeoplesArmsTest, KeepThePostureThatAPoseWasMadeFrom) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) expect_own_postures(lanes(), seed);
+}
+
+#if MOIVRE_WITH_CVODE
+TEST(PeoplesArmsTest, KeepItByTheOtherTrackerToo) {
+  expect_own_postures(*make_cvode_tracker({}), 6);
+}
+#endif
+
+}  // namespace
+}  // namespace moivre::test
