@@ -45,7 +45,8 @@ std::uint64_t hash_of(const System& f, std::uint64_t seed) {
 PrimeField::PrimeField(const System& f, std::uint64_t seed) {
   // 1 modulo 4 is 2^61 - c for c = 3, 7, 11, ...
   constexpr std::uint64_t kStep = 4;
-  offset_ = hash_of(f, seed) % kOffsets / kStep * kStep + kStep - 1;
+  seed_ = hash_of(f, seed);
+  offset_ = seed_ % kOffsets / kStep * kStep + kStep - 1;
   for (;; offset_ += kStep) {
     if (!is_prime()) continue;
     find_root_of_minus_one();

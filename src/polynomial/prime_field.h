@@ -34,6 +34,8 @@ class PrimeField {
   static constexpr int kMostProducts = 63;
 
   constexpr Residue prime() const { return kPower - offset_; }
+  /// Drawn with the prime: what else is to be random for this system begins with it.
+  constexpr std::uint64_t seed() const { return seed_; }
   constexpr Residue times(Residue a, Residue b) const { return reduced_product(WideSum{a} * b); }
   constexpr Residue plus(Residue a, Residue b) const {
     const Residue sum = a + b;
@@ -80,6 +82,7 @@ class PrimeField {
   Residue residue(const Rational& a) const;
 
   std::uint64_t offset_ = 31;
+  std::uint64_t seed_ = 1;
   Residue root_of_minus_one_ = 583529827753931384;
 };
 

@@ -20,11 +20,11 @@ using Leading = DegreeAndExponents;
 // In the time of a term, beside each other in memory.
 constexpr std::uint64_t kMultiplicationsOfATerm = 2;
 
-// Random numbers: coefficients of the linear form, then of two vectors.
+// Random numbers: coefficients of the linear form, then of two vectors. Of a form that is known beforehand a system can be made in which
+// two roots have one value.
 constexpr std::uint64_t kFirstOfVectors = 1000;
 Residue random_residue(const PrimeField& field, std::uint64_t i) {
-  constexpr std::uint64_t kSeed = 1;
-  return random_bits(kSeed, RandomStream::algebra, i) % field.prime();
+  return random_bits(field.seed(), RandomStream::algebra, i) % field.prime();
 }
 
 struct Pair {

@@ -142,6 +142,19 @@ TEST(QuotientRing, LosesNoRootByAPrimeThatASystemWasMadeFor) {
   EXPECT_EQ(roots_of("2\n2305843009213693922*x^2 + y^2 - 3;\nx^2 + y^2 - 1;\n"), 4U);
 }
 
+// Two roots 2e-9 apart on a line on which the linear form that was the same for every system is constant.
+TEST(QuotientRing, TellsRootsApartThatALinearFormKnownBeforehandDoesNot) {
+  const std::string line =
+      "(18012415595241892124*x + 2715516322141056654*y - 67614828396430959642/11)";
+  const System f = system_of("2\n" + line + "*(x - 2*y + 3);\n(x - 2/7)^2 - 1e-18 + " + line +
+                             "*(y + x + 1)/18012415595241892124;\n");
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    const QuotientRing ring = quotient_ring(f, {.counts_points = true, .seed = seed});
+    EXPECT_EQ(ring.dimension, 4U);
+    EXPECT_EQ(ring.points, 4U) << seed;
+  }
+}
+
 // Whatever is known, at least as many: where all are, the search may end.
 TEST(QuotientRing, NeverCountsFewerThanThereAre) {
   const System f = system_of("2\nx^2*y + y^3 - 3*x + 1;\nx^3 - y^2*x + 7*y;\n");

@@ -8,7 +8,7 @@
 //
 // Where all roots are isolated the dimension is the number of roots in C^n, each counted with its multiplicity; those at infinity
 // do not count. Leading monomials found so far bound it already. A random linear form of the unknowns takes different values at
-// different roots: they are the roots of the minimal polynomial of the multiplication by it [Wiedemann86].
+// different roots: they are the roots of the minimal polynomial of the multiplication by it [Wiedemann86]. It is drawn with p.
 // Chance: what vanishes modulo p only would give another number. p is drawn from the numbers of f, so that no file is made for it, and
 // divides none of them: the probability is about 1e-18 for each number met. Roots on curves make the dimension infinite. They are all
 // singular, and the simple ones are counted instead.
@@ -43,7 +43,7 @@ struct QuotientRingOptions {
   const std::atomic<bool>* stop = nullptr;
   bool counts_points =
       false;  ///< as many multiplications, beside, as the cube of the dimension; given up beyond most_terms
-  std::uint64_t seed = 1;  ///< another one draws another prime
+  std::uint64_t seed = 1;  ///< another one draws another prime and another linear form
 };
 
 QuotientRing quotient_ring(const System& f, const QuotientRingOptions& options);
