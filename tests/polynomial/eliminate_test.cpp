@@ -24,7 +24,7 @@ using Verdict = Reduction::Verdict;
 const Polynomial x = variable(0);
 const Polynomial y = variable(1);
 const Polynomial z = variable(2);
-const Polynomial one = constant(1);
+const Polynomial one = build::constant(1);
 
 Point restored(const Reduction& r, const Point& at) {
   return restore(r, at, [](const Coefficient& c) { return c; });
@@ -105,7 +105,7 @@ TEST(Elimination, TwoCirclesNeedTwoPaths) {
 }
 
 TEST(Elimination, ParallelLinesContradictEachOther) {
-  const Reduction r = eliminate(system(2, {x + y - one, x + y - constant(2)}));
+  const Reduction r = eliminate(system(2, {x + y - one, x + y - build::constant(2)}));
   EXPECT_EQ(r.verdict, Verdict::inconsistent);
   EXPECT_EQ(told(r), (Told{"1 linear equation combined to 1 constant one: their highest terms "
                            "cancel: total degree 1 -> 1",
@@ -113,7 +113,7 @@ TEST(Elimination, ParallelLinesContradictEachOther) {
 }
 
 TEST(Elimination, ConcentricCirclesContradictEachOther) {
-  EXPECT_EQ(eliminate(system(2, {x * x + y * y - one, x * x + y * y - constant(2)})).verdict,
+  EXPECT_EQ(eliminate(system(2, {x * x + y * y - one, x * x + y * y - build::constant(2)})).verdict,
             Verdict::inconsistent);
 }
 
@@ -162,7 +162,7 @@ TEST(Elimination, ARepeatedEquationTooManyLeavesASquareSystem) {
 }
 
 TEST(Elimination, ALinearSystemIsSolvedOutright) {
-  const System f = system(3, {x + Rational(2) * y - z - one, x - y, x + y + z - constant(6)});
+  const System f = system(3, {x + Rational(2) * y - z - one, x - y, x + y + z - build::constant(6)});
   const Reduction r = eliminate(f);
   EXPECT_EQ(r.verdict, Verdict::solved);
   EXPECT_TRUE(r.system.polynomials.empty());
@@ -173,8 +173,8 @@ TEST(Elimination, ALinearSystemIsSolvedOutright) {
 TEST(Elimination, EmptyZeroAndConstantSystemsHaveAVerdict) {
   EXPECT_EQ(eliminate(System{}).verdict, Verdict::solved);
   EXPECT_EQ(eliminate(system(1, {Polynomial{}})).verdict, Verdict::dependent);
-  EXPECT_EQ(eliminate(system(1, {constant(5)})).verdict, Verdict::inconsistent);
-  EXPECT_EQ(eliminate(system(0, {constant(5)})).verdict, Verdict::inconsistent);
+  EXPECT_EQ(eliminate(system(1, {build::constant(5)})).verdict, Verdict::inconsistent);
+  EXPECT_EQ(eliminate(system(0, {build::constant(5)})).verdict, Verdict::inconsistent);
   EXPECT_EQ(eliminate(system(0, {Polynomial{}})).verdict, Verdict::solved);
   EXPECT_EQ(eliminate(system(2, {Polynomial{}, x * y - one})).verdict, Verdict::dependent);
   const Reduction single = eliminate(system(1, {Rational(3) * x - one}));
@@ -196,7 +196,7 @@ TEST(Elimination, IndependentEquationsStayAsTheyWereGiven) {
 
 TEST(Elimination, ComplexPivotsDivideExactly) {
   const Polynomial i_x = Coefficient{2, 3} * x;
-  const System f = system(2, {i_x - y - one, x * x + y * y - constant(0, 1)});
+  const System f = system(2, {i_x - y - one, x * x + y * y - build::constant(0, 1)});
   const Reduction r = eliminate(f);
   EXPECT_EQ(r.system.variables.size(), 1U);
   expect_same_span(f, r, 7);
@@ -205,7 +205,7 @@ TEST(Elimination, ComplexPivotsDivideExactly) {
 TEST(Elimination, ATinyPivotIsNotDividedByThoughItsUnknownFillsLeast) {
   const Rational tiny(1, 1000000000);
   const Reduction r = eliminate(system(3, {tiny * x + y + z - one, x + y * y * z + z * z - one,
-                                           y * y + z * z + y * z - constant(2)}));
+                                           y * y + z * z + y * z - build::constant(2)}));
   ASSERT_EQ(r.substitutions.size(), 1U);
   EXPECT_NE(r.substitutions[0].variable, 0U);
 }
@@ -214,9 +214,9 @@ TEST(Elimination, ATinyCoefficientOfALargeUnknownIsAGoodPivot) {
   const Rational size(1000000);
   const Polynomial u = variable(2), v = variable(3);
   const System f =
-      system(4, {x * x + y * y - constant(size * size), u * u + v * v - constant(1 / (size * size)),
-                 x * u - y * v - constant(Rational(1, 2)),
-                 Rational(1 / size) * x - size * u - constant(Rational(3, 10))});
+      system(4, {x * x + y * y - build::constant(size * size), u * u + v * v - build::constant(1 / (size * size)),
+                 x * u - y * v - build::constant(Rational(1, 2)),
+                 Rational(1 / size) * x - size * u - build::constant(Rational(3, 10))});
   const Reduction r = eliminate(f);
   EXPECT_EQ(r.substitutions.size(), 1U);
   expect_same_span(f, r, 3);
@@ -252,8 +252,8 @@ TEST(Elimination, FourBarLoopsCombineAndSubstitute) {
   // make a line.
   const Polynomial u = variable(2), v = variable(3);
   const System f = system(
-      4, {x * x + y * y - constant(4), power(x - constant(3), 2) + power(y - one, 2) - constant(9),
-          u * u + v * v - one, power(u - x, 2) + power(v - y, 2) - constant(2)});
+      4, {x * x + y * y - build::constant(4), power(x - build::constant(3), 2) + power(y - one, 2) - build::constant(9),
+          u * u + v * v - one, power(u - x, 2) + power(v - y, 2) - build::constant(2)});
   const Reduction r = eliminate(f);
   EXPECT_EQ(*total_degree(degrees(r.system)), 8U);
   for (std::uint64_t seed = 1; seed <= 5; ++seed) expect_same_span(f, r, seed);
@@ -322,13 +322,13 @@ TEST(Elimination, AKnownRootStaysARoot) {
 
 /// Sum of the unknowns = 1, and powers of neighbours.
 System chain(std::uint32_t unknowns, std::uint32_t exponent) {
-  Polynomial sum = constant(-1);
+  Polynomial sum = build::constant(-1);
   for (std::uint32_t j = 0; j < unknowns; ++j) sum = sum + variable(j);
   System f = system(unknowns, {sum});
   for (std::uint32_t j = 0; j + 1 < unknowns; ++j) {
     const Polynomial powers{
         {Term{Coefficient{1, 0}, {{j, exponent}}}, Term{Coefficient{1, 0}, {{j + 1, exponent}}}}};
-    f.polynomials.push_back(powers - constant(j + 1));
+    f.polynomials.push_back(powers - build::constant(j + 1));
   }
   return f;
 }

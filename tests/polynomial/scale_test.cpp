@@ -25,18 +25,18 @@ Rational ten_to(int exponent) {
 System circles(const Rational& size) {
   const Polynomial x = variable(0), y = variable(1), u = variable(2), v = variable(3);
   return system(4,
-                {x * x + y * y - constant(size * size), u * u + v * v - constant(1 / (size * size)),
-                 x * u - y * v - constant(Rational(1, 2)),
-                 Rational(1 / size) * x - size * u - constant(Rational(3, 10))});
+                {x * x + y * y - build::constant(size * size), u * u + v * v - build::constant(1 / (size * size)),
+                 x * u - y * v - build::constant(Rational(1, 2)),
+                 Rational(1 / size) * x - size * u - build::constant(Rational(3, 10))});
 }
 
 /// Planar 2R arm; the last two equations multiplied by `a` and `b`.
 System arm(const Rational& a, const Rational& b) {
   const Polynomial c1 = variable(0), s1 = variable(1), c2 = variable(2), s2 = variable(3);
   const Rational l(7, 10);
-  return system(4, {c1 * c1 + s1 * s1 - constant(1), c2 * c2 + s2 * s2 - constant(1),
-                    a * (c1 + l * (c1 * c2 - s1 * s2) - constant(Rational(6, 5))),
-                    b * (s1 + l * (s1 * c2 + c1 * s2) - constant(Rational(2, 5)))});
+  return system(4, {c1 * c1 + s1 * s1 - build::constant(1), c2 * c2 + s2 * s2 - build::constant(1),
+                    a * (c1 + l * (c1 * c2 - s1 * s2) - build::constant(Rational(6, 5))),
+                    b * (s1 + l * (s1 * c2 + c1 * s2) - build::constant(Rational(2, 5)))});
 }
 
 double largest_log2(const System& f) {
@@ -85,9 +85,9 @@ TEST(Scaling, WellScaledSystemsAreLeftAlone) {
 }
 
 TEST(Scaling, Property2AMildSystemStaysThoughItCouldBeMadePerfect) {
-  const System f = system(1, {Rational(256) * variable(0) * variable(0) - constant(1)});
+  const System f = system(1, {Rational(256) * variable(0) * variable(0) - build::constant(1)});
   EXPECT_TRUE(is_identity(choose_scaling(f)));
-  const System g = system(1, {Rational(4096) * variable(0) * variable(0) - constant(1)});
+  const System g = system(1, {Rational(4096) * variable(0) * variable(0) - build::constant(1)});
   EXPECT_EQ(choose_scaling(g).variable_log2, (std::vector<int>{-6}));
 }
 
@@ -115,14 +115,14 @@ TEST(Scaling, BadRowsBecomeTheirTwinAndUnknownsStay) {
 
 TEST(Scaling, OneTinyCoefficientThatNoUnitsExplainDoesNotStretchTheUnknowns) {
   const Polynomial x = variable(0), y = variable(1);
-  const System f = system(2, {x * x + y * y - constant(1),
-                              x + Rational(6 * ten_to(-17)) * y - constant(Rational(1, 2))});
+  const System f = system(2, {x * x + y * y - build::constant(1),
+                              x + Rational(6 * ten_to(-17)) * y - build::constant(Rational(1, 2))});
   EXPECT_EQ(choose_scaling(f).variable_log2, (std::vector<int>{0, 0}));
 }
 
 TEST(Scaling, WilkinsonsPolynomialComesWithinReach) {
-  Polynomial p = constant(1);
-  for (int k = 1; k <= 20; ++k) p = p * (variable(0) - constant(k));
+  Polynomial p = build::constant(1);
+  for (int k = 1; k <= 20; ++k) p = p * (variable(0) - build::constant(k));
   const System f = system(1, {p});
   const System g = scale(f, choose_scaling(f));
   EXPECT_GT(largest_log2(f), 63);
