@@ -148,15 +148,15 @@ bool read_ends(const Beginning& beginning, const std::vector<ApproachEnd>& ends,
       continue;
     }
     const bool counts = is_own(beginning, end, accuracy);
-    const Entry entry = imaginary > kNearlyReal ? Entry{} : enter(list, start, false);
-    if (entry.kind == Entry::Kind::closure && entry.moved <= kFarthest) {
+    const PostureEntry entry = imaginary > kNearlyReal ? PostureEntry{} : enter(list, start, false);
+    if (entry.kind == PostureEntry::Kind::closure && entry.moved <= kFarthest) {
       ArmClosure& closure = list.closures[entry.index];
       if (entry.is_new) closure.path = beginning.regular.roots[k].path;
       if (!entry.is_new) closure.singular = ++closure.multiplicity > 1;
       ++result.counts.complex;
       continue;
     }
-    if (entry.kind == Entry::Kind::on_set) continue;
+    if (entry.kind == PostureEntry::Kind::on_set) continue;
     if (counts) ++result.counts.complex;
     const bool is_real = imaginary <= 10 * end.accuracy + 1e-10;
     if (is_real && has_all_joints) are_read = false;
@@ -188,9 +188,9 @@ void search(PostureList& list, ArmResult& result, std::uint64_t count) {
   constexpr std::uint64_t kBehindOthers = 100;
   constexpr double kRegular = 1e-5;
   for (std::uint64_t k = 0; k < count; ++k) {
-    const Entry entry =
+    const PostureEntry entry =
         enter(list, random_joint_values(list.arm, list.seed, kBehindOthers + k), true);
-    if (entry.kind != Entry::Kind::closure || !entry.is_new) continue;
+    if (entry.kind != PostureEntry::Kind::closure || !entry.is_new) continue;
     // Where closures meet paths may be read as one; a closure that stands clearly alone has a path of its own.
     const ArmClosure& closure = list.closures[entry.index];
     if (closure.smallest_singular_value > kRegular && !closure.within_digits) {

@@ -146,32 +146,32 @@ void name_closures(std::vector<ArmClosure>& closures) {
   for (std::size_t k = 0; k < closures.size(); ++k) closures[k].id = closure_id(k);
 }
 
-Entry enter(PostureList& list, const Eigen::VectorXd& start, bool is_far) {
+PostureEntry enter(PostureList& list, const Eigen::VectorXd& start, bool is_far) {
   const Polished polished = polish(list.arm, list.pose, start, is_far);
   if (!list.nearest || polished.residual < list.nearest->misfit) {
     list.nearest = {polished.values, polished.residual};
     reduce_turns(list.arm, list.nearest->values);
   }
-  Entry entry;
+  PostureEntry entry;
   entry.moved = distance(list.arm, polished.values, start);
   if (!(polished.residual <= list.accuracy + list.arm.rounding)) return entry;
   ArmClosure closure = closure_of(list, polished);
-  const auto known = [&]() -> std::optional<Entry> {
+  const auto known = [&]() -> std::optional<PostureEntry> {
     if (const auto same = listed(list, closure)) {
-      return Entry{Entry::Kind::closure, *same, false, entry.moved};
+      return PostureEntry{PostureEntry::Kind::closure, *same, false, entry.moved};
     }
     // A closure may stand on a set that is there within the digits only; what is no closure is of that set.
     if (const auto set = set_of(list, closure.values, !closure.within_digits)) {
-      return Entry{Entry::Kind::on_set, *set, false, entry.moved};
+      return PostureEntry{PostureEntry::Kind::on_set, *set, false, entry.moved};
     }
     return std::nullopt;
   };
   if (const auto same = known()) return *same;
   if (const auto set = add_set(list, closure))
-    return {Entry::Kind::on_set, *set, true, entry.moved};
+    return {PostureEntry::Kind::on_set, *set, true, entry.moved};
   if (const auto same = known()) return *same;
   list.closures.push_back(std::move(closure));
-  return {Entry::Kind::closure, list.closures.size() - 1, true, entry.moved};
+  return {PostureEntry::Kind::closure, list.closures.size() - 1, true, entry.moved};
 }
 
 }  // namespace moivre

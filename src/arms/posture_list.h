@@ -24,7 +24,7 @@ struct PostureList {
   std::optional<NearestPosture> nearest;  ///< of all starts
 };
 
-struct Entry {
+struct PostureEntry {
   enum class Kind { none, closure, on_set } kind = Kind::none;
   std::size_t index = 0;  ///< of the closure or the set
   bool is_new = false;
@@ -32,7 +32,7 @@ struct Entry {
 };
 
 /// `is_far`: the start is not near a closure, so that steps are damped.
-Entry enter(PostureList& list, const Eigen::VectorXd& start, bool is_far);
+PostureEntry enter(PostureList& list, const Eigen::VectorXd& start, bool is_far);
 
 /// Largest difference, turns modulo whole ones, slides beside the arm's length.
 double distance(const Arm& arm, const Eigen::VectorXd& a, const Eigen::VectorXd& b);

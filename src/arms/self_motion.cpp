@@ -333,7 +333,7 @@ std::optional<TracedSet> trace_set(const Arm& arm, const Eigen::Isometry3d& pose
 }
 
 bool is_on(const Arm& arm, const SelfMotion& motion, const VectorXd& values, double within) {
-  constexpr double kStandsStill = 5e-3, kChord = 2e-3, kBetweenWays = 0.5;
+  constexpr double kStandsStill = 5e-3, kChord = 5e-3, kBetweenWays = 0.5;
   const double near_plane = within;
   if (!motion.relations.empty()) {
     // Joints that no relation names stand still.

@@ -14,7 +14,7 @@
 namespace moivre {
 
 /// Ends a judgement; what was noted stands.
-struct Interrupted {};
+struct JudgementEnds {};
 
 /// What is known of an entry of the result.
 struct Entry {
@@ -35,9 +35,9 @@ struct Bench {
   Verdicts& verdicts;
   const std::atomic<bool>& stop;
 
-  /// Throws Interrupted where the judgement is to end.
+  /// Throws JudgementEnds where the judgement is to end.
   void require_time() const {
-    if (stop.load(std::memory_order_relaxed)) throw Interrupted();
+    if (stop.load(std::memory_order_relaxed)) throw JudgementEnds();
   }
   bool is_list() const { return claims.form == ClaimForm::solution_list; }
 };

@@ -84,7 +84,7 @@ void judge_counts_of_starts(const System& tracked, const StartClaim& start, Verd
   const bool counts_paths = start.multihomogeneous || start.mixed_volume;
   const StructureCounts counts =
       structure_counts(tracked, start.multihomogeneous.has_value(), counts_paths, &stop);
-  if (stop) throw Interrupted();
+  if (stop) throw JudgementEnds();
   judge_partitions(start, counts, total, verdicts);
   if (start.mixed_volume && !counts.mixed_volume) {
     verdicts.leave_open(ClaimKind::start, "mixed volume: beyond a bounded search");
@@ -155,7 +155,7 @@ void judge_start(const System& f, const StandIn& stand_in, const Claims& claims,
                                "those of a square system that stands for the file's");
   }
   const Reduction reduction = eliminate(stand_in.system, &stop);
-  if (stop) throw Interrupted();
+  if (stop) throw JudgementEnds();
   const System* tracked = tracked_system(*claims.reduced, stand_in.system, reduction.system);
   const std::vector<std::uint64_t> left = degrees(reduction.system);
   verdicts.judge(

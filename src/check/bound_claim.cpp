@@ -82,7 +82,7 @@ void judge_bound(const Claims& claims, const StandIn& stand_in, Verdicts& verdic
   if (std::any_of(known.begin(), known.end(), is_it)) return verdicts.hold(ClaimKind::bound);
   const std::vector<RootBound> bounds =
       bounds_of_kind(stand_in.system, *kind, {value, value}, stop);
-  if (stop) throw Interrupted();
+  if (stop) throw JudgementEnds();
   if (std::any_of(bounds.begin(), bounds.end(), is_it)) return verdicts.hold(ClaimKind::bound);
   const std::string why =
       std::to_string(value) + " is said to be the " + name + ", found is " + values_text(bounds);

@@ -242,7 +242,7 @@ Judgement check(const System& f, const Claims& claims, const std::atomic<bool>& 
   if (!judgement.is_judged_whole || f.variables.empty()) return judgement;
   try {
     judge_roots(f, claims, verdicts, stop);
-  } catch (const Interrupted&) {
+  } catch (const JudgementEnds&) {
     judgement.interrupted = true;
   }
   return judgement;

@@ -139,6 +139,7 @@ class Holding {
     if (apart != 0) {
       BodyPoint point = points[joint.at[0].point];
       point.at += apart * joint.axis[0];
+      point.name += "_" + std::to_string(points.size());  // names of a body's points are different
       joint.at[0].point = points.size();
       points.push_back(std::move(point));
     }

@@ -18,11 +18,9 @@ using Eigen::VectorXd;
 void require_size(const Mechanism& mechanism, const VectorXd& q) {
   const Eigen::Index each = mechanism.space == Space::planar ? 3 : 6;
   const Eigen::Index n = each * (static_cast<Eigen::Index>(mechanism.bodies.size()) - 1);
-  if (!is_typed(mechanism) && q.size() == n) return;
-  throw InvalidInput(is_typed(mechanism) ? "a mechanism of typed equations has no bodies to place"
-                                         : "q has " + std::to_string(n) +
-                                               " numbers, one for each coordinate, not " +
-                                               std::to_string(q.size()));
+  if (is_typed(mechanism) || q.size() >= n) return;
+  throw InvalidInput("q has " + std::to_string(n) + " numbers, one for each coordinate, not " +
+                     std::to_string(q.size()));
 }
 
 std::vector<Jet> jets_of(const Mechanism& mechanism, const VectorXd& q, const VectorXd& qdot,
@@ -122,8 +120,7 @@ bool is_within_limits(const Mechanism& mechanism, const Joint& joint, const Vect
   if (!value) return true;
   const auto [lower, upper] = *joint.limits;
   const bool turns = is_angular(joint.type);
-  const double rounding =
-      kAtStop * std::max({turns ? 1.0 : 0.0, std::abs(lower), std::abs(upper)});
+  const double rounding = kAtStop * std::max({turns ? 1.0 : 0.0, std::abs(lower), std::abs(upper)});
   double above_lower = *value - lower + rounding;
   if (turns) {
     constexpr double kTurn = 2 * std::numbers::pi;
