@@ -154,7 +154,10 @@ PostureEntry enter(PostureList& list, const Eigen::VectorXd& start, bool is_far)
   }
   PostureEntry entry;
   entry.moved = distance(list.arm, polished.values, start);
-  if (!(polished.residual <= list.accuracy + list.arm.rounding)) return entry;
+  // Six joints can be put right, where the posture is not singular: what the digits leave open is no closure of theirs.
+  constexpr std::size_t kSix = 6;
+  const double by_digits = list.arm.joints.size() < kSix ? list.arm.rounding : 0;
+  if (!(polished.residual <= list.accuracy + by_digits)) return entry;
   ArmClosure closure = closure_of(list, polished);
   const auto known = [&]() -> std::optional<PostureEntry> {
     if (const auto same = listed(list, closure)) {
