@@ -16,7 +16,11 @@ std::string quoted(const std::string& name) { return "'" + name + "'"; }
 void check_body_name(const Body& body, std::size_t index, std::set<std::string>& taken,
                      Faults& faults) {
   // Reports escape what a name holds; only a file needs names that can be typed in it.
-  if (index > 0 && body.name.empty()) faults.push_back({body.where, "a body has no name"});
+  if (index == 0 && body.name != "ground") {
+    faults.push_back(
+        {body.where, "the first body is the ground, and called so, not " + quoted(body.name)});
+  }
+  if (body.name.empty()) faults.push_back({body.where, "a body has no name"});
   if (!taken.insert(body.name).second) {
     faults.push_back({body.where, "two bodies are called " + quoted(body.name)});
   }
