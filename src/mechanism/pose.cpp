@@ -18,7 +18,7 @@ using Eigen::VectorXd;
 void require_size(const Mechanism& mechanism, const VectorXd& q) {
   const Eigen::Index each = mechanism.space == Space::planar ? 3 : 6;
   const Eigen::Index n = each * (static_cast<Eigen::Index>(mechanism.bodies.size()) - 1);
-  if (is_typed(mechanism) || q.size() >= n) return;
+  if (q.size() >= n) return;
   throw InvalidInput("q has " + std::to_string(n) + " numbers, one for each coordinate, not " +
                      std::to_string(q.size()));
 }
