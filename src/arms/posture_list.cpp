@@ -23,6 +23,11 @@ constexpr double kReachesFar = 0.05;
 /// By how much a tip that stands may seem to move.
 constexpr double kRounding = 1e-12;
 
+/// What a pose typed with all digits leaves open is rounding alone.
+double of_pose(const PostureList& list) {
+  return list.accuracy > kReach ? list.accuracy : kRounding;
+}
+
 /// Two postures that are nearer are one: what rounding moves a closure by.
 double same_within(const ArmClosure& closure) {
   constexpr double kLeast = 1e-9, kLastDigits = 1e-13, kAtMost = 1e-2;
@@ -67,16 +72,14 @@ std::optional<std::size_t> set_of(const PostureList& list, const Eigen::VectorXd
 /// Adds the set through the posture that the accuracy, or the digits, leave open; its number where the pose's accuracy does.
 std::optional<std::size_t> add_set(PostureList& list, const ArmClosure& closure) {
   const double sigma = closure.smallest_singular_value;
-  // What a pose typed with all digits leaves open is rounding alone.
-  const double of_pose = list.accuracy > kReach ? list.accuracy : kRounding;
-  for (const double accuracy : {of_pose, list.accuracy + list.arm.rounding}) {
-    const bool is_by_digits = accuracy > of_pose;
+  for (const double accuracy : {of_pose(list), list.accuracy + list.arm.rounding}) {
+    const bool is_by_digits = accuracy > of_pose(list);
     if (is_by_digits && list.arm.rounding == 0) continue;
     if (sigma > std::max(is_by_digits ? 0 : kStandsAlone, accuracy / kReachesFar)) continue;
     if (is_by_digits && set_of(list, closure.values, false)) return std::nullopt;
     auto traced = trace_set(list.arm, list.pose, closure.values, accuracy, list.seed);
     if (!traced) continue;
-    traced->motion.within_digits = is_by_digits && traced->motion.misfit > of_pose;
+    traced->motion.within_digits = is_by_digits && traced->motion.misfit > of_pose(list);
     // Where sets meet the posture may not be known well enough to be seen on one that is there.
     if (const auto same = set_of(list, traced->motion.values, true)) return same;
     const bool is_within_digits = traced->motion.within_digits;
@@ -154,10 +157,12 @@ PostureEntry enter(PostureList& list, const Eigen::VectorXd& start, bool is_far)
   }
   PostureEntry entry;
   entry.moved = distance(list.arm, polished.values, start);
-  // Six joints can be put right, where the posture is not singular: what the digits leave open is no closure of theirs.
+  // Six joints can be put right to rounding: what is not is a place of a set that the accuracy or the digits leave open.
   constexpr std::size_t kSix = 6;
-  const double by_digits = list.arm.joints.size() < kSix ? list.arm.rounding : 0;
-  if (!(polished.residual <= list.accuracy + by_digits)) return entry;
+  const bool has_six = list.arm.joints.size() >= kSix;
+  if (!(polished.residual <= (has_six ? of_pose(list) : list.accuracy + list.arm.rounding))) {
+    return entry;
+  }
   ArmClosure closure = closure_of(list, polished);
   const auto known = [&]() -> std::optional<PostureEntry> {
     if (const auto same = listed(list, closure)) {

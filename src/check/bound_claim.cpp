@@ -75,7 +75,7 @@ void judge_bound(const Claims& claims, const StandIn& stand_in, Verdicts& verdic
                                                  counted(roots, "root"));
   }
   if (!stand_in.has_all_roots) return;
-  const auto is_it = [&](const RootBound& bound) {
+  const auto is_it = [&kind, value = value](const RootBound& bound) {
     return bound.kind == *kind && bound.value == value;
   };
   const std::vector<RootBound>& known = verdicts.judgement().bounds;

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
 // With which joint values does a serial arm hold its tip in a given pose? All solutions, by homotopy continuation.
 //
-// In the loop B_1 J_1 ... J_n T (pose)^-1 = 1 a few neighbouring joints are eliminated linearly. The half-angle tangents t of the
-// others are the unknowns of a small multilinear system (docs/decisions/0021-inverse-kinematics.md). What is eliminated:
+// All closures of one pose that is nothing special, complex ones too, are the roots of a small multilinear system
+// (docs/decisions/0021-inverse-kinematics.md). They are put right on the arm as typed, and followed while the tip moves to the pose
+// asked (docs/decisions/0074-a-pose-is-approached.md). In the loop of the chain and its pose a few neighbouring joints are
+// eliminated linearly; the half-angle tangents of the others are the unknowns:
 //   two joints                          4 equations in 4 unknowns, 24 paths: 16 closures of a general arm, 8 rejected roots
 //   three that meet or are parallel     3 unknowns, 6 paths, then two solutions each
-// Each real root becomes joint values. Newton's method on the product of transforms, without any polynomial, refines them.
-// Closures outside a joint's limits are kept and marked. With fewer than six joints the arm must be able to reach the pose;
-// closures miss it by kReach at most.
+// Closures outside a joint's limits are kept and marked. An arm with fewer than six joints gets joints behind its tip; its closures
+// are those where these stand at 0. They are least squares, and miss the pose by its accuracy at most, or by what the file's digits
+// leave open (then marked).
 // Roots that are no closures (a tangent of +-i is no rotation) are counted as `rejected`.
-// Edges: at a singular pose joints may move while the tip stands still (a straight wrist). `moves` then has one such closure.
+// Edges: at a singular pose joints may move while the tip stands still (a straight wrist, axes in line). `moves` has these sets.
 #pragma once
 
 #include <Eigen/Geometry>
