@@ -105,7 +105,6 @@ double distance(const Arm& arm, const Eigen::VectorXd& a, const Eigen::VectorXd&
 }
 
 void reduce_turns(const Arm& arm, Eigen::VectorXd& values) {
-  constexpr double kRounding = 1e-12;
   for (std::size_t k = 0; k < arm.joints.size(); ++k) {
     if (arm.joints[k].is_slide) continue;
     double& value = values[static_cast<Eigen::Index>(k)];
@@ -115,14 +114,14 @@ void reduce_turns(const Arm& arm, Eigen::VectorXd& values) {
 }
 
 std::vector<std::size_t> place_in_limits(const Arm& arm, Eigen::VectorXd& values) {
-  constexpr double kRounding = 1e-9;
+  constexpr double kAtLimit = 1e-9;
   constexpr double kTurn = 2 * std::numbers::pi;
   std::vector<std::size_t> beyond;
   for (std::size_t k = 0; k < arm.joints.size(); ++k) {
     const ArmJoint& joint = arm.joints[k];
     if (!joint.limits) continue;
     double& stands = values[static_cast<Eigen::Index>(k)];
-    const double slack = kRounding * std::max(1.0, std::abs(stands));
+    const double slack = kAtLimit * std::max(1.0, std::abs(stands));
     const double lower = joint.limits->lower - slack;
     const double upper = joint.limits->upper + slack;
     double value = stands;
