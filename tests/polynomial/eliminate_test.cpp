@@ -480,15 +480,15 @@ TEST(Elimination, AStopLeavesAReduction) {
 
 // Four equations each hold an unknown: the work of a step is that of these four.
 TEST(Elimination, ALongChainOfLinearEquationsIsShortWork) {
-  constexpr int kUnknowns = 3000;
-  std::string text = std::to_string(kUnknowns) + "\nx1 - 1;\n";
-  for (int k = 2; k <= kUnknowns; ++k) {
+  constexpr int kLength = 3000;
+  std::string text = std::to_string(kLength) + "\nx1 - 1;\n";
+  for (int k = 2; k <= kLength; ++k) {
     text += "x" + std::to_string(k) + " - x" + std::to_string(k - 1) + " - 1;\n";
   }
   const Reduction r = eliminate(read_system({"test", text}));
   ASSERT_EQ(r.verdict, Verdict::solved);
-  const Point x = restored(r, {});
-  EXPECT_EQ(x.back().re, Rational(kUnknowns));
+  const Point point = restored(r, {});
+  EXPECT_EQ(point.back().re, Rational(kLength));
 }
 
 }  // namespace
