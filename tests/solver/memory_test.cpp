@@ -52,7 +52,9 @@ void expect_whole(const SolveResult& result) {
   std::uint64_t sum = paths.on_positive_dimensional;
   for (const Solution& root : result.solutions) sum += root.multiplicity;
   EXPECT_EQ(paths.finite, sum);
-  if (result.complete) EXPECT_EQ(result.solutions.size(), 9U);
+  if (result.complete) {
+    EXPECT_EQ(result.solutions.size(), 9U);
+  }
 }
 
 TEST(Memory, AnAllocationThatFailsEndsASolveWithWhatIsFinished) {
