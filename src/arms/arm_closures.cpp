@@ -113,26 +113,27 @@ double imaginary_size(const Arm& arm, const JointVector<Complex>& values) {
   return largest;
 }
 
-/// Whether the joints that were added stand at 0.
-bool is_own(const Beginning& beginning, const ApproachEnd& end, double accuracy) {
-  constexpr double kMargin = 10;
+/// How far the joints that were added are from 0, where they stand at a closure of the arm.
+double added_size(const Beginning& beginning, const ApproachEnd& end) {
+  double largest = 0;
   for (std::size_t k = beginning.six.own.size(); k < beginning.six.arm.joints.size(); ++k) {
-    if (std::abs(end.values[static_cast<Eigen::Index>(k)]) > kMargin * accuracy) return false;
+    largest = std::max(largest, std::abs(end.values[static_cast<Eigen::Index>(k)]));
   }
-  return true;
+  return largest;
 }
 
 /// A path that ended where closures meet, or where a set is.
 struct SingularEnd {
   Eigen::VectorXd values;  ///< of the arm, the real part
   double imaginary = 0;
+  double added = 0;  ///< of the joints that were added
 };
 
 /// Enters the closures of regular ends, and what singular ones lead to; these are explained when all is entered.
 /// False where a regular end is no posture.
 bool read_ends(const Beginning& beginning, const std::vector<ApproachEnd>& ends, PostureList& list,
                ArmResult& result, std::vector<SingularEnd>& singular) {
-  constexpr double kNearlyReal = 0.1, kFarthest = 0.1;
+  constexpr double kNearlyReal = 0.1, kFarthest = 0.1, kMargin = 10;
   const SixJoints& six = beginning.six;
   const bool has_all_joints = six.own.size() == kSixJoints;
   const double accuracy = list.accuracy + list.arm.rounding;
@@ -144,10 +145,10 @@ bool read_ends(const Beginning& beginning, const std::vector<ApproachEnd>& ends,
     const Eigen::VectorXd start = own_values(six, end.values.real());
     if (end.kind == ApproachKind::singular) {
       enter(list, start, false);
-      singular.push_back({start, imaginary});
+      singular.push_back({start, imaginary, added_size(beginning, end)});
       continue;
     }
-    const bool counts = is_own(beginning, end, accuracy);
+    const bool counts = added_size(beginning, end) <= kMargin * accuracy;
     const PostureEntry entry = imaginary > kNearlyReal ? PostureEntry{} : enter(list, start, false);
     if (entry.kind == PostureEntry::Kind::closure && entry.moved <= kFarthest) {
       ArmClosure& closure = list.closures[entry.index];
@@ -164,7 +165,7 @@ bool read_ends(const Beginning& beginning, const std::vector<ApproachEnd>& ends,
   return are_read;
 }
 
-/// Whether the end is at a set or a closure that is listed, or at a singular closure that is not real.
+/// Whether the end is at a set or a closure that is listed, or at a singular one that is not real or not the arm's own.
 bool is_explained(const SingularEnd& end, PostureList& list, ArmResult& result) {
   /// Paths stop before they are there, where three and more meet.
   constexpr double kNear = 0.03, kNotReal = 1e-2, kSingular = 1e-3;
@@ -179,6 +180,7 @@ bool is_explained(const SingularEnd& end, PostureList& list, ArmResult& result) 
     ++result.counts.complex;
     return true;
   }
+  if (end.added > kNear) return true;
   if (end.imaginary > kNotReal) ++result.counts.complex;
   return end.imaginary > kNotReal;
 }

@@ -59,25 +59,38 @@ Rational random_number(std::uint64_t seed, std::uint64_t index, double size) {
   return ratio(Integer(std::llround(kParts * size * unit)), Integer(kParts));
 }
 
-/// A turn about a random axis behind the tip, which is where it was while the joint stands at 0.
-void add_joint(Arm& arm, std::uint64_t seed) {
-  std::uint64_t index = 16 * arm.joints.size();
-  const double size = std::ldexp(1.0, std::ilogb(arm.length));
-  ExactVector place, axis;
-  for (Rational& x : place) x = random_number(seed, index++, 1) * Rational(size / 2);
+/// A turn about a random axis behind the last joint: the tip is where it was while the turn stands at 0.
+void add_joint(Arm& arm, const ExactVector& place, std::uint64_t seed, std::uint64_t index) {
+  ExactVector axis;
   for (Rational& x : axis) x = random_number(seed, index++, 1);
   axis[static_cast<std::size_t>(index % 3)] += 1;
   Eigen::Isometry3d shift = Eigen::Isometry3d::Identity();
   shift.translate(to_vector(place));
   const ExactDisplacement exact_shift = exact_origin(place, {});
   ArmJoint& added = arm.joints.emplace_back();
-  added.before = arm.tool * shift;
-  added.exact_before = reduced(arm.exact_tool * exact_shift);
+  added.before = shift;
+  added.exact_before = exact_shift;
   added.axis = to_vector(axis).normalized();
   added.step = exact_step(axis, false);
   added.exact_length = exact_length(added.step, false);
-  arm.tool = shift.inverse();
-  arm.exact_tool = conjugate(exact_shift);
+  arm.tool = shift.inverse() * arm.tool;
+  arm.exact_tool = reduced(conjugate(exact_shift) * arm.exact_tool);
+}
+
+/// Axes through a point of the last joint's axis, which make a wrist with it; or axes anywhere.
+enum class AddedAxes { of_wrist, anywhere };
+
+void complete(Arm& arm, AddedAxes axes, std::uint64_t seed) {
+  const double size = std::ldexp(1.0, std::ilogb(arm.length));
+  while (arm.joints.size() < kSix) {
+    std::uint64_t index = 16 * arm.joints.size();
+    ExactVector place;
+    for (Rational& x : place) {
+      if (axes == AddedAxes::anywhere) x = random_number(seed, index, 1) * Rational(size / 2);
+      ++index;
+    }
+    add_joint(arm, place, seed, index);
+  }
 }
 
 }  // namespace
@@ -110,6 +123,24 @@ std::vector<std::size_t> idle_in_every_posture(const Arm& arm, std::uint64_t see
   return idle;
 }
 
+namespace {
+
+/// With a wrist where two joints or more are missing: few paths lead to its closures. Not where the wrist turns only what
+/// the arm turns, too, and what the arm leaves out stays left out.
+Arm completed(const Arm& arm, std::uint64_t seed) {
+  constexpr double kDeficient = 1e-6;
+  if (arm.joints.size() + 2 <= kSix) {
+    Arm with_wrist = arm;
+    complete(with_wrist, AddedAxes::of_wrist, seed);
+    if (idle_in_every_posture(with_wrist, seed, kDeficient).empty()) return with_wrist;
+  }
+  Arm with_any = arm;
+  complete(with_any, AddedAxes::anywhere, seed);
+  return with_any;
+}
+
+}  // namespace
+
 SixJoints six_joints(const Arm& arm, const std::vector<std::size_t>& held,
                      const Eigen::VectorXd& held_values, std::uint64_t seed) {
   SixJoints six;
@@ -124,7 +155,7 @@ SixJoints six_joints(const Arm& arm, const std::vector<std::size_t>& held,
     six.held_values[static_cast<Eigen::Index>(*joint)] = value;
     hold(six.arm, *joint, value);
   }
-  while (six.arm.joints.size() < kSix) add_joint(six.arm, seed);
+  if (six.arm.joints.size() < kSix) six.arm = completed(six.arm, seed);
   return six;
 }
 
