@@ -97,7 +97,7 @@ void complete(Arm& arm, AddedAxes axes, std::uint64_t seed) {
 
 std::vector<std::size_t> idle_in_every_posture(const Arm& arm, std::uint64_t seed,
                                                double tolerance) {
-  constexpr std::uint64_t kPostures = 3, kBehindOthers = 700;
+  constexpr std::uint64_t kPostures = 30, kBehindOthers = 700;
   std::vector<std::size_t> idle;
   while (idle.size() + 1 < arm.joints.size()) {
     Eigen::VectorXd still;
