@@ -19,6 +19,15 @@ install(FILES ${PROJECT_SOURCE_DIR}/include/moivre/moivre.h DESTINATION ${CMAKE_
   COMPONENT development)
 if(TARGET moivre)
   install(TARGETS moivre COMPONENT program)
+  # What one reads, and what one tries first.
+  file(GLOB pages ${PROJECT_SOURCE_DIR}/docs/*.md)
+  list(FILTER pages EXCLUDE REGEX "/(walkthrough|notation|seed-pages|gallery)\\.md$")
+  install(FILES ${pages} ${PROJECT_SOURCE_DIR}/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/schema DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
+  set(problems ${PROJECT_SOURCE_DIR}/problems)
+  install(FILES ${problems}/polynomials/puma.phc ${problems}/polynomials/cassou.phc ${problems}/mechanisms/four-bar.toml
+    ${problems}/robots/puma560.urdf ${problems}/robots/ur5.urdf
+    DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples COMPONENT program)
 endif()
 
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/moivreConfig.cmake.in

@@ -5,6 +5,14 @@
 # for the tests; modules with flags of their own do without. So do the presets dev and tidy
 # (CMAKE_DISABLE_PRECOMPILE_HEADERS), in which every source has to include what it uses.
 
+# Where no module wants Eigen, as expressions alone do not, it is not looked for.
+set(MOIVRE_PRECOMPILED_PACKAGES Boost::headers)
+set(vocabulary <boost/multiprecision/cpp_int.hpp>)
+if(TARGET Eigen3::Eigen)
+  list(PREPEND MOIVRE_PRECOMPILED_PACKAGES Eigen3::Eigen)
+  list(PREPEND vocabulary <Eigen/Core>)
+endif()
+
 # moivre_precompiled(<carrier> OPTIONS <flag>... HEADERS <header>...): a target of an empty source, that has the header.
 function(moivre_precompiled carrier)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "OPTIONS;HEADERS")
@@ -12,8 +20,8 @@ function(moivre_precompiled carrier)
   file(CONFIGURE OUTPUT ${source} CONTENT "// Carries a precompiled header.\n")
   add_library(${carrier} OBJECT EXCLUDE_FROM_ALL ${source})
   target_compile_options(${carrier} PRIVATE ${arg_OPTIONS})
-  target_link_libraries(${carrier} PRIVATE Eigen3::Eigen Boost::headers moivre_warnings)
-  target_precompile_headers(${carrier} PRIVATE <Eigen/Core> <boost/multiprecision/cpp_int.hpp> <algorithm> <cmath>
+  target_link_libraries(${carrier} PRIVATE ${MOIVRE_PRECOMPILED_PACKAGES} moivre_warnings)
+  target_precompile_headers(${carrier} PRIVATE ${vocabulary} <algorithm> <cmath>
     <complex> <functional> <map> <memory> <optional> <set> <sstream> <string> <vector> ${arg_HEADERS})
 endfunction()
 

@@ -4,6 +4,8 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <string>
+#include <vector>
 
 #include "command_line.h"
 
@@ -11,6 +13,9 @@ namespace moivre {
 
 /// The command that the user chose; it runs after all of the command line was understood.
 using Chosen = std::function<int()>;
+
+/// Gives an empty `moivre` its options and its commands: only the one that the first of the words names, else all.
+void describe_program(CLI::App& moivre, Chosen& chosen, const std::vector<std::string>& words = {});
 
 void add_solve_command(CLI::App& moivre, Chosen& chosen);
 void add_track_command(CLI::App& moivre, Chosen& chosen);

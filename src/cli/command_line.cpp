@@ -5,7 +5,6 @@
 #include <iterator>
 #include <new>
 #include <sstream>
-#include <string_view>
 
 #include "command.h"
 #include "moivre/expression/joined.h"
@@ -135,19 +134,10 @@ void add_commands(CLI::App& moivre, Chosen& chosen, const std::string& first_wor
 }
 
 int parse_and_run(int argc, char** argv) {
-  CLI::App moivre(
-      "Finds every root of a polynomial system, and every way a mechanism can be assembled, by "
-      "homotopy "
-      "continuation.",
-      "moivre");
-  Chosen chosen;
-  const bool verbose = std::find(argv, argv + argc, std::string_view("--verbose")) != argv + argc;
-  moivre.set_version_flag("--version", [verbose] { return version_text(verbose); });
-  moivre.add_flag("--verbose")->description("with --version: also list what is built in");
-  moivre.require_subcommand(1);
-  moivre.footer("moivre COMMAND --help explains a command and shows examples.\n");
   const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
-  add_commands(moivre, chosen, words.empty() ? "" : words.front());
+  CLI::App moivre;
+  Chosen chosen;
+  describe_program(moivre, chosen, words);
   const std::string empty = empty_words(words);
   if (!empty.empty()) return refuse(empty);
   try {
@@ -168,6 +158,19 @@ int parse_and_run(int argc, char** argv) {
 }
 
 }  // namespace
+
+void describe_program(CLI::App& moivre, Chosen& chosen, const std::vector<std::string>& words) {
+  moivre.name("moivre");
+  moivre.description(
+      "Finds every root of a polynomial system, and every way a mechanism can be assembled, by "
+      "homotopy continuation.");
+  const bool verbose = std::find(words.begin(), words.end(), "--verbose") != words.end();
+  moivre.set_version_flag("--version", [verbose] { return version_text(verbose); });
+  moivre.add_flag("--verbose")->description("with --version: also list what is built in");
+  moivre.require_subcommand(1);
+  moivre.footer("moivre COMMAND --help explains a command and shows examples.\n");
+  add_commands(moivre, chosen, words.empty() ? "" : words.front());
+}
 
 int run_command_line(int argc, char** argv) noexcept {
   try {

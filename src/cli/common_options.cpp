@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <stdexcept>
 
+#include "choices.h"
 #include "moivre/polynomial/read.h"
 #include "moivre/solver/solve.h"
 
@@ -44,10 +45,12 @@ System read_polynomial_file(const std::string& file) {
 }
 
 void add_start_options(CLI::App& command, StartChoice& choice) {
-  command
-      .add_option("--start", choice.kind,
-                  "start system: auto, total-degree, multihomogeneous or polyhedral")
-      ->capture_default_str();
+  CLI::Option* const start =
+      command
+          .add_option("--start", choice.kind,
+                      "start system: auto, total-degree, multihomogeneous or polyhedral")
+          ->capture_default_str();
+  offer(*start, {"auto", "total-degree", "multihomogeneous", "polyhedral"});
   command.add_option("--seed", choice.seed, "seed of the random numbers in the start system")
       ->check(CLI::Validator(not_64_bits, ""))
       ->capture_default_str();

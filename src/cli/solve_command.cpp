@@ -4,6 +4,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "choices.h"
 #include "command.h"
 #include "common_options.h"
 #include "interruption.h"
@@ -175,11 +176,13 @@ void add_solve_command(CLI::App& moivre, Chosen& chosen) {
       ->type_name("PATH");
   app.add_option("--phc", command->phc, "write PHCpack's solution list here")->type_name("PATH");
   add_tracker_options(app, command->tracker);
-  app.add_option("--precision", command->precision,
-                 "precision of the paths: auto (more digits where double fails), double or "
-                 "double-double; lanes: several paths at once in each")
-      ->capture_default_str()
-      ->group("Tracker");
+  CLI::Option* const precision =
+      app.add_option("--precision", command->precision,
+                     "precision of the paths: auto (more digits where double fails), double or "
+                     "double-double; lanes: several paths at once in each")
+          ->capture_default_str()
+          ->group("Tracker");
+  offer(*precision, {"auto", "double", "double-double"});
   add_examples(
       app, {"moivre solve katsura.phc", "moivre solve katsura.phc --all --seed 7",
             "moivre solve cassou.phc --start polyhedral", "moivre solve katsura.phc --digits 50",

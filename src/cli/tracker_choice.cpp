@@ -6,6 +6,7 @@
 #include <functional>
 #include <stdexcept>
 
+#include "choices.h"
 #include "common_options.h"
 #include "moivre/tracker/cvode_options.h"
 #include "moivre/tracker/lane_options.h"
@@ -90,9 +91,10 @@ TrackerChoice::TrackerChoice() : kind(MOIVRE_WITH_CVODE ? "cvode" : "lanes") {
 
 void add_tracker_options(CLI::App& command, TrackerChoice& choice) {
   const std::string group = "Tracker";
-  command.add_option("--tracker", choice.kind, "cvode or lanes")
-      ->capture_default_str()
-      ->group(group);
+  CLI::Option* const tracker = command.add_option("--tracker", choice.kind, "cvode or lanes")
+                                   ->capture_default_str()
+                                   ->group(group);
+  offer(*tracker, {"cvode", "lanes"});
   for (const TrackerOption& option : tracker_options()) {
     const std::string of = option.trackers.size() == 1 ? option.trackers.front() + ": " : "";
     const auto add = [&](auto& value) {
@@ -101,6 +103,7 @@ void add_tracker_options(CLI::App& command, TrackerChoice& choice) {
           ->group(group);
     };
     CLI::Option* added = std::visit(add, choice.values.at(option.facts.name));
+    offer(*added, option.facts.words);
     if (!is_of_lanes_alone(option)) continue;
     added->each([&choice, flag = option.facts.flag](const std::string&) {
       choice.of_lanes.push_back(flag);
