@@ -3,11 +3,12 @@
 # components by it, and tests/layers checks every include by it. It only sets variables, so that `cmake -P` can read it too.
 # A module may use what its line names and what those use (one way only).
 
-set(MOIVRE_MODULES numeric factorization expression polynomial certify homotopy tracker tracker_cvode tracker_lanes multiprecision endgame
+set(MOIVRE_MODULES numeric run_ledger factorization expression polynomial certify homotopy tracker tracker_cvode tracker_lanes multiprecision endgame
     start bounds check solver family study mechanism urdf kinematics formulation closures motion design arms closure_study sweep report check_report
     family_report closure_report arm_report sweep_report study_report cli)
 
 set(MOIVRE_USES_numeric "")
+set(MOIVRE_USES_run_ledger numeric)
 set(MOIVRE_USES_factorization numeric)
 set(MOIVRE_USES_expression numeric)
 set(MOIVRE_USES_polynomial expression factorization)
@@ -46,14 +47,14 @@ set(MOIVRE_USES_sweep_report sweep closure_report)
 set(MOIVRE_USES_arm_report arms closure_report)
 set(MOIVRE_USES_study_report study report)
 set(MOIVRE_USES_cli closure_study multiprecision report check_report family_report study_report closure_report arm_report sweep_report
-    tracker_cvode tracker_lanes)
+    tracker_cvode tracker_lanes run_ledger)
 
 # Where a module is switched off, those named here make do without it; cli makes do with what is there.
 set(MOIVRE_DO_WITHOUT_multiprecision solver)
 
 # Modules that read, decide and write: their time goes into what they call, so that optimizing their own code further only
 # lengthens the build.
-set(MOIVRE_LIGHT expression multiprecision family bounds check study urdf formulation design arms closure_study sweep report check_report
+set(MOIVRE_LIGHT run_ledger expression multiprecision family bounds check study urdf formulation design arms closure_study sweep report check_report
     family_report closure_report arm_report sweep_report study_report cli)
 
 # Modules that add compiler flags of their own.
@@ -62,6 +63,7 @@ set(MOIVRE_OWN_FLAGS certify tracker_lanes)
 # Third-party packages, each private to the modules that name it. Eigen and Boost's integers are
 # the exception: they are vocabulary of the public headers.
 set(MOIVRE_THIRD_PARTY_numeric Boost::headers)
+set(MOIVRE_THIRD_PARTY_run_ledger SQLite::SQLite3)
 set(MOIVRE_THIRD_PARTY_factorization Eigen3::Eigen)
 set(MOIVRE_THIRD_PARTY_expression taocpp::pegtl)
 set(MOIVRE_THIRD_PARTY_multiprecision MPFR::MPFR)
@@ -88,6 +90,7 @@ set(MOIVRE_THIRD_PARTY_cli CLI11::CLI11)
 set(MOIVRE_FIND_Eigen3::Eigen Eigen3 3.4)
 set(MOIVRE_FIND_Boost::headers Boost 1.74)
 set(MOIVRE_FIND_taocpp::pegtl pegtl 3.2)
+set(MOIVRE_FIND_SQLite::SQLite3 SQLite3 3.40)
 set(MOIVRE_FIND_MPFR::MPFR MPFR 4.0)
 set(MOIVRE_FIND_Arb::Arb Arb 2.23)
 set(MOIVRE_FIND_SUNDIALS::cvode SUNDIALS 6.4)
@@ -101,6 +104,7 @@ set(MOIVRE_FIND_CLI11::CLI11 CLI11 2.1)
 set(MOIVRE_HEADERS_Eigen3::Eigen "(Eigen|unsupported/Eigen)/")
 set(MOIVRE_HEADERS_Boost::headers "boost/")
 set(MOIVRE_HEADERS_taocpp::pegtl "tao/pegtl")
+set(MOIVRE_HEADERS_SQLite::SQLite3 "sqlite3\\.h")
 set(MOIVRE_HEADERS_MPFR::MPFR "(boost/multiprecision/)?(mpfr|gmp|mpc)\\.h")
 set(MOIVRE_HEADERS_Arb::Arb "(flint/|(arb|acb|arf|mag|acb_mat)\\.h)")
 set(MOIVRE_HEADERS_SUNDIALS::cvode "(cvode|sundials|nvector|sunmatrix|sunlinsol|sunnonlinsol)/")
@@ -115,6 +119,7 @@ set(MOIVRE_HEADERS_CLI11::CLI11 "CLI/")
 # arguments follow from the files that were found.
 set(MOIVRE_PC_Eigen3::Eigen eigen3)
 set(MOIVRE_PC_SUNDIALS::cvode -lsundials_cvode)
+set(MOIVRE_PC_SQLite::SQLite3 sqlite3)
 set(MOIVRE_PC_TBB::tbb tbb)
 set(MOIVRE_PC_tomlplusplus::tomlplusplus tomlplusplus)
 set(MOIVRE_PC_pugixml::pugixml pugixml)

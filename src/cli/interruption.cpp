@@ -17,7 +17,7 @@
 namespace moivre {
 namespace {
 
-enum class Reason { none, signal, time, memory };
+enum class Reason { none, signal, time, memory, ledger };
 
 std::atomic<bool> interrupted{false};
 std::atomic<Reason> stop_reason{Reason::none};
@@ -28,6 +28,8 @@ std::atomic<void*> reserve{nullptr};
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<Reason>::is_always_lock_free,
               "a signal handler may touch nothing else");
 
+// A limit of the size of files fails writes, and ends no program.
+constexpr int kIgnored = SIGXFSZ;
 constexpr int kSignals[]{SIGINT, SIGTERM, SIGHUP};
 // Untouched, so that it takes address space only.
 constexpr std::size_t kReserve = std::size_t{32} << 20;
@@ -86,6 +88,7 @@ Interruption::Interruption(std::optional<double> seconds) : seconds_(seconds) {
   interrupted = writing_interrupted = signalled = false;
   stop_reason = Reason::none;
   for (const int signal : kSignals) catch_signal(signal, note_signal);
+  std::signal(kIgnored, SIG_IGN);
   if (seconds) {
     catch_signal(SIGALRM, note_time);
     set_timer(*seconds);
@@ -136,6 +139,10 @@ void Interruption::watch_memory() {
 }
 
 const std::atomic<bool>& Interruption::stop() const { return interrupted; }
+
+void stop_run() { ask_to_stop(Reason::ledger); }
+
+bool is_asked_to_stop() { return interrupted; }
 
 Writing::Writing() {
   writing_interrupted = false;

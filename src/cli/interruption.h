@@ -4,6 +4,7 @@
 //   SIGINT, SIGTERM, SIGHUP   the first one asks the run to stop, the second ends the program at once; SIGHUP does not, where the run was
 //                             begun with nohup
 //   a limit of time           asks as the first signal does
+//   a ledger                  that cannot be written any more asks too
 //   memory                    looked at now and then: what is left has to suffice for telling what is finished. Where an
 //                             allocation fails all the same a reserve is given up for that
 //
@@ -39,6 +40,10 @@ class Interruption {
   bool is_over_ = false;
   std::thread watch_;
 };
+
+/// As a signal would, but without a word: who calls tells why.
+void stop_run();
+bool is_asked_to_stop();
 
 /// Results are written while it lives.
 class Writing {

@@ -8,6 +8,7 @@
 #include "command.h"
 #include "common_options.h"
 #include "interruption.h"
+#include "kept_run.h"
 #include "memory.h"
 #include "moivre/numeric/invalid_input.h"
 #include "moivre/numeric/stopwatch.h"
@@ -41,6 +42,7 @@ struct SolveCommand {
   std::string csv;
   std::string paths;
   std::string phc;
+  LedgerChoice ledger;
 };
 
 struct Problem {
@@ -64,7 +66,7 @@ Precision precision_of(const std::string& name) {
 }
 
 SolveResult solve_interruptibly(const SolveCommand& command, const Problem& problem,
-                                const Tracker& tracker, const Tracker* witness,
+                                const Tracker& tracker, const Tracker* witness, KeptRun& kept,
                                 const std::atomic<bool>& stop) {
   SolveOptions options;
   options.seed = command.start.seed;
@@ -77,7 +79,13 @@ SolveResult solve_interruptibly(const SolveCommand& command, const Problem& prob
   const std::unique_ptr<Tracker> fallback = make_fallback(command.tracker);
   options.fallback = fallback.get();
   ProgressLine line(!command.quiet);
-  if (line.is_active()) options.progress = [&](const Progress& progress) { line.show(progress); };
+  options.observations = kept.observations();
+  if (line.is_active() || kept.is_kept()) {
+    options.progress = [&](const Progress& progress) {
+      line.show(progress);
+      kept.tell(progress);
+    };
+  }
   SolveResult result = solve(problem.system, tracker, options, stop);
   if (witness != nullptr && !stop.load()) {
     cross_check(problem.system, result, tracker, *witness, options, stop);
@@ -106,19 +114,20 @@ void require_digits_possible(const SolveCommand& command, const System& f) {
 int run(const SolveCommand& command) {
   std::unique_ptr<Tracker> tracker;
   std::unique_ptr<Tracker> witness;
-  require_all(
-      {[&] { require_known(command.start); }, [&] { require_threads(command.threads); },
-       [&] { precision_of(command.precision); },
-       [&] {
-         if (command.digits) require_option(*command.digits);
-       },
-       [&] {
-         require_distinct({command.json, command.csv, command.paths, command.phc}, command.file);
-       },
-       [&] { tracker = make_tracker(command.tracker, command.cross_check); },
-       [&] {
-         if (command.cross_check) witness = make_witness(command.tracker);
-       }});
+  require_all({[&] { require_known(command.start); }, [&] { require_threads(command.threads); },
+               [&] { precision_of(command.precision); },
+               [&] {
+                 if (command.digits) require_option(*command.digits);
+               },
+               [&] {
+                 require_distinct(
+                     {command.json, command.csv, command.paths, command.phc, command.ledger.path},
+                     command.file);
+               },
+               [&] { tracker = make_tracker(command.tracker, command.cross_check); },
+               [&] {
+                 if (command.cross_check) witness = make_witness(command.tracker);
+               }});
   const RootFilter filter = filter_of(command.filter);
   const Problem problem = read_problem(command.file);
   require_digits_possible(command, problem.system);
@@ -128,12 +137,16 @@ int run(const SolveCommand& command) {
   Output paths(command.paths);
   Output phc(command.phc);
 
+  KeptRun kept(command.ledger, {command.file});
+  if (const auto code = kept.deliver_again({&json, &csv, &paths, &phc}, command.quiet)) {
+    return *code;
+  }
   const Interruption interruption(command.time_limit);
   SolveResult result =
-      solve_interruptibly(command, problem, *tracker, witness.get(), interruption.stop());
+      solve_interruptibly(command, problem, *tracker, witness.get(), kept, interruption.stop());
   keep_wanted(filter, result);
 
-  deliver(
+  return kept.deliver(
       {{&json, [&](const TextSink& sink) { write_solve_json(sink, result, command.file); }},
        {&csv, [&](const TextSink& sink) { write_solve_csv(sink, result); }},
        {&paths, [&](const TextSink& sink) { write_paths_csv(sink, result); }},
@@ -143,8 +156,7 @@ int run(const SolveCommand& command) {
         write_solve_text(sink, result, command.file,
                          command.all ? ListedRoots::all : ListedRoots::real);
       },
-      result.complete ? "" : result.message);
-  return result.complete ? kDecided : kUndecided;
+      result.complete ? "" : result.message, result.complete ? kDecided : kUndecided);
 }
 
 }  // namespace
@@ -157,6 +169,7 @@ void add_solve_command(CLI::App& moivre, Chosen& chosen) {
   add_threads_option(app, command->threads);
   add_filter_options(app, command->filter);
   add_time_limit_option(app, command->time_limit);
+  add_ledger_option(app, command->ledger);
   app.add_flag("--all", command->all, "also print the roots that are not real");
   app.add_flag(
       "--slice", command->slice,
@@ -188,7 +201,8 @@ void add_solve_command(CLI::App& moivre, Chosen& chosen) {
             "moivre solve cassou.phc --start polyhedral", "moivre solve katsura.phc --digits 50",
             "moivre solve katsura.phc --json - | jq .paths",
             "moivre solve katsura.phc --quiet --csv roots.csv --phc roots.phc",
-            "moivre solve cyclic.phc --paths paths.csv"});
+            "moivre solve cyclic.phc --paths paths.csv",
+            "moivre solve katsura-20.phc --ledger run.db --json roots.json"});
   app.callback([command, &chosen] { chosen = [command] { return run(*command); }; });
 }
 

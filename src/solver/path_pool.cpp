@@ -232,10 +232,11 @@ void for_each_parallel(std::size_t count, int threads, const std::function<void(
 }
 
 bool track_paths(const PathProblem& problem, const PathList& paths, int care, int threads,
-                 const EndSink& sink, const std::atomic<bool>& stop) {
+                 const EndSink& sink, const std::atomic<bool>& stop,
+                 const std::function<void()>& when_they_wait) {
   Shared shared{paths, care, sink, stop};
   EndgameOptions options = problem.endgame;
-  options.may_wait = paths.count > 1;
+  options.may_wait = paths.count + paths.known > 1;
   const bool few = paths.count <= kFewPaths && care == 0;
   const std::uint64_t sessions =
       std::min(few ? std::uint64_t{1} : static_cast<std::uint64_t>(threads), paths.count);
@@ -250,6 +251,7 @@ bool track_paths(const PathProblem& problem, const PathList& paths, int care, in
     within_memory([&] { track_on_one_thread(problem, options, sessions, shared); });
   });
   if (!shared.waiting.empty() && !shared.is_exhausted) {
+    if (when_they_wait) when_they_wait();
     within_memory([&] { walk_on(problem, options, threads, shared); });
   }
   return !shared.is_exhausted;

@@ -36,13 +36,15 @@ struct PathList {
   std::uint64_t count = 0;
   std::function<std::uint64_t(std::uint64_t)> path_of;  ///< the k-th, k < count
   const Outposts* outposts = nullptr;  ///< where they are taken up again; nullptr: they begin
+  std::uint64_t known = 0;  ///< others of the list, which were followed before without waiting
 };
 
 /// Follows them on `threads` threads, at most all at once: they may wait for one another. Paths cut short by
 /// `stop` end as Failure::cancelled; those not yet begun are not reported. False where memory ran out: those under way on the thread
-/// that met it are not reported either.
+/// that met it are not reported either. Calls `when_they_wait`, where there is one, before the ends in which others have a part.
 bool track_paths(const PathProblem& problem, const PathList& paths, int care, int threads,
-                 const EndSink& sink, const std::atomic<bool>& stop);
+                 const EndSink& sink, const std::atomic<bool>& stop,
+                 const std::function<void()>& when_they_wait = {});
 
 /// f(k) for k in [0, count) on `threads` threads; in order on the caller's thread when that is one.
 void for_each_parallel(std::size_t count, int threads, const std::function<void(std::size_t)>& f);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "ends.h"
+#include "observed_paths.h"
 
 namespace moivre {
 namespace {
@@ -37,8 +38,8 @@ void follow(Run& run, const PathProblem& problem, const PathList& paths, int car
        first += kPathsTogether) {
     const PathList block{std::min(kPathsTogether, paths.count - first),
                          [&](std::uint64_t k) { return paths.path_of(first + k); }, paths.outposts};
-    has_memory =
-        track_paths(problem, block, care, setting.threads, sink_unless_cancelled, setting.stop);
+    has_memory = observe_paths(problem, block, care, setting.threads, sink_unless_cancelled,
+                               setting.stop, setting.options.observations);
     // Ends that wait to be refined take much more memory than roots.
     judge_ends(run);
   }

@@ -25,6 +25,7 @@
 
 #include "moivre/endgame/endgame.h"
 #include "moivre/numeric/decimal.h"
+#include "moivre/numeric/observations.h"
 #include "moivre/polynomial/eliminate.h"
 #include "moivre/polynomial/scale.h"
 #include "moivre/polynomial/system.h"
@@ -80,6 +81,8 @@ struct SolveOptions {
   /// Tracks again the paths that `tracker` left in doubt; in double-double too, where it has lanes for that and `tracker` has not. Not owned, may
   /// be nullptr.
   const Tracker* fallback = nullptr;
+  /// Asked for the ends of paths before these are followed, and told those that were. Not owned, may be nullptr.
+  Observations* observations = nullptr;
   /// Asked first for a start that it knows for a square system; nullopt if it knows none. Thread-safe.
   std::function<std::optional<SolveResult>(const System& f, const Tracker& tracker,
                                            const SolveOptions& options,

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// What has long work observed that need not be observed again? The outcomes of jobs, kept beyond the process.
+//
+//   list     jobs that are done together; its fingerprint is made of everything that their outcomes depend on
+//   job      its number in the list
+//   outcome  exact bytes (numeric/bytes.h), and its kind, for those who look on
+//
+// Whatever lies between two lists follows from them and from what the run was asked. So a run to which the outcomes are told again is the run
+// that they were first told to, to the last bit (decision 77).
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "moivre/numeric/fingerprint.h"
+
+namespace moivre {
+
+enum class OutcomeKind : std::uint8_t { root, at_infinity, failed, other };
+
+class Observations {
+ public:
+  virtual ~Observations() = default;
+  /// The outcomes of this list that are kept, by job. Thread-safe.
+  virtual std::map<std::uint64_t, std::string> recall(const Fingerprint& list) = 0;
+  /// Takes an outcome, which is kept for good a little later. Thread-safe.
+  virtual void keep(const Fingerprint& list, std::uint64_t job, std::string_view outcome,
+                    OutcomeKind kind) = 0;
+};
+
+}  // namespace moivre

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// How does a command survive its process? What it observes is kept in a ledger, and so is what it writes at its end.
+//
+//   the first call      observes, keeps, and writes its results
+//   after a kill        the same call takes what was observed and observes the rest
+//   after the end       the same call writes what the finished run has written, without another look
+//
+// One call is the same as another where all its options are, but for those that say where results go, how many threads there are, and
+// how long it may take. One run is the same as another where its files' content and what its paths depend on are.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "moivre/numeric/observations.h"
+#include "output.h"
+
+namespace moivre {
+
+class ProgressLine;
+struct Progress;
+class RunLedger;
+
+struct LedgerChoice {
+  std::string path;                ///< empty: the run is not kept
+  const CLI::App* call = nullptr;  ///< whose options make the run this one
+};
+
+/// "--ledger" of a command that may run long.
+void add_ledger_option(CLI::App& command, LedgerChoice& choice);
+
+class KeptRun {
+ public:
+  /// inputs: files whose content makes the run this one; empty names are none. Throws std::invalid_argument where the ledger cannot be used,
+  /// with what differs where it is another run's.
+  KeptRun(const LedgerChoice& choice, const std::vector<std::string>& inputs);
+  ~KeptRun();
+  KeptRun(const KeptRun&) = delete;
+  KeptRun& operator=(const KeptRun&) = delete;
+
+  bool is_kept() const { return ledger_ != nullptr; }
+  Observations* observations();
+  void tell(const Progress& progress);
+  void tell(std::uint64_t done, std::uint64_t total);
+
+  /// Where this call has ended before: delivers what it wrote, to outputs in the order in which deliver() had them. The exit code then.
+  std::optional<int> deliver_again(const std::vector<Output*>& outputs, bool quiet);
+
+  /// deliver(), and keeps all of it where the run has come to its end. Returns the exit code, which tells of a ledger that could not be
+  /// written too.
+  int deliver(const std::vector<Form>& forms, bool quiet, const Content& text,
+              const std::string& unfinished, int exit_code);
+  int deliver(const std::vector<Form>& forms, bool quiet, const std::function<std::string()>& text,
+              const std::string& unfinished, int exit_code);
+
+ private:
+  Content kept(const std::string& slot, const Content& content);
+
+  std::unique_ptr<RunLedger> ledger_;
+  Fingerprint question_;
+};
+
+}  // namespace moivre

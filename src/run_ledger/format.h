@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// What does a ledger look like in its file? Its tables, its number, and what is refused.
+//
+// Private to the module.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "database.h"
+#include "moivre/run_ledger/run_ledger.h"
+
+namespace moivre {
+
+/// Of the tables; another one is refused.
+inline constexpr int kLedgerFormat = 1;
+
+/// As bytes in the file.
+std::string text_of(const Fingerprint& fingerprint);
+std::int64_t checksum_of(std::string_view place, std::int64_t number, std::string_view bytes);
+
+/// Whether nothing was ever written into it.
+bool is_new(Database& database);
+/// Makes the tables of a new ledger, all at once.
+void make_tables(Database& database, const RunIdentity& identity);
+/// Throws std::invalid_argument where the file is no ledger of this format. `path` is its name in the message.
+void require_format(Database& database, const std::string& path);
+RunIdentity identity_of(Database& database);
+
+/// The rows of each list.
+using RowsOfLists = std::map<Fingerprint, std::vector<std::int64_t>>;
+/// Reads all of the file. Throws std::invalid_argument where something in it is not what was written.
+RowsOfLists checked_rows(Database& database, const std::string& path);
+
+/// The outcomes in these rows. Throws std::invalid_argument.
+std::map<std::uint64_t, std::string> outcomes_in(Database& database, const std::string& path,
+                                                 const std::vector<std::int64_t>& rows);
+
+/// Throws std::invalid_argument where a piece is not what was written.
+void read_pieces(Database& database, const std::string& path, std::string_view question,
+                 const std::string& slot, const std::function<void(std::string_view)>& sink);
+
+[[noreturn]] void refuse_damage(const std::string& path, const std::string& why);
+
+/// Calls f; what SQLite refuses is thrown as std::invalid_argument about the file.
+template <class F>
+auto told_of(const std::string& path, const F& f) {
+  try {
+    return f();
+  } catch (const DatabaseError& error) {
+    if (error.is_damage) refuse_damage(path, error.what());
+    throw std::invalid_argument("cannot use the ledger " + path + ": " + error.what());
+  }
+}
+
+}  // namespace moivre

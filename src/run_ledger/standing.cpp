@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// The figures of a ledger, read without writing.
+#include "moivre/run_ledger/standing.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <stdexcept>
+
+#include "format.h"
+
+namespace moivre {
+namespace {
+
+/// Held together by all who read. Whether a run is writing is asked by the lock that it holds; asking takes it for an instant only.
+class Reading {
+ public:
+  explicit Reading(const std::string& path) : file_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
+    if (file_ < 0) {
+      throw std::invalid_argument("cannot read the ledger " + path + ": " + std::strerror(errno));
+    }
+    is_running = ::flock(file_, LOCK_SH | LOCK_NB) != 0;
+    ::flock(file_, LOCK_UN);
+  }
+  // Not before SQLite has closed the file: it would lose its locks.
+  ~Reading() { ::close(file_); }
+  Reading(const Reading&) = delete;
+  Reading& operator=(const Reading&) = delete;
+
+  bool is_running = false;
+
+ private:
+  int file_;
+};
+
+void read_figures(Database& database, RunStanding& standing) {
+  Statement progress(database, "SELECT done, total, roots, seconds FROM progress");
+  if (progress.step()) {
+    standing.done = static_cast<std::uint64_t>(progress.number(0));
+    standing.total = static_cast<std::uint64_t>(progress.number(1));
+    standing.roots = static_cast<std::uint64_t>(progress.number(2));
+    standing.seconds = progress.real(3);
+  }
+  Statement sums(database,
+                 "SELECT sum(jobs), sum(roots), sum(at_infinity), sum(failed) FROM observation");
+  if (sums.step()) {
+    standing.outcomes = static_cast<std::uint64_t>(sums.number(0));
+    standing.to_roots = static_cast<std::uint64_t>(sums.number(1));
+    standing.at_infinity = static_cast<std::uint64_t>(sums.number(2));
+    standing.failed = static_cast<std::uint64_t>(sums.number(3));
+  }
+  Statement answer(database, "SELECT exit_code FROM answer ORDER BY id DESC LIMIT 1");
+  standing.is_finished = answer.step();
+  if (standing.is_finished) standing.exit_code = static_cast<int>(answer.number(0));
+}
+
+}  // namespace
+
+double RunStanding::seconds_left() const {
+  if (done == 0 || total < done) return -1;
+  return seconds * static_cast<double>(total - done) / static_cast<double>(done);
+}
+
+RunStanding read_standing(const std::string& path) {
+  return told_of(path, [&] {
+    const Reading reading(path);
+    Database database(path, Database::Access::read);
+    require_format(database, path);
+    RunStanding standing;
+    standing.is_running = reading.is_running;
+    standing.identity = identity_of(database);
+    read_figures(database, standing);
+    return standing;
+  });
+}
+
+bool read_last_answer(const std::string& path, const std::string& slot,
+                      const std::function<void(std::string_view)>& sink) {
+  return told_of(path, [&] {
+    const Reading reading(path);
+    Database database(path, Database::Access::read);
+    require_format(database, path);
+    Statement last(database,
+                   "SELECT question FROM answer WHERE EXISTS (SELECT 1 FROM piece WHERE "
+                   "piece.question = answer.question AND slot = ?) ORDER BY id DESC LIMIT 1");
+    if (!last.with_text(slot).step()) return false;
+    const std::string question(last.bytes(0));
+    read_pieces(database, path, question, slot, sink);
+    return true;
+  });
+}
+
+}  // namespace moivre

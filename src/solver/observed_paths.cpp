@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: MIT
+// What the ends of a list depend on, their bytes, and the list without those that are known.
+#include "observed_paths.h"
+
+#include <utility>
+
+#include "moivre/numeric/bytes.h"
+#include "moivre/tracker/followed.h"
+
+namespace moivre {
+namespace {
+
+void put_count(ByteWriter& bytes, const StepCount& count) {
+  for (const std::uint64_t number :
+       {count.accepted, count.rejected, count.work.values, count.work.fine_values,
+        count.work.linearizations, count.work.factorizations}) {
+    bytes.put(number);
+  }
+}
+
+StepCount get_count(ByteReader& bytes) {
+  StepCount count;
+  for (std::uint64_t* number :
+       {&count.accepted, &count.rejected, &count.work.values, &count.work.fine_values,
+        &count.work.linearizations, &count.work.factorizations}) {
+    *number = bytes.get<std::uint64_t>();
+  }
+  return count;
+}
+
+void put_outpost(ByteWriter& bytes, const Outpost& outpost) {
+  bytes.put(outpost.x);
+  bytes.put(outpost.radius);
+  bytes.put(outpost.frame != nullptr);
+  if (!outpost.frame) return;
+  bytes.put(outpost.frame->log2);
+  bytes.put(outpost.frame->factors);
+  bytes.put(outpost.frame->weights);
+  bytes.put(outpost.frame->member);
+}
+
+Outpost get_outpost(ByteReader& bytes) {
+  Outpost outpost;
+  outpost.x = bytes.get_vector<Complex>();
+  outpost.radius = bytes.get<double>();
+  if (!bytes.get<bool>()) return outpost;
+  PathFrame frame;
+  frame.log2 = bytes.get_vector<int>();
+  frame.factors = bytes.get_vector<double>();
+  frame.weights = bytes.get_vector<double>();
+  frame.member = bytes.get_vector<Complex>();
+  outpost.frame = std::make_shared<const PathFrame>(std::move(frame));
+  return outpost;
+}
+
+void add_endgame(FingerprintMaker& maker, const EndgameOptions& options) {
+  const EndParameters& ends = options.ends;
+  for (const bool is_set :
+       {options.goes_straight, options.only_regular, options.may_wait, options.goes_back}) {
+    maker.add(std::uint64_t{is_set});
+  }
+  for (const double number :
+       {ends.watch_radius, ends.creeping_radius, ends.least_radius, ends.shrink, ends.rounding,
+        ends.sample_error, ends.agreement, ends.regular_condition, ends.singular_condition,
+        ends.beyond, ends.valuation_error, ends.fine_rounding}) {
+    maker.add(number);
+  }
+  for (const int number : {options.creeping_steps, ends.samples, ends.maximum_winding}) {
+    maker.add(static_cast<double>(number));
+  }
+  maker.add(ends.maximum_steps);
+}
+
+/// Where paths begin follows from the plan's homotopies and its numbers; two of the points tell plans of given points apart.
+Fingerprint list_of(const PathProblem& problem, const PathList& paths, int care) {
+  FingerprintMaker maker;
+  maker.add(problem.plan.kind);
+  for (const Homotopy& stage : problem.plan.stages) add_to(maker, stage);
+  add_to(maker, problem.tracker);
+  add_endgame(maker, problem.endgame);
+  maker.add(static_cast<double>(care));
+  for (std::uint64_t k = 0; k < paths.count; ++k) {
+    const std::uint64_t path = paths.path_of(k);
+    maker.add(path);
+    if (paths.outposts) {
+      const Outpost& outpost = paths.outposts->at(path);
+      maker.add(outpost.x);
+      maker.add(outpost.radius);
+      add_to(maker, outpost.frame);
+    } else if (k == 0 || k + 1 == paths.count) {
+      const StartPoint start = problem.plan.points->at(path);
+      maker.add(start.x);
+      add_to(maker, start.frame);
+    }
+  }
+  return maker.fingerprint();
+}
+
+OutcomeKind kind_of(const PathEnd& end) {
+  if (end.outpost) return OutcomeKind::other;
+  switch (end.status) {
+    case PathStatus::finite:
+      return OutcomeKind::root;
+    case PathStatus::at_infinity:
+      return OutcomeKind::at_infinity;
+    case PathStatus::failed:
+      return OutcomeKind::failed;
+  }
+  return OutcomeKind::other;
+}
+
+/// Of a list, as they come in.
+struct Kept {
+  Observations& observations;
+  Fingerprint list;
+  bool is_on_circles = false;  ///< from now on ends depend on all paths that have waited
+  std::uint64_t ended = 0;
+  struct OfCircles {
+    std::uint64_t path;
+    std::string bytes;
+    OutcomeKind kind;
+  };
+  std::vector<OfCircles> of_circles = {};
+
+  void take(std::uint64_t path, const PathEnd& end) {
+    if (end.failure == Failure::cancelled) return;
+    ++ended;
+    if (is_on_circles) {
+      of_circles.push_back({path, bytes_of(end), kind_of(end)});
+    } else {
+      observations.keep(list, path, bytes_of(end), kind_of(end));
+    }
+  }
+};
+
+}  // namespace
+
+std::string bytes_of(const PathEnd& end) {
+  ByteWriter bytes;
+  bytes.put(end.status);
+  bytes.put(end.failure.has_value());
+  if (end.failure) bytes.put(*end.failure);
+  bytes.put(end.x);
+  bytes.put(end.is_as_rounded);
+  bytes.put(end.singular);
+  bytes.put(end.winding.value_or(-1));
+  for (const double number : {end.accuracy, end.size, end.condition, end.t.real(), end.t.imag()}) {
+    bytes.put(number);
+  }
+  bytes.put(static_cast<std::uint64_t>(end.stage));
+  bytes.put(end.sheet);
+  put_count(bytes, end.count);
+  bytes.put(end.outpost.has_value());
+  if (end.outpost) put_outpost(bytes, *end.outpost);
+  bytes.put(end.is_taken_up);
+  return bytes.bytes();
+}
+
+PathEnd end_of(std::string_view text) {
+  ByteReader bytes(text);
+  PathEnd end;
+  end.status = bytes.get<PathStatus>();
+  if (bytes.get<bool>()) end.failure = bytes.get<Failure>();
+  end.x = bytes.get_vector<Complex>();
+  end.is_as_rounded = bytes.get<bool>();
+  end.singular = bytes.get<bool>();
+  const int winding = bytes.get<int>();
+  if (winding >= 0) end.winding = winding;
+  end.accuracy = bytes.get<double>();
+  end.size = bytes.get<double>();
+  end.condition = bytes.get<double>();
+  end.t.real(bytes.get<double>());
+  end.t.imag(bytes.get<double>());
+  end.stage = static_cast<std::size_t>(bytes.get<std::uint64_t>());
+  end.sheet = bytes.get_vector<Complex>();
+  end.count = get_count(bytes);
+  if (bytes.get<bool>()) end.outpost = get_outpost(bytes);
+  end.is_taken_up = bytes.get<bool>();
+  bytes.require_end();
+  return end;
+}
+
+bool observe_paths(const PathProblem& problem, const PathList& paths, int care, int threads,
+                   const EndSink& sink, const std::atomic<bool>& stop, Observations* observations) {
+  if (observations == nullptr) return track_paths(problem, paths, care, threads, sink, stop);
+  Kept kept{*observations, list_of(problem, paths, care)};
+  const auto known = observations->recall(kept.list);
+  std::vector<std::uint64_t> others;
+  for (std::uint64_t k = 0; k < paths.count; ++k) {
+    const std::uint64_t path = paths.path_of(k);
+    const auto found = known.find(path);
+    if (found == known.end()) {
+      others.push_back(path);
+    } else {
+      sink(path, end_of(found->second));
+    }
+  }
+  if (others.empty()) return true;
+  const PathList rest{others.size(), [&](std::uint64_t k) { return others[k]; }, paths.outposts,
+                      paths.count - others.size()};
+  const bool has_memory = track_paths(
+      problem, rest, care, threads,
+      [&](std::uint64_t path, PathEnd&& end) {
+        kept.take(path, end);
+        sink(path, std::move(end));
+      },
+      stop, [&kept] { kept.is_on_circles = true; });
+  if (has_memory && !stop && kept.ended == others.size()) {
+    for (const auto& end : kept.of_circles) {
+      observations->keep(kept.list, end.path, end.bytes, end.kind);
+    }
+  }
+  return has_memory;
+}
+
+}  // namespace moivre

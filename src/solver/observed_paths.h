@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// Which paths of a list were followed before? Their ends are taken as they were observed; only the others are followed.
+//
+// Ends that no other path has a part in are kept as they come. Where paths wait for one another (path_pool.h), those that have waited
+// do so again until all of the list have ended: then what each sees is what it saw. An end that a stop cut short was not observed.
+#pragma once
+
+#include "moivre/numeric/observations.h"
+#include "path_pool.h"
+
+namespace moivre {
+
+/// track_paths(), by what `observations` has, where there are any; it takes the other ends.
+bool observe_paths(const PathProblem& problem, const PathList& paths, int care, int threads,
+                   const EndSink& sink, const std::atomic<bool>& stop, Observations* observations);
+
+/// The exact bytes of an end, and the end again. Throws std::invalid_argument where these are no end's.
+std::string bytes_of(const PathEnd& end);
+PathEnd end_of(std::string_view bytes);
+
+}  // namespace moivre
