@@ -183,6 +183,8 @@ int run_arm(const ArmRun& run, const Source& source) {
   report.file = run.file;
   report.is_list = !run.arm.poses.empty();
   report.parse_s = watch.total();
+  KeptRun kept(run.ledger, {run.file, run.arm.poses});
+  if (const auto code = kept.deliver_again({&json, &csv, &svg, &html}, run.quiet)) return *code;
 
   SolveOptions options;
   options.seed = run.start.seed;
@@ -191,14 +193,18 @@ int run_arm(const ArmRun& run, const Source& source) {
   const std::unique_ptr<Tracker> fallback = make_fallback(run.tracker);
   options.fallback = fallback.get();
   ProgressLine line(!run.quiet);
-  if (line.is_active()) {
-    options.progress = [&](const Progress& progress) { line.show(progress); };
+  options.observations = kept.observations();
+  if (line.is_active() || kept.is_kept()) {
+    options.progress = [&](const Progress& progress) {
+      line.show(progress);
+      kept.tell(progress);
+    };
   }
   const Interruption interruption(run.time_limit);
   report.results = find_arm_closures(report.arm, poses, *tracker, options, interruption.stop());
   report.total_s = watch.total();
   const bool complete = is_complete(report) && report.results.size() == poses.size();
-  deliver(
+  return kept.deliver(
       {{&json, [&] { return arm_json(report); }},
        {&csv, [&] { return arm_csv(report, run.in_degrees); }},
        {&svg,
@@ -207,8 +213,8 @@ int run_arm(const ArmRun& run, const Source& source) {
         }},
        {&html, [&] { return arm_html(report, run.in_degrees); }}},
       run.quiet, [&] { return arm_text(report); },
-      complete ? "" : "some paths are undecided, or the run was interrupted");
-  return complete ? kDecided : kUndecided;
+      complete ? "" : "some paths are undecided, or the run was interrupted",
+      complete ? kDecided : kUndecided);
 }
 
 }  // namespace moivre

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "common_options.h"
+#include "kept_run.h"
 #include "moivre/expression/source.h"
 #include "tracker_choice.h"
 
@@ -45,6 +46,7 @@ struct ArmRun {
   bool three_views = false;
   std::string json, csv, svg, html;
   std::optional<double> time_limit;
+  LedgerChoice ledger;
 };
 
 /// By its ending, or by its content where that says XML.

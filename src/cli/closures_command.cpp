@@ -9,6 +9,7 @@
 #include "command.h"
 #include "common_options.h"
 #include "interruption.h"
+#include "kept_run.h"
 #include "mechanism_families.h"
 #include "mechanism_input.h"
 #include "moivre/closure_report/closure_report.h"
@@ -44,6 +45,7 @@ struct ClosuresCommand {
   std::string html;
   bool three_views = false;
   std::optional<double> time_limit;
+  LedgerChoice ledger;
 };
 
 /// What a page shows where drivers move: one turn of the first driver. None where no page is wanted or nothing moves.
@@ -85,7 +87,7 @@ int run_robot(const ClosuresCommand& command, const Source& source) {
   require_no_more(command);
   return run_arm({command.file, command.arm, command.start, command.tracker, command.threads,
                   command.quiet, command.angles.in_degrees, command.three_views, command.json,
-                  command.csv, command.svg, command.html, command.time_limit},
+                  command.csv, command.svg, command.html, command.time_limit, command.ledger},
                  source);
 }
 
@@ -146,7 +148,8 @@ std::unique_ptr<Tracker> checked_tracker(const ClosuresCommand& command) {
       {[&] { require_known(command.start); }, [&] { require_threads(command.threads); },
        [&] {
          for (const std::string& input : {command.file, command.arm.loops}) {
-           require_distinct({command.json, command.csv, command.svg, command.html, command.family},
+           require_distinct({command.json, command.csv, command.svg, command.html, command.family,
+                             command.ledger.path},
                             input);
          }
        },
@@ -170,7 +173,7 @@ Mechanism chosen_mechanism(const ClosuresCommand& command, const Source& source)
   return mechanism;
 }
 
-ClosureOptions options_of(const ClosuresCommand& command, ProgressLine& line) {
+ClosureOptions options_of(const ClosuresCommand& command, ProgressLine& line, KeptRun& kept) {
   ClosureOptions options;
   options.time = command.at;
   options.solve.seed = command.start.seed;
@@ -178,8 +181,12 @@ ClosureOptions options_of(const ClosuresCommand& command, ProgressLine& line) {
   options.solve.threads = command.threads;
   options.solve.certify = !command.no_certify;
   options.with_mobility = !command.json.empty();
-  if (line.is_active()) {
-    options.solve.progress = [&line](const Progress& progress) { line.show(progress); };
+  options.solve.observations = kept.observations();
+  if (line.is_active() || kept.is_kept()) {
+    options.solve.progress = [&line, &kept](const Progress& progress) {
+      line.show(progress);
+      kept.tell(progress);
+    };
   }
   return options;
 }
@@ -192,9 +199,9 @@ struct Computed {
 };
 
 Computed computed(const ClosuresCommand& command, const Mechanism& mechanism,
-                  const Tracker& tracker, double parse_s) {
+                  const Tracker& tracker, double parse_s, KeptRun& kept) {
   ProgressLine line(!command.quiet);
-  ClosureOptions options = options_of(command, line);
+  ClosureOptions options = options_of(command, line, kept);
   MechanismFamilies families(command.family, command.file, command.start.seed);
   families.serve(options.solve);
   const std::unique_ptr<Tracker> fallback = make_fallback(tracker_of(command));
@@ -212,7 +219,7 @@ Computed computed(const ClosuresCommand& command, const Mechanism& mechanism,
 }
 
 int write(const ClosuresCommand& command, const Mechanism& mechanism, const Computed& found,
-          Outputs& outputs) {
+          Outputs& outputs, KeptRun& kept) {
   const ClosureResult& result = found.closures;
   const bool is_shown = !found.motion || found.motion->complete;
   const std::string page_lacks =
@@ -238,9 +245,10 @@ int write(const ClosuresCommand& command, const Mechanism& mechanism, const Comp
            (found.sensitivities ? sensitivity_text(*found.sensitivities, mechanism) : "") +
            (is_shown ? "" : page_lacks + "\n");
   };
-  deliver({{&outputs.json, json}, {&outputs.csv, csv}, {&outputs.svg, svg}, {&outputs.html, page}},
-          command.quiet, text, result.complete ? page_lacks : result.message);
-  return result.complete && is_shown ? kDecided : kUndecided;
+  return kept.deliver(
+      {{&outputs.json, json}, {&outputs.csv, csv}, {&outputs.svg, svg}, {&outputs.html, page}},
+      command.quiet, text, result.complete ? page_lacks : result.message,
+      result.complete && is_shown ? kDecided : kUndecided);
 }
 
 int run(const ClosuresCommand& command) {
@@ -253,7 +261,10 @@ int run(const ClosuresCommand& command) {
   const double parse_s = watch.total();
   Outputs outputs{Output(command.json), Output(command.csv), Output(command.svg),
                   Output(command.html)};
-  return write(command, mechanism, computed(command, mechanism, *tracker, parse_s), outputs);
+  KeptRun kept(command.ledger, {command.file, command.arm.loops});
+  if (const auto code = kept.deliver_again(outputs.in_order(), command.quiet)) return *code;
+  return write(command, mechanism, computed(command, mechanism, *tracker, parse_s, kept), outputs,
+               kept);
 }
 
 }  // namespace
@@ -274,6 +285,7 @@ void add_closures_command(CLI::App& moivre, Chosen& chosen) {
   add_start_options(app, command->start);
   add_threads_option(app, command->threads);
   add_time_limit_option(app, command->time_limit);
+  add_ledger_option(app, command->ledger);
   add_quiet_flag(app, command->quiet);
   add_json_option(app, command->json);
   app.add_option("--csv", command->csv, "write a table of the closures here")->type_name("PATH");

@@ -30,5 +30,6 @@ void add_study_command(CLI::App& moivre, Chosen& chosen);
 void add_check_command(CLI::App& moivre, Chosen& chosen);
 void add_family_command(CLI::App& moivre, Chosen& chosen);
 void add_sweep_command(CLI::App& moivre, Chosen& chosen);
+void add_ledger_command(CLI::App& moivre, Chosen& chosen);
 
 }  // namespace moivre

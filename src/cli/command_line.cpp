@@ -122,7 +122,7 @@ constexpr Command kCommands[]{
     {"mobility", add_mobility_command},   {"guesses", add_guesses_command},
     {"mechanism", add_mechanism_command}, {"study", add_study_command},
     {"check", add_check_command},         {"family", add_family_command},
-    {"sweep", add_sweep_command}};
+    {"sweep", add_sweep_command},         {"ledger", add_ledger_command}};
 
 /// Only the one that is called, where the first word names it: the options of all the others take half a millisecond.
 void add_commands(CLI::App& moivre, Chosen& chosen, const std::string& first_word) {

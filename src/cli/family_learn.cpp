@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "interruption.h"
+#include "kept_run.h"
 #include "learn_mechanism.h"
 #include "moivre/expression/counted.h"
 #include "moivre/expression/words.h"
@@ -40,6 +41,7 @@ struct LearnCommand {
   bool quiet = false;
   std::string json;
   std::optional<double> time_limit;
+  LedgerChoice ledger;
 };
 
 /// "a,b=100": names, and typical sizes where they are not near 1.
@@ -109,18 +111,21 @@ int run_mechanism(const LearnCommand& command, const Tracker& tracker) {
   }
   Output out(command.family);
   Output json(command.json);
+  KeptRun kept(command.ledger, {command.file});
+  if (const auto code = kept.deliver_again({&json, &out}, command.quiet)) return *code;
   const std::unique_ptr<Tracker> fallback = make_fallback(command.tracker);
+  SolveOptions options = options_of(command, fallback.get());
+  options.observations = kept.observations();
   const Interruption interruption(command.time_limit);
-  const FamilyFile file = learn_mechanism(command.file, tracker,
-                                          options_of(command, fallback.get()), interruption.stop());
-  deliver({{&out, [&] { return family_text(file); }},
-           {&json, [&] { return family_report_json(file, command.family, "family learn"); }}},
-          command.quiet, [&] { return family_report_text(file, command.family); });
-  return kDecided;
+  const FamilyFile file = learn_mechanism(command.file, tracker, options, interruption.stop());
+  return kept.deliver(
+      {{&json, [&] { return family_report_json(file, command.family, "family learn"); }},
+       {&out, [&] { return family_text(file); }}},
+      command.quiet, [&] { return family_report_text(file, command.family); }, "", kDecided);
 }
 
 Family learn_by_loops(const LearnCommand& command, Family family, const Tracker& tracker,
-                      ProgressLine& line, const std::atomic<bool>& stop) {
+                      ProgressLine& line, KeptRun& kept, const std::atomic<bool>& stop) {
   const std::optional<KnownPair> pair = random_pair(family, command.start.seed);
   if (!pair) {
     throw std::invalid_argument(
@@ -131,6 +136,7 @@ Family learn_by_loops(const LearnCommand& command, Family family, const Tracker&
   options.seed = command.start.seed;
   options.threads = thread_count(command.threads);
   options.certify = !command.no_certify;
+  options.observations = kept.observations();
   if (command.trace_test) options.most_tested = options.most_roots;
   if (line.is_active()) {
     options.progress = [&](const LoopProgress& progress) {
@@ -141,21 +147,27 @@ Family learn_by_loops(const LearnCommand& command, Family family, const Tracker&
 }
 
 FamilyFile learn_interruptibly(const LearnCommand& command, Family family, const Tracker& tracker,
-                               const std::atomic<bool>& stop) {
+                               KeptRun& kept, const std::atomic<bool>& stop) {
   const std::unique_ptr<Tracker> fallback = make_fallback(command.tracker);
   SolveOptions options = options_of(command, fallback.get());
   ProgressLine line(!command.quiet);
-  if (line.is_active()) options.progress = [&](const Progress& progress) { line.show(progress); };
+  options.observations = kept.observations();
+  if (line.is_active() || kept.is_kept()) {
+    options.progress = [&](const Progress& progress) {
+      line.show(progress);
+      kept.tell(progress);
+    };
+  }
   FamilyFile file;
   file.source = command.file;
-  file.families.push_back(command.monodromy
-                              ? learn_by_loops(command, std::move(family), tracker, line, stop)
-                              : learn(std::move(family), tracker, options, stop));
+  file.families.push_back(
+      command.monodromy ? learn_by_loops(command, std::move(family), tracker, line, kept, stop)
+                        : learn(std::move(family), tracker, options, stop));
   return file;
 }
 
 /// Where it cannot be written to its place it is kept elsewhere: what was learned took its time. Why, or empty.
-std::string kept(Output& out, const std::string& text) {
+std::string written(Output& out, const std::string& text) {
   try {
     out.write(text);
     return "";
@@ -175,31 +187,36 @@ std::string kept(Output& out, const std::string& text) {
 
 int run(const LearnCommand& command) {
   std::unique_ptr<Tracker> tracker;
-  require_all({[&] { require_known(command.start); }, [&] { require_threads(command.threads); },
-               [&] { parameters_of(command.parameters); },
-               [&] {
-                 require_distinct({command.family, command.json}, command.file);
-               },
-               [&] { tracker = make_tracker(command.tracker); }});
+  require_all(
+      {[&] { require_known(command.start); }, [&] { require_threads(command.threads); },
+       [&] { parameters_of(command.parameters); },
+       [&] {
+         require_distinct({command.family, command.json, command.ledger.path}, command.file);
+       },
+       [&] { tracker = make_tracker(command.tracker); }});
   if (command.file.ends_with(".toml")) return run_mechanism(command, *tracker);
   Family family = read_family_of(command);
   Output out(command.family);
   Output json(command.json);
+  KeptRun kept(command.ledger, {command.file});
+  if (const auto code = kept.deliver_again({&json, &out}, command.quiet)) return *code;
   const Interruption interruption(command.time_limit);
   const FamilyFile file =
-      learn_interruptibly(command, std::move(family), *tracker, interruption.stop());
+      learn_interruptibly(command, std::move(family), *tracker, kept, interruption.stop());
   const Learning& learning = file.families.front().learning;
   if (file.families.front().roots.empty() && interruption.stop()) {
     throw std::invalid_argument("interrupted: nothing was learned, and " + command.family +
                                 " is unchanged");
   }
-  const std::string failure = kept(out, family_text(file));
-  deliver(
+  const std::string text = family_text(file);
+  const std::string failure = written(out, text);
+  kept.keep_beside(1, text);
+  const int code = kept.deliver(
       {{&json, [&] { return family_report_json(file, command.family, "family learn"); }}},
       command.quiet, [&] { return family_report_text(file, command.family); },
-      learning.complete ? "" : learning.standing);
+      learning.complete ? "" : learning.standing, learning.complete ? kDecided : kUndecided);
   if (!failure.empty()) throw std::invalid_argument(failure);
-  return learning.complete ? kDecided : kUndecided;
+  return code;
 }
 
 }  // namespace
@@ -228,6 +245,7 @@ void add_family_learn(CLI::App& family, Chosen& chosen) {
   add_start_options(app, command->start);
   add_threads_option(app, command->threads);
   add_time_limit_option(app, command->time_limit);
+  add_ledger_option(app, command->ledger);
   app.add_flag("--no-certify", command->no_certify, "leave out certificates");
   add_quiet_flag(app, command->quiet);
   add_json_option(app, command->json);

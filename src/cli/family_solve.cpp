@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "interruption.h"
+#include "kept_run.h"
 #include "moivre/family/member.h"
 #include "moivre/family/values.h"
 #include "moivre/family_report/family_report.h"
@@ -31,6 +32,7 @@ struct FamilySolveCommand {
   std::string json;
   std::string csv;
   std::optional<double> time_limit;
+  LedgerChoice ledger;
 };
 
 void require_one_kind(const FamilySolveCommand& command) {
@@ -55,6 +57,7 @@ struct FamilyScene {
   const SolveOptions& options;
   Output& json;
   Output& csv;
+  KeptRun& kept;
   const std::atomic<bool>& stop;
 };
 
@@ -62,7 +65,7 @@ int solve_one(const FamilyScene& scene, const ParameterValues& p) {
   const FamilySolveCommand& command = scene.command;
   const SolveResult result =
       solve_member(scene.family, p, scene.tracker, scene.options, scene.stop);
-  deliver(
+  return scene.kept.deliver(
       {{&scene.json, [&] { return member_json(result, scene.family, p, command.file); }},
        {&scene.csv, [&] { return solve_csv(result); }}},
       command.quiet,
@@ -70,8 +73,7 @@ int solve_one(const FamilyScene& scene, const ParameterValues& p) {
         return member_text(result, command.file,
                            command.all ? ListedRoots::all : ListedRoots::real);
       },
-      result.complete ? "" : result.message);
-  return result.complete ? kDecided : kUndecided;
+      result.complete ? "" : result.message, result.complete ? kDecided : kUndecided);
 }
 
 int solve_table(const FamilyScene& scene, const std::vector<Point>& members) {
@@ -88,22 +90,22 @@ int solve_table(const FamilyScene& scene, const std::vector<Point>& members) {
                  scene.tracker.options_in_force(),
                  scene.options.threads,
                  watch.total()};
-  deliver(
+  return scene.kept.deliver(
       {{&scene.json, [&] { return members_json(run); }},
        {&scene.csv, [&] { return members_csv(run); }}},
       command.quiet, [&] { return members_text(run); },
-      is_complete(run) ? "" : "some members are not decided");
-  return is_complete(run) ? kDecided : kUndecided;
+      is_complete(run) ? "" : "some members are not decided",
+      is_complete(run) ? kDecided : kUndecided);
 }
 
 int run(const FamilySolveCommand& command) {
   std::unique_ptr<Tracker> tracker;
   require_all({[&] { require_one_kind(command); }, [&] { require_threads(command.threads); },
                [&] {
-                 require_distinct({command.json, command.csv}, command.file);
+                 require_distinct({command.json, command.csv, command.ledger.path}, command.file);
                },
                [&] {
-                 require_distinct({command.json, command.csv}, command.table);
+                 require_distinct({command.json, command.csv, command.ledger.path}, command.table);
                },
                [&] { tracker = make_tracker(command.tracker); }});
   const FamilyFile file = load_family(command.file);
@@ -117,6 +119,8 @@ int run(const FamilySolveCommand& command) {
   }
   Output json(command.json);
   Output csv(command.csv);
+  KeptRun kept(command.ledger, {command.file, command.table});
+  if (const auto code = kept.deliver_again({&json, &csv}, command.quiet)) return *code;
   SolveOptions options;
   options.seed = command.seed;
   options.threads = thread_count(command.threads);
@@ -124,9 +128,15 @@ int run(const FamilySolveCommand& command) {
   const std::unique_ptr<Tracker> fallback = make_fallback(command.tracker);
   options.fallback = fallback.get();
   ProgressLine line(!command.quiet);
-  if (line.is_active()) options.progress = [&](const Progress& progress) { line.show(progress); };
+  options.observations = kept.observations();
+  if (line.is_active() || kept.is_kept()) {
+    options.progress = [&](const Progress& progress) {
+      line.show(progress);
+      kept.tell(progress);
+    };
+  }
   const Interruption interruption(command.time_limit);
-  const FamilyScene scene{command, family, *tracker, options, json, csv, interruption.stop()};
+  const FamilyScene scene{command, family, *tracker, options, json, csv, kept, interruption.stop()};
   return command.table.empty() ? solve_one(scene, p) : solve_table(scene, members);
 }
 
@@ -147,6 +157,7 @@ void add_family_solve(CLI::App& family, Chosen& chosen) {
       ->capture_default_str();
   add_threads_option(app, command->threads);
   add_time_limit_option(app, command->time_limit);
+  add_ledger_option(app, command->ledger);
   app.add_flag("--all", command->all, "also print the roots that are not real");
   app.add_flag("--no-certify", command->no_certify,
                "leave out certificates; many members then take less time");

@@ -150,6 +150,10 @@ std::optional<int> KeptRun::deliver_again(const std::vector<Output*>& outputs, b
   return exit_code;
 }
 
+void KeptRun::keep_beside(std::size_t place, std::string text) {
+  if (ledger_) beside_[place] = std::move(text);
+}
+
 Content KeptRun::kept(const std::string& slot, const Content& content) {
   return [this, slot, content](const TextSink& sink) {
     ledger_->add_to_answer(question_, slot, "");
@@ -174,6 +178,9 @@ int KeptRun::deliver(const std::vector<Form>& forms, bool quiet, const Content& 
     for (const Form& form : forms) {
       const std::string slot = std::to_string(&form - forms.data());
       kept_forms.emplace_back(form.output, kept(slot, form.content));
+    }
+    for (const auto& [place, whole] : beside_) {
+      ledger_->add_to_answer(question_, std::to_string(place), whole);
     }
     kept(kText, text)([](std::string_view) {});
     kept(kUnfinished, [&](const TextSink& sink) { sink(unfinished); })([](std::string_view) {});

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -49,6 +50,9 @@ class KeptRun {
   /// Where this call has ended before: delivers what it wrote, to outputs in the order in which deliver() had them. The exit code then.
   std::optional<int> deliver_again(const std::vector<Output*>& outputs, bool quiet);
 
+  /// A result that is written elsewhere, in its place among the outputs, for deliver() to keep.
+  void keep_beside(std::size_t place, std::string text);
+
   /// deliver(), and keeps all of it where the run has come to its end. Returns the exit code, which tells of a ledger that could not be
   /// written too.
   int deliver(const std::vector<Form>& forms, bool quiet, const Content& text,
@@ -61,6 +65,7 @@ class KeptRun {
 
   std::unique_ptr<RunLedger> ledger_;
   Fingerprint question_;
+  std::map<std::size_t, std::string> beside_;
 };
 
 }  // namespace moivre

@@ -11,6 +11,7 @@
 #include "command.h"
 #include "common_options.h"
 #include "interruption.h"
+#include "kept_run.h"
 #include "mechanism_input.h"
 #include "moivre/closure_report/motion_report.h"
 #include "moivre/closure_report/page.h"
@@ -31,6 +32,7 @@ namespace {
 
 struct MotionCommand {
   std::optional<double> time_limit;
+  LedgerChoice ledger;
   std::string file;
   StartChoice start;
   TrackerChoice tracker;
@@ -156,13 +158,16 @@ std::unique_ptr<Tracker> checked_tracker(const MotionCommand& command) {
 }
 
 MotionOptions options_of(const MotionCommand& command, const Mechanism& mechanism,
-                         ProgressLine& line) {
+                         ProgressLine& line, KeptRun& kept) {
   MotionOptions options = command.options;
   options.to = command.to.value_or(options.from + natural_duration(mechanism, options.from));
   options.solve.seed = command.start.seed;
   options.solve.start = kind_of(command.start);
-  if (line.is_active()) {
-    options.progress = [&line](double share) {
+  options.solve.observations = kept.observations();
+  if (line.is_active() || kept.is_kept()) {
+    options.progress = [&line, &kept](double share) {
+      constexpr double kWhole = 1000;
+      kept.tell(static_cast<std::uint64_t>(kWhole * share), static_cast<std::uint64_t>(kWhole));
       line.show(std::to_string(static_cast<int>(100 * share)) + " % of the motion", share);
     };
   }
@@ -185,7 +190,7 @@ MotionResult computed(const MotionCommand& command, const Mechanism& mechanism,
 
 /// `read`: null where no columns were asked for.
 int write(const MotionCommand& command, const Mechanism& mechanism, const MotionResult& result,
-          const Readings* read, Outputs& outputs) {
+          const Readings* read, Outputs& outputs, KeptRun& kept) {
   const auto json = [&](const TextSink& sink) {
     write_motion_json(sink, result, mechanism, command.file, command.angles, read);
   };
@@ -199,9 +204,10 @@ int write(const MotionCommand& command, const Mechanism& mechanism, const Motion
     return motion_text(result, mechanism, command.file) +
            (read != nullptr ? extremes_text(*read, mechanism) : "");
   };
-  deliver({{&outputs.json, json}, {&outputs.csv, csv}, {&outputs.svg, svg}, {&outputs.html, page}},
-          command.quiet, text, result.complete ? "" : result.message);
-  return result.complete ? kDecided : kUndecided;
+  return kept.deliver(
+      {{&outputs.json, json}, {&outputs.csv, csv}, {&outputs.svg, svg}, {&outputs.html, page}},
+      command.quiet, text, result.complete ? "" : result.message,
+      result.complete ? kDecided : kUndecided);
 }
 
 int run(const MotionCommand& command) {
@@ -217,18 +223,20 @@ int run(const MotionCommand& command) {
   const std::unique_ptr<const QuantityReader> reader = make_reader(mechanism, command.columns);
   const double parse_s = watch.total();
   ProgressLine line(!command.quiet);
-  const MotionOptions options = options_of(command, mechanism, line);
+  KeptRun kept(command.ledger, {command.file});
+  const MotionOptions options = options_of(command, mechanism, line, kept);
   require_workable(mechanism, options);
   require_reachable(mechanism, options);
   require_drawn(mechanism, command);
   require_room(mechanism, command, reader.get());
   Outputs outputs{Output(command.json), Output(command.csv), Output(command.svg),
                   Output(command.html)};
+  if (const auto code = kept.deliver_again(outputs.in_order(), command.quiet)) return *code;
   const MotionResult result = computed(command, mechanism, *tracker, options, parse_s);
   const bool tells_extremes = !command.quiet || outputs.json.is_wanted();
   std::optional<Readings> readings;
   if (reader) readings = read_motion(result, mechanism, *reader, tells_extremes);
-  return write(command, mechanism, result, readings ? &*readings : nullptr, outputs);
+  return write(command, mechanism, result, readings ? &*readings : nullptr, outputs, kept);
 }
 
 void add_time_options(CLI::App& app, MotionCommand& command) {
@@ -270,6 +278,7 @@ void add_motion_command(CLI::App& moivre, Chosen& chosen) {
   add_start_options(app, command->start);
   add_threads_option(app, command->options.solve.threads);
   add_time_limit_option(app, command->time_limit);
+  add_ledger_option(app, command->ledger);
   add_quiet_flag(app, command->quiet);
   add_json_option(app, command->json);
   app.add_option("--csv", command->csv, "write a table of all samples here")->type_name("PATH");

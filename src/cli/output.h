@@ -43,6 +43,8 @@ class Output {
 /// Where closures and motions go in each of their forms.
 struct Outputs {
   Output json, csv, svg, html;
+
+  std::vector<Output*> in_order() { return {&json, &csv, &svg, &html}; }
 };
 
 /// One form of a result, made when it is written.

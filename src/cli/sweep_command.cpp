@@ -7,6 +7,7 @@
 #include "command.h"
 #include "common_options.h"
 #include "interruption.h"
+#include "kept_run.h"
 #include "mechanism_families.h"
 #include "mechanism_input.h"
 #include "moivre/expression/words.h"
@@ -34,6 +35,7 @@ struct SweepCommand {
   std::string svg;
   std::string html;
   std::optional<double> time_limit;
+  LedgerChoice ledger;
 };
 
 /// "crank.A.x=10:50:200".
@@ -68,20 +70,25 @@ std::vector<Varied> varied_of(const std::vector<std::string>& texts) {
 
 int run(const SweepCommand& command) {
   std::unique_ptr<Tracker> tracker;
-  require_all(
-      {[&] { require_known(command.start); }, [&] { require_threads(command.threads); },
-       [&] {
-         require_distinct({command.json, command.csv, command.svg, command.html, command.family},
-                          command.file);
-       },
-       [&] { require_ending(command.svg, ".svg"); }, [&] { require_ending(command.html, ".html"); },
-       [&] { varied_of(command.vary); }, [&] { tracker = make_tracker(command.tracker); }});
+  require_all({[&] { require_known(command.start); }, [&] { require_threads(command.threads); },
+               [&] {
+                 require_distinct({command.json, command.csv, command.svg, command.html,
+                                   command.family, command.ledger.path},
+                                  command.file);
+               },
+               [&] { require_ending(command.svg, ".svg"); },
+               [&] { require_ending(command.html, ".html"); }, [&] { varied_of(command.vary); },
+               [&] { tracker = make_tracker(command.tracker); }});
   Mechanism mechanism = read_mechanism_file(command.file);
   apply(command.mechanism, mechanism);
   Output json(command.json);
   Output csv(command.csv);
   Output svg(command.svg);
   Output html(command.html);
+  KeptRun kept(command.ledger, {command.file});
+  if (const auto code = kept.deliver_again({&json, &csv, &svg, &html}, command.quiet)) {
+    return *code;
+  }
   MechanismFamilies families(command.family, command.file, command.start.seed);
   SweepOptions options;
   options.closures.time = command.at;
@@ -93,8 +100,10 @@ int run(const SweepCommand& command) {
   const std::unique_ptr<Tracker> fallback = make_fallback(command.tracker);
   options.closures.solve.fallback = fallback.get();
   ProgressLine line(!command.quiet);
-  if (line.is_active()) {
+  options.closures.solve.observations = kept.observations();
+  if (line.is_active() || kept.is_kept()) {
     options.progress = [&](std::size_t done, std::size_t total) {
+      kept.tell(done, total);
       line.show(std::to_string(done) + " of " + std::to_string(total) + " samples",
                 static_cast<double>(done) / static_cast<double>(total));
     };
@@ -103,14 +112,14 @@ int run(const SweepCommand& command) {
   const SweepResult result = sweep(mechanism, varied_of(command.vary), *tracker, families.book(),
                                    options, interruption.stop());
   if (!interruption.stop() || families.book().learned() > 0) families.keep();
-  deliver(
+  return kept.deliver(
       {{&json, [&] { return sweep_json(result, command.file, mechanism.warnings); }},
        {&csv, [&] { return sweep_csv(result); }},
        {&svg, [&] { return sweep_svg(result, command.file); }},
        {&html, [&] { return sweep_html(result, mechanism, command.file); }}},
       command.quiet, [&] { return sweep_text(result, command.file, mechanism.warnings); },
-      result.complete ? "" : "some samples are not decided");
-  return result.complete ? kDecided : kUndecided;
+      result.complete ? "" : "some samples are not decided",
+      result.complete ? kDecided : kUndecided);
 }
 
 }  // namespace
@@ -130,6 +139,7 @@ void add_sweep_command(CLI::App& moivre, Chosen& chosen) {
   add_start_options(app, command->start);
   add_threads_option(app, command->threads);
   add_time_limit_option(app, command->time_limit);
+  add_ledger_option(app, command->ledger);
   app.add_flag("--no-borders", command->no_borders, "do not locate where the counts change");
   app.add_option("--family", command->family,
                  "use the families in this file, and add those that are learned")

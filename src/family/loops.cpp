@@ -6,8 +6,10 @@
 #include <numeric>
 
 #include "moivre/family/learn.h"
+#include "moivre/numeric/bytes.h"
 #include "moivre/numeric/random.h"
 #include "moivre/numeric/threads.h"
+#include "moivre/tracker/followed.h"
 
 namespace moivre {
 namespace {
@@ -23,6 +25,17 @@ struct Batch {
   std::vector<std::size_t> wanted;  ///< numbers of starts
   std::atomic<std::size_t> next{0};
   std::vector<std::optional<Point>>& ends;
+  Observations* observations = nullptr;
+  Fingerprint list = {};
+
+  /// An end, or that there is none.
+  void keep(std::size_t path) const {
+    if (observations == nullptr) return;
+    ByteWriter bytes;
+    bytes.put(ends[path].value_or(Point{}));
+    observations->keep(list, path, bytes.bytes(),
+                       ends[path] ? OutcomeKind::root : OutcomeKind::failed);
+  }
 };
 
 class BatchSource : public DepartureSource {
@@ -43,6 +56,7 @@ class BatchSource : public DepartureSource {
     const Chart& chart = batch_.homotopy.chart();
     if (!is_regular(arrival) || chart.finiteness(arrival.x) < kLeastLoopFiniteness) return;
     batch_.ends[departure.path] = chart.affine(arrival.x);
+    batch_.keep(departure.path);
   }
 
  private:
@@ -67,6 +81,27 @@ void follow(Batch& batch, const Tracker& tracker, const Follower& follower) {
   });
 }
 
+/// Takes the ends that are known; the others are wanted.
+void recall(Batch& batch, const Follower& follower) {
+  batch.wanted.resize(batch.starts.size());
+  std::iota(batch.wanted.begin(), batch.wanted.end(), std::size_t{0});
+  if (follower.observations == nullptr) return;
+  FingerprintMaker maker;
+  maker.add(std::string_view("roots"));
+  add_to(maker, batch.homotopy);
+  add_to(maker, follower.tracker);
+  for (const Point& start : batch.starts) maker.add(start);
+  batch.list = maker.fingerprint();
+  batch.observations = follower.observations;
+  const auto known = follower.observations->recall(batch.list);
+  for (const auto& [path, outcome] : known) {
+    ByteReader bytes(outcome);
+    Point end = bytes.get_vector<Complex>();
+    if (!end.empty()) batch.ends.at(path) = std::move(end);
+  }
+  std::erase_if(batch.wanted, [&](std::size_t k) { return known.count(k) > 0; });
+}
+
 Point random_member(const std::vector<double>& sizes, std::uint64_t seed, std::uint64_t number) {
   Point p;
   for (std::size_t j = 0; j < sizes.size(); ++j) {
@@ -85,13 +120,15 @@ std::vector<std::optional<Point>> follow_roots(const System& system, const Point
   const Homotopy homotopy = Homotopy::parameters(system, from, to);
   std::vector<std::optional<Point>> ends(roots.size());
   Batch batch{homotopy, roots, {}, {}, ends};
-  batch.wanted.resize(roots.size());
-  std::iota(batch.wanted.begin(), batch.wanted.end(), std::size_t{0});
+  recall(batch, follower);
   follow(batch, follower.tracker, follower);
   // Between generic members all paths are regular. A path that double loses needs more digits.
   std::erase_if(batch.wanted, [&](std::size_t k) { return ends[k].has_value(); });
   const auto fine = follower.tracker.in_double_double();
   if (fine) follow(batch, *fine, follower);
+  for (const std::size_t k : batch.wanted) {
+    if (!ends[k] && !follower.stop) batch.keep(k);
+  }
   return ends;
 }
 

@@ -14,6 +14,8 @@ struct Follower {
   const Tracker& tracker;
   const std::atomic<bool>& stop;
   int threads = 1;
+  Observations* observations =
+      nullptr;  ///< asked for ends before paths are followed, and told them
 };
 
 /// Where each root at `from` arrives at `to`; nullopt where its path broke off, or ends at no regular root.

@@ -12,6 +12,7 @@
 #include "moivre/family/member.h"
 #include "moivre/numeric/invalid_input.h"
 #include "moivre/numeric/threads.h"
+#include "observed_members.h"
 
 namespace moivre {
 namespace {
@@ -272,6 +273,16 @@ std::vector<MemberRoots> roots_of(const Family& family, std::span<const Point> m
   require_fitting(family, members);
   std::vector<MemberRoots> results(members.size());
   if (members.empty()) return results;
+  if (options.observations != nullptr) {
+    const Homotopy homotopy = Homotopy::members(family.system, family.generic);
+    const MembersTask task{family, homotopy, tracker, options, doubt == AnyDoubt::is_judged};
+    return observe_members(
+        task, members,
+        [&](std::span<const Point> block, const SolveOptions& of_block) {
+          return roots_of(family, block, tracker, of_block, stop, doubt);
+        },
+        stop);
+  }
   const int threads = thread_count(options.threads);
   Shared shared{family,
                 members,

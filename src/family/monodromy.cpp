@@ -187,7 +187,7 @@ Family learn_by_monodromy(Family unlearned, const KnownPair& pair, const Tracker
   Family family = std::move(unlearned);
   family.seed = options.seed;
   family.generic = generic_member(family, options.seed);
-  const Follower follower{tracker, stop, options.threads};
+  const Follower follower{tracker, stop, options.threads, options.observations};
   const auto first =
       follow_roots(family.system, pair.p, family.generic, {pair.x}, follower).front();
   if (!first && !stop) {

@@ -84,7 +84,7 @@ SolveResult solve(const ParameterProblem& problem, const ParameterValues& to,
   Family family = family_at_start(problem, to);
   family.seed = options.seed;
   const Point generic = generic_member(family, options.seed);
-  const Follower follower{tracker, stop, thread_count(options.threads)};
+  const Follower follower{tracker, stop, thread_count(options.threads), options.observations};
   const auto ends = follow_roots(family.system, family.generic, generic, family.roots, follower);
   family.generic = generic;
   family.roots = different(ends);
@@ -104,7 +104,7 @@ std::vector<std::optional<Point>> track(const ParameterProblem& problem, const P
                                         const std::atomic<bool>& stop) {
   const Family family = family_at_start(problem, to);
   return follow_roots(family.system, family.generic, as_doubles(to), family.roots,
-                      {tracker, stop, thread_count(threads)});
+                      {tracker, stop, thread_count(threads), nullptr});
 }
 
 }  // namespace moivre

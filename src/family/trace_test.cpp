@@ -134,7 +134,7 @@ TraceTest trace_test(const Family& family, const Tracker& tracker, const Monodro
     v.push_back(family.sizes[j] * random_number(options.seed, kLine, j));
   }
   const System curve = curve_system(family, v);
-  const Follower follower{tracker, stop, options.threads};
+  const Follower follower{tracker, stop, options.threads, options.observations};
   std::vector<Point> starts = family.roots;
   for (Point& point : starts) point.push_back(0);
   const Point base = generic_form(n, options.seed);

@@ -20,7 +20,7 @@ namespace moivre {
 namespace {
 
 // Between commits: a share of the run's age.
-constexpr double kShortest = 0.05, kLongest = 1, kShare = 0.125;
+constexpr double kShortest = 0.1, kLongest = 1, kShare = 0.125;
 // Pending bytes that are committed at once, and those that no thread may add to.
 constexpr std::size_t kMany = std::size_t{16} << 20, kTooMany = std::size_t{128} << 20;
 constexpr std::size_t kPiece = std::size_t{1} << 20;

@@ -12,6 +12,7 @@
 #include "moivre/numeric/invalid_input.h"
 #include "moivre/numeric/stopwatch.h"
 #include "moivre/numeric/threads.h"
+#include "observed_samples.h"
 
 namespace moivre {
 namespace {
@@ -27,16 +28,27 @@ class Sweep {
       : mechanism_(mechanism),
         varied_(varied),
         tracker_(tracker),
+        book_(book),
         options_(options),
         closures_(options.closures),
+        observed_(varied, tracker, options),
         stop_(stop) {
     book.serve(closures_.solve);
     closures_.solve.threads = 1;
     closures_.certify = false;  // counts of many members
     closures_.solve.progress = nullptr;
+    closures_.solve.observations = nullptr;  // whole samples are kept
   }
 
   SweepSample sample(std::vector<double> at) const {
+    if (auto known = observed_.recall(at)) return std::move(*known);
+    const std::size_t learned = book_.learned();
+    SweepSample sample = solved(std::move(at));
+    if (book_.learned() == learned && !stop_) observed_.keep(sample);
+    return sample;
+  }
+
+  SweepSample solved(std::vector<double> at) const {
     Mechanism mechanism = mechanism_;
     for (std::size_t j = 0; j < varied_.size(); ++j) {
       set_dimension(mechanism, varied_[j].name, at[j]);
@@ -109,8 +121,10 @@ class Sweep {
   const Mechanism& mechanism_;
   const std::vector<Varied>& varied_;
   const Tracker& tracker_;
+  const FamilyBook& book_;
   const SweepOptions& options_;
   ClosureOptions closures_;
+  const ObservedSamples observed_;
   const std::atomic<bool>& stop_;
 };
 

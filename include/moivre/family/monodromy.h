@@ -35,6 +35,7 @@ struct MonodromyOptions {
   bool test = true;  ///< the trace test, where the roots are no more than `most_tested`
   std::size_t most_tested = 2000;
   bool certify = true;                                ///< each root
+  Observations* observations = nullptr;               ///< as SolveOptions::observations
   std::function<void(const LoopProgress&)> progress;  ///< called after each loop
 };
 

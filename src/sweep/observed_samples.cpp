@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// The bytes of a sample, and its number among all that there could be.
+#include "observed_samples.h"
+
+#include "moivre/numeric/bytes.h"
+#include "moivre/tracker/followed.h"
+
+namespace moivre {
+namespace {
+
+Fingerprint list_of(const std::vector<Varied>& varied, const Tracker& tracker,
+                    const SweepOptions& options) {
+  FingerprintMaker maker;
+  maker.add(std::string_view("samples"));
+  for (const Varied& number : varied) maker.add(number.name);
+  add_to(maker, tracker);
+  maker.add(options.closures.time);
+  maker.add(options.closures.solve.seed);
+  maker.add(static_cast<std::uint64_t>(options.closures.solve.start));
+  maker.add(std::uint64_t{options.keep_closures});
+  return maker.fingerprint();
+}
+
+std::uint64_t job_of(const std::vector<double>& at) {
+  FingerprintMaker maker;
+  for (const double number : at) maker.add(number);
+  return maker.fingerprint().first;
+}
+
+std::string bytes_of(const SweepSample& sample) {
+  ByteWriter bytes;
+  bytes.put(sample.at);
+  for (const std::uint64_t count :
+       {sample.complex, sample.found.real, sample.found.filtered, sample.found.fitted}) {
+    bytes.put(count);
+  }
+  bytes.put(sample.found.moves);
+  bytes.put(sample.complete);
+  bytes.put(static_cast<std::uint64_t>(sample.closures.size()));
+  for (const Eigen::VectorXd& q : sample.closures) {
+    bytes.put(std::vector<double>(q.begin(), q.end()));
+  }
+  return bytes.bytes();
+}
+
+SweepSample sample_of(std::string_view text) {
+  ByteReader bytes(text);
+  SweepSample sample;
+  sample.at = bytes.get_vector<double>();
+  for (std::uint64_t* count :
+       {&sample.complex, &sample.found.real, &sample.found.filtered, &sample.found.fitted}) {
+    *count = bytes.get<std::uint64_t>();
+  }
+  sample.found.moves = bytes.get<bool>();
+  sample.complete = bytes.get<bool>();
+  for (auto left = bytes.get<std::uint64_t>(); left > 0; --left) {
+    const std::vector<double> q = bytes.get_vector<double>();
+    sample.closures.push_back(
+        Eigen::Map<const Eigen::VectorXd>(q.data(), static_cast<Eigen::Index>(q.size())));
+  }
+  bytes.require_end();
+  return sample;
+}
+
+}  // namespace
+
+ObservedSamples::ObservedSamples(const std::vector<Varied>& varied, const Tracker& tracker,
+                                 const SweepOptions& options)
+    : observations_(options.closures.solve.observations), list_(list_of(varied, tracker, options)) {
+  if (observations_ != nullptr) known_ = observations_->recall(list_);
+}
+
+std::optional<SweepSample> ObservedSamples::recall(const std::vector<double>& at) const {
+  const auto found = known_.find(job_of(at));
+  if (found == known_.end()) return std::nullopt;
+  SweepSample sample = sample_of(found->second);
+  if (sample.at != at) return std::nullopt;
+  return sample;
+}
+
+void ObservedSamples::keep(const SweepSample& sample) const {
+  if (observations_ == nullptr) return;
+  observations_->keep(list_, job_of(sample.at), bytes_of(sample),
+                      sample.complete ? OutcomeKind::root : OutcomeKind::failed);
+}
+
+}  // namespace moivre
