@@ -42,15 +42,15 @@ std::string state_of(const RunStanding& standing) {
 std::string standing_text(const RunStanding& standing, const std::string& file) {
   std::string text =
       file + ": moivre " + identity_value(standing, "command") + ", " + state_of(standing) + '\n';
-  if (standing.total > 0) {
+  if (standing.total > 0 && !standing.is_finished) {
     text += std::to_string(standing.done) + " of " + std::to_string(standing.total) + " done";
     if (standing.roots > 0) text += ", " + counted(standing.roots, "root") + " so far";
     text += '\n';
   }
   text += number("%.3g s of work", standing.seconds);
-  if (standing.done > 0 && standing.seconds > 0) {
-    const double rate = static_cast<double>(standing.done) / standing.seconds;
-    text += number(", %.3g a second", rate);
+  if (standing.outcomes > 0 && standing.seconds > 0) {
+    text += number(", %.3g outcomes a second",
+                   static_cast<double>(standing.outcomes) / standing.seconds);
   }
   const double left = standing.seconds_left();
   if (!standing.is_finished && left > 0) text += number(", about %.0f s left", std::ceil(left));

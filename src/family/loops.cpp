@@ -33,8 +33,8 @@ struct Batch {
     if (observations == nullptr) return;
     ByteWriter bytes;
     bytes.put(ends[path].value_or(Point{}));
-    observations->keep(list, path, bytes.bytes(),
-                       ends[path] ? OutcomeKind::root : OutcomeKind::failed);
+    observations->keep(list, JobOutcome{path, bytes.bytes(),
+                                        ends[path] ? OutcomeKind::root : OutcomeKind::failed});
   }
 };
 

@@ -130,7 +130,8 @@ std::vector<MemberRoots> observe_members(const MembersTask& task, std::span<cons
       MemberRoots& result = results[others[begin + k]];
       result = std::move(solved[k]);
       finite += result.roots.size();
-      if (!stop) observations.keep(list, others[begin + k], bytes_of(result), kind_of(result));
+      if (stop) continue;
+      observations.keep(list, JobOutcome{others[begin + k], bytes_of(result), kind_of(result)});
     }
   }
   return results;

@@ -19,7 +19,8 @@ constexpr const char* kTables =
     "CREATE TABLE progress(id INTEGER PRIMARY KEY CHECK (id = 1), done INTEGER, total INTEGER,"
     " roots INTEGER, seconds REAL);"
     "INSERT INTO progress VALUES(1, 0, 0, 0, 0);"
-    "CREATE TABLE answer(id INTEGER PRIMARY KEY, question BLOB, exit_code INTEGER);"
+    "CREATE TABLE answer(id INTEGER PRIMARY KEY, question BLOB, exit_code INTEGER,"
+    " checksum INTEGER);"
     "CREATE TABLE piece(question BLOB, slot TEXT, number INTEGER, bytes BLOB, checksum INTEGER,"
     " PRIMARY KEY(question, slot, number)) WITHOUT ROWID;";
 
@@ -121,6 +122,30 @@ std::map<std::uint64_t, std::string> outcomes_in(Database& database, const std::
     row.finish();
   }
   return outcomes;
+}
+
+std::int64_t answer_checksum(Database& database, std::string_view question,
+                             std::int64_t exit_code) {
+  Statement slots(
+      database, "SELECT slot, count(*) FROM piece WHERE question = ? GROUP BY slot ORDER BY slot");
+  slots.with_bytes(question);
+  FingerprintMaker maker;
+  maker.add(question);
+  maker.add(static_cast<std::uint64_t>(exit_code));
+  while (slots.step()) {
+    maker.add(slots.bytes(0));
+    maker.add(static_cast<std::uint64_t>(slots.number(1)));
+  }
+  return static_cast<std::int64_t>(maker.fingerprint().first);
+}
+
+int checked_exit_code(Database& database, const std::string& path, std::string_view question) {
+  Statement row(database, "SELECT exit_code, checksum FROM answer WHERE question = ?");
+  if (!row.with_bytes(question).step()) return -1;
+  if (answer_checksum(database, question, row.number(0)) != row.number(1)) {
+    refuse_damage(path, "an answer is not what was written");
+  }
+  return static_cast<int>(row.number(0));
 }
 
 void read_pieces(Database& database, const std::string& path, std::string_view question,

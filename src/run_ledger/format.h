@@ -37,6 +37,10 @@ RowsOfLists checked_rows(Database& database, const std::string& path);
 std::map<std::uint64_t, std::string> outcomes_in(Database& database, const std::string& path,
                                                  const std::vector<std::int64_t>& rows);
 
+/// Of a finished run: its exit code, and how many pieces each slot has.
+std::int64_t answer_checksum(Database& database, std::string_view question, std::int64_t exit_code);
+/// -1: there is no answer. Throws std::invalid_argument where it is not what was written.
+int checked_exit_code(Database& database, const std::string& path, std::string_view question);
 /// Throws std::invalid_argument where a piece is not what was written.
 void read_pieces(Database& database, const std::string& path, std::string_view question,
                  const std::string& slot, const std::function<void(std::string_view)>& sink);

@@ -20,13 +20,13 @@ struct Chunk {
   ByteWriter outcomes;
   std::int64_t jobs = 0, roots = 0, at_infinity = 0, failed = 0;
 
-  void add(std::uint64_t job, std::string_view outcome, OutcomeKind kind) {
-    outcomes.put(job);
-    outcomes.put(outcome);
+  void add(const JobOutcome& outcome) {
+    outcomes.put(outcome.job);
+    outcomes.put(std::string_view(outcome.bytes));
     ++jobs;
-    roots += kind == OutcomeKind::root ? 1 : 0;
-    at_infinity += kind == OutcomeKind::at_infinity ? 1 : 0;
-    failed += kind == OutcomeKind::failed ? 1 : 0;
+    roots += outcome.kind == OutcomeKind::root ? 1 : 0;
+    at_infinity += outcome.kind == OutcomeKind::at_infinity ? 1 : 0;
+    failed += outcome.kind == OutcomeKind::failed ? 1 : 0;
   }
 };
 

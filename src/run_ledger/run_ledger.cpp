@@ -63,13 +63,15 @@ class RunLedger::Books {
     return told_of(path_, [&] { return outcomes_in(*database_, path_, rows->second); });
   }
 
-  void keep(const Fingerprint& list, std::uint64_t job, std::string_view outcome,
-            OutcomeKind kind) {
+  void keep(const Fingerprint& list, std::span<const JobOutcome> outcomes) {
     std::unique_lock lock(mutex_);
     room_.wait(lock, [this] { return pending_.bytes < kTooMany || has_failed_; });
     if (has_failed_) return;
-    pending_.chunks[list].add(job, outcome, kind);
-    pending_.bytes += outcome.size() + 2 * sizeof(std::uint64_t);
+    Chunk& chunk = pending_.chunks[list];
+    for (const JobOutcome& outcome : outcomes) {
+      chunk.add(outcome);
+      pending_.bytes += outcome.bytes.size() + 2 * sizeof(std::uint64_t);
+    }
     if (pending_.bytes >= kMany) wake_.notify_one();
   }
 
@@ -121,9 +123,11 @@ class RunLedger::Books {
       if (of.next == 0 || !of.rest.empty()) insert(question, slot, of);
     }
     write([&](Database& database) {
-      Statement(database, "INSERT INTO answer(question, exit_code) VALUES(?, ?)")
-          .with_bytes(text_of(question))
+      const std::string name = text_of(question);
+      Statement(database, "INSERT INTO answer(question, exit_code, checksum) VALUES(?, ?, ?)")
+          .with_bytes(name)
           .with(std::int64_t{exit_code})
+          .with(answer_checksum(database, name, exit_code))
           .finish();
       database.run("COMMIT");
     });
@@ -276,9 +280,8 @@ std::map<std::uint64_t, std::string> RunLedger::recall(const Fingerprint& list) 
   return books_->recall(list);
 }
 
-void RunLedger::keep(const Fingerprint& list, std::uint64_t job, std::string_view outcome,
-                     OutcomeKind kind) {
-  books_->keep(list, job, outcome, kind);
+void RunLedger::keep(const Fingerprint& list, std::span<const JobOutcome> outcomes) {
+  if (!outcomes.empty()) books_->keep(list, outcomes);
 }
 
 void RunLedger::tell(std::uint64_t done, std::uint64_t total, std::uint64_t roots) {
@@ -289,8 +292,7 @@ void RunLedger::close_observations() { books_->close(); }
 
 int RunLedger::exit_code_of(const Fingerprint& question) {
   return books_->read([&](Database& database) {
-    Statement row(database, "SELECT exit_code FROM answer WHERE question = ?");
-    return row.with_bytes(text_of(question)).step() ? static_cast<int>(row.number(0)) : -1;
+    return checked_exit_code(database, books_->path(), text_of(question));
   });
 }
 

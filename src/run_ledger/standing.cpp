@@ -6,6 +6,7 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <stdexcept>
@@ -36,7 +37,7 @@ class Reading {
   int file_;
 };
 
-void read_figures(Database& database, RunStanding& standing) {
+void read_figures(Database& database, const std::string& path, RunStanding& standing) {
   Statement progress(database, "SELECT done, total, roots, seconds FROM progress");
   if (progress.step()) {
     standing.done = static_cast<std::uint64_t>(progress.number(0));
@@ -52,16 +53,19 @@ void read_figures(Database& database, RunStanding& standing) {
     standing.at_infinity = static_cast<std::uint64_t>(sums.number(2));
     standing.failed = static_cast<std::uint64_t>(sums.number(3));
   }
-  Statement answer(database, "SELECT exit_code FROM answer ORDER BY id DESC LIMIT 1");
+  Statement answer(database, "SELECT question FROM answer ORDER BY id DESC LIMIT 1");
   standing.is_finished = answer.step();
-  if (standing.is_finished) standing.exit_code = static_cast<int>(answer.number(0));
+  if (standing.is_finished) {
+    standing.exit_code = checked_exit_code(database, path, std::string(answer.bytes(0)));
+  }
 }
 
 }  // namespace
 
 double RunStanding::seconds_left() const {
-  if (done == 0 || total < done) return -1;
-  return seconds * static_cast<double>(total - done) / static_cast<double>(done);
+  const std::uint64_t passed = outcomes <= total ? std::max(done, outcomes) : done;
+  if (passed == 0 || total < passed) return -1;
+  return seconds * static_cast<double>(total - passed) / static_cast<double>(passed);
 }
 
 RunStanding read_standing(const std::string& path) {
@@ -72,7 +76,7 @@ RunStanding read_standing(const std::string& path) {
     RunStanding standing;
     standing.is_running = reading.is_running;
     standing.identity = identity_of(database);
-    read_figures(database, standing);
+    read_figures(database, path, standing);
     return standing;
   });
 }
@@ -88,6 +92,7 @@ bool read_last_answer(const std::string& path, const std::string& slot,
                    "piece.question = answer.question AND slot = ?) ORDER BY id DESC LIMIT 1");
     if (!last.with_text(slot).step()) return false;
     const std::string question(last.bytes(0));
+    checked_exit_code(database, path, question);
     read_pieces(database, path, question, slot, sink);
     return true;
   });

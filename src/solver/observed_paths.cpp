@@ -115,20 +115,16 @@ struct Kept {
   Fingerprint list;
   bool is_on_circles = false;  ///< from now on ends depend on all paths that have waited
   std::uint64_t ended = 0;
-  struct OfCircles {
-    std::uint64_t path;
-    std::string bytes;
-    OutcomeKind kind;
-  };
-  std::vector<OfCircles> of_circles = {};
+  std::vector<JobOutcome> of_circles = {};
 
   void take(std::uint64_t path, const PathEnd& end) {
     if (end.failure == Failure::cancelled) return;
     ++ended;
+    JobOutcome outcome{path, bytes_of(end), kind_of(end)};
     if (is_on_circles) {
-      of_circles.push_back({path, bytes_of(end), kind_of(end)});
+      of_circles.push_back(std::move(outcome));
     } else {
-      observations.keep(list, path, bytes_of(end), kind_of(end));
+      observations.keep(list, outcome);
     }
   }
 };
@@ -206,9 +202,7 @@ bool observe_paths(const PathProblem& problem, const PathList& paths, int care, 
       },
       stop, [&kept] { kept.is_on_circles = true; });
   if (has_memory && !stop && kept.ended == others.size()) {
-    for (const auto& end : kept.of_circles) {
-      observations->keep(kept.list, end.path, end.bytes, end.kind);
-    }
+    observations->keep(kept.list, kept.of_circles);
   }
   return has_memory;
 }

@@ -80,8 +80,8 @@ std::optional<SweepSample> ObservedSamples::recall(const std::vector<double>& at
 
 void ObservedSamples::keep(const SweepSample& sample) const {
   if (observations_ == nullptr) return;
-  observations_->keep(list_, job_of(sample.at), bytes_of(sample),
-                      sample.complete ? OutcomeKind::root : OutcomeKind::failed);
+  observations_->keep(list_, JobOutcome{job_of(sample.at), bytes_of(sample),
+                                        sample.complete ? OutcomeKind::root : OutcomeKind::failed});
 }
 
 }  // namespace moivre

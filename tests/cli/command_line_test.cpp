@@ -34,7 +34,7 @@ TEST(CommandLine, TellsItsVersion) {
 
 constexpr const char* kTheCommands =
     "The commands are solve, track, info, closures, motion, newton, mobility, guesses, mechanism, "
-    "study, check, family, sweep.\n";
+    "study, check, family, sweep, ledger.\n";
 
 TEST(CommandLine, SuggestsTheCommandThatATypoMeant) {
   const Outcome outcome = Scene().run({"slove", "f.phc"});

@@ -11,8 +11,8 @@
 
 #include <cstdint>
 #include <map>
+#include <span>
 #include <string>
-#include <string_view>
 
 #include "moivre/numeric/fingerprint.h"
 
@@ -20,14 +20,21 @@ namespace moivre {
 
 enum class OutcomeKind : std::uint8_t { root, at_infinity, failed, other };
 
+struct JobOutcome {
+  std::uint64_t job = 0;
+  std::string bytes;
+  OutcomeKind kind = OutcomeKind::other;
+};
+
 class Observations {
  public:
   virtual ~Observations() = default;
   /// The outcomes of this list that are kept, by job. Thread-safe.
   virtual std::map<std::uint64_t, std::string> recall(const Fingerprint& list) = 0;
-  /// Takes an outcome, which is kept for good a little later. Thread-safe.
-  virtual void keep(const Fingerprint& list, std::uint64_t job, std::string_view outcome,
-                    OutcomeKind kind) = 0;
+  /// Takes outcomes, which are kept for good a little later, all of them or none. Thread-safe.
+  virtual void keep(const Fingerprint& list, std::span<const JobOutcome> outcomes) = 0;
+
+  void keep(const Fingerprint& list, const JobOutcome& outcome) { keep(list, {&outcome, 1}); }
 };
 
 }  // namespace moivre

@@ -40,8 +40,8 @@ class RunLedger : public Observations {
   RunLedger& operator=(const RunLedger&) = delete;
 
   std::map<std::uint64_t, std::string> recall(const Fingerprint& list) override;
-  void keep(const Fingerprint& list, std::uint64_t job, std::string_view outcome,
-            OutcomeKind kind) override;
+  using Observations::keep;
+  void keep(const Fingerprint& list, std::span<const JobOutcome> outcomes) override;
 
   /// How far the run is; kept with the next commit.
   void tell(std::uint64_t done, std::uint64_t total, std::uint64_t roots);

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+// Is a run to which outcomes are told again the run that observed them, wherever that was cut off?
+#include "observed_paths.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <mutex>
+
+#include "moivre/numeric/random.h"
+#include "moivre/tracker_cvode/cvode_tracker.h"
+#include "moivre/tracker_lanes/lane_tracker.h"
+#include "problem_set.h"
+
+namespace moivre::test {
+namespace {
+
+/// Keeps so many outcomes, and no more, as one who is killed does.
+class Memory : public Observations {
+ public:
+  std::map<std::uint64_t, std::string> recall(const Fingerprint& list) override {
+    const std::lock_guard lock(mutex_);
+    return lists_[list];
+  }
+  using Observations::keep;
+  void keep(const Fingerprint& list, std::span<const JobOutcome> outcomes) override {
+    const std::lock_guard lock(mutex_);
+    if (kept_ < most) {
+      for (const JobOutcome& outcome : outcomes) lists_[list][outcome.job] = outcome.bytes;
+    }
+    kept_ += outcomes.size();
+  }
+
+  /// How many were told since.
+  std::uint64_t kept() const { return kept_; }
+  void begin_again(std::uint64_t room) {
+    kept_ = 0;
+    most = room;
+  }
+
+ private:
+  std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
+  std::uint64_t kept_ = 0;
+  std::mutex mutex_;
+  std::map<Fingerprint, std::map<std::uint64_t, std::string>> lists_;
+};
+
+constexpr std::uint64_t kAll = std::numeric_limits<std::uint64_t>::max();
+
+void expect_same_work(const StepCount& a, const StepCount& b) {
+  EXPECT_EQ(a.accepted, b.accepted);
+  EXPECT_EQ(a.rejected, b.rejected);
+  EXPECT_EQ(a.work.values, b.work.values);
+  EXPECT_EQ(a.work.factorizations, b.work.factorizations);
+}
+
+void expect_same(const SolveResult& a, const SolveResult& b) {
+  EXPECT_EQ(a.complete, b.complete);
+  EXPECT_EQ(a.message, b.message);
+  EXPECT_EQ(a.paths, b.paths);
+  EXPECT_EQ(a.failures.size(), b.failures.size());
+  expect_same_work(a.work, b.work);
+  ASSERT_EQ(a.solutions.size(), b.solutions.size());
+  for (std::size_t k = 0; k < a.solutions.size(); ++k) {
+    const Solution& p = a.solutions[k];
+    const Solution& q = b.solutions[k];
+    EXPECT_EQ(p.path, q.path);
+    EXPECT_EQ(p.x, q.x);
+    EXPECT_EQ(p.winding, q.winding);
+    EXPECT_EQ(p.accuracy, q.accuracy);
+    EXPECT_EQ(p.condition, q.condition);
+    EXPECT_EQ(p.certified, q.certified);
+  }
+  ASSERT_EQ(a.ledger.size(), b.ledger.size());
+  for (std::size_t path = 0; path < a.ledger.size(); ++path) {
+    EXPECT_EQ(a.ledger[path].steps, b.ledger[path].steps) << path;
+    EXPECT_EQ(a.ledger[path].followed, b.ledger[path].followed) << path;
+    EXPECT_EQ(a.ledger[path].verdict, b.ledger[path].verdict) << path;
+  }
+}
+
+/// Cut off after any number of outcomes, and twice.
+void expect_the_same_wherever_it_is_cut(const System& f, const Tracker& tracker,
+                                        SolveOptions options) {
+  const SolveResult undisturbed = solve(f, tracker, options);
+  Memory whole;
+  options.observations = &whole;
+  expect_same(solve(f, tracker, options), undisturbed);
+  const std::uint64_t outcomes = whole.kept();
+  ASSERT_GT(outcomes, 0);
+  whole.begin_again(kAll);
+  expect_same(solve(f, tracker, options), undisturbed);
+  EXPECT_EQ(whole.kept(), 0) << "paths were followed again";
+  for (std::uint64_t trial = 0; trial < 6; ++trial) {
+    Memory memory;
+    options.observations = &memory;
+    options.threads = 1 + static_cast<int>(trial % 2);
+    for (const std::uint64_t part : {2, 3}) {
+      memory.begin_again(random_bits(trial, RandomStream::test, part) % (outcomes / part + 1));
+      solve(f, tracker, options);
+    }
+    memory.begin_again(kAll);
+    expect_same(solve(f, tracker, options), undisturbed);
+  }
+}
+
+TEST(ObservedPaths, SimpleRootsAndPathsToInfinityAreTheSame) {
+  SolveOptions options;
+  options.start = StartKind::total_degree;
+  const System f = system_of(problem("cyclic-5"));
+  expect_the_same_wherever_it_is_cut(f, *make_lane_tracker(), options);
+  expect_the_same_wherever_it_is_cut(f, *make_cvode_tracker(), options);
+}
+
+TEST(ObservedPaths, CyclesThatPathsWalkTogetherAreTheSame) {
+  SolveOptions options;
+  options.start = StartKind::total_degree;
+  for (const char* file : {"reimer-4", "griewank-osborne", "multiplicity-4"}) {
+    expect_the_same_wherever_it_is_cut(system_of(problem(file)), *make_lane_tracker(), options);
+  }
+}
+
+TEST(ObservedPaths, PathsOfTwoStagesAreTheSame) {
+  SolveOptions options;
+  options.start = StartKind::polyhedral;
+  expect_the_same_wherever_it_is_cut(system_of(problem("cassou")), *make_lane_tracker(), options);
+}
+
+TEST(ObservedPaths, AnotherSeedOrTrackerRemembersNothing) {
+  const System f = system_of(problem("cyclic-5"));
+  Memory memory;
+  SolveOptions options;
+  options.observations = &memory;
+  solve(f, *make_lane_tracker(), options);
+  const std::uint64_t outcomes = memory.kept();
+  options.seed = 2;
+  memory.begin_again(kAll);
+  solve(f, *make_lane_tracker(), options);
+  EXPECT_GE(memory.kept(), outcomes / 2);
+  options.seed = 1;
+  memory.begin_again(kAll);
+  solve(f, *make_cvode_tracker(), options);
+  EXPECT_GE(memory.kept(), outcomes / 2);
+}
+
+TEST(ObservedPaths, AnEndComesBackToTheLastBit) {
+  PathEnd end;
+  end.status = PathStatus::failed;
+  end.failure = Failure::precision;
+  end.x = {{1.0 / 3, -0.0}, {5e-324, 1e300}};
+  end.is_as_rounded = true;
+  end.winding = 3;
+  end.accuracy = 1e-9;
+  end.t = {0.25, 1.0 / 7};
+  end.stage = 1;
+  end.sheet = {{2, 3}};
+  end.count.work.fine_values = 77;
+  PathFrame frame;
+  frame.log2 = {1, -3};
+  frame.factors = {0.5, 2};
+  frame.weights = {0.1};
+  end.outpost = Outpost{{{4, 5}}, 0.01, std::make_shared<const PathFrame>(frame)};
+  const PathEnd again = end_of(bytes_of(end));
+  EXPECT_EQ(bytes_of(again), bytes_of(end));
+  EXPECT_EQ(again.x, end.x);
+  EXPECT_EQ(again.failure, end.failure);
+  EXPECT_EQ(again.outpost->frame->log2, frame.log2);
+  EXPECT_THROW(end_of(bytes_of(end).substr(1)), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace moivre::test
