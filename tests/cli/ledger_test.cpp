@@ -125,7 +125,7 @@ void write_family(const Scene& scene, int members) {
 
 TEST(KeptRun, AFamilyThatIsKilledGoesOnToTheSameBytes) {
   const Scene scene;
-  write_family(scene, 4000);
+  write_family(scene, 1500);
   const Words learn{"family",      "learn", "f.phc",   "--parameters", scene.read("parameters"),
                     "--monodromy", "-o",    "f.family"};
   expect_the_same_after_kills(scene, learn, 3, 100);
@@ -133,7 +133,7 @@ TEST(KeptRun, AFamilyThatIsKilledGoesOnToTheSameBytes) {
   scene.run(with(learn, {"--quiet"}));
   EXPECT_EQ(scene.read("f.family"), family);
   expect_the_same_after_kills(
-      scene, {"family", "solve", "f.family", "--table", "t.csv", "--tracker", "lanes"}, 4, 500);
+      scene, {"family", "solve", "f.family", "--table", "t.csv", "--tracker", "lanes"}, 4, 300);
 }
 
 TEST(KeptRun, AFinishedRunIsToldAgainAsItWas) {
