@@ -41,41 +41,41 @@ void Database::run(const std::string& sql) {
 }
 
 std::int64_t Database::number(const std::string& sql) {
-  Statement statement(*this, sql);
+  Query statement(*this, sql);
   return statement.step() ? statement.number(0) : 0;
 }
 
 std::string Database::text(const std::string& sql) {
-  Statement statement(*this, sql);
+  Query statement(*this, sql);
   return statement.step() ? std::string(statement.bytes(0)) : "";
 }
 
-Statement::Statement(Database& database, std::string_view sql) : database_(database) {
+Query::Query(Database& database, std::string_view sql) : database_(database) {
   const int code = sqlite3_prepare_v2(database.handle(), sql.data(), static_cast<int>(sql.size()),
                                       &statement_, nullptr);
   if (code != SQLITE_OK) refuse(database.handle(), code);
 }
 
-Statement::~Statement() { sqlite3_finalize(statement_); }
+Query::~Query() { sqlite3_finalize(statement_); }
 
-Statement& Statement::with(std::int64_t value) {
+Query& Query::with(std::int64_t value) {
   sqlite3_bind_int64(statement_, ++bound_, value);
   return *this;
 }
 
-Statement& Statement::with(double value) {
+Query& Query::with(double value) {
   sqlite3_bind_double(statement_, ++bound_, value);
   return *this;
 }
 
 // NOLINTBEGIN(performance-no-int-to-ptr, cppcoreguidelines-pro-type-cstyle-cast): SQLite's own constant
-Statement& Statement::with_text(std::string_view value) {
+Query& Query::with_text(std::string_view value) {
   sqlite3_bind_text64(statement_, ++bound_, value.data(), value.size(), SQLITE_TRANSIENT,
                       SQLITE_UTF8);
   return *this;
 }
 
-Statement& Statement::with_bytes(std::string_view value) {
+Query& Query::with_bytes(std::string_view value) {
   // A null pointer would be no bytes at all.
   const char* data = value.empty() ? "" : value.data();
   const int code = sqlite3_bind_blob64(statement_, ++bound_, data, value.size(), SQLITE_TRANSIENT);
@@ -84,27 +84,25 @@ Statement& Statement::with_bytes(std::string_view value) {
 }
 // NOLINTEND(performance-no-int-to-ptr, cppcoreguidelines-pro-type-cstyle-cast)
 
-bool Statement::step() {
+bool Query::step() {
   const int code = sqlite3_step(statement_);
   if (code == SQLITE_ROW) return true;
   if (code == SQLITE_DONE) return false;
   refuse(database_.handle(), code);
 }
 
-void Statement::finish() {
+void Query::finish() {
   while (step()) {
   }
   sqlite3_reset(statement_);
   bound_ = 0;
 }
 
-std::int64_t Statement::number(int column) const {
-  return sqlite3_column_int64(statement_, column);
-}
+std::int64_t Query::number(int column) const { return sqlite3_column_int64(statement_, column); }
 
-double Statement::real(int column) const { return sqlite3_column_double(statement_, column); }
+double Query::real(int column) const { return sqlite3_column_double(statement_, column); }
 
-std::string_view Statement::bytes(int column) const {
+std::string_view Query::bytes(int column) const {
   const auto* data = static_cast<const char*>(sqlite3_column_blob(statement_, column));
   const int size = sqlite3_column_bytes(statement_, column);
   return data == nullptr ? std::string_view()

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How is SQLite called? A connection and a statement that close themselves, and errors that are thrown.
+// How is SQLite called? A connection and a query that close themselves, and errors that are thrown.
 //
 // Private to the module.
 #pragma once
@@ -41,18 +41,18 @@ class Database {
   sqlite3* handle_ = nullptr;
 };
 
-class Statement {
+class Query {
  public:
-  Statement(Database& database, std::string_view sql);
-  ~Statement();
-  Statement(const Statement&) = delete;
-  Statement& operator=(const Statement&) = delete;
+  Query(Database& database, std::string_view sql);
+  ~Query();
+  Query(const Query&) = delete;
+  Query& operator=(const Query&) = delete;
 
   // The next parameter.
-  Statement& with(std::int64_t value);
-  Statement& with(double value);
-  Statement& with_text(std::string_view value);
-  Statement& with_bytes(std::string_view value);
+  Query& with(std::int64_t value);
+  Query& with(double value);
+  Query& with_text(std::string_view value);
+  Query& with_bytes(std::string_view value);
 
   /// The next row; false at the end.
   bool step();

@@ -35,7 +35,7 @@ Fingerprint fingerprint_in(std::string_view text) {
 constexpr const char* kOther = "an observation is not what was written";
 
 /// A row of id, list, jobs, outcomes, checksum.
-void require_whole(const Statement& row, const std::string& path) {
+void require_whole(const Query& row, const std::string& path) {
   const bool is_whole = row.bytes(1).size() == 2 * sizeof(std::uint64_t) &&
                         checksum_of(row.bytes(1), row.number(2), row.bytes(3)) == row.number(4);
   if (!is_whole) refuse_damage(path, kOther);
@@ -67,7 +67,7 @@ bool is_new(Database& database) {
 void make_tables(Database& database, const RunIdentity& identity) {
   database.run("BEGIN IMMEDIATE");
   database.run(kTables);
-  Statement insert(database, "INSERT INTO identity(name, value) VALUES(?, ?)");
+  Query insert(database, "INSERT INTO identity(name, value) VALUES(?, ?)");
   for (const auto& [name, value] : identity) insert.with_text(name).with_text(value).finish();
   database.run("PRAGMA application_id = " + std::to_string(kApplication));
   database.run("PRAGMA user_version = " + std::to_string(kLedgerFormat));
@@ -86,7 +86,7 @@ void require_format(Database& database, const std::string& path) {
 
 RunIdentity identity_of(Database& database) {
   RunIdentity identity;
-  Statement rows(database, "SELECT name, value FROM identity ORDER BY place");
+  Query rows(database, "SELECT name, value FROM identity ORDER BY place");
   while (rows.step()) {
     std::string name(rows.bytes(0));
     identity.emplace_back(std::move(name), std::string(rows.bytes(1)));
@@ -98,7 +98,7 @@ RowsOfLists checked_rows(Database& database, const std::string& path) {
   const std::string verdict = database.text("PRAGMA quick_check(1)");
   if (verdict != "ok") refuse_damage(path, verdict);
   RowsOfLists lists;
-  Statement rows(database, "SELECT id, list, jobs, outcomes, checksum FROM observation");
+  Query rows(database, "SELECT id, list, jobs, outcomes, checksum FROM observation");
   while (rows.step()) {
     require_whole(rows, path);
     lists[fingerprint_in(rows.bytes(1))].push_back(rows.number(0));
@@ -109,8 +109,7 @@ RowsOfLists checked_rows(Database& database, const std::string& path) {
 std::map<std::uint64_t, std::string> outcomes_in(Database& database, const std::string& path,
                                                  const std::vector<std::int64_t>& rows) {
   std::map<std::uint64_t, std::string> outcomes;
-  Statement row(database,
-                "SELECT id, list, jobs, outcomes, checksum FROM observation WHERE id = ?");
+  Query row(database, "SELECT id, list, jobs, outcomes, checksum FROM observation WHERE id = ?");
   for (const std::int64_t id : rows) {
     if (!row.with(id).step()) refuse_damage(path, kOther);
     require_whole(row, path);
@@ -126,8 +125,8 @@ std::map<std::uint64_t, std::string> outcomes_in(Database& database, const std::
 
 std::int64_t answer_checksum(Database& database, std::string_view question,
                              std::int64_t exit_code) {
-  Statement slots(
-      database, "SELECT slot, count(*) FROM piece WHERE question = ? GROUP BY slot ORDER BY slot");
+  Query slots(database,
+              "SELECT slot, count(*) FROM piece WHERE question = ? GROUP BY slot ORDER BY slot");
   slots.with_bytes(question);
   FingerprintMaker maker;
   maker.add(question);
@@ -140,7 +139,7 @@ std::int64_t answer_checksum(Database& database, std::string_view question,
 }
 
 int checked_exit_code(Database& database, const std::string& path, std::string_view question) {
-  Statement row(database, "SELECT exit_code, checksum FROM answer WHERE question = ?");
+  Query row(database, "SELECT exit_code, checksum FROM answer WHERE question = ?");
   if (!row.with_bytes(question).step()) return -1;
   if (answer_checksum(database, question, row.number(0)) != row.number(1)) {
     refuse_damage(path, "an answer is not what was written");
@@ -150,9 +149,9 @@ int checked_exit_code(Database& database, const std::string& path, std::string_v
 
 void read_pieces(Database& database, const std::string& path, std::string_view question,
                  const std::string& slot, const std::function<void(std::string_view)>& sink) {
-  Statement rows(database,
-                 "SELECT number, bytes, checksum FROM piece WHERE question = ? AND slot = ? "
-                 "ORDER BY number");
+  Query rows(database,
+             "SELECT number, bytes, checksum FROM piece WHERE question = ? AND slot = ? "
+             "ORDER BY number");
   rows.with_bytes(question).with_text(slot);
   for (std::int64_t next = 0; rows.step(); ++next) {
     const bool is_whole = rows.number(0) == next &&

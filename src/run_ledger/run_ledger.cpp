@@ -124,7 +124,7 @@ class RunLedger::Books {
     }
     write([&](Database& database) {
       const std::string name = text_of(question);
-      Statement(database, "INSERT INTO answer(question, exit_code, checksum) VALUES(?, ?, ?)")
+      Query(database, "INSERT INTO answer(question, exit_code, checksum) VALUES(?, ?, ?)")
           .with_bytes(name)
           .with(std::int64_t{exit_code})
           .with(answer_checksum(database, name, exit_code))
@@ -165,15 +165,15 @@ class RunLedger::Books {
       database.run("BEGIN IMMEDIATE");
       for (const char* sql :
            {"DELETE FROM piece WHERE question = ?", "DELETE FROM answer WHERE question = ?"}) {
-        Statement(database, sql).with_bytes(text_of(question)).finish();
+        Query(database, sql).with_bytes(text_of(question)).finish();
       }
     });
   }
 
   void insert(const Fingerprint& question, const std::string& slot, Slot& of) {
     write([&](Database& database) {
-      Statement(database,
-                "INSERT INTO piece(question, slot, number, bytes, checksum) VALUES(?, ?, ?, ?, ?)")
+      Query(database,
+            "INSERT INTO piece(question, slot, number, bytes, checksum) VALUES(?, ?, ?, ?, ?)")
           .with_bytes(text_of(question))
           .with_text(slot)
           .with(of.next)
@@ -205,9 +205,9 @@ class RunLedger::Books {
 
   void commit(Database& database, const Pending& pending) {
     database.run("BEGIN IMMEDIATE");
-    Statement insert(database,
-                     "INSERT INTO observation(list, jobs, roots, at_infinity, failed, outcomes, "
-                     "checksum) VALUES(?, ?, ?, ?, ?, ?, ?)");
+    Query insert(database,
+                 "INSERT INTO observation(list, jobs, roots, at_infinity, failed, outcomes, "
+                 "checksum) VALUES(?, ?, ?, ?, ?, ?, ?)");
     for (const auto& [list, chunk] : pending.chunks) {
       const std::string name = text_of(list);
       const std::string& outcomes = chunk.outcomes.bytes();
@@ -220,10 +220,10 @@ class RunLedger::Books {
           .with(checksum_of(name, chunk.jobs, outcomes))
           .finish();
     }
-    Statement progress(database, "UPDATE progress SET seconds = seconds + ?");
+    Query progress(database, "UPDATE progress SET seconds = seconds + ?");
     progress.with(since_commit_.lap()).finish();
     if (pending.told) {
-      Statement told(database, "UPDATE progress SET done = ?, total = ?, roots = ?");
+      Query told(database, "UPDATE progress SET done = ?, total = ?, roots = ?");
       told.with(static_cast<std::int64_t>(pending.told->done))
           .with(static_cast<std::int64_t>(pending.told->total))
           .with(static_cast<std::int64_t>(pending.told->roots))
@@ -298,7 +298,7 @@ int RunLedger::exit_code_of(const Fingerprint& question) {
 
 bool RunLedger::has_answer(const Fingerprint& question, const std::string& slot) {
   return books_->read([&](Database& database) {
-    Statement row(database, "SELECT 1 FROM piece WHERE question = ? AND slot = ? LIMIT 1");
+    Query row(database, "SELECT 1 FROM piece WHERE question = ? AND slot = ? LIMIT 1");
     return row.with_bytes(text_of(question)).with_text(slot).step();
   });
 }

@@ -38,22 +38,22 @@ class Reading {
 };
 
 void read_figures(Database& database, const std::string& path, RunStanding& standing) {
-  Statement progress(database, "SELECT done, total, roots, seconds FROM progress");
+  Query progress(database, "SELECT done, total, roots, seconds FROM progress");
   if (progress.step()) {
     standing.done = static_cast<std::uint64_t>(progress.number(0));
     standing.total = static_cast<std::uint64_t>(progress.number(1));
     standing.roots = static_cast<std::uint64_t>(progress.number(2));
     standing.seconds = progress.real(3);
   }
-  Statement sums(database,
-                 "SELECT sum(jobs), sum(roots), sum(at_infinity), sum(failed) FROM observation");
+  Query sums(database,
+             "SELECT sum(jobs), sum(roots), sum(at_infinity), sum(failed) FROM observation");
   if (sums.step()) {
     standing.outcomes = static_cast<std::uint64_t>(sums.number(0));
     standing.to_roots = static_cast<std::uint64_t>(sums.number(1));
     standing.at_infinity = static_cast<std::uint64_t>(sums.number(2));
     standing.failed = static_cast<std::uint64_t>(sums.number(3));
   }
-  Statement answer(database, "SELECT question FROM answer ORDER BY id DESC LIMIT 1");
+  Query answer(database, "SELECT question FROM answer ORDER BY id DESC LIMIT 1");
   standing.is_finished = answer.step();
   if (standing.is_finished) {
     standing.exit_code = checked_exit_code(database, path, std::string(answer.bytes(0)));
@@ -87,9 +87,9 @@ bool read_last_answer(const std::string& path, const std::string& slot,
     const Reading reading(path);
     Database database(path, Database::Access::read);
     require_format(database, path);
-    Statement last(database,
-                   "SELECT question FROM answer WHERE EXISTS (SELECT 1 FROM piece WHERE "
-                   "piece.question = answer.question AND slot = ?) ORDER BY id DESC LIMIT 1");
+    Query last(database,
+               "SELECT question FROM answer WHERE EXISTS (SELECT 1 FROM piece WHERE "
+               "piece.question = answer.question AND slot = ?) ORDER BY id DESC LIMIT 1");
     if (!last.with_text(slot).step()) return false;
     const std::string question(last.bytes(0));
     checked_exit_code(database, path, question);

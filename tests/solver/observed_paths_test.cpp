@@ -95,7 +95,7 @@ void expect_the_same_wherever_it_is_cut(const System& f, const Tracker& tracker,
     Memory memory;
     options.observations = &memory;
     options.threads = 1 + static_cast<int>(trial % 2);
-    for (const std::uint64_t part : {2, 3}) {
+    for (const std::uint64_t part : {std::uint64_t{2}, std::uint64_t{3}}) {
       memory.begin_again(random_bits(trial, RandomStream::test, part) % (outcomes / part + 1));
       solve(f, tracker, options);
     }
