@@ -157,7 +157,15 @@ const std::map<std::string, Text>& texts() {
          "or a map, and finds where the count "
          "changes. On the page of --html the closures are drawn where you point.",
          kMechanismFile},
-        {"moivre-closures", "moivre-motion"}}}};
+        {"moivre-closures", "moivre-motion"}}},
+      {"ledger",
+       {{"Shows how a run stands that is kept by --ledger: what is done, the rate, the time left "
+         "and "
+         "what became of the paths so far; when it has ended, its result too. The run may be going "
+         "on meanwhile. After a kill the run's own command goes on from the ledger; its result is "
+         "byte for byte that of a run that nothing disturbed, but for the times.",
+         "The exit code is that of the run, and 2 where it has not ended."},
+        {"moivre-solve", "moivre-closures", "moivre-sweep", "moivre-family-solve"}}}};
   return table;
 }
 
