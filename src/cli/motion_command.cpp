@@ -143,17 +143,19 @@ MotionResult moved(const Mechanism& mechanism, const MotionCommand& command, con
 /// The tracker that is chosen. Throws std::invalid_argument with all that is wrong with the options.
 std::unique_ptr<Tracker> checked_tracker(const MotionCommand& command) {
   std::unique_ptr<Tracker> tracker;
-  require_all(
-      {[&] { require_known(command.start); },
-       [&] { require_threads(command.options.solve.threads); },
-       [&] {
-         require_distinct({command.json, command.csv, command.svg, command.html}, command.file);
-       },
-       [&] { require_ending(command.svg, ".svg"); }, [&] { require_ending(command.html, ".html"); },
-       [&] {
-         if (!asks_for_help(command.columns)) groups_of(command.columns);
-       },
-       [&] { tracker = make_tracker(command.tracker); }});
+  require_all({[&] { require_known(command.start); },
+               [&] { require_threads(command.options.solve.threads); },
+               [&] {
+                 require_distinct(
+                     {command.json, command.csv, command.svg, command.html, command.ledger.path},
+                     command.file);
+               },
+               [&] { require_ending(command.svg, ".svg"); },
+               [&] { require_ending(command.html, ".html"); },
+               [&] {
+                 if (!asks_for_help(command.columns)) groups_of(command.columns);
+               },
+               [&] { tracker = make_tracker(command.tracker); }});
   return tracker;
 }
 

@@ -7,8 +7,10 @@
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
+#include <new>
 #include <optional>
 #include <set>
+#include <system_error>
 #include <thread>
 
 #include "file_lock.h"
@@ -52,7 +54,11 @@ class RunLedger::Books {
   Books(const std::string& path, const RunIdentity& identity, std::function<void()> on_failure)
       : path_(path), lock_(path), on_failure_(std::move(on_failure)) {
     told_of(path, [&] { open(identity); });
-    writer_ = std::thread([this] { write_now_and_then(); });
+    try {
+      writer_ = std::thread([this] { write_now_and_then(); });
+    } catch (const std::system_error&) {
+      throw std::invalid_argument("cannot use the ledger " + path + ": there is no thread for it");
+    }
   }
   ~Books() { close(); }
 
@@ -100,6 +106,8 @@ class RunLedger::Books {
       f(*database_);
     } catch (const DatabaseError& error) {
       fail(error.what());
+    } catch (const std::bad_alloc&) {
+      fail("there is not enough memory");
     }
   }
 
