@@ -59,15 +59,16 @@ Steps certain_steps(std::int64_t x, std::int64_t y) {
 
 /// In place, limb by limb: both results are not negative and no longer than a was.
 void take(const Steps& s, Integer& a, Integer& b) {
-  const unsigned size = a.backend().size();
-  const unsigned size_of_b = b.backend().size();
+  // Of the type that this release of Boost counts limbs in.
+  const auto size = a.backend().size();
+  const auto size_of_b = b.backend().size();
   b.backend().resize(size, size);
   Limb* p = a.backend().limbs();
   Limb* q = b.backend().limbs();
   std::fill(q + size_of_b, q + size, Limb{0});
   Wide carry_a = 0;
   Wide carry_b = 0;
-  for (unsigned k = 0; k < size; ++k) {
+  for (std::size_t k = 0; k < size; ++k) {
     const Wide ak = p[k];
     const Wide bk = q[k];
     carry_a += s.A * ak + s.B * bk;
