@@ -113,7 +113,8 @@ ValueKind taken_by(const ManualOption& option) {
   if (option.value.empty()) return ValueKind::nothing;
   if (!option.choices.empty()) return ValueKind::words;
   if (option.value == "FOLDER") return ValueKind::folder;
-  const bool is_file = option.value == "PATH" || option.value == "FILE" || option.value == "RESULT";
+  const bool is_argument = option.names.front().front() != '-';
+  const bool is_file = is_argument || option.value == "PATH" || option.value == "FILE";
   return is_file ? ValueKind::file : ValueKind::other;
 }
 

@@ -13,7 +13,7 @@ std::string bash_completion(const ManualCommand& program);
 std::string zsh_completion(const ManualCommand& program);
 std::string fish_completion(const ManualCommand& program);
 
-/// What an option or an argument takes, as far as a shell can tell.
+/// What an option or an argument takes, as far as a shell can tell. Every argument by its place is a file.
 enum class ValueKind { nothing, words, file, folder, other };
 ValueKind taken_by(const ManualOption& option);
 

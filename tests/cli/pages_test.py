@@ -119,6 +119,8 @@ class Bash(unittest.TestCase):
             both = ["two", "two words.phc"]
             self.assertEqual(sorted(bash_completes("moivre", "solve", "tw", folder=folder)), both)
             self.assertEqual(sorted(bash_completes("moivre", "solve", "--all", "tw", folder=folder)), both)
+            self.assertEqual(sorted(bash_completes("moivre", "ledger", "tw", folder=folder)), both)
+            self.assertEqual(sorted(bash_completes("moivre", "check", "two words.phc", "tw", folder=folder)), both)
             self.assertEqual(sorted(bash_completes("moivre", "family", "learn", "x", "-o", "tw", folder=folder)), both)
             self.assertEqual(bash_completes("moivre", "study", "--out", "t", folder=folder), ["two"])
             self.assertEqual(bash_completes("moivre", "solve", "--seed", "", folder=folder), [])
