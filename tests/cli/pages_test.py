@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # Do man pages and completion know what --help knows? Every command and option of the program is looked for in both.
 #
-#   pages_test.py PROGRAM SHARE      SHARE: the folder that moivre_pages has written
+#   pages_test.py PROGRAM SHARE      SHARE: the folder share of an installation, or of the build
 #
 # bash is needed; man, zsh and fish are asked where they are installed.
 import os
