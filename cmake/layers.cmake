@@ -3,9 +3,9 @@
 # components by it, and tests/layers checks every include by it. It only sets variables, so that `cmake -P` can read it too.
 # A module may use what its line names and what those use (one way only).
 
-set(MOIVRE_MODULES numeric run_ledger factorization expression polynomial certify homotopy tracker tracker_cvode tracker_lanes multiprecision endgame
+set(MOIVRE_MODULES numeric factorization expression polynomial certify homotopy tracker tracker_cvode tracker_lanes multiprecision endgame
     start bounds check solver family study mechanism urdf kinematics formulation closures motion design arms closure_study sweep report check_report
-    family_report closure_report arm_report sweep_report study_report cli)
+    family_report closure_report arm_report sweep_report study_report run_ledger cli)
 
 set(MOIVRE_USES_numeric "")
 set(MOIVRE_USES_run_ledger numeric)
