@@ -125,7 +125,7 @@ TEST(MotionCommand, TableAndJsonSayTheSame) {
       const auto cell = [&](const char* name) {
         return std::strtod(row.at(name).c_str(), nullptr);
       };
-      EXPECT_EQ(row.at("branch"), branch["id"]);
+      EXPECT_EQ(row.at("branch"), branch["id"].get<std::string>());
       EXPECT_EQ(cell("t"), sample["t"]);
       EXPECT_EQ(cell("driver crank [rad]"), sample["drivers"][0]);
       EXPECT_EQ(cell("rocker.phi [rad]"), sample["coordinates"]["rocker.phi"]);
