@@ -185,6 +185,16 @@ bool is_explained(const SingularEnd& end, PostureList& list, ArmResult& result) 
   return end.imaginary > kNotReal;
 }
 
+/// Whether a place that holds the pose within its accuracy is of a set or a closure that is listed.
+bool is_listed(const PostureList& list, const Eigen::VectorXd& place) {
+  constexpr double kNear = 0.03;
+  return std::any_of(list.moves.begin(), list.moves.end(),
+                     [&](const SelfMotion& set) { return is_on(list.arm, set, place, kNear); }) ||
+         std::any_of(list.closures.begin(), list.closures.end(), [&](const ArmClosure& closure) {
+           return distance(list.arm, closure.values, place) <= kNear;
+         });
+}
+
 /// Searches from random postures: for sets, of which paths show few postures, and as a witness that nothing is missing.
 void search(PostureList& list, ArmResult& result, std::uint64_t count) {
   constexpr std::uint64_t kBehindOthers = 100;
@@ -311,7 +321,7 @@ ArmResult closures_at(const PreparedArm& prepared, const TypedPose& at,
   result.complete = prepared.is_complete;
   result.accuracy = std::max(kReach, at.accuracy * std::max(1.0, 1 / arm.length));
   take_account(prepared, tracker, result);
-  PostureList list{arm, at.pose, result.accuracy, prepared.seed, {}, {}, {}};
+  PostureList list{arm, at.pose, result.accuracy, prepared.seed, {}, {}, {}, {}};
   std::vector<SingularEnd> singular;
   for (const Beginning& beginning : prepared.beginnings) {
     bool is_consistent = !followed.empty();
@@ -335,6 +345,9 @@ ArmResult closures_at(const PreparedArm& prepared, const TypedPose& at,
   search(list, result, may_be_sets ? kForSets : has_none ? kAsWitness : as_witness);
   for (const SingularEnd& end : singular) {
     if (!is_explained(end, list, result)) result.complete = false;
+  }
+  for (const Eigen::VectorXd& place : list.places) {
+    if (!is_listed(list, place)) result.complete = false;
   }
   name_closures(list.closures);
   result.counts.real = list.closures.size();

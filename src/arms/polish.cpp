@@ -13,6 +13,8 @@ constexpr int kMostIterations = 40;
 constexpr int kMostDampedIterations = 200;
 /// Directions whose singular value is smaller, beside the largest, move nothing but by rounding.
 constexpr double kLeastMotion = 1e-12;
+/// An error that is smaller is rounding.
+constexpr double kRoundingError = 1e-13;
 /// Radians, or arm's lengths, that one step may take.
 constexpr double kLongestStep = 0.5;
 
@@ -67,7 +69,7 @@ Polished polish(const Arm& arm, const Eigen::Isometry3d& pose, const Eigen::Vect
     const double residual = size_of(there.error);
     ++best.iterations;
     if (residual < best.residual) {
-      const bool has_settled = residual > 0.5 * best.residual && residual < kReach;
+      const bool has_settled = residual > 0.5 * best.residual && residual < kRoundingError;
       best.values = next;
       best.residual = residual;
       at = there;
@@ -77,7 +79,7 @@ Polished polish(const Arm& arm, const Eigen::Isometry3d& pose, const Eigen::Vect
     } else {
       // At the last digits no step makes the error smaller.
       constexpr int kMostFailures = 8;
-      if (best.residual < kReach || ++failures == kMostFailures) break;
+      if (best.residual < kRoundingError || ++failures == kMostFailures) break;
       damping = std::max(damping * kMore, kFirstDamping * best.residual * best.residual);
     }
   }

@@ -160,6 +160,7 @@ PostureEntry enter(PostureList& list, const Eigen::VectorXd& start, bool is_far)
   constexpr std::size_t kSix = 6;
   const bool has_six = list.arm.joints.size() >= kSix;
   if (!(polished.residual <= (has_six ? of_pose(list) : list.accuracy + list.arm.rounding))) {
+    if (polished.residual <= list.accuracy) list.places.push_back(polished.values);
     return entry;
   }
   ArmClosure closure = closure_of(list, polished);

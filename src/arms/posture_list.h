@@ -22,6 +22,8 @@ struct PostureList {
   std::vector<ArmClosure> closures;
   std::vector<SelfMotion> moves;
   std::optional<NearestPosture> nearest;  ///< of all starts
+  /// Places that hold the pose within its accuracy, but not to rounding as postures of six joints do: of a set, or next to a closure.
+  std::vector<Eigen::VectorXd> places;
 };
 
 struct PostureEntry {
