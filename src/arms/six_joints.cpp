@@ -125,15 +125,13 @@ std::vector<std::size_t> idle_in_every_posture(const Arm& arm, std::uint64_t see
 
 namespace {
 
-/// With a wrist where two joints or more are missing: few paths lead to its closures. Not where the wrist turns only what
-/// the arm turns, too, and what the arm leaves out stays left out.
+/// With a wrist: few paths lead to its closures. Not where it turns only what the arm turns, too, and what the arm leaves out
+/// stays left out.
 Arm completed(const Arm& arm, std::uint64_t seed) {
   constexpr double kDeficient = 1e-6;
-  if (arm.joints.size() + 2 <= kSix) {
-    Arm with_wrist = arm;
-    complete(with_wrist, AddedAxes::of_wrist, seed);
-    if (idle_in_every_posture(with_wrist, seed, kDeficient).empty()) return with_wrist;
-  }
+  Arm with_wrist = arm;
+  complete(with_wrist, AddedAxes::of_wrist, seed);
+  if (idle_in_every_posture(with_wrist, seed, kDeficient).empty()) return with_wrist;
   Arm with_any = arm;
   complete(with_any, AddedAxes::anywhere, seed);
   return with_any;

@@ -2,9 +2,10 @@
 // Which arm of six joints stands for one that has fewer, or whose joints can always move while the tip stands?
 //
 // Its equations are as many as its unknowns, and its closures at almost every pose are simple.
-//   fewer than six     joints are added behind the last one, about random axes: through one point where two or more are missing,
-//                      so that they make a wrist, which is cut out of the loop. Closures of the arm are those where the added
-//                      joints stand at 0; what they stand at otherwise is by how much the pose is missed
+//   fewer than six     joints are added behind the last one, about random axes through one point of its axis: a wrist, which is
+//                      cut out of the loop. Closures of the arm are those where the added joints stand at 0; what they stand at
+//                      otherwise is by how much the pose is missed. Where the arm turns the tip as the wrist does, and leaves
+//                      other motions out, the axes are anywhere
 //   always moving      (the screws have a smaller rank at every posture) joints that are not needed are held
 #pragma once
 
