@@ -2,7 +2,9 @@
 // Forward kinematics with its Jacobian, and Newton's method.
 #include "polish.h"
 
+#include <Eigen/LU>
 #include <cmath>
+#include <optional>
 
 #include "moivre/factorization/svd.h"
 
@@ -13,23 +15,42 @@ constexpr int kMostIterations = 40;
 constexpr int kMostDampedIterations = 200;
 /// Directions whose singular value is smaller, beside the largest, move nothing but by rounding.
 constexpr double kLeastMotion = 1e-12;
+/// Of numbers near 1 nothing smaller is seen.
+constexpr double kLastBits = 2e-16;
 /// An error that is smaller is rounding.
 constexpr double kRoundingError = 1e-13;
 /// Radians, or arm's lengths, that one step may take.
 constexpr double kLongestStep = 0.5;
 
+Eigen::VectorXd not_too_long(Eigen::VectorXd step) {
+  const double longest = step.cwiseAbs().maxCoeff();
+  if (longest > kLongestStep) step *= kLongestStep / longest;
+  return step;
+}
+
+/// Newton's own step, where the screws are six and clearly independent.
+std::optional<Eigen::VectorXd> plain_step(const Linearized& at) {
+  constexpr double kIndependent = 1e-6;
+  using Matrix6 = Eigen::Matrix<double, 6, 6>;
+  if (at.screws.cols() != 6) return std::nullopt;
+  const Eigen::PartialPivLU<Matrix6> lu(Matrix6(at.screws));
+  const auto pivots = lu.matrixLU().diagonal().cwiseAbs();
+  if (!(pivots.minCoeff() > kIndependent * pivots.maxCoeff())) return std::nullopt;
+  return not_too_long(lu.solve(at.error));
+}
+
 /// In radians and arm's lengths.
 Eigen::VectorXd step_of(const Linearized& at, double damping) {
+  if (damping == 0) {
+    if (const auto step = plain_step(at)) return *step;
+  }
   const auto [U, sigma, V] = svd(at.screws, SingularVectors::thin);
   Eigen::VectorXd along = U.transpose() * at.error;
   for (Eigen::Index k = 0; k < sigma.size(); ++k) {
     const bool is_lost = sigma[k] <= kLeastMotion * sigma[0];
     along[k] = is_lost ? 0 : along[k] * sigma[k] / (sigma[k] * sigma[k] + damping);
   }
-  Eigen::VectorXd step = V * along;
-  const double longest = step.cwiseAbs().maxCoeff();
-  if (longest > kLongestStep) step *= kLongestStep / longest;
-  return step;
+  return not_too_long(V * along);
 }
 
 }  // namespace
@@ -63,7 +84,7 @@ Polished polish(const Arm& arm, const Eigen::Isometry3d& pose, const Eigen::Vect
   double damping = is_damped ? kFirstDamping : 0;
   const int most = is_damped ? kMostDampedIterations : kMostIterations;
   int failures = 0;
-  while (best.iterations < most && best.residual > 0) {
+  while (best.iterations < most && best.residual > kLastBits) {
     const Eigen::VectorXd next = best.values + in_joints<double>(arm, step_of(at, damping));
     const Linearized there = linearized(arm, pose, next);
     const double residual = size_of(there.error);
