@@ -16,18 +16,28 @@ std::string arm_csv(const ArmReport& report, bool in_degrees) {
     text += ',' + csv_cell(joint.name + (joint.is_slide ? "" : unit));
   }
   text += '\n';
+  const auto add_line = [&](std::size_t pose, const ArmClosure& closure,
+                            const Eigen::VectorXd& values) {
+    text += std::to_string(pose) + ',' + closure.id + ',' + std::to_string(closure.path) + ',' +
+            exact_text(closure.residual) + ',' + std::to_string(closure.newton_iterations) + ',' +
+            exact_text(closure.smallest_singular_value) + ',' +
+            (closure.beyond.empty() ? "true" : "false");
+    for (std::size_t k = 0; k < report.arm.joints.size(); ++k) {
+      const double value = values[static_cast<Eigen::Index>(k)];
+      const bool turns = in_degrees && !report.arm.joints[k].is_slide;
+      text += ',' + exact_text(turns ? value * 180 / std::numbers::pi : value);
+    }
+    text += '\n';
+  };
   for (std::size_t pose = 0; pose < report.results.size(); ++pose) {
     for (const ArmClosure& closure : report.results[pose].closures) {
-      text += std::to_string(pose) + ',' + closure.id + ',' + std::to_string(closure.path) + ',' +
-              exact_text(closure.residual) + ',' + std::to_string(closure.newton_iterations) + ',' +
-              exact_text(closure.smallest_singular_value) + ',' +
-              (closure.beyond.empty() ? "true" : "false");
-      for (std::size_t k = 0; k < report.arm.joints.size(); ++k) {
-        const double value = closure.in_limits[static_cast<Eigen::Index>(k)];
-        const bool turns = in_degrees && !report.arm.joints[k].is_slide;
-        text += ',' + exact_text(turns ? value * 180 / std::numbers::pi : value);
+      if (!report.has_all_turns) {
+        add_line(pose, closure, closure.in_limits);
+        continue;
       }
-      text += '\n';
+      for (const Eigen::VectorXd& values : all_turns(report.arm, closure.in_limits)) {
+        add_line(pose, closure, values);
+      }
     }
   }
   return text;

@@ -4,6 +4,7 @@
 
 #include "moivre/arm_report/arm_report.h"
 #include "moivre/arms/posture.h"
+#include "moivre/arms/turns.h"
 #include "moivre/report/json.h"
 
 namespace moivre {
@@ -53,25 +54,34 @@ Json twist_json(const Twist& twist) {
   return json;
 }
 
-Json closure_json(const ArmClosure& closure, const Arm& arm) {
-  return {{"id", closure.id},
-          {"coordinates", values_json(arm, closure.values)},
-          {"in_limits", values_json(arm, closure.in_limits)},
-          {"within_limits", closure.beyond.empty()},
-          {"beyond_limits",
-           list_json(closure.beyond, [&](std::size_t k) { return Json(arm.joints[k].name); })},
-          {"posture", posture_json(posture_of(arm, closure.values))},
-          {"residual", to_json(closure.residual)},
-          {"newton_iterations", closure.newton_iterations},
-          {"smallest_singular_value", to_json(closure.smallest_singular_value)},
-          {"weakest",
-           {{"joints", values_json(arm, closure.weakest.joints)},
-            {"tip", twist_json(closure.weakest.tip)}}},
-          {"path", closure.path},
-          {"multiplicity", closure.multiplicity},
-          {"singular", closure.singular},
-          {"moved_by_digits", to_json(closure.moved_by_digits)},
-          {"within_digits", closure.within_digits}};
+Json closure_json(const ArmClosure& closure, const ArmReport& report) {
+  const Arm& arm = report.arm;
+  Json json = {{"id", closure.id},
+               {"coordinates", values_json(arm, closure.values)},
+               {"in_limits", values_json(arm, closure.in_limits)},
+               {"within_limits", closure.beyond.empty()},
+               {"beyond_limits",
+                list_json(closure.beyond, [&](std::size_t k) { return Json(arm.joints[k].name); })},
+               {"posture", posture_json(posture_of(arm, closure.values))},
+               {"residual", to_json(closure.residual)},
+               {"newton_iterations", closure.newton_iterations},
+               {"smallest_singular_value", to_json(closure.smallest_singular_value)},
+               {"weakest",
+                {{"joints", values_json(arm, closure.weakest.joints)},
+                 {"tip", twist_json(closure.weakest.tip)}}},
+               {"path", closure.path},
+               {"multiplicity", closure.multiplicity},
+               {"singular", closure.singular},
+               {"moved_by_digits", to_json(closure.moved_by_digits)},
+               {"within_digits", closure.within_digits}};
+  if (report.stands) {
+    json["distance"] = to_json(distance_from(arm, closure.in_limits, *report.stands));
+  }
+  if (report.has_all_turns) {
+    json["turns"] = list_json(all_turns(arm, closure.in_limits),
+                              [&](const Eigen::VectorXd& x) { return values_json(arm, x); });
+  }
+  return json;
 }
 
 Json relation_json(const JointRelation& relation, const Arm& arm) {
@@ -118,7 +128,8 @@ Json stage_json(const ArmStage& stage) {
 }
 
 /// What differs from pose to pose, but the time.
-void add_result(const ArmResult& result, const Arm& arm, Json& json) {
+void add_result(const ArmResult& result, const ArmReport& report, Json& json) {
+  const Arm& arm = report.arm;
   json["complete"] = result.complete;
   json["message"] = result.message;
   json["target"] = pose_json(result.pose);
@@ -142,7 +153,7 @@ void add_result(const ArmResult& result, const Arm& arm, Json& json) {
                        {"misfit", to_json(result.nearest->misfit)}};
   }
   json["closures"] =
-      list_json(result.closures, [&](const ArmClosure& c) { return closure_json(c, arm); });
+      list_json(result.closures, [&](const ArmClosure& c) { return closure_json(c, report); });
   json["failures"] = list_json(result.failures, [](const FailedPath& f) { return to_json(f); });
   json["left_out"] = to_json(result.left_out);
 }
@@ -181,11 +192,11 @@ std::string arm_json(const ArmReport& report) {
     json["poses"] = Json::array();
     for (std::size_t k = 0; k < report.results.size(); ++k) {
       Json pose = {{"pose", k}};
-      add_result(report.results[k], arm, pose);
+      add_result(report.results[k], report, pose);
       json["poses"].push_back(std::move(pose));
     }
   } else {
-    add_result(first, arm, json);
+    add_result(first, report, json);
   }
   time.threads = first.time_s.threads;
   time.parse = report.parse_s;

@@ -7,6 +7,7 @@
 
 #include "moivre/arm_report/arm_report.h"
 #include "moivre/arms/posture.h"
+#include "moivre/arms/turns.h"
 #include "moivre/expression/counted.h"
 #include "moivre/report/number_text.h"
 #include "moivre/report/text_blocks.h"
@@ -43,13 +44,16 @@ std::string table_head(const Arm& arm) {
   return text + '\n';
 }
 
-std::string closure_line(const ArmClosure& closure, const Arm& arm) {
+/// `values`: the closure's joints, with the whole turns that the line shows.
+std::string closure_line(const ArmClosure& closure, const Eigen::VectorXd& values,
+                         const ArmReport& report) {
+  const Arm& arm = report.arm;
   std::string text = closure.id + std::string(closure.id.size() < 2 ? 1 : 0, ' ');
   bool was_beyond = false;
   for (std::size_t k = 0; k < arm.joints.size(); ++k) {
     const bool is_beyond =
         std::find(closure.beyond.begin(), closure.beyond.end(), k) != closure.beyond.end();
-    const std::string value = fixed_text(closure.in_limits[static_cast<Eigen::Index>(k)]);
+    const std::string value = fixed_text(values[static_cast<Eigen::Index>(k)]);
     // The mark stands in the next column's blanks.
     text += padded(value, width_of(arm.joints[k]) - (was_beyond ? 1 : 0)) + (is_beyond ? "!" : "");
     was_beyond = is_beyond;
@@ -58,6 +62,9 @@ std::string closure_line(const ArmClosure& closure, const Arm& arm) {
   const std::string posture = to_string(posture_of(arm, closure.values));
   if (!posture.empty()) text += (was_beyond ? " " : "  ") + posture;
   if (closure.singular) text += "  singular";
+  if (report.stands) {
+    text += "  distance " + rounded_text(distance_from(arm, values, *report.stands));
+  }
   if (closure.within_digits) {
     text += "  within the digits alone, misses by " + rounded_text(closure.residual);
   }
@@ -167,10 +174,20 @@ std::string moves_text(const ArmResult& result, const Arm& arm) {
   return text;
 }
 
-std::string result_text(const ArmResult& result, const Arm& arm) {
+std::string closure_lines(const ArmClosure& closure, const ArmReport& report) {
+  if (!report.has_all_turns) return closure_line(closure, closure.in_limits, report);
+  std::string text;
+  for (const Eigen::VectorXd& values : all_turns(report.arm, closure.in_limits)) {
+    text += closure_line(closure, values, report);
+  }
+  return text;
+}
+
+std::string result_text(const ArmResult& result, const ArmReport& report) {
+  const Arm& arm = report.arm;
   std::string text = answer(result);
   if (!result.closures.empty()) text += table_head(arm);
-  for (const ArmClosure& closure : result.closures) text += closure_line(closure, arm);
+  for (const ArmClosure& closure : result.closures) text += closure_lines(closure, report);
   return text + weakest_text(result, arm) + moves_text(result, arm);
 }
 
@@ -193,11 +210,11 @@ std::string arm_text(const ArmReport& report) {
   std::string text = heading(report);
   if (!report.is_list && report.results.size() == 1) {
     const ArmResult& only = report.results.front();
-    return text + result_text(only, report.arm) + '\n' + paths_text(only) +
+    return text + result_text(only, report) + '\n' + paths_text(only) +
            left_out_text(only.left_out);
   }
   for (std::size_t k = 0; k < report.results.size(); ++k) {
-    text += "\npose " + std::to_string(k) + ": " + result_text(report.results[k], report.arm);
+    text += "\npose " + std::to_string(k) + ": " + result_text(report.results[k], report);
   }
   return text;
 }

@@ -2,14 +2,18 @@
 // Robot, poses, closures, reports.
 #include "arm_closures.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
 
 #include "command_line.h"
 #include "interruption.h"
 #include "moivre/arm_report/arm_report.h"
 #include "moivre/arms/poses.h"
+#include "moivre/arms/turns.h"
+#include "moivre/expression/counted.h"
 #include "moivre/numeric/stopwatch.h"
 #include "moivre/urdf/mechanism_text.h"
 #include "moivre/urdf/read.h"
@@ -76,6 +80,29 @@ std::vector<TypedPose> chosen_poses(const ArmOptions& options) {
   return poses;
 }
 
+/// Where the arm stands.
+std::optional<Eigen::VectorXd> standing(const ArmOptions& options, const Arm& arm) {
+  if (options.nearest.empty()) return std::nullopt;
+  std::string text = options.nearest;
+  std::replace(text.begin(), text.end(), ',', ' ');
+  std::istringstream words(text);
+  std::vector<double> values;
+  for (std::string word; words >> word;) {
+    double value = 0;
+    const char* const end = word.data() + word.size();
+    const auto read = std::from_chars(word.data(), end, value);
+    if (read.ec != std::errc() || read.ptr != end || !std::isfinite(value)) {
+      throw std::invalid_argument("--nearest: " + word + " is no finite number");
+    }
+    values.push_back(value);
+  }
+  if (values.size() != arm.joints.size()) {
+    throw std::invalid_argument("--nearest has " + counted(values.size(), "value") +
+                                ", the chain has " + counted(arm.joints.size(), "free joint"));
+  }
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), std::ssize(values));
+}
+
 void require_one_to_draw(const ArmRun& run, std::size_t poses) {
   const bool is_drawn = !run.svg.empty() || !run.html.empty();
   if (!is_drawn || poses == 1) return;
@@ -122,11 +149,24 @@ void add_arm_options(CLI::App& command, ArmOptions& options) {
                   "more; default: by its digits")
       ->type_name("X")
       ->group(kRobots);
+  command
+      .add_option("--nearest", options.nearest,
+                  "closures in the order of their distance from these joint values, radians and "
+                  "metres in the order of the chain: \"q1 q2 ...\"; whole turns as there")
+      ->type_name("VALUES")
+      ->group(kRobots);
+  command
+      .add_option("--limits", options.limits,
+                  "wrap: every choice of whole turns that the joints' limits allow")
+      ->type_name("wrap")
+      ->check(CLI::IsMember({"wrap"}))
+      ->group(kRobots);
 }
 
 bool are_given(const ArmOptions& options) {
   return !options.base.empty() || !options.tip.empty() || !options.pose.empty() ||
-         !options.poses.empty() || !options.held.empty() || !options.loops.empty();
+         !options.poses.empty() || !options.nearest.empty() || !options.limits.empty() ||
+         !options.held.empty() || !options.loops.empty();
 }
 
 std::string robot_as_mechanism(const std::string& file, const Source& source,
@@ -170,6 +210,9 @@ int run_arm(const ArmRun& run, const Source& source) {
   require_all({[&] {
                  report.arm = make_arm(
                      robot, {chosen(run.arm.base), chosen(run.arm.tip), held_joints(run.arm.held)});
+                 report.stands = standing(run.arm, report.arm);
+                 report.has_all_turns = run.arm.limits == "wrap";
+                 if (report.has_all_turns) require_few_turns(report.arm);
                },
                [&] {
                  poses = chosen_poses(run.arm);
@@ -202,6 +245,11 @@ int run_arm(const ArmRun& run, const Source& source) {
   }
   const Interruption interruption(run.time_limit);
   report.results = find_arm_closures(report.arm, poses, *tracker, options, interruption.stop());
+  if (report.stands) {
+    for (ArmResult& result : report.results) {
+      sort_by_distance(report.arm, *report.stands, result.closures);
+    }
+  }
   report.total_s = watch.total();
   const bool complete = is_complete(report) && report.results.size() == poses.size();
   return kept.deliver(

@@ -19,6 +19,8 @@ struct ArmOptions {
   std::string pose;   ///< "x y z qw qx qy qz"
   std::string poses;  ///< a file of them
   std::optional<double> pose_accuracy;
+  std::string nearest;            ///< joint values, separated by blanks or commas
+  std::string limits;             ///< "wrap", or none
   std::vector<std::string> held;  ///< "JOINT=VALUE"
   std::string loops;              ///< a side file
 };

@@ -149,5 +149,37 @@ TEST(SpecialPosesTest, FewJointsReachThePosesThatTheyCan) {
   }
 }
 
+/// Turns about three parallel axes with a slide along them, as SCARA robots have them.
+Arm scara() {
+  std::string text = "<robot name='scara'><link name='l0'/>";
+  const char* const origins[] = {"0 0 0", "0.225 0 0.24", "0.175 0 0", "0 0 0"};
+  for (int k = 1; k <= 4; ++k) {
+    const std::string n = std::to_string(k);
+    text +=
+        "<link name='l" + n + "'/><joint name='j" + n + "' type='" +
+        (k == 3 ? "prismatic" : "revolute") + "'><parent link='l" + std::to_string(k - 1) +
+        "'/><child link='l" + n + "'/><origin xyz='" + origins[k - 1] + "' rpy='" +
+        (k == 3 ? "3.141592653589793" : "0") +
+        " 0 0'/><axis xyz='0 0 1'/><limit lower='-3' upper='3' effort='1' velocity='1'/></joint>";
+  }
+  return make_arm(read_urdf({"scara", text + "</robot>"}), {});
+}
+
+TEST(SpecialPosesTest, AScaraHasTwoClosuresAndOneWhereItIsStretched) {
+  const Arm arm = scara();
+  for (std::uint64_t k = 0; k < 20; ++k) {
+    SCOPED_TRACE(k);
+    Eigen::VectorXd own = random_values(arm, 8, k);
+    const bool is_stretched = k % 5 == 4;
+    if (is_stretched) own[1] = 0;
+    const ArmResult result =
+        find_arm_closures(arm, forward_kinematics(arm, own), lanes(), one_thread());
+    EXPECT_TRUE(result.complete) << result.message;
+    EXPECT_LE(result.paths.tracked, 8U);
+    EXPECT_EQ(result.closures.size(), is_stretched ? 1U : 2U);
+    EXPECT_LT(least_distance(arm, result, own), is_stretched ? 1e-6 : 1e-9);
+  }
+}
+
 }  // namespace
 }  // namespace moivre::test

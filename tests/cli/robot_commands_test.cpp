@@ -163,5 +163,21 @@ TEST_F(RobotCommands, ARobotBecomesAMechanismThatTheOthersTake) {
   }
 }
 
+TEST_F(RobotCommands, WhereTheArmStandsOrdersTheClosuresAndTurnsAreListed) {
+  const Outcome outcome = scene.run({"closures", kPuma, "--pose", kPose, "--nearest", "0,0,0,0,0,0",
+                                     "--limits", "wrap", "--json", "-"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Json json = Json::parse(outcome.out);
+  double before = 0;
+  for (const Json& closure : json.at("closures")) {
+    EXPECT_GE(closure.at("distance").get<double>(), before);
+    before = closure.at("distance").get<double>();
+    EXPECT_GE(closure.at("turns").size(), 1U);
+  }
+  const Outcome few = scene.run({"closures", kPuma, "--pose", kPose, "--nearest", "1 2"});
+  EXPECT_EQ(few.exit_code, 1);
+  EXPECT_TRUE(contains(few.err, "--nearest has 2 values, the chain has 6 free joints")) << few.err;
+}
+
 }  // namespace
 }  // namespace moivre::test

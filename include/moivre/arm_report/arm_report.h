@@ -3,10 +3,11 @@
 //
 //   text  every closure a line, joint values in radians (or metres) within the limits where whole turns bring them there
 //   JSON  docs/json.md shows it: `coordinates` has turns in (-pi, pi], `in_limits` what a controller takes
-//   CSV   one closure per line: pose, id, then the joints as in_limits
+//   CSV   one closure per line: pose, id, then the joints as in_limits; with all turns a line for each choice of them
 // A list of results stands for a file of poses; `is_list` says whether there was one, or a single pose.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,9 @@ struct ArmReport {
   Arm arm;
   std::vector<ArmResult> results;  ///< a pose each
   bool is_list = false;
+  /// Where the arm stands, a value for each joint: closures are in the order of their distance from there.
+  std::optional<Eigen::VectorXd> stands;
+  bool has_all_turns = false;  ///< every choice of whole turns within the limits is told
   double parse_s = 0;
   double total_s = 0;
 };

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+// Whole turns joint by joint, as the limits allow.
+#include "moivre/arms/turns.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "moivre/numeric/invalid_input.h"
+
+namespace moivre {
+namespace {
+
+constexpr double kWholeTurn = 2 * std::numbers::pi;
+
+/// Whole turns that a joint's limits allow, the fewest and the most; none for one that has no limits, slides or is beyond them.
+struct TurnRange {
+  double least = 0;
+  double most = 0;
+};
+
+TurnRange turns_of(const ArmJoint& joint, double value) {
+  constexpr double kAtTheLimit = 1e-9;
+  if (joint.is_slide || !joint.limits) return {};
+  const double slack = kAtTheLimit * std::max(1.0, std::abs(value));
+  const double least = std::ceil((joint.limits->lower - slack - value) / kWholeTurn);
+  const double most = std::floor((joint.limits->upper + slack - value) / kWholeTurn);
+  return least <= most ? TurnRange{least, most} : TurnRange{};
+}
+
+}  // namespace
+
+std::vector<Eigen::VectorXd> all_turns(const Arm& arm, const Eigen::VectorXd& values) {
+  std::vector<Eigen::VectorXd> all{values};
+  for (std::size_t k = 0; k < arm.joints.size(); ++k) {
+    const auto joint = static_cast<Eigen::Index>(k);
+    const TurnRange range = turns_of(arm.joints[k], values[joint]);
+    if (static_cast<double>(all.size()) * (range.most - range.least + 1) > kMostTurns) {
+      throw InvalidInput("the limits of " + arm.joints[k].name +
+                         " allow more whole turns than can be listed: more than " +
+                         std::to_string(kMostTurns) + " choices");
+    }
+    std::vector<Eigen::VectorXd> longer;
+    for (const Eigen::VectorXd& before : all) {
+      for (double turns = range.least; turns <= range.most; ++turns) {
+        longer.push_back(before);
+        longer.back()[joint] += turns * kWholeTurn;
+      }
+    }
+    all = std::move(longer);
+  }
+  return all;
+}
+
+void require_few_turns(const Arm& arm) {
+  // A joint at its lower limit has as many choices as any.
+  Eigen::VectorXd values = Eigen::VectorXd::Zero(std::ssize(arm.joints));
+  for (std::size_t k = 0; k < arm.joints.size(); ++k) {
+    const ArmJoint& joint = arm.joints[k];
+    if (joint.limits) values[static_cast<Eigen::Index>(k)] = joint.limits->lower;
+  }
+  all_turns(arm, values);
+}
+
+Eigen::VectorXd nearest_turns(const Arm& arm, const Eigen::VectorXd& values,
+                              const Eigen::VectorXd& stands) {
+  Eigen::VectorXd nearest = values;
+  for (std::size_t k = 0; k < arm.joints.size(); ++k) {
+    if (arm.joints[k].is_slide) continue;
+    const auto joint = static_cast<Eigen::Index>(k);
+    const double wanted = std::round((stands[joint] - values[joint]) / kWholeTurn);
+    const TurnRange range = turns_of(arm.joints[k], values[joint]);
+    const double turns =
+        arm.joints[k].limits ? std::clamp(wanted, range.least, range.most) : wanted;
+    nearest[joint] += turns * kWholeTurn;
+  }
+  return nearest;
+}
+
+double distance_from(const Arm& arm, const Eigen::VectorXd& values, const Eigen::VectorXd& stands) {
+  double largest = 0;
+  for (std::size_t k = 0; k < arm.joints.size(); ++k) {
+    const auto joint = static_cast<Eigen::Index>(k);
+    const double difference = std::abs(values[joint] - stands[joint]);
+    largest = std::max(largest, arm.joints[k].is_slide ? difference / arm.length : difference);
+  }
+  return largest;
+}
+
+void sort_by_distance(const Arm& arm, const Eigen::VectorXd& stands,
+                      std::vector<ArmClosure>& closures) {
+  if (stands.size() != std::ssize(arm.joints) || !stands.allFinite()) {
+    throw InvalidInput("where the arm stands takes a finite value for each of its " +
+                       std::to_string(arm.joints.size()) + " joints");
+  }
+  for (ArmClosure& closure : closures) {
+    closure.in_limits = nearest_turns(arm, closure.in_limits, stands);
+  }
+  std::stable_sort(closures.begin(), closures.end(), [&](const ArmClosure& a, const ArmClosure& b) {
+    return distance_from(arm, a.in_limits, stands) < distance_from(arm, b.in_limits, stands);
+  });
+}
+
+}  // namespace moivre
