@@ -124,7 +124,8 @@ Json stage_json(const ArmStage& stage) {
           {"solves", stage.solves},
           {"finite", stage.paths.finite},
           {"at_infinity", stage.paths.at_infinity},
-          {"failed", stage.paths.failed}};
+          {"failed", stage.paths.failed},
+          {"not_needed", stage.paths.not_needed}};
 }
 
 /// What differs from pose to pose, but the time.

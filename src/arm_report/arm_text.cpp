@@ -86,8 +86,11 @@ std::string paths_text(const ArmResult& result) {
   return counted(result.paths.tracked, "path") + " (" + result.start.kind + ", " + result.tracker +
          ", seed " + std::to_string(result.seed) + "): " + std::to_string(result.paths.finite) +
          " finite, " + std::to_string(result.paths.at_infinity) + " at infinity, " +
-         std::to_string(result.paths.failed) + " failed; " +
-         counted(result.counts.rejected, "root") + " no closure\n";
+         std::to_string(result.paths.failed) + " failed" +
+         (result.paths.not_needed == 0
+              ? ""
+              : ", " + std::to_string(result.paths.not_needed) + " not needed") +
+         "; " + counted(result.counts.rejected, "root") + " no closure\n";
 }
 
 /// "translation (0, 0, 1), rotation (0.1, 0, 0)", without a part that is none.

@@ -10,13 +10,12 @@
 #include <vector>
 
 #include "arb_ball.h"
+#include "arb_numbers.h"
 #include "moivre/certify/certifier.h"
 #include "moivre/numeric/integer.h"
 
 namespace moivre {
 namespace {
-
-static_assert(sizeof(ulong) == sizeof(std::uint64_t), "FLINT's limbs have 64 bits");
 
 // The evaluations have so many bits more than the points.
 constexpr slong kGuardBits = 32;
@@ -47,20 +46,8 @@ constexpr double kLeastRadius = 0x1p-900;
 
 constexpr slong kBitsOfDouble = 53;
 
-/// FLINT keeps free memory for each thread; it goes with the thread that used it.
-struct FlintCaches {
-  FlintCaches() = default;
-  FlintCaches(const FlintCaches&) = delete;
-  FlintCaches& operator=(const FlintCaches&) = delete;
-  ~FlintCaches() { flint_cleanup(); }
-};
-
-void set(fmpz_t result, const Integer& value) {
-  std::vector<std::uint64_t> limbs;
-  export_bits(abs(value), std::back_inserter(limbs), 64, false);  // least significant first
-  fmpz_set_ui_array(result, limbs.data(), static_cast<slong>(limbs.size()));
-  if (value < 0) fmpz_neg(result, result);
-}
+using moivre::add_exactly;
+using moivre::set;
 
 void set(arb_t result, const Rational& value, slong bits) {
   fmpz_t over, under;
@@ -81,25 +68,9 @@ ArbBall to_arb(const Coefficient& c, slong bits) {
   return result;
 }
 
-/// Adds a double, exactly.
-void add_exactly(arb_t sum, double value) {
-  arf_t term;
-  arf_init_set_ui(term, 0);
-  arf_set_d(term, value);
-  arb_add_arf(sum, sum, term, ARF_PREC_EXACT);
-  arf_clear(term);
-}
-
 void add_exactly(ArbBall& sum, const Complex& value) {
   add_exactly(acb_realref(sum.get()), value.real());
   add_exactly(acb_imagref(sum.get()), value.imag());
-}
-
-/// Takes the double nearest to the midpoint off it, exactly.
-double take_double(arb_t rest) {
-  const double part = arf_get_d(arb_midref(rest), ARF_RND_NEAR);
-  if (std::isfinite(part)) add_exactly(rest, -part);
-  return part;
 }
 
 double modulus_of(acb_srcptr z) {

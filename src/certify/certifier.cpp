@@ -92,6 +92,15 @@ class Certifier::Work {
     }
   }
 
+  Certificate certify_near(std::span<const Complex> x, std::span<const Point> finer, int bits) {
+    require_dimension(x.size(), 0);
+    Certificate result;
+    const double farthest = options_.accuracy * scale_of(x);
+    if (arb().prove(x, finer, {}, bits, farthest, result) != ArbOutcome::proved) return {};
+    judge(x, result);
+    return result;
+  }
+
   bool sharpen(Certificate& certificate, std::span<const Enclosure> given, int bits) {
     require_dimension(certificate.midpoint.size(), given.size());
     if (!certificate.holds_root()) throw InvalidInput("no root is proved to sharpen");
@@ -162,6 +171,11 @@ Certificate Certifier::certify(std::span<const Complex> x, std::span<const Enclo
   Certificate result;
   work_->certify(x, given, result);
   return result;
+}
+
+Certificate Certifier::certify_near(std::span<const Complex> x, std::span<const Point> finer,
+                                    int bits) {
+  return work_->certify_near(x, finer, bits);
 }
 
 bool Certifier::sharpen(Certificate& certificate, int bits, std::span<const Enclosure> given) {

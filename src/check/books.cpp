@@ -178,8 +178,9 @@ void judge_paths(const Claims& claims, Verdicts& verdicts) {
   }
   if (!claims.paths) return;
   const PathClaim& paths = *claims.paths;
-  judge_count(verdicts, ClaimKind::paths, "tracked, as finite + at_infinity + failed",
-              paths.tracked, sum({paths.finite, paths.at_infinity, paths.failed}));
+  judge_count(verdicts, ClaimKind::paths, "tracked, as finite + at_infinity + failed + not_needed",
+              paths.tracked,
+              sum({paths.finite, paths.at_infinity, paths.failed, paths.not_needed}));
   std::vector<std::uint64_t> finite{paths.on_positive_dimensional, claims.excess, claims.left_out};
   for (const RootClaim& root : claims.roots) finite.push_back(root.multiplicity);
   judge_count(verdicts, ClaimKind::paths,

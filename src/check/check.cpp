@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "bench.h"
+#include "moivre/certify/isolate.h"
 #include "moivre/expression/counted.h"
 #include "moivre/expression/joined.h"
 #include "moivre/polynomial/digits.h"
@@ -81,18 +82,50 @@ void judge_all_there(const System& f, const Claims& claims, Verdicts& verdicts) 
 // The prime of the algebra is another one than the solver's.
 constexpr std::uint64_t kSeed = 101;
 
-/// Of more equations than unknowns the list has every different root where it has as many as exact algebra counts.
+std::optional<std::uint64_t> different_roots(const System& f, const std::atomic<bool>& stop) {
+  if (f.variables.size() != 1) {
+    return quotient_ring(f, {.stop = &stop, .counts_points = true, .seed = kSeed}).points;
+  }
+  if (f.polynomials.size() != 1) return std::nullopt;
+  for (int bits = 2 * kFirstArbBits; bits <= kMostArbBits; bits *= 2) {
+    if (const auto roots = isolated_roots(f.polynomials.front(), bits))
+      return roots->roots.size() + roots->other_simple;
+  }
+  return std::nullopt;
+}
+
+/// The list has every different root where it has as many as exact algebra counts. A cluster may be several.
 void judge_points(const System& f, const Claims& claims, Verdicts& verdicts,
                   const std::atomic<bool>& stop) {
-  const bool is_overdetermined = f.polynomials.size() > f.variables.size();
   if (claims.left_out > 0) return;
-  if (!is_overdetermined || !claims.complete || !coefficient_errors(f).empty()) return;
-  const auto points =
-      quotient_ring(f, {.stop = &stop, .counts_points = true, .seed = kSeed}).points;
+  const bool has_isolated = f.polynomials.size() >= f.variables.size() && f.groups.empty();
+  if (!has_isolated || !claims.complete || !coefficient_errors(f).empty()) return;
+  const auto points = different_roots(f, stop);
   if (!points) return;
-  verdicts.judge(ClaimKind::complete, claims.roots.size() == *points,
+  std::uint64_t most = 0;
+  for (const RootClaim& root : claims.roots) most += root.cluster ? root.multiplicity : 1;
+  verdicts.judge(ClaimKind::complete, claims.roots.size() <= *points && *points <= most,
                  "exact algebra counts " + counted(*points, "different root") + ", these are " +
                      std::to_string(claims.roots.size()));
+}
+
+/// Of more equations than unknowns, where roots lie on curves: exact algebra counts the roots of the file that are simple ones of the
+/// combinations.
+void judge_common_roots(const System& f, const StandIn& stand_in, const Claims& claims,
+                        Verdicts& verdicts) {
+  const bool is_overdetermined = f.polynomials.size() > f.variables.size() && f.groups.empty();
+  if (!is_overdetermined || !coefficient_errors(f).empty()) return;
+  const auto ring =
+      quotient_ring(f, {.seed = kSeed, .counts_simple = true, .square = &stand_in.system});
+  if (ring.verdict != QuotientRing::Verdict::infinite || !ring.simple) return;
+  const auto claimed = static_cast<std::uint64_t>(
+      std::count_if(claims.roots.begin(), claims.roots.end(),
+                    [](const RootClaim& root) { return root.singular == false; }));
+  if (claimed <= *ring.simple) return;
+  verdicts.refute(ClaimKind::root, "exact algebra counts " + counted(*ring.simple, "root") +
+                                       " of the file's equations beside curves that are not "
+                                       "singular, " +
+                                       std::to_string(claimed) + " are claimed");
 }
 
 /// Beside curves exact algebra counts the simple roots alone.
@@ -160,7 +193,13 @@ void judge_completeness(const Claims& claims, const StandIn& stand_in, Verdicts&
   }
   const std::string why = "\"proved\", and " + std::to_string(judgement.roots.distinct) +
                           " distinct roots are certified: " + bounds_text(judgement.bounds);
-  if (would_meet_bound(judgement)) return verdicts.leave_proof_open(ClaimKind::completeness, why);
+  // A root of which nothing is proved here may be the one that is missing.
+  const bool are_settled = std::none_of(
+      judgement.claims.begin(), judgement.claims.end(),
+      [](const ClaimTally& tally) { return tally.claim == ClaimKind::root && tally.open > 0; });
+  if (would_meet_bound(judgement) || !are_settled) {
+    return verdicts.leave_proof_open(ClaimKind::completeness, why);
+  }
   verdicts.refute(ClaimKind::completeness, why);
 }
 
@@ -224,7 +263,10 @@ void judge_roots(const System& f, const Claims& given, Verdicts& verdicts,
       judge_simple_roots(stand_in, claims, verdicts, stop);
     }
   }
-  if (!bench.is_list()) judge_points(f, claims, verdicts, stop);
+  if (!bench.is_list()) {
+    judge_points(f, claims, verdicts, stop);
+    judge_common_roots(f, stand_in, claims, verdicts);
+  }
   bench.require_time();
   judge_completeness(claims, stand_in, verdicts);
   judge_bound(claims, stand_in, verdicts, stop);

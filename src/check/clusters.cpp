@@ -65,7 +65,8 @@ void judge_cluster(Bench& bench, Certifier& certifier, Entry& entry, const RootC
   }
   const LocalRing ring = exact_ring(bench.stand_in.system, entry.x, entry.reach);
   const bool is_counted = ring.is_isolated && ring.dimension > 1;
-  if (is_counted || (!ring.is_isolated && ring.dimension > m)) {
+  const bool may_be_several = root.cluster && (!is_counted || ring.dimension <= m);
+  if (!may_be_several && (is_counted || (!ring.is_isolated && ring.dimension > m))) {
     const bool holds = is_counted && ring.dimension == m;
     if (holds) {
       verdicts.judgement().roots.counted += m;
@@ -79,6 +80,13 @@ void judge_cluster(Bench& bench, Certifier& certifier, Entry& entry, const RootC
   }
   const bool is_narrow = entry.reach <= kWidestDisc * std::max(1.0, max_norm(entry.x));
   const std::size_t regular = is_narrow ? regular_roots_within(bench, certifier, entry, m) : 0;
+  if (root.cluster) {
+    if (regular == m && m <= kMostFound) return verdicts.hold(ClaimKind::multiplicity);
+    return verdicts.leave_open(ClaimKind::multiplicity,
+                               "a cluster: " + std::to_string(regular) + " of " +
+                                   counted(m, "root") + " proved within " + rough(entry.reach),
+                               number);
+  }
   if (regular > 0 && (regular < m || m == 1)) {
     return verdicts.refute(ClaimKind::multiplicity,
                            counted(regular, "root") + " of multiplicity 1 proved within " +

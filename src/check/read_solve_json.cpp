@@ -108,6 +108,7 @@ RootClaim read_root(const JsonPlace& place, std::size_t dimension) {
   if (const auto real = place.member("real", true)) root.real = real->flag();
   if (const auto singular = place.member("singular", true)) root.singular = singular->flag();
   if (const auto m = place.member("multiplicity", true)) root.multiplicity = m->count();
+  if (const auto cluster = place.member("cluster")) root.cluster = cluster->flag();
   if (const auto winding = place.member("winding")) root.winding = winding->counts();
   if (const auto residual = place.member("residual")) root.residual = residual->number();
   if (const auto accuracy = place.member("accuracy")) root.accuracy = accuracy->number();
@@ -159,6 +160,7 @@ PathClaim read_paths(const JsonPlace& place) {
   paths.at_infinity = count("at_infinity");
   paths.failed = count("failed");
   paths.on_positive_dimensional = count("on_positive_dimensional");
+  if (const auto n = place.member("not_needed")) paths.not_needed = n->count();
   if (const auto n = place.member("retracked")) paths.retracked = n->count();
   if (const auto n = place.member("handed_over")) paths.handed_over = n->count();
   return paths;

@@ -16,6 +16,7 @@ Json stage_json(const Stage& stage) {
           {"finite", stage.paths.finite},
           {"at_infinity", stage.paths.at_infinity},
           {"failed", stage.paths.failed},
+          {"not_needed", stage.paths.not_needed},
           {"degrees", stage.reduced.degrees}};
 }
 
@@ -50,6 +51,7 @@ void write_closure(const Closure& closure, const Mechanism& mechanism, PoseJson&
                   {"smallest_singular_value", to_json(closure.smallest_singular_value)},
                   {"path", closure.path},
                   {"multiplicity", closure.multiplicity},
+                  {"cluster", closure.cluster},
                   {"singular", closure.singular},
                   {"certified", closure.certified ? Json(*closure.certified) : Json()},
                   {"drawn", closure.is_drawn}});

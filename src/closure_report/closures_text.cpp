@@ -62,7 +62,10 @@ std::string stages_text(const ClosureResult& result) {
                      result.tracker + ", seed " + std::to_string(result.seed) +
                      "): " + std::to_string(result.paths.finite) + " finite, " +
                      std::to_string(result.paths.at_infinity) + " at infinity, " +
-                     std::to_string(result.paths.failed) + " failed\n";
+                     std::to_string(result.paths.failed) + " failed" +
+                     (result.paths.not_needed == 0
+                          ? "\n"
+                          : ", " + std::to_string(result.paths.not_needed) + " not needed\n");
   for (const Stage& stage : result.stages) {
     text += "  " + stage.group + ": " + counted(stage.paths.tracked, "path") + " in " +
             counted(stage.solves, "solve") + '\n';
@@ -86,7 +89,11 @@ std::string closure_text(const Closure& closure, const std::string& name,
   std::string text =
       "\nclosure " + name + (closure.is_drawn ? ", as drawn" : "") +
       (closure.is_fitted ? ", by least squares" : ", path " + std::to_string(closure.path));
-  if (closure.multiplicity > 1) text += ", multiplicity " + std::to_string(closure.multiplicity);
+  if (closure.cluster) {
+    text += ", a cluster of " + counted(closure.multiplicity, "closure");
+  } else if (closure.multiplicity > 1) {
+    text += ", multiplicity " + std::to_string(closure.multiplicity);
+  }
   text += ", residual " + rough_text(closure.residual) + ", " +
           counted(static_cast<std::uint64_t>(closure.newton_iterations), "Newton step") +
           ", smallest singular value " + rough_text(closure.smallest_singular_value);

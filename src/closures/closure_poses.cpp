@@ -74,6 +74,7 @@ void take_pose(ClosureSearch& search, const Solution& solution, const NewtonResu
   }
   closure.path = solution.path;
   closure.multiplicity = solution.multiplicity;
+  closure.cluster = solution.cluster;
   closure.singular = solution.singular;
   closure.certified = solution.certified;
   search.result.closures.push_back(std::move(closure));

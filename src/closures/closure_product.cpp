@@ -124,6 +124,7 @@ Solution solution_of(const std::vector<ClosureResult>& parts, const Choice& choi
     whole.real = whole.real && part(k).real;
     whole.certified = both(whole.certified, part(k).certified);
     whole.singular = whole.singular || part(k).singular;
+    whole.cluster = whole.cluster || part(k).cluster;
     whole.multiplicity = saturating_product(whole.multiplicity, part(k).multiplicity);
     whole.residual = std::max(whole.residual, part(k).residual);
     whole.accuracy = std::max(whole.accuracy, part(k).accuracy);
@@ -153,6 +154,7 @@ std::optional<Closure> closure_of(const ClosureSearch& search,
     whole.multiplicity = saturating_product(whole.multiplicity, part.multiplicity);
     whole.singular = whole.singular || part.singular;
     whole.is_drawn = whole.is_drawn && part.is_drawn;
+    whole.cluster = whole.cluster || part.cluster;
     whole.of.push_back(part.id);
     whole.id += (k == 0 ? "" : ".") + part.id;
   }

@@ -103,6 +103,7 @@ void take_root(ClosureSearch& search, const PartialRoot& root, RootProver& prove
   for (const auto& value : root.value) solution.x.push_back(value->rounded);
   solution.singular = root.singular;
   solution.multiplicity = root.multiplicity;
+  solution.cluster = root.cluster;
   solution.winding = {static_cast<int>(root.multiplicity)};
   solution.accuracy = root.accuracy;
   std::optional<ProvedRoot> proved;
@@ -120,20 +121,57 @@ void take_root(ClosureSearch& search, const PartialRoot& root, RootProver& prove
     }
     return;
   }
-  solution.real = distance_from_real(search.formulation, solution.x) <= tolerance_of(solution);
-  if (search.has_proofs()) solution.certified = proved && proved->real == solution.real;
+  const bool is_near_real =
+      distance_from_real(search.formulation, solution.x) <= tolerance_of(solution);
+  solution.real = proved ? proved->real.value_or(is_near_real) : is_near_real;
+  if (search.has_proofs()) {
+    solution.certified = proved && proved->real == solution.real;
+    if (!solution.certified.value() && !solution.singular) ++search.unproved;
+  }
   search.result.solutions.push_back(std::move(solution));
 }
 
-RootCompleteness completeness(const Formulation& formulation, const StageRun& run,
-                              const ClosureResult& result) {
+/// Simple roots of the rounded polynomials that are no farther apart than rounding moves a double root, none of them proved of the
+/// mechanism as typed, are a cluster: two closures, or none, or one as often.
+void merge_unproved(ClosureSearch& search) {
+  // What rounding to double leaves of the distance of two roots: its square root.
+  constexpr double kApart = 1e-7;
+  std::vector<Solution>& roots = search.result.solutions;
+  const auto is_unproved = [](const Solution& root) {
+    return root.certified == false && (!root.singular || root.cluster);
+  };
+  for (std::size_t i = 0; i < roots.size(); ++i) {
+    for (std::size_t j = i + 1; j < roots.size();) {
+      const double size = std::max(1.0, max_norm(roots[i].x));
+      const double apart = max_distance(roots[i].x, roots[j].x);
+      if (!is_unproved(roots[i]) || !is_unproved(roots[j]) || apart > kApart * size) {
+        ++j;
+        continue;
+      }
+      search.unproved -= (roots[i].singular ? 0U : 1U) + (roots[j].singular ? 0U : 1U);
+      for (std::size_t k = 0; k < roots[i].x.size(); ++k) {
+        roots[i].x[k] = 0.5 * (roots[i].x[k] + roots[j].x[k]);
+      }
+      roots[i].multiplicity += roots[j].multiplicity;
+      roots[i].winding = {static_cast<int>(roots[i].multiplicity)};
+      roots[i].singular = roots[i].cluster = true;
+      roots[i].radius = std::max(roots[i].radius, apart);
+      roots[i].accuracy = std::max(roots[i].accuracy, apart / size);
+      roots[i].real = distance_from_real(search.formulation, roots[i].x) <= kHoldsSingular;
+      roots.erase(roots.begin() + static_cast<std::ptrdiff_t>(j));
+    }
+  }
+}
+
+RootCompleteness completeness(const Formulation& formulation, const RootProver& prover,
+                              const StageRun& run, const ClosureResult& result) {
   const auto& roots = result.solutions;
   const bool all_certified = std::all_of(roots.begin(), roots.end(), [](const Solution& root) {
     return root.singular || root.certified == true;
   });
   if (!run.complete || run.moves || !all_certified) return RootCompleteness::open;
   const bool is_proved =
-      run.is_proved && !formulation.lacks_typed_terms &&
+      run.is_proved && !formulation.lacks_typed_terms && prover.knows_terms() &&
       std::none_of(roots.begin(), roots.end(), [](const auto& root) { return root.singular; });
   return is_proved ? RootCompleteness::proved : RootCompleteness::shown;
 }
@@ -220,7 +258,9 @@ void solve_determined(ClosureSearch& search, const BlockStructure& structure) {
   const bool has_unseen_sets = run.moves && !is_motion_shown;
   take_account(result, run);
   for (const PartialRoot& root : run.roots) take_root(search, root, prover);
-  if (search.has_proofs()) result.completeness = completeness(search.formulation, run, result);
+  if (search.has_proofs()) merge_unproved(search);
+  if (search.has_proofs())
+    result.completeness = completeness(search.formulation, prover, run, result);
   if (!has_unseen_sets) return;
   if (run.may_move) {
     result.complete = false;

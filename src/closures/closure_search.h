@@ -41,7 +41,9 @@ struct ClosureSearch {
   /// may depend on each other within rounding.
   bool is_combined = false;
   std::uint64_t lost_images = 0;  ///< roots whose mirror image is not among the roots
-  std::uint64_t unpolished = 0;   ///< real roots that Newton-Raphson does not confirm
+  std::uint64_t unproved =
+      0;  ///< simple roots of the rounded polynomials that the mechanism as typed may not have
+  std::uint64_t unpolished = 0;  ///< real roots that Newton-Raphson does not confirm
   std::uint64_t rootless =
       0;  ///< poses that close regularly beside roots that do not, and are no root's
   std::vector<Solution> near_misses;  ///< real roots of the solved equations that fail another one

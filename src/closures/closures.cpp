@@ -9,6 +9,7 @@
 #include "closure_product.h"
 #include "closure_roots.h"
 #include "moivre/closures/idle_joints.h"
+#include "moivre/expression/counted.h"
 #include "moivre/numeric/invalid_input.h"
 #include "moivre/numeric/stopwatch.h"
 #include "moving_pose.h"
@@ -69,7 +70,7 @@ void find_all_combined(ClosureSearch& search) {
   search.result = described(search);
   search.result.idle = first.idle;
   search.is_combined = true;
-  search.lost_images = search.unpolished = search.rootless = 0;
+  search.lost_images = search.unproved = search.unpolished = search.rootless = 0;
   find_all(search);
   ClosureResult& result = search.result;
   result.stages.insert(result.stages.begin(), first.stages.begin(), first.stages.end());
@@ -89,6 +90,10 @@ std::string shortfall(const ClosureSearch& search) {
            std::to_string(kMovingStarts) + " starts; there may be none: give a guess, or drivers";
   }
   if (search.lost_images > 0) return "a closure's mirror image is missing: a path was lost";
+  if (search.unproved > 0) {
+    return "undecided: " + counted(search.unproved, "closure") +
+           " may be real, complex or one, as the file's numbers are rounded";
+  }
   if (search.rootless > 0) return "a closure was found that is none of the roots: roots were lost";
   if (search.unpolished > 0) return "Newton-Raphson does not confirm a real root";
   return "some paths failed";
@@ -149,7 +154,9 @@ std::string verdict(const ClosureSearch& search) {
 }
 
 void conclude(ClosureSearch& search) {
-  if (search.lost_images + search.unpolished + search.rootless > 0) search.result.complete = false;
+  if (search.lost_images + search.unproved + search.unpolished + search.rootless > 0) {
+    search.result.complete = false;
+  }
   auto& completeness = search.result.completeness;
   if (completeness && !search.result.complete) completeness = RootCompleteness::open;
   search.result.message = verdict(search);

@@ -38,6 +38,8 @@ constexpr int kFineBits = 256;
 constexpr double kRightTo = 1e-13;
 // They are shaken by so much less that every root stays what it is, however badly it is known: to first order a value moves in proportion.
 constexpr double kShake = 1e-30;
+// Numbers that are rounded to this have no relation by chance that those they stand for have not.
+constexpr double kOfGeneralNumbers = 0x1p-100;
 // One shake of all coefficients may happen to move a value by much less than another.
 constexpr double kSureOfShake = 8;
 
@@ -123,7 +125,9 @@ struct RootProver::Work {
   };
 
   explicit Work(const Formulation& the_formulation)
-      : formulation(the_formulation), place(the_formulation.system.variables.size()) {}
+      : formulation(the_formulation),
+        enclosed(formulation.enclosed ? formulation.enclosed() : EnclosedPolynomials()),
+        place(the_formulation.system.variables.size()) {}
 
   void close();
   Program program(const Group& group, const Polynomial* value) const;
@@ -139,7 +143,14 @@ struct RootProver::Work {
   Point midpoints(const KnownProof& proof) const;
   Reality reality(const KnownProof& proof) const;
 
+  /// Of the mechanism as it was typed.
+  const Polynomial& polynomial(std::size_t equation) const {
+    return formulation.enclosed ? enclosed.polynomials[equation]
+                                : formulation.system.polynomials[equation];
+  }
+
   const Formulation& formulation;
+  const EnclosedPolynomials enclosed;
   Block waiting;
   std::vector<Group> groups;
   std::vector<std::optional<Place>> place;  ///< of each variable of the formulation
@@ -168,7 +179,7 @@ RootProver::Work::Program RootProver::Work::program(const Group& group,
                                                     const Polynomial* value) const {
   std::vector<const Polynomial*> polynomials;
   for (const std::size_t e : group.equations) {
-    polynomials.push_back(&formulation.system.polynomials[e]);
+    polynomials.push_back(&polynomial(e));
   }
   if (value != nullptr) polynomials.push_back(value);
   std::set<std::size_t> given;
@@ -180,10 +191,12 @@ RootProver::Work::Program RootProver::Work::program(const Group& group,
   for (const std::size_t v : group.unknowns) given.erase(v);
 
   System f;
-  std::vector<std::uint32_t> at(formulation.system.variables.size());
+  const std::size_t unknowns = formulation.system.variables.size();
+  std::vector<std::uint32_t> at(unknowns + enclosed.factor_errors.size());
   const auto add = [&](std::size_t v) {
     at[v] = static_cast<std::uint32_t>(f.variables.size());
-    f.variables.push_back(formulation.system.variables[v]);
+    f.variables.push_back(v < unknowns ? formulation.system.variables[v]
+                                       : "factor " + std::to_string(v - unknowns));
   };
   for (const std::size_t v : group.unknowns) add(v);
   const auto z = static_cast<std::uint32_t>(f.variables.size());
@@ -203,7 +216,11 @@ std::vector<Enclosure> RootProver::Work::given(const Program& program,
   const std::vector<const Certificate*> chain = chain_of(before);
   std::vector<Enclosure> numbers;
   for (const std::size_t v : program.given) {
-    numbers.push_back(enclosure(*chain[place[v]->group], place[v]->coordinate));
+    if (v >= place.size()) {
+      numbers.push_back({1, {}, enclosed.factor_errors[v - place.size()]});
+    } else {
+      numbers.push_back(enclosure(*chain[place[v]->group], place[v]->coordinate));
+    }
   }
   return numbers;
 }
@@ -212,7 +229,9 @@ std::vector<Enclosure> RootProver::Work::given(const Program& program,
 RootProver::Work::Grounds RootProver::Work::grounds(const Program& program,
                                                     const KnownProof& before) const {
   std::set<std::size_t> needed;
-  for (const std::size_t v : program.given) needed.insert(place[v]->group);
+  for (const std::size_t v : program.given) {
+    if (v < place.size()) needed.insert(place[v]->group);
+  }
   Grounds grounds;
   for (const RootProof* proof = before.get(); proof != nullptr; proof = proof->before.get()) {
     if (needed.contains(proof->group)) grounds.first.push_back(proof->certificate);
@@ -351,6 +370,19 @@ void RootProver::add(const Block& block) {
   Block& waiting = work_->waiting;
   waiting.equations.insert(waiting.equations.end(), block.equations.begin(), block.equations.end());
   waiting.variables.insert(waiting.variables.end(), block.variables.begin(), block.variables.end());
+}
+
+bool RootProver::knows_terms() const { return !work_ || work_->enclosed.has_same_terms; }
+
+bool RootProver::has_exact_numbers() const {
+  return work_ && work_->formulation.is_exact && work_->enclosed.factor_errors.empty();
+}
+
+bool RootProver::has_general_numbers() const {
+  if (!work_) return true;
+  const std::vector<double>& errors = work_->enclosed.factor_errors;
+  return std::all_of(errors.begin(), errors.end(),
+                     [](double error) { return error <= kOfGeneralNumbers; });
 }
 
 bool RootProver::close() {

@@ -61,7 +61,8 @@ void drop_repeated_proofs(std::vector<PartialRoot>& children) {
   }
 }
 
-/// Whether as many roots are proved as the block's degrees allow, or, where nothing put into it was rounded, as its start has paths.
+/// Whether as many roots are proved as the block's degrees allow, or, where nothing put into it was rounded in double, as its start
+/// has paths.
 bool has_proved_bound(const SolveResult& result, const std::vector<PartialRoot>& children,
                       std::uint64_t by_degrees, bool is_exact) {
   const bool all_proved =
@@ -160,7 +161,7 @@ class Stages {
     }
     run_.is_proved = was_proved;
     if (run_.complete) return;
-    stage.paths.at_infinity += std::exchange(stage.paths.failed, 0);
+    stage.paths.not_needed += std::exchange(stage.paths.failed, 0);
     run_.left_out.push_back({counted(run_.failures.size(), "path") + " that were in doubt",
                              counted(theorem.most, "pose") + " are proved, and " + theorem.of +
                                  " has no more: they lead to no other"});
@@ -323,7 +324,8 @@ class Stages {
     }
     drop_repeated_proofs(children);
     run_.is_proved = run_.is_proved && prover_.is_on() &&
-                     has_proved_bound(result, children, bound, root.proof == nullptr);
+                     has_proved_bound(result, children, bound,
+                                      root.proof == nullptr && prover_.has_general_numbers());
     for (PartialRoot& child : children) {
       if (!is_excluded(child, block)) next.push_back(std::move(child));
     }
@@ -358,6 +360,9 @@ class Stages {
       child.value[block.variables[k]] = values[k];
     }
     child.multiplicity *= solution.multiplicity;
+    // Above rounded values a multiplicity is one of other equations.
+    child.cluster |= solution.multiplicity > 1 &&
+                     (solution.cluster || !run_.stages.empty() || !prover_.has_exact_numbers());
     child.singular |= solution.singular;
     child.accuracy = std::max(child.accuracy, solution.accuracy);
     child.condition = std::max(child.condition, solution.condition);

@@ -203,6 +203,7 @@ void judge(Shared& shared, std::size_t member) {
   result.complete = solved.complete;
   result.completeness = solved.completeness;
   result.at_infinity = solved.paths.at_infinity;
+  result.not_needed = solved.paths.not_needed;
   result.failed = solved.paths.failed;
   for (const Solution& root : solved.solutions) {
     result.roots.push_back({root.x, root.real, root.singular, root.multiplicity, root.accuracy,

@@ -96,6 +96,7 @@ std::string members_json(const MembersRun& run) {
                        {"real", member.real_count()},
                        {"at_infinity", member.at_infinity},
                        {"failed", member.failed},
+                       {"not_needed", member.not_needed},
                        {"complete", member.complete},
                        {"completeness", member.completeness ? Json(to_string(*member.completeness))
                                                             : Json(nullptr)},

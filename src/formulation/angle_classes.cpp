@@ -4,8 +4,6 @@
 
 #include <complex>
 
-#include "moivre/formulation/exact.h"
-
 namespace moivre {
 namespace {
 
@@ -15,11 +13,11 @@ constexpr double kSameAngle = 1e-11;
 }  // namespace
 
 AngleClasses::AngleClasses(std::size_t nodes) {
-  for (std::size_t node = 0; node < nodes; ++node) up_.push_back({node, {1, 0}});
+  for (std::size_t node = 0; node < nodes; ++node) up_.push_back({node, {}});
 }
 
 SharedAngle AngleClasses::find(std::size_t node) const {
-  SharedAngle angle{node, {1, 0}};
+  SharedAngle angle{node, {}};
   while (up_[angle.root].root != angle.root) {
     const SharedAngle& step = up_[angle.root];
     angle = {step.root, angle.factor * step.factor};
@@ -27,13 +25,13 @@ SharedAngle AngleClasses::find(std::size_t node) const {
   return angle;
 }
 
-AngleClasses::Verdict AngleClasses::join(std::size_t i, std::size_t j, const Coefficient& factor) {
+AngleClasses::Verdict AngleClasses::join(std::size_t i, std::size_t j, const EnclosedUnit& factor) {
   const SharedAngle a = find(i);
   const SharedAngle b = find(j);
   // t_j = factor * t_i, so that t_root(b) = t_j / b = factor * a / b * t_root(a).
-  const Coefficient between = factor * a.factor * conjugate(b.factor);
+  const EnclosedUnit between = factor * a.factor * conjugate(b.factor);
   if (a.root == b.root) {
-    const bool agrees = std::abs(to_complex(between - Coefficient{1, 0})) <= kSameAngle;
+    const bool agrees = std::abs(to_complex(between.value - Coefficient{1, 0})) <= kSameAngle;
     return agrees ? Verdict::repeated : Verdict::contradiction;
   }
   if (a.root < b.root) {

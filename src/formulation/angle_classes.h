@@ -5,14 +5,14 @@
 #include <cstddef>
 #include <vector>
 
-#include "moivre/numeric/rational.h"
+#include "moivre/formulation/exact.h"
 
 namespace moivre {
 
-/// t_node = factor * t_root, factor conj(factor) = 1.
+/// t_node = factor * t_root.
 struct SharedAngle {
   std::size_t root = 0;
-  Coefficient factor;
+  EnclosedUnit factor;
 };
 
 class AngleClasses {
@@ -24,7 +24,7 @@ class AngleClasses {
 
   enum class Verdict { joined, repeated, contradiction };
   /// t_j = factor * t_i. Where both are in one class already: whether it agrees with that.
-  Verdict join(std::size_t i, std::size_t j, const Coefficient& factor);
+  Verdict join(std::size_t i, std::size_t j, const EnclosedUnit& factor);
 
  private:
   std::vector<SharedAngle> up_;

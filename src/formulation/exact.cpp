@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <cstdlib>
 #include <limits>
-#include <numbers>
 #include <string>
 
 #include "moivre/numeric/integer.h"
@@ -26,6 +25,75 @@ Rational power_of_ten(int exponent) {
   std::int64_t power = 1;
   for (int k = 0; k < size; ++k) power *= 10;
   return exponent < 0 ? Rational(1, power) : Rational(power);
+}
+
+// A fixed-point number of so many bits behind the point holds an angle, its cosine and its sine; of a half angle's tangent fewer are kept.
+constexpr unsigned kWorkingBits = 192;
+constexpr unsigned kTangentBits = 128;
+// A product of directions is rounded to one of kTangentBits where it has become as long as this.
+constexpr std::size_t kLongUnit = 640;
+
+const Rational kPi =
+    ratio(Integer("31415926535897932384626433832795028841971693993751058209749445923078164062862"),
+          pow(Integer(10), 76));
+
+Integer rounded_ratio(const Integer& above, const Integer& below) {
+  const Integer twice = 2 * above + below;
+  Integer quotient = twice / (2 * below);
+  if (twice < 0 && quotient * 2 * below != twice) --quotient;
+  return quotient;
+}
+
+Integer fixed(const Rational& x) {
+  return rounded_ratio(numerator(x) << kWorkingBits, denominator(x));
+}
+
+bool is_whole_number(const Rational& x) { return denominator(x) == 1; }
+
+/// tan(r / 2) of an angle of at most an eighth of a turn, by the series of its cosine and sine: some forty terms, each right to the last of
+/// kWorkingBits.
+Rational half_tangent(const Integer& r) {
+  const Integer one = Integer(1) << kWorkingBits;
+  Integer cosine = 0;
+  Integer sine = 0;
+  Integer term = one;
+  for (int k = 0; term != 0; term = rounded_ratio(term * r, one * ++k)) {
+    const int sign = k % 4 < 2 ? 1 : -1;
+    (k % 2 == 0 ? cosine : sine) += sign * term;
+  }
+  return ratio(rounded_ratio(sine << kTangentBits, one + cosine), Integer(1) << kTangentBits);
+}
+
+Coefficient on_circle(const Rational& tangent) {
+  const Rational square = tangent * tangent;
+  const Rational scale = 1 / (1 + square);
+  return {(1 - square) * scale, 2 * tangent * scale};
+}
+
+Coefficient turned_by_quarters(const Coefficient& c, int quarters) {
+  switch (quarters) {
+    case 1:
+      return {-c.im, c.re};
+    case 2:
+      return {-c.re, -c.im};
+    case 3:
+      return {c.im, -c.re};
+    default:
+      return c;
+  }
+}
+
+EnclosedUnit shortened(EnclosedUnit unit) {
+  if (std::max(bit_length(unit.value.re), bit_length(unit.value.im)) <= kLongUnit) return unit;
+  int quarters = 0;
+  while (unit.value.re < abs(unit.value.im)) {
+    unit.value = turned_by_quarters(unit.value, 1);
+    ++quarters;
+  }
+  const Rational tangent = unit.value.im / (1 + unit.value.re);
+  const Integer rounded = rounded_ratio(numerator(tangent) << kTangentBits, denominator(tangent));
+  const Coefficient near = on_circle(ratio(rounded, Integer(1) << kTangentBits));
+  return {turned_by_quarters(near, (4 - quarters % 4) % 4), unit.error + kUnitError};
 }
 
 }  // namespace
@@ -60,28 +128,33 @@ Rational signed_square(double length) {
   return typed_decimal(length) * typed_decimal(std::abs(length));
 }
 
-Coefficient unit_at(double phi) {
-  constexpr double kQuarter = std::numbers::pi / 2;
-  // Degrees turned to radians are rounded; a quarter turn is meant where nothing but that rounding is left.
-  const double rounding = 4 * std::numeric_limits<double>::epsilon() * std::max(1.0, std::abs(phi));
-  const double turns = std::nearbyint(phi / kQuarter);
-  double rest = std::remainder(phi, kQuarter);
-  if (std::abs(rest) <= rounding) rest = 0;
-  const Rational tangent(std::tan(rest / 2));
-  const Rational square = tangent * tangent;
-  const Rational scale = 1 / (1 + square);
-  Coefficient c{(1 - square) * scale, 2 * tangent * scale};
-  switch (static_cast<int>(std::fmod(turns, 4.0) + 4) % 4) {
-    case 1:
-      return {-c.im, c.re};
-    case 2:
-      return {-c.re, -c.im};
-    case 3:
-      return {c.im, -c.re};
-    default:
-      return c;
+EnclosedUnit unit_at(const ExactAngle& phi) {
+  const Integer quarter = fixed(kPi / 2);
+  const Integer total = fixed(phi.degrees * kPi / 180 + phi.radians);
+  const Integer turns = rounded_ratio(total, quarter);
+  Integer rest = total - turns * quarter;
+  const double left = to_double(ratio(abs(rest), Integer(1) << kWorkingBits));
+  const double size = to_double(ratio(abs(total), Integer(1) << kWorkingBits));
+  // Radians of a quarter turn are rounded; one is meant where nothing but that rounding is left.
+  const double rounding = 4 * std::numeric_limits<double>::epsilon() * std::max(1.0, size);
+  const bool is_typed_exactly = phi.radians.is_zero() && phi.error == 0;
+  const bool is_whole = is_typed_exactly && is_whole_number(phi.degrees / 90);
+  double error = phi.error;
+  if (is_whole || (!is_typed_exactly && left <= rounding)) {
+    if (!is_whole) error += left;
+    rest = 0;
+  } else {
+    error += kUnitError;
   }
+  const int quarters = static_cast<int>((turns % 4 + 4) % 4);
+  return {turned_by_quarters(on_circle(half_tangent(rest)), quarters), error};
 }
+
+EnclosedUnit operator*(const EnclosedUnit& a, const EnclosedUnit& b) {
+  return shortened({a.value * b.value, a.error + b.error + a.error * b.error});
+}
+
+EnclosedUnit conjugate(const EnclosedUnit& a) { return {conjugate(a.value), a.error}; }
 
 Coefficient exactly(Complex z) { return {Rational(z.real()), Rational(z.imag())}; }
 

@@ -9,28 +9,34 @@
 #include "known_motions.h"
 #include "linear_values.h"
 #include "moivre/formulation/block_structure.h"
-#include "moivre/mechanism/driven_joint.h"
 #include "moivre/mechanism/phi.h"
 #include "moivre/polynomial/value.h"
 #include "shared_pins.h"
+#include "typed_numbers.h"
 
 namespace moivre {
 namespace {
 
 class Bodies {
  public:
-  Bodies(const Mechanism& mechanism, double t, JointEnds ends, KnownMotions known)
+  Bodies(const Mechanism& mechanism, double t, JointEnds ends, KnownMotions known,
+         bool has_factors = false)
       : mechanism_(mechanism),
         t_(t),
         ends_(std::move(ends)),
         known_(std::move(known)),
-        frame_(names(mechanism)),
+        frame_(names(mechanism), has_factors),
         size_(Phi(mechanism).length()) {}
 
   Formulation build() && {
     write();
     read_coordinates();
     return std::move(frame_.result());
+  }
+
+  EnclosedPolynomials enclosed(const Formulation& formulation) && {
+    write();
+    return with_factors(formulation, frame_);
   }
 
   /// Pins begin at the ground, else at the body of the earliest block.
@@ -79,11 +85,13 @@ class Bodies {
     for (const Driver& driver : mechanism_.drivers) {
       if (driver.kind != DriverKind::angle) continue;
       frame_.hold_angle(driver.bodies[0], driver.bodies[1],
-                        unit_at(driver_state(driver.law, t_).value), "driver " + driver.name);
+                        unit_at(driven_angle(driver.law, t_, mechanism_.units)),
+                        "driver " + driver.name);
     }
     for (const Joint& joint : mechanism_.joints) {
       if (traits(joint.type).turn != JointTurn::not_at_all) continue;
-      frame_.hold_angle(joint.at[0].body, joint.at[1].body, unit_at(joint.turn_rad), label(joint));
+      frame_.hold_angle(joint.at[0].body, joint.at[1].body,
+                        unit_at(typed_angle(joint.turn_rad, mechanism_.units)), label(joint));
     }
     for (const Joint& joint : mechanism_.joints) {
       if (traits(joint.type).turn != JointTurn::geared || !is_settled(joint, known_.angles))
@@ -108,7 +116,7 @@ class Bodies {
     for (const std::size_t body : bodies) {
       const auto& angle = known_.angles[body];
       if (!angle || frame_.angle(body).root == frame_.angle(angle->root).root) continue;
-      frame_.hold_angle(angle->root, body, unit_at(angle->value), name);
+      frame_.hold_angle(angle->root, body, unit_at(computed_angle(angle->value)), name);
     }
   }
 
@@ -122,7 +130,7 @@ class Bodies {
     } else if (slide) {
       hold_known_angles({turn_body(joint), second}, label(joint));
     } else if (known_.is_followed[number(joint)]) {
-      frame_.hold_angle(0, second, {1, 0}, label(joint));
+      frame_.hold_angle(0, second, {}, label(joint));
     }
   }
 
@@ -143,7 +151,7 @@ class Bodies {
         add_line(joint);
         return;
       case JointPlace::at_distance:
-        add_distance(joint, joint.length);
+        add_distance(joint, typed(joint.length));
         return;
       case JointPlace::anywhere:
         if (joint.type != JointType::cam_lever && !is_settled(joint, known_.angles))
@@ -162,20 +170,25 @@ class Bodies {
   }
 
   void add_line(const Joint& joint) {
-    const Mirrored along = turned(joint.at[0].body, joint.axis[0]);
+    const Mirrored along = along_line(joint.at[0].body, joint.axis[0]);
     if (const auto slide = driven_slide(joint)) {
-      const Coefficient s{typed_decimal(*slide), 0};
-      frame_.add_equations(label(joint) + ": slide", without_rounding(gap(joint) - s * along));
+      frame_.add_equations(label(joint) + ": slide",
+                           without_rounding(gap(joint) - frame_.number(*slide) * along));
       return;
     }
     const Mirrored across = swapped(along) * gap(joint);
     frame_.add_equation(label(joint) + ": line", without_rounding(across.z - across.conjugate));
   }
 
-  void add_distance(const Joint& joint, double length) {
+  void add_distance(const Joint& joint, const EnclosedNumber& length) {
     const Mirrored d = gap(joint);
-    frame_.add_equation(
-        label(joint), rounded_difference(d.z * d.conjugate, constant({signed_square(length), 0})));
+    // No two points are a length below 0 apart.
+    const Coefficient sign{length.value < Rational() ? -1 : 1, 0};
+    const Polynomial known = frame_.number(length);
+    const Polynomial square = sign * (known * known);
+    const Polynomial distance = d.z * d.conjugate;
+    frame_.add_equation(label(joint), frame_.has_factors() ? distance - square
+                                                           : rounded_difference(distance, square));
   }
 
   void add_gear(const Joint& joint) {
@@ -185,33 +198,33 @@ class Bodies {
     const int zj = gear.teeth[1] / common;
     frame_.add_turn(label(joint),
                     {{joint.at[0].body, zi}, {gear.carrier, zj - zi}, {joint.at[1].body, -zj}},
-                    unit_at(-zj * gear.phase_rad));
+                    unit_at(times(-zj, typed_angle(gear.phase_rad, mechanism_.units))));
   }
 
   /// Of a rack or a cam: what a driver says, and what an angle does; 0 for a tappet until its lift is read.
   void add_known_slides(const Joint& joint) {
-    const auto add = [&](double slide) {
-      const Rational value = typed_decimal(slide);
-      frame_.add_equation(label(joint),
-                          without_rounding(twice_slide(joint) - constant({2 * value, 0})));
+    const auto add = [&](const EnclosedNumber& slide) {
+      const Polynomial twice = Coefficient{2, 0} * frame_.number(slide);
+      frame_.add_equation(label(joint), without_rounding(twice_slide(joint) - twice));
     };
     const auto driven = driven_slide(joint);
     if (driven) add(*driven);
     const auto& slide = known_.slides[number(joint)];
     const bool is_driven_rack = driven && joint.type == JointType::rack;
-    if (slide && !slide->follows && !is_driven_rack) add(slide->value);
-    if (joint.type == JointType::cam && known_.is_followed[number(joint)]) add(0);
+    if (slide && !slide->follows && !is_driven_rack) add(computed_number(slide->value));
+    if (joint.type == JointType::cam && known_.is_followed[number(joint)]) add({});
   }
 
   void add_driver(const Driver& driver) {
     if (driver.kind != DriverKind::x && driver.kind != DriverKind::y) return;
     const Mirrored at = place(driver.point);
-    const Rational value = typed_decimal(driver_state(driver.law, t_).value);
+    const EnclosedNumber value = driven_length(driver.law, t_);
+    const Polynomial known = frame_.number(value);
     const std::string name = "driver " + driver.name;
     if (driver.kind == DriverKind::x) {
-      frame_.add_equation(name, at.z + at.conjugate - constant({2 * value, 0}));
+      frame_.add_equation(name, at.z + at.conjugate - Coefficient{2, 0} * known);
     } else {
-      frame_.add_equation(name, at.z - at.conjugate - constant({0, 2 * value}));
+      frame_.add_equation(name, at.z - at.conjugate - Coefficient{0, 2} * known);
     }
   }
 
@@ -229,7 +242,7 @@ class Bodies {
   }
 
   /// What the second body of a rack or a cam has turned or been lifted by, at a root.
-  std::function<double(const Point&)> read_lift(const Joint& joint) const {
+  std::function<double(const Point&)> read_lift(const Joint& joint) {
     if (joint.type == JointType::rack) {
       const Coefficient per_slide{1 / (2 * typed_decimal(joint.radius)), 0};
       return [turned = per_slide * twice_slide(joint), phase = joint.gear.phase_rad](
@@ -282,6 +295,12 @@ class Bodies {
     if (at.x() == 0 && at.y() == 0) return {};
     return typed_decimal(at.x(), at.y()) * frame_.t(body);
   }
+  /// A line's direction was brought to length 1, which rounds it unless it is one of the axes.
+  Mirrored along_line(std::size_t body, const Eigen::Vector3d& axis) {
+    constexpr double kRounding = 0x1p-51;
+    const bool is_axis = axis.x() == 0 || axis.y() == 0;
+    return frame_.enclosed(turned(body, axis), is_axis ? 0 : kRounding);
+  }
   Mirrored place(const PointOf& point) const {
     return positions_[point.body] +
            turned(point.body, mechanism_.bodies[point.body].points[point.point].at);
@@ -295,6 +314,7 @@ class Bodies {
   /// p, linear in lengths, without what points as typed leave where they mean nothing: a coefficient that is rounding beside the
   /// mechanism's size would be a root at 1e16.
   Polynomial without_rounding(Polynomial p) const {
+    if (frame_.has_factors()) return p;
     constexpr double kRounding = 2e-15;  // a sum of a few lengths right to 2^-53
     const auto has_position = [&](const Term& term) {
       return std::any_of(term.monomial.begin(), term.monomial.end(), [&](const Power& power) {
@@ -318,16 +338,22 @@ class Bodies {
     return {without_rounding(z.z), without_rounding(z.conjugate)};
   }
   /// Twice the displacement of the second point along the line.
-  Polynomial twice_slide(const Joint& joint) const {
-    const Mirrored advance = swapped(turned(line_body(joint), joint.axis[0])) * gap(joint);
+  Polynomial twice_slide(const Joint& joint) {
+    const Mirrored advance = swapped(along_line(line_body(joint), joint.axis[0])) * gap(joint);
     return without_rounding(advance.z + advance.conjugate);
   }
   std::size_t number(const Joint& joint) const {
     return static_cast<std::size_t>(&joint - mechanism_.joints.data());
   }
   std::string label(const Joint& joint) const { return to_string(joint.type) + " " + joint.name; }
-  std::optional<double> driven_slide(const Joint& joint) const {
-    return driven_joint(mechanism_, number(joint), t_).slide;
+  std::optional<EnclosedNumber> driven_slide(const Joint& joint) const {
+    std::optional<EnclosedNumber> slide;
+    for (const Driver& driver : mechanism_.drivers) {
+      if (driver.kind == DriverKind::slide && driver.joint == number(joint)) {
+        slide = driven_length(driver.law, t_);
+      }
+    }
+    return slide;
   }
 
   const Mechanism& mechanism_;
@@ -349,7 +375,11 @@ Formulation isotropic_bodies(const Mechanism& mechanism, double t) {
   if (has_shared_pins(mechanism)) {
     ends = Bodies(mechanism, t, ends, known).ends_by_order_of_blocks();
   }
-  return Bodies(mechanism, t, std::move(ends), known).build();
+  Formulation formulation = Bodies(mechanism, t, ends, known).build();
+  formulation.enclosed = [mechanism, t, ends, known, plain = formulation] {
+    return Bodies(mechanism, t, ends, known, true).enclosed(plain);
+  };
+  return formulation;
 }
 
 }  // namespace moivre

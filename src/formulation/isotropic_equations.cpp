@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Typed equations as polynomials: cosines and sines of whole multiples of angles become powers of t and u.
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -17,16 +18,35 @@ constexpr double kLargestPower = 64;
 struct LinearAngle {
   std::map<std::size_t, double> multiples;
   double offset = 0;
+  double size = 0;  ///< of the numbers that it was added up from
 };
+
+bool has_unknowns(const Polynomial& p) {
+  return std::any_of(p.terms.begin(), p.terms.end(), [](const Term& term) {
+    return std::any_of(term.monomial.begin(), term.monomial.end(),
+                       [](const Power& power) { return power.variable < kFirstFactor; });
+  });
+}
 
 bool is_number(const Formula& f) { return unknowns_of(f).empty(); }
 
 class Equations {
  public:
-  Equations(const Mechanism& mechanism, double t)
-      : mechanism_(mechanism), t_(t), frame_(names(mechanism)) {}
+  Equations(const Mechanism& mechanism, double t, bool has_factors = false)
+      : mechanism_(mechanism), t_(t), frame_(names(mechanism), has_factors) {}
 
   Formulation build() && {
+    write();
+    return std::move(frame_.result());
+  }
+
+  EnclosedPolynomials enclosed(const Formulation& formulation) && {
+    write();
+    return with_factors(formulation, frame_);
+  }
+
+ private:
+  void write() {
     hold_angles();
     add_unknowns();
     add_length_drivers();
@@ -34,10 +54,8 @@ class Equations {
       equation_ = equation.name;
       frame_.add_equation(equation.name, polynomial(equation.formula));
     }
-    return std::move(frame_.result());
   }
 
- private:
   static std::vector<std::string> names(const Mechanism& mechanism) {
     std::vector<std::string> names;
     for (const Unknown& unknown : mechanism.unknowns) names.push_back(unknown.name);
@@ -47,11 +65,12 @@ class Equations {
   // Lengths take part as nodes of the angle classes too; held at the ground they have no t and u.
   void hold_angles() {
     for (std::size_t k = 0; k < mechanism_.unknowns.size(); ++k) {
-      if (!mechanism_.unknowns[k].is_angle) frame_.hold_angle(0, k + 1, {1, 0}, "");
+      if (!mechanism_.unknowns[k].is_angle) frame_.hold_angle(0, k + 1, {}, "");
     }
     for (const Driver& driver : mechanism_.drivers) {
       if (!mechanism_.unknowns[driver.unknown].is_angle) continue;
-      frame_.hold_angle(0, driver.unknown + 1, unit_at(driver_state(driver.law, t_).value),
+      frame_.hold_angle(0, driver.unknown + 1,
+                        unit_at(driven_angle(driver.law, t_, mechanism_.units)),
                         "driver " + driver.name);
     }
   }
@@ -73,16 +92,16 @@ class Equations {
   void add_length_drivers() {
     for (const Driver& driver : mechanism_.drivers) {
       if (mechanism_.unknowns[driver.unknown].is_angle) continue;
-      const Rational value = typed_decimal(driver_state(driver.law, t_).value);
-      frame_.add_equation("driver " + driver.name, lengths_[driver.unknown] - constant({value, 0}));
+      const EnclosedNumber value = driven_length(driver.law, t_);
+      frame_.add_equation("driver " + driver.name, lengths_[driver.unknown] - frame_.number(value));
     }
   }
 
-  Polynomial polynomial(const Formula& f) const {
+  Polynomial polynomial(const Formula& f) {
     const Coefficient half{Rational(1, 2), 0};
     switch (f.kind) {
       case Formula::Kind::constant:
-        return constant({typed_decimal(f.value), 0});
+        return frame_.number(typed(f.value));
       case Formula::Kind::time:
         return constant({typed_decimal(t_), 0});
       case Formula::Kind::unknown:
@@ -102,16 +121,19 @@ class Equations {
         return Coefficient{-1, 0} * polynomial(f.operands[0]);
       case Formula::Kind::reciprocal: {
         const Polynomial divisor = polynomial(f.operands[0]);
-        if (divisor.terms.empty()) refuse("it divides by zero");
-        if (degree(divisor) > 0) refuse("it divides by unknowns; multiply the equation by them");
-        return constant(Coefficient{1, 0} / divisor.terms.front().coefficient);
+        if (!is_number(f.operands[0])) {
+          if (divisor.terms.empty()) refuse("it divides by zero");
+          if (has_unknowns(divisor)) {
+            refuse("it divides by unknowns; multiply the equation by them");
+          }
+        }
+        return inverse(divisor);
       }
       case Formula::Kind::power:
         if (!is_number(f) || is_whole_power(f)) return powered(f);
         break;
       case Formula::Kind::cos:
       case Formula::Kind::sin: {
-        if (is_number(f)) return constant({part_of_unit(f), 0});
         const Mirrored e = unit(f.operands[0]);
         return f.kind == Formula::Kind::cos ? half * (e.z + e.conjugate)
                                             : Coefficient{0, Rational(-1, 2)} * (e.z - e.conjugate);
@@ -126,18 +148,31 @@ class Equations {
         if (!is_number(f)) refuse("tan, asin, acos, atan, sqrt, exp and log stand over unknowns");
         break;
     }
-    const double value = number(f);
-    if (!std::isfinite(value)) refuse("a constant part of it is not defined");
-    return constant({typed_decimal(value), 0});
+    return frame_.number(computed(f));
   }
 
-  /// Of one angle, cosine and sine are those of one point of the unit circle: rounded apart, the squares of both would not add up to 1, and
-  /// terms that cancel would bring roots from infinity.
-  Rational part_of_unit(const Formula& f) const {
-    const double angle = number(f.operands[0]);
-    if (!std::isfinite(angle)) refuse("a constant part of it is not defined");
-    const Coefficient c = unit_at(angle);
-    return f.kind == Formula::Kind::cos ? c.re : c.im;
+  /// Of a number, which may have factors.
+  Polynomial inverse(const Polynomial& divisor) {
+    Coefficient c;
+    double error = 0;
+    for (const Term& term : divisor.terms) c = c + term.coefficient;
+    if (c == Coefficient{}) refuse("it divides by zero");
+    for (const Term& term : divisor.terms) {
+      double of_factors = 0;
+      for (const Power& power : term.monomial) {
+        of_factors += power.exponent * frame_.factor_errors()[power.variable - kFirstFactor];
+      }
+      error += of_factors * std::abs(to_complex(term.coefficient)) / std::abs(to_complex(c));
+    }
+    constexpr double kSecondOrder = 2;
+    return frame_.enclosed(constant(Coefficient{1, 0} / c), kSecondOrder * error);
+  }
+
+  /// A constant part in which there is more than sums, products and quotients.
+  EnclosedNumber computed(const Formula& f) const {
+    const Magnitude value = evaluate<Magnitude>(f, {}, Magnitude(t_));
+    if (!std::isfinite(value.f)) refuse("a constant part of it is not defined");
+    return {typed_decimal(value.f), kComputed * value.sum};
   }
 
   /// A small whole power of a number, which is taken exactly.
@@ -148,7 +183,7 @@ class Equations {
     return p >= 0 && p <= kLargestPower && p == std::floor(p);
   }
 
-  Polynomial powered(const Formula& f) const {
+  Polynomial powered(const Formula& f) {
     const Formula& exponent = f.operands[1];
     const double p = is_number(exponent) ? number(exponent) : -1;
     if (!(p >= 0 && p <= kLargestPower) || p != std::floor(p)) {
@@ -158,12 +193,13 @@ class Equations {
   }
 
   /// exp(i angle) and its conjugate.
-  Mirrored unit(const Formula& angle) const {
+  Mirrored unit(const Formula& angle) {
     // Thirds and the like, multiplied back, miss whole numbers by rounding.
     constexpr double kWhole = 1e-12;
     const LinearAngle parts = linear(angle);
-    const Coefficient c = unit_at(parts.offset);
-    Mirrored product{constant(c), constant(conjugate(c))};
+    const EnclosedUnit c = unit_at(offset_of(parts));
+    const Mirrored turn{constant(c.value), constant(conjugate(c.value))};
+    Mirrored product = frame_.enclosed(turn, c.error);
     for (const auto& [index, multiple] : parts.multiples) {
       const double whole = std::nearbyint(multiple);
       const std::string& name = mechanism_.unknowns[index].name;
@@ -179,17 +215,27 @@ class Equations {
     return product;
   }
 
+  ExactAngle offset_of(const LinearAngle& angle) const {
+    if (!std::isfinite(angle.size)) refuse("a constant part of it is not defined");
+    if (angle.offset == 0 && angle.size == 0) return {};
+    return {{}, Rational(angle.offset), kComputed * angle.size};
+  }
+
   LinearAngle linear(const Formula& f) const {
-    if (is_number(f)) return {{}, number(f)};
+    if (is_number(f)) {
+      const Magnitude value = evaluate<Magnitude>(f, {}, Magnitude(t_));
+      return {{}, value.f, value.sum};
+    }
     if (f.kind == Formula::Kind::unknown) {
       if (!mechanism_.unknowns[f.index].is_angle) {
         refuse("the length " + mechanism_.unknowns[f.index].name + " stands inside cos or sin");
       }
-      return {{{f.index, 1.0}}, 0};
+      return {{{f.index, 1.0}}, 0, 0};
     }
     LinearAngle total;
     const auto add = [&total](const LinearAngle& part, double factor) {
       total.offset += factor * part.offset;
+      total.size += std::abs(factor) * part.size;
       for (const auto& [index, multiple] : part.multiples) {
         total.multiples[index] += factor * multiple;
       }
@@ -237,7 +283,11 @@ class Equations {
 }  // namespace
 
 Formulation isotropic_equations(const Mechanism& mechanism, double t) {
-  return Equations(mechanism, t).build();
+  Formulation formulation = Equations(mechanism, t).build();
+  formulation.enclosed = [mechanism, t, plain = formulation] {
+    return Equations(mechanism, t, true).enclosed(plain);
+  };
+  return formulation;
 }
 
 }  // namespace moivre

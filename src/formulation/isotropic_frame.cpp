@@ -8,10 +8,26 @@
 
 namespace moivre {
 
-IsotropicFrame::IsotropicFrame(std::vector<std::string> names)
-    : names_(std::move(names)), classes_(names_.size() + 1) {}
+IsotropicFrame::IsotropicFrame(std::vector<std::string> names, bool has_factors)
+    : names_(std::move(names)), classes_(names_.size() + 1), has_factors_(has_factors) {}
 
-void IsotropicFrame::hold_angle(std::size_t i, std::size_t j, const Coefficient& factor,
+Polynomial IsotropicFrame::enclosed(const Polynomial& p, double error) {
+  if (!has_factors_ || error == 0) return p;
+  factor_errors_.push_back(error);
+  return p * unknown(kFirstFactor + static_cast<std::uint32_t>(factor_errors_.size() - 1));
+}
+
+Mirrored IsotropicFrame::enclosed(const Mirrored& z, double error) {
+  return {enclosed(z.z, error), enclosed(z.conjugate, error)};
+}
+
+Polynomial IsotropicFrame::number(const EnclosedNumber& number) {
+  const Polynomial value = constant({number.value, 0});
+  if (!has_factors_ || number.error == 0) return value;
+  return value + (enclosed(constant({1, 0}), number.error) - constant({1, 0}));
+}
+
+void IsotropicFrame::hold_angle(std::size_t i, std::size_t j, const EnclosedUnit& factor,
                                 const std::string& name) {
   switch (classes_.join(i, j, factor)) {
     case AngleClasses::Verdict::joined:
@@ -43,7 +59,8 @@ void IsotropicFrame::add_angles() {
   }
   for (std::size_t node = 1; node <= names_.size(); ++node) {
     const SharedAngle angle = classes_.find(node);
-    if (angle.root != node) t_[node] = angle.factor * t_[angle.root];
+    if (angle.root == node) continue;
+    t_[node] = enclosed(angle.factor.value * t_[angle.root], angle.factor.error);
   }
 }
 
@@ -70,12 +87,12 @@ void IsotropicFrame::add_equations(const std::string& name, const Mirrored& z) {
 
 void IsotropicFrame::add_turn(const std::string& name,
                               const std::vector<std::pair<std::size_t, int>>& powers,
-                              const Coefficient& value) {
+                              const EnclosedUnit& value) {
   std::map<std::size_t, int> of_class;
-  Coefficient rest = value;
+  EnclosedUnit rest = value;
   for (const auto& [node, exponent] : powers) {
     const SharedAngle angle = classes_.find(node);
-    const Coefficient step = exponent < 0 ? angle.factor : conjugate(angle.factor);
+    const EnclosedUnit step = exponent < 0 ? angle.factor : conjugate(angle.factor);
     for (int k = 0; k < std::abs(exponent); ++k) rest = rest * step;
     if (angle.root != 0) of_class[angle.root] += exponent;
   }
@@ -90,7 +107,7 @@ void IsotropicFrame::add_turn(const std::string& name,
   std::sort(by_size.begin(), by_size.end(),
             [](const auto& a, const auto& b) { return std::abs(a.first) > std::abs(b.first); });
   Polynomial left = constant({1, 0});
-  Polynomial right = constant(rest);
+  Polynomial right = enclosed(constant(rest.value), rest.error);
   int left_degree = 0;
   int right_degree = 0;
   for (const auto& [exponent, root] : by_size) {
@@ -107,6 +124,34 @@ void IsotropicFrame::add_turn(const std::string& name,
 Polynomial power(const Polynomial& p, int exponent) {
   Polynomial result = constant({1, 0});
   for (int k = 0; k < exponent; ++k) result = result * p;
+  return result;
+}
+
+EnclosedPolynomials with_factors(const Formulation& formulation, const IsotropicFrame& frame) {
+  const Formulation& with = frame.result();
+  const auto unknowns = static_cast<std::uint32_t>(formulation.system.variables.size());
+  const auto is_there = [](const Polynomial& p, const Monomial& m) {
+    return std::any_of(p.terms.begin(), p.terms.end(),
+                       [&](const Term& term) { return term.monomial == m; });
+  };
+  EnclosedPolynomials result{{}, frame.factor_errors(), true};
+  std::size_t next = 0;
+  for (std::size_t k = 0; k < formulation.equation_names.size(); ++k) {
+    // What says 0 = 0 without factors is left out there.
+    while (with.equation_names.at(next) != formulation.equation_names[k]) ++next;
+    Polynomial p = with.system.polynomials[next++];
+    for (Term& term : p.terms) {
+      const auto factors =
+          std::find_if(term.monomial.begin(), term.monomial.end(),
+                       [](const Power& power) { return power.variable >= kFirstFactor; });
+      const Monomial of_unknowns(term.monomial.begin(), factors);
+      if (!is_there(formulation.system.polynomials[k], of_unknowns)) result.has_same_terms = false;
+      std::for_each(factors, term.monomial.end(), [&](Power& power) {
+        power.variable = power.variable - kFirstFactor + unknowns;
+      });
+    }
+    result.polynomials.push_back(std::move(p));
+  }
   return result;
 }
 

@@ -266,6 +266,11 @@ Mechanism read_mechanism(const Source& source) {
   read_header(reading, document, mechanism);
   read_sections(reading, document, mechanism);
   throw_faults(reading);
+  if (reading.has_rounded_numbers()) {
+    mechanism.warnings.push_back(
+        "a number has more digits than a double holds: it is rounded, and what is proved is proved "
+        "of the rounded one");
+  }
   warn_of_radians(document, mechanism);
   return mechanism;
 }

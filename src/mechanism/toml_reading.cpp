@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <cmath>
 
 #include "moivre/expression/counted.h"
@@ -11,6 +12,30 @@
 #include "moivre/mechanism/nearest.h"
 
 namespace moivre {
+
+namespace {
+
+/// Of a decimal number, without zeros before and behind. Other notations, 0x10, have few digits: none.
+std::string digits_of(const std::string& text) {
+  std::string digits;
+  for (const char c : text) {
+    if (c == 'e' || c == 'E') break;
+    if (c < '0' || c > '9') continue;
+    if (c != '0' || !digits.empty()) digits += c;
+  }
+  digits.erase(digits.find_last_not_of('0') + 1);
+  // Up to so many digits a decimal is the only one that is rounded to its double.
+  constexpr std::size_t kSureDigits = 15;
+  return digits.size() <= kSureDigits ? "" : digits;
+}
+
+std::string shortest_text(double value) {
+  constexpr std::size_t kLongestDouble = 32;
+  char text[kLongestDouble];
+  return {text, std::to_chars(text, text + sizeof text, value, std::chars_format::scientific).ptr};
+}
+
+}  // namespace
 
 Reading::Reading(const Source& source) : source_(source), line_offsets_{0} {
   for (std::size_t k = 0; k < source.text.size(); ++k) {
@@ -105,7 +130,15 @@ std::optional<double> Reading::number(const toml::node& node, const std::string&
     fault(node, what + " must not be beyond 1e50; choose another unit");
     return std::nullopt;
   }
+  has_rounded_numbers_ = has_rounded_numbers_ || is_rounded(node, *value);
   return value;
+}
+
+bool Reading::is_rounded(const toml::node& node, double value) const {
+  const std::size_t begin = position(node).offset;
+  const std::size_t end = source_.text.find_first_not_of("0123456789.+-_eE", begin);
+  const std::string typed = digits_of(source_.text.substr(begin, end - begin));
+  return !typed.empty() && typed != digits_of(shortest_text(value));
 }
 
 std::optional<double> Reading::number(const toml::table& in, const std::string& key) {

@@ -48,6 +48,9 @@ class Reading {
   std::optional<std::vector<double>> numbers(const toml::node& node, const std::string& what,
                                              std::size_t count);
 
+  /// Some number has more digits than a double holds, and was rounded.
+  bool has_rounded_numbers() const { return has_rounded_numbers_; }
+
   /// Where the characters of a string value begin in the file: behind the quote, where they stand there as they are.
   SourcePosition text_begin(const toml::node& node, const std::string& value) const;
   /// Faults found in a string value since there were `before` of them: where the file has the string with escapes or over
@@ -58,7 +61,11 @@ class Reading {
   std::string comma_advice(const toml::array& entries, std::size_t count) const;
   bool stands_as_it_is(const toml::node& node, const std::string& value) const;
 
+  /// The digits of the number as it stands in the file are not those of its double.
+  bool is_rounded(const toml::node& node, double value) const;
+
   const Source& source_;
+  bool has_rounded_numbers_ = false;
   std::vector<std::size_t> line_offsets_;
   std::vector<Diagnostic> faults_;
 };

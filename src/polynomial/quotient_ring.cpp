@@ -124,7 +124,8 @@ class GroebnerBasis {
   GroebnerBasis(const PrimeField& field, std::size_t n, const QuotientRingOptions& options)
       : field_(field), n_(n), options_(options), budget_(options.most_terms) {}
 
-  QuotientRing of(std::vector<ModularPolynomial> f) {
+  /// rows: n of the polynomials of the ideal, of which a simple root is to be one; none where there are not as many.
+  QuotientRing of(std::vector<ModularPolynomial> f, const std::vector<ModularPolynomial>& rows) {
     std::sort(f.begin(), f.end(), [](const auto& a, const auto& b) {
       return !b.empty() && (a.empty() || is_smaller(a.front().first, b.front().first));
     });
@@ -133,7 +134,9 @@ class GroebnerBasis {
     }
     if (!is_completed()) return {};
     QuotientRing ring = verdict();
-    if (ring.verdict == Verdict::infinite && f.size() == n_) ring.simple = simple_roots(f);
+    const bool counts_simple = ring.verdict != Verdict::not_found && !rows.empty() &&
+                               (ring.verdict == Verdict::infinite || options_.counts_simple);
+    if (counts_simple) ring.simple = simple_roots(rows);
     return ring;
   }
 
@@ -285,17 +288,35 @@ class GroebnerBasis {
 
 }  // namespace
 
+namespace {
+
+/// nullopt where a degree is too large.
+std::optional<std::vector<ModularPolynomial>> images(const PrimeField& field, const System& f) {
+  std::vector<ModularPolynomial> result;
+  for (const Polynomial& p : f.polynomials) {
+    auto image = modular(field, p);
+    if (!image) return std::nullopt;
+    result.push_back(std::move(*image));
+  }
+  return result;
+}
+
+}  // namespace
+
 QuotientRing quotient_ring(const System& f, const QuotientRingOptions& options) {
   const std::size_t n = f.variables.size();
   if (n == 0 || n > DegreeAndExponents::kMostUnknowns) return {};
   const PrimeField field(f, options.seed);
-  std::vector<ModularPolynomial> images;
-  for (const Polynomial& p : f.polynomials) {
-    auto image = modular(field, p);
-    if (!image) return {};
-    images.push_back(std::move(*image));
+  auto polynomials = images(field, f);
+  if (!polynomials) return {};
+  std::vector<ModularPolynomial> rows;
+  if (options.square != nullptr) {
+    auto combined = images(field, *options.square);
+    if (combined) rows = std::move(*combined);
+  } else if (polynomials->size() == n) {
+    rows = *polynomials;
   }
-  return GroebnerBasis(field, n, options).of(std::move(images));
+  return GroebnerBasis(field, n, options).of(std::move(*polynomials), rows);
 }
 
 }  // namespace moivre

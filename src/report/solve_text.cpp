@@ -39,6 +39,7 @@ std::string paths_line(const SolveResult& result) {
                      "): " + std::to_string(paths.finite) + " finite, " +
                      std::to_string(paths.at_infinity) + " at infinity, " +
                      std::to_string(paths.failed) + " failed";
+  if (paths.not_needed > 0) text += ", " + std::to_string(paths.not_needed) + " not needed";
   if (paths.on_positive_dimensional > 0) {
     text += ", " + std::to_string(paths.on_positive_dimensional) +
             " of the finite on sets of positive dimension";
@@ -69,6 +70,8 @@ std::string roots_line(const SolveResult& result) {
                      " real, " + std::to_string(roots.size() - real) + " not real";
   const std::uint64_t singular = count([](const Solution& root) { return root.singular; });
   if (singular > 0) text += "; " + std::to_string(singular) + " singular";
+  const std::uint64_t clusters = count([](const Solution& root) { return root.cluster; });
+  if (clusters > 0) text += ", " + std::to_string(clusters) + " of them clusters";
   if (result.excess > 0) {
     text += "; " + std::to_string(result.excess) + " of the squared-up system fail an equation";
   }
@@ -115,7 +118,12 @@ std::string coordinate_text(const Solution& root, std::size_t i, double error) {
 std::string root_text(const Solution& root, const std::vector<std::string>& names) {
   std::string text =
       std::string(root.real ? "real root" : "root") + ", path " + std::to_string(root.path);
-  if (root.multiplicity > 1) text += ", multiplicity " + std::to_string(root.multiplicity);
+  if (root.cluster) {
+    text += ", a cluster of " + counted(root.multiplicity, "root") + " within " +
+            rough_text(root.radius);
+  } else if (root.multiplicity > 1) {
+    text += ", multiplicity " + std::to_string(root.multiplicity);
+  }
   if (root.singular) text += ", singular";
   if (root.certified == true) text += ", certified";
   text += ", accuracy " + rough_text(root.accuracy) + ", condition " + rough_text(root.condition) +

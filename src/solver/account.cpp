@@ -18,16 +18,11 @@ namespace {
 // away as the m-th root of the residual says, which is what the accuracy comes from; and circles have little margin.
 constexpr double kSingularMargin = 4;
 
-constexpr std::uint64_t PathCounts::*kCounts[]{&PathCounts::tracked,
-                                               &PathCounts::finite,
-                                               &PathCounts::at_infinity,
-                                               &PathCounts::failed,
-                                               &PathCounts::on_positive_dimensional,
-                                               &PathCounts::retracked,
-                                               &PathCounts::handed_over,
-                                               &PathCounts::mixed,
-                                               &PathCounts::double_double,
-                                               &PathCounts::multiprecision};
+constexpr std::uint64_t PathCounts::*kCounts[]{
+    &PathCounts::tracked,       &PathCounts::finite,        &PathCounts::at_infinity,
+    &PathCounts::failed,        &PathCounts::not_needed,    &PathCounts::on_positive_dimensional,
+    &PathCounts::retracked,     &PathCounts::handed_over,   &PathCounts::mixed,
+    &PathCounts::double_double, &PathCounts::multiprecision};
 
 /// Of the cycles of a group; none where its multiplicity was counted, not seen.
 std::vector<int> windings(const Run& run, const std::vector<std::uint64_t>& group) {
@@ -116,12 +111,10 @@ void enter_solutions(const Run& run, SolveResult& result) {
 
 void count_paths(const Run& run, const std::vector<PathRecord>& records, PathCounts& counts) {
   counts.failed = run.ledger.failures().size();
-  // What a bound has left ends at no root that is not known: it is counted with what ends at infinity.
-  for (const PathVerdict verdict :
-       {PathVerdict::at_infinity, PathVerdict::as_rounded, PathVerdict::left_by_bound}) {
-    counts.at_infinity += run.ledger.count(verdict);
-  }
-  counts.tracked = counts.finite + counts.at_infinity + counts.failed;
+  counts.at_infinity =
+      run.ledger.count(PathVerdict::at_infinity) + run.ledger.count(PathVerdict::as_rounded);
+  counts.not_needed = run.ledger.count(PathVerdict::not_needed);
+  counts.tracked = run.ledger.tracked();
   for (const PathRecord& path : records) {
     if (path.verdict == PathVerdict::open) continue;  // an interruption came first
     if (path.followed > 1) ++counts.retracked;
@@ -151,6 +144,25 @@ double accuracy_of_group(const Run& run, const std::vector<std::uint64_t>& group
     if (apart > best.accuracy + end.accuracy) accuracy = std::max(accuracy, apart + end.accuracy);
   }
   return accuracy;
+}
+
+std::string decided_text(const PathCounts& paths) {
+  return paths.not_needed == 0 ? "every path was decided" : "every path was decided or not needed";
+}
+
+/// So far from the point that is told, relative to max(1, |x|_inf), the roots of a cluster may lie: as far as double parts ends of paths, or
+/// as the residual leaves open.
+double radius_of_cluster(const Run& run, const std::vector<std::uint64_t>& group,
+                         const Refined& best) {
+  // What a residual in double tells nothing of.
+  constexpr double kRoundingOfResidual = 1e-15;
+  const double share = std::max(best.residual, kRoundingOfResidual);
+  double radius = kSingularMargin * std::pow(share, 1 / static_cast<double>(group.size()));
+  for (const std::uint64_t path : group) {
+    const Root& end = run.ledger.roots().at(path);
+    radius = std::max(radius, relative_distance(best.x, end.point.x) + end.tolerance);
+  }
+  return radius;
 }
 
 }  // namespace
@@ -184,6 +196,12 @@ Solution solution_of(const Run& run, const std::vector<std::uint64_t>& group,
   solution.accuracy = point.simple ? point.accuracy : accuracy_of_group(run, group, point);
   solution.condition = point.condition;
   solution.certified = root.certificate != nullptr;
+  solution.cluster = group.size() > 1 && !run.counted_ends.contains(group.front());
+  if (solution.cluster) {
+    const double radius = radius_of_cluster(run, group, point);
+    solution.accuracy = std::max(solution.accuracy, radius);
+    solution.radius = solution.accuracy * std::max(1.0, max_norm(point.x));
+  }
   for (const std::uint64_t path : group) {
     solution.precision = std::max(solution.precision, run.ledger.rung(path));
   }
@@ -215,7 +233,7 @@ void close_account(const Run& run, SolveResult& result) {
   result.complete = !run.interrupted && all_decided && !doubt;
   result.message = run.out_of_memory         ? "memory ran out: what is finished is reported"
                    : run.interrupted         ? "interrupted: what is finished is reported"
-                   : all_decided             ? doubt.value_or("every path was decided")
+                   : all_decided             ? doubt.value_or(decided_text(result.paths))
                    : result.paths.failed > 0 ? "some paths failed"
                                              : "a root's conjugate is missing among the roots";
   tell_completeness(run, result);

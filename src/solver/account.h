@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What is the result of a run? Paths that end at one point are one solution, and every path is counted once.
 //
-//   tracked = finite + at_infinity + failed;  finite = sum of multiplicities + on_positive_dimensional
+//   tracked = finite + at_infinity + failed + not_needed;  finite = sum of multiplicities + on_positive_dimensional
 //
 // Ends on a set of positive dimension are counted, and are no solutions.
 #pragma once

@@ -287,6 +287,15 @@ bool lacks_ends(const Run& run) {
              ring.dimension;
 }
 
+void look_for_ring(Run& run) {
+  const bool is_wanted = run.bounds.ring.verdict == QuotientRing::Verdict::not_found &&
+                         !run.setting.prepared.leaves_out &&
+                         run.bounds.for_ring.allows(kAffordableTerms);
+  if (!is_wanted) return;
+  run.bounds.ring = quotient_ring(run.setting.prepared.reduction.system,
+                                  {.stop = &run.setting.stop, .seed = run.setting.options.seed});
+}
+
 bool are_as_counted(Run& run) {
   const QuotientRing& ring = run.bounds.ring;
   if (ring.verdict != QuotientRing::Verdict::finite || run.setting.stop) return false;
@@ -353,13 +362,13 @@ void tell_completeness(const Run& run, SolveResult& result) {
   result.completeness = result.bound ? RootCompleteness::proved
                         : is_shown   ? RootCompleteness::shown
                                      : RootCompleteness::open;
-  const std::uint64_t left = run.ledger.count(PathVerdict::left_by_bound);
+  const std::uint64_t left = run.ledger.count(PathVerdict::not_needed);
   if (left == 0) return;
   const std::string why =
       run.bounds.met ? "the certified roots are as many as the " + run.bounds.met->kind
                      : "the roots and their multiplicities are as many as exact algebra counts";
   result.left_out.push_back(
-      {counted(left, "path") + " in doubt",
+      {counted(left, "path") + " that were not needed",
        why + (left == 1 ? ": it leads to no other" : ": they lead to no other")});
 }
 

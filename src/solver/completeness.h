@@ -22,7 +22,7 @@
 namespace moivre {
 
 /// Where a proved bound is met nothing is left in doubt: one path ends at each proved root, at each exact one (exact_roots.h) as
-/// many as its multiplicity, some on sets of positive dimension; every other ends at no isolated root, and counts as at infinity.
+/// many as its multiplicity, some on sets of positive dimension; every other ends at no isolated root, and is not needed.
 /// False where none is met, or where fewer paths are left than the exact roots need: that is told as a contradiction.
 bool settle_by_bound(Run& run);
 
@@ -32,6 +32,9 @@ bool is_root_missing(Run& run);
 
 /// Fewer paths end at points than exact algebra counts roots with their multiplicities. False where it has no count.
 bool lacks_ends(const Run& run);
+
+/// Looks for the quotient ring where it was not worth it before: whether roots are multiple is to be told.
+void look_for_ring(Run& run);
 
 /// As many roots with their multiplicities, and as many different ones, as exact algebra counts: then each has its multiplicity.
 /// False where algebra has no counts, and where paths end on sets of positive dimension.

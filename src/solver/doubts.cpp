@@ -11,6 +11,7 @@
 #include "coincidence.h"
 #include "completeness.h"
 #include "exact_roots.h"
+#include "isolated.h"
 #include "tracking.h"
 
 namespace moivre {
@@ -46,7 +47,8 @@ std::map<std::uint64_t, PathSet> clusters_in(const Run& run) {
     const Ends ends = ends_of(run, group);
     if (group.size() == 1 || ends.singular.empty()) continue;
     const std::uint64_t first = ends.singular.front();
-    if (is_on_set(run, run.ledger.roots().at(first))) continue;
+    const Root& end = run.ledger.roots().at(first);
+    if (end.is_exact || is_on_set(run, end)) continue;
     clusters[first] = {ends.singular.begin(), ends.singular.end()};
   }
   return clusters;
@@ -412,6 +414,7 @@ void part_uncounted(Run& run, const Tracker& tracker) {
 }  // namespace
 
 void settle_doubts(Run& run) {
+  if (!is_settled(run) && settle_by_isolation(run)) return;
   settle_ends(run);
   if (!run.interrupted && !is_settled(run)) look_beside_sets(run);
   if (!run.interrupted && !is_settled(run)) resolve_blurred_sets(run);

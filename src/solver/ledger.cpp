@@ -20,8 +20,8 @@ std::string to_string(PathVerdict verdict) {
       return "at infinity";
     case PathVerdict::as_rounded:
       return "at infinity as rounded";
-    case PathVerdict::left_by_bound:
-      return "left by the bound";
+    case PathVerdict::not_needed:
+      return "not needed";
     case PathVerdict::failed:
       return "failed";
   }
@@ -60,7 +60,7 @@ void Ledger::enter_failure(const FailedPath& failure, Point last) {
   if (!last.empty()) last_points_[failure.path] = std::move(last);
 }
 
-void Ledger::leave(std::uint64_t path) { decide(path, PathVerdict::left_by_bound); }
+void Ledger::leave(std::uint64_t path) { decide(path, PathVerdict::not_needed); }
 
 void Ledger::count_following(std::uint64_t path, const StepCount& count, std::size_t stage,
                              bool is_followed_on) {

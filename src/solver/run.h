@@ -68,6 +68,8 @@ struct Run {
   Bounds bounds;
   ExactCandidates looked_at;                  ///< each candidate for an exact root once
   std::set<std::vector<double>> looked_near;  ///< points whose candidates were looked at
+  PathSet
+      counted_ends;  ///< the first path of each multiple root whose multiplicity exact algebra tells (multiplicities.h)
   PathSet in_all_digits;  ///< followed by the last of Trackers::finer: once more tells nothing new
   StepCount work;
   bool interrupted = false;

@@ -22,6 +22,7 @@
 #include "moivre/numeric/stopwatch.h"
 #include "moivre/polynomial/patches.h"
 #include "moivre/solver/cross_check.h"
+#include "multiplicities.h"
 #include "sheets.h"
 #include "squared.h"
 #include "tracking.h"
@@ -169,6 +170,7 @@ SolveResult solve_in(const Setting& setting, Stopwatch& watch) {
       part_clusters(run);
       climb_at_last(run);
       settle_by_bound(run);
+      count_ends(run);
     });
     if (setting.stop) run.interrupted = true;
     close_account(run, result);

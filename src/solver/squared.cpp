@@ -6,10 +6,12 @@
 
 #include "account.h"
 #include "drop_solutions.h"
+#include "exact_roots.h"
 #include "facts.h"
 #include "moivre/expression/counted.h"
 #include "moivre/polynomial/digits.h"
 #include "moivre/polynomial/exclusion.h"
+#include "moivre/polynomial/local_multiplicity.h"
 #include "moivre/polynomial/patches.h"
 #include "moivre/polynomial/quotient_ring.h"
 #include "moivre/polynomial/square_up.h"
@@ -20,6 +22,8 @@ namespace {
 
 // A root rounded to double leaves this of an equation, beside its terms; a random system's other roots leave far more.
 constexpr double kHolds = 1e-11;
+// A second at most, some ten nanoseconds each.
+constexpr std::uint64_t kTermsOfProof = 5 * kAffordableTerms;
 // What the root's error makes of it, at most so many times the error.
 constexpr double kMargin = 1e3;
 
@@ -48,9 +52,56 @@ void drop_excess(const System& f, SolveResult& result) {
   drop_solutions(result, is_excess);
 }
 
-/// Where exact algebra counts the different roots of all equations: they are those that are told.
+/// All equations of f vanish at fractions within what is known of the root.
+bool is_exact_root(const System& f, const Solution& root) {
+  const auto near = fractions_near(root.x, root.accuracy);
+  return std::any_of(near.begin(), near.end(),
+                     [&](const auto& x) { return local_ring(f, x).has_value(); });
+}
+
+/// The roots told that are simple ones of the combinations, but for those of which it is known exactly that they are roots of f.
+std::vector<Solution*> unknown_roots(const System& f, SolveResult& result) {
+  std::vector<Solution*> unknown;
+  for (Solution& root : result.solutions) {
+    if (!is_exact_root(f, root)) unknown.push_back(&root);
+  }
+  return unknown;
+}
+
+/// A root of the combinations at which the other equations all but vanish is a root of the file where exact algebra says so. Where roots lie
+/// on curves it counts those that are simple ones of the combinations; each root told that is none of them is one too many.
+void require_proofs(const System& f, const System& combinations, const QuotientRing& ring,
+                    SolveResult& result) {
+  if (!result.complete || ring.points || result.solutions.empty()) return;
+  const std::vector<Solution*> unknown = unknown_roots(f, result);
+  if (unknown.empty()) return;
+  const auto simple = static_cast<std::uint64_t>(
+      std::count_if(result.solutions.begin(), result.solutions.end(),
+                    [](const Solution& root) { return !root.singular; }));
+  const bool are_simple = std::none_of(unknown.begin(), unknown.end(),
+                                       [](const Solution* root) { return root->singular; });
+  const auto counted_roots = quotient_ring(f, {.most_terms = kTermsOfProof,
+                                               .seed = result.seed,
+                                               .counts_simple = true,
+                                               .square = &combinations})
+                                 .simple;
+  if (are_simple && counted_roots == simple) return;
+  if (counted_roots == 0U && are_simple && simple == result.solutions.size()) {
+    for (const Solution& root : result.solutions) result.excess += root.multiplicity;
+    drop_solutions(result, [](const Solution&) { return true; });
+    return;
+  }
+  put_in_doubt(result, "whether the file's other equations vanish at " +
+                           counted(unknown.size(), "root") + " is not decided");
+}
+
+/// Where exact algebra counts the different roots of all equations: they are those that are told, and none is a cluster.
 void compare_with_algebra(const QuotientRing& ring, SolveResult& result) {
-  if (!result.complete || !ring.points || *ring.points == result.solutions.size()) return;
+  if (!result.complete || !ring.points) return;
+  if (*ring.points == result.solutions.size()) {
+    for (Solution& root : result.solutions) root.cluster = false;
+    return;
+  }
   put_in_doubt(result, "exact algebra counts " + counted(*ring.points, "different root") +
                            " of the file's equations, those found are " +
                            std::to_string(result.solutions.size()));
@@ -70,9 +121,8 @@ void tell_of_multiplicities(const QuotientRing& ring, SolveResult& result) {
                       : std::string())});
 }
 
-QuotientRing ring_of(const System& f) {
-  if (!coefficient_errors(f).empty()) return {};
-  return quotient_ring(f, {.counts_points = true});
+QuotientRing ring_of(const System& f, std::uint64_t seed) {
+  return quotient_ring(f, {.counts_points = true, .seed = seed});
 }
 
 /// A proof is of the square system. Beside slices and patches its roots are roots of F; combinations prove nothing of F's equations.
@@ -115,8 +165,10 @@ void take_back(const System& f, const SolveOptions& options, SolveResult& result
     result.left_out.push_back(
         {counted(m, "equation") + " squared up to " + std::to_string(n),
          counted(result.excess, "root") + " of the combinations fail an equation of the file"});
-    const QuotientRing ring = ring_of(g);
+    const bool is_exact = coefficient_errors(g).empty();
+    const QuotientRing ring = is_exact ? ring_of(g, result.seed) : QuotientRing{};
     compare_with_algebra(ring, result);
+    if (is_exact) require_proofs(g, squared(f, options), ring, result);
     tell_of_multiplicities(ring, result);
   }
   tell_of_squared(m > n, options.certify, result);

@@ -65,14 +65,16 @@ TEST(CheckCommand, FindsWhatWasChanged) {
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_TRUE(has_line(outcome.out, "  root 2, real: called not real, and proved to be real"))
       << outcome.out;
-  EXPECT_TRUE(has_line(outcome.out,
-                       "  paths: tracked, as finite + at_infinity + failed: 4 stated, 5 found"))
+  EXPECT_TRUE(has_line(
+      outcome.out,
+      "  paths: tracked, as finite + at_infinity + failed + not_needed: 4 stated, 5 found"))
       << outcome.out;
   const Json judged = Json::parse(scene.read("judged.json"));
   EXPECT_EQ(judged["holds"], false);
-  const Json paths{{"root", nullptr},
-                   {"claim", "paths"},
-                   {"why", "tracked, as finite + at_infinity + failed: 4 stated, 5 found"}};
+  const Json paths{
+      {"root", nullptr},
+      {"claim", "paths"},
+      {"why", "tracked, as finite + at_infinity + failed + not_needed: 4 stated, 5 found"}};
   const Json real{
       {"root", 2}, {"claim", "real"}, {"why", "called not real, and proved to be real"}};
   EXPECT_EQ(judged["refuted"], Json::array({paths, real}));

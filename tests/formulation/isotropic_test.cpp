@@ -33,19 +33,36 @@ TEST(Exact, ReadsTheDecimalThatWasTyped) {
 
 TEST(Exact, DirectionsLieOnTheUnitCircleExactly) {
   for (int degrees = -720; degrees <= 720; degrees += 7) {
-    const double phi = degrees * kDegree;
-    const Coefficient c = unit_at(phi);
-    EXPECT_EQ(c * conjugate(c), (Coefficient{1, 0})) << degrees;
-    EXPECT_NEAR(std::abs(to_complex(c) - std::polar(1.0, phi)), 0, 4e-15) << degrees;
+    const EnclosedUnit c = unit_at({Rational(degrees), {}, 0});
+    EXPECT_EQ(c.value * conjugate(c.value), (Coefficient{1, 0})) << degrees;
+    EXPECT_NEAR(std::abs(to_complex(c.value) - std::polar(1.0, degrees * kDegree)), 0, 4e-15)
+        << degrees;
   }
 }
 
 TEST(Exact, QuarterTurnsAreExact) {
-  EXPECT_EQ(unit_at(90 * kDegree), (Coefficient{0, 1}));
-  EXPECT_EQ(unit_at(180 * kDegree), (Coefficient{-1, 0}));
-  EXPECT_EQ(unit_at(270 * kDegree), (Coefficient{0, -1}));
-  EXPECT_EQ(unit_at(-90 * kDegree), (Coefficient{0, -1}));
-  EXPECT_EQ(unit_at(360 * kDegree), (Coefficient{1, 0}));
+  const auto at = [](int degrees) { return unit_at({Rational(degrees), {}, 0}); };
+  EXPECT_EQ(at(90).value, (Coefficient{0, 1}));
+  EXPECT_EQ(at(180).value, (Coefficient{-1, 0}));
+  EXPECT_EQ(at(270).value, (Coefficient{0, -1}));
+  EXPECT_EQ(at(-90).value, (Coefficient{0, -1}));
+  EXPECT_EQ(at(360).value, (Coefficient{1, 0}));
+  EXPECT_EQ(at(90).error, 0);
+}
+
+TEST(Exact, RadiansOfAQuarterTurnAreOneToTheirRounding) {
+  const EnclosedUnit c = unit_at({{}, Rational(90 * kDegree), 0});
+  EXPECT_EQ(c.value, (Coefficient{0, 1}));
+  EXPECT_GT(c.error, 0);
+  EXPECT_LT(c.error, 1e-15);
+}
+
+TEST(Exact, TheCosineOfADegreeIsKnownToItsError) {
+  // cos 60 deg = 1/2, sin 30 deg = 1/2.
+  const double error = to_double(abs(unit_at({60, {}, 0}).value.re - Rational(1, 2)));
+  EXPECT_LE(error, kUnitError);
+  EXPECT_LE(to_double(abs(unit_at({30, {}, 0}).value.im - Rational(1, 2))), kUnitError);
+  EXPECT_EQ(unit_at({60, {}, 0}).error, kUnitError);
 }
 
 TEST(Isotropic, TheFourBarHasAsManyPolynomialsAsUnknowns) {

@@ -155,6 +155,17 @@ TEST(QuotientRing, TellsRootsApartThatALinearFormKnownBeforehandDoesNot) {
   }
 }
 
+// Beside the line x - y = 5 the first two equations have four simple roots, and the third vanishes at none of them, or at all.
+TEST(QuotientRing, CountsTheSimpleRootsOfCombinationsAtWhichAllEquationsVanish) {
+  const std::string two = "3 2\n(x - y - 5)*(x^2 - 2);\n(x - y - 5)*(y^2 - 3);\n";
+  const System square = system_of("2\n(x - y - 5)*(x^2 - 2);\n(x - y - 5)*(y^2 - 3);\n");
+  const auto simple_of = [&](const std::string& third) {
+    return quotient_ring(system_of(two + third), {.counts_simple = true, .square = &square}).simple;
+  };
+  EXPECT_EQ(simple_of("(x - y - 5)*((x^2 - 2)*(y - 11) - 1e-30);\n"), 0U);
+  EXPECT_EQ(simple_of("(x - y - 5)*(x^2 - 2)*(y - 11);\n"), 4U);
+}
+
 // Whatever is known, at least as many: where all are, the search may end.
 TEST(QuotientRing, NeverCountsFewerThanThereAre) {
   const System f = system_of("2\nx^2*y + y^3 - 3*x + 1;\nx^3 - y^2*x + 7*y;\n");

@@ -75,7 +75,7 @@ TEST(PathsCsv, HasALineForEachPathWhateverBecameOfIt) {
   failed.followed = 4;
   failed.handed_over = true;
   PathRecord left;
-  left.verdict = PathVerdict::left_by_bound;
+  left.verdict = PathVerdict::not_needed;
   result.ledger = {finite, on_set, failed, left};
   result.failures = {{2, Failure::precision, 1}};
   EXPECT_EQ(paths_csv(result),
@@ -83,7 +83,7 @@ TEST(PathsCsv, HasALineForEachPathWhateverBecameOfIt) {
             "0,0,finite,3,,double,1,0,84\n"
             "1,0,on a set,,,double,1,0,84\n"
             "2,1,failed,,precision,double-double,4,1,0\n"
-            "3,0,left by the bound,,,double,0,0,0\n");
+            "3,0,not needed,,,double,0,0,0\n");
 }
 
 const std::string kAccountOfTwo =

@@ -445,7 +445,7 @@ TEST_F(CertifiedEnds, AMetBoundLeavesNothingInDoubt) {
   enter_root(2, 1);  // jumped
   enter_failure(3);
   EXPECT_TRUE(settle_by_bound(run));
-  EXPECT_EQ(run.ledger.count(PathVerdict::left_by_bound), 2U);
+  EXPECT_EQ(run.ledger.count(PathVerdict::not_needed), 2U);
   EXPECT_EQ(run.ledger.roots().size(), 2U);
   EXPECT_TRUE(run.ledger.failures().empty());
 }
@@ -455,7 +455,7 @@ TEST_F(CertifiedEnds, OneRootTwiceMeetsNoBoundOfTwo) {
   enter_root(1, 1);
   enter_failure(2);
   EXPECT_FALSE(settle_by_bound(run));
-  EXPECT_EQ(run.ledger.count(PathVerdict::left_by_bound), 0U);
+  EXPECT_EQ(run.ledger.count(PathVerdict::not_needed), 0U);
   EXPECT_EQ(run.ledger.failures().size(), 1U);
 }
 

@@ -245,7 +245,7 @@ TEST(WaitingPaths, WalkNoCircleWhereTheOthersMeetABound) {
     EXPECT_TRUE(result.bound);
     std::size_t left = 0;
     for (const PathRecord& path : result.ledger) {
-      if (path.verdict != PathVerdict::left_by_bound) continue;
+      if (path.verdict != PathVerdict::not_needed) continue;
       ++left;
       EXPECT_EQ(path.followed, 1);
       EXPECT_LT(path.steps, 400U);

@@ -51,7 +51,7 @@ TEST(ExactRoots, OfLongDenominators) {
 TEST(ExactRoots, AreNotMadeOfPointsThatAreNearRoots) {
   SolveOptions options = with_seed(1);
   options.precision = Precision::double_precision;
-  const SolveResult result = solve_with_cvode(read("1\n (x - 1)^10 - 1e-60;\n"), options);
+  const SolveResult result = solve_with_cvode(read("1\n (x - 1)^10 - 1e-60*i;\n"), options);
   EXPECT_NE(result.completeness, RootCompleteness::proved);
   for (const Solution& root : result.solutions) EXPECT_GT(root.accuracy, 1e-6);
 }

@@ -41,7 +41,7 @@ TEST(Ledger, ALaterEntryTakesThePlaceOfEveryKindOfEntry) {
       EXPECT_EQ(ledger.roots().size(), later == 0 ? 1U : 0U) << earlier << later;
       EXPECT_EQ(ledger.count(PathVerdict::at_infinity), later == 1 ? 1U : 0U) << earlier << later;
       EXPECT_EQ(ledger.failures().size(), later == 2 ? 1U : 0U) << earlier << later;
-      EXPECT_EQ(ledger.count(PathVerdict::left_by_bound), later == 3 ? 1U : 0U) << earlier << later;
+      EXPECT_EQ(ledger.count(PathVerdict::not_needed), later == 3 ? 1U : 0U) << earlier << later;
     }
   }
 }

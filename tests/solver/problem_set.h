@@ -61,10 +61,10 @@ inline std::uint64_t sum_of_multiplicities(const SolveResult& result) {
   return sum;
 }
 
-/// tracked = finite + at_infinity + failed, finite = sum of multiplicities + ends on sets, sum(winding) = multiplicity.
+/// tracked = finite + at_infinity + failed + not_needed, finite = sum of multiplicities + ends on sets, sum(winding) = multiplicity.
 inline void expect_conservation(const SolveResult& result) {
   const PathCounts& paths = result.paths;
-  EXPECT_EQ(paths.tracked, paths.finite + paths.at_infinity + paths.failed);
+  EXPECT_EQ(paths.tracked, paths.finite + paths.at_infinity + paths.failed + paths.not_needed);
   EXPECT_EQ(paths.finite,
             sum_of_multiplicities(result) + paths.on_positive_dimensional + result.excess);
   EXPECT_EQ(paths.failed, result.failures.size());
@@ -105,7 +105,8 @@ inline void expect_counts_of_index(const SolveResult& result, const problems::Pr
   for (const auto& count : p.roots.multiplicities) expected[count.multiplicity] += count.points;
   EXPECT_EQ(multiplicities(result), expected);
   if (p.at_infinity && result.start.paths > 0) {
-    EXPECT_EQ(result.paths.at_infinity, result.start.paths - p.roots.with_multiplicity);
+    EXPECT_EQ(result.paths.at_infinity + result.paths.not_needed,
+              result.start.paths - p.roots.with_multiplicity);
   }
 }
 

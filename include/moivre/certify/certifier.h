@@ -70,6 +70,9 @@ class Certifier {
                std::span<const Enclosure> given = {});
   Certificate certify(std::span<const Complex> x, std::span<const Enclosure> given = {});
 
+  /// Of the root near a point that double does not hold, x + finer[0] + finer[1] + ..., in `bits` of precision.
+  Certificate certify_near(std::span<const Complex> x, std::span<const Point> finer, int bits);
+
   /// Proves the same root again with `bits` of precision, which makes its ball smaller. False if that failed; the
   /// certificate then does not change. Requires holds_root(), and the given numbers in the discs they were in or in smaller ones.
   bool sharpen(Certificate& certificate, int bits, std::span<const Enclosure> given = {});

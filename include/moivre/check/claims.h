@@ -27,6 +27,7 @@ struct RootClaim {
   std::optional<bool> real;
   std::optional<bool> singular;
   std::uint64_t multiplicity = 1;
+  bool cluster = false;  ///< so many roots nearby, or one as often
   std::optional<std::vector<std::uint64_t>> winding;
   std::optional<double> residual;
   std::optional<double> accuracy;  ///< bound on |x - x*|_inf / max(1, |x|_inf)
@@ -54,6 +55,7 @@ struct StartClaim {
 
 struct PathClaim {
   std::uint64_t tracked = 0, finite = 0, at_infinity = 0, failed = 0, on_positive_dimensional = 0;
+  std::uint64_t not_needed = 0;
   std::optional<std::uint64_t> retracked, handed_over;
 };
 

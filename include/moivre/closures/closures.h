@@ -60,6 +60,7 @@ struct Closure {
   std::uint64_t path = 0;              ///< of the last stage
   std::uint64_t multiplicity = 1;
   bool singular = false;
+  bool cluster = false;  ///< so many closures nearby, or one as often: no exact algebra has told
   /// The root is proved to be one, a simple one, and real. nullopt: not asked for, or not possible since there are more equations than
   /// unknowns, or fewer.
   std::optional<bool> certified;

@@ -8,6 +8,8 @@
 //              no further from 0 than it would move if they all changed in their last digits. It is no proof, but what is tiny because
 //              lengths are off by 1e-9 is seen not to be 0
 //   real       the mirror image of a root is a root; it lies in the ball that holds one root only
+// Proofs are of the mechanism as it was typed: a number of it that was rounded, the sine of a driver's angle, is known to lie in a disc, and
+// what is proved is proved for all numbers in it (EnclosedPolynomials).
 // Edges: a multiple root has no proof, and no root above it has one. Nothing is proved where the program has no digits beyond double.
 #pragma once
 
@@ -39,6 +41,13 @@ class RootProver {
   ~RootProver();
 
   bool is_on() const { return work_ != nullptr; }
+
+  /// The polynomials that are solved have every term that the mechanism as typed has.
+  bool knows_terms() const;
+  /// None of the mechanism's numbers was rounded.
+  bool has_exact_numbers() const;
+  /// Of numbers rounded so finely that what holds for them holds for almost all: they have no fewer roots than those they stand for.
+  bool has_general_numbers() const;
 
   /// The block waits for the next group.
   void add(const Block& block);

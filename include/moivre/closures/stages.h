@@ -36,6 +36,7 @@ struct PartialRoot {
   std::uint64_t path = 0;         ///< of the last stage
   std::uint64_t multiplicity = 1;
   bool singular = false;
+  bool cluster = false;  ///< so many roots nearby, or one as often
   double accuracy = 0;   ///< largest of its stages
   double condition = 1;  ///< largest of its stages
   KnownProof proof;      ///< that it is one root and no other

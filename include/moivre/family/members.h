@@ -30,6 +30,7 @@ struct MemberRoots {
   std::vector<MemberRoot> roots;  ///< in the order of the family's roots where not `judged`
   std::uint64_t at_infinity = 0;  ///< paths
   std::uint64_t failed = 0;       ///< paths
+  std::uint64_t not_needed = 0;   ///< paths
   bool complete = false;          ///< every path was decided
   bool judged = false;            ///< by solve_member()
   std::optional<RootCompleteness> completeness;  ///< nullopt: no certificates were asked for

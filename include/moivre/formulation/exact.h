@@ -16,8 +16,28 @@ Coefficient typed_decimal(double x, double y);
 /// L |L|, of the decimal that was typed: no two points are a length below 0 apart.
 Rational signed_square(double length);
 
-/// A rational c within 4 units of rounding of exp(i phi) with c conj(c) = 1 exactly; whole quarter turns give 1, i, -1, -i.
-Coefficient unit_at(double phi);
+/// As it was typed: degrees pi / 180 + radians, no further than `error` (rad) from the angle that is meant.
+struct ExactAngle {
+  Rational degrees;
+  Rational radians;
+  double error = 0;
+};
+
+/// A direction that is known to lie near a rational one: exp(i phi) = value w, |w - 1| <= error, value conj(value) = 1 exactly.
+struct EnclosedUnit {
+  Coefficient value{1, 0};
+  double error = 0;
+};
+
+/// Rational directions are as near as this to those that are meant, where the angle is known exactly.
+inline constexpr double kUnitError = 0x1p-126;
+
+/// Whole quarter turns give 1, i, -1, -i: typed in degrees they are exact; radians are taken for one where nothing but their rounding
+/// is left, which is then the error.
+EnclosedUnit unit_at(const ExactAngle& phi);
+
+EnclosedUnit operator*(const EnclosedUnit& a, const EnclosedUnit& b);
+EnclosedUnit conjugate(const EnclosedUnit& a);
 
 /// z without rounding.
 Coefficient exactly(Complex z);

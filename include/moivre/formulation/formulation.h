@@ -15,7 +15,8 @@
 // Typed equations: cos and sin of whole multiples of angles become polynomials in t and u, lengths stay.
 // A real pose is a fixed point of x_v -> conj(x_mirror(v)): mirror swaps p and pb, t and u, and keeps a length.
 // Coefficients are the shortest decimals that read back as the file's doubles; exp(i phi) is a rational point of the unit
-// circle, so that t u = 1 holds exactly. The drivers stand at the time given.
+// circle within 2^-126 of the direction that was typed, so that t u = 1 holds exactly. What is true of the mechanism is proved
+// with EnclosedPolynomials, in which each number that was rounded has a factor of its own. The drivers stand at the time given.
 // Spatial mechanisms: half angles and dual quaternions (src/formulation/spatial_bodies.h, docs/decisions/0020-spatial-closures.md).
 // Not supported: typed equations with angles outside cos and sin (std::invalid_argument, the reason).
 // Source: [Wampler96], with the slide of prismatic joints eliminated, since that halves their degree.
@@ -35,6 +36,14 @@
 
 namespace moivre {
 
+/// The polynomials of the mechanism as it was typed, in the unknowns and in factors that are known to lie near 1: w_k, variable n + k
+/// where there are n unknowns. With every w_k = 1 they are those of the formulation, but for terms that were taken for rounding.
+struct EnclosedPolynomials {
+  std::vector<Polynomial> polynomials;
+  std::vector<double> factor_errors;  ///< |w_k - 1| is no more
+  bool has_same_terms = true;         ///< no term was taken for rounding, and none has cancelled
+};
+
 struct Formulation {
   System system;  ///< all polynomials of the mechanism, square or not; drivers first
   std::vector<std::string> equation_names;
@@ -46,6 +55,8 @@ struct Formulation {
   bool is_exact = true;
   /// Terms of exact numbers were taken for rounding, since they are as small: a platform typed with 14 digits is the symmetric one.
   bool lacks_typed_terms = false;
+  /// Made where it is asked for; empty where the system itself is what proofs are of.
+  std::function<EnclosedPolynomials()> enclosed;
   std::vector<std::vector<std::string>> owners;  ///< bodies (or unknowns) that a variable places
   /// Why there is no closure, each a clause. What is a number, and no equation any more, stays in the system all the same.
   std::vector<std::string> contradictions;

@@ -30,8 +30,9 @@ struct QuotientRing {
   Verdict verdict = Verdict::not_found;
   std::uint64_t dimension = 0;          ///< where finite
   std::optional<std::uint64_t> points;  ///< different roots, where finite and asked for
-  std::optional<std::uint64_t>
-      simple;  ///< roots, where infinite, found, and f has as many equations as unknowns
+  /// Simple roots, where infinite (else where asked for), found, and f has as many equations as unknowns; or the common roots of f that are
+  /// simple ones of QuotientRingOptions::square.
+  std::optional<std::uint64_t> simple;
 };
 
 /// A fifth of a second, at some ten nanoseconds each.
@@ -43,7 +44,10 @@ struct QuotientRingOptions {
   const std::atomic<bool>* stop = nullptr;
   bool counts_points =
       false;  ///< as many multiplications, beside, as the cube of the dimension; given up beyond most_terms
-  std::uint64_t seed = 1;  ///< another one draws another prime and another linear form
+  std::uint64_t seed = 1;      ///< another one draws another prime and another linear form
+  bool counts_simple = false;  ///< also where the dimension is finite
+  const System* square =
+      nullptr;  ///< n combinations of f's equations, whose simple roots are counted
 };
 
 QuotientRing quotient_ring(const System& f, const QuotientRingOptions& options);

@@ -9,7 +9,7 @@
 //   shown    every path was decided, or left where exact algebra counts no more roots, and every regular root is certified
 //   open     neither
 //
-// Conservation, on every run:   tracked = finite + at_infinity + failed
+// Conservation, on every run:   tracked = finite + at_infinity + failed + not_needed
 //                               finite  = sum of multiplicities + on_positive_dimensional + excess + on_denominators + filtered
 // A lost path counts as failed. `complete` is true when every path was decided. The result does not depend on the number of
 // threads. A system with more equations than unknowns is squared up by random combinations; roots of these that fail an
@@ -104,6 +104,9 @@ struct Solution {
   bool real = false;
   bool singular = false;
   std::uint64_t multiplicity = 1;
+  /// So many roots lie within `radius` of x in each coordinate, or one root counts as often: exact algebra has not told which.
+  bool cluster = false;
+  double radius = 0;  ///< of a cluster
   /// Of the cycles that end here; their sum is the multiplicity. Empty where the multiplicity comes from exact algebra.
   std::vector<int> winding{1};
   double residual = 0;   ///< max_i |F_i(x)| / sum |terms of F_i|
@@ -123,6 +126,8 @@ struct PathCounts {
   std::uint64_t finite = 0;
   std::uint64_t at_infinity = 0;
   std::uint64_t failed = 0;
+  std::uint64_t not_needed =
+      0;  ///< not followed to an end: as many roots are known as there can be
   std::uint64_t on_positive_dimensional = 0;
   std::uint64_t retracked = 0;
   std::uint64_t handed_over = 0;     ///< of these, to SolveOptions::fallback
@@ -148,10 +153,10 @@ enum class PathVerdict : std::uint8_t {
   finite,       ///< ends at an isolated root, or on a set of positive dimension
   at_infinity,  ///< ends there
   as_rounded,   ///< at infinity as far as the digits of the system's coefficients tell
-  left_by_bound,  ///< was in doubt until as many roots were known as there can be: it leads to no other
+  not_needed,   ///< not followed to an end: as many roots are known as there can be
   failed
 };
-/// "finite", "at infinity", "at infinity as rounded", "left by the bound", "failed", "open".
+/// "finite", "at infinity", "at infinity as rounded", "not needed", "failed", "open".
 std::string to_string(PathVerdict verdict);
 
 /// The account of one path: 16 bytes, whatever became of it.

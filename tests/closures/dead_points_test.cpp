@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+// Is what is told of a four-bar within rounding of a dead point true of the numbers as typed?
+//
+// Truth: |AD| against coupler + rocker and |coupler - rocker| in 60 digits (mpmath), decimals as typed, cosine and sine of the typed
+// angle. The rocker is what would make a dead point, rounded to double, up to three units in the last place from that.
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "mechanisms.h"
+#include "moivre/tracker_lanes/lane_tracker.h"
+
+namespace moivre {
+namespace {
+
+struct FourBar {
+  double x, y;  ///< of the rocker's pivot
+  double crank, coupler;
+  const char* rocker;
+  const char* angle;
+  const char* unit;
+  bool can_be_assembled;
+};
+void PrintTo(const FourBar& bar, std::ostream* out) { *out << bar.rocker << " at " << bar.angle; }
+
+std::string text_of(const FourBar& bar) {
+  std::ostringstream text;
+  text << "[units]\nangle = \"" << bar.unit << "\"\n[ground.points]\nO2 = [0, 0]\nO4 = [" << bar.x
+       << ", " << bar.y << "]\n[body.crank.points]\nO2 = [0, 0]\nA = [" << bar.crank
+       << ", 0]\n[body.coupler.points]\nA = [0, 0]\nB = [" << bar.coupler
+       << ", 0]\n[body.rocker.points]\nO4 = [0, 0]\nB = [" << bar.rocker << ", 0]\n";
+  for (const char* at : {"ground.O2\", \"crank.O2", "crank.A\", \"coupler.A",
+                         "coupler.B\", \"rocker.B", "ground.O4\", \"rocker.O4"}) {
+    text << "[[joint]]\ntype = \"revolute\"\nat = [\"" << at << "\"]\n";
+  }
+  text << "[[driver]]\nangle = \"crank\"\nstart = " << bar.angle << "\nvelocity = 1\n";
+  return text.str();
+}
+
+ClosureResult closures_of(const std::string& text) {
+  return find_closures(mechanism_text(text), *make_lane_tracker());
+}
+
+class NearADeadPoint : public testing::TestWithParam<FourBar> {};
+
+TEST_P(NearADeadPoint, AFourBarIsSaidToBeAssembledWhereItCan) {
+  const ClosureResult result = closures_of(text_of(GetParam()));
+  EXPECT_TRUE(result.complete) << result.message;
+  EXPECT_EQ(result.counts.real, GetParam().can_be_assembled ? 2U : 0U);
+  EXPECT_EQ(result.counts.complex, 2U);
+  EXPECT_EQ(result.completeness, RootCompleteness::proved);
+}
+
+constexpr FourBar kFourBars[] = {
+    {7, 0, 3, 4.5, "11.871530289200361", "85", "deg", false},
+    {6.5, 0, 3, 2, "4.229814358179164", "288.6", "deg", false},
+    {5, 0, 1.5, 2, "4.099909277176474", "131.6", "deg", false},
+    {4, -1, 1.5, 2, "0.6316446422582771", "341.082", "deg", false},
+    {3.25, 0, 3, 4.5, "1.5512286471160204", "3.647761", "rad", false},
+    {3.25, 0, 0.75, 3.5, "0.2913821212918494", "279.8", "deg", false},
+    {90, 0, 1.25, 1.75, "87.0490913152487", "344", "deg", false},
+    {3.25, 1.5, 2, 1.75, "3.345109735983447", "20", "deg", false},
+    {5, 0, 2, 4.5, "9.17254117254134", "69", "deg", false},
+    {7, 0, 3, 2, "6.153020526846472", "14", "deg", true},
+    {4, 0, 0.75, 4.5, "0.09986593921104059", "220", "deg", true},
+    {5, 0, 2, 2, "1.8227220659141534", "44", "deg", false},
+    {3.25, 2, 1.25, 1.75, "4.63925341805845", "67", "deg", true},
+    {5, 0, 0.75, 1.75, "2.8963001967426685", "58", "deg", false},
+    {6.5, -1, 0.75, 2, "5.237319369587993", "2.470068", "rad", true},
+    {6.5, 0, 0.75, 2, "7.843759080506397", "0.476707", "rad", true},
+    {7, 2, 1.25, 2, "8.621980005142772", "322", "deg", false},
+    {6.5, -1, 0.75, 4.5, "2.2413939549887605", "251.72", "deg", false},
+    {6.5, 1.5, 3, 2, "7.203007779543306", "154.2", "deg", true},
+    {7, 2, 2, 4.5, "0.8509037776927201", "29", "deg", true},
+    {3.25, 1.5, 3, 4.5, "11.072245915623661", "3.48", "rad", false},
+    {5, 0, 2, 3.5, "9.567505465163217", "247", "deg", false},
+    {6.5, 0, 1.5, 4.5, "0.5337281276365635", "349.31", "deg", false},
+    {6.5, 2, 1.25, 3.5, "9.12628997443561", "0.615", "rad", false},
+    {4, 1.5, 2, 3.5, "7.256461219070241", "319", "deg", true},
+    {5, 0, 3, 3.5, "2.678607693388694", "262", "deg", false},
+    {4, 2, 1.25, 3.5, "1.0467182298142454", "112", "deg", true},
+    {5, 1.5, 2, 1.75, "4.970585144068947", "15.764", "deg", true},
+    {3.25, 0, 1.25, 3.5, "5.50044543708817", "1.2", "deg", true},
+    {90, -1, 1.25, 4.5, "84.7902000022495", "304.6", "deg", true},
+    {6.5, 2, 1.25, 3.5, "10.67249144082706", "119.438", "deg", true},
+    {6.5, 0, 1.5, 1.75, "9.473622611728967", "141", "deg", false},
+    {6.5, 0, 0.75, 3.5, "10.54169149508662", "134", "deg", false},
+    {7, 0, 0.75, 2, "8.29559806183711", "19", "deg", false},
+    {6.5, 0, 2, 2, "10.134319610212856", "220", "deg", false},
+    {5, 1.5, 3, 2, "5.40221116241967", "143", "deg", true},
+    {6.5, -1, 3, 3.5, "8.252369573540244", "310", "deg", true},
+    {5, 2, 1.5, 3.5, "7.85809109704852", "1.09", "rad", false},
+    {3.25, 1.5, 1.25, 2, "0.5194194702860478", "51", "deg", false},
+    {90, 1.5, 1.25, 2, "87.8632011805809", "83.7", "deg", false},
+};
+INSTANTIATE_TEST_SUITE_P(Random, NearADeadPoint, testing::ValuesIn(kFourBars));
+
+// |AD| exceeds coupler + rocker by 4.9e-16, and by 5e-18.
+TEST(NearADeadPoint, WhatMissesByLessThanRoundingCannotBeAssembled) {
+  for (const FourBar& bar : {FourBar{7, 2, 1.25, 3.5, "2.530365515209935", "17", "deg", false},
+                             FourBar{4, 0, 3, 2, "0.5719512758107466", "40", "deg", false}}) {
+    const ClosureResult result = closures_of(text_of(bar));
+    EXPECT_EQ(result.counts.real, 0U);
+    EXPECT_EQ(result.message.substr(0, 19), "cannot be assembled");
+  }
+}
+
+// A crank of 3 at 60 degrees and a frame of 8: |AD| = 7, exactly coupler + rocker.
+TEST(NearADeadPoint, ADeadPointItselfIsNotProvedToBeTwoClosures) {
+  const ClosureResult result = closures_of(text_of({8, 0, 3, 3, "4", "60", "deg", true}));
+  EXPECT_NE(result.completeness, RootCompleteness::proved);
+  for (const Closure& closure : result.closures) EXPECT_NE(closure.certified, true);
+}
+
+}  // namespace
+}  // namespace moivre
