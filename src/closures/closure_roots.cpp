@@ -213,7 +213,8 @@ void solve_free(ClosureSearch& search, const std::vector<Block>& blocks) {
 /// no proof knows these exactly; a multiple root has its own judges.
 void take_off_sets(const Formulation& formulation, StageRun& run) {
   std::erase_if(run.roots, [&](const PartialRoot& root) {
-    const bool is_known = formulation.is_exact && (root.proof != nullptr || root.singular);
+    const bool is_known =
+        formulation.is_exact && (root.proof != nullptr || root.isolated || root.singular);
     if (root.condition < kUndetermined || is_known) return false;
     run.moves = true;
     run.may_move = run.may_move || may_be_real(formulation, root);

@@ -363,6 +363,7 @@ class Stages {
     // Above rounded values a multiplicity is one of other equations.
     child.cluster |= solution.multiplicity > 1 &&
                      (solution.cluster || !run_.stages.empty() || !prover_.has_exact_numbers());
+    child.isolated = child.isolated && solution.certified == true && run_.stages.empty();
     child.singular |= solution.singular;
     child.accuracy = std::max(child.accuracy, solution.accuracy);
     child.condition = std::max(child.condition, solution.condition);

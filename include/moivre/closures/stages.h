@@ -37,6 +37,8 @@ struct PartialRoot {
   std::uint64_t multiplicity = 1;
   bool singular = false;
   bool cluster = false;  ///< so many roots nearby, or one as often
+  bool isolated =
+      true;  ///< each block had it as a proved root, and was of the formulation's own numbers
   double accuracy = 0;   ///< largest of its stages
   double condition = 1;  ///< largest of its stages
   KnownProof proof;      ///< that it is one root and no other
