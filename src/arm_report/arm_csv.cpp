@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "moivre/arm_report/arm_report.h"
+#include "moivre/arms/turns.h"
 #include "moivre/report/csv_cell.h"
 #include "moivre/report/number_text.h"
 

@@ -35,10 +35,10 @@ std::vector<Eigen::VectorXd> all_turns(const Arm& arm, const Eigen::VectorXd& va
   for (std::size_t k = 0; k < arm.joints.size(); ++k) {
     const auto joint = static_cast<Eigen::Index>(k);
     const TurnRange range = turns_of(arm.joints[k], values[joint]);
-    if (static_cast<double>(all.size()) * (range.most - range.least + 1) > kMostTurns) {
+    if (static_cast<double>(all.size()) * (range.most - range.least + 1) > kMostChoicesOfTurns) {
       throw InvalidInput("the limits of " + arm.joints[k].name +
                          " allow more whole turns than can be listed: more than " +
-                         std::to_string(kMostTurns) + " choices");
+                         std::to_string(kMostChoicesOfTurns) + " choices");
     }
     std::vector<Eigen::VectorXd> longer;
     for (const Eigen::VectorXd& before : all) {

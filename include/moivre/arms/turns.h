@@ -14,13 +14,13 @@
 
 namespace moivre {
 
-inline constexpr std::size_t kMostTurns = 4096;
+inline constexpr std::size_t kMostChoicesOfTurns = 4096;
 
 /// Every choice of whole turns with which the joints are between their limits, by the first joint's value, then the second's.
-/// Throws InvalidInput where there are more than kMostTurns.
+/// Throws InvalidInput where there are more than kMostChoicesOfTurns.
 std::vector<Eigen::VectorXd> all_turns(const Arm& arm, const Eigen::VectorXd& values);
 
-/// Throws InvalidInput where some values of the joints have more choices than kMostTurns.
+/// Throws InvalidInput where some values of the joints have more choices than kMostChoicesOfTurns.
 void require_few_turns(const Arm& arm);
 
 /// With the whole turns, between the limits, that bring each joint nearest to where it stands.
