@@ -12,7 +12,7 @@
 namespace moivre::test {
 namespace {
 
-/// A UR5's joints turn by a whole turn either way.
+/// A UR5's joints turn by a whole turn either way, its elbow by a half.
 Arm ur5() { return arm_of("ur5", "tool0"); }
 
 TEST(Turns, AreAllThatTheLimitsAllowAndHoldTheSamePose) {
@@ -20,7 +20,7 @@ TEST(Turns, AreAllThatTheLimitsAllowAndHoldTheSamePose) {
   Eigen::VectorXd values(6);
   values << 0.3, -1.2, 1.9, 2.5, -0.7, 3.0;
   const auto all = all_turns(arm, values);
-  ASSERT_EQ(all.size(), 64U);
+  ASSERT_EQ(all.size(), 32U);
   for (const Eigen::VectorXd& turned : all) {
     Eigen::VectorXd within = turned;
     EXPECT_TRUE(place_in_limits(arm, within).empty());
@@ -28,14 +28,14 @@ TEST(Turns, AreAllThatTheLimitsAllowAndHoldTheSamePose) {
     EXPECT_LT(distance(arm, turned, values), 1e-12);
   }
   values[0] = 0;  // from one limit to the other
-  EXPECT_EQ(all_turns(arm, values).size(), 96U);
+  EXPECT_EQ(all_turns(arm, values).size(), 48U);
 }
 
 TEST(Turns, OfAJointWithoutLimitsAreNotListed) {
   Arm arm = ur5();
-  arm.joints[2].limits.reset();
+  arm.joints[3].limits.reset();
   const Eigen::VectorXd values = Eigen::VectorXd::Constant(6, 0.5);
-  EXPECT_EQ(all_turns(arm, values).size(), 32U);
+  EXPECT_EQ(all_turns(arm, values).size(), 16U);
 }
 
 TEST(Turns, ThatAreTooManyAreRefusedByTheJointsName) {
