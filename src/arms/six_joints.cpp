@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Ranks at random postures; joints taken into the displacement behind them; joints added behind the tip.
+// Ranks at random postures; joints taken into the displacement behind them; a wrist behind the last joint, or axes anywhere.
 #include "six_joints.h"
 
 #include <algorithm>

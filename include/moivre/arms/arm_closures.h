@@ -7,7 +7,7 @@
 // eliminated linearly; the half-angle tangents of the others are the unknowns:
 //   two joints                          4 equations in 4 unknowns, 24 paths: 16 closures of a general arm, 8 rejected roots
 //   three that meet or are parallel     3 unknowns, 6 paths, then two solutions each
-// Closures outside a joint's limits are kept and marked. An arm with fewer than six joints gets joints behind its tip; its closures
+// Closures outside a joint's limits are kept and marked. An arm with fewer than six joints gets a wrist behind its last joint; its closures
 // are those where these stand at 0. They are least squares, and miss the pose by its accuracy at most, or by what the file's digits
 // leave open (then marked).
 // Roots that are no closures (a tangent of +-i is no rotation) are counted as `rejected`.
