@@ -96,6 +96,13 @@ void take_account(ClosureResult& result, const StageRun& run) {
   result.reduced.total_degree = total_degree(result.reduced.degrees);
 }
 
+/// Whether rounding may have made one closure, or none, of several: by Kantorovich's theorem a root is alone, whatever is
+/// rounded, where the square of its condition times rounding is small.
+bool may_be_several(const Solution& root) {
+  constexpr double kStandsAlone = 1e7;
+  return !root.singular && root.condition >= kStandsAlone;
+}
+
 /// Enters the root, or counts it as rejected where it does not satisfy every equation.
 void take_root(ClosureSearch& search, const PartialRoot& root, RootProver& prover) {
   Solution solution;
@@ -123,10 +130,14 @@ void take_root(ClosureSearch& search, const PartialRoot& root, RootProver& prove
   }
   const bool is_near_real =
       distance_from_real(search.formulation, solution.x) <= tolerance_of(solution);
-  solution.real = proved ? proved->real.value_or(is_near_real) : is_near_real;
+  // Where there are spare equations the proof is one of those that were solved: of numbers that contradict each other by rounding
+  // it may say that a closure is not real.
+  const System& system = search.formulation.system;
+  const bool has_spare = system.polynomials.size() > system.variables.size();
+  solution.real = proved && !has_spare ? proved->real.value_or(is_near_real) : is_near_real;
   if (search.has_proofs()) {
     solution.certified = proved && proved->real == solution.real;
-    if (!solution.certified.value() && !solution.singular) ++search.unproved;
+    if (!solution.certified.value() && may_be_several(solution)) ++search.unproved;
   }
   search.result.solutions.push_back(std::move(solution));
 }
@@ -148,7 +159,8 @@ void merge_unproved(ClosureSearch& search) {
         ++j;
         continue;
       }
-      search.unproved -= (roots[i].singular ? 0U : 1U) + (roots[j].singular ? 0U : 1U);
+      search.unproved -=
+          (may_be_several(roots[i]) ? 1U : 0U) + (may_be_several(roots[j]) ? 1U : 0U);
       for (std::size_t k = 0; k < roots[i].x.size(); ++k) {
         roots[i].x[k] = 0.5 * (roots[i].x[k] + roots[j].x[k]);
       }

@@ -24,8 +24,8 @@ std::string digits_of(const std::string& text) {
     if (c != '0' || !digits.empty()) digits += c;
   }
   digits.erase(digits.find_last_not_of('0') + 1);
-  // Up to so many digits a decimal is the only one that is rounded to its double.
-  constexpr std::size_t kSureDigits = 15;
+  // With up to so many digits programs write doubles.
+  constexpr std::size_t kSureDigits = 17;
   return digits.size() <= kSureDigits ? "" : digits;
 }
 

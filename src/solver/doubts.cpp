@@ -414,8 +414,10 @@ void part_uncounted(Run& run, const Tracker& tracker) {
 }  // namespace
 
 void settle_doubts(Run& run) {
-  if (!is_settled(run) && settle_by_isolation(run)) return;
+  if (settle_by_isolation(run)) return;
   settle_ends(run);
+  // As many simple roots may be proved now as there are.
+  if (settle_by_isolation(run)) return;
   if (!run.interrupted && !is_settled(run)) look_beside_sets(run);
   if (!run.interrupted && !is_settled(run)) resolve_blurred_sets(run);
   // More digits may have shown a simple root where others end.

@@ -165,9 +165,10 @@ std::vector<ProvedPlace> free_places(const Run& run, std::vector<ProvedPlace> pl
 bool settle_by_isolation(Run& run) {
   const Setting& setting = run.setting;
   if (setting.prepared.reduction.system.variables.size() != 1 || run.interrupted) return false;
+  auto paths = paths_in_doubt(run);
+  if (paths.empty()) return false;
   const auto places = proved_places(run);
   if (!places) return false;
-  auto paths = paths_in_doubt(run);
   std::vector<std::pair<std::uint64_t, const ProvedPlace*>> found;
   const std::vector<ProvedPlace> left = free_places(run, *places);
   for (const ProvedPlace& place : left) {

@@ -18,7 +18,7 @@ inline SolveResult hand_made_result() {
   result.tracker = "cvode";
   result.tracker_options = {
       {"method", "bdf_projection"}, {"rtol", 0.01}, {"maximum_steps", std::int64_t{200}}};
-  result.paths = {6, 3, 1, 2, 0, 4, 0, 1, 2};
+  result.paths = {6, 3, 1, 2, 0, 0, 4, 0, 1, 2};
   Solution real;
   real.path = 1;
   real.x = {{0.1, 0}, {-2.5, 0}};
