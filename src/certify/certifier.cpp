@@ -3,7 +3,7 @@
 #include "moivre/certify/certifier.h"
 
 #include <algorithm>
-#include <future>
+#include <atomic>
 #include <optional>
 #include <string>
 
@@ -12,6 +12,7 @@
 #include "moivre/certify/distinct.h"
 #include "moivre/expression/counted.h"
 #include "moivre/numeric/invalid_input.h"
+#include "moivre/numeric/threads.h"
 #include "reality.h"
 
 namespace moivre {
@@ -201,18 +202,13 @@ std::vector<Certificate> certify(const System& f, const std::vector<Point>& poin
   std::vector<Certificate> certificates(points.size());
   const auto workers = std::clamp<std::size_t>(static_cast<std::size_t>(std::max(threads, 1)), 1,
                                                std::max<std::size_t>(points.size(), 1));
-  const auto work = [&](std::size_t first) {
+  std::atomic<std::size_t> next = 0;
+  on_threads(static_cast<int>(workers), [&] {
     Certifier certifier(program, options);
-    for (std::size_t k = first; k < points.size() && !stop; k += workers) {
+    for (std::size_t k = next++; k < points.size() && !stop; k = next++) {
       certifier.certify(points[k], certificates[k]);
     }
-  };
-  std::vector<std::future<void>> others;
-  for (std::size_t first = 1; first < workers; ++first) {
-    others.push_back(std::async(std::launch::async, work, first));
-  }
-  work(0);
-  for (std::future<void>& other : others) other.get();
+  });
   return certificates;
 }
 

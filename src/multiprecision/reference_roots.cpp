@@ -3,14 +3,15 @@
 #include "moivre/multiprecision/reference_roots.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <memory>
-#include <thread>
 #include <tuple>
 
 #include "big_newton.h"
 #include "moivre/expression/counted.h"
 #include "moivre/numeric/invalid_input.h"
+#include "moivre/numeric/threads.h"
 
 namespace moivre {
 namespace {
@@ -196,17 +197,14 @@ std::vector<ReferenceRoot> reference_roots(const System& f,
   std::vector<ReferenceRoot> roots(approximations.size());
   const auto workers = std::clamp<std::size_t>(static_cast<std::size_t>(std::max(threads, 1)), 1,
                                                std::max<std::size_t>(roots.size(), 1));
-  const auto work = [&](std::size_t first) {
+  std::atomic<std::size_t> next = 0;
+  on_threads(static_cast<int>(workers), [&] {
     const MpfrCaches caches;
     Climb climb(f, tape, norms, digits);
-    for (std::size_t k = first; k < roots.size() && !stop; k += workers) {
+    for (std::size_t k = next++; k < roots.size() && !stop; k = next++) {
       roots[k] = climb.from(approximations[k]);
     }
-  };
-  std::vector<std::jthread> others;
-  for (std::size_t first = 1; first < workers; ++first) others.emplace_back(work, first);
-  work(0);
-  others.clear();
+  });
   return roots;
 }
 

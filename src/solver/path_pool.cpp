@@ -7,10 +7,12 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <atomic>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <new>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -228,7 +230,22 @@ void for_each_parallel(std::size_t count, int threads, const std::function<void(
   const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(threads));
   tbb::task_arena arena(threads);
-  arena.execute([&] { tbb::parallel_for(std::size_t{0}, count, f); });
+  std::atomic<bool> is_of_work = false;
+  const auto work = [&](std::size_t k) {
+    try {
+      f(k);
+    } catch (...) {
+      is_of_work = true;
+      throw;
+    }
+  };
+  try {
+    arena.execute([&] { tbb::parallel_for(std::size_t{0}, count, work); });
+  } catch (const std::runtime_error&) {
+    if (is_of_work) throw;
+    // The system has no memory for another thread.
+    throw std::bad_alloc();
+  }
 }
 
 bool track_paths(const PathProblem& problem, const PathList& paths, int care, int threads,
