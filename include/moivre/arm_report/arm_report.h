@@ -22,7 +22,7 @@ struct ArmReport {
   std::vector<ArmResult> results;  ///< a pose each
   bool is_list = false;
   /// Where the arm stands, a value for each joint: closures are in the order of their distance from there.
-  std::optional<Eigen::VectorXd> stands;
+  std::optional<Eigen::VectorXd> stands = std::nullopt;
   bool has_all_turns = false;  ///< every choice of whole turns within the limits is told
   double parse_s = 0;
   double total_s = 0;
