@@ -113,29 +113,6 @@ void reduce_turns(const Arm& arm, Eigen::VectorXd& values) {
   }
 }
 
-std::vector<std::size_t> place_in_limits(const Arm& arm, Eigen::VectorXd& values) {
-  constexpr double kAtLimit = 1e-9;
-  constexpr double kTurn = 2 * std::numbers::pi;
-  std::vector<std::size_t> beyond;
-  for (std::size_t k = 0; k < arm.joints.size(); ++k) {
-    const ArmJoint& joint = arm.joints[k];
-    if (!joint.limits) continue;
-    double& stands = values[static_cast<Eigen::Index>(k)];
-    const double slack = kAtLimit * std::max(1.0, std::abs(stands));
-    const double lower = joint.limits->lower - slack;
-    const double upper = joint.limits->upper + slack;
-    double value = stands;
-    if (!joint.is_slide && value < lower) value += kTurn * std::ceil((lower - value) / kTurn);
-    if (!joint.is_slide && value > upper) value -= kTurn * std::ceil((value - upper) / kTurn);
-    if (value < lower || value > upper) {
-      beyond.push_back(k);
-    } else {
-      stands = value;
-    }
-  }
-  return beyond;
-}
-
 void name_closures(std::vector<ArmClosure>& closures) {
   constexpr double kGrid = 1e-6;
   const auto key = [](const ArmClosure& closure) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "moivre/numeric/invalid_input.h"
 
@@ -13,28 +14,46 @@ namespace {
 
 constexpr double kWholeTurn = 2 * std::numbers::pi;
 
-/// Whole turns that a joint's limits allow, the fewest and the most; none for one that has no limits, slides or is beyond them.
+/// Whole turns, the fewest and the most, with which a joint is between its limits.
 struct TurnRange {
   double least = 0;
   double most = 0;
 };
 
-TurnRange turns_of(const ArmJoint& joint, double value) {
+/// None for a joint that is beyond its limits, whatever turns are added.
+std::optional<TurnRange> turns_of(const ArmJoint& joint, double value) {
   constexpr double kAtTheLimit = 1e-9;
-  if (joint.is_slide || !joint.limits) return {};
+  if (!joint.limits) return TurnRange{};
   const double slack = kAtTheLimit * std::max(1.0, std::abs(value));
-  const double least = std::ceil((joint.limits->lower - slack - value) / kWholeTurn);
-  const double most = std::floor((joint.limits->upper + slack - value) / kWholeTurn);
-  return least <= most ? TurnRange{least, most} : TurnRange{};
+  const double up = joint.limits->upper + slack - value;
+  const double down = joint.limits->lower - slack - value;
+  const TurnRange range =
+      joint.is_slide ? TurnRange{}
+                     : TurnRange{std::ceil(down / kWholeTurn), std::floor(up / kWholeTurn)};
+  const bool is_within = joint.is_slide ? down <= 0 && up >= 0 : range.least <= range.most;
+  return is_within ? std::optional(range) : std::nullopt;
 }
 
 }  // namespace
+
+std::vector<std::size_t> place_in_limits(const Arm& arm, Eigen::VectorXd& values) {
+  std::vector<std::size_t> beyond;
+  for (std::size_t k = 0; k < arm.joints.size(); ++k) {
+    double& value = values[static_cast<Eigen::Index>(k)];
+    if (const auto range = turns_of(arm.joints[k], value)) {
+      value += std::clamp(0.0, range->least, range->most) * kWholeTurn;
+    } else {
+      beyond.push_back(k);
+    }
+  }
+  return beyond;
+}
 
 std::vector<Eigen::VectorXd> all_turns(const Arm& arm, const Eigen::VectorXd& values) {
   std::vector<Eigen::VectorXd> all{values};
   for (std::size_t k = 0; k < arm.joints.size(); ++k) {
     const auto joint = static_cast<Eigen::Index>(k);
-    const TurnRange range = turns_of(arm.joints[k], values[joint]);
+    const TurnRange range = turns_of(arm.joints[k], values[joint]).value_or(TurnRange{});
     if (static_cast<double>(all.size()) * (range.most - range.least + 1) > kMostChoicesOfTurns) {
       throw InvalidInput("the limits of " + arm.joints[k].name +
                          " allow more whole turns than can be listed: more than " +
@@ -69,7 +88,7 @@ Eigen::VectorXd nearest_turns(const Arm& arm, const Eigen::VectorXd& values,
     if (arm.joints[k].is_slide) continue;
     const auto joint = static_cast<Eigen::Index>(k);
     const double wanted = std::round((stands[joint] - values[joint]) / kWholeTurn);
-    const TurnRange range = turns_of(arm.joints[k], values[joint]);
+    const TurnRange range = turns_of(arm.joints[k], values[joint]).value_or(TurnRange{});
     const double turns =
         arm.joints[k].limits ? std::clamp(wanted, range.least, range.most) : wanted;
     nearest[joint] += turns * kWholeTurn;
