@@ -86,8 +86,7 @@ StudyOptions options_of(const StudyCommand& command) {
   return options;
 }
 
-bool all_complete(const std::vector<StudiedFile>& studies, std::size_t files) {
-  if (studies.size() < files) return false;
+bool all_complete(const std::vector<StudiedFile>& studies) {
   for (const StudiedFile& study : studies) {
     if (!study.result.complete || !study.result.reference.complete) return false;
   }
@@ -139,7 +138,7 @@ int run_study(const StudyCommand& command) {
   const Interruption interruption;
   {
     ProgressLine line(!command.quiet);
-    for (std::size_t k = 0; k < subjects.size() && !interruption.stop().load(); ++k) {
+    for (std::size_t k = 0; k < subjects.size(); ++k) {
       options.known_roots = command.count ? command.count : known_count(command.files[k]);
       options.progress = [&](const StudyProgress& progress) {
         line.show(names[k] + ": " + progress.now + ", " + std::to_string(progress.done) + " of " +
@@ -157,7 +156,7 @@ int run_study(const StudyCommand& command) {
       command.quiet && written.failure.empty(), [&] { return study_texts(studies); });
   if (!written.failure.empty()) throw std::invalid_argument(written.failure);
   if (!command.quiet) std::fputs(written.remark.c_str(), stderr);
-  return all_complete(studies, command.files.size()) ? kDecided : kUndecided;
+  return all_complete(studies) ? kDecided : kUndecided;
 }
 
 }  // namespace moivre

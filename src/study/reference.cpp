@@ -94,7 +94,8 @@ void ReferenceRoots::settle_owners() {
   }
 }
 
-void ReferenceRoots::judge(bool has_witness) {
+void ReferenceRoots::judge(ReferenceRuns asked) {
+  const bool is_whole = runs_.size() == asked.trackers * asked.seeds;
   bool all_agree = true;
   for (Run& run : runs_) {
     run.has.resize(roots_.size());
@@ -107,7 +108,9 @@ void ReferenceRoots::judge(bool has_witness) {
     facts_.completeness = facts_.complete ? "the count of " + count + " roots is known, and met"
                                           : "not complete: " + count + " of " +
                                                 counted(*facts_.known, "root") + " were found";
-  } else if (has_witness) {
+  } else if (!is_whole) {
+    facts_.completeness = "not shown to be complete: the runs for it were interrupted";
+  } else if (asked.trackers > 1) {
     facts_.complete = all_agree;
     facts_.completeness = all_agree
                               ? "both trackers agree on " + count + " roots with every seed"
@@ -119,7 +122,7 @@ void ReferenceRoots::judge(bool has_witness) {
 }
 
 void ReferenceRoots::close(const System& f, const std::optional<std::uint64_t>& known,
-                           bool has_witness) {
+                           ReferenceRuns asked) {
   std::vector<Point> approximations;
   std::vector<std::size_t> simple;
   const bool is_square = f.polynomials.size() == f.variables.size();
@@ -139,7 +142,7 @@ void ReferenceRoots::close(const System& f, const std::optional<std::uint64_t>& 
   facts_.known = known;
   separate();
   settle_owners();
-  judge(has_witness);
+  judge(asked);
 }
 
 std::size_t ReferenceRoots::nearest(const Point& x) const {

@@ -22,12 +22,18 @@ struct KnownRoot {
       0;  ///< relative distance of the nearest other root; infinite for a single one
 };
 
+/// The careful runs that were asked for; an interrupted study has fewer.
+struct ReferenceRuns {
+  std::size_t trackers = 0;
+  std::size_t seeds = 0;
+};
+
 class ReferenceRoots {
  public:
   /// Takes in what one careful run found with seed number `seed` (0, 1, ...).
   void enter(const SolveResult& run, std::size_t seed);
-  /// All runs are in: polishes, and judges the completeness.
-  void close(const System& f, const std::optional<std::uint64_t>& known, bool has_witness);
+  /// No more runs come: polishes, and judges the completeness by those that were asked for.
+  void close(const System& f, const std::optional<std::uint64_t>& known, ReferenceRuns asked);
 
   const StudyReference& facts() const { return facts_; }
   const std::vector<KnownRoot>& roots() const { return roots_; }
@@ -52,7 +58,7 @@ class ReferenceRoots {
   std::size_t place_of(const Solution& solution);
   void separate();
   void settle_owners();
-  void judge(bool has_witness);
+  void judge(ReferenceRuns asked);
 
   std::vector<KnownRoot> roots_;
   std::vector<Run> runs_;

@@ -106,7 +106,9 @@ void Study::find_reference(const Tracker& referee, const Tracker* witness) {
       reference_.enter(run, seed);
     }
   }
-  reference_.close(f_, options_.known_roots, witness != nullptr);
+  const std::size_t trackers = witness == nullptr ? 1 : 2;
+  reference_.close(f_, options_.known_roots,
+                   {trackers, static_cast<std::size_t>(options_.seeds)});
   result_.reference = reference_.facts();
 }
 

@@ -127,6 +127,17 @@ TEST(Study, GivesTheRowsThatAreFinishedWhenItIsStopped) {
   EXPECT_EQ(result.rows[0].curve, "bdf_projection");
 }
 
+TEST(Study, ThatIsStoppedBeforeItBeginsClaimsNothing) {
+  const std::atomic<bool> stop{true};
+  const auto tracker = make_cvode_tracker();
+  const StudyResult result =
+      study_system(problem("noon-3"), {setting(CvodeMethod::bdf_projection, 1e-2)}, *tracker,
+                   tracker.get(), kOneSeed, stop);
+  EXPECT_FALSE(result.complete);
+  EXPECT_FALSE(result.reference.complete) << result.reference.completeness;
+  EXPECT_TRUE(result.rows.empty());
+}
+
 TEST(Study, RefusesOptionsWithTheirReasons) {
   EXPECT_EQ(validate(StudyOptions{}).size(), 0u);
   EXPECT_EQ(validate({.seeds = 0, .walked_paths = 0}).size(), 2u);
