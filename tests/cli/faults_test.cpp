@@ -45,8 +45,8 @@ std::function<void(int)> send_soon(int signal) {
 TEST(Faults, ALostTerminalEndsARunWithWhatIsFinished) {
   const Scene scene;
   scene.write("f.phc", katsura(13));
-  const Outcome outcome =
-      scene.run({"solve", "f.phc", "--threads", "2", "--json", "f.json"}, false, send_soon(SIGHUP));
+  const Outcome outcome = scene.run_until({"solve", "f.phc", "--threads", "2", "--json", "f.json"},
+                                          " of 8192 paths, ", SIGHUP);
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_EQ(Json::parse(scene.read("f.json"))["message"], kInterrupted);
 }
@@ -59,7 +59,8 @@ TEST(Faults, ALimitOfTimeEndsARunWithWhatIsFinished) {
   EXPECT_EQ(outcome.err, "moivre: the time limit of 0.5 s was reached\n");
   const Json json = Json::parse(scene.read("f.json"));
   EXPECT_EQ(json["complete"], false);
-  EXPECT_EQ(json["message"], kInterrupted);
+  // On a busy machine no path may have been begun.
+  EXPECT_TRUE(json["message"].get<std::string>().starts_with("interrupted: ")) << json["message"];
   EXPECT_EQ(scene.run({"solve", "f.phc", "--time-limit", "0"}).exit_code, 1);
 }
 

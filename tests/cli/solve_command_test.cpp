@@ -354,12 +354,8 @@ TEST(SolveCommand, NamesEveryWrongOptionAtOnce) {
 TEST(SolveCommand, EndsOnCtrlCWithWhatIsFinished) {
   Scene scene;
   scene.write("f.phc", katsura(13));
-  const Outcome outcome =
-      scene.run({"solve", "f.phc", "--threads", "2", "--json", "-"}, false, [](int process) {
-        ASSERT_TRUE(catches_interrupt(process));
-        std::this_thread::sleep_for(std::chrono::milliseconds(300));
-        kill(process, SIGINT);
-      });
+  const Outcome outcome = scene.run_until({"solve", "f.phc", "--threads", "2", "--json", "-"},
+                                          " of 8192 paths, ", SIGINT);
   EXPECT_EQ(outcome.exit_code, 2);
   const Json json = Json::parse(outcome.out);
   EXPECT_EQ(json["complete"], false);

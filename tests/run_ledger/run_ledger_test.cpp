@@ -105,6 +105,23 @@ std::string refusal(const std::string& file, const RunIdentity& identity = kIden
   return "";
 }
 
+std::uint64_t committed(const std::string& file) {
+  try {
+    return read_standing(file).outcomes;
+  } catch (const std::invalid_argument&) {
+    return 0;  // not laid yet
+  }
+}
+
+/// Waits for another process to commit. False when it does not within a minute.
+bool has_more_outcomes_than(std::uint64_t count, const std::string& file) {
+  for (int tries = 0; tries < 12'000; ++tries) {
+    if (committed(file) > count) return true;
+    ::usleep(5000);
+  }
+  return false;
+}
+
 TEST(RunLedger, TellsWhatItWasToldToTheNextProcess) {
   const Folder folder;
   {
@@ -122,23 +139,25 @@ TEST(RunLedger, TellsWhatItWasToldToTheNextProcess) {
 
 TEST(RunLedger, GoesOnAfterAKillWithWhatWasCommitted) {
   const Folder folder;
-  for (std::uint64_t kill = 0; kill < 5; ++kill) {
+  std::size_t kept = 0;
+  for (int kill = 0; kill < 5; ++kill) {
     const pid_t process = ::fork();
     if (process == 0) {
       RunLedger ledger(folder.file(), kIdentity);
-      for (std::uint64_t job = 100 * kill;; ++job) {
+      for (std::uint64_t job = kept;; ++job) {
         keep(ledger, kList, job, job + 1);
         ::usleep(1000);
       }
     }
-    ::usleep(250'000);
+    EXPECT_TRUE(has_more_outcomes_than(kept, folder.file()));
     ::kill(process, SIGKILL);
     ::waitpid(process, nullptr, 0);
+    RunLedger ledger(folder.file(), kIdentity);
+    const auto outcomes = ledger.recall(kList);
+    EXPECT_GT(outcomes.size(), kept);
+    expect_right(outcomes);
+    kept = outcomes.size();
   }
-  RunLedger ledger(folder.file(), kIdentity);
-  const auto outcomes = ledger.recall(kList);
-  EXPECT_GT(outcomes.size(), 50);
-  expect_right(outcomes);
 }
 
 TEST(RunLedger, KeepsAnAnswerPieceByPiece) {
