@@ -50,6 +50,7 @@ class TermBudget {
   explicit TermBudget(std::uint64_t terms) : left_(terms) {}
   void spend(std::uint64_t terms) { left_ -= terms < left_ ? terms : left_; }
   bool is_used_up() const { return left_ == 0; }
+  std::uint64_t left() const { return left_; }
 
  private:
   std::uint64_t left_;

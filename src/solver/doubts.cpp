@@ -12,6 +12,7 @@
 #include "completeness.h"
 #include "exact_roots.h"
 #include "isolated.h"
+#include "missing_roots.h"
 #include "tracking.h"
 
 namespace moivre {
@@ -355,6 +356,7 @@ void follow_with_care(Run& run, const PathSet& beyond) {
 /// In double, with more care, and in more digits.
 void settle_ends(Run& run) {
   if (is_settled(run)) return;
+  if (find_missing_roots(run, doubtful_paths(run, {})) && is_settled(run)) return;
   resolve_clusters(run);
   // Where many paths go at once digits cost less than care, and care helps none that they do not.
   const PathSet beyond = climb_together(run, paths_failed_by(run, Failure::precision));

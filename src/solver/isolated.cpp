@@ -11,6 +11,7 @@
 #include "moivre/certify/distinct.h"
 #include "moivre/certify/isolate.h"
 #include "moivre/numeric/near_points.h"
+#include "places.h"
 
 namespace moivre {
 namespace {
@@ -19,41 +20,6 @@ namespace {
 constexpr int kFirstBits = 256;
 // What was seen of a path's end is no farther from its root, relative to max(1, |x|_inf).
 constexpr double kFarthestEnd = 0.1;
-
-std::vector<Coefficient> exact_midpoint(const IsolatedRoot& root) {
-  Coefficient y;
-  for (const Complex& part : root.parts) {
-    y = y + Coefficient{Rational(part.real()), Rational(part.imag())};
-  }
-  return {y};
-}
-
-/// A number as a sum of doubles, largest first.
-std::vector<Complex> parts_of(Coefficient z, std::size_t count) {
-  std::vector<Complex> parts;
-  while (parts.size() < count) {
-    parts.push_back(to_complex(z));
-    z = z - Coefficient{Rational(parts.back().real()), Rational(parts.back().imag())};
-  }
-  return parts;
-}
-
-/// Of the system as given, all unknowns.
-struct Place {
-  Point x;
-  std::vector<Point> finer;
-};
-
-Place place_of(const Reduction& reduction, const IsolatedRoot& root) {
-  const auto x = restore(reduction, exact_midpoint(root), [](const Coefficient& c) { return c; });
-  Place place{Point(x.size()), std::vector<Point>(root.parts.size() - 1, Point(x.size()))};
-  for (std::size_t j = 0; j < x.size(); ++j) {
-    const std::vector<Complex> parts = parts_of(x[j], root.parts.size());
-    place.x[j] = parts.front();
-    for (std::size_t k = 1; k < parts.size(); ++k) place.finer[k - 1][j] = parts[k];
-  }
-  return place;
-}
 
 /// Where nothing was eliminated the disc is the certificate.
 Certificate certificate_of(const IsolatedRoot& root, const Place& place, int bits) {
@@ -70,12 +36,6 @@ Certificate certificate_of(const IsolatedRoot& root, const Place& place, int bit
   return result;
 }
 
-struct ProvedPlace {
-  Place place;
-  std::shared_ptr<const Certificate> certificate;  ///< of a simple root
-  std::uint64_t multiplicity = 1;
-};
-
 /// nullopt where a simple root is not proved on the system as given, or two multiple ones are one point of double.
 std::optional<std::vector<ProvedPlace>> places_of(const Setting& setting,
                                                   const std::vector<IsolatedRoot>& roots,
@@ -85,7 +45,7 @@ std::optional<std::vector<ProvedPlace>> places_of(const Setting& setting,
   std::vector<ProvedPlace> places;
   for (const IsolatedRoot& root : roots) {
     ProvedPlace& proved = places.emplace_back();
-    proved.place = place_of(reduction, root);
+    proved.place = place_of(reduction, {root.parts});
     proved.multiplicity = root.multiplicity;
     if (root.multiplicity > 1) {
       const bool is_taken = std::any_of(places.begin(), places.end() - 1, [&](const auto& other) {
@@ -119,47 +79,6 @@ std::optional<std::vector<ProvedPlace>> proved_places(const Run& run) {
   return std::nullopt;
 }
 
-/// The paths whose ends are not proved, each with the last that was seen of it.
-std::vector<std::pair<std::uint64_t, Point>> paths_in_doubt(const Run& run) {
-  std::vector<std::pair<std::uint64_t, Point>> paths;
-  for (const auto& [path, root] : run.ledger.roots()) {
-    if (!root.certificate) paths.emplace_back(path, root.point.x);
-  }
-  for (const auto& [path, failure] : run.ledger.failures()) {
-    const auto last = run.ledger.last_points().find(path);
-    if (last != run.ledger.last_points().end()) paths.emplace_back(path, last->second);
-  }
-  return paths;
-}
-
-void enter(Run& run, Refiner& refiner, std::uint64_t path, const ProvedPlace& place) {
-  Root root;
-  if (place.certificate) {
-    root.point = refiner.take(*place.certificate);
-    root.tolerance = simple_tolerance(root.point);
-    root.certificate = place.certificate;
-  } else {
-    root.point = refiner.keep(place.place.x, std::numeric_limits<double>::epsilon(), 1);
-    root.point.accuracy = std::numeric_limits<double>::epsilon();
-    root.is_exact = root.is_counted = true;
-    root.on_set = SetHere::none;
-  }
-  run.ledger.enter_root(path, std::move(root));
-}
-
-/// Those that no path is proved to end at.
-std::vector<ProvedPlace> free_places(const Run& run, std::vector<ProvedPlace> places) {
-  std::erase_if(places, [&](const ProvedPlace& place) {
-    if (!place.certificate) return false;
-    return std::any_of(run.ledger.roots().begin(), run.ledger.roots().end(),
-                       [&](const auto& entry) {
-                         const auto& proof = entry.second.certificate;
-                         return proof && relation(*place.certificate, *proof) != Relation::distinct;
-                       });
-  });
-  return places;
-}
-
 }  // namespace
 
 bool settle_by_isolation(Run& run) {
@@ -184,7 +103,7 @@ bool settle_by_isolation(Run& run) {
   }
   if (!paths.empty()) return false;
   Refiner refiner(setting.refiner_program);
-  for (const auto& [path, place] : found) enter(run, refiner, path, *place);
+  for (const auto& [path, place] : found) enter_place(run, refiner, path, *place);
   return true;
 }
 

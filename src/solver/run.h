@@ -40,7 +40,7 @@ struct ExactRoot {
 struct Bounds {
   std::optional<MetBound> met;
   bool lacks_paths = false;  ///< fewer are left than the roots that are known exactly need
-  Budget for_volume, for_ring, for_points, for_strata;
+  Budget for_volume, for_ring, for_points, for_strata, for_roots;
   std::optional<std::uint64_t> volume;  ///< the (stable) mixed volume of what is tracked
   QuotientRing ring;                    ///< of what is tracked
   std::optional<std::uint64_t> points;  ///< different roots of what is tracked

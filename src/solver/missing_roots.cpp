@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+// Points of the ring, proved, without those that have a path; each to the nearest path in doubt.
+#include "missing_roots.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "certificates.h"
+#include "completeness.h"
+#include "moivre/certify/ring_points.h"
+#include "places.h"
+
+namespace moivre {
+namespace {
+
+// Certificates take as many bits of a place.
+constexpr int kBitsOfPlace = 256;
+// Terms of the algebra, some fifteen seconds; less where few paths are in doubt: kAffordableTerms of it cost as much as one of them.
+constexpr std::uint64_t kMostTermsForRoots = 1'000'000'000;
+
+/// Of (1, x) and (1, y), by angle: roots of any size are compared. In [0, 1].
+double projective_distance(const Point& x, const Point& y) {
+  const double scale_x = std::max(1.0, max_norm(x)), scale_y = std::max(1.0, max_norm(y));
+  Complex inner = 1 / (scale_x * scale_y);
+  double size_x = 1 / (scale_x * scale_x), size_y = 1 / (scale_y * scale_y);
+  for (std::size_t j = 0; j < x.size(); ++j) {
+    inner += std::conj(x[j] / scale_x) * (y[j] / scale_y);
+    size_x += std::norm(x[j] / scale_x);
+    size_y += std::norm(y[j] / scale_y);
+  }
+  return std::sqrt(std::max(0.0, 1 - std::norm(inner) / (size_x * size_y)));
+}
+
+std::vector<ProvedPlace> proved(const Setting& setting, const RingPoints& points) {
+  Certifier certifier(setting.certify_program);
+  std::vector<ProvedPlace> places;
+  for (const auto& coordinates : points.simple) {
+    Place place = place_of(setting.prepared.reduction, coordinates);
+    const Certificate certificate = certifier.certify_near(place.x, place.finer, kBitsOfPlace);
+    if (!certificate.holds_root()) continue;
+    places.push_back({std::move(place), std::make_shared<const Certificate>(certificate), 1});
+  }
+  return places;
+}
+
+/// Of the point that was last seen of the path; 1 where nothing was.
+double distance_from_end(const Run& run, std::uint64_t path, const Point& x) {
+  const auto root = run.ledger.roots().find(path);
+  if (root != run.ledger.roots().end()) return projective_distance(x, root->second.point.x);
+  const auto last = run.ledger.last_points().find(path);
+  const bool is_seen = last != run.ledger.last_points().end() && last->second.size() == x.size();
+  return is_seen ? projective_distance(x, last->second) : 1;
+}
+
+/// The number of places that have got a path.
+std::size_t enter_nearest(Run& run, const std::vector<ProvedPlace>& places, PathSet doubtful) {
+  Refiner refiner(run.setting.refiner_program);
+  std::size_t entered = 0;
+  for (const ProvedPlace& place : places) {
+    if (doubtful.empty()) break;
+    std::map<double, std::uint64_t> by_distance;
+    for (const std::uint64_t path : doubtful) {
+      by_distance.emplace(distance_from_end(run, path, place.place.x), path);
+    }
+    const std::uint64_t nearest = by_distance.begin()->second;
+    enter_place(run, refiner, nearest, place);
+    doubtful.erase(nearest);
+    ++entered;
+  }
+  return entered;
+}
+
+}  // namespace
+
+bool find_missing_roots(Run& run, const PathSet& doubtful) {
+  const QuotientRing& ring = run.bounds.ring;
+  const bool can_be_found = ring.verdict == QuotientRing::Verdict::finite &&
+                            ring.dimension <= kMostRingPoints && is_root_missing(run);
+  if (!can_be_found || run.interrupted) return false;
+  const std::uint64_t terms =
+      std::min(kMostTermsForRoots, kAffordableTerms * doubtful.size());
+  if (terms == 0 || !run.bounds.for_roots.allows(terms)) return false;
+  const auto points = ring_points(run.setting.prepared.reduction.system,
+                                  {.most_terms = terms,
+                                   .stop = &run.setting.stop,
+                                   .seed = run.setting.options.seed,
+                                   .bits = kBitsOfPlace});
+  run.require_time();
+  if (!points) return false;
+  const std::vector<ProvedPlace> missing = free_places(run, proved(run.setting, *points));
+  return enter_nearest(run, missing, doubtful) > 0;
+}
+
+}  // namespace moivre

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// Exact algebra counts more roots than are proved: which are the others, and which paths lead to them?
+//
+// The quotient ring that counts them has their coordinates too (certify/ring_points.h). Each simple one is proved on the system as given, and
+// goes to a path in doubt: one of these leads to it, since every simple root has a path. Of several it is the one that was last seen nearest.
+// Edges: multiple roots stay with the paths; no more than 128 roots, few digits; costs no more than the paths in doubt would in more digits.
+// Private to the module.
+#pragma once
+
+#include "run.h"
+
+namespace moivre {
+
+/// doubtful: paths that may lead to a root that is not proved. Whether a root was found. Throws Interrupted.
+bool find_missing_roots(Run& run, const PathSet& doubtful);
+
+}  // namespace moivre

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// Exact sums of doubles brought back to the unknowns that were eliminated; certificates tell places from roots that are known.
+#include "places.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "certificates.h"
+#include "ends.h"
+#include "moivre/certify/distinct.h"
+
+namespace moivre {
+namespace {
+
+Coefficient exact_sum(const std::vector<Complex>& parts) {
+  Coefficient sum;
+  for (const Complex& part : parts) {
+    sum = sum + Coefficient{Rational(part.real()), Rational(part.imag())};
+  }
+  return sum;
+}
+
+/// A number as a sum of doubles, largest first.
+std::vector<Complex> parts_of(Coefficient z, std::size_t count) {
+  std::vector<Complex> parts;
+  while (parts.size() < count) {
+    parts.push_back(to_complex(z));
+    z = z - Coefficient{Rational(parts.back().real()), Rational(parts.back().imag())};
+  }
+  return parts;
+}
+
+}  // namespace
+
+Place place_of(const Reduction& reduction, const std::vector<std::vector<Complex>>& coordinates) {
+  std::vector<Coefficient> y;
+  std::size_t count = 1;
+  for (const auto& parts : coordinates) {
+    y.push_back(exact_sum(parts));
+    count = std::max(count, parts.size());
+  }
+  const auto x = restore(reduction, y, [](const Coefficient& c) { return c; });
+  Place place{Point(x.size()), std::vector<Point>(count - 1, Point(x.size()))};
+  for (std::size_t j = 0; j < x.size(); ++j) {
+    const std::vector<Complex> parts = parts_of(x[j], count);
+    place.x[j] = parts.front();
+    for (std::size_t k = 1; k < parts.size(); ++k) place.finer[k - 1][j] = parts[k];
+  }
+  return place;
+}
+
+std::vector<ProvedPlace> free_places(const Run& run, std::vector<ProvedPlace> places) {
+  std::erase_if(places, [&](const ProvedPlace& place) {
+    if (!place.certificate) return false;
+    return std::any_of(run.ledger.roots().begin(), run.ledger.roots().end(),
+                       [&](const auto& entry) {
+                         const auto& proof = entry.second.certificate;
+                         return proof && relation(*place.certificate, *proof) != Relation::distinct;
+                       });
+  });
+  return places;
+}
+
+std::vector<std::pair<std::uint64_t, Point>> paths_in_doubt(const Run& run) {
+  std::vector<std::pair<std::uint64_t, Point>> paths;
+  for (const auto& [path, root] : run.ledger.roots()) {
+    if (!root.certificate) paths.emplace_back(path, root.point.x);
+  }
+  for (const auto& [path, failure] : run.ledger.failures()) {
+    const auto last = run.ledger.last_points().find(path);
+    if (last != run.ledger.last_points().end()) paths.emplace_back(path, last->second);
+  }
+  return paths;
+}
+
+void enter_place(Run& run, Refiner& refiner, std::uint64_t path, const ProvedPlace& place) {
+  Root root;
+  if (place.certificate) {
+    root.point = refiner.take(*place.certificate);
+    root.tolerance = simple_tolerance(root.point);
+    root.certificate = place.certificate;
+  } else {
+    root.point = refiner.keep(place.place.x, std::numeric_limits<double>::epsilon(), 1);
+    root.point.accuracy = std::numeric_limits<double>::epsilon();
+    root.is_exact = root.is_counted = true;
+    root.on_set = SetHere::none;
+  }
+  run.ledger.enter_root(path, std::move(root));
+}
+
+}  // namespace moivre
