@@ -148,10 +148,11 @@ std::string relation_text(const JointRelation& relation, const Arm& arm) {
 }
 
 std::string set_text(const SelfMotion& set, const Arm& arm) {
-  std::string text = set.within_digits
-                         ? "within the digits of the file's numbers (it misses by " +
-                               rounded_text(set.misfit) + ") the tip stands while the joints move"
-                         : "the tip stands while the joints move";
+  const std::string misses = "(it misses by " + rounded_text(set.misfit) + ") ";
+  std::string text = set.within_digits     ? "within the digits of the file's numbers " + misses
+                     : set.misfit > kReach ? "within the accuracy of the pose " + misses
+                                           : std::string();
+  text += "the tip stands while the joints move";
   if (set.dimension > 1) text += " (" + std::to_string(set.dimension) + " freedoms)";
   text += ", from here\n  ";
   const auto line = [&](const Eigen::VectorXd& values) {

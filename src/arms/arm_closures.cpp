@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <mutex>
 #include <span>
 
@@ -98,9 +99,14 @@ std::vector<ApproachEnd> approach_all(const Beginning& beginning, const Eigen::I
   return ends;
 }
 
+/// Joints that were added have no names, and are counted.
 std::string names_of(const Arm& arm, const std::vector<std::size_t>& joints) {
   std::vector<std::string> names;
-  for (const std::size_t k : joints) names.push_back(arm.joints[k].name);
+  for (const std::size_t k : joints) {
+    if (!arm.joints[k].name.empty()) names.push_back(arm.joints[k].name);
+  }
+  const std::size_t added = joints.size() - names.size();
+  if (added > 0) names.push_back(counted(added, "added joint"));
   return joined(names, ", ");
 }
 
@@ -138,6 +144,7 @@ bool read_ends(const Beginning& beginning, const std::vector<ApproachEnd>& ends,
   const bool has_all_joints = six.own.size() == kSixJoints;
   const double accuracy = list.accuracy + list.arm.rounding;
   bool are_read = true;
+  std::map<std::size_t, std::uint64_t> arrivals;  // of paths, by closure
   for (std::size_t k = 0; k < ends.size(); ++k) {
     const ApproachEnd& end = ends[k];
     if (end.kind == ApproachKind::infinite || end.kind == ApproachKind::lost) continue;
@@ -152,9 +159,12 @@ bool read_ends(const Beginning& beginning, const std::vector<ApproachEnd>& ends,
     const PostureEntry entry = imaginary > kNearlyReal ? PostureEntry{} : enter(list, start, false);
     if (entry.kind == PostureEntry::Kind::closure && entry.moved <= kFarthest) {
       ArmClosure& closure = list.closures[entry.index];
-      if (entry.is_new) closure.path = beginning.regular.roots[k].path;
-      if (!entry.is_new) closure.singular = ++closure.multiplicity > 1;
-      ++result.counts.complex;
+      // An end elsewhere may have led here before: that was no path of this closure.
+      const std::uint64_t arrived = counts ? ++arrivals[entry.index] : 0;
+      if (arrived == 1 || entry.is_new) closure.path = beginning.regular.roots[k].path;
+      closure.multiplicity = std::max(closure.multiplicity, arrived);
+      closure.singular = closure.multiplicity > 1;
+      if (counts || entry.is_new) ++result.counts.complex;
       continue;
     }
     if (entry.kind == PostureEntry::Kind::on_set) continue;

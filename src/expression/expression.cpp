@@ -2,11 +2,13 @@
 // The grammar of expression.h in PEGTL's words, and how its matches build the tree.
 #include "moivre/expression/expression.h"
 
+#include <array>
 #include <iterator>
 #include <optional>
 #include <tao/pegtl.hpp>
 #include <utility>
 
+#include "moivre/expression/utf8.h"
 #include "next_summand.h"
 #include "number.h"
 
@@ -94,6 +96,7 @@ SourcePosition position_of(const AnyInput& in) {
 }
 
 constexpr const char* kUnclosed = "unbalanced parenthesis: this `(` is never closed";
+constexpr const char* kSecondSign = "`=` has no place in an expression; an equation has one `=`";
 constexpr const char* kUnopened = "unbalanced parenthesis: this `)` closes nothing";
 
 struct SyntaxFault {
@@ -321,6 +324,33 @@ std::string quoted(char c) {
   return std::string("the byte 0x") + kHex[byte >> 4U] + kHex[byte & 0xFU];
 }
 
+/// What copied text has in the place of a typed character.
+struct Lookalike {
+  std::string_view printed;
+  std::string_view typed;
+};
+constexpr std::array<Lookalike, 9> kLookalikes = {{{"\u2212", "-"},
+                                                   {"\u2013", "-"},
+                                                   {"\u00B7", "*"},
+                                                   {"\u22C5", "*"},
+                                                   {"\u00D7", "*"},
+                                                   {"\u00F7", "/"},
+                                                   {"\u00B2", "^2"},
+                                                   {"\u00B3", "^3"},
+                                                   {"\u00A0", " "}}};
+
+/// The whole character that begins `text`; of one that is only printed, also what is typed for it.
+std::string quoted_character(std::string_view text) {
+  const std::size_t length = utf8_length(text);
+  if (length < 2) return quoted(text.front());
+  const std::string_view character = text.substr(0, length);
+  std::string message = '`' + std::string(character) + '`';
+  for (const Lookalike& one : kLookalikes) {
+    if (one.printed == character) message += "; type `" + std::string(one.typed) + "` for it";
+  }
+  return message;
+}
+
 /// The number, name or single character that begins `text`, as a message quotes it.
 std::string first_word(std::string_view text) {
   constexpr std::size_t kLongestWord = 40;
@@ -329,7 +359,7 @@ std::string first_word(std::string_view text) {
          (is_name_character(text[end]) || text[end] == '.')) {
     ++end;
   }
-  return end == 0 ? quoted(text.front()) : '`' + std::string(text.substr(0, end)) + '`';
+  return end == 0 ? quoted_character(text) : '`' + std::string(text.substr(0, end)) + '`';
 }
 
 /// Two operands side by side; across a line end the sign of a lost end of the expression.
@@ -353,9 +383,8 @@ std::string unexpected(std::string_view text, std::size_t at, std::size_t line) 
   const char c = text[at];
   if (c == ')') return kUnopened;
   if (c == '(' || c == '.' || is_name_character(c)) return juxtaposition(text, at, line);
-  if (c == '=')
-    return "`=` has no place in an expression; write the left side minus the right side";
-  return "unexpected character: " + quoted(c);
+  if (c == '=') return kSecondSign;
+  return "unexpected character: " + quoted_character(text.substr(at));
 }
 
 std::string missing_operand(std::string_view text, std::size_t at) {
@@ -363,7 +392,8 @@ std::string missing_operand(std::string_view text, std::size_t at) {
   if (at == text.size()) return wanted + ", but the expression ends here";
   const char c = text[at];
   const bool is_operator = std::string_view("+-*/^").find(c) != std::string_view::npos;
-  return wanted + ", found " + (is_operator ? "the operator " : "") + quoted(c);
+  return wanted + ", found " + (is_operator ? "the operator " : "") +
+         quoted_character(text.substr(at));
 }
 
 SyntaxFault fault_at(const SourcePosition& at, Expected what, const Builder& b) {

@@ -101,6 +101,26 @@ std::size_t heading_in(std::string_view text) {
   return text.size();
 }
 
+/// The lines that hold something; none unless each has one `=`, so that no line can go on with another.
+std::vector<Statement> equations_by_line(const Statement& text) {
+  std::vector<Statement> equations;
+  std::string_view rest = text.text;
+  SourcePosition at = text.begin;
+  while (!rest.empty()) {
+    const std::string_view raw = rest.substr(0, rest.find('\n'));
+    const std::string_view line = trimmed(raw);
+    const auto lead = static_cast<std::size_t>(line.data() - raw.data());
+    const SourcePosition end = after(at, raw);
+    if (!line.empty()) {
+      if (std::count(line.begin(), line.end(), '=') != 1) return {};
+      equations.push_back({line, after(at, raw.substr(0, lead)), end, true});
+    }
+    at = raw.size() < rest.size() ? after(end, "\n") : end;
+    rest.remove_prefix(std::min(raw.size() + 1, rest.size()));
+  }
+  return equations;
+}
+
 Layout layout_of(const Source& source, std::vector<Diagnostic>& faults) {
   Layout layout;
   std::string_view text = source.text;
@@ -113,6 +133,10 @@ Layout layout_of(const Source& source, std::vector<Diagnostic>& faults) {
     const std::size_t heading = heading_in(piece);
     if (heading < piece.size() || piece.size() == ahead.size()) {
       layout.rest = StatementCursor(piece.substr(0, heading), cursor.position()).next();
+      if (!layout.count && layout.polynomials.empty()) {
+        layout.polynomials = equations_by_line(layout.rest);
+        if (!layout.polynomials.empty()) layout.rest = {};
+      }
       return layout;
     }
     layout.polynomials.push_back(cursor.next());
@@ -207,7 +231,10 @@ void check_polynomial_count(const Layout& layout, std::vector<Diagnostic>& fault
   const bool has_rest = !layout.rest.text.empty();
   if (!layout.count) {
     if (found == 0) {
-      faults.push_back({layout.rest.begin, "no polynomial found: each one ends with `;`"});
+      faults.push_back(
+          {layout.rest.begin,
+           "no polynomial found: each one ends with `;` (equations with one `=` each may "
+           "stand a line each without)"});
     } else if (has_rest &&
                (reads_like_mathematics(layout.rest.text) || is_expression(layout.rest))) {
       faults.push_back({layout.rest.begin, "this polynomial has no `;` behind it"});

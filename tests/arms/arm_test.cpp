@@ -57,6 +57,39 @@ TEST(ArmTest, AJointThatMimicsAHeldOneIsHeldWithIt) {
   EXPECT_EQ(arm.held[1].value, 0.02);
 }
 
+/// A turning arm whose j3 stands at 0.5 - 2 j2, and j4 at twice that.
+Robot robot_with_followers() {
+  return read_urdf({"followers.urdf", R"(<robot name="followers">
+<link name="a"/><link name="b"/><link name="c"/><link name="d"/><link name="e"/>
+<joint name="j1" type="continuous"><parent link="a"/><child link="b"/><axis xyz="0 0 1"/></joint>
+<joint name="j2" type="continuous"><parent link="b"/><child link="c"/><origin xyz="1 0 0"/>
+  <axis xyz="0 1 0"/></joint>
+<joint name="j3" type="continuous"><parent link="c"/><child link="d"/><origin xyz="1 0 0"/>
+  <axis xyz="0 1 0"/><mimic joint="j2" multiplier="-2" offset="0.5"/></joint>
+<joint name="j4" type="continuous"><parent link="d"/><child link="e"/><origin xyz="1 0 0"/>
+  <axis xyz="0 1 0"/><mimic joint="j3" multiplier="2"/></joint>
+</robot>)"});
+}
+
+TEST(ArmTest, WhatAHeldFollowerFollowsIsHeldWithIt) {
+  const Robot robot = robot_with_followers();
+  for (const HeldJoint& one : {HeldJoint{"j2", 0.1}, {"j3", 0.3}, {"j4", 0.6}}) {
+    const Arm arm = make_arm(robot, {std::nullopt, std::nullopt, {one}});
+    ASSERT_EQ(arm.held.size(), 3U) << one.name;
+    EXPECT_NEAR(arm.held[0].value, 0.1, 1e-15);
+    EXPECT_NEAR(arm.held[1].value, 0.3, 1e-15);
+    EXPECT_NEAR(arm.held[2].value, 0.6, 1e-15);
+    EXPECT_EQ(arm.joints.size(), 1U);
+  }
+}
+
+TEST(ArmTest, JointsThatMoveTogetherAreNotHeldApart) {
+  const Robot robot = robot_with_followers();
+  EXPECT_EQ(refusal_of(robot, {std::nullopt, std::nullopt, {{"j2", 0.1}, {"j4", 0.6}}}), "");
+  EXPECT_EQ(refusal_of(robot, {std::nullopt, std::nullopt, {{"j2", 0.1}, {"j4", 0.7}}}),
+            "`held`: joint 'j4' moves together with others (mimic) and stands at 0.6 then");
+}
+
 TEST(ArmTest, TwoJointsThatMoveTogetherInTheChainAreRefused) {
   const Robot robot = robot_of("panda");
   const std::string refusal = refusal_of(robot, {"panda_leftfinger", "panda_rightfinger", {}});

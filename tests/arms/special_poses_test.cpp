@@ -178,6 +178,22 @@ TEST(SpecialPosesTest, AScaraHasTwoClosuresAndOneWhereItIsStretched) {
     EXPECT_LE(result.paths.tracked, 8U);
     EXPECT_EQ(result.closures.size(), is_stretched ? 1U : 2U);
     EXPECT_LT(least_distance(arm, result, own), is_stretched ? 1e-6 : 1e-9);
+    for (const ArmClosure& closure : result.closures) EXPECT_EQ(closure.singular, is_stretched);
+    for (const LeftOut& left : result.left_out) EXPECT_EQ(left.what.find(", ,"), std::string::npos);
+  }
+}
+
+TEST(SpecialPosesTest, WhereTheJacobianHasFullRankAClosureIsSimple) {
+  const Arm arm = scara();
+  for (std::uint64_t k = 0; k < 200; ++k) {
+    SCOPED_TRACE(k);
+    const Eigen::VectorXd own = random_values(arm, 11, k);
+    const ArmResult result =
+        find_arm_closures(arm, forward_kinematics(arm, own), lanes(), one_thread());
+    EXPECT_EQ(result.counts.complex, 2U);
+    for (const ArmClosure& closure : result.closures) {
+      EXPECT_EQ(closure.multiplicity, 1U) << closure.smallest_singular_value;
+    }
   }
 }
 

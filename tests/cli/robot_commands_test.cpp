@@ -62,6 +62,21 @@ TEST_F(RobotCommands, AnArmOfSevenJointsNeedsOneHeld) {
   EXPECT_EQ(report["held"], Json({{"panda_joint7", 0.8}}));
 }
 
+TEST_F(RobotCommands, ASetWithinTheAccuracyOfThePoseIsSaidToMissIt) {
+  // The elbow is nearly straight, and the pose has three digits.
+  const auto told = [&](const std::string& pose) {
+    return scene
+        .run({"closures", kRobots + "ur5.urdf", "--base", "base_link", "--tip", "tool0", "--pose",
+              pose})
+        .out;
+  };
+  EXPECT_TRUE(contains(told("0.243 0.290 0.828 0.213 -0.038 0.551 0.806"),
+                       "within the accuracy of the pose (it misses by "));
+  const std::string home = told("0.81725 0.19145 -0.005491 0 0 0.7071067811865 0.7071067811865");
+  EXPECT_FALSE(contains(home, "within the accuracy"));
+  EXPECT_TRUE(contains(home, "\nthe tip stands while the joints move"));
+}
+
 TEST_F(RobotCommands, EveryFaultOfTheQuestionIsNamed) {
   expect_refusal({"closures", kPuma}, {"--pose"});
   expect_refusal({"closures", kPuma, "--pose", "1 2 3", "--tip", "hnd"},

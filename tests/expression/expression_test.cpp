@@ -95,6 +95,12 @@ TEST(Expression, PointsAtTheFault) {
   EXPECT_EQ(fault("f(a").at.column, 2U);
   EXPECT_EQ(fault("").message, "expected a number, a name or `(`, but the expression ends here");
   EXPECT_EQ(fault("a, b").message, "unexpected character: `,`");
+  EXPECT_EQ(fault("a \u2212 b").message, "unexpected character: `\u2212`; type `-` for it");
+  EXPECT_EQ(fault("a\u00B2").message, "unexpected character: `\u00B2`; type `^2` for it");
+  EXPECT_EQ(fault("a \u2297 b").message, "unexpected character: `\u2297`");
+  EXPECT_EQ(fault("a + \u00B7").message,
+            "expected a number, a name or `(`, found `\u00B7`; type `*` for it");
+  EXPECT_EQ(fault("a \xE2 b").message, "unexpected character: the byte 0xE2");
   EXPECT_EQ(fault("1.5.2").message,
             "an operator is missing before `.2` (a product is written with `*`)");
 }

@@ -142,6 +142,23 @@ TEST(PhcReader, SaysThatTheLastPolynomialLacksItsSemicolon) {
   expect_faults("x - 1", {{1, 1, "no polynomial found: each one ends with `;`"}});
 }
 
+TEST(PhcReader, TakesEquationsALineEachWithoutSemicolons) {
+  const System typed = system_of("x^2 + y^2 = 4;\nx*y = 1;\n");
+  EXPECT_EQ(system_of("x^2 + y^2 = 4\nx*y = 1"), typed);
+  EXPECT_EQ(system_of("# two curves\n\n  x^2 + y^2 = 4   # a circle\r\n\nx*y = 1\nTITLE : two\n"),
+            typed);
+  expect_faults("x^2 + y^2 = 4\nx*y ! 1 = 0\n", {{2, 5, "unexpected character: `!`"}});
+}
+
+TEST(PhcReader, NeedsSemicolonsWhereALineMayGoOn) {
+  expect_faults("x^2 + y^2\n = 4\nx*y = 1\n", {{1, 1, "no polynomial found"}});
+  expect_faults("x + 1\n- y\n", {{1, 1, "no polynomial found"}});
+  expect_faults("x = 1, y = 2\n", {{1, 1, "no polynomial found"}});
+  expect_faults("2\nx = 1\ny = 2\n",
+                {{1, 1, "expected 2 polynomials, found 0"}, {1, 1, "expected 2 unknowns"}});
+  expect_faults("x = 1;\ny = 2\n", {{2, 1, "this polynomial has no `;` behind it"}});
+}
+
 TEST(PhcReader, CountsPolynomialsTooMany) {
   expect_faults("1\nx^2 - 1;\nx - 2;\n", {{1, 1, "expected 1 polynomial, found 2"}});
   expect_faults("1\nx^2-1;\nfrom a book; with a semicolon\nTITLE : t\n",
@@ -198,7 +215,8 @@ TEST(PhcReader, RefusesStrayAndMissingOperators) {
   expect_faults("1\nx^2 = 1 = 1;\n", {{2, 5, "`=` has no place in an expression"}});
   expect_faults("1\nx^2 = ;\n", {{2, 5, "a side of this `=` is missing"}});
   expect_faults("1\nx^2 ! 1;\n", {{2, 5, "unexpected character: `!`"}});
-  expect_faults("1\nx \xE2\x88\x92 1;\n", {{2, 3, "unexpected character: the byte 0xE2"}});
+  expect_faults("1\nx \xE2\x88\x92 1;\n",
+                {{2, 3, "unexpected character: `\u2212`; type `-` for it"}});
   expect_faults("1\n;\n",
                 {{1, 1, "expected 1 unknown, found 0 names"}, {2, 1, "a polynomial is missing"}});
 }

@@ -249,6 +249,18 @@ TEST(Solve, RefusesFewerEquationsThanUnknownsWithTheReason) {
   }
 }
 
+TEST(Solve, NamesTheUnknownsWhereThereAreMoreThanEquations) {
+  try {
+    solve_with_cvode(read("2xy = 3; x + y = 4;"));
+    FAIL() << "an underdetermined system was taken";
+  } catch (const std::invalid_argument& refusal) {
+    EXPECT_TRUE(std::string(refusal.what())
+                    .starts_with("the system has 2 equations in 3 unknowns (xy, x, y; `xy` is one "
+                                 "name: a product is written `x*y`): it is underdetermined"))
+        << refusal.what();
+  }
+}
+
 TEST(Solve, NamesEveryOptionThatIsOutOfRange) {
   SolveOptions options;
   options.threads = -1;
