@@ -263,6 +263,9 @@ class Arm:
     limits: list[Optional[tuple[float, float]]]
     def __init__(self, path: _Path, base: Optional[str] = ..., tip: Optional[str] = ...,
                  hold: Optional[Mapping[str, float]] = ...) -> None: ...
+    @classmethod
+    def from_dh(cls, rows: Sequence[Sequence[Any]] | npt.NDArray[Any], *, modified: bool = ..., name: str = ...,
+                hold: Optional[Mapping[str, float]] = ...) -> Arm: ...
     def fk(self, q: npt.ArrayLike) -> _Floats: ...
     def ik(self, poses: npt.ArrayLike, *, tracker: Optional[_Tracker] = ..., start: Optional[_Start] = ...,
            seed: Optional[int] = ..., threads: Optional[int] = ..., tracker_options: Optional[Mapping[str, Any]] = ...,

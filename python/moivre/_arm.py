@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: MIT
 # With which joint values does an arm hold its tip in a pose? All of them, for one pose or many.
-"""Robot arms from URDF."""
+"""Robot arms from URDF, or from Denavit-Hartenberg's numbers."""
 
 import os
 
 import numpy as np
 
 from . import _moivre
+from ._dh import dh_urdf
+from ._errors import ParseError
 from ._progress import told
 from ._solve import chosen, write
 
@@ -16,8 +18,8 @@ class Arm:
 
     Parameters
     ----------
-    path : path
-        A URDF file.
+    path : path or text
+        A URDF file, or its text. `Arm.from_dh` takes Denavit-Hartenberg's numbers.
     base, tip : str, optional
         Links. Default: the root, and the leaf where there is one alone.
     hold : dict, optional
@@ -44,12 +46,47 @@ class Arm:
 
     def __init__(self, path, base=None, tip=None, hold=None):
         held = [(str(joint), float(value)) for joint, value in (hold or {}).items()]
-        self._arm = _moivre.arm_of_file(os.fspath(path), base, tip, held)
+        is_text = isinstance(path, str) and path.lstrip().startswith("<")
+        try:
+            self._arm = (_moivre.arm_of_text(path, base, tip, held) if is_text
+                         else _moivre.arm_of_file(os.fspath(path), base, tip, held))
+        except ParseError:
+            raise
+        except ValueError as refusal:
+            raise ValueError(str(refusal).replace("`held`", "`hold`")) from None
         self.robot = self._arm.robot
         self.base = self._arm.base
         self.tip = self._arm.tip
         self.joints = self._arm.joints
         self.limits = self._arm.limits
+
+    @classmethod
+    def from_dh(cls, rows, *, modified=False, name="arm", hold=None):
+        """An arm by Denavit-Hartenberg's numbers.
+
+        Parameters
+        ----------
+        rows : list of (a, alpha, d, theta)
+            Of each joint, metres and radians: it turns by theta and its joint value, about an axis without limits.
+            A fifth entry, (lower, upper), says that the joint slides along its axis, between these limits.
+        modified : bool, optional
+            False: Rz(theta) Tz(d) Tx(a) Rx(alpha) for each joint; True: Craig's Rx(alpha) Tx(a) Rz(theta) Tz(d).
+        hold : dict, optional
+            Joints that stand, by the names "joint1", "joint2", ...
+
+        Returns
+        -------
+        Arm
+
+        Examples
+        --------
+        >>> import moivre
+        >>> from math import pi
+        >>> arm = moivre.Arm.from_dh([[0, pi/2, 0.3, 0], [0.4, 0, 0, 0], [0.1, 0, 0, 0]])
+        >>> arm.fk([0, 0, 0])[:3, 3]
+        array([0.5, 0. , 0.3])
+        """
+        return cls(dh_urdf(rows, modified, name), hold=hold)
 
     def fk(self, q):
         """Pose of the tip in the base's frame.

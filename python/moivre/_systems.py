@@ -12,6 +12,7 @@ import sys
 from . import _moivre
 
 TEXT = "equations"
+_FORMS = "equations are a text, a path, a list of texts, a list of sympy's expressions, or a list of (coefficients, exponents)"
 # One word with an ending, as "katsura.phc": no equation looks like it.
 _PATH = re.compile(r"[^;*+^=()\n]*\.[A-Za-z]\w*")
 
@@ -56,7 +57,7 @@ def _exact_sympy(number, what):
     for part in number.as_real_imag():
         if not part.is_Rational:
             raise ValueError(f"{what}: the coefficient {number} is neither rational nor a float; give it as a float "
-                             "(.evalf()), or as an unknown with an equation of its own")
+                             "(.evalf()), the equations as text, or it as an unknown with an equation of its own")
         parts.append(f"{part.p}/{part.q}")
     return tuple(parts), True
 
@@ -72,7 +73,8 @@ def _polynomial_terms(expression, symbols, what):
     try:
         polynomial = sympy.Poly(expression, *symbols)
     except sympy.PolynomialError:
-        raise ValueError(f"{what}: {expression} is no polynomial in {', '.join(map(str, symbols))}") from None
+        hint = "; a text may divide by unknowns" if expression.is_rational_function(*symbols) else ""
+        raise ValueError(f"{what}: {expression} is no polynomial in {', '.join(map(str, symbols))}{hint}") from None
     stray = polynomial.free_symbols_in_domain
     if stray:
         raise ValueError(f"{what}: {', '.join(sorted(map(str, stray)))} is neither an unknown nor a parameter")
@@ -98,6 +100,8 @@ def _of_sympy(equations, variables, parameters):
         # Beside a float sympy would round every other number.
         expressions.append(expression.xreplace({x: sympy.Rational(x) for x in floats}))
     symbols = _symbols(expressions, variables, parameters)
+    if not symbols:
+        raise ValueError("the equations have no unknown")
     terms = [_polynomial_terms(expression, symbols, f"equation {k + 1}") for k, expression in enumerate(expressions)]
     return _moivre.system_of_terms([str(s) for s in symbols], _shaped(terms, len(symbols)), is_exact)
 
@@ -140,9 +144,15 @@ def _of_arrays(equations, variables):
     return _moivre.system_of_terms([str(v) for v in variables], terms, is_exact)
 
 
+def _is_a_line_each(text):
+    """Whether every line that holds something has one `=`, and none a semicolon: then none is needed."""
+    lines = [line for line in (whole.partition("#")[0].strip() for whole in text.splitlines()) if line]
+    return len(lines) > 1 and all(line.count("=") == 1 and ";" not in line for line in lines)
+
+
 def _of_text(text):
     """The last equation of a text needs no semicolon; what follows the equations of a file is left alone."""
-    is_ended = text.rstrip().endswith(";") or _BEHIND.search(text)
+    is_ended = text.rstrip().endswith(";") or _BEHIND.search(text) or _is_a_line_each(text)
     return _moivre.system_of_text(TEXT, text if is_ended else text + ";")
 
 
@@ -166,6 +176,8 @@ def to_system(equations, variables=None, parameters=()):
         equations = [equations]
     if isinstance(equations, (dict, set)):
         raise ValueError("equations are a list: a dictionary or a set has no place for them")
+    if not hasattr(equations, "__iter__"):
+        raise ValueError(f"{equations!r} is no system: {_FORMS}")
     equations = list(equations)
     if equations and all(isinstance(e, str) for e in equations):
         return _in_order(_of_text("".join(e.strip().rstrip(";") + ";\n" for e in equations)), variables), TEXT
@@ -173,8 +185,7 @@ def to_system(equations, variables=None, parameters=()):
         return _of_sympy(equations, variables, parameters), TEXT
     if equations and all(isinstance(e, (tuple, list)) and len(e) == 2 for e in equations):
         return _of_arrays(equations, variables), TEXT
-    raise ValueError("equations are a text, a path, a list of texts, a list of sympy's expressions, or a list of "
-                     "(coefficients, exponents)")
+    raise ValueError(_FORMS)
 
 
 def _in_order(system, variables):

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 #include "arrays.h"
 #include "bindings.h"
@@ -61,7 +62,13 @@ Eigen::Isometry3d pose_of(const double* entries, py::ssize_t number) {
   const double off =
       (rotation.transpose() * rotation - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
   if (off > kRounded || rotation.determinant() < 0) {
-    throw std::invalid_argument(where + "the upper left 3 x 3 block is no rotation");
+    std::ostringstream text;
+    text << where << "the upper left 3 x 3 block is no rotation";
+    if (off > kRounded) {
+      text << ": R^T R is off the unit matrix by " << off << ", and may be by " << kRounded
+           << ". Of a rounded one u @ vt is the nearest: u, _, vt = numpy.linalg.svd(R)";
+    }
+    throw std::invalid_argument(text.str());
   }
   const Eigen::RowVector4d last(0, 0, 0, 1);
   if ((matrix.row(3) - last).cwiseAbs().maxCoeff() > kRounded) {
@@ -214,6 +221,11 @@ void bind_arms(py::module_& module) {
                                const std::optional<std::string>& tip,
                                const std::vector<std::pair<std::string, double>>& held) {
     return arm_of(read_source(path), base, tip, held);
+  });
+  module.def("arm_of_text", [](const std::string& text, const std::optional<std::string>& base,
+                               const std::optional<std::string>& tip,
+                               const std::vector<std::pair<std::string, double>>& held) {
+    return arm_of({"robot", text}, base, tip, held);
   });
   module.def("arm_ik", &postures);
 

@@ -22,9 +22,14 @@ namespace {
 namespace py = pybind11;
 
 [[maybe_unused]] OptionValue value_of(const OptionFacts& facts, const py::handle& given) {
-  if (std::holds_alternative<std::string>(facts.standard)) return given.cast<std::string>();
-  if (std::holds_alternative<std::int64_t>(facts.standard)) return given.cast<std::int64_t>();
-  return given.cast<double>();
+  const std::string name = "tracker_options " + facts.name;
+  if (std::holds_alternative<std::string>(facts.standard)) {
+    return option_value<std::string>(name, given);
+  }
+  if (std::holds_alternative<std::int64_t>(facts.standard)) {
+    return option_value<std::int64_t>(name, given);
+  }
+  return option_value<double>(name, given);
 }
 
 template <class Options>
@@ -72,7 +77,7 @@ std::unique_ptr<Tracker> make_one(const std::string& kind, const py::dict& optio
 
 template <class Value>
 void take(const py::dict& choice, const char* name, Value& value) {
-  if (choice.contains(name)) value = choice[name].cast<Value>();
+  if (choice.contains(name)) value = option_value<Value>(name, choice[name]);
 }
 
 Precision precision_of(const std::string& name) {

@@ -4,7 +4,9 @@
 
 #include <pybind11/pybind11.h>
 
+#include <concepts>
 #include <memory>
+#include <stdexcept>
 #include <string>
 
 #include "moivre/solver/solve.h"
@@ -17,6 +19,28 @@ struct Trackers {
   std::unique_ptr<Tracker> chosen;
   std::unique_ptr<Tracker> other;
 };
+
+/// What an option of this type wants, in words.
+template <class Value>
+constexpr const char* wanted() {
+  if constexpr (std::same_as<Value, bool>) return "True or False";
+  if constexpr (std::unsigned_integral<Value>) return "a whole number from 0 up";
+  if constexpr (std::integral<Value>) return "a whole number";
+  if constexpr (std::floating_point<Value>) return "a number";
+  if constexpr (std::same_as<Value, pybind11::dict>) return "a dictionary";
+  return "a text";
+}
+
+/// The value of an option. Throws std::invalid_argument, with its name, where it is of another kind.
+template <class Value>
+Value option_value(const std::string& name, const pybind11::handle& given) {
+  try {
+    return given.cast<Value>();
+  } catch (const pybind11::cast_error&) {
+    throw std::invalid_argument(name + ": " + pybind11::repr(given).cast<std::string>() +
+                                " is given, but " + wanted<Value>() + " is wanted");
+  }
+}
 
 /// choice["tracker"]: "cvode" (the default where it was built) or "lanes"; choice["tracker_options"]: a dictionary, by the options' names in
 /// JSON. Throws std::invalid_argument.

@@ -58,19 +58,19 @@ std::shared_ptr<NamedMechanism> read(const Source& source) {
 Shared changed(const Shared& of, const py::dict& choice) {
   NamedMechanism copy = *of;
   if (choice.contains("fit")) {
-    const auto fit = choice["fit"].cast<double>();
+    const auto fit = option_value<double>("fit", choice["fit"]);
     if (!(fit > 0) || !is_workable(fit))
       throw std::invalid_argument("fit must be a length above 0");
     copy.mechanism.fit = fit;
   }
   if (choice.contains("tolerance")) {
-    const auto tolerance = choice["tolerance"].cast<double>();
+    const auto tolerance = option_value<double>("tolerance", choice["tolerance"]);
     if (!(tolerance >= 0) || !is_workable(tolerance)) {
       throw std::invalid_argument("tolerance must be a length from 0 up");
     }
     copy.mechanism.tolerance = tolerance;
   }
-  if (choice.contains("meshings") && choice["meshings"].cast<bool>()) {
+  if (choice.contains("meshings") && option_value<bool>("meshings", choice["meshings"])) {
     for (Joint& joint : copy.mechanism.joints) joint.gear.has_all_meshings = true;
   }
   return std::make_shared<const NamedMechanism>(std::move(copy));
@@ -78,7 +78,7 @@ Shared changed(const Shared& of, const py::dict& choice) {
 
 double finite(const py::dict& choice, const char* name, double otherwise) {
   if (!choice.contains(name)) return otherwise;
-  const auto value = choice[name].cast<double>();
+  const auto value = option_value<double>(name, choice[name]);
   if (!std::isfinite(value)) throw std::invalid_argument(std::string(name) + " is not finite");
   return value;
 }
@@ -205,8 +205,9 @@ FoundMotion motion(const Shared& named, const py::dict& choice, const py::object
   MotionOptions options;
   options.from = finite(choice, "from", 0);
   options.to = finite(choice, "to", options.from + natural_duration(of->mechanism, options.from));
-  if (choice.contains("steps")) options.steps = choice["steps"].cast<int>();
-  if (choice.contains("checkpoints")) options.checkpoints = choice["checkpoints"].cast<int>();
+  if (choice.contains("steps")) options.steps = option_value<int>("steps", choice["steps"]);
+  if (choice.contains("checkpoints"))
+    options.checkpoints = option_value<int>("checkpoints", choice["checkpoints"]);
   require_workable(of->mechanism, options);
   options.solve = solve_options(choice, trackers);
   return overseen(progress, [&](Oversight& oversight) {

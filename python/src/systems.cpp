@@ -126,7 +126,7 @@ System in_order(const System& system, const std::vector<std::string>& names) {
 
 Solved solved(const System& system, const py::dict& choice, const py::object& progress) {
   const Trackers trackers = make_trackers(choice);
-  const int digits = choice.contains("digits") ? choice["digits"].cast<int>() : 0;
+  const int digits = choice.contains("digits") ? option_value<int>("digits", choice["digits"]) : 0;
   if (choice.contains("digits")) require_digits(digits);
   const SolveOptions chosen = solve_options(choice, trackers);
   return overseen(progress, [&](Oversight& oversight) {

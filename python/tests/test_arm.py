@@ -144,3 +144,66 @@ def test_postures_are_those_of_the_command_line(arm, ur5, command, tmp_path):
 def test_a_single_pose_is_drawn(arm):
     q = arm.ik(arm.fk([0.1, -1.2, 1.1, 0.3, 0.8, -0.4]))
     assert "<svg" in q.to_svg() and q._repr_html_() and "<html" in q.to_html()
+
+
+def dh_pose(rows, q, modified):
+    """The product of Denavit-Hartenberg's matrices."""
+    pose = np.eye(4)
+    for (a, alpha, d, theta, *limits), value in zip(rows, q):
+        d, theta = (d + value, theta) if limits else (d, theta + value)
+        c, s, ca, sa = np.cos(theta), np.sin(theta), np.cos(alpha), np.sin(alpha)
+        along = np.array([[c, -s, 0, 0], [s, c, 0, 0], [0, 0, 1, d], [0, 0, 0, 1]])
+        across = np.array([[1, 0, 0, a], [0, ca, -sa, 0], [0, sa, ca, 0], [0, 0, 0, 1]])
+        pose = pose @ (across @ along if modified else along @ across)
+    return pose
+
+
+STANFORD = [[0, -np.pi / 2, 0.4, 0], [0, np.pi / 2, 0.15, 0], [0, 0, 0.1, -np.pi / 2, (0, 1.5)],
+            [0, -np.pi / 2, 0, 0], [0, np.pi / 2, 0, 0], [0, 0, 0.26, 0]]
+UR_BY_CRAIG = [[0, 0, .15185, 0], [0, np.pi / 2, 0, 0], [-.24355, 0, 0, 0], [-.2132, 0, .13105, 0], [0, np.pi / 2, .08535, 0],
+               [0, -np.pi / 2, .0921, 0]]
+
+
+@pytest.mark.parametrize("rows, modified", [(STANFORD, False), (UR_BY_CRAIG, True)])
+def test_an_arm_by_denavit_hartenberg_has_its_poses_and_postures(rows, modified):
+    arm = moivre.Arm.from_dh(rows, modified=modified)
+    q = np.random.default_rng(4).uniform(-1, 1, (20, 6))
+    q[:, 2] = np.abs(q[:, 2]) + 0.1
+    poses = arm.fk(q)
+    assert np.allclose(poses, [dh_pose(rows, row, modified) for row in q], atol=1e-14)
+    found = arm.ik(poses, tracker="lanes")
+    assert found.complete
+    for k in range(20):
+        assert np.abs(np.exp(1j * found[k]) - np.exp(1j * q[k])).max(axis=1).min() < 1e-6
+
+
+@pytest.mark.parametrize("rows, words", [
+    ([[1, 2, 3]], "row 1: a, alpha, d, theta are wanted"),
+    ([[1, 2, 3, 4, 5]], "row 1: a, alpha, d, theta are wanted"),
+    ([[0, 0, 0, 0], [1, 2, 3, "x"]], "row 2: .* are numbers"),
+    ([[1, 2, 3, np.nan]], "row 1: a number is not finite"),
+    ([[1, 2, 3, 4, (0, np.inf)]], "row 1: a number is not finite"),
+    ([], "no joint"),
+    ([[0.1, 0.2, 0.3, 0.4]] * 7, "Hold 1 of them by `hold`: joint1"),
+])
+def test_what_is_no_arm_by_denavit_hartenberg_is_refused_by_row(rows, words):
+    with pytest.raises(ValueError, match=words):
+        moivre.Arm.from_dh(rows)
+
+
+def test_the_text_of_a_urdf_is_an_arm():
+    from conftest import PROBLEMS
+    path = PROBLEMS / "robots" / "puma560.urdf"
+    q = [0.1, -0.5, 0.3, 0.4, 0.5, 0.6]
+    assert np.array_equal(moivre.Arm(path.read_text()).fk(q), moivre.Arm(path).fk(q))
+    with pytest.raises(moivre.ParseError, match="needs the attribute 'name'"):
+        moivre.Arm('<robot name="x"><link/></robot>')
+
+
+def test_a_rotation_of_three_digits_is_refused_with_what_to_do(arm):
+    _, poses = poses_of(arm, 1)
+    with pytest.raises(ValueError, match="no rotation: R\\^T R is off .*numpy.linalg.svd"):
+        arm.ik(poses[0].round(3))
+    u, _, vt = np.linalg.svd(poses[0, :3, :3].round(3))
+    poses[0, :3, :3] = u @ vt
+    assert arm.ik(poses[0]).complete

@@ -226,3 +226,29 @@ def test_a_file_that_is_not_there_is_named():
 def test_what_is_no_system_is_refused(equations):
     with pytest.raises((ValueError, TypeError)):
         moivre.solve(equations)
+
+
+@pytest.mark.parametrize("option, words", [
+    ({"seed": -1}, "seed: -1 is given, but a whole number from 0 up is wanted"),
+    ({"threads": "2"}, "threads: '2' is given, but a whole number is wanted"),
+    ({"slice": "yes"}, "slice: 'yes' is given, but True or False is wanted"),
+    ({"digits": "many"}, "digits: 'many' is given, but a whole number is wanted"),
+    ({"tracker_options": {"rtol": "small"}}, "tracker_options rtol: 'small' is given, but a number is wanted"),
+])
+def test_an_option_of_another_kind_is_refused_by_name(option, words):
+    with pytest.raises(ValueError, match=words):
+        moivre.solve("x^2 - 2", **option)
+
+
+def test_whole_numbers_of_numpy_are_options():
+    assert len(moivre.solve("x^2 - 2", seed=np.int64(3), threads=np.int32(1))) == 2
+
+
+def test_equations_of_a_text_may_stand_a_line_each():
+    assert len(moivre.solve("x^2 + y^2 = 4   # a circle\n\nx*y = 1")) == 4
+
+
+@pytest.mark.parametrize("what", [None, 3, 2.5])
+def test_what_is_no_system_is_refused_with_the_forms_of_one(what):
+    with pytest.raises(ValueError, match="is no system: equations are a text, a path"):
+        moivre.solve(what)

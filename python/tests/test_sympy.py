@@ -96,3 +96,15 @@ def test_moivre_does_not_import_sympy():
     import subprocess
     code = "import sys, moivre; moivre.solve('x^2 - 2'); sys.exit('sympy' in sys.modules)"
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
+
+
+def test_a_division_by_an_unknown_is_refused_with_a_way():
+    with pytest.raises(ValueError, match="no polynomial in x; a text may divide"):
+        moivre.solve([1 / sp.Symbol("x") - 2])
+    with pytest.raises(ValueError, match="no polynomial in x$"):
+        moivre.solve([sp.sin(sp.Symbol("x")) - 2])
+
+
+def test_equations_without_an_unknown_are_refused():
+    with pytest.raises(ValueError, match="no unknown"):
+        moivre.solve([sp.Integer(1)])
