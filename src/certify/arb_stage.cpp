@@ -25,6 +25,8 @@ constexpr slong kIterationsPerBit = 1;
 constexpr double kSettledShare = 0.6;
 // Where corrections have not become smaller so many times in a row, this precision has no more to give.
 constexpr int kMostStalls = 4;
+// Where J is nearly singular a step goes too far, and the next ones bring it back; farther than allowed it has left after more of them.
+constexpr int kMostOutside = 4;
 // Towards a root of multiplicity m corrections fall to a share of 1 - 1/m, at least a half; quadratically, to less and less.
 constexpr double kQuadraticShare = 0.1;
 
@@ -244,6 +246,7 @@ ArbOutcome ArbStage::Work::approach(double farthest) {
   double last = HUGE_VAL;
   double last_ratio = 1;
   int stalls = 0;
+  int outside = 0;
   ArbOutcome outcome = ArbOutcome::not_proved;
   for (slong k = 0; k < kIterationsPerBit * bits_; ++k) {
     evaluate_at(m_);
@@ -265,7 +268,9 @@ ArbOutcome ArbStage::Work::approach(double farthest) {
     }
     // A step that rounding can make tells nothing, nor would the next.
     const bool tells = share > noise;
-    if (moved > farthest) return tells ? ArbOutcome::left : ArbOutcome::not_proved;
+    outside = moved > farthest ? outside + 1 : 0;
+    if (!tells && outside > 0) return ArbOutcome::not_proved;
+    if (outside > kMostOutside) return ArbOutcome::left;
     if (!tells) break;
     const double ratio = share / last;
     const bool is_quadratic = last_ratio < kQuadraticShare && ratio < last_ratio;
@@ -276,6 +281,7 @@ ArbOutcome ArbStage::Work::approach(double farthest) {
     last_ratio = ratio;
     if (stalls > kMostStalls) break;
   }
+  if (outside > 0) return ArbOutcome::left;
   return outcome;
 }
 
