@@ -12,7 +12,7 @@ namespace moivre {
 /// As many digits as a plot can show, so that the page stays small.
 Json rounded(double x);
 
-/// JSON that stands inside <script>: no character of it can end the element.
+/// JSON that stands inside `<script>`: no character of it can end the element.
 std::string script_data(const Json& json);
 
 /// The document: its policy forbids the network; `script` runs behind `body`, which has an element `error` for what fails. `style` is put
