@@ -22,9 +22,11 @@ namespace {
 // Steps of a search that are always worth it: some milliseconds.
 constexpr std::uint64_t kLeastSearch = 10'000;
 // Terms of the algebra that are always worth it, some thirty milliseconds at most; beyond them, a share of what the paths cost, in
-// multiply-adds a term; and where paths are in doubt kAffordableTerms, less time than one of them takes in more digits.
+// multiply-adds a term.
 constexpr double kLeastTerms = 3'000'000;
 constexpr double kAlgebraShare = 0.5;
+// Some ten seconds.
+constexpr std::uint64_t kMostTerms = 1'000'000'000;
 constexpr double kTermCost = 20;
 
 /// The bound whose value is `roots`; throws where it is less.
@@ -84,9 +86,10 @@ bool is_worth_a_search(const Run& run, std::uint64_t roots) {
 std::uint64_t terms_worth_looking_at(const Run& run) {
   const Prepared& prepared = run.setting.prepared;
   const double cost = cost_of_paths(prepared.reduction.system, paths_at_stake(run));
-  const double least = !run.waiting.empty()            ? 0
-                       : run.ledger.failures().empty() ? kLeastTerms
-                                                       : kAffordableTerms;
+  const std::size_t failed = run.ledger.failures().size();
+  const double least = !run.waiting.empty() ? 0
+                       : failed == 0        ? kLeastTerms
+                                            : static_cast<double>(terms_instead_of(failed));
   return static_cast<std::uint64_t>(
       std::min(std::max(least, kAlgebraShare * cost / kTermCost), 1e18));
 }
@@ -259,6 +262,10 @@ std::vector<std::uint64_t> spare_paths(Run& run, Places& places) {
 
 }  // namespace
 
+std::uint64_t terms_instead_of(std::size_t paths) {
+  return std::min(kMostTerms, kAffordableTerms * paths);
+}
+
 bool settle_by_bound(Run& run) {
   run.bounds.lacks_paths = false;
   Places places(exact_roots(run));
@@ -307,12 +314,14 @@ bool are_as_counted(Run& run) {
     roots += group.size();
   }
   if (roots != ring.dimension) return false;
-  if (run.bounds.for_points.allows(kAffordableTerms)) {
-    run.bounds.points =
-        quotient_ring(
-            run.setting.prepared.reduction.system,
-            {.stop = &run.setting.stop, .counts_points = true, .seed = run.setting.options.seed})
-            .points;
+  const std::uint64_t terms = terms_instead_of(std::max<std::size_t>(1, run.ledger.failures().size()));
+  if (run.bounds.for_points.allows(terms)) {
+    run.bounds.points = quotient_ring(run.setting.prepared.reduction.system,
+                                      {.most_terms = terms,
+                                       .stop = &run.setting.stop,
+                                       .counts_points = true,
+                                       .seed = run.setting.options.seed})
+                            .points;
   }
   return groups.size() == run.bounds.points;
 }

@@ -21,6 +21,9 @@
 
 namespace moivre {
 
+/// Terms of exact algebra that are worth it where so many paths would be followed in more digits: each takes as long as kAffordableTerms.
+std::uint64_t terms_instead_of(std::size_t paths);
+
 /// Where a proved bound is met nothing is left in doubt: one path ends at each proved root, at each exact one (exact_roots.h) as
 /// many as its multiplicity, some on sets of positive dimension; every other ends at no isolated root, and is not needed.
 /// False where none is met, or where fewer paths are left than the exact roots need: that is told as a contradiction.

@@ -16,8 +16,6 @@ namespace {
 
 // Certificates take as many bits of a place.
 constexpr int kBitsOfPlace = 256;
-// Terms of the algebra, some fifteen seconds; less where few paths are in doubt: kAffordableTerms of it cost as much as one of them.
-constexpr std::uint64_t kMostTermsForRoots = 1'000'000'000;
 
 /// Of (1, x) and (1, y), by angle: roots of any size are compared. In [0, 1].
 double projective_distance(const Point& x, const Point& y) {
@@ -78,8 +76,7 @@ bool find_missing_roots(Run& run, const PathSet& doubtful) {
   const bool can_be_found = ring.verdict == QuotientRing::Verdict::finite &&
                             ring.dimension <= kMostRingPoints && is_root_missing(run);
   if (!can_be_found || run.interrupted) return false;
-  const std::uint64_t terms =
-      std::min(kMostTermsForRoots, kAffordableTerms * doubtful.size());
+  const std::uint64_t terms = terms_instead_of(doubtful.size());
   if (terms == 0 || !run.bounds.for_roots.allows(terms)) return false;
   const auto points = ring_points(run.setting.prepared.reduction.system,
                                   {.most_terms = terms,
