@@ -149,6 +149,18 @@ TipWay tip_way(const Eigen::Isometry3d& begin, const Eigen::Isometry3d& end, dou
           detour};
 }
 
+namespace {
+
+/// Whether every motion of the joints moves the tip. On a set of closures steps along it are none of Newton's, which then contracts
+/// at any of its points, complex ones too.
+bool is_regular(const Arm& arm, const JointVector<Complex>& q) {
+  constexpr double kRounding = 1e-13;  // what the tip seems to move by where it stands
+  const Eigen::Matrix<Complex, 6, 6> square = tip_motion<Complex>(arm, q).screws;
+  return square.partialPivLu().inverse().norm() < 1 / kRounding;
+}
+
+}  // namespace
+
 bool correct_at(const Arm& arm, const Placement<Complex>& pose, JointVector<Complex>& values,
                 double farthest, double& accuracy) {
   constexpr int kMost = 12;
@@ -166,6 +178,7 @@ bool correct_at(const Arm& arm, const Placement<Complex>& pose, JointVector<Comp
     if (size == 0) break;
   }
   if (!(accuracy <= kRegular) || distance_of(arm, q, values) > farthest) return false;
+  if (!is_regular(arm, q)) return false;
   values = q;
   return true;
 }

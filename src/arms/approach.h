@@ -41,7 +41,7 @@ TipWay tip_way(const Eigen::Isometry3d& begin, const Eigen::Isometry3d& end, dou
 ApproachEnd approach(const Arm& arm, const TipWay& way, const JointVector<Complex>& start,
                      double contraction = 0.1);
 
-/// Newton's method at one pose. False where it does not contract, or goes farther than `farthest`.
+/// Newton's method at one pose. False where it does not contract, goes farther than `farthest`, or ends on a set of closures.
 bool correct_at(const Arm& arm, const Placement<Complex>& pose, JointVector<Complex>& values,
                 double farthest, double& accuracy);
 

@@ -183,6 +183,37 @@ TEST(SpecialPosesTest, AScaraHasTwoClosuresAndOneWhereItIsStretched) {
   }
 }
 
+/// Three slides, then a wrist of z, y and z with a link between its axes.
+Arm gantry() {
+  std::string text = "<robot name='gantry'><link name='l0'/>";
+  const char* const axes[] = {"1 0 0", "0 1 0", "0 0 1", "0 0 1", "0 1 0", "0 0 1"};
+  for (int k = 1; k <= 6; ++k) {
+    const std::string n = std::to_string(k);
+    text += "<link name='l" + n + "'/><joint name='j" + n + "' type='" +
+            (k <= 3 ? "prismatic" : "revolute") + "'><parent link='l" + std::to_string(k - 1) +
+            "'/><child link='l" + n + "'/><origin xyz='0 0 " + (k <= 4 ? "0" : "-0.1") +
+            "'/><axis xyz='" + axes[k - 1] +
+            "'/><limit lower='-3' upper='3' effort='1' velocity='1'/></joint>";
+  }
+  return make_arm(read_urdf({"gantry", text + "</robot>"}), {});
+}
+
+TEST(SpecialPosesTest, PathsThatEndOnASetTellNothingButTheSet) {
+  // At a straight wrist Newton's method contracts at any point of the set, complex ones too, which have no conjugates.
+  const Arm arm = gantry();
+  for (std::uint64_t k = 0; k < 20; ++k) {
+    SCOPED_TRACE(k);
+    Eigen::VectorXd own = random_values(arm, 12, k);
+    own[4] = 0;
+    const ArmResult result =
+        find_arm_closures(arm, forward_kinematics(arm, own), lanes(), one_thread());
+    EXPECT_TRUE(result.complete) << result.message;
+    EXPECT_EQ(result.moves.size(), 1U);
+    EXPECT_TRUE(result.closures.empty());
+    EXPECT_EQ(result.counts.complex, 0U);
+  }
+}
+
 TEST(SpecialPosesTest, WhereTheJacobianHasFullRankAClosureIsSimple) {
   const Arm arm = scara();
   for (std::uint64_t k = 0; k < 200; ++k) {
