@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "moivre/expression/counted.h"
+#include "moivre/expression/utf8.h"
 #include "moivre/report/number_text.h"
 #include "moivre/report/solve_report.h"
 #include "moivre/report/text_blocks.h"
@@ -129,11 +130,11 @@ std::string root_text(const Solution& root, const std::vector<std::string>& name
   text += ", accuracy " + rough_text(root.accuracy) + ", condition " + rough_text(root.condition) +
           '\n';
   std::size_t width = 0;
-  for (const std::string& name : names) width = std::max(width, name.size());
+  for (const std::string& name : names) width = std::max(width, utf8_characters(name));
   const double error = root.accuracy * std::max(1.0, max_norm(root.x));
   for (std::size_t i = 0; i < names.size(); ++i) {
     const std::string value = coordinate_text(root, i, error);
-    text += "  " + names[i] + std::string(width - names[i].size(), ' ') + " = " +
+    text += "  " + names[i] + std::string(width - utf8_characters(names[i]), ' ') + " = " +
             (value.front() == '-' ? "" : " ") + value + '\n';
   }
   return text;

@@ -235,6 +235,14 @@ TEST(SolveCommand, RefusesAnUnderdeterminedSystemWithoutJson) {
   EXPECT_FALSE(scene.has("f.json"));
 }
 
+TEST(SolveCommand, GreekNamesStandInTheSameColumnAsOthers) {
+  Scene scene;
+  scene.write("greek.phc", "\u03b1 = 2\nx[1] = 3\n");
+  const Outcome outcome = scene.run({"solve", "greek.phc"});
+  EXPECT_NE(outcome.out.find("\n  \u03b1    =  2\n  x[1] =  3\n"), std::string::npos)
+      << outcome.out;
+}
+
 TEST(SolveCommand, CountsTheRootsThatSquaringUpAdded) {
   Scene scene;
   scene.write("over.phc", "2 1\nx^2 - 1;\nx - 1;\n");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Is this UTF-8? Lengths of its sequences, and the first byte that belongs to none.
+// Is this UTF-8? Lengths of its sequences, their number, and the first byte that belongs to none.
 #pragma once
 
 #include <cstddef>
@@ -21,6 +21,13 @@ inline std::size_t utf8_length(std::string_view text) {
   const bool is_surrogate = first == 0xED && byte(1) >= 0xA0;
   const bool is_beyond = first == 0xF4 && byte(1) >= 0x90;
   return is_overlong || is_surrogate || is_beyond ? 0 : length;
+}
+
+/// Characters of UTF-8, which a column is as wide as: bytes that begin one.
+inline std::size_t utf8_characters(std::string_view text) {
+  std::size_t count = 0;
+  for (const char c : text) count += (static_cast<unsigned char>(c) & 0xC0) != 0x80 ? 1 : 0;
+  return count;
 }
 
 /// Where the first byte stands that is no UTF-8; npos where all is.
