@@ -7,7 +7,9 @@ include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/moivre)
 
 # One export a module, so that a consumer meets the packages of the components it asked for and no others.
-foreach(module IN LISTS MOIVRE_BUILT_MODULES)
+set(installed_modules ${MOIVRE_BUILT_MODULES})
+list(REMOVE_ITEM installed_modules ${MOIVRE_OF_PROGRAMS})
+foreach(module IN LISTS installed_modules)
   install(TARGETS moivre_${module} EXPORT moivre_${module}
     LIBRARY COMPONENT library NAMELINK_COMPONENT development ARCHIVE COMPONENT development
     FILE_SET HEADERS COMPONENT development)
@@ -19,6 +21,9 @@ install(FILES ${PROJECT_SOURCE_DIR}/include/moivre/moivre.h DESTINATION ${CMAKE_
   COMPONENT development)
 if(TARGET moivre)
   install(TARGETS moivre COMPONENT program)
+  if(TARGET moivre_mpi)
+    install(TARGETS moivre_mpi COMPONENT program)
+  endif()
   # What one reads, and what one tries first.
   file(GLOB pages ${PROJECT_SOURCE_DIR}/docs/*.md)
   list(FILTER pages EXCLUDE REGEX "/(walkthrough|notation|seed-pages|gallery)\\.md$")

@@ -5,10 +5,11 @@
 
 set(MOIVRE_MODULES numeric factorization expression polynomial certify homotopy tracker tracker_cvode tracker_lanes multiprecision endgame
     start bounds check solver family study mechanism urdf kinematics formulation closures motion design arms closure_study sweep report check_report
-    family_report closure_report arm_report sweep_report study_report run_ledger cli)
+    family_report closure_report arm_report sweep_report study_report run_ledger mpi_ranks cli)
 
 set(MOIVRE_USES_numeric "")
 set(MOIVRE_USES_run_ledger numeric)
+set(MOIVRE_USES_mpi_ranks numeric)
 set(MOIVRE_USES_factorization numeric)
 set(MOIVRE_USES_expression numeric)
 set(MOIVRE_USES_polynomial expression factorization)
@@ -47,14 +48,17 @@ set(MOIVRE_USES_sweep_report sweep closure_report)
 set(MOIVRE_USES_arm_report arms closure_report)
 set(MOIVRE_USES_study_report study report)
 set(MOIVRE_USES_cli closure_study multiprecision report check_report family_report study_report closure_report arm_report sweep_report
-    tracker_cvode tracker_lanes run_ledger)
+    tracker_cvode tracker_lanes run_ledger mpi_ranks)
+
+# Linked by one program alone (moivre-mpi), and not installed: moivre starts where there is no MPI.
+set(MOIVRE_OF_PROGRAMS mpi_ranks)
 
 # Where a module is switched off, those named here make do without it; cli makes do with what is there.
 set(MOIVRE_DO_WITHOUT_multiprecision solver)
 
 # Modules that read, decide and write: their time goes into what they call, so that optimizing their own code further only
 # lengthens the build.
-set(MOIVRE_LIGHT run_ledger expression multiprecision family bounds check study urdf formulation design arms closure_study sweep report check_report
+set(MOIVRE_LIGHT run_ledger mpi_ranks expression multiprecision family bounds check study urdf formulation design arms closure_study sweep report check_report
     family_report closure_report arm_report sweep_report study_report cli)
 
 # Modules that add compiler flags of their own.
@@ -64,6 +68,7 @@ set(MOIVRE_OWN_FLAGS certify tracker_lanes)
 # the exception: they are vocabulary of the public headers.
 set(MOIVRE_THIRD_PARTY_numeric Boost::headers)
 set(MOIVRE_THIRD_PARTY_run_ledger SQLite::SQLite3)
+set(MOIVRE_THIRD_PARTY_mpi_ranks MPI::MPI_C)
 set(MOIVRE_THIRD_PARTY_factorization Eigen3::Eigen)
 set(MOIVRE_THIRD_PARTY_expression taocpp::pegtl)
 set(MOIVRE_THIRD_PARTY_multiprecision MPFR::MPFR)
@@ -91,6 +96,7 @@ set(MOIVRE_FIND_Eigen3::Eigen Eigen3 3.4)
 set(MOIVRE_FIND_Boost::headers Boost 1.74)
 set(MOIVRE_FIND_taocpp::pegtl pegtl 3.2)
 set(MOIVRE_FIND_SQLite::SQLite3 SQLite3 3.40)
+set(MOIVRE_FIND_MPI::MPI_C MPI 3.0 COMPONENTS C)
 set(MOIVRE_FIND_MPFR::MPFR MPFR 4.0)
 set(MOIVRE_FIND_Arb::Arb Arb 2.23)
 set(MOIVRE_FIND_SUNDIALS::cvode SUNDIALS 6.4)
@@ -105,6 +111,7 @@ set(MOIVRE_HEADERS_Eigen3::Eigen "(Eigen|unsupported/Eigen)/")
 set(MOIVRE_HEADERS_Boost::headers "boost/")
 set(MOIVRE_HEADERS_taocpp::pegtl "tao/pegtl")
 set(MOIVRE_HEADERS_SQLite::SQLite3 "sqlite3\\.h")
+set(MOIVRE_HEADERS_MPI::MPI_C "mpi\\.h")
 set(MOIVRE_HEADERS_MPFR::MPFR "(boost/multiprecision/)?(mpfr|gmp|mpc)\\.h")
 set(MOIVRE_HEADERS_Arb::Arb "(flint/|(arb|acb|arf|mag|acb_mat|arb_fmpz_poly)\\.h)")
 set(MOIVRE_HEADERS_SUNDIALS::cvode "(cvode|sundials|nvector|sunmatrix|sunlinsol|sunnonlinsol)/")

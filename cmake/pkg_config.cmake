@@ -23,7 +23,7 @@ function(pc_names_of variable package)
 endfunction()
 
 set(pc_modules ${MOIVRE_BUILT_MODULES})
-list(REMOVE_ITEM pc_modules cli)
+list(REMOVE_ITEM pc_modules cli ${MOIVRE_OF_PROGRAMS})
 list(REVERSE pc_modules)
 set(vocabulary "")
 set(packages "")

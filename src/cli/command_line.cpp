@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <iterator>
 #include <new>
+#include <set>
 #include <sstream>
 
 #include "command.h"
@@ -11,6 +12,7 @@
 #include "moivre/expression/source.h"
 #include "option_words.h"
 #include "output.h"
+#include "process_role.h"
 #include "suggest.h"
 #include "version_text.h"
 
@@ -110,6 +112,15 @@ int refuse(const std::string& text) {
   return kUsage;
 }
 
+/// Whether several processes do the command's work together.
+bool is_shared(const CLI::App& moivre) {
+  static const std::set<std::string> kShared{"solve", "closures", "motion", "family"};
+  for (const CLI::App* command : moivre.get_subcommands()) {
+    if (kShared.count(command->get_name()) > 0) return true;
+  }
+  return false;
+}
+
 struct Command {
   const char* name;
   void (*add)(CLI::App& moivre, Chosen& chosen);
@@ -154,6 +165,7 @@ int parse_and_run(int argc, char** argv) {
                                    : std::string("moivre: ") + error.what() +
                                          "\nmoivre --help shows how to call it.\n");
   }
+  if (!process_role().tells && !is_shared(moivre)) return kDecided;
   return chosen();
 }
 

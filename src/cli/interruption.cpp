@@ -13,6 +13,7 @@
 #include <system_error>
 
 #include "memory.h"
+#include "process_role.h"
 
 namespace moivre {
 namespace {
@@ -84,14 +85,15 @@ void catch_signal(int signal, void (*handler)(int)) {
 
 }  // namespace
 
-Interruption::Interruption(std::optional<double> seconds) : seconds_(seconds) {
+Interruption::Interruption(std::optional<double> seconds)
+    : seconds_(process_role().tells ? seconds : std::nullopt) {
   interrupted = writing_interrupted = signalled = false;
   stop_reason = Reason::none;
   for (const int signal : kSignals) catch_signal(signal, note_signal);
   std::signal(kIgnored, SIG_IGN);
-  if (seconds) {
+  if (seconds_) {
     catch_signal(SIGALRM, note_time);
-    set_timer(*seconds);
+    set_timer(*seconds_);
   }
   reserve = std::malloc(kReserve);
   std::set_new_handler(give_up_reserve);

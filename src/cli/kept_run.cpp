@@ -12,6 +12,7 @@
 #include "moivre/report/version.h"
 #include "moivre/run_ledger/run_ledger.h"
 #include "moivre/solver/solve.h"
+#include "process_role.h"
 
 #if MOIVRE_WITH_LANES
 #include "moivre/tracker_lanes/lane_tracker.h"
@@ -114,14 +115,17 @@ void add_ledger_option(CLI::App& command, LedgerChoice& choice) {
 }
 
 KeptRun::KeptRun(const LedgerChoice& choice, const std::vector<std::string>& inputs) {
-  if (choice.path.empty()) return;
+  if (choice.path.empty() || !process_role().tells) return;
   question_ = question_of(*choice.call);
   ledger_ = std::make_unique<RunLedger>(choice.path, identity_of(choice, inputs), stop_run);
 }
 
 KeptRun::~KeptRun() = default;
 
-Observations* KeptRun::observations() { return ledger_.get(); }
+Observations* KeptRun::observations() {
+  SharedObservations* const shared = process_role().shared;
+  return shared != nullptr ? shared->kept_in(ledger_.get()) : ledger_.get();
+}
 
 void KeptRun::tell(const Progress& progress) {
   if (ledger_ && !progress.search) ledger_->tell(progress.done, progress.total, progress.finite);

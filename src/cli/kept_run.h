@@ -43,6 +43,7 @@ class KeptRun {
   KeptRun& operator=(const KeptRun&) = delete;
 
   bool is_kept() const { return ledger_ != nullptr; }
+  /// Those of all processes of the run, where there are several.
   Observations* observations();
   void tell(const Progress& progress);
   void tell(std::uint64_t done, std::uint64_t total);

@@ -20,6 +20,7 @@
 #include <utility>
 
 #include "interruption.h"
+#include "process_role.h"
 
 namespace moivre {
 namespace {
@@ -228,7 +229,7 @@ void require_room_for(const std::string& path) {
 }  // namespace
 
 Output::Output(const std::string& path) : path_(path) {
-  if (!is_wanted() || is_stdout()) return;
+  if (!is_wanted() || is_stdout() || !process_role().tells) return;
   const auto old = status_of(path);
   if (!old) {
     if (errno != ENOENT) refuse_path(path);
@@ -245,6 +246,7 @@ Output::~Output() {
 }
 
 void Output::write(const Content& content) {
+  if (!process_role().tells) return;
   if (is_stdout()) return content(write_to_stdout);
   if (device_ < 0) {
     if (!is_replaced(path_, content)) write_in_place(path_, content);
@@ -267,6 +269,7 @@ void deliver(const std::vector<Form>& forms, bool quiet, const std::function<std
 
 void deliver(const std::vector<Form>& forms, bool quiet, const Content& text,
              const std::string& unfinished) {
+  if (!process_role().tells) return;
   const Writing writing;
   std::string failures;
   const auto note = [&failures](const std::string& why) {

@@ -5,6 +5,7 @@
 // the disk, so that an old file stays until then and no half of a new one is ever seen. Until then it has no name (O_TMPFILE), so that
 // a killed run leaves nothing; on file systems without such files its name is .moivre-<process>. Where it cannot be moved there (a link's
 // other name, a folder that cannot be written) it is written in place, when its room is reserved. "-" is stdout.
+// A process that only works (process_role.h) writes nothing.
 #pragma once
 
 #include <functional>

@@ -3,7 +3,10 @@
 #include "loops.h"
 
 #include <algorithm>
+#include <memory>
+#include <mutex>
 #include <numeric>
+#include <utility>
 
 #include "moivre/family/learn.h"
 #include "moivre/numeric/bytes.h"
@@ -25,16 +28,40 @@ struct Batch {
   std::vector<std::size_t> wanted;  ///< numbers of starts
   std::atomic<std::size_t> next{0};
   std::vector<std::optional<Point>>& ends;
+  JobShares* shares = nullptr;  ///< says which are this process's, where there are several
+  std::mutex mutex = {};
+  std::vector<std::size_t> drawn = {};
   Observations* observations = nullptr;
   Fingerprint list = {};
 
+  std::optional<std::size_t> draw() {
+    if (shares != nullptr) {
+      const auto job = shares->draw();
+      if (!job) return std::nullopt;
+      const std::lock_guard lock(mutex);
+      drawn.push_back(*job);
+      return *job;
+    }
+    const std::size_t k = next++;
+    if (k >= wanted.size()) return std::nullopt;
+    return wanted[k];
+  }
+
   /// An end, or that there is none.
-  void keep(std::size_t path) const {
-    if (observations == nullptr) return;
+  std::string bytes_of(std::size_t path) const {
     ByteWriter bytes;
     bytes.put(ends[path].value_or(Point{}));
-    observations->keep(list, JobOutcome{path, bytes.bytes(),
+    return bytes.bytes();
+  }
+  void keep(std::size_t path) const {
+    if (observations == nullptr) return;
+    observations->keep(list, JobOutcome{path, bytes_of(path),
                                         ends[path] ? OutcomeKind::root : OutcomeKind::failed});
+  }
+  void take(std::size_t path, std::string_view outcome) {
+    ByteReader bytes(outcome);
+    Point end = bytes.get_vector<Complex>();
+    if (!end.empty()) ends.at(path) = std::move(end);
   }
 };
 
@@ -43,10 +70,10 @@ class BatchSource : public DepartureSource {
   explicit BatchSource(Batch& batch) : batch_(batch), scratch_(batch.homotopy) {}
 
   std::optional<Departure> next() override {
-    const std::size_t k = batch_.next++;
-    if (k >= batch_.wanted.size()) return std::nullopt;
+    const auto path = batch_.draw();
+    if (!path) return std::nullopt;
     Departure departure;
-    departure.path = batch_.wanted[k];
+    departure.path = *path;
     departure.x = batch_.homotopy.chart().homogeneous(batch_.starts[departure.path]);
     return departure;
   }
@@ -81,6 +108,39 @@ void follow(Batch& batch, const Tracker& tracker, const Follower& follower) {
   });
 }
 
+/// Between generic members all paths are regular: one that double has lost needs more digits.
+void follow_lost(Batch& batch, const Follower& follower) {
+  std::erase_if(batch.wanted, [&](std::size_t k) { return batch.ends[k].has_value(); });
+  const auto fine = follower.tracker.in_double_double();
+  if (fine) follow(batch, *fine, follower);
+  for (const std::size_t k : batch.wanted) {
+    if (!batch.ends[k] && !follower.stop) batch.keep(k);
+  }
+}
+
+/// Those that this process draws, and what others tell of theirs.
+void follow_shared(Batch& batch, JobShares& shares, const Follower& follower) {
+  std::vector<bool> is_wanted(batch.starts.size(), false);
+  for (const std::size_t k : batch.wanted) is_wanted[k] = true;
+  for (std::size_t k = 0; k < is_wanted.size(); ++k) {
+    if (!is_wanted[k]) shares.tell(k, batch.bytes_of(k));
+  }
+  const auto follow_mine = [&] {
+    batch.shares = &shares;
+    follow(batch, follower.tracker, follower);
+    batch.shares = nullptr;
+    batch.wanted = std::exchange(batch.drawn, {});
+    const std::vector<std::size_t> mine = batch.wanted;
+    follow_lost(batch, follower);
+    if (follower.stop) return;
+    for (const std::size_t k : mine) shares.tell(k, batch.bytes_of(k));
+  };
+  do_together(shares, follower.stop, follow_mine, [&](const ToldOutcome& told) {
+    batch.take(told.job, told.bytes);
+    batch.keep(told.job);
+  });
+}
+
 /// Takes the ends that are known; the others are wanted.
 void recall(Batch& batch, const Follower& follower) {
   batch.wanted.resize(batch.starts.size());
@@ -94,11 +154,7 @@ void recall(Batch& batch, const Follower& follower) {
   batch.list = maker.fingerprint();
   batch.observations = follower.observations;
   const auto known = follower.observations->recall(batch.list);
-  for (const auto& [path, outcome] : known) {
-    ByteReader bytes(outcome);
-    Point end = bytes.get_vector<Complex>();
-    if (!end.empty()) batch.ends.at(path) = std::move(end);
-  }
+  for (const auto& [path, outcome] : known) batch.take(path, outcome);
   std::erase_if(batch.wanted, [&](std::size_t k) { return known.count(k) > 0; });
 }
 
@@ -121,13 +177,14 @@ std::vector<std::optional<Point>> follow_roots(const System& system, const Point
   std::vector<std::optional<Point>> ends(roots.size());
   Batch batch{homotopy, roots, {}, {}, ends};
   recall(batch, follower);
-  follow(batch, follower.tracker, follower);
-  // Between generic members all paths are regular. A path that double loses needs more digits.
-  std::erase_if(batch.wanted, [&](std::size_t k) { return ends[k].has_value(); });
-  const auto fine = follower.tracker.in_double_double();
-  if (fine) follow(batch, *fine, follower);
-  for (const std::size_t k : batch.wanted) {
-    if (!ends[k] && !follower.stop) batch.keep(k);
+  const auto shares = batch.observations != nullptr && roots.size() > 1
+                          ? batch.observations->share(batch.list, roots.size())
+                          : std::unique_ptr<JobShares>();
+  if (shares) {
+    follow_shared(batch, *shares, follower);
+  } else {
+    follow(batch, follower.tracker, follower);
+    follow_lost(batch, follower);
   }
   return ends;
 }

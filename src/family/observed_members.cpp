@@ -29,10 +29,13 @@ Fingerprint list_of(const MembersTask& task, std::span<const Point> members) {
   return maker.fingerprint();
 }
 
+std::size_t least_block_of(const MembersTask& task) {
+  return kMembersOfAThread * static_cast<std::size_t>(thread_count(task.options.threads));
+}
+
 std::size_t block_of(const MembersTask& task) {
   const std::size_t paths = std::max<std::size_t>(1, task.family.roots.size());
-  const auto threads = static_cast<std::size_t>(thread_count(task.options.threads));
-  return std::min(std::max(kPathsTogether / paths, kMembersOfAThread * threads), kMostTogether);
+  return std::min(std::max(kPathsTogether / paths, least_block_of(task)), kMostTogether);
 }
 
 OutcomeKind kind_of(const MemberRoots& roots) {
@@ -55,6 +58,92 @@ SolveOptions of_block(const SolveOptions& options, std::size_t done, std::size_t
   return block;
 }
 
+/// Members on their way to what is observed of them.
+struct ObservedMembers {
+  const MembersTask& task;
+  std::span<const Point> members;
+  const MembersSolver& solve;
+  const std::atomic<bool>& stop;
+  Fingerprint list;
+  std::vector<MemberRoots> results;
+  std::vector<std::size_t> others;  ///< of which nothing is known
+  std::size_t done = 0;
+  std::uint64_t finite = 0;
+
+  void take(std::size_t member, std::string_view bytes) {
+    results[member] = member_roots_of(bytes);
+    finite += results[member].roots.size();
+    ++done;
+  }
+
+  /// What is known is told to others too, where there are any.
+  void take_known(JobShares* shares) {
+    results.resize(members.size());
+    auto known = task.options.observations->recall(list);
+    for (std::size_t k = 0; k < members.size(); ++k) {
+      const auto found = known.find(k);
+      if (found == known.end()) {
+        others.push_back(k);
+        continue;
+      }
+      take(k, found->second);
+      if (shares != nullptr) shares->tell(k, std::move(found->second));
+    }
+  }
+
+  void solve_block(const std::vector<std::size_t>& numbers, JobShares* shares) {
+    std::vector<Point> block;
+    for (const std::size_t k : numbers) block.push_back(members[k]);
+    auto solved = solve(block, of_block(task.options, done, members.size(), finite));
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
+      MemberRoots& result = results[numbers[k]];
+      result = std::move(solved[k]);
+      finite += result.roots.size();
+      ++done;
+      if (stop) continue;
+      JobOutcome outcome{numbers[k], bytes_of(result), kind_of(result)};
+      task.options.observations->keep(list, outcome);
+      if (shares != nullptr) shares->tell(outcome.job, std::move(outcome.bytes));
+    }
+  }
+
+  void solve_all() {
+    const std::size_t together = block_of(task);
+    for (std::size_t begin = 0; begin < others.size(); begin += together) {
+      const std::size_t end = std::min(others.size(), begin + together);
+      const auto from = others.begin();
+      solve_block(
+          {from + static_cast<std::ptrdiff_t>(begin), from + static_cast<std::ptrdiff_t>(end)},
+          nullptr);
+    }
+  }
+
+  /// Blocks as small as lanes allow, so that all processes end together.
+  void solve_drawn(JobShares& shares) {
+    const std::size_t together = least_block_of(task);
+    while (!stop) {
+      std::vector<std::size_t> block;
+      while (block.size() < together) {
+        const auto drawn = shares.draw();
+        if (!drawn) break;
+        block.push_back(*drawn);
+      }
+      if (block.empty()) return;
+      solve_block(block, &shares);
+    }
+  }
+
+  void solve_shared(JobShares& shares) {
+    do_together(
+        shares, stop, [&] { solve_drawn(shares); },
+        [&](const ToldOutcome& told) {
+          take(told.job, told.bytes);
+          const JobOutcome outcome{told.job, told.bytes, kind_of(results[told.job])};
+          task.options.observations->keep(list, outcome);
+        });
+  }
+};
+
 }  // namespace
 
 std::string bytes_of(const MemberRoots& roots) {
@@ -70,6 +159,7 @@ std::string bytes_of(const MemberRoots& roots) {
     bytes.put(root.certified ? (*root.certified ? 1 : 0) : -1);
   }
   bytes.put(roots.at_infinity);
+  bytes.put(roots.not_needed);
   bytes.put(roots.failed);
   bytes.put(roots.complete);
   bytes.put(roots.judged);
@@ -92,6 +182,7 @@ MemberRoots member_roots_of(std::string_view text) {
     if (certified >= 0) root.certified = certified == 1;
   }
   roots.at_infinity = bytes.get<std::uint64_t>();
+  roots.not_needed = bytes.get<std::uint64_t>();
   roots.failed = bytes.get<std::uint64_t>();
   roots.complete = bytes.get<bool>();
   roots.judged = bytes.get<bool>();
@@ -106,35 +197,16 @@ std::vector<MemberRoots> observe_members(const MembersTask& task, std::span<cons
                                          const std::atomic<bool>& stop) {
   Observations& observations = *task.options.observations;
   const Fingerprint list = list_of(task, members);
-  const auto known = observations.recall(list);
-  std::vector<MemberRoots> results(members.size());
-  std::vector<std::size_t> others;
-  std::uint64_t finite = 0;
-  for (std::size_t k = 0; k < members.size(); ++k) {
-    const auto found = known.find(k);
-    if (found == known.end()) {
-      others.push_back(k);
-      continue;
-    }
-    results[k] = member_roots_of(found->second);
-    finite += results[k].roots.size();
+  ObservedMembers observed{task, members, solve, stop, list, {}, {}, 0, 0};
+  const auto shares =
+      members.size() > 1 ? observations.share(list, members.size()) : std::unique_ptr<JobShares>();
+  observed.take_known(shares.get());
+  if (shares) {
+    observed.solve_shared(*shares);
+  } else {
+    observed.solve_all();
   }
-  const std::size_t together = block_of(task);
-  for (std::size_t begin = 0; begin < others.size(); begin += together) {
-    const std::size_t count = std::min(together, others.size() - begin);
-    std::vector<Point> block;
-    for (std::size_t k = 0; k < count; ++k) block.push_back(members[others[begin + k]]);
-    const std::size_t done = members.size() - others.size() + begin;
-    auto solved = solve(block, of_block(task.options, done, members.size(), finite));
-    for (std::size_t k = 0; k < count; ++k) {
-      MemberRoots& result = results[others[begin + k]];
-      result = std::move(solved[k]);
-      finite += result.roots.size();
-      if (stop) continue;
-      observations.keep(list, JobOutcome{others[begin + k], bytes_of(result), kind_of(result)});
-    }
-  }
-  return results;
+  return std::move(observed.results);
 }
 
 }  // namespace moivre

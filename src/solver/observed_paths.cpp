@@ -6,6 +6,7 @@
 
 #include "moivre/numeric/bytes.h"
 #include "moivre/tracker/followed.h"
+#include "shared_paths.h"
 
 namespace moivre {
 namespace {
@@ -71,6 +72,21 @@ void add_endgame(FingerprintMaker& maker, const EndgameOptions& options) {
   maker.add(ends.maximum_steps);
 }
 
+OutcomeKind kind_of(const PathEnd& end) {
+  if (end.outpost) return OutcomeKind::other;
+  switch (end.status) {
+    case PathStatus::finite:
+      return OutcomeKind::root;
+    case PathStatus::at_infinity:
+      return OutcomeKind::at_infinity;
+    case PathStatus::failed:
+      return OutcomeKind::failed;
+  }
+  return OutcomeKind::other;
+}
+
+}  // namespace
+
 /// Where paths begin follows from the plan's homotopies and its numbers; two of the points tell plans of given points apart.
 Fingerprint list_of(const PathProblem& problem, const PathList& paths, int care) {
   FingerprintMaker maker;
@@ -95,41 +111,6 @@ Fingerprint list_of(const PathProblem& problem, const PathList& paths, int care)
   }
   return maker.fingerprint();
 }
-
-OutcomeKind kind_of(const PathEnd& end) {
-  if (end.outpost) return OutcomeKind::other;
-  switch (end.status) {
-    case PathStatus::finite:
-      return OutcomeKind::root;
-    case PathStatus::at_infinity:
-      return OutcomeKind::at_infinity;
-    case PathStatus::failed:
-      return OutcomeKind::failed;
-  }
-  return OutcomeKind::other;
-}
-
-/// Of a list, as they come in.
-struct Kept {
-  Observations& observations;
-  Fingerprint list;
-  bool is_on_circles = false;  ///< from now on ends depend on all paths that have waited
-  std::uint64_t ended = 0;
-  std::vector<JobOutcome> of_circles = {};
-
-  void take(std::uint64_t path, const PathEnd& end) {
-    if (end.failure == Failure::cancelled) return;
-    ++ended;
-    JobOutcome outcome{path, bytes_of(end), kind_of(end)};
-    if (is_on_circles) {
-      of_circles.push_back(std::move(outcome));
-    } else {
-      observations.keep(list, outcome);
-    }
-  }
-};
-
-}  // namespace
 
 std::string bytes_of(const PathEnd& end) {
   ByteWriter bytes;
@@ -176,11 +157,34 @@ PathEnd end_of(std::string_view text) {
   return end;
 }
 
+KeptEnds::KeptEnds(Observations& observations, const Fingerprint& list)
+    : observations_(observations), list_(list) {}
+
+void KeptEnds::take(std::uint64_t path, const PathEnd& end, EndPart part) {
+  if (end.failure == Failure::cancelled) return;
+  ++ended_;
+  JobOutcome outcome{path, bytes_of(end), kind_of(end)};
+  if (part == EndPart::of_others_too) {
+    of_circles_.push_back(std::move(outcome));
+  } else {
+    observations_.keep(list_, outcome);
+  }
+}
+
+void KeptEnds::keep_circles() { observations_.keep(list_, of_circles_); }
+
 bool observe_paths(const PathProblem& problem, const PathList& paths, int care, int threads,
                    const EndSink& sink, const std::atomic<bool>& stop, Observations* observations) {
   if (observations == nullptr) return track_paths(problem, paths, care, threads, sink, stop);
-  Kept kept{*observations, list_of(problem, paths, care)};
-  const auto known = observations->recall(kept.list);
+  const Fingerprint list = list_of(problem, paths, care);
+  if (!are_few(paths.count, care)) {
+    if (const auto shares = observations->share(list, paths.count)) {
+      return SharedPaths(problem, paths, care, threads, sink, stop, *observations, list)
+          .follow(*shares);
+    }
+  }
+  KeptEnds kept(*observations, list);
+  const auto known = observations->recall(list);
   std::vector<std::uint64_t> others;
   for (std::uint64_t k = 0; k < paths.count; ++k) {
     const std::uint64_t path = paths.path_of(k);
@@ -194,16 +198,15 @@ bool observe_paths(const PathProblem& problem, const PathList& paths, int care, 
   if (others.empty()) return true;
   const PathList rest{others.size(), [&](std::uint64_t k) { return others[k]; }, paths.outposts,
                       paths.count - others.size()};
+  EndPart part = EndPart::of_itself;
   const bool has_memory = track_paths(
       problem, rest, care, threads,
       [&](std::uint64_t path, PathEnd&& end) {
-        kept.take(path, end);
+        kept.take(path, end, part);
         sink(path, std::move(end));
       },
-      stop, [&kept] { kept.is_on_circles = true; });
-  if (has_memory && !stop && kept.ended == others.size()) {
-    observations->keep(kept.list, kept.of_circles);
-  }
+      stop, [&part] { part = EndPart::of_others_too; });
+  if (has_memory && !stop && kept.ended() == others.size()) kept.keep_circles();
   return has_memory;
 }
 

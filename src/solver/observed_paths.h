@@ -10,12 +10,33 @@
 
 namespace moivre {
 
-/// track_paths(), by what `observations` has, where there are any; it takes the other ends.
+/// track_paths(), with the other processes where there are any, and by what `observations` has, where there are any; it takes the other ends.
 bool observe_paths(const PathProblem& problem, const PathList& paths, int care, int threads,
                    const EndSink& sink, const std::atomic<bool>& stop, Observations* observations);
+
+/// The homotopy, tracker, endgame and paths of a list, and the outcomes of a list that depend on the same.
+Fingerprint list_of(const PathProblem& problem, const PathList& paths, int care);
 
 /// The exact bytes of an end, and the end again. Throws std::invalid_argument where these are no end's.
 std::string bytes_of(const PathEnd& end);
 PathEnd end_of(std::string_view bytes);
+
+/// Whose part there is in what became of a path.
+enum class EndPart { of_itself, of_others_too };
+
+/// Ends of a list on their way to be kept: those in which other paths have a part all together, when all have ended.
+class KeptEnds {
+ public:
+  KeptEnds(Observations& observations, const Fingerprint& list);
+  void take(std::uint64_t path, const PathEnd& end, EndPart part);
+  void keep_circles();
+  std::uint64_t ended() const { return ended_; }
+
+ private:
+  Observations& observations_;
+  Fingerprint list_;
+  std::uint64_t ended_ = 0;
+  std::vector<JobOutcome> of_circles_ = {};
+};
 
 }  // namespace moivre

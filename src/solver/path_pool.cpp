@@ -30,12 +30,6 @@ constexpr std::uint64_t kFewPaths = 4;
 constexpr std::uint64_t kBlock = 128;
 constexpr std::uint64_t kBlocksOfAThread = 4;
 
-/// A path that has walked one turn.
-struct Waiting {
-  std::uint64_t path;
-  std::unique_ptr<Endgame> endgame;
-};
-
 /// What the threads share: the next path to begin, the sink, and the paths that wait.
 struct Shared {
   const PathList& paths;
@@ -47,7 +41,7 @@ struct Shared {
       false};  ///< the sink: no other path begins, no other end is handed in
   std::atomic<bool> is_exhausted{false};  ///< memory ran out: no other path begins
   std::mutex sink_mutex = {};
-  std::vector<Waiting> waiting = {};
+  std::vector<WaitingPath> waiting = {};
 
   void hand_in(std::uint64_t path, PathEnd&& end) {
     const std::lock_guard lock(sink_mutex);
@@ -70,9 +64,9 @@ struct Shared {
 
   std::optional<std::uint64_t> draw() {
     if (is_over()) return std::nullopt;
-    const std::uint64_t k = next.fetch_add(1, std::memory_order_relaxed);
-    if (k >= paths.count) return std::nullopt;
-    return paths.path_of(k);
+    const auto k = paths.draw ? paths.draw() : next.fetch_add(1, std::memory_order_relaxed);
+    if (!k || *k >= paths.count) return std::nullopt;
+    return paths.path_of(*k);
   }
 };
 
@@ -113,9 +107,9 @@ class SessionSource : public DepartureSource {
   }
 
   /// The sheets of one cycle, in the order of their turns. What the first finds at infinity holds for all.
-  void join(std::vector<Waiting>&& sheets) {
+  void join(std::vector<WaitingPath>&& sheets) {
     std::vector<std::vector<Point>> turns;
-    for (const Waiting& sheet : sheets) turns.push_back(sheet.endgame->turn());
+    for (const WaitingPath& sheet : sheets) turns.push_back(sheet.endgame->turn());
     Endgame& first = *sheets.front().endgame;
     std::optional<Departure> next_of_first = first.join(turns, 0, scratch_);
     const bool is_told = first.end().status == PathStatus::at_infinity;
@@ -127,7 +121,9 @@ class SessionSource : public DepartureSource {
     take_up(std::move(sheets.front()), std::move(next_of_first));
   }
 
-  void take_up(Waiting&& path, std::optional<Departure>&& next) {
+  bool is_ready() const { return !ready_.empty(); }
+
+  void take_up(WaitingPath&& path, std::optional<Departure>&& next) {
     if (next) {
       ready_.push_back(std::move(*next));
       under_way_[path.path] = std::move(path.endgame);
@@ -186,38 +182,50 @@ void track_on_one_thread(const PathProblem& problem, const EndgameOptions& optio
   while (beginnings.advance(shared.stop)) run_session(*session, source, shared.stop);
 }
 
-/// Paths that have waited go on: together where they are the sheets of one cycle, else alone.
-void walk_on(const PathProblem& problem, const EndgameOptions& options, int threads,
-             Shared& shared) {
-  std::vector<Waiting> waiting = std::exchange(shared.waiting, {});
-  std::sort(waiting.begin(), waiting.end(),
-            [](const Waiting& a, const Waiting& b) { return a.path < b.path; });
-  std::vector<Turn> turns;
-  for (const Waiting& path : waiting) {
-    const Endgame& endgame = *path.endgame;
-    turns.push_back(
-        {endgame.radius(), mark_of(endgame.begin_of_turn()), mark_of(endgame.end_of_turn())});
+/// False where memory ran out.
+bool is_within_memory(Shared& shared, const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const std::bad_alloc&) {
+    shared.is_exhausted = true;
   }
-  const auto most = static_cast<std::size_t>(options.ends.maximum_winding);
-  const std::vector<std::vector<std::size_t>> cycles = cycles_of(turns, most);
-  const std::size_t sessions = std::min(static_cast<std::size_t>(threads), cycles.size());
-  for_each_parallel(sessions, threads, [&](std::size_t s) {
-    SessionSource source(problem, options, shared, nullptr);
-    for (std::size_t c = s; c < cycles.size() && !shared.has_thrown; c += sessions) {
-      std::vector<Waiting> sheets;
-      for (const std::size_t k : cycles[c]) sheets.push_back(std::move(waiting[k]));
-      if (sheets.size() > 1 && !shared.stop) {
-        source.join(std::move(sheets));
-        continue;
-      }
-      for (Waiting& path : sheets) {
-        Departure next = path.endgame->go_on();
-        source.take_up(std::move(path), std::move(next));
-      }
-    }
-    run_session(*problem.tracker.open(problem.plan.last()), source, shared.stop);
-  });
+  return !shared.is_exhausted;
 }
+
+/// What one thread does with the cycles that it draws: together where they have several sheets.
+class CycleSource : public SessionSource {
+ public:
+  CycleSource(const PathProblem& problem, Shared& shared, std::vector<WaitingPath>& waiting,
+              const std::vector<std::vector<std::size_t>>& cycles, const JobDraw& draw)
+      : SessionSource(problem, problem.endgame, shared, nullptr),
+        shared_(shared),
+        waiting_(waiting),
+        cycles_(cycles),
+        draw_(draw) {}
+
+  std::optional<Departure> next() override {
+    while (!is_ready() && !shared_.is_over()) {
+      const auto cycle = draw_();
+      if (!cycle) break;
+      begin(cycles_[*cycle]);
+    }
+    return SessionSource::next();
+  }
+
+ private:
+  void begin(const std::vector<std::size_t>& cycle) {
+    std::vector<WaitingPath> sheets;
+    for (const std::size_t k : cycle) sheets.push_back(std::move(waiting_[k]));
+    if (sheets.size() > 1) return join(std::move(sheets));
+    Departure next = sheets.front().endgame->go_on();
+    take_up(std::move(sheets.front()), std::move(next));
+  }
+
+  Shared& shared_;
+  std::vector<WaitingPath>& waiting_;
+  const std::vector<std::vector<std::size_t>>& cycles_;
+  const JobDraw& draw_;
+};
 
 }  // namespace
 
@@ -248,30 +256,72 @@ void for_each_parallel(std::size_t count, int threads, const std::function<void(
   }
 }
 
-bool track_paths(const PathProblem& problem, const PathList& paths, int care, int threads,
-                 const EndSink& sink, const std::atomic<bool>& stop,
-                 const std::function<void()>& when_they_wait) {
+bool are_few(std::uint64_t paths, int care) { return paths <= kFewPaths && care == 0; }
+
+bool track_until_they_wait(const PathProblem& problem, const PathList& paths, int care, int threads,
+                           const EndSink& sink, const std::atomic<bool>& stop,
+                           std::vector<WaitingPath>& waiting) {
   Shared shared{paths, care, sink, stop};
   EndgameOptions options = problem.endgame;
   options.may_wait = paths.count + paths.known > 1;
-  const bool few = paths.count <= kFewPaths && care == 0;
   const std::uint64_t sessions =
-      std::min(few ? std::uint64_t{1} : static_cast<std::uint64_t>(threads), paths.count);
-  const auto within_memory = [&shared](const std::function<void()>& work) {
-    try {
-      work();
-    } catch (const std::bad_alloc&) {
-      shared.is_exhausted = true;
-    }
-  };
+      std::min(are_few(paths.count, care) ? std::uint64_t{1} : static_cast<std::uint64_t>(threads),
+               paths.count);
   for_each_parallel(sessions, threads, [&](std::size_t) {
-    within_memory([&] { track_on_one_thread(problem, options, sessions, shared); });
+    is_within_memory(shared, [&] { track_on_one_thread(problem, options, sessions, shared); });
   });
-  if (!shared.waiting.empty() && !shared.is_exhausted) {
-    if (when_they_wait) when_they_wait();
-    within_memory([&] { walk_on(problem, options, threads, shared); });
-  }
+  for (WaitingPath& path : shared.waiting) waiting.push_back(std::move(path));
   return !shared.is_exhausted;
+}
+
+std::vector<std::vector<std::size_t>> cycles_among(std::vector<WaitingPath>& waiting,
+                                                   const PathProblem& problem) {
+  std::sort(waiting.begin(), waiting.end(),
+            [](const WaitingPath& a, const WaitingPath& b) { return a.path < b.path; });
+  std::vector<Turn> turns;
+  for (const WaitingPath& path : waiting) {
+    const Endgame& endgame = *path.endgame;
+    turns.push_back(
+        {endgame.radius(), mark_of(endgame.begin_of_turn()), mark_of(endgame.end_of_turn())});
+  }
+  return cycles_of(turns, static_cast<std::size_t>(problem.endgame.ends.maximum_winding));
+}
+
+bool walk_cycles(const PathProblem& problem, std::vector<WaitingPath>& waiting,
+                 const std::vector<std::vector<std::size_t>>& cycles, const JobDraw& draw,
+                 int threads, const EndSink& sink, const std::atomic<bool>& stop) {
+  const PathList none;
+  Shared shared{none, 0, sink, stop};
+  const std::size_t sessions = std::min(static_cast<std::size_t>(threads), cycles.size());
+  is_within_memory(shared, [&] {
+    for_each_parallel(sessions, threads, [&](std::size_t) {
+      CycleSource source(problem, shared, waiting, cycles, draw);
+      run_session(*problem.tracker.open(problem.plan.last()), source, shared.stop);
+    });
+  });
+  return !shared.is_exhausted;
+}
+
+bool track_paths(const PathProblem& problem, const PathList& paths, int care, int threads,
+                 const EndSink& sink, const std::atomic<bool>& stop,
+                 const std::function<void()>& when_they_wait) {
+  std::vector<WaitingPath> waiting;
+  if (!track_until_they_wait(problem, paths, care, threads, sink, stop, waiting)) return false;
+  if (waiting.empty()) return true;
+  if (when_they_wait) when_they_wait();
+  std::vector<std::vector<std::size_t>> cycles;
+  try {
+    cycles = cycles_among(waiting, problem);
+  } catch (const std::bad_alloc&) {
+    return false;
+  }
+  std::atomic<std::size_t> next{0};
+  const JobDraw in_order = [&]() -> std::optional<std::uint64_t> {
+    const std::size_t k = next.fetch_add(1, std::memory_order_relaxed);
+    if (k >= cycles.size()) return std::nullopt;
+    return k;
+  };
+  return walk_cycles(problem, waiting, cycles, in_order, threads, sink, stop);
 }
 
 }  // namespace moivre

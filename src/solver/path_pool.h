@@ -12,6 +12,9 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
+#include <optional>
+#include <vector>
 
 #include "moivre/solver/solve.h"
 #include "moivre/start/start_plan.h"
@@ -31,12 +34,25 @@ using EndSink = std::function<void(std::uint64_t path, PathEnd&& end)>;
 /// Paths at their outposts, by number.
 using Outposts = std::map<std::uint64_t, Outpost>;
 
+/// The number of the next job of a list; none where there is no other. Thread-safe.
+using JobDraw = std::function<std::optional<std::uint64_t>()>;
+
+/// Few paths, which are not known to be hard: to wake other threads, or to tell other processes, takes longer than to follow them.
+bool are_few(std::uint64_t paths, int care);
+
 /// Which paths, and from where.
 struct PathList {
   std::uint64_t count = 0;
   std::function<std::uint64_t(std::uint64_t)> path_of;  ///< the k-th, k < count
   const Outposts* outposts = nullptr;  ///< where they are taken up again; nullptr: they begin
   std::uint64_t known = 0;  ///< others of the list, which were followed before without waiting
+  JobDraw draw = {};  ///< says which is next, and may leave some to others; empty: in their order
+};
+
+/// A path that has walked one turn.
+struct WaitingPath {
+  std::uint64_t path = 0;
+  std::unique_ptr<Endgame> endgame;
 };
 
 /// Follows them on `threads` threads, at most all at once: they may wait for one another. Paths cut short by
@@ -45,6 +61,20 @@ struct PathList {
 bool track_paths(const PathProblem& problem, const PathList& paths, int care, int threads,
                  const EndSink& sink, const std::atomic<bool>& stop,
                  const std::function<void()>& when_they_wait = {});
+
+/// The first part of it: as far as no other path has a part in what becomes of them. Adds those that wait.
+bool track_until_they_wait(const PathProblem& problem, const PathList& paths, int care, int threads,
+                           const EndSink& sink, const std::atomic<bool>& stop,
+                           std::vector<WaitingPath>& waiting);
+
+/// The cycles among all that wait, which are put into the order of their paths. Each stands in one, by its position.
+std::vector<std::vector<std::size_t>> cycles_among(std::vector<WaitingPath>& waiting,
+                                                   const PathProblem& problem);
+
+/// The second part: those cycles that are drawn, to their ends.
+bool walk_cycles(const PathProblem& problem, std::vector<WaitingPath>& waiting,
+                 const std::vector<std::vector<std::size_t>>& cycles, const JobDraw& draw,
+                 int threads, const EndSink& sink, const std::atomic<bool>& stop);
 
 /// f(k) for k in [0, count) on `threads` threads; in order on the caller's thread when that is one.
 void for_each_parallel(std::size_t count, int threads, const std::function<void(std::size_t)>& f);

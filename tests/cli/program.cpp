@@ -28,8 +28,8 @@ std::string content(const fs::path& file) {
   return text.str();
 }
 
-[[noreturn]] void become(const std::vector<std::string>& arguments, const std::string& folder,
-                         int terminal) {
+[[noreturn]] void become(const std::string& program, const std::vector<std::string>& arguments,
+                         const std::string& folder, int terminal) {
   const fs::path here = folder;
   const int out = ::open((here / ".out").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
   const int err = terminal >= 0
@@ -46,7 +46,7 @@ std::string content(const fs::path& file) {
   std::vector<std::string> copies = arguments;
   for (std::string& copy : copies) words.push_back(copy.data());
   words.push_back(nullptr);
-  ::execv(MOIVRE_PROGRAM, words.data());
+  ::execv(program.c_str(), words.data());
   ::_exit(127);
 }
 
@@ -100,14 +100,14 @@ Outcome Scene::run(const std::vector<std::string>& arguments) const {
 
 Outcome Scene::run(const std::vector<std::string>& arguments, bool terminal,
                    const std::function<void(int)>& meanwhile) const {
-  return run_in(arguments, terminal, meanwhile, [](int, const std::string&) {});
+  return run_in(MOIVRE_PROGRAM, arguments, terminal, meanwhile, [](int, const std::string&) {});
 }
 
 Outcome Scene::run_until(const std::vector<std::string>& arguments, const std::string& wanted,
                          int signal) const {
   bool is_sent = false;
   return run_in(
-      arguments, true, [](int) {},
+      MOIVRE_PROGRAM, arguments, true, [](int) {},
       [&](int process, const std::string& text) {
         if (is_sent || !contains(text, wanted)) return;
         ::kill(process, signal);
@@ -115,8 +115,13 @@ Outcome Scene::run_until(const std::vector<std::string>& arguments, const std::s
       });
 }
 
-Outcome Scene::run_in(const std::vector<std::string>& arguments, bool terminal,
-                      const std::function<void(int)>& meanwhile,
+Outcome Scene::run_program(const std::string& program, const std::vector<std::string>& arguments,
+                           const std::function<void(int)>& meanwhile) const {
+  return run_in(program, arguments, false, meanwhile, [](int, const std::string&) {});
+}
+
+Outcome Scene::run_in(const std::string& program, const std::vector<std::string>& arguments,
+                      bool terminal, const std::function<void(int)>& meanwhile,
                       const std::function<void(int, const std::string&)>& seen) const {
   int master = -1;
   int slave = -1;
@@ -124,7 +129,7 @@ Outcome Scene::run_in(const std::vector<std::string>& arguments, bool terminal,
     throw std::runtime_error("no pseudo-terminal");
   }
   const pid_t process = ::fork();
-  if (process == 0) become(arguments, folder_, slave);
+  if (process == 0) become(program, arguments, folder_, slave);
   if (terminal) ::close(slave);
   meanwhile(process);
   Outcome outcome;

@@ -38,13 +38,17 @@ class Scene {
   Outcome run(const std::vector<std::string>& arguments, bool terminal,
               const std::function<void(int)>& meanwhile) const;
 
+  /// The same of another program.
+  Outcome run_program(const std::string& program, const std::vector<std::string>& arguments,
+                      const std::function<void(int)>& meanwhile) const;
+
   /// The same with a terminal as stderr; the signal is sent when `wanted` was seen on it.
   Outcome run_until(const std::vector<std::string>& arguments, const std::string& wanted,
                     int signal) const;
 
  private:
-  Outcome run_in(const std::vector<std::string>& arguments, bool terminal,
-                 const std::function<void(int)>& meanwhile,
+  Outcome run_in(const std::string& program, const std::vector<std::string>& arguments,
+                 bool terminal, const std::function<void(int)>& meanwhile,
                  const std::function<void(int, const std::string&)>& seen) const;
 
   std::string folder_;

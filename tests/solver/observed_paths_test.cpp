@@ -4,8 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <atomic>
 #include <limits>
 #include <mutex>
+#include <optional>
+#include <thread>
 
 #include "moivre/numeric/random.h"
 #include "moivre/tracker_cvode/cvode_tracker.h"
@@ -166,6 +170,106 @@ TEST(ObservedPaths, AnEndComesBackToTheLastBit) {
   EXPECT_EQ(again.failure, end.failure);
   EXPECT_EQ(again.outpost->frame->log2, frame.log2);
   EXPECT_THROW(end_of(bytes_of(end).substr(1)), std::invalid_argument);
+}
+
+/// Some that solve the same in one process, each as if it were a process of its own.
+class Company {
+ public:
+  struct List {
+    std::uint64_t next = 0;
+    std::vector<std::optional<std::string>> outcomes;
+  };
+
+  std::mutex mutex;
+  std::map<Fingerprint, List> lists;
+};
+
+class Share : public JobShares {
+ public:
+  Share(Company& company, Company::List& list)
+      : company_(company), list_(list), is_known_(list.outcomes.size(), false) {}
+
+  std::optional<std::uint64_t> draw() override {
+    const std::lock_guard lock(company_.mutex);
+    if (list_.next == list_.outcomes.size()) return std::nullopt;
+    ++drawn;
+    return list_.next++;
+  }
+  void tell(std::uint64_t job, std::string outcome) override {
+    const std::lock_guard lock(company_.mutex);
+    list_.outcomes[job] = std::move(outcome);
+    is_known_[job] = true;
+  }
+  std::optional<std::vector<ToldOutcome>> wait(const std::atomic<bool>&) override {
+    while (true) {
+      const std::lock_guard lock(company_.mutex);
+      std::vector<ToldOutcome> told;
+      for (std::uint64_t job = 0; job < is_known_.size(); ++job) {
+        if (is_known_[job] || !list_.outcomes[job]) continue;
+        is_known_[job] = true;
+        told.push_back({job, *list_.outcomes[job]});
+      }
+      if (!told.empty()) return told;
+      if (std::find(is_known_.begin(), is_known_.end(), false) == is_known_.end()) {
+        return std::nullopt;
+      }
+      std::this_thread::yield();
+    }
+  }
+
+  static std::atomic<std::uint64_t> drawn;
+
+ private:
+  Company& company_;
+  Company::List& list_;
+  std::vector<bool> is_known_;
+};
+
+std::atomic<std::uint64_t> Share::drawn{0};
+
+class OneOfCompany : public Observations {
+ public:
+  explicit OneOfCompany(Company& company) : company_(company) {}
+  std::map<std::uint64_t, std::string> recall(const Fingerprint&) override { return {}; }
+  void keep(const Fingerprint&, std::span<const JobOutcome>) override {}
+  std::unique_ptr<JobShares> share(const Fingerprint& list, std::uint64_t jobs) override {
+    const std::lock_guard lock(company_.mutex);
+    Company::List& shared = company_.lists[list];
+    shared.outcomes.resize(jobs);
+    return std::make_unique<Share>(company_, shared);
+  }
+
+ private:
+  Company& company_;
+};
+
+TEST(ObservedPaths, SeveralThatShareTheirPathsComeToWhatOneComesTo) {
+  const System f = system_of(problem("cyclic-6"));
+  SolveOptions options;
+  options.threads = 1;
+  options.start = StartKind::total_degree;  // most paths end at infinity, in cycles
+  for (const auto& tracker : {make_cvode_tracker(), make_lane_tracker()}) {
+    const SolveResult alone = solve(f, *tracker, options);
+    Company company;
+    Share::drawn = 0;
+    std::vector<SolveResult> results(3);
+    std::vector<std::thread> threads;
+    for (SolveResult& result : results) {
+      threads.emplace_back([&] {
+        OneOfCompany member(company);
+        SolveOptions own = options;
+        own.observations = &member;
+        result = solve(f, *tracker, own);
+      });
+    }
+    for (std::thread& thread : threads) thread.join();
+    for (const SolveResult& result : results) expect_same(result, alone);
+    // Each path once, and each cycle.
+    std::uint64_t jobs = 0;
+    for (const auto& [key, list] : company.lists) jobs += list.outcomes.size();
+    EXPECT_EQ(Share::drawn, jobs);
+    EXPECT_GE(jobs, alone.paths.tracked);
+  }
 }
 
 }  // namespace

@@ -27,6 +27,8 @@
 
 #include <limits>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "moivre/endgame/end_parameters.h"
@@ -111,6 +113,10 @@ class Endgame : public Watcher {
   /// Homogeneous, in no frame; both over 1 - t = radius().
   Point begin_of_turn() const { return outside(frame_, turn_begin_); }
   Point end_of_turn() const { return outside(frame_, turn_end_); }
+  /// All but end(), which a path that waits needs to go on elsewhere, as exact bytes.
+  std::string bytes_of_waiting() const;
+  /// As the one that wrote these bytes, of the same options, chart, path and care. Throws std::invalid_argument where they are no such bytes.
+  void wait_as(std::string_view bytes, PathEnd end);
   /// Alone.
   Departure go_on();
   /// The samples of its turn, homogeneous, in no frame.

@@ -11,10 +11,12 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <span>
 #include <string>
 
 #include "moivre/numeric/fingerprint.h"
+#include "moivre/numeric/job_shares.h"
 
 namespace moivre {
 
@@ -33,6 +35,11 @@ class Observations {
   virtual std::map<std::uint64_t, std::string> recall(const Fingerprint& list) = 0;
   /// Takes outcomes, which are kept for good a little later, all of them or none. Thread-safe.
   virtual void keep(const Fingerprint& list, std::span<const JobOutcome> outcomes) = 0;
+
+  /// Of a list of so many jobs, numbered from 0, that other processes do too; nullptr: this one is alone. Thread-safe.
+  virtual std::unique_ptr<JobShares> share(const Fingerprint& /*list*/, std::uint64_t /*jobs*/) {
+    return nullptr;
+  }
 
   void keep(const Fingerprint& list, const JobOutcome& outcome) { keep(list, {&outcome, 1}); }
 };

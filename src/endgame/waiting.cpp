@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// What does a path that waits need, to go on in another process? All that it has seen so far, to the last bit.
+#include <memory>
+#include <utility>
+
+#include "moivre/endgame/endgame.h"
+#include "moivre/numeric/bytes.h"
+
+namespace moivre {
+namespace {
+
+void put_waiting_frame(ByteWriter& bytes, const FramePointer& frame) {
+  bytes.put(frame != nullptr);
+  if (!frame) return;
+  bytes.put(frame->log2);
+  bytes.put(frame->factors);
+  bytes.put(frame->weights);
+  bytes.put(frame->member);
+}
+
+FramePointer get_waiting_frame(ByteReader& bytes) {
+  if (!bytes.get<bool>()) return nullptr;
+  PathFrame frame;
+  frame.log2 = bytes.get_vector<int>();
+  frame.factors = bytes.get_vector<double>();
+  frame.weights = bytes.get_vector<double>();
+  frame.member = bytes.get_vector<Complex>();
+  return std::make_shared<const PathFrame>(std::move(frame));
+}
+
+}  // namespace
+
+std::string Endgame::bytes_of_waiting() const {
+  ByteWriter bytes;
+  put_waiting_frame(bytes, frame_);
+  bytes.put(phase_);
+  bytes.put(creeping_);
+  for (const double number : {radius_, next_radius_, watched_radius_, best_difference_}) {
+    bytes.put(number);
+  }
+  bytes.put(looks_again_);
+  bytes.put(turns_);
+  for (const Point* point : {&outpost_, &watched_at_, &patch_, &turn_begin_, &turn_end_}) {
+    bytes.put(*point);
+  }
+  bytes.put(static_cast<std::uint64_t>(samples_.size()));
+  for (const Point& sample : samples_) bytes.put(sample);
+  for (const std::optional<Estimate>* estimate : {&last_, &best_}) {
+    bytes.put(estimate->has_value());
+    if (!*estimate) continue;
+    bytes.put((*estimate)->x);
+    bytes.put((*estimate)->winding);
+  }
+  return bytes.bytes();
+}
+
+void Endgame::wait_as(std::string_view text, PathEnd end) {
+  ByteReader bytes(text);
+  frame_ = get_waiting_frame(bytes);
+  phase_ = bytes.get<Phase>();
+  creeping_ = bytes.get<int>();
+  for (double* number : {&radius_, &next_radius_, &watched_radius_, &best_difference_}) {
+    *number = bytes.get<double>();
+  }
+  looks_again_ = bytes.get<bool>();
+  turns_ = bytes.get<int>();
+  for (Point* point : {&outpost_, &watched_at_, &patch_, &turn_begin_, &turn_end_}) {
+    *point = bytes.get_vector<Complex>();
+  }
+  samples_.clear();
+  for (auto left = bytes.get<std::uint64_t>(); left > 0; --left) {
+    samples_.push_back(bytes.get_vector<Complex>());
+  }
+  for (std::optional<Estimate>* estimate : {&last_, &best_}) {
+    estimate->reset();
+    if (!bytes.get<bool>()) continue;
+    Point x = bytes.get_vector<Complex>();
+    *estimate = Estimate{std::move(x), bytes.get<int>()};
+  }
+  bytes.require_end();
+  end_ = std::move(end);
+  waits_ = true;
+}
+
+}  // namespace moivre

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+// Do processes that mpirun starts come to the bytes of one process, and does a run survive the death of one of them?
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "problems.h"
+#include "program.h"
+
+namespace moivre::test {
+namespace {
+
+using Json = nlohmann::json;
+using Words = std::vector<std::string>;
+
+Words together(Words words, const Words& more) {
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+/// mpirun of so many ranks, as root too and on fewer cores. OpenMPI reads that; others need none of it.
+Outcome run_ranks(
+    const Scene& scene, int ranks, const Words& call,
+    const std::function<void(int)>& meanwhile = [](int) {}) {
+  for (const char* name : {"OMPI_ALLOW_RUN_AS_ROOT", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM",
+                           "OMPI_MCA_rmaps_base_oversubscribe"}) {
+    ::setenv(name, "1", 1);
+  }
+  return scene.run_program(
+      MOIVRE_MPIRUN, together({"-n", std::to_string(ranks), MOIVRE_MPI_PROGRAM}, call), meanwhile);
+}
+
+std::string timeless(const std::string& text) {
+  Json json = Json::parse(text);
+  json.erase("time_s");
+  return json.dump();
+}
+
+/// cyclic-n: most of the n! paths of the total degree end at infinity, in cycles.
+std::string cyclic_roots(int n) {
+  std::string text = std::to_string(n) + "\n";
+  for (int length = 1; length < n; ++length) {
+    for (int first = 0; first < n; ++first) {
+      text += first == 0 ? "" : " + ";
+      for (int k = 0; k < length; ++k) {
+        text += (k == 0 ? "x" : "*x") + std::to_string((first + k) % n);
+      }
+    }
+    text += ";\n";
+  }
+  for (int k = 0; k < n; ++k) text += (k == 0 ? "x" : "*x") + std::to_string(k);
+  return text + " - 1;\n";
+}
+
+void expect_the_same_of_ranks(const Scene& scene, const Words& call,
+                              std::initializer_list<int> numbers) {
+  const Outcome alone = scene.run(together(call, {"--quiet", "--json", "alone.json"}));
+  const std::string base = timeless(scene.read("alone.json"));
+  for (const int ranks : numbers) {
+    const Outcome outcome =
+        run_ranks(scene, ranks, together(call, {"--quiet", "--json", "ranks.json"}));
+    EXPECT_EQ(outcome.exit_code, alone.exit_code) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(timeless(scene.read("ranks.json")), base) << ranks << " ranks";
+  }
+}
+
+TEST(Ranks, PathsAndCyclesGiveTheSameBytes) {
+  const Scene scene;
+  scene.write("f.phc", cyclic_roots(6));
+  for (const char* start : {"total-degree", "polyhedral"}) {
+    for (const char* tracker : {"lanes", "cvode"}) {
+      expect_the_same_of_ranks(
+          scene, {"solve", "f.phc", "--start", start, "--tracker", tracker, "--threads", "1"},
+          {1, 2, 3});
+    }
+  }
+  scene.write("g.phc", cyclic_roots(7));
+  expect_the_same_of_ranks(scene, {"solve", "g.phc", "--tracker", "lanes"}, {2});
+  expect_the_same_of_ranks(
+      scene, {"solve", MOIVRE_SOURCE_DIR "/problems/polynomials/katsura-10.phc", "--threads", "2"},
+      {3});
+}
+
+TEST(Ranks, ClosuresAndAMotionGiveTheSameBytes) {
+  const Scene scene;
+  const std::string folder = MOIVRE_SOURCE_DIR "/problems/mechanisms/";
+  expect_the_same_of_ranks(scene, {"closures", folder + "octahedral-3-3.toml"}, {2, 3});
+  expect_the_same_of_ranks(scene, {"motion", folder + "four-bar.toml"}, {2});
+}
+
+TEST(Ranks, AFamilyAndItsTableGiveTheSameBytes) {
+  const Scene scene;
+  scene.write("f.phc", "2 5\na*x^2 + b*x*y + y^2 - c; x^2 + y^2 - x - 1;\n");
+  std::string table = "a,b,c\n";
+  for (int k = 0; k < 300; ++k) {
+    table += std::to_string(1 + k % 7) + ",0." + std::to_string(k) + "," + std::to_string(k % 5) +
+             ".5\n";
+  }
+  scene.write("t.csv", table);
+  const auto learn = [](const std::string& file) {
+    return Words{"family", "learn", "f.phc", "--parameters", "a,b,c", "--monodromy", "-o", file};
+  };
+  scene.run(learn("alone.family"));
+  run_ranks(scene, 2, learn("ranks.family"));
+  EXPECT_EQ(scene.read("ranks.family"), scene.read("alone.family"));
+  expect_the_same_of_ranks(scene, {"family", "solve", "alone.family", "--table", "t.csv"}, {2, 3});
+}
+
+TEST(Ranks, OnlyTheFirstTells) {
+  const Scene scene;
+  scene.write("f.phc", kCircleAndHyperbola);
+  const Outcome alone = scene.run({"solve", "f.phc"});
+  const Outcome of_three = run_ranks(scene, 3, {"solve", "f.phc"});
+  const auto lines = [](const std::string& text) {
+    return std::count(text.begin(), text.end(), '\n');
+  };
+  EXPECT_EQ(lines(of_three.out), lines(alone.out)) << of_three.out;
+  const Outcome refused = run_ranks(scene, 2, {"solve", "nothing.phc"});
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_EQ(refused.err.find("nothing.phc: cannot be opened"),
+            refused.err.rfind("nothing.phc: cannot be opened"));
+  const Outcome told = run_ranks(scene, 2, {"--version"});
+  EXPECT_EQ(lines(told.out), 1);
+}
+
+/// The processes that mpirun has started, when all are there.
+std::vector<int> ranks_of(int mpirun, std::size_t wanted) {
+  const std::string process = std::to_string(mpirun);
+  std::vector<int> ranks;
+  for (int look = 0; look < 1000 && ranks.size() < wanted; ++look) {
+    ::usleep(10'000);
+    ranks.clear();
+    std::ifstream children("/proc/" + process + "/task/" + process + "/children");
+    for (int rank = 0; children >> rank;) ranks.push_back(rank);
+  }
+  return ranks;
+}
+
+TEST(Ranks, AfterTheDeathOfOneTheSameCommandGoesOn) {
+  const Scene scene;
+  scene.write("f.phc", cyclic_roots(6));
+  const Words call{"solve", "f.phc", "--start", "total-degree", "--tracker", "cvode"};
+  scene.run(together(call, {"--quiet", "--json", "alone.json"}));
+  const Words kept = together(call, {"--quiet", "--json", "r.json", "--ledger", "r.db"});
+  for (const std::size_t victim : {0U, 1U, 2U}) {
+    for (const char* file : {"r.db", "r.db-wal", "r.db-shm"}) ::unlink(scene.path(file).c_str());
+    const Outcome killed = run_ranks(scene, 3, kept, [&](int mpirun) {
+      const std::vector<int> ranks = ranks_of(mpirun, 3);
+      ::usleep(300'000 + 100'000 * static_cast<useconds_t>(victim));
+      if (victim < ranks.size()) ::kill(ranks[victim], SIGKILL);
+    });
+    EXPECT_NE(killed.exit_code, 0) << "it had ended before";
+    EXPECT_EQ(run_ranks(scene, 2, kept).exit_code, 0);
+    EXPECT_EQ(timeless(scene.read("r.json")), timeless(scene.read("alone.json"))) << victim;
+  }
+}
+
+TEST(Ranks, ALimitOfTimeEndsThemAllAndTheCommandGoesOnAlone) {
+  const Scene scene;
+  scene.write("f.phc", cyclic_roots(7));
+  const Words call{"solve",  "f.phc",     "--start", "total-degree", "--quiet", "--json",
+                   "r.json", "--tracker", "lanes",   "--ledger",     "r.db"};
+  const Outcome first = run_ranks(scene, 2, together(call, {"--time-limit", "0.3"}));
+  EXPECT_EQ(first.exit_code, 2);
+  EXPECT_TRUE(contains(first.err, "the time limit of 0.3 s was reached")) << first.err;
+  EXPECT_EQ(Json::parse(scene.read("r.json"))["complete"], false);
+  EXPECT_EQ(scene.run(call).exit_code, 0);
+  const std::string resumed = timeless(scene.read("r.json"));
+  scene.run({"solve", "f.phc", "--start", "total-degree", "--quiet", "--json", "r.json",
+             "--tracker", "lanes"});
+  EXPECT_EQ(resumed, timeless(scene.read("r.json")));
+}
+
+}  // namespace
+}  // namespace moivre::test
