@@ -29,8 +29,8 @@ enum Tag : int {
 };
 
 // Between two looks a share of the time since the last message, within these bounds.
-constexpr int kShareOfSilence = 8;
-constexpr std::chrono::microseconds kShortestSleep{20}, kLongestSleep{1000};
+constexpr int kShareOfSilence = 4;
+constexpr std::chrono::microseconds kShortestSleep{100}, kLongestSleep{2000};
 
 void put_key(ByteWriter& bytes, const ListKey& key, std::uint64_t jobs) {
   for (const std::uint64_t word : {key.list.first, key.list.second, key.time, jobs}) {
@@ -89,6 +89,7 @@ class MpiRanks::Node::Speaker {
   explicit Speaker(Node& node) : node_(node), board_(node.ranks_) {}
 
   void speak() {
+    const double begin = cpu_of_thread();
     Clock::time_point last = Clock::now();
     while (!is_done()) {
       const bool has_read = read_all();
@@ -99,7 +100,7 @@ class MpiRanks::Node::Speaker {
       const Clock::time_point now = Clock::now();
       if (has_read) last = now;
       const auto silence = std::chrono::duration_cast<std::chrono::microseconds>(now - last);
-      node_.cpu_ = cpu_of_thread();
+      node_.cpu_ = cpu_of_thread() - begin;
       if (!has_read) {
         node_.lists_.sleep(std::clamp(silence / kShareOfSilence, kShortestSleep, kLongestSleep));
       }
@@ -201,7 +202,7 @@ class MpiRanks::Node::Speaker {
     ReadOutcomes told = outcomes_in(text);
     if (is_first()) note_done(told.of);
     send_down(kOutcomes, std::make_shared<const std::string>(std::move(text)));
-    if (told.origin != node_.rank_) {
+    if (told.origin != node_.rank_ && !has_left_) {
       node_.lists_.take_outcomes(told.of.key, told.of.jobs, std::move(told.of.outcomes));
     }
   }

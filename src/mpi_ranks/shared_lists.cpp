@@ -8,7 +8,9 @@ namespace moivre {
 namespace {
 
 // Outcomes wait so long for others to go with them, unless somebody waits for them.
-constexpr std::chrono::milliseconds kGather{5};
+constexpr std::chrono::milliseconds kGather{20};
+// The next piece is asked for with the last job of this one; but not near the end, where a job would lie here that others have time for.
+constexpr std::uint64_t kLeastToAskAhead = 8;
 // A stop is seen so soon.
 constexpr std::chrono::milliseconds kLookForStop{10};
 
@@ -44,6 +46,12 @@ void SharedLists::close(const ListKey& key) {
   for_speaker_.notify_one();
 }
 
+void SharedLists::ask(List& list) {
+  if (list.is_asking) return;
+  list.is_asking = is_news_ = true;
+  for_speaker_.notify_one();
+}
+
 std::optional<std::uint64_t> SharedLists::draw(const ListKey& key) {
   std::unique_lock lock(mutex_);
   List& list = lists_.at(key);
@@ -51,13 +59,11 @@ std::optional<std::uint64_t> SharedLists::draw(const ListKey& key) {
     while (list.piece.count > 0) {
       --list.piece.count;
       const std::uint64_t job = list.piece.first++;
+      if (list.piece.count == 0 && list.size_of_piece >= kLeastToAskAhead) ask(list);
       if (!list.told[job]) return job;
     }
     if (list.none_free) return std::nullopt;
-    if (!list.is_asking) {
-      list.is_asking = is_news_ = true;
-      for_speaker_.notify_one();
-    }
+    ask(list);
     for_workers_.wait(lock);
   }
   return std::nullopt;
@@ -95,6 +101,7 @@ void SharedLists::take_piece(const ListKey& key, JobPiece piece) {
   if (found == lists_.end()) return;
   List& list = found->second;
   list.piece = piece;
+  list.size_of_piece = piece.count;
   list.none_free = piece.count == 0;
   list.is_asking = list.has_asked = false;
   for_workers_.notify_all();

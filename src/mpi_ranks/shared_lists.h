@@ -59,8 +59,9 @@ class SharedLists {
     std::uint64_t jobs = 0;
     bool is_open = false;
     JobPiece piece;
-    bool is_asking = false;  ///< for a piece
-    bool has_asked = false;  ///< and the thread that speaks knows
+    std::uint64_t size_of_piece = 0;  ///< when it came
+    bool is_asking = false;           ///< for a piece
+    bool has_asked = false;           ///< and the thread that speaks knows
     bool none_free = false;
     std::vector<bool> told;
     std::uint64_t left = 0;
@@ -70,6 +71,7 @@ class SharedLists {
     bool is_urgent = false;
   };
   List& list_of(const ListKey& key, std::uint64_t jobs);
+  void ask(List& list);
 
   std::mutex mutex_;
   std::condition_variable for_workers_, for_speaker_;

@@ -23,7 +23,7 @@ namespace moivre {
 struct RankTraffic {
   std::uint64_t messages = 0;  ///< sent
   std::uint64_t bytes = 0;     ///< sent
-  double cpu = 0;              ///< seconds, of the thread that sends and receives
+  double cpu = 0;  ///< seconds, of the thread that sends and receives, since MPI has begun
 };
 
 class MpiRanks : public Observations {
