@@ -39,6 +39,7 @@ class Root:
     condition: float
     certified: Optional[bool]
     def __getitem__(self, variable: Any) -> Union[float, complex]: ...
+    def keys(self) -> tuple[str, ...]: ...
 
 class Result:
     complete: bool

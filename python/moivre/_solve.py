@@ -68,6 +68,10 @@ class Root:
             raise KeyError(f"{variable}: the unknowns are {', '.join(self.variables)}") from None
         return value.real if self.real else value
 
+    def keys(self):
+        """The unknowns, so that dict(root) has the value of each."""
+        return self.variables
+
     def __repr__(self):
         values = ", ".join(f"{name} = {_short(value)}" for name, value in zip(self.variables, self.x))
         return f"<moivre.Root: {values}{', certified' if self.certified else ''}>"

@@ -252,3 +252,7 @@ def test_equations_of_a_text_may_stand_a_line_each():
 def test_what_is_no_system_is_refused_with_the_forms_of_one(what):
     with pytest.raises(ValueError, match="is no system: equations are a text, a path"):
         moivre.solve(what)
+
+
+def test_a_root_becomes_a_dictionary():
+    assert dict(moivre.solve("x = 2; y = x + 1")[0]) == {"x": 2.0, "y": 3.0}
