@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "arb_polynomial.h"
 #include "moivre/certify/certifier.h"
@@ -139,12 +140,15 @@ std::optional<Representation> representation_of(const System& f, const RingPoint
   const RingImage first = *image;
   Lifting lifting(first);
   std::optional<Representation> found;
+  std::set<std::uint64_t> primes{first.prime};
   std::uint64_t next_look = 2;
   while (asked.most_terms > image->terms) {
     asked.most_terms -= image->terms;
     ++asked.prime;
     image = ring_image(f, asked);
     if (!image || !are_of_one_ring(first, *image)) return std::nullopt;
+    // Two numbers may draw one prime, whose image neither adds anything nor confirms it.
+    if (!primes.insert(image->prime).second) continue;
     if (found && agree(*found, *image)) return found;
     lifting.add(*image);
     if (asked.prime + 1 < next_look) continue;
