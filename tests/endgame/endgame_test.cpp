@@ -396,5 +396,37 @@ TEST(Endgame, EveryVerdictHasItsName) {
   EXPECT_EQ(to_string(Failure::jumped), "jumped");
 }
 
+TEST(Endgame, APathThatWaitsGoesOnElsewhereAsItWouldHere) {
+  const System f = read("1\n x^3 - 6*x^2 + 12*x - 8;\n");
+  const TotalDegreeStart start = total_degree_start(degrees(f), 1);
+  const Homotopy homotopy(f, start_system(start, f.variables));
+  const std::atomic<bool> run_on{false};
+  const auto tracker = make_cvode_tracker();
+  const auto session = tracker->open(homotopy);
+  PathSystem scratch(homotopy);
+  EndgameOptions options;
+  options.may_wait = true;
+  Endgame here(options, homotopy.chart(), 0, 0);
+  const auto follow_on = [&](Endgame& endgame, std::optional<Departure> departure) {
+    while (departure) {
+      departure = endgame.accept(follow(*session, std::move(*departure), run_on), scratch);
+    }
+  };
+  follow_on(here, here.depart(start_point(start, 0)));
+  ASSERT_TRUE(here.waits());
+  Endgame elsewhere(options, homotopy.chart(), 0, 0);
+  elsewhere.wait_as(here.bytes_of_waiting(), here.end());
+  EXPECT_TRUE(elsewhere.waits());
+  EXPECT_EQ(elsewhere.bytes_of_waiting(), here.bytes_of_waiting());
+  follow_on(here, here.go_on());
+  follow_on(elsewhere, elsewhere.go_on());
+  EXPECT_EQ(here.end().winding, 3);
+  EXPECT_EQ(elsewhere.end().winding, 3);
+  EXPECT_EQ(elsewhere.end().x, here.end().x);
+  EXPECT_EQ(elsewhere.end().accuracy, here.end().accuracy);
+  EXPECT_EQ(elsewhere.end().count.accepted, here.end().count.accepted);
+  EXPECT_THROW(elsewhere.wait_as("half", {}), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace moivre
