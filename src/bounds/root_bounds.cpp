@@ -150,6 +150,10 @@ std::vector<RootBound> root_bounds(const System& f, const KnownRoots& known,
   if (is_filled && (!volume.value || *volume.value > known.roots)) {
     volume = smaller(volume, stable_mixed_volume_bound(f, stop));
   }
+  const auto pairs = isotropic_pairs(r);
+  if (!pairs.empty() && (!volume.value || *volume.value > known.roots)) {
+    volume = smaller(volume, stable_mixed_volume_bound(in_isotropic(r, pairs), stop));
+  }
   const bool may_have_zeros =
       std::any_of(f.polynomials.begin(), f.polynomials.end(), lacks_constant);
   if (is_met(volume) || is_met(quotient_ring_bound(r, known.roots, stop))) return bounds;

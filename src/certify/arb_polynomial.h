@@ -19,12 +19,12 @@
 
 namespace moivre {
 
-class IntegerPolynomial {
+class FlintPolynomial {
  public:
-  IntegerPolynomial() { fmpz_poly_init(value_); }
-  IntegerPolynomial(const IntegerPolynomial&) = delete;
-  IntegerPolynomial& operator=(const IntegerPolynomial&) = delete;
-  ~IntegerPolynomial() { fmpz_poly_clear(value_); }
+  FlintPolynomial() { fmpz_poly_init(value_); }
+  FlintPolynomial(const FlintPolynomial&) = delete;
+  FlintPolynomial& operator=(const FlintPolynomial&) = delete;
+  ~FlintPolynomial() { fmpz_poly_clear(value_); }
 
   void set(std::uint64_t degree, const Integer& c) {
     fmpz_t coefficient;
@@ -41,7 +41,7 @@ class IntegerPolynomial {
 
 class SquarefreeFactors {
  public:
-  explicit SquarefreeFactors(IntegerPolynomial& p) {
+  explicit SquarefreeFactors(FlintPolynomial& p) {
     fmpz_poly_factor_init(value_);
     fmpz_poly_factor_squarefree(value_, p.get());
   }

@@ -15,7 +15,7 @@ namespace {
 constexpr double kShareOfGap = 0.25;
 
 /// p times the least common denominator.
-bool set_integers(const Polynomial& p, IntegerPolynomial& result) {
+bool set_integers(const Polynomial& p, FlintPolynomial& result) {
   Integer common = 1;
   for (const Term& term : p.terms) {
     const Integer& below = denominator(term.coefficient.re);
@@ -47,7 +47,7 @@ std::optional<IsolatedRoots> isolated_roots(const Polynomial& p, int bits) {
                                    [](const Term& term) { return term.coefficient.im.is_zero(); });
   if (!is_real || p.terms.empty()) return std::nullopt;
   thread_local const FlintCaches caches;
-  IntegerPolynomial whole;
+  FlintPolynomial whole;
   if (!set_integers(p, whole)) return std::nullopt;
   SquarefreeFactors factors(whole);
   IsolatedRoots result;

@@ -30,11 +30,11 @@ class RationalPolynomial {
   fmpq_poly_struct* get() { return value_; }
 
   /// The numerators alone: a multiple.
-  void set_integers(IntegerPolynomial& result) const {
+  void set_integers(FlintPolynomial& result) const {
     fmpq_poly_get_numerator(result.get(), value_);
   }
   void evaluate(ArbBall& result, acb_srcptr z, slong bits) const {
-    IntegerPolynomial integers;
+    FlintPolynomial integers;
     set_integers(integers);
     arb_fmpz_poly_evaluate_acb(result.get(), integers.get(), z, bits);
     acb_div_fmpz(result.get(), result.get(), fmpq_poly_denref(value_), bits);
@@ -205,7 +205,7 @@ std::optional<RingPoints> ring_points(const System& f, const RingPointsOptions& 
   thread_local const FlintCaches caches;
   const auto representation = representation_of(f, options);
   if (!representation) return std::nullopt;
-  IntegerPolynomial minimal;
+  FlintPolynomial minimal;
   representation->front().set_integers(minimal);
   SquarefreeFactors factors(minimal);
   RingPoints result;

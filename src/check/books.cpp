@@ -45,14 +45,19 @@ void judge_count(Verdicts& verdicts, ClaimKind claim, const std::string& what,
   verdicts.judge(claim, *is == *should, stated(what, number_text(is), number_text(should)));
 }
 
-/// The system whose paths were counted: what elimination leaves, or the whole; nullptr: neither.
-const System* tracked_system(const ReducedClaim& claim, const System& whole,
-                             const System& reduced) {
-  const auto fits = [&](const System& g) {
-    return g.variables.size() == claim.variables && degrees(g) == claim.degrees;
-  };
-  if (fits(reduced)) return &reduced;
-  return fits(whole) ? &whole : nullptr;
+/// The system whose paths were counted: what elimination leaves, or the whole, in isotropic unknowns where it is said so.
+std::optional<System> tracked_system(const ReducedClaim& claim, const System& whole,
+                                     const System& reduced) {
+  for (const System* g : {&reduced, &whole}) {
+    const auto pairs =
+        claim.isotropic_pairs > 0 ? isotropic_pairs(*g) : std::vector<IsotropicPair>{};
+    if (pairs.size() != claim.isotropic_pairs) continue;
+    System tracked = pairs.empty() ? *g : in_isotropic(*g, pairs);
+    if (tracked.variables.size() == claim.variables && degrees(tracked) == claim.degrees) {
+      return tracked;
+    }
+  }
+  return std::nullopt;
 }
 
 /// The count of the start of this kind.
@@ -156,16 +161,16 @@ void judge_start(const System& f, const StandIn& stand_in, const Claims& claims,
   }
   const Reduction reduction = eliminate(stand_in.system, &stop);
   if (stop) throw JudgementEnds();
-  const System* tracked = tracked_system(*claims.reduced, stand_in.system, reduction.system);
+  const auto tracked = tracked_system(*claims.reduced, stand_in.system, reduction.system);
   const std::vector<std::uint64_t> left = degrees(reduction.system);
   verdicts.judge(
-      ClaimKind::reduced, tracked != nullptr,
+      ClaimKind::reduced, tracked.has_value(),
       stated(
           "unknowns and degrees",
           std::to_string(claims.reduced->variables) + " of " + list_text(claims.reduced->degrees),
           std::to_string(reduction.system.variables.size()) + " of " + list_text(left)));
   const bool has_paths = reduction.verdict == Reduction::Verdict::square;
-  if (tracked != nullptr && has_paths && claims.start) {
+  if (tracked && has_paths && claims.start) {
     judge_counts_of_starts(*tracked, *claims.start, verdicts, stop);
   }
 }

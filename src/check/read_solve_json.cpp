@@ -132,6 +132,7 @@ ReducedClaim read_reduced(const JsonPlace& place) {
   if (!place.is_object()) return reduced;
   if (const auto count = place.member("variables", true)) reduced.variables = count->count();
   if (const auto degrees = place.member("degrees", true)) reduced.degrees = degrees->counts();
+  if (const auto pairs = place.member("isotropic_pairs")) reduced.isotropic_pairs = pairs->count();
   return reduced;
 }
 

@@ -263,7 +263,7 @@ class Stages {
     if (!roots) return result;
     ++formulas_;
     result.complete = true;
-    result.reduced = roots->size() == 1 ? SystemFacts{{}, {}, 1} : SystemFacts{{"y"}, {2}, 2};
+    result.reduced = roots->size() == 1 ? SystemFacts{{}, {}, 1, 0} : SystemFacts{{"y"}, {2}, 2, 0};
     result.paths.tracked = result.paths.finite = roots->size();
     result.start.kind = "formula";
     result.solutions = std::move(*roots);

@@ -677,4 +677,18 @@ std::vector<std::complex<double>> restore(const Reduction& reduction,
   return restore(reduction, y, [](const Coefficient& c) { return to_complex(c); });
 }
 
+std::vector<Complex> kept_of(const Reduction& reduction, const std::vector<Complex>& x) {
+  std::vector<Complex> y;
+  for (const std::size_t place : reduction.kept) y.push_back(x[place]);
+  enter_isotropic(reduction.isotropic, y);
+  return y;
+}
+
+Reduction in_isotropic(Reduction reduction, const std::vector<IsotropicPair>& pairs) {
+  reduction.errors = errors_in_isotropic(reduction.system, reduction.errors, pairs);
+  reduction.system = in_isotropic(reduction.system, pairs);
+  reduction.isotropic = pairs;
+  return reduction;
+}
+
 }  // namespace moivre

@@ -45,7 +45,8 @@ std::optional<std::uint64_t> points(GroebnerBasis& ideal, const std::vector<Lead
   const std::uint64_t size = basis.size();
   if (size * size * size / kMultiplicationsOfATerm > most_terms) return std::nullopt;
   std::vector<Residue> form;
-  for (std::size_t i = 0; i < ideal.unknowns(); ++i) form.push_back(random_residue(ideal.field(), i));
+  for (std::size_t i = 0; i < ideal.unknowns(); ++i)
+    form.push_back(random_residue(ideal.field(), i));
   const auto multiplication = multiplication_by(ideal, basis, form);
   if (!multiplication) return std::nullopt;
   return distinct_eigenvalues(ideal.field(), *multiplication);
@@ -100,9 +101,9 @@ QuotientRing quotient_ring(const System& f, const QuotientRingOptions& options) 
   GroebnerBasis ideal(field, n, options.most_terms, options.stop, options.known);
   if (!ideal.add(std::move(*polynomials))) return {};
   QuotientRing ring = verdict(ideal, options);
-  const bool counts_simple = ring.verdict != QuotientRing::Verdict::not_found && !rows.empty() &&
-                             (ring.verdict == QuotientRing::Verdict::infinite ||
-                              options.counts_simple);
+  const bool counts_simple =
+      ring.verdict != QuotientRing::Verdict::not_found && !rows.empty() &&
+      (ring.verdict == QuotientRing::Verdict::infinite || options.counts_simple);
   if (counts_simple) ring.simple = simple_roots(ideal, rows);
   return ring;
 }

@@ -94,8 +94,8 @@ std::optional<RingImage> ring_image(const System& f, const RingImageOptions& opt
   const auto vectors = one_and_unknowns(ideal, *basis);
   if (!by_u || !vectors || ideal.budget().is_used_up()) return std::nullopt;
 
-  const auto s = sequences(field, *by_u, *vectors,
-                           small_numbers(seed, kFirstOfFunctional, basis->size()));
+  const auto s =
+      sequences(field, *by_u, *vectors, small_numbers(seed, kFirstOfFunctional, basis->size()));
   RingImage image;
   image.prime = field.prime();
   image.terms = options.most_terms - ideal.budget().left();

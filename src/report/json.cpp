@@ -138,7 +138,9 @@ Json to_json(const StartFacts& start) {
 }
 
 Json reduced_json(const SystemFacts& reduced) {
-  return {{"variables", reduced.variables.size()}, {"degrees", reduced.degrees}};
+  Json json{{"variables", reduced.variables.size()}, {"degrees", reduced.degrees}};
+  if (reduced.isotropic_pairs > 0) json["isotropic_pairs"] = reduced.isotropic_pairs;
+  return json;
 }
 
 Json report_head(const std::string& command, const std::string& file) {

@@ -22,6 +22,10 @@ std::string system_line(const SolveResult& result, const std::string& file) {
                      counted(result.system.variables.size(), "unknown") + ", degrees " +
                      degrees_text(result.system.degrees) + ", total degree " +
                      count_text(result.system.total_degree) + '\n';
+  if (result.reduced.isotropic_pairs > 0) {
+    text += counted(result.reduced.isotropic_pairs, "pair") +
+            " of unknowns tracked as x + iy and x - iy\n";
+  }
   if (result.start.paths > 0 && result.reduced.degrees != result.system.degrees) {
     text += "tracked as " + counted(result.reduced.degrees.size(), "equation") + " in " +
             counted(result.reduced.variables.size(), "unknown") +

@@ -83,10 +83,18 @@ bool is_worth_a_search(const Run& run, std::uint64_t roots) {
   return counted == roots || lacks_origin(setting.prepared.reduction.system);
 }
 
+/// More digits save no steps: where the caller's budget ended a path it stays ended.
+std::size_t paths_for_more_digits(const Run& run) {
+  const auto& failures = run.ledger.failures();
+  return static_cast<std::size_t>(
+      std::count_if(failures.begin(), failures.end(),
+                    [](const auto& entry) { return entry.second.failure != Failure::step_limit; }));
+}
+
 std::uint64_t terms_worth_looking_at(const Run& run) {
   const Prepared& prepared = run.setting.prepared;
   const double cost = cost_of_paths(prepared.reduction.system, paths_at_stake(run));
-  const std::size_t failed = run.ledger.failures().size();
+  const std::size_t failed = paths_for_more_digits(run);
   const double least = !run.waiting.empty() ? 0
                        : failed == 0        ? kLeastTerms
                                             : static_cast<double>(terms_instead_of(failed));
@@ -314,14 +322,15 @@ bool are_as_counted(Run& run) {
     roots += group.size();
   }
   if (roots != ring.dimension) return false;
-  const std::uint64_t terms = terms_instead_of(std::max<std::size_t>(1, run.ledger.failures().size()));
+  const std::uint64_t terms =
+      terms_instead_of(std::max<std::size_t>(1, paths_for_more_digits(run)));
   if (run.bounds.for_points.allows(terms)) {
-    run.bounds.points = quotient_ring(run.setting.prepared.reduction.system,
-                                      {.most_terms = terms,
-                                       .stop = &run.setting.stop,
-                                       .counts_points = true,
-                                       .seed = run.setting.options.seed})
-                            .points;
+    run.bounds.points =
+        quotient_ring(run.setting.prepared.reduction.system, {.most_terms = terms,
+                                                              .stop = &run.setting.stop,
+                                                              .counts_points = true,
+                                                              .seed = run.setting.options.seed})
+            .points;
   }
   return groups.size() == run.bounds.points;
 }

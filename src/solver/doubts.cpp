@@ -356,7 +356,6 @@ void follow_with_care(Run& run, const PathSet& beyond) {
 /// In double, with more care, and in more digits.
 void settle_ends(Run& run) {
   if (is_settled(run)) return;
-  if (find_missing_roots(run, doubtful_paths(run, {})) && is_settled(run)) return;
   resolve_clusters(run);
   // Where many paths go at once digits cost less than care, and care helps none that they do not.
   const PathSet beyond = climb_together(run, paths_failed_by(run, Failure::precision));
@@ -365,6 +364,7 @@ void settle_ends(Run& run) {
   if (run.interrupted || is_settled(run)) return;
   climb_last(run, beyond);
   if (run.interrupted || is_settled(run)) return;
+  if (find_missing_roots(run, unsettled_paths(run)) && is_settled(run)) return;
   climb_to_clusters(run);
   if (!run.interrupted && !is_settled(run)) fail_unsettled(run);
 }

@@ -10,7 +10,7 @@
 namespace moivre {
 
 SystemFacts facts_of(const System& f) {
-  return {f.variables, degrees(f), total_degree(degrees(f))};
+  return {f.variables, degrees(f), total_degree(degrees(f)), 0};
 }
 
 namespace {

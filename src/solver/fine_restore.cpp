@@ -29,12 +29,6 @@ Point restored(const Reduction& reduction, const Certificate& root) {
   return x;
 }
 
-Point kept(const Reduction& reduction, const Point& x) {
-  Point y;
-  for (const std::size_t place : reduction.kept) y.push_back(x[place]);
-  return y;
-}
-
 }  // namespace
 
 std::shared_ptr<const Certificate> FineRestorer::proved(Prover& prover, const Point& homogeneous) {
@@ -47,7 +41,7 @@ std::shared_ptr<const Certificate> FineRestorer::proved(Prover& prover, const Po
   const auto of_reduced = reduced_prover_->prove(end);
   if (!of_reduced || !is_same(end, of_reduced->midpoint)) return nullptr;
   auto root = prover.prove(restored(reduction, *of_reduced));
-  const bool is_it = root && is_same(end, kept(reduction, root->midpoint));
+  const bool is_it = root && is_same(end, kept_of(reduction, root->midpoint));
   return is_it ? std::move(root) : nullptr;
 }
 

@@ -75,14 +75,15 @@ bool find_missing_roots(Run& run, const PathSet& doubtful) {
   const QuotientRing& ring = run.bounds.ring;
   const bool can_be_found = ring.verdict == QuotientRing::Verdict::finite &&
                             ring.dimension <= kMostRingPoints && is_root_missing(run);
-  if (!can_be_found || run.interrupted) return false;
+  const bool may_have_digits = !run.setting.trackers.finer.empty();
+  if (!can_be_found || !may_have_digits || run.interrupted) return false;
   const std::uint64_t terms = terms_instead_of(doubtful.size());
   if (terms == 0 || !run.bounds.for_roots.allows(terms)) return false;
-  const auto points = ring_points(run.setting.prepared.reduction.system,
-                                  {.most_terms = terms,
-                                   .stop = &run.setting.stop,
-                                   .seed = run.setting.options.seed,
-                                   .bits = kBitsOfPlace});
+  const auto points =
+      ring_points(run.setting.prepared.reduction.system, {.most_terms = terms,
+                                                          .stop = &run.setting.stop,
+                                                          .seed = run.setting.options.seed,
+                                                          .bits = kBitsOfPlace});
   run.require_time();
   if (!points) return false;
   const std::vector<ProvedPlace> missing = free_places(run, proved(run.setting, *points));

@@ -13,6 +13,11 @@
 namespace moivre {
 namespace {
 
+// Fewer are followed in less time than another start is looked for.
+constexpr std::uint64_t kPathsInAnyUnknowns = 256;
+// Complex coefficients, and more terms, cost something: so many times fewer paths it has to be.
+constexpr double kIsotropicGain = 2;
+
 Reduction keep_everything(const System& f) {
   Reduction whole;
   whole.system = f;
@@ -126,9 +131,8 @@ double expected_cost(const Prepared& prepared) {
   return static_cast<double>(prepared.plan->paths) * stages * n * n * n;
 }
 
-}  // namespace
-
-Prepared prepare(const System& f, const SolveOptions& options, const std::atomic<bool>& stop) {
+Prepared with_or_without_elimination(const System& f, const SolveOptions& options,
+                                     const std::atomic<bool>& stop) {
   Prepared reduced =
       prepare_reduced(options.eliminate ? eliminate(f, &stop) : keep_everything(f), options, stop);
   if (!may_have_fewer_paths_whole(reduced, options)) return reduced;
@@ -141,6 +145,32 @@ Prepared prepare(const System& f, const SolveOptions& options, const std::atomic
                             "without it there are " + counted(whole.plan->paths, "path") +
                                 ", with it " + std::to_string(reduced.plan->paths)});
   return whole;
+}
+
+/// Where others wait for many paths a second search for cells costs little.
+bool may_have_fewer_paths_isotropic(const Prepared& prepared, const SolveOptions& options) {
+  const bool is_free =
+      options.start == StartKind::automatic || options.start == StartKind::polyhedral;
+  return is_free && prepared.plan && !prepared.interrupted &&
+         prepared.plan->paths > kPathsInAnyUnknowns && prepared.reduction.system.groups.empty();
+}
+
+}  // namespace
+
+Prepared prepare(const System& f, const SolveOptions& options, const std::atomic<bool>& stop) {
+  Prepared prepared = with_or_without_elimination(f, options, stop);
+  if (!may_have_fewer_paths_isotropic(prepared, options)) return prepared;
+  const auto pairs = isotropic_pairs(prepared.reduction.system);
+  if (pairs.empty()) return prepared;
+  Prepared isotropic = prepare_reduced(in_isotropic(prepared.reduction, pairs), options, stop);
+  const bool is_better = !isotropic.interrupted && isotropic.plan &&
+                         kIsotropicGain * expected_cost(isotropic) < expected_cost(prepared);
+  if (!is_better) return prepared;
+  isotropic.left_out.push_back({counted(pairs.size(), "pair") + " of unknowns as x + iy and x - iy",
+                                "there are " + counted(isotropic.plan->paths, "path") +
+                                    " so, and " + std::to_string(prepared.plan->paths) +
+                                    " in the file's unknowns"});
+  return isotropic;
 }
 
 Prepared prepare_given(const System& f, GivenStart start) {
@@ -188,15 +218,18 @@ std::vector<double> natural_sizes(const Prepared& prepared) {
   for (std::size_t j = 0; j < prepared.scaling.variable_log2.size(); ++j) {
     sizes[reduction.kept[j]] = std::ldexp(1.0, prepared.scaling.variable_log2[j]);
   }
+  for (const auto& [i, j] : reduction.isotropic) {
+    double &a = sizes[reduction.kept[i]], &b = sizes[reduction.kept[j]];
+    a = b = std::max(a, b);
+  }
   return sizes;
 }
 
 Point to_homogeneous(const Prepared& prepared, const Point& x) {
-  Point z;
-  for (std::size_t j = 0; j < prepared.reduction.kept.size(); ++j) {
-    const Complex y = x[prepared.reduction.kept[j]];
+  Point z = kept_of(prepared.reduction, x);
+  for (std::size_t j = 0; j < z.size(); ++j) {
     const int e = -prepared.scaling.variable_log2[j];
-    z.push_back({std::ldexp(y.real(), e), std::ldexp(y.imag(), e)});
+    z[j] = {std::ldexp(z[j].real(), e), std::ldexp(z[j].imag(), e)};
   }
   return prepared.plan->last().chart().homogeneous(z);
 }

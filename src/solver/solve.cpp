@@ -39,6 +39,7 @@ SolveResult described(const Setting& setting) {
   result.seed = setting.options.seed;
   result.system = facts_of(setting.f);
   result.reduced = facts_of(setting.prepared.reduction.system);
+  result.reduced.isotropic_pairs = setting.prepared.reduction.isotropic.size();
   result.start = setting.prepared.start;
   result.tracker = setting.tracker().kind();
   result.tracker_options = setting.tracker().options_in_force();

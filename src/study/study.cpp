@@ -107,8 +107,7 @@ void Study::find_reference(const Tracker& referee, const Tracker* witness) {
     }
   }
   const std::size_t trackers = witness == nullptr ? 1 : 2;
-  reference_.close(f_, options_.known_roots,
-                   {trackers, static_cast<std::size_t>(options_.seeds)});
+  reference_.close(f_, options_.known_roots, {trackers, static_cast<std::size_t>(options_.seeds)});
   result_.reference = reference_.facts();
 }
 

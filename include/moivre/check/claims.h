@@ -45,6 +45,7 @@ struct SystemClaim {
 struct ReducedClaim {
   std::uint64_t variables = 0;
   std::vector<std::uint64_t> degrees;
+  std::uint64_t isotropic_pairs = 0;
 };
 
 struct StartClaim {

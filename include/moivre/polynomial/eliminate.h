@@ -12,6 +12,7 @@
 //      span{F_i(restore(y))} = span{R_i(y)} as spaces of polynomials: row operations, invertible.
 //  (3) Every root x of F is restore(y) of a root y of R, with the same multiplicity. The eliminated equations lie in the ideal
 //      of F, and each is solved for its own unknown. So C[x]/(F) and C[y]/(R) are isomorphic.
+//  Where isotropic unknowns stand for some of y (isotropic.h) restore leaves them first, and R is what it was in these.
 //  (4) The product of the degrees never rises; combine makes it the least that combinations with constant coefficients
 //      can reach.
 //
@@ -31,6 +32,7 @@
 #include <vector>
 
 #include "moivre/polynomial/digits.h"
+#include "moivre/polynomial/isotropic.h"
 #include "moivre/polynomial/system.h"
 
 namespace moivre {
@@ -69,9 +71,10 @@ struct Reduction {
   };
 
   Verdict verdict = Verdict::square;
-  System system;                  ///< R, with F's groups as far as their unknowns are kept
-  CoefficientErrors errors;       ///< of R, from F's, to first order
-  std::vector<std::size_t> kept;  ///< places of the kept unknowns, ascending
+  System system;                         ///< R, with F's groups as far as their unknowns are kept
+  CoefficientErrors errors;              ///< of R, from F's, to first order
+  std::vector<std::size_t> kept;         ///< places of the kept unknowns, ascending
+  std::vector<IsotropicPair> isotropic;  ///< places in y where R is in u and v instead
   std::vector<Substitution>
       substitutions;  ///< in order: each names kept unknowns and those of later ones
   std::vector<std::size_t>
@@ -89,7 +92,9 @@ Reduction eliminate(const System& f, const std::atomic<bool>* stop = nullptr);
 template <typename Scalar, typename Round>
 std::vector<Scalar> restore(const Reduction& reduction, const std::vector<Scalar>& y, Round round) {
   std::vector<Scalar> x(reduction.kept.size() + reduction.substitutions.size());
-  for (std::size_t i = 0; i < reduction.kept.size(); ++i) x[reduction.kept[i]] = y.at(i);
+  std::vector<Scalar> kept = y;
+  leave_isotropic(reduction.isotropic, kept, round);
+  for (std::size_t i = 0; i < reduction.kept.size(); ++i) x[reduction.kept[i]] = kept.at(i);
   for (auto s = reduction.substitutions.rbegin(); s != reduction.substitutions.rend(); ++s) {
     Scalar value = round(s->constant);
     for (const auto& [place, coefficient] : s->terms) {
@@ -102,5 +107,12 @@ std::vector<Scalar> restore(const Reduction& reduction, const std::vector<Scalar
 
 std::vector<std::complex<double>> restore(const Reduction& reduction,
                                           const std::vector<std::complex<double>>& y);
+
+/// y of a point x that is restore(y).
+std::vector<std::complex<double>> kept_of(const Reduction& reduction,
+                                          const std::vector<std::complex<double>>& x);
+
+/// The same roots, R in isotropic unknowns (isotropic.h). Requires that it is not yet.
+Reduction in_isotropic(Reduction reduction, const std::vector<IsotropicPair>& pairs);
 
 }  // namespace moivre

@@ -28,8 +28,8 @@ struct RingImage {
   std::uint64_t prime = 0;
   std::uint64_t terms = 0;  ///< that were looked at, products by the matrix among them
   std::uint64_t dimension = 0;
-  Fingerprint staircase;                             ///< of its monomials
-  std::vector<std::uint64_t> minimal;                ///< m from the constant on; monic
+  Fingerprint staircase;                               ///< of its monomials
+  std::vector<std::uint64_t> minimal;                  ///< m from the constant on; monic
   std::vector<std::vector<std::uint64_t>> numerators;  ///< N_0, N_1 .. N_n, d coefficients each
 };
 
@@ -37,7 +37,7 @@ struct RingImageOptions {
   std::uint64_t most_terms = 0;
   std::uint64_t most_dimension = 0;
   const std::atomic<bool>* stop = nullptr;
-  std::uint64_t seed = 1;  ///< draws c and l
+  std::uint64_t seed = 1;   ///< draws c and l
   std::uint64_t prime = 0;  ///< another number, another prime
 };
 
