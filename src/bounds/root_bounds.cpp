@@ -150,13 +150,15 @@ std::vector<RootBound> root_bounds(const System& f, const KnownRoots& known,
   if (is_filled && (!volume.value || *volume.value > known.roots)) {
     volume = smaller(volume, stable_mixed_volume_bound(f, stop));
   }
-  const auto pairs = isotropic_pairs(r);
-  if (!pairs.empty() && (!volume.value || *volume.value > known.roots)) {
-    volume = smaller(volume, stable_mixed_volume_bound(in_isotropic(r, pairs), stop));
-  }
   const bool may_have_zeros =
       std::any_of(f.polynomials.begin(), f.polynomials.end(), lacks_constant);
   if (is_met(volume) || is_met(quotient_ring_bound(r, known.roots, stop))) return bounds;
+  // A linear change of unknowns keeps the roots, and may shrink the polytopes.
+  if (const auto pairs = isotropic_pairs(r); !pairs.empty()) {
+    const RootBound isotropic = stable_mixed_volume_bound(in_isotropic(r, pairs), stop);
+    const bool is_less = isotropic.value && (!volume.value || *isotropic.value < *volume.value);
+    if (is_less && is_met(isotropic)) return bounds;
+  }
   if (may_have_zeros) bounds.push_back(strata_bound(f, stop));
   return bounds;
 }

@@ -4,7 +4,8 @@
 //   Bezout             d_1 d_2 ... d_n of what exact elimination leaves (polynomial/eliminate.h, which keeps the roots)
 //   multihomogeneous   the least number of the partitions tried (start/multihomogeneous.h) [MorganSommese87]
 //   stable mixed volume   of the monomials (start/mixed_volume.h) [HuberSturmfels97]; it counts only if two
-//                      independent liftings give the same sum, since a search could miss cells
+//                      independent liftings give the same sum, since a search could miss cells; once more in isotropic unknowns
+//                      (polynomial/isotropic.h), where it is less so and nothing else is met
 //   quotient ring      its dimension (polynomial/quotient_ring.h), which is the number of roots itself [Buchberger65]
 //   mixed volume of the strata   of the system as given, where an equation lacks a constant term (start/strata.h) [Bernstein75]
 //
