@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Which polynomials of an ideal have all leading monomials? A Groebner basis modulo a prime, degree reverse lexicographic order, and the
-// monomials under its staircase, which are a basis of the quotient ring.
+// Which polynomials of an ideal have all leading monomials? A Groebner basis modulo a prime, degree
+// reverse lexicographic order, and the monomials under its staircase, which are a basis of the
+// quotient ring.
 //
-// The pair of the least common multiple comes first; which pairs are needed [GebauerMoeller88]. Leading monomials that are found bound the
-// dimension already, and a bound that is met ends the search. Not supported: more than 15 unknowns, degrees beyond 255; no more terms are
-// looked at than allowed. Private to the module. Source: [Buchberger65].
+// The pair of the least common multiple comes first; which pairs are needed [GebauerMoeller88].
+// Leading monomials that are found bound the dimension already, and a bound that is met ends the
+// search. Not supported: more than 15 unknowns, degrees beyond 255; no more terms are looked at
+// than allowed. Private to the module. Source: [Buchberger65].
 #pragma once
 
 #include <atomic>
@@ -28,7 +30,8 @@ class GroebnerBasis {
 
   /// Of these, and what was added before, each reduced in turn. False where it is given up.
   bool add(std::vector<ModularPolynomial> f);
-  /// One unknown more, the last. Requires room for it. A dimension that was known does not count for what is added then.
+  /// One unknown more, the last. Requires room for it. A dimension that was known does not count
+  /// for what is added then.
   void add_unknown();
 
   std::size_t unknowns() const { return n_; }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Roots that algebra knows without a path: where are they on the system as given, which of them has no path, and which paths are free to have
-// them? Private to the module.
+// Roots that algebra knows without a path: where are they on the system as given, which of them has
+// no path, and which paths are free to have them? Private to the module.
 #pragma once
 
 #include <memory>

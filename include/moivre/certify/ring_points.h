@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
-// Where are the simple roots of a system, all of them, without a path? From its quotient ring over the rationals.
+// Where are the simple roots of a system, all of them, without a path? From its quotient ring over
+// the rationals.
 //
 //   m, N_0 .. N_n   of polynomial/ring_image.h, from as many primes as their coefficients need, and one more that they have to agree with
 //   z               the simple roots of m, isolated
 //   x_j = N_j(z) / N_0(z)
 //
-// For systems with few roots whose paths are hard: many that go to infinity together, roots of size 1e5 beside others of size 1e-4. The
-// number of primes grows with the digits of m, some hundred for a dozen roots of a system whose coefficients have four.
-// Nothing is proved here: what vanishes modulo a prime by chance, or two roots on which u takes one value, would tell too few. The caller
-// proves each root on the system itself, and knows from the dimension how many there are.
+// For systems with few roots whose paths are hard: many that go to infinity together, roots of size
+// 1e5 beside others of size 1e-4. The number of primes grows with the digits of m, some hundred for
+// a dozen roots of a system whose coefficients have four.
+// Nothing is proved here: what vanishes modulo a prime by chance, or two roots on which u takes one
+// value, would tell too few. The caller proves each root on the system itself, and knows from the
+// dimension how many there are.
 // Not supported: as polynomial/ring_image.h; more than 128 roots; a program built without Arb.
 // Sources: [Rouillier99], [Johansson17], FLINT.
 #pragma once
