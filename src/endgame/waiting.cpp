@@ -4,35 +4,13 @@
 #include <utility>
 
 #include "moivre/endgame/endgame.h"
+#include "moivre/homotopy/frame_bytes.h"
 #include "moivre/numeric/bytes.h"
 
 namespace moivre {
-namespace {
-
-void put_waiting_frame(ByteWriter& bytes, const FramePointer& frame) {
-  bytes.put(frame != nullptr);
-  if (!frame) return;
-  bytes.put(frame->log2);
-  bytes.put(frame->factors);
-  bytes.put(frame->weights);
-  bytes.put(frame->member);
-}
-
-FramePointer get_waiting_frame(ByteReader& bytes) {
-  if (!bytes.get<bool>()) return nullptr;
-  PathFrame frame;
-  frame.log2 = bytes.get_vector<int>();
-  frame.factors = bytes.get_vector<double>();
-  frame.weights = bytes.get_vector<double>();
-  frame.member = bytes.get_vector<Complex>();
-  return std::make_shared<const PathFrame>(std::move(frame));
-}
-
-}  // namespace
-
 std::string Endgame::bytes_of_waiting() const {
   ByteWriter bytes;
-  put_waiting_frame(bytes, frame_);
+  put_frame(bytes, frame_);
   bytes.put(phase_);
   bytes.put(creeping_);
   for (const double number : {radius_, next_radius_, watched_radius_, best_difference_}) {
@@ -56,7 +34,7 @@ std::string Endgame::bytes_of_waiting() const {
 
 void Endgame::wait_as(std::string_view text, PathEnd end) {
   ByteReader bytes(text);
-  frame_ = get_waiting_frame(bytes);
+  frame_ = get_frame(bytes);
   phase_ = bytes.get<Phase>();
   creeping_ = bytes.get<int>();
   for (double* number : {&radius_, &next_radius_, &watched_radius_, &best_difference_}) {

@@ -99,7 +99,6 @@ std::optional<RingImage> ring_image(const System& f, const RingImageOptions& opt
   RingImage image;
   image.prime = field.prime();
   image.terms = options.most_terms - ideal.budget().left();
-  image.dimension = size;
   image.staircase = fingerprint_of(*basis);
   image.minimal = minimal_polynomial(field, s.front());
   for (const auto& sequence : s) {

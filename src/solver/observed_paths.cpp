@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "moivre/homotopy/frame_bytes.h"
 #include "moivre/numeric/bytes.h"
 #include "moivre/tracker/followed.h"
 #include "shared_paths.h"
@@ -32,25 +33,14 @@ StepCount get_count(ByteReader& bytes) {
 void put_outpost(ByteWriter& bytes, const Outpost& outpost) {
   bytes.put(outpost.x);
   bytes.put(outpost.radius);
-  bytes.put(outpost.frame != nullptr);
-  if (!outpost.frame) return;
-  bytes.put(outpost.frame->log2);
-  bytes.put(outpost.frame->factors);
-  bytes.put(outpost.frame->weights);
-  bytes.put(outpost.frame->member);
+  put_frame(bytes, outpost.frame);
 }
 
 Outpost get_outpost(ByteReader& bytes) {
   Outpost outpost;
   outpost.x = bytes.get_vector<Complex>();
   outpost.radius = bytes.get<double>();
-  if (!bytes.get<bool>()) return outpost;
-  PathFrame frame;
-  frame.log2 = bytes.get_vector<int>();
-  frame.factors = bytes.get_vector<double>();
-  frame.weights = bytes.get_vector<double>();
-  frame.member = bytes.get_vector<Complex>();
-  outpost.frame = std::make_shared<const PathFrame>(std::move(frame));
+  outpost.frame = get_frame(bytes);
   return outpost;
 }
 

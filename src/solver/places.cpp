@@ -61,18 +61,6 @@ std::vector<ProvedPlace> free_places(const Run& run, std::vector<ProvedPlace> pl
   return places;
 }
 
-std::vector<std::pair<std::uint64_t, Point>> paths_in_doubt(const Run& run) {
-  std::vector<std::pair<std::uint64_t, Point>> paths;
-  for (const auto& [path, root] : run.ledger.roots()) {
-    if (!root.certificate) paths.emplace_back(path, root.point.x);
-  }
-  for (const auto& [path, failure] : run.ledger.failures()) {
-    const auto last = run.ledger.last_points().find(path);
-    if (last != run.ledger.last_points().end()) paths.emplace_back(path, last->second);
-  }
-  return paths;
-}
-
 void enter_place(Run& run, Refiner& refiner, std::uint64_t path, const ProvedPlace& place) {
   Root root;
   if (place.certificate) {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Roots that algebra knows without a path: where are they on the system as given, which of them has
-// no path, and which paths are free to have them? Private to the module.
+// Roots that algebra knows without a path: where are they on the system as given, and which of them
+// has no path? Private to the module.
 #pragma once
 
 #include <memory>
-#include <utility>
 #include <vector>
 
 #include "moivre/certify/certificate.h"
@@ -29,9 +28,6 @@ struct ProvedPlace {
 
 /// Those that no path is proved to end at.
 std::vector<ProvedPlace> free_places(const Run& run, std::vector<ProvedPlace> places);
-
-/// The paths whose ends are not proved, each with the last that was seen of it.
-std::vector<std::pair<std::uint64_t, Point>> paths_in_doubt(const Run& run);
 
 /// The path ends there.
 void enter_place(Run& run, Refiner& refiner, std::uint64_t path, const ProvedPlace& place);

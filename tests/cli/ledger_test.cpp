@@ -18,22 +18,6 @@ namespace {
 using Json = nlohmann::json;
 using Words = std::vector<std::string>;
 
-/// Of the roots 0 and infinity: cyclic-n, most of whose n! paths end at infinity.
-std::string cyclic(int n) {
-  std::string text = std::to_string(n) + "\n";
-  for (int length = 1; length < n; ++length) {
-    for (int first = 0; first < n; ++first) {
-      text += first == 0 ? "" : " + ";
-      for (int k = 0; k < length; ++k) {
-        text += (k == 0 ? "x" : "*x") + std::to_string((first + k) % n);
-      }
-    }
-    text += ";\n";
-  }
-  for (int k = 0; k < n; ++k) text += (k == 0 ? "x" : "*x") + std::to_string(k);
-  return text + " - 1;\n";
-}
-
 /// But for what the clock has to do with.
 std::string without_times(const std::string& text) {
   Json json = Json::parse(text);

@@ -40,22 +40,6 @@ std::string timeless(const std::string& text) {
   return json.dump();
 }
 
-/// cyclic-n: most of the n! paths of the total degree end at infinity, in cycles.
-std::string cyclic_roots(int n) {
-  std::string text = std::to_string(n) + "\n";
-  for (int length = 1; length < n; ++length) {
-    for (int first = 0; first < n; ++first) {
-      text += first == 0 ? "" : " + ";
-      for (int k = 0; k < length; ++k) {
-        text += (k == 0 ? "x" : "*x") + std::to_string((first + k) % n);
-      }
-    }
-    text += ";\n";
-  }
-  for (int k = 0; k < n; ++k) text += (k == 0 ? "x" : "*x") + std::to_string(k);
-  return text + " - 1;\n";
-}
-
 void expect_the_same_of_ranks(const Scene& scene, const Words& call,
                               std::initializer_list<int> numbers) {
   const Outcome alone = scene.run(together(call, {"--quiet", "--json", "alone.json"}));
@@ -71,7 +55,7 @@ void expect_the_same_of_ranks(const Scene& scene, const Words& call,
 
 TEST(Ranks, PathsAndCyclesGiveTheSameBytes) {
   const Scene scene;
-  scene.write("f.phc", cyclic_roots(6));
+  scene.write("f.phc", cyclic(6));
   for (const char* start : {"total-degree", "polyhedral"}) {
     for (const char* tracker : {"lanes", "cvode"}) {
       expect_the_same_of_ranks(
@@ -86,7 +70,7 @@ TEST(Ranks, PathsAndCyclesGiveTheSameBytes) {
                               "--start", "total-degree", "--tracker", tracker},
                              {2, 3});
   }
-  scene.write("g.phc", cyclic_roots(7));
+  scene.write("g.phc", cyclic(7));
   expect_the_same_of_ranks(scene, {"solve", "g.phc", "--tracker", "lanes"}, {2});
   expect_the_same_of_ranks(
       scene, {"solve", MOIVRE_SOURCE_DIR "/problems/polynomials/katsura-10.phc", "--threads", "2"},
@@ -150,7 +134,7 @@ std::vector<int> ranks_of(int mpirun, std::size_t wanted) {
 
 TEST(Ranks, AfterTheDeathOfOneTheSameCommandGoesOn) {
   const Scene scene;
-  scene.write("f.phc", cyclic_roots(6));
+  scene.write("f.phc", cyclic(6));
   const Words call{"solve", "f.phc", "--start", "total-degree", "--tracker", "cvode"};
   scene.run(together(call, {"--quiet", "--json", "alone.json"}));
   const Words kept = together(call, {"--quiet", "--json", "r.json", "--ledger", "r.db"});
@@ -169,7 +153,7 @@ TEST(Ranks, AfterTheDeathOfOneTheSameCommandGoesOn) {
 
 TEST(Ranks, ALimitOfTimeEndsThemAllAndTheCommandGoesOnAlone) {
   const Scene scene;
-  scene.write("f.phc", cyclic_roots(7));
+  scene.write("f.phc", cyclic(7));
   const Words call{"solve",  "f.phc",     "--start", "total-degree", "--quiet", "--json",
                    "r.json", "--tracker", "lanes",   "--ledger",     "r.db"};
   const Outcome first = run_ranks(scene, 2, together(call, {"--time-limit", "0.3"}));

@@ -30,4 +30,20 @@ inline std::string katsura(int n) {
   return text.str();
 }
 
+/// cyclic-n: most of the n! paths of the total degree end at infinity, in cycles.
+inline std::string cyclic(int n) {
+  std::string text = std::to_string(n) + "\n";
+  for (int length = 1; length < n; ++length) {
+    for (int first = 0; first < n; ++first) {
+      text += first == 0 ? "" : " + ";
+      for (int k = 0; k < length; ++k) {
+        text += (k == 0 ? "x" : "*x") + std::to_string((first + k) % n);
+      }
+    }
+    text += ";\n";
+  }
+  for (int k = 0; k < n; ++k) text += (k == 0 ? "x" : "*x") + std::to_string(k);
+  return text + " - 1;\n";
+}
+
 }  // namespace moivre::test

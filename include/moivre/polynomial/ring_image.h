@@ -29,10 +29,9 @@ namespace moivre {
 
 struct RingImage {
   std::uint64_t prime = 0;
-  std::uint64_t terms = 0;  ///< that were looked at, products by the matrix among them
-  std::uint64_t dimension = 0;
-  Fingerprint staircase;                               ///< of its monomials
-  std::vector<std::uint64_t> minimal;                  ///< m from the constant on; monic
+  std::uint64_t terms = 0;             ///< that were looked at, products by the matrix among them
+  Fingerprint staircase;               ///< of its monomials
+  std::vector<std::uint64_t> minimal;  ///< m from the constant on; monic
   std::vector<std::vector<std::uint64_t>> numerators;  ///< N_0, N_1 .. N_n, d coefficients each
 };
 
