@@ -226,6 +226,16 @@ void judge_the_rest(Shared& shared, int threads) {
   });
 }
 
+/// Of members whose paths did not all come to a root, before any is judged: those that did.
+void keep_what_arrived(std::vector<MemberRoots>& results) {
+  for (MemberRoots& result : results) {
+    if (result.complete) continue;
+    result.at_infinity = 0;
+    std::erase_if(result.roots, [](const MemberRoot& root) { return root.x.empty(); });
+    tell_real_ones(result.roots);
+  }
+}
+
 /// Of a member that was not judged. Where the family may lack roots its members may.
 void tell_completeness(const Family& family, bool is_certified, MemberRoots& result) {
   if (result.judged) return;
@@ -304,6 +314,7 @@ std::vector<MemberRoots> roots_of(const Family& family, std::span<const Point> m
       MemberSource source(shared);
       run_session(*tracker.open(shared.homotopy), source, stop);
     });
+    keep_what_arrived(results);
     if (options.certify) certify_members(family, members, threads, stop, results);
   }
   if (doubt == AnyDoubt::is_judged) judge_the_rest(shared, threads);

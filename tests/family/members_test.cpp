@@ -140,6 +140,20 @@ TEST(SolveMembers, StopsWhenItIsTold) {
   }
 }
 
+TEST(SolveMembers, ThatAreStoppedHaveNoRootWithoutCoordinates) {
+  const auto lanes = make_lane_tracker();
+  const Family family = learn(conics(), *lanes);
+  std::atomic<bool> stop{false};
+  SolveOptions options = plain(1);
+  options.progress = [&stop](const Progress& progress) { stop = progress.done >= 20; };
+  const auto results = solve_members(family, random_members(3, 200), *lanes, options, stop);
+  for (const MemberRoots& member : results) {
+    if (!member.complete) EXPECT_EQ(member.at_infinity, 0U);
+    for (const MemberRoot& root : member.roots) EXPECT_EQ(root.x.size(), family.unknowns());
+  }
+  EXPECT_FALSE(results.back().complete);
+}
+
 TEST(SolveMembers, RefusesMembersOfAnotherSize) {
   const auto lanes = make_lane_tracker();
   EXPECT_THROW(solve_members(learn(conics(), *lanes), random_members(2, 3), *lanes, plain(1)),
