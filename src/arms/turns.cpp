@@ -13,6 +13,8 @@ namespace moivre {
 namespace {
 
 constexpr double kWholeTurn = 2 * std::numbers::pi;
+// Distances that differ by less are one: two closures may share the joint that is farthest, and rounding is not to order them.
+constexpr double kAlike = 1e-9;
 
 /// Whole turns, the fewest and the most, with which a joint is between its limits.
 struct TurnRange {
@@ -106,18 +108,23 @@ double distance_from(const Arm& arm, const Eigen::VectorXd& values, const Eigen:
   return largest;
 }
 
+void require_standing(const Arm& arm, const Eigen::VectorXd& stands) {
+  if (stands.size() == std::ssize(arm.joints) && stands.allFinite()) return;
+  throw InvalidInput("where the arm stands takes a finite value for each of its " +
+                     std::to_string(arm.joints.size()) + " joints");
+}
+
 void sort_by_distance(const Arm& arm, const Eigen::VectorXd& stands,
                       std::vector<ArmClosure>& closures) {
-  if (stands.size() != std::ssize(arm.joints) || !stands.allFinite()) {
-    throw InvalidInput("where the arm stands takes a finite value for each of its " +
-                       std::to_string(arm.joints.size()) + " joints");
-  }
+  require_standing(arm, stands);
   for (ArmClosure& closure : closures) {
     closure.in_limits = nearest_turns(arm, closure.in_limits, stands);
   }
-  std::stable_sort(closures.begin(), closures.end(), [&](const ArmClosure& a, const ArmClosure& b) {
-    return distance_from(arm, a.in_limits, stands) < distance_from(arm, b.in_limits, stands);
-  });
+  const auto rank = [&](const ArmClosure& closure) {
+    return std::round(distance_from(arm, closure.in_limits, stands) / kAlike);
+  };
+  std::stable_sort(closures.begin(), closures.end(),
+                   [&](const ArmClosure& a, const ArmClosure& b) { return rank(a) < rank(b); });
 }
 
 }  // namespace moivre

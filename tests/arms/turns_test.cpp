@@ -31,6 +31,19 @@ TEST(Turns, AreAllThatTheLimitsAllowAndHoldTheSamePose) {
   EXPECT_EQ(all_turns(arm, values).size(), 48U);
 }
 
+TEST(Turns, AreNotOrderedByRounding) {
+  const Arm arm = ur5();
+  std::vector<ArmClosure> closures(2);
+  closures[0].id = "E";
+  closures[0].in_limits = Eigen::VectorXd::Constant(6, 0.25);
+  closures[1].id = "F";
+  closures[1].in_limits = closures[0].in_limits;
+  closures[0].in_limits[2] = 2.5 + 1e-14;  // the same elbow, and so the same distance
+  closures[1].in_limits[2] = 2.5;
+  sort_by_distance(arm, Eigen::VectorXd::Zero(6), closures);
+  EXPECT_EQ(closures[0].id, "E");
+}
+
 TEST(Turns, OfAJointWithoutLimitsAreNotListed) {
   Arm arm = ur5();
   arm.joints[3].limits.reset();

@@ -27,7 +27,11 @@ void require_few_turns(const Arm& arm);
 Eigen::VectorXd nearest_turns(const Arm& arm, const Eigen::VectorXd& values,
                               const Eigen::VectorXd& stands);
 
-/// The closures in the order of their distance from where the arm stands; `in_limits` with the nearest turns.
+/// Throws InvalidInput unless there is a finite value for each joint.
+void require_standing(const Arm& arm, const Eigen::VectorXd& stands);
+
+/// The closures in the order of their distance from where the arm stands, those of one distance (to nine decimals) as they were;
+/// `in_limits` with the nearest turns.
 void sort_by_distance(const Arm& arm, const Eigen::VectorXd& stands,
                       std::vector<ArmClosure>& closures);
 
