@@ -6,14 +6,13 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <stdexcept>
 
 #include "common_options.h"
 #include "moivre/closures/guesses.h"
 #include "moivre/mechanism/read.h"
+#include "moivre/numeric/invalid_input.h"
 #include "moivre/polynomial/read.h"
-#include "suggest.h"
 
 namespace moivre {
 namespace {
@@ -27,14 +26,11 @@ double number_in(const std::string& text) {
   return is_whole ? value : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// The first ones, where there are many.
-std::string listed(const std::vector<std::string>& names) {
-  constexpr std::size_t kListed = 12;
-  std::string text;
-  for (std::size_t k = 0; k < std::min(kListed, names.size()); ++k) {
-    text += (k == 0 ? "" : ", ") + names[k];
-  }
-  return names.size() > kListed ? text + ", ..." : text;
+/// "crank.phi=40"; without a number behind the sign the value is NaN.
+NamedValue named_value(const std::string& setting) {
+  const std::size_t equals = setting.find('=');
+  const double value = number_in(equals == std::string::npos ? "" : setting.substr(equals + 1));
+  return {setting.substr(0, equals), value, setting};
 }
 
 }  // namespace
@@ -102,53 +98,33 @@ void add_guess_options(CLI::App& command, GuessChoice& choice) {
 }
 
 Eigen::VectorXd named_values(const Mechanism& mechanism, const std::vector<std::string>& settings,
-                             const Eigen::VectorXd& base, bool in_units) {
+                             const Eigen::VectorXd& base, AngleUnit unit) {
   const std::vector<Coordinate> all = coordinates(mechanism);
-  std::vector<std::string> names;
-  for (const Coordinate& coordinate : all) names.push_back(coordinate.name);
-  Eigen::VectorXd values = base;
-  std::vector<bool> is_given(names.size());
-  std::string faults;
-  const auto add_fault = [&faults](const std::string& fault) {
-    faults += (faults.empty() ? "" : "; ") + fault;
+  const auto is_known = [&all](const std::string& name) {
+    return std::any_of(all.begin(), all.end(),
+                       [&](const Coordinate& coordinate) { return coordinate.name == name; });
   };
+  std::vector<NamedValue> given;
+  std::vector<std::string> faults;
   for (const std::string& setting : settings) {
-    const std::size_t equals = setting.find('=');
-    const std::string name = setting.substr(0, equals);
-    const double value = number_in(equals == std::string::npos ? "" : setting.substr(equals + 1));
-    const auto at = std::find(names.begin(), names.end(), name);
-    if (name.empty()) {
-      add_fault(setting + " is not NAME=VALUE");
-    } else if (at == names.end()) {
-      const auto known = nearest(name, names);
-      add_fault(
-          "there is no coordinate " + name +
-          (known ? ", did you mean " + *known + "?" : "; the coordinates are " + listed(names)));
-    } else if (std::isnan(value)) {
-      add_fault(setting + " is not NAME=VALUE with a finite number");
-    } else if (is_given[static_cast<std::size_t>(at - names.begin())]) {
-      add_fault(name + " is given twice");
+    const NamedValue value = named_value(setting);
+    if (value.name.empty()) {
+      faults.push_back(setting + " is not NAME=VALUE");
+    } else if (std::isnan(value.value) && is_known(value.name)) {
+      faults.push_back(setting + " is not NAME=VALUE with a finite number");
     } else {
-      const auto k = static_cast<std::size_t>(at - names.begin());
-      is_given[k] = true;
-      const bool in_degrees =
-          in_units && all[k].kind != CoordinateKind::length && mechanism.units.angle == "deg";
-      const double held = in_degrees ? value * std::numbers::pi / 180 : value;
-      const bool is_angle = all[k].kind != CoordinateKind::length;
-      if (in_units && is_angle && !is_workable_angle(held)) {
-        add_fault(setting + " is more than a million turns");
-      } else if (!is_workable(held)) {
-        add_fault(setting + " is beyond 1e50");
-      }
-      values[static_cast<Eigen::Index>(k)] = held;
+      given.push_back(value);
     }
   }
-  if (!faults.empty()) throw std::invalid_argument(faults);
-  return values;
+  const std::vector<std::string> broken = broken_rules(mechanism, given, unit);
+  faults.insert(faults.end(), broken.begin(), broken.end());
+  require_unbroken(faults);
+  return with_values(mechanism, given, base, unit);
 }
 
 Eigen::VectorXd chosen_guess(const Mechanism& mechanism, const GuessChoice& choice) {
-  return named_values(mechanism, choice.guesses, initial_guess(mechanism, choice.at), true);
+  return named_values(mechanism, choice.guesses, initial_guess(mechanism, choice.at),
+                      AngleUnit::of_the_file);
 }
 
 }  // namespace moivre

@@ -10,6 +10,7 @@
 
 #include "moivre/closure_report/angles.h"
 #include "moivre/mechanism/mechanism.h"
+#include "moivre/mechanism/named_values.h"
 
 namespace moivre {
 
@@ -46,6 +47,6 @@ Eigen::VectorXd chosen_guess(const Mechanism& mechanism, const GuessChoice& choi
 
 /// A number a coordinate: `base` where the user gives none. Throws std::invalid_argument that names every fault.
 Eigen::VectorXd named_values(const Mechanism& mechanism, const std::vector<std::string>& settings,
-                             const Eigen::VectorXd& base, bool in_units);
+                             const Eigen::VectorXd& base, AngleUnit unit);
 
 }  // namespace moivre

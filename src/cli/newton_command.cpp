@@ -29,8 +29,8 @@ int run(const NewtonCommand& command) {
   NewtonOptions options = command.options;
   options.with_condition = true;
   if (!command.weights.empty()) {
-    options.linear.weights =
-        named_values(mechanism, command.weights, Eigen::VectorXd::Ones(phi.dimension()), false);
+    options.linear.weights = named_values(
+        mechanism, command.weights, Eigen::VectorXd::Ones(phi.dimension()), AngleUnit::radians);
   }
   Output json(command.json);
   Output csv(command.csv);
