@@ -67,7 +67,7 @@ std::string item(const std::string& head, const std::string& text) {
 }
 
 std::string synopsis(const ManualCommand& command) {
-  std::string line = bold(command.name);
+  std::string line = bold(command.call.empty() ? command.name : command.call);
   for (const ManualOption& option : command.options) {
     if (option.required) line += ' ' + head_of(option);
   }
@@ -150,7 +150,9 @@ std::string see_also(const ManualCommand& command, const ManualCommand& program)
   } else {
     pages = related_to(words_of(command));
     pages.insert(pages.begin(), page_name(program));
-    for (const ManualCommand& below : command.commands) pages.push_back(page_name(below));
+    if (command.call.empty()) {
+      for (const ManualCommand& below : command.commands) pages.push_back(page_name(below));
+    }
   }
   std::vector<std::string> named;
   for (const std::string& page : pages) named.push_back(".BR " + escaped(page) + " (1)");

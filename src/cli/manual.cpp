@@ -80,9 +80,27 @@ ManualCommand command_of(CLI::App& app, const std::string& before) {
 
 ManualCommand manual_of(CLI::App& app) { return command_of(app, ""); }
 
+ManualCommand manual_of_ranks(const ManualCommand& program) {
+  ManualCommand command;
+  command.name = program.name + "-mpi";
+  command.call = "mpirun -n RANKS " + command.name;
+  command.sentence = "The commands of " + program.name + ", whose paths many processes follow";
+  command.options = program.options;
+  command.examples = {"mpirun -n 4 moivre-mpi solve cyclic.phc --threads 1 --json roots.json",
+                      "mpirun -n 4 moivre-mpi solve cyclic.phc --threads 1 --ledger run.db",
+                      "srun moivre-mpi solve cyclic.phc --threads 1 --json roots.json"};
+  for (const ManualCommand& below : program.commands) {
+    ManualCommand& same = command.commands.emplace_back();
+    same.name = command.name + ' ' + words_of(below);
+    same.sentence = below.sentence;
+  }
+  return command;
+}
+
 std::string words_of(const ManualCommand& command) {
-  const std::size_t space = command.name.find(' ');
-  return space == std::string::npos ? "" : command.name.substr(space + 1);
+  const std::string program = command.name.substr(0, command.name.find(' '));
+  if (program == command.name) return program == "moivre" ? "" : program;
+  return command.name.substr(program.size() + 1);
 }
 
 }  // namespace moivre

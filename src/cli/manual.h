@@ -27,7 +27,8 @@ struct ManualOption {
 };
 
 struct ManualCommand {
-  std::string name;  ///< "moivre", "moivre solve", "moivre family learn"
+  std::string name;  ///< "moivre", "moivre solve", "moivre family learn", "moivre-mpi"
+  std::string call;  ///< what is typed, where that is more than the name
   std::string sentence;
   std::vector<ManualOption> arguments;  ///< by their place
   std::vector<ManualOption> options;
@@ -38,7 +39,10 @@ struct ManualCommand {
 /// Of the whole program, where `app` is `moivre` with all its commands.
 ManualCommand manual_of(CLI::App& app);
 
-/// The name behind "moivre ": "", "solve", "family learn".
+/// moivre-mpi, whose commands are those of `moivre` (here: `program`).
+ManualCommand manual_of_ranks(const ManualCommand& program);
+
+/// The name behind "moivre ": "", "solve", "family learn"; of another program its whole name.
 std::string words_of(const ManualCommand& command);
 
 /// Calls visit(command) for this one and all below it.

@@ -50,6 +50,21 @@ const std::map<std::string, Text> kTexts{
        "Each command writes text for people; --json, --csv and the like write files for "
        "programs. Later versions may add keys to "
        "the JSON; they rename none."}}},
+    {"moivre-mpi",
+     {{"The ranks of an MPI job follow the paths of one run together, on one machine or many. The "
+       "result is byte for byte that of moivre, but for run times, with any number of ranks and "
+       "threads.",
+       "Every rank reads the files and runs the command, so that all need these under the same "
+       "names. Where it comes to a list of jobs, rank 0 hands out pieces of it. Rank 0 alone "
+       "writes, and its exit status is that of the run. Paths are shared by solve, closures, "
+       "motion, family learn and family solve; the other commands are done by rank 0. --threads "
+       "says how many each rank has.",
+       "With --ledger the same command goes on after a kill or the death of a rank, with as many "
+       "ranks as there are then, or by moivre alone. " +
+           kStop,
+       "MOIVRE_MPI_TRAFFIC=1 in the environment lets each rank tell its messages, bytes and "
+       "processor time."},
+      {"moivre-solve", "moivre-closures", "moivre-motion", "moivre-family", "moivre-ledger"}}},
     {"solve",
      {{kRoots, kSystemFile, kNotSquare,
        "The last word on a result is its completeness: proved (there can be no other root), "

@@ -31,6 +31,11 @@ void write_all(const fs::path& folder) {
     write(folder / "man" / "man1" / (moivre::page_name(command) + ".1"),
           moivre::man_page(command, program, MOIVRE_VERSION_STRING));
   });
+#if MOIVRE_WITH_MPI
+  const moivre::ManualCommand ranks = moivre::manual_of_ranks(program);
+  write(folder / "man" / "man1" / (moivre::page_name(ranks) + ".1"),
+        moivre::man_page(ranks, program, MOIVRE_VERSION_STRING));
+#endif
   write(folder / "bash-completion" / "completions" / "moivre", moivre::bash_completion(program));
   write(folder / "zsh" / "site-functions" / "_moivre", moivre::zsh_completion(program));
   write(folder / "fish" / "vendor_completions.d" / "moivre.fish", moivre::fish_completion(program));

@@ -51,6 +51,9 @@ def page(command):
     return SHARE / "man/man1" / ("-".join(["moivre", *command.split()]) + ".1")
 
 
+RANKS = page("mpi")
+
+
 def bash_completes(*words, folder=None):
     """What bash offers for the last word; readline cuts words at '='."""
     quoted = " ".join(f"'{word}'" for word in words)
@@ -65,7 +68,8 @@ def fish_completes(line, folder=None):
 
 class ManPages(unittest.TestCase):
     def test_every_command_has_one_and_every_option_stands_in_it(self):
-        self.assertEqual(sorted(path.name for path in page("").parent.iterdir()), sorted(page(c).name for c in COMMANDS))
+        there = sorted(path.name for path in page("").parent.iterdir() if path != RANKS)
+        self.assertEqual(there, sorted(page(c).name for c in COMMANDS))
         for command in COMMANDS:
             text = page(command).read_text(encoding="utf-8").replace("\\-", "-")
             for name in options(command):
@@ -78,14 +82,24 @@ class ManPages(unittest.TestCase):
         self.assertIn("The default is \\fBauto\\fR.", text)
 
     def test_every_page_that_is_named_is_there(self):
+        for path in page("").parent.iterdir():
+            for name in re.findall(r"^\.BR (\S+) \(1\)", path.read_text(encoding="utf-8"), re.MULTILINE):
+                self.assertTrue((page("").parent / (name.replace("\\-", "-") + ".1")).exists(), f"{path.name}: {name}")
+
+    @unittest.skipUnless(RANKS.exists(), "the program was built without MPI")
+    def test_the_program_for_many_processes_has_one_with_every_command(self):
+        text = RANKS.read_text(encoding="utf-8").replace("\\-", "-")
+        self.assertIn("\nmoivre-mpi - the commands of moivre", text)
+        self.assertIn("\\fBmpirun -n RANKS moivre-mpi\\fR", text)
         for command in COMMANDS:
-            for name in re.findall(r"^\.BR (\S+) \(1\)", page(command).read_text(encoding="utf-8"), re.MULTILINE):
-                self.assertTrue((page("").parent / (name.replace("\\-", "-") + ".1")).exists(), f"{command}: {name}")
+            if command and " " not in command:
+                self.assertIn(f"\n\\fB{command}\\fR\n", text)
 
     @unittest.skipUnless(shutil.which("man"), "man is not installed")
     def test_man_shows_them_without_a_warning(self):
-        for command in COMMANDS:
-            done = subprocess.run(["man", "--warnings", "-E", "UTF-8", "-l", "-Tutf8", str(page(command))], capture_output=True,
+        for path in sorted(page("").parent.iterdir()):
+            command = path.name
+            done = subprocess.run(["man", "--warnings", "-E", "UTF-8", "-l", "-Tutf8", str(path)], capture_output=True,
                                   text=True, check=False, env=dict(os.environ, LC_ALL="C.UTF-8", MANWIDTH="80", MANROFFSEQ=""))
             if done.returncode != 0 and not done.stdout:
                 self.skipTest("man shows nothing here: " + done.stderr)
