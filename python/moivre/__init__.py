@@ -23,10 +23,11 @@ from ._errors import ParseError
 from ._moivre import __version__
 from ._solve import Result, Root, solve
 from ._family import Family, Members
-from ._mechanism import (Body, Branch, Closure, ClosureSensitivity, Closures, Event, Guesses, Mechanism, Mobility, Motion,
+from ._mechanism import (Body, Branch, Closure, ClosureSensitivity, Closures, Event, Guesses, Mechanism, Mobility, Motion, Newton,
                          Sensitivity, Sweep)
-from ._arm import Arm, Postures
+from ._arm import Arm, Postures, SelfMotion
 
 __all__ = ["Arm", "Body", "Branch", "Closure", "ClosureSensitivity", "Closures", "Event", "Family", "Guesses", "Mechanism",
-           "Members", "Mobility", "Motion", "ParseError", "Postures", "Result", "Root", "Sensitivity", "Sweep", "solve",
+           "Members", "Mobility", "Motion", "Newton", "ParseError", "Postures", "Result", "Root", "SelfMotion", "Sensitivity", "Sweep",
+           "solve",
            "__version__"]

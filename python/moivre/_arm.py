@@ -2,6 +2,7 @@
 # With which joint values does an arm hold its tip in a pose? All of them, for one pose or many.
 """Robot arms from URDF, or from Denavit-Hartenberg's numbers."""
 
+import dataclasses
 import os
 
 import numpy as np
@@ -10,7 +11,7 @@ from . import _moivre
 from ._dh import dh_urdf
 from ._errors import ParseError
 from ._progress import told
-from ._solve import chosen, write
+from ._solve import chosen, in_degrees, write
 
 
 class Arm:
@@ -109,30 +110,100 @@ class Arm:
         """
         return self._arm.fk(np.asarray(q, dtype=float))
 
-    def ik(self, poses, *, tracker=None, start=None, seed=None, threads=None, tracker_options=None, progress=None):
+    def ik(self, poses, *, pose_accuracy=None, nearest=None, limits=None, tracker=None, start=None, seed=None, threads=None,
+           time_limit=None, tracker_options=None, progress=None):
         """All joint values that hold the tip in a pose.
 
         Parameters
         ----------
         poses : array_like of float, shape (4, 4) or (N, 4, 4)
             Homogeneous transforms, lengths in metres. A rotation rounded to six digits is made exactly one.
+        pose_accuracy : float, optional
+            How well the poses are known, metres and radians: postures and sets miss them by no more. Default: 1e-10, as
+            of computed ones.
+        nearest : array_like of float, shape (joints,), optional
+            Joint values where the arm stands: postures come in the order of their distance from there, `in_limits` with the
+            whole turns that bring each joint nearest.
+        limits : "wrap", optional
+            Reports list every choice of whole turns that the limits allow; `Postures.turns` has them in any case.
         tracker : {"cvode", "lanes"}, optional
             "lanes" is several times faster for many poses.
+        start, seed, threads, tracker_options, progress
+            As for `solve`.
+        time_limit : float, optional
+            Seconds. Poses that are not begun by then have no postures, and are not decided.
 
         Returns
         -------
         Postures
+
+        Raises
+        ------
+        ValueError
+            A pose is no rotation and translation, `nearest` has another size than the arm has joints, `limits` allow more
+            choices than can be listed, or an option is out of range.
+
+        Examples
+        --------
+        >>> import moivre, numpy as np
+        >>> arm = moivre.Arm("problems/robots/puma560.urdf")
+        >>> stands = [0.1, -0.5, 0.3, 0.4, 0.5, 0.6]
+        >>> q = arm.ik(arm.fk(stands), nearest=stands)
+        >>> bool(np.allclose(q.in_limits[0, 0], stands)), bool(q.distance[0, 0] < 1e-9)
+        (True, True)
         """
         poses = np.asarray(poses, dtype=float)
         is_list = poses.ndim == 3
         if poses.ndim == 2:
             poses = poses[np.newaxis]
-        options = chosen(tracker=tracker, start=start, seed=seed, threads=threads, tracker_options=tracker_options)
+        if nearest is not None:
+            nearest = np.asarray(nearest, dtype=float).reshape(-1)
+        options = chosen(pose_accuracy=pose_accuracy, nearest=nearest, limits=limits, tracker=tracker, start=start, seed=seed,
+                         threads=threads, time_limit=time_limit, tracker_options=tracker_options)
         with told(progress) as tell:
             return Postures(_moivre.arm_ik(self._arm, poses, is_list, options, tell))
 
     def __repr__(self):
         return f"<moivre.Arm: {self.robot}, {self.base} to {self.tip}, {len(self.joints)} joints>"
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class SelfMotion:
+    """A set of postures of one pose: the tip stands while the joints move along it. Made by `Postures.motions`.
+
+    Attributes
+    ----------
+    dimension : int
+    q : ndarray of float, shape (joints,)
+        One posture of it.
+    directions : ndarray of float, shape (joints, dimension)
+        Unit columns: how the joints may move there.
+    lost : ndarray of float, shape (6,)
+        Unit: how the tip cannot move from there, its translation before its rotation.
+    relations : list of (ndarray of float, shape (joints,), float)
+        factors @ q = value holds on the whole set, turns modulo whole ones; none where it is curved.
+    samples : ndarray of float, shape (samples, joints)
+        Postures along it.
+    closes : bool
+        It comes back to its beginning.
+    misfit : float
+        The most that a sample misses the pose by: radians, and lengths beside the arm's.
+    within_digits : bool
+        It misses the pose by more than this is accurate, but by no more than the digits of the file leave open.
+    """
+
+    dimension: int
+    q: np.ndarray
+    directions: np.ndarray
+    lost: np.ndarray
+    relations: list
+    samples: np.ndarray
+    closes: bool
+    misfit: float
+    within_digits: bool
+
+    def __repr__(self):
+        return f"<moivre.SelfMotion of dimension {self.dimension}: {len(self.samples)} samples>"
 
 
 class Postures:
@@ -143,12 +214,22 @@ class Postures:
     values : ndarray of float, shape (N, 16, joints)
         Turns in (-pi, pi], slides in metres; NaN behind the last posture of a pose.
     in_limits : ndarray of float, shape (N, 16, joints)
-        The same with whole turns added where these bring a joint between its limits.
+        The same with whole turns added where these bring a joint between its limits, nearest to `nearest=` where that was given.
     counts : ndarray of int, shape (N,)
     moves : ndarray of bool, shape (N,)
-        The joints can move while the tip stands still; one such posture is listed.
+        The joints can move while the tip stands still; `motions(pose)` has the sets.
     decided : ndarray of bool, shape (N,)
         Every path of the pose was decided.
+    residual : ndarray of float, shape (N, 16)
+        By how much each posture misses the pose: radians, and lengths beside the arm's; NaN behind the last one, as below.
+    within_digits : ndarray of bool, shape (N, 16)
+        It misses by more than the pose is accurate, but by no more than the digits of the file leave open.
+    moved_by_digits : ndarray of float, shape (N, 16)
+        By how much half a unit of the file's last digits may move a joint.
+    smallest_singular_value : ndarray of float, shape (N, 16)
+        Of the Jacobian; 0 at a singular posture.
+    distance : ndarray of float, shape (N, 16), or None
+        The largest difference of a joint from `nearest=`, where that was given.
     complete : bool
         All poses are decided.
     """
@@ -161,6 +242,11 @@ class Postures:
         self.counts = arrays["counts"]
         self.moves = arrays["moves"]
         self.decided = arrays["complete"]
+        self.residual = arrays["residual"]
+        self.within_digits = arrays["within_digits"] == 1
+        self.moved_by_digits = arrays["moved_by_digits"]
+        self.smallest_singular_value = arrays["smallest_singular_value"]
+        self.distance = arrays.get("distance")
         self.complete = bool(self.decided.all())
 
     def __len__(self):
@@ -175,13 +261,42 @@ class Postures:
         """What each posture is called, "shoulder right, elbow up, no flip"; empty where the arm has no such words."""
         return self._found.names(range(len(self))[pose])
 
+    def turns(self, pose=0):
+        """Every choice of whole turns that the limits allow: for each posture an ndarray of shape (choices, joints).
+
+        Raises
+        ------
+        ValueError
+            The limits allow more choices than can be listed.
+        """
+        return self._found.turns(range(len(self))[pose])
+
+    def motions(self, pose=0):
+        """The sets of postures along which the joints move while the tip stands in this pose: a list of `SelfMotion`."""
+        return [SelfMotion(**each) for each in self._found.motions(range(len(self))[pose])]
+
+    def nearest_posture(self, pose=0):
+        """(joint values, misfit) of the posture that comes nearest to a pose that an arm of fewer than six joints cannot hold.
+
+        None where a posture holds it, or where it is only out of reach.
+        """
+        return self._found.nearest(range(len(self))[pose])
+
+    def message(self, pose=0):
+        """What is known of the pose, a sentence; why it is not decided, where it is not."""
+        return self._found.message(range(len(self))[pose])
+
     def to_json(self, path=None):
         """The JSON of `moivre closures ARM.urdf`."""
         return write(self._found.json(), path)
 
-    def to_svg(self, path=None):
-        """The postures of one pose side by side, as text or into a file."""
-        return write(self._found.svg(), path)
+    def to_csv(self, path=None, angles="rad"):
+        """A line for each posture, as text or into a file. angles: "rad" or "deg"."""
+        return write(self._found.csv(in_degrees(angles)), path)
+
+    def to_svg(self, path=None, three_views=False):
+        """The postures of one pose side by side, as text or into a file. three_views: each from the front, right and above."""
+        return write(self._found.svg(three_views), path)
 
     def to_html(self, path=None):
         """A page on which the mouse turns the postures of one pose."""

@@ -45,8 +45,8 @@ class Family:
         self.standing = file.standing
 
     @classmethod
-    def learn(cls, equations, parameters, *, variables=None, monodromy=False, nonzero=False, tracker=None, start=None, seed=None,
-              threads=None, certify=None, tracker_options=None, progress=None):
+    def learn(cls, equations, parameters, *, variables=None, monodromy=False, nonzero=False, trace_test=None, tracker=None, start=None, seed=None,
+              threads=None, time_limit=None, certify=None, tracker_options=None, progress=None):
         """Solve one random complex member, by a start system or by loops.
 
         Parameters
@@ -61,13 +61,17 @@ class Family:
             From one random root along loops of members; for families that no start system fits.
         nonzero : bool
             Leave out roots with a coordinate 0.
+        trace_test : bool, optional
+            With monodromy: make the trace test with more than 2000 roots too; takes minutes to hours.
+        time_limit : float, optional
+            Seconds, after which the run ends with what is finished; `complete` is False then.
         """
         sizes = {str(p): float(s) for p, s in parameters.items()} if isinstance(parameters, dict) else {
             str(p): 1.0 for p in parameters}
         if len(sizes) != len(parameters):
             raise ValueError("parameters: a name is given twice")
         system, name = to_system(equations, variables, tuple(parameters))
-        options = chosen(tracker=tracker, start=start, seed=seed, threads=threads, certify=certify,
+        options = chosen(trace_test=trace_test, tracker=tracker, start=start, seed=seed, threads=threads, time_limit=time_limit, certify=certify,
                          tracker_options=tracker_options)
         with told(progress) as tell:
             return cls(_moivre.family_learn(system, list(sizes.items()), name, monodromy, nonzero, options, tell), name)
@@ -82,24 +86,26 @@ class Family:
         """Writes a file that `load` and `moivre family solve` read."""
         self._file.save(os.fspath(path))
 
-    def solve(self, members, *, tracker=None, seed=None, threads=None, certify=None, tracker_options=None, progress=None):
+    def solve(self, members, *, tracker=None, seed=None, threads=None, time_limit=None, certify=None, tracker_options=None, progress=None):
         """All roots of many members.
 
         Parameters
         ----------
         members : array_like of float or complex, shape (N, parameters) or (parameters,)
             A row each, in the order of `parameters`.
+        time_limit : float, optional
+            Seconds. Members that are not solved by then are not decided.
 
         Returns
         -------
         Members
         """
         rows = np.atleast_2d(np.asarray(members, dtype=complex))
-        options = chosen(tracker=tracker, seed=seed, threads=threads, certify=certify, tracker_options=tracker_options)
+        options = chosen(tracker=tracker, seed=seed, threads=threads, time_limit=time_limit, certify=certify, tracker_options=tracker_options)
         with told(progress) as tell:
             return Members(_moivre.family_members(self._file, rows, options, tell), self)
 
-    def member(self, values, *, tracker=None, seed=None, threads=None, certify=None, tracker_options=None, progress=None):
+    def member(self, values, *, tracker=None, seed=None, threads=None, time_limit=None, certify=None, tracker_options=None, progress=None):
         """All roots of one member, whose values stay exact.
 
         Parameters
@@ -125,7 +131,7 @@ class Family:
                 re, im = _exact(value, str(name))[0]
                 value = f"({re}) + ({im})*i"
             texts.append(f"{name}={value}")
-        options = chosen(tracker=tracker, seed=seed, threads=threads, certify=certify, tracker_options=tracker_options)
+        options = chosen(tracker=tracker, seed=seed, threads=threads, time_limit=time_limit, certify=certify, tracker_options=tracker_options)
         with told(progress) as tell:
             return Result(_moivre.family_member(self._file, ", ".join(texts), options, tell), self._name)
 
@@ -188,6 +194,10 @@ class Members:
     def to_json(self, path=None):
         """The JSON of `moivre family solve --table`."""
         return write(self._solved.json(self._family._name, "members"), path)
+
+    def to_csv(self, path=None):
+        """A line a root, as text or into a file."""
+        return write(self._solved.csv(self._family._name, "members"), path)
 
     def __str__(self):
         return self._solved.text(self._family._name, "members")

@@ -10,7 +10,7 @@ import numpy as np
 
 from . import _moivre
 from ._progress import told
-from ._solve import chosen, write
+from ._solve import chosen, in_degrees, write
 from ._toml import to_toml
 
 
@@ -47,6 +47,12 @@ class Closure(_Named):
     singular : bool
     multiplicity : int
     residual : float
+    misfit : float
+        By how much it does not close, in the file's unit of length.
+    fitted : bool
+        It closes only within `fit=`.
+    drawn : bool
+        It is the pose that was drawn.
     """
 
     id: str
@@ -58,6 +64,9 @@ class Closure(_Named):
     singular: bool
     multiplicity: int
     residual: float
+    misfit: float
+    fitted: bool
+    drawn: bool
 
     def __repr__(self):
         return f"<moivre.Closure {self.id}{': certified' if self.certified else ''}>"
@@ -79,21 +88,21 @@ class _Reported:
         """The JSON of the command line (docs/json.md), as text or into a file."""
         return write(self._found.json(), path)
 
-    def to_csv(self, path=None):
-        """The table of the command line, as text or into a file."""
-        return write(self._found.csv(), path)
-
     def to_html(self, path=None):
         """A page for a browser, as text or into a file."""
         return write(self._found.html(), path)
 
+    def to_svg(self, path=None):
+        """The picture of the command line, as text or into a file."""
+        return write(self._found.svg(), path)
+
     @property
     def svg(self):
         """The picture of the command line, an SVG document."""
-        return self._found.svg()
+        return self.to_svg()
 
     def _repr_html_(self):
-        return self.svg
+        return self.to_svg()
 
     def __str__(self):
         return self._found.text()
@@ -162,10 +171,19 @@ class Closures(_Reported):
         bodies = {} if core.is_typed else _bodies(self.names, self.q[k])
         return Closure(self.ids[k], tuple(self.names), self.q[k], bodies, points, self._arrays["certified"][k],
                        bool(self._arrays["singular"][k]), int(self._arrays["multiplicity"][k]),
-                       float(self._arrays["residual"][k]))
+                       float(self._arrays["residual"][k]), float(self._arrays["misfit"][k]),
+                       bool(self._arrays["fitted"][k]), bool(self._arrays["drawn"][k]))
 
     def __iter__(self):
         return (self[k] for k in range(len(self)))
+
+    def to_csv(self, path=None, angles="rad"):
+        """A line a closure, as text or into a file. angles: "rad" or "deg"."""
+        return write(self._found.csv(angles), path)
+
+    def to_svg(self, path=None, three_views=False):
+        """All closures to one scale, as text or into a file. three_views: a spatial one from the front, right and above."""
+        return write(self._found.svg(three_views), path)
 
     def sensitivity(self):
         """How far each closure moves with every dimension; see `Mechanism.sensitivity`."""
@@ -277,6 +295,14 @@ class Motion(_Reported):
             self.branches.append(Branch(begin_event=None if begin is None else self.events[begin],
                                         event=None if end is None else self.events[end], **arrays))
 
+    def to_json(self, path=None, continuous=False):
+        """The JSON of `moivre motion`. continuous: angles go on beyond half a turn along a branch, as in `Branch.q`."""
+        return write(self._found.json(continuous), path)
+
+    def to_csv(self, path=None, angles="rad", continuous=False):
+        """A line a sample, as text or into a file. angles: "rad" or "deg"; continuous as for `to_json`."""
+        return write(self._found.csv(angles, continuous), path)
+
     def __len__(self):
         return len(self.branches)
 
@@ -327,6 +353,10 @@ class Sweep(_Reported):
         self.decided = arrays["complete"]
         self.borders = arrays["borders"]
         self.complete = found.complete
+
+    def to_csv(self, path=None):
+        """A line a sample, as text or into a file."""
+        return write(self._found.csv(), path)
 
     def __len__(self):
         return len(self.at)
@@ -381,12 +411,24 @@ class Sensitivity:
         self.values = told_["values"]
         self.tolerances = told_["tolerances"]
         self._closures = [ClosureSensitivity(**each) for each in told_["closures"]]
+        self._told = told_
 
     def __len__(self):
         return len(self._closures)
 
     def __getitem__(self, index):
         return self._closures[index]
+
+    def to_json(self, path=None):
+        """The JSON of `moivre closures --sensitivity`."""
+        return write(self._told["json"], path)
+
+    def to_csv(self, path=None, angles="rad"):
+        """The table of `moivre closures --sensitivity`. angles: "rad" or "deg"."""
+        return write(self._told["csv_in_degrees" if in_degrees(angles) else "csv"], path)
+
+    def __str__(self):
+        return self._told["text"]
 
     def rate(self, quantity, dimension, closure=0):
         """d quantity / d dimension at one closure."""
@@ -423,18 +465,21 @@ class Guesses:
         self.names = told_["names"]
         self.ids = told_["ids"]
         self.q = told_["q"]
-        self._json = told_["json"]
-        self._text = told_["text"]
+        self._told = told_
 
     def __len__(self):
         return len(self.ids)
 
     def to_json(self, path=None):
         """The JSON of `moivre guesses`."""
-        return write(self._json, path)
+        return write(self._told["json"], path)
+
+    def to_csv(self, path=None, angles="rad"):
+        """The table of `moivre guesses`, as text or into a file. angles: "rad" or "deg"."""
+        return write(self._told["csv_in_degrees" if in_degrees(angles) else "csv"], path)
 
     def __str__(self):
-        return self._text
+        return self._told["text"]
 
     def __repr__(self):
         return f"<moivre.Guesses: {len(self)} of {len(self.names)} coordinates>"
@@ -489,6 +534,62 @@ class Mobility:
                 f"constraints>")
 
 
+@dataclasses.dataclass(frozen=True, eq=False)
+class Newton:
+    """One run of Newton-Raphson. Made by `Mechanism.newton`.
+
+    Attributes
+    ----------
+    converged : bool
+    status : str
+        "converged", "diverged", "cycling", "singular", "no_solution" or "iteration_limit".
+    message : str
+    q : ndarray of float, shape (n,)
+    iterates : ndarray of float, shape (iterations + 1, n)
+        The guess first.
+    residuals : ndarray of float, shape (iterations + 1,)
+        The largest constraint's.
+    rank : int
+        Of the constraints' Jacobian at q.
+    is_singular : bool
+    condition : float
+    """
+
+    converged: bool
+    status: str
+    message: str
+    q: np.ndarray
+    iterates: np.ndarray
+    residuals: np.ndarray
+    rank: int
+    is_singular: bool
+    condition: float
+    json: str
+    text: str
+
+    def __len__(self):
+        return len(self.iterates)
+
+    def to_json(self, path=None):
+        """The JSON of `moivre newton`."""
+        return write(self.json, path)
+
+    def __str__(self):
+        return self.text
+
+    def __repr__(self):
+        return f"<moivre.Newton: {self.status}, {len(self) - 1} iterations>"
+
+
+def _values(argument, given):
+    """[(coordinate, value)] of a dictionary; None stays None."""
+    if given is None:
+        return None
+    if not hasattr(given, "items"):
+        raise ValueError(f"{argument}: a dictionary is wanted, such as {{'crank.phi': 40}}")
+    return [(str(name), float(value)) for name, value in given.items()]
+
+
 class Mechanism:
     """A planar or spatial mechanism, or typed constraint equations.
 
@@ -525,17 +626,61 @@ class Mechanism:
 
     def __init__(self, source):
         if isinstance(source, dict):
-            self._core = _moivre.mechanism_of_text("mechanism", to_toml(source))
+            self._take(_moivre.mechanism_of_text("mechanism", to_toml(source)))
         else:
-            self._core = _moivre.mechanism_of_file(os.fspath(source))
+            self._take(_moivre.mechanism_of_file(os.fspath(source)))
+
+    def _take(self, core):
+        self._core = core
         self.title = self._core.title
         self.coordinates = self._core.coordinates
         self.points = self._core.points
         self.dimensions = self._core.dimensions
         self.warnings = self._core.warnings
 
+    @classmethod
+    def from_robot(cls, path, *, loops=None, hold=None, tip=None, pose=None):
+        """A robot (URDF) as a mechanism, whose loops a side file may close (docs/robots.md).
+
+        Parameters
+        ----------
+        path : path or text
+            A URDF file, or its text.
+        loops : path, optional
+            The side file: points of links, joints and drivers.
+        hold : dict, optional
+            Joints that stand, radians or metres.
+        tip : str, optional
+            The link that takes `pose`. Default: the leaf where there is one alone.
+        pose : array_like of float, shape (4, 4), optional
+            Of the tip in the root's frame, metres.
+
+        Returns
+        -------
+        Mechanism
+
+        Examples
+        --------
+        >>> import moivre
+        >>> m = moivre.Mechanism.from_robot("problems/robots/palletizer.urdf", loops="problems/robots/palletizer.loops.toml")
+        >>> len(m.closures())
+        8
+        """
+        if tip is not None and pose is None:
+            raise ValueError("tip: needs pose, which says where it is to be")
+        held = [(str(joint), float(value)) for joint, value in (hold or {}).items()]
+        if pose is not None:
+            pose = np.asarray(pose, dtype=float)
+            if pose.shape != (4, 4):
+                raise ValueError("pose: an array of shape (4, 4) is wanted")
+        is_text = isinstance(path, str) and path.lstrip().startswith("<")
+        make = _moivre.mechanism_of_robot_text if is_text else _moivre.mechanism_of_robot_file
+        made = cls.__new__(cls)
+        made._take(make(path if is_text else os.fspath(path), tip, held, pose, None if loops is None else os.fspath(loops)))
+        return made
+
     def closures(self, *, at=None, fit=None, meshings=None, tolerance=None, tracker=None, start=None, seed=None, threads=None,
-                 certify=None, tracker_options=None, progress=None):
+                 time_limit=None, certify=None, tracker_options=None, progress=None):
         """Every way to assemble the mechanism.
 
         Parameters
@@ -548,7 +693,7 @@ class Mechanism:
             Closures in every meshing of the gears.
         tolerance : float, optional
             Of dimensions, for `Closures.sensitivity`.
-        tracker, start, seed, threads, certify, tracker_options, progress
+        tracker, start, seed, threads, time_limit, certify, tracker_options, progress
             As for `solve`.
 
         Returns
@@ -556,12 +701,13 @@ class Mechanism:
         Closures
         """
         options = chosen(at=at, fit=fit, meshings=meshings, tolerance=tolerance, tracker=tracker, start=start, seed=seed,
-                         threads=threads, certify=certify, tracker_options=tracker_options)
+                         threads=threads, time_limit=time_limit, certify=certify, tracker_options=tracker_options)
         with told(progress) as tell:
             return Closures(self._core.closures(options, tell), self)
 
-    def motion(self, *, begin=None, end=None, steps=None, checkpoints=None, fit=None, meshings=None, tracker=None, start=None,
-               seed=None, threads=None, certify=None, tracker_options=None, progress=None):
+    def motion(self, *, begin=None, end=None, steps=None, checkpoints=None, guess=None, from_guess=None, closure=None, fit=None,
+               meshings=None, tracker=None, start=None, seed=None, threads=None, time_limit=None, certify=None,
+               tracker_options=None, progress=None):
         """Every closure followed along the drivers.
 
         Parameters
@@ -572,25 +718,46 @@ class Mechanism:
             Samples at begin + k (end - begin) / steps.
         checkpoints : int, optional
             How often closures are solved again and compared.
+        guess : dict, optional
+            `{"crank.phi": 40}`, angles in the file's unit: change these values of the file's guess, and follow only the pose
+            that Newton-Raphson assembles from it. No closures are solved.
+        from_guess : bool, optional
+            Follow only the pose assembled from the file's guess.
+        closure : str or list of str, optional
+            Show only the branches that can be reached from these closures without taking the mechanism apart: "A", "B", ...
+            at the start of the motion, or "drawn"; of independent sub-chains also "E.H" or "1:E".
+        fit, meshings
+            As for `closures`.
+        tracker, start, seed, threads, time_limit, certify, tracker_options, progress
+            As for `solve`.
 
         Returns
         -------
         Motion
         """
-        options = chosen(fit=fit, meshings=meshings, steps=steps, checkpoints=checkpoints, tracker=tracker, start=start,
-                         seed=seed, threads=threads, certify=certify, tracker_options=tracker_options)
+        closure = [closure] if isinstance(closure, str) else closure
+        options = chosen(guess=_values("guess", guess), from_guess=from_guess, fit=fit, meshings=meshings, steps=steps,
+                         checkpoints=checkpoints, closure=None if closure is None else [str(name) for name in closure],
+                         tracker=tracker, start=start, seed=seed, threads=threads, time_limit=time_limit, certify=certify,
+                         tracker_options=tracker_options)
         options.update({name: value for name, value in (("from", begin), ("to", end)) if value is not None})
         with told(progress) as tell:
             return Motion(self._core.motion(options, tell), self)
 
-    def sweep(self, vary, *, at=None, fit=None, meshings=None, tracker=None, start=None, seed=None, threads=None,
-              tracker_options=None, progress=None):
+    def sweep(self, vary, *, at=None, fit=None, meshings=None, borders=None, tracker=None, start=None, seed=None, threads=None,
+              time_limit=None, tracker_options=None, progress=None):
         """Closures counted while one or two dimensions vary.
 
         Parameters
         ----------
         vary : dict
             `{"crank.A.x": (from, to, count)}`, one or two names of `dimensions`; values in the file's units.
+        borders : bool, optional
+            False: do not locate where the counts change.
+        at, fit, meshings
+            As for `closures`.
+        tracker, start, seed, threads, time_limit, tracker_options, progress
+            As for `solve`.
 
         Returns
         -------
@@ -601,8 +768,8 @@ class Mechanism:
             if len(given) != 3 or int(given[2]) != given[2] or given[2] < 2:
                 raise ValueError(f"{name}: (from, to, count) is wanted, count whole and at least 2")
             ranges.append((str(name), float(given[0]), float(given[1]), int(given[2])))
-        options = chosen(at=at, fit=fit, meshings=meshings, tracker=tracker, start=start, seed=seed, threads=threads,
-                         tracker_options=tracker_options)
+        options = chosen(at=at, fit=fit, meshings=meshings, borders=borders, tracker=tracker, start=start, seed=seed,
+                         threads=threads, time_limit=time_limit, tracker_options=tracker_options)
         with told(progress) as tell:
             found = self._core.sweep(ranges, options, tell)
         return Sweep(found, [name for name, *_ in ranges], tuple(count for *_, count in ranges))
@@ -629,14 +796,55 @@ class Mechanism:
         """Every closure as an initial guess for a Newton solve of your own; options as for `closures`."""
         return self.closures(at=at, **options).guesses()
 
-    def mobility(self, *, at=None, fit=None, meshings=None):
+    def mobility(self, *, at=None, guess=None, fit=None, meshings=None, time_limit=None):
         """Degrees of freedom and redundant constraints at the closures, or at the pose found from the file's guess.
+
+        Parameters
+        ----------
+        at : float, optional
+            Time of the drivers, seconds.
+        guess : dict, optional
+            `{"rocker.phi": -98}`, angles in the file's unit: look at the pose that Newton-Raphson assembles from there.
+        fit, meshings
+            As for `closures`.
+        time_limit : float, optional
+            Seconds.
 
         Returns
         -------
         Mobility
         """
-        return Mobility(**self._core.mobility(chosen(at=at, fit=fit, meshings=meshings)))
+        return Mobility(**self._core.mobility(chosen(at=at, guess=_values("guess", guess), fit=fit, meshings=meshings,
+                                                     time_limit=time_limit)))
+
+    def newton(self, *, at=None, guess=None, weight=None, tolerance=None, max_iterations=None):
+        """One run of Newton-Raphson from a guess, iteration by iteration: it finds one pose, and says nothing of others.
+
+        Parameters
+        ----------
+        at : float, optional
+            Time of the drivers, seconds.
+        guess : dict, optional
+            `{"rocker.phi": -98}`, angles in the file's unit; other coordinates start from the file's guess.
+        weight : dict, optional
+            Of coordinates in steps of least norm, where constraints are too few.
+        tolerance : float, optional
+            On each constraint, relative to the sum of the magnitudes of its terms.
+        max_iterations : int, optional
+
+        Returns
+        -------
+        Newton
+
+        Examples
+        --------
+        >>> import moivre
+        >>> run = moivre.Mechanism("problems/mechanisms/four-bar.toml").newton(guess={"coupler.phi": -60, "rocker.phi": -90})
+        >>> run.converged, len(run) == len(run.residuals)
+        (True, True)
+        """
+        return Newton(**self._core.newton(chosen(at=at, guess=_values("guess", guess), weight=_values("weight", weight),
+                                                 tolerance=tolerance, max_iterations=max_iterations)))
 
     def __repr__(self):
         return f"<moivre.Mechanism: {self.title or 'untitled'}, {len(self.coordinates)} coordinates>"

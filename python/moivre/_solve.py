@@ -4,17 +4,25 @@
 
 import dataclasses
 import html
+import math
 
 import numpy as np
 
 from . import _moivre
 from ._progress import told
-from ._systems import to_system
+from ._systems import _exact, to_system
 
 
 def chosen(**options):
     """The options that were given: the library has the defaults."""
     return {name: value for name, value in options.items() if value is not None}
+
+
+def in_degrees(angles):
+    """Whether angles="deg" was given."""
+    if angles not in ("rad", "deg"):
+        raise ValueError(f'angles: "rad" or "deg" is wanted, {angles!r} is given')
+    return angles == "deg"
 
 
 def write(text, path):
@@ -97,6 +105,10 @@ class Result:
     variables : list of str
     paths : dict
         tracked = finite + at_infinity + failed.
+    filtered : int
+        Roots, with multiplicity, that `real=`, `positive=`, `nonzero=` or `box=` leave out.
+    cross_check : dict or None
+        What the other tracker says, where that was asked for: witness, common, missed, unwitnessed, disagreements.
     points : ndarray of complex, shape (roots, unknowns)
     real_points : ndarray of float, shape (real roots, unknowns)
     real, singular : ndarray of bool, shape (roots,)
@@ -121,6 +133,8 @@ class Result:
         self.message = solved.message
         self.variables = solved.variables
         self.paths = solved.paths
+        self.filtered = solved.filtered
+        self.cross_check = solved.cross_check
         self.points = roots["points"]
         self.real = roots["real"]
         self.singular = roots["singular"]
@@ -149,13 +163,15 @@ class Result:
     def __iter__(self):
         return (self[k] for k in range(len(self)))
 
-    def digits(self, digits, progress=None):
+    def digits(self, digits, progress=None, time_limit=None):
         """Every root to so many significant digits, by Newton's method with a proved bound.
 
         Parameters
         ----------
         digits : int
             From 1 to 1000.
+        progress, time_limit
+            As for `solve`.
 
         Returns
         -------
@@ -171,7 +187,7 @@ class Result:
         ['-1.41421356237309504880168872421', '1.41421356237309504880168872421']
         """
         with told(progress) as tell:
-            found = self._solved.with_digits(digits, tell).roots()["digits"]
+            found = self._solved.with_digits(digits, chosen(time_limit=time_limit), tell).roots()["digits"]
         try:
             import mpmath
         except ImportError:
@@ -187,6 +203,10 @@ class Result:
     def to_csv(self, path=None):
         """A line a root, as text or into a file."""
         return write(self._solved.csv(), path)
+
+    def to_paths_csv(self, path=None):
+        """A line a path: where it ended and what it took, as text or into a file."""
+        return write(self._solved.paths_csv(), path)
 
     def to_phc(self, path=None):
         """PHCpack's solution list, as text or into a file."""
@@ -227,8 +247,49 @@ def _standing(result):
     return "every path decided"
 
 
-def solve(equations, *, variables=None, tracker=None, start=None, seed=None, threads=None, slice=None, precision=None,
-          certify=None, digits=None, tracker_options=None, progress=None):
+def _box(box):
+    """[(name, from, to)] of a dictionary of ranges."""
+    if not hasattr(box, "items"):
+        raise ValueError("box: a dictionary of ranges is wanted, such as {'x': (0, 1)}")
+    ranges = []
+    for name, given in box.items():
+        given = list(given) if hasattr(given, "__iter__") else [given]
+        if len(given) != 2:
+            raise ValueError(f"box: {name}: (from, to) is wanted; None leaves a side open")
+        low, high = (math.inf * sign if side is None else float(side) for side, sign in zip(given, (-1, 1)))
+        ranges.append((str(name), low, high))
+    return ranges
+
+
+def _value(value, what):
+    """(re, im) as exact texts; "1/3" is a number too."""
+    if isinstance(value, str):
+        import fractions
+        try:
+            value = fractions.Fraction(value)
+        except (ValueError, ZeroDivisionError):
+            raise ValueError(f"{what}: {value!r} is no number") from None
+    return _exact(value, what)[0]
+
+
+def _ways(parameters, start_points):
+    """Names, values at the start and at the end, and the start points as rows."""
+    if start_points is None or not hasattr(parameters, "items"):
+        raise ValueError("start_points and parameters come together: parameters={'a': (start, end)} has the values at which "
+                         "the start points are roots, and those that are asked for")
+    ends = ([], [])
+    for name, given in parameters.items():
+        given = list(given) if hasattr(given, "__iter__") else [given]
+        if len(given) != 2:
+            raise ValueError(f"parameters: {name}: (start, end) is wanted")
+        for values, value in zip(ends, given):
+            values.append(_value(value, f"parameters: {name}"))
+    return [str(name) for name in parameters], *ends, np.atleast_2d(np.asarray(start_points, dtype=complex))
+
+
+def solve(equations, *, variables=None, real=None, positive=None, nonzero=None, box=None, parameters=None, start_points=None,
+          tracker=None, start=None, seed=None, threads=None, time_limit=None, slice=None, precision=None, certify=None,
+          digits=None, cross_check=None, tracker_options=None, progress=None):
     """All isolated roots of a polynomial system, complex roots included.
 
     Parameters
@@ -239,12 +300,24 @@ def solve(equations, *, variables=None, tracker=None, start=None, seed=None, thr
         (terms, unknowns). int, Fraction, Decimal and sympy's Rational stay exact; a float is the double that it is.
     variables : list of str or symbols, optional
         The unknowns in their order. Default: a text's in the order of their first appearance, sympy's by name.
+    real, positive, nonzero : bool, optional
+        Tell real roots alone; real ones whose coordinates are all above zero; roots without a coordinate zero. All are looked
+        for in any case: `filtered` counts those that are not told.
+    box : dict, optional
+        Tell real roots alone within ranges: `{"x": (0, 1)}`; None leaves a side open.
+    start_points : array_like of complex, shape (points, unknowns), optional
+        Roots that are known, of the system with `parameters` at their start values: they are followed to the end values. Then
+        those roots are found that the given ones lead to; whether these are all only a proved count can tell.
+    parameters : dict, optional
+        With `start_points`: `{"a": (start, end)}`.
     tracker : {"cvode", "lanes"}, optional
     start : {"auto", "total-degree", "multihomogeneous", "polyhedral"}, optional
     seed : int, optional
         Of the random numbers. The same seed gives the same roots in the same order.
     threads : int, optional
         Default: as many as the machine has.
+    time_limit : float, optional
+        Seconds, after which the run ends with what is finished; `complete` is False then.
     slice : bool, optional
         Add random linear equations where equations are missing.
     precision : {"auto", "double", "double-double"}, optional
@@ -252,6 +325,8 @@ def solve(equations, *, variables=None, tracker=None, start=None, seed=None, thr
         False: say nothing of certificates and completeness.
     digits : int, optional
         Also give every nonsingular root to so many digits; reports have them.
+    cross_check : bool, optional
+        Also solve with the other tracker, and compare path by path: `Result.cross_check`.
     tracker_options : dict, optional
         By the names of docs/trackers.md.
     progress : True, callable or tqdm-shaped bar, optional
@@ -260,6 +335,11 @@ def solve(equations, *, variables=None, tracker=None, start=None, seed=None, thr
     Returns
     -------
     Result
+
+    Raises
+    ------
+    ValueError
+        Names the argument, and every rule that it breaks; `ParseError` for a text or a file.
 
     Notes
     -----
@@ -275,9 +355,23 @@ def solve(equations, *, variables=None, tracker=None, start=None, seed=None, thr
     [-0.5, 0.5]
     >>> r.certified
     [True, True]
+    >>> r = moivre.solve(["x^2 + y^2 - 4", "x*y - 1"], positive=True, box={"x": (1, None)})
+    >>> r.real_points.round(3), r.filtered
+    (array([[1.932, 0.518]]), 3)
+    >>> r = moivre.solve("x^2 - a", parameters={"a": (1, 4)}, start_points=[[1], [-1]])
+    >>> sorted(r.real_points[:, 0])
+    [-2.0, 2.0]
     """
-    system, name = to_system(equations, variables)
-    options = chosen(tracker=tracker, start=start, seed=seed, threads=threads, slice=slice, precision=precision,
-                     certify=certify, digits=digits, tracker_options=tracker_options)
+    options = chosen(real=real, positive=positive, nonzero=nonzero, box=None if box is None else _box(box), tracker=tracker,
+                     start=start, seed=seed, threads=threads, time_limit=time_limit, slice=slice, precision=precision,
+                     certify=certify, digits=digits, cross_check=cross_check, tracker_options=tracker_options)
+    if parameters is None and start_points is None:
+        system, name = to_system(equations, variables)
+        with told(progress) as tell:
+            return Result(_moivre.solve(system, options, tell), name)
+    names, begin, end, points = _ways(parameters, start_points)
+    if slice or cross_check:
+        raise ValueError("slice and cross_check: not with start_points")
+    system, name = to_system(equations, variables, tuple(parameters))
     with told(progress) as tell:
-        return Result(_moivre.solve(system, options, tell), name)
+        return Result(_moivre.led_on(system, names, begin, end, points, options, tell), name)

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Robot arms for Python: all joint values for many poses as one array, and the way back.
+#include <pybind11/eigen.h>
 #include <pybind11/stl.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 #include "arrays.h"
 #include "bindings.h"
@@ -13,8 +13,11 @@
 #include "moivre/arm_report/arm_report.h"
 #include "moivre/arms/arm_closures.h"
 #include "moivre/arms/posture.h"
+#include "moivre/arms/turns.h"
+#include "moivre/numeric/invalid_input.h"
 #include "moivre/numeric/stopwatch.h"
 #include "moivre/urdf/read.h"
+#include "poses.h"
 
 namespace moivre::python {
 namespace {
@@ -22,12 +25,11 @@ namespace {
 namespace py = pybind11;
 
 using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
+using Vector6 = Eigen::Matrix<double, 6, 1>;
 using RowMajor4 = Eigen::Matrix<double, 4, 4, Eigen::RowMajor>;
 
 // So many postures a general arm has at most; a result has room for more where there are more.
 constexpr std::size_t kMostPostures = 16;
-// A rotation that was rounded to six digits is taken, and made exactly one; so is a last row.
-constexpr double kRounded = 1e-6;
 
 /// The arm and where it was read.
 struct NamedArm {
@@ -41,6 +43,8 @@ struct Postures {
   std::vector<ArmResult> results;  ///< fewer than poses where the run was interrupted
   std::size_t poses = 0;
   bool is_list = false;
+  std::optional<Eigen::VectorXd> stands = std::nullopt;
+  bool has_all_turns = false;
   double seconds = 0;
 
   ArmReport report() const {
@@ -49,79 +53,127 @@ struct Postures {
     report.arm = of->arm;
     report.results = results;
     report.is_list = is_list;
+    report.stands = stands;
+    report.has_all_turns = has_all_turns;
     report.total_s = seconds;
     return report;
   }
 };
 
-Eigen::Isometry3d pose_of(const double* entries, py::ssize_t number) {
-  const RowMajor4 matrix = Eigen::Map<const RowMajor4>(entries);
-  const std::string where = "pose " + std::to_string(number) + ": ";
-  if (!matrix.allFinite()) throw std::invalid_argument(where + "a number is not finite");
-  const Eigen::Matrix3d rotation = matrix.topLeftCorner<3, 3>();
-  const double off =
-      (rotation.transpose() * rotation - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
-  if (off > kRounded || rotation.determinant() < 0) {
-    std::ostringstream text;
-    text << where << "the upper left 3 x 3 block is no rotation";
-    if (off > kRounded) {
-      text << ": R^T R is off the unit matrix by " << off << ", and may be by " << kRounded
-           << ". Of a rounded one u @ vt is the nearest: u, _, vt = numpy.linalg.svd(R)";
-    }
-    throw std::invalid_argument(text.str());
-  }
-  const Eigen::RowVector4d last(0, 0, 0, 1);
-  if ((matrix.row(3) - last).cwiseAbs().maxCoeff() > kRounded) {
-    throw std::invalid_argument(where + "the last row is not 0 0 0 1");
-  }
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  pose.linear() = Eigen::Quaterniond(rotation).normalized().toRotationMatrix();
-  pose.translation() = matrix.topRightCorner<3, 1>();
-  return pose;
-}
-
-std::vector<Eigen::Isometry3d> poses_of(const Doubles& given) {
+std::vector<TypedPose> poses_of(const Doubles& given, double accuracy) {
   if (given.ndim() != 3 || given.shape(1) != 4 || given.shape(2) != 4) {
     throw std::invalid_argument("poses of shape (4, 4) or (N, 4, 4) are wanted");
   }
-  std::vector<Eigen::Isometry3d> poses;
+  std::vector<TypedPose> poses;
   poses.reserve(static_cast<std::size_t>(given.shape(0)));
-  for (py::ssize_t k = 0; k < given.shape(0); ++k) poses.push_back(pose_of(given.data(k, 0, 0), k));
+  for (py::ssize_t k = 0; k < given.shape(0); ++k) {
+    const RowMajor4 matrix = Eigen::Map<const RowMajor4>(given.data(k, 0, 0));
+    poses.push_back({pose_of(matrix, "pose " + std::to_string(k) + ": "), accuracy});
+  }
   return poses;
+}
+
+/// pose_accuracy of the choice; 0 where there is none.
+double pose_accuracy(const py::dict& choice) {
+  if (!choice.contains("pose_accuracy")) return 0;
+  const auto accuracy = option_value<double>("pose_accuracy", choice["pose_accuracy"]);
+  if (accuracy >= 0 && std::isfinite(accuracy)) return accuracy;
+  throw std::invalid_argument("pose_accuracy: metres and radians, 0 or more and finite");
+}
+
+/// nearest of the choice.
+std::optional<Eigen::VectorXd> standing(const py::dict& choice, const Arm& arm) {
+  if (!choice.contains("nearest")) return std::nullopt;
+  const auto stands = choice["nearest"].cast<Eigen::VectorXd>();
+  try {
+    require_standing(arm, stands);
+  } catch (const InvalidInput& refusal) {
+    throw std::invalid_argument(std::string("nearest: ") + refusal.what());
+  }
+  return stands;
+}
+
+/// limits of the choice: "wrap".
+bool wraps(const py::dict& choice, const Arm& arm) {
+  if (!choice.contains("limits")) return false;
+  if (option_value<std::string>("limits", choice["limits"]) != "wrap") {
+    throw std::invalid_argument("limits: \"wrap\" is the only word that it takes");
+  }
+  try {
+    require_few_turns(arm);
+  } catch (const InvalidInput& refusal) {
+    throw std::invalid_argument(std::string("limits: ") + refusal.what());
+  }
+  return true;
 }
 
 Postures postures(const std::shared_ptr<NamedArm>& arm, const Doubles& given, bool is_list,
                   const py::dict& choice, const py::object& progress) {
   const Trackers trackers = make_trackers(choice);
-  const std::vector<Eigen::Isometry3d> poses = poses_of(given);
+  const std::vector<TypedPose> poses = poses_of(given, pose_accuracy(choice));
   const SolveOptions chosen = solve_options(choice, trackers);
-  return overseen(progress, [&](Oversight& oversight) {
+  Postures run{arm, {}, poses.size(), is_list, standing(choice, arm->arm), wraps(choice, arm->arm)};
+  return overseen(terms_of(choice, progress), [&](Oversight& oversight) {
     const Stopwatch watch;
     const SolveOptions options = overseen_by(oversight, chosen);
-    Postures run{arm, {}, poses.size(), is_list, 0};
     run.results = find_arm_closures(arm->arm, poses, *trackers.chosen, options, oversight.stop());
+    if (run.stands) {
+      for (ArmResult& result : run.results) {
+        sort_by_distance(arm->arm, *run.stands, result.closures);
+      }
+    }
     run.seconds = watch.total();
-    return run;
+    return std::move(run);
   });
 }
 
-/// write(closure, row): the row of each posture in an array (poses, width, joints) of NaN.
+/// write(closure, row): the row of each posture in an array (poses, width, numbers) of NaN; (poses, width) of one number.
 template <class Write>
-py::array_t<double> padded(const Postures& run, std::size_t width, Write write) {
-  const std::size_t joints = run.of->arm.joints.size();
-  py::array_t<double> array(std::vector<py::ssize_t>{static_cast<py::ssize_t>(run.poses),
-                                                     static_cast<py::ssize_t>(width),
-                                                     static_cast<py::ssize_t>(joints)});
+py::array_t<double> padded(const Postures& run, std::size_t width, std::size_t numbers,
+                           Write write) {
+  std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(run.poses),
+                                 static_cast<py::ssize_t>(width)};
+  if (numbers != 1) shape.push_back(static_cast<py::ssize_t>(numbers));
+  py::array_t<double> array(shape);
   double* const begin = array.mutable_data();
-  std::fill_n(begin, run.poses * width * joints, std::numeric_limits<double>::quiet_NaN());
+  std::fill_n(begin, run.poses * width * numbers, std::numeric_limits<double>::quiet_NaN());
   for (std::size_t k = 0; k < run.results.size(); ++k) {
-    double* row = begin + k * width * joints;
+    double* row = begin + k * width * numbers;
     for (const ArmClosure& closure : run.results[k].closures) {
       write(closure, row);
-      row += joints;
+      row += numbers;
     }
   }
   return array;
+}
+
+/// A row for each posture: its joint values, and what is known of it.
+void add_posture_arrays(const Postures& run, std::size_t width, py::dict& arrays) {
+  const std::size_t joints = run.of->arm.joints.size();
+  const auto copy = [](const Eigen::VectorXd& values, double* row) {
+    std::copy(values.data(), values.data() + values.size(), row);
+  };
+  const auto numbers = [&](auto read) {
+    return padded(run, width, 1, [&](const ArmClosure& c, double* row) { *row = read(c); });
+  };
+  // Where there is one joint, too, an array has an axis of joints.
+  const auto shaped = [&](py::array_t<double> array) {
+    return array.reshape(std::vector<py::ssize_t>{static_cast<py::ssize_t>(run.poses),
+                                                  static_cast<py::ssize_t>(width),
+                                                  static_cast<py::ssize_t>(joints)});
+  };
+  arrays["values"] = shaped(
+      padded(run, width, joints, [&](const ArmClosure& c, double* row) { copy(c.values, row); }));
+  arrays["in_limits"] = shaped(padded(
+      run, width, joints, [&](const ArmClosure& c, double* row) { copy(c.in_limits, row); }));
+  arrays["residual"] = numbers([](const ArmClosure& c) { return c.residual; });
+  arrays["smallest_singular_value"] =
+      numbers([](const ArmClosure& c) { return c.smallest_singular_value; });
+  arrays["moved_by_digits"] = numbers([](const ArmClosure& c) { return c.moved_by_digits; });
+  arrays["within_digits"] = numbers([](const ArmClosure& c) { return c.within_digits ? 1 : 0; });
+  if (!run.stands) return;
+  arrays["distance"] = numbers(
+      [&](const ArmClosure& c) { return distance_from(run.of->arm, c.in_limits, *run.stands); });
 }
 
 py::dict posture_arrays(const Postures& run) {
@@ -137,14 +189,8 @@ py::dict posture_arrays(const Postures& run) {
     complete.mutable_at(at) = is_done && run.results[k].complete;
     moves.mutable_at(at) = is_done && !run.results[k].moves.empty();
   }
-  const auto copy = [](const Eigen::VectorXd& values, double* row) {
-    std::copy(values.data(), values.data() + values.size(), row);
-  };
   py::dict arrays;
-  arrays["values"] =
-      padded(run, width, [&](const ArmClosure& c, double* row) { copy(c.values, row); });
-  arrays["in_limits"] =
-      padded(run, width, [&](const ArmClosure& c, double* row) { copy(c.in_limits, row); });
+  add_posture_arrays(run, width, arrays);
   arrays["counts"] = counts;
   arrays["complete"] = complete;
   arrays["moves"] = moves;
@@ -192,6 +238,66 @@ py::list limits_of(const NamedArm& named) {
   return limits;
 }
 
+/// Of each posture of a pose every choice of whole turns that the limits allow.
+std::vector<Eigen::MatrixXd> turns_of(const Postures& run, std::size_t pose) {
+  std::vector<Eigen::MatrixXd> turns;
+  if (pose >= run.results.size()) return turns;
+  for (const ArmClosure& closure : run.results[pose].closures) {
+    const std::vector<Eigen::VectorXd> all = all_turns(run.of->arm, closure.in_limits);
+    Eigen::MatrixXd& rows = turns.emplace_back(std::ssize(all), closure.values.size());
+    for (Eigen::Index k = 0; k < rows.rows(); ++k) rows.row(k) = all[static_cast<std::size_t>(k)];
+  }
+  return turns;
+}
+
+Eigen::MatrixXd samples_of(const SelfMotion& motion) {
+  Eigen::MatrixXd rows(std::ssize(motion.samples), motion.values.size());
+  for (Eigen::Index k = 0; k < rows.rows(); ++k) {
+    rows.row(k) = motion.samples[static_cast<std::size_t>(k)];
+  }
+  return rows;
+}
+
+Vector6 row_of(const Twist& twist) {
+  Vector6 row;
+  row << twist.translation, twist.rotation;
+  return row;
+}
+
+py::list motions_of(const Postures& run, std::size_t pose) {
+  py::list list;
+  if (pose >= run.results.size()) return list;
+  for (const SelfMotion& motion : run.results[pose].moves) {
+    py::list relations;
+    for (const JointRelation& relation : motion.relations) {
+      relations.append(py::make_tuple(relation.factors, relation.value));
+    }
+    py::dict each;
+    each["dimension"] = motion.dimension;
+    each["q"] = motion.values;
+    each["directions"] = motion.directions;
+    each["lost"] = row_of(motion.lost);
+    each["relations"] = relations;
+    each["samples"] = samples_of(motion);
+    each["closes"] = motion.closes;
+    each["misfit"] = motion.misfit;
+    each["within_digits"] = motion.within_digits;
+    list.append(each);
+  }
+  return list;
+}
+
+/// (joint values, misfit) of the posture that comes nearest to a pose which none holds; None elsewhere.
+py::object nearest_of(const Postures& run, std::size_t pose) {
+  if (pose >= run.results.size() || !run.results[pose].nearest) return py::none();
+  const NearestPosture& nearest = *run.results[pose].nearest;
+  return py::make_tuple(nearest.values, nearest.misfit);
+}
+
+std::string message_of(const Postures& run, std::size_t pose) {
+  return pose < run.results.size() ? run.results[pose].message : "not begun";
+}
+
 std::vector<std::string> names_of(const Postures& run, std::size_t pose) {
   std::vector<std::string> names;
   if (pose >= run.results.size()) return names;
@@ -233,9 +339,18 @@ void bind_arms(py::module_& module) {
       .def_readonly("seconds", &Postures::seconds)
       .def("arrays", &posture_arrays)
       .def("names", &names_of)
+      .def("turns", &turns_of)
+      .def("motions", &motions_of)
+      .def("nearest", &nearest_of)
+      .def("message", &message_of)
       .def("json", [](const Postures& run) { return arm_json(run.report()); })
       .def("text", [](const Postures& run) { return arm_text(run.report()); })
-      .def("svg", [](const Postures& run) { return arm_svg(run.report(), false); })
+      .def("csv",
+           [](const Postures& run, bool in_degrees) { return arm_csv(run.report(), in_degrees); })
+      .def("svg",
+           [](const Postures& run, bool three_views) {
+             return arm_svg(run.report(), false, three_views ? Views::three : Views::standing);
+           })
       .def("html", [](const Postures& run) { return arm_html(run.report(), false); });
 }
 

@@ -129,6 +129,15 @@ SolveOptions solve_options(const py::dict& choice, const Trackers& trackers) {
   return options;
 }
 
+Terms terms_of(const py::dict& choice, const py::object& progress) {
+  Terms terms{progress, std::nullopt};
+  if (!choice.contains("time_limit")) return terms;
+  const auto seconds = option_value<double>("time_limit", choice["time_limit"]);
+  if (!(seconds > 0)) throw std::invalid_argument("time_limit: seconds above 0 are wanted");
+  terms.time_limit = seconds;
+  return terms;
+}
+
 SolveOptions overseen_by(Oversight& oversight, SolveOptions options) {
   options.progress = [&oversight](const Progress& progress) {
     oversight.tell(progress.done, progress.total);

@@ -49,6 +49,9 @@ Trackers make_trackers(const pybind11::dict& choice);
 /// seed, start, threads, slice, precision, certify. Throws std::invalid_argument. `trackers` must outlive the options.
 SolveOptions solve_options(const pybind11::dict& choice, const Trackers& trackers);
 
+/// choice["time_limit"], beside the function that is told of progress. Throws std::invalid_argument.
+Terms terms_of(const pybind11::dict& choice, const pybind11::object& progress);
+
 /// The same options, whose progress counts in `oversight`: of a thread that works, which may touch nothing of Python's.
 SolveOptions overseen_by(Oversight& oversight, SolveOptions options);
 

@@ -44,7 +44,7 @@ std::shared_ptr<FamilyFile> file_of(Family family, const std::string& source) {
 }
 
 Family by_loops(Family family, const Tracker& tracker, const SolveOptions& options,
-                Oversight& oversight) {
+                bool is_always_tested, Oversight& oversight) {
   const auto pair = random_pair(family, options.seed);
   if (!pair) {
     throw std::invalid_argument(
@@ -55,6 +55,7 @@ Family by_loops(Family family, const Tracker& tracker, const SolveOptions& optio
   loops.seed = options.seed;
   loops.threads = thread_count(options.threads);
   loops.certify = options.certify;
+  if (is_always_tested) loops.most_tested = loops.most_roots;
   loops.progress = [&](const LoopProgress& progress) { oversight.tell(progress.roots, 0); };
   return learn_by_monodromy(std::move(family), *pair, tracker, loops, oversight.stop());
 }
@@ -69,13 +70,19 @@ std::shared_ptr<FamilyFile> learned(const System& system,
   Family family = unlearned_family(system, named);
   family.nonzero = nonzero;
   const Trackers trackers = make_trackers(choice);
+  const bool is_always_tested =
+      choice.contains("trace_test") && option_value<bool>("trace_test", choice["trace_test"]);
+  if (is_always_tested && !monodromy) {
+    throw std::invalid_argument("trace_test: needs monodromy=True");
+  }
   const SolveOptions chosen = solve_options(choice, trackers);
-  return overseen(progress, [&](Oversight& oversight) {
+  return overseen(terms_of(choice, progress), [&](Oversight& oversight) {
     const SolveOptions options = overseen_by(oversight, chosen);
-    return file_of(monodromy
-                       ? by_loops(std::move(family), *trackers.chosen, options, oversight)
-                       : learn(std::move(family), *trackers.chosen, options, oversight.stop()),
-                   source);
+    return file_of(
+        monodromy
+            ? by_loops(std::move(family), *trackers.chosen, options, is_always_tested, oversight)
+            : learn(std::move(family), *trackers.chosen, options, oversight.stop()),
+        source);
   });
 }
 
@@ -105,7 +112,7 @@ SolvedMembers solved_members(const std::shared_ptr<FamilyFile>& file, const Memb
   run.members = members_of(run.family(), given);
   SolveOptions chosen = solve_options(choice, trackers);
   chosen.threads = thread_count(chosen.threads);
-  return overseen(progress, [&](Oversight& oversight) {
+  return overseen(terms_of(choice, progress), [&](Oversight& oversight) {
     const Stopwatch watch;
     const SolveOptions options = overseen_by(oversight, chosen);
     run.roots =
@@ -125,7 +132,7 @@ Solved solved_member(const FamilyFile& file, const std::string& values, const py
   const Trackers trackers = make_trackers(choice);
   SolveOptions chosen = solve_options(choice, trackers);
   chosen.threads = thread_count(chosen.threads);
-  return overseen(progress, [&](Oversight& oversight) {
+  return overseen(terms_of(choice, progress), [&](Oversight& oversight) {
     const SolveOptions options = overseen_by(oversight, chosen);
     return Solved{member_system(family, p),
                   solve_member(family, p, *trackers.chosen, options, oversight.stop())};
@@ -205,6 +212,8 @@ void bind_families(py::module_& module) {
            [](const SolvedMembers& run, const std::string& name, const std::string& table) {
              return members_json(report_of(run, name, table));
            })
+      .def("csv", [](const SolvedMembers& run, const std::string& name,
+                     const std::string& table) { return members_csv(report_of(run, name, table)); })
       .def("text", [](const SolvedMembers& run, const std::string& name, const std::string& table) {
         return members_text(report_of(run, name, table));
       });

@@ -3,6 +3,8 @@
 #include <pybind11/eigen.h>
 #include <pybind11/stl.h>
 
+#include <sstream>
+
 #include "arrays.h"
 #include "bindings.h"
 #include "choice.h"
@@ -11,17 +13,25 @@
 #include "moivre/closure_report/motion_report.h"
 #include "moivre/closure_report/page.h"
 #include "moivre/closure_report/picture.h"
+#include "moivre/closure_report/sensitivity_report.h"
 #include "moivre/closures/guesses.h"
 #include "moivre/closures/mobility_kinds.h"
 #include "moivre/design/sensitivity.h"
+#include "moivre/kinematics/newton.h"
 #include "moivre/mechanism/dimensions.h"
 #include "moivre/mechanism/mechanism.h"
+#include "moivre/mechanism/named_values.h"
 #include "moivre/mechanism/phi.h"
 #include "moivre/mechanism/pose.h"
 #include "moivre/mechanism/read.h"
+#include "moivre/motion/circuits.h"
 #include "moivre/motion/motion.h"
+#include "moivre/numeric/invalid_input.h"
 #include "moivre/sweep/sweep.h"
 #include "moivre/sweep_report/sweep_report.h"
+#include "moivre/urdf/mechanism_text.h"
+#include "moivre/urdf/read.h"
+#include "poses.h"
 
 namespace moivre::python {
 namespace {
@@ -52,6 +62,67 @@ struct FoundSweep {
 
 std::shared_ptr<NamedMechanism> read(const Source& source) {
   return std::make_shared<NamedMechanism>(NamedMechanism{source.name, read_mechanism(source)});
+}
+
+/// A robot as a mechanism: pose 4 x 4 of the tip, or None; loops: the path of a side file.
+std::shared_ptr<NamedMechanism> of_robot(const Source& source,
+                                         const std::optional<std::string>& tip,
+                                         const std::vector<std::pair<std::string, double>>& held,
+                                         const std::optional<Eigen::Matrix4d>& pose,
+                                         const std::optional<std::string>& loops) {
+  RobotChanges changes;
+  for (const auto& [joint, value] : held) changes.held.push_back({joint, value});
+  changes.tip = tip;
+  if (pose) changes.pose = pose_of(*pose, "pose: ");
+  if (loops) changes.loops = read_source(*loops);
+  return read(
+      {source.name + ", as a mechanism", mechanism_text(read_urdf(source), source.name, changes)});
+}
+
+/// choice[name]: (name, value) of coordinates; angles in the file's unit.
+std::vector<NamedValue> named_values(const py::dict& choice, const char* name) {
+  std::vector<NamedValue> given;
+  if (!choice.contains(name)) return given;
+  for (const py::handle& each : choice[name]) {
+    const auto [coordinate, value] = each.cast<std::pair<std::string, double>>();
+    std::ostringstream said;
+    said << coordinate << '=' << value;
+    given.push_back({coordinate, value, said.str()});
+  }
+  return given;
+}
+
+/// Where values are given by choice[name]; their names are refused as those of that argument.
+Eigen::VectorXd with_values_of(const py::dict& choice, const char* name, const Mechanism& mechanism,
+                               const Eigen::VectorXd& base, AngleUnit unit) {
+  const std::vector<NamedValue> given = named_values(choice, name);
+  std::vector<std::string> broken = broken_rules(mechanism, given, unit);
+  for (std::string& rule : broken) rule.insert(0, std::string(name) + ": ");
+  require_unbroken(broken);
+  return with_values(mechanism, given, base, unit);
+}
+
+/// The file's initial guess at that time, with the values of choice["guess"].
+Eigen::VectorXd guess_of(const py::dict& choice, const Mechanism& mechanism, double time) {
+  return with_values_of(choice, "guess", mechanism, initial_guess(mechanism, time),
+                        AngleUnit::of_the_file);
+}
+
+bool is_asked(const py::dict& choice, const char* name) {
+  return choice.contains(name) && option_value<bool>(name, choice[name]);
+}
+
+/// "rad" or "deg".
+AngleForm angle_form(const std::string& unit, bool goes_on = false) {
+  if (unit == "rad" || unit == "deg") return {unit == "deg", goes_on};
+  throw std::invalid_argument("angles: \"rad\" or \"deg\" is wanted, \"" + unit + "\" is given");
+}
+
+Views views_of(const FoundClosures& found, bool three_views) {
+  if (three_views && found.of->mechanism.space != Space::spatial) {
+    throw std::invalid_argument("three_views: only a spatial mechanism is seen from three sides");
+  }
+  return three_views ? Views::three : Views::standing;
 }
 
 /// fit, all_meshings and tolerance of the choice.
@@ -90,7 +161,7 @@ FoundClosures closures(const Shared& named, const py::dict& choice, const py::ob
   options.time = finite(choice, "at", 0);
   options.with_mobility = true;
   options.solve = solve_options(choice, trackers);
-  return overseen(progress, [&](Oversight& oversight) {
+  return overseen(terms_of(choice, progress), [&](Oversight& oversight) {
     options.solve = overseen_by(oversight, options.solve);
     return FoundClosures{of,
                          find_closures(of->mechanism, *trackers.chosen, options, oversight.stop())};
@@ -134,6 +205,9 @@ py::dict closure_arrays(const FoundClosures& found) {
       column<std::int64_t>(list, [](const Closure& c) { return c.multiplicity; });
   arrays["singular"] = column<bool>(list, [](const Closure& c) { return c.singular; });
   arrays["residual"] = column<double>(list, [](const Closure& c) { return c.residual; });
+  arrays["misfit"] = column<double>(list, [](const Closure& c) { return c.misfit; });
+  arrays["fitted"] = column<bool>(list, [](const Closure& c) { return c.is_fitted; });
+  arrays["drawn"] = column<bool>(list, [](const Closure& c) { return c.is_drawn; });
   py::list ids, certified;
   for (const Closure& c : list) {
     ids.append(c.id);
@@ -179,6 +253,10 @@ py::dict sensitivity(const FoundClosures& found) {
     list.append(each);
   }
   dict["closures"] = list;
+  dict["text"] = sensitivity_text(told, found.of->mechanism);
+  dict["csv"] = sensitivity_csv(told, found.of->mechanism);
+  dict["csv_in_degrees"] = sensitivity_csv(told, found.of->mechanism, angle_form("deg"));
+  dict["json"] = closures_json(found.result, found.of->mechanism, found.of->file, &told);
   return dict;
 }
 
@@ -196,6 +274,8 @@ py::dict guesses(const FoundClosures& found) {
   const Completeness completeness{found.result.complete, found.result.message};
   dict["json"] = guesses_json(told, completeness, heading);
   dict["text"] = guesses_text(told, completeness, found.of->mechanism, heading);
+  dict["csv"] = guesses_csv(told, found.of->mechanism, {});
+  dict["csv_in_degrees"] = guesses_csv(told, found.of->mechanism, angle_form("deg"));
   return dict;
 }
 
@@ -210,12 +290,25 @@ FoundMotion motion(const Shared& named, const py::dict& choice, const py::object
     options.checkpoints = option_value<int>("checkpoints", choice["checkpoints"]);
   require_workable(of->mechanism, options);
   options.solve = solve_options(choice, trackers);
-  return overseen(progress, [&](Oversight& oversight) {
+  if (choice.contains("closure"))
+    options.asked = choice["closure"].cast<std::vector<std::string>>();
+  const bool is_guessed = choice.contains("guess") || is_asked(choice, "from_guess");
+  if (is_guessed && !options.asked.empty()) {
+    throw std::invalid_argument("closure and guess: a guess is followed without closures");
+  }
+  const Eigen::VectorXd guess =
+      is_guessed ? guess_of(choice, of->mechanism, options.from) : Eigen::VectorXd();
+  return overseen(terms_of(choice, progress), [&](Oversight& oversight) {
     options.progress = [&oversight](double share) {
       constexpr std::uint64_t kWhole = 1000;
       oversight.tell(static_cast<std::uint64_t>(share * kWhole), kWhole);
     };
-    return FoundMotion{of, find_motion(of->mechanism, *trackers.chosen, options, oversight.stop())};
+    const std::atomic<bool>& stop = oversight.stop();
+    if (is_guessed) return FoundMotion{of, follow_guesses(of->mechanism, {guess}, options, stop)};
+    MotionResult result = find_motion(of->mechanism, *trackers.chosen, options, stop);
+    if (options.asked.empty() || stop) return FoundMotion{of, std::move(result)};
+    const Circuits circuits = find_circuits(of->mechanism, result);
+    return FoundMotion{of, reachable_from(std::move(result), circuits, options.asked)};
   });
 }
 
@@ -272,9 +365,10 @@ FoundSweep swept(const Shared& named,
   options.closures.time = finite(choice, "at", 0);
   options.closures.solve = solve_options(choice, trackers);
   options.keep_closures = true;
+  options.sharpen = !choice.contains("borders") || is_asked(choice, "borders");
   std::vector<Varied> varied;
   for (const auto& [name, from, to, count] : ranges) varied.push_back({name, from, to, count});
-  return overseen(progress, [&](Oversight& oversight) {
+  return overseen(terms_of(choice, progress), [&](Oversight& oversight) {
     options.progress = [&oversight](std::size_t done, std::size_t total) {
       oversight.tell(done, total);
     };
@@ -309,14 +403,17 @@ py::dict found_mobility(const Shared& named, const py::dict& choice) {
   const Shared of = changed(named, choice);
   const Trackers trackers = make_trackers(choice);
   const double at = finite(choice, "at", 0);
-  const auto [found, report, text] = overseen(py::none(), [&](Oversight& oversight) {
-    FoundMobility mobility =
-        find_mobility(of->mechanism, *trackers.chosen, at, {}, oversight.stop());
-    const KinematicsHeading heading{of->file, at, mobility.kinds};
-    std::string json = mobility_json(mobility.mobility, mobility.pose, of->mechanism, heading);
-    std::string words = mobility_text(mobility.mobility, mobility.pose, of->mechanism, heading);
-    return std::tuple(std::move(mobility), std::move(json), std::move(words));
-  });
+  std::optional<Eigen::VectorXd> guess;
+  if (choice.contains("guess")) guess = guess_of(choice, of->mechanism, at);
+  const auto [found, report, text] =
+      overseen(terms_of(choice, py::none()), [&](Oversight& oversight) {
+        FoundMobility mobility =
+            find_mobility(of->mechanism, *trackers.chosen, at, guess, oversight.stop());
+        const KinematicsHeading heading{of->file, at, mobility.kinds};
+        std::string json = mobility_json(mobility.mobility, mobility.pose, of->mechanism, heading);
+        std::string words = mobility_text(mobility.mobility, mobility.pose, of->mechanism, heading);
+        return std::tuple(std::move(mobility), std::move(json), std::move(words));
+      });
   py::list redundant;
   for (const RedundantRow& row : found.mobility.redundant) redundant.append(to_text(row));
   py::dict dict;
@@ -331,6 +428,41 @@ py::dict found_mobility(const Shared& named, const py::dict& choice) {
   dict["null_space"] = found.mobility.null_space;
   dict["json"] = report;
   dict["text"] = text;
+  return dict;
+}
+
+/// One run of Newton-Raphson, iteration by iteration.
+py::dict found_newton(const Shared& of, const py::dict& choice) {
+  const Mechanism& mechanism = of->mechanism;
+  const double at = finite(choice, "at", 0);
+  const Phi phi(mechanism);
+  NewtonOptions options;
+  options.with_condition = true;
+  options.residual_tolerance = finite(choice, "tolerance", options.residual_tolerance);
+  if (choice.contains("max_iterations")) {
+    options.maximum_iterations = option_value<int>("max_iterations", choice["max_iterations"]);
+  }
+  if (choice.contains("weight")) {
+    options.linear.weights = with_values_of(
+        choice, "weight", mechanism, Eigen::VectorXd::Ones(phi.dimension()), AngleUnit::radians);
+  }
+  const NewtonResult found = newton(phi, guess_of(choice, mechanism, at), at, options);
+  const KinematicsHeading heading{of->file, at, {}};
+  const auto n = static_cast<std::size_t>(phi.dimension());
+  py::dict dict;
+  dict["converged"] = found.status == NewtonStatus::converged;
+  dict["status"] = to_string(found.status);
+  dict["message"] = found.message;
+  dict["q"] = found.q;
+  dict["iterates"] = rows<double>(
+      found.iterations, n, [](const NewtonIteration& k) -> const Eigen::VectorXd& { return k.q; });
+  dict["residuals"] =
+      column<double>(found.iterations, [](const NewtonIteration& k) { return k.residual; });
+  dict["rank"] = found.rank;
+  dict["is_singular"] = found.is_singular;
+  dict["condition"] = found.condition;
+  dict["json"] = newton_json(found, mechanism, heading);
+  dict["text"] = newton_text(found, mechanism, heading);
   return dict;
 }
 
@@ -365,12 +497,13 @@ void bind_closures(py::module_& module) {
              return closures_text(found.result, found.of->mechanism, found.of->file);
            })
       .def("csv",
-           [](const FoundClosures& found) {
-             return closures_csv(found.result, found.of->mechanism);
+           [](const FoundClosures& found, const std::string& angles) {
+             return closures_csv(found.result, found.of->mechanism, angle_form(angles));
            })
       .def("svg",
-           [](const FoundClosures& found) {
-             return closures_svg(found.result, found.of->mechanism, found.of->file);
+           [](const FoundClosures& found, bool three_views) {
+             return closures_svg(found.result, found.of->mechanism, found.of->file,
+                                 views_of(found, three_views));
            })
       .def("html", [](const FoundClosures& found) {
         return closures_html(found.result, found.of->mechanism, found.of->file);
@@ -389,15 +522,18 @@ void bind_motions(py::module_& module) {
       .def("branch", &branch_arrays)
       .def("events", &events_of)
       .def("json",
-           [](const FoundMotion& found) {
-             return motion_json(found.result, found.of->mechanism, found.of->file);
+           [](const FoundMotion& found, bool continuous) {
+             return motion_json(found.result, found.of->mechanism, found.of->file,
+                                {false, continuous});
            })
       .def("text",
            [](const FoundMotion& found) {
              return motion_text(found.result, found.of->mechanism, found.of->file);
            })
       .def("csv",
-           [](const FoundMotion& found) { return motion_csv(found.result, found.of->mechanism); })
+           [](const FoundMotion& found, const std::string& angles, bool continuous) {
+             return motion_csv(found.result, found.of->mechanism, angle_form(angles, continuous));
+           })
       .def("svg",
            [](const FoundMotion& found) {
              return motion_svg(found.result, found.of->mechanism, found.of->file);
@@ -457,8 +593,24 @@ void bind_mechanisms(py::module_& module) {
               const std::vector<std::tuple<std::string, double, double, std::size_t>>& ranges,
               const py::dict& choice,
               const py::object& progress) { return swept(named, ranges, choice, progress); })
-      .def("mobility", [](const std::shared_ptr<NamedMechanism>& named, const py::dict& choice) {
-        return found_mobility(named, choice);
+      .def("mobility", [](const std::shared_ptr<NamedMechanism>& named,
+                          const py::dict& choice) { return found_mobility(named, choice); })
+      .def("newton", [](const std::shared_ptr<NamedMechanism>& named, const py::dict& choice) {
+        return found_newton(named, choice);
+      });
+  module.def(
+      "mechanism_of_robot_text",
+      [](const std::string& text, const std::optional<std::string>& tip,
+         const std::vector<std::pair<std::string, double>>& held,
+         const std::optional<Eigen::Matrix4d>& pose, const std::optional<std::string>& loops) {
+        return of_robot({"robot", text}, tip, held, pose, loops);
+      });
+  module.def(
+      "mechanism_of_robot_file",
+      [](const std::string& path, const std::optional<std::string>& tip,
+         const std::vector<std::pair<std::string, double>>& held,
+         const std::optional<Eigen::Matrix4d>& pose, const std::optional<std::string>& loops) {
+        return of_robot(read_source(path), tip, held, pose, loops);
       });
   module.def("mechanism_of_text", [](const std::string& name, const std::string& text) {
     return read({name, text});

@@ -2,6 +2,10 @@
 // The watch over a thread that works.
 #include "overseen.h"
 
+#include <cmath>
+
+#include "moivre/numeric/stopwatch.h"
+
 namespace moivre::python {
 namespace {
 
@@ -14,6 +18,13 @@ bool is_interrupted() {
   pybind11::error_already_set raised;
   if (!raised.matches(PyExc_KeyboardInterrupt)) throw std::move(raised);
   return true;
+}
+
+/// Shorter than a glance where the time ends before.
+std::chrono::milliseconds until_look(const Terms& terms, const Stopwatch& stopwatch) {
+  const double left = terms.time_limit.value_or(HUGE_VAL) - stopwatch.total();
+  if (left <= 0 || left >= std::chrono::duration<double>(kGlance).count()) return kGlance;
+  return std::chrono::milliseconds(static_cast<int>(left * 1000) + 1);
 }
 
 void show(Oversight& oversight, const pybind11::object& progress) {
@@ -44,15 +55,18 @@ std::optional<Advance> Oversight::news() {
   return std::exchange(news_, std::nullopt);
 }
 
-std::exception_ptr watch(Oversight& oversight, const pybind11::object& progress) {
+std::exception_ptr watch(Oversight& oversight, const Terms& terms) {
+  const Stopwatch stopwatch;
+  const pybind11::object& progress = terms.progress;
   std::exception_ptr raised;
   bool is_second = false;
   const auto wait = [&] {
     const pybind11::gil_scoped_release free;
-    return oversight.wait(kGlance);
+    return oversight.wait(until_look(terms, stopwatch));
   };
   while (!wait()) {
     try {
+      if (terms.time_limit && stopwatch.total() >= *terms.time_limit) oversight.request_stop();
       if (is_interrupted()) {
         if (is_second) {
           PyErr_SetNone(PyExc_KeyboardInterrupt);

@@ -4,7 +4,7 @@
 //
 // The first Ctrl-C asks the work to stop, and what is finished is the result; a second one is Python's KeyboardInterrupt, raised as soon
 // as the work has stopped. An exception of the progress function likewise ends the work, and is passed on. Both are looked for
-// every kGlance, so that no path waits for Python.
+// every kGlance, so that no path waits for Python. A limit of time asks as the first Ctrl-C does.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -48,12 +48,18 @@ class Oversight {
   std::optional<Advance> news_;
 };
 
-/// Until the work has finished. progress: None, or called with (done, total). Returns what Python raised meanwhile.
-std::exception_ptr watch(Oversight& oversight, const pybind11::object& progress);
+/// Whom a call tells, and how long it may take.
+struct Terms {
+  pybind11::object progress;         ///< None, or called with (done, total)
+  std::optional<double> time_limit;  ///< seconds
+};
+
+/// Until the work has finished. Returns what Python raised meanwhile.
+std::exception_ptr watch(Oversight& oversight, const Terms& terms);
 
 /// work(Oversight&) in a thread of its own.
 template <class Work>
-auto overseen(const pybind11::object& progress, Work work) {
+auto overseen(const Terms& terms, Work work) {
   std::optional<std::invoke_result_t<Work, Oversight&>> result;
   std::exception_ptr fault;
   Oversight oversight;
@@ -65,7 +71,7 @@ auto overseen(const pybind11::object& progress, Work work) {
     }
     oversight.finish();
   });
-  const std::exception_ptr raised = watch(oversight, progress);
+  const std::exception_ptr raised = watch(oversight, terms);
   worker.join();
   if (raised) std::rethrow_exception(raised);
   if (fault) std::rethrow_exception(fault);

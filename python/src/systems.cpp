@@ -9,17 +9,24 @@
 #include "arrays.h"
 #include "bindings.h"
 #include "choice.h"
+#include "moivre/family/learn.h"
+#include "moivre/family/member.h"
+#include "moivre/family/parameter_homotopy.h"
 #include "moivre/numeric/integer.h"
+#include "moivre/numeric/invalid_input.h"
 #include "moivre/polynomial/read.h"
 #include "moivre/polynomial/write.h"
 #include "moivre/report/solve_report.h"
+#include "moivre/solver/cross_check.h"
 #include "moivre/solver/digits.h"
+#include "moivre/solver/filter.h"
 
 namespace moivre::python {
 namespace {
 
 namespace py = pybind11;
 
+using Complexes = py::array_t<Complex, py::array::c_style | py::array::forcecast>;
 using Exponents = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
 
 Monomial monomial_of(const std::int64_t* exponents, std::size_t variables) {
@@ -124,22 +131,121 @@ System in_order(const System& system, const std::vector<std::string>& names) {
   return result;
 }
 
+bool is_asked(const py::dict& choice, const char* name) {
+  return choice.contains(name) && option_value<bool>(name, choice[name]);
+}
+
+/// real, positive, nonzero, and box: (name, from, to) each. Throws std::invalid_argument.
+RootFilter filter_of(const py::dict& choice, const System& system) {
+  RootFilter filter;
+  filter.real = is_asked(choice, "real");
+  filter.positive = is_asked(choice, "positive");
+  filter.nonzero = is_asked(choice, "nonzero");
+  if (!choice.contains("box")) return filter;
+  for (const py::handle& each : choice["box"]) {
+    const auto [name, from, to] = each.cast<std::tuple<std::string, double, double>>();
+    filter.box.push_back({name, from, to});
+  }
+  std::vector<std::string> broken = broken_rules(filter, system.variables);
+  for (std::string& rule : broken) rule.insert(0, "box: ");
+  require_unbroken(broken);
+  return filter;
+}
+
+/// What is asked for of the roots that a run has found.
+struct Wanted {
+  RootFilter filter;
+  int digits = 0;
+};
+
+Wanted wanted_of(const py::dict& choice, const System& system) {
+  Wanted wanted{filter_of(choice, system), 0};
+  if (!choice.contains("digits")) return wanted;
+  wanted.digits = option_value<int>("digits", choice["digits"]);
+  require_digits(wanted.digits);
+  return wanted;
+}
+
+void keep(const Wanted& wanted, Solved& run, const std::atomic<bool>& stop) {
+  if (wanted.digits > 0) give_digits(run.system, wanted.digits, run.result, stop);
+  keep_wanted(wanted.filter, run.result);
+}
+
 Solved solved(const System& system, const py::dict& choice, const py::object& progress) {
   const Trackers trackers = make_trackers(choice);
-  const int digits = choice.contains("digits") ? option_value<int>("digits", choice["digits"]) : 0;
-  if (choice.contains("digits")) require_digits(digits);
+  const Wanted wanted = wanted_of(choice, system);
+  const bool is_checked = is_asked(choice, "cross_check");
+  if (is_checked && trackers.other == nullptr) {
+    throw std::invalid_argument("cross_check: this library was built with one tracker");
+  }
   const SolveOptions chosen = solve_options(choice, trackers);
-  return overseen(progress, [&](Oversight& oversight) {
+  return overseen(terms_of(choice, progress), [&](Oversight& oversight) {
     const SolveOptions options = overseen_by(oversight, chosen);
-    Solved run{system, solve(system, *trackers.chosen, options, oversight.stop())};
-    if (digits > 0) give_digits(run.system, digits, run.result, oversight.stop());
+    const std::atomic<bool>& stop = oversight.stop();
+    Solved run{system, solve(system, *trackers.chosen, options, stop)};
+    if (is_checked && !stop) {
+      cross_check(system, run.result, *trackers.chosen, *trackers.other, options, stop);
+    }
+    keep(wanted, run, stop);
     return run;
   });
 }
 
-Solved with_digits(const Solved& run, int digits, const py::object& progress) {
+std::vector<Point> points_of(const Complexes& given, std::size_t unknowns) {
+  if (given.ndim() != 2 || static_cast<std::size_t>(given.shape(1)) != unknowns) {
+    throw std::invalid_argument("start_points of shape (points, " + std::to_string(unknowns) +
+                                ") are wanted");
+  }
+  std::vector<Point> points;
+  for (py::ssize_t k = 0; k < given.shape(0); ++k) {
+    points.emplace_back(given.data(k, 0), given.data(k, 0) + unknowns);
+  }
+  return points;
+}
+
+std::vector<NamedParameter> named(const std::vector<std::string>& parameters) {
+  std::vector<NamedParameter> list;
+  for (const std::string& name : parameters) list.push_back({name});
+  return list;
+}
+
+/// The roots that known ones lead to.
+Solved led_on(const System& system, const std::vector<std::string>& parameters,
+              const py::sequence& from, const py::sequence& to, const Complexes& starts,
+              const py::dict& choice, const py::object& progress) {
+  const Trackers trackers = make_trackers(choice);
+  const std::size_t unknowns = system.variables.size() - parameters.size();
+  const ParameterProblem problem{system, parameters, exact_coefficients(from),
+                                 points_of(starts, unknowns)};
+  const ParameterValues end = exact_coefficients(to);
+  System member = member_system(unlearned_family(system, named(parameters)), end);
+  const Wanted wanted = wanted_of(choice, member);
+  const SolveOptions chosen = solve_options(choice, trackers);
+  return overseen(terms_of(choice, progress), [&](Oversight& oversight) {
+    const SolveOptions options = overseen_by(oversight, chosen);
+    Solved run{std::move(member), solve(problem, end, *trackers.chosen, options, oversight.stop())};
+    keep(wanted, run, oversight.stop());
+    return run;
+  });
+}
+
+/// None where no comparison was made.
+py::object comparison_of(const Solved& run) {
+  if (!run.result.cross_check) return py::none();
+  const CrossCheck& check = *run.result.cross_check;
+  py::dict dict;
+  dict["witness"] = check.witness;
+  dict["common"] = check.common;
+  dict["missed"] = check.missed;
+  dict["unwitnessed"] = check.unwitnessed;
+  dict["disagreements"] = check.disagreements.size();
+  return dict;
+}
+
+Solved with_digits(const Solved& run, int digits, const py::dict& choice,
+                   const py::object& progress) {
   require_digits(digits);
-  return overseen(progress, [&](Oversight& oversight) {
+  return overseen(terms_of(choice, progress), [&](Oversight& oversight) {
     Solved more = run;
     give_digits(more.system, digits, more.result, oversight.stop());
     return more;
@@ -211,16 +317,20 @@ void bind_systems(py::module_& module) {
           [](const Solved& run) { return completeness_of(run.result.completeness); })
       .def_property_readonly("variables", [](const Solved& run) { return run.system.variables; })
       .def_property_readonly("paths", [](const Solved& run) { return counts_of(run.result.paths); })
+      .def_property_readonly("filtered", [](const Solved& run) { return run.result.filtered; })
+      .def_property_readonly("cross_check", &comparison_of)
       .def("roots", &root_arrays)
       .def("with_digits", &with_digits)
       .def("json",
            [](const Solved& run, const std::string& file) { return solve_json(run.result, file); })
       .def("csv", [](const Solved& run) { return solve_csv(run.result); })
+      .def("paths_csv", [](const Solved& run) { return paths_csv(run.result); })
       .def("phc", [](const Solved& run) { return solve_phc(run.result, run.system); })
       .def("text", [](const Solved& run, const std::string& file, bool all) {
         return solve_text(run.result, file, all ? ListedRoots::all : ListedRoots::real);
       });
   module.def("solve", &solved);
+  module.def("led_on", &led_on);
 }
 
 }  // namespace moivre::python

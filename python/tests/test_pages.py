@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Do the blocks of docs/python.md run, one after another, and do the types that are told exist?
 import ast
+import inspect
 import os
 import re
 
@@ -33,6 +34,27 @@ def told_members():
 def test_every_function_that_is_typed_exists():
     for name, member in told_members():
         assert hasattr(getattr(moivre, name), member), f"{name}.{member}"
+
+
+def typed_functions():
+    tree = ast.parse((ROOT / "python" / "moivre" / "__init__.pyi").read_text(encoding="utf-8"))
+    for node in tree.body:
+        if isinstance(node, ast.FunctionDef):
+            yield getattr(moivre, node.name), node
+        if isinstance(node, ast.ClassDef) and not node.name.startswith("_") and node.name != "Body":
+            for member in node.body:
+                if isinstance(member, ast.FunctionDef) and not (member.name.startswith("__") and member.name != "__init__"):
+                    yield inspect.getattr_static(getattr(moivre, node.name), member.name), member
+
+
+def test_what_is_typed_has_the_arguments_of_the_function():
+    for function, node in typed_functions():
+        if isinstance(function, property):
+            continue
+        function = getattr(function, "__func__", function)
+        told = [argument.arg for argument in (*node.args.args, *node.args.kwonlyargs)]
+        taken = [p.name for p in inspect.signature(function).parameters.values() if p.kind is not p.VAR_KEYWORD]
+        assert told == taken, node.name
 
 
 def test_every_public_name_is_typed_and_documented():
