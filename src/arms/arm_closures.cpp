@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 #include <mutex>
+#include <numbers>
 #include <span>
 
 #include "approach.h"
@@ -135,16 +136,21 @@ struct SingularEnd {
   double added = 0;  ///< of the joints that were added
 };
 
+/// What the paths of one beginning came to.
+struct Arrivals {
+  std::map<std::size_t, std::uint64_t> paths_to;  ///< by closure
+  std::vector<SingularEnd> singular;
+};
+
 /// Enters the closures of regular ends, and what singular ones lead to; these are explained when all is entered.
 /// False where a regular end is no posture.
 bool read_ends(const Beginning& beginning, const std::vector<ApproachEnd>& ends, PostureList& list,
-               ArmResult& result, std::vector<SingularEnd>& singular) {
+               ArmResult& result, Arrivals& arrivals) {
   constexpr double kNearlyReal = 0.1, kFarthest = 0.1, kMargin = 10;
   const SixJoints& six = beginning.six;
   const bool has_all_joints = six.own.size() == kSixJoints;
   const double accuracy = list.accuracy + list.arm.rounding;
   bool are_read = true;
-  std::map<std::size_t, std::uint64_t> arrivals;  // of paths, by closure
   for (std::size_t k = 0; k < ends.size(); ++k) {
     const ApproachEnd& end = ends[k];
     if (end.kind == ApproachKind::infinite || end.kind == ApproachKind::lost) continue;
@@ -152,7 +158,7 @@ bool read_ends(const Beginning& beginning, const std::vector<ApproachEnd>& ends,
     const Eigen::VectorXd start = own_values(six, end.values.real());
     if (end.kind == ApproachKind::singular) {
       enter(list, start, false);
-      singular.push_back({start, imaginary, added_size(beginning, end)});
+      arrivals.singular.push_back({start, imaginary, added_size(beginning, end)});
       continue;
     }
     const bool counts = added_size(beginning, end) <= kMargin * accuracy;
@@ -160,7 +166,7 @@ bool read_ends(const Beginning& beginning, const std::vector<ApproachEnd>& ends,
     if (entry.kind == PostureEntry::Kind::closure && entry.moved <= kFarthest) {
       ArmClosure& closure = list.closures[entry.index];
       // An end elsewhere may have led here before: that was no path of this closure.
-      const std::uint64_t arrived = counts ? ++arrivals[entry.index] : 0;
+      const std::uint64_t arrived = counts ? ++arrivals.paths_to[entry.index] : 0;
       if (arrived == 1 || entry.is_new) closure.path = beginning.regular.roots[k].path;
       closure.multiplicity = std::max(closure.multiplicity, arrived);
       closure.singular = closure.multiplicity > 1;
@@ -175,29 +181,63 @@ bool read_ends(const Beginning& beginning, const std::vector<ApproachEnd>& ends,
   return are_read;
 }
 
-/// Whether the end is at a set or a closure that is listed, or at a singular one that is not real or not the arm's own.
-bool is_explained(const SingularEnd& end, PostureList& list, ArmResult& result) {
-  /// Paths stop before they are there, where three and more meet.
-  constexpr double kNear = 0.03, kNotReal = 1e-2, kSingular = 1e-3;
+/// Paths stop before they are there, where three and more meet.
+constexpr double kNear = 0.03;
+
+/// The nearest closure that the path may have come to. One path alone comes to a simple closure, however near to singular it is.
+std::optional<std::size_t> closure_of(const SingularEnd& end, const PostureList& list,
+                                      const Arrivals& arrivals) {
+  constexpr double kSingular = 1e-3;
+  std::optional<std::size_t> nearest;
+  double least = kNear;
+  for (std::size_t k = 0; k < list.closures.size(); ++k) {
+    const ArmClosure& closure = list.closures[k];
+    if (closure.smallest_singular_value > kSingular) continue;
+    const double away = distance(list.arm, closure.values, end.values);
+    const bool has_room = !is_simple(closure) || !arrivals.paths_to.contains(k);
+    if (!has_room || away > least) continue;
+    least = away;
+    nearest = k;
+  }
+  return nearest;
+}
+
+/// Whether the end is at a set or a closure that is listed.
+bool is_at_listed(const SingularEnd& end, PostureList& list, Arrivals& arrivals,
+                  ArmResult& result) {
   for (const SelfMotion& set : list.moves) {
     if (is_on(list.arm, set, end.values, kNear)) return true;
   }
-  for (ArmClosure& closure : list.closures) {
-    if (closure.smallest_singular_value > kSingular) continue;
-    if (distance(list.arm, closure.values, end.values) > kNear) continue;
-    if (closure.singular) ++closure.multiplicity;
-    closure.singular = true;
+  const auto at = closure_of(end, list, arrivals);
+  if (!at) return false;
+  ArmClosure& closure = list.closures[*at];
+  closure.multiplicity = std::max(closure.multiplicity, ++arrivals.paths_to[*at]);
+  closure.singular = !is_simple(closure);
+  ++result.counts.complex;
+  return true;
+}
+
+/// Whether the end is at a set or a closure that is listed, or at one that is found next to it, or at a singular one that is not real or not
+/// the arm's own.
+bool is_explained(const SingularEnd& end, PostureList& list, Arrivals& arrivals,
+                  ArmResult& result) {
+  constexpr double kNotReal = 1e-2;
+  constexpr std::uint64_t kBeside = 16, kBehindOthers = 20'000;
+  if (is_at_listed(end, list, arrivals, result)) return true;
+  if (end.added > kNear) return true;
+  if (end.imaginary > kNotReal) {
     ++result.counts.complex;
     return true;
   }
-  if (end.added > kNear) return true;
-  if (end.imaginary > kNotReal) ++result.counts.complex;
-  return end.imaginary > kNotReal;
+  for (std::uint64_t k = 0; k < kBeside; ++k) {
+    const Eigen::VectorXd way = random_joint_values(list.arm, list.seed, kBehindOthers + k);
+    enter(list, end.values + kNear / std::numbers::pi * way, false);
+  }
+  return is_at_listed(end, list, arrivals, result);
 }
 
 /// Whether a place that holds the pose within its accuracy is of a set or a closure that is listed.
 bool is_listed(const PostureList& list, const Eigen::VectorXd& place) {
-  constexpr double kNear = 0.03;
   return std::any_of(list.moves.begin(), list.moves.end(),
                      [&](const SelfMotion& set) { return is_on(list.arm, set, place, kNear); }) ||
          std::any_of(list.closures.begin(), list.closures.end(), [&](const ArmClosure& closure) {
@@ -332,13 +372,16 @@ ArmResult closures_at(const PreparedArm& prepared, const TypedPose& at,
   result.accuracy = std::max(kReach, at.accuracy * std::max(1.0, 1 / arm.length));
   take_account(prepared, tracker, result);
   PostureList list{arm, at.pose, result.accuracy, prepared.seed, {}, {}, {}, {}};
-  std::vector<SingularEnd> singular;
-  for (const Beginning& beginning : prepared.beginnings) {
+  std::vector<Arrivals> arrivals(prepared.beginnings.size());
+  bool are_singular = false;
+  for (std::size_t k = 0; k < arrivals.size(); ++k) {
+    const Beginning& beginning = prepared.beginnings[k];
     bool is_consistent = !followed.empty();
     const auto ends =
         is_consistent ? followed : approach_all(beginning, at.pose, prepared.seed, is_consistent);
     result.complete = result.complete && is_consistent;
-    if (!read_ends(beginning, ends, list, result, singular)) result.complete = false;
+    if (!read_ends(beginning, ends, list, result, arrivals[k])) result.complete = false;
+    are_singular = are_singular || !arrivals[k].singular.empty();
     if (may_have_become_real(beginning, ends, list)) {
       const StartsAtPose starts =
           starts_at(beginning.six.arm, at.pose, tracker, prepared.options, stop);
@@ -349,16 +392,21 @@ ArmResult closures_at(const PreparedArm& prepared, const TypedPose& at,
     }
     result.counts.complex += beginning.six.own.size() == kSixJoints ? beginning.regular.far : 0;
   }
-  const bool may_be_sets = prepared.is_always_moving || !singular.empty() || !list.moves.empty();
+  const bool may_be_sets = prepared.is_always_moving || are_singular || !list.moves.empty();
   // Where there is no posture the nearest one is told.
   const bool has_none = list.closures.empty() && list.moves.empty();
   search(list, result, may_be_sets ? kForSets : has_none ? kAsWitness : as_witness);
-  for (const SingularEnd& end : singular) {
-    if (!is_explained(end, list, result)) result.complete = false;
+  for (Arrivals& of_beginning : arrivals) {
+    for (const SingularEnd& end : of_beginning.singular) {
+      if (!is_explained(end, list, of_beginning, result)) result.complete = false;
+    }
   }
   for (const Eigen::VectorXd& place : list.places) {
     if (!is_listed(list, place)) result.complete = false;
   }
+  // A posture within the digits would be told: there may be one where Newton's method did not come to an end.
+  const bool may_be_held = list.nearest && list.nearest->misfit <= list.accuracy + arm.rounding;
+  if (list.closures.empty() && list.moves.empty() && may_be_held) result.complete = false;
   name_closures(list.closures);
   result.counts.real = list.closures.size();
   result.counts.complex = std::max(result.counts.complex, result.counts.real);

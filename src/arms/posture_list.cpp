@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <tuple>
 
+#include "moivre/factorization/svd.h"
 #include "moivre/mechanism/closure_id.h"
 #include "polish.h"
 #include "self_motion.h"
@@ -13,7 +15,7 @@
 namespace moivre {
 namespace {
 
-/// Postures with a larger smallest singular value stand alone, whatever is asked.
+/// Of the smallest singular value.
 constexpr double kStandsAlone = 1e-6;
 /// Postures that are nearer to a set are of it: they are known to half the digits where sets meet.
 constexpr double kOnSet = 1e-4;
@@ -28,11 +30,24 @@ double of_pose(const PostureList& list) {
   return list.accuracy > kReach ? list.accuracy : kRounding;
 }
 
-/// Two postures that are nearer are one: what rounding moves a closure by.
-double same_within(const ArmClosure& closure) {
+/// What rounding moves a closure by, along a direction of this singular value.
+double moved_by_rounding(const ArmClosure& closure, double sigma) {
   constexpr double kLeast = 1e-9, kLastDigits = 1e-13, kAtMost = 1e-2;
-  const double sigma = std::max(closure.smallest_singular_value, 1e-300);
-  return std::clamp((kLastDigits + closure.residual) / sigma, kLeast, kAtMost);
+  return std::clamp((kLastDigits + closure.residual) / std::max(sigma, 1e-300), kLeast, kAtMost);
+}
+
+/// Whether `to` may be the closure `from` but for rounding, which moves it along some directions by more than along others.
+bool is_moved_by_rounding(const PostureList& list, const ArmClosure& from, const ArmClosure& to) {
+  const double margin = moved_by_rounding(to, to.smallest_singular_value);
+  const Svd stretch =
+      svd(linearized(list.arm, list.pose, from.values).screws, SingularVectors::full);
+  const Eigen::VectorXd along =
+      stretch.V.transpose() * way_between(list.arm, from.values, to.values);
+  for (Eigen::Index k = 0; k < along.size(); ++k) {
+    const double sigma = k < stretch.sigma.size() ? stretch.sigma[k] : 0;
+    if (std::abs(along[k]) > moved_by_rounding(from, sigma) + margin) return false;
+  }
+  return true;
 }
 
 ArmClosure closure_of(const PostureList& list, const Polished& polished) {
@@ -52,10 +67,15 @@ ArmClosure closure_of(const PostureList& list, const Polished& polished) {
 }
 
 std::optional<std::size_t> listed(const PostureList& list, const ArmClosure& closure) {
+  constexpr double kClearlyOne = 1e-9;
   for (std::size_t k = 0; k < list.closures.size(); ++k) {
     const ArmClosure& other = list.closures[k];
-    const double within = std::max(same_within(closure), same_within(other));
-    if (distance(list.arm, closure.values, other.values) <= within) return k;
+    const bool is_worse = closure.smallest_singular_value < other.smallest_singular_value;
+    const auto& [worse, better] = is_worse ? std::tie(closure, other) : std::tie(other, closure);
+    const double within = moved_by_rounding(worse, worse.smallest_singular_value);
+    const double away = distance(list.arm, closure.values, other.values);
+    if (away <= kClearlyOne) return k;
+    if (away <= within && is_moved_by_rounding(list, worse, better)) return k;
   }
   return std::nullopt;
 }
@@ -91,7 +111,21 @@ std::optional<std::size_t> add_set(PostureList& list, const ArmClosure& closure)
   return std::nullopt;
 }
 
+/// Newton's method ends beside the closures of a set that is there within the digits only: it goes along that set in steps that are too long.
+/// Followed, the set shows where they are.
+void follow_digits(PostureList& list, const Eigen::VectorXd& place) {
+  const double accuracy = list.accuracy + list.arm.rounding;
+  if (list.arm.rounding == 0 || set_of(list, place, false)) return;
+  auto traced = trace_set(list.arm, list.pose, place, accuracy, list.seed);
+  if (!traced || set_of(list, traced->motion.values, false)) return;
+  traced->motion.within_digits = true;
+  list.moves.push_back(std::move(traced->motion));
+  for (const Eigen::VectorXd& near : traced->near_closures) enter(list, near, false);
+}
+
 }  // namespace
+
+bool is_simple(const ArmClosure& closure) { return closure.smallest_singular_value > kStandsAlone; }
 
 double distance(const Arm& arm, const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
   double largest = 0;
@@ -138,6 +172,9 @@ PostureEntry enter(PostureList& list, const Eigen::VectorXd& start, bool is_far)
   const bool has_six = list.arm.joints.size() >= kSix;
   if (!(polished.residual <= (has_six ? of_pose(list) : list.accuracy + list.arm.rounding))) {
     if (polished.residual <= list.accuracy) list.places.push_back(polished.values);
+    if (has_six && polished.residual <= list.accuracy + list.arm.rounding) {
+      follow_digits(list, polished.values);
+    }
     return entry;
   }
   ArmClosure closure = closure_of(list, polished);

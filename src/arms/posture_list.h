@@ -33,6 +33,9 @@ struct PostureEntry {
   double moved = 0;  ///< from the start, radians or arm's lengths
 };
 
+/// It stands alone, whatever is asked: Newton's method converges to it, and one path leads there.
+bool is_simple(const ArmClosure& closure);
+
 /// `is_far`: the start is not near a closure, so that steps are damped.
 PostureEntry enter(PostureList& list, const Eigen::VectorXd& start, bool is_far);
 

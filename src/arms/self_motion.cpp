@@ -3,6 +3,7 @@
 #include "self_motion.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -62,11 +63,11 @@ Place place_at(const Arm& arm, const Eigen::Isometry3d& pose, const VectorXd& va
   return place;
 }
 
-/// Gauss-Newton steps across `frozen` (orthonormal columns) alone.
+/// Gauss-Newton steps across `frozen` (orthonormal columns) alone. What is within the accuracy is no reason to go far.
 Place settled(const Arm& arm, const Eigen::Isometry3d& pose, VectorXd values,
-              const MatrixXd& frozen) {
+              const MatrixXd& frozen, double accuracy) {
   constexpr int kMost = 40;
-  constexpr double kLost = 1e-9, kLongest = 0.2, kSettled = 1e-13;
+  constexpr double kLost = 1e-9, kLongest = 0.2, kSettled = 1e-13, kLongWay = kProbe / 10;
   const Index n = values.size();
   const MatrixXd across = MatrixXd::Identity(n, n) - frozen * frozen.transpose();
   for (int k = 0; k < kMost; ++k) {
@@ -74,7 +75,9 @@ Place settled(const Arm& arm, const Eigen::Isometry3d& pose, VectorXd values,
     const Svd stretch = svd(at.screws * across, SingularVectors::thin);
     VectorXd along = stretch.U.transpose() * at.error;
     for (Index i = 0; i < along.size(); ++i) {
-      const bool is_lost = stretch.sigma[i] <= kLost * stretch.sigma[0];
+      const double miss = std::abs(along[i]);
+      const bool is_lost = stretch.sigma[i] <= kLost * stretch.sigma[0] ||
+                           (miss <= accuracy && miss > kLongWay * stretch.sigma[i]);
       along[i] = is_lost ? 0 : along[i] / stretch.sigma[i];
     }
     VectorXd step = across * (stretch.V * along);
@@ -90,7 +93,7 @@ Place settled(const Arm& arm, const Eigen::Isometry3d& pose, VectorXd values,
 std::optional<Place> moved(const Arm& arm, const Eigen::Isometry3d& pose, const Place& from,
                            const VectorXd& direction, double step, double accuracy) {
   const VectorXd there = from.values + in_joints<double>(arm, step * direction);
-  Place place = settled(arm, pose, there, direction);
+  Place place = settled(arm, pose, there, direction, accuracy);
   if (!(place.residual <= accuracy)) return std::nullopt;
   const VectorXd gone = place.values - from.values;
   const VectorXd meant = there - from.values;
@@ -109,6 +112,16 @@ MatrixXd span_of(const std::vector<VectorXd>& differences) {
   Index rank = 0;
   while (rank < stretch.sigma.size() && stretch.sigma[rank] > kCurved * stretch.sigma[0]) ++rank;
   return stretch.U.leftCols(rank);
+}
+
+/// Whether the set goes straight on from here to `gone`: half way there is a place of it as well. Other sets and closures may be as near.
+bool leads_to(const Arm& arm, const Eigen::Isometry3d& pose, const Place& place,
+              const VectorXd& gone, double accuracy) {
+  constexpr double kBow = 0.1;
+  const VectorXd half = place.values + in_joints<double>(arm, gone / 2);
+  const Place between = settled(arm, pose, half, gone.normalized(), accuracy);
+  return between.residual <= accuracy &&
+         in_arms_lengths(arm, between.values - half).norm() <= kBow * gone.norm();
 }
 
 /// Directions in which the set goes on from here (orthonormal), and a place further on: random steps along what moves the tip least,
@@ -136,13 +149,14 @@ Around around(const Arm& arm, const Eigen::Isometry3d& pose, const Place& place,
     const VectorXd there = place.values + in_joints<double>(arm, kProbe * direction);
     // Where the posture is a closure that only the digits make a set of, Newton's method without restraint would come back to it;
     // where sets of closures meet, the restraint may leave no place.
-    VectorXd landed = settled(arm, pose, there, direction).values;
+    VectorXd landed = settled(arm, pose, there, direction, accuracy).values;
     if (!(size_of(linearized(arm, pose, landed).error) <= accuracy)) {
       landed = polish(arm, pose, there).values;
     }
     const VectorXd gone = in_arms_lengths(arm, landed - place.values);
     const bool is_near = gone.norm() > kProbe / 10 && gone.norm() < 3 * kProbe;
     if (!is_near || !(size_of(linearized(arm, pose, landed).error) <= accuracy)) continue;
+    if (!leads_to(arm, pose, place, gone, accuracy)) continue;
     differences.push_back(gone);
     result.further = landed;
   }
@@ -150,17 +164,8 @@ Around around(const Arm& arm, const Eigen::Isometry3d& pose, const Place& place,
   return result;
 }
 
-double difference(const Arm& arm, const VectorXd& a, const VectorXd& b, Index k) {
-  const double change = a[k] - b[k];
-  return arm.joints[static_cast<std::size_t>(k)].is_slide
-             ? change / arm.length
-             : std::remainder(change, 2 * std::numbers::pi);
-}
-
 double apart(const Arm& arm, const VectorXd& a, const VectorXd& b) {
-  double sum = 0;
-  for (Index k = 0; k < a.size(); ++k) sum += std::pow(difference(arm, a, b, k), 2);
-  return std::sqrt(sum);
+  return way_between(arm, a, b).norm();
 }
 
 struct Way {
@@ -199,16 +204,75 @@ Way follow(const Arm& arm, const Eigen::Isometry3d& pose, const Place& from, Vec
   return way;
 }
 
-/// Where the miss along the least moved direction changes its sign.
-void add_near_closures(const std::vector<Place>& places, TracedSet& traced) {
-  for (std::size_t k = 1; k < places.size(); ++k) {
-    const double turned = places[k].least.dot(places[k - 1].least) < 0 ? -1 : 1;
-    const double before = places[k - 1].least.dot(places[k - 1].error);
-    const double after = turned * places[k].least.dot(places[k].error);
-    if (before * after > 0) continue;
-    const double share = std::abs(before) / std::max(std::abs(before) + std::abs(after), 1e-300);
-    traced.near_closures.push_back(places[k - 1].values +
-                                   share * (places[k].values - places[k - 1].values));
+/// By how much the tip misses the pose there: along the direction in which it can move least, which turns little from place to place.
+struct Miss {
+  double s = 0;  ///< of the place, between two others
+  VectorXd values;
+  VectorXd least;  ///< unit, on the side of the last one's
+  double size = 0;
+};
+
+Miss miss_at(const Place& place, const VectorXd& least_before, double s = 0) {
+  Miss miss{s, place.values, place.least, 0};
+  if (least_before.size() > 0 && place.least.dot(least_before) < 0) miss.least = -miss.least;
+  miss.size = miss.least.dot(place.error);
+  return miss;
+}
+
+/// Where the parabola through three misses is 0, or else nearest to 0.
+double least_of_parabola(const std::array<Miss, 3>& at) {
+  const auto& [a, b, c] = at;
+  const double ab = (b.size - a.size) / (b.s - a.s);
+  const double bc = (c.size - b.size) / (c.s - b.s);
+  const double bend = (bc - ab) / (c.s - a.s);
+  const double slope = ab + bend * (b.s - a.s);  // at b
+  if (bend == 0) return b.s - b.size / slope;
+  const double under_root = slope * slope - 4 * bend * b.size;
+  if (under_root <= 0) return b.s - slope / (2 * bend);
+  return b.s - 2 * b.size / (slope + std::copysign(std::sqrt(under_root), slope));
+}
+
+/// Between two places of the set, where the tip misses the pose least: by secants of second order along the set. Newton's method
+/// alone leaves a set that is curved.
+VectorXd nearest_to_pose(const Arm& arm, const Eigen::Isometry3d& pose, const Miss& from,
+                         const Miss& to, double accuracy) {
+  constexpr int kMost = 10;
+  constexpr double kNothing = 1e-15;
+  const VectorXd chord = to.values - from.values;
+  const VectorXd direction = in_arms_lengths(arm, chord).normalized();
+  const auto missed = [&](double s) {
+    return miss_at(settled(arm, pose, from.values + s * chord, direction, accuracy), from.least, s);
+  };
+  std::array<Miss, 3> at{from, missed(0.5), to};
+  at[2].s = 1;
+  const auto by_size = [](const Miss& a, const Miss& b) {
+    return std::abs(a.size) < std::abs(b.size);
+  };
+  for (int k = 0; k < kMost; ++k) {
+    std::sort(at.begin(), at.end(), by_size);
+    if (std::abs(at[0].size) < kNothing) break;
+    const double s = least_of_parabola({at[1], at[0], at[2]});
+    if (!(s >= 0 && s <= 1) || s == at[0].s || s == at[1].s) break;
+    at[2] = missed(s);
+  }
+  return std::min_element(at.begin(), at.end(), by_size)->values;
+}
+
+/// Where the miss along the set changes its sign, or comes near to that and goes back.
+void add_near_closures(const Arm& arm, const Eigen::Isometry3d& pose,
+                       const std::vector<Place>& places, double accuracy, TracedSet& traced) {
+  std::vector<Miss> miss;
+  for (const Place& place : places) {
+    miss.push_back(miss_at(place, miss.empty() ? VectorXd() : miss.back().least));
+  }
+  const auto size = [&](std::size_t k) { return std::abs(miss[k].size); };
+  for (std::size_t k = 1; k < miss.size(); ++k) {
+    if (miss[k - 1].size * miss[k].size <= 0) {
+      traced.near_closures.push_back(nearest_to_pose(arm, pose, miss[k - 1], miss[k], accuracy));
+    } else if (k + 1 < miss.size() && size(k) < size(k - 1) && size(k) < size(k + 1)) {
+      traced.near_closures.push_back(
+          nearest_to_pose(arm, pose, miss[k - 1], miss[k + 1], accuracy));
+    }
   }
 }
 
@@ -259,6 +323,12 @@ std::vector<JointRelation> relations_of(const Arm& arm, const std::vector<Vector
   return relations;
 }
 
+/// A place at the beginning of a set that closes, as many whole turns on as the last one has gone.
+Place again_after(const Arm& arm, const Place& last, Place place) {
+  place.values = last.values + in_joints<double>(arm, way_between(arm, last.values, place.values));
+  return place;
+}
+
 void take(const std::vector<Place>& places, std::vector<VectorXd>& samples, double& misfit) {
   for (const Place& place : places) {
     samples.push_back(place.values);
@@ -301,7 +371,12 @@ std::optional<TracedSet> trace_set(const Arm& arm, const Eigen::Isometry3d& pose
     places.insert(places.end(), forth.places.begin(), forth.places.end());
     take(places, motion.samples, motion.misfit);
     motion.closes = forth.closes;
-    if (motion.misfit > kReach) add_near_closures(places, traced);
+    if (motion.misfit > kReach) {
+      for (std::size_t k = 0; motion.closes && k < 2; ++k) {
+        places.push_back(again_after(arm, places.back(), places[k]));
+      }
+      add_near_closures(arm, pose, places, accuracy, traced);
+    }
   } else {
     motion.samples.push_back(begin.values);
     for (int way = 0; way < kWays; ++way) {
@@ -332,10 +407,65 @@ std::optional<TracedSet> trace_set(const Arm& arm, const Eigen::Isometry3d& pose
   return traced;
 }
 
+namespace {
+
+/// The places of a set's samples that are tried, each this far from the others.
+constexpr int kTargets = 3;
+constexpr double kTargetsApart = 0.5;
+
+/// Goes from a place to a sample along what does not move the tip. False where it does not come nearer, or leaves the pose.
+bool walks_to(const Arm& arm, const Eigen::Isometry3d& pose, Place here, const VectorXd& sample,
+              int dimension, double accuracy) {
+  constexpr int kMost = 200;
+  constexpr double kTurnedAway = 0.1;
+  for (int k = 0; k < kMost; ++k) {
+    const VectorXd to = way_between(arm, here.values, sample);
+    if (to.norm() < kStep) return to.norm() < kStep / 10 || leads_to(arm, pose, here, to, accuracy);
+    const MatrixXd tangent = here.V.rightCols(dimension);
+    const VectorXd along = tangent * (tangent.transpose() * to);
+    if (along.norm() < kTurnedAway * to.norm()) return false;
+    const double step = std::min(2 * kStep, along.norm());
+    auto next = moved(arm, pose, here, along.normalized(), step, accuracy);
+    if (!next) return false;
+    here = std::move(*next);
+  }
+  return false;
+}
+
+/// A surface is known by samples that are far apart: of it is what one can walk to them from.
+bool is_on_surface(const Arm& arm, const SelfMotion& motion, const VectorXd& values,
+                   double within) {
+  constexpr double kAllowance = 2;
+  const Eigen::Isometry3d pose = forward_kinematics(arm, motion.values);
+  const double accuracy = std::max(kReach, kAllowance * motion.misfit);
+  const Place here = settled(arm, pose, values, MatrixXd(values.size(), 0), accuracy);
+  if (!(here.residual <= accuracy) || apart(arm, here.values, values) > within) return false;
+  std::vector<VectorXd> targets;
+  for (int k = 0; k < kTargets; ++k) {
+    const VectorXd* nearest = nullptr;
+    for (const VectorXd& sample : motion.samples) {
+      const bool is_tried = std::any_of(targets.begin(), targets.end(), [&](const VectorXd& one) {
+        return apart(arm, one, sample) < kTargetsApart;
+      });
+      if (is_tried) continue;
+      const bool is_nearer =
+          nearest == nullptr || apart(arm, sample, values) < apart(arm, *nearest, values);
+      if (is_nearer) nearest = &sample;
+    }
+    if (nearest == nullptr) return false;
+    if (walks_to(arm, pose, here, *nearest, motion.dimension, accuracy)) return true;
+    targets.push_back(*nearest);
+  }
+  return false;
+}
+
+}  // namespace
+
 bool is_on(const Arm& arm, const SelfMotion& motion, const VectorXd& values, double within) {
-  constexpr double kStandsStill = 5e-3, kChord = 5e-3, kBetweenWays = 0.5;
+  constexpr double kStandsStill = 5e-3, kChord = 5e-3;
   const double near_plane = within;
   if (!motion.relations.empty()) {
+    const VectorXd away = way_between(arm, motion.values, values);
     // Joints that no relation names stand still.
     VectorXd named = VectorXd::Zero(values.size());
     bool holds = true;
@@ -344,27 +474,23 @@ bool is_on(const Arm& arm, const SelfMotion& motion, const VectorXd& values, dou
       double miss = 0;
       for (Index k = 0; k < values.size(); ++k) {
         const bool is_slide = arm.joints[static_cast<std::size_t>(k)].is_slide;
-        miss += relation.factors[k] * difference(arm, values, motion.values, k) *
-                (is_slide ? arm.length : 1);
+        miss += relation.factors[k] * away[k] * (is_slide ? arm.length : 1);
       }
       holds = holds && std::abs(std::remainder(miss, 2 * std::numbers::pi)) < near_plane;
     }
     for (Index k = 0; k < values.size(); ++k) {
       const bool moves =
           named[k] > 0 || motion.directions.row(k).cwiseAbs().maxCoeff() > kStandsStill;
-      holds = holds && (moves || std::abs(difference(arm, values, motion.values, k)) < near_plane);
+      holds = holds && (moves || std::abs(away[k]) < near_plane);
     }
     return holds;
   }
+  if (motion.dimension > 1) return is_on_surface(arm, motion, values, within);
   // Between samples, which are kStep apart, a curve leaves its chord by a little.
-  const double near = motion.dimension == 1 ? std::max(within, kChord) : kBetweenWays;
-  for (std::size_t k = 1; k < motion.samples.size(); ++k) {
-    const VectorXd& a = motion.samples[k - 1];
-    VectorXd side(values.size()), to(values.size());
-    for (Index i = 0; i < values.size(); ++i) {
-      side[i] = difference(arm, motion.samples[k], a, i);
-      to[i] = difference(arm, values, a, i);
-    }
+  const double near = std::max(within, kChord);
+  for (std::size_t k = motion.closes ? 0 : 1; k < motion.samples.size(); ++k) {
+    const VectorXd& a = k > 0 ? motion.samples[k - 1] : motion.samples.back();
+    const VectorXd side = way_between(arm, a, motion.samples[k]), to = way_between(arm, a, values);
     const double along = std::clamp(to.dot(side) / std::max(side.squaredNorm(), 1e-300), 0.0, 1.0);
     if ((to - along * side).norm() < near) return true;
   }

@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 #include <cmath>
+#include <numbers>
 
 #include "moivre/arms/arm.h"
 #include "moivre/numeric/complex.h"
@@ -105,6 +106,17 @@ JointVector<S> in_joints(const Arm& arm, JointVector<S> step) {
     if (arm.joints[static_cast<std::size_t>(k)].is_slide) step[k] *= arm.length;
   }
   return step;
+}
+
+/// From a to b, turns modulo whole ones, in radians and arm's lengths.
+inline Eigen::VectorXd way_between(const Arm& arm, const Eigen::VectorXd& a,
+                                   const Eigen::VectorXd& b) {
+  Eigen::VectorXd way = b - a;
+  for (Eigen::Index k = 0; k < way.size(); ++k) {
+    const bool is_slide = arm.joints[static_cast<std::size_t>(k)].is_slide;
+    way[k] = is_slide ? way[k] / arm.length : std::remainder(way[k], 2 * std::numbers::pi);
+  }
+  return way;
 }
 
 }  // namespace moivre

@@ -29,6 +29,11 @@ const std::vector<PeoplesArm>& peoples_arms() {
        {{2.356194490192345, 0.0, -1.5707963267948966, 1.5707963267948966, 2.356194490192345,
          -2.356194490192345}},
        true},
+      {"elfin5",
+       {},
+       {{1.4415781224, 1.8892079798, 0.0252250007, -1.8308947962, 3.141592653589793, -0.840960168},
+        {3.1415926546, 1.5717963268, 3.1416026536, 3.1416926536, 3.1415926546, 0}},
+       true},
       {"fiveaxis",
        {},
        {{0.1, 0.2, 0.3, 0, 0.5},
@@ -39,11 +44,19 @@ const std::vector<PeoplesArm>& peoples_arms() {
         {0.1, 0.2, 0.3, 3.141592653589793, 0.5},
         {0.1, 0.2, 0.3, 3.141591653589793, 0.5}},
        false},
+      {"iiwa7_six_digits",
+       {{"joint_3", 0.3}},
+       {{3.1425926536, -1.5706963268, 3.1415926536, -1.5697963268, -1.5707963268, -1.5707953268}},
+       false},
       {"iiwa14",
        {{"joint_a7", 2.721}},
        {{1.5799575184990262, 1.4893770988454786, -1.4313939433151546, -0.9970733816555748,
          0.20949707863316602, 1.8251363904224793}},
        false},
+      {"m20ia",
+       {},
+       {{1.650741947, 1.2045614334, -1.285740796, 1.7505745137, 3.141592653589793, 1.3112157633}},
+       true},
       {"m430ia2p", {}, {{0, 0, 0, 0, 0, 0}, {0.4, 0, 0, -0.4, 0, 0}}, true},
       {"pincher_arm",
        {},
@@ -91,6 +104,11 @@ const std::vector<PeoplesArm>& peoples_arms() {
         {0.3, -1.0, 1.2, 0.4, 1e-06, 0.7},
         {0.3, -1.0, 1.2, 0.4, 1e-05, 0.7}},
        false},
+      {"ur5_six_digits",
+       {},
+       {{-3.062280276, 0.5865107472, -2.3426011024, 2.6509925784, 3.141592653589793,
+         -0.9427030638}},
+       false},
       {"wx250s_horn",
        {{"elbow", -0.55}},
        {{0.329, -0.553, -1.102, -1.16, 0.752, 0.991},
@@ -100,6 +118,11 @@ const std::vector<PeoplesArm>& peoples_arms() {
       {"yumi",
        {{"yumi_joint_3_r", -0.3}, {"yumi_joint_7_r", 0.4}},
        {{0.3, -0.5, 0.4, 0.6, -0.3, 0.01}},
+       false},
+      {"zu7_four_digits",
+       {},
+       {{-2.2399200506, -1.8255628377, -2.9287166493, 3.0359665499, 3.141592653589793,
+         1.1265836799}},
        false},
   };
   return arms;
@@ -141,6 +164,42 @@ void expect_own_postures(const Tracker& tracker, std::uint64_t seed) {
 
 TEST(PeoplesArmsTest, KeepThePostureThatAPoseWasMadeFrom) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) expect_own_postures(lanes(), seed);
+}
+
+/// Of a file's first pose.
+struct Answer {
+  Arm arm;
+  Eigen::VectorXd own;
+  ArmResult result;
+};
+
+Answer answer_of(const std::string& name) {
+  const auto peoples = std::find_if(peoples_arms().begin(), peoples_arms().end(),
+                                    [&](const PeoplesArm& one) { return one.name == name; });
+  Answer answer{made_of(*peoples), {}, {}};
+  answer.own =
+      Eigen::Map<const Eigen::VectorXd>(peoples->values[0].data(), std::ssize(peoples->values[0]));
+  answer.result = find_arm_closures(answer.arm, forward_kinematics(answer.arm, answer.own), lanes(),
+                                    one_thread());
+  return answer;
+}
+
+/// The m20ia's wrist is straight; closures of other sets are near.
+TEST(PeoplesArmsTest, ASetHasNoMoreDimensionsThanItGoesOnIn) {
+  const auto [arm, own, result] = answer_of("m20ia");
+  ASSERT_FALSE(result.moves.empty());
+  for (const SelfMotion& set : result.moves) {
+    EXPECT_EQ(set.dimension, 1);
+    EXPECT_FALSE(set.relations.empty()) << "joint_4 and joint_6 turn together";
+  }
+}
+
+/// On the set within the digits two closures meet at the pose's own posture: the file's model has it.
+TEST(PeoplesArmsTest, ClosuresOnASetWithinTheDigitsAreListed) {
+  const auto [arm, own, result] = answer_of("ur5_six_digits");
+  ASSERT_FALSE(result.moves.empty());
+  EXPECT_TRUE(result.moves.front().within_digits);
+  EXPECT_LT(least_distance(arm, result, own), 1e-3);
 }
 
 #if MOIVRE_WITH_CVODE
