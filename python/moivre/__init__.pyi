@@ -51,6 +51,7 @@ class Result:
     filtered: int
     cross_check: Optional[dict[str, Any]]
     points: _Complexes
+    set_points: _Complexes
     real: _Bools
     singular: _Bools
     multiplicity: _Ints

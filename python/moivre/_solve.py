@@ -111,6 +111,8 @@ class Result:
         What the other tracker says, where that was asked for: witness, common, missed, unwitnessed, disagreements.
     points : ndarray of complex, shape (roots, unknowns)
     real_points : ndarray of float, shape (real roots, unknowns)
+    set_points : ndarray of complex, shape (points, unknowns)
+        Of sets of positive dimension, where paths end. Their number means nothing.
     real, singular : ndarray of bool, shape (roots,)
     multiplicity : ndarray of int, shape (roots,)
     accuracy, residual, condition : ndarray of float, shape (roots,)
@@ -136,6 +138,7 @@ class Result:
         self.filtered = solved.filtered
         self.cross_check = solved.cross_check
         self.points = roots["points"]
+        self.set_points = solved.set_points()
         self.real = roots["real"]
         self.singular = roots["singular"]
         self.multiplicity = roots["multiplicity"]

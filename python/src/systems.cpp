@@ -280,6 +280,11 @@ py::dict root_arrays(const Solved& run) {
   return arrays;
 }
 
+py::array set_points(const Solved& run) {
+  return rows<Complex>(run.result.on_sets, run.system.variables.size(),
+                       [](const Solution& s) -> const Point& { return s.x; });
+}
+
 }  // namespace
 
 py::object completeness_of(const std::optional<RootCompleteness>& completeness) {
@@ -320,6 +325,7 @@ void bind_systems(py::module_& module) {
       .def_property_readonly("filtered", [](const Solved& run) { return run.result.filtered; })
       .def_property_readonly("cross_check", &comparison_of)
       .def("roots", &root_arrays)
+      .def("set_points", &set_points)
       .def("with_digits", &with_digits)
       .def("json",
            [](const Solved& run, const std::string& file) { return solve_json(run.result, file); })

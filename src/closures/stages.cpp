@@ -344,10 +344,7 @@ class Stages {
                               eliminate(system_at(formulation_.system, block, root)).verdict ==
                                   Reduction::Verdict::dependent;
     const bool has_set =
-        std::any_of(result.on_sets.begin(), result.on_sets.end(), [&](const Point& x) {
-          Solution on_set;
-          on_set.x = x;
-          on_set.singular = true;
+        std::any_of(result.on_sets.begin(), result.on_sets.end(), [&](const Solution& on_set) {
           return !is_excluded(child_of(root, block, on_set, values_of(on_set)), block);
         });
     if (is_dependent || has_set) note_set(root);

@@ -20,6 +20,11 @@ Json digits_json(const std::vector<ComplexDecimal>& x) {
   return list_json(x, [](const ComplexDecimal& xi) { return Json::array({xi.re, xi.im}); });
 }
 
+Json point_of_set_json(const Solution& point) {
+  return {{"path", point.path}, {"paths", point.multiplicity}, {"x", to_json(point.x)},
+          {"real", point.real}, {"residual", point.residual},  {"accuracy", point.accuracy}};
+}
+
 Json cross_check_json(const CrossCheck& check) {
   return {{"witness", check.witness},
           {"common", check.common},
@@ -50,6 +55,7 @@ void write_solve_json(const TextSink& sink, const SolveResult& result, const std
       if (result.digits) solution["x_digits"] = digits_json(s.x_digits);
       return solution;
     });
+    if (!result.on_sets.empty()) report.list("on_sets", result.on_sets, point_of_set_json);
     report.member("excess", result.excess);
     if (result.on_denominators > 0) report.member("on_denominators", result.on_denominators);
     if (result.filtered > 0) report.member("filtered", result.filtered);

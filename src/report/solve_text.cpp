@@ -16,6 +16,8 @@ namespace {
 
 // Failures shown one by one; JSON has them all.
 constexpr std::size_t kFailuresShown = 20;
+// Points of sets shown where not all are asked for: one may do.
+constexpr std::size_t kSetPointsShown = 3;
 
 std::string system_line(const SolveResult& result, const std::string& file) {
   std::string text = file + ": " + counted(result.system.degrees.size(), "equation") + " in " +
@@ -120,6 +122,19 @@ std::string coordinate_text(const Solution& root, std::size_t i, double error) {
   return re + (im.front() == '-' ? " - " + im.substr(1) : " + " + im) + " i";
 }
 
+std::string coordinates_text(const Solution& root, const std::vector<std::string>& names) {
+  std::size_t width = 0;
+  for (const std::string& name : names) width = std::max(width, utf8_characters(name));
+  const double error = root.accuracy * std::max(1.0, max_norm(root.x));
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const std::string value = coordinate_text(root, i, error);
+    text += "  " + names[i] + std::string(width - utf8_characters(names[i]), ' ') + " = " +
+            (value.front() == '-' ? "" : " ") + value + '\n';
+  }
+  return text;
+}
+
 std::string root_text(const Solution& root, const std::vector<std::string>& names) {
   std::string text =
       std::string(root.real ? "real root" : "root") + ", path " + std::to_string(root.path);
@@ -133,15 +148,7 @@ std::string root_text(const Solution& root, const std::vector<std::string>& name
   if (root.certified == true) text += ", certified";
   text += ", accuracy " + rough_text(root.accuracy) + ", condition " + rough_text(root.condition) +
           '\n';
-  std::size_t width = 0;
-  for (const std::string& name : names) width = std::max(width, utf8_characters(name));
-  const double error = root.accuracy * std::max(1.0, max_norm(root.x));
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    const std::string value = coordinate_text(root, i, error);
-    text += "  " + names[i] + std::string(width - utf8_characters(names[i]), ' ') + " = " +
-            (value.front() == '-' ? "" : " ") + value + '\n';
-  }
-  return text;
+  return text + coordinates_text(root, names);
 }
 
 void write_roots(TextPieces& text, const SolveResult& result, ListedRoots listed) {
@@ -156,6 +163,23 @@ void write_roots(TextPieces& text, const SolveResult& result, ListedRoots listed
   if (hidden > 0) {
     text += '\n' + counted(hidden, "root is", "roots are") + " not real (--all lists " +
             (hidden == 1 ? "it" : "them") + ")\n";
+  }
+}
+
+/// The real ones first.
+void write_set_points(TextPieces& text, const SolveResult& result, ListedRoots listed) {
+  std::vector<Solution> points = result.on_sets;
+  std::stable_partition(points.begin(), points.end(), [](const Solution& x) { return x.real; });
+  const std::size_t shown =
+      listed == ListedRoots::all ? points.size() : std::min(points.size(), kSetPointsShown);
+  for (std::size_t k = 0; k < shown; ++k) {
+    text += std::string("\n") + (points[k].real ? "real point" : "point") +
+            " of a set of positive dimension, " + counted(points[k].multiplicity, "path") + '\n' +
+            coordinates_text(points[k], result.system.variables);
+  }
+  if (shown < points.size()) {
+    text +=
+        '\n' + counted(points.size() - shown, "more point") + " of such sets (--all lists them)\n";
   }
 }
 
@@ -203,6 +227,7 @@ void write_solve_text(const TextSink& sink, const SolveResult& result, const std
   text += cross_check_text(result);
   text += result.message + '\n' + completeness_line(result);
   write_roots(text, result, listed);
+  write_set_points(text, result, listed);
   text += failures_text(result.failures);
   text += left_out_text(result.left_out);
   text += time_line(result.time);

@@ -90,6 +90,14 @@ void reopen(const std::vector<std::uint64_t>& paths, SolveResult& result) {
   for (const std::uint64_t path : paths) result.ledger[path].verdict = PathVerdict::open;
 }
 
+/// Paths that come to one point of a set are no roots near to each other.
+Solution point_of_set(const Run& run, const std::vector<std::uint64_t>& group) {
+  Solution point = solution_of(run, group, {});
+  point.cluster = false;
+  point.radius = 0;
+  return point;
+}
+
 void enter_solutions(const Run& run, SolveResult& result) {
   const Judged judged = run.interrupted ? judged_so_far(run) : Judged{groups_of(run), {}};
   const auto& groups = judged.groups;
@@ -99,13 +107,14 @@ void enter_solutions(const Run& run, SolveResult& result) {
     const Root& first = run.ledger.roots().at(group.front());
     if (!first.point.simple && is_on_set(run, first)) {
       result.paths.on_positive_dimensional += group.size();
-      result.on_sets.push_back(first.point.x);
+      result.on_sets.push_back(point_of_set(run, group));
       continue;
     }
     result.solutions.push_back(solution_of(run, group, windings(run, group)));
   }
-  std::sort(result.solutions.begin(), result.solutions.end(),
-            [](const Solution& a, const Solution& b) { return a.path < b.path; });
+  const auto by_path = [](const Solution& a, const Solution& b) { return a.path < b.path; };
+  std::sort(result.solutions.begin(), result.solutions.end(), by_path);
+  std::sort(result.on_sets.begin(), result.on_sets.end(), by_path);
   enter_places(groups, result);
 }
 

@@ -52,11 +52,9 @@ std::optional<std::uint64_t> count_off(const System& f) {
 
 void drop_on_denominators(const System& f, SolveResult& result) {
   if (f.denominators.empty()) return;
-  drop_solutions(result, [&](const Solution& root) {
-    const bool is_on = std::any_of(f.denominators.begin(), f.denominators.end(),
-                                   [&](const Polynomial& d) { return is_zero_at(d, root); });
-    if (is_on) result.on_denominators += root.multiplicity;
-    return is_on;
+  result.on_denominators += drop_solutions(result, [&](const Solution& root) {
+    return std::any_of(f.denominators.begin(), f.denominators.end(),
+                       [&](const Polynomial& d) { return is_zero_at(d, root); });
   });
   result.left_out.push_back(
       {"roots where a denominator is zero",

@@ -64,13 +64,10 @@ void keep_wanted(const RootFilter& filter, SolveResult& result) {
     const auto at = std::find(unknowns.begin(), unknowns.end(), range.unknown);
     places.push_back(static_cast<std::size_t>(at - unknowns.begin()));
   }
-  std::uint64_t left = 0;
-  drop_solutions(result, [&](const Solution& root) {
-    if (is_wanted(filter, places, root)) return false;
-    result.filtered += root.multiplicity;
-    ++left;
-    return true;
-  });
+  const std::size_t before = result.solutions.size();
+  result.filtered += drop_solutions(
+      result, [&](const Solution& root) { return !is_wanted(filter, places, root); });
+  const std::uint64_t left = before - result.solutions.size();
   result.left_out.push_back({"roots that are not " + said(filter),
                              "asked for: " + counted(left, "root is", "roots are") + " not told"});
 }

@@ -81,7 +81,9 @@ void take_back_powers(const System& f, const PowerFree& bases, SolveResult& resu
   multiply(sheets, result.start);
   result.paths *= sheets;
   Refiner refiner(make_refiner_program(f, std::vector<double>(f.variables.size(), 1.0)));
-  for (Solution& root : result.solutions) multiply(sheets, refiner, root);
+  for (auto* const points : {&result.solutions, &result.on_sets}) {
+    for (Solution& root : *points) multiply(sheets, refiner, root);
+  }
   if (result.bound && !result.bound->is_of_points) result.bound->value *= sheets;
   result.failures = renumbered(sheets, result.failures);
   result.ledger = repeated(sheets, result.ledger);

@@ -45,11 +45,9 @@ void drop_excess(const System& f, SolveResult& result) {
   const bool is_exact = program->error.empty();
   Refiner refiner(program);
   const auto is_excess = [&](const Solution& root) {
-    if (holds(refiner, root) && !(is_exact && is_refuted(f, root))) return false;
-    result.excess += root.multiplicity;
-    return true;
+    return !holds(refiner, root) || (is_exact && is_refuted(f, root));
   };
-  drop_solutions(result, is_excess);
+  result.excess += drop_solutions(result, is_excess);
 }
 
 /// All equations of f vanish at fractions within what is known of the root.
@@ -87,8 +85,7 @@ void require_proofs(const System& f, const System& combinations, const QuotientR
                                  .simple;
   if (are_simple && counted_roots == simple) return;
   if (counted_roots == 0U && are_simple && simple == result.solutions.size()) {
-    for (const Solution& root : result.solutions) result.excess += root.multiplicity;
-    drop_solutions(result, [](const Solution&) { return true; });
+    result.excess += drop_solutions(result, [](const Solution& root) { return !root.singular; });
     return;
   }
   put_in_doubt(result, "whether the file's other equations vanish at " +
@@ -179,7 +176,9 @@ void take_back(const System& f, const SolveOptions& options, SolveResult& result
              std::to_string(n - m)});
   }
   if (!has_patches) return;
-  for (Solution& root : result.solutions) root.x = normalized(f.groups, std::move(root.x));
+  for (auto* const points : {&result.solutions, &result.on_sets}) {
+    for (Solution& root : *points) root.x = normalized(f.groups, std::move(root.x));
+  }
   result.left_out.push_back({"a patch for each homogeneous group",
                              "roots are told with one coordinate of each group equal to 1"});
 }

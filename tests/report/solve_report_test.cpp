@@ -120,6 +120,19 @@ TEST(SolveText, PrintsOnlyTheDigitsThatAreKnown) {
                 kFailedAndLeftOutOfTwo);
 }
 
+TEST(SolveText, ShowsAFewPointsOfSetsAndCountsTheOthers) {
+  SolveResult result = hand_made_result();
+  Solution point = result.solutions[1];
+  point.real = false;
+  point.accuracy = 1e-3;
+  result.on_sets.assign(5, point);
+  const std::string text = solve_text(result, "two.phc");
+  EXPECT_NE(text.find("\npoint of a set of positive dimension, 2 paths\n  x     =  0.333\n"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("\n2 more points of such sets (--all lists them)\n"), std::string::npos);
+}
+
 TEST(SolveText, PrintsAllTheDigitsThatWereAskedFor) {
   SolveResult result = hand_made_result();
   result.solutions[1].x_digits = {{"0.333333333333333333333", "0"},

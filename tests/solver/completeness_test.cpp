@@ -63,7 +63,7 @@ TEST_F(Contradiction, IsToldWhereSimpleRootsPassForAMultipleOne) {
 
 TEST_F(Contradiction, IsToldWherePathsEndOnACurveThatIsNotThere) {
   SolveResult result = with_roots(4, 1);
-  result.on_sets.push_back(Point(2));
+  result.on_sets.emplace_back();
   EXPECT_EQ(of(result, 4), "exact algebra tells that no root lies on a curve, paths end as on one");
 }
 

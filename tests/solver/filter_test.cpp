@@ -57,6 +57,44 @@ TEST(Denominators, AllRootsMayLieOnThem) {
   EXPECT_EQ(result.solutions.size(), 0U);
 }
 
+/// x = 0, y^2 + z^2 = 1 is a circle of roots; x = -4, y = 1, z = 2 stands alone.
+constexpr const char* kCircleAndPoint = "x*(y - 1); x*(z - 2); x + y^2 + z^2 - 1;";
+
+TEST(PointsOfSets, AreToldWithThePathsThatEndThere) {
+  const SolveResult result = solved(kCircleAndPoint);
+  EXPECT_TRUE(result.complete) << result.message;
+  ASSERT_EQ(result.solutions.size(), 1U);
+  ASSERT_FALSE(result.on_sets.empty());
+  std::uint64_t paths = 0;
+  for (const Solution& point : result.on_sets) {
+    EXPECT_LT(std::abs(point.x[0]), 1e-7);
+    EXPECT_LT(std::abs(point.x[1] * point.x[1] + point.x[2] * point.x[2] - 1.0), 1e-7);
+    paths += point.multiplicity;
+  }
+  EXPECT_EQ(paths, result.paths.on_positive_dimensional);
+}
+
+TEST(PointsOfSets, AreThoseOfTheFileAndNotOfItsCombinations) {
+  // A fourth equation that two points of the circle meet: the combinations have curves that the file has not.
+  const SolveResult result = solved(std::string(kCircleAndPoint) + " (x + 4)*(y - z);");
+  for (const Solution& point : result.on_sets) {
+    EXPECT_LT(std::abs((point.x[0] + 4.0) * (point.x[1] - point.x[2])), 1e-6);
+  }
+}
+
+TEST(PointsOfSets, WhereADenominatorIsZeroAreNone) {
+  const SolveResult result = solved("x*(y - 1)/x; x*(z - 2); x + y^2 + z^2 - 1;");
+  EXPECT_TRUE(result.on_sets.empty());
+}
+
+TEST(PointsOfSets, AreFilteredLikeRoots) {
+  SolveResult result = solved(kCircleAndPoint);
+  RootFilter wanted;
+  wanted.positive = true;
+  keep_wanted(wanted, result);
+  EXPECT_TRUE(result.on_sets.empty()) << "x is 0 on the circle";
+}
+
 TEST(Filter, KeepsWhatIsWantedAndCountsTheRest) {
   const std::string circle = "x^2 + y^2 - 5; x*y - 2;";  // +-(1, 2), +-(2, 1)
   const SolveResult all = solved(circle);

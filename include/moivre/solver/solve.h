@@ -252,8 +252,8 @@ struct SolveResult {
   /// nullopt: certificates were not asked for, or F has more equations than unknowns.
   std::optional<RootCompleteness> completeness;
   std::optional<MetBound> bound;  ///< that proves the completeness
-  std::vector<Point>
-      on_sets;  ///< one end of paths for each place on a set of positive dimension, in the system's variables
+  /// Points of sets of positive dimension, where paths end; `multiplicity`: so many paths. By path number.
+  std::vector<Solution> on_sets;
   std::uint64_t excess =
       0;  ///< roots that squaring up added, with multiplicity: they fail an equation of F
   std::uint64_t on_denominators =
