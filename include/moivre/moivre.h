@@ -78,6 +78,7 @@
 
 #if __has_include("moivre/arms/arm_closures.h")
 #include "moivre/arms/arm_closures.h"
+#include "moivre/arms/held_range.h"
 #include "moivre/arms/pose_table.h"
 #include "moivre/arms/poses.h"
 #include "moivre/arms/posture.h"

@@ -16,6 +16,7 @@ std::string arm_csv(const ArmReport& report, bool in_degrees) {
   for (const ArmJoint& joint : report.arm.joints) {
     text += ',' + csv_cell(joint.name + (joint.is_slide ? "" : unit));
   }
+  if (const auto swept = swept_joint(report, 0)) text += ',' + csv_cell(swept->name + " held");
   text += '\n';
   const auto add_line = [&](std::size_t pose, const ArmClosure& closure,
                             const Eigen::VectorXd& values) {
@@ -28,6 +29,7 @@ std::string arm_csv(const ArmReport& report, bool in_degrees) {
       const bool turns = in_degrees && !report.arm.joints[k].is_slide;
       text += ',' + exact_text(turns ? value * 180 / std::numbers::pi : value);
     }
+    if (const auto swept = swept_joint(report, pose)) text += ',' + exact_text(swept->value);
     text += '\n';
   };
   for (std::size_t pose = 0; pose < report.results.size(); ++pose) {

@@ -161,6 +161,20 @@ void add_result(const ArmResult& result, const ArmReport& report, Json& json) {
 
 }  // namespace
 
+ArmReport report_of(const ArmReport& report, std::size_t k) {
+  ArmReport one;
+  one.file = report.file;
+  one.arm = report.swept.empty() ? report.arm : report.swept.at(k);
+  one.stands = report.stands;
+  one.has_all_turns = report.has_all_turns;
+  return one;
+}
+
+std::optional<HeldJoint> swept_joint(const ArmReport& report, std::size_t k) {
+  if (report.swept.empty()) return std::nullopt;
+  return report.swept.at(k).held.back();
+}
+
 bool is_complete(const ArmReport& report) {
   return std::all_of(report.results.begin(), report.results.end(),
                      [](const ArmResult& result) { return result.complete; });
@@ -177,6 +191,7 @@ std::string arm_json(const ArmReport& report) {
   json["joints"] = list_json(arm.joints, joint_json);
   json["held"] = Json::object();
   for (const HeldJoint& joint : arm.held) json["held"][joint.name] = to_json(joint.value);
+  if (const auto swept = swept_joint(report, 0)) json["held"].erase(swept->name);
   json["units"] = {{"length", "m"}, {"angle", "rad"}};
   json["tracker"] = tracker_json(first.tracker, first.tracker_options);
   StepCount work;
@@ -193,7 +208,10 @@ std::string arm_json(const ArmReport& report) {
     json["poses"] = Json::array();
     for (std::size_t k = 0; k < report.results.size(); ++k) {
       Json pose = {{"pose", k}};
-      add_result(report.results[k], report, pose);
+      if (const auto swept = swept_joint(report, k)) {
+        pose["held"] = {{swept->name, to_json(swept->value)}};
+      }
+      add_result(report.results[k], report_of(report, k), pose);
       json["poses"].push_back(std::move(pose));
     }
   } else {

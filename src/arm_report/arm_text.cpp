@@ -203,6 +203,7 @@ std::string heading(const ArmReport& report) {
                                       [](const ArmJoint& joint) { return joint.is_slide; });
   text += has_slides ? " and metres\n" : "\n";
   for (const HeldJoint& joint : arm.held) {
+    if (const auto swept = swept_joint(report, 0); swept && swept->name == joint.name) continue;
     text += "held: " + joint.name + " = " + exact_text(joint.value) + '\n';
   }
   return text;
@@ -218,7 +219,10 @@ std::string arm_text(const ArmReport& report) {
            left_out_text(only.left_out);
   }
   for (std::size_t k = 0; k < report.results.size(); ++k) {
-    text += "\npose " + std::to_string(k) + ": " + result_text(report.results[k], report);
+    const auto swept = swept_joint(report, k);
+    text += '\n' +
+            (swept ? swept->name + " = " + exact_text(swept->value) : "pose " + std::to_string(k)) +
+            ": " + result_text(report.results[k], report_of(report, k));
   }
   return text;
 }

@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <locale>
 #include <sstream>
 #include <stdexcept>
 
 #include "command_line.h"
 #include "interruption.h"
 #include "moivre/arm_report/arm_report.h"
+#include "moivre/arms/held_range.h"
 #include "moivre/arms/poses.h"
 #include "moivre/arms/turns.h"
 #include "moivre/expression/counted.h"
@@ -44,6 +46,26 @@ std::vector<HeldJoint> held_joints(const std::vector<std::string>& settings) {
   }
   if (!faults.empty()) throw std::invalid_argument(faults);
   return held;
+}
+
+/// JOINT=FROM:TO:N.
+HeldRange held_range(const std::string& setting) {
+  // A joint's name may have an equals sign, a number has none.
+  const std::size_t equals = setting.rfind('=');
+  HeldRange range;
+  std::istringstream numbers(equals == std::string::npos ? "" : setting.substr(equals + 1));
+  numbers.imbue(std::locale::classic());
+  char first = 0, second = 0;
+  long long count = 0;
+  numbers >> range.from >> first >> range.to >> second >> count;
+  const bool is_read = numbers && numbers.peek() == std::istringstream::traits_type::eof();
+  if (!is_read || first != ':' || second != ':' || equals == 0 || count < 1) {
+    throw std::invalid_argument("--sweep-hold: " + setting +
+                                " is not JOINT=FROM:TO:N with finite numbers and N from 1 on");
+  }
+  range.joint = setting.substr(0, equals);
+  range.count = static_cast<std::size_t>(count);
+  return range;
 }
 
 std::optional<std::string> chosen(const std::string& name) {
@@ -150,6 +172,13 @@ void add_arm_options(CLI::App& command, ArmOptions& options) {
       ->type_name("X")
       ->group(kRobots);
   command
+      .add_option(
+          "--sweep-hold", options.sweep_hold,
+          "hold a joint at N values from FROM to TO, radians or metres: the closures of one "
+          "pose at each of them")
+      ->type_name("JOINT=FROM:TO:N")
+      ->group(kRobots);
+  command
       .add_option("--nearest", options.nearest,
                   "closures in the order of their distance from these joint values, radians and "
                   "metres in the order of the chain: \"q1 q2 ...\"; whole turns as there")
@@ -164,9 +193,9 @@ void add_arm_options(CLI::App& command, ArmOptions& options) {
 }
 
 bool are_given(const ArmOptions& options) {
-  return !options.base.empty() || !options.tip.empty() || !options.pose.empty() ||
-         !options.poses.empty() || !options.nearest.empty() || !options.limits.empty() ||
-         !options.held.empty() || !options.loops.empty();
+  return !options.sweep_hold.empty() || !options.base.empty() || !options.tip.empty() ||
+         !options.pose.empty() || !options.poses.empty() || !options.nearest.empty() ||
+         !options.limits.empty() || !options.held.empty() || !options.loops.empty();
 }
 
 std::string robot_as_mechanism(const std::string& file, const Source& source,
@@ -186,6 +215,10 @@ std::string robot_as_mechanism(const std::string& file, const Source& source,
                  if (options.poses.empty()) return;
                  throw std::invalid_argument(
                      "--poses is for arms without loops; give one pose by --pose");
+               },
+               [&] {
+                 if (options.sweep_hold.empty()) return;
+                 throw std::invalid_argument("--sweep-hold is for arms without loops");
                },
                [&] {
                  if (options.tip.empty() || !options.pose.empty()) return;
@@ -208,8 +241,12 @@ int run_arm(const ArmRun& run, const Source& source) {
   std::vector<TypedPose> poses;
   std::unique_ptr<Tracker> tracker;
   require_all({[&] {
-                 report.arm = make_arm(
-                     robot, {chosen(run.arm.base), chosen(run.arm.tip), held_joints(run.arm.held)});
+                 const ArmChoice choice{chosen(run.arm.base), chosen(run.arm.tip),
+                                        held_joints(run.arm.held)};
+                 if (!run.arm.sweep_hold.empty()) {
+                   report.swept = arms_along(robot, choice, held_range(run.arm.sweep_hold));
+                 }
+                 report.arm = report.swept.empty() ? make_arm(robot, choice) : report.swept.front();
                  report.stands = standing(run.arm, report.arm);
                  report.has_all_turns = run.arm.limits == "wrap";
                  if (report.has_all_turns) require_few_turns(report.arm);
@@ -217,6 +254,11 @@ int run_arm(const ArmRun& run, const Source& source) {
                [&] {
                  poses = chosen_poses(run.arm);
                  require_one_to_draw(run, poses.size());
+                 if (run.arm.sweep_hold.empty()) return;
+                 if (!run.arm.poses.empty()) {
+                   throw std::invalid_argument("--sweep-hold is of one pose: --pose, not --poses");
+                 }
+                 require_one_to_draw(run, held_range(run.arm.sweep_hold).count);
                },
                [&] { tracker = make_tracker(run.tracker); }});
   Output json(run.json);
@@ -224,7 +266,7 @@ int run_arm(const ArmRun& run, const Source& source) {
   Output svg(run.svg);
   Output html(run.html);
   report.file = run.file;
-  report.is_list = !run.arm.poses.empty();
+  report.is_list = !run.arm.poses.empty() || !report.swept.empty();
   report.parse_s = watch.total();
   KeptRun kept(run.ledger, {run.file, run.arm.poses});
   if (const auto code = kept.deliver_again({&json, &csv, &svg, &html}, run.quiet)) return *code;
@@ -244,14 +286,19 @@ int run_arm(const ArmRun& run, const Source& source) {
     };
   }
   const Interruption interruption(run.time_limit);
-  report.results = find_arm_closures(report.arm, poses, *tracker, options, interruption.stop());
+  const std::atomic<bool>& stop = interruption.stop();
+  report.results =
+      report.swept.empty()
+          ? find_arm_closures(report.arm, poses, *tracker, options, stop)
+          : find_closures_of_each(report.swept, poses.front(), *tracker, options, stop);
   if (report.stands) {
     for (ArmResult& result : report.results) {
       sort_by_distance(report.arm, *report.stands, result.closures);
     }
   }
   report.total_s = watch.total();
-  const bool complete = is_complete(report) && report.results.size() == poses.size();
+  const std::size_t asked = report.swept.empty() ? poses.size() : report.swept.size();
+  const bool complete = is_complete(report) && report.results.size() == asked;
   return kept.deliver(
       {{&json, [&] { return arm_json(report); }},
        {&csv, [&] { return arm_csv(report, run.in_degrees); }},

@@ -22,6 +22,7 @@ struct ArmOptions {
   std::string nearest;            ///< joint values, separated by blanks or commas
   std::string limits;             ///< "wrap", or none
   std::vector<std::string> held;  ///< "JOINT=VALUE"
+  std::string sweep_hold;         ///< "JOINT=FROM:TO:N"
   std::string loops;              ///< a side file
 };
 

@@ -135,7 +135,7 @@ Mechanism read_choice(const ClosuresCommand& command, const Source& source) {
   }
   if (are_given(command.arm)) {
     throw std::invalid_argument(
-        "--base, --tip, --pose, --poses, --hold and --loops are for robots (URDF); " +
+        "--base, --tip, --pose, --poses, --hold, --sweep-hold and --loops are for robots (URDF); " +
         command.file + " is none");
   }
   return read_mechanism_file(command.file, source);

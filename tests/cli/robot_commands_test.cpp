@@ -62,6 +62,35 @@ TEST_F(RobotCommands, AnArmOfSevenJointsNeedsOneHeld) {
   EXPECT_EQ(report["held"], Json({{"panda_joint7", 0.8}}));
 }
 
+TEST_F(RobotCommands, AJointIsHeldAtManyValues) {
+  const std::string panda = kRobots + "panda.urdf";
+  const std::vector<std::string> asked{"closures",       panda,    "--tip",
+                                       "panda_hand_tcp", "--pose", "0.4 0.2 0.3 0 1 0 0"};
+  const auto with = [&](std::vector<std::string> more) {
+    std::vector<std::string> all = asked;
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  };
+  const Outcome outcome = scene.run(
+      with({"--sweep-hold", "panda_joint7=0.7:0.9:3", "--json", "-", "--csv", "out.csv"}));
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Json report = Json::parse(outcome.out);
+  ASSERT_EQ(report["poses"].size(), 3U);
+  EXPECT_EQ(report["held"], Json::object());
+  EXPECT_EQ(report["poses"][1]["held"], Json({{"panda_joint7", 0.8}}));
+  EXPECT_EQ(report["poses"][1]["counts"]["complex"], 8);
+  EXPECT_TRUE(contains(scene.read("out.csv"), ",panda_joint7 held\n"));
+  const std::string text = scene.run(with({"--sweep-hold", "panda_joint7=0.8:0.8:1"})).out;
+  EXPECT_TRUE(contains(text, "\npanda_joint7 = 0.8: 8 complex closures"));
+  for (const std::string range : {"panda_joint7", "panda_joint7=1:2", "panda_joint7=1:2:0",
+                                  "panda_joint7=1:2:3x", "=1:2:3", "panda_joint7=1:nan:3"}) {
+    expect_refusal(with({"--sweep-hold", range}), {"JOINT=FROM:TO:N"});
+  }
+  expect_refusal(with({"--sweep-hold", "panda_joint7=0:1:3", "--svg", "p.svg"}), {"one pose"});
+  expect_refusal(with({"--sweep-hold", "panda_joint7=0:1:3", "--hold", "panda_joint7=1"}),
+                 {"at one value and at many"});
+}
+
 TEST_F(RobotCommands, ASetWithinTheAccuracyOfThePoseIsSaidToMissIt) {
   // The elbow is nearly straight, and the pose has three digits.
   const auto told = [&](const std::string& pose) {

@@ -3,7 +3,8 @@
 //
 //   text  every closure a line, joint values in radians (or metres) within the limits where whole turns bring them there
 //   JSON  docs/json.md shows it: `coordinates` has turns in (-pi, pi], `in_limits` what a controller takes
-//   CSV   one closure per line: pose, id, then the joints as in_limits; with all turns a line for each choice of them
+//   CSV   one closure per line: pose, id, then the joints as in_limits; with all turns a line for each choice of them; last the joint that
+//         is held at many values, where there is one
 // A list of results stands for a file of poses; `is_list` says whether there was one, or a single pose.
 #pragma once
 
@@ -21,12 +22,20 @@ struct ArmReport {
   Arm arm;
   std::vector<ArmResult> results;  ///< a pose each
   bool is_list = false;
+  /// An arm for each result, with one joint held at another value (arms/held_range.h); empty: `arm` for all.
+  std::vector<Arm> swept = {};
   /// Where the arm stands, a value for each joint: closures are in the order of their distance from there.
   std::optional<Eigen::VectorXd> stands = std::nullopt;
   bool has_all_turns = false;  ///< every choice of whole turns within the limits is told
   double parse_s = 0;
   double total_s = 0;
 };
+
+/// The report without results, of the arm that the k-th result is of.
+ArmReport report_of(const ArmReport& report, std::size_t k);
+
+/// The joint that was held at many values; nothing where there is none.
+std::optional<HeldJoint> swept_joint(const ArmReport& report, std::size_t k);
 
 /// Whether every path of every pose was decided.
 bool is_complete(const ArmReport& report);
