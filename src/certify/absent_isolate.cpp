@@ -4,8 +4,6 @@
 
 namespace moivre {
 
-std::optional<IsolatedRoots> isolated_roots(const Polynomial&, int) {
-  return std::nullopt;
-}
+std::optional<IsolatedRoots> isolated_roots(const Polynomial&, int) { return std::nullopt; }
 
 }  // namespace moivre

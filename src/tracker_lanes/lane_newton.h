@@ -54,7 +54,9 @@ class LaneNewton<ComplexDoubleDouble> {
     fine_.set_frame(frame);
     path_.set_frame(frame);
   }
-  static Time<ComplexDoubleDouble> time(const PathTime& t) { return fine_time<ComplexDoubleDouble>(t); }
+  static Time<ComplexDoubleDouble> time(const PathTime& t) {
+    return fine_time<ComplexDoubleDouble>(t);
+  }
 
   Rescue rescue(FinePoint& x, FinePoint& dx, const LaneControl& control);
   /// To norm 1 as far as double tells: no path depends on its scale.

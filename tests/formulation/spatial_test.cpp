@@ -6,10 +6,10 @@
 #include <cmath>
 
 #include "../mechanism/files.h"
-#include "moivre/numeric/dual_quaternion.h"
 #include "exact_pose.h"
 #include "moivre/formulation/formulation.h"
 #include "moivre/mechanism/pose.h"
+#include "moivre/numeric/dual_quaternion.h"
 #include "moivre/numeric/random.h"
 #include "moivre/polynomial/value.h"
 #include "rigid_groups.h"

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "moivre/motion/motion.h"
 #include "moivre/mechanism/read.h"
+#include "moivre/motion/motion.h"
 #include "moivre/tracker_cvode/cvode_tracker.h"
 #include "wrapped_kinematics.h"
 #include "wrapped_polynomials.h"

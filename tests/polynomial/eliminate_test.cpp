@@ -162,7 +162,8 @@ TEST(Elimination, ARepeatedEquationTooManyLeavesASquareSystem) {
 }
 
 TEST(Elimination, ALinearSystemIsSolvedOutright) {
-  const System f = system(3, {x + Rational(2) * y - z - one, x - y, x + y + z - build::constant(6)});
+  const System f =
+      system(3, {x + Rational(2) * y - z - one, x - y, x + y + z - build::constant(6)});
   const Reduction r = eliminate(f);
   EXPECT_EQ(r.verdict, Verdict::solved);
   EXPECT_TRUE(r.system.polynomials.empty());
@@ -214,7 +215,8 @@ TEST(Elimination, ATinyCoefficientOfALargeUnknownIsAGoodPivot) {
   const Rational size(1000000);
   const Polynomial u = variable(2), v = variable(3);
   const System f =
-      system(4, {x * x + y * y - build::constant(size * size), u * u + v * v - build::constant(1 / (size * size)),
+      system(4, {x * x + y * y - build::constant(size * size),
+                 u * u + v * v - build::constant(1 / (size * size)),
                  x * u - y * v - build::constant(Rational(1, 2)),
                  Rational(1 / size) * x - size * u - build::constant(Rational(3, 10))});
   const Reduction r = eliminate(f);
@@ -251,9 +253,10 @@ TEST(Elimination, FourBarLoopsCombineAndSubstitute) {
   // Coupler point on two cranks: |P|^2 = 4, |P - A|^2 = 9, |Q|^2 = 1, |Q - P|^2 = 2: the first two
   // make a line.
   const Polynomial u = variable(2), v = variable(3);
-  const System f = system(
-      4, {x * x + y * y - build::constant(4), power(x - build::constant(3), 2) + power(y - one, 2) - build::constant(9),
-          u * u + v * v - one, power(u - x, 2) + power(v - y, 2) - build::constant(2)});
+  const System f =
+      system(4, {x * x + y * y - build::constant(4),
+                 power(x - build::constant(3), 2) + power(y - one, 2) - build::constant(9),
+                 u * u + v * v - one, power(u - x, 2) + power(v - y, 2) - build::constant(2)});
   const Reduction r = eliminate(f);
   EXPECT_EQ(*total_degree(degrees(r.system)), 8U);
   for (std::uint64_t seed = 1; seed <= 5; ++seed) expect_same_span(f, r, seed);

@@ -24,10 +24,10 @@ Rational ten_to(int exponent) {
 /// = 3/10.
 System circles(const Rational& size) {
   const Polynomial x = variable(0), y = variable(1), u = variable(2), v = variable(3);
-  return system(4,
-                {x * x + y * y - build::constant(size * size), u * u + v * v - build::constant(1 / (size * size)),
-                 x * u - y * v - build::constant(Rational(1, 2)),
-                 Rational(1 / size) * x - size * u - build::constant(Rational(3, 10))});
+  return system(4, {x * x + y * y - build::constant(size * size),
+                    u * u + v * v - build::constant(1 / (size * size)),
+                    x * u - y * v - build::constant(Rational(1, 2)),
+                    Rational(1 / size) * x - size * u - build::constant(Rational(3, 10))});
 }
 
 /// Planar 2R arm; the last two equations multiplied by `a` and `b`.

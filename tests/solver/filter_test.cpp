@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Are roots told that are wanted, the others counted, and those on denominators no roots?
+#include "moivre/solver/filter.h"
+
 #include <gtest/gtest.h>
 
 #include "moivre/numeric/invalid_input.h"
 #include "moivre/polynomial/read.h"
-#include "moivre/solver/filter.h"
 #include "moivre/solver/solve.h"
 #include "moivre/tracker_cvode/cvode_tracker.h"
 

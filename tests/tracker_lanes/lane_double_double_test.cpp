@@ -283,7 +283,8 @@ TEST(EveryTarget, FindsThePointOfAPathThatOneAloneFindsToTwentyEightDigits) {
         const auto begin = near.begin() + static_cast<std::ptrdiff_t>(first);
         const std::vector<Numbers> some(begin, begin + static_cast<std::ptrdiff_t>(width));
         std::vector<Numbers> points(width, Numbers(homotopy.coordinates()));
-        HWY_DYNAMIC_DISPATCH(polish)(homotopy, some, fine_time<ComplexDoubleDouble>(PathTime(t, 1 - t)), points);
+        HWY_DYNAMIC_DISPATCH(polish)
+        (homotopy, some, fine_time<ComplexDoubleDouble>(PathTime(t, 1 - t)), points);
         for (std::size_t k = 0; k < width; ++k) {
           EXPECT_LT(affine_distance(points[k], settled[first + k]), kSamePoint) << first + k;
         }

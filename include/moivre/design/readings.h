@@ -16,8 +16,8 @@
 #include <string>
 #include <vector>
 
-#include "moivre/motion/motion.h"
 #include "moivre/design/quantity.h"
+#include "moivre/motion/motion.h"
 
 namespace moivre {
 

@@ -182,7 +182,7 @@ struct SystemFacts {
   std::vector<std::string> variables;
   std::vector<std::uint64_t> degrees;
   std::optional<std::uint64_t> total_degree{};  ///< nullopt beyond 64 bits
-  std::uint64_t isotropic_pairs = 0;  ///< of unknowns that stand as x + iy and x - iy
+  std::uint64_t isotropic_pairs = 0;            ///< of unknowns that stand as x + iy and x - iy
 };
 
 struct StartFacts {
