@@ -142,6 +142,40 @@ void take_root(ClosureSearch& search, const PartialRoot& root, RootProver& prove
   search.result.solutions.push_back(std::move(solution));
 }
 
+/// What is proved of two roots near each other is proved of the polynomials that were solved. Where their coefficients are right to rounding
+/// only, and rounding moves a root as far as to the other, it is none of the mechanism as typed: both may be real, complex or one.
+void drop_proofs_within_rounding(const Formulation& formulation, RootProver& prover,
+                                 std::vector<PartialRoot>& roots) {
+  // Rounding moves roots that lie farther apart by less, however ill they are conditioned: by its square root at most.
+  constexpr double kFarApart = 1e-4;
+  if (!prover.is_on() || !formulation.has_rounded_frames) return;
+  const auto apart = [](const PartialRoot& a, const PartialRoot& b) {
+    double largest = 0;
+    for (std::size_t v = 0; v < a.value.size(); ++v) {
+      largest = std::max(largest, std::abs(a.value[v]->rounded - b.value[v]->rounded));
+    }
+    return largest;
+  };
+  const auto size_of = [](const PartialRoot& root) {
+    double size = 1;
+    for (const KnownValue& value : root.value) size = std::max(size, std::abs(value->rounded));
+    return size;
+  };
+  std::vector<bool> is_unsure(roots.size());
+  for (std::size_t i = 0; i < roots.size(); ++i) {
+    for (std::size_t j = i + 1; j < roots.size(); ++j) {
+      const double distance = apart(roots[i], roots[j]);
+      if (!roots[i].proof || !roots[j].proof) continue;
+      if (distance > kFarApart * size_of(roots[i])) continue;
+      const std::optional<double> moved = prover.moved_by_rounding(roots[i].proof);
+      if (!moved || 2 * *moved >= distance) is_unsure[i] = is_unsure[j] = true;
+    }
+  }
+  for (std::size_t k = 0; k < roots.size(); ++k) {
+    if (is_unsure[k]) roots[k].proof = nullptr;
+  }
+}
+
 /// Simple roots of the rounded polynomials that are no farther apart than rounding moves a double root, none of them proved of the
 /// mechanism as typed, are a cluster: two closures, or none, or one as often.
 void merge_unproved(ClosureSearch& search) {
@@ -270,6 +304,7 @@ void solve_determined(ClosureSearch& search, const BlockStructure& structure) {
   }
   const bool has_unseen_sets = run.moves && !is_motion_shown;
   take_account(result, run);
+  drop_proofs_within_rounding(search.formulation, prover, run.roots);
   for (const PartialRoot& root : run.roots) take_root(search, root, prover);
   if (search.has_proofs()) merge_unproved(search);
   if (search.has_proofs())

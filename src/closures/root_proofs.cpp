@@ -423,6 +423,23 @@ std::optional<bool> RootProver::vanishes(const KnownProof& proof,
   return std::abs(z->middle) <= kSureOfShake * (kRightTo / kShake) * step;
 }
 
+std::optional<double> RootProver::moved_by_rounding(const KnownProof& proof) {
+  Work& shaken = work_->shake();
+  const KnownProof beside = shaken.prove_beside(proof, work_->midpoints(proof));
+  const KnownProof here = work_->finer(proof);
+  const KnownProof there = beside ? shaken.finer(beside) : nullptr;
+  if (!here || !there) return std::nullopt;
+  const std::vector<const Certificate*> from = chain_of(here);
+  const std::vector<const Certificate*> to = chain_of(there);
+  double step = 0;
+  for (std::size_t group = 0; group < from.size(); ++group) {
+    for (std::size_t j = 0; j < from[group]->midpoint.size(); ++j) {
+      step = std::max(step, distance(enclosure(*from[group], j), enclosure(*to[group], j)));
+    }
+  }
+  return kSureOfShake * (kRightTo / kShake) * step;
+}
+
 ProvedRoot RootProver::root(const KnownProof& proof) {
   ProvedRoot root;
   root.x = work_->midpoints(proof);

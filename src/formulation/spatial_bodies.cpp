@@ -115,6 +115,7 @@ Formulation spatial_bodies(const Mechanism& mechanism, double t) {
   }
   frame.add_checks();
   Formulation formulation = std::move(frame.result());
+  formulation.has_rounded_frames = !has_exact_frames(groups);
   formulation.theorem = theorem_of(groups, parts, frame.length());
   read_poses(groups, formulation.poses);
   formulation.contradictions.insert(formulation.contradictions.end(), groups.contradictions.begin(),

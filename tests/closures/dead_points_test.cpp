@@ -112,5 +112,35 @@ TEST(NearADeadPoint, ADeadPointItselfIsNotProvedToBeTwoClosures) {
   for (const Closure& closure : result.closures) EXPECT_NE(closure.certified, true);
 }
 
+/// A crank of 4, a rod and a slide that ends at (12, 0, 0): 0.36 + 0.64 is 1, so that crank and rod are in line where the rod is 8.
+std::string slide_in_space(const std::string& rod) {
+  return "space = \"spatial\"\n[ground.points]\nO = [0, 0, 0]\nG = [12, -1.2, -1.6]\n"
+         "[body.crank.points]\nO = [0, 0, 0]\nA = [4, 0, 0]\n[body.slider.points]\nB = [12, 0, 0]\n"
+         "[[joint]]\ntype = \"revolute\"\nat = [\"ground.O\", \"crank.O\"]\naxis = [0, 0, 1]\n"
+         "[[joint]]\ntype = \"prismatic\"\nname = \"guide\"\nat = [\"ground.G\", \"slider.B\"]\n"
+         "axis = [0, 0.6, 0.8]\n"
+         "[[joint]]\ntype = \"rod\"\nat = [\"crank.A\", \"slider.B\"]\nlength = " +
+         rod + "\n[[driver]]\nslide = \"guide\"\nstart = 2\n";
+}
+
+TEST(NearADeadPoint, InSpaceNothingIsProvedOfClosuresThatTheAxesRoundingMayMerge) {
+  const ClosureResult result = closures_of(slide_in_space("8"));
+  EXPECT_TRUE(result.complete) << result.message;
+  EXPECT_EQ(result.completeness, RootCompleteness::shown);
+  ASSERT_EQ(result.closures.size(), 1U);
+  EXPECT_TRUE(result.closures[0].is_drawn);
+  EXPECT_NE(result.closures[0].certified, true);
+  EXPECT_EQ(result.closures[0].multiplicity, 2U);
+}
+
+TEST(NearADeadPoint, InSpaceWhatRoundingCannotMergeIsProved) {
+  const ClosureResult apart = closures_of(slide_in_space("8.0000001"));
+  EXPECT_EQ(apart.completeness, RootCompleteness::proved);
+  EXPECT_EQ(apart.counts.real, 2U);
+  const ClosureResult beyond = closures_of(slide_in_space("7.9999999"));
+  EXPECT_EQ(beyond.completeness, RootCompleteness::proved);
+  EXPECT_EQ(beyond.counts.real, 0U);
+}
+
 }  // namespace
 }  // namespace moivre

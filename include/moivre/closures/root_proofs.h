@@ -60,6 +60,9 @@ class RootProver {
   static std::vector<bool> are_new(const std::vector<KnownProof>& proofs);
   /// Whether one of the formulation's exclusions, in unknowns that are proved, is 0 at the root; nullopt: unknown.
   std::optional<bool> vanishes(const KnownProof& proof, const Formulation::Exclusion& exclusion);
+  /// How far the root may lie from that of the mechanism as typed, where all coefficients are known to rounding only, to first order: the
+  /// largest distance of a coordinate. nullopt: unknown.
+  std::optional<double> moved_by_rounding(const KnownProof& proof);
   /// Of a proof of all unknowns.
   ProvedRoot root(const KnownProof& proof);
 

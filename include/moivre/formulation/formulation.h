@@ -53,6 +53,9 @@ struct Formulation {
   double length = 0;  ///< the mechanism's largest; 0 of typed equations, which have none
   /// The coefficients are what the file's numbers make them, not right to rounding only. Of spatial mechanisms.
   bool is_exact = true;
+  /// Axes and turns are right to rounding only, and so is what is made of them: what a proof says of two roots that rounding may merge is not
+  /// said of the file's numbers. Of spatial mechanisms.
+  bool has_rounded_frames = false;
   /// Terms of exact numbers were taken for rounding, since they are as small: a platform typed with 14 digits is the symmetric one.
   bool lacks_typed_terms = false;
   /// Made where it is asked for; empty where the system itself is what proofs are of.
