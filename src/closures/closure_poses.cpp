@@ -12,6 +12,7 @@
 #include "moivre/closures/same_pose.h"
 #include "moivre/expression/counted.h"
 #include "moivre/factorization/svd.h"
+#include "moivre/kinematics/least_squares.h"
 #include "moivre/kinematics/newton.h"
 #include "moivre/kinematics/own_units.h"
 #include "moivre/mechanism/closure_id.h"
@@ -108,7 +109,7 @@ RootKind polish(ClosureSearch& search, const Solution& solution, BeyondLimits& b
   // At half a turn the same angle has two names.
   const bool stayed = moved <= most || largest_of(phi, polished.q - guess) <= most;
   if (polished.status == NewtonStatus::no_solution && phi.size() > phi.dimension() && stayed) {
-    search.near_misses.push_back(solution);
+    search.near_misses.push_back({solution});
     return RootKind::does_not_close;
   }
   if (polished.status != NewtonStatus::converged || !stayed) {
@@ -141,17 +142,28 @@ void take_back(ClosureSearch& search, Solution solution, const NewtonResult& pos
   search.result.solutions.push_back(std::move(solution));
 }
 
+/// Newton-Raphson's run from the guess; under a fit the least squares where it finds neither a closure nor these, as at a fold.
+NewtonResult settled(const ClosureSearch& search, const Eigen::VectorXd& guess) {
+  const double t = search.options.time;
+  NewtonResult run = newton(search.phi, guess, t);
+  const bool is_settled =
+      run.status == NewtonStatus::converged || run.status == NewtonStatus::no_solution;
+  if (is_settled || !search.mechanism.fit) return run;
+  run.q = least_squares_pose(search.phi, guess, t);
+  return run;
+}
+
 /// What misses by little: the least squares beside each near miss, taken where it closes after all, or is within Mechanism::fit.
 void take_fitting(ClosureSearch& search, BeyondLimits& beyond_limits) {
   ClosureResult& result = search.result;
   const std::optional<double>& fit = search.mechanism.fit;
-  for (const Solution& near : search.near_misses) {
+  for (const auto& [near, is_rejected] : search.near_misses) {
     const Eigen::VectorXd guess = coordinates_of_root(search.formulation, near.x);
-    const NewtonResult least = newton(search.phi, guess, search.options.time);
+    const NewtonResult least = settled(search, guess);
     if (!least.q.allFinite()) continue;
     Closure closure = closure_at(search, least);
     const bool is_old = is_known(search, closure.q);
-    if (!is_old && shows_a_loss(search, least)) {
+    if (!is_old && is_rejected && shows_a_loss(search, least)) {
       take_back(search, near, least, beyond_limits);
       continue;
     }

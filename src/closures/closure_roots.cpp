@@ -25,7 +25,10 @@ double near_real(const ClosureSearch& search) {
   constexpr double kRounded = 1e-2;
   // Where all constraints miss by so much at least squares, those that are met leave several times that to the others.
   constexpr double kOfFit = 20;
-  return std::max(kRounded, kOfFit * search.mechanism.fit.value_or(0) / search.phi.length());
+  // At a fold two closures part by the square root of what lengths are off, into real or complex ones, and above a fold by the root of that.
+  constexpr double kOfFold = 3;
+  const double fit = search.mechanism.fit.value_or(0) / search.phi.length();
+  return std::max({kRounded, kOfFit * fit, kOfFold * std::sqrt(std::sqrt(fit))});
 }
 
 // What a root's own rounding leaves behind Newton's method, with lengths of the file typed to twelve digits.
@@ -124,7 +127,7 @@ void take_root(ClosureSearch& search, const PartialRoot& root, RootProver& prove
   if (!holds(search.formulation, solution)) {
     ++search.result.counts.rejected;
     if (distance_from_real(search.formulation, solution.x) <= near_real(search)) {
-      search.near_misses.push_back(std::move(solution));
+      search.near_misses.push_back({std::move(solution)});
     }
     return;
   }
@@ -135,6 +138,10 @@ void take_root(ClosureSearch& search, const PartialRoot& root, RootProver& prove
   const System& system = search.formulation.system;
   const bool has_spare = system.polynomials.size() > system.variables.size();
   solution.real = proved && !has_spare ? proved->real.value_or(is_near_real) : is_near_real;
+  if (!solution.real && search.mechanism.fit &&
+      distance_from_real(search.formulation, solution.x) <= near_real(search)) {
+    search.near_misses.push_back({solution, false});
+  }
   if (search.has_proofs()) {
     solution.certified = proved && proved->real == solution.real;
     if (!solution.certified.value() && may_be_several(solution)) ++search.unproved;

@@ -11,6 +11,12 @@
 
 namespace moivre {
 
+/// A root near a real one: it fails another equation or, under a fit, is not real.
+struct NearMiss {
+  Solution root;
+  bool is_rejected = true;
+};
+
 struct ClosureSearch {
   ClosureSearch(const Mechanism& the_mechanism, const Tracker& the_tracker,
                 const ClosureOptions& the_options, const std::atomic<bool>& the_stop)
@@ -46,7 +52,7 @@ struct ClosureSearch {
   std::uint64_t unpolished = 0;  ///< real roots that Newton-Raphson does not confirm
   std::uint64_t rootless =
       0;  ///< poses that close regularly beside roots that do not, and are no root's
-  std::vector<Solution> near_misses;  ///< real roots of the solved equations that fail another one
+  std::vector<NearMiss> near_misses;
   bool undecided_motion = false;  ///< a set of closures may exist, and no pose that moves was found
   bool part_is_complex = false;   ///< a part of the mechanism closes in complex numbers only
 };

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <string>
 
 #include "../mechanism/in_unit.h"
@@ -302,6 +303,40 @@ start = 1.566
     const ClosureResult result = closures_of(mechanism, seed);
     EXPECT_TRUE(result.complete) << result.message;
     EXPECT_EQ(result.closures.size(), 4U);
+  }
+}
+
+/// Cranks of 3 about pivots 4 apart, lying in line with the coupler, whose pins are `apart`; rounded they do not close at the fold.
+std::string folded_cranks(int cranks, const std::string& apart) {
+  std::string text = "[ground.points]\nO0 = [0, 0]\nO1 = [4, 0]\nO2 = [8, 0]\n";
+  std::string joints;
+  std::string pins = "[body.coupler.points]\nA0 = [0, 0]\n";
+  for (int k = 0; k < cranks; ++k) {
+    const std::string n = std::to_string(k);
+    text += "[body.crank" + n + ".points]\nO" + n + " = [0, 0]\nA" + n + " = [3, 0]\n";
+    joints += "[[joint]]\ntype = \"revolute\"\nat = [\"ground.O" + n + "\", \"crank" + n + ".O" +
+              n + "\"]\n[[joint]]\ntype = \"revolute\"\nat = [\"crank" + n + ".A" + n +
+              "\", \"coupler.A" + n + "\"]\n";
+  }
+  pins += "A1 = [" + apart + ", 0]\n";
+  if (cranks > 2) pins += "A2 = [8, 0]\n";
+  return text + pins + joints + "[[driver]]\nangle = \"crank0\"\nstart = 0\n";
+}
+
+TEST(Fit, TakesAFoldThatRoundedLengthsKeepFromClosing) {
+  for (const int cranks : {2, 3}) {
+    for (const char* apart : {"4.001", "3.999"}) {
+      const std::string text = folded_cranks(cranks, apart);
+      Mechanism mechanism = mechanism_text(text);
+      mechanism.fit = 0.005;
+      const ClosureResult result = find_closures(mechanism, *make_cvode_tracker());
+      EXPECT_TRUE(result.complete) << result.message;
+      const bool is_there =
+          std::any_of(result.closures.begin(), result.closures.end(), [](const Closure& closure) {
+            return closure.misfit <= 0.005 && closure.q.cwiseAbs().tail(1)[0] < 0.3;
+          });
+      EXPECT_TRUE(is_there) << cranks << " cranks, " << apart << ": " << result.message;
+    }
   }
 }
 
