@@ -89,12 +89,19 @@ std::optional<std::size_t> set_of(const PostureList& list, const Eigen::VectorXd
   return std::nullopt;
 }
 
+/// The closures that are on a set within the digits.
+void enter_near(PostureList& list, const TracedSet& traced) {
+  list.follows_digits = false;
+  for (const Eigen::VectorXd& near : traced.near_closures) enter(list, near, false);
+  list.follows_digits = true;
+}
+
 /// Adds the set through the posture that the accuracy, or the digits, leave open; its number where the pose's accuracy does.
 std::optional<std::size_t> add_set(PostureList& list, const ArmClosure& closure) {
   const double sigma = closure.smallest_singular_value;
   for (const double accuracy : {of_pose(list), list.accuracy + list.arm.rounding}) {
     const bool is_by_digits = accuracy > of_pose(list);
-    if (is_by_digits && list.arm.rounding == 0) continue;
+    if (is_by_digits && (list.arm.rounding == 0 || !list.follows_digits)) continue;
     if (sigma > std::max(is_by_digits ? 0 : kStandsAlone, accuracy / kReachesFar)) continue;
     if (is_by_digits && set_of(list, closure.values, false)) return std::nullopt;
     auto traced = trace_set(list.arm, list.pose, closure.values, accuracy, list.seed);
@@ -105,7 +112,7 @@ std::optional<std::size_t> add_set(PostureList& list, const ArmClosure& closure)
     const bool is_within_digits = traced->motion.within_digits;
     list.moves.push_back(std::move(traced->motion));
     if (!is_within_digits) return list.moves.size() - 1;
-    for (const Eigen::VectorXd& near : traced->near_closures) enter(list, near, false);
+    enter_near(list, *traced);
     return std::nullopt;
   }
   return std::nullopt;
@@ -115,12 +122,12 @@ std::optional<std::size_t> add_set(PostureList& list, const ArmClosure& closure)
 /// Followed, the set shows where they are.
 void follow_digits(PostureList& list, const Eigen::VectorXd& place) {
   const double accuracy = list.accuracy + list.arm.rounding;
-  if (list.arm.rounding == 0 || set_of(list, place, false)) return;
+  if (list.arm.rounding == 0 || !list.follows_digits || set_of(list, place, false)) return;
   auto traced = trace_set(list.arm, list.pose, place, accuracy, list.seed);
   if (!traced || set_of(list, traced->motion.values, false)) return;
   traced->motion.within_digits = true;
   list.moves.push_back(std::move(traced->motion));
-  for (const Eigen::VectorXd& near : traced->near_closures) enter(list, near, false);
+  enter_near(list, *traced);
 }
 
 }  // namespace
