@@ -69,6 +69,10 @@ std::vector<Kind> kinds() {
       {"manseur-doty", robot_of(kManseurDoty), {}, 16},
       {"puma560", robot_of("puma560"), {}, 8},
       {"ur5", robot_of("ur5"), {std::nullopt, "tool0", {}}, 8},
+      {"kr6", robot_of(kKr6), {}, 8},
+      {"tx2-60", robot_of(kTx2), {}, 8},
+      {"irb120", robot_of(kIrb120), {}, 8},
+      {"xarm5", robot_of(kXarm5), {}, 4},
       {"kinova", robot_of("kinova_j2s6s200"), {std::nullopt, "j2s6s200_end_effector", {}}, 8},
       {"panda-7", robot_of("panda"), {std::nullopt, "panda_hand_tcp", {{"panda_joint7", 0.3}}}, 8},
       {"panda-3",
@@ -145,7 +149,7 @@ bool measure(const Kind& kind, const Request& request) {
   std::uint64_t alone = 0;
   for (std::size_t k = 0; k < poses.size(); ++k) {
     tally.take(arm, results[k], own[k], complex);
-    alone += results[k].start.kind == "family" ? 0 : 1;
+    alone += results[k].start.kind == "approach" ? 1 : 0;
   }
   const std::uint64_t hunted = std::min<std::uint64_t>(request.hunted, poses.size());
   for (std::uint64_t k = 0; k < hunted; ++k) hunt(arm, results[k], k, request.starts, tally);

@@ -11,6 +11,7 @@
 #include <span>
 
 #include "approach.h"
+#include "formula_ends.h"
 #include "moivre/arms/rules.h"
 #include "moivre/expression/counted.h"
 #include "moivre/expression/joined.h"
@@ -44,6 +45,8 @@ struct PreparedArm {
   std::uint64_t seed = 0;
   SolveOptions options;
   std::vector<Beginning> beginnings;  ///< one; more where joints are held that move on curved sets
+  std::optional<GroupFormula>
+      formula;  ///< of a list: of an arm with one beginning, tried at its regular pose
   bool is_always_moving = false;
   bool is_complete = false;
 };
@@ -52,7 +55,7 @@ PreparedArm prepare(const Arm& arm, const Tracker& tracker, const SolveOptions& 
                     const std::atomic<bool>& stop) {
   constexpr std::uint64_t kBehindOthers = 900, kCurvedTries = 4;
   constexpr double kRounding = 1e-9, kDigits = 10;
-  PreparedArm prepared{arm, options.seed, options, {}, false, true};
+  PreparedArm prepared{arm, options.seed, options, {}, std::nullopt, false, true};
   prepared.options.threads = 1;
   prepared.options.progress = nullptr;
   const auto idle =
@@ -181,6 +184,46 @@ bool read_ends(const Beginning& beginning, const std::vector<ApproachEnd>& ends,
   return are_read;
 }
 
+/// Enters what the formula found, where nothing but its real closures may hold the pose; otherwise nothing, and false.
+/// Beside a pair with imaginary parts y whose Jacobian has a smallest singular value s the pose is missed by y s / 2 at the least; where
+/// an added joint stands at x, by s x.
+bool read_found(const Beginning& beginning, const FoundClosures& found, PostureList& list,
+                ArmResult& result) {
+  constexpr double kNearlyReal = 0.1, kClearly = 8, kMargin = 10;
+  const SixJoints& six = beginning.six;
+  const bool has_all_joints = six.own.size() == kSixJoints;
+  const double accuracy = list.accuracy + list.arm.rounding;
+  const double clear = kClearly * accuracy;
+  const auto added_at = [&](const auto& values) {
+    return values.tail(values.size() - std::ssize(six.own)).cwiseAbs().sum();
+  };
+  for (const ConjugatePair& pair : found.pairs) {
+    if (pair.imaginary <= kNearlyReal && pair.imaginary * pair.stiffness <= clear) return false;
+  }
+  std::vector<const Polished*> own;
+  for (const Polished& real : found.real) {
+    const double added = has_all_joints ? 0 : added_at(real.values);
+    if (added <= kMargin * accuracy) {
+      own.push_back(&real);
+    } else if (added * real.smallest_singular_value <= clear) {
+      return false;
+    }
+  }
+  if (own.empty()) return false;  // the nearest posture is told
+  for (const Polished* const real : own) {
+    const PostureEntry entry =
+        has_all_joints ? enter(list, *real) : enter(list, own_values(six, real->values), false);
+    if (entry.kind == PostureEntry::Kind::closure && entry.is_new) {
+      list.closures[entry.index].path = beginning.regular.roots[entry.index].path;
+    }
+    if (entry.kind != PostureEntry::Kind::on_set) ++result.counts.complex;
+  }
+  for (const ConjugatePair& pair : found.pairs) {
+    if (has_all_joints || added_at(pair.values) <= kMargin * accuracy) result.counts.complex += 2;
+  }
+  return true;
+}
+
 /// Paths stop before they are there, where three and more meet.
 constexpr double kNear = 0.03;
 
@@ -268,14 +311,18 @@ std::string number_text(double x) {
   return text;
 }
 
+/// Not only within the digits.
+bool can_move(const PostureList& list) {
+  return std::any_of(list.moves.begin(), list.moves.end(),
+                     [](const SelfMotion& set) { return !set.within_digits; });
+}
+
 std::string message_of(const Arm& arm, const PostureList& list, const ArmResult& result) {
   if (!result.complete) {
     return result.message.empty() ? "some paths are undecided: closures may be missing"
                                   : result.message;
   }
-  const bool moves = std::any_of(list.moves.begin(), list.moves.end(),
-                                 [](const SelfMotion& set) { return !set.within_digits; });
-  if (moves) return "the joints can move while the tip stands";
+  if (can_move(list)) return "the joints can move while the tip stands";
   if (!list.moves.empty()) {
     return "within the digits of the file's numbers the joints can move while the tip stands";
   }
@@ -328,12 +375,23 @@ void take_account(const PreparedArm& prepared, const Tracker& tracker, ArmResult
   result.left_out.push_back(cut_told(first.six.arm, first.regular.cut));
 }
 
+/// What is known of a pose's closures before anything is entered.
+struct Known {
+  std::vector<ApproachEnd> by_family;  ///< or none
+  std::optional<FoundClosures> by_formula;
+
+  bool is_any() const { return by_formula.has_value() || !by_family.empty(); }
+};
+
 /// Another pose of a list: nothing was solved for it, its closures came from the regular pose.
-void tell_followed(const PreparedArm& prepared, bool is_family, ArmResult& result) {
+void tell_followed(const PreparedArm& prepared, const Known& known, ArmResult& result) {
   std::uint64_t roots = 0;
   for (const Beginning& beginning : prepared.beginnings) roots += beginning.regular.roots.size();
-  result.start.kind = is_family ? "family" : "approach";
-  result.start.why = "the " + counted(roots, "closure") + " of a regular pose";
+  result.start.kind = known.by_formula ? "formula" : known.is_any() ? "family" : "approach";
+  result.start.why =
+      known.by_formula
+          ? "a formula for neighbours that meet or are parallel; as many as a regular pose has"
+          : "the " + counted(roots, "closure") + " of a regular pose";
   result.start.paths = roots;
   result.paths = {};
   result.paths.tracked = result.paths.finite = roots;
@@ -360,10 +418,10 @@ bool may_have_become_real(const Beginning& beginning, const std::vector<Approach
   });
 }
 
-/// `followed`: ends that are known already, of an arm with one beginning; or none. `as_witness`: searches from random postures.
-ArmResult closures_at(const PreparedArm& prepared, const TypedPose& at,
-                      const std::vector<ApproachEnd>& followed, std::uint64_t as_witness,
-                      const Tracker& tracker, const std::atomic<bool>& stop) {
+/// `known`: of an arm with one beginning. `as_witness`: searches from random postures.
+ArmResult closures_at(const PreparedArm& prepared, const TypedPose& at, const Known& known,
+                      std::uint64_t as_witness, const Tracker& tracker,
+                      const std::atomic<bool>& stop) {
   const Arm& arm = prepared.arm;
   ArmResult result;
   result.message.clear();
@@ -373,12 +431,16 @@ ArmResult closures_at(const PreparedArm& prepared, const TypedPose& at,
   take_account(prepared, tracker, result);
   PostureList list{arm, at.pose, result.accuracy, prepared.seed, {}, {}, {}, {}};
   std::vector<Arrivals> arrivals(prepared.beginnings.size());
-  bool are_singular = false;
+  bool are_singular = false, are_all_simple = false;
   for (std::size_t k = 0; k < arrivals.size(); ++k) {
     const Beginning& beginning = prepared.beginnings[k];
-    bool is_consistent = !followed.empty();
-    const auto ends =
-        is_consistent ? followed : approach_all(beginning, at.pose, prepared.seed, is_consistent);
+    are_all_simple = known.by_formula && read_found(beginning, *known.by_formula, list, result);
+    if (are_all_simple) continue;
+    bool is_consistent = known.is_any();
+    const auto ends = known.by_formula ? ends_of(*known.by_formula)
+                      : is_consistent
+                          ? known.by_family
+                          : approach_all(beginning, at.pose, prepared.seed, is_consistent);
     result.complete = result.complete && is_consistent;
     if (!read_ends(beginning, ends, list, result, arrivals[k])) result.complete = false;
     are_singular = are_singular || !arrivals[k].singular.empty();
@@ -392,7 +454,9 @@ ArmResult closures_at(const PreparedArm& prepared, const TypedPose& at,
     }
     result.counts.complex += beginning.six.own.size() == kSixJoints ? beginning.regular.far : 0;
   }
-  const bool may_be_sets = prepared.is_always_moving || are_singular || !list.moves.empty();
+  // Where all closures are simple, sets are those that digits leave open, through one of them.
+  const bool may_be_sets = prepared.is_always_moving || are_singular ||
+                           (are_all_simple ? can_move(list) : !list.moves.empty());
   // Where there is no posture the nearest one is told.
   const bool has_none = list.closures.empty() && list.moves.empty();
   search(list, result, may_be_sets ? kForSets : has_none ? kAsWitness : as_witness);
@@ -427,15 +491,25 @@ struct PreparedList {
   double share = 0;  ///< seconds that each pose has of it
 };
 
+/// Where it finds all closures of the regular pose.
+std::optional<GroupFormula> formula_of(const Beginning& beginning) {
+  const RegularPose& regular = beginning.regular;
+  auto formula = group_formula(beginning.six.arm, regular.cut);
+  if (!formula) return std::nullopt;
+  const auto found =
+      closures_by_formula(*formula, beginning.six.arm, regular.pose, regular.roots.size());
+  return found ? formula : std::nullopt;
+}
+
 PreparedList prepare_list(const Arm& arm, std::size_t poses, const Tracker& tracker,
                           const SolveOptions& options, const std::atomic<bool>& stop) {
   const Stopwatch watch;
   PreparedList list{prepare(arm, tracker, options, stop), std::nullopt, 0};
   const PreparedArm& prepared = list.prepared;
-  const bool may_be_family = options.start == StartKind::automatic && poses >= kWorthAFamily &&
-                             !prepared.is_always_moving && prepared.is_complete &&
-                             prepared.beginnings.front().regular.far == 0;
-  if (may_be_family) {
+  const bool has_one_count = options.start == StartKind::automatic && !prepared.is_always_moving &&
+                             prepared.is_complete && prepared.beginnings.front().regular.far == 0;
+  if (has_one_count) list.prepared.formula = formula_of(prepared.beginnings.front());
+  if (has_one_count && !prepared.formula && poses >= kWorthAFamily) {
     const Arm& six = prepared.beginnings.front().six.arm;
     list.family = learn_pose_family(six, tracker, prepared.options, stop);
   }
@@ -464,7 +538,7 @@ class PoseList {
     std::atomic<std::size_t> next = 0;
     on_threads(static_cast<int>(std::min(count, threads())), [&] {
       for (std::size_t k = next++; k < count && !stop_ && !has_thrown_; k = next++) {
-        results[k] = solve_one(begin + k, followed[k]);
+        results[k] = solve_one(begin + k, Known{followed[k], by_formula(begin + k)});
         tell();
       }
     });
@@ -484,12 +558,19 @@ class PoseList {
                         beginning.regular.roots.size(), tracker_, together, stop_);
   }
 
-  ArmResult solve_one(std::size_t pose, const std::vector<ApproachEnd>& followed) const {
+  std::optional<FoundClosures> by_formula(std::size_t pose) const {
+    const PreparedArm& prepared = list_.prepared;
+    if (!prepared.formula) return std::nullopt;
+    const Beginning& beginning = prepared.beginnings.front();
+    return closures_by_formula(*prepared.formula, beginning.six.arm, poses_[pose].pose,
+                               beginning.regular.roots.size());
+  }
+
+  ArmResult solve_one(std::size_t pose, const Known& known) const {
     const Stopwatch watch;
-    const bool is_family = !followed.empty();
-    ArmResult result = closures_at(list_.prepared, poses_[pose], followed,
+    ArmResult result = closures_at(list_.prepared, poses_[pose], known,
                                    pose % kWitnessed == 0 ? 1 : 0, tracker_, stop_);
-    if (pose > 0 || is_family) tell_followed(list_.prepared, is_family, result);
+    if (pose > 0 || known.is_any()) tell_followed(list_.prepared, known, result);
     result.time_s.total = watch.total() + list_.share;
     return result;
   }
@@ -525,7 +606,7 @@ ArmResult find_arm_closures(const Arm& arm, const TypedPose& given, const Tracke
   const TypedPose pose = workable(given, "the pose");
   const Stopwatch watch;
   const PreparedArm prepared = prepare(arm, tracker, options, stop);
-  ArmResult result = closures_at(prepared, pose, {}, kAsWitness, tracker, stop);
+  ArmResult result = closures_at(prepared, pose, Known{}, kAsWitness, tracker, stop);
   result.time_s.total = watch.total();
   return result;
 }

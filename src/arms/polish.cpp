@@ -2,10 +2,12 @@
 // Forward kinematics with its Jacobian, and Newton's method.
 #include "polish.h"
 
+#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <cmath>
 #include <optional>
 
+#include "least_motion.h"
 #include "moivre/factorization/svd.h"
 
 namespace moivre {
@@ -15,48 +17,64 @@ constexpr int kMostIterations = 40;
 constexpr int kMostDampedIterations = 200;
 /// Directions whose singular value is smaller, beside the largest, move nothing but by rounding.
 constexpr double kLeastMotion = 1e-12;
-/// Of numbers near 1 nothing smaller is seen.
-constexpr double kLastBits = 2e-16;
+/// What forward kinematics is wrong by: no step makes less of it.
+constexpr double kLastBits = 1e-15;
 /// An error that is smaller is rounding.
 constexpr double kRoundingError = 1e-13;
 /// Radians, or arm's lengths, that one step may take.
 constexpr double kLongestStep = 0.5;
 
-Eigen::VectorXd not_too_long(Eigen::VectorXd step) {
+JointVector<double> not_too_long(JointVector<double> step) {
   const double longest = step.cwiseAbs().maxCoeff();
   if (longest > kLongestStep) step *= kLongestStep / longest;
   return step;
 }
 
 /// Newton's own step, where the screws are six and clearly independent.
-std::optional<Eigen::VectorXd> plain_step(const Linearized& at) {
+std::optional<JointVector<double>> plain_step(const Linearized& at) {
   constexpr double kIndependent = 1e-6;
   using Matrix6 = Eigen::Matrix<double, 6, 6>;
   if (at.screws.cols() != 6) return std::nullopt;
   const Eigen::PartialPivLU<Matrix6> lu(Matrix6(at.screws));
   const auto pivots = lu.matrixLU().diagonal().cwiseAbs();
   if (!(pivots.minCoeff() > kIndependent * pivots.maxCoeff())) return std::nullopt;
-  return not_too_long(lu.solve(at.error));
+  const Velocity6<double> step = lu.solve(at.error);
+  return not_too_long(step);
+}
+
+/// Least squares by the normal equations, where squares leave enough digits for a step.
+std::optional<JointVector<double>> normal_step(const Linearized& at, double damping) {
+  constexpr double kIndependent = 1e-8;
+  using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMostJoints, kMostJoints>;
+  Square gram = at.screws.transpose() * at.screws;
+  gram.diagonal().array() += damping;
+  const Eigen::LDLT<Square> ldlt(gram);
+  const auto pivots = ldlt.vectorD();
+  if (!(pivots.minCoeff() > kIndependent * pivots.maxCoeff())) return std::nullopt;
+  const JointVector<double> along = at.screws.transpose() * at.error;
+  return not_too_long(ldlt.solve(along));
 }
 
 /// In radians and arm's lengths.
-Eigen::VectorXd step_of(const Linearized& at, double damping) {
+JointVector<double> step_of(const Linearized& at, double damping) {
   if (damping == 0) {
     if (const auto step = plain_step(at)) return *step;
   }
+  if (const auto step = normal_step(at, damping)) return *step;
   const auto [U, sigma, V] = svd(at.screws, SingularVectors::thin);
   Eigen::VectorXd along = U.transpose() * at.error;
   for (Eigen::Index k = 0; k < sigma.size(); ++k) {
     const bool is_lost = sigma[k] <= kLeastMotion * sigma[0];
     along[k] = is_lost ? 0 : along[k] * sigma[k] / (sigma[k] * sigma[k] + damping);
   }
-  return not_too_long(V * along);
+  const Eigen::VectorXd step = V * along;
+  return not_too_long(step);
 }
 
 }  // namespace
 
 Linearized linearized(const Arm& arm, const Eigen::Isometry3d& pose,
-                      const Eigen::VectorXd& values) {
+                      const JointVector<double>& values) {
   const TipMotion<double> motion = tip_motion<double>(arm, values);
   Linearized at;
   at.screws = motion.screws;
@@ -74,7 +92,7 @@ double size_of(const Velocity6<double>& error) {
   return std::max(error.head<3>().norm(), error.tail<3>().norm());
 }
 
-Polished polish(const Arm& arm, const Eigen::Isometry3d& pose, const Eigen::VectorXd& start,
+Polished polish(const Arm& arm, const Eigen::Isometry3d& pose, const JointVector<double>& start,
                 bool is_damped) {
   constexpr double kFirstDamping = 1e-2, kMore = 4, kLess = 0.25;
   Polished best;
@@ -85,7 +103,7 @@ Polished polish(const Arm& arm, const Eigen::Isometry3d& pose, const Eigen::Vect
   const int most = is_damped ? kMostDampedIterations : kMostIterations;
   int failures = 0;
   while (best.iterations < most && best.residual > kLastBits) {
-    const Eigen::VectorXd next = best.values + in_joints<double>(arm, step_of(at, damping));
+    const JointVector<double> next = best.values + in_joints<double>(arm, step_of(at, damping));
     const Linearized there = linearized(arm, pose, next);
     const double residual = size_of(there.error);
     ++best.iterations;
@@ -104,10 +122,11 @@ Polished polish(const Arm& arm, const Eigen::Isometry3d& pose, const Eigen::Vect
       damping = std::max(damping * kMore, kFirstDamping * best.residual * best.residual);
     }
   }
-  const Svd stretch = svd(at.screws, SingularVectors::full);
-  best.smallest_singular_value = stretch.sigma[stretch.sigma.size() - 1];
-  best.least_moving = stretch.V.col(stretch.V.cols() - 1);
-  best.least_moved = stretch.U.col(stretch.sigma.size() - 1);
+  const LeastMotion least = least_motion(at.screws);
+  best.smallest_singular_value = least.singular_value;
+  best.screws_square = at.screws.squaredNorm();
+  best.least_moving = least.joints;
+  best.least_moved = least.tip;
   // Of the two signs the one in which the largest joint value grows.
   Eigen::Index largest = 0;
   best.least_moving.cwiseAbs().maxCoeff(&largest);

@@ -16,24 +16,27 @@ struct Linearized {
   Velocity6<double> error;  ///< translation beside the arm's length, rotation vector
   Screws<double> screws;
 };
-Linearized linearized(const Arm& arm, const Eigen::Isometry3d& pose, const Eigen::VectorXd& values);
+Linearized linearized(const Arm& arm, const Eigen::Isometry3d& pose,
+                      const JointVector<double>& values);
 /// The larger of both errors.
 double size_of(const Velocity6<double>& error);
 
 struct Polished {
-  Eigen::VectorXd values;
+  JointVector<double> values;
   double residual = 0;  ///< the larger of both errors
   int iterations = 0;
   double smallest_singular_value = 0;
-  Eigen::VectorXd least_moving;  ///< unit: the direction of joint values that moves the tip least
-  Eigen::VectorXd
+  double screws_square = 0;  ///< the sum of the squares of all numbers of the screws
+  JointVector<double>
+      least_moving;  ///< unit: the direction of joint values that moves the tip least
+  Velocity6<double>
       least_moved;  ///< unit: translation and rotation of the tip that take the fastest joints
 };
 
 /// In the arm's own units instead of radians and arm's lengths.
 WeakestMotion weakest_motion(const Arm& arm, const Polished& closure);
 
-Polished polish(const Arm& arm, const Eigen::Isometry3d& pose, const Eigen::VectorXd& start,
+Polished polish(const Arm& arm, const Eigen::Isometry3d& pose, const JointVector<double>& start,
                 bool is_damped = false);
 
 }  // namespace moivre

@@ -9,7 +9,6 @@
 
 #include "moivre/factorization/svd.h"
 #include "moivre/mechanism/closure_id.h"
-#include "polish.h"
 #include "self_motion.h"
 
 namespace moivre {
@@ -24,6 +23,15 @@ constexpr double kReachesFar = 0.05;
 
 /// By how much a tip that stands may seem to move.
 constexpr double kRounding = 1e-12;
+
+/// Of one joint, radians or arm's lengths.
+double difference(const Arm& arm, const Eigen::VectorXd& a, const Eigen::VectorXd& b,
+                  std::size_t k) {
+  const double apart = a[static_cast<Eigen::Index>(k)] - b[static_cast<Eigen::Index>(k)];
+  if (arm.joints[k].is_slide) return std::abs(apart) / arm.length;
+  const bool is_reduced = std::abs(apart) < std::numbers::pi;
+  return std::abs(is_reduced ? apart : std::remainder(apart, 2 * std::numbers::pi));
+}
 
 /// What a pose typed with all digits leaves open is rounding alone.
 double of_pose(const PostureList& list) {
@@ -66,6 +74,14 @@ ArmClosure closure_of(const PostureList& list, const Polished& polished) {
   return closure;
 }
 
+/// As distance() tells, from the first joint on that tells.
+bool are_near(const Arm& arm, const Eigen::VectorXd& a, const Eigen::VectorXd& b, double within) {
+  for (std::size_t k = 0; k < arm.joints.size(); ++k) {
+    if (!(difference(arm, a, b, k) <= within)) return false;
+  }
+  return true;
+}
+
 std::optional<std::size_t> listed(const PostureList& list, const ArmClosure& closure) {
   constexpr double kClearlyOne = 1e-9;
   for (std::size_t k = 0; k < list.closures.size(); ++k) {
@@ -73,9 +89,9 @@ std::optional<std::size_t> listed(const PostureList& list, const ArmClosure& clo
     const bool is_worse = closure.smallest_singular_value < other.smallest_singular_value;
     const auto& [worse, better] = is_worse ? std::tie(closure, other) : std::tie(other, closure);
     const double within = moved_by_rounding(worse, worse.smallest_singular_value);
+    if (!are_near(list.arm, closure.values, other.values, within)) continue;
     const double away = distance(list.arm, closure.values, other.values);
-    if (away <= kClearlyOne) return k;
-    if (away <= within && is_moved_by_rounding(list, worse, better)) return k;
+    if (away <= kClearlyOne || is_moved_by_rounding(list, worse, better)) return k;
   }
   return std::nullopt;
 }
@@ -137,10 +153,7 @@ bool is_simple(const ArmClosure& closure) { return closure.smallest_singular_val
 double distance(const Arm& arm, const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
   double largest = 0;
   for (std::size_t k = 0; k < arm.joints.size(); ++k) {
-    const double difference = a[static_cast<Eigen::Index>(k)] - b[static_cast<Eigen::Index>(k)];
-    const double apart = arm.joints[k].is_slide ? difference / arm.length
-                                                : std::remainder(difference, 2 * std::numbers::pi);
-    largest = std::max(largest, std::abs(apart));
+    largest = std::max(largest, difference(arm, a, b, k));
   }
   return largest;
 }
@@ -149,31 +162,36 @@ void reduce_turns(const Arm& arm, Eigen::VectorXd& values) {
   for (std::size_t k = 0; k < arm.joints.size(); ++k) {
     if (arm.joints[k].is_slide) continue;
     double& value = values[static_cast<Eigen::Index>(k)];
-    value = std::remainder(value, 2 * std::numbers::pi);
+    if (!(std::abs(value) < std::numbers::pi)) value = std::remainder(value, 2 * std::numbers::pi);
     if (value <= -std::numbers::pi + kRounding) value = std::numbers::pi;
   }
 }
 
 void name_closures(std::vector<ArmClosure>& closures) {
   constexpr double kGrid = 1e-6;
-  const auto key = [](const ArmClosure& closure) {
-    std::vector<long long> rounded;
-    for (const double value : closure.values) rounded.push_back(std::llround(-value / kGrid));
-    return rounded;
-  };
-  std::sort(closures.begin(), closures.end(),
-            [&](const ArmClosure& a, const ArmClosure& b) { return key(a) < key(b); });
+  std::sort(closures.begin(), closures.end(), [&](const ArmClosure& a, const ArmClosure& b) {
+    for (Eigen::Index k = 0; k < a.values.size(); ++k) {
+      const double first = std::round(a.values[k] / kGrid), other = std::round(b.values[k] / kGrid);
+      if (first != other) return first > other;
+    }
+    return false;
+  });
   for (std::size_t k = 0; k < closures.size(); ++k) closures[k].id = closure_id(k);
 }
 
 PostureEntry enter(PostureList& list, const Eigen::VectorXd& start, bool is_far) {
   const Polished polished = polish(list.arm, list.pose, start, is_far);
+  PostureEntry entry = enter(list, polished);
+  entry.moved = distance(list.arm, polished.values, start);
+  return entry;
+}
+
+PostureEntry enter(PostureList& list, const Polished& polished) {
   if (!list.nearest || polished.residual < list.nearest->misfit) {
     list.nearest = {polished.values, polished.residual};
     reduce_turns(list.arm, list.nearest->values);
   }
   PostureEntry entry;
-  entry.moved = distance(list.arm, polished.values, start);
   // Six joints can be put right to rounding: what is not is a place of a set that the accuracy or the digits leave open.
   constexpr std::size_t kSix = 6;
   const bool has_six = list.arm.joints.size() >= kSix;
@@ -187,20 +205,19 @@ PostureEntry enter(PostureList& list, const Eigen::VectorXd& start, bool is_far)
   ArmClosure closure = closure_of(list, polished);
   const auto known = [&]() -> std::optional<PostureEntry> {
     if (const auto same = listed(list, closure)) {
-      return PostureEntry{PostureEntry::Kind::closure, *same, false, entry.moved};
+      return PostureEntry{PostureEntry::Kind::closure, *same, false, 0};
     }
     // A closure may stand on a set that is there within the digits only; what is no closure is of that set.
     if (const auto set = set_of(list, closure.values, !closure.within_digits)) {
-      return PostureEntry{PostureEntry::Kind::on_set, *set, false, entry.moved};
+      return PostureEntry{PostureEntry::Kind::on_set, *set, false, 0};
     }
     return std::nullopt;
   };
   if (const auto same = known()) return *same;
-  if (const auto set = add_set(list, closure))
-    return {PostureEntry::Kind::on_set, *set, true, entry.moved};
+  if (const auto set = add_set(list, closure)) return {PostureEntry::Kind::on_set, *set, true, 0};
   if (const auto same = known()) return *same;
   list.closures.push_back(std::move(closure));
-  return {PostureEntry::Kind::closure, list.closures.size() - 1, true, entry.moved};
+  return {PostureEntry::Kind::closure, list.closures.size() - 1, true, 0};
 }
 
 }  // namespace moivre

@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "moivre/arms/arm_closures.h"
+#include "polish.h"
 
 namespace moivre {
 
@@ -40,6 +41,8 @@ bool is_simple(const ArmClosure& closure);
 
 /// `is_far`: the start is not near a closure, so that steps are damped.
 PostureEntry enter(PostureList& list, const Eigen::VectorXd& start, bool is_far);
+/// Where Newton's method led to already.
+PostureEntry enter(PostureList& list, const Polished& polished);
 
 /// Largest difference, turns modulo whole ones, slides beside the arm's length.
 double distance(const Arm& arm, const Eigen::VectorXd& a, const Eigen::VectorXd& b);

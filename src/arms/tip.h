@@ -50,6 +50,45 @@ Eigen::Matrix<S, 3, 3> turn_about(const Eigen::Vector3d& a, const S& angle) {
   return R;
 }
 
+/// a b, b real or not: small enough to be written out.
+template <class S, class T>
+Eigen::Matrix<S, 3, 3> product(const Eigen::Matrix<S, 3, 3>& a, const Eigen::Matrix<T, 3, 3>& b) {
+  Eigen::Matrix<S, 3, 3> result;
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    for (Eigen::Index i = 0; i < 3; ++i) {
+      result(i, k) = a(i, 0) * b(0, k) + a(i, 1) * b(1, k) + a(i, 2) * b(2, k);
+    }
+  }
+  return result;
+}
+
+/// R v.
+template <class S>
+Eigen::Matrix<S, 3, 1> at(const Eigen::Matrix<S, 3, 3>& R, const Eigen::Vector3d& v) {
+  return R.col(0) * v.x() + R.col(1) * v.y() + R.col(2) * v.z();
+}
+
+/// R turn_about(axis, angle).
+template <class S>
+void turn(Eigen::Matrix<S, 3, 3>& R, const Eigen::Vector3d& axis, const S& angle) {
+  R = product<S, S>(R, turn_about<S>(axis, angle));
+}
+
+/// Real axes along x, y or z, as most are, turn two columns.
+inline void turn(Eigen::Matrix3d& R, const Eigen::Vector3d& axis, double angle) {
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    if (std::abs(axis[k]) != 1) continue;
+    const double s = axis[k] * std::sin(angle);
+    const double c = std::cos(angle);
+    const Eigen::Index i = (k + 1) % 3, j = (k + 2) % 3;
+    const Eigen::Vector3d before = R.col(i);
+    R.col(i) = c * before + s * R.col(j);
+    R.col(j) = c * R.col(j) - s * before;
+    return;
+  }
+  turn<double>(R, axis, angle);
+}
+
 template <class S>
 TipMotion<S> tip_motion(const Arm& arm, const JointVector<S>& q) {
   using Vector = Eigen::Matrix<S, 3, 1>;
@@ -59,19 +98,21 @@ TipMotion<S> tip_motion(const Arm& arm, const JointVector<S>& q) {
   Eigen::Matrix<S, 3, Eigen::Dynamic, 0, 3, kMostJoints> axes(3, n), places(3, n);
   for (Eigen::Index k = 0; k < n; ++k) {
     const ArmJoint& joint = arm.joints[static_cast<std::size_t>(k)];
-    p += R * joint.before.translation().cast<S>();
-    R = (R * joint.before.linear().cast<S>()).eval();
-    axes.col(k) = R * joint.axis.cast<S>();
+    const Eigen::Matrix3d before = joint.before.linear();
+    p += at<S>(R, joint.before.translation());
+    R = product<S, double>(R, before);
+    axes.col(k) = at<S>(R, joint.axis);
     places.col(k) = p;
     if (joint.is_slide) {
       p += axes.col(k) * q[k];
     } else {
-      R = (R * turn_about<S>(joint.axis, q[k])).eval();
+      turn(R, joint.axis, q[k]);
     }
   }
   TipMotion<S> motion;
-  motion.tip.p = p + R * arm.tool.translation().cast<S>();
-  motion.tip.R = R * arm.tool.linear().cast<S>();
+  const Eigen::Matrix3d tool = arm.tool.linear();
+  motion.tip.p = p + at<S>(R, arm.tool.translation());
+  motion.tip.R = product<S, double>(R, tool);
   motion.screws.resize(6, n);
   for (Eigen::Index k = 0; k < n; ++k) {
     const Vector axis = axes.col(k);
@@ -83,7 +124,7 @@ TipMotion<S> tip_motion(const Arm& arm, const JointVector<S>& q) {
       const Vector moved(axis.y() * lever.z() - axis.z() * lever.y(),
                          axis.z() * lever.x() - axis.x() * lever.z(),
                          axis.x() * lever.y() - axis.y() * lever.x());
-      motion.screws.col(k) << moved / arm.length, axis;
+      motion.screws.col(k) << moved * (1 / arm.length), axis;
     }
   }
   return motion;

@@ -24,9 +24,11 @@ inline Arm arm_of(const std::string& name, const std::string& tip,
   return make_arm(robot_of(name), {std::nullopt, tip, held});
 }
 
-/// Six turning joints: each link displaced by d along the axis and a along x, then twisted by alpha (degrees) about x.
+/// Six turning joints: each link displaced by d along the axis and a along x, then twisted by alpha (degrees) about x. Those behind
+/// the `joints`-th stand still.
 struct DenavitHartenberg {
   std::array<double, 6> a, d, alpha_deg;
+  int joints = 6;
 };
 
 inline Robot robot_of(const DenavitHartenberg& dh) {
@@ -35,8 +37,8 @@ inline Robot robot_of(const DenavitHartenberg& dh) {
   text << "<robot name='dh'><link name='l0'/>";
   for (int k = 1; k <= 7; ++k) {
     text << "<link name='l" << k << "'/><joint name='j" << k << "' type='"
-         << (k <= 6 ? "continuous" : "fixed") << "'><parent link='l" << k - 1 << "'/><child link='l"
-         << k << "'/>";
+         << (k <= dh.joints ? "continuous" : "fixed") << "'><parent link='l" << k - 1
+         << "'/><child link='l" << k << "'/>";
     if (k > 1) {
       const auto i = static_cast<std::size_t>(k - 2);
       text << "<origin xyz='" << dh.a[i] << " 0 " << dh.d[i] << "' rpy='"
@@ -67,6 +69,16 @@ inline const DenavitHartenberg kPuma{
     {0, 0.4318, 0.0203, 0, 0, 0}, {0, 0, 0.15005, 0.4318, 0, 0}, {90, 0, -90, 90, -90, 0}};
 inline const DenavitHartenberg kManseurDoty{
     {0.3, 1, 0, 1.5, 0, 0}, {0, 0, 0.2, 0, 0, 0}, {90, 1, 90, 1, 90, 1}};
+
+/// Of data sheets: turning joints of a KUKA KR 6 R700, a Staubli TX2-60, an ABB IRB 120 and a UFactory xArm 5.
+inline const DenavitHartenberg kKr6{
+    {0.025, 0.315, -0.035, 0, 0, 0}, {0.4, 0, 0, 0.365, 0, 0.08}, {-90, 0, -90, 90, -90, 0}};
+inline const DenavitHartenberg kTx2{
+    {0, 0.29, 0, 0, 0, 0}, {0.375, 0, 0.02, 0.31, 0, 0.07}, {-90, 0, 90, -90, 90, 0}};
+inline const DenavitHartenberg kIrb120{
+    {0, 0.27, 0.07, 0, 0, 0}, {0.29, 0, 0, 0.302, 0, 0.072}, {-90, 0, -90, 90, -90, 0}};
+inline const DenavitHartenberg kXarm5{
+    {0, 0.28949, 0.35116, 0.076, 0, 0}, {0.267, 0, 0, 0, 0.097, 0}, {-90, 0, 0, -90, 0, 0}, 5};
 
 inline DenavitHartenberg general_arm(std::uint64_t seed) {
   DenavitHartenberg dh{};
