@@ -16,8 +16,12 @@ const HeldRange kRange{"panda_joint7", 0.2, 0.8, 4};
 const ArmChoice kHand{std::nullopt, "panda_hand_tcp", {}};
 
 TEST(HeldRangeTest, HasBothEndsAndEqualSteps) {
-  EXPECT_EQ(values_of(kRange),
-            (std::vector<double>{0.2, 0.2 + 0.6 * (1.0 / 3), 0.2 + 0.6 * (2.0 / 3), 0.8}));
+  const std::vector<double> values = values_of(kRange);
+  ASSERT_EQ(values.size(), 4U);
+  EXPECT_EQ(values.front(), 0.2);
+  EXPECT_EQ(values.back(), 0.8);
+  EXPECT_NEAR(values[1], 0.4, 1e-15);
+  EXPECT_NEAR(values[2], 0.6, 1e-15);
   EXPECT_EQ(values_of({"q", 0.3, 5, 1}), std::vector<double>{0.3});
   EXPECT_EQ(values_of({"q", 1, -1, 2}), (std::vector<double>{1, -1}));
 }
