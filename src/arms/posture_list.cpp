@@ -148,7 +148,12 @@ void follow_digits(PostureList& list, const Eigen::VectorXd& place) {
 
 }  // namespace
 
-bool is_simple(const ArmClosure& closure) { return closure.smallest_singular_value > kStandsAlone; }
+bool is_simple(const ArmClosure& closure) {
+  // Closures that meet are this near to each other, in their singular values, as rounding lets them be known.
+  constexpr double kRoundingOfMiss = 1e-15, kShare = 0.01;
+  const double sigma = closure.smallest_singular_value;
+  return closure.residual + kRoundingOfMiss < kShare * sigma * sigma;
+}
 
 double distance(const Arm& arm, const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
   double largest = 0;

@@ -29,7 +29,8 @@ constexpr double kMayStand = 0.02;
 constexpr int kMostSteps = 400;
 constexpr int kWays = 12, kStepsOfAWay = 25;
 /// Where random numbers of the first place, of one further on, and of ways begin.
-constexpr std::uint64_t kFirstStream = 6000, kSecondStream = 6500, kThirdStream = 7000;
+constexpr std::uint64_t kFirstStream = 6000, kSecondStream = 6500, kThirdStream = 7000,
+                        kNearStream = 7500;
 
 /// Of a difference of joint values, in radians and arm's lengths.
 VectorXd in_arms_lengths(const Arm& arm, VectorXd difference) {
@@ -131,7 +132,7 @@ struct Around {
   std::optional<VectorXd> further;
 };
 Around around(const Arm& arm, const Eigen::Isometry3d& pose, const Place& place, double accuracy,
-              std::uint64_t seed, std::uint64_t stream) {
+              std::uint64_t seed, std::uint64_t stream, double probe = kProbe) {
   constexpr std::uint64_t kSteps = 8;
   const Index n = place.values.size();
   Index still = 0;
@@ -146,7 +147,7 @@ Around around(const Arm& arm, const Eigen::Isometry3d& pose, const Place& place,
       direction += (2 * random_unit(seed, RandomStream::arm, index) - 1) * place.V.col(n - 1 - i);
     }
     direction.normalize();
-    const VectorXd there = place.values + in_joints<double>(arm, kProbe * direction);
+    const VectorXd there = place.values + in_joints<double>(arm, probe * direction);
     // Where the posture is a closure that only the digits make a set of, Newton's method without restraint would come back to it;
     // where sets of closures meet, the restraint may leave no place.
     VectorXd landed = settled(arm, pose, there, direction, accuracy).values;
@@ -154,7 +155,7 @@ Around around(const Arm& arm, const Eigen::Isometry3d& pose, const Place& place,
       landed = polish(arm, pose, there).values;
     }
     const VectorXd gone = in_arms_lengths(arm, landed - place.values);
-    const bool is_near = gone.norm() > kProbe / 10 && gone.norm() < 3 * kProbe;
+    const bool is_near = gone.norm() > probe / 10 && gone.norm() < 3 * probe;
     if (!is_near || !(size_of(linearized(arm, pose, landed).error) <= accuracy)) continue;
     if (!leads_to(arm, pose, place, gone, accuracy)) continue;
     differences.push_back(gone);
@@ -358,7 +359,12 @@ std::optional<TracedSet> trace_set(const Arm& arm, const Eigen::Isometry3d& pose
   const bool is_meeting = there.directions.cols() < here.directions.cols() ||
                           clearness(next, dimension) > 2 * clearness(start, dimension);
   const Place& begin = is_meeting ? next : start;
-  const MatrixXd& ways = is_meeting ? there.directions : here.directions;
+  MatrixXd ways = is_meeting ? there.directions : here.directions;
+  // Places of a curve that is bent span two dimensions unless they are near. What is within an accuracy tells nothing there.
+  if (ways.cols() > 1 && accuracy <= kReach) {
+    const Around near = around(arm, pose, begin, accuracy, seed, kNearStream, kProbe / 10);
+    if (near.further && near.directions.cols() < ways.cols()) ways = near.directions;
+  }
   motion.dimension = static_cast<int>(ways.cols());
   motion.values = begin.values;
   motion.misfit = begin.residual;
