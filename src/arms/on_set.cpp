@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+// Is a posture on a set: by the relations of a plane, between the samples of a curve, or by a walk on a surface.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "moivre/arms/arm_closures.h"
+#include "set_place.h"
+
+namespace moivre {
+namespace {
+
+/// The places of a set's samples that are tried, each this far from the others.
+constexpr int kTargets = 3;
+constexpr double kTargetsApart = 0.5;
+
+/// Goes from a place to a sample along what does not move the tip. False where it does not come nearer, or leaves the pose.
+bool walks_to(const Arm& arm, const Eigen::Isometry3d& pose, SetPlace here,
+              const Eigen::VectorXd& sample, int dimension, double accuracy) {
+  constexpr int kMost = 200;
+  constexpr double kTurnedAway = 0.1;
+  for (int k = 0; k < kMost; ++k) {
+    const Eigen::VectorXd to = way_between(arm, here.values, sample);
+    if (to.norm() < kStep) return to.norm() < kStep / 10 || leads_to(arm, pose, here, to, accuracy);
+    const Eigen::MatrixXd tangent = here.V.rightCols(dimension);
+    const Eigen::VectorXd along = tangent * (tangent.transpose() * to);
+    if (along.norm() < kTurnedAway * to.norm()) return false;
+    const double step = std::min(2 * kStep, along.norm());
+    auto next = moved(arm, pose, here, along.normalized(), step, accuracy);
+    if (!next) return false;
+    here = std::move(*next);
+  }
+  return false;
+}
+
+/// A surface is known by samples that are far apart: of it is what one can walk to them from.
+bool is_on_surface(const Arm& arm, const SelfMotion& motion, const Eigen::VectorXd& values,
+                   double within) {
+  constexpr double kAllowance = 2;
+  const Eigen::Isometry3d pose = forward_kinematics(arm, motion.values);
+  const double accuracy = std::max(kReach, kAllowance * motion.misfit);
+  const SetPlace here = settled(arm, pose, values, Eigen::MatrixXd(values.size(), 0), accuracy);
+  if (!(here.residual <= accuracy) || apart(arm, here.values, values) > within) return false;
+  std::vector<Eigen::VectorXd> targets;
+  for (int k = 0; k < kTargets; ++k) {
+    const Eigen::VectorXd* nearest = nullptr;
+    for (const Eigen::VectorXd& sample : motion.samples) {
+      const bool is_tried = std::any_of(
+          targets.begin(), targets.end(),
+          [&](const Eigen::VectorXd& one) { return apart(arm, one, sample) < kTargetsApart; });
+      if (is_tried) continue;
+      const bool is_nearer =
+          nearest == nullptr || apart(arm, sample, values) < apart(arm, *nearest, values);
+      if (is_nearer) nearest = &sample;
+    }
+    if (nearest == nullptr) return false;
+    if (walks_to(arm, pose, here, *nearest, motion.dimension, accuracy)) return true;
+    targets.push_back(*nearest);
+  }
+  return false;
+}
+
+}  // namespace
+
+bool is_on(const Arm& arm, const SelfMotion& motion, const Eigen::VectorXd& values, double within) {
+  constexpr double kStandsStill = 5e-3, kChord = 5e-3;
+  const double near_plane = within;
+  if (!motion.relations.empty()) {
+    const Eigen::VectorXd away = way_between(arm, motion.values, values);
+    // Joints that no relation names stand still.
+    Eigen::VectorXd named = Eigen::VectorXd::Zero(values.size());
+    bool holds = true;
+    for (const JointRelation& relation : motion.relations) {
+      named += relation.factors.cwiseAbs();
+      double miss = 0;
+      for (Eigen::Index k = 0; k < values.size(); ++k) {
+        const bool is_slide = arm.joints[static_cast<std::size_t>(k)].is_slide;
+        miss += relation.factors[k] * away[k] * (is_slide ? arm.length : 1);
+      }
+      holds = holds && std::abs(std::remainder(miss, 2 * std::numbers::pi)) < near_plane;
+    }
+    for (Eigen::Index k = 0; k < values.size(); ++k) {
+      const bool moves =
+          named[k] > 0 || motion.directions.row(k).cwiseAbs().maxCoeff() > kStandsStill;
+      holds = holds && (moves || std::abs(away[k]) < near_plane);
+    }
+    return holds;
+  }
+  if (motion.dimension > 1) return is_on_surface(arm, motion, values, within);
+  // Between samples, which are kStep apart, a curve leaves its chord by a little.
+  const double near = std::max(within, kChord);
+  for (std::size_t k = motion.closes ? 0 : 1; k < motion.samples.size(); ++k) {
+    const Eigen::VectorXd& a = k > 0 ? motion.samples[k - 1] : motion.samples.back();
+    const Eigen::VectorXd side = way_between(arm, a, motion.samples[k]),
+                          to = way_between(arm, a, values);
+    const double along = std::clamp(to.dot(side) / std::max(side.squaredNorm(), 1e-300), 0.0, 1.0);
+    if ((to - along * side).norm() < near) return true;
+  }
+  return false;
+}
+
+}  // namespace moivre

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// A posture next to a set of postures that hold the pose: how is it put right, and does the set go on from there?
+//
+//   V, sigma   the tip's velocity is U sigma V^T of the joints', in radians and arm's lengths: the last columns of V move the tip least
+//   settled    Gauss-Newton steps across directions that are kept; what is within the accuracy is no reason to go far
+//   moved      a step along a direction, and back to the set across it
+// accuracy: radians, and lengths beside the arm's. Edges: a place may miss the pose by more than that; its residual tells. Private to the
+// module.
+#pragma once
+
+#include <optional>
+
+#include "tip.h"
+
+namespace moivre {
+
+/// Radians, and arm's lengths: steps that tell whether a set goes on, and those along it.
+inline constexpr double kProbe = 0.05, kStep = 0.05;
+
+/// Of a difference of joint values, in radians and arm's lengths.
+Eigen::VectorXd in_arms_lengths(const Arm& arm, Eigen::VectorXd difference);
+
+/// |b - a|, turns modulo whole ones, in radians and arm's lengths.
+double apart(const Arm& arm, const Eigen::VectorXd& a, const Eigen::VectorXd& b);
+
+/// A posture near a set, in radians and arm's lengths as far as its directions go.
+struct SetPlace {
+  Eigen::VectorXd values;
+  double residual = 0;
+  Eigen::MatrixXd V;      ///< right singular vectors, the last ones move the tip least
+  Eigen::VectorXd sigma;  ///< as many as joints, 0 where there are more joints than six
+  Eigen::VectorXd error;
+  Eigen::VectorXd least;  ///< unit: where the tip can move least
+};
+
+SetPlace place_at(const Arm& arm, const Eigen::Isometry3d& pose, const Eigen::VectorXd& values);
+
+/// `frozen`: orthonormal columns, along which nothing is changed.
+SetPlace settled(const Arm& arm, const Eigen::Isometry3d& pose, Eigen::VectorXd values,
+                 const Eigen::MatrixXd& frozen, double accuracy);
+
+/// The place at `step` along `direction`; nothing where the pose is missed there.
+std::optional<SetPlace> moved(const Arm& arm, const Eigen::Isometry3d& pose, const SetPlace& from,
+                              const Eigen::VectorXd& direction, double step, double accuracy);
+
+/// Whether the set goes straight on from here to `gone`: half way there is a place of it as well. Other sets and closures may be as near.
+bool leads_to(const Arm& arm, const Eigen::Isometry3d& pose, const SetPlace& place,
+              const Eigen::VectorXd& gone, double accuracy);
+
+}  // namespace moivre
