@@ -227,7 +227,8 @@ bool read_found(const Beginning& beginning, const FoundClosures& found, PostureL
 /// Paths stop before they are there, where three and more meet.
 constexpr double kNear = 0.03;
 
-/// The nearest closure that the path may have come to. One path alone comes to a simple closure, however near to singular it is.
+/// The nearest closure that the path may have come to. One path alone comes to a simple closure, however near to singular it is; with joints
+/// that were added to an arm's own several may.
 std::optional<std::size_t> closure_of(const SingularEnd& end, const PostureList& list,
                                       const Arrivals& arrivals) {
   constexpr double kSingular = 1e-3;
@@ -237,7 +238,8 @@ std::optional<std::size_t> closure_of(const SingularEnd& end, const PostureList&
     const ArmClosure& closure = list.closures[k];
     if (closure.smallest_singular_value > kSingular) continue;
     const double away = distance(list.arm, closure.values, end.values);
-    const bool has_room = !is_simple(closure) || !arrivals.paths_to.contains(k);
+    const bool has_room = list.arm.joints.size() < kSixJoints || !is_simple(closure) ||
+                          !arrivals.paths_to.contains(k);
     if (!has_room || away > least) continue;
     least = away;
     nearest = k;

@@ -20,6 +20,7 @@ struct PeoplesArm {
 
 const std::vector<PeoplesArm>& peoples_arms() {
   static const std::vector<PeoplesArm> arms{
+      {"adept_one_four_digits", {}, {{0, 0, 0, 0}, {0.3, 0, 0.1, -0.4}}, false},
       {"bravo7",
        {},
        {{1.028, 0.551, 0.253, 0.221, 1.257, 1.387}, {0.865, 1.436, 0.387, 1.433, 0.605, 0.75}},
