@@ -54,8 +54,7 @@ Json twist_json(const Twist& twist) {
   return json;
 }
 
-Json closure_json(const ArmClosure& closure, const ArmReport& report) {
-  const Arm& arm = report.arm;
+Json closure_json(const ArmClosure& closure, const Arm& arm, const ArmReport& report) {
   Json json = {{"id", closure.id},
                {"coordinates", values_json(arm, closure.values)},
                {"in_limits", values_json(arm, closure.in_limits)},
@@ -129,8 +128,7 @@ Json stage_json(const ArmStage& stage) {
 }
 
 /// What differs from pose to pose, but the time.
-void add_result(const ArmResult& result, const ArmReport& report, Json& json) {
-  const Arm& arm = report.arm;
+void add_result(const ArmResult& result, const Arm& arm, const ArmReport& report, Json& json) {
   json["complete"] = result.complete;
   json["message"] = result.message;
   json["target"] = pose_json(result.pose);
@@ -154,20 +152,15 @@ void add_result(const ArmResult& result, const ArmReport& report, Json& json) {
                        {"misfit", to_json(result.nearest->misfit)}};
   }
   json["closures"] =
-      list_json(result.closures, [&](const ArmClosure& c) { return closure_json(c, report); });
+      list_json(result.closures, [&](const ArmClosure& c) { return closure_json(c, arm, report); });
   json["failures"] = list_json(result.failures, [](const FailedPath& f) { return to_json(f); });
   json["left_out"] = to_json(result.left_out);
 }
 
 }  // namespace
 
-ArmReport report_of(const ArmReport& report, std::size_t k) {
-  ArmReport one;
-  one.file = report.file;
-  one.arm = report.swept.empty() ? report.arm : report.swept.at(k);
-  one.stands = report.stands;
-  one.has_all_turns = report.has_all_turns;
-  return one;
+const Arm& arm_of(const ArmReport& report, std::size_t k) {
+  return report.swept.empty() ? report.arm : report.swept.at(k);
 }
 
 std::optional<HeldJoint> swept_joint(const ArmReport& report, std::size_t k) {
@@ -211,11 +204,11 @@ std::string arm_json(const ArmReport& report) {
       if (const auto swept = swept_joint(report, k)) {
         pose["held"] = {{swept->name, to_json(swept->value)}};
       }
-      add_result(report.results[k], report_of(report, k), pose);
+      add_result(report.results[k], arm_of(report, k), report, pose);
       json["poses"].push_back(std::move(pose));
     }
   } else {
-    add_result(first, report, json);
+    add_result(first, arm, report, json);
   }
   time.threads = first.time_s.threads;
   time.parse = report.parse_s;

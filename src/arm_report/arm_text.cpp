@@ -45,9 +45,8 @@ std::string table_head(const Arm& arm) {
 }
 
 /// `values`: the closure's joints, with the whole turns that the line shows.
-std::string closure_line(const ArmClosure& closure, const Eigen::VectorXd& values,
+std::string closure_line(const ArmClosure& closure, const Eigen::VectorXd& values, const Arm& arm,
                          const ArmReport& report) {
-  const Arm& arm = report.arm;
   std::string text = closure.id + std::string(closure.id.size() < 2 ? 1 : 0, ' ');
   bool was_beyond = false;
   for (std::size_t k = 0; k < arm.joints.size(); ++k) {
@@ -178,20 +177,19 @@ std::string moves_text(const ArmResult& result, const Arm& arm) {
   return text;
 }
 
-std::string closure_lines(const ArmClosure& closure, const ArmReport& report) {
-  if (!report.has_all_turns) return closure_line(closure, closure.in_limits, report);
+std::string closure_lines(const ArmClosure& closure, const Arm& arm, const ArmReport& report) {
+  if (!report.has_all_turns) return closure_line(closure, closure.in_limits, arm, report);
   std::string text;
-  for (const Eigen::VectorXd& values : all_turns(report.arm, closure.in_limits)) {
-    text += closure_line(closure, values, report);
+  for (const Eigen::VectorXd& values : all_turns(arm, closure.in_limits)) {
+    text += closure_line(closure, values, arm, report);
   }
   return text;
 }
 
-std::string result_text(const ArmResult& result, const ArmReport& report) {
-  const Arm& arm = report.arm;
+std::string result_text(const ArmResult& result, const Arm& arm, const ArmReport& report) {
   std::string text = answer(result);
   if (!result.closures.empty()) text += table_head(arm);
-  for (const ArmClosure& closure : result.closures) text += closure_lines(closure, report);
+  for (const ArmClosure& closure : result.closures) text += closure_lines(closure, arm, report);
   return text + weakest_text(result, arm) + moves_text(result, arm);
 }
 
@@ -215,14 +213,14 @@ std::string arm_text(const ArmReport& report) {
   std::string text = heading(report);
   if (!report.is_list && report.results.size() == 1) {
     const ArmResult& only = report.results.front();
-    return text + result_text(only, report) + '\n' + paths_text(only) +
+    return text + result_text(only, report.arm, report) + '\n' + paths_text(only) +
            left_out_text(only.left_out);
   }
   for (std::size_t k = 0; k < report.results.size(); ++k) {
     const auto swept = swept_joint(report, k);
     text += '\n' +
             (swept ? swept->name + " = " + exact_text(swept->value) : "pose " + std::to_string(k)) +
-            ": " + result_text(report.results[k], report_of(report, k));
+            ": " + result_text(report.results[k], arm_of(report, k), report);
   }
   return text;
 }

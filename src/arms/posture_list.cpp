@@ -24,15 +24,6 @@ constexpr double kReachesFar = 0.05;
 /// By how much a tip that stands may seem to move.
 constexpr double kRounding = 1e-12;
 
-/// Of one joint, radians or arm's lengths.
-double difference(const Arm& arm, const Eigen::VectorXd& a, const Eigen::VectorXd& b,
-                  std::size_t k) {
-  const double apart = a[static_cast<Eigen::Index>(k)] - b[static_cast<Eigen::Index>(k)];
-  if (arm.joints[k].is_slide) return std::abs(apart) / arm.length;
-  const bool is_reduced = std::abs(apart) < std::numbers::pi;
-  return std::abs(is_reduced ? apart : std::remainder(apart, 2 * std::numbers::pi));
-}
-
 /// What a pose typed with all digits leaves open is rounding alone.
 double of_pose(const PostureList& list) {
   return list.accuracy > kReach ? list.accuracy : kRounding;
@@ -76,8 +67,8 @@ ArmClosure closure_of(const PostureList& list, const Polished& polished) {
 
 /// As distance() tells, from the first joint on that tells.
 bool are_near(const Arm& arm, const Eigen::VectorXd& a, const Eigen::VectorXd& b, double within) {
-  for (std::size_t k = 0; k < arm.joints.size(); ++k) {
-    if (!(difference(arm, a, b, k) <= within)) return false;
+  for (Eigen::Index k = 0; k < a.size(); ++k) {
+    if (!(std::abs(joint_way(arm, a, b, k)) <= within)) return false;
   }
   return true;
 }
@@ -156,11 +147,7 @@ bool is_simple(const ArmClosure& closure) {
 }
 
 double distance(const Arm& arm, const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
-  double largest = 0;
-  for (std::size_t k = 0; k < arm.joints.size(); ++k) {
-    largest = std::max(largest, difference(arm, a, b, k));
-  }
-  return largest;
+  return a.size() == 0 ? 0 : way_between(arm, a, b).cwiseAbs().maxCoeff();
 }
 
 void reduce_turns(const Arm& arm, Eigen::VectorXd& values) {

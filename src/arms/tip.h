@@ -149,14 +149,19 @@ JointVector<S> in_joints(const Arm& arm, JointVector<S> step) {
   return step;
 }
 
-/// From a to b, turns modulo whole ones, in radians and arm's lengths.
+/// Of one joint from a to b, turns modulo whole ones, in radians or arm's lengths.
+inline double joint_way(const Arm& arm, const Eigen::VectorXd& a, const Eigen::VectorXd& b,
+                        Eigen::Index k) {
+  const double way = b[k] - a[k];
+  if (arm.joints[static_cast<std::size_t>(k)].is_slide) return way / arm.length;
+  return std::abs(way) < std::numbers::pi ? way : std::remainder(way, 2 * std::numbers::pi);
+}
+
+/// Of all joints.
 inline Eigen::VectorXd way_between(const Arm& arm, const Eigen::VectorXd& a,
                                    const Eigen::VectorXd& b) {
-  Eigen::VectorXd way = b - a;
-  for (Eigen::Index k = 0; k < way.size(); ++k) {
-    const bool is_slide = arm.joints[static_cast<std::size_t>(k)].is_slide;
-    way[k] = is_slide ? way[k] / arm.length : std::remainder(way[k], 2 * std::numbers::pi);
-  }
+  Eigen::VectorXd way(a.size());
+  for (Eigen::Index k = 0; k < way.size(); ++k) way[k] = joint_way(arm, a, b, k);
   return way;
 }
 

@@ -254,11 +254,11 @@ int run_arm(const ArmRun& run, const Source& source) {
                [&] {
                  poses = chosen_poses(run.arm);
                  require_one_to_draw(run, poses.size());
-                 if (run.arm.sweep_hold.empty()) return;
+                 if (report.swept.empty()) return;
                  if (!run.arm.poses.empty()) {
                    throw std::invalid_argument("--sweep-hold is of one pose: --pose, not --poses");
                  }
-                 require_one_to_draw(run, held_range(run.arm.sweep_hold).count);
+                 require_one_to_draw(run, report.swept.size());
                },
                [&] { tracker = make_tracker(run.tracker); }});
   Output json(run.json);

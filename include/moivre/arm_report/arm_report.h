@@ -31,8 +31,8 @@ struct ArmReport {
   double total_s = 0;
 };
 
-/// The report without results, of the arm that the k-th result is of.
-ArmReport report_of(const ArmReport& report, std::size_t k);
+/// The arm that the k-th result is of.
+const Arm& arm_of(const ArmReport& report, std::size_t k);
 
 /// The joint that was held at many values; nothing where there is none.
 std::optional<HeldJoint> swept_joint(const ArmReport& report, std::size_t k);
