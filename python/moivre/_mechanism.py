@@ -28,6 +28,21 @@ class _Named:
             raise KeyError(f"{name}: the coordinates are {', '.join(self.names)}") from None
 
 
+class _Told:
+    """What the command line says of it, told once: text, JSON and a table."""
+
+    def to_json(self, path=None):
+        """The JSON of the command, as text or into a file."""
+        return write(self._told["json"], path)
+
+    def to_csv(self, path=None, angles="rad"):
+        """The table of the command, as text or into a file. angles: "rad" or "deg"."""
+        return write(self._told["csv_in_degrees" if in_degrees(angles) else "csv"], path)
+
+    def __str__(self):
+        return self._told["text"]
+
+
 @dataclasses.dataclass(frozen=True, eq=False)
 class Closure(_Named):
     """One way to assemble the mechanism.
@@ -388,8 +403,8 @@ class ClosureSensitivity:
     root_sum_square: np.ndarray
 
 
-class Sensitivity:
-    """Sensitivities of all closures. Made by `Mechanism.sensitivity`; `s[k]` is a `ClosureSensitivity`.
+class Sensitivity(_Told):
+    """Sensitivities of all closures, of `moivre closures --sensitivity`. Made by `Mechanism.sensitivity`; `s[k]` is a `ClosureSensitivity`.
 
     Attributes
     ----------
@@ -419,17 +434,6 @@ class Sensitivity:
     def __getitem__(self, index):
         return self._closures[index]
 
-    def to_json(self, path=None):
-        """The JSON of `moivre closures --sensitivity`."""
-        return write(self._told["json"], path)
-
-    def to_csv(self, path=None, angles="rad"):
-        """The table of `moivre closures --sensitivity`. angles: "rad" or "deg"."""
-        return write(self._told["csv_in_degrees" if in_degrees(angles) else "csv"], path)
-
-    def __str__(self):
-        return self._told["text"]
-
     def rate(self, quantity, dimension, closure=0):
         """d quantity / d dimension at one closure."""
         for name, names in ((quantity, self.quantities), (dimension, self.dimensions)):
@@ -443,8 +447,8 @@ class Sensitivity:
                 f"{len(self.dimensions)} dimensions>")
 
 
-class Guesses:
-    """Every closure as an initial guess. Made by `Mechanism.guesses`.
+class Guesses(_Told):
+    """Every closure as an initial guess, of `moivre guesses`. Made by `Mechanism.guesses`.
 
     Attributes
     ----------
@@ -469,17 +473,6 @@ class Guesses:
 
     def __len__(self):
         return len(self.ids)
-
-    def to_json(self, path=None):
-        """The JSON of `moivre guesses`."""
-        return write(self._told["json"], path)
-
-    def to_csv(self, path=None, angles="rad"):
-        """The table of `moivre guesses`, as text or into a file. angles: "rad" or "deg"."""
-        return write(self._told["csv_in_degrees" if in_degrees(angles) else "csv"], path)
-
-    def __str__(self):
-        return self._told["text"]
 
     def __repr__(self):
         return f"<moivre.Guesses: {len(self)} of {len(self.names)} coordinates>"
