@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A sheet of postures: what each is called, its joint values, and its skeleton.
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <numbers>
 
@@ -18,8 +19,10 @@ namespace {
 std::string value_text(const ArmJoint& joint, double value, bool in_degrees) {
   const bool turns = in_degrees && !joint.is_slide;
   char text[32];
-  std::snprintf(text, sizeof text, turns ? "%.0f" : "%.2f",
-                turns ? value * 180 / std::numbers::pi : value);
+  // Adding 0 takes the sign from a value that is rounded to 0.
+  const double rounded =
+      turns ? std::round(value * 180 / std::numbers::pi) : std::round(value * 100) / 100;
+  std::snprintf(text, sizeof text, turns ? "%.0f" : "%.2f", rounded + 0.0);
   return text;
 }
 
