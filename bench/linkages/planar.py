@@ -119,10 +119,11 @@ class Planar:
 
     def equations(self, q):
         """Residuals (k, m) and their Jacobian (k, m, n)."""
-        rows, grads = [], []
+        rows, grads, self.turns = [], [], []
 
-        def row(value, *parts):
+        def row(value, *parts, turns=False):
             """parts: (body, d/dx, d/dy, d/dphi)."""
+            self.turns.append(turns)
             gradient = np.zeros((len(q), q.shape[1]))
             for body, *d in parts:
                 if body:
@@ -151,7 +152,7 @@ class Planar:
                 (z1, z2), a2 = j["ratio"], self.angle(q, j["b"])
                 a1 = driven + wrapped(self.angle(q, j["a"]) - driven)
                 row(wrapped(z1 * a1 - z2 * (a2 - j["phase"]), 2 * math.pi * z2) / abs(z2), (j["a"], 0, 0, z1 / abs(z2)),
-                    (j["b"], 0, 0, -z2 / abs(z2)))
+                    (j["b"], 0, 0, -z2 / abs(z2)), turns=True)
                 continue
             p, dp = self.place(q, j["a"], j["P"])
             r, dr = self.place(q, j["b"], j["Q"])
@@ -168,16 +169,26 @@ class Planar:
             else:
                 line(j, True)
                 if j["type"] == "prismatic":
-                    row(wrapped(self.angle(q, j["b"]) - self.angle(q, j["a"]) - j["turn"]), (j["a"], 0, 0, -1), (j["b"], 0, 0, 1))
+                    row(wrapped(self.angle(q, j["b"]) - self.angle(q, j["a"]) - j["turn"]), (j["a"], 0, 0, -1), (j["b"], 0, 0, 1), turns=True)
         for d in self.drivers:
             if d["kind"] == "angle":
-                row(wrapped(self.angle(q, d["body"]) - d["value"]), (d["body"], 0, 0, 1))
+                row(wrapped(self.angle(q, d["body"]) - d["value"]), (d["body"], 0, 0, 1), turns=True)
             elif d["joint"]["type"] != "actuator":
                 line(d["joint"], False, d["value"])
         return np.stack(rows, 1), np.stack(grads, 1)
 
     def moved(self, q, step):
         return q + step
+
+    def step_between(self, q, to):
+        """What moved() takes from one pose to another; (n)."""
+        step = to - q
+        step[2::3] -= 2 * math.pi * np.round(step[2::3] / (2 * math.pi))
+        return step
+
+    def units(self):
+        """Of a step's coordinates."""
+        return np.tile([self.size(), self.size(), 1.0], len(self.bodies) - 1)
 
     def random_poses(self, count):
         n = len(self.bodies) - 1

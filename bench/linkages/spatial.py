@@ -18,6 +18,17 @@ def rotation_of(vectors):
     return np.eye(3) + np.sin(angle)[:, None, None] * k + (1 - np.cos(angle))[:, None, None] * (k @ k)
 
 
+def vector_of(r):
+    """The rotation vector of a rotation matrix."""
+    angle = math.acos(max(-1.0, min(1.0, (np.trace(r) - 1) / 2)))
+    if angle < math.pi - 1e-3:
+        v = np.array([r[2, 1] - r[1, 2], r[0, 2] - r[2, 0], r[1, 0] - r[0, 1]]) / 2
+        return v * (angle / math.sin(angle) if angle > 1e-9 else 1.0)
+    axis = np.linalg.eigh(r + r.T)[1][:, 2]
+    turn = max((1, -1), key=lambda sign: np.trace(r.T @ rotation_of(sign * angle * axis[None])[0]))
+    return turn * angle * axis
+
+
 def of_quaternion(w, x, y, z):
     return np.array([[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
                      [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
@@ -143,7 +154,7 @@ class Spatial:
 
     def equations(self, q):
         count, n = len(q), 6 * (len(self.bodies) - 1)
-        rows, grads = [], []
+        rows, grads, self.turns = [], [], []
 
         def gradient(parts, width):
             """parts: (body, d by turn (k, width, 3), d by displacement)."""
@@ -155,7 +166,8 @@ class Spatial:
                     g[:, :, c + 3:c + 6] += shift
             return g
 
-        def add(value, parts):
+        def add(value, parts, turns=False):
+            self.turns += [turns] * value.shape[1]
             rows.append(value)
             grads.append(gradient(parts, value.shape[1]))
 
@@ -168,7 +180,7 @@ class Spatial:
         def alike(a, va, b, vb):
             """Directions that are one."""
             u, v = vector(a, va), vector(b, vb)
-            add(u - v, [(a, skew_rows(u), 0), (b, -skew_rows(v), 0)])
+            add(u - v, [(a, skew_rows(u), 0), (b, -skew_rows(v), 0)], turns=True)
 
         def along(a, va, b, pa, pb, value=0.0):
             """v . (B - A) = value, v of the first body."""
@@ -194,7 +206,7 @@ class Spatial:
                     alike(a, math.cos(j["turn"]) * xa + math.sin(j["turn"]) * ya, b, xb)
             if j["type"] == "universal":
                 u, v = (vector(body, np.array(w) / np.linalg.norm(w)) for body, w in zip((a, b), j["axes"]))
-                add((u * v).sum(1)[:, None], [(a, np.cross(u, v)[:, None], 0), (b, np.cross(v, u)[:, None], 0)])
+                add((u * v).sum(1)[:, None], [(a, np.cross(u, v)[:, None], 0), (b, np.cross(v, u)[:, None], 0)], turns=True)
             if j["type"] in ("rod", "actuator"):
                 length = next((d["value"] for d in self.drivers if d["joint"] is j), j["length"])
                 d = pb - pa
@@ -218,6 +230,18 @@ class Spatial:
             q[:, c:c + 9] = r.reshape(-1, 9)
             q[:, c + 9:c + 12] += step[:, s + 3:s + 6]
         return q
+
+    def step_between(self, q, to):
+        """What moved() takes from one pose to another; (6 bodies)."""
+        parts = []
+        for c in range(0, len(q), 12):
+            r = to[c:c + 9].reshape(3, 3) @ q[c:c + 9].reshape(3, 3).T
+            parts += [vector_of(r), to[c + 9:c + 12] - q[c + 9:c + 12]]
+        return np.concatenate(parts)
+
+    def units(self):
+        """Of a step's coordinates."""
+        return np.tile([1.0] * 3 + [self.size()] * 3, len(self.bodies) - 1)
 
     def random_poses(self, count):
         r = np.random.default_rng(self.rng.randrange(1 << 30))

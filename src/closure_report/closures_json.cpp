@@ -47,6 +47,7 @@ void write_closure(const Closure& closure, const Mechanism& mechanism, PoseJson&
   report.members({{"residual", to_json(closure.residual)},
                   {"misfit", to_json(closure.misfit)},
                   {"fitted", closure.is_fitted},
+                  {"play", closure.play ? to_json(*closure.play) : Json(nullptr)},
                   {"newton_iterations", closure.newton_iterations},
                   {"smallest_singular_value", to_json(closure.smallest_singular_value)},
                   {"path", closure.path},

@@ -101,6 +101,7 @@ std::string closure_text(const Closure& closure, const std::string& name,
     const std::string& unit = mechanism.units.length;
     text += ", misfit " + rough_text(closure.misfit) + (unit.empty() ? "" : " " + unit);
   }
+  if (closure.play) text += ", play " + rough_text(*closure.play);
   if (closure.singular) text += ", singular";
   if (closure.certified == true) text += ", certified";
   return text + '\n' + joints_text(mechanism, closure.q) + pose_text(mechanism, names, closure.q);

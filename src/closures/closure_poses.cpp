@@ -5,17 +5,17 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <optional>
 
+#include "fitted_poses.h"
 #include "moivre/closures/canonical_order.h"
 #include "moivre/closures/same_pose.h"
 #include "moivre/expression/counted.h"
 #include "moivre/factorization/svd.h"
-#include "moivre/kinematics/least_squares.h"
 #include "moivre/kinematics/newton.h"
 #include "moivre/kinematics/own_units.h"
 #include "moivre/mechanism/closure_id.h"
+#include "moivre/mechanism/drawn_pose.h"
 #include "moivre/mechanism/pose.h"
 #include "moivre/mechanism/spins.h"
 #include "moving_pose.h"
@@ -25,17 +25,6 @@ namespace {
 
 // Newton-Raphson polishes a pose; it does not look for another.
 constexpr double kPolish = 1e-4;
-
-/// Joint, in the mechanism's order -> closures that its limits filtered.
-using BeyondLimits = std::map<const Joint*, std::uint64_t>;
-
-/// Whether the joints' limits allow the pose; where they do not, `beyond_limits` counts it.
-bool is_allowed(const ClosureSearch& search, const Eigen::VectorXd& q,
-                BeyondLimits& beyond_limits) {
-  const Joint* const broken = broken_limit(search.mechanism, q);
-  if (broken) ++beyond_limits[broken];
-  return !broken;
-}
 
 /// Whether a root is near the pose q, as Phi and its derivatives there say. Along the direction v that Phi_q sees least, Phi is
 /// r + sigma s + b s^2 / 2: beside a fold that has no real zero though r is next to nothing.
@@ -56,20 +45,10 @@ bool has_root_nearby(const Phi& phi, const Eigen::VectorXd& q, double t) {
   return r * b < kSure * J.sigma[last] * J.sigma[last];
 }
 
-/// Whether Newton-Raphson came to a pose that satisfies spare constraints too. At rest it takes for zero what twelve digits leave; where
-/// constraints contradict each other by so little, no root is a closure, and no such pose is one.
-bool closes(const ClosureSearch& search, const NewtonResult& pose) {
-  constexpr double kRounding = 1e-14;  // beside a row's size
-  if (pose.status != NewtonStatus::converged) return false;
-  return search.phi.size() <= search.phi.dimension() ||
-         residual_by_size(search.phi, pose.q, search.options.time) <= kRounding;
-}
-
-void take_pose(ClosureSearch& search, const Solution& solution, const NewtonResult& polished,
-               BeyondLimits& beyond_limits) {
+void take_pose(ClosureSearch& search, const Solution& solution, const NewtonResult& polished) {
   ++search.result.counts.real;
   Closure closure = closure_at(search, polished);
-  if (!is_allowed(search, closure.q, beyond_limits)) {
+  if (!is_allowed(search, closure.q)) {
     ++search.result.counts.filtered;
     return;
   }
@@ -100,7 +79,7 @@ enum class RootKind {
 };
 
 /// Polishes a real root to a pose.
-RootKind polish(ClosureSearch& search, const Solution& solution, BeyondLimits& beyond_limits) {
+RootKind polish(ClosureSearch& search, const Solution& solution) {
   const Phi& phi = search.phi;
   const Eigen::VectorXd guess = coordinates_of_root(search.formulation, solution.x);
   const NewtonResult polished = newton(phi, guess, search.options.time);
@@ -120,7 +99,7 @@ RootKind polish(ClosureSearch& search, const Solution& solution, BeyondLimits& b
     return RootKind::on_a_set;
   }
   if (is_told(search, polished)) return RootKind::does_not_close;
-  take_pose(search, solution, polished, beyond_limits);
+  take_pose(search, solution, polished);
   return RootKind::isolated;
 }
 
@@ -132,63 +111,61 @@ bool is_known(const ClosureSearch& search, const Eigen::VectorXd& q) {
 }
 
 /// A root that an equation whose terms nearly cancel does not know, but all of Phi does: it is one.
-void take_back(ClosureSearch& search, Solution solution, const NewtonResult& pose,
-               BeyondLimits& beyond_limits) {
+void take_back(ClosureSearch& search, Solution solution, const NewtonResult& pose) {
   solution.real = true;
   solution.residual = residual_by_size(search.phi, pose.q, search.options.time);
   if (search.has_proofs()) solution.certified = false;
   --search.result.counts.rejected;
-  take_pose(search, solution, pose, beyond_limits);
+  take_pose(search, solution, pose);
   search.result.solutions.push_back(std::move(solution));
 }
 
-/// Newton-Raphson's run from the guess; under a fit the least squares where it finds neither a closure nor these, as at a fold.
-NewtonResult settled(const ClosureSearch& search, const Eigen::VectorXd& guess) {
+/// What misses by little: the least squares beside each near miss, taken where it closes after all, or is within Mechanism::fit. The drawn
+/// pose comes first: it stands for all that hang together with it.
+void take_near_misses(ClosureSearch& search) {
   const double t = search.options.time;
-  NewtonResult run = newton(search.phi, guess, t);
-  const bool is_settled =
-      run.status == NewtonStatus::converged || run.status == NewtonStatus::no_solution;
-  if (is_settled || !search.mechanism.fit) return run;
-  run.q = least_squares_pose(search.phi, guess, t);
-  return run;
-}
-
-/// What misses by little: the least squares beside each near miss, taken where it closes after all, or is within Mechanism::fit.
-void take_fitting(ClosureSearch& search, BeyondLimits& beyond_limits) {
-  ClosureResult& result = search.result;
-  const std::optional<double>& fit = search.mechanism.fit;
-  for (const auto& [near, is_rejected] : search.near_misses) {
-    const Eigen::VectorXd guess = coordinates_of_root(search.formulation, near.x);
-    const NewtonResult least = settled(search, guess);
+  if (search.mechanism.fit && is_drawn_at(search.mechanism, t)) {
+    const NewtonResult drawn = settled(search, Eigen::VectorXd::Zero(search.phi.dimension()));
+    if (!closes(search, drawn)) take_fitted(search, drawn);
+  }
+  for (const auto& [near, is_rejected, is_near] : search.near_misses) {
+    const NewtonResult least = settled(search, coordinates_of_root(search.formulation, near.x));
     if (!least.q.allFinite()) continue;
-    Closure closure = closure_at(search, least);
-    const bool is_old = is_known(search, closure.q);
-    if (!is_old && is_rejected && shows_a_loss(search, least)) {
-      take_back(search, near, least, beyond_limits);
+    const Closure closure = closure_at(search, least);
+    if (is_near && is_rejected && !is_known(search, closure.q) && shows_a_loss(search, least)) {
+      take_back(search, near, least);
       continue;
     }
     if (closes(search, least)) continue;
-    note_misfit(search, closure);
-    if (!fit || closure.misfit > *fit || is_old) continue;
-    if (!is_allowed(search, closure.q, beyond_limits)) {
-      ++result.fitted_beyond_limits;
-      continue;
-    }
-    ++result.counts.fitted;
-    closure.is_fitted = true;
-    result.closures.push_back(std::move(closure));
+    if (is_near) note_misfit(search, closure);
+    take_fitted(search, least);
   }
 }
 
-void tell_limits(const BeyondLimits& beyond_limits, ClosureSearch& search) {
-  for (const auto& [joint, count] : beyond_limits) {
+}  // namespace
+
+bool is_allowed(ClosureSearch& search, const Eigen::VectorXd& q) {
+  const Joint* const broken = broken_limit(search.mechanism, q);
+  if (broken) ++search.beyond_limits[broken];
+  return !broken;
+}
+
+// At rest Newton-Raphson takes for zero what twelve digits leave; where constraints contradict each other by so little, no root is a
+// closure, and no such pose is one.
+bool closes(const ClosureSearch& search, const NewtonResult& pose) {
+  constexpr double kRounding = 1e-14;  // beside a row's size
+  if (pose.status != NewtonStatus::converged) return false;
+  return search.phi.size() <= search.phi.dimension() ||
+         residual_by_size(search.phi, pose.q, search.options.time) <= kRounding;
+}
+
+void tell_limits(ClosureSearch& search) {
+  for (const auto& [joint, count] : search.beyond_limits) {
     search.result.left_out.push_back(
         {counted(count, "closure"),
          "outside the limits of " + to_string(joint->type) + " " + joint->name});
   }
 }
-
-}  // namespace
 
 bool lies_on_motion(ClosureSearch& search, const Eigen::VectorXd& q) {
   auto moves = moves_at(search.phi, q, search.options.time, search.options.solve.seed);
@@ -197,13 +174,15 @@ bool lies_on_motion(ClosureSearch& search, const Eigen::VectorXd& q) {
   return true;
 }
 
+bool has_gears(const Mechanism& mechanism) {
+  return std::any_of(mechanism.joints.begin(), mechanism.joints.end(),
+                     [](const Joint& joint) { return is_transmission(joint.type); });
+}
+
 bool shows_a_loss(const ClosureSearch& search, const NewtonResult& pose) {
-  const auto& joints = search.mechanism.joints;
   // It may be in another meshing of the teeth than the drawn one.
-  const bool has_gears = std::any_of(
-      joints.begin(), joints.end(), [](const Joint& joint) { return is_transmission(joint.type); });
-  return closes(search, pose) && !pose.is_singular && !search.result.moves && !has_gears &&
-         has_root_nearby(search.phi, pose.q, search.options.time) &&
+  return closes(search, pose) && !pose.is_singular && !search.result.moves &&
+         !has_gears(search.mechanism) && has_root_nearby(search.phi, pose.q, search.options.time) &&
          are_spins_as_meant(search.mechanism, pose.q) &&
          !broken_limit(search.mechanism, search.phi.canonical(pose.q));
 }
@@ -242,11 +221,11 @@ void letter(std::vector<Closure>& closures, const Phi& phi) {
 // A root where motions cross may look isolated to the solver; its pose tells, and its paths are counted anew.
 void find_poses(ClosureSearch& search) {
   ClosureResult& result = search.result;
-  BeyondLimits beyond_limits;
+  search.beyond_limits.clear();
+  search.fitted_beyond_limits.clear();
   std::vector<Solution> isolated;
   for (Solution& solution : result.solutions) {
-    const RootKind kind =
-        solution.real ? polish(search, solution, beyond_limits) : RootKind::isolated;
+    const RootKind kind = solution.real ? polish(search, solution) : RootKind::isolated;
     switch (kind) {
       case RootKind::isolated:
         isolated.push_back(std::move(solution));
@@ -261,9 +240,8 @@ void find_poses(ClosureSearch& search) {
     }
   }
   result.solutions = std::move(isolated);
-  take_fitting(search, beyond_limits);
+  take_near_misses(search);
   result.counts.complex = result.solutions.size();
-  tell_limits(beyond_limits, search);
   letter(result.closures, search.phi);
 }
 

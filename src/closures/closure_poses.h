@@ -14,8 +14,20 @@ namespace moivre {
 /// Fills closures and counts; leaves the isolated roots alone among the solutions.
 void find_poses(ClosureSearch& search);
 
+/// Whether the joints' limits allow the pose; where they do not, the joint counts it.
+bool is_allowed(ClosureSearch& search, const Eigen::VectorXd& q);
+
+/// Says how many closures each joint's limits filtered.
+void tell_limits(ClosureSearch& search);
+
+/// Whether Newton-Raphson came to a pose that satisfies spare constraints too.
+bool closes(const ClosureSearch& search, const NewtonResult& pose);
+
 /// Is this pose of a multiple root, or one that Newton-Raphson came to, one of many? Then it is told as the one that moves.
 bool lies_on_motion(ClosureSearch& search, const Eigen::VectorXd& q);
+
+/// Whether teeth may mesh in more ways than the drawn one.
+bool has_gears(const Mechanism& mechanism);
 
 /// Whether a pose that Newton-Raphson came to, and that is no closure found, shows that one was lost.
 bool shows_a_loss(const ClosureSearch& search, const NewtonResult& pose);

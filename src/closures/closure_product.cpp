@@ -155,6 +155,7 @@ std::optional<Closure> closure_of(const ClosureSearch& search,
     whole.singular = whole.singular || part.singular;
     whole.is_drawn = whole.is_drawn && part.is_drawn;
     whole.cluster = whole.cluster || part.cluster;
+    if (part.play) whole.play = std::max(whole.play.value_or(0), *part.play);
     whole.of.push_back(part.id);
     whole.id += (k == 0 ? "" : ".") + part.id;
   }

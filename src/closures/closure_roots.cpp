@@ -106,6 +106,13 @@ bool may_be_several(const Solution& root) {
   return !root.singular && root.condition >= kStandsAlone;
 }
 
+/// A root that may have a real pose beside it. Under a fit every root may: beside a fold of a small curvature the real parts are right, however
+/// far roots are from real.
+void note_near_miss(ClosureSearch& search, const Solution& root, bool is_rejected) {
+  const bool is_near = distance_from_real(search.formulation, root.x) <= near_real(search);
+  if (is_near || search.mechanism.fit) search.near_misses.push_back({root, is_rejected, is_near});
+}
+
 /// Enters the root, or counts it as rejected where it does not satisfy every equation.
 void take_root(ClosureSearch& search, const PartialRoot& root, RootProver& prover) {
   Solution solution;
@@ -126,9 +133,7 @@ void take_root(ClosureSearch& search, const PartialRoot& root, RootProver& prove
   solution.residual = residual_of_root(search.formulation, solution.x);
   if (!holds(search.formulation, solution)) {
     ++search.result.counts.rejected;
-    if (distance_from_real(search.formulation, solution.x) <= near_real(search)) {
-      search.near_misses.push_back({std::move(solution)});
-    }
+    note_near_miss(search, solution, true);
     return;
   }
   const bool is_near_real =
@@ -138,10 +143,7 @@ void take_root(ClosureSearch& search, const PartialRoot& root, RootProver& prove
   const System& system = search.formulation.system;
   const bool has_spare = system.polynomials.size() > system.variables.size();
   solution.real = proved && !has_spare ? proved->real.value_or(is_near_real) : is_near_real;
-  if (!solution.real && search.mechanism.fit &&
-      distance_from_real(search.formulation, solution.x) <= near_real(search)) {
-    search.near_misses.push_back({solution, false});
-  }
+  if (!solution.real && search.mechanism.fit) note_near_miss(search, solution, false);
   if (search.has_proofs()) {
     solution.certified = proved && proved->real == solution.real;
     if (!solution.certified.value() && may_be_several(solution)) ++search.unproved;

@@ -5,6 +5,8 @@
 // (closures.cpp), which is drawn from what stands here.
 #pragma once
 
+#include <map>
+
 #include "moivre/certify/certifier.h"
 #include "moivre/closures/closures.h"
 #include "moivre/closures/root_proofs.h"
@@ -15,6 +17,7 @@ namespace moivre {
 struct NearMiss {
   Solution root;
   bool is_rejected = true;
+  bool is_near = true;  ///< no farther from a real pose than rounded lengths explain
 };
 
 struct ClosureSearch {
@@ -53,6 +56,10 @@ struct ClosureSearch {
   std::uint64_t rootless =
       0;  ///< poses that close regularly beside roots that do not, and are no root's
   std::vector<NearMiss> near_misses;
+  std::map<const Joint*, std::uint64_t>
+      beyond_limits;  ///< closures that each joint's limits filtered
+  std::vector<Closure>
+      fitted_beyond_limits;       ///< poses within Mechanism::fit that the limits filtered
   bool undecided_motion = false;  ///< a set of closures may exist, and no pose that moves was found
   bool part_is_complex = false;   ///< a part of the mechanism closes in complex numbers only
 };

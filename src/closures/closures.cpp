@@ -2,12 +2,14 @@
 // From the mechanism to its closures: roots of its closure polynomials, poses of the real ones, and the verdict.
 #include "moivre/closures/closures.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
 #include "closure_poses.h"
 #include "closure_product.h"
 #include "closure_roots.h"
+#include "fitted_poses.h"
 #include "moivre/closures/idle_joints.h"
 #include "moivre/expression/counted.h"
 #include "moivre/numeric/invalid_input.h"
@@ -62,6 +64,7 @@ void find_all(ClosureSearch& search) {
   find_roots(search);
   find_poses(search);
   look_for_witnesses(search);
+  tell_limits(search);
 }
 
 /// Everything anew, with all equations combined. What was done before stays in the account, and what missed by little is looked at again.
@@ -130,6 +133,22 @@ std::string fitted_text(const ClosureSearch& search) {
          " only: least squares, no exact closure";
 }
 
+/// What fit leaves of the closure that it leaves most freedom.
+std::string play_text(const ClosureSearch& search) {
+  // Beside it a user would take the pose for another one.
+  constexpr double kNotable = 0.1;
+  const auto& closures = search.result.closures;
+  const auto freest = std::max_element(closures.begin(), closures.end(), [](auto& a, auto& b) {
+    return a.play.value_or(0) < b.play.value_or(0);
+  });
+  if (freest == closures.end() || freest->play.value_or(0) < kNotable) return "";
+  char play[32];
+  std::snprintf(play, sizeof play, "%.1g", *freest->play);
+  return "; within fit closure " + freest->id +
+         " can move: poses that hang together with it reach " + play +
+         " from it, in radians or lengths of the pose";
+}
+
 std::string verdict(const ClosureSearch& search) {
   const ClosureCounts& counts = search.result.counts;
   if (!search.result.complete) return shortfall(search);
@@ -159,7 +178,7 @@ void conclude(ClosureSearch& search) {
   }
   auto& completeness = search.result.completeness;
   if (completeness && !search.result.complete) completeness = RootCompleteness::open;
-  search.result.message = verdict(search);
+  search.result.message = verdict(search) + play_text(search);
   if (search.result.counts.fitted > 0) return;
   for (const std::string& clause : search.formulation.contradictions) {
     search.result.message += "; " + clause;
@@ -181,6 +200,7 @@ ClosureResult find_closures(const Mechanism& mechanism, const Tracker& tracker,
     find_all(search);
     if (may_find_more(search)) find_all_combined(search);
     mark_drawn(search);
+    measure_play(search);
   }
   add_mobility(Phi(mechanism), mechanism.fit.value_or(0), options.with_mobility, search.result);
   conclude(search);

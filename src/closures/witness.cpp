@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "closure_poses.h"
+#include "fitted_poses.h"
 #include "moivre/closures/drawn_closure.h"
 #include "moivre/closures/same_pose.h"
 #include "moivre/mechanism/drawn_pose.h"
@@ -40,10 +41,7 @@ std::vector<VectorXd> starts_of(const ClosureSearch& search) {
   // The drawn pose is the guess, where it closes.
   const VectorXd guess = initial_guess(search.mechanism, t);
   std::vector<VectorXd> starts{guess};
-  // Least squares have no count that proves them: of these more is looked at than costs a tenth.
-  const bool has_fit = search.mechanism.fit && phi.size() > phi.dimension();
-  const std::uint64_t runs = has_fit ? kRandomStarts + kNeighbours
-                                     : search.result.work.accepted / (kStepsOfRun * kShareOfRuns);
+  const std::uint64_t runs = search.result.work.accepted / (kStepsOfRun * kShareOfRuns);
   // Behind those of moving_pose().
   std::uint64_t number = kMovingStarts;
   const std::uint64_t random_starts = std::min(kRandomStarts, runs);
@@ -67,13 +65,6 @@ bool is_listed(const ClosureSearch& search, const VectorXd& q) {
   });
 }
 
-/// Whether least squares came to a pose that Mechanism::fit accepts.
-bool fits(const ClosureSearch& search, const NewtonResult& pose, const VectorXd& q) {
-  const auto& fit = search.mechanism.fit;
-  return fit && pose.status == NewtonStatus::no_solution && !pose.is_singular &&
-         misfit(search.phi, q, search.options.time) <= *fit && !broken_limit(search.mechanism, q);
-}
-
 }  // namespace
 
 void mark_drawn(ClosureSearch& search) {
@@ -83,11 +74,18 @@ void mark_drawn(ClosureSearch& search) {
     closure.is_drawn = is_same_pose(search.phi, closure.q, *drawn);
     if (closure.is_drawn) return;
   }
+  if (!search.mechanism.fit) return;
+  for (Closure& closure : search.result.closures) {
+    closure.is_drawn = hang_together(search, *drawn, closure.q);
+    if (closure.is_drawn) return;
+  }
 }
 
 void look_for_witnesses(ClosureSearch& search) {
   const ClosureResult& result = search.result;
   if (!result.complete || search.stop || result.moves) return;
+  look_for_fitted(search);
+  letter(search.result.closures, search.phi);
   const bool has_found = result.counts.real + result.counts.fitted > 0;
   NewtonOptions options;
   options.maximum_iterations = kMostIterations;
@@ -96,10 +94,6 @@ void look_for_witnesses(ClosureSearch& search) {
     if (!pose.q.allFinite()) continue;
     const VectorXd q = search.phi.canonical(pose.q);
     if (is_listed(search, q)) continue;
-    if (fits(search, pose, q)) {
-      ++search.rootless;
-      return;
-    }
     if (pose.status == NewtonStatus::no_solution && !has_found) {
       note_misfit(search, closure_at(search, pose));
     }

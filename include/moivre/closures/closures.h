@@ -55,6 +55,8 @@ struct Closure {
   double misfit = 0;    ///< by how much it does not close, in the file's unit of length
   bool is_fitted =
       false;  ///< it closes only within Mechanism::fit: least squares, no root of the polynomials
+  /// Under Mechanism::fit: how far from q poses reach that are within it and hang together with q, in radians or of the pose's size.
+  std::optional<double> play;
   int newton_iterations = 0;
   double smallest_singular_value = 0;  ///< of Phi_q
   std::uint64_t path = 0;              ///< of the last stage

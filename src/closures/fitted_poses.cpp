@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+// Least squares from many sides, each come to once.
+#include "fitted_poses.h"
+
+#include <algorithm>
+
+#include "closure_poses.h"
+#include "moivre/closures/same_pose.h"
+#include "moivre/factorization/svd.h"
+#include "moivre/kinematics/least_squares.h"
+#include "moivre/mechanism/pose.h"
+#include "moivre/mechanism/spins.h"
+#include "moving_pose.h"
+#include "within_fit.h"
+
+namespace moivre {
+namespace {
+
+using Eigen::VectorXd;
+
+// Runs that come to nothing new before no more are made: some, and two for each pose that was new.
+constexpr std::uint64_t kIdleRuns = 24;
+constexpr std::uint64_t kIdleRunsEach = 2;
+constexpr std::uint64_t kMostRuns = 200;
+
+WithinFit within_fit(const ClosureSearch& search) {
+  return {search.phi, search.mechanism.fit.value_or(0), search.options.time};
+}
+
+/// Whether the pose is one of these, or hangs together with it.
+bool is_one_of(const ClosureSearch& search, const std::vector<Closure>& poses, const VectorXd& q) {
+  const WithinFit within = within_fit(search);
+  const bool is_weak = within.is_weak(q);
+  return std::any_of(poses.begin(), poses.end(), [&](const Closure& other) {
+    return is_same_pose(search.phi, other.q, q) || (is_weak && within.joins(q, other.q));
+  });
+}
+
+}  // namespace
+
+NewtonResult settled(const ClosureSearch& search, const VectorXd& guess) {
+  // Quadratic from there, or slow at a fold.
+  constexpr int kIterations = 8;
+  const double t = search.options.time;
+  if (!search.mechanism.fit) return newton(search.phi, guess, t);
+  NewtonResult run;
+  run.q = least_squares_pose(search.phi, guess, t);
+  if (!run.q.allFinite() || misfit(search.phi, run.q, t) > *search.mechanism.fit) return run;
+  NewtonOptions options;
+  options.maximum_iterations = kIterations;
+  NewtonResult polished = newton(search.phi, run.q, t, options);
+  const bool is_settled = polished.q.allFinite() && (polished.status == NewtonStatus::converged ||
+                                                     polished.status == NewtonStatus::no_solution);
+  if (is_settled && distance(search.phi, polished.q, run.q) <= kSamePlace) return polished;
+  run.iterations = std::move(polished.iterations);
+  run.smallest_singular_value = singular_values(search.phi.jacobian(run.q, t)).tail(1)[0];
+  return run;
+}
+
+bool hang_together(const ClosureSearch& search, const VectorXd& a, const VectorXd& b) {
+  const WithinFit within = within_fit(search);
+  return within.is_weak(a) && within.has(a) && within.joins(a, b);
+}
+
+bool take_fitted(ClosureSearch& search, const NewtonResult& least) {
+  const std::optional<double>& fit = search.mechanism.fit;
+  if (!fit || !least.q.allFinite()) return false;
+  Closure closure = closure_at(search, least);
+  if (!(closure.misfit <= *fit)) return false;
+  if (is_one_of(search, search.result.closures, closure.q)) return false;
+  if (is_one_of(search, search.fitted_beyond_limits, closure.q)) return false;
+  if (!is_allowed(search, closure.q)) {
+    search.fitted_beyond_limits.push_back(std::move(closure));
+    ++search.result.fitted_beyond_limits;
+    return false;
+  }
+  ++search.result.counts.fitted;
+  closure.is_fitted = true;
+  search.result.closures.push_back(std::move(closure));
+  return true;
+}
+
+void look_for_fitted(ClosureSearch& search) {
+  // A pose may be in another meshing of the teeth than the drawn one.
+  if (!search.mechanism.fit || has_gears(search.mechanism)) return;
+  const WithinFit within = within_fit(search);
+  const VectorXd guess = initial_guess(search.mechanism, search.options.time);
+  std::uint64_t found = 0;
+  std::uint64_t idle = 0;
+  for (std::uint64_t k = 0; k < kMostRuns && idle < kIdleRuns + kIdleRunsEach * found; ++k) {
+    if (search.stop) return;
+    // Behind those of moving_pose() and of the witness.
+    const VectorXd start =
+        k == 0 ? guess
+               : random_pose(search.phi, guess, search.options.solve.seed, 2 * kMovingStarts + k);
+    const NewtonResult least = settled(search, start);
+    ++idle;
+    if (!least.q.allFinite() || closes(search, least)) continue;
+    if (!are_spins_as_meant(search.mechanism, least.q) || !take_fitted(search, least)) continue;
+    ++found;
+    idle = 0;
+    const VectorXd& q = search.result.closures.back().q;
+    const bool may_have_root = !within.is_weak(q) && !search.is_combined;
+    if (may_have_root || within.is_beside_roots(q)) ++search.rootless;
+  }
+}
+
+void measure_play(ClosureSearch& search) {
+  if (!search.mechanism.fit) return;
+  const WithinFit within = within_fit(search);
+  for (Closure& closure : search.result.closures) closure.play = within.play(closure.q);
+}
+
+}  // namespace moivre

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+// Steps along a valley, each put right across it by damped least squares.
+#include "within_fit.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "moivre/closures/same_pose.h"
+#include "moivre/factorization/svd.h"
+#include "moivre/kinematics/own_units.h"
+
+namespace moivre {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+// Of the root of fit. At a fold b s^2 / 2, b about 1, two closures that fit does not part have sigma = b s <= 2 roots of fit b.
+constexpr double kWeak = 4;
+// Where all rows miss by fit at least squares, those that are met leave so many times that to the others.
+constexpr double kOfSolved = 20;
+constexpr double kFirstStep = 0.25;
+constexpr double kLeastStep = 0.01;
+// In radians and of the mechanism's mean length: steps that a valley's bends allow, and so many that a whole turn is within them.
+constexpr double kLongestStep = 0.1;
+constexpr int kSteps = 100;
+// Where valleys cross, their directions are sums of the weakest ones.
+constexpr Index kCrossing = 3;
+
+}  // namespace
+
+WithinFit::WithinFit(const Phi& phi, double fit, double t)
+    : phi_(phi), fit_(fit), t_(t), share_(fit / phi.length()), unit_(phi.own_units()) {}
+
+bool WithinFit::has(const VectorXd& q) const { return misfit(phi_, q, t_) <= fit_; }
+
+MatrixXd WithinFit::weak_directions(const VectorXd& q) const {
+  const Svd J = svd(in_own_units(phi_, phi_.jacobian(q, t_)), SingularVectors::full);
+  const double most = kWeak * std::sqrt(share_);
+  const auto strong =
+      std::count_if(J.sigma.begin(), J.sigma.end(), [most](double sigma) { return sigma > most; });
+  return J.V.rightCols(J.V.cols() - strong);
+}
+
+bool WithinFit::is_weak(const VectorXd& q) const { return weak_directions(q).cols() > 0; }
+
+bool WithinFit::is_beside_roots(const VectorXd& q) const {
+  const VectorXd sigma = singular_values(in_own_units(phi_, phi_.jacobian(q, t_)));
+  return phi_.size() >= phi_.dimension() && sigma.size() > 0 &&
+         sigma.minCoeff() > kWeak * std::sqrt(kOfSolved * share_);
+}
+
+/// Puts q into W across `way`, in own units. Directions along which fit leaves the pose free are not gone along: damped by sigma^2 = fit.
+bool WithinFit::correct(VectorXd& q, const VectorXd& way) const {
+  constexpr int kCorrections = 8;
+  const VectorXd row_unit = phi_.own_row_units();
+  for (int k = 0; k <= kCorrections; ++k) {
+    if (!q.allFinite()) return false;
+    if (has(q)) return true;
+    const MatrixXd J = in_own_units(phi_, phi_.jacobian(q, t_));
+    MatrixXd normal = J.transpose() * J + way * way.transpose();
+    normal.diagonal().array() += share_;
+    VectorXd step = normal.ldlt().solve(-J.transpose() * phi_.value(q, t_).cwiseQuotient(row_unit));
+    step -= way.dot(step) * way;
+    q += unit_.cwiseProduct(step);
+  }
+  return false;
+}
+
+/// How far from q W goes on along a curve that begins along `way`.
+double WithinFit::reach(const VectorXd& q, VectorXd way) const {
+  const double first = kFirstStep * std::sqrt(share_);
+  double length = std::min(first, kLongestStep);
+  double farthest = 0;
+  VectorXd here = q;
+  for (int k = 0; k < kSteps && length >= kLeastStep * first; ++k) {
+    VectorXd next = here + length * unit_.cwiseProduct(way);
+    const VectorXd begun = next;
+    const bool is_in = correct(next, way);
+    if (!is_in || (next - begun).cwiseQuotient(unit_).norm() > 2 * length) {
+      length /= 2;
+      continue;
+    }
+    way = (next - here).cwiseQuotient(unit_).normalized();
+    here = next;
+    farthest = std::max(farthest, distance(phi_, q, here));
+    length = std::min(2 * length, kLongestStep);
+  }
+  return farthest;
+}
+
+double WithinFit::play(const VectorXd& q) const {
+  const MatrixXd weak = weak_directions(q);
+  if (weak.cols() == 0) {
+    if (phi_.dimension() == 0) return 0;
+    const double least = singular_values(in_own_units(phi_, phi_.jacobian(q, t_))).minCoeff();
+    return share_ * std::sqrt(static_cast<double>(phi_.size())) / least;
+  }
+  std::vector<VectorXd> ways;
+  for (Index i = 0; i < weak.cols(); ++i) {
+    ways.push_back(weak.col(i));
+    if (weak.cols() - i > kCrossing) continue;
+    for (Index j = weak.cols() - std::min(kCrossing, weak.cols()); j < i; ++j) {
+      ways.push_back((weak.col(i) + weak.col(j)).normalized());
+      ways.push_back((weak.col(i) - weak.col(j)).normalized());
+    }
+  }
+  double farthest = 0;
+  for (const VectorXd& way : ways) {
+    farthest = std::max({farthest, reach(q, way), reach(q, -way)});
+  }
+  return farthest;
+}
+
+bool WithinFit::joins(const VectorXd& a, const VectorXd& b) const {
+  if (is_same_pose(phi_, a, b)) return true;
+  const double first = kFirstStep * std::sqrt(share_);
+  double length = std::min(first, kLongestStep);
+  VectorXd here = a;
+  const auto gap_of = [&](const VectorXd& q) -> VectorXd {
+    return phi_.canonical(b - q).cwiseQuotient(unit_);
+  };
+  VectorXd gap = gap_of(here);
+  for (int k = 0; k < kSteps && length >= kLeastStep * first; ++k) {
+    if (gap.norm() <= first) return true;
+    const VectorXd way = gap.normalized();
+    VectorXd next = here + std::min(length, gap.norm()) * unit_.cwiseProduct(way);
+    const bool is_in = correct(next, way);
+    const VectorXd left = gap_of(next);
+    // No way round: it comes nearer with every step.
+    if (!is_in || left.norm() > gap.norm() - length / 4) {
+      length /= 2;
+      continue;
+    }
+    here = next;
+    gap = left;
+    length = std::min(2 * length, kLongestStep);
+  }
+  return false;
+}
+
+}  // namespace moivre

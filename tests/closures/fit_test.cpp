@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+// Is every pose within fit told, as a closure or as one that hangs together with a closure that may move so far?
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "mechanisms.h"
+#include "moivre/closures/same_pose.h"
+#include "within_fit.h"
+
+namespace moivre {
+namespace {
+
+using Eigen::VectorXd;
+
+/// Crank and rocker of the lengths `crank` and `rocker`, a coupler between them; the pivots are `apart`. Driven is the crank.
+Mechanism four_bar(const std::string& crank, const std::string& coupler, const std::string& rocker,
+                   const std::string& apart, const std::string& angle, double fit) {
+  Mechanism mechanism = mechanism_text(R"toml(
+[ground.points]
+A = [0, 0]
+D = [)toml" + apart + R"toml(, 0]
+[body.crank.points]
+A = [0, 0]
+B = [)toml" + crank + R"toml(, 0]
+[body.coupler.points]
+B = [0, 0]
+C = [)toml" + coupler + R"toml(, 0]
+[body.rocker.points]
+D = [0, 0]
+C = [)toml" + rocker + R"toml(, 0]
+[[joint]]
+type = "revolute"
+at = ["ground.A", "crank.A"]
+[[joint]]
+type = "revolute"
+at = ["crank.B", "coupler.B"]
+[[joint]]
+type = "revolute"
+at = ["coupler.C", "rocker.C"]
+[[joint]]
+type = "revolute"
+at = ["rocker.D", "ground.D"]
+[[driver]]
+angle = "crank"
+start = )toml" + angle + "\n");
+  mechanism.fit = fit;
+  return mechanism;
+}
+
+// Crank's end on the rocker's pivot, coupler and rocker alike: they turn together about it. Typed with other lengths no root is near.
+TEST(Fit, ARhombusFoldedUponItselfMovesAllAround) {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    const ClosureResult result =
+        closures_of(four_bar("2", "3.001", "3", "2.0004", "0.0002", 0.005), seed);
+    EXPECT_TRUE(result.complete) << result.message;
+    ASSERT_EQ(result.closures.size(), 1U) << result.message;
+    EXPECT_GT(*result.closures.front().play, 3) << result.message;
+    EXPECT_NE(result.message.find("within fit closure A can move"), std::string::npos);
+  }
+}
+
+TEST(Fit, AtAFoldTwoClosuresHangTogetherAndReachTheRootOfFit) {
+  for (const double fit : {1e-3, 1e-5, 1e-7}) {
+    const Mechanism mechanism = four_bar("2", "3", "4", "5", "3.141592653589793", fit);
+    const ClosureResult result = closures_of(mechanism);
+    ASSERT_EQ(result.closures.size(), 1U) << result.message;
+    const double play = *result.closures.front().play;
+    EXPECT_GT(play, 0.5 * std::sqrt(fit)) << fit;
+    EXPECT_LT(play, 5 * std::sqrt(fit)) << fit;
+  }
+}
+
+TEST(Fit, TwoClosuresFarFromAFoldDoNotHangTogether) {
+  const Mechanism mechanism = four_bar("2", "3", "4", "5", "1", 1e-3);
+  const ClosureResult result = closures_of(mechanism);
+  ASSERT_EQ(result.closures.size(), 2U) << result.message;
+  const Phi phi(mechanism);
+  const WithinFit within(phi, 1e-3, 0);
+  for (const Closure& closure : result.closures) {
+    EXPECT_FALSE(within.is_weak(closure.q));
+    EXPECT_LT(*closure.play, 0.01);
+  }
+  EXPECT_FALSE(within.joins(result.closures[0].q, result.closures[1].q));
+  EXPECT_EQ(result.message, "every path was decided");
+}
+
+TEST(Fit, HasNoPlayWhereNoFitIsGiven) {
+  Mechanism mechanism = four_bar("2", "3", "4", "5", "1", 1e-3);
+  mechanism.fit.reset();
+  const ClosureResult result = closures_of(mechanism);
+  EXPECT_FALSE(result.closures.front().play);
+}
+
+// Of a Sarrus linkage as many equations as unknowns are solved, and these have no roots that are poses.
+TEST(Fit, FindsASarrusLinkageInFramesOfItsOwn) {
+  const Mechanism mechanism = mechanism_text(R"toml(
+space = "spatial"
+fit = 0.0005
+[ground.points]
+P0 = [2.0, 0.0, 0.0]
+P6 = [0.0, 2.0, 0.0]
+[body.b1.points]
+P5 = [1.9636, 3.4169, -3.5691]
+P11 = [2.9807, 4.2974, -1.0811]
+[body.b2.points]
+P1 = [0.9184, 1.872, -2.7718]
+P2 = [-1.0684, 3.1657, -4.3141]
+[body.b3.points]
+P3 = [1.0441, 3.3758, 1.8482]
+P4 = [1.3066, 2.0633, 4.3399]
+[body.b4.points]
+P7 = [-0.4773, 0.3614, -1.0652]
+P8 = [-2.9307, 0.6621, -2.4401]
+[body.b5.points]
+P9 = [2.6191, -2.756, -0.0808]
+P10 = [1.9019, -3.335, 2.5932]
+[[joint]]
+type = "revolute"
+name = "j0"
+at = ["ground.P0", "b2.P1"]
+axis = [[0.0, 1.0, 0.0], [-0.2932, -0.8841, -0.3639]]
+[[joint]]
+type = "revolute"
+name = "j1"
+at = ["b2.P2", "b3.P3"]
+axis = [[-0.2932, -0.8841, -0.3639], [-0.9513, 0.2199, 0.216]]
+[[joint]]
+type = "revolute"
+name = "j2"
+at = ["b3.P4", "b1.P5"]
+axis = [[-0.9513, 0.2199, 0.216], [0.0765, 0.8849, 0.4594]]
+[[joint]]
+type = "revolute"
+name = "j3"
+at = ["ground.P6", "b4.P7"]
+axis = [[1.0, 0.0, 0.0], [0.3234, 0.863, -0.3882]]
+[[joint]]
+type = "revolute"
+name = "j4"
+at = ["b4.P8", "b5.P9"]
+axis = [[0.3234, 0.863, -0.3882], [-0.3602, -0.8871, -0.2887]]
+[[joint]]
+type = "revolute"
+name = "j5"
+at = ["b5.P10", "b1.P11"]
+axis = [[-0.3602, -0.8871, -0.2887], [-0.432, 0.4447, -0.7846]]
+[[driver]]
+angle = "j0"
+start = 1.6106854610455656
+)toml");
+  // Where its bodies were drawn.
+  const Eigen::Vector3d drawn(-1.4715, -1.5342, 0.2765);
+  const Eigen::Vector3d lower(-1.2459, 0.9157, 0.8099);
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    const ClosureResult result = closures_of(mechanism, seed);
+    EXPECT_TRUE(result.complete) << result.message;
+    const bool is_there =
+        std::any_of(result.closures.begin(), result.closures.end(), [&](const Closure& closure) {
+          return (closure.q.segment<3>(0) - drawn).norm() < 5e-3 &&
+                 (closure.q.segment<3>(6) - lower).norm() < 5e-3 && *closure.play < 0.05;
+        });
+    EXPECT_TRUE(is_there) << "seed " << seed << ": " << result.message;
+    const bool has_set = std::any_of(result.closures.begin(), result.closures.end(),
+                                     [](const Closure& closure) { return *closure.play > 2; });
+    EXPECT_TRUE(has_set) << "seed " << seed;
+  }
+}
+
+}  // namespace
+}  // namespace moivre
