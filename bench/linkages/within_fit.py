@@ -92,6 +92,8 @@ class WithinFit:
 
     def hangs_together(self, q, others):
         """Which of the other poses q hangs together with, of those within the fit: an index, or None."""
+        if not others:
+            return None
         near = sorted(range(len(others)), key=lambda k: np.linalg.norm(self.m.step_between(q, others[k]) / self.units))
         for k in near:
             if self.joins(q, others[k]):

@@ -120,8 +120,9 @@ void take_back(ClosureSearch& search, Solution solution, const NewtonResult& pos
   search.result.solutions.push_back(std::move(solution));
 }
 
-/// What misses by little: the least squares beside each near miss, taken where it closes after all, or is within Mechanism::fit. The drawn
-/// pose comes first: it stands for all that hang together with it.
+/// What misses by little: the least squares beside each near miss, taken where it closes after all,
+/// or is within Mechanism::fit. The drawn pose comes first: it stands for all that hang together
+/// with it.
 void take_near_misses(ClosureSearch& search) {
   const double t = search.options.time;
   if (search.mechanism.fit && is_drawn_at(search.mechanism, t)) {
@@ -150,8 +151,8 @@ bool is_allowed(ClosureSearch& search, const Eigen::VectorXd& q) {
   return !broken;
 }
 
-// At rest Newton-Raphson takes for zero what twelve digits leave; where constraints contradict each other by so little, no root is a
-// closure, and no such pose is one.
+// At rest Newton-Raphson takes for zero what twelve digits leave; where constraints contradict each
+// other by so little, no root is a closure, and no such pose is one.
 bool closes(const ClosureSearch& search, const NewtonResult& pose) {
   constexpr double kRounding = 1e-14;  // beside a row's size
   if (pose.status != NewtonStatus::converged) return false;

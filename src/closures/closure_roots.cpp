@@ -106,8 +106,8 @@ bool may_be_several(const Solution& root) {
   return !root.singular && root.condition >= kStandsAlone;
 }
 
-/// A root that may have a real pose beside it. Under a fit every root may: beside a fold of a small curvature the real parts are right, however
-/// far roots are from real.
+/// A root that may have a real pose beside it. Under a fit every root may: beside a fold of a small
+/// curvature the real parts are right, however far roots are from real.
 void note_near_miss(ClosureSearch& search, const Solution& root, bool is_rejected) {
   const bool is_near = distance_from_real(search.formulation, root.x) <= near_real(search);
   if (is_near || search.mechanism.fit) search.near_misses.push_back({root, is_rejected, is_near});

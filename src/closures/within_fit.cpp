@@ -18,13 +18,16 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// Of the root of fit. At a fold b s^2 / 2, b about 1, two closures that fit does not part have sigma = b s <= 2 roots of fit b.
+// Of the root of fit. At a fold b s^2 / 2, b about 1, two closures that fit does not part have
+// sigma = b s <= 2 roots of fit b.
 constexpr double kWeak = 4;
-// Where all rows miss by fit at least squares, those that are met leave so many times that to the others.
+// Where all rows miss by fit at least squares, those that are met leave so many times that to the
+// others.
 constexpr double kOfSolved = 20;
 constexpr double kFirstStep = 0.25;
 constexpr double kLeastStep = 0.01;
-// In radians and of the mechanism's mean length: steps that a valley's bends allow, and so many that a whole turn is within them.
+// In radians and of the mechanism's mean length: steps that a valley's bends allow, and so many
+// that a whole turn is within them.
 constexpr double kLongestStep = 0.1;
 constexpr int kSteps = 100;
 // Where valleys cross, their directions are sums of the weakest ones.
@@ -53,7 +56,8 @@ bool WithinFit::is_beside_roots(const VectorXd& q) const {
          sigma.minCoeff() > kWeak * std::sqrt(kOfSolved * share_);
 }
 
-/// Puts q into W across `way`, in own units. Directions along which fit leaves the pose free are not gone along: damped by sigma^2 = fit.
+/// Puts q into W across `way`, in own units. Directions along which fit leaves the pose free are
+/// not gone along: damped by sigma^2 = fit.
 bool WithinFit::correct(VectorXd& q, const VectorXd& way) const {
   constexpr int kCorrections = 8;
   const VectorXd row_unit = phi_.own_row_units();

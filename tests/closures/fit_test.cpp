@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Is every pose within fit told, as a closure or as one that hangs together with a closure that may move so far?
+// Is every pose within fit told, as a closure or as one that hangs together with a closure that may
+// move so far?
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,7 +15,8 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// Crank and rocker of the lengths `crank` and `rocker`, a coupler between them; the pivots are `apart`. Driven is the crank.
+/// Crank and rocker of the lengths `crank` and `rocker`, a coupler between them; the pivots are
+/// `apart`. Driven is the crank.
 Mechanism four_bar(const std::string& crank, const std::string& coupler, const std::string& rocker,
                    const std::string& apart, const std::string& angle, double fit) {
   Mechanism mechanism = mechanism_text(R"toml(
@@ -49,7 +51,8 @@ start = )toml" + angle + "\n");
   return mechanism;
 }
 
-// Crank's end on the rocker's pivot, coupler and rocker alike: they turn together about it. Typed with other lengths no root is near.
+// Crank's end on the rocker's pivot, coupler and rocker alike: they turn together about it. Typed
+// with other lengths no root is near.
 TEST(Fit, ARhombusFoldedUponItselfMovesAllAround) {
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     const ClosureResult result =
@@ -93,7 +96,8 @@ TEST(Fit, HasNoPlayWhereNoFitIsGiven) {
   EXPECT_FALSE(result.closures.front().play);
 }
 
-// Of a Sarrus linkage as many equations as unknowns are solved, and these have no roots that are poses.
+// Of a Sarrus linkage as many equations as unknowns are solved, and these have no roots that are
+// poses.
 TEST(Fit, FindsASarrusLinkageInFramesOfItsOwn) {
   const Mechanism mechanism = mechanism_text(R"toml(
 space = "spatial"
