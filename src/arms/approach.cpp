@@ -68,17 +68,24 @@ JointVector<Complex> predicted(const Arm& arm, const TipWay& way, double s, doub
   return q + h / 6 * (a + 2 * b + 2 * c + d);
 }
 
+/// What rounding makes of a Newton step here.
+double rounding_of_step(const Arm& arm, const JointVector<Complex>& q) {
+  constexpr double kLastBits = 1e-15;
+  const Eigen::Matrix<Complex, 6, 6> square = tip_motion<Complex>(arm, q).screws;
+  return kLastBits * square.partialPivLu().inverse().norm();
+}
+
 /// Two Newton steps; nothing where the second is not smaller by `contraction` than the first.
 struct Corrected {
   bool contracts = false;
   double first = 0, second = 0;
 };
-Corrected corrected(const Arm& arm, const Placement<Complex>& pose, double contraction,
+Corrected corrected(const Arm& arm, const Placement<Complex>& pose, double contraction, bool is_end,
                     JointVector<Complex>& q) {
   /// Radians: a prediction that is farther off may be another path's.
   constexpr double kFarthest = 0.1;
   /// Steps that are smaller may be rounding's, next to a singular posture; they lead to no other path.
-  constexpr double kRounding = 1e-9;
+  constexpr double kRounding = 1e-9, kMostRounding = 1e-5;
   Corrected result;
   const JointVector<Complex> one = newton_step(arm, pose, q);
   result.first = step_size(arm, one);
@@ -86,7 +93,11 @@ Corrected corrected(const Arm& arm, const Placement<Complex>& pose, double contr
   q += one;
   const JointVector<Complex> two = newton_step(arm, pose, q);
   result.second = step_size(arm, two);
-  if (!(result.second <= std::max(contraction * result.first, kRounding))) return result;
+  const bool may_be_rounding = !is_end && result.second <= kMostRounding;
+  if (!(result.second <= std::max(contraction * result.first, kRounding)) &&
+      !(may_be_rounding && result.second <= rounding_of_step(arm, q))) {
+    return result;
+  }
   q += two;
   result.contracts = true;
   return result;
@@ -188,11 +199,16 @@ ApproachEnd approach(const Arm& arm, const TipWay& way, const JointVector<Comple
   constexpr double kFirstStep = 0.1, kLeastShare = 1e-7, kNear = 1e-3, kRounding = 1e-13;
   /// Newton steps that a prediction should need, radians.
   constexpr double kWanted = 1e-3;
+  constexpr double kQuarter = 0.25;
   constexpr int kMostSteps = 2000;
   const Placement<Complex> end{way.end.R.cast<Complex>(), way.end.p.cast<Complex>()};
   ApproachEnd result;
   result.values = start;
   double s = 0, h = kFirstStep;
+  struct {
+    double remaining = 1;
+    JointVector<Complex> values;
+  } lately{1, start}, before{1, start};
   for (int steps = 0; steps < kMostSteps; ++steps) {
     result.remaining = 1 - s;
     if (is_infinite(arm, result.values)) {
@@ -205,7 +221,7 @@ ApproachEnd approach(const Arm& arm, const TipWay& way, const JointVector<Comple
     const double next = is_last ? 1 : s + h;
     JointVector<Complex> q = predicted(arm, way, s, h, result.values);
     const Corrected step =
-        corrected(arm, is_last ? end : moving(arm, way, next).at, contraction, q);
+        corrected(arm, is_last ? end : moving(arm, way, next).at, contraction, is_last, q);
     if (step.contracts && is_last) {
       JointVector<Complex> last = q;
       if (correct_at(arm, end, last, kWanted, result.accuracy)) {
@@ -218,6 +234,10 @@ ApproachEnd approach(const Arm& arm, const TipWay& way, const JointVector<Comple
     if (step.contracts && !is_last) {
       result.values = q;
       s = next;
+      if (1 - s < kQuarter * lately.remaining) {
+        before = lately;
+        lately = {1 - s, q};
+      }
       const double growth = std::pow(kWanted / std::max(step.first, 1e-9), 0.2);
       h *= std::clamp(0.9 * growth, 0.3, 3.0);
       continue;
@@ -225,7 +245,10 @@ ApproachEnd approach(const Arm& arm, const TipWay& way, const JointVector<Comple
     h /= 3;
     if (h < kLeastShare * result.remaining) break;
   }
-  if (result.remaining < kNear) result.kind = ApproachKind::singular;
+  if (result.remaining < kNear) {
+    result.kind = ApproachKind::singular;
+    result.to_go = distance_of(arm, result.values, before.values);
+  }
   return result;
 }
 

@@ -27,6 +27,7 @@ struct ApproachEnd {
   JointVector<Complex> values;
   double accuracy = 0;   ///< of a regular end: its last Newton step
   double remaining = 1;  ///< 1 - s
+  double to_go = 0;  ///< of a singular end: how far its last velocity leads on the remaining way
 };
 
 /// How the tip goes from one pose to another.

@@ -23,6 +23,7 @@
 #include "random_values.h"
 #include "regular_pose.h"
 #include "self_motion.h"
+#include "set_place.h"
 #include "six_joints.h"
 
 namespace moivre {
@@ -137,12 +138,15 @@ struct SingularEnd {
   Eigen::VectorXd values;  ///< of the arm, the real part
   double imaginary = 0;
   double added = 0;  ///< of the joints that were added
+  double to_go = 0;  ///< how far it is from what the path leads to
 };
 
 /// What the paths of one beginning came to.
 struct Arrivals {
   std::map<std::size_t, std::uint64_t> paths_to;  ///< by closure
   std::vector<SingularEnd> singular;
+  /// Between two closures that are nearly real: the pose is held within its accuracy there.
+  std::vector<Eigen::VectorXd> between_pairs;
 };
 
 /// Enters the closures of regular ends, and what singular ones lead to; these are explained when all is entered.
@@ -161,10 +165,11 @@ bool read_ends(const Beginning& beginning, const std::vector<ApproachEnd>& ends,
     const Eigen::VectorXd start = own_values(six, end.values.real());
     if (end.kind == ApproachKind::singular) {
       enter(list, start, false);
-      arrivals.singular.push_back({start, imaginary, added_size(beginning, end)});
+      arrivals.singular.push_back({start, imaginary, added_size(beginning, end), end.to_go});
       continue;
     }
     const bool counts = added_size(beginning, end) <= kMargin * accuracy;
+    const std::size_t places = list.places.size();
     const PostureEntry entry = imaginary > kNearlyReal ? PostureEntry{} : enter(list, start, false);
     if (entry.kind == PostureEntry::Kind::closure && entry.moved <= kFarthest) {
       ArmClosure& closure = list.closures[entry.index];
@@ -178,6 +183,7 @@ bool read_ends(const Beginning& beginning, const std::vector<ApproachEnd>& ends,
     }
     if (entry.kind == PostureEntry::Kind::on_set) continue;
     if (counts) ++result.counts.complex;
+    if (list.places.size() > places) arrivals.between_pairs.push_back(list.places.back());
     const bool is_real = imaginary <= 10 * end.accuracy + 1e-10;
     if (is_real && has_all_joints) are_read = false;
   }
@@ -247,14 +253,18 @@ std::optional<std::size_t> closure_of(const SingularEnd& end, const PostureList&
   return nearest;
 }
 
-/// Whether the end is at a set or a closure that is listed.
+bool is_at_set(const SingularEnd& end, const PostureList& list, bool within_digits) {
+  return std::any_of(list.moves.begin(), list.moves.end(), [&](const SelfMotion& set) {
+    return set.within_digits == within_digits && is_on(list.arm, set, end.values, kNear);
+  });
+}
+
+/// Whether the end is at a set or a closure that is listed. On a set that is there within the digits only, the arm as typed has closures.
 bool is_at_listed(const SingularEnd& end, PostureList& list, Arrivals& arrivals,
                   ArmResult& result) {
-  for (const SelfMotion& set : list.moves) {
-    if (is_on(list.arm, set, end.values, kNear)) return true;
-  }
+  if (is_at_set(end, list, false)) return true;
   const auto at = closure_of(end, list, arrivals);
-  if (!at) return false;
+  if (!at) return is_at_set(end, list, true);
   ArmClosure& closure = list.closures[*at];
   closure.multiplicity = std::max(closure.multiplicity, ++arrivals.paths_to[*at]);
   closure.singular = !is_simple(closure);
@@ -266,11 +276,13 @@ bool is_at_listed(const SingularEnd& end, PostureList& list, Arrivals& arrivals,
 /// the arm's own.
 bool is_explained(const SingularEnd& end, PostureList& list, Arrivals& arrivals,
                   ArmResult& result) {
-  constexpr double kNotReal = 1e-2;
+  constexpr double kNotReal = 1e-2, kFarBefore = 0.1, kClearly = 4;
   constexpr std::uint64_t kBeside = 16, kBehindOthers = 20'000;
+  // A path that stopped far before its end tells nothing of it.
+  if (end.to_go > kFarBefore) return false;
   if (is_at_listed(end, list, arrivals, result)) return true;
-  if (end.added > kNear) return true;
-  if (end.imaginary > kNotReal) {
+  if (end.added > std::max(kNear, kClearly * end.to_go)) return true;
+  if (end.imaginary > std::max(kNotReal, kClearly * end.to_go)) {
     ++result.counts.complex;
     return true;
   }
@@ -281,12 +293,21 @@ bool is_explained(const SingularEnd& end, PostureList& list, Arrivals& arrivals,
   return is_at_listed(end, list, arrivals, result);
 }
 
-/// Whether a place that holds the pose within its accuracy is of a set or a closure that is listed.
+bool hold_between(const PostureList& list, const ArmClosure& closure,
+                  const Eigen::VectorXd& place) {
+  const Eigen::VectorXd way = way_between(list.arm, closure.values, place);
+  const SetPlace from = place_at(list.arm, list.pose, closure.values);
+  return leads_to(list.arm, list.pose, from, way, list.accuracy);
+}
+
+/// Whether a place that holds the pose within its accuracy is of a set or a closure that is listed: near to it, or the pose is held half way, too.
 bool is_listed(const PostureList& list, const Eigen::VectorXd& place) {
+  constexpr double kLongestWay = 0.3;
   return std::any_of(list.moves.begin(), list.moves.end(),
                      [&](const SelfMotion& set) { return is_on(list.arm, set, place, kNear); }) ||
          std::any_of(list.closures.begin(), list.closures.end(), [&](const ArmClosure& closure) {
-           return distance(list.arm, closure.values, place) <= kNear;
+           const double away = distance(list.arm, closure.values, place);
+           return away <= kNear || (away <= kLongestWay && hold_between(list, closure, place));
          });
 }
 
@@ -465,6 +486,11 @@ ArmResult closures_at(const PreparedArm& prepared, const TypedPose& at, const Kn
   for (Arrivals& of_beginning : arrivals) {
     for (const SingularEnd& end : of_beginning.singular) {
       if (!is_explained(end, list, of_beginning, result)) result.complete = false;
+    }
+  }
+  for (const Arrivals& of_beginning : arrivals) {
+    for (const Eigen::VectorXd& place : of_beginning.between_pairs) {
+      if (!is_listed(list, place)) enter_meeting(list, place);
     }
   }
   for (const Eigen::VectorXd& place : list.places) {

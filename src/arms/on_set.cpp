@@ -63,7 +63,7 @@ bool is_on_surface(const Arm& arm, const SelfMotion& motion, const Eigen::Vector
 }  // namespace
 
 bool is_on(const Arm& arm, const SelfMotion& motion, const Eigen::VectorXd& values, double within) {
-  constexpr double kStandsStill = 5e-3, kChord = 5e-3;
+  constexpr double kStandsStill = 5e-3, kBowOfChord = 0.1;
   const double near_plane = within;
   if (!motion.relations.empty()) {
     const Eigen::VectorXd away = way_between(arm, motion.values, values);
@@ -87,14 +87,13 @@ bool is_on(const Arm& arm, const SelfMotion& motion, const Eigen::VectorXd& valu
     return holds;
   }
   if (motion.dimension > 1) return is_on_surface(arm, motion, values, within);
-  // Between samples, which are kStep apart, a curve leaves its chord by a little.
-  const double near = std::max(within, kChord);
   for (std::size_t k = motion.closes ? 0 : 1; k < motion.samples.size(); ++k) {
     const Eigen::VectorXd& a = k > 0 ? motion.samples[k - 1] : motion.samples.back();
     const Eigen::VectorXd side = way_between(arm, a, motion.samples[k]),
                           to = way_between(arm, a, values);
     const double along = std::clamp(to.dot(side) / std::max(side.squaredNorm(), 1e-300), 0.0, 1.0);
-    if ((to - along * side).norm() < near) return true;
+    // Between samples a curve leaves its chord by a little.
+    if ((to - along * side).norm() < std::max(within, kBowOfChord * side.norm())) return true;
   }
   return false;
 }

@@ -29,10 +29,12 @@ double of_pose(const PostureList& list) {
   return list.accuracy > kReach ? list.accuracy : kRounding;
 }
 
-/// What rounding moves a closure by, along a direction of this singular value.
+/// What rounding moves a closure by, along a direction of this singular value: forward kinematics is wrong by some units of the last bit for
+/// each joint, and where k closures meet Newton's step is a k-th of the way to them.
 double moved_by_rounding(const ArmClosure& closure, double sigma) {
-  constexpr double kLeast = 1e-9, kLastDigits = 1e-13, kAtMost = 1e-2;
-  return std::clamp((kLastDigits + closure.residual) / std::max(sigma, 1e-300), kLeast, kAtMost);
+  constexpr double kLeast = 1e-9, kLastDigits = 2.5e-15, kAtMost = 1e-2, kMeet = 4;
+  return std::clamp(kMeet * (kLastDigits + closure.residual) / std::max(sigma, 1e-300), kLeast,
+                    kAtMost);
 }
 
 /// Whether `to` may be the closure `from` but for rounding, which moves it along some directions by more than along others.
@@ -79,7 +81,8 @@ std::optional<std::size_t> listed(const PostureList& list, const ArmClosure& clo
     const ArmClosure& other = list.closures[k];
     const bool is_worse = closure.smallest_singular_value < other.smallest_singular_value;
     const auto& [worse, better] = is_worse ? std::tie(closure, other) : std::tie(other, closure);
-    const double within = moved_by_rounding(worse, worse.smallest_singular_value);
+    const double within = moved_by_rounding(closure, closure.smallest_singular_value) +
+                          moved_by_rounding(other, other.smallest_singular_value);
     if (!are_near(list.arm, closure.values, other.values, within)) continue;
     const double away = distance(list.arm, closure.values, other.values);
     if (away <= kClearlyOne || is_moved_by_rounding(list, worse, better)) return k;
@@ -90,7 +93,7 @@ std::optional<std::size_t> listed(const PostureList& list, const ArmClosure& clo
 std::optional<std::size_t> set_of(const PostureList& list, const Eigen::VectorXd& values,
                                   bool is_exact) {
   for (std::size_t k = 0; k < list.moves.size(); ++k) {
-    if (is_exact && list.moves[k].within_digits) continue;
+    if (is_exact && list.moves[k].within_digits && list.moves[k].misfit > of_pose(list)) continue;
     if (is_on(list.arm, list.moves[k], values, kOnSet)) return k;
   }
   return std::nullopt;
@@ -103,6 +106,12 @@ void enter_near(PostureList& list, const TracedSet& traced) {
   list.follows_digits = true;
 }
 
+/// A curve of postures ends nowhere: one that does, where it misses the pose by more than it did, is there within the digits only.
+bool ends(const PostureList& list, const SelfMotion& motion) {
+  constexpr double kRoundingShare = 0.1;
+  return motion.dimension == 1 && !motion.closes && motion.misfit > kRoundingShare * of_pose(list);
+}
+
 /// Adds the set through the posture that the accuracy, or the digits, leave open; its number where the pose's accuracy does.
 std::optional<std::size_t> add_set(PostureList& list, const ArmClosure& closure) {
   const double sigma = closure.smallest_singular_value;
@@ -113,12 +122,13 @@ std::optional<std::size_t> add_set(PostureList& list, const ArmClosure& closure)
     if (is_by_digits && set_of(list, closure.values, false)) return std::nullopt;
     auto traced = trace_set(list.arm, list.pose, closure.values, accuracy, list.seed);
     if (!traced) continue;
-    traced->motion.within_digits = is_by_digits && traced->motion.misfit > of_pose(list);
+    const bool is_beyond_pose = traced->motion.misfit > of_pose(list);
+    traced->motion.within_digits =
+        (is_by_digits && is_beyond_pose) || (list.arm.rounding > 0 && ends(list, traced->motion));
     // Where sets meet the posture may not be known well enough to be seen on one that is there.
     if (const auto same = set_of(list, traced->motion.values, true)) return same;
-    const bool is_within_digits = traced->motion.within_digits;
     list.moves.push_back(std::move(traced->motion));
-    if (!is_within_digits) return list.moves.size() - 1;
+    if (!is_beyond_pose) return list.moves.size() - 1;
     enter_near(list, *traced);
     return std::nullopt;
   }
@@ -176,6 +186,13 @@ PostureEntry enter(PostureList& list, const Eigen::VectorXd& start, bool is_far)
   PostureEntry entry = enter(list, polished);
   entry.moved = distance(list.arm, polished.values, start);
   return entry;
+}
+
+void enter_meeting(PostureList& list, const Eigen::VectorXd& place) {
+  ArmClosure closure = closure_of(list, polish(list.arm, list.pose, place));
+  closure.multiplicity = 2;
+  closure.singular = true;
+  list.closures.push_back(std::move(closure));
 }
 
 PostureEntry enter(PostureList& list, const Polished& polished) {

@@ -44,6 +44,9 @@ PostureEntry enter(PostureList& list, const Eigen::VectorXd& start, bool is_far)
 /// Where Newton's method led to already.
 PostureEntry enter(PostureList& list, const Polished& polished);
 
+/// The place between two closures that are not real by so little that the pose is held within its accuracy: a closure, where both meet.
+void enter_meeting(PostureList& list, const Eigen::VectorXd& place);
+
 /// Largest difference, turns modulo whole ones, slides beside the arm's length.
 double distance(const Arm& arm, const Eigen::VectorXd& a, const Eigen::VectorXd& b);
 

@@ -18,13 +18,15 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// A set that reaches less far is none.
-constexpr double kShortest = 0.2;
+/// A set that reaches less far is none, in probes.
+constexpr double kShortest = 4;
 /// Singular values beside the largest: directions with larger ones do move the tip.
 constexpr double kMayStand = 0.02;
 /// A set of one dimension has at most so many samples to each side, one of more dimensions so many ways of so many steps.
 constexpr int kMostSteps = 400;
 constexpr int kWays = 12, kStepsOfAWay = 25;
+/// Of a probe: how near places of a curve are that tell its one direction.
+constexpr double kNearProbe = 0.1;
 /// Where random numbers of the first place, of one further on, and of ways begin.
 constexpr std::uint64_t kFirstStream = 6000, kSecondStream = 6500, kThirdStream = 7000,
                         kNearStream = 7500;
@@ -49,7 +51,7 @@ struct Around {
   std::optional<VectorXd> further;
 };
 Around around(const Arm& arm, const Eigen::Isometry3d& pose, const SetPlace& place, double accuracy,
-              std::uint64_t seed, std::uint64_t stream, double probe = kProbe) {
+              std::uint64_t seed, std::uint64_t stream, double probe) {
   constexpr std::uint64_t kSteps = 8;
   const Index n = place.values.size();
   Index still = 0;
@@ -89,15 +91,18 @@ struct Way {
 
 /// From `from` on along `direction`, to the end of the set or back to its beginning.
 Way follow(const Arm& arm, const Eigen::Isometry3d& pose, const SetPlace& from, VectorXd direction,
-           Index dimension, int most, double accuracy) {
+           Index dimension, int most, double accuracy, double longest) {
   constexpr int kHalvings = 4;
   /// Samples follow a curve: the cosine between one step and the next.
   constexpr double kStraight = 0.995;
+  constexpr double kSameWay = 0.5;
   Way way;
   SetPlace here = from;
+  VectorXd first;
+  double farthest = 0;
   for (int k = 0; k < most; ++k) {
     std::optional<SetPlace> next;
-    double step = kStep;
+    double step = longest;
     VectorXd gone;
     for (int h = 0; h <= kHalvings; ++h, step /= 2) {
       next = moved(arm, pose, here, direction, step, accuracy);
@@ -109,7 +114,12 @@ Way follow(const Arm& arm, const Eigen::Isometry3d& pose, const SetPlace& from, 
     direction = gone;
     here = std::move(*next);
     way.places.push_back(here);
-    const bool is_back = k > 3 && apart(arm, here.values, from.values) < kStep;
+    // A narrow loop passes its beginning in the other direction.
+    if (k == 0) first = direction;
+    const double away = apart(arm, here.values, from.values);
+    farthest = std::max(farthest, away);
+    const bool is_back =
+        farthest > 2 * longest && away < longest && direction.dot(first) > kSameWay;
     if (dimension == 1 && is_back) {
       way.closes = true;
       return way;
@@ -178,19 +188,22 @@ void take(const std::vector<SetPlace>& places, std::vector<VectorXd>& samples, d
   }
 }
 
-}  // namespace
+/// Where a set is followed from, and in which directions.
+struct SetBegin {
+  SetPlace place;
+  MatrixXd ways;
+};
 
-std::optional<TracedSet> trace_set(const Arm& arm, const Eigen::Isometry3d& pose,
-                                   const VectorXd& from, double accuracy, std::uint64_t seed) {
+std::optional<SetBegin> set_begin(const Arm& arm, const Eigen::Isometry3d& pose,
+                                  const VectorXd& from, double accuracy, double probe,
+                                  std::uint64_t seed) {
   const SetPlace start = place_at(arm, pose, from);
-  const Around here = around(arm, pose, start, accuracy, seed, kFirstStream);
+  const Around here = around(arm, pose, start, accuracy, seed, kFirstStream, probe);
   if (!here.further) return std::nullopt;
   // Where sets meet, directions belong to several: a place further on has those of its own.
   const SetPlace next = place_at(arm, pose, *here.further);
-  const Around there = around(arm, pose, next, accuracy, seed, kSecondStream);
+  const Around there = around(arm, pose, next, accuracy, seed, kSecondStream, probe);
   if (!there.further) return std::nullopt;
-  TracedSet traced;
-  SelfMotion& motion = traced.motion;
   // A place where sets meet is known to half the digits or fewer: the other one is better.
   const auto clearness = [](const SetPlace& place, Index dimension) {
     const Index across = place.sigma.size() - 1 - dimension;
@@ -199,58 +212,100 @@ std::optional<TracedSet> trace_set(const Arm& arm, const Eigen::Isometry3d& pose
   const Index dimension = std::min(here.directions.cols(), there.directions.cols());
   const bool is_meeting = there.directions.cols() < here.directions.cols() ||
                           clearness(next, dimension) > 2 * clearness(start, dimension);
-  const SetPlace& begin = is_meeting ? next : start;
-  MatrixXd ways = is_meeting ? there.directions : here.directions;
+  SetBegin begin = is_meeting ? SetBegin{next, there.directions} : SetBegin{start, here.directions};
   // Places of a curve that is bent span two dimensions unless they are near. What is within an accuracy tells nothing there.
-  if (ways.cols() > 1 && accuracy <= kReach) {
-    const Around near = around(arm, pose, begin, accuracy, seed, kNearStream, kProbe / 10);
-    if (near.further && near.directions.cols() < ways.cols()) ways = near.directions;
+  if (begin.ways.cols() > 1 && accuracy <= kReach) {
+    const Around near =
+        around(arm, pose, begin.place, accuracy, seed, kNearStream, kNearProbe * probe);
+    if (near.further && near.directions.cols() < begin.ways.cols()) begin.ways = near.directions;
   }
-  motion.dimension = static_cast<int>(ways.cols());
-  motion.values = begin.values;
-  motion.misfit = begin.residual;
+  return begin;
+}
+
+void trace_curve(const Arm& arm, const Eigen::Isometry3d& pose, const SetBegin& begin,
+                 double accuracy, double step, TracedSet& traced) {
+  SelfMotion& motion = traced.motion;
+  const VectorXd direction = begin.ways.col(0);
+  Way forth = follow(arm, pose, begin.place, direction, 1, kMostSteps, accuracy, step);
+  Way back;
+  if (!forth.closes) {
+    back = follow(arm, pose, begin.place, -direction, 1, kMostSteps, accuracy, step);
+  }
+  std::vector<SetPlace> places(back.places.rbegin(), back.places.rend());
+  places.push_back(begin.place);
+  places.insert(places.end(), forth.places.begin(), forth.places.end());
+  take(places, motion.samples, motion.misfit);
+  motion.closes = forth.closes;
+  if (motion.misfit <= kReach) return;
+  for (std::size_t k = 0; motion.closes && k < 2; ++k) {
+    places.push_back(again_after(arm, places.back(), places[k]));
+  }
+  traced.near_closures = near_closures(arm, pose, places, accuracy);
+}
+
+void trace_surface(const Arm& arm, const Eigen::Isometry3d& pose, const SetBegin& begin,
+                   double accuracy, double step, std::uint64_t seed, SelfMotion& motion) {
+  motion.samples.push_back(begin.place.values);
+  for (int way = 0; way < kWays; ++way) {
+    VectorXd direction = VectorXd::Zero(begin.place.values.size());
+    for (Index k = 0; k < begin.ways.cols(); ++k) {
+      const auto index = static_cast<std::uint64_t>(way * kMostJoints + k);
+      direction +=
+          (2 * random_unit(seed, RandomStream::arm, kThirdStream + index) - 1) * begin.ways.col(k);
+    }
+    const Way gone = follow(arm, pose, begin.place, direction.normalized(), motion.dimension,
+                            kStepsOfAWay, accuracy, step);
+    take(gone.places, motion.samples, motion.misfit);
+  }
+}
+
+/// `size`: of probes and steps, beside the usual ones.
+std::optional<TracedSet> trace_at_size(const Arm& arm, const Eigen::Isometry3d& pose,
+                                       const VectorXd& from, double accuracy, double size,
+                                       std::uint64_t seed) {
+  const double probe = size * kProbe, step = size * kStep;
+  const auto begin = set_begin(arm, pose, from, accuracy, probe, seed);
+  if (!begin) return std::nullopt;
+  TracedSet traced;
+  SelfMotion& motion = traced.motion;
+  motion.dimension = static_cast<int>(begin->ways.cols());
+  motion.values = begin->place.values;
+  motion.misfit = begin->place.residual;
   if (motion.dimension == 1) {
-    Way forth = follow(arm, pose, begin, ways.col(0), 1, kMostSteps, accuracy);
-    Way back;
-    if (!forth.closes) back = follow(arm, pose, begin, -ways.col(0), 1, kMostSteps, accuracy);
-    std::vector<SetPlace> places(back.places.rbegin(), back.places.rend());
-    places.push_back(begin);
-    places.insert(places.end(), forth.places.begin(), forth.places.end());
-    take(places, motion.samples, motion.misfit);
-    motion.closes = forth.closes;
-    if (motion.misfit > kReach) {
-      for (std::size_t k = 0; motion.closes && k < 2; ++k) {
-        places.push_back(again_after(arm, places.back(), places[k]));
-      }
-      traced.near_closures = near_closures(arm, pose, places, accuracy);
-    }
+    trace_curve(arm, pose, *begin, accuracy, step, traced);
   } else {
-    motion.samples.push_back(begin.values);
-    for (int way = 0; way < kWays; ++way) {
-      VectorXd direction = VectorXd::Zero(from.size());
-      for (Index k = 0; k < ways.cols(); ++k) {
-        const auto index = static_cast<std::uint64_t>(way * kMostJoints + k);
-        direction +=
-            (2 * random_unit(seed, RandomStream::arm, kThirdStream + index) - 1) * ways.col(k);
-      }
-      const Way gone = follow(arm, pose, begin, direction.normalized(), motion.dimension,
-                              kStepsOfAWay, accuracy);
-      take(gone.places, motion.samples, motion.misfit);
-    }
+    trace_surface(arm, pose, *begin, accuracy, step, seed, motion);
   }
   // A few steps are no set: closures that meet leave the accuracy behind as slowly.
   double reached = 0;
   for (const VectorXd& sample : motion.samples) {
     reached = std::max(reached, apart(arm, sample, motion.values));
   }
-  if (reached < kShortest) return std::nullopt;
-  motion.directions = ways;
+  if (reached < kShortest * probe) return std::nullopt;
+  // A curve of postures ends nowhere: what is small and ends is near closures alone.
+  if (size < 1 && !motion.closes && reached < kShortest * kProbe) return std::nullopt;
+  motion.directions = begin->ways;
   for (Index k = 0; k < motion.directions.cols(); ++k) {
     motion.directions.col(k) =
         in_joints<double>(arm, VectorXd(motion.directions.col(k))).normalized();
   }
-  motion.lost = {arm.length * begin.least.head<3>(), begin.least.tail<3>()};
+  motion.lost = {arm.length * begin->place.least.head<3>(), begin->place.least.tail<3>()};
   motion.relations = relations_of(arm, motion.samples, motion.dimension);
+  return traced;
+}
+
+}  // namespace
+
+std::optional<TracedSet> trace_set(const Arm& arm, const Eigen::Isometry3d& pose,
+                                   const VectorXd& from, double accuracy, std::uint64_t seed) {
+  // The exact set may be small, as beside a stretched elbow. Where k closures meet the tip is missed by the k-th power of the way: so near
+  // it must not be missed by as much.
+  constexpr double kSmaller[] = {0.1, 0.01};
+  auto traced = trace_at_size(arm, pose, from, accuracy, 1, seed);
+  for (const double size : kSmaller) {
+    if (traced || accuracy > kReach) break;
+    traced = trace_at_size(arm, pose, from, size * accuracy, size, seed);
+  }
   return traced;
 }
 

@@ -4,6 +4,7 @@
 // At a posture the screws' smallest singular values tell candidates: joint velocities that move the tip least. Random steps along
 // them, put right by Newton's method, come back to the set if there is one; it has as many dimensions as these places span.
 // A set of dimension 1 is followed in steps of kStep to both sides until it closes or ends. Of a larger one random ways are followed.
+// An exact set may be small: steps are then a tenth or a hundredth of that.
 //   relations: r . q = constant on the whole set, for its joints that move, where it is a piece of a plane in joint space
 // Closures of the arm may lie on a set that is there only within the accuracy (near_closures.h).
 #pragma once

@@ -94,13 +94,13 @@ std::vector<std::pair<std::uint64_t, Point>> paths_in_doubt(const Run& run) {
 
 }  // namespace
 
-void isolate_roots(Run& run) {
+bool settle_by_isolation(Run& run) {
   const Setting& setting = run.setting;
-  if (setting.prepared.reduction.system.variables.size() != 1) return;
+  if (setting.prepared.reduction.system.variables.size() != 1 || run.interrupted) return false;
   auto paths = paths_in_doubt(run);
-  if (paths.empty()) return;
+  if (paths.empty()) return false;
   const auto places = proved_places(run);
-  if (!places) return;
+  if (!places) return false;
   std::vector<std::pair<std::uint64_t, const ProvedPlace*>> found;
   const std::vector<ProvedPlace> left = free_places(run, *places);
   for (const ProvedPlace& place : left) {
@@ -108,15 +108,16 @@ void isolate_roots(Run& run) {
       const auto nearest = std::min_element(paths.begin(), paths.end(), [&](auto& a, auto& b) {
         return max_distance(place.place.x, a.second) < max_distance(place.place.x, b.second);
       });
-      if (nearest == paths.end()) return;
-      if (relative_distance(place.place.x, nearest->second) > kFarthestEnd) return;
+      if (nearest == paths.end()) return false;
+      if (relative_distance(place.place.x, nearest->second) > kFarthestEnd) return false;
       found.emplace_back(nearest->first, &place);
       paths.erase(nearest);
     }
   }
-  if (!paths.empty()) return;
+  if (!paths.empty()) return false;
   Refiner refiner(setting.refiner_program);
   for (const auto& [path, place] : found) enter_place(run, refiner, path, *place);
+  return true;
 }
 
 }  // namespace moivre

@@ -30,6 +30,10 @@ const std::vector<PeoplesArm>& peoples_arms() {
        {{2.356194490192345, 0.0, -1.5707963267948966, 1.5707963267948966, 2.356194490192345,
          -2.356194490192345}},
        true},
+      {"crx10ia_three_digits",
+       {},
+       {{-1.5707963268, 3.1415936536, 1.5707973268, -1.5707953268, 0, -1.5707962268}},
+       false},
       {"elfin5",
        {},
        {{1.4415781224, 1.8892079798, 0.0252250007, -1.8308947962, 3.141592653589793, -0.840960168},
@@ -97,6 +101,12 @@ const std::vector<PeoplesArm>& peoples_arms() {
        false},
       {"stanford", {}, {{0, 0, 0, 0, 0, 0}, {0.5, 0.8, 0, 0.4, 0.6, -0.3}}, true},
       {"tx2_90", {}, {{0, 0, 0, 0, 0, 0}, {0, 0, 0, 0.3, 0, -0.3}}, true},
+      {"tx90",
+       {},
+       {{1.3848149455, 2.4377942563, 1.5707959964, 1.420266775, 2.0224936922, 2.4458808162}},
+       false},
+      {"ur10_six_digits", {}, {{1e-05, 1.5707973, 0.001, -1.5697963, 0, 1.5708963}}, true},
+      {"ur30", {}, {{0, -3e-10, -5e-10, -4e-10, -8e-10, 7e-10}}, false},
       {"ur5_ros", {}, {{0.3, -1.0, 1.2, 0.4, 0, 0.7}, {0, 0, 0, 0, 0, 0}}, true},
       {"ur5_ros",
        {},
@@ -201,6 +211,59 @@ TEST(PeoplesArmsTest, ClosuresOnASetWithinTheDigitsAreListed) {
   ASSERT_FALSE(result.moves.empty());
   EXPECT_TRUE(result.moves.front().within_digits);
   EXPECT_LT(least_distance(arm, result, own), 1e-3);
+}
+
+/// Beside a stretched elbow the set of a straight wrist is a loop of a few thousandths of a radian.
+TEST(PeoplesArmsTest, ASmallSetIsFollowed) {
+  const auto [arm, own, result] = answer_of("ur10_six_digits");
+  ASSERT_EQ(result.moves.size(), 1U);
+  EXPECT_TRUE(result.moves[0].closes);
+  EXPECT_EQ(result.moves[0].dimension, 1);
+  EXPECT_LT(result.moves[0].misfit, 1e-14);
+  EXPECT_TRUE(is_on(arm, result.moves[0], own, 1e-5));
+  EXPECT_EQ(result.closures.size(), 2U);
+}
+
+/// Next to the stretched home pose a pair of closures is so nearly real that the pose is held between them.
+TEST(PeoplesArmsTest, APairThatIsNearlyRealIsAClosureWithinThePosesAccuracy) {
+  const auto [arm, own, result] = answer_of("ur30");
+  EXPECT_TRUE(result.complete);
+  const auto between = std::find_if(
+      result.closures.begin(), result.closures.end(),
+      [&](const ArmClosure& closure) { return distance(arm, closure.values, own) > 1; });
+  ASSERT_NE(between, result.closures.end());
+  EXPECT_EQ(between->multiplicity, 2U);
+  EXPECT_GT(between->residual, 1e-12);
+  EXPECT_LE(between->residual, result.accuracy);
+}
+
+/// Stretched, its two closures meet so flatly that rounding leaves a thousandth of a radian open, and the accuracy of the pose a tenth.
+TEST(PeoplesArmsTest, PlacesOfAFlatMeetingOfClosuresAreOfThem) {
+  const Eigen::VectorXd own{{-1e-10, 6e-10, -6e-10, 6e-10, -1e-09, 2e-10}};
+  const Arm arm = made_of({"tm12_three_digits", {}, {}});
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    const ArmResult result =
+        find_arm_closures(arm, forward_kinematics(arm, own), lanes(), one_thread(seed));
+    EXPECT_TRUE(result.complete) << result.message;
+    EXPECT_EQ(result.closures.size(), 3U);
+    EXPECT_LT(least_distance(arm, result, own), 2e-3);
+  }
+}
+
+/// Folded, its wrist is 3e-7 from the shoulder's axis: on the last ten millionth of their way four closures go far.
+TEST(PeoplesArmsTest, PathsAreFollowedToTheirEndsBesideASet) {
+  const auto [arm, own, result] = answer_of("tx90");
+  EXPECT_TRUE(result.complete);
+  EXPECT_EQ(result.closures.size(), 8U);
+  EXPECT_LT(least_distance(arm, result, own), 1e-7);
+}
+
+/// Two closures are 1.2e-3 apart on a bent curve, along which Newton's steps miss the pose by more before they miss it by less.
+TEST(PeoplesArmsTest, ClosuresThatNearlyMeetOnABentCurveAreListed) {
+  const auto [arm, own, result] = answer_of("crx10ia_three_digits");
+  EXPECT_LT(least_distance(arm, result, own), 1e-4);
+  EXPECT_EQ(result.closures.size(), 6U);
+  for (const ArmClosure& closure : result.closures) EXPECT_LT(closure.residual, 1e-14);
 }
 
 #if MOIVRE_WITH_CVODE
