@@ -8,6 +8,7 @@
 #include "certificates.h"
 #include "coincidence.h"
 #include "completeness.h"
+#include "judge.h"
 #include "moivre/certify/distinct.h"
 #include "moivre/expression/counted.h"
 
@@ -26,7 +27,8 @@ constexpr std::uint64_t PathCounts::*kCounts[]{
 
 /// Of the cycles of a group; none where its multiplicity was counted, not seen.
 std::vector<int> windings(const Run& run, const std::vector<std::uint64_t>& group) {
-  if (run.ledger.roots().at(group.front()).is_counted) return {};
+  const Root& first = run.ledger.roots().at(group.front());
+  if (first.is_exact && !first.winding) return {};
   return cycles(run.ledger, group).value_or(std::vector<int>(group.size(), 1));
 }
 
@@ -43,14 +45,25 @@ void enter_places(const std::vector<std::vector<std::uint64_t>>& groups, SolveRe
   }
 }
 
-/// The groups of a run, and the paths of which it was not found out what they end at.
-struct Judged {
+/// What a run comes to in the end: the roots, what has failed, and the paths of which it was not found out what they end at.
+struct Outcome {
   std::vector<std::vector<std::uint64_t>> groups;
+  std::vector<FailedPath> failures;
   std::vector<std::uint64_t> open;
 };
 
+/// What is open at the end has failed.
+Outcome outcome_of(const Run& run) {
+  JudgedEnds judged = judge(run);
+  Outcome outcome{std::move(judged.roots), {}, {}};
+  for (const auto& [path, question] : judged.open) {
+    outcome.failures.push_back(told_as_failed(run, path, question));
+  }
+  return outcome;
+}
+
 /// Of simple roots those that are proved to be different; nothing is known of the others.
-void enter_simple_ones(const Run& run, const std::vector<std::uint64_t>& group, Judged& judged) {
+void enter_simple_ones(const Run& run, const std::vector<std::uint64_t>& group, Outcome& outcome) {
   std::vector<const Certificate*> taken;
   for (const std::uint64_t path : group) {
     const Certificate* proof = run.ledger.roots().at(path).certificate.get();
@@ -59,35 +72,48 @@ void enter_simple_ones(const Run& run, const std::vector<std::uint64_t>& group, 
                         });
     if (is_new) {
       taken.push_back(proof);
-      judged.groups.push_back({path});
+      outcome.groups.push_back({path});
     } else {
-      judged.open.push_back(path);
+      outcome.open.push_back(path);
     }
   }
 }
 
+/// Singular ends: whole cycles at a root that is known to be isolated, or ends on a set that is known.
+bool is_known_to_stand(const Run& run, const std::vector<std::uint64_t>& group) {
+  const Root& first = run.ledger.roots().at(group.front());
+  if (first.is_exact) return true;
+  if (!first.on_set) return false;
+  return *first.on_set != SetHere::none || (group.size() > 1 && cycles(run.ledger, group));
+}
+
 /// What an interrupted run has found out without looking further.
-Judged judged_so_far(const Run& run) {
-  Judged judged;
+Outcome outcome_so_far(const Run& run) {
+  Outcome outcome;
+  for (const auto& [path, failure] : run.ledger.failures()) outcome.failures.push_back(failure);
+  for (const std::uint64_t path : run.ledger.refuted()) outcome.open.push_back(path);
   for (auto& group : run.ledger.groups()) {
     const Root& first = run.ledger.roots().at(group.front());
     const bool is_one_simple = group.size() == 1 && first.point.simple;
     const bool are_singular = std::none_of(group.begin(), group.end(), [&](std::uint64_t path) {
       return run.ledger.roots().at(path).point.simple;
     });
-    if (is_one_simple || (are_singular && first.on_set)) {
-      judged.groups.push_back(std::move(group));
+    if (is_one_simple || (are_singular && is_known_to_stand(run, group))) {
+      outcome.groups.push_back(std::move(group));
     } else {
-      enter_simple_ones(run, group, judged);
+      enter_simple_ones(run, group, outcome);
     }
   }
-  std::sort(judged.groups.begin(), judged.groups.end());
-  return judged;
+  std::sort(outcome.groups.begin(), outcome.groups.end());
+  return outcome;
 }
 
-/// As if they had not been followed yet.
-void reopen(const std::vector<std::uint64_t>& paths, SolveResult& result) {
-  for (const std::uint64_t path : paths) result.ledger[path].verdict = PathVerdict::open;
+/// Of paths that are open as if they had not been followed yet.
+void enter_verdicts(const Outcome& outcome, SolveResult& result) {
+  for (const std::uint64_t path : outcome.open) result.ledger[path].verdict = PathVerdict::open;
+  for (const FailedPath& failure : outcome.failures) {
+    result.ledger[failure.path].verdict = PathVerdict::failed;
+  }
 }
 
 /// Paths that come to one point of a set are no roots near to each other.
@@ -98,10 +124,8 @@ Solution point_of_set(const Run& run, const std::vector<std::uint64_t>& group) {
   return point;
 }
 
-void enter_solutions(const Run& run, SolveResult& result) {
-  const Judged judged = run.interrupted ? judged_so_far(run) : Judged{groups_of(run), {}};
-  const auto& groups = judged.groups;
-  reopen(judged.open, result);
+void enter_solutions(const Run& run, const std::vector<std::vector<std::uint64_t>>& groups,
+                     SolveResult& result) {
   for (const auto& group : groups) {
     result.paths.finite += group.size();
     const Root& first = run.ledger.roots().at(group.front());
@@ -118,12 +142,16 @@ void enter_solutions(const Run& run, SolveResult& result) {
   enter_places(groups, result);
 }
 
-void count_paths(const Run& run, const std::vector<PathRecord>& records, PathCounts& counts) {
-  counts.failed = run.ledger.failures().size();
-  counts.at_infinity =
-      run.ledger.count(PathVerdict::at_infinity) + run.ledger.count(PathVerdict::as_rounded);
-  counts.not_needed = run.ledger.count(PathVerdict::not_needed);
-  counts.tracked = run.ledger.tracked();
+void count_paths(const std::vector<PathRecord>& records, PathCounts& counts) {
+  const auto count = [&](PathVerdict verdict) {
+    return static_cast<std::uint64_t>(
+        std::count_if(records.begin(), records.end(),
+                      [&](const PathRecord& path) { return path.verdict == verdict; }));
+  };
+  counts.failed = count(PathVerdict::failed);
+  counts.at_infinity = count(PathVerdict::at_infinity) + count(PathVerdict::as_rounded);
+  counts.not_needed = count(PathVerdict::not_needed);
+  counts.tracked = records.size() - count(PathVerdict::open);
   for (const PathRecord& path : records) {
     if (path.verdict == PathVerdict::open) continue;  // an interruption came first
     if (path.followed > 1) ++counts.retracked;
@@ -230,9 +258,11 @@ void put_in_doubt(SolveResult& result, std::string why) {
 void close_account(const Run& run, SolveResult& result) {
   require_all_entries(run);
   result.ledger = run.ledger.records();
-  enter_solutions(run, result);
-  count_paths(run, result.ledger, result.paths);
-  for (const auto& [path, failure] : run.ledger.failures()) result.failures.push_back(failure);
+  Outcome outcome = run.interrupted ? outcome_so_far(run) : outcome_of(run);
+  enter_verdicts(outcome, result);
+  enter_solutions(run, outcome.groups, result);
+  count_paths(result.ledger, result.paths);
+  result.failures = std::move(outcome.failures);
   result.work = run.work;
   const bool lacks_image =
       !run.bounds.met && is_real(run.setting.f) && !missing_conjugates(run.ledger).empty();

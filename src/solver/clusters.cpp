@@ -11,6 +11,7 @@
 #include "completeness.h"
 #include "ends.h"
 #include "exact_roots.h"
+#include "judge.h"
 #include "moivre/certify/distinct.h"
 #include "moivre/numeric/random.h"
 #include "moivre/polynomial/local_multiplicity.h"
@@ -104,10 +105,10 @@ Finding look_into(const Run& run, const Root& end, std::size_t paths) {
 /// Groups of ends at which no simple root was found, that are isolated, and that exact algebra has not counted.
 std::vector<std::vector<std::uint64_t>> clusters_of(const Run& run) {
   std::vector<std::vector<std::uint64_t>> clusters;
-  for (auto& group : groups_of(run)) {
+  for (auto& group : judge(run).roots) {
     const bool is_cluster = std::none_of(group.begin(), group.end(), [&](std::uint64_t path) {
       const Root& root = run.ledger.roots().at(path);
-      return root.point.simple || root.is_counted;
+      return root.point.simple || root.is_exact;
     });
     if (!is_cluster || is_on_set(run, run.ledger.roots().at(group.front()))) continue;
     clusters.push_back(std::move(group));
@@ -128,7 +129,6 @@ void enter(Run& run, Refiner& refiner, std::uint64_t path,
 
 void part_clusters(Run& run) {
   const Setting& setting = run.setting;
-  if (run.interrupted) return;
   const auto clusters = clusters_of(run);
   if (clusters.empty() || are_as_counted(run)) return;
   std::vector<Finding> findings(clusters.size());
@@ -149,11 +149,11 @@ void part_clusters(Run& run) {
     for (std::size_t i = 0; i < clusters[k].size(); ++i) {
       const std::uint64_t path = clusters[k][i];
       if (findings[k].is_on_curve) {
-        run.ledger.roots().at(path).on_set = SetHere::sharp;
+        run.ledger.tell_curve(path);
       } else if (are_all) {
         enter(run, refiner, path, proofs[i]);
       } else {
-        run.ledger.enter_failure({path, Failure::precision, 1});
+        run.ledger.refute(path);
       }
     }
   }

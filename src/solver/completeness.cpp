@@ -11,6 +11,7 @@
 #include "certificates.h"
 #include "coincidence.h"
 #include "exact_roots.h"
+#include "judge.h"
 #include "moivre/expression/counted.h"
 #include "moivre/start/mixed_volume.h"
 #include "moivre/start/polyhedral.h"
@@ -83,21 +84,13 @@ bool is_worth_a_search(const Run& run, std::uint64_t roots) {
   return counted == roots || lacks_origin(setting.prepared.reduction.system);
 }
 
-/// More digits save no steps: where the caller's budget ended a path it stays ended.
-std::size_t paths_for_more_digits(const Run& run) {
-  const auto& failures = run.ledger.failures();
-  return static_cast<std::size_t>(
-      std::count_if(failures.begin(), failures.end(),
-                    [](const auto& entry) { return entry.second.failure != Failure::step_limit; }));
-}
-
 std::uint64_t terms_worth_looking_at(const Run& run) {
   const Prepared& prepared = run.setting.prepared;
   const double cost = cost_of_paths(prepared.reduction.system, paths_at_stake(run));
-  const std::size_t failed = paths_for_more_digits(run);
+  const std::size_t open = open_to_more_digits(run).size();
   const double least = !run.waiting.empty() ? 0
-                       : failed == 0        ? kLeastTerms
-                                            : static_cast<double>(terms_instead_of(failed));
+                       : open == 0          ? kLeastTerms
+                                            : static_cast<double>(terms_instead_of(open));
   return static_cast<std::uint64_t>(
       std::min(std::max(least, kAlgebraShare * cost / kTermCost), 1e18));
 }
@@ -196,15 +189,12 @@ Refined point_of(const Run& run, const ExactRoot& exact) {
 void enter_exact(Run& run, std::uint64_t path, const ExactRoot& exact, Root&& root) {
   root.point = point_of(run, exact);
   root.is_exact = true;
-  root.on_set = SetHere::none;
   run.ledger.enter_root(path, std::move(root));
 }
 
 /// It ends there, whatever was seen of its end.
 void bring(Run& run, std::uint64_t path, const ExactRoot& exact) {
-  Root root;
-  root.is_counted = true;
-  enter_exact(run, path, exact, std::move(root));
+  enter_exact(run, path, exact, Root{});
 }
 
 /// The exact roots and how many paths each still lacks.
@@ -264,6 +254,7 @@ std::vector<std::uint64_t> spare_paths(Run& run, Places& places) {
                  [&](std::uint64_t path) { return proved == group.end() || path != *proved; });
   }
   for (const auto& [path, failure] : run.ledger.failures()) spare.push_back(path);
+  for (const std::uint64_t path : run.ledger.refuted()) spare.push_back(path);
   for (const auto& [path, outpost] : run.waiting) spare.push_back(path);
   return spare;
 }
@@ -297,9 +288,10 @@ bool is_root_missing(Run& run) {
 
 bool lacks_ends(const Run& run) {
   const QuotientRing& ring = run.bounds.ring;
-  return ring.verdict == QuotientRing::Verdict::finite &&
-         run.ledger.count(PathVerdict::finite) + run.ledger.count(PathVerdict::as_rounded) <
-             ring.dimension;
+  if (ring.verdict != QuotientRing::Verdict::finite) return false;
+  std::uint64_t ends = run.ledger.count(PathVerdict::as_rounded);
+  for (const auto& group : judge(run).roots) ends += group.size();
+  return ends < ring.dimension;
 }
 
 void look_for_ring(Run& run) {
@@ -314,7 +306,7 @@ void look_for_ring(Run& run) {
 bool are_as_counted(Run& run) {
   const QuotientRing& ring = run.bounds.ring;
   if (ring.verdict != QuotientRing::Verdict::finite || run.setting.stop) return false;
-  const auto groups = groups_of(run);
+  const auto groups = judge_ends_alone(run).roots;
   std::uint64_t roots = 0;
   for (const auto& group : groups) {
     const Root& end = run.ledger.roots().at(group.front());
@@ -323,7 +315,7 @@ bool are_as_counted(Run& run) {
   }
   if (roots != ring.dimension) return false;
   const std::uint64_t terms =
-      terms_instead_of(std::max<std::size_t>(1, paths_for_more_digits(run)));
+      terms_instead_of(std::max<std::size_t>(1, open_to_more_digits(run).size()));
   if (run.bounds.for_points.allows(terms)) {
     run.bounds.points =
         quotient_ring(run.setting.prepared.reduction.system, {.most_terms = terms,

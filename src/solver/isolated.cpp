@@ -94,13 +94,13 @@ std::vector<std::pair<std::uint64_t, Point>> paths_in_doubt(const Run& run) {
 
 }  // namespace
 
-bool settle_by_isolation(Run& run) {
+void isolate_roots(Run& run) {
   const Setting& setting = run.setting;
-  if (setting.prepared.reduction.system.variables.size() != 1 || run.interrupted) return false;
+  if (setting.prepared.reduction.system.variables.size() != 1) return;
   auto paths = paths_in_doubt(run);
-  if (paths.empty()) return false;
+  if (paths.empty()) return;
   const auto places = proved_places(run);
-  if (!places) return false;
+  if (!places) return;
   std::vector<std::pair<std::uint64_t, const ProvedPlace*>> found;
   const std::vector<ProvedPlace> left = free_places(run, *places);
   for (const ProvedPlace& place : left) {
@@ -108,16 +108,15 @@ bool settle_by_isolation(Run& run) {
       const auto nearest = std::min_element(paths.begin(), paths.end(), [&](auto& a, auto& b) {
         return max_distance(place.place.x, a.second) < max_distance(place.place.x, b.second);
       });
-      if (nearest == paths.end()) return false;
-      if (relative_distance(place.place.x, nearest->second) > kFarthestEnd) return false;
+      if (nearest == paths.end()) return;
+      if (relative_distance(place.place.x, nearest->second) > kFarthestEnd) return;
       found.emplace_back(nearest->first, &place);
       paths.erase(nearest);
     }
   }
-  if (!paths.empty()) return false;
+  if (!paths.empty()) return;
   Refiner refiner(setting.refiner_program);
   for (const auto& [path, place] : found) enter_place(run, refiner, path, *place);
-  return true;
 }
 
 }  // namespace moivre

@@ -10,8 +10,8 @@
 
 namespace moivre {
 
-/// Whether every path now has a root that is proved, simple or with its multiplicity. False as well where more unknowns are left, the
-/// coefficients are not real, or nothing is in doubt.
-bool settle_by_isolation(Run& run);
+/// Every path gets a root that is proved, simple or with its multiplicity. Nothing is changed where more unknowns are left, the
+/// coefficients are not real, or every path has one.
+void isolate_roots(Run& run);
 
 }  // namespace moivre

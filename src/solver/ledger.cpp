@@ -35,7 +35,10 @@ PathRecord& Ledger::record(std::uint64_t path) {
 
 void Ledger::decide(std::uint64_t path, PathVerdict verdict) {
   PathRecord& known = record(path);
-  if (known.verdict == PathVerdict::finite) roots_.erase(path);
+  if (known.verdict == PathVerdict::finite) {
+    roots_.erase(path);
+    refuted_.erase(path);
+  }
   if (known.verdict == PathVerdict::failed) {
     failures_.erase(path);
     last_points_.erase(path);
@@ -89,6 +92,7 @@ std::vector<std::vector<std::uint64_t>> Ledger::groups() const {
   std::vector<std::uint64_t> paths;
   std::vector<KnownPoint> points;
   for (const auto& [path, root] : roots_) {
+    if (refuted_.contains(path)) continue;
     paths.push_back(path);
     points.push_back({&root.point.x, root.tolerance});
   }

@@ -2,7 +2,7 @@
 // Where did each path end, and which paths ended at one point? The ledger of all paths.
 //
 // A path has exactly one entry, its last: a root, a failure, or neither, at infinity or left by a bound. Of every path its record
-// is kept, 16 bytes; of a root and of a failure what more there is to know.
+// is kept, 16 bytes; of a root and of a failure what more there is to know. An end that is refuted stays on record, and is none of a group.
 #pragma once
 
 #include <array>
@@ -24,15 +24,15 @@ using PathSet = std::set<std::uint64_t>;
 /// The finite end of one path, on the system as given.
 struct Root {
   Refined point;
-  std::optional<int> winding;  ///< nullopt: the end needed no circle, so it counts as 1
-  bool is_counted = false;     ///< exact algebra has its multiplicity; nothing is known of cycles
-  bool is_exact = false;       ///< a multiple root that `point` is exactly, but for rounding
-  double tolerance = 0;        ///< relative, within which another end is the same root
+  std::optional<int>
+      winding;            ///< nullopt: no circle was needed, so it counts as 1, or none was seen
+  bool is_exact = false;  ///< an isolated multiple root that `point` is exactly, but for rounding
+  double tolerance = 0;   ///< relative, within which another end is the same root
   std::shared_ptr<const Certificate> certificate;  ///< of a simple root that is proved
   /// Of one that is no further than the tolerance from an end that is not it, as far as the end is known coordinate by coordinate.
   std::shared_ptr<const Certificate> beside;
-  mutable std::optional<SetHere>
-      on_set;  ///< a positive-dimensional set that it lies on, once asked
+  /// A positive-dimensional set that it lies on, once asked.
+  mutable std::optional<SetHere> on_set;
 };
 
 class Ledger {
@@ -42,6 +42,10 @@ class Ledger {
   void enter_infinity(std::uint64_t path, bool is_as_rounded = false);
   /// last: where it was last, on the system as given; empty where that is nowhere.
   void enter_failure(const FailedPath& failure, Point last = {});
+  /// What was seen of its end, a root, is none: something else that is known says so.
+  void refute(std::uint64_t path) { refuted_.insert(path); }
+  /// Its end lies on a curve.
+  void tell_curve(std::uint64_t path) { roots_.at(path).on_set = SetHere::sharp; }
   /// It leads to no root that is not known already: a bound says so.
   void leave(std::uint64_t path);
 
@@ -53,6 +57,8 @@ class Ledger {
 
   const std::map<std::uint64_t, Root>& roots() const { return roots_; }
   const std::map<std::uint64_t, FailedPath>& failures() const { return failures_; }
+  /// Paths with a root on record that is none.
+  const PathSet& refuted() const { return refuted_; }
   /// Of failed paths.
   const std::map<std::uint64_t, Point>& last_points() const { return last_points_; }
   /// By path number, up to the last path that anything is known of.
@@ -62,7 +68,7 @@ class Ledger {
   /// Paths with an entry.
   std::uint64_t tracked() const;
 
-  /// Paths that end at one point, each group ascending.
+  /// Paths that end at one point, each group ascending; of ends that are not refuted.
   std::vector<std::vector<std::uint64_t>> groups() const;
 
  private:
@@ -71,6 +77,7 @@ class Ledger {
   void decide(std::uint64_t path, PathVerdict verdict);
 
   std::map<std::uint64_t, Root> roots_;
+  PathSet refuted_;
   std::map<std::uint64_t, FailedPath> failures_;
   std::map<std::uint64_t, Point> last_points_;
   std::vector<PathRecord> records_;

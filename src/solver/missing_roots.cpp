@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Points of the ring, proved, without those that have a path; each to the nearest path in doubt.
+// Points of the ring, proved, without those that have a path; each to the nearest path that is open.
 #include "missing_roots.h"
 
 #include <algorithm>
@@ -8,6 +8,7 @@
 
 #include "certificates.h"
 #include "completeness.h"
+#include "judge.h"
 #include "moivre/certify/ring_points.h"
 #include "places.h"
 
@@ -51,43 +52,39 @@ double distance_from_end(const Run& run, std::uint64_t path, const Point& x) {
   return is_seen ? projective_distance(x, last->second) : 1;
 }
 
-/// The number of places that have got a path.
-std::size_t enter_nearest(Run& run, const std::vector<ProvedPlace>& places, PathSet doubtful) {
+void enter_nearest(Run& run, const std::vector<ProvedPlace>& places, PathSet paths) {
   Refiner refiner(run.setting.refiner_program);
-  std::size_t entered = 0;
   for (const ProvedPlace& place : places) {
-    if (doubtful.empty()) break;
+    if (paths.empty()) break;
     std::map<double, std::uint64_t> by_distance;
-    for (const std::uint64_t path : doubtful) {
+    for (const std::uint64_t path : paths) {
       by_distance.emplace(distance_from_end(run, path, place.place.x), path);
     }
     const std::uint64_t nearest = by_distance.begin()->second;
     enter_place(run, refiner, nearest, place);
-    doubtful.erase(nearest);
-    ++entered;
+    paths.erase(nearest);
   }
-  return entered;
 }
 
 }  // namespace
 
-bool find_missing_roots(Run& run, const PathSet& doubtful) {
+void give_missing_roots(Run& run) {
   const QuotientRing& ring = run.bounds.ring;
   const bool can_be_found = ring.verdict == QuotientRing::Verdict::finite &&
                             ring.dimension <= kMostRingPoints && is_root_missing(run);
   const bool may_have_digits = !run.setting.trackers.finer.empty();
-  if (!can_be_found || !may_have_digits || run.interrupted) return false;
-  const std::uint64_t terms = terms_instead_of(doubtful.size());
-  if (terms == 0 || !run.bounds.for_roots.allows(terms)) return false;
+  if (!can_be_found || !may_have_digits) return;
+  const PathSet open = open_to_more_digits(run);
+  const std::uint64_t terms = terms_instead_of(open.size());
+  if (terms == 0 || !run.bounds.for_roots.allows(terms)) return;
   const auto points =
       ring_points(run.setting.prepared.reduction.system, {.most_terms = terms,
                                                           .stop = &run.setting.stop,
                                                           .seed = run.setting.options.seed,
                                                           .bits = kBitsOfPlace});
   run.require_time();
-  if (!points) return false;
-  const std::vector<ProvedPlace> missing = free_places(run, proved(run.setting, *points));
-  return enter_nearest(run, missing, doubtful) > 0;
+  if (!points) return;
+  enter_nearest(run, free_places(run, proved(run.setting, *points)), open);
 }
 
 }  // namespace moivre

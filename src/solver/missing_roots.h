@@ -3,7 +3,7 @@
 // them?
 //
 // The quotient ring that counts them has their coordinates too (certify/ring_points.h). Each simple
-// one is proved on the system as given, and goes to a path in doubt: one of these leads to it,
+// one is proved on the system as given, and goes to a path that is open: one of these leads to it,
 // since every simple root has a path. Of several it is the one that was last seen nearest.
 // Edges: not where more digits are not to be had, or not allowed: what is asked for then is what
 // the paths tell. Multiple roots stay with the paths; no more than 128 roots, few digits; costs no
@@ -15,8 +15,7 @@
 
 namespace moivre {
 
-/// doubtful: paths that may lead to a root that is not proved. Whether a root was found. Throws
-/// Interrupted.
-bool find_missing_roots(Run& run, const PathSet& doubtful);
+/// Throws Interrupted.
+void give_missing_roots(Run& run);
 
 }  // namespace moivre

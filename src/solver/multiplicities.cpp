@@ -8,12 +8,13 @@
 #include "coincidence.h"
 #include "completeness.h"
 #include "exact_roots.h"
+#include "judge.h"
 
 namespace moivre {
 namespace {
 
 bool is_known(const std::vector<ExactRoot>& exact, const Root& end, std::size_t paths) {
-  if (end.is_exact || end.is_counted) return true;
+  if (end.is_exact) return true;
   return std::any_of(exact.begin(), exact.end(), [&](const ExactRoot& root) {
     return root.multiplicity == paths && relative_distance(root.x, end.point.x) <= end.tolerance;
   });
@@ -23,7 +24,7 @@ bool is_known(const std::vector<ExactRoot>& exact, const Root& end, std::size_t 
 
 void count_ends(Run& run) {
   std::vector<std::vector<std::uint64_t>> multiple;
-  for (auto& group : groups_of(run)) {
+  for (auto& group : judge(run).roots) {
     const Root& end = run.ledger.roots().at(group.front());
     if (group.size() > 1 && (end.point.simple || !is_on_set(run, end))) {
       multiple.push_back(std::move(group));

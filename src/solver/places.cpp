@@ -70,8 +70,7 @@ void enter_place(Run& run, Refiner& refiner, std::uint64_t path, const ProvedPla
   } else {
     root.point = refiner.keep(place.place.x, std::numeric_limits<double>::epsilon(), 1);
     root.point.accuracy = std::numeric_limits<double>::epsilon();
-    root.is_exact = root.is_counted = true;
-    root.on_set = SetHere::none;
+    root.is_exact = true;
   }
   run.ledger.enter_root(path, std::move(root));
 }

@@ -41,6 +41,7 @@ bool Budget::allows(std::uint64_t worth) {
 }
 
 SetHere set_of(const Run& run, const Root& root) {
+  if (root.is_exact) return SetHere::none;
   if (!root.on_set) {
     const Setting& setting = run.setting;
     run.require_time();

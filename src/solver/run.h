@@ -2,8 +2,8 @@
 // What has become of the paths so far? The state of one solve, between its setting and its result.
 //
 // A path is in one of three places: not yet followed to its end (`waiting`, where it was followed at all), among `ends` (finite, but not
-// yet a root of the system as given), or in the ledger. Who changes what: tracking.h and ends.h bring paths in, doubts.h sends them
-// out again, account.h only reads.
+// yet a root of the system as given), or in the ledger. Who changes what: tracking.h and ends.h bring paths in, settle.h sends them
+// out again, judge.h and account.h only read.
 #pragma once
 
 #include <map>
@@ -70,7 +70,10 @@ struct Run {
   std::set<std::vector<double>> looked_near;  ///< points whose candidates were looked at
   PathSet
       counted_ends;  ///< the first path of each multiple root whose multiplicity exact algebra tells (multiplicities.h)
+  PathSet
+      in_double_double;   ///< followed so, one at a time or to no end: once more tells nothing new
   PathSet in_all_digits;  ///< followed by the last of Trackers::finer: once more tells nothing new
+  bool is_settled = false;  ///< a count tells that what is open leads to no other root
   StepCount work;
   bool interrupted = false;
   bool out_of_memory = false;  ///< that is why

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The solve: prepare, track, refine, settle doubts, close the account.
+// The solve: prepare, track, refine, settle what is open, close the account.
 #include "moivre/solver/solve.h"
 
 #include <algorithm>
@@ -11,10 +11,8 @@
 
 #include "account.h"
 #include "certificates.h"
-#include "clusters.h"
 #include "completeness.h"
 #include "denominators.h"
-#include "doubts.h"
 #include "ends.h"
 #include "facts.h"
 #include "moivre/expression/counted.h"
@@ -23,6 +21,7 @@
 #include "moivre/polynomial/patches.h"
 #include "moivre/solver/cross_check.h"
 #include "multiplicities.h"
+#include "settle.h"
 #include "sheets.h"
 #include "squared.h"
 #include "tracking.h"
@@ -156,6 +155,20 @@ void as_far_as_possible(Run& run, const std::function<void()>& steps) {
   }
 }
 
+/// A stop may come while the books are closed.
+SolveResult closed(Run& run, const SolveResult& described) {
+  try {
+    SolveResult result = described;
+    close_account(run, result);
+    return result;
+  } catch (const Interrupted&) {
+    run.interrupted = true;
+  }
+  SolveResult result = described;
+  close_account(run, result);
+  return result;
+}
+
 SolveResult solve_in(const Setting& setting, Stopwatch& watch) {
   SolveResult result = described(setting);
   result.time.start = watch.lap();
@@ -167,14 +180,11 @@ SolveResult solve_in(const Setting& setting, Stopwatch& watch) {
     result.time.track_cpu = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
     result.time.track = watch.lap();
     as_far_as_possible(run, [&] {
-      settle_doubts(run);
-      part_clusters(run);
-      climb_at_last(run);
-      settle_by_bound(run);
+      settle(run);
       count_ends(run);
     });
     if (setting.stop) run.interrupted = true;
-    close_account(run, result);
+    result = closed(run, result);
     result.time.refine = watch.lap();
   }
   result.time.total = watch.total();

@@ -7,6 +7,7 @@
 #include "certificates.h"
 #include "clusters.h"
 #include "completeness.h"
+#include "judge.h"
 #include "moivre/tracker_lanes/lane_tracker.h"
 #include "problem_set.h"
 
@@ -493,8 +494,9 @@ TEST_F(CertifiedEnds, ThatAreMoreThanTheRootsHaveFailed) {
   root.on_set = SetHere::none;
   for (const std::uint64_t path : {0U, 1U, 2U}) run.ledger.enter_root(path, Root(root));
   part_clusters(run);
-  EXPECT_TRUE(run.ledger.roots().empty());
-  EXPECT_EQ(run.ledger.failures().size(), 3U);
+  const JudgedEnds judged = judge(run);
+  EXPECT_TRUE(judged.roots.empty());
+  EXPECT_EQ(judged.open.size(), 3U);
 }
 
 // Five forms of degree 2 that vanish on two lines through 0, both axes.

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+// Paths to sets in more digits, and what their ends there say of the ends that were told.
+#include "beside_sets.h"
+
+#include <algorithm>
+#include <map>
+
+#include "climbs.h"
+#include "clusters.h"
+#include "coincidence.h"
+#include "completeness.h"
+#include "judge.h"
+#include "tracking.h"
+
+namespace moivre {
+namespace {
+
+// So many that end at one point of a set, one at a time.
+constexpr std::size_t kMostOfOneEnd = 4;
+// The mean of sheets that circles have closed, relative to its size.
+constexpr double kMeanIsKnownTo = 1e-10;
+
+/// The paths to ends on sets of this kind.
+PathSet paths_to_sets(const Run& run, SetHere kind) {
+  PathSet paths;
+  for (const auto& group : judge(run).roots) {
+    const EndsOfGroup ends = ends_of(run, group);
+    if (ends.singular.empty()) continue;
+    if (set_of(run, run.ledger.roots().at(ends.singular.front())) != kind) continue;
+    paths.insert(ends.singular.begin(), ends.singular.end());
+  }
+  return paths;
+}
+
+class MeetingSheets {
+ public:
+  explicit MeetingSheets(Run& run) : run_(run) {
+    for (const std::uint64_t path : paths()) before_.emplace(path, root(path));
+  }
+
+  /// In double-double: all, where they go together, else a few of one end. Then the first ones in more digits as long as that helps; all of
+  /// them as long as a root is missing.
+  void follow() {
+    const Trackers& trackers = run_.setting.trackers;
+    if (trackers.fine_lanes) {
+      climb_together(run_, paths(), Taken::regular_ends);
+    } else {
+      climb(run_, first_of_one_end(), Taken::regular_ends);
+    }
+    for (const auto& tracker : trackers.finer) {
+      climb_while_it_helps(run_, *tracker, paths(), [&] { return is_root_missing(run_); });
+      if (!is_root_missing(run_)) return;
+    }
+  }
+
+  /// Where no simple root is proved the end is what it was. But where a path has a regular end elsewhere its circles were none: what the
+  /// others of them end at is not known, nor what two end at that come to one place.
+  void conclude() {
+    std::map<std::uint64_t, Point> elsewhere;
+    for (const auto& [path, before] : before_) {
+      if (!run_.ledger.failures().contains(path)) continue;
+      if (ends_elsewhere(path)) elsewhere.emplace(path, run_.ledger.last_points().at(path));
+      run_.ledger.enter_root(path, Root(before));
+    }
+    for (const auto& [path, before] : before_) {
+      const auto now = run_.ledger.roots().find(path);
+      if (now == run_.ledger.roots().end() || now->second.point.simple) continue;
+      if (is_broken(path, elsewhere)) run_.ledger.refute(path);
+    }
+    const PathSet left = paths();
+    for (const std::uint64_t path : left) {
+      if (misses_a_root(path)) run_.ledger.refute(path);
+    }
+    for (const auto& group : judge(run_).roots) {
+      // Paths to a set end at different points of it: two at one may be at a multiple root.
+      const Root& end = root(group.front());
+      const bool is_crowded = group.size() > 1 && !end.point.simple && is_on_set(run_, end);
+      if (!is_crowded && !left.contains(group.front())) continue;
+      if (!is_exactly_isolated(run_.setting.f, end)) continue;
+      for (const std::uint64_t path : group) run_.ledger.refute(path);
+    }
+  }
+
+ private:
+  const Root& root(std::uint64_t path) const { return run_.ledger.roots().at(path); }
+
+  bool misses_a_root(std::uint64_t path) const {
+    const auto& beside = root(path).beside;
+    return beside && !is_held(run_, *beside);
+  }
+
+  PathSet paths() const {
+    PathSet paths = paths_to_sets(run_, SetHere::sharp);
+    if (is_root_missing(run_)) return paths;
+    std::erase_if(paths, [&](std::uint64_t path) {
+      return root(path).winding.value_or(1) == 1 && !misses_a_root(path);
+    });
+    return paths;
+  }
+
+  PathSet first_of_one_end() const {
+    const PathSet all = paths();
+    PathSet first;
+    for (const auto& group : judge(run_).roots) {
+      for (const std::uint64_t path : group) {
+        if (all.contains(path) && first.size() < kMostOfOneEnd) first.insert(path);
+      }
+      if (!first.empty()) break;
+    }
+    return first;
+  }
+
+  /// Another path of its circle ends elsewhere; or at its own place, where it does so itself.
+  bool is_broken(std::uint64_t path, const std::map<std::uint64_t, Point>& elsewhere) const {
+    const Root& before = before_.at(path);
+    const auto own = elsewhere.find(path);
+    return std::any_of(elsewhere.begin(), elsewhere.end(), [&](const auto& other) {
+      if (other.first == path) return false;
+      return own == elsewhere.end()
+                 ? relative_distance(before.point.x, other.second) <= before.tolerance
+                 : relative_distance(own->second, other.second) <= kMeanIsKnownTo;
+    });
+  }
+
+  bool ends_elsewhere(std::uint64_t path) const {
+    const auto known = before_.find(path);
+    const auto last = run_.ledger.last_points().find(path);
+    return known != before_.end() && last != run_.ledger.last_points().end() &&
+           relative_distance(last->second, known->second.point.x) > kMeanIsKnownTo;
+  }
+
+  Run& run_;
+  std::map<std::uint64_t, Root> before_;
+};
+
+}  // namespace
+
+void look_beside_sets(Run& run) {
+  MeetingSheets sheets(run);
+  sheets.follow();
+  sheets.conclude();
+}
+
+void look_at_blurred_sets(Run& run) {
+  const PathSet paths = paths_to_sets(run, SetHere::blurred);
+  climb(run, paths, Taken::regular_ends);
+  PathSet left;
+  for (const std::uint64_t path : paths) {
+    const auto root = run.ledger.roots().find(path);
+    if (root != run.ledger.roots().end() && !root->second.point.simple) left.insert(path);
+  }
+  if (run.interrupted || left.size() == paths.size()) return;
+  for (const std::uint64_t path : left) run.ledger.refute(path);
+}
+
+}  // namespace moivre

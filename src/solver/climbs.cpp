@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+// Which paths go, who goes ahead, and how long.
+#include "climbs.h"
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+
+#include "certificates.h"
+#include "coincidence.h"
+#include "completeness.h"
+#include "exact_roots.h"
+#include "judge.h"
+#include "settle.h"
+#include "tracking.h"
+
+namespace moivre {
+namespace {
+
+// So many paths go ahead in more digits than double-double.
+constexpr std::size_t kFirstAhead = 2;
+
+using Groups = std::vector<std::vector<std::uint64_t>>;
+
+/// The paths of isolated ends at which several meet and some show no simple root: those, by the first of them.
+std::map<std::uint64_t, PathSet> clusters_in(const Run& run, const Groups& groups) {
+  std::map<std::uint64_t, PathSet> clusters;
+  for (const auto& group : groups) {
+    const EndsOfGroup ends = ends_of(run, group);
+    if (group.size() == 1 || ends.singular.empty()) continue;
+    const std::uint64_t first = ends.singular.front();
+    const Root& end = run.ledger.roots().at(first);
+    if (end.is_exact || is_on_set(run, end)) continue;
+    clusters[first] = {ends.singular.begin(), ends.singular.end()};
+  }
+  return clusters;
+}
+
+/// Of each cluster one path goes ahead to a regular end: where it finds one, so do the others.
+void climb_clusters(Run& run, const std::map<std::uint64_t, PathSet>& clusters,
+                    const std::function<void(const PathSet& paths)>& climb_these) {
+  PathSet first;
+  for (const auto& [path, cluster] : clusters) first.insert(path);
+  climb_these(first);
+  PathSet others;
+  for (const auto& [path, cluster] : clusters) {
+    const auto root = run.ledger.roots().find(path);
+    if (root == run.ledger.roots().end() || !root->second.point.simple) continue;
+    others.insert(std::next(cluster.begin()), cluster.end());
+  }
+  climb_these(others);
+}
+
+PathSet paths_failed_by(const Run& run, Failure reason) {
+  PathSet paths;
+  for (const auto& [path, failure] : run.ledger.failures()) {
+    if (failure.failure == reason) paths.insert(path);
+  }
+  return paths;
+}
+
+PathSet paths_in_doubt_but_for(const Run& run, const PathSet& others) {
+  PathSet paths = judge(run).in_doubt;
+  for (const std::uint64_t path : others) paths.erase(path);
+  return paths;
+}
+
+/// Those that more digits may help.
+PathSet unsettled_paths(const Run& run) {
+  return paths_in_doubt_but_for(run, paths_failed_by(run, Failure::step_limit));
+}
+
+bool has_climbed_to_a_simple_root(const Run& run, std::uint64_t path) {
+  const auto root = run.ledger.roots().find(path);
+  return root != run.ledger.roots().end() && root->second.point.simple &&
+         run.ledger.rung(path) == Rung::multiprecision;
+}
+
+bool has_helped(const Run& run, const PathSet& ahead) {
+  return std::any_of(ahead.begin(), ahead.end(),
+                     [&](auto path) { return has_climbed_to_a_simple_root(run, path); });
+}
+
+/// Paths that are open, and those whose ends are told without a proof, unless they were followed in all digits.
+PathSet unproved_paths(const Run& run) {
+  PathSet paths = unsettled_paths(run);
+  for (const auto& [path, root] : run.ledger.roots()) {
+    if (!root.point.simple && !root.is_exact) paths.insert(path);
+  }
+  for (const std::uint64_t path : run.in_all_digits) paths.erase(path);
+  return paths;
+}
+
+PathSet paths_at_infinity(const Run& run) {
+  PathSet paths;
+  for (std::uint64_t path = 0; path < run.ledger.records().size(); ++path) {
+    if (run.ledger.records()[path].verdict == PathVerdict::at_infinity) paths.insert(path);
+  }
+  return paths;
+}
+
+/// Whether the paths that end there are as many as exact algebra counts of a root that is known exactly.
+bool is_counted_exactly(Run& run, const Root& end, std::size_t paths) {
+  const std::vector<ExactRoot> exact = exact_roots(run);
+  return std::any_of(exact.begin(), exact.end(), [&](const ExactRoot& root) {
+    return root.multiplicity == paths && relative_distance(root.x, end.point.x) <= end.tolerance;
+  });
+}
+
+}  // namespace
+
+void part_in_double_double(Run& run) {
+  climb_clusters(run, clusters_in(run, groups_of(run)),
+                 [&](const PathSet& paths) { climb(run, paths, Taken::regular_ends); });
+}
+
+void climb_failed_paths(Run& run) {
+  run.in_double_double = climb_together(run, paths_failed_by(run, Failure::precision));
+}
+
+void follow_with_care(Run& run) {
+  const SolveOptions& options = run.setting.options;
+  if (options.care >= options.maximum_care) return;
+  const PathSet paths = paths_in_doubt_but_for(run, run.in_double_double);
+  if (paths.empty()) return;
+  track_again(run, paths, options.maximum_care);
+  if (!run.setting.trackers.fine_lanes) climb(run, paths_failed_by(run, Failure::precision));
+}
+
+void climb_in_double_double(Run& run) {
+  PathSet& climbed = run.in_double_double;
+  while (!run.interrupted) {
+    PathSet last = unsettled_paths(run);
+    for (const std::uint64_t path : climbed) last.erase(path);
+    if (last.empty()) return;
+    climb(run, last);
+    climbed.merge(last);
+  }
+}
+
+void climb_while_it_helps(Run& run, const Tracker& tracker, const PathSet& paths,
+                          const std::function<bool()>& goes_on) {
+  std::size_t together = kFirstAhead;
+  for (auto next = paths.begin(); next != paths.end() && !run.interrupted; together *= 2) {
+    PathSet ahead;
+    while (next != paths.end() && ahead.size() < together) ahead.insert(*next++);
+    climb_beyond_double_double(run, tracker, ahead);
+    if (has_helped(run, ahead) ? is_settled(run) : !goes_on()) return;
+  }
+}
+
+void climb_in_more_digits(Run& run) {
+  for (const auto& tracker : run.setting.trackers.finer) {
+    climb_while_it_helps(run, *tracker, unsettled_paths(run), [&] { return is_root_missing(run); });
+    if (run.interrupted || is_settled(run)) return;
+  }
+}
+
+void climb_from_contradiction(Run& run) {
+  const auto& finer = run.setting.trackers.finer;
+  const bool is_counted = run.bounds.ring.verdict == QuotientRing::Verdict::finite;
+  if (finer.empty() || !is_counted || are_as_counted(run)) return;
+  for (const auto& tracker : finer) {
+    climb_while_it_helps(run, *tracker, unproved_paths(run), [] { return true; });
+    if (run.interrupted || is_settled(run)) return;
+  }
+  if (!lacks_ends(run)) return;
+  climb_while_it_helps(run, *finer.front(), paths_at_infinity(run), [] { return false; });
+}
+
+void climb_from_uncounted_roots(Run& run) {
+  const auto& finer = run.setting.trackers.finer;
+  if (finer.empty()) return;
+  auto clusters = clusters_in(run, judge(run).roots);
+  std::erase_if(clusters, [&](const auto& cluster) {
+    return is_counted_exactly(run, run.ledger.roots().at(cluster.first), cluster.second.size());
+  });
+  climb_clusters(run, clusters, [&](const PathSet& paths) {
+    climb_beyond_double_double(run, *finer.front(), paths);
+  });
+}
+
+}  // namespace moivre

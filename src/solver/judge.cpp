@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+// The laws of ends: group by group, then sheet by sheet.
+#include "judge.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "certificates.h"
+
+namespace moivre {
+namespace {
+
+/// One path at a simple root, whole cycles at a singular one, or ends on a set.
+bool stands(const Run& run, const EndsOfGroup& ends, const std::vector<std::uint64_t>& group) {
+  if (ends.singular.empty()) return group.size() == 1;
+  const bool is_whole = group.size() > 1 && ends.simple.empty() && cycles(run.ledger, group);
+  return is_whole || is_on_set(run, run.ledger.roots().at(ends.singular.front()));
+}
+
+/// Of the paths of a group that does not stand the first one to a simple root has its root.
+void open(const EndsOfGroup& ends, JudgedEnds& judged) {
+  for (const std::uint64_t path : ends.singular) judged.open[path] = Question::no_root;
+  if (ends.simple.empty()) return;
+  judged.roots.push_back({ends.simple.front()});
+  for (std::size_t k = 1; k < ends.simple.size(); ++k) {
+    judged.open[ends.simple[k]] = Question::jumped;
+  }
+}
+
+/// Of ends on a set only those of the paths themselves are open; elsewhere the whole group that one of them is part of.
+void open_shared_sheets(const Run& run, const PathSet& shared, JudgedEnds& judged) {
+  const auto is_shared = [&](std::uint64_t path) { return shared.contains(path); };
+  for (auto& group : judged.roots) {
+    if (std::none_of(group.begin(), group.end(), is_shared)) continue;
+    const Root& end = run.ledger.roots().at(group.front());
+    const bool is_of_set = !end.point.simple && is_on_set(run, end);
+    for (const std::uint64_t path : group) {
+      if (is_shared(path) || !is_of_set) judged.open[path] = Question::no_root;
+    }
+    std::erase_if(group, [&](std::uint64_t path) { return judged.open.contains(path); });
+  }
+  std::erase_if(judged.roots, [](const auto& group) { return group.empty(); });
+  for (const std::uint64_t path : shared) {
+    Question& question = judged.open.try_emplace(path, Question::jumped).first->second;
+    if (question == Question::no_root) question = Question::jumped;
+  }
+  judged.in_doubt.insert(shared.begin(), shared.end());
+}
+
+}  // namespace
+
+EndsOfGroup ends_of(const Run& run, const std::vector<std::uint64_t>& group) {
+  EndsOfGroup ends;
+  for (const std::uint64_t path : group) {
+    (run.ledger.roots().at(path).point.simple ? ends.simple : ends.singular).push_back(path);
+  }
+  return ends;
+}
+
+JudgedEnds judge_ends_alone(const Run& run) {
+  JudgedEnds judged;
+  for (const auto& [path, failure] : run.ledger.failures()) {
+    judged.open.emplace(path, Question::no_end);
+    judged.in_doubt.insert(path);
+  }
+  for (const std::uint64_t path : run.ledger.refuted()) {
+    judged.open.emplace(path, Question::no_root);
+    judged.in_doubt.insert(path);
+  }
+  for (auto& group : groups_of(run)) {
+    const EndsOfGroup ends = ends_of(run, group);
+    if (stands(run, ends, group)) {
+      judged.roots.push_back(std::move(group));
+      continue;
+    }
+    open(ends, judged);
+    judged.in_doubt.insert(group.begin(), group.end());
+  }
+  return judged;
+}
+
+JudgedEnds judge(const Run& run) {
+  JudgedEnds judged = judge_ends_alone(run);
+  const std::vector<std::uint64_t> shared = run.sheets.shared();
+  if (!run.is_settled && !shared.empty()) {
+    open_shared_sheets(run, PathSet(shared.begin(), shared.end()), judged);
+  }
+  return judged;
+}
+
+PathSet open_to_more_digits(const Run& run) {
+  PathSet paths;
+  for (const auto& [path, question] : judge(run).open) {
+    const bool is_ended = question == Question::no_end &&
+                          run.ledger.failures().at(path).failure == Failure::step_limit;
+    if (!is_ended) paths.insert(path);
+  }
+  return paths;
+}
+
+FailedPath told_as_failed(const Run& run, std::uint64_t path, Question question) {
+  if (question == Question::no_end) return run.ledger.failures().at(path);
+  return {path, question == Question::jumped ? Failure::jumped : Failure::precision, 1};
+}
+
+}  // namespace moivre

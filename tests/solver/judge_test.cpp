@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: MIT
+// judge(): what ends of paths come to, and what is open. Laws that hold whatever was seen.
+#include "judge.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <fstream>
+#include <numeric>
+#include <string>
+
+#include "certificates.h"
+#include "moivre/tracker_cvode/cvode_tracker.h"
+#include "problem_set.h"
+#include "settle.h"
+
+namespace moivre {
+namespace {
+
+using Groups = std::vector<std::vector<std::uint64_t>>;
+
+/// Ends that were seen of paths of (x - 1)^2 (x - 2) (x - 3) = 0, given by hand.
+class JudgedPaths : public testing::Test {
+ protected:
+  void simple(std::uint64_t path, Complex x) {
+    Refiner refiner(setting.refiner_program);
+    Root root;
+    root.certificate = Prover(setting.certify_program).prove({x});
+    ASSERT_NE(root.certificate, nullptr);
+    root.point = refiner.take(*root.certificate);
+    root.tolerance = 1e-13;
+    run.ledger.enter_root(path, std::move(root));
+  }
+  void cycle(std::uint64_t path, Complex x, int winding) {
+    Root root;
+    root.point.x = {x};
+    root.point.accuracy = 1e-9;
+    root.winding = winding;
+    root.tolerance = 1e-7;
+    root.on_set = SetHere::none;
+    run.ledger.enter_root(path, std::move(root));
+  }
+  void lost(std::uint64_t path) { run.ledger.enter_failure({path, Failure::step_limit, 0.5}); }
+  Groups roots() {
+    Groups groups = judge(run).roots;
+    std::sort(groups.begin(), groups.end());
+    return groups;
+  }
+
+  System f = read("1\n (x - 1)^2*(x - 2)*(x - 3);\n");
+  SolveOptions options = with_seed(1);
+  std::atomic<bool> stop{false};
+  std::unique_ptr<Tracker> tracker = make_cvode_tracker();
+  Setting setting{f, *tracker, options, stop};
+  moivre::Run run{setting};
+};
+
+TEST_F(JudgedPaths, StandAtASimpleRootAloneAndAtASingularOneInWholeCycles) {
+  simple(0, 2);
+  simple(1, 3);
+  cycle(2, 1, 2);
+  cycle(3, 1, 2);
+  const JudgedEnds judged = judge(run);
+  EXPECT_EQ(roots(), (Groups{{0}, {1}, {2, 3}}));
+  EXPECT_TRUE(judged.open.empty());
+  EXPECT_TRUE(judged.in_doubt.empty());
+}
+
+TEST_F(JudgedPaths, HaveNoRootWhereACycleIsNotWhole) {
+  cycle(0, 1, 2);
+  cycle(1, 1, 2);
+  cycle(2, 1, 2);
+  const JudgedEnds judged = judge(run);
+  EXPECT_TRUE(judged.roots.empty());
+  for (const std::uint64_t path : {0U, 1U, 2U}) {
+    EXPECT_EQ(judged.open.at(path), Question::no_root);
+    EXPECT_EQ(told_as_failed(run, path, Question::no_root).failure, Failure::precision);
+  }
+}
+
+TEST_F(JudgedPaths, HaveJumpedWhereAnotherEndsAtTheSameSimpleRoot) {
+  simple(0, 2);
+  simple(1, 2);
+  const JudgedEnds judged = judge(run);
+  EXPECT_EQ(judged.roots, (Groups{{0}}));
+  EXPECT_EQ(judged.open.at(1), Question::jumped);
+  EXPECT_EQ(judged.in_doubt, (PathSet{0, 1}));  // which of them, nothing tells
+}
+
+TEST_F(JudgedPaths, HaveJumpedWhereTheyCameBackToOneSheet) {
+  simple(0, 2);
+  cycle(1, 1, 2);
+  cycle(2, 1, 2);
+  run.sheets.set(2, 0.25);
+  run.sheets.set(3, 0.25);
+  run.ledger.enter_infinity(3);
+  const JudgedEnds judged = judge(run);
+  EXPECT_EQ(judged.roots, (Groups{{0}}));
+  EXPECT_EQ(judged.open.at(1), Question::no_root);  // its cycle has lost a sheet
+  EXPECT_EQ(judged.open.at(2), Question::jumped);
+  EXPECT_EQ(judged.open.at(3), Question::jumped);
+  EXPECT_EQ(judge_ends_alone(run).roots.size(), 2U);
+}
+
+TEST_F(JudgedPaths, ThatAreRefutedAreOpenUntilAnotherEndIsSeen) {
+  cycle(0, 1, 2);
+  cycle(1, 1, 2);
+  run.ledger.refute(0);
+  run.ledger.refute(1);
+  EXPECT_TRUE(judge(run).roots.empty());
+  EXPECT_EQ(judge(run).open.at(0), Question::no_root);
+  EXPECT_EQ(run.ledger.roots().size(), 2U);  // what was seen stays on record
+  cycle(0, 1, 2);
+  cycle(1, 1, 2);
+  EXPECT_TRUE(judge(run).open.empty());
+}
+
+TEST_F(JudgedPaths, WithoutAnEndAreToldAsTheyWereLost) {
+  lost(4);
+  const JudgedEnds judged = judge(run);
+  ASSERT_EQ(judged.open.at(4), Question::no_end);
+  EXPECT_EQ(told_as_failed(run, 4, Question::no_end).failure, Failure::step_limit);
+  EXPECT_TRUE(open_to_more_digits(run).empty());
+}
+
+TEST_F(JudgedPaths, ComeToTheSameInAnyOrder) {
+  std::vector<std::uint64_t> order(6);
+  std::iota(order.begin(), order.end(), 0U);
+  do {
+    run.ledger = {};
+    for (const std::uint64_t path : order) {
+      if (path == 0) simple(0, 2);
+      if (path == 1) simple(1, 3);
+      if (path == 2) simple(2, 3);
+      if (path == 3 || path == 4) cycle(path, 1, 2);
+      if (path == 5) lost(5);
+    }
+    EXPECT_EQ(roots(), (Groups{{0}, {1}, {3, 4}}));
+    EXPECT_EQ(judge(run).open,
+              (std::map<std::uint64_t, Question>{{2, Question::jumped}, {5, Question::no_end}}));
+  } while (std::next_permutation(order.begin(), order.begin() + 4));
+}
+
+TEST_F(JudgedPaths, DoNotLoseAProvedRootByAnEndThatAgrees) {
+  simple(0, 2);
+  for (const bool has_another : {false, true}) {
+    if (has_another) simple(1, 2);
+    EXPECT_EQ(roots(), (Groups{{0}})) << has_another;
+  }
+}
+
+TEST_F(JudgedPaths, AreNotSettledByTakingAGroundAway) {
+  simple(0, 2);
+  simple(1, 3);
+  cycle(2, 1, 2);
+  cycle(3, 1, 2);
+  for (std::uint64_t path = 0; path < 4; ++path) {
+    moivre::Run less(setting);
+    for (const auto& [other, root] : run.ledger.roots()) {
+      if (other == path) {
+        less.ledger.enter_failure({other, Failure::precision, 1});
+      } else {
+        less.ledger.enter_root(other, Root(root));
+      }
+    }
+    EXPECT_FALSE(judge(less).open.empty()) << path;
+  }
+}
+
+TEST_F(JudgedPaths, AreJudgedTheSameTwice) {
+  simple(0, 2);
+  simple(1, 2);
+  cycle(2, 1, 2);
+  lost(3);
+  const JudgedEnds once = judge(run);
+  const JudgedEnds twice = judge(run);
+  EXPECT_EQ(once.roots, twice.roots);
+  EXPECT_EQ(once.open, twice.open);
+  EXPECT_EQ(once.in_doubt, twice.in_doubt);
+}
+
+// Four roots with their multiplicities are all that a quartic has: what came back to a shared sheet does not matter any more.
+TEST_F(JudgedPaths, HaveNoOpenSheetsWhereACountSettlesTheRun) {
+  simple(0, 2);
+  simple(1, 3);
+  cycle(2, 1, 2);
+  cycle(3, 1, 2);
+  run.sheets.set(0, 0.25);
+  run.sheets.set(1, 0.25);
+  EXPECT_EQ(judge(run).open.size(), 2U);
+  ASSERT_TRUE(is_settled(run));
+  EXPECT_TRUE(judge(run).open.empty());
+}
+
+/// The words of a file between `begin` at the start of a line and the next `end`; lines without are left out.
+std::vector<std::string> words_between(const std::string& begin, const std::string& end,
+                                       const std::string& file) {
+  std::vector<std::string> words;
+  std::ifstream lines(std::string(MOIVRE_SOURCE_DIR) + file);
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t at = line.find(end, begin.size());
+    if (line.rfind(begin, 0) != 0 || at == std::string::npos) continue;
+    words.push_back(line.substr(begin.size(), at - begin.size()));
+  }
+  return words;
+}
+
+TEST(Remedies, StandInTheDocumentInTheirOrder) {
+  const auto in_code = words_between("    ", ",", "/src/solver/settle.cpp");
+  const auto in_document = words_between("| `", "`", "/docs/algorithms/end-of-path.md");
+  ASSERT_EQ(in_code.size(), 13U);
+  ASSERT_GE(in_document.size(), in_code.size());
+  EXPECT_TRUE(std::equal(in_code.begin(), in_code.end(), in_document.begin()));
+}
+
+}  // namespace
+}  // namespace moivre
