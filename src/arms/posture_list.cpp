@@ -93,7 +93,7 @@ std::optional<std::size_t> listed(const PostureList& list, const ArmClosure& clo
 std::optional<std::size_t> set_of(const PostureList& list, const Eigen::VectorXd& values,
                                   bool is_exact) {
   for (std::size_t k = 0; k < list.moves.size(); ++k) {
-    if (is_exact && list.moves[k].within_digits && list.moves[k].misfit > of_pose(list)) continue;
+    if (is_exact && list.moves[k].misfit > of_pose(list)) continue;
     if (is_on(list.arm, list.moves[k], values, kOnSet)) return k;
   }
   return std::nullopt;
@@ -106,10 +106,11 @@ void enter_near(PostureList& list, const TracedSet& traced) {
   list.follows_digits = true;
 }
 
-/// A curve of postures ends nowhere: one that does, where it misses the pose by more than it did, is there within the digits only.
+/// A curve of postures ends nowhere: one that does, where it misses a pose of all digits by more than it did, is there within the file's only.
 bool ends(const PostureList& list, const SelfMotion& motion) {
   constexpr double kRoundingShare = 0.1;
-  return motion.dimension == 1 && !motion.closes && motion.misfit > kRoundingShare * of_pose(list);
+  return list.accuracy <= kReach && motion.dimension == 1 && !motion.closes &&
+         motion.misfit > kRoundingShare * of_pose(list);
 }
 
 /// Adds the set through the posture that the accuracy, or the digits, leave open; its number where the pose's accuracy does.
@@ -122,13 +123,13 @@ std::optional<std::size_t> add_set(PostureList& list, const ArmClosure& closure)
     if (is_by_digits && set_of(list, closure.values, false)) return std::nullopt;
     auto traced = trace_set(list.arm, list.pose, closure.values, accuracy, list.seed);
     if (!traced) continue;
-    const bool is_beyond_pose = traced->motion.misfit > of_pose(list);
-    traced->motion.within_digits =
-        (is_by_digits && is_beyond_pose) || (list.arm.rounding > 0 && ends(list, traced->motion));
+    const bool is_beyond_rounding = traced->motion.misfit > of_pose(list);
+    traced->motion.within_digits = (is_by_digits && traced->motion.misfit > list.accuracy) ||
+                                   (list.arm.rounding > 0 && ends(list, traced->motion));
     // Where sets meet the posture may not be known well enough to be seen on one that is there.
     if (const auto same = set_of(list, traced->motion.values, true)) return same;
     list.moves.push_back(std::move(traced->motion));
-    if (!is_beyond_pose) return list.moves.size() - 1;
+    if (!is_beyond_rounding) return list.moves.size() - 1;
     enter_near(list, *traced);
     return std::nullopt;
   }
@@ -142,7 +143,7 @@ void follow_digits(PostureList& list, const Eigen::VectorXd& place) {
   if (list.arm.rounding == 0 || !list.follows_digits || set_of(list, place, false)) return;
   auto traced = trace_set(list.arm, list.pose, place, accuracy, list.seed);
   if (!traced || set_of(list, traced->motion.values, false)) return;
-  traced->motion.within_digits = true;
+  traced->motion.within_digits = traced->motion.misfit > list.accuracy;
   list.moves.push_back(std::move(traced->motion));
   enter_near(list, *traced);
 }

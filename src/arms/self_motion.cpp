@@ -18,8 +18,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// A set that reaches less far is none, in probes.
-constexpr double kShortest = 4;
+/// A set that reaches less far is none, in probes; a curve that ends, from one end to the other.
+constexpr double kShortest = 4, kShortestCurve = 6;
 /// Singular values beside the largest: directions with larger ones do move the tip.
 constexpr double kMayStand = 0.02;
 /// A set of one dimension has at most so many samples to each side, one of more dimensions so many ways of so many steps.
@@ -279,11 +279,12 @@ std::optional<TracedSet> trace_at_size(const Arm& arm, const Eigen::Isometry3d& 
   // A few steps are no set: closures that meet leave the accuracy behind as slowly.
   double reached = 0;
   for (const VectorXd& sample : motion.samples) {
-    reached = std::max(reached, apart(arm, sample, motion.values));
+    reached = std::max(reached, apart(arm, sample, motion.samples.front()));
   }
-  if (reached < kShortest * probe) return std::nullopt;
+  const bool has_ends = motion.dimension == 1 && !motion.closes;
+  if (reached < (has_ends ? kShortestCurve : kShortest) * probe) return std::nullopt;
   // A curve of postures ends nowhere: what is small and ends is near closures alone.
-  if (size < 1 && !motion.closes && reached < kShortest * kProbe) return std::nullopt;
+  if (size < 1 && !motion.closes && reached < kShortestCurve * kProbe) return std::nullopt;
   motion.directions = begin->ways;
   for (Index k = 0; k < motion.directions.cols(); ++k) {
     motion.directions.col(k) =
