@@ -141,6 +141,7 @@ void take_near_misses(ClosureSearch& search) {
     if (is_near) note_misfit(search, closure);
     take_fitted(search, least);
   }
+  for (const Eigen::VectorXd& q : search.fitted_before) take_fitted(search, settled(search, q));
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "moivre/closures/stages.h"
 #include "moivre/expression/counted.h"
 #include "moivre/factorization/qr.h"
+#include "moivre/formulation/exact.h"
 #include "moivre/numeric/near_points.h"
 #include "moivre/polynomial/square_up.h"
 #include "moivre/polynomial/tape.h"
@@ -33,6 +34,24 @@ double near_real(const ClosureSearch& search) {
 
 // What a root's own rounding leaves behind Newton's method, with lengths of the file typed to twelve digits.
 constexpr double kRounding = 1e-12;
+
+/// How far two roots are apart, directions beside 1 and lengths beside the mechanism's: at the origin
+/// a length has no size of its own.
+double apart(const Formulation& formulation, const Point& a, const Point& b) {
+  double direction = 1;
+  double length = formulation.length;
+  for (std::size_t v = 0; v < a.size(); ++v) {
+    double& size = formulation.is_direction[v] ? direction : length;
+    size = std::max({size, std::abs(a[v]), std::abs(b[v])});
+  }
+  if (length == 0) length = 1;
+  double largest = 0;
+  for (std::size_t v = 0; v < a.size(); ++v) {
+    const double size = formulation.is_direction[v] ? direction : length;
+    largest = std::max(largest, std::abs(a[v] - b[v]) / size);
+  }
+  return largest;
+}
 
 double tolerance_of(const Solution& solution) {
   return solution.singular ? kHoldsSingular : kHolds;
@@ -196,12 +215,14 @@ void merge_unproved(ClosureSearch& search) {
   };
   for (std::size_t i = 0; i < roots.size(); ++i) {
     for (std::size_t j = i + 1; j < roots.size();) {
-      const double size = std::max(1.0, max_norm(roots[i].x));
-      const double apart = max_distance(roots[i].x, roots[j].x);
-      if (!is_unproved(roots[i]) || !is_unproved(roots[j]) || apart > kApart * size) {
+      const bool are_unproved = is_unproved(roots[i]) && is_unproved(roots[j]);
+      const double gap =
+          are_unproved ? apart(search.formulation, roots[i].x, roots[j].x) : 2 * kApart;
+      if (gap > kApart) {
         ++j;
         continue;
       }
+      roots[i].radius = std::max(roots[i].radius, max_distance(roots[i].x, roots[j].x));
       search.unproved -=
           (may_be_several(roots[i]) ? 1U : 0U) + (may_be_several(roots[j]) ? 1U : 0U);
       for (std::size_t k = 0; k < roots[i].x.size(); ++k) {
@@ -210,8 +231,7 @@ void merge_unproved(ClosureSearch& search) {
       roots[i].multiplicity += roots[j].multiplicity;
       roots[i].winding = {static_cast<int>(roots[i].multiplicity)};
       roots[i].singular = roots[i].cluster = true;
-      roots[i].radius = std::max(roots[i].radius, apart);
-      roots[i].accuracy = std::max(roots[i].accuracy, apart / size);
+      roots[i].accuracy = std::max(roots[i].accuracy, gap);
       roots[i].real = distance_from_real(search.formulation, roots[i].x) <= kHoldsSingular;
       roots.erase(roots.begin() + static_cast<std::ptrdiff_t>(j));
     }
@@ -264,9 +284,43 @@ void solve_free(ClosureSearch& search, const std::vector<Block>& blocks) {
   search.undecided_motion = true;
 }
 
+Point values_of(const PartialRoot& root) {
+  Point x;
+  for (const KnownValue& value : root.value) x.push_back(value->rounded);
+  return x;
+}
+
+/// Two roots beside each other have a condition as large as they are near: at a dead point whose two
+/// roots rounding has parted by next to nothing it says no more than that. They are a cluster of two.
+void merge_pairs(const Formulation& formulation, std::vector<PartialRoot>& roots) {
+  // Of the condition times the distance; on a set rounding leaves roots anywhere.
+  constexpr double kExplained = 1e6;
+  for (std::size_t i = 0; i < roots.size(); ++i) {
+    if (roots[i].singular || roots[i].condition < kUndetermined) continue;
+    for (std::size_t j = i + 1; j < roots.size(); ++j) {
+      if (roots[j].singular || roots[j].condition < kUndetermined) continue;
+      const double gap = apart(formulation, values_of(roots[i]), values_of(roots[j]));
+      if (gap * std::max(roots[i].condition, roots[j].condition) > kExplained) continue;
+      for (std::size_t v = 0; v < roots[i].value.size(); ++v) {
+        KnownValue& value = roots[i].value[v];
+        const Complex mean = 0.5 * (value->rounded + roots[j].value[v]->rounded);
+        if (value != roots[j].value[v]) value = std::make_shared<const Known>(exactly(mean));
+      }
+      roots[i].multiplicity += roots[j].multiplicity;
+      roots[i].singular = roots[i].cluster = true;
+      roots[i].isolated = false;
+      roots[i].accuracy = std::max({roots[i].accuracy, roots[j].accuracy, gap});
+      roots[i].proof = nullptr;
+      roots.erase(roots.begin() + static_cast<std::ptrdiff_t>(j));
+      break;
+    }
+  }
+}
+
 /// Roots that rounding moves as far as it likes are points of a set: rounding of the coefficients, or of the roots of the blocks before, where
 /// no proof knows these exactly; a multiple root has its own judges.
 void take_off_sets(const Formulation& formulation, StageRun& run) {
+  merge_pairs(formulation, run.roots);
   std::erase_if(run.roots, [&](const PartialRoot& root) {
     const bool is_known =
         formulation.is_exact && (root.proof != nullptr || root.isolated || root.singular);

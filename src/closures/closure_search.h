@@ -59,7 +59,8 @@ struct ClosureSearch {
   std::map<const Joint*, std::uint64_t>
       beyond_limits;  ///< closures that each joint's limits filtered
   std::vector<Closure>
-      fitted_beyond_limits;       ///< poses within Mechanism::fit that the limits filtered
+      fitted_beyond_limits;  ///< poses within Mechanism::fit that the limits filtered
+  std::vector<Eigen::VectorXd> fitted_before;  ///< poses within fit, before all was combined
   bool undecided_motion = false;  ///< a set of closures may exist, and no pose that moves was found
   bool part_is_complex = false;   ///< a part of the mechanism closes in complex numbers only
 };

@@ -70,6 +70,9 @@ void find_all(ClosureSearch& search) {
 /// Everything anew, with all equations combined. What was done before stays in the account, and what missed by little is looked at again.
 void find_all_combined(ClosureSearch& search) {
   const ClosureResult first = std::move(search.result);
+  for (const Closure& closure : first.closures) {
+    if (closure.is_fitted) search.fitted_before.push_back(closure.q);
+  }
   search.result = described(search);
   search.result.idle = first.idle;
   search.is_combined = true;

@@ -85,6 +85,8 @@ void look_for_fitted(ClosureSearch& search) {
   if (!search.mechanism.fit || has_gears(search.mechanism)) return;
   const WithinFit within = within_fit(search);
   const VectorXd guess = initial_guess(search.mechanism, search.options.time);
+  const System& f = search.formulation.system;
+  const bool has_spare = f.polynomials.size() > f.variables.size();
   std::uint64_t found = 0;
   std::uint64_t idle = 0;
   for (std::uint64_t k = 0; k < kMostRuns && idle < kIdleRuns + kIdleRunsEach * found; ++k) {
@@ -99,9 +101,8 @@ void look_for_fitted(ClosureSearch& search) {
     if (!are_spins_as_meant(search.mechanism, least.q) || !take_fitted(search, least)) continue;
     ++found;
     idle = 0;
-    const VectorXd& q = search.result.closures.back().q;
-    const bool may_have_root = !within.is_weak(q) && !search.is_combined;
-    if (may_have_root || within.is_beside_roots(q)) ++search.rootless;
+    const bool is_lost = within.is_beside_roots(search.result.closures.back().q);
+    if (is_lost || (has_spare && !search.is_combined)) ++search.rootless;
   }
 }
 

@@ -5,6 +5,7 @@
 // angle. The rocker is what would make a dead point, rounded to double, up to three units in the last place from that.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <sstream>
 
 #include "mechanisms.h"
@@ -140,6 +141,65 @@ TEST(NearADeadPoint, InSpaceWhatRoundingCannotMergeIsProved) {
   const ClosureResult beyond = closures_of(slide_in_space("7.9999999"));
   EXPECT_EQ(beyond.completeness, RootCompleteness::proved);
   EXPECT_EQ(beyond.counts.real, 0U);
+}
+
+// A quick return in two of its dead points. Above one angle of its arm rounding parts the two roots of
+// the slider by 1e-17 of their size: their condition, 1e19, is not that of a set.
+TEST(NearADeadPoint, APairOfRootsThatRoundingHardlyPartsIsNoSet) {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    const ClosureResult result = closures_of(mechanism_text(R"toml(
+[ground.points]
+P0 = [8.0, -12.0]
+P2 = [12.0, -4.0]
+[body.b1.points]
+P1 = [8.0, -12.0]
+P4 = [0.0, -8.0]
+[body.b2.points]
+P3 = [12.0, -4.0]
+P5 = [-4.0, 4.0]
+[body.b3.points]
+P6 = [-4.0, 4.0]
+P7 = [12.0, -4.0]
+[body.b4.points]
+P8 = [12.0, -4.0]
+[[joint]]
+type = "revolute"
+name = "j0"
+at = ["ground.P0", "b1.P1"]
+[[joint]]
+type = "revolute"
+name = "j1"
+at = ["ground.P2", "b2.P3"]
+[[joint]]
+type = "slot"
+name = "j2"
+at = ["b2.P3", "b1.P4"]
+along = [-12.0, -4.0]
+[[joint]]
+type = "revolute"
+name = "j3"
+at = ["b2.P5", "b3.P6"]
+[[joint]]
+type = "revolute"
+name = "j4"
+at = ["b3.P7", "b4.P8"]
+[[joint]]
+type = "prismatic"
+name = "j5"
+at = ["ground.P2", "b4.P8"]
+along = [8.0, 16.0]
+turn = 0.0
+[[driver]]
+angle = "b1"
+start = 0.0
+)toml"),
+                                             seed);
+    EXPECT_TRUE(result.complete) << result.message;
+    const bool has_drawn = std::any_of(
+        result.closures.begin(), result.closures.end(),
+        [](const Closure& closure) { return closure.q.lpNorm<Eigen::Infinity>() < 1e-6; });
+    EXPECT_TRUE(has_drawn) << "seed " << seed << ": " << result.message;
+  }
 }
 
 }  // namespace
