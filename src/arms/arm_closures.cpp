@@ -278,14 +278,16 @@ bool is_explained(const SingularEnd& end, PostureList& list, Arrivals& arrivals,
                   ArmResult& result) {
   constexpr double kNotReal = 1e-2, kFarBefore = 0.1, kClearly = 4;
   constexpr std::uint64_t kBeside = 16, kBehindOthers = 20'000;
-  // A path that stopped far before its end tells nothing of it.
-  if (end.to_go > kFarBefore) return false;
-  if (is_at_listed(end, list, arrivals, result)) return true;
-  if (end.added > std::max(kNear, kClearly * end.to_go)) return true;
-  if (end.imaginary > std::max(kNotReal, kClearly * end.to_go)) {
+  const double clear = kClearly * end.to_go;
+  // A path that stopped far before its end tells nothing of it, unless it was farther still from what is real.
+  const bool stopped_early = end.to_go > kFarBefore;
+  if (!stopped_early && is_at_listed(end, list, arrivals, result)) return true;
+  if (end.added > std::max(kNear, clear)) return true;
+  if (end.imaginary > std::max(kNotReal, clear)) {
     ++result.counts.complex;
     return true;
   }
+  if (stopped_early) return false;
   for (std::uint64_t k = 0; k < kBeside; ++k) {
     const Eigen::VectorXd way = random_joint_values(list.arm, list.seed, kBehindOthers + k);
     enter(list, end.values + kNear / std::numbers::pi * way, false);
