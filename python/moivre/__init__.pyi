@@ -80,7 +80,7 @@ def solve(equations: _Equations, *, variables: Optional[Sequence[Any]] = ..., re
           parameters: Optional[Mapping[Any, tuple[_Number, _Number]]] = ..., start_points: Optional[npt.ArrayLike] = ...,
           tracker: Optional[_Tracker] = ..., start: Optional[_Start] = ..., seed: Optional[int] = ...,
           threads: Optional[int] = ..., time_limit: Optional[float] = ..., slice: Optional[bool] = ...,
-          precision: Optional[_Precision] = ..., certify: Optional[bool] = ..., digits: Optional[int] = ...,
+          precision: Optional[_Precision] = ..., certify: Optional[bool] = ..., every_path: Optional[bool] = ..., digits: Optional[int] = ...,
           cross_check: Optional[bool] = ..., tracker_options: Optional[Mapping[str, Any]] = ..., progress: _Progress = ...) -> Result: ...
 
 class Family:

@@ -291,7 +291,7 @@ def _ways(parameters, start_points):
 
 
 def solve(equations, *, variables=None, real=None, positive=None, nonzero=None, box=None, parameters=None, start_points=None,
-          tracker=None, start=None, seed=None, threads=None, time_limit=None, slice=None, precision=None, certify=None,
+          tracker=None, start=None, seed=None, threads=None, time_limit=None, slice=None, precision=None, certify=None, every_path=None,
           digits=None, cross_check=None, tracker_options=None, progress=None):
     """All isolated roots of a polynomial system, complex roots included.
 
@@ -326,6 +326,8 @@ def solve(equations, *, variables=None, real=None, positive=None, nonzero=None, 
     precision : {"auto", "double", "double-double"}, optional
     certify : bool, optional
         False: say nothing of certificates and completeness.
+    every_path : bool, optional
+        Follow every path to its end, also where as many roots are known as there can be.
     digits : int, optional
         Also give every nonsingular root to so many digits; reports have them.
     cross_check : bool, optional
@@ -367,7 +369,7 @@ def solve(equations, *, variables=None, real=None, positive=None, nonzero=None, 
     """
     options = chosen(real=real, positive=positive, nonzero=nonzero, box=None if box is None else _box(box), tracker=tracker,
                      start=start, seed=seed, threads=threads, time_limit=time_limit, slice=slice, precision=precision,
-                     certify=certify, digits=digits, cross_check=cross_check, tracker_options=tracker_options)
+                     certify=certify, every_path=every_path, digits=digits, cross_check=cross_check, tracker_options=tracker_options)
     if parameters is None and start_points is None:
         system, name = to_system(equations, variables)
         with told(progress) as tell:

@@ -123,6 +123,7 @@ SolveOptions solve_options(const py::dict& choice, const Trackers& trackers) {
   take(choice, "slice", options.slice);
   take(choice, "precision", precision);
   take(choice, "certify", options.certify);
+  take(choice, "every_path", options.every_path);
   options.start = start_of(start);
   options.precision = precision_of(precision);
   options.fallback = trackers.other.get();

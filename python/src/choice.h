@@ -46,7 +46,7 @@ Value option_value(const std::string& name, const pybind11::handle& given) {
 /// JSON. Throws std::invalid_argument.
 Trackers make_trackers(const pybind11::dict& choice);
 
-/// seed, start, threads, slice, precision, certify. Throws std::invalid_argument. `trackers` must outlive the options.
+/// seed, start, threads, slice, precision, certify, every_path. Throws std::invalid_argument. `trackers` must outlive the options.
 SolveOptions solve_options(const pybind11::dict& choice, const Trackers& trackers);
 
 /// choice["time_limit"], beside the function that is told of progress. Throws std::invalid_argument.

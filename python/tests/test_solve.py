@@ -155,7 +155,8 @@ def test_both_trackers_find_the_same(tracker, problems):
 def test_json_is_that_of_the_command_line(problems, command):
     file = problems / "polynomials" / "puma.phc"
     for options, words in (({}, ()), ({"tracker": "lanes", "seed": 3}, ("--tracker", "lanes", "--seed", "3")),
-                           ({"digits": 30}, ("--digits", "30")), ({"certify": False}, ("--no-certify",))):
+                           ({"digits": 30}, ("--digits", "30")), ({"certify": False}, ("--no-certify",)),
+                           ({"every_path": True, "start": "total-degree"}, ("--every-path", "--start", "total-degree"))):
         assert without_times(moivre.solve(file, **options).to_json()) == without_times(command("solve", file, *words))
 
 

@@ -34,6 +34,7 @@ struct SolveCommand {
   bool slice = false;
   bool cross_check = false;
   bool no_certify = false;
+  bool every_path = false;
   std::optional<int> digits;
   std::string precision = "auto";
   std::optional<double> time_limit;
@@ -74,6 +75,7 @@ SolveResult solve_interruptibly(const SolveCommand& command, const Problem& prob
   options.threads = command.threads;
   options.slice = command.slice;
   options.certify = !command.no_certify;
+  options.every_path = command.every_path;
   options.precision = precision_of(command.precision);
   options.memory = memory_state().available;
   const std::unique_ptr<Tracker> fallback = make_fallback(command.tracker);
@@ -181,6 +183,8 @@ void add_solve_command(CLI::App& moivre, Chosen& chosen) {
                "also solve with the other tracker, and compare path by path");
   app.add_flag("--no-certify", command->no_certify,
                "do not tell certificates and completeness; what is a root is proved all the same");
+  app.add_flag("--every-path", command->every_path,
+               "follow every path to its end, also where as many roots are known as there can be");
   add_quiet_flag(app, command->quiet);
   add_json_option(app, command->json);
   app.add_option("--csv", command->csv, "write a table of the roots here")->type_name("PATH");

@@ -133,12 +133,14 @@ bool decided_without_tracking(const Setting& setting, SolveResult& result) {
   return false;
 }
 
-/// All of them, and with more effort those that wait, unless the others have met a bound: then they lead to no other root.
+/// All of them, and with more effort those that wait, unless the others have met a bound: then they lead to no other root. That is not asked
+/// where every path is to be followed.
 void track_to_ends(Run& run) {
   track_all(run);
   for (const Effort effort : {Effort::few_steps, Effort::all_steps}) {
     if (effort <= first_effort(run.setting)) continue;
-    if (run.waiting.empty() || run.interrupted || settle_by_bound(run)) return;
+    if (run.waiting.empty() || run.interrupted) return;
+    if (!run.setting.options.every_path && settle_by_bound(run)) return;
     track_waiting(run, effort);
   }
 }

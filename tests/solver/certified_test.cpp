@@ -382,6 +382,21 @@ TEST(Certified, ARootIsKnownByItsKeptUnknowns) {
   expect_proved(f, 1, 2, 56, "mixed volume");
 }
 
+// cyclic-5 by total degree: 70 roots and 50 paths to infinity.
+TEST(Certified, PathsThatAreNotNeededEndAtNoOtherRootWhereTheyAreFollowed) {
+  const System f = system_of(problem("cyclic-5"));
+  SolveOptions options = with_seed(1);
+  options.start = StartKind::total_degree;
+  const SolveResult left = solve(f, *make_cvode_tracker(), options);
+  options.every_path = true;
+  const SolveResult followed = solve(f, *make_cvode_tracker(), options);
+  EXPECT_GT(left.paths.not_needed, 0U);
+  EXPECT_LT(followed.paths.not_needed, left.paths.not_needed);
+  EXPECT_EQ(followed.paths.finite, left.paths.finite);
+  EXPECT_EQ(followed.paths.at_infinity, left.paths.not_needed - followed.paths.not_needed);
+  EXPECT_EQ(followed.completeness, RootCompleteness::proved);
+}
+
 TEST(Certified, WhatIsNotDecidedIsOpen) {
   CvodeOptions few;
   few.maximum_steps = 5;

@@ -75,6 +75,8 @@ struct SolveOptions {
   bool slice = false;  ///< fewer equations than unknowns: cut by random linear ones, else refused
   Precision precision = Precision::automatic;
   bool certify = true;  ///< proofs are told; they are made in any case
+  /// Paths are followed to their ends also where as many roots are known as there can be.
+  bool every_path = false;
   EndgameOptions endgame;
   /// Bytes that there are; 0: not known. A run whose paths cannot be kept within them is refused before it begins.
   std::uint64_t memory = 0;
