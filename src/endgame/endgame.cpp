@@ -115,8 +115,8 @@ Departure Endgame::along(const Contour& contour, Point x, int samples, Watcher* 
 Watcher::Verdict Endgame::watch(const StepRecord& step, PathSystem&) {
   const double radius = std::abs(step.t.rest);
   if (radius > options_.ends.watch_radius || radius == 0) return Verdict::go_on;
-  if (outpost_.empty() || radius > options_.ends.creeping_radius / options_.ends.shrink) {
-    outpost_.assign(step.x.begin(), step.x.end());
+  if (endgame_start_.empty() || radius > options_.ends.creeping_radius / options_.ends.shrink) {
+    endgame_start_.assign(step.x.begin(), step.x.end());
     radius_ = radius;
   }
   if (radius < options_.ends.creeping_radius && !options_.goes_straight) ++creeping_;
@@ -179,7 +179,7 @@ std::optional<Departure> Endgame::proceed(Arrival&& arrival, PathSystem& path) {
     case Phase::first_approach:
     case Phase::approach:
       if (arrival.journey == Journey::arrived) {
-        outpost_ = std::move(arrival.x);
+        endgame_start_ = std::move(arrival.x);
         radius_ = next_radius_;
       } else if (phase_ == Phase::approach) {
         return conclude(path);
@@ -201,42 +201,42 @@ std::optional<Departure> Endgame::judge_arrival(Arrival&& arrival, PathSystem& p
     end_.condition = *arrival.regular_condition;
     end_.accuracy = arrival.accuracy;
     if (is_known_finite()) return take_finite();
-    if (outpost_.empty()) return fail(Failure::precision);
+    if (endgame_start_.empty()) return fail(Failure::precision);
   }
   // Without a watched point there is nowhere to turn back to: the root it arrived at proves itself later.
-  const double condition =
-      outpost_.empty() ? std::numeric_limits<double>::infinity() : options_.ends.regular_condition;
+  const double condition = endgame_start_.empty() ? std::numeric_limits<double>::infinity()
+                                                  : options_.ends.regular_condition;
   if (is_regular_arrival(arrival, path, condition)) return std::nullopt;
-  if (outpost_.empty()) return fail(to_failure(arrival.journey));
+  if (endgame_start_.empty()) return fail(to_failure(arrival.journey));
   if (options_.only_regular) {
-    end_.outpost = {outpost_, radius_, frame_};
+    end_.endgame_start = {endgame_start_, radius_, frame_};
     return fail(arrival.journey == Journey::step_limit ? Failure::step_limit : Failure::precision);
   }
   return turn_to_circles(path);
 }
 
-Departure Endgame::take_up(const Outpost& outpost, PathSystem& path) {
+Departure Endgame::take_up(const EndgameStart& endgame_start, PathSystem& path) {
   end_.is_taken_up = true;
-  frame_ = outpost.frame;
+  frame_ = endgame_start.frame;
   path.set_frame(frame_.get());
-  outpost_ = outpost.x;
-  radius_ = outpost.radius;
+  endgame_start_ = endgame_start.x;
+  radius_ = endgame_start.radius;
   return turn_to_circles(path);
 }
 
 Departure Endgame::turn_to_circles(PathSystem& path) {
-  polish_outpost(path);
-  watched_at_ = outpost_;
+  polish_endgame_start(path);
+  watched_at_ = endgame_start_;
   watched_radius_ = radius_;
   phase_ = Phase::first_approach;
   return approach(common_radius(radius_));
 }
 
 // A tracker that has t = 1 in view passes points of the way as near to the path as it needs for that.
-void Endgame::polish_outpost(PathSystem& path) {
-  Point x = outpost_;
+void Endgame::polish_endgame_start(PathSystem& path) {
+  Point x = endgame_start_;
   const PathTime time{1.0 - radius_, radius_};
-  if (path.correct(x, time, CorrectorOptions{}, true).converged) outpost_ = std::move(x);
+  if (path.correct(x, time, CorrectorOptions{}, true).converged) endgame_start_ = std::move(x);
 }
 
 bool Endgame::may_look_again() const {
@@ -249,15 +249,15 @@ std::optional<Departure> Endgame::look_again(PathSystem& path) {
   end_.failure.reset();
   last_.reset();
   best_.reset();
-  const Point outpost = outside(frame_, watched_at_);
-  frame_ = std::make_shared<const PathFrame>(frame_at(path.homotopy(), outpost));
+  const Point endgame_start = outside(frame_, watched_at_);
+  frame_ = std::make_shared<const PathFrame>(frame_at(path.homotopy(), endgame_start));
   path.set_frame(frame_.get());
-  outpost_ = inside(frame_, outpost);
+  endgame_start_ = inside(frame_, endgame_start);
   radius_ = watched_radius_;
   return begin_circle();
 }
 
-// Affine patch a x = 1 through the circle's outpost: samples of one homogeneous path become points of one chart.
+// Affine patch a x = 1 through the circle's beginning: samples of one homogeneous path become points of one chart.
 Point Endgame::normalized(Point x) const {
   Complex scale = 0;
   for (std::size_t i = 0; i < x.size(); ++i) scale += product(patch_[i], x[i]);
@@ -275,7 +275,7 @@ double Endgame::common_radius(double radius) const {
 
 Departure Endgame::approach(double radius) {
   next_radius_ = radius;
-  return along(Contour::spiral(radius_, std::log(radius / radius_)), outpost_);
+  return along(Contour::spiral(radius_, std::log(radius / radius_)), endgame_start_);
 }
 
 Contour Endgame::circle() const {
@@ -291,9 +291,9 @@ std::optional<Departure> Endgame::begin_circle() {
   turns_ = 0;
   samples_.clear();
   patch_.clear();
-  for (const Complex& xi : outpost_) patch_.push_back(std::conj(xi));
-  turn_begin_ = normalized(outpost_);
-  return walk_turn(outpost_);
+  for (const Complex& xi : endgame_start_) patch_.push_back(std::conj(xi));
+  turn_begin_ = normalized(endgame_start_);
+  return walk_turn(endgame_start_);
 }
 
 bool Endgame::may_wait() const {
@@ -368,13 +368,14 @@ std::vector<Complex> Endgame::samples_of_x0() const {
 
 // In the units of the system, not in those of the path.
 bool Endgame::ends_beyond(const std::vector<Complex>& x0) const {
-  const double unit = chart_.finiteness(outpost_) / chart_.finiteness(outside(frame_, outpost_));
+  const double unit =
+      chart_.finiteness(endgame_start_) / chart_.finiteness(outside(frame_, endgame_start_));
   return end_beyond(unit / options_.ends.beyond, x0, turns_);
 }
 
 // The faces of the cycle's direction have a common root there.
 FaceRoot Endgame::place_at_infinity(PathSystem& path) const {
-  return face_root(path, outside(frame_, outpost_), radius_,
+  return face_root(path, outside(frame_, endgame_start_), radius_,
                    valuations(samples_, chart_.homogenizing(), turns_), options_.ends);
 }
 
@@ -514,7 +515,7 @@ double Endgame::landing_condition() const {
 
 std::optional<Departure> Endgame::land() {
   phase_ = Phase::landing;
-  return along(Contour::landing(radius_), outpost_);
+  return along(Contour::landing(radius_), endgame_start_);
 }
 
 std::optional<Departure> Endgame::conclude(PathSystem& path) {

@@ -18,7 +18,7 @@ std::string Endgame::bytes_of_waiting() const {
   }
   bytes.put(looks_again_);
   bytes.put(turns_);
-  for (const Point* point : {&outpost_, &watched_at_, &patch_, &turn_begin_, &turn_end_}) {
+  for (const Point* point : {&endgame_start_, &watched_at_, &patch_, &turn_begin_, &turn_end_}) {
     bytes.put(*point);
   }
   bytes.put(static_cast<std::uint64_t>(samples_.size()));
@@ -42,7 +42,7 @@ void Endgame::wait_as(std::string_view text, PathEnd end) {
   }
   looks_again_ = bytes.get<bool>();
   turns_ = bytes.get<int>();
-  for (Point* point : {&outpost_, &watched_at_, &patch_, &turn_begin_, &turn_end_}) {
+  for (Point* point : {&endgame_start_, &watched_at_, &patch_, &turn_begin_, &turn_end_}) {
     *point = bytes.get_vector<Complex>();
   }
   samples_.clear();

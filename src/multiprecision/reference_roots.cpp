@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The climb through precisions: each rung doubles the digits, the last one gives the bound.
+// Up through the precisions: each level doubles the digits, the last one gives the bound.
 #include "moivre/multiprecision/reference_roots.h"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ namespace {
 constexpr int kGuardDigits = 35;
 // The bound lies this many digits beyond the last one given, so that it is rounded rightly.
 constexpr int kRoundingDigits = 8;
-// Newton's method from a root known to a few digits needs about six iterations to fill the first rung; at a
+// Newton's method from a root known to a few digits needs about six iterations to fill the first level; at a
 // multiple root it would go on for hundreds.
 constexpr int kFirstIterations = 30;
 constexpr int kLaterIterations = 8;
@@ -68,21 +68,21 @@ class Climb {
   ReferenceRoot from(const Point& approximation) {
     given_ = &approximation;
     root_ = ReferenceRoot();
-    rung(given_in<kFirstRung>(), kFirstIterations);
+    level(given_in<kFirstLevel>(), kFirstIterations);
     return std::move(root_);
   }
 
  private:
-  // Decimal digits of the rungs: doubled each, and the last but one enough for kMostDigits.
-  static constexpr unsigned kFirstRung = 90;
+  // Decimal digits of the levels: doubled each, and the last but one enough for kMostDigits.
+  static constexpr unsigned kFirstLevel = 90;
   template <unsigned D>
-  static constexpr unsigned next_rung() {
+  static constexpr unsigned next_level() {
     return D == 90 ? 180 : D == 180 ? 360 : D == 360 ? 720 : D == 720 ? 1100 : D == 1100 ? 2200 : 0;
   }
 
   template <unsigned D>
   BigNewton<D>& newton() {
-    auto& made = std::get<std::unique_ptr<BigNewton<D>>>(rungs_);
+    auto& made = std::get<std::unique_ptr<BigNewton<D>>>(levels_);
     if (!made) made = std::make_unique<BigNewton<D>>(f_, tape_, norms_);
     return *made;
   }
@@ -94,29 +94,29 @@ class Climb {
     return x;
   }
 
-  /// Newton's method in D digits, until the result stands or the next rung is to go on. Where it is lost in rounding errors, as beside
-  /// roots of many near each other, the next rung begins anew.
+  /// Newton's method in D digits, until the result stands or the next level is to go on. Where it is lost in rounding errors, as beside
+  /// roots of many near each other, the next level begins anew.
   template <unsigned D>
-  void rung(std::vector<BigComplex<D>> x, int iterations) {
+  void level(std::vector<BigComplex<D>> x, int iterations) {
     root_.working_digits = static_cast<int>(D);
     const bool may_finish = static_cast<int>(D) >= digits_ + kGuardDigits;
     std::vector<BigComplex<D>> dx(x.size());
-    bool fills_rung = false;
-    for (int k = 0; k < iterations && (!fills_rung || may_finish); ++k) {
+    bool fills_level = false;
+    for (int k = 0; k < iterations && (!fills_level || may_finish); ++k) {
       if (!newton<D>().correction(x, dx)) return;
       const double size = log10_of<D>(largest_size(dx) / scale_of(x));
       if (std::isnan(size)) return;
       root_.corrections_log10.push_back(size);
       if (may_finish && finish(x, dx, size)) return;
       for (std::size_t i = 0; i < x.size(); ++i) x[i] += dx[i];
-      fills_rung = size < -static_cast<double>(D) / 2;
+      fills_level = size < -static_cast<double>(D) / 2;
     }
-    if constexpr (next_rung<D>() != 0) {
-      constexpr unsigned kNext = next_rung<D>();
-      if (!fills_rung) return rung(given_in<kNext>(), kFirstIterations);
+    if constexpr (next_level<D>() != 0) {
+      constexpr unsigned kNext = next_level<D>();
+      if (!fills_level) return level(given_in<kNext>(), kFirstIterations);
       std::vector<BigComplex<kNext>> finer;
       for (const BigComplex<D>& xi : x) finer.emplace_back(xi);
-      rung(std::move(finer), kLaterIterations);
+      level(std::move(finer), kLaterIterations);
     }
   }
 
@@ -145,13 +145,13 @@ class Climb {
   }
 
   template <unsigned... D>
-  using Rungs = std::tuple<std::unique_ptr<BigNewton<D>>...>;
+  using Levels = std::tuple<std::unique_ptr<BigNewton<D>>...>;
 
   const System& f_;
   const Tape& tape_;
   const RowNorms& norms_;
   int digits_;
-  Rungs<90, 180, 360, 720, 1100, 2200> rungs_;
+  Levels<90, 180, 360, 720, 1100, 2200> levels_;
   const Point* given_ = nullptr;
   ReferenceRoot root_;
 };

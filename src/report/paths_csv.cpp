@@ -21,7 +21,7 @@ void write_paths_csv(const TextSink& sink, const SolveResult& result) {
             (is_on_set ? "on a set" : to_string(path.verdict)) + ',' +
             (is_placed ? std::to_string(path.solution) : "") + ',' +
             (reason == reasons.end() ? "" : to_string(reason->second)) + ',' +
-            to_string(path.rung) + ',' + std::to_string(path.followed) + ',' +
+            to_string(path.precision) + ',' + std::to_string(path.followed) + ',' +
             (path.handed_over ? "1," : "0,") + std::to_string(path.steps) + '\n';
   }
   text.flush();

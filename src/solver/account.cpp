@@ -156,9 +156,10 @@ void count_paths(const std::vector<PathRecord>& records, PathCounts& counts) {
     if (path.verdict == PathVerdict::open) continue;  // an interruption came first
     if (path.followed > 1) ++counts.retracked;
     if (path.handed_over) ++counts.handed_over;
-    if (path.rung == Rung::mixed && path.verdict == PathVerdict::finite) ++counts.mixed;
-    if (path.rung == Rung::double_double) ++counts.double_double;
-    if (path.rung == Rung::multiprecision) ++counts.multiprecision;
+    if (path.precision == PathPrecision::mixed && path.verdict == PathVerdict::finite)
+      ++counts.mixed;
+    if (path.precision == PathPrecision::double_double) ++counts.double_double;
+    if (path.precision == PathPrecision::multiprecision) ++counts.multiprecision;
   }
 }
 
@@ -240,7 +241,7 @@ Solution solution_of(const Run& run, const std::vector<std::uint64_t>& group,
     solution.radius = solution.accuracy * std::max(1.0, max_norm(point.x));
   }
   for (const std::uint64_t path : group) {
-    solution.precision = std::max(solution.precision, run.ledger.rung(path));
+    solution.precision = std::max(solution.precision, run.ledger.precision(path));
   }
   if (solution.real && is_real(run.setting.f)) {
     for (Complex& xi : solution.x) xi.imag(0);

@@ -73,7 +73,7 @@ PathSet unsettled_paths(const Run& run) {
 bool has_climbed_to_a_simple_root(const Run& run, std::uint64_t path) {
   const auto root = run.ledger.roots().find(path);
   return root != run.ledger.roots().end() && root->second.point.simple &&
-         run.ledger.rung(path) == Rung::multiprecision;
+         run.ledger.precision(path) == PathPrecision::multiprecision;
 }
 
 bool has_helped(const Run& run, const PathSet& ahead) {

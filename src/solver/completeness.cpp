@@ -255,7 +255,7 @@ std::vector<std::uint64_t> spare_paths(Run& run, Places& places) {
   }
   for (const auto& [path, failure] : run.ledger.failures()) spare.push_back(path);
   for (const std::uint64_t path : run.ledger.refuted()) spare.push_back(path);
-  for (const auto& [path, outpost] : run.waiting) spare.push_back(path);
+  for (const auto& [path, endgame_start] : run.waiting) spare.push_back(path);
   return spare;
 }
 

@@ -108,7 +108,7 @@ std::vector<Root> judged_roots(const Run& run) {
     std::optional<Tools> fine_tools;  // made when they are first needed
     for (std::size_t k = chunk; k < roots.size(); k += chunks) {
       const auto& [path, end] = run.ends[k];
-      const bool is_fine = run.ledger.rung(path) == Rung::multiprecision;
+      const bool is_fine = run.ledger.precision(path) == PathPrecision::multiprecision;
       if (is_fine && !fine_tools) fine_tools.emplace(run.setting, kMostArbBits);
       roots[k] = judged_root(run, is_fine ? *fine_tools : tools, end);
     }
@@ -151,9 +151,9 @@ void take_end(Run& run, std::uint64_t path, PathEnd&& end) {
     run.sheets.set(path, mark_of(end.sheet));
   }
   const bool is_mixed = end.status != PathStatus::at_infinity && end.count.work.fine_values > 0;
-  run.ledger.set_rung(path, run.setting.is_fine() ? Rung::double_double
-                            : is_mixed            ? Rung::mixed
-                                                  : Rung::double_precision);
+  run.ledger.set_precision(path, run.setting.is_fine() ? PathPrecision::double_double
+                                 : is_mixed            ? PathPrecision::mixed
+                                                       : PathPrecision::double_precision);
   switch (end.status) {
     case PathStatus::finite:
       run.ends.emplace_back(path, std::move(end));
@@ -163,7 +163,7 @@ void take_end(Run& run, std::uint64_t path, PathEnd&& end) {
       return;
     case PathStatus::failed:
       if (has_to_wait(run, end)) {
-        run.waiting[path] = end.outpost ? std::move(*end.outpost) : Outpost{};
+        run.waiting[path] = end.endgame_start ? std::move(*end.endgame_start) : EndgameStart{};
       } else {
         run.ledger.enter_failure({path, *end.failure, end.t, end.stage}, last_point(run, end));
       }

@@ -76,8 +76,8 @@ void Ledger::count_following(std::uint64_t path, const StepCount& count, std::si
   known.stage = static_cast<std::uint8_t>(stage);
 }
 
-Rung Ledger::rung(std::uint64_t path) const {
-  return path < records_.size() ? records_[path].rung : Rung::double_precision;
+PathPrecision Ledger::precision(std::uint64_t path) const {
+  return path < records_.size() ? records_[path].precision : PathPrecision::double_precision;
 }
 
 std::uint64_t Ledger::count(PathVerdict verdict) const {

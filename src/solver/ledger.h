@@ -52,7 +52,9 @@ class Ledger {
   /// The path was followed once more, or on; `stage`: of the plan, where it ended.
   void count_following(std::uint64_t path, const StepCount& count, std::size_t stage,
                        bool is_followed_on = false);
-  void set_rung(std::uint64_t path, Rung rung) { record(path).rung = rung; }
+  void set_precision(std::uint64_t path, PathPrecision precision) {
+    record(path).precision = precision;
+  }
   void set_handed_over(std::uint64_t path) { record(path).handed_over = true; }
 
   const std::map<std::uint64_t, Root>& roots() const { return roots_; }
@@ -63,7 +65,7 @@ class Ledger {
   const std::map<std::uint64_t, Point>& last_points() const { return last_points_; }
   /// By path number, up to the last path that anything is known of.
   const std::vector<PathRecord>& records() const { return records_; }
-  Rung rung(std::uint64_t path) const;
+  PathPrecision precision(std::uint64_t path) const;
   std::uint64_t count(PathVerdict verdict) const;
   /// Paths with an entry.
   std::uint64_t tracked() const;

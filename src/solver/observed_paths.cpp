@@ -30,18 +30,18 @@ StepCount get_count(ByteReader& bytes) {
   return count;
 }
 
-void put_outpost(ByteWriter& bytes, const Outpost& outpost) {
-  bytes.put(outpost.x);
-  bytes.put(outpost.radius);
-  put_frame(bytes, outpost.frame);
+void put_endgame_start(ByteWriter& bytes, const EndgameStart& endgame_start) {
+  bytes.put(endgame_start.x);
+  bytes.put(endgame_start.radius);
+  put_frame(bytes, endgame_start.frame);
 }
 
-Outpost get_outpost(ByteReader& bytes) {
-  Outpost outpost;
-  outpost.x = bytes.get_vector<Complex>();
-  outpost.radius = bytes.get<double>();
-  outpost.frame = get_frame(bytes);
-  return outpost;
+EndgameStart get_endgame_start(ByteReader& bytes) {
+  EndgameStart endgame_start;
+  endgame_start.x = bytes.get_vector<Complex>();
+  endgame_start.radius = bytes.get<double>();
+  endgame_start.frame = get_frame(bytes);
+  return endgame_start;
 }
 
 void add_endgame(FingerprintMaker& maker, const EndgameOptions& options) {
@@ -63,7 +63,7 @@ void add_endgame(FingerprintMaker& maker, const EndgameOptions& options) {
 }
 
 OutcomeKind kind_of(const PathEnd& end) {
-  if (end.outpost) return OutcomeKind::other;
+  if (end.endgame_start) return OutcomeKind::other;
   switch (end.status) {
     case PathStatus::finite:
       return OutcomeKind::root;
@@ -88,11 +88,11 @@ Fingerprint list_of(const PathProblem& problem, const PathList& paths, int care)
   for (std::uint64_t k = 0; k < paths.count; ++k) {
     const std::uint64_t path = paths.path_of(k);
     maker.add(path);
-    if (paths.outposts) {
-      const Outpost& outpost = paths.outposts->at(path);
-      maker.add(outpost.x);
-      maker.add(outpost.radius);
-      add_to(maker, outpost.frame);
+    if (paths.endgame_starts) {
+      const EndgameStart& endgame_start = paths.endgame_starts->at(path);
+      maker.add(endgame_start.x);
+      maker.add(endgame_start.radius);
+      add_to(maker, endgame_start.frame);
     } else if (k == 0 || k + 1 == paths.count) {
       const StartPoint start = problem.plan.points->at(path);
       maker.add(start.x);
@@ -117,8 +117,8 @@ std::string bytes_of(const PathEnd& end) {
   bytes.put(static_cast<std::uint64_t>(end.stage));
   bytes.put(end.sheet);
   put_count(bytes, end.count);
-  bytes.put(end.outpost.has_value());
-  if (end.outpost) put_outpost(bytes, *end.outpost);
+  bytes.put(end.endgame_start.has_value());
+  if (end.endgame_start) put_endgame_start(bytes, *end.endgame_start);
   bytes.put(end.is_taken_up);
   return bytes.bytes();
 }
@@ -141,7 +141,7 @@ PathEnd end_of(std::string_view text) {
   end.stage = static_cast<std::size_t>(bytes.get<std::uint64_t>());
   end.sheet = bytes.get_vector<Complex>();
   end.count = get_count(bytes);
-  if (bytes.get<bool>()) end.outpost = get_outpost(bytes);
+  if (bytes.get<bool>()) end.endgame_start = get_endgame_start(bytes);
   end.is_taken_up = bytes.get<bool>();
   bytes.require_end();
   return end;
@@ -186,8 +186,8 @@ bool observe_paths(const PathProblem& problem, const PathList& paths, int care, 
     }
   }
   if (others.empty()) return true;
-  const PathList rest{others.size(), [&](std::uint64_t k) { return others[k]; }, paths.outposts,
-                      paths.count - others.size()};
+  const PathList rest{others.size(), [&](std::uint64_t k) { return others[k]; },
+                      paths.endgame_starts, paths.count - others.size()};
   EndPart part = EndPart::of_itself;
   const bool has_memory = track_paths(
       problem, rest, care, threads,

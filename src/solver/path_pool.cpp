@@ -83,8 +83,8 @@ class SessionSource : public DepartureSource {
         scratch_(problem.plan.last()) {}
 
   std::optional<Departure> next() override {
-    if (ready_.empty() && shared_.paths.outposts) {
-      if (const auto path = shared_.draw()) take_up(*path, shared_.paths.outposts->at(*path));
+    if (ready_.empty() && shared_.paths.endgame_starts) {
+      if (const auto path = shared_.draw()) take_up(*path, shared_.paths.endgame_starts->at(*path));
     }
     if (!ready_.empty()) {
       Departure departure = std::move(ready_.back());
@@ -135,9 +135,9 @@ class SessionSource : public DepartureSource {
   }
 
  private:
-  void take_up(std::uint64_t path, const Outpost& outpost) {
+  void take_up(std::uint64_t path, const EndgameStart& endgame_start) {
     auto endgame = new_endgame(path);
-    Departure next = endgame->take_up(outpost, scratch_);
+    Departure next = endgame->take_up(endgame_start, scratch_);
     take_up({path, std::move(endgame)}, std::move(next));
   }
 
@@ -168,7 +168,7 @@ class SessionSource : public DepartureSource {
 
 void track_on_one_thread(const PathProblem& problem, const EndgameOptions& options,
                          std::uint64_t threads, Shared& shared) {
-  if (shared.paths.outposts) {
+  if (shared.paths.endgame_starts) {
     SessionSource source(problem, options, shared, nullptr);
     run_session(*problem.tracker.open(problem.plan.last()), source, shared.stop);
     return;

@@ -31,8 +31,8 @@ struct PathProblem {
 /// Receives the verdict on a path; called by one thread at a time, in any order of paths.
 using EndSink = std::function<void(std::uint64_t path, PathEnd&& end)>;
 
-/// Paths at their outposts, by number.
-using Outposts = std::map<std::uint64_t, Outpost>;
+/// Paths at the starts of their endgames, by number.
+using EndgameStarts = std::map<std::uint64_t, EndgameStart>;
 
 /// The number of the next job of a list; none where there is no other. Thread-safe.
 using JobDraw = std::function<std::optional<std::uint64_t>()>;
@@ -44,7 +44,8 @@ bool are_few(std::uint64_t paths, int care);
 struct PathList {
   std::uint64_t count = 0;
   std::function<std::uint64_t(std::uint64_t)> path_of;  ///< the k-th, k < count
-  const Outposts* outposts = nullptr;  ///< where they are taken up again; nullptr: they begin
+  const EndgameStarts* endgame_starts =
+      nullptr;              ///< where they are taken up again; nullptr: they begin
   std::uint64_t known = 0;  ///< others of the list, which were followed before without waiting
   JobDraw draw = {};  ///< says which is next, and may leave some to others; empty: in their order
 };

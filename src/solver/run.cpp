@@ -8,15 +8,15 @@
 
 namespace moivre {
 
-std::string to_string(Rung rung) {
-  switch (rung) {
-    case Rung::double_precision:
+std::string to_string(PathPrecision precision) {
+  switch (precision) {
+    case PathPrecision::double_precision:
       return "double";
-    case Rung::mixed:
+    case PathPrecision::mixed:
       return "mixed";
-    case Rung::double_double:
+    case PathPrecision::double_double:
       return "double-double";
-    case Rung::multiprecision:
+    case PathPrecision::multiprecision:
       return "multiprecision";
   }
   return "";

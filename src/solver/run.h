@@ -60,8 +60,8 @@ struct Run {
   const Setting& setting;
   Ledger ledger;
   Effort effort = Effort::all_steps;  ///< less only while track_all() or track_waiting() is at work
-  /// Came to no verdict with less effort than all; from an empty outpost a path is followed from its start again.
-  Outposts waiting;
+  /// Came to no verdict with less effort than all; from an empty start of the endgame a path is followed from its start again.
+  EndgameStarts waiting;
   std::vector<std::pair<std::uint64_t, PathEnd>> ends;  ///< finite, to be refined
   Marks
       sheets;  ///< of the points over one t to which paths have gone back from ends that circles have told

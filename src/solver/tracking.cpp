@@ -37,7 +37,8 @@ void follow(Run& run, const PathProblem& problem, const PathList& paths, int car
   for (std::uint64_t first = 0; first < paths.count && has_memory && !setting.stop;
        first += kPathsTogether) {
     const PathList block{std::min(kPathsTogether, paths.count - first),
-                         [&](std::uint64_t k) { return paths.path_of(first + k); }, paths.outposts};
+                         [&](std::uint64_t k) { return paths.path_of(first + k); },
+                         paths.endgame_starts};
     has_memory = observe_paths(problem, block, care, setting.threads, sink_unless_cancelled,
                                setting.stop, setting.options.observations);
     // Ends that wait to be refined take much more memory than roots.
@@ -49,10 +50,10 @@ void follow(Run& run, const PathProblem& problem, const PathList& paths, int car
 }
 
 void follow(Run& run, const PathProblem& problem, const PathSet& paths, int care,
-            const EndSink& sink, const Outposts* outposts = nullptr) {
+            const EndSink& sink, const EndgameStarts* endgame_starts = nullptr) {
   const std::vector<std::uint64_t> list(paths.begin(), paths.end());
-  follow(run, problem, {list.size(), [&](std::uint64_t k) { return list[k]; }, outposts}, care,
-         sink);
+  follow(run, problem, {list.size(), [&](std::uint64_t k) { return list[k]; }, endgame_starts},
+         care, sink);
 }
 
 /// Takes every end as its verdict comes in.
@@ -64,7 +65,8 @@ EndSink taking_ends(Run& run) {
 }
 
 /// The paths that came to no verdict.
-PathSet climb_with(Run& run, const Tracker& tracker, Rung rung, Taken taken, const PathSet& paths) {
+PathSet climb_with(Run& run, const Tracker& tracker, PathPrecision precision, Taken taken,
+                   const PathSet& paths) {
   PathSet undecided;
   if (paths.empty() || run.interrupted) return undecided;
   const Setting& setting = run.setting;
@@ -79,7 +81,7 @@ PathSet climb_with(Run& run, const Tracker& tracker, Rung rung, Taken taken, con
       return;
     }
     take_end(run, path, std::move(end));
-    run.ledger.set_rung(path, rung);
+    run.ledger.set_precision(path, precision);
   });
   return undecided;
 }
@@ -101,14 +103,14 @@ void track_waiting(Run& run, Effort effort) {
   run.effort = effort;
   const PathProblem problem{*setting.prepared.plan, setting.tracker(),
                             endgame_for(setting, effort)};
-  const Outposts waiting = std::exchange(run.waiting, {});
-  PathSet stand_at_outposts;
+  const EndgameStarts waiting = std::exchange(run.waiting, {});
+  PathSet stand_at_endgame_starts;
   PathSet begin_again;
-  for (const auto& [path, outpost] : waiting) {
-    (outpost.x.empty() ? begin_again : stand_at_outposts).insert(path);
+  for (const auto& [path, endgame_start] : waiting) {
+    (endgame_start.x.empty() ? begin_again : stand_at_endgame_starts).insert(path);
   }
   const int care = setting.options.care;
-  follow(run, problem, stand_at_outposts, care, taking_ends(run), &waiting);
+  follow(run, problem, stand_at_endgame_starts, care, taking_ends(run), &waiting);
   follow(run, problem, begin_again, care, taking_ends(run));
   run.effort = Effort::all_steps;
 }
@@ -124,19 +126,19 @@ void track_again(Run& run, const PathSet& paths, int care) {
 PathSet climb_together(Run& run, const PathSet& paths, Taken taken) {
   const Trackers& trackers = run.setting.trackers;
   return trackers.fine_lanes
-             ? climb_with(run, *trackers.fine_lanes, Rung::double_double, taken, paths)
+             ? climb_with(run, *trackers.fine_lanes, PathPrecision::double_double, taken, paths)
              : PathSet{};
 }
 
 void climb(Run& run, const PathSet& paths, Taken taken) {
   const Trackers& trackers = run.setting.trackers;
   if (!trackers.fine) return;
-  climb_with(run, *trackers.fine, Rung::double_double, taken,
+  climb_with(run, *trackers.fine, PathPrecision::double_double, taken,
              trackers.fine_lanes ? climb_together(run, paths, taken) : paths);
 }
 
 void climb_beyond_double_double(Run& run, const Tracker& tracker, const PathSet& paths) {
-  climb_with(run, tracker, Rung::multiprecision, Taken::regular_ends, paths);
+  climb_with(run, tracker, PathPrecision::multiprecision, Taken::regular_ends, paths);
   const bool is_last = &tracker == run.setting.trackers.finer.back().get();
   if (is_last) run.in_all_digits.insert(paths.begin(), paths.end());
 }

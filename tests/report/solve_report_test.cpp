@@ -71,7 +71,7 @@ TEST(PathsCsv, HasALineForEachPathWhateverBecameOfIt) {
   PathRecord failed;
   failed.verdict = PathVerdict::failed;
   failed.stage = 1;
-  failed.rung = Rung::double_double;
+  failed.precision = PathPrecision::double_double;
   failed.followed = 4;
   failed.handed_over = true;
   PathRecord left;

@@ -52,7 +52,7 @@ TEST(Ledger, APathThatWasNotFollowedIsOpenAndCountsAsNothing) {
   ASSERT_EQ(ledger.records().size(), 6U);
   EXPECT_EQ(ledger.records()[4].verdict, PathVerdict::open);
   EXPECT_EQ(ledger.tracked(), 1U);
-  EXPECT_EQ(ledger.rung(9), Rung::double_precision);
+  EXPECT_EQ(ledger.precision(9), PathPrecision::double_precision);
 }
 
 TEST(Ledger, AddsUpTheStepsOfEveryFollowingOfAPath) {

@@ -163,12 +163,12 @@ TEST(ObservedPaths, AnEndComesBackToTheLastBit) {
   frame.log2 = {1, -3};
   frame.factors = {0.5, 2};
   frame.weights = {0.1};
-  end.outpost = Outpost{{{4, 5}}, 0.01, std::make_shared<const PathFrame>(frame)};
+  end.endgame_start = EndgameStart{{{4, 5}}, 0.01, std::make_shared<const PathFrame>(frame)};
   const PathEnd again = end_of(bytes_of(end));
   EXPECT_EQ(bytes_of(again), bytes_of(end));
   EXPECT_EQ(again.x, end.x);
   EXPECT_EQ(again.failure, end.failure);
-  EXPECT_EQ(again.outpost->frame->log2, frame.log2);
+  EXPECT_EQ(again.endgame_start->frame->log2, frame.log2);
   EXPECT_THROW(end_of(bytes_of(end).substr(1)), std::invalid_argument);
 }
 

@@ -44,10 +44,10 @@ TEST(Precision, FindsEveryRootOfWilkinsonsPolynomialOfDegreeTwenty) {
 
 TEST(Precision, TellsTheRungOfEveryRoot) {
   const SolveResult result = solve_with(system_of(problem("wilkinson-20")), Precision::automatic);
-  std::map<Rung, std::uint64_t> roots;
+  std::map<PathPrecision, std::uint64_t> roots;
   for (const Solution& s : result.solutions) ++roots[s.precision];
-  EXPECT_EQ(roots[Rung::mixed], result.paths.mixed);
-  EXPECT_EQ(roots[Rung::double_double], result.paths.double_double);
+  EXPECT_EQ(roots[PathPrecision::mixed], result.paths.mixed);
+  EXPECT_EQ(roots[PathPrecision::double_double], result.paths.double_double);
 }
 
 /// Verdicts on these paths of kin1 with seed 1, followed by `tracker`.
@@ -147,7 +147,7 @@ TEST(Precision, TenRootsWithinAMillionthAreFoundByPathsOfMoreDigits) {
     EXPECT_EQ(result.paths.multiprecision, 10U);
     ASSERT_EQ(result.solutions.size(), 10U);
     for (const Solution& s : result.solutions) {
-      EXPECT_EQ(s.precision, Rung::multiprecision);
+      EXPECT_EQ(s.precision, PathPrecision::multiprecision);
       EXPECT_NEAR(std::abs(s.x[0] - 1.0), 1e-6, 1e-15);
       EXPECT_LT(s.accuracy, 1e-15);
     }
@@ -166,10 +166,10 @@ TEST(Precision, ASingularRootStaysOneInDoubleDouble) {
 }
 
 TEST(Precision, EachRungHasAName) {
-  EXPECT_EQ(to_string(Rung::double_precision), "double");
-  EXPECT_EQ(to_string(Rung::mixed), "mixed");
-  EXPECT_EQ(to_string(Rung::double_double), "double-double");
-  EXPECT_EQ(to_string(Rung::multiprecision), "multiprecision");
+  EXPECT_EQ(to_string(PathPrecision::double_precision), "double");
+  EXPECT_EQ(to_string(PathPrecision::mixed), "mixed");
+  EXPECT_EQ(to_string(PathPrecision::double_double), "double-double");
+  EXPECT_EQ(to_string(PathPrecision::multiprecision), "multiprecision");
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ struct EndgameOptions {
 };
 
 /// Where a path stands that has no regular end, so that it can be taken up again.
-struct Outpost {
+struct EndgameStart {
   Point x;  ///< homogeneous, in its frame
   double radius = 0;
   FramePointer frame;
@@ -87,8 +87,9 @@ struct PathEnd {
   /// Homogeneous, over 1 - t = common_radius(watch_radius), where the path has gone back to; empty: it has not.
   Point sheet;
   StepCount count;
-  std::optional<Outpost> outpost;  ///< where only regular ends were sought, and it has none
-  bool is_taken_up = false;        ///< from an outpost: `count` is of the rest of the way
+  std::optional<EndgameStart>
+      endgame_start;         ///< where only regular ends were sought, and it has none
+  bool is_taken_up = false;  ///< from a start of the endgame: `count` is of the rest of the way
 };
 
 enum class FaceRoot;
@@ -100,8 +101,8 @@ class Endgame : public Watcher {
   /// The first departure, from a start point at t = 0, in the frame where there is one.
   Departure depart(Point start, FramePointer frame = nullptr);
 
-  /// The first departure of a path that stands at an outpost on the last stage.
-  Departure take_up(const Outpost& outpost, PathSystem& path);
+  /// The first departure of a path that stands at a start of the endgame on the last stage.
+  Departure take_up(const EndgameStart& endgame_start, PathSystem& path);
 
   /// Takes an arrival. Returns the next departure, or nullopt when the verdict is known. `path`: scratch for evaluations.
   std::optional<Departure> accept(Arrival&& arrival, PathSystem& path);
@@ -143,7 +144,7 @@ class Endgame : public Watcher {
   std::optional<Departure> proceed(Arrival&& arrival, PathSystem& path);
   Departure along(const Contour& contour, Point x, int samples = 0, Watcher* watcher = nullptr);
   std::optional<Departure> judge_arrival(Arrival&& arrival, PathSystem& path);
-  void polish_outpost(PathSystem& path);
+  void polish_endgame_start(PathSystem& path);
   Departure turn_to_circles(PathSystem& path);
   bool may_look_again() const;
   std::optional<Departure> look_again(PathSystem& path);
@@ -190,7 +191,7 @@ class Endgame : public Watcher {
 
   // Watching.
   int creeping_ = 0;        ///< recorded steps within the creeping radius
-  Point outpost_;           ///< last watched point, from which circles begin
+  Point endgame_start_;     ///< last watched point, from which circles begin
   double radius_ = 0;       ///< its |1 - t|
   double next_radius_ = 0;  ///< of the circle that is approached
 

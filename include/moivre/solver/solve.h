@@ -45,13 +45,13 @@ struct Progress {
 };
 
 /// The level of precision that a path needed.
-enum class Rung : std::uint8_t {
+enum class PathPrecision : std::uint8_t {
   double_precision,  ///< double throughout
   mixed,             ///< residuals in double-double where rounding stopped Newton's method
   double_double,     ///< the whole path in double-double
   multiprecision     ///< the whole path in a hundred digits or more
 };
-std::string to_string(Rung rung);
+std::string to_string(PathPrecision precision);
 
 /// Which levels of precision a solve may use.
 enum class Precision {
@@ -118,7 +118,7 @@ struct Solution {
   /// powers, a simple one of their bases (polynomial/powers.h), whose multiplicity is then proved too. nullopt: not asked for, or not possible
   /// because F has more equations than unknowns.
   std::optional<bool> certified;
-  Rung precision = Rung::double_precision;  ///< that its paths needed
+  PathPrecision precision = PathPrecision::double_precision;  ///< that its paths needed
   std::vector<ComplexDecimal>
       x_digits;  ///< x in SolveResult::digits digits; empty where there are none
 };
@@ -170,7 +170,7 @@ struct PathRecord {
   std::uint8_t followed = 0;             ///< how often, 255 for more
   std::uint8_t stage = 0;                ///< of the plan, on which it ended
   PathVerdict verdict = PathVerdict::open;
-  Rung rung = Rung::double_precision;
+  PathPrecision precision = PathPrecision::double_precision;
   bool handed_over = false;  ///< to SolveOptions::fallback
 };
 
