@@ -99,9 +99,9 @@ std::uint64_t terms_worth_looking_at(const Run& run) {
 const QuotientRing& ring_of(Run& run, std::uint64_t roots) {
   if (run.setting.prepared.leaves_out) return run.bounds.ring;
   Bounds& bounds = run.bounds;
+  if (bounds.ring.verdict != QuotientRing::Verdict::not_found) return bounds.ring;
   const std::uint64_t most_terms = terms_worth_looking_at(run);
-  if (bounds.ring.verdict == QuotientRing::Verdict::not_found &&
-      bounds.for_ring.allows(most_terms)) {
+  if (bounds.for_ring.allows(most_terms)) {
     bounds.ring =
         quotient_ring(run.setting.prepared.reduction.system, {.known = roots,
                                                               .most_terms = most_terms,
